@@ -1,0 +1,41 @@
+# Options that every target of plumbline is compiled with.
+add_library(plumbline_options INTERFACE)
+target_include_directories(plumbline_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
+target_compile_options(plumbline_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wimplicit-fallthrough
+  $<$<BOOL:${PLUMBLINE_WARNINGS_AS_ERRORS}>:-Werror>)
+if(PLUMBLINE_SANITIZE)
+  target_compile_options(plumbline_options INTERFACE -fsanitize=${PLUMBLINE_SANITIZE} -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  target_link_options(plumbline_options INTERFACE -fsanitize=${PLUMBLINE_SANITIZE})
+endif()
+if(PLUMBLINE_TIDY)
+  find_program(CLANG_TIDY clang-tidy REQUIRED)
+  set(CMAKE_CXX_CLANG_TIDY ${CLANG_TIDY} --quiet --warnings-as-errors=*)
+endif()
+
+# add_module(NAME SOURCES file... [USES module...] [LIBRARIES target...])
+# One static library per folder of src/. USES names the modules whose headers it may include (src/layers.txt).
+function(add_module name)
+  cmake_parse_arguments(M "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+  add_library(plumbline_${name} STATIC ${M_SOURCES})
+  target_link_libraries(plumbline_${name} PUBLIC plumbline_options ${M_LIBRARIES})
+  foreach(used IN LISTS M_USES)
+    target_link_libraries(plumbline_${name} PUBLIC plumbline_${used})
+  endforeach()
+endfunction()
+
+# add_module_test(NAME SOURCES file... USES module... [LIBRARIES target...])
+# One Catch2 program per folder of tests/, each of its test cases known to ctest.
+function(add_module_test name)
+  cmake_parse_arguments(T "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+  add_executable(${name}_test ${T_SOURCES} $<TARGET_OBJECTS:catch_main>)
+  target_link_libraries(${name}_test PRIVATE plumbline_options Catch2::Catch2 ${T_LIBRARIES})
+  foreach(used IN LISTS T_USES)
+    target_link_libraries(${name}_test PRIVATE plumbline_${used})
+  endforeach()
+  target_include_directories(${name}_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  target_compile_definitions(${name}_test PRIVATE PLUMBLINE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+                                                  PLUMBLINE_PROGRAM="$<TARGET_FILE_DIR:${name}_test>/plumbline")
+  catch_discover_tests(${name}_test TEST_PREFIX "${name}: " PROPERTIES TIMEOUT 600)
+endfunction()

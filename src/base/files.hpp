@@ -1,0 +1,74 @@
+// Files: input that can be sought in, output that appears whole or not at all.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace plumbline {
+
+/// The name by which standard input and output are asked for on the command line.
+inline constexpr std::string_view kStandardStream = "-";
+
+/// A file open for reading at any offset. Standard input ("-") is copied to an unnamed temporary file first.
+/// Refuses with file-missing, file-is-folder or file-unreadable.
+class InputFile {
+ public:
+  explicit InputFile(const std::string& path);
+  ~InputFile();
+  InputFile(InputFile&& other) noexcept;
+  InputFile& operator=(InputFile&&) = delete;
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  /// As the user wrote it; "<stdin>" for standard input.
+  const std::string& name() const { return name_; }
+  std::uint64_t size() const { return size_; }
+  /// Reads up to `count` bytes at `offset`; returns how many there were.
+  std::size_t read(std::uint64_t offset, char* into, std::size_t count) const;
+  /// True if `path` names this very file, links followed.
+  bool is_same_as(const std::string& path) const;
+
+ private:
+  std::string name_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+/// The whole of a small file (models, tables). Refuses as InputFile does.
+std::string read_text(const std::string& path);
+
+/// A file being written: a temporary one beside `path` that takes its name at commit(). Without commit() nothing is
+/// left behind. "-" writes to standard output, at commit(). Refuses with file-unwritable.
+class OutputFile {
+ public:
+  explicit OutputFile(std::string path);
+  ~OutputFile();
+  OutputFile(OutputFile&&) = delete;
+  OutputFile& operator=(OutputFile&&) = delete;
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  void write(std::string_view bytes);
+  std::uint64_t size() const { return size_; }
+  const std::string& name() const { return path_; }
+  void commit();
+
+ private:
+  void flush();
+  [[noreturn]] void refuse_write(int error) const;
+  std::string path_;
+  std::string temporary_;
+  std::string buffer_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+/// Writes a small file whole, as OutputFile does.
+void write_text(const std::string& path, std::string_view text);
+
+}  // namespace plumbline

@@ -1,0 +1,70 @@
+#include "base/files.hpp"
+
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+
+#include "base/diagnostic.hpp"
+
+using namespace plumbline;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+  fs::path path = fs::temp_directory_path() / fs::path("plumbline-files-test");
+  Folder() {
+    fs::remove_all(path);
+    fs::create_directory(path);
+  }
+  ~Folder() { fs::remove_all(path); }
+  std::string operator/(const char* name) const { return (path / name).string(); }
+};
+
+std::string code_of(auto&& action) {
+  try {
+    action();
+  } catch (const Refusal& refusal) {
+    return refusal.diagnostic().code;
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("output appears whole at commit and not before") {
+  const Folder folder;
+  const std::string name = folder / "out.txt";
+  {
+    OutputFile file(name);
+    file.write("half");
+    CHECK_FALSE(fs::exists(name));
+  }
+  CHECK(fs::is_empty(folder.path));  // no commit: nothing is left, the temporary file neither
+  write_text(name, "whole\n");
+  CHECK(read_text(name) == "whole\n");
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
+}
+
+TEST_CASE("input is read at any offset, and knows itself by another name") {
+  const Folder folder;
+  const std::string name = folder / "in.txt";
+  write_text(name, "0123456789");
+  const InputFile file(name);
+  char two[2];
+  CHECK(file.read(4, two, 2) == 2);
+  CHECK(std::string(two, 2) == "45");
+  CHECK(file.read(9, two, 2) == 1);
+  CHECK(file.read(10, two, 2) == 0);
+  fs::create_symlink(name, folder / "link");
+  CHECK(file.is_same_as(folder / "link"));
+  CHECK_FALSE(file.is_same_as(folder / "other"));
+}
+
+TEST_CASE("files that cannot be had are refused by name") {
+  const Folder folder;
+  CHECK(code_of([&] { InputFile file(folder / "none"); }) == "file-missing");
+  CHECK(code_of([&] { InputFile file(folder.path.string()); }) == "file-is-folder");
+  CHECK(code_of([&] { OutputFile file(folder.path.string()); }) == "file-is-folder");
+  CHECK(code_of([&] { OutputFile file(folder / "none/out.txt"); }) == "file-unwritable");
+}
