@@ -1,0 +1,23 @@
+// Work offsets: from the words of a program to the machine and back.
+#pragma once
+
+#include "base/axes.hpp"
+
+namespace plumbline::nc {
+
+/// The offsets in force. Order as in RS274/NGC: work + G92, turned about Z by the rotation, + work offset, + tool.
+struct Frame {
+  AxisWords origin;         // of the active work system (G54...)
+  double rotation_deg = 0;  // of the active work system about Z (G10 L2 R), of X and Y alone
+  AxisWords g92;            // G92, G52
+  AxisWords tool;           // G43: what the tool adds to the control's display
+
+  /// The tool tip in W: every offset but the tool's, whose length is part of the machine's geometry.
+  AxisWords to_pose(const AxisWords& work) const;
+  AxisWords from_pose(const AxisWords& pose) const;
+  /// The control's display: every offset.
+  AxisWords to_machine(const AxisWords& work) const;
+  AxisWords from_machine(const AxisWords& machine) const;
+};
+
+}  // namespace plumbline::nc

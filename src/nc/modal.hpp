@@ -1,0 +1,29 @@
+// The modal state of a control: what a block inherits from the blocks before it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "base/axes.hpp"
+#include "nc/motion.hpp"
+
+namespace plumbline::nc {
+
+enum class MotionMode : std::uint8_t { none, rapid, feed, arc_cw, arc_ccw };   // G80, G0, G1, G2, G3
+enum class PathControl : std::uint8_t { exact_path, exact_stop, continuous };  // G61, G61.1, G64
+
+struct Modal {
+  MotionMode motion = MotionMode::none;
+  Plane plane = Plane::xy;
+  FeedMode feed_mode = FeedMode::per_minute;
+  PathControl path_control = PathControl::continuous;
+  bool inches = false;                // G20
+  bool incremental = false;           // G91
+  bool arc_centre_absolute = false;   // G90.1
+  int work_system = 1;                // 1..9: G54..G59.3
+  double feed = 0;                    // the F in force, in the program's own unit; 0: none. Not used under G93
+  int tool_in_spindle = -1;           // after M6 or M61; -1: not known
+  int tool_of_offset = -1;            // whose length G43 put in force; -1: none, or not a tool of the table
+};
+
+}  // namespace plumbline::nc

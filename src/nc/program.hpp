@@ -1,0 +1,62 @@
+// A program, executed block by block: read, parsed, interpreted. Memory does not grow with its length.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "base/files.hpp"
+#include "nc/dialect.hpp"
+#include "nc/step.hpp"
+#include "nc/tool_table.hpp"
+
+namespace plumbline::nc {
+
+inline constexpr int kWorkSystems = 9;  // G54..G59, G59.1..G59.3
+
+struct WorkOffset {
+  AxisWords origin;
+  double rotation_deg = 0;
+};
+
+/// What the program's text alone does not say.
+struct ProgramSettings {
+  std::array<std::optional<WorkOffset>, kWorkSystems> work_offsets;
+  ToolTable tools;
+  std::optional<int> tool_in_spindle;                     // at the start
+  std::array<std::optional<double>, kAxes> start;         // where the axes stand at the start, in the first work system
+  std::map<int, double> variables;                        // numbered parameters set before the program
+  std::set<int> passed_m_codes;                           // --pass
+  std::set<int> keeps_position;                           // --keeps-position, M codes
+  std::optional<bool> block_delete;                       // --block-delete on|off
+  /// trace alone: what nobody gave is what a control with empty tables has (zero), M codes of the user pass.
+  bool as_with_empty_tables = false;
+};
+
+/// Pulls a program through lexer, parser and interpreter.
+class Program {
+ public:
+  /// `file` and `dialect` must outlive it.
+  Program(const InputFile& file, const Dialect& dialect, ProgramSettings settings);
+  ~Program();
+  Program(Program&&) = delete;
+  Program& operator=(Program&&) = delete;
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  /// Executes the next block; null at the end of the file. The texts of all blocks, with their line ends, put one after
+  /// the other are the file. Refuses with nc-... and the place of what it cannot take.
+  const Step* next();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// The axes that some word of the program names, found without executing it.
+AxisSet named_axes(const InputFile& file, const Dialect& dialect);
+
+}  // namespace plumbline::nc

@@ -1,0 +1,32 @@
+// The tools that a program uses: length for the geometry, mass and centre of mass for the load.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline::nc {
+
+struct Tool {
+  int number = 0;
+  double length_mm = 0;                        // from the gauge point to the tip, along -Z of P
+  std::optional<double> diameter_mm;
+  std::optional<double> mass_kg;
+  std::optional<double> centre_of_mass_mm;     // from the gauge point towards the tip
+};
+
+class ToolTable {
+ public:
+  ToolTable() = default;
+  explicit ToolTable(std::vector<Tool> tools) : tools_(std::move(tools)) {}
+  const Tool* find(int number) const;
+  bool empty() const { return tools_.empty(); }
+
+ private:
+  std::vector<Tool> tools_;
+};
+
+/// Reads a tool table (`plumbline = "tools 1"`, [[tool]] rows). Refuses with tools-... and the place.
+ToolTable read_tool_table(const std::string& path);
+
+}  // namespace plumbline::nc
