@@ -1,0 +1,134 @@
+#include "base/toml.hpp"
+
+#include <algorithm>
+
+#define TOML_HEADER_ONLY 1
+#include <toml++/toml.h>
+
+namespace plumbline {
+namespace {
+
+// toml++ counts lines and columns from 1, columns in code points; a Span counts bytes.
+class Offsets {
+ public:
+  explicit Offsets(std::string_view text) : text_(text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] == '\n') lines_.push_back(i + 1);
+    }
+  }
+
+  std::size_t of(const toml::source_position& position) const {
+    if (position.line == 0) return 0;
+    if (position.line > lines_.size()) return text_.size();
+    std::size_t at = lines_[position.line - 1];
+    for (std::size_t column = 1; column < position.column && at < text_.size() && text_[at] != '\n'; ++column) {
+      ++at;
+      while (at < text_.size() && (static_cast<unsigned char>(text_[at]) & 0xC0U) == 0x80U) ++at;
+    }
+    return at;
+  }
+
+  Span of(const toml::source_region& region) const {
+    const std::size_t begin = of(region.begin);
+    const std::size_t end = of(region.end);
+    return {begin, end > begin ? end - begin : 1};
+  }
+
+ private:
+  std::string_view text_;
+  std::vector<std::size_t> lines_{0};
+};
+
+TomlValue convert(const toml::node& node, const Offsets& offsets);
+
+std::vector<TomlEntry> entries_of(const toml::table& table, const Offsets& offsets) {
+  std::vector<TomlEntry> entries;
+  for (const auto& [key, value] : table) {
+    entries.push_back({std::string(key.str()), offsets.of(key.source()), convert(value, offsets)});
+  }
+  std::sort(entries.begin(), entries.end(),
+            [](const TomlEntry& a, const TomlEntry& b) { return a.key_span.offset < b.key_span.offset; });
+  return entries;
+}
+
+TomlValue convert(const toml::node& node, const Offsets& offsets) {
+  TomlValue value;
+  value.span = offsets.of(node.source());
+  switch (node.type()) {
+    case toml::node_type::table:
+      value.kind = TomlValue::Kind::table;
+      value.entries = entries_of(*node.as_table(), offsets);
+      break;
+    case toml::node_type::array:
+      value.kind = TomlValue::Kind::array;
+      for (const toml::node& item : *node.as_array()) value.items.push_back(convert(item, offsets));
+      break;
+    case toml::node_type::string:
+      value.kind = TomlValue::Kind::text;
+      value.text = node.as_string()->get();
+      break;
+    case toml::node_type::integer:
+      value.kind = TomlValue::Kind::number;
+      value.number = static_cast<double>(node.as_integer()->get());
+      break;
+    case toml::node_type::floating_point:
+      value.kind = TomlValue::Kind::number;
+      value.number = node.as_floating_point()->get();
+      break;
+    case toml::node_type::boolean:
+      value.kind = TomlValue::Kind::boolean;
+      value.flag = node.as_boolean()->get();
+      break;
+    default:
+      value.kind = TomlValue::Kind::date;
+      break;
+  }
+  return value;
+}
+
+}  // namespace
+
+const TomlEntry* TomlValue::find(std::string_view key) const {
+  const auto found = std::find_if(entries.begin(), entries.end(), [&](const TomlEntry& e) { return e.key == key; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+Place TomlDocument::place(Span span) const {
+  Place place = place_in(file, text, span.offset, span.length);
+  const std::size_t room = place.text.size() + 1 > place.column ? place.text.size() + 1 - place.column : 1;
+  place.length = std::clamp<std::size_t>(span.length, 1, room);
+  return place;
+}
+
+std::string_view name_of(TomlValue::Kind kind) {
+  switch (kind) {
+    case TomlValue::Kind::text:
+      return "text";
+    case TomlValue::Kind::number:
+      return "a number";
+    case TomlValue::Kind::boolean:
+      return "true or false";
+    case TomlValue::Kind::array:
+      return "an array";
+    case TomlValue::Kind::table:
+      return "a table";
+    case TomlValue::Kind::date:
+      break;
+  }
+  return "a date";
+}
+
+TomlDocument parse_toml(std::string text, std::string file) {
+  TomlDocument document{std::move(file), std::move(text), {}};
+  const Offsets offsets(document.text);
+  try {
+    const toml::table table = toml::parse(document.text, document.file);
+    document.root.entries = entries_of(table, offsets);
+  } catch (const toml::parse_error& error) {
+    refuse("toml-syntax", std::string(error.description()), "write it as TOML wants it: key = value, texts in quotes",
+           document.place(offsets.of(error.source())));
+  }
+  return document;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,35 @@
+#include "base/scalar.hpp"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+
+using namespace plumbline;
+
+TEST_CASE("a pack chooses, swaps and compares lane by lane, as double does alone") {
+  const Pack a([](int lane) { return lane - 1.5; });
+  const Pack b([](int lane) { return 1.0 - lane; });
+  Pack x = a;
+  Pack y = b;
+  swap_where<Pack>(a < b, x, y);
+  for (std::size_t i = 0; i < Pack::size(); ++i) {
+    const double p = a[i];
+    const double q = b[i];
+    double u = p;
+    double v = q;
+    swap_where<double>(p < q, u, v);
+    CHECK(select<Pack>(a < b, a, b)[i] == select<double>(p < q, p, q));
+    CHECK(x[i] == u);
+    CHECK(y[i] == v);
+    CHECK(absolute(a)[i] == absolute(p));
+    CHECK(larger(a, b)[i] == larger(p, q));
+  }
+  CHECK(any(a < Pack(-1.0)));
+  CHECK_FALSE(all(b < Pack(0.5)));
+}
+
+TEST_CASE("Eigen holds packs") {
+  using Vector = Eigen::Matrix<Pack, 3, 1>;
+  const Vector v(Pack(1.0), Pack(2.0), Pack(2.0));
+  CHECK(all(v.norm() == Pack(3.0)));
+  CHECK(all(v.cross(Vector::UnitX())[1] == Pack(2.0)));
+}

@@ -1,0 +1,42 @@
+#include "base/toml.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace plumbline;
+
+TEST_CASE("each key and value knows its bytes") {
+  const std::string text =
+      "# h\xc3\xa4\nname = \"\xc3\xa4x\"  # c\n[strut]\na = [1, 2.5]\n[[row]]\nb = true\n[[row]]\nb = -3\n";
+  const TomlDocument document = parse_toml(text, "m.toml");
+  const auto cut = [&](Span span) { return text.substr(span.offset, span.length); };
+  const TomlEntry* name = document.root.find("name");
+  REQUIRE(name != nullptr);
+  CHECK(cut(name->key_span) == "name");
+  CHECK(cut(name->value.span) == "\"\xc3\xa4x\"");
+  const TomlEntry* a = document.root.find("strut")->value.find("a");
+  CHECK(cut(a->value.span) == "[1, 2.5]");
+  CHECK(cut(a->value.items[1].span) == "2.5");
+  CHECK(document.place(a->value.items[1].span).line == 4);
+  CHECK(document.place(a->value.items[1].span).column == 9);
+  const TomlValue& rows = document.root.find("row")->value;
+  REQUIRE(rows.items.size() == 2);
+  CHECK(rows.items[0].find("b")->value.flag);
+  CHECK(rows.items[1].find("b")->value.number == -3);
+  CHECK(document.root.find("none") == nullptr);
+}
+
+TEST_CASE("what is no TOML is refused where it stands") {
+  const auto place_of = [](const char* text) {
+    try {
+      parse_toml(text, "m.toml");
+    } catch (const Refusal& refusal) {
+      CHECK(refusal.diagnostic().code == "toml-syntax");
+      return std::pair(refusal.diagnostic().place.line, refusal.diagnostic().place.column);
+    }
+    return std::pair<std::size_t, std::size_t>(0, 0);
+  };
+  CHECK(place_of("a = 1\na = 2\n").first == 2);
+  CHECK(place_of("a = \n").first == 1);
+  CHECK(place_of("[x\nb = 1").first == 1);
+  CHECK(place_of("x = 1\ny = 1e999") == std::pair<std::size_t, std::size_t>(2, 10));
+}
