@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 
 namespace plumbline {
 
@@ -17,6 +18,12 @@ inline constexpr std::array<char, kAxes> kAxisLetters{'X', 'Y', 'Z', 'A', 'B', '
 
 constexpr std::size_t index(Axis axis) { return static_cast<std::size_t>(axis); }
 constexpr char letter(Axis axis) { return kAxisLetters[index(axis)]; }
+constexpr std::optional<Axis> axis_of(char upper_case_letter) {
+  for (const Axis axis : kAllAxes) {
+    if (letter(axis) == upper_case_letter) return axis;
+  }
+  return std::nullopt;
+}
 constexpr bool is_rotary(Axis axis) { return axis >= Axis::A; }
 
 /// A set of axes.

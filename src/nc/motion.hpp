@@ -45,6 +45,7 @@ struct Motion {
   AxisSet known_after;             // axes whose `to` is known
   double feed = 0;                 // per_minute: mm/min, or deg/min for a purely rotary move; inverse_time: 1/min;
                                    // per_revolution: mm/rev. 0: no feed in force
+  double mm_per_unit = 1;          // the program's length unit at this move: 25.4 under G20
   double dwell_s = 0;              // dwell only
   Arc arc;                         // arc only
 };

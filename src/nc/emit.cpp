@@ -1,0 +1,246 @@
+#include "nc/emit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+#include "base/diagnostic.hpp"
+#include "base/number_text.hpp"
+#include "base/units.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr std::size_t kChunk = std::size_t{1} << 16U;
+constexpr std::string_view kSkipped = "block delete is on: this block was left out";
+
+Place place_of(const Step& step, const InputFile& source) {
+  Place place;
+  place.file = source.name();
+  place.line = step.block->line;
+  place.column = 1;
+  place.length = step.block->text.size();
+  place.text = step.block->text;
+  return place;
+}
+
+// Only the words that tell where the control stands: their values grow by what the control is off.
+bool shifts_words(const Step& step, const AxisWords& shift) {
+  return std::any_of(kAllAxes.begin(), kAllAxes.end(),
+                     [&](Axis axis) { return step.named.contains(axis) && std::abs(shift[axis]) > 1e-9; });
+}
+
+}  // namespace
+
+Emitter::Emitter(const InputFile& source, const Dialect& dialect, EmitSettings settings, OutputFile& out)
+    : source_(source),
+      dialect_(dialect),
+      settings_(std::move(settings)),
+      out_(out),
+      planner_(dialect_, settings_),
+      codes_(dialect_),
+      writer_(codes_) {}
+
+std::string_view Emitter::line_end(const Step& step) const {
+  return step.block->line_end.empty() ? std::string_view(newline_) : step.block->line_end;
+}
+
+void Emitter::copy_source(std::uint64_t from, std::uint64_t to) {
+  std::string chunk;
+  while (from < to) {
+    chunk.resize(std::min<std::uint64_t>(kChunk, to - from));
+    const std::size_t got = source_.read(from, chunk.data(), chunk.size());
+    PLUMBLINE_CHECK(got > 0);
+    out_.write(std::string_view(chunk).substr(0, got));
+    from += got;
+  }
+}
+
+// The stamp stands behind %, a program number and the comments that the program begins with.
+void Emitter::note_header(const Step& step) {
+  const Block& block = *step.block;
+  source_end_ = block.offset + block.text.size() + block.line_end.size();
+  if (!block.line_end.empty()) newline_ = block.line_end;
+  if (!in_header_) return;
+  const bool blank =
+      block.words.empty() && block.comments.empty() && block.settings.empty() && block.kind == LineKind::block;
+  const bool comment = block.words.empty() && !block.comments.empty() && block.settings.empty() && !block.block_delete;
+  const bool number = block.words.size() == 1 && block.words.front().letter == 'O';
+  if (block.kind == LineKind::percent || comment || number) {
+    header_end_ = source_end_;
+  } else if (!blank) {
+    in_header_ = false;
+  }
+}
+
+void Emitter::write_stamp() {
+  for (const std::string& line : settings_.stamp) {
+    const std::size_t room = dialect_.line_length - std::min(dialect_.line_length, dialect_.comment_open.size() +
+                                                                                       dialect_.comment_close.size());
+    out_.write(dialect_.comment_open + line.substr(0, room) + dialect_.comment_close + newline_);
+  }
+}
+
+// Nothing was written as long as nothing had to change; now the text up to this block goes out, the stamp in it.
+void Emitter::begin_change(const Step& step) {
+  in_header_ = false;
+  if (changed_) return;
+  changed_ = true;
+  copy_source(0, header_end_);
+  write_stamp();
+  std::uint64_t at = header_end_;
+  for (const Replacement& r : before_change_) {
+    copy_source(at, r.offset);
+    out_.write(r.text);
+    at = r.offset + r.size;
+  }
+  copy_source(at, step.block->offset);
+  before_change_.clear();
+}
+
+void Emitter::write_line(const Step& step, std::string_view text) {
+  if (text.size() > dialect_.line_length) {
+    refuse("emit-line-too-long",
+           fmt::format("the corrected block has {} characters, and {} takes {}", text.size(), dialect_.name,
+                       dialect_.line_length),
+           "put comments or other words of this block on a line of their own", place_of(step, source_));
+  }
+  out_.write(text);
+}
+
+// F and its mode as the original has them, before a block that counts on them.
+void Emitter::restore_feed_state(const Step& step, bool has_feed_word) {
+  const bool cuts = std::any_of(step.motions.begin(), step.motions.end(), [](const Motion& m) {
+    return m.kind == MotionKind::feed || m.kind == MotionKind::arc || m.kind == MotionKind::probe;
+  });
+  line_.clear();
+  if (control_.feed_mode != step.before->feed_mode && (cuts || step.loses_position)) {
+    line_ += codes_.feed_mode(step.before->feed_mode);
+    control_.feed_mode = step.before->feed_mode;
+    control_.feed = 0;
+  }
+  const bool needs_feed = (cuts && !has_feed_word) || step.loses_position;
+  if (needs_feed && control_.feed_mode != FeedMode::inverse_time && step.before->feed > 0 &&
+      control_.feed != step.before->feed) {
+    append_word(line_, 'F', step.before->feed, kMostDecimals, {});
+    control_.feed = step.before->feed;
+  }
+  if (line_.empty()) return;
+  line_ += line_end(step);
+  out_.write(line_);
+}
+
+void Emitter::copy(const Step& step) {
+  note_header(step);
+  const Block& block = *step.block;
+  const BlockCodes codes = codes_.codes_of(block);
+  if (step.role == BlockRole::stores_position) refuse_if_shifted(step);
+  if (step.skipped || step.executed_delete) {
+    copy_with_choice_applied(step);
+    return;
+  }
+  const bool offset_words = step.role == BlockRole::sets_offset && shifts_words(step, control_.work_shift(*step.frame));
+  const bool motion_missing = changed_ && !step.motions.empty() && codes.motion == nullptr &&
+                              control_.motion != step.after->motion && step.role == BlockRole::plain &&
+                              step.motions.front().kind != MotionKind::dwell;
+  if (offset_words) begin_change(step);
+  if (changed_) {
+    restore_feed_state(step, codes.feed != nullptr);
+    editor_.start(block);
+    if (offset_words) add_offset_shifts(step);
+    if (motion_missing) {
+      const Word* first = first_axis_word(block);
+      if (first == nullptr) first = &block.words.front();
+      editor_.insert_before(first->span.begin, codes_.motion(step.after->motion));
+      control_.motion = step.after->motion;
+    }
+    line_.clear();
+    editor_.apply(line_);
+    write_line(step, line_);
+    out_.write(block.line_end);
+  }
+  control_.follow(step, codes.motion != nullptr, codes.feed_mode != nullptr, codes.feed != nullptr);
+}
+
+void Emitter::refuse_if_shifted(const Step& step) const {
+  for (const Axis axis : kAllAxes) {
+    if (std::abs(control_.shift[axis]) <= 1e-9) continue;
+    refuse("emit-stores-position",
+           fmt::format("this block stores where the control stands, which is {:.4f} {} off in {} after the correction",
+                       control_.shift[axis], is_rotary(axis) ? "deg" : "mm", letter(axis)),
+           "store the position before the program runs, or move there in machine coordinates (G53) first",
+           place_of(step, source_));
+  }
+}
+
+// The control works the offset out from where it stands; its words grow by what it is off, so that the offset is the
+// one that the original gives.
+void Emitter::add_offset_shifts(const Step& step) {
+  const AxisWords shift = control_.work_shift(*step.frame);
+  for (const Word& word : step.block->words) {
+    const std::optional<Axis> axis = axis_of(word.letter);
+    if (!axis || std::abs(shift[*axis]) <= 1e-9) continue;
+    const double per_unit = step.after->inches && !is_rotary(*axis) ? kMmPerInch : 1;
+    std::string text;
+    append_word(text, word.letter, word.value + shift[*axis] / per_unit, kMostDecimals,
+                {editor_.spelling().lower_case, false});
+    editor_.replace(word.span, text);
+  }
+}
+
+// Block delete: what the control's switch would decide is decided in the text.
+void Emitter::copy_with_choice_applied(const Step& step) {
+  const Block& block = *step.block;
+  std::string text;
+  if (step.skipped) {
+    text = dialect_.comment_open + std::string(kSkipped) + dialect_.comment_close;
+  } else {
+    editor_.start(block);
+    editor_.replace(block.slash, "");
+    editor_.apply(text);
+  }
+  if (!changed_) {
+    before_change_.push_back({block.offset, block.text.size(), text});
+  } else {
+    if (!step.skipped) restore_feed_state(step, find_word(block, 'F') != nullptr);
+    write_line(step, text);
+    out_.write(block.line_end);
+  }
+  if (step.skipped) return;
+  const BlockCodes codes = codes_.codes_of(block);
+  control_.follow(step, codes.motion != nullptr, codes.feed_mode != nullptr, codes.feed != nullptr);
+}
+
+EmittedMove Emitter::move(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
+                          std::optional<double> seconds) {
+  PLUMBLINE_CHECK(step.motions.size() == 1 && !points.empty());
+  if (!changed_) control_.adopt(*step.before);
+  if (planner_.stays(step, points, writable, control_)) {
+    copy(step);
+    return {false, 1, seconds, 0};
+  }
+  note_header(step);
+  begin_change(step);
+  const std::span<Piece> pieces = planner_.plan(step, points, writable, seconds, control_);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const bool is_last = i + 1 == pieces.size();
+    line_.clear();
+    if (i == 0) {
+      writer_.append_first(line_, step, pieces[i], control_.motion, is_last);
+    } else {
+      writer_.append_further(line_, step, pieces[i], is_last);
+    }
+    write_line(step, line_);
+    out_.write(is_last ? step.block->line_end : line_end(step));
+  }
+  control_.motion = step.motions.front().kind == MotionKind::rapid ? MotionMode::rapid : MotionMode::feed;
+  return {true, static_cast<int>(pieces.size()), planner_.seconds(), planner_.rounding_mm()};
+}
+
+void Emitter::finish() {
+  if (!changed_) copy_source(0, source_.size());
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,85 @@
+// Writes a program again with its moves corrected: what need not change comes out byte for byte.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/files.hpp"
+#include "nc/dialect.hpp"
+#include "nc/emit_block.hpp"
+#include "nc/emit_codes.hpp"
+#include "nc/emit_control.hpp"
+#include "nc/emit_pieces.hpp"
+#include "nc/emit_text.hpp"
+#include "nc/step.hpp"
+
+namespace plumbline::nc {
+
+/// What became of one move.
+struct EmittedMove {
+  bool changed = false;
+  int pieces = 1;                 // blocks that it became
+  std::optional<double> seconds;  // that the control takes for them; revolutions under G95
+  double rounding_mm = 0;         // largest distance between a point as the control keeps it and as it was asked
+};
+
+/// The rules that it keeps are numbered in docs/rewriting.md: 3, 5, 13-15, 17, 19.
+class Emitter {
+ public:
+  /// All must outlive it. `source` is the file that the steps come from.
+  Emitter(const InputFile& source, const Dialect& dialect, EmitSettings settings, OutputFile& out);
+
+  /// Passes a block through: no correction. Its axis words are changed only where they tell the control where it
+  /// stands (G92), so that it ends with the offset that the original gives. Refuses with emit-stores-position.
+  void copy(const Step& step);
+
+  /// Writes the one move of a block through `points`, the last of them its end. Only axes in `writable` get words.
+  /// `seconds`: what the block takes in the original; nothing for rapids. Refuses with emit-feed-rule and
+  /// emit-line-too-long.
+  EmittedMove move(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
+                   std::optional<double> seconds);
+
+  /// To be called after the last block. A program with no changed block comes out identical, without a stamp.
+  void finish();
+
+  bool changed() const { return changed_; }
+  const Control& control() const { return control_; }
+
+ private:
+  struct Replacement {  // of a whole block's text, before anything else of the program was changed
+    std::uint64_t offset, size;
+    std::string text;
+  };
+
+  void note_header(const Step& step);
+  void begin_change(const Step& step);
+  void copy_source(std::uint64_t from, std::uint64_t to);
+  void write_stamp();
+  void write_line(const Step& step, std::string_view text);
+  void restore_feed_state(const Step& step, bool has_feed_word);
+  void add_offset_shifts(const Step& step);
+  void refuse_if_shifted(const Step& step) const;
+  void copy_with_choice_applied(const Step& step);
+  std::string_view line_end(const Step& step) const;
+
+  const InputFile& source_;
+  const Dialect& dialect_;
+  EmitSettings settings_;
+  OutputFile& out_;
+  Control control_;
+  PiecePlanner planner_;
+  CodeWriter codes_;
+  PieceWriter writer_;
+  bool changed_ = false;
+  bool in_header_ = true;
+  std::uint64_t header_end_ = 0;
+  std::uint64_t source_end_ = 0;
+  std::string newline_ = "\n";
+  std::vector<Replacement> before_change_;
+  BlockEditor editor_;
+  std::string line_;
+};
+
+}  // namespace plumbline::nc

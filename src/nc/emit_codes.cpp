@@ -1,0 +1,70 @@
+#include "nc/emit_codes.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+// Modal groups as RS274/NGC numbers them; the tables of all dialects do alike.
+constexpr int kMotionGroup = 1;
+constexpr int kFeedModeGroup = 5;
+constexpr int kPathControlGroup = 13;
+
+}  // namespace
+
+void BlockCodes::add_after_motion(const Word& word) {
+  PLUMBLINE_CHECK(after_count_ < after_.size());
+  after_[after_count_++] = &word;
+}
+
+CodeWriter::CodeWriter(const Dialect& dialect)
+    : dialect_(dialect),
+      motion_{text_of("cancel_cycle"), text_of("rapid"), text_of("feed"), text_of("arc_cw"), text_of("arc_ccw")},
+      feed_mode_{text_of("inverse_time"), text_of("per_minute"), text_of("per_revolution")},
+      path_control_{text_of("exact_path"), text_of("exact_stop"), text_of("continuous")} {}
+
+std::string CodeWriter::text_of(std::string_view meaning) const {
+  for (const CodeRow& row : dialect_.g_codes) {
+    if (row.meaning != meaning) continue;
+    return row.code % 10 == 0 ? fmt::format("G{}", row.code / 10) : fmt::format("G{}.{}", row.code / 10, row.code % 10);
+  }
+  return {};
+}
+
+const CodeRow* CodeWriter::row_of(const Word& word) const {
+  const int code = static_cast<int>(std::lround(word.value * 10));
+  if (word.letter == 'G') return dialect_.g_code(code);
+  return word.letter == 'M' ? dialect_.m_code(code) : nullptr;
+}
+
+BlockCodes CodeWriter::codes_of(const Block& block) const {
+  BlockCodes codes;
+  for (const Word& word : block.words) {
+    if (word.letter == 'F') codes.feed = &word;
+    const CodeRow* row = row_of(word);
+    if (row == nullptr) continue;
+    if (word.letter == 'G') {
+      if (row->group == kMotionGroup) codes.motion = &word;
+      if (row->group == kFeedModeGroup) codes.feed_mode = &word;
+      if (row->group == kPathControlGroup) codes.path_control = &word;
+    } else if (row->order == Order::after_motion) {
+      codes.add_after_motion(word);
+    }
+  }
+  return codes;
+}
+
+bool CodeWriter::other_code_takes(const Block& block, char letter) const {
+  for (const Word& word : block.words) {
+    const CodeRow* row = row_of(word);
+    if (row == nullptr || (word.letter == 'G' && row->group == kMotionGroup)) continue;
+    if (row->words.find(letter) != std::string::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace plumbline::nc

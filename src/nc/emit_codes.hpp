@@ -1,0 +1,53 @@
+// The codes of a block by what they do, and the codes that a dialect writes for a state.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nc/block.hpp"
+#include "nc/dialect.hpp"
+#include "nc/emit_text.hpp"
+#include "nc/modal.hpp"
+
+namespace plumbline::nc {
+
+/// Words of one block; null where it has none of that kind.
+struct BlockCodes {
+  const Word* motion = nullptr;        // G0 to G3, G80
+  const Word* feed_mode = nullptr;     // G93, G94, G95
+  const Word* path_control = nullptr;  // G61, G61.1, G64
+  const Word* feed = nullptr;          // F
+
+  /// M0, M2...: executed once the motion is done.
+  std::span<const Word* const> after_motion() const { return std::span(after_).first(after_count_); }
+  void add_after_motion(const Word& word);
+
+ private:
+  std::array<const Word*, 4> after_{};
+  std::size_t after_count_ = 0;
+};
+
+class CodeWriter {
+ public:
+  explicit CodeWriter(const Dialect& dialect);
+
+  BlockCodes codes_of(const Block& block) const;
+  std::string_view motion(MotionMode mode) const { return motion_[static_cast<std::size_t>(mode)]; }
+  std::string_view feed_mode(FeedMode mode) const { return feed_mode_[static_cast<std::size_t>(mode)]; }
+  std::string_view path_control(PathControl control) const { return path_control_[static_cast<std::size_t>(control)]; }
+  /// True if a code of the block other than its motion takes this letter.
+  bool other_code_takes(const Block& block, char letter) const;
+
+ private:
+  const CodeRow* row_of(const Word& word) const;
+  std::string text_of(std::string_view meaning) const;
+  const Dialect& dialect_;
+  std::array<std::string, 5> motion_;
+  std::array<std::string, 3> feed_mode_;
+  std::array<std::string, 3> path_control_;
+};
+
+}  // namespace plumbline::nc

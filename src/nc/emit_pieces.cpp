@@ -1,0 +1,205 @@
+#include "nc/emit_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/diagnostic.hpp"
+#include "base/number_text.hpp"
+#include "base/units.hpp"
+#include "nc/feed.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr double kMoves = 0.25;  // of a quantum: less than this is the noise of adding and taking away offsets
+
+double distance_mm(const AxisWords& a, const AxisWords& b) {
+  const AxisWords d = a - b;
+  return std::sqrt(d[Axis::X] * d[Axis::X] + d[Axis::Y] * d[Axis::Y] + d[Axis::Z] * d[Axis::Z]);
+}
+
+[[noreturn]] void refuse_feed_rule(const Step& step, const Dialect& dialect) {
+  Place place;
+  place.line = step.block->line;
+  place.column = 1;
+  place.text = step.block->text;
+  refuse("emit-feed-rule",
+         fmt::format("dialect {} does not say which speed F is in a block that mixes linear and rotary words",
+                     dialect.name),
+         "program such blocks in inverse time (G93), or set the dialect's feed rule", place);
+}
+
+// F as written: six digits that count, so that it is within 5e-6 of what was asked.
+double rounded_feed(double feed) {
+  const int decimals = std::clamp(5 - static_cast<int>(std::floor(std::log10(feed))), 0, kMostDecimals);
+  return from_ticks(to_ticks(feed, decimals), decimals);
+}
+
+bool differs(double a, double b, double tolerance) { return std::abs(a - b) > tolerance * std::abs(b); }
+
+}  // namespace
+
+PiecePlanner::Grid PiecePlanner::grid(const Step& step, Axis axis) const {
+  const Word* word = find_word(*step.block, letter(axis));
+  const int written = word != nullptr ? word->decimals : 0;
+  const bool inches = step.after->inches && !is_rotary(axis);
+  const double per_unit = inches ? kMmPerInch : 1.0;
+  const int least = is_rotary(axis) ? settings_.digits_deg : (inches ? settings_.digits_inch : settings_.digits_mm);
+  const int digits = std::clamp(std::max(least, written), 0, kMostDecimals);
+  const double increment = (is_rotary(axis) ? settings_.increment_deg : settings_.increment_mm) / per_unit;
+  return {per_unit, digits, std::max(increment, from_ticks(1, digits))};
+}
+
+bool PiecePlanner::stays(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
+                         const Control& control) const {
+  const AxisWords standing = control.work_shift(*step.frame);
+  const Motion& motion = step.motions.front();
+  const bool starts_matter = step.after->incremental || motion.kind == MotionKind::arc;
+  for (const Axis axis : kAllAxes) {
+    if (!writable.contains(axis)) continue;
+    const Grid g = grid(step, axis);
+    const double half = g.quantum * g.per_unit / 2;
+    const bool keeps_start = starts_matter || !step.named.contains(axis);
+    if (keeps_start && motion.known_before.contains(axis) && std::abs(standing[axis]) >= half) return false;
+    for (const CorrectedPoint& point : points) {
+      if (std::abs(point.shift[axis]) >= half) return false;
+    }
+  }
+  return true;
+}
+
+std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
+                                    std::optional<double> seconds, Control& control) {
+  const Motion& motion = step.motions.front();
+  for (const Axis axis : kAllAxes) grid_[index(axis)] = grid(step, axis);
+  pieces_.clear();
+  ends_.clear();
+  rounding_mm_ = 0;
+  seconds_.reset();
+  const AxisWords start = motion.from + control.work_shift(*step.frame);
+  AxisWords at = start;
+  double waiting = 0;  // share of pieces in which nothing moved
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Piece piece = rounded_piece(step, points[i], writable, at);
+    piece.share = points[i].share + waiting;
+    waiting = 0;
+    const bool only_one = i + 1 == points.size() && pieces_.empty();
+    if (piece.moved.empty() && !only_one) {
+      waiting = piece.share;
+      continue;
+    }
+    pieces_.push_back(piece);
+    ends_.push_back(at);
+  }
+  pieces_.back().share += waiting;
+  AxisWords left;
+  for (const Axis axis : kAllAxes) left[axis] = motion.known_after.contains(axis) ? at[axis] - motion.to[axis] : 0;
+  if (seconds && *seconds > 0) {
+    set_lengths(step, start);
+    choose_feeds(step, *seconds, control);
+  }
+  control.set_work_shift(*step.frame, left);
+  return pieces_;
+}
+
+// Rounds one point, tells which axes move to it, and moves `at` there.
+Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point, AxisSet writable, AxisWords& at) {
+  Piece piece;
+  const AxisWords target = point.nominal + point.shift;
+  const bool first = pieces_.empty();
+  for (const Axis axis : kAllAxes) {
+    const std::size_t i = index(axis);
+    const Grid& g = grid_[i];
+    piece.digits[i] = g.digits;
+    if (!writable.contains(axis)) {
+      at[axis] = point.nominal[axis];
+      continue;
+    }
+    const bool known = step.motions.front().known_before.contains(axis) || !first;
+    const double wanted = (step.after->incremental ? target[axis] - at[axis] : target[axis]) / g.per_unit;
+    const double kept = std::round(wanted / g.quantum) * g.quantum;
+    const double value = from_ticks(to_ticks(kept, g.digits), g.digits);
+    const double end = step.after->incremental ? at[axis] + value * g.per_unit : value * g.per_unit;
+    piece.value[axis] = value;
+    if (!known || std::abs(end - at[axis]) > kMoves * g.quantum * g.per_unit) {
+      piece.moved.insert(axis);
+      at[axis] = end;
+    } else if (step.after->incremental) {
+      piece.value[axis] = 0;
+    }
+  }
+  rounding_mm_ = std::max(rounding_mm_, distance_mm(at, target));
+  return piece;
+}
+
+void PiecePlanner::set_lengths(const Step& step, const AxisWords& start) {
+  AxisWords at = start;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const AxisWords delta = ends_[i] - at;
+    const double linear = distance_mm(delta, {});
+    const std::optional<double> length = feed_length(linear, delta, dialect_.feed_rule);
+    if (!length) refuse_feed_rule(step, dialect_);
+    const bool in_degrees = feed_length_is_angle(linear, dialect_.feed_rule);
+    pieces_[i].length = in_degrees ? *length : *length / step.motions.front().mm_per_unit;
+    at = ends_[i];
+  }
+}
+
+void PiecePlanner::choose_feeds(const Step& step, double seconds, Control& control) {
+  if (step.after->feed_mode == FeedMode::inverse_time) {
+    choose_inverse_times(step, seconds, control);
+  } else {
+    choose_rates(step, seconds, control);
+  }
+}
+
+// G94, G95: one F for all where that keeps the time of the block, else each piece its own.
+void PiecePlanner::choose_rates(const Step& step, double seconds, Control& control) {
+  const double time = step.after->feed_mode == FeedMode::per_minute ? seconds / kMinute : seconds;
+  const double to_seconds = step.after->feed_mode == FeedMode::per_minute ? kMinute : 1;
+  const double source_feed = step.after->feed;
+  double total = 0;
+  for (const Piece& piece : pieces_) total += piece.length;
+  const bool one_does = !differs(total / source_feed, time, settings_.time_tolerance);
+  double spent = 0;
+  pieces_.front().restates_mode = control.feed_mode != step.after->feed_mode;
+  if (pieces_.front().restates_mode) control.feed = 0;
+  control.feed_mode = step.after->feed_mode;
+  for (Piece& piece : pieces_) {
+    double feed = source_feed;
+    if (!one_does && piece.length > 0) feed = rounded_feed(piece.length / (piece.share * time));
+    const bool near = control.feed > 0 && !differs(feed, control.feed, settings_.time_tolerance / 4);
+    const bool stated = &piece == &pieces_.front() && find_word(*step.block, 'F') != nullptr;
+    if (stated || (one_does ? control.feed != feed : !near)) {
+      piece.feed = feed;
+      control.feed = feed;
+    }
+    spent += piece.length / control.feed;
+  }
+  seconds_ = spent * to_seconds;
+}
+
+// G93: each piece its share of the time; where the control would lift length x F to its least rate, that piece goes
+// under G94 with the rate itself.
+void PiecePlanner::choose_inverse_times(const Step& step, double seconds, Control& control) {
+  double spent = 0;
+  for (Piece& piece : pieces_) {
+    const double minutes = piece.share * seconds / kMinute;
+    const double rate = piece.length / minutes;
+    piece.leaves_inverse_time = rate < dialect_.feed_rate_min && piece.length > 0;
+    const FeedMode mode = piece.leaves_inverse_time ? FeedMode::per_minute : FeedMode::inverse_time;
+    piece.restates_mode = mode != control.feed_mode;
+    control.feed_mode = mode;
+    const bool whole = pieces_.size() == 1 && !piece.leaves_inverse_time;
+    const double feed = rounded_feed(piece.leaves_inverse_time ? rate : 1 / minutes);
+    const bool keep = whole && !differs(step.motions.front().feed, feed, settings_.time_tolerance);
+    if (!keep) piece.feed = feed;
+    spent += piece.leaves_inverse_time ? piece.length / feed : 1 / (keep ? step.motions.front().feed : feed);
+  }
+  control.feed = 0;
+  seconds_ = spent * kMinute;
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,94 @@
+#include "nc/emit_text.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/number_text.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+char in_case(char c, bool lower) { return lower ? static_cast<char>(std::tolower(static_cast<unsigned char>(c))) : c; }
+
+}  // namespace
+
+Spelling spelling_of(const Block& block) {
+  Spelling spelling;
+  if (block.words.empty()) return spelling;
+  const Span last = block.words.back().span;
+  spelling.lower_case = std::islower(static_cast<unsigned char>(block.text[last.begin])) != 0;
+  spelling.spaced = last.begin > 0 && is_blank(block.text[last.begin - 1]);
+  return spelling;
+}
+
+void BlockEditor::start(const Block& block) {
+  block_ = &block;
+  spelling_ = spelling_of(block);
+  used_ = 0;
+}
+
+void BlockEditor::add(Span span, std::string_view text) {
+  if (used_ == edits_.size()) edits_.emplace_back();
+  Edit& edit = edits_[used_];
+  edit.span = span;
+  edit.order = static_cast<int>(used_);
+  edit.text = text;
+  ++used_;
+}
+
+void BlockEditor::replace(Span span, std::string_view text) {
+  if (text.empty()) {
+    while (span.begin > 0 && is_blank(block_->text[span.begin - 1])) --span.begin;
+  }
+  add(span, text);
+}
+
+void BlockEditor::insert_before(std::uint32_t at, std::string_view word) {
+  std::string text = in_spelling(word, spelling_);
+  if (spelling_.spaced) text += ' ';
+  add({at, at}, text);
+}
+
+void BlockEditor::insert_after(std::uint32_t at, std::string_view word) {
+  std::string text;
+  const bool at_begin = at == 0 || is_blank(block_->text[at - 1]);
+  if (spelling_.spaced && !at_begin) text += ' ';
+  text += in_spelling(word, spelling_);
+  add({at, at}, text);
+}
+
+void BlockEditor::apply(std::string& out) {
+  const auto end = edits_.begin() + static_cast<std::ptrdiff_t>(used_);
+  std::sort(edits_.begin(), end, [](const Edit& a, const Edit& b) {
+    return a.span.begin != b.span.begin ? a.span.begin < b.span.begin : a.order < b.order;
+  });
+  std::uint32_t at = 0;
+  for (auto edit = edits_.begin(); edit != end; ++edit) {
+    const std::uint32_t begin = std::max(edit->span.begin, at);  // two removals may claim the same blank
+    out += block_->text.substr(at, begin - at);
+    out += edit->text;
+    at = std::max(at, edit->span.end);
+  }
+  out += block_->text.substr(at);
+}
+
+std::string in_spelling(std::string_view code, const Spelling& spelling) {
+  std::string text;
+  for (const char c : code) text += in_case(c, spelling.lower_case);
+  return text;
+}
+
+void append_code(std::string& out, std::string_view code, const Spelling& spelling) {
+  if (spelling.spaced && !out.empty() && !is_blank(out.back())) out += ' ';
+  out += in_spelling(code, spelling);
+}
+
+void append_word(std::string& out, char letter, double value, int decimals, const Spelling& spelling) {
+  if (spelling.spaced && !out.empty() && !is_blank(out.back())) out += ' ';
+  out += in_case(letter, spelling.lower_case);
+  append_decimal(out, value, decimals);
+}
+
+}  // namespace plumbline::nc

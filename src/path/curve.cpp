@@ -1,0 +1,78 @@
+#include "path/curve.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/units.hpp"
+
+namespace plumbline::path {
+namespace {
+
+constexpr double kFullTurn = 2 * std::numbers::pi;
+constexpr double kSameAngle = 1e-9;  // rad; a circle that closes up to this is a full one
+
+// The angle from alpha to beta in the sense of the turns, with the further full turns. [RS274/NGC, G2 and G3 with P]
+double sweep_of(double alpha, double beta, int turns) {
+  double sweep = beta - alpha;
+  if (turns > 0) {
+    if (sweep <= kSameAngle) sweep += kFullTurn;
+    return sweep + (turns - 1) * kFullTurn;
+  }
+  if (sweep >= -kSameAngle) sweep -= kFullTurn;
+  return sweep + (turns + 1) * kFullTurn;
+}
+
+}  // namespace
+
+Curve::Curve(const nc::Motion& motion) : from_(motion.from), to_(motion.to), delta_(motion.to - motion.from) {
+  if (motion.kind == nc::MotionKind::arc) {
+    set_arc(motion.arc);
+    return;
+  }
+  linear_mm_ = std::sqrt(delta_[Axis::X] * delta_[Axis::X] + delta_[Axis::Y] * delta_[Axis::Y] +
+                         delta_[Axis::Z] * delta_[Axis::Z]);
+}
+
+void Curve::set_arc(const nc::Arc& arc) {
+  is_arc_ = true;
+  plane_ = nc::axes_of(arc.plane);
+  centre_ = {arc.centre_mm[index(plane_.first)], arc.centre_mm[index(plane_.second)]};
+  const double u0 = from_[plane_.first] - centre_[0];
+  const double v0 = from_[plane_.second] - centre_[1];
+  const double u1 = to_[plane_.first] - centre_[0];
+  const double v1 = to_[plane_.second] - centre_[1];
+  start_radius_ = std::hypot(u0, v0);
+  end_radius_ = std::hypot(u1, v1);
+  start_angle_ = std::atan2(v0, u0);
+  sweep_ = sweep_of(start_angle_, std::atan2(v1, u1), arc.turns);
+  // The radii agree to the control's tolerance, so the mean radius gives the length of the spiral.
+  linear_mm_ = std::hypot((start_radius_ + end_radius_) / 2 * sweep_, delta_[plane_.third]);
+}
+
+double Curve::arc_deg() const { return sweep_ / kDeg; }
+
+AxisWords Curve::at(double fraction) const {
+  if (fraction <= 0) return from_;
+  if (fraction >= 1) return to_;
+  AxisWords words;
+  for (const Axis axis : kAllAxes) words[axis] = from_[axis] + fraction * delta_[axis];
+  if (!is_arc_) return words;
+  const double angle = start_angle_ + fraction * sweep_;
+  const double radius = start_radius_ + fraction * (end_radius_ - start_radius_);
+  words[plane_.first] = centre_[0] + radius * std::cos(angle);
+  words[plane_.second] = centre_[1] + radius * std::sin(angle);
+  return words;
+}
+
+AxisWords Curve::slope(double fraction) const {
+  AxisWords words = delta_;
+  if (!is_arc_) return words;
+  const double angle = start_angle_ + fraction * sweep_;
+  const double radius = start_radius_ + fraction * (end_radius_ - start_radius_);
+  const double growth = end_radius_ - start_radius_;
+  words[plane_.first] = growth * std::cos(angle) - radius * sweep_ * std::sin(angle);
+  words[plane_.second] = growth * std::sin(angle) + radius * sweep_ * std::cos(angle);
+  return words;
+}
+
+}  // namespace plumbline::path

@@ -1,0 +1,42 @@
+// The curve that a motion follows in the control's own axes, by its fraction 0..1.
+#pragma once
+
+#include <array>
+
+#include "base/axes.hpp"
+#include "nc/motion.hpp"
+
+namespace plumbline::path {
+
+/// A straight line or a helix; the rotary words (and the third axis of a helix) go linearly with the fraction, as the
+/// control moves them. A circle whose two radii differ is a spiral, its radius linear in the angle.
+class Curve {
+ public:
+  explicit Curve(const nc::Motion& motion);
+
+  /// The position at `fraction`; exactly the motion's ends at 0 and 1. Work system, mm and deg.
+  AxisWords at(double fraction) const;
+  /// Derivative of the position by the fraction.
+  AxisWords slope(double fraction) const;
+
+  /// Length of the path of X, Y, Z in mm.
+  double linear_mm() const { return linear_mm_; }
+  /// Angle that an arc sweeps, deg, positive counter-clockwise; 0 for a line.
+  double arc_deg() const;
+  /// The largest turn of the tool, deg: what A, B, C turn together, counted as if each added up.
+  const AxisWords& delta() const { return delta_; }
+
+ private:
+  void set_arc(const nc::Arc& arc);
+  AxisWords from_, to_, delta_;
+  bool is_arc_ = false;
+  nc::PlaneAxes plane_{};
+  std::array<double, 2> centre_{};  // along the first and second axis of the plane
+  double start_angle_ = 0;          // rad
+  double sweep_ = 0;                // rad, signed
+  double start_radius_ = 0;         // mm
+  double end_radius_ = 0;
+  double linear_mm_ = 0;
+};
+
+}  // namespace plumbline::path

@@ -1,0 +1,27 @@
+#include "path/duration.hpp"
+
+#include <algorithm>
+
+#include "base/units.hpp"
+#include "nc/feed.hpp"
+
+namespace plumbline::path {
+
+std::optional<double> duration(const nc::Motion& motion, const Curve& curve, const nc::Dialect& dialect) {
+  const bool cuts = motion.kind == nc::MotionKind::feed || motion.kind == nc::MotionKind::arc;
+  if (!cuts || motion.feed <= 0) return std::nullopt;
+  const std::optional<double> length = nc::feed_length(curve.linear_mm(), curve.delta(), dialect.feed_rule);
+  if (motion.feed_mode == nc::FeedMode::inverse_time) {
+    if (length.value_or(0) <= 0) return kMinute / motion.feed;
+    // RS274/NGC: the rate is length x F, and never less than the control's least.
+    const bool in_degrees = nc::feed_length_is_angle(curve.linear_mm(), dialect.feed_rule);
+    const double least = dialect.feed_rate_min * (in_degrees ? 1 : motion.mm_per_unit);
+    const double rate = std::max(*length * motion.feed, least);
+    return *length / rate * kMinute;
+  }
+  if (!length) return std::nullopt;
+  const double per_feed = *length / motion.feed;
+  return motion.feed_mode == nc::FeedMode::per_minute ? per_feed * kMinute : per_feed;
+}
+
+}  // namespace plumbline::path

@@ -1,0 +1,26 @@
+// Into how many pieces a move is cut.
+#pragma once
+
+#include <optional>
+
+#include "path/curve.hpp"
+
+namespace plumbline::path {
+
+/// A piece ends where the first of these is reached.
+struct StepSettings {
+  double angle_deg = 0.1;     // of arc, or of the turn of the tool [Ibaraki et al., 4: every 0.1 deg]
+  double length_mm = 1.0;     // of path
+  double least_time_s = 0.0;  // a piece is never shorter: the control's time for a block
+};
+
+struct Subdivision {
+  int pieces = 1;
+  bool widened = false;  // least_time_s asked for longer pieces than the steps
+};
+
+/// Pieces of equal length for a move that takes `seconds` (nothing: not known, no least time). A rapid is never cut:
+/// do not ask. Refuses with path-too-many-pieces where one move would take more than ten million.
+Subdivision subdivide(const Curve& curve, std::optional<double> seconds, const StepSettings& settings);
+
+}  // namespace plumbline::path
