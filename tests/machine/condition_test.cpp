@@ -1,0 +1,41 @@
+#include "machine/condition.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "machine/machines.hpp"
+
+using namespace plumbline;
+using namespace plumbline::machine;
+using namespace plumbline::testing;
+
+TEST_CASE("the condition number does not depend on the unit of length, and the bound encloses it") {
+  Random random(8);
+  for (const MachineModel& model : three_machines()) {
+    Geometry large = model.geometry;
+    large.base_joints_W *= 1000;
+    large.platform_joints_P *= 1000;
+    large.tool_tip_P *= 1000;
+    for (int n = 0; n < 100; ++n) {
+      Pose<double> pose = pose_within(model.limits, random);
+      const StrutGeometry<double> struts = strut_geometry(model.geometry, pose);
+      const double radius = platform_radius(model.geometry);
+      const double condition = condition_number(struts, radius);
+      const double bound = condition_bound(struts, radius);
+      CHECK(condition > 1);
+      CHECK(bound >= condition * (1 - 1e-9));
+      CHECK(bound <= 6 * condition * (1 + 1e-9));
+      pose.p_WT *= 1000;
+      CHECK(condition_number(strut_geometry(large, pose), platform_radius(large)) == Approx(condition).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("parallel struts are singular") {
+  Geometry geometry = pm600_like().geometry;
+  geometry.base_joints_W = geometry.platform_joints_P;
+  Pose<double> pose;
+  pose.p_WT = {0, 0, -1};
+  const StrutGeometry<double> struts = strut_geometry(geometry, pose);
+  CHECK(condition_number(struts, 0.1) > 1e12);
+  CHECK(condition_bound(struts, 0.1) > 1e12);
+}

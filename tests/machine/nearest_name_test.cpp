@@ -1,0 +1,15 @@
+#include "machine/nearest_name.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace plumbline::machine;
+
+TEST_CASE("the nearest name is offered, but nothing far away") {
+  const std::vector<std::string_view> names{"screw_mass_kg", "motor_mass_kg", "lead_mm"};
+  CHECK(nearest_name("screw_mas_kg", names) == "screw_mass_kg");
+  CHECK(nearest_name("lead", names) == "");
+  CHECK(nearest_name("laed_mm", names) == "lead_mm");
+  CHECK(nearest_name("something_else", names) == "");
+  CHECK(suggestion("laed_mm", names).find("`lead_mm`") != std::string::npos);
+  CHECK(suggestion("q", names).find("motor_mass_kg") != std::string::npos);
+}
