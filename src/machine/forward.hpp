@@ -1,6 +1,7 @@
 // Forward kinematics: the pose that has given strut lengths, by Newton's method on (x, R).
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "base/pose.hpp"
@@ -22,9 +23,10 @@ std::string_view to_text(ForwardStop stop);
 struct ForwardOptions {
   double tolerance_m = 1e-12;  // largest misfit of any length
   int most_iterations = 12;
-  double longest_turn = 0.5;  // rad that one step may turn
-  int most_halvings = 12;     // of a step that does not help
-  int side = 0;               // the sign of det J that the pose shall have; 0: that of the start
+  double longest_turn = 0.5;                      // rad that one step may turn
+  int most_halvings = 3;                          // of a step that does not help
+  int side = 0;                                   // the sign of det J that the pose shall have; 0: that of the start
+  std::optional<Pose<double>> second_start = {};  // where the way from the first is blocked; the home pose serves
 };
 
 struct ForwardResult {
@@ -40,8 +42,10 @@ struct ForwardResult {
 int side_of(const Geometry& geometry, const Pose<double>& pose);
 
 /// The pose that has the strut lengths `lengths` (m), found from `start`. Each step solves J (dx, w) = misfit and
-/// applies x <- x + dx, R <- exp(w) R; it is halved until the misfit shrinks and the side of the singularity is kept. A
-/// result that has not converged says why and must not be used as a pose.
+/// applies x <- x + dx, R <- exp(w) R, then once more with the same J; where that does not halve the misfit, the plain
+/// step is halved until the misfit shrinks and the side of the singularity is kept. Where a start stands on the wrong
+/// side, or the way from it is blocked, starts further and further towards `second_start` are taken if there is one,
+/// the steps counted on. A result that has not converged says why and must not be used as a pose.
 ForwardResult forward(const Geometry& geometry, const PerStrut<double>& lengths, const Pose<double>& start,
                       const ForwardOptions& options = {});
 

@@ -35,14 +35,16 @@ inline double condition_of(const machine::MachineModel& model, const machine::St
 /// Draws poses within the limits on the home pose's side of every singularity, and starts up to 50 mm and 10 deg away.
 inline ForwardStatistics forward_statistics(const machine::MachineModel& model, int poses, std::uint64_t seed) {
   Random random(seed);
-  const int side = machine::side_of(model.geometry, machine::home_pose(model));
+  const Pose<double> home = machine::home_pose(model);
+  const int side = machine::side_of(model.geometry, home);
   ForwardStatistics found;
   for (int n = 0; n < poses; ++n) {
     Pose<double> pose = pose_within(model.limits, random);
     while (machine::side_of(model.geometry, pose) != side) pose = pose_within(model.limits, random);
     const Pose<double> start = pose_beside(pose, 50 * kMm, 10 * kDeg, random);
     const auto lengths = machine::strut_lengths(model.geometry, pose);
-    const machine::ForwardResult result = machine::forward(model.geometry, lengths, start, {.side = side});
+    const machine::ForwardResult result =
+        machine::forward(model.geometry, lengths, start, {.side = side, .second_start = home});
     if (!result.converged()) {
       ++found.stated;
       continue;

@@ -28,7 +28,7 @@ void check_statistics(int poses) {
 }  // namespace
 
 TEST_CASE("from 50 mm and 10 deg away the pose is found in a few steps, or the failure is stated") {
-  check_statistics(6000);
+  check_statistics(20000);
 }
 
 TEST_CASE("the same of 200,000 poses of each machine", "[.][slow]") { check_statistics(200000); }
