@@ -10,8 +10,8 @@
 #include "nc/dialect.hpp"
 #include "nc/emit_block.hpp"
 #include "nc/emit_codes.hpp"
-#include "nc/emit_control.hpp"
 #include "nc/emit_pieces.hpp"
+#include "nc/emit_state.hpp"
 #include "nc/emit_text.hpp"
 #include "nc/step.hpp"
 
@@ -45,7 +45,7 @@ class Emitter {
   void finish();
 
   bool changed() const { return changed_; }
-  const Control& control() const { return control_; }
+  const OutputState& control() const { return control_; }
 
  private:
   struct Replacement {  // of a whole block's text, before anything else of the program was changed
@@ -68,7 +68,7 @@ class Emitter {
   const Dialect& dialect_;
   EmitSettings settings_;
   OutputFile& out_;
-  Control control_;
+  OutputState control_;
   PiecePlanner planner_;
   CodeWriter codes_;
   PieceWriter writer_;

@@ -53,7 +53,7 @@ PiecePlanner::Grid PiecePlanner::grid(const Step& step, Axis axis) const {
 }
 
 bool PiecePlanner::stays(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
-                         const Control& control) const {
+                         const OutputState& control) const {
   const AxisWords standing = control.work_shift(*step.frame);
   const Motion& motion = step.motions.front();
   const bool starts_matter = step.after->incremental || motion.kind == MotionKind::arc;
@@ -71,7 +71,7 @@ bool PiecePlanner::stays(const Step& step, std::span<const CorrectedPoint> point
 }
 
 std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
-                                    std::optional<double> seconds, Control& control) {
+                                    std::optional<double> seconds, OutputState& control) {
   const Motion& motion = step.motions.front();
   for (const Axis axis : kAllAxes) grid_[index(axis)] = grid(step, axis);
   pieces_.clear();
@@ -147,7 +147,7 @@ void PiecePlanner::set_lengths(const Step& step, const AxisWords& start) {
   }
 }
 
-void PiecePlanner::choose_feeds(const Step& step, double seconds, Control& control) {
+void PiecePlanner::choose_feeds(const Step& step, double seconds, OutputState& control) {
   if (step.after->feed_mode == FeedMode::inverse_time) {
     choose_inverse_times(step, seconds, control);
   } else {
@@ -156,7 +156,7 @@ void PiecePlanner::choose_feeds(const Step& step, double seconds, Control& contr
 }
 
 // G94, G95: one F for all where that keeps the time of the block, else each piece its own.
-void PiecePlanner::choose_rates(const Step& step, double seconds, Control& control) {
+void PiecePlanner::choose_rates(const Step& step, double seconds, OutputState& control) {
   const double time = step.after->feed_mode == FeedMode::per_minute ? seconds / kMinute : seconds;
   const double to_seconds = step.after->feed_mode == FeedMode::per_minute ? kMinute : 1;
   const double source_feed = step.after->feed;
@@ -183,7 +183,7 @@ void PiecePlanner::choose_rates(const Step& step, double seconds, Control& contr
 
 // G93: each piece its share of the time; where the control would lift length x F to its least rate, that piece goes
 // under G94 with the rate itself.
-void PiecePlanner::choose_inverse_times(const Step& step, double seconds, Control& control) {
+void PiecePlanner::choose_inverse_times(const Step& step, double seconds, OutputState& control) {
   double spent = 0;
   for (Piece& piece : pieces_) {
     const double minutes = piece.share * seconds / kMinute;

@@ -8,7 +8,7 @@
 
 #include "base/axes.hpp"
 #include "nc/dialect.hpp"
-#include "nc/emit_control.hpp"
+#include "nc/emit_state.hpp"
 #include "nc/step.hpp"
 
 namespace plumbline::nc {
@@ -50,11 +50,12 @@ class PiecePlanner {
 
   /// True if the block may stay as it stands: every shift rounds to zero, and the control stands where the block takes
   /// it to stand.
-  bool stays(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable, const Control& control) const;
+  bool stays(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
+             const OutputState& control) const;
 
   /// The pieces of a move; control is left as after the last of them. Pieces in which nothing moves are joined.
   std::span<Piece> plan(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
-                        std::optional<double> seconds, Control& control);
+                        std::optional<double> seconds, OutputState& control);
 
   /// Of the last plan().
   double rounding_mm() const { return rounding_mm_; }
@@ -69,9 +70,9 @@ class PiecePlanner {
   Grid grid(const Step& step, Axis axis) const;
   Piece rounded_piece(const Step& step, const CorrectedPoint& point, AxisSet writable, AxisWords& at);
   void set_lengths(const Step& step, const AxisWords& start);
-  void choose_feeds(const Step& step, double seconds, Control& control);
-  void choose_rates(const Step& step, double seconds, Control& control);
-  void choose_inverse_times(const Step& step, double seconds, Control& control);
+  void choose_feeds(const Step& step, double seconds, OutputState& control);
+  void choose_rates(const Step& step, double seconds, OutputState& control);
+  void choose_inverse_times(const Step& step, double seconds, OutputState& control);
 
   const Dialect& dialect_;
   const EmitSettings& settings_;

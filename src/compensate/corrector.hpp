@@ -1,0 +1,72 @@
+// The correction at one pose: what to tell the control so that the deformed machine stands where the program says.
+#pragma once
+
+#include <optional>
+
+#include "base/axes.hpp"
+#include "compensate/settings.hpp"
+#include "machine/model.hpp"
+#include "physics/machine_physics.hpp"
+
+namespace plumbline::compensate {
+
+/// The tool in the spindle as far as the model needs it.
+struct ToolInSpindle {
+  double length = 0;  // m, from the gauge point along -Z of P
+  double mass = 0;    // kg
+  double along = 0;   // m, of the centre of mass from the gauge point along -Z of P
+};
+
+/// A point of a path, in W: mm and deg.
+struct Target {
+  AxisWords pose;
+  AxisWords slope;                // derivative of the pose along the path, in any unit of the path
+  std::optional<double> seconds;  // that one such unit takes; nothing: only the direction counts
+};
+
+struct Corrected {
+  AxisWords pose;  // to be commanded
+  bool converged = false;
+  double condition = 0;  // of the Jacobian at the target, an upper bound
+};
+
+class Corrector {
+ public:
+  /// The model must outlive it. `fixed`: rotary axes that may not be written; the tool tip alone is put right then,
+  /// with the orientation that these axes leave.
+  Corrector(const machine::MachineModel& model, const Settings& settings);
+
+  void set_tool(const ToolInSpindle& tool);
+  void fix_axes(AxisSet fixed) { fixed_ = fixed; }
+
+  /// What to command for a target. Not converged: no command within reach puts the tool there.
+  Corrected correct(const Target& target) const;
+
+  /// dT: where the deformed machine stands when told to go to the target, minus the target; mm and deg.
+  /// Nothing where that does not converge.
+  std::optional<AxisWords> error(const Target& target) const;
+
+  /// Distance (mm) of the deformed tool tip from the target when `commanded` is what the control was told.
+  std::optional<double> tip_distance_mm(const Target& target, const AxisWords& commanded) const;
+
+  /// How far each kg hung at the tool tip moves it, mm.
+  std::optional<double> error_per_kg_mm(const Target& target) const;
+
+  const machine::Geometry& geometry() const { return geometry_; }
+  Pose<double> pose_of(const AxisWords& words) const;
+
+ private:
+  physics::MotionState motion_at(const Target& target, const Pose<double>& pose) const;
+  Corrected correct_exactly(const Target& target, const Pose<double>& pose) const;
+  Corrected correct_to_first_order(const Target& target) const;
+  Corrected correct_with_fixed_axes(const Target& target) const;
+
+  const machine::MachineModel& model_;
+  const Settings& settings_;
+  physics::MachinePhysics physics_;
+  machine::Geometry geometry_;
+  double lever_ = 0;  // platform radius, m: turns a rotation into the speed of the joints
+  AxisSet fixed_;
+};
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,26 @@
+// How a program is compensated.
+#pragma once
+
+#include <optional>
+
+#include "base/axes.hpp"
+#include "path/subdivide.hpp"
+
+namespace plumbline::compensate {
+
+enum class Method {
+  exact,        // T_c = FK(IK(T) - dL(T)): the deformed machine stands on T  [docs/physics.md, Compensation]
+  first_order,  // T_c = T - dT(T)  [Ibaraki et al., 3.3]
+};
+
+struct Settings {
+  Method method = Method::exact;
+  bool friction = true;
+  path::StepSettings step;
+  /// The sign of a strut's speed is smoothed over this share of the feed, so that a compensated path has no steps.
+  double sign_width_of_feed = 0.01;
+  /// Where the work offset was probed on the sagging machine: pose in W, mm and deg. Its error is added to the offset.
+  std::optional<AxisWords> touch_off;
+};
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,57 @@
+// What a compensation did, for the one who runs the program.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/axes.hpp"
+#include "base/diagnostic.hpp"
+
+namespace plumbline::compensate {
+
+/// The largest of something, and the line of the program where it was.
+struct Worst {
+  double value = 0;
+  std::size_t line = 0;
+
+  void take(double candidate, std::size_t at_line) {
+    if (candidate <= value) return;
+    value = candidate;
+    line = at_line;
+  }
+};
+
+struct Summary {
+  std::uint64_t blocks = 0;  // of the program
+  std::uint64_t moves = 0;   // that were corrected or found to need no correction
+  std::uint64_t changed_blocks = 0;
+  std::uint64_t passed_moves = 0;  // that went through as they stand: machine coordinates, unknown position
+  std::uint64_t points = 0;        // of the output
+  Worst correction_mm;             // of the tool tip, X Y Z together
+  Worst correction_deg;            // of the orientation, the largest of A, B, C
+  double rms_correction_mm = 0;    // over the points
+  double seconds_before = 0;       // of the moves whose time the program sets; G0 and G95 left out
+  double seconds_after = 0;
+  Worst time_change;                 // of any block, as a share of its time
+  Worst rounding_mm;                 // of a point: what the control keeps against what was asked
+  Worst residual_mm;                 // distance of the deformed tip from the programmed point, replayed on the model
+  std::uint64_t replayed = 0;        // points that this was worked out for
+  Worst condition;                   // condition number of the Jacobian (an upper bound) of the compensated poses
+  std::uint64_t widened_blocks = 0;  // whose pieces the control's block time made longer
+  Worst widened_step_mm;
+  double offset_shift_for_1um_mm = std::numeric_limits<double>::infinity();  // of the work offset, that costs 1 um
+  std::optional<AxisWords> zero_error;  // dT at the first cutting block: what a work offset probed there holds already
+  std::size_t zero_error_line = 0;
+  AxisSet assumed_at_zero;  // rotary axes that the program never names
+  std::uint64_t bytes_before = 0;
+  std::uint64_t bytes_after = 0;
+  bool identical = true;  // nothing had to change
+  std::vector<Diagnostic> warnings;
+};
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,51 @@
+#include "nc/emit_state.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+// Only the rotation counts: differences know no origin.
+Frame turned_only(const Frame& frame) {
+  Frame turned;
+  turned.rotation_deg = frame.rotation_deg;
+  return turned;
+}
+
+}  // namespace
+
+AxisWords OutputState::work_shift(const Frame& frame) const {
+  return frame.rotation_deg == 0 ? shift : turned_only(frame).from_pose(shift);
+}
+
+void OutputState::set_work_shift(const Frame& frame, const AxisWords& work) {
+  shift = frame.rotation_deg == 0 ? work : turned_only(frame).to_pose(work);
+}
+
+void OutputState::adopt(const Modal& modal) {
+  motion = modal.motion;
+  feed_mode = modal.feed_mode;
+  feed = modal.feed;
+}
+
+void OutputState::follow(const Step& step, bool has_motion_word, bool has_feed_mode_word, bool has_feed_word) {
+  if (has_motion_word) motion = step.after->motion;
+  if (has_feed_mode_word) {
+    if (feed_mode != step.after->feed_mode) feed = 0;  // a control drops the F of the other mode
+    feed_mode = step.after->feed_mode;
+  }
+  if (has_feed_word || step.after->feed == 0) feed = step.after->feed;
+  if (step.motions.empty()) return;
+  if (step.role == BlockRole::machine_move) {
+    for (const Axis axis : kAllAxes) {
+      if (step.named.empty() || step.named.contains(axis)) shift[axis] = 0;
+    }
+    return;
+  }
+  if (step.after->incremental) return;
+  AxisWords work = work_shift(*step.frame);
+  for (const Axis axis : kAllAxes) {
+    if (step.named.contains(axis)) work[axis] = 0;
+  }
+  set_work_shift(*step.frame, work);
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,27 @@
+// What the program being written has told the control so far: where it stands and what is modal in it.
+#pragma once
+
+#include "base/axes.hpp"
+#include "nc/frame.hpp"
+#include "nc/step.hpp"
+
+namespace plumbline::nc {
+
+/// The control's state where it can differ from that of the original program.
+struct OutputState {
+  AxisWords shift;  // control's position minus the original's, in W: mm and deg
+  MotionMode motion = MotionMode::none;
+  FeedMode feed_mode = FeedMode::per_minute;
+  double feed = 0;  // in the program's unit; 0: none in force
+
+  /// The shift in the words of the active work system, and back.
+  AxisWords work_shift(const Frame& frame) const;
+  void set_work_shift(const Frame& frame, const AxisWords& work);
+
+  /// Takes over the modal state of the original.
+  void adopt(const Modal& modal);
+  /// Follows a block that was passed through as it stands; words_* say which words it holds itself.
+  void follow(const Step& step, bool has_motion_word, bool has_feed_mode_word, bool has_feed_word);
+};
+
+}  // namespace plumbline::nc
