@@ -1,0 +1,48 @@
+#include "physics/effect_info.hpp"
+
+#include <algorithm>
+
+namespace plumbline::physics {
+
+int EffectInfo::size() const {
+  int size = 0;
+  for (const ParameterSpec& spec : parameters) size += spec.size();
+  return size;
+}
+
+int EffectInfo::offset_of(std::string_view key) const {
+  int offset = 0;
+  for (const ParameterSpec& spec : parameters) {
+    if (spec.key == key) return offset;
+    offset += spec.size();
+  }
+  return -1;
+}
+
+const std::array<EffectInfo, kEffects>& effect_infos() {
+  static const std::array<EffectInfo, kEffects> infos = [] {
+    std::array<EffectInfo, kEffects> table{};
+    for_each_effect([&]<class Effect>(std::size_t i) {
+      table[i] = {Effect::name, {Effect::parameters.data(), Effect::parameters.size()}, i < kBaseEffects};
+    });
+    return table;
+  }();
+  return infos;
+}
+
+std::size_t effect_index(std::string_view name) {
+  const auto& infos = effect_infos();
+  const auto found =
+      std::find_if(infos.begin(), infos.end(), [&](const EffectInfo& info) { return info.name == name; });
+  return static_cast<std::size_t>(found - infos.begin());
+}
+
+std::vector<std::string_view> catalogue_names() {
+  std::vector<std::string_view> names;
+  for (const EffectInfo& info : effect_infos()) {
+    if (!info.base) names.push_back(info.name);
+  }
+  return names;
+}
+
+}  // namespace plumbline::physics

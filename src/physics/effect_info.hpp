@@ -1,0 +1,42 @@
+// The list of effects as a table that can be looked through at run time.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "physics/effects/list.hpp"
+
+namespace plumbline::physics {
+
+struct EffectInfo {
+  std::string_view name;
+  std::span<const ParameterSpec> parameters;
+  bool base;  // always there
+
+  /// How many numbers an instance has.
+  int size() const;
+  /// Where the numbers of a key begin; -1 if there is no such key.
+  int offset_of(std::string_view key) const;
+};
+
+/// All effects, in the order of the list.
+const std::array<EffectInfo, kEffects>& effect_infos();
+
+/// The place of an effect in the list; kEffects if there is none of that name.
+std::size_t effect_index(std::string_view name);
+
+/// The names of the effects that a model file may name.
+std::vector<std::string_view> catalogue_names();
+
+/// Calls apply.template operator()<Effect>(index) for each effect of the list, at compile time.
+template <class Apply>
+void for_each_effect(Apply&& apply) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (apply.template operator()<std::tuple_element_t<I, Effects>>(I), ...);
+  }
+  (std::make_index_sequence<kEffects>{});
+}
+
+}  // namespace plumbline::physics

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "physics/situation.hpp"
+
+namespace plumbline::physics {
+
+/// Friction of the base joints: a moment against the turning of the strut, felt by the platform as a force across it.
+struct JointFriction {
+  static constexpr std::string_view name = "joint-friction";
+  static constexpr std::array parameters{model_key("joint", "viscous_friction_Nms_rad"),
+                                         model_key("joint", "coulomb_friction_Nm")};
+  enum { kViscous = 0, kCoulomb = 1 };
+  static constexpr double kRestSpeed = 0.01 * kMm;  // m/s, below which v_perp / |v_perp| fades
+
+  // tau_j = -c w_j or -c_c w_j / |w_j| on the strut makes (tau_j x u_j) / L_j on the platform, with w_j = u_j x
+  // v_perp,j / L_j:
+  // -(c / L_j^2) v_perp,j - (c_c / L_j) v_perp,j / |v_perp,j|  [docs/physics.md; Ibaraki et al., Eq. 9-10 differ in
+  // direction]
+  template <class T>
+  static void transverse_force(Values<T> p, const Situation<T>& at, machine::StrutVectors<T>& sum) {
+    using std::sqrt;
+    for (int j = 0; j < machine::kStruts; ++j) {
+      const Vector3<T> v = at.rates.transverse.col(j);
+      const T per_length = T(1.0) / at.struts.length[j];
+      const T speed = sqrt(v.squaredNorm() + T(kRestSpeed * kRestSpeed));
+      sum.col(j) -= (p[kViscous] * per_length + p[kCoulomb] / speed) * per_length * v;
+    }
+  }
+};
+
+}  // namespace plumbline::physics

@@ -1,0 +1,52 @@
+// The effects that there are. A new one is a file beside this one, an include and a line in the second list.
+//
+// An effect is a struct with a static `name`, a static table `parameters` and any of these hooks, each of which adds to
+// `sum` and assigns nothing. In the order in which they are asked:
+//
+//   conditions(p, at, Conditions<T>& sum)          gravity and masses, before anything is weighed
+//   wrench(p, at, Wrench<T>& sum)                  forces on the platform
+//   transverse_force(p, at, StrutVectors<T>& sum)  force on the platform at each platform joint, N in W
+//   nut_tension(p, at, PerStrut<T>& sum)           tension of the nut beyond the platform joint's, N
+//   drive_tension(p, at, PerStrut<T>& sum)         drive's pull beyond the nut's tension, N (reads nut_tension)
+//   length(p, at, PerStrut<T>& sum)                length that the controller does not know of, m (reads drive_tension)
+//   tip(p, at, Vector6<T>& sum)                    displacement of the tip that no strut makes, m and rad in W
+//   reading(p, at, PerStrut<T>& sum)               what the torque reading adds, N m (reads torque)
+//
+// `p` are the parameters in SI, `at` the machine at that moment (physics/situation.hpp). Zero parameters change
+// nothing.
+#pragma once
+
+#include <tuple>
+
+#include "physics/effects/axial_elasticity.hpp"
+#include "physics/effects/backlash.hpp"
+#include "physics/effects/joint_friction.hpp"
+#include "physics/effects/joint_position.hpp"
+#include "physics/effects/known_loads.hpp"
+#include "physics/effects/payload.hpp"
+#include "physics/effects/platform_gravity.hpp"
+#include "physics/effects/screw_friction.hpp"
+#include "physics/effects/strut_gravity.hpp"
+#include "physics/effects/strut_offset.hpp"
+
+namespace plumbline::physics {
+
+/// Always there; their parameters are keys of the model file's own tables.
+using BaseEffects = std::tuple<PlatformGravity,  //
+                               StrutGravity,     //
+                               KnownLoads,       //
+                               ScrewFriction,    //
+                               JointFriction,    //
+                               AxialElasticity>;
+
+/// There when an [[effect]] row of the model file, or whoever fits a model, puts them there.
+using CatalogueEffects = std::tuple<Payload,      //
+                                    Backlash,     //
+                                    StrutOffset,  //
+                                    JointPosition>;
+
+using Effects = decltype(std::tuple_cat(BaseEffects{}, CatalogueEffects{}));
+inline constexpr std::size_t kBaseEffects = std::tuple_size_v<BaseEffects>;
+inline constexpr std::size_t kEffects = std::tuple_size_v<Effects>;
+
+}  // namespace plumbline::physics

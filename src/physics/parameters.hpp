@@ -1,0 +1,47 @@
+// Parameters of effects: what each is called in files, its unit and its bounds, and how an effect reads them.
+#pragma once
+
+#include <string_view>
+
+#include "machine/model_keys.hpp"
+#include "machine/unit.hpp"
+
+namespace plumbline::physics {
+
+/// One key of an effect. Bounds are inclusive, in the file's unit; `lower` is zero for what cannot be negative.
+struct ParameterSpec {
+  std::string_view key;
+  machine::Unit unit;
+  int count = 1;  // how many numbers: 1, 2, 3, 6
+  double lower = 0;
+  double upper = 0;
+  int each = 1;                 // 3: an array of `count` points, 3 x count numbers
+  double initial = 0;           // in a fresh instance; the instance as a whole shall change nothing with it
+  std::string_view table = {};  // base effects: the table of the model file that holds the key
+
+  constexpr int size() const { return count * each; }
+};
+
+/// The parameter that stands under a key of the model file itself: unit and range as machine/model_keys.hpp has them.
+constexpr ParameterSpec model_key(std::string_view table, std::string_view key) {
+  const machine::KeySpec& spec = machine::key_spec(table, key);
+  return {.key = spec.key,
+          .unit = spec.unit,
+          .count = static_cast<int>(machine::count_of(spec.shape)),
+          .lower = spec.lower,
+          .upper = spec.upper,
+          .table = spec.table};
+}
+
+/// The parameters of one instance of an effect, one after the other as its table lists them, in SI.
+template <class T>
+class Values {
+ public:
+  explicit Values(const T* first) : first_(first) {}
+  const T& operator[](int i) const { return first_[i]; }
+
+ private:
+  const T* first_;
+};
+
+}  // namespace plumbline::physics
