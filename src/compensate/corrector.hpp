@@ -6,7 +6,7 @@
 #include "base/axes.hpp"
 #include "compensate/settings.hpp"
 #include "machine/model.hpp"
-#include "physics/machine_physics.hpp"
+#include "physics/error.hpp"
 
 namespace plumbline::compensate {
 
@@ -52,20 +52,25 @@ class Corrector {
   /// How far each kg hung at the tool tip moves it, mm.
   std::optional<double> error_per_kg_mm(const Target& target) const;
 
-  const machine::Geometry& geometry() const { return geometry_; }
+  const machine::Geometry& geometry() const { return physics_.machine.geometry; }
   Pose<double> pose_of(const AxisWords& words) const;
 
  private:
-  physics::MotionState motion_at(const Target& target, const Pose<double>& pose) const;
-  Corrected correct_exactly(const Target& target, const Pose<double>& pose) const;
-  Corrected correct_to_first_order(const Target& target) const;
+  struct Load {  // of a machine that stands on a pose
+    Pose<double> pose;
+    physics::StrutStretch<double> stretch;
+  };
+  Load load_at(const Target& target) const;
+  Corrected correct_once(const Target& target) const;
   Corrected correct_with_fixed_axes(const Target& target) const;
+  physics::Motion<double> motion_of(const Target& target, physics::Environment& environment) const;
+  Twist<double> twist_of(const Target& target, const Pose<double>& pose) const;
 
   const machine::MachineModel& model_;
   const Settings& settings_;
-  physics::MachinePhysics physics_;
-  machine::Geometry geometry_;
-  double lever_ = 0;  // platform radius, m: turns a rotation into the speed of the joints
+  physics::ForceModel physics_;
+  physics::Environment environment_;
+  double radius_ = 0;  // of the platform, m: turns a rotation into the speed of the joints
   AxisSet fixed_;
 };
 

@@ -30,6 +30,7 @@ class Stream {
   void refuse_stamped(const nc::Block& block) const;
   void set_touch_off();
   void take_tool(const nc::Step& step);
+  void warn_of_massless_tool(const nc::Step& step, int tool);
   bool is_corrected(const nc::Step& step);
   AxisSet assumed_axes(const nc::Step& step, AxisSet unknown);
   AxisSet writable() const;

@@ -1,0 +1,156 @@
+#include "compensate/corrector.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.hpp"
+#include "machine/axis_words.hpp"
+#include "machine/condition.hpp"
+#include "machine/forward.hpp"
+
+namespace plumbline::compensate {
+namespace {
+
+constexpr int kMostRounds = 8;          // of putting the fixed axes back where they stay
+constexpr double kFixedAxisDeg = 1e-8;  // to which they get there
+constexpr double kSlopeProbe = 1e-6;    // of the path's unit, to difference the orientation
+constexpr double kSpeedOverSign = 100;  // a move without a speed counts as this many times v0
+
+double tip_distance(const Pose<double>& a, const Pose<double>& b) { return (a.p_WT - b.p_WT).norm(); }
+
+}  // namespace
+
+Corrector::Corrector(const machine::MachineModel& model, const Settings& settings)
+    : model_(model),
+      settings_(settings),
+      physics_(model),
+      environment_(physics_.environment()),
+      radius_(machine::platform_radius(model.geometry)) {
+  environment_.friction = settings.friction;
+}
+
+void Corrector::set_tool(const ToolInSpindle& tool) {
+  physics_.machine.geometry = machine::with_tool(model_.geometry, tool.length);
+  environment_.tool_mass = tool.mass - model_.reference_tool_mass;
+  environment_.tool_centre_P = model_.geometry.tool_tip_P - Vector3<double>(0, 0, tool.along);
+}
+
+Pose<double> Corrector::pose_of(const AxisWords& words) const { return machine::pose_of(model_.rotation, words); }
+
+// Velocity of the platform along the path, per unit of the path.
+Twist<double> Corrector::twist_of(const Target& target, const Pose<double>& pose) const {
+  Twist<double> twist;
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
+    twist.v_WT[static_cast<Eigen::Index>(index(axis))] = target.slope[axis] * kMm;
+  }
+  AxisWords ahead = target.pose;
+  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) ahead[axis] += kSlopeProbe * target.slope[axis];
+  if (ahead != target.pose) {
+    twist.w_WP = machine::displacement_between(pose, pose_of(ahead)).tail<3>() / kSlopeProbe;
+  }
+  return twist;
+}
+
+// The commanded motion; v0 grows with the feed, so that the correction turns smoothly where a strut turns around
+// [docs/physics.md, Friction].
+physics::Motion<double> Corrector::motion_of(const Target& target, physics::Environment& environment) const {
+  physics::Motion<double> motion;
+  motion.pose = pose_of(target.pose);
+  if (!environment.friction) return motion;
+  motion.twist = twist_of(target, motion.pose);
+  const double size = std::hypot(motion.twist.v_WT.norm(), radius_ * motion.twist.w_WP.norm());
+  if (size == 0) {
+    environment.friction = false;
+    return motion;
+  }
+  const double speed = target.seconds ? size / *target.seconds : kSpeedOverSign * environment.sign_speed;
+  motion.twist.v_WT *= speed / size;
+  motion.twist.w_WP *= speed / size;
+  environment.sign_speed = std::max(environment.sign_speed, settings_.sign_width_of_feed * speed);
+  return motion;
+}
+
+Corrector::Load Corrector::load_at(const Target& target) const {
+  physics::Environment environment = environment_;
+  const physics::Motion<double> motion = motion_of(target, environment);
+  return {motion.pose, physics::strut_stretch(physics_, environment, motion)};
+}
+
+// Exact: T_c = FK(IK(T) - dL(T)).  First order: T_c = T - J^-1 dL(T).  [docs/physics.md, Compensation]
+Corrected Corrector::correct_once(const Target& target) const {
+  const Load load = load_at(target);
+  Corrected corrected;
+  corrected.condition = machine::condition_bound(load.stretch.struts, radius_);
+  if (load.stretch.jacobian.singular()) return corrected;
+  Pose<double> commanded = load.pose;
+  if (settings_.method == Method::first_order) {
+    commanded = machine::displaced<double>(commanded, -load.stretch.jacobian.solve(load.stretch.stretch));
+    corrected.converged = true;
+  } else {
+    const machine::NearResult<double> near = machine::forward_near<double>(
+        geometry(), commanded, load.stretch.struts, load.stretch.jacobian, -load.stretch.stretch);
+    commanded = near.pose;
+    corrected.converged = near.converged;
+  }
+  commanded = machine::displaced<double>(commanded, -load.stretch.tip);
+  corrected.pose = machine::words_of(model_.rotation, commanded, target.pose);
+  return corrected;
+}
+
+// The axes that may not be written stay where they are, so the machine does not stand quite upright on the target: its
+// orientation is sought with which the tip is on it.
+Corrected Corrector::correct_with_fixed_axes(const Target& target) const {
+  Target standing = target;
+  Corrected corrected;
+  for (int round = 0; round < kMostRounds; ++round) {
+    corrected = correct_once(standing);
+    if (!corrected.converged) return corrected;
+    double off = 0;
+    for (const Axis axis : kAllAxes) {
+      if (!fixed_.contains(axis)) continue;
+      const double rest = corrected.pose[axis] - target.pose[axis];
+      standing.pose[axis] -= rest;
+      off = std::max(off, std::abs(rest));
+    }
+    if (off <= kFixedAxisDeg) break;
+    corrected.converged = round + 1 < kMostRounds;
+  }
+  for (const Axis axis : kAllAxes) {
+    if (fixed_.contains(axis)) corrected.pose[axis] = target.pose[axis];
+  }
+  return corrected;
+}
+
+Corrected Corrector::correct(const Target& target) const {
+  return fixed_.empty() ? correct_once(target) : correct_with_fixed_axes(target);
+}
+
+std::optional<AxisWords> Corrector::error(const Target& target) const {
+  physics::Environment environment = environment_;
+  const physics::Motion<double> motion = motion_of(target, environment);
+  const physics::TipError<double> error = physics::tip_error(physics_, environment, motion);
+  if (!error.converged()) return std::nullopt;
+  return machine::words_of(model_.rotation, error.pose, target.pose) - target.pose;
+}
+
+std::optional<double> Corrector::tip_distance_mm(const Target& target, const AxisWords& commanded) const {
+  Target told = target;
+  told.pose = commanded;
+  physics::Environment environment = environment_;
+  const physics::Motion<double> motion = motion_of(told, environment);
+  const physics::TipError<double> error = physics::tip_error(physics_, environment, motion);
+  if (!error.converged()) return std::nullopt;
+  return tip_distance(error.pose, pose_of(target.pose)) / kMm;
+}
+
+std::optional<double> Corrector::error_per_kg_mm(const Target& target) const {
+  physics::Environment environment = environment_;
+  const physics::Motion<double> motion = motion_of(target, environment);
+  const physics::TipError<double> without = physics::tip_error(physics_, environment, motion);
+  environment.payload_mass += 1;
+  const physics::TipError<double> with = physics::tip_error(physics_, environment, motion);
+  if (!without.converged() || !with.converged()) return std::nullopt;
+  return tip_distance(with.pose, without.pose) / kMm;
+}
+
+}  // namespace plumbline::compensate
