@@ -24,10 +24,64 @@ struct Word {
   std::uint32_t expression = kLiteral;  // where its code begins in Block::code
   Span span;                            // letter and value
   std::uint8_t decimals = 0;            // digits after the point, as written; 0 for an expression
+  bool unknown = false;                 // an expression whose value only the machine knows (a probe result, an input)
 };
 
 struct Comment {
   Span span;  // with its delimiters
+};
+
+enum class Operation : std::uint8_t {
+  end,
+  number,     // pushes Instruction::number
+  parameter,  // replaces the number on top by the value of the parameter that has this number
+  name,       // pushes the value of the parameter names[Instruction::name]
+  exists,     // pushes 1 if that parameter has a value, else 0
+  negate,
+  absolute,
+  arc_cosine,
+  arc_sine,
+  arc_tangent,
+  cosine,
+  exponential,
+  round_down,
+  round_up,
+  logarithm,
+  round,
+  sine,
+  square_root,
+  tangent,  // angles in degrees
+  power,
+  times,
+  divide,
+  modulo,
+  plus,
+  minus,
+  equal,
+  not_equal,
+  greater,
+  greater_equal,
+  less,
+  less_equal,
+  logical_and,
+  logical_or,
+  exclusive_or,
+};
+
+/// One step of an expression's code, in postfix order; Operation::end closes it.
+struct Instruction {
+  Operation operation = Operation::end;
+  std::uint32_t name = 0;
+  double number = 0;
+  Span span;  // of the operator or operand, for diagnostics
+};
+
+/// A parameter setting, #5 = 3 or #<depth> = [#5*2]; takes effect when the whole block has been read.
+struct Setting {
+  std::uint32_t target = kLiteral;  // code of the parameter's number; kLiteral: a named parameter
+  std::uint32_t name = 0;           // of a named one, in Block::names
+  std::uint32_t value = 0;          // code of the value
+  Span span;
 };
 
 /// What a line is when it is not a block of words.
@@ -38,6 +92,7 @@ enum class LineKind : std::uint8_t {
 };
 
 struct Block {
+  std::string_view file;      // name of the program, for diagnostics
   std::string_view text;      // the line without its end
   std::string_view line_end;  // "\n", "\r\n" or "" (last line)
   std::size_t line = 0;       // counts from 1
@@ -48,9 +103,20 @@ struct Block {
   std::vector<Word> words;    // in the order of the text, N left out
   Span number;                // the N word; begin == end: none
   std::vector<Comment> comments;
+  std::vector<Setting> settings;
+  std::vector<Instruction> code;  // of all expressions of the block, one behind the other
+  std::vector<Span> names;        // of named parameters, without # < and >
 
   std::string_view at(Span span) const { return text.substr(span.begin, span.end - span.begin); }
   bool has_number() const { return number.end > number.begin; }
 };
+
+/// The first word of that letter (upper case); null if there is none.
+inline const Word* find_word(const Block& block, char letter) {
+  for (const Word& word : block.words) {
+    if (word.letter == letter) return &word;
+  }
+  return nullptr;
+}
 
 }  // namespace plumbline::nc

@@ -17,13 +17,13 @@ struct Modal {
   Plane plane = Plane::xy;
   FeedMode feed_mode = FeedMode::per_minute;
   PathControl path_control = PathControl::continuous;
-  bool inches = false;                // G20
-  bool incremental = false;           // G91
-  bool arc_centre_absolute = false;   // G90.1
-  int work_system = 1;                // 1..9: G54..G59.3
-  double feed = 0;                    // the F in force, in the program's own unit; 0: none. Not used under G93
-  int tool_in_spindle = -1;           // after M6 or M61; -1: not known
-  int tool_of_offset = -1;            // whose length G43 put in force; -1: none, or not a tool of the table
+  bool inches = false;               // G20
+  bool incremental = false;          // G91
+  bool arc_centre_absolute = false;  // G90.1
+  int work_system = 1;               // 1..9: G54..G59.3
+  double feed = 0;                   // the F in force, in the program's own unit; 0: none. Not used under G93
+  int tool_in_spindle = -1;          // after M6 or M61; -1: not known
+  int tool_of_offset = -1;           // whose length G43 put in force; -1: none, or not a tool of the table
 };
 
 }  // namespace plumbline::nc

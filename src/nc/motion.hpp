@@ -19,9 +19,12 @@ struct PlaneAxes {
 };
 constexpr PlaneAxes axes_of(Plane plane) {
   switch (plane) {
-    case Plane::zx: return {Axis::Z, Axis::X, Axis::Y};
-    case Plane::yz: return {Axis::Y, Axis::Z, Axis::X};
-    case Plane::xy: break;
+    case Plane::zx:
+      return {Axis::Z, Axis::X, Axis::Y};
+    case Plane::yz:
+      return {Axis::Y, Axis::Z, Axis::X};
+    case Plane::xy:
+      break;
   }
   return {Axis::X, Axis::Y, Axis::Z};
 }
@@ -40,14 +43,14 @@ struct Motion {
   bool in_machine_coordinates = false;  // G53, and the moves of G28 and G30: never compensated
   std::size_t line = 0;
   AxisWords from, to;
-  AxisWords machine;               // the control's display at `to`: all offsets, rotation and the tool length in it
-  AxisSet known_before;            // axes whose `from` is known
-  AxisSet known_after;             // axes whose `to` is known
-  double feed = 0;                 // per_minute: mm/min, or deg/min for a purely rotary move; inverse_time: 1/min;
-                                   // per_revolution: mm/rev. 0: no feed in force
-  double mm_per_unit = 1;          // the program's length unit at this move: 25.4 under G20
-  double dwell_s = 0;              // dwell only
-  Arc arc;                         // arc only
+  AxisWords machine;       // the control's display at `to`: all offsets, rotation and the tool length in it
+  AxisSet known_before;    // axes whose `from` is known
+  AxisSet known_after;     // axes whose `to` is known
+  double feed = 0;         // per_minute: mm/min, or deg/min for a purely rotary move; inverse_time: 1/min;
+                           // per_revolution: mm/rev. 0: no feed in force
+  double mm_per_unit = 1;  // the program's length unit at this move: 25.4 under G20
+  double dwell_s = 0;      // dwell only
+  Arc arc;                 // arc only
 };
 
 }  // namespace plumbline::nc

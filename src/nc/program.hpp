@@ -26,12 +26,15 @@ struct WorkOffset {
 struct ProgramSettings {
   std::array<std::optional<WorkOffset>, kWorkSystems> work_offsets;
   ToolTable tools;
-  std::optional<int> tool_in_spindle;                     // at the start
-  std::array<std::optional<double>, kAxes> start;         // where the axes stand at the start, in the first work system
-  std::map<int, double> variables;                        // numbered parameters set before the program
-  std::set<int> passed_m_codes;                           // --pass
-  std::set<int> keeps_position;                           // --keeps-position, M codes
-  std::optional<bool> block_delete;                       // --block-delete on|off
+  std::optional<int> tool_in_spindle;              // at the start
+  std::array<std::optional<double>, kAxes> start;  // where the axes stand at the start, in the first work system
+  std::map<int, double> variables;                 // numbered parameters set before the program
+  std::set<int> passed_m_codes;                    // --pass
+  std::set<int> keeps_position;                    // --keeps-position, M codes
+  std::optional<bool> block_delete;                // --block-delete on|off
+  /// Expressions may read where the control stands (#5420..., #<_x>...): true for who only looks, since a rewritten
+  /// program would read something else.
+  bool position_may_be_read = false;
   /// trace alone: what nobody gave is what a control with empty tables has (zero), M codes of the user pass.
   bool as_with_empty_tables = false;
 };

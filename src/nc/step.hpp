@@ -12,9 +12,9 @@ namespace plumbline::nc {
 
 /// Why a block may not be rewritten as a plain move even though it holds axis words.
 enum class BlockRole : std::uint8_t {
-  plain,          // moves, modal codes, or nothing
-  machine_move,   // G53, G28, G30: goes through as it stands
-  sets_offset,    // G92, G10 L20: reads where the control stands; its axis words must make up for the shift
+  plain,            // moves, modal codes, or nothing
+  machine_move,     // G53, G28, G30: goes through as it stands
+  sets_offset,      // G92, G10 L20: reads where the control stands; its axis words must make up for the shift
   stores_position,  // G28.1, G30.1: stores where the control stands; cannot be made up for
 };
 
@@ -29,10 +29,10 @@ struct Step {
   AxisSet known;                    // of which this is known
   AxisSet named;                    // axes whose words stand in the block
   BlockRole role = BlockRole::plain;
-  bool skipped = false;             // block delete is on for it: nothing of it was executed
-  bool executed_delete = false;     // block delete is off for it, and it moves or changes modal state
-  bool changes_tool = false;        // M6, M61
-  bool loses_position = false;      // M0, M6, user M code, G28...: some axis may stand elsewhere now
+  bool skipped = false;          // block delete is on for it: nothing of it was executed
+  bool executed_delete = false;  // block delete is off for it, and it moves or changes modal state
+  bool changes_tool = false;     // M6, M61
+  bool loses_position = false;   // M0, M6, user M code, G28...: some axis may stand elsewhere now
 };
 
 }  // namespace plumbline::nc

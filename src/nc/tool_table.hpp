@@ -9,10 +9,10 @@ namespace plumbline::nc {
 
 struct Tool {
   int number = 0;
-  double length_mm = 0;                        // from the gauge point to the tip, along -Z of P
+  double length_mm = 0;  // from the gauge point to the tip, along -Z of P
   std::optional<double> diameter_mm;
   std::optional<double> mass_kg;
-  std::optional<double> centre_of_mass_mm;     // from the gauge point towards the tip
+  std::optional<double> centre_of_mass_mm;  // from the gauge point towards the tip
 };
 
 class ToolTable {

@@ -1,0 +1,191 @@
+// Tokens of RS274/NGC and its relatives, compiled by re2c into src/nc. block.ebnf says how they make a block.
+// Blanks mean nothing outside comments [RS274/NGC 3.3.1], so each rule lets them stand between its characters.
+#include <charconv>
+
+#include "nc/block.hpp"
+#include "nc/lexer.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                   1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr std::uint64_t kLargestExact = std::uint64_t{1} << 53U;
+constexpr int kMostDigits = 18;
+
+void keep(Token& token, TokenKind kind, const char* begin, const char* end) {
+  token.kind = kind;
+  token.begin = begin;
+  token.end = end;
+}
+
+// Long numbers, blanks taken out.
+double read_long_number(const char* begin, const char* end) {
+  char digits[512];
+  char* to = digits;
+  for (; begin != end && to != digits + sizeof digits; ++begin) {
+    if (*begin != ' ' && *begin != '\t' && *begin != '\r' && *begin != '+') *to++ = *begin;
+  }
+  double value = 0;
+  std::from_chars(digits, to, value, std::chars_format::fixed);
+  return value;
+}
+
+// Digits and their power of ten are both exact in a double up to 2^53 and 10^22, so that one division rounds the number
+// as std::from_chars does.
+void read_number(Token& token, const char* begin, const char* end) {
+  std::uint64_t digits = 0;
+  int count = 0;
+  int decimals = -1;
+  bool negative = false;
+  for (const char* c = begin; c != end; ++c) {
+    const unsigned digit = static_cast<unsigned char>(*c) - unsigned{'0'};
+    if (digit <= 9) {
+      digits = digits * 10 + digit;
+      ++count;
+      if (decimals >= 0) ++decimals;
+    } else if (*c == '.') {
+      decimals = 0;
+    } else if (*c == '-') {
+      negative = true;
+    }
+  }
+  if (decimals < 0) decimals = 0;
+  token.decimals = static_cast<std::uint8_t>(decimals);
+  if (count > kMostDigits || digits > kLargestExact) {
+    token.value = read_long_number(begin, end);
+    return;
+  }
+  const double size = static_cast<double>(digits) / kPowersOfTen[decimals];
+  token.value = negative ? -size : size;
+}
+
+void keep_word(Token& token, const char* begin, const char* end) {
+  keep(token, TokenKind::word, begin, end);
+  token.letter = static_cast<char>(*begin & ~0x20);
+  read_number(token, begin + 1, end);
+}
+
+void keep_letter(Token& token, const char* begin, const char* end) {
+  keep(token, TokenKind::letter, begin, end);
+  token.letter = static_cast<char>(*begin & ~0x20);
+}
+
+void keep_operation(Token& token, TokenKind kind, Operation operation, const char* begin, const char* end) {
+  keep(token, kind, begin, end);
+  token.operation = static_cast<std::uint8_t>(operation);
+}
+
+}  // namespace
+
+/*!re2c
+  re2c:define:YYCTYPE = "unsigned char";
+  re2c:define:YYCURSOR = at;
+  re2c:define:YYMARKER = marker;
+  re2c:yyfill:enable = 0;
+
+  blank    = [ \t\r];
+  w        = blank*;
+  digit    = [0-9];
+  letter   = [A-Za-z];
+  unsigned = digit (w digit)* (w "." (w digit)*)? | "." (w digit)+;
+  number   = [+-]? w unsigned;
+*/
+
+void lex_item(const char* cursor, Token& token) {
+  const auto* at = reinterpret_cast<const unsigned char*>(cursor);
+  const unsigned char* marker = nullptr;
+  const unsigned char* begin = nullptr;
+  const auto text = [](const unsigned char* c) { return reinterpret_cast<const char*>(c); };
+again:
+  begin = at;
+  /*!re2c
+    blank+                { goto again; }
+    letter w number       { return keep_word(token, text(begin), text(at)); }
+    letter                { return keep_letter(token, text(begin), text(at)); }
+    "(" [^()\n\x00]* ")"  { return keep(token, TokenKind::comment, text(begin), text(at)); }
+    "(" [^()\n\x00]* "("  { return keep(token, TokenKind::nested_comment, text(at) - 1, text(at)); }
+    "("                   { return keep(token, TokenKind::open_comment, text(begin), text(at)); }
+    ";" [^\n\x00]*        { return keep(token, TokenKind::comment, text(begin), text(at)); }
+    "#"                   { return keep(token, TokenKind::hash, text(begin), text(at)); }
+    "/"                   { return keep(token, TokenKind::slash, text(begin), text(at)); }
+    "%"                   { return keep(token, TokenKind::percent, text(begin), text(at)); }
+    "="                   { return keep(token, TokenKind::equals, text(begin), text(at)); }
+    [\n\x00]              { return keep(token, TokenKind::end, text(begin), text(begin)); }
+    *                     { return keep(token, TokenKind::bad, text(begin), text(at)); }
+  */
+}
+
+void lex_value(const char* cursor, Token& token) {
+  const auto* at = reinterpret_cast<const unsigned char*>(cursor);
+  const unsigned char* marker = nullptr;
+  const unsigned char* begin = nullptr;
+  const auto text = [](const unsigned char* c) { return reinterpret_cast<const char*>(c); };
+  const auto function = [&](Operation which) {
+    keep_operation(token, TokenKind::function, which, text(begin), text(at));
+  };
+again:
+  begin = at;
+  /*!re2c
+    blank+       { goto again; }
+    number       { keep(token, TokenKind::number, text(begin), text(at));
+                   return read_number(token, text(begin), text(at)); }
+    [+-]         { keep(token, TokenKind::sign, text(begin), text(at));
+                   token.letter = *text(begin);
+                   return; }
+    "["          { return keep(token, TokenKind::open, text(begin), text(at)); }
+    "#"          { return keep(token, TokenKind::hash, text(begin), text(at)); }
+    "<" [^<>\n\x00]* ">"  { return keep(token, TokenKind::name, text(begin), text(at)); }
+    'a' w 'b' w 's'          { return function(Operation::absolute); }
+    'a' w 'c' w 'o' w 's'    { return function(Operation::arc_cosine); }
+    'a' w 's' w 'i' w 'n'    { return function(Operation::arc_sine); }
+    'a' w 't' w 'a' w 'n'    { return function(Operation::arc_tangent); }
+    'c' w 'o' w 's'          { return function(Operation::cosine); }
+    'e' w 'x' w 'p'          { return function(Operation::exponential); }
+    'f' w 'i' w 'x'          { return function(Operation::round_down); }
+    'f' w 'u' w 'p'          { return function(Operation::round_up); }
+    'l' w 'n'                { return function(Operation::logarithm); }
+    'r' w 'o' w 'u' w 'n' w 'd'  { return function(Operation::round); }
+    's' w 'i' w 'n'          { return function(Operation::sine); }
+    's' w 'q' w 'r' w 't'    { return function(Operation::square_root); }
+    't' w 'a' w 'n'          { return function(Operation::tangent); }
+    'e' w 'x' w 'i' w 's' w 't' w 's'  { return keep(token, TokenKind::exists, text(begin), text(at)); }
+    [\n\x00]     { return keep(token, TokenKind::end, text(begin), text(begin)); }
+    *            { return keep(token, TokenKind::bad, text(begin), text(at)); }
+  */
+}
+
+void lex_operation(const char* cursor, Token& token) {
+  const auto* at = reinterpret_cast<const unsigned char*>(cursor);
+  const unsigned char* marker = nullptr;
+  const unsigned char* begin = nullptr;
+  const auto text = [](const unsigned char* c) { return reinterpret_cast<const char*>(c); };
+  const auto operation = [&](Operation which) {
+    keep_operation(token, TokenKind::operation, which, text(begin), text(at));
+  };
+again:
+  begin = at;
+  /*!re2c
+    blank+         { goto again; }
+    "]"            { return keep(token, TokenKind::close, text(begin), text(at)); }
+    "*" w "*"      { return operation(Operation::power); }
+    "*"            { return operation(Operation::times); }
+    "/"            { return operation(Operation::divide); }
+    'm' w 'o' w 'd'  { return operation(Operation::modulo); }
+    "+"            { return operation(Operation::plus); }
+    "-"            { return operation(Operation::minus); }
+    'e' w 'q'      { return operation(Operation::equal); }
+    'n' w 'e'      { return operation(Operation::not_equal); }
+    'g' w 't'      { return operation(Operation::greater); }
+    'g' w 'e'      { return operation(Operation::greater_equal); }
+    'l' w 't'      { return operation(Operation::less); }
+    'l' w 'e'      { return operation(Operation::less_equal); }
+    'a' w 'n' w 'd'  { return operation(Operation::logical_and); }
+    'o' w 'r'      { return operation(Operation::logical_or); }
+    'x' w 'o' w 'r'  { return operation(Operation::exclusive_or); }
+    [\n\x00]       { return keep(token, TokenKind::end, text(begin), text(begin)); }
+    *              { return keep(token, TokenKind::bad, text(begin), text(at)); }
+  */
+}
+
+}  // namespace plumbline::nc

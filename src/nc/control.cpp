@@ -1,0 +1,81 @@
+#include "nc/control.hpp"
+
+#include "base/units.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr int kFirstHome = 5161;  // parameters of G28, twenty further G30 [LinuxCNC; RS274/NGC 3.2.1]
+constexpr int kG92InForce = 5210;
+constexpr int kG92 = 5211;
+constexpr int kParametersPerRow = 20;
+
+// Those of six parameters in a row that somebody gave.
+AxisSet given(const Parameters& parameters, int first, AxisWords& into) {
+  AxisSet axes;
+  for (const Axis axis : kAllAxes) {
+    const int number = first + static_cast<int>(index(axis));
+    if (!parameters.has(number)) continue;
+    into[axis] = parameters.get(number).number;
+    axes.insert(axis);
+  }
+  return axes;
+}
+
+}  // namespace
+
+Control::Control(const ProgramSettings& settings) {
+  for (const auto& [number, value] : settings.variables) {
+    if (number >= 1 && number <= kLastParameter) parameters.set(number, {value, true});
+  }
+  for (std::size_t i = 0; i < systems.size(); ++i) {
+    if (settings.as_with_empty_tables) systems[i].known = AxisSet::all();
+    if (!settings.work_offsets[i]) continue;
+    systems[i] = {settings.work_offsets[i]->origin, settings.work_offsets[i]->rotation_deg, AxisSet::all()};
+  }
+  for (std::size_t i = 0; i < homes.size(); ++i) {
+    const int first = kFirstHome + kParametersPerRow * static_cast<int>(i);
+    homes[i].known = given(parameters, first, homes[i].machine);
+    if (settings.as_with_empty_tables) homes[i].known = AxisSet::all();
+  }
+  given(parameters, kG92, suspended_g92);
+  if (parameters.has(kG92InForce) && parameters.get(kG92InForce).number != 0) frame.g92 = suspended_g92;
+  frame.origin = active().origin;
+  frame.rotation_deg = active().rotation_deg;
+  modal.tool_in_spindle = settings.tool_in_spindle.value_or(-1);
+  for (const Axis axis : kAllAxes) {
+    const auto& start = settings.start[index(axis)];
+    position[axis] = start.value_or(0);
+    const bool stands = start.has_value() && active().known.contains(axis);
+    if (stands || settings.as_with_empty_tables) known.insert(axis);
+  }
+}
+
+double Control::length_unit() const { return modal.inches ? kMmPerInch : 1; }
+
+void Control::change_frame(const Frame& next) {
+  const AxisWords machine = frame.to_machine(position);
+  const AxisWords moved = next.from_machine(machine);
+  const auto same = [&](Axis axis) {
+    return frame.origin[axis] == next.origin[axis] && frame.g92[axis] == next.g92[axis] &&
+           frame.tool[axis] == next.tool[axis];
+  };
+  const bool turned = frame.rotation_deg != 0 || next.rotation_deg != 0;
+  const bool same_plane = !turned || (frame.rotation_deg == next.rotation_deg && same(Axis::X) && same(Axis::Y));
+  for (const Axis axis : kAllAxes) {
+    const bool in_plane = axis == Axis::X || axis == Axis::Y;
+    if (!same(axis) || (in_plane && !same_plane)) position[axis] = moved[axis];
+  }
+  // A turned X is made of both X and Y.
+  if (!same_plane && !known.contains(AxisSet{Axis::X, Axis::Y})) known = known - AxisSet{Axis::X, Axis::Y};
+  frame = next;
+}
+
+void Control::use_active_system() {
+  Frame next = frame;
+  next.origin = active().origin;
+  next.rotation_deg = active().rotation_deg;
+  change_frame(next);
+}
+
+}  // namespace plumbline::nc

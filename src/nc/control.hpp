@@ -1,0 +1,58 @@
+// What a control remembers from block to block.
+#pragma once
+
+#include <array>
+#include <map>
+
+#include "nc/dialect.hpp"
+#include "nc/frame.hpp"
+#include "nc/modal.hpp"
+#include "nc/motion.hpp"
+#include "nc/parameters.hpp"
+#include "nc/program.hpp"
+
+namespace plumbline::nc {
+
+/// A row of the table of work offsets.
+struct WorkSystem {
+  AxisWords origin;
+  double rotation_deg = 0;
+  AxisSet known;  // axes whose origin somebody gave
+};
+
+/// A position that G28.1 or G30.1 stored, in machine coordinates.
+struct Home {
+  AxisWords machine;
+  AxisSet known;
+};
+
+struct Control {
+  explicit Control(const ProgramSettings& settings);
+
+  Modal modal;
+  const CodeRow* motion_row = nullptr;  // of the motion mode in force
+  Frame frame;
+  AxisWords position;  // in the active work system
+  AxisSet known;       // of position; where the origin is not known, of the machine's position
+  std::array<WorkSystem, kWorkSystems> systems;
+  AxisWords suspended_g92;         // what G92.3 brings back
+  std::array<Home, 2> homes;       // G28, G30
+  std::map<int, AxisWords> tools;  // tool table rows that the program wrote (G10 L1)
+  int selected_tool = -1;          // T; -1: none yet
+  double spindle_speed = 0;
+  double feed_rotary = 0;  // the F in force as deg/min: it does not follow a change of units
+  double feed_linear = 0;  // the F in force as mm/min (mm/rev under G95)
+  Parameters parameters;
+  bool ended = false;  // M2, M30
+
+  WorkSystem& active() { return systems[static_cast<std::size_t>(modal.work_system - 1)]; }
+  const WorkSystem& active() const { return systems[static_cast<std::size_t>(modal.work_system - 1)]; }
+  /// mm or mm/min per unit of the program.
+  double length_unit() const;
+  /// Offsets change, the machine does not move: the position gets its new words.
+  void change_frame(const Frame& next);
+  /// The active work system of the table takes force.
+  void use_active_system();
+};
+
+}  // namespace plumbline::nc

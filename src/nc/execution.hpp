@@ -1,0 +1,94 @@
+// One block on its way through the interpreter: what it says, what it works on, what it has done so far.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nc/block_words.hpp"
+#include "nc/control.hpp"
+#include "nc/step.hpp"
+
+namespace plumbline::nc {
+
+/// A code of the block and its row; F, S and T have one as well.
+struct Chosen {
+  const CodeRow* row = nullptr;
+  const Word* word = nullptr;
+};
+
+/// No upper limit for Execution::whole.
+inline constexpr int kNoLimit = 1000000000;
+
+struct Execution {
+  const Dialect& dialect;
+  const ProgramSettings& settings;
+  Control& control;
+  const Block* block = nullptr;
+
+  BlockWords words = {};
+  AxisSet axes = {};                  // named in the block
+  std::vector<Chosen> chosen = {};    // in order of execution
+  const CodeRow* motion = nullptr;    // the motion that this block makes
+  const Word* motion_word = nullptr;  // null: the mode in force
+  bool in_machine_coordinates = false;
+  bool uses_position_axes = false;  // the axis words are those of a code of group 0
+
+  Step step = {};
+  std::vector<Motion> motions = {};
+
+  [[noreturn]] void refuse(const Word& word, std::string_view code, std::string message, std::string help) const;
+  /// Refuses with the first word of the block under the caret.
+  [[noreturn]] void refuse(std::string_view code, std::string message, std::string help) const;
+  /// A word's value in mm (X Y Z I J K R) or as it stands.
+  double length(const Word& word) const { return word.value * control.length_unit(); }
+  double value(Axis axis) const {
+    const Word& word = *words.find(axis);
+    return is_rotary(axis) ? word.value : length(word);
+  }
+  /// A whole number that a word holds, from `least` to `most`.
+  int whole(const Word& word, int least, int most) const;
+  /// The word of that letter; refuses when it is missing.
+  const Word& need(char letter, std::string_view code_text) const;
+};
+
+/// "G54" and so on, as messages name a work system.
+std::string name_of_system(int system);
+
+// How the block is read: plan.cpp
+/// Finds the rows of all codes, their order, the motion; refuses what does not go together.
+void plan(Execution& run);
+
+// What codes do, one file a family.
+void set_feed(Execution& run, const Word& word);  // feed_words.cpp
+void set_feed_mode(Execution& run, FeedMode mode);
+void choose_work_system(Execution& run, int system);         // offsets.cpp
+void set_table(Execution& run);                              // G10
+void set_position(Execution& run);                           // G92
+void clear_position(Execution& run, Action action);          // G92.1 G92.2 G92.3
+void go_home(Execution& run, int which);                     // homes.cpp: G28 G30
+void store_home(Execution& run, int which);                  // G28.1 G30.1
+void set_tool_length(Execution& run, const Chosen& chosen);  // tools.cpp: G43 G43.1 G43.2 G49
+void set_tool_row(Execution& run);                           // G10 L1
+void select_tool(Execution& run, const Word& word);          // T
+void change_tool(Execution& run, const Chosen& chosen);      // M6 M61
+void dwell(Execution& run, const Word& code);                // machine_codes.cpp: G4
+void machine_code(Execution& run, const Chosen& chosen);     // M0 M1 M60, outputs, inputs, spindle, user codes
+void move_straight(Execution& run);                          // straight.cpp
+void move_arc(Execution& run);                               // arcs.cpp
+
+// What the moves share: moves.cpp
+/// Ends of a move in the active work system from the axis words, absolute or incremental.
+AxisWords end_of_move(const Execution& run);
+/// Which axes are known there.
+AxisSet known_after_move(const Execution& run);
+/// Every offset of the active work system must have been given.
+void need_offsets(const Execution& run);
+/// The feed of a move in the unit that Motion states; refuses when there is none.
+double feed_of_move(const Execution& run, bool linear);
+/// Adds the move and puts the control at its end.
+void add_motion(Execution& run, Motion motion);
+/// From here on the axes may stand anywhere.
+void lose_position(Execution& run, AxisSet axes);
+
+}  // namespace plumbline::nc

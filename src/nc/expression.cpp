@@ -1,0 +1,166 @@
+#include "nc/expression.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+#include "base/units.hpp"
+#include "nc/codes.hpp"
+#include "nc/parser.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr double kEqual = 1e-4;  // EQ and NE [LinuxCNC, measured]
+constexpr double kWhole = 1e-4;
+constexpr double kLargestWhole = 1e9;
+
+bool is_binary(Operation operation) { return operation >= Operation::power || operation == Operation::arc_tangent; }
+
+double truth(bool value) { return value ? 1 : 0; }
+
+double modulo(double a, double b) {
+  const double rest = std::fmod(a, b);
+  return rest < 0 ? rest + std::abs(b) : rest;
+}
+
+double of_two(Operation operation, double a, double b) {
+  switch (operation) {
+    case Operation::arc_tangent:
+      return std::atan2(a, b) / kDeg;
+    case Operation::power:
+      return std::pow(a, b);
+    case Operation::times:
+      return a * b;
+    case Operation::divide:
+      return a / b;
+    case Operation::modulo:
+      return modulo(a, b);
+    case Operation::plus:
+      return a + b;
+    case Operation::minus:
+      return a - b;
+    case Operation::equal:
+      return truth(std::abs(a - b) < kEqual);
+    case Operation::not_equal:
+      return truth(std::abs(a - b) >= kEqual);
+    case Operation::greater:
+      return truth(a > b);
+    case Operation::greater_equal:
+      return truth(a >= b);
+    case Operation::less:
+      return truth(a < b);
+    case Operation::less_equal:
+      return truth(a <= b);
+    case Operation::logical_and:
+      return truth(a != 0 && b != 0);
+    case Operation::logical_or:
+      return truth(a != 0 || b != 0);
+    case Operation::exclusive_or:
+      return truth((a != 0) != (b != 0));
+    default:
+      break;
+  }
+  PLUMBLINE_CHECK(false);
+  return 0;
+}
+
+double of_one(Operation operation, double a) {
+  switch (operation) {
+    case Operation::negate:
+      return -a;
+    case Operation::absolute:
+      return std::abs(a);
+    case Operation::arc_cosine:
+      return std::acos(a) / kDeg;
+    case Operation::arc_sine:
+      return std::asin(a) / kDeg;
+    case Operation::cosine:
+      return std::cos(a * kDeg);
+    case Operation::exponential:
+      return std::exp(a);
+    case Operation::round_down:
+      return std::floor(a);
+    case Operation::round_up:
+      return std::ceil(a);
+    case Operation::logarithm:
+      return std::log(a);
+    case Operation::round:
+      return std::round(a);
+    case Operation::sine:
+      return std::sin(a * kDeg);
+    case Operation::square_root:
+      return std::sqrt(a);
+    case Operation::tangent:
+      return std::tan(a * kDeg);
+    default:
+      break;
+  }
+  PLUMBLINE_CHECK(false);
+  return 0;
+}
+
+}  // namespace
+
+Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& parameters) {
+  stack_.clear();
+  for (const Instruction* step = &block.code[code]; step->operation != Operation::end; ++step) {
+    switch (step->operation) {
+      case Operation::number:
+        stack_.push_back({step->number, true});
+        continue;
+      case Operation::name:
+        stack_.push_back(parameters.read(block, block.at(block.names[step->name]), step->span));
+        continue;
+      case Operation::exists:
+        stack_.push_back({truth(parameters.exists(block.at(block.names[step->name]))), true});
+        continue;
+      case Operation::parameter:
+        stack_.back() = parameters.read(block, parameter_number(block, step->span, stack_.back()), step->span);
+        continue;
+      default:
+        break;
+    }
+    const Value b = stack_.back();
+    Value result{0, b.known};
+    if (is_binary(step->operation)) {
+      stack_.pop_back();
+      const Value a = stack_.back();
+      result.known = a.known && b.known;
+      result.number = of_two(step->operation, a.number, b.number);
+    } else {
+      result.number = of_one(step->operation, b.number);
+    }
+    if (result.known && !std::isfinite(result.number)) {
+      refuse_at(block, step->span, codes::kArithmetic, fmt::format("{} has no value here", block.at(step->span)),
+                "look for a division by zero, a root or logarithm of a negative number, an angle's sine over 1");
+    }
+    stack_.back() = result;
+  }
+  PLUMBLINE_CHECK(stack_.size() == 1);
+  return stack_.back();
+}
+
+int whole_number(const Block& block, Span span, double value, std::string_view what) {
+  const double whole = std::round(value);
+  if (std::abs(value - whole) > kWhole || std::abs(whole) > kLargestWhole) {
+    refuse_at(block, span, codes::kNotWhole, fmt::format("{} is no whole number", what), "write a whole number");
+  }
+  return static_cast<int>(whole);
+}
+
+int parameter_number(const Block& block, Span span, Value value) {
+  if (!value.known) {
+    refuse_at(block, span, codes::kValueUnknown, "which parameter this is depends on what only the machine knows",
+              "write the number of the parameter itself");
+  }
+  const int number = whole_number(block, span, value.number, "the number of a parameter");
+  if (number < 1 || number > kLastParameter) {
+    refuse_at(block, span, codes::kParameterNumber, fmt::format("there is no parameter #{}", number),
+              fmt::format("parameters have the numbers 1 to {}", kLastParameter));
+  }
+  return number;
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,37 @@
+// Values of expressions: runs the postfix code that the parser made.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "nc/block.hpp"
+#include "nc/parameters.hpp"
+
+namespace plumbline::nc {
+
+/// Who knows what a parameter is worth now.
+class ParameterReader {
+ public:
+  virtual ~ParameterReader() = default;
+  virtual Value read(const Block& block, int number, Span span) = 0;
+  virtual Value read(const Block& block, std::string_view name, Span span) = 0;
+  virtual bool exists(std::string_view name) = 0;
+};
+
+class Evaluator {
+ public:
+  /// The value of the code that begins at `code` in block.code. Refuses what the control would: nc-arithmetic and the
+  /// like.
+  Value run(const Block& block, std::uint32_t code, ParameterReader& parameters);
+
+ private:
+  std::vector<Value> stack_;
+};
+
+/// A whole number near `value`; refuses with nc-not-whole. Whole within 1e-4 [LinuxCNC, measured].
+int whole_number(const Block& block, Span span, double value, std::string_view what);
+
+/// The number of a parameter; refuses one that is not whole or not 1..kLastParameter.
+int parameter_number(const Block& block, Span span, Value value);
+
+}  // namespace plumbline::nc

@@ -1,0 +1,55 @@
+// G28 and G30: through a point to a stored position; G28.1 and G30.1 store it.
+#include "nc/execution.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr AxisSet kTurning{Axis::X, Axis::Y};
+
+// In a turned work system X and Y are known together or not at all.
+AxisSet known_in_work(const Frame& frame, AxisSet known_in_machine) {
+  if (frame.rotation_deg == 0 || known_in_machine.contains(kTurning)) return known_in_machine;
+  return known_in_machine - kTurning;
+}
+
+}  // namespace
+
+void go_home(Execution& run, int which) {
+  Control& control = run.control;
+  run.step.role = BlockRole::machine_move;
+  Motion through;
+  through.in_machine_coordinates = true;
+  through.to = end_of_move(run);
+  through.known_after = known_after_move(run);
+  add_motion(run, through);
+
+  const Home& home = control.homes[static_cast<std::size_t>(which)];
+  const AxisSet moved = run.axes.empty() ? AxisSet::all() : run.axes;
+  const AxisSet known = known_in_work(control.frame, home.known);
+  const AxisWords end = control.frame.from_machine(home.machine);
+  Motion motion;
+  motion.in_machine_coordinates = true;
+  motion.to = control.position;
+  motion.known_after = control.known;
+  for (const Axis axis : kAllAxes) {
+    if (!moved.contains(axis)) continue;
+    if (known.contains(axis)) {
+      motion.to[axis] = end[axis];
+      motion.known_after.insert(axis);
+    } else {
+      motion.known_after.erase(axis);
+    }
+  }
+  add_motion(run, motion);
+  if (!known.contains(moved)) run.step.loses_position = true;
+}
+
+void store_home(Execution& run, int which) {
+  const Control& control = run.control;
+  Home& home = run.control.homes[static_cast<std::size_t>(which)];
+  home.machine = control.frame.to_machine(control.position);
+  home.known = known_in_work(control.frame, control.known);
+  run.step.role = BlockRole::stores_position;
+}
+
+}  // namespace plumbline::nc

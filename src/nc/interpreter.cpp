@@ -1,0 +1,252 @@
+#include "nc/interpreter.hpp"
+
+#include <fmt/format.h>
+
+#include "nc/codes.hpp"
+#include "nc/parser.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr int kNamed = -1;  // in place of the number of a named parameter
+
+bool may_be_unknown(char letter) { return letter == 'S'; }
+
+// Comments and coolant: whether they are executed makes no difference to motion.
+bool is_harmless(const Block& block, const Dialect& dialect) {
+  if (!block.settings.empty()) return false;
+  for (const Word& word : block.words) {
+    if (word.letter != 'M' || word.expression != kLiteral) return false;
+    const CodeRow* const row = dialect.m_code(static_cast<int>(word.value * 10));
+    if (row == nullptr || !row->harmless) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Interpreter::Interpreter(const Dialect& dialect, const ProgramSettings& settings)
+    : control_(settings), readings_(control_, settings), run_{dialect, settings, control_} {}
+
+const Step& Interpreter::pass(const Block& block) {
+  begin(block);
+  finish();
+  return run_.step;
+}
+
+const Step& Interpreter::execute(Block& block) {
+  begin(block);
+  if (block.block_delete && deleted(block)) {
+    run_.step.skipped = true;
+    finish();
+    return run_.step;
+  }
+  evaluate(block);
+  plan(run_);
+  apply_settings(block);
+  bool moved = run_.motion == nullptr || run_.motion_word != nullptr;
+  for (const Chosen& chosen : run_.chosen) {
+    // The motion in force takes its turn before the codes behind it.
+    if (!moved && chosen.row->step > run_.motion->step) {
+      move();
+      moved = true;
+    }
+    act(chosen);
+  }
+  if (!moved) move();
+  finish();
+  return run_.step;
+}
+
+void Interpreter::begin(const Block& block) {
+  before_ = control_.modal;
+  run_.block = &block;
+  run_.motions.clear();
+  run_.axes = AxisSet{};
+  run_.step = Step{};
+  run_.step.block = &block;
+}
+
+void Interpreter::finish() {
+  Step& step = run_.step;
+  step.motions = run_.motions;
+  step.before = &before_;
+  step.after = &control_.modal;
+  step.frame = &control_.frame;
+  step.position = control_.position;
+  step.known = control_.known;
+  step.named = run_.axes;
+}
+
+bool Interpreter::deleted(const Block& block) {
+  if (run_.settings.block_delete.value_or(false)) return true;
+  const bool harmless = is_harmless(block, run_.dialect);
+  if (!harmless && !run_.settings.block_delete && !run_.settings.as_with_empty_tables) {
+    refuse_at(block, block.slash, codes::kBlockDelete,
+              "whether this block is executed depends on a switch of the control",
+              "say how it stands: --block-delete on leaves the block out, off executes it");
+  }
+  run_.step.executed_delete = !harmless;
+  return false;
+}
+
+void Interpreter::evaluate(Block& block) {
+  if (block.code.empty()) return;
+  for (Word& word : block.words) {
+    if (word.expression == kLiteral) continue;
+    const Value value = evaluator_.run(block, word.expression, readings_);
+    if (!value.known && !may_be_unknown(word.letter)) {
+      run_.refuse(word, codes::kValueUnknown, "this value is known only when the machine runs",
+                  "a program that depends on a probe or an input cannot be compensated beforehand");
+    }
+    word.value = value.number;
+    word.unknown = !value.known;
+  }
+  setting_values_.clear();
+  setting_numbers_.clear();
+  for (const Setting& setting : block.settings) {
+    int number = kNamed;
+    if (setting.target != kLiteral) {
+      number = parameter_number(block, setting.span, evaluator_.run(block, setting.target, readings_));
+    }
+    if (number == kNamed ? readings_.is_read_only(block.at(block.names[setting.name]))
+                         : Readings::is_read_only(number)) {
+      refuse_at(block, setting.span, codes::kParameterReadOnly, "this parameter shows the control's own state",
+                "change offsets with G10 or G92, tools with G10 L1, stored positions with G28.1 and G30.1");
+    }
+    setting_numbers_.push_back(number);
+    setting_values_.push_back(evaluator_.run(block, setting.value, readings_));
+  }
+}
+
+void Interpreter::apply_settings(const Block& block) {
+  for (std::size_t i = 0; i < block.settings.size(); ++i) {
+    if (setting_numbers_[i] == kNamed) {
+      control_.parameters.set(block.at(block.names[block.settings[i].name]), setting_values_[i]);
+    } else {
+      control_.parameters.set(setting_numbers_[i], setting_values_[i]);
+    }
+  }
+}
+
+void Interpreter::act(const Chosen& chosen) {
+  switch (chosen.row->action) {
+    case Action::rapid:
+    case Action::feed:
+    case Action::arc_cw:
+    case Action::arc_ccw:
+      return move();
+    case Action::feed_word:
+      return set_feed(run_, *chosen.word);
+    case Action::speed_word:
+      if (chosen.word->value < 0) {
+        run_.refuse(*chosen.word, codes::kNegative, "the spindle speed is negative",
+                    "write S0 or more; M4 turns backwards");
+      }
+      control_.spindle_speed = chosen.word->value;
+      return;
+    case Action::tool_word:
+      return select_tool(run_, *chosen.word);
+    case Action::dwell:
+      return dwell(run_, *chosen.word);
+    case Action::set_table:
+      return set_table(run_);
+    case Action::set_position:
+      return set_position(run_);
+    case Action::clear_position:
+    case Action::suspend_position:
+    case Action::restore_position:
+      return clear_position(run_, chosen.row->action);
+    case Action::go_home:
+      return go_home(run_, chosen.row->value);
+    case Action::store_home:
+      return store_home(run_, chosen.row->value);
+    case Action::tool_length:
+    case Action::tool_length_by_words:
+    case Action::tool_length_added:
+    case Action::tool_length_off:
+      return set_tool_length(run_, chosen);
+    case Action::change_tool:
+    case Action::set_tool:
+      return change_tool(run_, chosen);
+    default:
+      return chosen.word->letter == 'G' ? act_on_mode(chosen) : machine_code(run_, chosen);
+  }
+}
+
+void Interpreter::act_on_mode(const Chosen& chosen) {
+  Modal& modal = control_.modal;
+  switch (chosen.row->action) {
+    case Action::motion_off:
+      modal.motion = MotionMode::none;
+      control_.motion_row = nullptr;
+      return;
+    case Action::plane_xy:
+      modal.plane = Plane::xy;
+      return;
+    case Action::plane_zx:
+      modal.plane = Plane::zx;
+      return;
+    case Action::plane_yz:
+      modal.plane = Plane::yz;
+      return;
+    case Action::inches:
+      return change_unit(true);
+    case Action::millimetres:
+      return change_unit(false);
+    case Action::absolute:
+      modal.incremental = false;
+      return;
+    case Action::incremental:
+      modal.incremental = true;
+      return;
+    case Action::arc_centre_absolute:
+      modal.arc_centre_absolute = true;
+      return;
+    case Action::arc_centre_incremental:
+      modal.arc_centre_absolute = false;
+      return;
+    case Action::inverse_time:
+      return set_feed_mode(run_, FeedMode::inverse_time);
+    case Action::per_minute:
+      return set_feed_mode(run_, FeedMode::per_minute);
+    case Action::per_revolution:
+      return set_feed_mode(run_, FeedMode::per_revolution);
+    case Action::exact_path:
+      modal.path_control = PathControl::exact_path;
+      return;
+    case Action::exact_stop:
+      modal.path_control = PathControl::exact_stop;
+      return;
+    case Action::continuous:
+      modal.path_control = PathControl::continuous;
+      return;
+    case Action::work_system:
+      return choose_work_system(run_, chosen.row->value);
+    default:
+      return;  // compensation_off, machine_coordinates, no_motion
+  }
+}
+
+// The feed stays what it is in mm/min; F of a rotary move stays what was written [LinuxCNC, measured].
+void Interpreter::change_unit(bool inches) {
+  if (control_.modal.inches == inches) return;
+  control_.modal.inches = inches;
+  control_.modal.feed = control_.feed_linear / control_.length_unit();
+}
+
+void Interpreter::move() {
+  const Action action = run_.motion->action;
+  control_.motion_row = run_.motion;
+  control_.modal.motion = action == Action::rapid    ? MotionMode::rapid
+                          : action == Action::feed   ? MotionMode::feed
+                          : action == Action::arc_cw ? MotionMode::arc_cw
+                                                     : MotionMode::arc_ccw;
+  if (action == Action::arc_cw || action == Action::arc_ccw) {
+    move_arc(run_);
+  } else {
+    move_straight(run_);
+  }
+}
+
+}  // namespace plumbline::nc

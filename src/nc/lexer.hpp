@@ -1,0 +1,46 @@
+// Tokens of a block; grammar/tokens.re says what they look like. Blanks may stand anywhere, in numbers and names too.
+#pragma once
+
+#include <cstdint>
+
+namespace plumbline::nc {
+
+enum class TokenKind : std::uint8_t {
+  end,     // of the line
+  word,    // letter and number
+  letter,  // a letter whose value is no plain number
+  number,
+  comment,  // ( ) or ;
+  open_comment,
+  nested_comment,
+  percent,
+  slash,
+  hash,
+  equals,
+  open,   // [
+  close,  // ]
+  name,   // < ... >
+  sign,   // + or -
+  operation,
+  function,
+  exists,
+  bad,  // anything else, one byte
+};
+
+struct Token {
+  TokenKind kind = TokenKind::end;
+  char letter = 0;             // word, letter: upper case; sign: + or -
+  std::uint8_t decimals = 0;   // word, number: digits after the point
+  std::uint8_t operation = 0;  // operation, function: an Operation
+  double value = 0;            // word, number
+  const char* begin = nullptr;
+  const char* end = nullptr;
+};
+
+/// The three places in a block; a letter means something else in each. A lexer reads up to a line end or a NUL, which
+/// must stand behind the text.
+void lex_item(const char* cursor, Token& token);       // where a word begins
+void lex_value(const char* cursor, Token& token);      // where a value begins
+void lex_operation(const char* cursor, Token& token);  // behind a value, inside brackets
+
+}  // namespace plumbline::nc

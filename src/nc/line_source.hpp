@@ -1,0 +1,48 @@
+// Lines of a program file, read in chunks: memory does not grow with the file. Can go on at any line it has seen, which
+// is how loops and subprograms jump.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "base/files.hpp"
+
+namespace plumbline::nc {
+
+/// Where a line begins.
+struct LinePlace {
+  std::uint64_t offset = 0;
+  std::size_t line = 1;
+};
+
+struct Line {
+  std::string_view text;      // followed by its line end, or by a NUL at the end of the file
+  std::string_view line_end;  // "\n", "\r\n" or ""
+  LinePlace place;
+  bool whole = true;  // false: longer than the window; this is a piece of it
+};
+
+class LineSource {
+ public:
+  static constexpr std::size_t kWindow = std::size_t{1} << 18U;
+  /// `file` must outlive it. A smaller window is for tests.
+  explicit LineSource(const InputFile& file, std::size_t window = kWindow);
+
+  /// The next line, valid until the call after it; false at the end of the file.
+  bool next(Line& line);
+  /// The next call of next() gives the line that begins here.
+  void seek(LinePlace place);
+
+ private:
+  void fill();
+  const InputFile& file_;
+  std::vector<char> window_;
+  std::size_t begin_ = 0;  // of what is not yet handed out, in the window
+  std::size_t end_ = 0;    // of what was read
+  LinePlace place_;        // of begin_
+  bool middle_ = false;    // begin_ is inside a line longer than the window
+};
+
+}  // namespace plumbline::nc

@@ -1,0 +1,91 @@
+// Codes that make the machine wait, switch or stop: G4, M0, M1, M2, M30, M60, spindle, outputs and inputs, user codes.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "nc/codes.hpp"
+#include "nc/execution.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr int kInputResult = 5399;  // parameter that M66 sets
+constexpr double kFullTurn = 360;
+constexpr int kWaitModes = 4;
+
+void orient_spindle(const Execution& run) {
+  const Word* const angle = run.words.find('R');
+  if (angle != nullptr && (angle->value < 0 || angle->value > kFullTurn)) {
+    run.refuse(*angle, codes::kOutOfRange, "the spindle's angle is out of range", "write R0 to R360");
+  }
+  if (const Word* way = run.words.find('P')) run.whole(*way, 0, 2);
+}
+
+void set_output(const Execution& run, const Chosen& chosen) {
+  run.whole(run.need('P', fmt::format("M{}", chosen.row->code / 10)), 0, kNoLimit);
+}
+
+// M66: what it reads is not known before the machine runs.
+void read_input(Execution& run) {
+  const Word* const digital = run.words.find('P');
+  const Word* const analog = run.words.find('E');
+  if (digital == nullptr && analog == nullptr) run.need('P', "M66");
+  if (digital != nullptr && analog != nullptr) {
+    run.refuse(*analog, codes::kWordUnused, "M66 reads either P or E", "leave one of them");
+  }
+  run.whole(digital != nullptr ? *digital : *analog, 0, kNoLimit);
+  const Word* const mode = run.words.find('L');
+  const int wait = mode == nullptr ? 0 : run.whole(*mode, 0, kWaitModes);
+  const Word* const timeout = run.words.find('Q');
+  if (wait != 0 && analog != nullptr) {
+    run.refuse(*mode, codes::kOutOfRange, "an analog input cannot be waited for", "write L0");
+  }
+  if (wait != 0 && run.need('Q', "M66 with L").value <= 0) {
+    run.refuse(*timeout, codes::kOutOfRange, "M66 would wait for no time at all", "write the seconds to wait at most");
+  }
+  run.control.parameters.set(kInputResult, {0, false});
+}
+
+void lose_unless_kept(Execution& run, int code) {
+  if (!run.settings.keeps_position.contains(code)) lose_position(run, AxisSet::all());
+}
+
+}  // namespace
+
+void dwell(Execution& run, const Word& code) {
+  const Word* const word = run.words.find('P');
+  if (word == nullptr) {
+    run.refuse(code, codes::kWordMissing, "G4 needs a P word", "add the seconds to wait");
+  }
+  if (word->value < 0) run.refuse(*word, codes::kNegative, "the time to wait is negative", "write P0 or more");
+  Motion motion;
+  motion.kind = MotionKind::dwell;
+  motion.to = run.control.position;
+  motion.known_after = run.control.known;
+  motion.dwell_s = word->value;
+  add_motion(run, motion);
+}
+
+void machine_code(Execution& run, const Chosen& chosen) {
+  switch (chosen.row->action) {
+    case Action::orient_spindle:
+      return orient_spindle(run);
+    case Action::set_output:
+      return set_output(run, chosen);
+    case Action::set_analog_output:
+      run.whole(run.need('E', "M67"), 0, kNoLimit);
+      return;
+    case Action::read_input:
+      return read_input(run);
+    case Action::end:
+      run.control.ended = true;
+      return;
+    case Action::stop:
+    case Action::user_code:
+      return lose_unless_kept(run, static_cast<int>(std::lround(chosen.word->value)));
+    default:
+      return;
+  }
+}
+
+}  // namespace plumbline::nc

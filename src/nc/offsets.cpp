@@ -1,0 +1,146 @@
+// Work offsets: G54 to G59.3, G10 L2 and L20, the G92 family.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "nc/codes.hpp"
+#include "nc/execution.hpp"
+#include "nc/expression.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr AxisSet kTurning{Axis::X, Axis::Y};  // the axes that a rotation mixes
+
+// What G92 and G10 L20 read: where the named axes stand.
+void need_position(const Execution& run, AxisSet axes) {
+  for (const Axis axis : kAllAxes) {
+    if (!axes.contains(axis) || run.control.known.contains(axis)) continue;
+    const Word* const word = run.words.find(axis);
+    run.refuse(word != nullptr ? *word : run.block->words.front(), codes::kPositionUnknown,
+               fmt::format("the offset would depend on where {} stands, which is not known", letter(axis)),
+               "move the axis to a programmed position first, or say where the axes start: --start");
+  }
+}
+
+AxisWords turned(AxisWords words, double degrees) {
+  const double c = std::cos(degrees * kDeg);
+  const double s = std::sin(degrees * kDeg);
+  const double x = words[Axis::X];
+  const double y = words[Axis::Y];
+  words[Axis::X] = c * x - s * y;
+  words[Axis::Y] = s * x + c * y;
+  return words;
+}
+
+int system_of(const Execution& run) {
+  const Word& word = run.need('P', "G10");
+  const int system = run.whole(word, 0, kWorkSystems);
+  return system == 0 ? run.control.modal.work_system : system;
+}
+
+// G10 L2: the origin in machine coordinates, absolute whatever G90 and G91 say.
+void set_origin(Execution& run) {
+  Control& control = run.control;
+  const int system = system_of(run);
+  WorkSystem& row = control.systems[static_cast<std::size_t>(system - 1)];
+  for (const char letter : {'I', 'J', 'Q'}) {
+    if (const Word* word = run.words.find(letter)) {
+      run.refuse(*word, codes::kWordUnused, fmt::format("G10 L2 has no use for {}", letter), "remove it");
+    }
+  }
+  for (const Axis axis : kAllAxes) {
+    if (!run.axes.contains(axis)) continue;
+    row.origin[axis] = run.value(axis);
+    row.known.insert(axis);
+  }
+  if (const Word* word = run.words.find('R')) row.rotation_deg = word->value;
+  if (system == control.modal.work_system) control.use_active_system();
+}
+
+// G10 L20: the origin moves so that the axes stand on the given words. With p = origin + R (work + G92) and p
+// unchanged, the origin goes by R (where they stand now - the given words).
+void set_origin_here(Execution& run) {
+  Control& control = run.control;
+  const int system = system_of(run);
+  WorkSystem& row = control.systems[static_cast<std::size_t>(system - 1)];
+  for (const char letter : {'R', 'I', 'J', 'Q'}) {
+    if (const Word* word = run.words.find(letter)) {
+      run.refuse(*word, codes::kWordUnused, fmt::format("G10 L20 has no use for {}", letter), "remove it");
+    }
+  }
+  const bool turns = row.rotation_deg != 0 && !(run.axes & kTurning).empty();
+  need_position(run, turns ? run.axes | kTurning : run.axes);
+  if (turns && !row.known.contains(kTurning - run.axes)) need_offsets(run);
+  Frame there = control.frame;
+  there.origin = row.origin;
+  there.rotation_deg = row.rotation_deg;
+  const bool is_active = system == control.modal.work_system;
+  const AxisWords now = is_active ? control.position : there.from_machine(control.frame.to_machine(control.position));
+  AxisWords shift;
+  for (const Axis axis : kAllAxes) {
+    if (run.axes.contains(axis)) shift[axis] = now[axis] - run.value(axis);
+  }
+  row.origin += turned(shift, row.rotation_deg);
+  row.known = row.known | run.axes;
+  run.step.role = BlockRole::sets_offset;
+  if (!is_active) return;
+  control.frame.origin = row.origin;
+  for (const Axis axis : kAllAxes) {
+    if (run.axes.contains(axis)) control.position[axis] = run.value(axis);
+  }
+}
+
+}  // namespace
+
+void choose_work_system(Execution& run, int system) {
+  run.control.modal.work_system = system;
+  run.control.use_active_system();
+}
+
+void set_table(Execution& run) {
+  const Word& word = run.need('L', "G10");
+  const int table = run.whole(word, 0, kNoLimit);
+  switch (table) {
+    case 1:
+      return set_tool_row(run);
+    case 2:
+      return set_origin(run);
+    case 20:
+      return set_origin_here(run);
+    case 0:
+    case 10:
+    case 11:
+      run.refuse(word, codes::kNotInterpreted, fmt::format("G10 L{} is not interpreted", table),
+                 "what it does depends on the control's tool table; write the length with G10 L1");
+    default:
+      run.refuse(word, codes::kOutOfRange, fmt::format("there is no G10 L{}", table), "write L1, L2 or L20");
+  }
+}
+
+void set_position(Execution& run) {
+  Control& control = run.control;
+  if (run.axes.empty()) {
+    run.refuse(codes::kAxesMissing, "G92 names no axis", "add the words that the axes shall stand on");
+  }
+  if (!control.active().known.contains(run.axes)) need_offsets(run);
+  need_position(run, run.axes);
+  for (const Axis axis : kAllAxes) {
+    if (!run.axes.contains(axis)) continue;
+    control.frame.g92[axis] += control.position[axis] - run.value(axis);
+    control.position[axis] = run.value(axis);
+  }
+  control.suspended_g92 = control.frame.g92;
+  run.step.role = BlockRole::sets_offset;
+}
+
+void clear_position(Execution& run, Action action) {
+  Control& control = run.control;
+  Frame next = control.frame;
+  next.g92 = action == Action::restore_position ? control.suspended_g92 : AxisWords{};
+  if (action == Action::clear_position) control.suspended_g92 = AxisWords{};
+  control.change_frame(next);
+}
+
+}  // namespace plumbline::nc

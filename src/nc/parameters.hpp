@@ -1,0 +1,48 @@
+// What # names: numbered and named parameters of a program.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+namespace plumbline::nc {
+
+inline constexpr int kLastParameter = 5601;  // [LinuxCNC; RS274/NGC has 5400]
+
+/// A number, or one that only the machine will know.
+struct Value {
+  double number = 0;
+  bool known = true;
+};
+
+class Parameters {
+ public:
+  /// True if the program or its settings gave it a value. `number` is 1..kLastParameter.
+  bool has(int number) const { return numbered_[static_cast<std::size_t>(number)].set; }
+  Value get(int number) const { return numbered_[static_cast<std::size_t>(number)].value; }
+  void set(int number, Value value) { numbered_[static_cast<std::size_t>(number)] = {value, true}; }
+
+  /// Names are the same whatever their case and blanks [RS274/NGC 3.3.1]. Null: never set.
+  const Value* find(std::string_view name);
+  void set(std::string_view name, Value value);
+  /// The name as it is looked up; valid until the next call.
+  std::string_view plain(std::string_view name);
+
+ private:
+  struct Numbered {
+    Value value;
+    bool set = false;
+  };
+  struct Hash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
+  };
+  std::array<Numbered, kLastParameter + 1> numbered_{};
+  std::unordered_map<std::string, Value, Hash, std::equal_to<>> named_;
+  std::string plain_;
+};
+
+}  // namespace plumbline::nc

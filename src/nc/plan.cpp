@@ -1,0 +1,221 @@
+// Which codes a block holds, whether they go together, and in which order they act.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "nc/codes.hpp"
+#include "nc/execution.hpp"
+#include "nc/expression.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr double kCodeTolerance = 1e-3;  // of ten times a G code [LinuxCNC, measured]
+constexpr int kGroupsPerLetter = 20;
+constexpr int kUserGroup = 10;
+constexpr std::uint32_t kUninterpretedLetters = letter_bit('U') | letter_bit('V') | letter_bit('W');
+constexpr std::uint32_t kAxisLetters =
+    letter_bit('X') | letter_bit('Y') | letter_bit('Z') | letter_bit('A') | letter_bit('B') | letter_bit('C');
+constexpr std::uint32_t kFreeLetters = letter_bit('F') | letter_bit('S') | letter_bit('T');  // need no code
+constexpr std::uint32_t kCentreLetters = letter_bit('I') | letter_bit('J') | letter_bit('K');
+
+std::string text_of(const Execution& run, const Word& word) { return std::string(run.block->at(word.span)); }
+
+bool is_arc(const CodeRow* row) {
+  return row != nullptr && (row->action == Action::arc_cw || row->action == Action::arc_ccw);
+}
+
+bool is_tool_length(Action action) {
+  return action == Action::tool_length_by_words || action == Action::tool_length_added;
+}
+
+const CodeRow* g_row(const Execution& run, const Word& word) {
+  const double times_ten = word.value * 10;
+  const double whole = std::round(times_ten);
+  const CodeRow* row = nullptr;
+  if (std::abs(times_ten - whole) < kCodeTolerance && whole >= 0 && whole < 1e4) {
+    row = run.dialect.g_code(static_cast<int>(whole));
+  }
+  if (row == nullptr) {
+    run.refuse(word, codes::kUnknownCode, fmt::format("{} is no G code of this control", text_of(run, word)),
+               "look for a slip, or choose another dialect");
+  }
+  if (row->action == Action::none) {
+    run.refuse(word, codes::kNotInterpreted, fmt::format("{} is not interpreted yet", text_of(run, word)),
+               "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system");
+  }
+  return row;
+}
+
+const CodeRow* m_row(const Execution& run, const Word& word) {
+  const int code = whole_number(*run.block, word.span, word.value, "an M code");
+  const CodeRow* row = code < 0 || code > 1000 ? nullptr : run.dialect.m_code(code * 10);
+  if (row != nullptr && row->action != Action::none) return row;
+  const bool users = code >= run.dialect.first_user_m_code;
+  if (run.settings.passed_m_codes.contains(code) || (users && run.settings.as_with_empty_tables)) {
+    return &run.dialect.user_row;
+  }
+  if (row != nullptr) {
+    run.refuse(word, codes::kNotInterpreted, fmt::format("M{} is not interpreted yet", code),
+               "write the program out without it");
+  }
+  if (!users) {
+    run.refuse(
+        word, codes::kUnknownCode, fmt::format("{} is no M code of this control", text_of(run, word)),
+        fmt::format("look for a slip; a code that the control's builder added goes through with --pass M{}", code));
+  }
+  run.refuse(
+      word, codes::kUserCode, fmt::format("M{} is a code of the machine's builder", code),
+      fmt::format("it may change kinematics, offsets or position; if it changes none of them: --pass M{}", code));
+}
+
+void choose(Execution& run, const CodeRow* row, const Word& word) { run.chosen.push_back({row, &word}); }
+
+// Two codes of one modal group cannot both act.
+void check_groups(const Execution& run) {
+  std::uint64_t seen = 0;
+  for (const Chosen& chosen : run.chosen) {
+    if (chosen.word->letter != 'G' && chosen.word->letter != 'M') continue;
+    const int group = chosen.row == &run.dialect.user_row ? kUserGroup : chosen.row->group;
+    const int bit = group + (chosen.word->letter == 'M' ? kGroupsPerLetter : 0);
+    if ((seen >> static_cast<unsigned>(bit) & 1U) != 0) {
+      run.refuse(
+          *chosen.word, codes::kSameGroup,
+          fmt::format("{} contradicts another code of its modal group in this block", text_of(run, *chosen.word)),
+          "put them into blocks of their own");
+    }
+    seen |= std::uint64_t{1} << static_cast<unsigned>(bit);
+  }
+}
+
+void gather(Execution& run) {
+  run.words.clear();
+  run.chosen.clear();
+  for (const Word& word : run.block->words) {
+    switch (word.letter) {
+      case 'G':
+        choose(run, g_row(run, word), word);
+        continue;
+      case 'M':
+        choose(run, m_row(run, word), word);
+        continue;
+      case 'F':
+        choose(run, &run.dialect.feed_row, word);
+        break;
+      case 'S':
+        choose(run, &run.dialect.speed_row, word);
+        break;
+      case 'T':
+        choose(run, &run.dialect.tool_row, word);
+        break;
+      default:
+        break;
+    }
+    if ((letter_bit(word.letter) & kUninterpretedLetters) != 0) {
+      run.refuse(word, codes::kNotInterpreted, fmt::format("{} words are not interpreted", word.letter),
+                 "the axes are X, Y, Z, A, B and C");
+    }
+    run.words.add(word);
+  }
+  run.axes = run.words.axes();
+  if (run.chosen.size() > 1) check_groups(run);
+}
+
+const Word& first_axis_word(const Execution& run) {
+  for (const Axis axis : kAllAxes) {
+    if (const Word* word = run.words.find(axis)) return *word;
+  }
+  return run.block->words.front();
+}
+
+// Codes that take the axis words, other than a motion: G10, G28, G92... and the tool length codes.
+struct AxisTakers {
+  const Chosen* motion = nullptr;
+  const Chosen* other = nullptr;
+  bool tool_length = false;
+};
+
+AxisTakers axis_takers(Execution& run) {
+  AxisTakers takers;
+  for (const Chosen& chosen : run.chosen) {
+    if (chosen.word->letter != 'G') continue;
+    if (chosen.row->group == 1) takers.motion = &chosen;
+    if (chosen.row->action == Action::machine_coordinates) run.in_machine_coordinates = true;
+    if (!chosen.row->takes_axes || chosen.row->group == 1) continue;
+    if (is_tool_length(chosen.row->action)) {
+      takers.tool_length = true;
+    } else {
+      takers.other = &chosen;
+    }
+  }
+  return takers;
+}
+
+// An explicit motion, or the one in force if there are words for it that nobody else takes.
+void find_motion(Execution& run) {
+  const AxisTakers takers = axis_takers(run);
+  run.motion = nullptr;
+  run.motion_word = nullptr;
+  run.uses_position_axes = takers.other != nullptr;
+  const bool turns_off = takers.motion != nullptr && takers.motion->row->action == Action::motion_off;
+  if (takers.motion != nullptr && !turns_off) {
+    if (takers.other != nullptr) {
+      run.refuse(*takers.motion->word, codes::kAxesTwice,
+                 fmt::format("{} and {} both take the axis words", text_of(run, *takers.motion->word),
+                             text_of(run, *takers.other->word)),
+                 "put them into blocks of their own");
+    }
+    run.motion = takers.motion->row;
+    run.motion_word = takers.motion->word;
+    return;
+  }
+  if (takers.other != nullptr || takers.tool_length) return;
+  const CodeRow* const mode = turns_off ? nullptr : run.control.motion_row;
+  const bool centre = is_arc(mode) && (run.words.letters() & kCentreLetters) != 0;
+  if (run.axes.empty() && !centre) return;
+  if (mode == nullptr) {
+    run.refuse(first_axis_word(run), codes::kAxesUnused, "no motion code is in force for these axis words",
+               "write G0, G1, G2 or G3 before them");
+  }
+  run.motion = mode;
+}
+
+void check_machine_coordinates(const Execution& run) {
+  const bool straight =
+      run.motion != nullptr && (run.motion->action == Action::rapid || run.motion->action == Action::feed);
+  if (!straight) {
+    run.refuse(codes::kMachineMove, "G53 needs G0 or G1", "write the motion code into the block of G53");
+  }
+}
+
+void check_words_used(const Execution& run) {
+  std::uint32_t taken = kFreeLetters | kAxisLetters;
+  if (run.motion != nullptr) taken |= run.motion->word_mask;
+  for (const Chosen& chosen : run.chosen) taken |= chosen.row->word_mask;
+  const std::uint32_t left = run.words.letters() & ~taken;
+  if (left == 0) return;
+  for (const Word& word : run.block->words) {
+    if (word.letter == 'G' || word.letter == 'M' || (letter_bit(word.letter) & left) == 0) continue;
+    run.refuse(word, codes::kWordUnused, fmt::format("no code of this block uses the {} word", word.letter),
+               "remove it, or add the code that it belongs to");
+  }
+}
+
+int turn_of(const Chosen& chosen) { return chosen.row->step * 2 + (chosen.row->group == 1 ? 1 : 0); }
+
+}  // namespace
+
+void plan(Execution& run) {
+  run.in_machine_coordinates = false;
+  gather(run);
+  find_motion(run);
+  check_words_used(run);
+  if (run.in_machine_coordinates) check_machine_coordinates(run);
+  if (run.chosen.size() > 1) {
+    std::stable_sort(run.chosen.begin(), run.chosen.end(),
+                     [](const Chosen& a, const Chosen& b) { return turn_of(a) < turn_of(b); });
+  }
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,138 @@
+#include "nc/readings.hpp"
+
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "nc/codes.hpp"
+#include "nc/parser.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+// Parameters of the control's tables, in the machine's unit (mm, deg) [LinuxCNC, "Parameters"].
+constexpr int kHomes = 5161, kHomesEnd = 5190;
+constexpr int kG92InForce = 5210, kG92End = 5220;
+constexpr int kActiveSystem = 5220, kSystems = 5221, kSystemsEnd = 5401 - 11;
+constexpr int kTool = 5400, kToolOffset = 5401, kPosition = 5420, kPositionEnd = 5429;
+constexpr int kPerRow = 20, kRotation = 9;
+
+struct Name {
+  std::string_view name;
+  double (*value)(const Control&);
+};
+
+constexpr std::array kNames{
+    Name{"_vmajor", [](const Control&) { return 2.9; }},
+    Name{"_vminor", [](const Control&) { return 0.0; }},
+    Name{"_metric", [](const Control& c) { return c.modal.inches ? 0.0 : 1.0; }},
+    Name{"_imperial", [](const Control& c) { return c.modal.inches ? 1.0 : 0.0; }},
+    Name{"_absolute", [](const Control& c) { return c.modal.incremental ? 0.0 : 1.0; }},
+    Name{"_incremental", [](const Control& c) { return c.modal.incremental ? 1.0 : 0.0; }},
+    Name{"_inverse_time", [](const Control& c) { return c.modal.feed_mode == FeedMode::inverse_time ? 1.0 : 0.0; }},
+    Name{"_units_per_minute", [](const Control& c) { return c.modal.feed_mode == FeedMode::per_minute ? 1.0 : 0.0; }},
+    Name{"_units_per_rev", [](const Control& c) { return c.modal.feed_mode == FeedMode::per_revolution ? 1.0 : 0.0; }},
+    Name{"_ijk_absolute_mode", [](const Control& c) { return c.modal.arc_centre_absolute ? 1.0 : 0.0; }},
+    Name{"_ccomp", [](const Control&) { return 400.0; }},
+    Name{"_tool_offset", [](const Control& c) { return c.frame.tool == AxisWords{} ? 0.0 : 1.0; }},
+    Name{"_plane", [](const Control& c) { return 170.0 + 10.0 * static_cast<double>(c.modal.plane); }},
+    Name{"_coord_system",
+         [](const Control& c) {
+           return c.modal.work_system <= 6 ? 530.0 + 10 * c.modal.work_system : 584.0 + c.modal.work_system;
+         }},
+    Name{"_feed", [](const Control& c) { return c.modal.feed; }},
+    Name{"_rpm", [](const Control& c) { return c.spindle_speed; }},
+    Name{"_current_tool", [](const Control& c) { return static_cast<double>(c.modal.tool_in_spindle); }},
+    Name{"_selected_tool", [](const Control& c) { return static_cast<double>(c.selected_tool); }},
+};
+constexpr std::array<std::string_view, kAxes> kPositionNames{"_x", "_y", "_z", "_a", "_b", "_c"};
+
+}  // namespace
+
+bool Readings::is_read_only(int number) {
+  return (number >= kHomes && number <= kHomesEnd) || (number >= kG92InForce && number <= kSystemsEnd) ||
+         (number >= kTool && number < kPositionEnd);
+}
+
+bool Readings::is_read_only(std::string_view name) {
+  const std::string_view plain = control_.parameters.plain(name);
+  for (const Name& known : kNames) {
+    if (known.name == plain) return true;
+  }
+  for (const std::string_view known : kPositionNames) {
+    if (known == plain) return true;
+  }
+  return false;
+}
+
+bool Readings::exists(std::string_view name) { return is_read_only(name) || control_.parameters.find(name) != nullptr; }
+
+Value Readings::position(const Block& block, Axis axis, Span span) const {
+  if (!settings_.as_with_empty_tables && !settings_.position_may_be_read) {
+    refuse_at(block, span, codes::kPositionRead, "the program reads where the control stands",
+              "that changes when the program is compensated; write the position itself");
+  }
+  if (!control_.known.contains(axis)) {
+    refuse_at(block, span, codes::kPositionUnknown, fmt::format("where {} stands is not known", letter(axis)),
+              "move the axis to a programmed position first, or say where the axes start: --start");
+  }
+  const double value = control_.position[axis];
+  return {is_rotary(axis) ? value : value / control_.length_unit(), true};
+}
+
+// A value of the tables, if somebody gave it.
+std::optional<double> Readings::table_value(int number) const {
+  const auto of = [](const AxisWords& words, int at) {
+    return at < static_cast<int>(kAxes) ? words.values[static_cast<std::size_t>(at)] : 0.0;
+  };
+  const auto known = [](AxisSet set, int at) {
+    return at >= static_cast<int>(kAxes) || set.contains(kAllAxes[static_cast<std::size_t>(at)]);
+  };
+  if (number >= kHomes && number <= kHomesEnd) {
+    const Home& home = control_.homes[static_cast<std::size_t>((number - kHomes) / kPerRow)];
+    const int at = (number - kHomes) % kPerRow;
+    return known(home.known, at) ? std::optional(of(home.machine, at)) : std::nullopt;
+  }
+  if (number == kG92InForce) return control_.frame.g92 == AxisWords{} ? 0 : 1;
+  if (number < kG92End) return of(control_.suspended_g92, number - kG92InForce - 1);
+  if (number == kActiveSystem) return control_.modal.work_system;
+  if (number <= kSystemsEnd) {
+    const WorkSystem& row = control_.systems[static_cast<std::size_t>((number - kSystems) / kPerRow)];
+    const int at = (number - kSystems) % kPerRow;
+    if (at == kRotation) return row.known.empty() ? std::nullopt : std::optional(row.rotation_deg);
+    return known(row.known, at) ? std::optional(of(row.origin, at)) : std::nullopt;
+  }
+  if (number == kTool) return control_.modal.tool_in_spindle;
+  if (number < kToolOffset + 9) return of(control_.frame.tool, number - kToolOffset);
+  return 0;
+}
+
+Value Readings::read(const Block& block, int number, Span span) {
+  if (number >= kPosition && number < kPosition + static_cast<int>(kAxes)) {
+    return position(block, kAllAxes[static_cast<std::size_t>(number - kPosition)], span);
+  }
+  if (is_read_only(number)) {
+    if (const std::optional<double> value = table_value(number)) return {*value, true};
+  } else if (control_.parameters.has(number)) {
+    return control_.parameters.get(number);
+  }
+  if (settings_.as_with_empty_tables) return {0, true};
+  refuse_at(block, span, codes::kParameterUnset, fmt::format("nobody gave #{} a value", number),
+            "set it in the program before, or give the control's variables: --variables FILE");
+}
+
+Value Readings::read(const Block& block, std::string_view name, Span span) {
+  if (const Value* value = control_.parameters.find(name)) return *value;
+  const std::string_view plain = control_.parameters.plain(name);
+  for (const Name& known : kNames) {
+    if (known.name == plain) return {known.value(control_), true};
+  }
+  for (const Axis axis : kAllAxes) {
+    if (kPositionNames[index(axis)] == plain) return position(block, axis, span);
+  }
+  refuse_at(block, span, codes::kParameterUnset, fmt::format("nobody gave #<{}> a value", plain),
+            "set it in the program before it is read");
+}
+
+}  // namespace plumbline::nc

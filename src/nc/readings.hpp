@@ -1,0 +1,26 @@
+// Parameters that show the control's own state: positions, offsets, the tool, modes.
+#pragma once
+
+#include "nc/control.hpp"
+#include "nc/expression.hpp"
+
+namespace plumbline::nc {
+
+class Readings : public ParameterReader {
+ public:
+  Readings(Control& control, const ProgramSettings& settings) : control_(control), settings_(settings) {}
+  Value read(const Block& block, int number, Span span) override;
+  Value read(const Block& block, std::string_view name, Span span) override;
+  bool exists(std::string_view name) override;
+  /// True for parameters that a program may read but not set.
+  static bool is_read_only(int number);
+  bool is_read_only(std::string_view name);
+
+ private:
+  Value position(const Block& block, Axis axis, Span span) const;
+  std::optional<double> table_value(int number) const;
+  Control& control_;
+  const ProgramSettings& settings_;
+};
+
+}  // namespace plumbline::nc

@@ -1,0 +1,72 @@
+// G0 and G1, in the work system or, with G53, in machine coordinates.
+#include <cmath>
+
+#include "nc/codes.hpp"
+#include "nc/execution.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr double kTiny = 1e-7;  // mm under which an axis counts as standing [LinuxCNC's canonical layer]
+
+void end_in_machine_coordinates(const Execution& run, Motion& motion) {
+  const Control& control = run.control;
+  if (control.modal.incremental) {
+    run.refuse(codes::kMachineMove, "G53 cannot move by increments", "write G90 before it");
+  }
+  AxisWords machine = control.frame.to_machine(control.position);
+  for (const Axis axis : kAllAxes) {
+    if (run.axes.contains(axis)) machine[axis] = run.value(axis);
+  }
+  const AxisWords work = control.frame.from_machine(machine);
+  const bool turned = control.frame.rotation_deg != 0;
+  const AxisSet plane{Axis::X, Axis::Y};
+  const bool moves_plane = !(run.axes & plane).empty();
+  AxisSet moved = run.axes;
+  if (turned && moves_plane) moved = moved | plane;
+  motion.to = control.position;
+  for (const Axis axis : kAllAxes) {
+    if (moved.contains(axis)) motion.to[axis] = work[axis];
+  }
+  motion.known_after = control.known | run.axes;
+  // A turned X is made of both X and Y.
+  if (turned && moves_plane && !motion.known_after.contains(plane)) motion.known_after = motion.known_after - plane;
+  motion.in_machine_coordinates = true;
+}
+
+bool moves_linearly(const Motion& motion, const AxisWords& from) {
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
+    if (std::abs(motion.to[axis] - from[axis]) > kTiny) return true;
+  }
+  return false;
+}
+
+bool moves_rotary(const Motion& motion, const AxisWords& from) {
+  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
+    if (std::abs(motion.to[axis] - from[axis]) > kTiny) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void move_straight(Execution& run) {
+  const Control& control = run.control;
+  Motion motion;
+  motion.kind = run.motion->action == Action::rapid ? MotionKind::rapid : MotionKind::feed;
+  if (run.in_machine_coordinates) {
+    end_in_machine_coordinates(run, motion);
+    run.step.role = BlockRole::machine_move;
+  } else {
+    need_offsets(run);
+    motion.to = end_of_move(run);
+    motion.known_after = known_after_move(run);
+  }
+  if (motion.kind == MotionKind::feed) {
+    const bool linear = moves_linearly(motion, control.position) || !moves_rotary(motion, control.position);
+    motion.feed = feed_of_move(run, linear);
+  }
+  add_motion(run, motion);
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,130 @@
+#include "nc/tool_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/diagnostic.hpp"
+#include "base/files.hpp"
+#include "base/toml.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr std::string_view kVersion = "tools 1";
+constexpr std::string_view kKeys = "number, length_mm, diameter_mm, mass_kg, centre_of_mass_mm";
+constexpr double kLongest = 2000;  // mm, kg: beyond it the unit is wrong
+constexpr double kLargestNumber = 1e6;
+
+class ToolReader {
+ public:
+  explicit ToolReader(const TomlDocument& document) : document_(document) {}
+
+  std::vector<Tool> read() {
+    check_version();
+    std::vector<Tool> tools;
+    for (const TomlEntry& entry : document_.root.entries) {
+      if (entry.key == "plumbline") continue;
+      if (entry.key != "tool" || entry.value.kind != TomlValue::Kind::array) {
+        refuse_key("tools-unknown-key", entry, fmt::format("a tool table has no key '{}'", entry.key),
+                   "write each tool as [[tool]]");
+      }
+      for (const TomlValue& row : entry.value.items) tools.push_back(read_row(row));
+    }
+    return tools;
+  }
+
+ private:
+  [[noreturn]] void refuse_key(std::string_view code, const TomlEntry& entry, std::string message, std::string help) {
+    refuse(code, std::move(message), std::move(help), document_.place(entry.key_span));
+  }
+
+  void check_version() {
+    const TomlEntry* const entry = document_.root.find("plumbline");
+    if (entry == nullptr || entry->value.kind != TomlValue::Kind::text || entry->value.text != kVersion) {
+      Place place;
+      place.file = document_.file;
+      refuse("tools-version", "this is no tool table", fmt::format("begin it with plumbline = \"{}\"", kVersion),
+             entry == nullptr ? place : document_.place(entry->value.span));
+    }
+  }
+
+  Tool read_row(const TomlValue& row) {
+    if (row.kind != TomlValue::Kind::table) {
+      refuse("tools-value", "a tool is a table", "write each tool as [[tool]]", document_.place(row.span));
+    }
+    Tool tool;
+    bool has_number = false;
+    bool has_length = false;
+    for (const TomlEntry& entry : row.entries) {
+      const double value = number(entry);
+      if (entry.key == "number") {
+        tool.number = tool_number(entry, value);
+        has_number = true;
+      } else if (entry.key == "length_mm") {
+        tool.length_mm = in_range(entry, value, -kLongest);
+        has_length = true;
+      } else if (entry.key == "diameter_mm") {
+        tool.diameter_mm = in_range(entry, value, 0);
+      } else if (entry.key == "mass_kg") {
+        tool.mass_kg = in_range(entry, value, 0);
+      } else if (entry.key == "centre_of_mass_mm") {
+        tool.centre_of_mass_mm = in_range(entry, value, -kLongest);
+      } else {
+        refuse_key("tools-unknown-key", entry, fmt::format("a tool has no key '{}'", entry.key),
+                   fmt::format("its keys are {}", kKeys));
+      }
+    }
+    if (!has_number || !has_length) {
+      refuse("tools-missing-key", fmt::format("a tool without {}", has_number ? "length_mm" : "number"),
+             "each [[tool]] needs number and length_mm", document_.place(row.span));
+    }
+    return tool;
+  }
+
+  double number(const TomlEntry& entry) {
+    if (entry.value.kind == TomlValue::Kind::number && std::isfinite(entry.value.number)) return entry.value.number;
+    refuse("tools-value", fmt::format("'{}' is no number", entry.key), "write a number without quotes",
+           document_.place(entry.value.span));
+  }
+
+  double in_range(const TomlEntry& entry, double value, double least) {
+    if (value >= least && value <= kLongest) return value;
+    refuse("tools-value", fmt::format("'{}' is out of range", entry.key),
+           fmt::format("write {} to {}, in the unit that the key names", least, kLongest),
+           document_.place(entry.value.span));
+  }
+
+  int tool_number(const TomlEntry& entry, double value) {
+    if (value < 1 || value > kLargestNumber || value != std::floor(value)) {
+      refuse("tools-value", "the number of a tool is a whole number from 1", "write the T word's number",
+             document_.place(entry.value.span));
+    }
+    const int number = static_cast<int>(value);
+    if (!seen_.insert(number).second) {
+      refuse("tools-twice", fmt::format("tool {} stands here twice", number), "leave one of them",
+             document_.place(entry.value.span));
+    }
+    return number;
+  }
+
+  const TomlDocument& document_;
+  std::set<int> seen_;
+};
+
+}  // namespace
+
+const Tool* ToolTable::find(int number) const {
+  const auto at = std::find_if(tools_.begin(), tools_.end(), [&](const Tool& tool) { return tool.number == number; });
+  return at == tools_.end() ? nullptr : &*at;
+}
+
+ToolTable read_tool_table(const std::string& path) {
+  const TomlDocument document = parse_toml(read_text(path), path);
+  return ToolTable(ToolReader(document).read());
+}
+
+}  // namespace plumbline::nc

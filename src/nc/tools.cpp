@@ -1,0 +1,106 @@
+// Tools: T, M6, M61, and their lengths: G43, G43.1, G43.2, G49, G10 L1.
+#include <fmt/format.h>
+
+#include "nc/codes.hpp"
+#include "nc/execution.hpp"
+#include "nc/expression.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+// What the tool adds to the control's display; null where no table has it.
+std::optional<AxisWords> offset_of(const Execution& run, int number) {
+  AxisWords offset;
+  if (number == 0) return offset;
+  const auto written = run.control.tools.find(number);
+  if (written != run.control.tools.end()) return written->second;
+  const Tool* const tool = run.settings.tools.find(number);
+  if (tool == nullptr && !run.settings.as_with_empty_tables) return std::nullopt;
+  if (tool != nullptr) offset[Axis::Z] = tool->length_mm;
+  return offset;
+}
+
+int tool_number(const Execution& run, const Word& word, std::string_view what) {
+  const int number = whole_number(*run.block, word.span, word.value, what);
+  if (number < 0) run.refuse(word, codes::kNegative, fmt::format("{} is negative", what), "write 0 or more");
+  return number;
+}
+
+int tool_of_block(const Execution& run, const Chosen& chosen) {
+  if (const Word* word = run.words.find('H')) return tool_number(run, *word, "the number of a tool");
+  if (chosen.row->action == Action::tool_length_added) run.need('H', "G43.2");
+  const int number = run.control.modal.tool_in_spindle;
+  if (number >= 0) return number;
+  if (run.settings.as_with_empty_tables) return 0;
+  run.refuse(*chosen.word, codes::kToolUnknown, "which tool is in the spindle is not known",
+             "name it with H, or put T and M6 before it");
+}
+
+AxisWords needed_offset(const Execution& run, const Chosen& chosen, int number) {
+  if (const std::optional<AxisWords> offset = offset_of(run, number)) return *offset;
+  const Word* const word = run.words.find('H');
+  run.refuse(word != nullptr ? *word : *chosen.word, codes::kToolUnknown,
+             fmt::format("the length of tool {} is not known", number),
+             fmt::format("add a [[tool]] with number = {} to a tool table and name it with --tools", number));
+}
+
+void take_offset(Execution& run, const AxisWords& offset) {
+  Frame next = run.control.frame;
+  next.tool = offset;
+  run.control.change_frame(next);
+}
+
+}  // namespace
+
+void set_tool_length(Execution& run, const Chosen& chosen) {
+  Control& control = run.control;
+  AxisWords offset = control.frame.tool;
+  control.modal.tool_of_offset = -1;
+  switch (chosen.row->action) {
+    case Action::tool_length: {
+      const int number = tool_of_block(run, chosen);
+      offset = needed_offset(run, chosen, number);
+      if (run.settings.tools.find(number) != nullptr) control.modal.tool_of_offset = number;
+      break;
+    }
+    case Action::tool_length_added:
+      offset += needed_offset(run, chosen, tool_of_block(run, chosen));
+      break;
+    case Action::tool_length_by_words:
+      for (const Axis axis : kAllAxes) {
+        if (run.axes.contains(axis)) offset[axis] = run.value(axis);
+      }
+      break;
+    default:
+      offset = AxisWords{};
+      break;
+  }
+  take_offset(run, offset);
+}
+
+void set_tool_row(Execution& run) {
+  const int number = run.whole(run.need('P', "G10 L1"), 1, kNoLimit);
+  AxisWords offset = offset_of(run, number).value_or(AxisWords{});
+  for (const Axis axis : kAllAxes) {
+    if (run.axes.contains(axis)) offset[axis] = run.value(axis);
+  }
+  run.control.tools[number] = offset;
+}
+
+void select_tool(Execution& run, const Word& word) {
+  run.control.selected_tool = tool_number(run, word, "the number of a tool");
+}
+
+void change_tool(Execution& run, const Chosen& chosen) {
+  Control& control = run.control;
+  run.step.changes_tool = true;
+  if (chosen.row->action == Action::set_tool) {
+    control.modal.tool_in_spindle = tool_number(run, run.need('Q', "M61"), "the number of a tool");
+    return;
+  }
+  control.modal.tool_in_spindle = control.selected_tool;
+  const int code = chosen.row->code / 10;
+  if (chosen.row->loses_position && !run.settings.keeps_position.contains(code)) lose_position(run, AxisSet::all());
+}
+
+}  // namespace plumbline::nc
