@@ -1,0 +1,80 @@
+// Reading NC: parsing alone, and parsing with execution, on simultaneous moves of six axes.
+#include <cstdio>
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "nc/line_source.hpp"
+#include "nc/parser.hpp"
+#include "nc/program.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+constexpr int kBlocks = 1'000'000;
+
+// A program of kBlocks blocks `N.. G1 X Y Z A B C`, written once.
+const std::string& program_file() {
+  static const std::string path = [] {
+    const std::string name = (std::filesystem::temp_directory_path() / "plumbline-nc-bench.ngc").string();
+    std::mt19937 random(20240501);
+    std::uniform_real_distribution<double> step(-0.5, 0.5);
+    double at[6] = {};
+    std::string text = "G21 G90 G94\nG0 X0 Y0 Z0 A0 B0 C0\nG1 F1000\n";
+    for (int i = 0; i < kBlocks; ++i) {
+      for (double& value : at) value += step(random);
+      fmt::format_to(std::back_inserter(text), "N{} G1 X{:.4f} Y{:.4f} Z{:.4f} A{:.5f} B{:.5f} C{:.5f}\n", 10 * i,
+                     at[0], at[1], at[2], at[3], at[4], at[5]);
+    }
+    write_text(name, text + "M2\n");
+    return name;
+  }();
+  return path;
+}
+
+void count_bytes(benchmark::State& state, const InputFile& file) {
+  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) * static_cast<std::int64_t>(file.size()));
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * kBlocks);
+}
+
+void parse(benchmark::State& state) {
+  const InputFile file(program_file());
+  for (auto _ : state) {
+    nc::LineSource lines(file);
+    nc::Parser parser;
+    nc::Block block;
+    nc::Line line;
+    std::size_t words = 0;
+    while (lines.next(line)) {
+      block.text = line.text;
+      block.offset = line.place.offset;
+      parser.parse(block);
+      words += block.words.size();
+    }
+    benchmark::DoNotOptimize(words);
+  }
+  count_bytes(state, file);
+}
+
+void parse_and_interpret(benchmark::State& state) {
+  const InputFile file(program_file());
+  nc::ProgramSettings settings;
+  settings.as_with_empty_tables = true;
+  for (auto _ : state) {
+    nc::Program program(file, nc::dialect("linuxcnc"), settings);
+    std::size_t motions = 0;
+    while (const nc::Step* step = program.next()) motions += step->motions.size();
+    benchmark::DoNotOptimize(motions);
+  }
+  count_bytes(state, file);
+}
+
+BENCHMARK(parse)->Unit(benchmark::kMillisecond);
+BENCHMARK(parse_and_interpret)->Unit(benchmark::kMillisecond);
+
+}  // namespace
