@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "machine/bad_files.hpp"
 #include "machine/machines.hpp"
 
 using namespace plumbline;
@@ -49,4 +50,8 @@ TEST_CASE("effect rows are kept as they stand, with their places") {
   CHECK(model.effects[1].values[1].shape.empty());
   CHECK(model.effects[1].values[1].place.column == 5);
   CHECK(model.hash != pm600_like().hash);
+}
+
+TEST_CASE("models that make no sense are refused where they stand") {
+  check_bad_files(source_path("tests/machine/bad"), 40, [](const std::string& path) { read_model(path); });
 }
