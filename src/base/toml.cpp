@@ -125,7 +125,11 @@ TomlDocument parse_toml(std::string text, std::string file) {
     const toml::table table = toml::parse(document.text, document.file);
     document.root.entries = entries_of(table, offsets);
   } catch (const toml::parse_error& error) {
-    refuse("toml-syntax", std::string(error.description()), "write it as TOML wants it: key = value, texts in quotes",
+    std::string_view what = error.description();  // "Error while parsing <what>: <why>"
+    constexpr std::string_view kPreface = "Error while parsing ";
+    if (what.starts_with(kPreface)) what.remove_prefix(kPreface.size());
+    refuse("toml-syntax", std::string(what),
+           "write it as TOML wants it: key = value, texts in quotes, a point in decimals",
            document.place(offsets.of(error.source())));
   }
   return document;
