@@ -43,7 +43,8 @@ struct Control {
   double feed_rotary = 0;  // the F in force as deg/min: it does not follow a change of units
   double feed_linear = 0;  // the F in force as mm/min (mm/rev under G95)
   Parameters parameters;
-  bool ended = false;  // M2, M30
+  bool tool_in_inches = false;  // the unit in force when the tool's offset was taken
+  bool ended = false;           // M2, M30
 
   WorkSystem& active() { return systems[static_cast<std::size_t>(modal.work_system - 1)]; }
   const WorkSystem& active() const { return systems[static_cast<std::size_t>(modal.work_system - 1)]; }

@@ -69,13 +69,15 @@ void clear_position(Execution& run, Action action);          // G92.1 G92.2 G92.
 void go_home(Execution& run, int which);                     // homes.cpp: G28 G30
 void store_home(Execution& run, int which);                  // G28.1 G30.1
 void set_tool_length(Execution& run, const Chosen& chosen);  // tools.cpp: G43 G43.1 G43.2 G49
-void set_tool_row(Execution& run);                           // G10 L1
-void select_tool(Execution& run, const Word& word);          // T
-void change_tool(Execution& run, const Chosen& chosen);      // M6 M61
-void dwell(Execution& run, const Word& code);                // machine_codes.cpp: G4
-void machine_code(Execution& run, const Chosen& chosen);     // M0 M1 M60, outputs, inputs, spindle, user codes
-void move_straight(Execution& run);                          // straight.cpp
-void move_arc(Execution& run);                               // arcs.cpp
+/// Refuses at `word` when the length unit has changed under the tool length in force.
+void check_tool_unit(const Execution& run, const Word& word);
+void set_tool_row(Execution& run);                        // G10 L1
+void select_tool(Execution& run, const Word& word);       // T
+void change_tool(Execution& run, const Chosen& chosen);   // M6 M61
+void dwell(Execution& run, const Word& code);             // machine_codes.cpp: G4
+void machine_code(Execution& run, const Chosen& chosen);  // M0 M1 M60, outputs, inputs, spindle, user codes
+void move_straight(Execution& run);                       // straight.cpp
+void move_arc(Execution& run);                            // arcs.cpp
 
 // What the moves share: moves.cpp
 /// Ends of a move in the active work system from the axis words, absolute or incremental.

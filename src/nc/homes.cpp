@@ -16,6 +16,7 @@ AxisSet known_in_work(const Frame& frame, AxisSet known_in_machine) {
 
 void go_home(Execution& run, int which) {
   Control& control = run.control;
+  check_tool_unit(run, run.block->words.front());
   run.step.role = BlockRole::machine_move;
   Motion through;
   through.in_machine_coordinates = true;

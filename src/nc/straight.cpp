@@ -14,11 +14,14 @@ void end_in_machine_coordinates(const Execution& run, Motion& motion) {
   if (control.modal.incremental) {
     run.refuse(codes::kMachineMove, "G53 cannot move by increments", "write G90 before it");
   }
-  AxisWords machine = control.frame.to_machine(control.position);
+  check_tool_unit(run, run.block->words.front());
+  Frame frame = control.frame;  // a tool's rotary offsets do not count here [LinuxCNC, measured]
+  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) frame.tool[axis] = 0;
+  AxisWords machine = frame.to_machine(control.position);
   for (const Axis axis : kAllAxes) {
     if (run.axes.contains(axis)) machine[axis] = run.value(axis);
   }
-  const AxisWords work = control.frame.from_machine(machine);
+  const AxisWords work = frame.from_machine(machine);
   const bool turned = control.frame.rotation_deg != 0;
   const AxisSet plane{Axis::X, Axis::Y};
   const bool moves_plane = !(run.axes & plane).empty();

@@ -21,6 +21,7 @@ class ToolTable {
   explicit ToolTable(std::vector<Tool> tools) : tools_(std::move(tools)) {}
   const Tool* find(int number) const;
   bool empty() const { return tools_.empty(); }
+  const std::vector<Tool>& all() const { return tools_; }
 
  private:
   std::vector<Tool> tools_;

@@ -27,8 +27,10 @@ int tool_number(const Execution& run, const Word& word, std::string_view what) {
 }
 
 int tool_of_block(const Execution& run, const Chosen& chosen) {
-  if (const Word* word = run.words.find('H')) return tool_number(run, *word, "the number of a tool");
-  if (chosen.row->action == Action::tool_length_added) run.need('H', "G43.2");
+  const Word* const word = run.words.find('H');
+  const int named = word == nullptr ? 0 : tool_number(run, *word, "the number of a tool");
+  if (named > 0) return named;  // H0 is the tool in the spindle [LinuxCNC, measured]
+  if (word == nullptr && chosen.row->action == Action::tool_length_added) run.need('H', "G43.2");
   const int number = run.control.modal.tool_in_spindle;
   if (number >= 0) return number;
   if (run.settings.as_with_empty_tables) return 0;
@@ -48,12 +50,24 @@ void take_offset(Execution& run, const AxisWords& offset) {
   Frame next = run.control.frame;
   next.tool = offset;
   run.control.change_frame(next);
+  run.control.tool_in_inches = run.control.modal.inches;
 }
 
 }  // namespace
 
+// LinuxCNC keeps a tool's offset as a number: after a change of units it takes 2 mm for 2 inches [measured].
+void check_tool_unit(const Execution& run, const Word& word) {
+  const Control& control = run.control;
+  const AxisWords& tool = control.frame.tool;
+  const bool linear = tool[Axis::X] != 0 || tool[Axis::Y] != 0 || tool[Axis::Z] != 0;
+  if (!linear || control.tool_in_inches == control.modal.inches) return;
+  run.refuse(word, codes::kNotInterpreted, "the control takes the tool length in force for one in the new unit",
+             "write G49 before the change of units (G20, G21) and G43 after it");
+}
+
 void set_tool_length(Execution& run, const Chosen& chosen) {
   Control& control = run.control;
+  check_tool_unit(run, *chosen.word);
   AxisWords offset = control.frame.tool;
   control.modal.tool_of_offset = -1;
   switch (chosen.row->action) {

@@ -1,0 +1,177 @@
+#include "nc/canon.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "base/units.hpp"
+#include "nc/frame.hpp"
+
+namespace plumbline::nc::tests {
+namespace {
+
+// Reads calls one by one and keeps what later ones stand on.
+class CanonReader {
+ public:
+  void call(const std::string& name, const std::string& arguments) {
+    numbers_ = numbers_of(arguments);
+    if (name.find("OFFSET") != std::string::npos) offsets_unit_ = std::max(offsets_unit_, unit_);
+    if (name == "USE_LENGTH_UNITS") {
+      unit_ = arguments.find("INCHES") != std::string::npos ? kMmPerInch : 1;
+    } else if (name == "SELECT_PLANE") {
+      plane_ = arguments.find("XZ") != std::string::npos   ? Plane::zx
+               : arguments.find("YZ") != std::string::npos ? Plane::yz
+                                                           : Plane::xy;
+    } else if (name == "SET_G5X_OFFSET") {
+      frame_.origin = words(1);
+    } else if (name == "SET_G92_OFFSET") {
+      frame_.g92 = words(0);
+    } else if (name == "SET_XY_ROTATION") {
+      frame_.rotation_deg = numbers_.at(0);
+    } else if (name == "USE_TOOL_LENGTH_OFFSET") {
+      frame_.tool = words(0);
+    } else if (name == "SET_FEED_RATE") {
+      feed_ = numbers_.at(0) * unit_;
+    } else if (name == "STRAIGHT_TRAVERSE" || name == "STRAIGHT_FEED") {
+      straight(name == "STRAIGHT_FEED" ? MotionKind::feed : MotionKind::rapid);
+    } else if (name == "ARC_FEED") {
+      arc();
+    } else if (name == "DWELL") {
+      CanonMotion dwell;
+      dwell.motion.kind = MotionKind::dwell;
+      dwell.motion.dwell_s = numbers_.at(0);
+      motions.push_back(dwell);
+    }
+  }
+
+  std::vector<CanonMotion> motions;
+
+ private:
+  static std::vector<double> numbers_of(const std::string& text) {
+    std::vector<double> numbers;
+    std::string piece;
+    std::istringstream in(std::regex_replace(text, std::regex("[,()]"), " "));
+    while (in >> piece) {
+      if (const auto number = parse_number(piece)) numbers.push_back(*number);
+    }
+    return numbers;
+  }
+
+  // Six numbers from `first`: X Y Z in the unit, A B C.
+  AxisWords words(std::size_t first) const {
+    AxisWords words;
+    for (std::size_t i = 0; i < kAxes; ++i) words.values[i] = numbers_.at(first + i) * (i < 3 ? unit_ : 1);
+    return words;
+  }
+
+  void add(Motion motion) {
+    motion.machine = frame_.to_machine(motion.to);
+    motion.feed = motion.kind == MotionKind::rapid ? 0 : feed_;
+    position_ = motion.to;
+    motions.push_back({motion, unit_, std::max(unit_, offsets_unit_)});
+  }
+
+  void straight(MotionKind kind) {
+    Motion motion;
+    motion.kind = kind;
+    motion.from = position_;
+    motion.to = words(0);
+    add(motion);
+  }
+
+  // ARC_FEED(first end, second end, first centre, second centre, turns, axis end, a, b, c)
+  void arc() {
+    const PlaneAxes axes = axes_of(plane_);
+    Motion motion;
+    motion.kind = MotionKind::arc;
+    motion.from = position_;
+    motion.to[axes.first] = numbers_.at(0) * unit_;
+    motion.to[axes.second] = numbers_.at(1) * unit_;
+    motion.to[axes.third] = numbers_.at(5) * unit_;
+    for (std::size_t i = 0; i < 3; ++i) motion.to.values[3 + i] = numbers_.at(6 + i);
+    motion.arc.plane = plane_;
+    motion.arc.centre_mm[index(axes.first)] = numbers_.at(2) * unit_;
+    motion.arc.centre_mm[index(axes.second)] = numbers_.at(3) * unit_;
+    motion.arc.centre_mm[index(axes.third)] = position_[axes.third];
+    motion.arc.turns = static_cast<int>(numbers_.at(4));
+    add(motion);
+  }
+
+  std::vector<double> numbers_;
+  double unit_ = 1;
+  double offsets_unit_ = 1;
+  double feed_ = 0;
+  Plane plane_ = Plane::xy;
+  Frame frame_;
+  AxisWords position_;
+};
+
+std::string text_of(const Motion& motion) {
+  return fmt::format("line {} kind {} to {:.4f} machine {:.4f} centre {:.4f} turns {} feed {:.4f} dwell {:.4f}",
+                     motion.line, static_cast<int>(motion.kind), fmt::join(motion.to.values, " "),
+                     fmt::join(motion.machine.values, " "), fmt::join(motion.arc.centre_mm, " "), motion.arc.turns,
+                     motion.feed, motion.dwell_s);
+}
+
+bool near(const AxisWords& a, const AxisWords& b, double mm, double deg) {
+  for (const Axis axis : kAllAxes) {
+    if (std::abs(a[axis] - b[axis]) > (is_rotary(axis) ? deg : mm)) return false;
+  }
+  return true;
+}
+
+bool same_arc(const Arc& a, const Arc& b, double mm) {
+  if (a.plane != b.plane || a.turns != b.turns) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (std::abs(a.centre_mm[i] - b.centre_mm[i]) > mm) return false;
+  }
+  return true;
+}
+
+bool same(const Motion& ours, const CanonMotion& theirs, double tolerance) {
+  const Motion& other = theirs.motion;
+  if (ours.kind != other.kind) return false;
+  if (ours.kind == MotionKind::dwell) return std::abs(ours.dwell_s - other.dwell_s) <= tolerance;
+  const double mm = tolerance * theirs.unit_mm;
+  if (!near(ours.to, other.to, mm, tolerance)) return false;
+  if (!near(ours.machine, other.machine, 3 * tolerance * theirs.offsets_unit_mm, 3 * tolerance))
+    return false;  // a sum of four rounded numbers
+  if (ours.kind == MotionKind::arc && !same_arc(ours.arc, other.arc, mm)) return false;
+  const bool linear = (ours.to[Axis::X] != ours.from[Axis::X] || ours.to[Axis::Y] != ours.from[Axis::Y] ||
+                       ours.to[Axis::Z] != ours.from[Axis::Z]);
+  const bool compares = ours.kind != MotionKind::rapid && ours.feed_mode == FeedMode::per_minute && linear;
+  return !compares || std::abs(ours.feed - other.feed) <= 26 * tolerance;  // F may be of another unit than the move
+}
+
+}  // namespace
+
+std::vector<CanonMotion> read_canon(const std::string& path) {
+  std::ifstream in(path);
+  if (!in) throw std::runtime_error("cannot read " + path);
+  CanonReader reader;
+  const std::regex call(R"(^\s*\d+\s+N\S+\s+([A-Z_0-9]+)(\(.*\))\s*$)");
+  for (std::string line; std::getline(in, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, call)) reader.call(match[1], match[2]);
+  }
+  return reader.motions;
+}
+
+std::string first_difference(const std::vector<Motion>& ours, const std::vector<CanonMotion>& theirs,
+                             double tolerance) {
+  const std::size_t both = std::min(ours.size(), theirs.size());
+  for (std::size_t i = 0; i < both; ++i) {
+    if (same(ours[i], theirs[i], tolerance)) continue;
+    return fmt::format("motion {}:\nours   {}\ntheirs {}", i + 1, text_of(ours[i]), text_of(theirs[i].motion));
+  }
+  if (ours.size() == theirs.size()) return "";
+  return fmt::format("{} motions, theirs {}; the last ones that agree are {}", ours.size(), theirs.size(), both);
+}
+
+}  // namespace plumbline::nc::tests
