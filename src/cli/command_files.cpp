@@ -1,0 +1,54 @@
+#include "cli/command_files.hpp"
+
+#include <optional>
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/diagnostic.hpp"
+#include "base/files.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+struct Identity {
+  dev_t device;
+  ino_t number;
+  bool operator==(const Identity&) const = default;
+};
+
+// Of a regular file that exists: pipes and terminals may be used twice.
+std::optional<Identity> identity_of(const std::string& path, int standard_stream) {
+  struct stat status {};
+  const int failed = path == kStandardStream ? fstat(standard_stream, &status) : stat(path.c_str(), &status);
+  if (failed != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  return Identity{status.st_dev, status.st_ino};
+}
+
+[[noreturn]] void refuse_output(std::string_view code, const std::string& output, std::string message) {
+  Place place;
+  place.file = output == kStandardStream ? "<stdout>" : output;
+  refuse(code, std::move(message), "name another file for the output", place);
+}
+
+}  // namespace
+
+void check_outputs(std::initializer_list<std::string> inputs, std::initializer_list<std::string> outputs) {
+  for (const std::string* output = outputs.begin(); output != outputs.end(); ++output) {
+    if (output->empty()) continue;
+    const std::optional<Identity> identity = identity_of(*output, STDOUT_FILENO);
+    for (const std::string& input : inputs) {
+      if (input.empty() || !identity || identity != identity_of(input, STDIN_FILENO)) continue;
+      refuse_output(
+          "file-overwrites-input", *output,
+          fmt::format("the output would overwrite the input {}", input == kStandardStream ? "<stdin>" : input));
+    }
+    for (const std::string* other = outputs.begin(); other != output; ++other) {
+      if (*other != *output && !(identity && identity == identity_of(*other, STDOUT_FILENO))) continue;
+      refuse_output("file-written-twice", *output, "two outputs would be written to the same file");
+    }
+  }
+}
+
+}  // namespace plumbline::cli

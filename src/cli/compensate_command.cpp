@@ -1,0 +1,62 @@
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "cli/command.hpp"
+#include "cli/command_files.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/shared_options.hpp"
+#include "jobs/compensate_file.hpp"
+#include "jobs/summary_text.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+struct Arguments {
+  std::string program, output, json;
+  SharedOptions shared;
+};
+
+int compensate(const Arguments& arguments) {
+  const jobs::Options options = arguments.shared.read(arguments.program);
+  require_model(options);
+  check_outputs({arguments.program, options.model, options.tools, options.variables, options.settings_file},
+                {arguments.output, arguments.json});
+  std::optional<OutputFile> json;
+  if (!arguments.json.empty()) json.emplace(arguments.json);
+  ProgressLine line;
+  const compensate::Summary summary =
+      jobs::compensate_file(arguments.program, arguments.output, options, line.progress());
+  line.clear();
+  if (json) {
+    json->write(jobs::summary_json(summary, options));
+    json->commit();
+  }
+  for (const Diagnostic& warning : summary.warnings) fmt::print(stderr, "{}", to_text(warning));
+  fmt::print(stderr, "{}", jobs::summary_text(summary, options));
+  return kDone;
+}
+
+}  // namespace
+
+void add_compensate(CLI::App& app, Run& run) {
+  CLI::App* const command = app.add_subcommand("compensate",
+                                               "Correct a program, so that the tool tip of the deformed "
+                                               "machine goes where the program means it to go");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("PROGRAM", arguments->program, "the NC program; - for standard input")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("-o,--output", arguments->output, "the corrected program; - for standard output")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--json", arguments->json, "write the summary as JSON, too")->type_name("FILE");
+  using Group = jobs::OptionGroup;
+  arguments->shared.add_to(*command, {Group::model, Group::program, Group::step, Group::compensation});
+  command->callback([arguments, &run] { run = [arguments] { return compensate(*arguments); }; });
+}
+
+}  // namespace plumbline::cli

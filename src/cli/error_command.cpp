@@ -1,0 +1,53 @@
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "cli/command.hpp"
+#include "cli/command_files.hpp"
+#include "jobs/error_table.hpp"
+#include "jobs/text_table.hpp"
+#include "machine/model_file.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+struct Arguments {
+  std::string poses, model;
+  std::string output = std::string(kStandardStream);
+};
+
+int error(const Arguments& arguments) {
+  check_outputs({arguments.poses, arguments.model}, {arguments.output});
+  const machine::MachineModel model = machine::read_model(arguments.model);
+  const std::vector<jobs::PoseRow> poses = jobs::read_poses(arguments.poses);
+  OutputFile out(arguments.output);
+  const jobs::ErrorTableSummary summary = jobs::write_error_table(model, poses, out);
+  out.commit();
+  fmt::print(stderr, "{} poses, the tip up to {:.3f} um off\n", jobs::count_text(summary.poses), summary.largest_um);
+  return kDone;
+}
+
+}  // namespace
+
+void add_error(CLI::App& app, Run& run) {
+  CLI::App* const command =
+      app.add_subcommand("error", "Tabulate strut lengths, forces and the error of the tool tip, the machine at rest");
+  const auto arguments = std::make_shared<Arguments>();
+  command
+      ->add_option("POSES", arguments->poses,
+                   "CSV with the columns x_mm,y_mm,z_mm,a_deg,b_deg,c_deg: poses of the tool tip in W; - for "
+                   "standard input")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("-m,--model", arguments->model, "the machine's model file")->type_name("MODEL")->required();
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "CSV: pose (mm, deg), strut lengths (mm), nut tensions (N), stretches (um), error of the tip (um) "
+                   "and of the orientation (urad), in W; default standard output")
+      ->type_name("FILE");
+  command->callback([arguments, &run] { run = [arguments] { return error(*arguments); }; });
+}
+
+}  // namespace plumbline::cli

@@ -1,0 +1,41 @@
+#include "cli/progress_line.hpp"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace plumbline::cli {
+namespace {
+
+constexpr std::chrono::milliseconds kFirst{500};
+constexpr std::chrono::milliseconds kEvery{200};
+
+}  // namespace
+
+ProgressLine::ProgressLine()
+    : is_terminal_(isatty(STDERR_FILENO) == 1), next_(std::chrono::steady_clock::now() + kFirst) {}
+
+ProgressLine::~ProgressLine() { clear(); }
+
+Progress ProgressLine::progress() {
+  if (!is_terminal_) return {};
+  return [this](std::uint64_t done, std::uint64_t total) { show(done, total); };
+}
+
+void ProgressLine::show(std::uint64_t done, std::uint64_t total) {
+  const auto now = std::chrono::steady_clock::now();
+  if (total == 0 || now < next_) return;
+  next_ = now + kEvery;
+  is_shown_ = true;
+  fmt::print(stderr, "\r{:3.0f} %", 100.0 * static_cast<double>(done) / static_cast<double>(total));
+  std::fflush(stderr);
+}
+
+void ProgressLine::clear() {
+  if (!is_shown_) return;
+  fmt::print(stderr, "\r      \r");
+  is_shown_ = false;
+}
+
+}  // namespace plumbline::cli

@@ -1,0 +1,65 @@
+#include "cli/shared_options.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "jobs/settings_file.hpp"
+
+namespace plumbline::cli {
+
+void SharedOptions::add_to(CLI::App& command, std::initializer_list<jobs::OptionGroup> groups) {
+  for (const jobs::OptionRow& row : jobs::option_rows()) {
+    if (std::find(groups.begin(), groups.end(), row.group) != groups.end()) add(command, row);
+  }
+  command.add_flag("--no-settings", no_settings_,
+                   fmt::format("read no {} beside the program", jobs::kSettingsFileName));
+}
+
+void SharedOptions::add(CLI::App& command, const jobs::OptionRow& row) {
+  Given& given = given_.emplace_back(Given{&row, {}});
+  const std::string name = row.name == "model" ? "-m,--model" : fmt::format("--{}", row.name);
+  if (row.value.empty()) {
+    command.add_flag_callback(
+        name, [&given] { given.texts.assign(1, "on"); }, std::string(row.help));
+    return;
+  }
+  CLI::Option* const option = command.add_option(name, given.texts, std::string(row.help));
+  option->type_name(std::string(row.value))->type_size(1)->allow_extra_args(false);
+  option->multi_option_policy(row.is_repeatable ? CLI::MultiOptionPolicy::TakeAll : CLI::MultiOptionPolicy::Throw);
+  if (!row.is_repeatable) option->expected(1);
+}
+
+void SharedOptions::apply(jobs::Options& options) const {
+  for (const Given& given : given_) {
+    for (const std::string& text : given.texts) {
+      try {
+        jobs::set_option(options, *given.row, text);
+      } catch (const jobs::OptionError& error) {
+        throw UsageError(fmt::format("--{} {}: {}", given.row->name, text, error.what()));
+      }
+    }
+  }
+}
+
+bool SharedOptions::has(const jobs::OptionRow& row) const {
+  return std::any_of(given_.begin(), given_.end(),
+                     [&](const Given& given) { return given.row == &row && !given.texts.empty(); });
+}
+
+jobs::Options SharedOptions::read(const std::string& program) const {
+  jobs::Options options;
+  apply(options);  // first of all: wrong usage shows before any file is read
+  const std::string settings = no_settings_ ? std::string() : jobs::settings_file_beside(program);
+  if (settings.empty()) return options;
+  options = {};
+  jobs::read_settings_file(settings, options, [&](const jobs::OptionRow& row) { return has(row); });
+  apply(options);
+  return options;
+}
+
+void require_model(const jobs::Options& options) {
+  if (options.model.empty()) throw UsageError("--model MODEL is required: the machine's model file");
+}
+
+}  // namespace plumbline::cli

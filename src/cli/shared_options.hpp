@@ -1,0 +1,39 @@
+// The options that several commands take, as jobs/options.hpp lists them.
+#pragma once
+
+#include <initializer_list>
+#include <list>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "jobs/options.hpp"
+
+namespace plumbline::cli {
+
+class SharedOptions {
+ public:
+  /// Adds the options of these groups to a command; must live as long as the command line is read.
+  void add_to(CLI::App& command, std::initializer_list<jobs::OptionGroup> groups);
+
+  /// What the command line says, and where it is silent the settings file beside `program`, unless --no-settings asks
+  /// for none. Throws UsageError for values that are none, and refuses as read_settings_file does.
+  jobs::Options read(const std::string& program) const;
+
+ private:
+  struct Given {
+    const jobs::OptionRow* row;
+    std::vector<std::string> texts;
+  };
+  void add(CLI::App& command, const jobs::OptionRow& row);
+  void apply(jobs::Options& options) const;
+  bool has(const jobs::OptionRow& row) const;
+
+  std::list<Given> given_;
+  bool no_settings_ = false;
+};
+
+/// The model that the options name. Throws UsageError if they name none.
+void require_model(const jobs::Options& options);
+
+}  // namespace plumbline::cli

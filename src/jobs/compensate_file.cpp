@@ -1,0 +1,45 @@
+#include "jobs/compensate_file.hpp"
+
+#include "base/files.hpp"
+#include "compensate/stream.hpp"
+#include "jobs/stamp.hpp"
+#include "jobs/used_tools.hpp"
+#include "machine/model_file.hpp"
+
+namespace plumbline::jobs {
+namespace {
+
+nc::EmitSettings emit_settings(const machine::ControlSettings& control, const Options& options) {
+  nc::EmitSettings emit;
+  emit.digits_mm = control.digits_mm;
+  emit.digits_deg = control.digits_deg;
+  emit.digits_inch = control.digits_inch;
+  emit.increment_mm = control.increment_mm;
+  emit.increment_deg = control.increment_deg;
+  emit.time_tolerance = options.time_tolerance;
+  return emit;
+}
+
+}  // namespace
+
+compensate::Summary compensate_file(const std::string& program, const std::string& output, const Options& options,
+                                    const Progress& progress) {
+  const machine::MachineModel model = machine::read_model(options.model);
+  const nc::Dialect& dialect = nc::dialect(options.dialect);
+  const nc::ProgramSettings settings = program_settings(options);
+  const InputFile source(program);
+
+  nc::EmitSettings emit = emit_settings(model.control, options);
+  emit.stamp = stamp(options, settings, model, used_tools(source, settings.tools, settings.tool_in_spindle), dialect);
+  compensate::Settings compensation = options.compensation;
+  compensation.step.least_time_s = model.control.block_time;
+
+  OutputFile out(output);
+  compensate::Stream stream(source, dialect, settings, model, compensation, std::move(emit), out);
+  compensate::Summary summary = stream.run(progress);
+  summary.bytes_after = out.size();
+  out.commit();
+  return summary;
+}
+
+}  // namespace plumbline::jobs

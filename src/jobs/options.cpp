@@ -1,0 +1,215 @@
+#include "jobs/options.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "jobs/variables_file.hpp"
+
+namespace plumbline::jobs {
+namespace {
+
+constexpr std::array<std::string_view, nc::kWorkSystems> kSystems{"G54", "G55",   "G56",   "G57",  "G58",
+                                                                  "G59", "G59.1", "G59.2", "G59.3"};
+
+std::string upper(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return out;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+  return text;
+}
+
+// Calls `take` with each part between commas.
+template <class Take>
+void each_part(std::string_view text, const Take& take) {
+  while (true) {
+    const std::size_t comma = text.find(',');
+    take(trimmed(text.substr(0, comma)));
+    if (comma == std::string_view::npos) return;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+double number_in(std::string_view text, double lower, double upper, std::string_view expected) {
+  const std::optional<double> value = parse_number(trimmed(text));
+  if (!value || *value < lower || *value > upper) throw OptionError(fmt::format("expected {}", expected));
+  return *value;
+}
+
+int whole_number_in(std::string_view text, int lower, int upper, std::string_view expected) {
+  const double value = number_in(text, lower, upper, expected);
+  if (value != static_cast<int>(value)) throw OptionError(fmt::format("expected {}", expected));
+  return static_cast<int>(value);
+}
+
+bool on_or_off(std::string_view text) {
+  if (text == "on") return true;
+  if (text == "off") return false;
+  throw OptionError("expected on or off");
+}
+
+void add_m_codes(std::set<int>& codes, std::string_view text) {
+  constexpr std::string_view kExpected = "M codes between commas, as in M428,M429";
+  each_part(text, [&](std::string_view part) {
+    if (part.empty() || (part.front() != 'M' && part.front() != 'm')) {
+      throw OptionError(fmt::format("expected {}", kExpected));
+    }
+    codes.insert(whole_number_in(part.substr(1), 0, 9999, kExpected));
+  });
+}
+
+std::array<double, kAxes> pose_in(std::string_view text) {
+  const auto values = six_numbers(text);
+  if (!values) throw OptionError("expected six numbers X,Y,Z,A,B,C in mm and deg");
+  return *values;
+}
+
+void set_work_offset(Options& options, std::string_view text) {
+  constexpr std::string_view kExpected =
+      "expected SYSTEM=X,Y,Z,A,B,C with six numbers in mm and deg, as in G54=0,0,-1008,0,0,0; "
+      "systems are G54 to G59 and G59.1 to G59.3";
+  const std::size_t equals = text.find('=');
+  const std::string name = upper(trimmed(text.substr(0, equals)));
+  const auto* const found = std::find(kSystems.begin(), kSystems.end(), name);
+  if (equals == std::string_view::npos || found == kSystems.end()) throw OptionError(std::string(kExpected));
+  const auto values = six_numbers(text.substr(equals + 1));
+  if (!values) throw OptionError(std::string(kExpected));
+  options.work_offsets[static_cast<std::size_t>(found - kSystems.begin())] = nc::WorkOffset{{*values}, 0};
+}
+
+void set_start(Options& options, std::string_view text) {
+  constexpr std::string_view kExpected =
+      "expected six numbers X,Y,Z,A,B,C in mm and deg, or those of some axes as in A=0,B=0,C=0";
+  if (const auto values = six_numbers(text)) {
+    for (std::size_t i = 0; i < kAxes; ++i) options.start[i] = (*values)[i];
+    return;
+  }
+  each_part(text, [&](std::string_view part) {
+    const std::optional<Axis> axis = part.empty() ? std::nullopt : axis_of(upper(part.substr(0, 1)).front());
+    if (!axis) throw OptionError(std::string(kExpected));
+    std::string_view value = trimmed(part.substr(1));
+    if (!value.empty() && value.front() == '=') value.remove_prefix(1);
+    const std::optional<double> number = parse_number(trimmed(value));
+    if (!number) throw OptionError(std::string(kExpected));
+    options.start[index(*axis)] = *number;
+  });
+}
+
+void set_touch_off(Options& options, std::string_view text) { options.compensation.touch_off = {pose_in(text)}; }
+
+using Text = std::string_view;
+
+constexpr std::array kRows{
+    OptionRow{"dialect", "NAME", "language of the program (default linuxcnc)", OptionGroup::program, false, false,
+              [](Options& o, Text t) { o.dialect = t; }},
+    OptionRow{"work-offset", "G54=X,Y,Z,A,B,C",
+              "where a work system's zero lies in the base frame W, mm and deg; G54 to G59, G59.1 to G59.3; repeatable",
+              OptionGroup::program, true, false, set_work_offset},
+    OptionRow{"tools", "FILE", "tool table: length and diameter in mm, mass in kg", OptionGroup::program, false, true,
+              [](Options& o, Text t) { o.tools = t; }},
+    OptionRow{
+        "tool-in-spindle", "N", "number of the tool that is in the spindle at the start", OptionGroup::program, false,
+        false,
+        [](Options& o, Text t) { o.tool_in_spindle = whole_number_in(t, 0, 99999, "a tool number, 0 to 99999"); }},
+    OptionRow{"start", "X,Y,Z,A,B,C",
+              "where the axes stand at the start, mm and deg, in the work system then active; "
+              "some of them alone as A=0,B=0,C=0",
+              OptionGroup::program, false, false, set_start},
+    OptionRow{"variables", "FILE",
+              "variables of the control, lines \"#NUMBER VALUE\" or \"NUMBER VALUE\" (a .var file); lengths in mm",
+              OptionGroup::program, false, true, [](Options& o, Text t) { o.variables = t; }},
+    OptionRow{"pass", "M428,...", "M codes of the machine's builder that go through as they stand; repeatable",
+              OptionGroup::program, true, false, [](Options& o, Text t) { add_m_codes(o.pass, t); }},
+    OptionRow{"keeps-position", "M6,...", "M codes after which the axes stand where they stood; repeatable",
+              OptionGroup::program, true, false, [](Options& o, Text t) { add_m_codes(o.keeps_position, t); }},
+    OptionRow{"block-delete", "on|off", "whether blocks that begin with / are left out (on) or executed (off)",
+              OptionGroup::program, false, false, [](Options& o, Text t) { o.block_delete = on_or_off(t); }},
+    OptionRow{"model", "MODEL", "the machine's model file", OptionGroup::model, false, true,
+              [](Options& o, Text t) { o.model = t; }},
+    OptionRow{"step-angle", "DEG", "largest angle of a piece: of arc, or of the turn of the tool (default 0.1 deg)",
+              OptionGroup::step, false, false,
+              [](Options& o, Text t) {
+                o.compensation.step.angle_deg = number_in(t, 1e-3, 90, "an angle in deg, 0.001 to 90");
+              }},
+    OptionRow{"step-length", "MM", "largest length of a piece (default 1 mm)", OptionGroup::step, false, false,
+              [](Options& o, Text t) {
+                o.compensation.step.length_mm = number_in(t, 1e-3, 1e4, "a length in mm, 0.001 to 10000");
+              }},
+    OptionRow{"no-friction", "", "leave friction out of the model", OptionGroup::step, false, false,
+              [](Options& o, Text t) { o.compensation.friction = !on_or_off(t); }},
+    OptionRow{"first-order", "", "subtract the error instead of solving for it: leaves tens of um near singular poses",
+              OptionGroup::compensation, false, false,
+              [](Options& o, Text t) {
+                o.compensation.method = on_or_off(t) ? compensate::Method::first_order : compensate::Method::exact;
+              }},
+    OptionRow{"touch-off", "X,Y,Z,A,B,C",
+              "pose of the tool tip in W, mm and deg, at which the work offset was probed; its error is added",
+              OptionGroup::compensation, false, false, set_touch_off},
+    OptionRow{"time-tolerance", "SHARE",
+              "share of a block's time that may change before its F is written anew (default 0.001)",
+              OptionGroup::compensation, false, false,
+              [](Options& o, Text t) { o.time_tolerance = number_in(t, 0, 1, "a share of the time, 0 to 1"); }},
+    OptionRow{"guard", "",
+              "put a block at the start that stops the control when its offsets differ from those given here",
+              OptionGroup::compensation, false, false, [](Options& o, Text t) { o.guard = on_or_off(t); }},
+};
+
+}  // namespace
+
+std::span<const OptionRow> option_rows() { return kRows; }
+
+const OptionRow* find_option(std::string_view name) {
+  const auto* const found =
+      std::find_if(kRows.begin(), kRows.end(), [&](const OptionRow& r) { return r.name == name; });
+  return found == kRows.end() ? nullptr : found;
+}
+
+void set_option(Options& options, const OptionRow& row, std::string_view text) {
+  if (text.empty()) throw OptionError(fmt::format("expected {}", row.value.empty() ? "on or off" : row.value));
+  row.set(options, text);
+}
+
+std::string work_system_name(std::size_t system) { return std::string(kSystems.at(system)); }
+
+std::optional<std::array<double, kAxes>> six_numbers(std::string_view text) {
+  std::array<double, kAxes> values{};
+  std::size_t count = 0;
+  bool all_numbers = true;
+  each_part(text, [&](std::string_view part) {
+    const std::optional<double> value = parse_number(part);
+    if (value && count < kAxes) values[count] = *value;
+    all_numbers = all_numbers && value.has_value();
+    ++count;
+  });
+  if (!all_numbers || count != kAxes) return std::nullopt;
+  return values;
+}
+
+nc::ProgramSettings program_settings(const Options& options) {
+  nc::ProgramSettings settings;
+  if (!options.variables.empty()) {
+    settings.variables = read_variables(options.variables);
+    settings.work_offsets = work_offsets_of(settings.variables);
+  }
+  for (std::size_t i = 0; i < settings.work_offsets.size(); ++i) {
+    if (options.work_offsets[i]) settings.work_offsets[i] = options.work_offsets[i];
+  }
+  if (!options.tools.empty()) settings.tools = nc::read_tool_table(options.tools);
+  settings.tool_in_spindle = options.tool_in_spindle;
+  settings.start = options.start;
+  settings.passed_m_codes = options.pass;
+  settings.keeps_position = options.keeps_position;
+  settings.block_delete = options.block_delete;
+  return settings;
+}
+
+}  // namespace plumbline::jobs

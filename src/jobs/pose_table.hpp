@@ -1,0 +1,21 @@
+// Poses of the tool tip from a CSV file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/axes.hpp"
+#include "base/diagnostic.hpp"
+
+namespace plumbline::jobs {
+
+struct PoseRow {
+  AxisWords pose;  // tool tip in W, mm and deg
+  Place place;     // of the row
+};
+
+/// Reads the columns x_mm,y_mm,z_mm,a_deg,b_deg,c_deg, found by the names of the first line; others are left out.
+/// Refuses with csv-header, csv-columns or csv-number and the place.
+std::vector<PoseRow> read_poses(const std::string& path);
+
+}  // namespace plumbline::jobs

@@ -1,0 +1,168 @@
+#include "jobs/summary_text.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/units.hpp"
+#include "jobs/text_table.hpp"
+#include "jobs/version.hpp"
+
+namespace plumbline::jobs {
+namespace {
+
+using compensate::Summary;
+using compensate::Worst;
+using Json = nlohmann::ordered_json;
+
+constexpr double kUmPerMm = kMm / kUm;
+
+std::string at_line(std::size_t line) { return line == 0 ? std::string() : fmt::format(" (line {})", line); }
+
+std::string change_text(double before, double after) {
+  return before > 0 ? fmt::format("{:+.3f} %", (after / before - 1) * 100) : "no change";
+}
+
+std::string axis_list(AxisSet axes) {
+  std::string list;
+  for (const Axis axis : kAllAxes) {
+    if (axes.contains(axis)) list += fmt::format("{}{}", list.empty() ? "" : ", ", letter(axis));
+  }
+  return list;
+}
+
+void add_counts(TextTable& table, const Summary& s) {
+  table.add("blocks", fmt::format("{} read, {} moves changed of {}", count_text(s.blocks), count_text(s.changed_blocks),
+                                  count_text(s.moves)));
+  if (s.passed_moves > 0) table.add("left as they stand", fmt::format("{} moves", count_text(s.passed_moves)));
+  table.add("points", count_text(s.points));
+}
+
+void add_corrections(TextTable& table, const Summary& s) {
+  table.add("largest correction",
+            fmt::format("{:.4f} mm{}, {:.5f} deg{}", s.correction_mm.value, at_line(s.correction_mm.line),
+                        s.correction_deg.value, at_line(s.correction_deg.line)));
+  table.add("rms correction", fmt::format("{:.4f} mm", s.rms_correction_mm));
+}
+
+void add_time(TextTable& table, const Summary& s) {
+  if (s.seconds_before <= 0) return;
+  table.add("cutting time", fmt::format("{} before, {} after ({})", time_text(s.seconds_before),
+                                        time_text(s.seconds_after), change_text(s.seconds_before, s.seconds_after)));
+  table.add("worst of a block", fmt::format("{:.3f} %{}", s.time_change.value * 100, at_line(s.time_change.line)));
+}
+
+void add_quality(TextTable& table, const Summary& s) {
+  if (s.replayed > 0) {
+    table.add("left at the tip",
+              fmt::format("at most {:.3f} um{}, {} points played on the model", s.residual_mm.value * kUmPerMm,
+                          at_line(s.residual_mm.line), count_text(s.replayed)));
+  }
+  table.add("rounding",
+            fmt::format("at most {:.3f} um{}", s.rounding_mm.value * kUmPerMm, at_line(s.rounding_mm.line)));
+  table.add("condition number", fmt::format("at most {:.1f}{}", s.condition.value, at_line(s.condition.line)));
+  if (s.widened_blocks > 0) {
+    table.add("wider steps",
+              fmt::format("{} blocks, up to {:.3f} mm{}: the control's block time asks for it",
+                          count_text(s.widened_blocks), s.widened_step_mm.value, at_line(s.widened_step_mm.line)));
+  }
+}
+
+void add_offsets(TextTable& table, const Summary& s, const Options& options) {
+  if (std::isfinite(s.offset_shift_for_1um_mm)) {
+    table.add("work offset", fmt::format("good to {:.3g} mm: that much off costs 1 um", s.offset_shift_for_1um_mm));
+  }
+  if (s.zero_error && !options.compensation.touch_off) {
+    const AxisWords& e = *s.zero_error;
+    table.add("zero", fmt::format("the machine stands X{:+.1f} Y{:+.1f} Z{:+.1f} um off at the first cutting block{}",
+                                  e[Axis::X] * kUmPerMm, e[Axis::Y] * kUmPerMm, e[Axis::Z] * kUmPerMm,
+                                  at_line(s.zero_error_line)));
+    table.add("", "an offset probed on the machine holds that already: say where with --touch-off");
+  }
+  if (!s.assumed_at_zero.empty()) {
+    table.add("taken to be zero", fmt::format("{}: the program never names it", axis_list(s.assumed_at_zero)));
+  }
+}
+
+void add_files(TextTable& table, const Summary& s, const Options& options) {
+  const double growth =
+      s.bytes_before > 0 ? static_cast<double>(s.bytes_after) / static_cast<double>(s.bytes_before) : 1;
+  table.add("file", fmt::format("{} bytes before, {} after ({:.2f} times)", count_text(s.bytes_before),
+                                count_text(s.bytes_after), growth));
+  if (!options.settings_file.empty()) table.add("settings from", options.settings_file);
+}
+
+Json worst(const Worst& value, double unit = 1) { return {{"value", value.value * unit}, {"line", value.line}}; }
+
+Json axis_values(const AxisWords& words) {
+  Json json;
+  for (const Axis axis : kAllAxes) {
+    const char lower = static_cast<char>(letter(axis) - 'A' + 'a');
+    json[std::string(1, lower) + (is_rotary(axis) ? "_deg" : "_mm")] = words[axis];
+  }
+  return json;
+}
+
+Json warnings_json(const std::vector<Diagnostic>& warnings) {
+  Json list = Json::array();
+  for (const Diagnostic& w : warnings) {
+    list.push_back({{"code", w.code}, {"message", w.message}, {"help", w.help}, {"line", w.place.line}});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string summary_text(const Summary& summary, const Options& options) {
+  TextTable table;
+  add_counts(table, summary);
+  if (summary.moves > 0) {
+    add_corrections(table, summary);
+    add_time(table, summary);
+    add_quality(table, summary);
+    add_offsets(table, summary, options);
+  }
+  add_files(table, summary, options);
+  const std::string same = summary.identical ? "nothing had to change: the output is the input\n" : "";
+  return same + table.text();
+}
+
+std::string summary_json(const Summary& s, const Options& options) {
+  Json assumed = Json::array();
+  for (const Axis axis : kAllAxes) {
+    if (s.assumed_at_zero.contains(axis)) assumed.push_back(std::string(1, letter(axis)));
+  }
+  Json json{
+      {"plumbline", "compensation 1"},
+      {"version", version()},
+      {"identical", s.identical},
+      {"blocks", s.blocks},
+      {"moves", s.moves},
+      {"changed_blocks", s.changed_blocks},
+      {"passed_moves", s.passed_moves},
+      {"points", s.points},
+      {"largest_correction_mm", worst(s.correction_mm)},
+      {"largest_correction_deg", worst(s.correction_deg)},
+      {"rms_correction_mm", s.rms_correction_mm},
+      {"time_before_s", s.seconds_before},
+      {"time_after_s", s.seconds_after},
+      {"worst_block_time_change", worst(s.time_change)},
+      {"worst_rounding_um", worst(s.rounding_mm, kUmPerMm)},
+      {"worst_residual_um", s.replayed > 0 ? worst(s.residual_mm, kUmPerMm) : Json()},
+      {"replayed_points", s.replayed},
+      {"largest_condition", worst(s.condition)},
+      {"widened_blocks", s.widened_blocks},
+      {"widest_step_mm", s.widened_blocks > 0 ? worst(s.widened_step_mm) : Json()},
+      {"offset_shift_for_1um_mm", std::isfinite(s.offset_shift_for_1um_mm) ? Json(s.offset_shift_for_1um_mm) : Json()},
+      {"zero_error", s.zero_error ? axis_values(*s.zero_error) : Json()},
+      {"zero_error_line", s.zero_error ? Json(s.zero_error_line) : Json()},
+      {"assumed_at_zero", assumed},
+      {"bytes_before", s.bytes_before},
+      {"bytes_after", s.bytes_after},
+      {"settings_file", options.settings_file.empty() ? Json() : Json(options.settings_file)},
+      {"warnings", warnings_json(s.warnings)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace plumbline::jobs

@@ -1,0 +1,17 @@
+// Which tools of the table a program may use.
+#pragma once
+
+#include <vector>
+
+#include "base/files.hpp"
+#include "nc/tool_table.hpp"
+
+namespace plumbline::jobs {
+
+/// The tools whose number stands behind a T, H or Q anywhere in the program's text, comments left out, and the one in
+/// the spindle; all of the table where one of these letters takes an expression. More rather than fewer: the program
+/// is not executed.
+std::vector<nc::Tool> used_tools(const InputFile& program, const nc::ToolTable& tools,
+                                 std::optional<int> tool_in_spindle);
+
+}  // namespace plumbline::jobs
