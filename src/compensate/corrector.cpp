@@ -76,6 +76,21 @@ Corrector::Load Corrector::load_at(const Target& target) const {
   return {motion.pose, physics::strut_stretch(physics_, environment, motion)};
 }
 
+// From a pose to the one whose struts are shorter by their stretch: by the factorisation at hand where that converges,
+// else by the full iteration.
+bool Corrector::move_struts(const Load& load, Pose<double>& pose) const {
+  const machine::NearResult<double> near = machine::forward_near<double>(geometry(), pose, load.stretch.struts,
+                                                                         load.stretch.jacobian, -load.stretch.stretch);
+  if (near.converged) {
+    pose = near.pose;
+    return true;
+  }
+  const machine::PerStrut<double> lengths = load.stretch.struts.length - load.stretch.stretch;
+  const machine::ForwardResult found = machine::forward(geometry(), lengths, pose);
+  pose = found.pose;
+  return found.converged();
+}
+
 // Exact: T_c = FK(IK(T) - dL(T)).  First order: T_c = T - J^-1 dL(T).  [docs/physics.md, Compensation]
 Corrected Corrector::correct_once(const Target& target) const {
   const Load load = load_at(target);
@@ -87,10 +102,7 @@ Corrected Corrector::correct_once(const Target& target) const {
     commanded = machine::displaced<double>(commanded, -load.stretch.jacobian.solve(load.stretch.stretch));
     corrected.converged = true;
   } else {
-    const machine::NearResult<double> near = machine::forward_near<double>(
-        geometry(), commanded, load.stretch.struts, load.stretch.jacobian, -load.stretch.stretch);
-    commanded = near.pose;
-    corrected.converged = near.converged;
+    corrected.converged = move_struts(load, commanded);
   }
   commanded = machine::displaced<double>(commanded, -load.stretch.tip);
   corrected.pose = machine::words_of(model_.rotation, commanded, target.pose);

@@ -61,6 +61,7 @@ class Corrector {
     physics::StrutStretch<double> stretch;
   };
   Load load_at(const Target& target) const;
+  bool move_struts(const Load& load, Pose<double>& pose) const;
   Corrected correct_once(const Target& target) const;
   Corrected correct_with_fixed_axes(const Target& target) const;
   physics::Motion<double> motion_of(const Target& target, physics::Environment& environment) const;

@@ -148,7 +148,8 @@ void Emitter::copy(const Step& step) {
   if (offset_words) begin_change(step);
   if (changed_) {
     restore_feed_state(step, codes.feed != nullptr);
-    editor_.start(block);
+    spelling_ = spelling_of(block, spelling_);
+    editor_.start(block, spelling_);
     if (offset_words) add_offset_shifts(step);
     if (motion_missing) {
       const Word* first = first_axis_word(block);
@@ -197,7 +198,8 @@ void Emitter::copy_with_choice_applied(const Step& step) {
   if (step.skipped) {
     text = dialect_.comment_open + std::string(kSkipped) + dialect_.comment_close;
   } else {
-    editor_.start(block);
+    spelling_ = spelling_of(block, spelling_);
+    editor_.start(block, spelling_);
     editor_.replace(block.slash, "");
     editor_.apply(text);
   }

@@ -78,6 +78,7 @@ class Emitter {
   std::uint64_t source_end_ = 0;
   std::string newline_ = "\n";
   std::vector<Replacement> before_change_;
+  Spelling spelling_;
   BlockEditor editor_;
   std::string line_;
 };

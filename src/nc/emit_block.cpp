@@ -56,7 +56,8 @@ void PieceWriter::append_first(std::string& out, const Step& step, const Piece& 
                                bool is_last) {
   const Block& block = *step.block;
   const BlockCodes codes = codes_.codes_of(block);
-  editor_.start(block);
+  spelling_ = spelling_of(block, spelling_);
+  editor_.start(block, spelling_);
   if (step.executed_delete) editor_.replace(block.slash, "");
   const std::string before = codes_before(step, piece, codes, standing, is_last);
   place_words(step, before, change_axis_words(step, piece));
@@ -68,7 +69,7 @@ void PieceWriter::append_first(std::string& out, const Step& step, const Piece& 
 }
 
 void PieceWriter::append_further(std::string& out, const Step& step, const Piece& piece, bool is_last) const {
-  const Spelling spelling = spelling_of(*step.block);
+  const Spelling& spelling = spelling_;
   const BlockCodes codes = codes_.codes_of(*step.block);
   if (piece.restates_mode) {
     append_code(out, codes_.feed_mode(piece.leaves_inverse_time ? FeedMode::per_minute : step.after->feed_mode),

@@ -25,6 +25,7 @@ class PieceWriter {
   void place_words(const Step& step, const std::string& codes_before, const std::string& words);
   void change_feed_word(const Step& step, const Piece& piece);
   const CodeWriter& codes_;
+  Spelling spelling_;  // of the block at hand
   BlockEditor editor_;
 };
 

@@ -1,6 +1,7 @@
 #include "nc/emit_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cctype>
 
 #include "base/number_text.hpp"
@@ -14,18 +15,17 @@ char in_case(char c, bool lower) { return lower ? static_cast<char>(std::tolower
 
 }  // namespace
 
-Spelling spelling_of(const Block& block) {
-  Spelling spelling;
-  if (block.words.empty()) return spelling;
+Spelling spelling_of(const Block& block, const Spelling& like) {
+  if (block.words.empty()) return like;
   const Span last = block.words.back().span;
-  spelling.lower_case = std::islower(static_cast<unsigned char>(block.text[last.begin])) != 0;
-  spelling.spaced = last.begin > 0 && is_blank(block.text[last.begin - 1]);
-  return spelling;
+  const bool lower_case = std::islower(static_cast<unsigned char>(block.text[last.begin])) != 0;
+  if (block.words.size() == 1) return {lower_case, like.spaced};
+  return {lower_case, is_blank(block.text[last.begin - 1])};
 }
 
-void BlockEditor::start(const Block& block) {
+void BlockEditor::start(const Block& block, const Spelling& spelling) {
   block_ = &block;
-  spelling_ = spelling_of(block);
+  spelling_ = spelling;
   used_ = 0;
 }
 
@@ -88,6 +88,8 @@ void append_code(std::string& out, std::string_view code, const Spelling& spelli
 void append_word(std::string& out, char letter, double value, int decimals, const Spelling& spelling) {
   if (spelling.spaced && !out.empty() && !is_blank(out.back())) out += ' ';
   out += in_case(letter, spelling.lower_case);
+  constexpr double kExact = 1e15;  // units of the last decimal that a double counts
+  while (decimals > 0 && std::abs(value) * std::pow(10.0, decimals) > kExact) --decimals;
   append_decimal(out, value, decimals);
 }
 

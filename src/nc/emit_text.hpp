@@ -14,12 +14,13 @@ struct Spelling {
   bool lower_case = false;
   bool spaced = false;
 };
-Spelling spelling_of(const Block& block);
+/// Of a block with one word, which shows no spacing: the spacing of `like`.
+Spelling spelling_of(const Block& block, const Spelling& like);
 
 /// Collects changes to a block's text, then applies them all. Reused from block to block.
 class BlockEditor {
  public:
-  void start(const Block& block);
+  void start(const Block& block, const Spelling& spelling);
   /// Puts `text` where the span stands. An empty text takes the blanks before it away too.
   void replace(Span span, std::string_view text);
   /// Adds a word before / after byte `at`, with the spelling of the block.

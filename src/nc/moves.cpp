@@ -70,7 +70,7 @@ double feed_of_move(const Execution& run, bool linear) {
   const Word* const word = run.words.find('F');
   if (control.modal.feed_mode == FeedMode::inverse_time) {
     if (word != nullptr && word->value > 0) return word->value;
-    run.refuse(word != nullptr ? *word : *run.step.block->words.data(), codes::kFeedMissing,
+    run.refuse(word != nullptr ? *word : run.block->words.front(), codes::kFeedMissing,
                "inverse time (G93) needs F in every block that feeds",
                "add the F word: 1 over the minutes of the move");
   }
@@ -85,6 +85,7 @@ void add_motion(Execution& run, Motion motion) {
   Control& control = run.control;
   motion.line = run.block->line;
   motion.feed_mode = control.modal.feed_mode;
+  motion.mm_per_unit = control.modal.inches ? kMmPerInch : 1;
   motion.from = control.position;
   motion.known_before = control.known;
   motion.machine = control.frame.to_machine(motion.to);
