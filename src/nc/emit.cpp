@@ -61,6 +61,7 @@ void Emitter::copy_source(std::uint64_t from, std::uint64_t to) {
 // The stamp stands behind %, a program number and the comments that the program begins with.
 void Emitter::note_header(const Step& step) {
   const Block& block = *step.block;
+  spelling_ = spelling_of(block, spelling_);
   source_end_ = block.offset + block.text.size() + block.line_end.size();
   if (!block.line_end.empty()) newline_ = block.line_end;
   if (!in_header_) return;
@@ -148,7 +149,6 @@ void Emitter::copy(const Step& step) {
   if (offset_words) begin_change(step);
   if (changed_) {
     restore_feed_state(step, codes.feed != nullptr);
-    spelling_ = spelling_of(block, spelling_);
     editor_.start(block, spelling_);
     if (offset_words) add_offset_shifts(step);
     if (motion_missing) {
@@ -185,8 +185,7 @@ void Emitter::add_offset_shifts(const Step& step) {
     if (!axis || std::abs(shift[*axis]) <= 1e-9) continue;
     const double per_unit = step.after->inches && !is_rotary(*axis) ? kMmPerInch : 1;
     std::string text;
-    append_word(text, word.letter, word.value + shift[*axis] / per_unit, kMostDecimals,
-                {editor_.spelling().lower_case, false});
+    append_word(text, word.letter, word.value + shift[*axis] / per_unit, kMostDecimals, {spelling_.lower_case, false});
     editor_.replace(word.span, text);
   }
 }
@@ -198,7 +197,6 @@ void Emitter::copy_with_choice_applied(const Step& step) {
   if (step.skipped) {
     text = dialect_.comment_open + std::string(kSkipped) + dialect_.comment_close;
   } else {
-    spelling_ = spelling_of(block, spelling_);
     editor_.start(block, spelling_);
     editor_.replace(block.slash, "");
     editor_.apply(text);
@@ -230,9 +228,9 @@ EmittedMove Emitter::move(const Step& step, std::span<const CorrectedPoint> poin
     const bool is_last = i + 1 == pieces.size();
     line_.clear();
     if (i == 0) {
-      writer_.append_first(line_, step, pieces[i], control_.motion, is_last);
+      writer_.append_first(line_, step, pieces[i], spelling_, control_.motion, is_last);
     } else {
-      writer_.append_further(line_, step, pieces[i], is_last);
+      writer_.append_further(line_, step, pieces[i], spelling_, is_last);
     }
     write_line(step, line_);
     out_.write(is_last ? step.block->line_end : line_end(step));

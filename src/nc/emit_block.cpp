@@ -27,13 +27,12 @@ std::string PieceWriter::codes_before(const Step& step, const Piece& piece, cons
                                       MotionMode standing, bool is_last) {
   const Spelling& spelling = editor_.spelling();
   std::string before;
-  if (piece.restates_mode) {
-    const FeedMode mode = piece.leaves_inverse_time ? FeedMode::per_minute : step.after->feed_mode;
-    if (codes.feed_mode != nullptr) {
-      editor_.replace(codes.feed_mode->span, in_spelling(codes_.feed_mode(mode), spelling));
-    } else {
-      append_code(before, codes_.feed_mode(mode), spelling);
-    }
+  const FeedMode feed_mode = piece.leaves_inverse_time ? FeedMode::per_minute : step.after->feed_mode;
+  if (codes.feed_mode != nullptr) {
+    if (piece.leaves_inverse_time)
+      editor_.replace(codes.feed_mode->span, in_spelling(codes_.feed_mode(feed_mode), spelling));
+  } else if (piece.restates_mode) {
+    append_code(before, codes_.feed_mode(feed_mode), spelling);
   }
   if (!is_last && step.after->path_control == PathControl::exact_stop) {
     if (codes.path_control != nullptr) {
@@ -52,12 +51,11 @@ std::string PieceWriter::codes_before(const Step& step, const Piece& piece, cons
 }
 
 // The block itself, its words changed; what runs after the motion waits for the last piece.
-void PieceWriter::append_first(std::string& out, const Step& step, const Piece& piece, MotionMode standing,
-                               bool is_last) {
+void PieceWriter::append_first(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
+                               MotionMode standing, bool is_last) {
   const Block& block = *step.block;
   const BlockCodes codes = codes_.codes_of(block);
-  spelling_ = spelling_of(block, spelling_);
-  editor_.start(block, spelling_);
+  editor_.start(block, spelling);
   if (step.executed_delete) editor_.replace(block.slash, "");
   const std::string before = codes_before(step, piece, codes, standing, is_last);
   place_words(step, before, change_axis_words(step, piece));
@@ -68,8 +66,8 @@ void PieceWriter::append_first(std::string& out, const Step& step, const Piece& 
   editor_.apply(out);
 }
 
-void PieceWriter::append_further(std::string& out, const Step& step, const Piece& piece, bool is_last) const {
-  const Spelling& spelling = spelling_;
+void PieceWriter::append_further(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
+                                 bool is_last) const {
   const BlockCodes codes = codes_.codes_of(*step.block);
   if (piece.restates_mode) {
     append_code(out, codes_.feed_mode(piece.leaves_inverse_time ? FeedMode::per_minute : step.after->feed_mode),

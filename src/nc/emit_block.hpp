@@ -15,8 +15,10 @@ class PieceWriter {
   explicit PieceWriter(const CodeWriter& codes) : codes_(codes) {}
 
   /// `standing`: the motion mode that the control is in when the line begins.
-  void append_first(std::string& out, const Step& step, const Piece& piece, MotionMode standing, bool is_last);
-  void append_further(std::string& out, const Step& step, const Piece& piece, bool is_last) const;
+  void append_first(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
+                    MotionMode standing, bool is_last);
+  void append_further(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
+                      bool is_last) const;
 
  private:
   std::string codes_before(const Step& step, const Piece& piece, const BlockCodes& codes, MotionMode standing,
@@ -25,7 +27,6 @@ class PieceWriter {
   void place_words(const Step& step, const std::string& codes_before, const std::string& words);
   void change_feed_word(const Step& step, const Piece& piece);
   const CodeWriter& codes_;
-  Spelling spelling_;  // of the block at hand
   BlockEditor editor_;
 };
 

@@ -1,8 +1,8 @@
 #include "nc/emit_text.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cctype>
+#include <cmath>
 
 #include "base/number_text.hpp"
 
@@ -62,7 +62,10 @@ void BlockEditor::insert_after(std::uint32_t at, std::string_view word) {
 void BlockEditor::apply(std::string& out) {
   const auto end = edits_.begin() + static_cast<std::ptrdiff_t>(used_);
   std::sort(edits_.begin(), end, [](const Edit& a, const Edit& b) {
-    return a.span.begin != b.span.begin ? a.span.begin < b.span.begin : a.order < b.order;
+    if (a.span.begin != b.span.begin) return a.span.begin < b.span.begin;
+    const bool a_inserts = a.span.end == a.span.begin;
+    const bool b_inserts = b.span.end == b.span.begin;
+    return a_inserts != b_inserts ? a_inserts : a.order < b.order;
   });
   std::uint32_t at = 0;
   for (auto edit = edits_.begin(); edit != end; ++edit) {
