@@ -31,7 +31,7 @@ PLUNGE = 400.0
 
 
 def height(x, y):
-    """Level along X at x = -EDGE and x = EDGE, so that rows may be linked there on a level arc."""
+    """Level along X at x = -EDGE and x = EDGE, so that rows may be joined there on the level."""
     return 4.0 * math.cos(math.pi * x / EDGE) * (1 + 0.25 * math.sin(math.pi * y / 80)) + 3.5 * math.sin(math.pi * y / 90)
 
 
@@ -183,7 +183,7 @@ def on_row(x, y, lift=0.0):
 
 
 def rows(post, stepover):
-    """Zig-zag: rows along X, joined by half circles beside the part; every eighth one by a lift."""
+    """Zig-zag: rows along X, joined beside the part by straight steps; every eighth time by a lift, or a half circle."""
     post.text(f"(OPERATION 1  ROWS, {STOCK:g} LEFT)")
     count = int(2 * ROWS_Y / stepover) + 1
     for row in range(count):
@@ -197,6 +197,8 @@ def rows(post, stepover):
                 post.rapid(raised(post.at, CLEARANCE))
             post.rapid(raised(poses[0], CLEARANCE))
             post.line(poses[0], feed=PLUNGE)
+        elif row % 8 != 4:
+            post.line(poses[0])
         else:
             middle = [(a + b) / 2 for a, b in zip(post.at[:2], poses[0][:2])]
             post.arc("G2" if forward else "G3", poses[0], middle)
