@@ -32,17 +32,13 @@ double distance(const std::array<double, 2>& a, const std::array<double, 2>& b) 
 
 double by_unit(const Execution& run, double mm, double inch) { return run.control.modal.inches ? inch : mm; }
 
-const Word& code_word(const Execution& run) {
-  return run.motion_word != nullptr ? *run.motion_word : run.block->words.front();
-}
-
 char centre_letter(Axis axis) { return kCentreLetters[index(axis)]; }
 
 void check_words(const Execution& run, const PlaneAxes& axes) {
   const bool by_radius = run.words.has('R');
   const bool by_centre = run.words.has('I') || run.words.has('J') || run.words.has('K');
   if (by_radius == by_centre) {
-    run.refuse(code_word(run), codes::kArcWords,
+    run.refuse(run.motion_code(), codes::kArcWords,
                by_radius ? "the arc has both a radius and a centre" : "the arc has neither a centre nor a radius",
                "give either R or the centre (two of I, J, K)");
   }
@@ -52,12 +48,12 @@ void check_words(const Execution& run, const PlaneAxes& axes) {
   }
   for (const Axis axis : {axes.first, axes.second}) {
     if (!by_centre || !run.control.modal.arc_centre_absolute || run.words.has(centre_letter(axis))) continue;
-    run.refuse(code_word(run), codes::kArcWords,
+    run.refuse(run.motion_code(), codes::kArcWords,
                fmt::format("an absolute centre (G90.1) needs {}", centre_letter(axis)), "add the word");
   }
   const bool ends = run.axes.contains(axes.first) || run.axes.contains(axes.second);
   if (by_radius && !ends) {
-    run.refuse(code_word(run), codes::kArcEnds, "an arc by its radius needs an end point in its plane",
+    run.refuse(run.motion_code(), codes::kArcEnds, "an arc by its radius needs an end point in its plane",
                fmt::format("add {} or {}, or give the centre", letter(axes.first), letter(axes.second)));
   }
 }
@@ -97,13 +93,13 @@ void centre_by_words(const Execution& run, PlaneArc& arc, const PlaneAxes& axes)
   const double at_end = distance(arc.end, arc.centre);
   const double larger = std::max(at_start, at_end);
   if (std::min(at_start, at_end) < by_unit(run, kRadiusMm, kRadiusInch)) {
-    run.refuse(code_word(run), codes::kArcRadius, "the arc has no radius", "its centre is its start or its end");
+    run.refuse(run.motion_code(), codes::kArcRadius, "the arc has no radius", "its centre is its start or its end");
   }
   const double apart = std::abs(at_start - at_end);
   const double spiral = by_unit(run, kSpiralMm, kSpiralInch);
   if (apart > spiral * kSpiralLargest || (apart > spiral && apart / larger > kSpiralRelative)) {
     const double unit = run.control.length_unit();
-    run.refuse(code_word(run), codes::kArcRadius,
+    run.refuse(run.motion_code(), codes::kArcRadius,
                fmt::format("the radius is {:.4f} at the start and {:.4f} at the end", at_start / unit, at_end / unit),
                "check the centre and the end point; G90.1 makes I, J and K absolute");
   }
@@ -126,7 +122,7 @@ int turns_of(const Execution& run, bool clockwise) {
 void check_start(const Execution& run, const PlaneAxes& axes) {
   for (const Axis axis : {axes.first, axes.second}) {
     if (run.control.known.contains(axis)) continue;
-    run.refuse(code_word(run), codes::kPositionUnknown,
+    run.refuse(run.motion_code(), codes::kPositionUnknown,
                fmt::format("the arc starts where {} is not known", letter(axis)),
                "move there with a G0 or G1 that names both axes of the plane");
   }

@@ -27,12 +27,12 @@ struct Execution {
   const Block* block = nullptr;
 
   BlockWords words = {};
-  AxisSet axes = {};                  // named in the block
-  std::vector<Chosen> chosen = {};    // in order of execution
-  const CodeRow* motion = nullptr;    // the motion that this block makes
-  const Word* motion_word = nullptr;  // null: the mode in force
-  bool in_machine_coordinates = false;
-  bool uses_position_axes = false;  // the axis words are those of a code of group 0
+  AxisSet axes = {};                   // named in the block
+  std::vector<Chosen> chosen = {};     // in order of execution
+  const CodeRow* motion = nullptr;     // the motion that this block makes
+  const Word* motion_word = nullptr;   // null: the mode in force
+  const Word* machine_word = nullptr;  // G53
+  bool uses_position_axes = false;     // the axis words are those of a code of group 0
 
   Step step = {};
   std::vector<Motion> motions = {};
@@ -48,6 +48,8 @@ struct Execution {
   }
   /// A whole number that a word holds, from `least` to `most`.
   int whole(const Word& word, int least, int most) const;
+  /// The code of the block's motion, or its first word where the mode in force goes on.
+  const Word& motion_code() const;
   /// The word of that letter; refuses when it is missing.
   const Word& need(char letter, std::string_view code_text) const;
 };

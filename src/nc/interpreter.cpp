@@ -38,6 +38,10 @@ const Step& Interpreter::execute(Block& block) {
   begin(block);
   if (block.block_delete && deleted(block)) {
     run_.step.skipped = true;
+    for (const Word& word : block.words) {
+      if (word.letter != 'G' && word.letter != 'M') run_.words.add(word);
+    }
+    run_.axes = run_.words.axes();
     finish();
     return run_.step;
   }
@@ -63,6 +67,7 @@ void Interpreter::begin(const Block& block) {
   run_.block = &block;
   run_.motions.clear();
   run_.axes = AxisSet{};
+  run_.words.clear();
   run_.step = Step{};
   run_.step.block = &block;
 }

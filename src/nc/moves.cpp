@@ -37,6 +37,8 @@ std::string name_of_system(int system) {
   return system <= 6 ? fmt::format("G{}", 53 + system) : fmt::format("G59.{}", system - 6);
 }
 
+const Word& Execution::motion_code() const { return motion_word != nullptr ? *motion_word : block->words.front(); }
+
 AxisWords end_of_move(const Execution& run) {
   AxisWords end = run.control.position;
   for (const Axis axis : kAllAxes) {
@@ -60,7 +62,7 @@ void need_offsets(const Execution& run) {
     if (missing.contains(axis)) letters += fmt::format("{}{}", letters.empty() ? "" : ", ", letter(axis));
   }
   const std::string name = name_of_system(run.control.modal.work_system);
-  run.refuse(codes::kWorkOffsetUnknown,
+  run.refuse(run.motion_code(), codes::kWorkOffsetUnknown,
              fmt::format("the program moves in {}, whose offset of {} is not known", name, letters),
              fmt::format("give what stands in the control's table: --work-offset {}=X,Y,Z,A,B,C", name));
 }
@@ -70,15 +72,19 @@ double feed_of_move(const Execution& run, bool linear) {
   const Word* const word = run.words.find('F');
   if (control.modal.feed_mode == FeedMode::inverse_time) {
     if (word != nullptr && word->value > 0) return word->value;
-    run.refuse(word != nullptr ? *word : run.block->words.front(), codes::kFeedMissing,
+    run.refuse(word != nullptr ? *word : run.motion_code(), codes::kFeedMissing,
                "inverse time (G93) needs F in every block that feeds",
                "add the F word: 1 over the minutes of the move");
   }
-  const double feed =
-      linear || control.modal.feed_mode == FeedMode::per_revolution ? control.feed_linear : control.feed_rotary;
+  const bool per_revolution = control.modal.feed_mode == FeedMode::per_revolution;
+  if (per_revolution && control.spindle_speed == 0) {
+    run.refuse(run.motion_code(), codes::kFeedMissing, "a feed per revolution (G95) needs a turning spindle",
+               "write S and M3 before this move");
+  }
+  const double feed = linear || per_revolution ? control.feed_linear : control.feed_rotary;
   if (feed > 0) return feed;
-  run.refuse(word != nullptr ? *word : run.block->words.front(), codes::kFeedMissing,
-             "no feed is in force for this move", "write F; G93, G94 and G95 drop the F before them");
+  run.refuse(word != nullptr ? *word : run.motion_code(), codes::kFeedMissing, "no feed is in force for this move",
+             "write F; G93, G94 and G95 drop the F before them");
 }
 
 void add_motion(Execution& run, Motion motion) {

@@ -90,7 +90,6 @@ void check_groups(const Execution& run) {
 }
 
 void gather(Execution& run) {
-  run.words.clear();
   run.chosen.clear();
   for (const Word& word : run.block->words) {
     switch (word.letter) {
@@ -141,7 +140,7 @@ AxisTakers axis_takers(Execution& run) {
   for (const Chosen& chosen : run.chosen) {
     if (chosen.word->letter != 'G') continue;
     if (chosen.row->group == 1) takers.motion = &chosen;
-    if (chosen.row->action == Action::machine_coordinates) run.in_machine_coordinates = true;
+    if (chosen.row->action == Action::machine_coordinates) run.machine_word = chosen.word;
     if (!chosen.row->takes_axes || chosen.row->group == 1) continue;
     if (is_tool_length(chosen.row->action)) {
       takers.tool_length = true;
@@ -185,7 +184,8 @@ void check_machine_coordinates(const Execution& run) {
   const bool straight =
       run.motion != nullptr && (run.motion->action == Action::rapid || run.motion->action == Action::feed);
   if (!straight) {
-    run.refuse(codes::kMachineMove, "G53 needs G0 or G1", "write the motion code into the block of G53");
+    run.refuse(*run.machine_word, codes::kMachineMove, "G53 needs G0 or G1",
+               "write the motion code into the block of G53");
   }
 }
 
@@ -207,11 +207,11 @@ int turn_of(const Chosen& chosen) { return chosen.row->step * 2 + (chosen.row->g
 }  // namespace
 
 void plan(Execution& run) {
-  run.in_machine_coordinates = false;
+  run.machine_word = nullptr;
   gather(run);
   find_motion(run);
   check_words_used(run);
-  if (run.in_machine_coordinates) check_machine_coordinates(run);
+  if (run.machine_word != nullptr) check_machine_coordinates(run);
   if (run.chosen.size() > 1) {
     std::stable_sort(run.chosen.begin(), run.chosen.end(),
                      [](const Chosen& a, const Chosen& b) { return turn_of(a) < turn_of(b); });

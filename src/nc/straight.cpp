@@ -12,9 +12,9 @@ constexpr double kTiny = 1e-7;  // mm under which an axis counts as standing [Li
 void end_in_machine_coordinates(const Execution& run, Motion& motion) {
   const Control& control = run.control;
   if (control.modal.incremental) {
-    run.refuse(codes::kMachineMove, "G53 cannot move by increments", "write G90 before it");
+    run.refuse(*run.machine_word, codes::kMachineMove, "G53 cannot move by increments", "write G90 before it");
   }
-  check_tool_unit(run, run.block->words.front());
+  check_tool_unit(run, *run.machine_word);
   Frame frame = control.frame;  // a tool's rotary offsets do not count here [LinuxCNC, measured]
   for (const Axis axis : {Axis::A, Axis::B, Axis::C}) frame.tool[axis] = 0;
   AxisWords machine = frame.to_machine(control.position);
@@ -57,7 +57,7 @@ void move_straight(Execution& run) {
   const Control& control = run.control;
   Motion motion;
   motion.kind = run.motion->action == Action::rapid ? MotionKind::rapid : MotionKind::feed;
-  if (run.in_machine_coordinates) {
+  if (run.machine_word != nullptr) {
     end_in_machine_coordinates(run, motion);
     run.step.role = BlockRole::machine_move;
   } else {

@@ -1,0 +1,66 @@
+#include "jobs/trace.hpp"
+
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+using namespace plumbline;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string trace_of(std::string_view program) {
+  const std::string path =
+      (fs::temp_directory_path() / ("plumbline-trace-" + std::to_string(getpid()) + ".ngc")).string();
+  write_text(path, program);
+  const InputFile file(path);
+  fs::remove(path);
+  nc::ProgramSettings settings;
+  settings.as_with_empty_tables = true;
+  std::string text;
+  trace(file, nc::dialect("linuxcnc"), settings, [&](std::string_view piece) { text += piece; });
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a trace has one object a line, with the keys that others rely on") {
+  CHECK(trace_of("G20\nG0 X1 A5\n") ==
+        "{\"line\": 2, \"motion\": \"rapid\", \"to\": [25.4, 0, 0, 5, 0, 0], \"machine\": [25.4, 0, 0, 5, 0, 0], "
+        "\"feed\": 0, \"feed_mode\": \"G94\"}\n");
+  CHECK(trace_of("G10 L2 P1 Z-7.5\nG43.1 Z2\nG93 G18 G3 X-10 I-5 F2.5 P2\n") ==
+        "{\"line\": 3, \"motion\": \"arc\", \"to\": [-10, 0, 5.5, 0, 0, 0], \"machine\": [-10, 0, 0, 0, 0, 0], "
+        "\"feed\": 2.5, \"feed_mode\": \"G93\", \"plane\": \"G18\", \"centre\": [-5, 0, 5.5], \"turns\": 2}\n");
+  CHECK(trace_of("G4 P1\nG1 X0.123456789 F100\nM2\n") ==
+        "{\"line\": 1, \"motion\": \"dwell\", \"to\": [0, 0, 0, 0, 0, 0], \"machine\": [0, 0, 0, 0, 0, 0], "
+        "\"feed\": 0, \"feed_mode\": \"G94\"}\n"
+        "{\"line\": 2, \"motion\": \"feed\", \"to\": [0.123456789, 0, 0, 0, 0, 0], "
+        "\"machine\": [0.123456789, 0, 0, 0, 0, 0], \"feed\": 100, \"feed_mode\": \"G94\"}\n");
+}
+
+TEST_CASE("every line of a long trace is JSON, numbers kept to a billionth") {
+  std::string program = "G1 F100\n";
+  for (int i = 0; i < 2000; ++i) program += "X" + std::to_string(i * 0.1234567) + " A" + std::to_string(-i) + "\n";
+  const std::string text = trace_of(program);
+  std::size_t begin = 0;
+  int lines = 0;
+  while (begin < text.size()) {
+    const std::size_t end = text.find('\n', begin);
+    const auto object = nlohmann::json::parse(text.substr(begin, end - begin));
+    CHECK(object.at("to").size() == 6);
+    CHECK(object.at("machine").size() == 6);
+    begin = end + 1;
+    ++lines;
+  }
+  CHECK(lines == 2001);
+}
+
+TEST_CASE("numbers beyond a billionth's reach are still numbers") {
+  for (const char* number : {"1234567890.123", "123456789012345678", "0.0000000001", "-0.0000000001"}) {
+    INFO(number);
+    const auto object = nlohmann::json::parse(trace_of(std::string("G0 X") + number + "\n"));
+    CHECK(object.at("to").at(0).get<double>() == Approx(std::stod(number)).epsilon(1e-12).margin(1e-9));
+  }
+}

@@ -1,0 +1,92 @@
+#include "nc/line_source.hpp"
+
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "nc/programs.hpp"
+
+using namespace plumbline;
+using namespace plumbline::nc;
+using nc::tests::ProgramFile;
+
+namespace {
+
+struct Read {
+  std::string text, line_end;
+  std::size_t line;
+  std::uint64_t offset;
+  bool whole;
+};
+
+std::vector<Read> read_all(const std::string& text, std::size_t window) {
+  const ProgramFile program(text);
+  const InputFile file(program.path());
+  LineSource lines(file, window);
+  std::vector<Read> all;
+  Line line;
+  while (lines.next(line)) {
+    CHECK((line.text.data()[line.text.size()] == '\0' || line.text.data()[line.text.size()] == '\n' ||
+           line.text.data()[line.text.size()] == '\r' || !line.whole));
+    all.push_back({std::string(line.text), std::string(line.line_end), line.place.line, line.place.offset, line.whole});
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("lines come whole whatever the window, and put together they are the file") {
+  const std::string text = "G0 X1\r\n\nG1 X2 F100\n\r\n  \nlast";
+  for (const std::size_t window : {12U, 13U, 16U, 64U, 100000U}) {
+    INFO(window);
+    const std::vector<Read> lines = read_all(text, window);
+    REQUIRE(lines.size() == 6);
+    CHECK(lines[0].text == "G0 X1");
+    CHECK(lines[0].line_end == "\r\n");
+    CHECK(lines[1].text.empty());
+    CHECK(lines[2].text == "G1 X2 F100");
+    CHECK(lines[2].line == 3);
+    CHECK(lines[2].offset == 8);
+    CHECK(lines[3].line_end == "\r\n");
+    CHECK(lines[5].text == "last");
+    CHECK(lines[5].line_end.empty());
+    std::string together;
+    for (const Read& line : lines) together += line.text + line.line_end;
+    CHECK(together == text);
+  }
+}
+
+TEST_CASE("a line longer than the window comes in pieces that say so") {
+  const std::string text = "short\n" + std::string(100, 'x') + "\nend\n";
+  const std::vector<Read> lines = read_all(text, 32);
+  std::string together;
+  for (const Read& line : lines) {
+    together += line.text + line.line_end;
+    CHECK(line.whole == (line.text == "short" || line.text == "end"));
+  }
+  CHECK(together == text);
+  CHECK(lines.front().whole);
+  CHECK(lines.back().text == "end");
+  CHECK(lines.back().line == 3);
+}
+
+TEST_CASE("reading goes on at any line seen before") {
+  const ProgramFile program("one\ntwo\nthree\n");
+  const InputFile file(program.path());
+  LineSource lines(file);
+  Line line;
+  lines.next(line);
+  lines.next(line);
+  const LinePlace second = line.place;
+  while (lines.next(line)) continue;
+  lines.seek(second);
+  REQUIRE(lines.next(line));
+  CHECK(line.text == "two");
+  CHECK(line.place.line == 2);
+  CHECK(line.place.offset == 4);
+  REQUIRE(lines.next(line));
+  CHECK(line.text == "three");
+}
+
+TEST_CASE("an empty file has no lines") { CHECK(read_all("", 16).empty()); }

@@ -1,0 +1,99 @@
+#include "nc/program.hpp"
+
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+
+#include "nc/programs.hpp"
+
+using namespace plumbline;
+using namespace plumbline::nc;
+using namespace plumbline::nc::tests;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string whole(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+std::string round_trip(const std::string& text) { return text_of_blocks(ProgramFile(text).path()); }
+
+AxisSet axes_named_in(const std::string& text) {
+  const ProgramFile program(text);
+  const InputFile file(program.path());
+  return named_axes(file, dialect("linuxcnc"));
+}
+
+}  // namespace
+
+TEST_CASE("the texts of all blocks are the program, byte for byte") {
+  for (const std::string text :
+       {"", "\n", "G0 X1", "G0 X1\n", "G0 X1\r\nG1 X2 F3\r\n", "\r\n\n \t\n",
+        "%\nG0 X1\n%\nbehind \x01 \xFF (\n\n% 3\n", "G0 X1 M2\n#!?\nG1 X\n", "\xEF\xBB\xBF%\r\nG0 X1\r\n%",
+        "(M\xFCller) g0x1 ; \xE2\x82\xAC\n", "G0\r X1 \r\r\nM30"}) {
+    INFO(text);
+    CHECK(round_trip(text) == text);
+  }
+  const std::string behind = "M2\n" + std::string(1'000'000, 'x') + "\n" + std::string("\0\0\n", 3);
+  CHECK(round_trip(behind) == behind);
+}
+
+TEST_CASE("the programs of others come out byte for byte as far as they are read") {
+  if (corpus().empty()) {
+    WARN("no corpus: name its folder in PLUMBLINE_NC_CORPUS");
+    return;
+  }
+  int read = 0;
+  for (const auto& entry : fs::directory_iterator(corpus() / "linuxcnc")) {
+    if (entry.path().extension() != ".ngc" || refusal_of_file(entry.path().string(), empty_tables())) continue;
+    INFO(entry.path());
+    CHECK(text_of_blocks(entry.path().string()) == whole(entry.path().string()));
+    ++read;
+  }
+  CHECK(read >= 6);
+}
+
+TEST_CASE("a program ends at M2, M30 or the second %") {
+  CHECK(motions_of("G0 X1\nM2\nG0 X2\n").size() == 1);
+  CHECK(motions_of("G0 X1 M30\nG0 X2\n").size() == 1);
+  CHECK(motions_of("\n %\nG0 X1\n%\nG0 X2\n").size() == 1);
+  CHECK(motions_of("%\nG0 X1\n").size() == 1);
+  CHECK(code_of("(c)\n%\n") == "nc-bad-character");
+}
+
+TEST_CASE("a line may be as long as the control reads, and no longer") {
+  const std::size_t limit = dialect("linuxcnc").line_length;
+  const std::string line = "G0 X1 (" + std::string(limit - 8, 'c') + ")";
+  CHECK(code_of(line + "\n").empty());
+  CHECK(code_of(line + "\r\n") == "nc-line-too-long");
+  CHECK(code_of(line + " \n") == "nc-line-too-long");
+  CHECK(code_of(std::string(3'000'000, ' ')) == "nc-line-too-long");
+}
+
+TEST_CASE("named axes are found without executing the program") {
+  CHECK(axes_named_in("G0 X1 (Y2) ; Z3\nG1 b5 F10\n") == AxisSet{Axis::X, Axis::B});
+  CHECK(axes_named_in("G0 X1\nM2\nC1\n") == AxisSet{Axis::X});
+  CHECK(axes_named_in("G0 X1\nnonsense!\nA[1+#3]\n") == AxisSet{Axis::X, Axis::A});
+  CHECK(axes_named_in("").empty());
+}
+
+TEST_CASE("steps tell what they are") {
+  const ProgramFile program("%\nG1 X1 F100\n\nM2\nrest\n");
+  const InputFile file(program.path());
+  Program steps(file, dialect("linuxcnc"), empty_tables());
+  CHECK(steps.next()->block->kind == LineKind::percent);
+  const Step* step = steps.next();
+  CHECK(step->block->line == 2);
+  CHECK(step->motions.size() == 1);
+  CHECK(step->before->motion == MotionMode::none);
+  CHECK(step->after->motion == MotionMode::feed);
+  CHECK(step->after->feed == 100);
+  CHECK(step->position[Axis::X] == 1);
+  CHECK(step->named == AxisSet{Axis::X});
+  CHECK(steps.next()->motions.empty());
+  CHECK(steps.next()->block->kind == LineKind::block);
+  CHECK(steps.next()->block->kind == LineKind::ignored);
+  CHECK(steps.next() == nullptr);
+}
