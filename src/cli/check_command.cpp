@@ -1,0 +1,57 @@
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "cli/command.hpp"
+#include "cli/command_files.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/shared_options.hpp"
+#include "jobs/check.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+struct Arguments {
+  std::string program, json;
+  SharedOptions shared;
+};
+
+int check(const Arguments& arguments) {
+  const jobs::Options options = arguments.shared.read(arguments.program);
+  require_model(options);
+  check_outputs({arguments.program, options.model, options.tools, options.variables, options.settings_file},
+                {arguments.json});
+  std::optional<OutputFile> json;
+  if (!arguments.json.empty()) json.emplace(arguments.json);
+  ProgressLine line;
+  const jobs::CheckSummary summary = jobs::check_file(arguments.program, options, line.progress());
+  line.clear();
+  if (arguments.json != kStandardStream) fmt::print("{}", jobs::check_text(summary, arguments.program));
+  if (json) {
+    json->write(jobs::check_json(summary));
+    json->commit();
+  }
+  return summary.violations == 0 ? kDone : kFailed;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Run& run) {
+  CLI::App* const command =
+      app.add_subcommand("check",
+                         "Check a program, as it would be compensated, against the limits of the machine; exit "
+                         "code 1 if it breaks one");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("PROGRAM", arguments->program, "the NC program; - for standard input")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--json", arguments->json, "write the result as JSON, too")->type_name("FILE");
+  using Group = jobs::OptionGroup;
+  arguments->shared.add_to(*command, {Group::model, Group::program, Group::step});
+  command->callback([arguments, &run] { run = [arguments] { return check(*arguments); }; });
+}
+
+}  // namespace plumbline::cli

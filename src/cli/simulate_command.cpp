@@ -1,0 +1,57 @@
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "cli/command.hpp"
+#include "cli/command_files.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/shared_options.hpp"
+#include "jobs/simulate.hpp"
+#include "jobs/text_table.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+struct Arguments {
+  std::string program;
+  std::string output = std::string(kStandardStream);
+  SharedOptions shared;
+};
+
+int simulate(const Arguments& arguments) {
+  if (arguments.program.empty()) throw UsageError("PROGRAM is required: the NC program to be played");
+  const jobs::Options options = arguments.shared.read(arguments.program);
+  require_model(options);
+  check_outputs({arguments.program, options.model, options.tools, options.variables, options.settings_file},
+                {arguments.output});
+  OutputFile out(arguments.output);
+  ProgressLine line;
+  const jobs::SimulationSummary summary = jobs::simulate_program(arguments.program, options, out, line.progress());
+  line.clear();
+  out.commit();
+  fmt::print(stderr, "{} points in {}: the tip up to {:.3f} um off (line {}), rms {:.3f} um\n",
+             jobs::count_text(summary.points), jobs::time_text(summary.seconds), summary.largest_um,
+             summary.largest_line, summary.rms_um);
+  return kDone;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Run& run) {
+  CLI::App* const command = app.add_subcommand(
+      "simulate", "Play a program, as it stands, on the model: path, error of the tool tip, struts, forces, torques");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("PROGRAM", arguments->program, "the NC program; - for standard input")->type_name("FILE");
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "CSV: line, motion, time (s), pose (mm, deg), error of the tip (um) and of the orientation (urad), "
+                   "strut lengths (mm), nut tensions (N), motor torques (N m); default standard output")
+      ->type_name("FILE");
+  using Group = jobs::OptionGroup;
+  arguments->shared.add_to(*command, {Group::model, Group::program, Group::step});
+  command->callback([arguments, &run] { run = [arguments] { return simulate(*arguments); }; });
+}
+
+}  // namespace plumbline::cli

@@ -1,0 +1,146 @@
+#include "jobs/check.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "compensate/corrector.hpp"
+#include "jobs/path_walk.hpp"
+#include "jobs/text_table.hpp"
+#include "machine/model_file.hpp"
+
+namespace plumbline::jobs {
+namespace {
+
+constexpr std::size_t kShown = 20;
+using Json = nlohmann::ordered_json;
+
+class Checker {
+ public:
+  Checker(const machine::MachineModel& model, const compensate::Settings& settings)
+      : model_(model), corrector_(model, settings) {}
+
+  void attach(PathWalk& walk) {
+    walk.on_tool = [this](const compensate::ToolInSpindle& tool) { corrector_.set_tool(tool); };
+    walk.on_assumed_axes = [this](AxisSet axes) { corrector_.fix_axes(axes); };
+    walk.on_point = [this](const PathPoint& point) { look_at(point); };
+  }
+
+  CheckSummary take() {
+    end_block();
+    return std::move(summary_);
+  }
+
+ private:
+  void look_at(const PathPoint& point) {
+    ++summary_.points;
+    if (point.step->block->line != line_) end_block();
+    line_ = point.step->block->line;
+    note(machine::check_programmed(model_.limits, corrector_.pose_of(point.target.pose)));
+    const compensate::Corrected corrected = corrector_.correct(point.target);
+    if (corrected.converged) {
+      const Pose<double> pose = corrector_.pose_of(corrected.pose);
+      note(machine::check_compensated(model_.limits, corrector_.geometry(), pose));
+    } else {
+      note({{"reach", 0, 0, 0, ""}});
+    }
+  }
+
+  void note(const std::vector<machine::Violation>& violations) {
+    for (const machine::Violation& violation : violations) {
+      const auto same = std::find_if(of_block_.begin(), of_block_.end(),
+                                     [&](const machine::Violation& v) { return v.what == violation.what; });
+      if (same == of_block_.end()) {
+        of_block_.push_back(violation);
+      } else if (violation.by_how_much > same->by_how_much) {
+        *same = violation;
+      }
+    }
+  }
+
+  void end_block() {
+    for (const machine::Violation& violation : of_block_) {
+      ++summary_.violations;
+      ++summary_.kinds[violation.what];
+      if (summary_.findings.size() < CheckSummary::kMostFindings) summary_.findings.push_back({line_, violation});
+    }
+    of_block_.clear();
+  }
+
+  const machine::MachineModel& model_;
+  compensate::Corrector corrector_;
+  CheckSummary summary_;
+  std::size_t line_ = 0;
+  std::vector<machine::Violation> of_block_;
+};
+
+std::string message_of(const machine::Violation& violation) {
+  return violation.what == "reach" ? "no command puts the tool there" : machine::to_text(violation);
+}
+
+}  // namespace
+
+CheckSummary check_file(const std::string& program, const Options& options, const Progress& progress) {
+  const machine::MachineModel model = machine::read_model(options.model);
+  const nc::Dialect& dialect = nc::dialect(options.dialect);
+  const nc::ProgramSettings settings = program_settings(options);
+  const InputFile source(program);
+  compensate::Settings compensation = options.compensation;
+  compensation.step.least_time_s = model.control.block_time;
+
+  PathWalk walk(source, dialect, settings, model, compensation.step);
+  Checker checker(model, compensation);
+  checker.attach(walk);
+  walk.run(progress);
+  CheckSummary summary = checker.take();
+  summary.blocks = walk.blocks();
+  summary.passed_moves = walk.passed_moves();
+  return summary;
+}
+
+std::string check_text(const CheckSummary& summary, const std::string& program) {
+  std::string text;
+  const std::size_t shown = std::min(kShown, summary.findings.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    const CheckFinding& finding = summary.findings[i];
+    text += fmt::format("{}:{}: {}\n", program, finding.line, message_of(finding.violation));
+  }
+  if (summary.violations > shown) text += fmt::format("and {} more\n", count_text(summary.violations - shown));
+  TextTable table;
+  table.add("blocks", fmt::format("{}, {} points looked at", count_text(summary.blocks), count_text(summary.points)));
+  if (summary.passed_moves > 0) {
+    table.add("not looked at", fmt::format("{} moves: machine coordinates, probing, or from where nobody knows",
+                                           count_text(summary.passed_moves)));
+  }
+  if (summary.violations == 0) table.add("limits", "all kept");
+  for (const auto& [kind, count] : summary.kinds) {
+    table.add(kind, fmt::format("beyond its limit in {} blocks", count_text(count)));
+  }
+  return text + table.text();
+}
+
+std::string check_json(const CheckSummary& summary) {
+  Json findings = Json::array();
+  for (const CheckFinding& f : summary.findings) {
+    findings.push_back({{"line", f.line},
+                        {"what", f.violation.what},
+                        {"value", f.violation.value},
+                        {"limit", f.violation.limit},
+                        {"by_how_much", f.violation.by_how_much},
+                        {"unit", f.violation.unit},
+                        {"message", message_of(f.violation)}});
+  }
+  Json kinds = Json::object();
+  for (const auto& [kind, count] : summary.kinds) kinds[kind] = count;
+  const Json json{{"plumbline", "check 1"},
+                  {"blocks", summary.blocks},
+                  {"points", summary.points},
+                  {"passed_moves", summary.passed_moves},
+                  {"violations", summary.violations},
+                  {"blocks_by_kind", kinds},
+                  {"findings", findings}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace plumbline::jobs

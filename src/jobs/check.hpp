@@ -1,0 +1,40 @@
+// A program against the limits of a machine.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "jobs/options.hpp"
+#include "machine/limits.hpp"
+
+namespace plumbline::jobs {
+
+struct CheckFinding {
+  std::size_t line = 0;          // of the block
+  machine::Violation violation;  // the worst of its kind in this block
+};
+
+struct CheckSummary {
+  std::uint64_t blocks = 0;
+  std::uint64_t points = 0;                    // that were looked at
+  std::uint64_t passed_moves = 0;              // in machine coordinates or to unknown positions: not looked at
+  std::uint64_t violations = 0;                // one for each kind and block
+  std::map<std::string, std::uint64_t> kinds;  // blocks for each kind: "tilt", "X", "strut 3", "condition", "reach"
+  std::vector<CheckFinding> findings;          // the first kMostFindings
+
+  static constexpr std::size_t kMostFindings = 1000;
+};
+
+/// Checks the programmed poses (tilt) and the poses that compensation would command (tilt, travel, struts, condition)
+/// at every point of the path; a pose that no command can reach is of the kind "reach". Refuses what PathWalk refuses.
+CheckSummary check_file(const std::string& program, const Options& options, const Progress& progress = {});
+
+/// The first twenty violations, then how many blocks break which limit.
+std::string check_text(const CheckSummary& summary, const std::string& program);
+/// `"plumbline": "check 1"`
+std::string check_json(const CheckSummary& summary);
+
+}  // namespace plumbline::jobs

@@ -1,0 +1,65 @@
+// The path that a program asks for, point by point, with the tool that is in the spindle there: for commands that look
+// at a program and leave it as it is.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "base/files.hpp"
+#include "base/progress.hpp"
+#include "compensate/corrector.hpp"
+#include "machine/model.hpp"
+#include "nc/program.hpp"
+#include "path/subdivide.hpp"
+
+namespace plumbline::jobs {
+
+struct PathPoint {
+  const nc::Step* step = nullptr;
+  const nc::Motion* motion = nullptr;
+  compensate::Target target;  // pose in W, slope along the move, seconds of the move; G95 and rapids: none
+  double time_s = 0;          // since the start, rapids and dwells under G95 left out
+};
+
+class PathWalk {
+ public:
+  /// All references must outlive it. What is not set is not told.
+  PathWalk(const InputFile& source, const nc::Dialect& dialect, const nc::ProgramSettings& program,
+           const machine::MachineModel& model, const path::StepSettings& steps);
+
+  std::function<void(const compensate::ToolInSpindle&)> on_tool;  // at the start, and when it changes
+  std::function<void(AxisSet)> on_assumed_axes;                   // that no word names, taken to stand at zero
+  std::function<void(const PathPoint&)> on_point;
+
+  /// Goes through the whole program. A feed move gives its points at the step settings, a rapid the points of its chord
+  /// every 10 mm or 1 deg and its end; moves in machine coordinates and to unknown positions give none. Refuses what
+  /// nc::Program refuses, and walk-position-unknown for feed moves from or to positions that are not known.
+  void run(const Progress& progress = {});
+
+  std::uint64_t blocks() const { return blocks_; }
+  std::uint64_t passed_moves() const { return passed_moves_; }
+
+ private:
+  void take_tool(const nc::Step& step);
+  bool is_known(const nc::Step& step, const nc::Motion& motion);
+  AxisSet assumed_of(const nc::Step& step, AxisSet unknown);
+  compensate::Target target_of(const nc::Step& step, const AxisWords& words, const AxisWords& slope,
+                               std::optional<double> seconds) const;
+  void walk_rapid(const nc::Step& step, const nc::Motion& motion);
+  void walk_feed(const nc::Step& step, const nc::Motion& motion);
+
+  const InputFile& source_;
+  const nc::Dialect& dialect_;
+  const nc::ProgramSettings& settings_;
+  const machine::MachineModel& model_;
+  path::StepSettings steps_;
+  nc::Program program_;
+  std::optional<AxisSet> assumed_;
+  std::optional<AxisWords> tool_offset_;
+  int tool_in_spindle_ = -1;
+  double time_s_ = 0;
+  std::uint64_t blocks_ = 0;
+  std::uint64_t passed_moves_ = 0;
+};
+
+}  // namespace plumbline::jobs

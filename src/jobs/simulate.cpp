@@ -1,0 +1,152 @@
+#include "jobs/simulate.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "base/units.hpp"
+#include "compensate/guard.hpp"
+#include "jobs/path_walk.hpp"
+#include "machine/axis_words.hpp"
+#include "machine/model_file.hpp"
+#include "physics/error.hpp"
+
+namespace plumbline::jobs {
+namespace {
+
+constexpr double kUrad = 1e-6;
+constexpr double kSpeedOverSign = 100;  // a move without a speed counts as this many times v0
+
+constexpr std::string_view kHeader =
+    "line,motion,time_s,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,dx_um,dy_um,dz_um,rx_urad,ry_urad,rz_urad,"
+    "length1_mm,length2_mm,length3_mm,length4_mm,length5_mm,length6_mm,"
+    "nut_tension1_N,nut_tension2_N,nut_tension3_N,nut_tension4_N,nut_tension5_N,nut_tension6_N,"
+    "torque1_Nm,torque2_Nm,torque3_Nm,torque4_Nm,torque5_Nm,torque6_Nm\n";
+
+std::string_view name_of(nc::MotionKind kind) {
+  switch (kind) {
+    case nc::MotionKind::rapid:
+      return "rapid";
+    case nc::MotionKind::arc:
+      return "arc";
+    default:
+      return "feed";
+  }
+}
+
+template <class Numbers>
+void append_columns(std::string& line, const Numbers& numbers, double unit, int decimals) {
+  for (const double number : numbers) fmt::format_to(std::back_inserter(line), ",{:.{}f}", number / unit, decimals);
+}
+
+class Player {
+ public:
+  Player(const machine::MachineModel& model, bool friction, const InputFile& source, OutputFile& out)
+      : model_(model), forces_(model), environment_(forces_.environment()), source_(source), out_(out) {
+    environment_.friction = friction;
+    out_.write(kHeader);
+  }
+
+  void set_tool(const compensate::ToolInSpindle& tool) {
+    forces_.machine.geometry = machine::with_tool(model_.geometry, tool.length);
+    environment_.tool_mass = tool.mass - model_.reference_tool_mass;
+    environment_.tool_centre_P = model_.geometry.tool_tip_P - Vector3<double>(0, 0, tool.along);
+  }
+
+  void play(const PathPoint& point) {
+    const physics::Motion<double> motion = motion_of(point.target);
+    const physics::TipError<double> error = physics::tip_error(forces_, environment_, motion);
+    if (!error.converged()) {
+      refuse("simulate-unreachable",
+             fmt::format("the machine cannot stand here: {}", physics::to_text(error.stopped_because)),
+             "check the work offset (--work-offset) and the pose",
+             compensate::place_of(*point.step->block, source_.name()));
+    }
+    write_row(point, motion.pose, error);
+    note(point, error.displacement.head<3>().norm() / kUm);
+  }
+
+  SimulationSummary take() {
+    if (summary_.points > 0) summary_.rms_um = std::sqrt(squares_ / static_cast<double>(summary_.points));
+    return summary_;
+  }
+
+ private:
+  physics::Motion<double> motion_of(const compensate::Target& target) const {
+    physics::Motion<double> motion;
+    motion.pose = machine::pose_of(model_.rotation, target.pose);
+    Vector3<double> abc, rate;
+    for (int i = 0; i < 3; ++i) {
+      const auto linear = static_cast<std::size_t>(i);
+      motion.twist.v_WT[i] = target.slope.values[linear] * kMm;
+      abc[i] = target.pose.values[linear + 3] * kDeg;
+      rate[i] = target.slope.values[linear + 3] * kDeg;
+    }
+    motion.twist.w_WP = machine::angular_velocity<double>(model_.rotation, abc, rate);
+    const double size = std::hypot(motion.twist.v_WT.norm(), motion.twist.w_WP.norm());
+    if (size == 0) return motion;
+    const double factor = target.seconds ? 1 / *target.seconds : kSpeedOverSign * environment_.sign_speed / size;
+    motion.twist.v_WT *= factor;
+    motion.twist.w_WP *= factor;
+    return motion;
+  }
+
+  void write_row(const PathPoint& point, const Pose<double>& pose, const physics::TipError<double>& error) {
+    line_.clear();
+    fmt::format_to(std::back_inserter(line_), "{},{},{:.6f}", point.step->block->line, name_of(point.motion->kind),
+                   point.time_s);
+    for (const Axis axis : kAllAxes) {
+      line_ += ',';
+      append_decimal(line_, point.target.pose[axis], 6);
+    }
+    append_columns(line_, error.displacement.head<3>(), kUm, 4);
+    append_columns(line_, error.displacement.tail<3>(), kUrad, 4);
+    append_columns(line_, machine::strut_lengths<double>(forces_.machine.geometry, pose), kMm, 7);
+    append_columns(line_, error.loads.nut_tension, 1, 4);
+    append_columns(line_, error.loads.torque, 1, 6);
+    line_ += '\n';
+    out_.write(line_);
+  }
+
+  void note(const PathPoint& point, double um) {
+    ++summary_.points;
+    squares_ += um * um;
+    summary_.seconds = point.time_s;
+    if (um <= summary_.largest_um) return;
+    summary_.largest_um = um;
+    summary_.largest_line = point.step->block->line;
+  }
+
+  const machine::MachineModel& model_;
+  physics::ForceModel forces_;
+  physics::Environment environment_;
+  const InputFile& source_;
+  OutputFile& out_;
+  std::string line_;
+  SimulationSummary summary_;
+  double squares_ = 0;
+};
+
+}  // namespace
+
+SimulationSummary simulate_program(const std::string& program, const Options& options, OutputFile& out,
+                                   const Progress& progress) {
+  const machine::MachineModel model = machine::read_model(options.model);
+  const nc::Dialect& dialect = nc::dialect(options.dialect);
+  const nc::ProgramSettings settings = program_settings(options);
+  const InputFile source(program);
+
+  PathWalk walk(source, dialect, settings, model, options.compensation.step);
+  Player player(model, options.compensation.friction, source, out);
+  walk.on_tool = [&](const compensate::ToolInSpindle& tool) { player.set_tool(tool); };
+  walk.on_point = [&](const PathPoint& point) { player.play(point); };
+  walk.run(progress);
+  SimulationSummary summary = player.take();
+  summary.passed_moves = walk.passed_moves();
+  return summary;
+}
+
+}  // namespace plumbline::jobs
