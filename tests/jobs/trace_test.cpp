@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
@@ -42,7 +43,7 @@ TEST_CASE("a trace has one object a line, with the keys that others rely on") {
 
 TEST_CASE("every line of a long trace is JSON, numbers kept to a billionth") {
   std::string program = "G1 F100\n";
-  for (int i = 0; i < 2000; ++i) program += "X" + std::to_string(i * 0.1234567) + " A" + std::to_string(-i) + "\n";
+  for (int i = 0; i < 2000; ++i) program += fmt::format("X{:.7f} A{}\n", i * 0.1234567, -i);
   const std::string text = trace_of(program);
   std::size_t begin = 0;
   int lines = 0;
@@ -60,7 +61,7 @@ TEST_CASE("every line of a long trace is JSON, numbers kept to a billionth") {
 TEST_CASE("numbers beyond a billionth's reach are still numbers") {
   for (const char* number : {"1234567890.123", "123456789012345678", "0.0000000001", "-0.0000000001"}) {
     INFO(number);
-    const auto object = nlohmann::json::parse(trace_of(std::string("G0 X") + number + "\n"));
+    const auto object = nlohmann::json::parse(trace_of(fmt::format("G0 X{}\n", number)));
     CHECK(object.at("to").at(0).get<double>() == Approx(std::stod(number)).epsilon(1e-12).margin(1e-9));
   }
 }
