@@ -8,6 +8,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/units.hpp"
+#include "compensate/random_program.hpp"
 #include "machine/model_file.hpp"
 #include "path/duration.hpp"
 #include "path/subdivide.hpp"
@@ -173,6 +174,18 @@ TEST_CASE("a compensated program puts the deformed tip on the programmed path, i
   CHECK(result.summary.residual_mm.value < 1e-5);
   CHECK(result.summary.time_change.value <= 1e-3);
   CHECK(result.summary.seconds_after == Approx(result.summary.seconds_before).epsilon(1e-3));
+}
+
+TEST_CASE("programs drawn at random keep path and time in every mode") {
+  Job job;
+  job.settings.friction = false;
+  for (unsigned seed = 1; seed <= 25; ++seed) {
+    const std::string text = RandomProgram(seed).text(40);
+    INFO("seed " << seed << "\n" << text);
+    const Played played = play(text, run(text, job).text, job);
+    CHECK(played.at_points_um <= 0.15);
+    CHECK(played.time_change <= 1e-3);
+  }
 }
 
 TEST_CASE("inch programs come out as well") {
