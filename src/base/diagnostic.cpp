@@ -11,9 +11,12 @@ constexpr std::size_t kShownWidth = 160;  // a longer line is cut around the car
 
 std::string_view name_of(Severity severity) {
   switch (severity) {
-    case Severity::warning: return "warning";
-    case Severity::note: return "note";
-    case Severity::error: break;
+    case Severity::warning:
+      return "warning";
+    case Severity::note:
+      return "note";
+    case Severity::error:
+      break;
   }
   return "error";
 }
@@ -59,7 +62,8 @@ Place place_in(std::string_view file, std::string_view text, std::size_t offset,
   const std::size_t end = std::min(text.find('\n', offset), text.size());
   Place place;
   place.file = file;
-  place.line = 1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
+  place.line =
+      1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
   place.column = offset - begin + 1;
   place.length = length;
   place.text = text.substr(begin, end - begin);

@@ -13,7 +13,8 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr double kMoves = 0.25;  // of a quantum: less than this is the noise of adding and taking away offsets
+constexpr double kAlikeSpeeds = 0.02;  // pieces of a block whose speeds differ less share one F
+constexpr double kMoves = 0.25;        // of a quantum: less than this is the noise of adding and taking away offsets
 
 double distance_mm(const AxisWords& a, const AxisWords& b) {
   const AxisWords d = a - b;
@@ -155,30 +156,34 @@ void PiecePlanner::choose_feeds(const Step& step, double seconds, OutputState& c
   }
 }
 
-// G94, G95: one F for all where that keeps the time of the block, else each piece its own.
+// The F of each piece under G94 and G95: the program's where that keeps the time of the block; one other F for all
+// pieces where their speeds are alike; else each its own, as where a turn gains micrometres of X, Y, Z.
 void PiecePlanner::choose_rates(const Step& step, double seconds, OutputState& control) {
-  const double time = step.after->feed_mode == FeedMode::per_minute ? seconds / kMinute : seconds;
-  const double to_seconds = step.after->feed_mode == FeedMode::per_minute ? kMinute : 1;
-  const double source_feed = step.after->feed;
+  const double unit = step.after->feed_mode == FeedMode::per_minute ? kMinute : 1;
+  const double time = seconds / unit;
   double total = 0;
   for (const Piece& piece : pieces_) total += piece.length;
-  const bool one_does = !differs(total / source_feed, time, settings_.time_tolerance);
-  double spent = 0;
+  const bool keeps = !differs(total / step.after->feed, time, settings_.time_tolerance);
+  const double mean = total / time;
+  const bool alike = std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
+    return !differs(piece.length, piece.share * total, kAlikeSpeeds);
+  });
   pieces_.front().restates_mode = control.feed_mode != step.after->feed_mode;
   if (pieces_.front().restates_mode) control.feed = 0;
   control.feed_mode = step.after->feed_mode;
+  double spent = 0;
   for (Piece& piece : pieces_) {
-    double feed = source_feed;
-    if (!one_does && piece.length > 0) feed = rounded_feed(piece.length / (piece.share * time));
-    const bool near = control.feed > 0 && !differs(feed, control.feed, settings_.time_tolerance / 4);
+    double feed = step.after->feed;
+    if (!keeps && piece.length > 0) feed = rounded_feed(alike ? mean : piece.length / (piece.share * time));
     const bool stated = &piece == &pieces_.front() && find_word(*step.block, 'F') != nullptr;
-    if (stated || (one_does ? control.feed != feed : !near)) {
+    const double allowed = keeps ? 0 : settings_.time_tolerance / 4;
+    if (stated || control.feed <= 0 || differs(feed, control.feed, allowed)) {
       piece.feed = feed;
       control.feed = feed;
     }
     spent += piece.length / control.feed;
   }
-  seconds_ = spent * to_seconds;
+  seconds_ = spent * unit;
 }
 
 // G93: each piece its share of the time; where the control would lift length x F to its least rate, that piece goes
