@@ -1,0 +1,76 @@
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "cli/command.hpp"
+#include "cli/command_files.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/shared_options.hpp"
+#include "jobs/diff.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+struct Arguments {
+  std::string a, b, json;
+  bool expect_equal = false;
+  double tolerance_mm = 1e-4;
+  double tolerance_deg = 1e-4;
+  SharedOptions shared;
+};
+
+int diff(const Arguments& arguments) {
+  if (arguments.a == kStandardStream && arguments.b == kStandardStream) {
+    throw UsageError("only one of A and B can be standard input");
+  }
+  const jobs::Options options = arguments.shared.read(arguments.a);
+  check_outputs({arguments.a, arguments.b, options.tools, options.variables, options.settings_file}, {arguments.json});
+  std::optional<OutputFile> json;
+  if (!arguments.json.empty()) json.emplace(arguments.json);
+  ProgressLine line;
+  const jobs::DiffSummary summary = jobs::diff_files(arguments.a, arguments.b, options, line.progress());
+  line.clear();
+  if (arguments.json != kStandardStream) fmt::print("{}", jobs::diff_text(summary));
+  if (json) {
+    json->write(jobs::diff_json(summary));
+    json->commit();
+  }
+  const bool fails = arguments.expect_equal && !summary.equal_within(arguments.tolerance_mm, arguments.tolerance_deg);
+  return fails ? kFailed : kDone;
+}
+
+void add_files(CLI::App& command, Arguments& arguments) {
+  command.add_option("A", arguments.a, "the NC program to compare with; - for standard input")
+      ->type_name("FILE")
+      ->required();
+  command.add_option("B", arguments.b, "the NC program to compare, whose blocks may be pieces of A's")
+      ->type_name("FILE")
+      ->required();
+  command.add_option("--json", arguments.json, "write the result as JSON, too")->type_name("FILE");
+  command.add_flag("--expect-equal", arguments.expect_equal,
+                   "exit code 1 if an axis is off by more than the tolerance, or blocks are out of line");
+  command.add_option("--tolerance-mm", arguments.tolerance_mm, "of X, Y, Z (default 0.0001 mm)")
+      ->type_name("MM")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--tolerance-deg", arguments.tolerance_deg, "of A, B, C (default 0.0001 deg)")
+      ->type_name("DEG")
+      ->check(CLI::NonNegativeNumber);
+}
+
+}  // namespace
+
+void add_diff(CLI::App& app, Run& run) {
+  CLI::App* const command = app.add_subcommand(
+      "diff",
+      "Compare two programs by the poses of the tool tip in W; offsets, tools and start that are not given are "
+      "zero for both, and the settings file is that beside A");
+  const auto arguments = std::make_shared<Arguments>();
+  add_files(*command, *arguments);
+  arguments->shared.add_to(*command, {jobs::OptionGroup::program});
+  command->callback([arguments, &run] { run = [arguments] { return diff(*arguments); }; });
+}
+
+}  // namespace plumbline::cli
