@@ -183,6 +183,7 @@ void Interpreter::act_on_mode(const Chosen& chosen) {
   Modal& modal = control_.modal;
   switch (chosen.row->action) {
     case Action::motion_off:
+      if (run_.motion != nullptr) return;
       modal.motion = MotionMode::none;
       control_.motion_row = nullptr;
       return;

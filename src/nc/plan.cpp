@@ -77,6 +77,7 @@ void check_groups(const Execution& run) {
   std::uint64_t seen = 0;
   for (const Chosen& chosen : run.chosen) {
     if (chosen.word->letter != 'G' && chosen.word->letter != 'M') continue;
+    if (chosen.row->action == Action::motion_off) continue;  // gives way to another motion [LinuxCNC, measured]
     const int group = chosen.row == &run.dialect.user_row ? kUserGroup : chosen.row->group;
     const int bit = group + (chosen.word->letter == 'M' ? kGroupsPerLetter : 0);
     if ((seen >> static_cast<unsigned>(bit) & 1U) != 0) {
@@ -133,12 +134,17 @@ struct AxisTakers {
   const Chosen* motion = nullptr;
   const Chosen* other = nullptr;
   bool tool_length = false;
+  bool turns_off = false;  // G80
 };
 
 AxisTakers axis_takers(Execution& run) {
   AxisTakers takers;
   for (const Chosen& chosen : run.chosen) {
     if (chosen.word->letter != 'G') continue;
+    if (chosen.row->action == Action::motion_off) {
+      takers.turns_off = true;
+      continue;
+    }
     if (chosen.row->group == 1) takers.motion = &chosen;
     if (chosen.row->action == Action::machine_coordinates) run.machine_word = chosen.word;
     if (!chosen.row->takes_axes || chosen.row->group == 1) continue;
@@ -157,8 +163,7 @@ void find_motion(Execution& run) {
   run.motion = nullptr;
   run.motion_word = nullptr;
   run.uses_position_axes = takers.other != nullptr;
-  const bool turns_off = takers.motion != nullptr && takers.motion->row->action == Action::motion_off;
-  if (takers.motion != nullptr && !turns_off) {
+  if (takers.motion != nullptr) {
     if (takers.other != nullptr) {
       run.refuse(*takers.motion->word, codes::kAxesTwice,
                  fmt::format("{} and {} both take the axis words", text_of(run, *takers.motion->word),
@@ -170,7 +175,7 @@ void find_motion(Execution& run) {
     return;
   }
   if (takers.other != nullptr || takers.tool_length) return;
-  const CodeRow* const mode = turns_off ? nullptr : run.control.motion_row;
+  const CodeRow* const mode = takers.turns_off ? nullptr : run.control.motion_row;
   const bool centre = is_arc(mode) && (run.words.letters() & kCentreLetters) != 0;
   if (run.axes.empty() && !centre) return;
   if (mode == nullptr) {

@@ -94,6 +94,9 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
 
 void set_tool_row(Execution& run) {
   const int number = run.whole(run.need('P', "G10 L1"), 1, kNoLimit);
+  if (run.axes.empty() && !run.words.has('R') && !run.words.has('I') && !run.words.has('J') && !run.words.has('Q')) {
+    run.refuse(codes::kAxesMissing, "G10 L1 sets nothing", "add the words of the tool's offset");
+  }
   AxisWords offset = offset_of(run, number).value_or(AxisWords{});
   for (const Axis axis : kAllAxes) {
     if (run.axes.contains(axis)) offset[axis] = run.value(axis);
