@@ -171,12 +171,12 @@ class Reader {
         read_number(value);
         break;
       case Shape::six:
-        if (value.kind == TomlValue::Kind::number) {
+        if (value.kind == TomlValue::Kind::array) {
+          read_numbers(value, kStruts);
+        } else {
           read_number(value);
           read_.values.assign(kStruts, read_.values.front());
           read_.spans.assign(kStruts, value.span);
-        } else {
-          read_numbers(value, kStruts);
         }
         break;
       case Shape::six_vectors:
