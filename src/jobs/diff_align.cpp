@@ -7,16 +7,18 @@ namespace plumbline::jobs {
 namespace {
 
 // All in mm and deg together, as distance() counts.
-constexpr double kSlack = 0.02;         // of lengths and ends: what the shift may change from one end to the next
-constexpr double kLengthShare = 0.1;    // of a move's length, likewise
-constexpr double kFirstShift = 2;       // before anything was matched, and of rapids
-constexpr double kRapidShare = 0.01;    // of a rapid's length
-constexpr double kSameEnd = 1e-9;       // ends nearer than that are the same
-constexpr std::size_t kWindow = 32;     // moves of each program in which a way back is sought
-constexpr int kProjections = 2;         // Newton steps onto a curve
-constexpr double kProbe = 1e-4;         // fraction of a curve
-constexpr double kShortest = 1e-9;      // mm and deg, that a projection divides by
-constexpr double kLeastSeconds = 1e-6;  // of a move whose change of time is a share
+constexpr double kSlack = 0.1;         // what the shift may change along a move: friction turns at corners
+constexpr double kLengthShare = 0.1;   // of a move's length, likewise
+constexpr double kFirstShift = 2;      // before anything was matched, and of rapids
+constexpr double kRapidShare = 0.01;   // of a rapid's length
+constexpr double kTimeShare = 0.0015;  // of a move's time, that its pieces may differ from it
+constexpr double kVanishes = 0.002;    // a move shorter than that may have no counterpart: its end rounds to its start
+constexpr std::array kWaysBack{1e-5, 0.02, 0.1};  // how near two ends must be to go on from there, the best first
+constexpr std::size_t kWindow = 32;               // moves of each program in which a way back is sought
+constexpr int kProjections = 2;                   // Newton steps onto a curve
+constexpr double kProbe = 1e-4;                   // fraction of a curve
+constexpr double kShortest = 1e-9;                // mm and deg, that a projection divides by
+constexpr double kLeastSeconds = 1e-6;            // of a move whose change of time is a share
 
 bool numbers_differ(const DiffMove& a, const DiffMove& b) {
   return !a.number.empty() && !b.number.empty() && a.number != b.number;
@@ -72,42 +74,82 @@ bool Aligner::align_one_to_one(const DiffMove& move) {
   return true;
 }
 
-// B's moves are taken while they are no longer than A's; the one that ends nearest to where A's should end is its end.
 bool Aligner::align_cut(const DiffMove& move) {
-  const AxisWords wanted = move.end + shift_;
-  const double first = has_shift_ ? 0 : kFirstShift;
-  const double least = (1 - kLengthShare) * move.length - kSlack - first;
-  const double most = (1 + kLengthShare) * move.length + kSlack + first;
-  double nearest = kSlack + kLengthShare * move.length + first;
-  std::size_t count = 0;
-  bool found = false;
-  if (least <= 0 && has_shift_ && distance(at_b_, wanted) <= nearest) {
-    nearest = distance(at_b_, wanted);
-    found = true;
-  }
-  double gone = 0;
-  for (std::size_t k = 1;; ++k) {
-    const DiffMove* const piece = b_.peek(k - 1);
-    if (piece == nullptr || !piece->cuts()) break;
-    if (k == 1 ? numbers_differ(move, *piece) : !piece->number.empty()) break;
-    gone += piece->length;
-    if (gone > most) break;
-    const double off = distance(piece->end, wanted);
-    if (gone < least || off > nearest + (k == 1 ? kSameEnd : -kSameEnd)) continue;
-    nearest = off;
-    count = k;
-    found = true;
-  }
-  if (!found || !lies_along(move, count)) return false;
-  take_match(move, count);
+  std::optional<std::size_t> count = count_by_number(move);
+  if (!count) count = count_by_time(move);
+  if (!count) count = count_by_distance(move);
+  if (!count || !lies_along(move, *count)) return false;
+  take_match(move, *count);
   return true;
+}
+
+double Aligner::slack(const DiffMove& move) const {
+  return kSlack + kLengthShare * move.length + (has_shift_ ? 0 : kFirstShift);
+}
+
+// The piece that would be the `count`th of a move; null where the move must have ended.
+const DiffMove* Aligner::piece(const DiffMove& move, std::size_t count) {
+  const DiffMove* const next = b_.peek(count - 1);
+  if (next == nullptr || !next->cuts()) return nullptr;
+  if (count > 1 && !next->number.empty()) return nullptr;  // N stays on the first piece
+  return count == 1 && numbers_differ(move, *next) ? nullptr : next;
+}
+
+// Numbered moves end where the next number stands.
+std::optional<std::size_t> Aligner::count_by_number(const DiffMove& move) {
+  const DiffMove* const next = a_.peek(1);
+  if (move.number.empty() || (next != nullptr && next->cuts() && next->number.empty())) return std::nullopt;
+  const DiffMove* const first = b_.peek(0);
+  if (first == nullptr || first->number != move.number) return std::nullopt;
+  std::size_t count = 0;
+  while (piece(move, count + 1) != nullptr) ++count;
+  const bool ends_there = count > 0 && distance(b_.peek(count - 1)->end, move.end + shift_) <= slack(move);
+  return ends_there ? std::optional(count) : std::nullopt;
+}
+
+// Pieces take the time of the move together. Of several that come near, the one that ends where it should.
+std::optional<std::size_t> Aligner::count_by_time(const DiffMove& move) {
+  const double seconds = move.seconds.value_or(0);
+  if (seconds <= 0) return std::nullopt;
+  std::optional<std::size_t> best;
+  double nearest = slack(move);
+  double gone = 0;
+  for (std::size_t k = 1; gone < (1 + kTimeShare) * seconds; ++k) {
+    const DiffMove* const next = piece(move, k);
+    if (next == nullptr || !next->seconds) break;
+    gone += *next->seconds;
+    const double off = distance(next->end, move.end + shift_);
+    if (std::abs(gone / seconds - 1) > kTimeShare || off > nearest) continue;
+    nearest = off;
+    best = k;
+  }
+  return best;
+}
+
+// Pieces are as long as the move together; the one that ends nearest to where the move should is its last.
+std::optional<std::size_t> Aligner::count_by_distance(const DiffMove& move) {
+  const AxisWords wanted = move.end + shift_;
+  std::optional<std::size_t> best;
+  double nearest = slack(move);
+  double gone = 0;
+  for (std::size_t k = 1; gone <= move.length + slack(move); ++k) {
+    const DiffMove* const next = piece(move, k);
+    if (next == nullptr) break;
+    gone += next->length;
+    const double off = distance(next->end, wanted);
+    if (std::abs(gone - move.length) > slack(move) || off >= nearest) continue;
+    nearest = off;
+    best = k;
+  }
+  const bool may_vanish = has_shift_ && move.length <= kVanishes && distance(at_b_, wanted) < nearest;
+  return may_vanish ? std::optional<std::size_t>(0) : best;
 }
 
 // Works out the shifts along the move; false where B leaves it.
 bool Aligner::lies_along(const DiffMove& move, std::size_t count) {
   const AxisWords from = has_shift_ ? shift_ : AxisWords{};
   const AxisWords to = (count == 0 ? at_b_ : b_.peek(count - 1)->end) - move.end;
-  const double allowed = kSlack + kLengthShare * move.length + (has_shift_ ? 0 : kFirstShift);
+  const double allowed = slack(move);
   found_.clear();
   const auto take = [&](const AxisWords& point, double fraction) {
     found_.push_back(shift_at(move, point, fraction, from, to));
@@ -146,21 +188,28 @@ void Aligner::take_match(const DiffMove& move, std::size_t count) {
 // The nearest pair of moves further on that end in the same place; what lies before them and they themselves are out of
 // line. Nothing within the window: one move of each.
 void Aligner::find_way_back() {
-  for (std::size_t sum = 0; sum < 2 * kWindow; ++sum) {
+  for (const double tolerance : kWaysBack) {
+    if (find_way_back(tolerance)) return;
+  }
+  if (const DiffMove* const b = b_.peek(0)) at_b_ = b->end;
+  leave_out(1, b_.peek(0) != nullptr ? 1 : 0);
+}
+
+bool Aligner::find_way_back(double tolerance) {
+  for (std::size_t sum = 0; sum + 1 < 2 * kWindow; ++sum) {
     for (std::size_t i = sum < kWindow ? 0 : sum - kWindow + 1; i <= std::min(sum, kWindow - 1); ++i) {
       const DiffMove* const a = a_.peek(i);
       const DiffMove* const b = b_.peek(sum - i);
       if (a == nullptr || b == nullptr || a->cuts() != b->cuts() || numbers_differ(*a, *b)) continue;
       const double off = std::min(distance(b->end, a->end + shift_), distance(b->end, a->end));
-      if (off > kSlack) continue;
+      if (off > tolerance) continue;
       shift_ = b->end - a->end;
       at_b_ = b->end;
       leave_out(i + 1, sum - i + 1);
-      return;
+      return true;
     }
   }
-  if (const DiffMove* const b = b_.peek(0)) at_b_ = b->end;
-  leave_out(1, b_.peek(0) != nullptr ? 1 : 0);
+  return false;
 }
 
 void Aligner::leave_out(std::size_t count_a, std::size_t count_b) {

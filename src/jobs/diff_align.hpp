@@ -1,6 +1,9 @@
 // Which moves of one program correspond to which of another.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "jobs/diff.hpp"
 #include "jobs/diff_moves.hpp"
 
@@ -18,9 +21,15 @@ class Aligner {
  private:
   bool align_one_to_one(const DiffMove& move);
   bool align_cut(const DiffMove& move);
+  double slack(const DiffMove& move) const;
+  const DiffMove* piece(const DiffMove& move, std::size_t count);
+  std::optional<std::size_t> count_by_number(const DiffMove& move);
+  std::optional<std::size_t> count_by_time(const DiffMove& move);
+  std::optional<std::size_t> count_by_distance(const DiffMove& move);
   bool lies_along(const DiffMove& move, std::size_t count);
   void take_match(const DiffMove& move, std::size_t count);
   void find_way_back();
+  bool find_way_back(double tolerance);
   void leave_out(std::size_t count_a, std::size_t count_b);
   void note_shift(const AxisWords& shift, std::size_t line_a, std::size_t line_b);
   void note_time(const DiffMove& move, std::size_t count);
