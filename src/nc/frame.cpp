@@ -35,4 +35,10 @@ AxisWords Frame::to_machine(const AxisWords& work) const { return to_pose(work) 
 
 AxisWords Frame::from_machine(const AxisWords& machine) const { return from_pose(machine - tool); }
 
+Frame Frame::without_rotary_tool() const {
+  Frame frame = *this;
+  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) frame.tool[axis] = 0;
+  return frame;
+}
+
 }  // namespace plumbline::nc

@@ -18,6 +18,8 @@ struct Frame {
   /// The control's display: every offset.
   AxisWords to_machine(const AxisWords& work) const;
   AxisWords from_machine(const AxisWords& machine) const;
+  /// As G53, G28 and G30 (not G28.1 and G30.1) see it: without the rotary offsets of the tool [LinuxCNC, measured].
+  Frame without_rotary_tool() const;
 };
 
 }  // namespace plumbline::nc

@@ -27,7 +27,7 @@ void go_home(Execution& run, int which) {
   const Home& home = control.homes[static_cast<std::size_t>(which)];
   const AxisSet moved = run.axes.empty() ? AxisSet::all() : run.axes;
   const AxisSet known = known_in_work(control.frame, home.known);
-  const AxisWords end = control.frame.from_machine(home.machine);
+  const AxisWords end = control.frame.without_rotary_tool().from_machine(home.machine);
   Motion motion;
   motion.in_machine_coordinates = true;
   motion.to = control.position;

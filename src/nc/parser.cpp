@@ -99,12 +99,9 @@ void Parser::items() {
       case TokenKind::letter:
         word(token_.letter);
         break;
-      case TokenKind::comment: {
-        Span span = span_of(token_);
-        span.end = std::min(span.end, static_cast<std::uint32_t>(block_->text.size()));  // a CR belongs to the line end
-        block_->comments.push_back({span});
+      case TokenKind::comment:
+        block_->comments.push_back({span_of(token_)});
         break;
-      }
       case TokenKind::hash:
         setting();
         break;
@@ -296,9 +293,13 @@ void Parser::take(void (*lex)(const char*, Token&)) {
   at_ = token_.end;
 }
 
+// Blanks that a token runs over may belong to the line end: a lone CR is a blank.
 Span Parser::span_of(const Token& token) const {
   const char* const begin = block_->text.data();
-  return {static_cast<std::uint32_t>(token.begin - begin), static_cast<std::uint32_t>(token.end - begin)};
+  const auto offset = [&](const char* at) {
+    return static_cast<std::uint32_t>(std::min(static_cast<std::size_t>(at - begin), block_->text.size()));
+  };
+  return {offset(token.begin), offset(token.end)};
 }
 
 void Parser::push(Operation operation, Span span, double number, std::uint32_t name) {
@@ -347,9 +348,7 @@ void Parser::refuse_token(std::string_view expected) {
               c == '$' ? "leave out the spindle number" : "write the end point in X and Y");
   }
   if (expected == "a value" && c != '.' && c != '<') {
-    Span whole = span;
-    whole.end = std::max(whole.begin + 1, std::min(whole.end, static_cast<std::uint32_t>(text.size())));
-    refuse_at(*block_, whole, codes::kValueMissing, "a value is missing here",
+    refuse_at(*block_, span, codes::kValueMissing, "a value is missing here",
               "write a number, [expression], #parameter or function");
   }
   if (c == '.')

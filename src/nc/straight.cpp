@@ -15,8 +15,7 @@ void end_in_machine_coordinates(const Execution& run, Motion& motion) {
     run.refuse(*run.machine_word, codes::kMachineMove, "G53 cannot move by increments", "write G90 before it");
   }
   check_tool_unit(run, *run.machine_word);
-  Frame frame = control.frame;  // a tool's rotary offsets do not count here [LinuxCNC, measured]
-  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) frame.tool[axis] = 0;
+  const Frame frame = control.frame.without_rotary_tool();
   AxisWords machine = frame.to_machine(control.position);
   for (const Axis axis : kAllAxes) {
     if (run.axes.contains(axis)) machine[axis] = run.value(axis);
