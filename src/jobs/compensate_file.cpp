@@ -2,6 +2,7 @@
 
 #include "base/files.hpp"
 #include "compensate/stream.hpp"
+#include "jobs/guard_block.hpp"
 #include "jobs/stamp.hpp"
 #include "jobs/used_tools.hpp"
 #include "machine/model_file.hpp"
@@ -30,7 +31,11 @@ compensate::Summary compensate_file(const std::string& program, const std::strin
   const InputFile source(program);
 
   nc::EmitSettings emit = emit_settings(model.control, options);
-  emit.stamp = stamp(options, settings, model, used_tools(source, settings.tools, settings.tool_in_spindle), dialect);
+  const std::vector<nc::Tool> tools = used_tools(source, settings.tools, settings.tool_in_spindle);
+  emit.stamp = stamp(options, settings, model, tools, dialect);
+  if (options.guard) {
+    emit.guard = guard_block(settings, tools, AxisSet::rotary() - nc::named_axes(source, dialect), dialect);
+  }
   compensate::Settings compensation = options.compensation;
   compensation.step.least_time_s = model.control.block_time;
 

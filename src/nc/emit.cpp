@@ -82,6 +82,7 @@ void Emitter::write_stamp() {
                                                                                        dialect_.comment_close.size());
     out_.write(dialect_.comment_open + line.substr(0, room) + dialect_.comment_close + newline_);
   }
+  for (const std::string& line : settings_.guard) out_.write(line + newline_);
 }
 
 // Nothing was written as long as nothing had to change; now the text up to this block goes out, the stamp in it.
