@@ -41,7 +41,7 @@ void check_joints(const MachineModel& model, std::string_view table, const Strut
       if ((joints.col(i) - joints.col(j)).norm() > kSamePoint) continue;
       refuse("model-coincident-joints", fmt::format("joints {} and {} of [{}] are the same point", i + 1, j + 1, table),
              "each strut has a joint of its own: correct the one that was copied",
-             model.document.place(value.spans[static_cast<std::size_t>(3 * j)]));
+             model.document.place(value.spans[3 * static_cast<std::size_t>(j)]));
     }
   }
 }

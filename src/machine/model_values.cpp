@@ -257,6 +257,7 @@ std::vector<ModelValue> read_values(const TomlDocument& document) {
   check_marker(document);
   check_names(document);
   std::vector<ModelValue> values;
+  values.reserve(kKeys.size());
   for (const KeySpec& spec : kKeys) values.push_back(Reader(document, spec).run());
   return values;
 }

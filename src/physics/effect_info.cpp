@@ -1,7 +1,5 @@
 #include "physics/effect_info.hpp"
 
-#include <algorithm>
-
 namespace plumbline::physics {
 
 int EffectInfo::size() const {
@@ -32,9 +30,9 @@ const std::array<EffectInfo, kEffects>& effect_infos() {
 
 std::size_t effect_index(std::string_view name) {
   const auto& infos = effect_infos();
-  const auto found =
-      std::find_if(infos.begin(), infos.end(), [&](const EffectInfo& info) { return info.name == name; });
-  return static_cast<std::size_t>(found - infos.begin());
+  std::size_t index = 0;
+  while (index < kEffects && infos[index].name != name) ++index;
+  return index;
 }
 
 std::vector<std::string_view> catalogue_names() {
