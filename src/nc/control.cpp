@@ -78,4 +78,13 @@ void Control::use_active_system() {
   change_frame(next);
 }
 
+// The control leaves the shift of G92 out when it turns where it stands into the new row's words, so that in a turned
+// work system it takes itself to stand elsewhere [LinuxCNC, measured].
+void Control::use_changed_row() {
+  const AxisWords shift = frame.g92;
+  frame.g92 = AxisWords{};
+  use_active_system();
+  frame.g92 = shift;
+}
+
 }  // namespace plumbline::nc

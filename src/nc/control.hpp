@@ -54,6 +54,8 @@ struct Control {
   void change_frame(const Frame& next);
   /// The active work system of the table takes force.
   void use_active_system();
+  /// The program changed the row in force (G10 L2).
+  void use_changed_row();
 };
 
 }  // namespace plumbline::nc

@@ -55,8 +55,13 @@ void set_origin(Execution& run) {
     row.origin[axis] = run.value(axis);
     row.known.insert(axis);
   }
+  const double rotation = row.rotation_deg;
   if (const Word* word = run.words.find('R')) row.rotation_deg = word->value;
-  if (system == control.modal.work_system) control.use_active_system();
+  if (system != control.modal.work_system) return;
+  control.use_changed_row();
+  const bool shifted = control.frame.g92[Axis::X] != 0 || control.frame.g92[Axis::Y] != 0;
+  // The control errs then about where it stands.
+  if (shifted && row.rotation_deg != rotation) lose_position(run, kTurning);
 }
 
 // G10 L20: the origin moves so that the axes stand on the given words. With p = origin + R (work + G92) and p

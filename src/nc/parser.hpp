@@ -40,6 +40,7 @@ class Parser {
   void push(Operation operation, Span span, double number = 0, std::uint32_t name = 0);
   void see(char letter, Span span);
   [[noreturn]] void refuse_token(std::string_view expected);
+  static std::string shown(char c);
 
   Block* block_ = nullptr;
   const char* at_ = nullptr;

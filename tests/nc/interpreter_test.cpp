@@ -219,3 +219,8 @@ TEST_CASE("an arc must start where its plane is known") {
   CHECK(code_of("G0 X0\nG2 X10 I5 F100\n", unknown_start()) == "nc-position-unknown");
   CHECK(code_of("G0 X0 Y0\nG2 X10 I5 F100\n", unknown_start()).empty());
 }
+
+TEST_CASE("a rotation changed under a shift leaves X and Y unknown: the control errs about them") {
+  CHECK(run("G92 X5\nG10 L2 P1 R30\n", at_zero())[1].known == AxisSet::all() - AxisSet{Axis::X, Axis::Y});
+  CHECK(run("G92 Z5\nG10 L2 P1 R30\n", at_zero())[1].known == AxisSet::all());
+}

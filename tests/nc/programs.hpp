@@ -41,7 +41,7 @@ std::string code_of(std::string_view text, const ProgramSettings& settings = emp
 /// The texts and line ends of all blocks.
 std::string text_of_blocks(const std::string& path, const ProgramSettings& settings = empty_tables());
 
-/// Programs of others: the folder that PLUMBLINE_NC_CORPUS names, else shared/nc beside the sources; "" if there is
+/// Programs of others: the folder that PLUMBLINE_NC_CORPUS names, else one beside the sources; "" if there is none.
 /// none.
 std::filesystem::path corpus();
 /// tests/nc/programs and the like.
