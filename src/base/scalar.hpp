@@ -66,9 +66,10 @@ template <class T>
 T absolute(const T& a) {
   return select<T>(a < T(0.0), -a, a);
 }
+/// NaN if either is: a residual that is no number must not pass for a small one.
 template <class T>
 T larger(const T& a, const T& b) {
-  return select<T>(a < b, b, a);
+  return select<T>(b <= a || a != a, a, b);
 }
 
 }  // namespace plumbline

@@ -1,5 +1,8 @@
 #include "base/scalar.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
@@ -25,6 +28,15 @@ TEST_CASE("a pack chooses, swaps and compares lane by lane, as double does alone
   }
   CHECK(any(a < Pack(-1.0)));
   CHECK_FALSE(all(b < Pack(0.5)));
+}
+
+TEST_CASE("what is no number is the larger one, on either side") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(std::isnan(larger(1.0, nan)));
+  CHECK(std::isnan(larger(nan, 1.0)));
+  CHECK(larger(2.0, 1.0) == 2.0);
+  CHECK(std::isnan(larger(Pack(1.0), Pack(nan))[0]));
+  CHECK(std::isnan(larger(Pack(nan), Pack(1.0))[0]));
 }
 
 TEST_CASE("Eigen holds packs") {
