@@ -20,9 +20,9 @@ struct EmitSettings {
   int digits_inch = 6;
   double increment_mm = 0;  // what the control resolves; 0: whatever is written
   double increment_deg = 0;
-  double time_tolerance = 1e-3;    // F is written only where a block's time would change by more than this share
-  std::vector<std::string> stamp;  // texts of the comments that mark the output
-  std::vector<std::string> guard;  // whole lines behind the stamp
+  double time_tolerance = 1e-3;         // F is written only where a block's time would change by more than this share
+  std::vector<std::string> stamp;       // texts of the comments that mark the output
+  std::vector<std::string> guard = {};  // whole lines behind the stamp
 };
 
 /// One point of a corrected move, in the active work system.
