@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::array<std::string_view, kAxes> kColumns{"x_mm", "y_mm", "z_mm", "a_deg", "b_deg", "c_deg"};
 constexpr std::string_view kHeader = "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg";
+constexpr double kLargest = 1e6;  // mm, deg
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 struct Field {
@@ -90,8 +92,9 @@ class Reader {
     for (std::size_t i = 0; i < kAxes; ++i) {
       const Field& field = fields[at_[i]];
       const std::optional<double> value = parse_number(field.text);
-      if (!value) {
-        refuse("csv-number", fmt::format("row {}, column {}: \"{}\" is no number", number_, kColumns[i], field.text),
+      if (!value || std::abs(*value) > kLargest) {
+        refuse("csv-number",
+               fmt::format("row {}, column {}: \"{}\" is no number up to a million", number_, kColumns[i], field.text),
                fmt::format("expected a finite number in {}, as in -12.5", i < 3 ? "mm" : "deg"),
                place(field.column, field.text.size()));
       }

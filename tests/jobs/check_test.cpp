@@ -1,0 +1,64 @@
+#include "jobs/check.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jobs/scratch.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+jobs::CheckSummary check_of(const std::string& program) {
+  const testing::Scratch scratch;
+  jobs::Options options;
+  options.model = testing::source_file("models/pm600-like.toml");
+  options.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
+  return jobs::check_file(scratch.file("p.ngc", program), options);
+}
+
+}  // namespace
+
+TEST_CASE("a program inside the limits keeps them") {
+  const jobs::CheckSummary s = check_of("G0 X0 Y0 Z0 A0 B0 C0\nG1 X50 A10 F1000\n");
+  CHECK(s.violations == 0);
+  CHECK(s.points > 50);
+  CHECK(s.blocks == 2);
+}
+
+TEST_CASE("each limit that a block breaks is found with its worst value") {
+  const jobs::CheckSummary s = check_of("G0 X0 Y0 Z0 A0 B0 C0\nG1 A26.5 F1000\nG1 A0\nG1 X310\nG0 X0\n");
+  CHECK(s.kinds.at("tilt") == 2);
+  CHECK(s.kinds.at("X") == 1);
+  REQUIRE_FALSE(s.findings.empty());
+  CHECK(s.findings[0].line == 2);
+  CHECK(s.findings[0].violation.what == "tilt");
+  CHECK(s.findings[0].violation.value == Approx(26.5).epsilon(1e-3));
+  CHECK(s.findings[0].violation.by_how_much == Approx(1.5).epsilon(0.05));
+}
+
+TEST_CASE("a pose that no command reaches is found") {
+  const jobs::CheckSummary s = check_of("G0 X0 Y0 Z0 A0 B0 C0\nG1 C90 F1000\n");
+  CHECK(s.kinds.at("reach") == 1);
+  CHECK(jobs::check_text(s, "p.ngc").find("p.ngc:2: no command puts the tool there") != std::string::npos);
+}
+
+TEST_CASE("a rapid is checked along its chord") {
+  const jobs::CheckSummary s = check_of("G0 X0 Y0 Z0 A24 B0 C0\nG0 X1 A-24 B0 C0\nG0 X0 A24 B24\n");
+  CHECK(s.kinds.at("tilt") == 1);
+}
+
+TEST_CASE("many violations are counted, the first are listed") {
+  std::string program = "G0 X0 Y0 Z0 A26 B0 C0\nG1 F1000\n";
+  for (int i = 0; i < 1500; ++i) program += fmt::format("X{:.2f}\n", (i % 100) * 0.01);
+  const jobs::CheckSummary s = check_of(program);
+  CHECK(s.violations > 1400);
+  CHECK(s.findings.size() == jobs::CheckSummary::kMostFindings);
+  const std::string text = jobs::check_text(s, "p.ngc");
+  CHECK(std::count(text.begin(), text.end(), '\n') < 30);
+  CHECK(text.find("and 1,") != std::string::npos);
+  const auto json = nlohmann::json::parse(jobs::check_json(s));
+  CHECK(json.at("plumbline") == "check 1");
+  CHECK(json.at("blocks_by_kind").at("tilt") == s.kinds.at("tilt"));
+}

@@ -1,0 +1,93 @@
+#include "jobs/compensate_file.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "jobs/scratch.hpp"
+#include "jobs/summary_text.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+jobs::Options options() {
+  jobs::Options o;
+  o.model = testing::source_file("models/pm600-like.toml");
+  o.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
+  return o;
+}
+
+constexpr const char* kProgram = "(PART)\nG0 X0 Y0 Z0 A0 B0 C0\nG1 X50 A10 F1000\nM2\n";
+
+}  // namespace
+
+TEST_CASE("a program is compensated into a stamped one, which is refused the next time") {
+  const testing::Scratch scratch;
+  const compensate::Summary s =
+      jobs::compensate_file(scratch.file("a.ngc", kProgram), scratch.path("b.ngc"), options());
+  const std::string text = scratch.text("b.ngc");
+  CHECK(text.starts_with("(PART)\n(plumbline "));
+  CHECK(s.bytes_after == text.size());
+  CHECK(s.changed_blocks == 2);
+  const Diagnostic d =
+      testing::refusal_of([&] { jobs::compensate_file(scratch.path("b.ngc"), scratch.path("c.ngc"), options()); });
+  CHECK(d.code == "compensate-stamped");
+  CHECK_FALSE(scratch.has("c.ngc"));
+}
+
+TEST_CASE("what fails writes nothing") {
+  const testing::Scratch scratch;
+  const std::string program = scratch.file("a.ngc", std::string(kProgram) + "G1 A60\n");
+  scratch.file("b.ngc", "old");
+  jobs::Options how = options();
+  scratch.file("bad.ngc", "G0 X0 Y0 Z0 A0 B0 C0\nG1 A60 F100\n");
+  CHECK(testing::refusal_of([&] { jobs::compensate_file(scratch.path("bad.ngc"), scratch.path("b.ngc"), how); }).code ==
+        "limit-tilt");
+  CHECK(scratch.text("b.ngc") == "old");
+  how.model = scratch.path("missing.toml");
+  CHECK(testing::refusal_of([&] { jobs::compensate_file(program, scratch.path("b.ngc"), how); }).code ==
+        "file-missing");
+  CHECK(scratch.text("b.ngc") == "old");
+}
+
+TEST_CASE("a guard stands behind the stamp") {
+  const testing::Scratch scratch;
+  jobs::Options how = options();
+  how.guard = true;
+  jobs::compensate_file(scratch.file("a.ngc", kProgram), scratch.path("b.ngc"), how);
+  const std::string text = scratch.text("b.ngc");
+  const std::size_t guard = text.find("(guard:");
+  REQUIRE(guard != std::string::npos);
+  CHECK(text.find("(plumbline ") < guard);
+  CHECK(guard < text.find("G0 X"));
+}
+
+TEST_CASE("a summary has every figure, in words and as JSON") {
+  const testing::Scratch scratch;
+  const jobs::Options how = options();
+  const compensate::Summary s = jobs::compensate_file(scratch.file("a.ngc", kProgram), scratch.path("b.ngc"), how);
+  const std::string text = jobs::summary_text(s, how);
+  for (const char* const part : {"largest correction", "rms correction", "cutting time", "rounding", "work offset",
+                                 "first cutting block (line 3)", "--touch-off", "bytes before"}) {
+    INFO(text);
+    CHECK(text.find(part) != std::string::npos);
+  }
+  const auto json = nlohmann::json::parse(jobs::summary_json(s, how));
+  CHECK(json.at("plumbline") == "compensation 1");
+  CHECK(json.at("identical") == false);
+  CHECK(json.at("moves") == 2);
+  CHECK(json.at("largest_correction_mm").at("value") == s.correction_mm.value);
+  CHECK(json.at("zero_error").at("z_mm") == s.zero_error->values[2]);
+  CHECK(json.at("settings_file").is_null());
+}
+
+TEST_CASE("where nothing had to change, the summary says so") {
+  const testing::Scratch scratch;
+  const jobs::Options how = options();
+  const compensate::Summary s =
+      jobs::compensate_file(scratch.file("a.ngc", "(nothing)\nM2\n"), scratch.path("b.ngc"), how);
+  CHECK(s.identical);
+  CHECK(scratch.text("b.ngc") == "(nothing)\nM2\n");
+  CHECK(jobs::summary_text(s, how).starts_with("nothing had to change"));
+  CHECK(nlohmann::json::parse(jobs::summary_json(s, how)).at("offset_shift_for_1um_mm").is_null());
+}

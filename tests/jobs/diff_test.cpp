@@ -1,0 +1,158 @@
+#include "jobs/diff.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jobs/compensate_file.hpp"
+#include "jobs/scratch.hpp"
+
+using namespace plumbline;
+using jobs::DiffSummary;
+
+namespace {
+
+DiffSummary diff_of(const std::string& a, const std::string& b) {
+  const testing::Scratch scratch;
+  return jobs::diff_files(scratch.file("a.ngc", a), scratch.file("b.ngc", b), {});
+}
+
+// A path with straight moves, arcs, a full circle, tiny moves and rapids.
+std::string winding(bool numbered) {
+  std::string text;
+  int n = 0;
+  const auto block = [&](const std::string& words) {
+    text += (numbered ? fmt::format("N{} ", ++n * 10) : "") + words + "\n";
+  };
+  block("G21 G90 G94 G17");
+  block("G0 X0 Y0 Z10 A0 B0 C0");
+  block("G1 Z0 F500");
+  block("G1 X40 Y5 A2 B-1 C3");
+  block("G2 X60 Y25 I0 J20 F800");
+  block("G3 X60 Y25 I-10 J0");
+  for (int i = 0; i < 30; ++i)
+    block(fmt::format("G1 X{:.4f} Y{:.4f} Z{:.4f}", 60 - 0.005 * i, 25 - 0.007 * i, -0.002 * i));
+  block("G2 X59.8 Y25.2 R0.3 F30");
+  block("G93 G1 X30 A-3 F4");
+  block("X31 B2 F20");
+  block("G94 G1 C-2 F200");
+  block("G0 Z20");
+  block("G0 X0 Y0 A0 B0 C0");
+  block("M2");
+  return text;
+}
+
+std::string compensated(const testing::Scratch& scratch, const std::string& program, double step_mm = 1) {
+  jobs::Options options;
+  options.model = testing::source_file("models/pm600-like.toml");
+  options.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
+  options.compensation.step.length_mm = step_mm;
+  jobs::compensate_file(scratch.file("in.ngc", program), scratch.path("out.ngc"), options);
+  return scratch.text("out.ngc");
+}
+
+}  // namespace
+
+TEST_CASE("a program equals itself") {
+  const DiffSummary s = diff_of(winding(false), winding(false));
+  CHECK(s.equal_within(0, 0));
+  CHECK(s.matched == s.moves_a);
+  CHECK(s.moves_a == s.moves_b);
+  CHECK(s.seconds_a > 1);
+  CHECK(s.seconds_a == s.seconds_b);
+}
+
+TEST_CASE("a compensated program is in line with its source, with numbers and without") {
+  const testing::Scratch scratch;
+  for (const bool numbered : {true, false}) {
+    for (const double step : {0.2, 1.0, 50.0}) {
+      INFO("numbered " << numbered << ", step " << step);
+      const std::string source = winding(numbered);
+      const DiffSummary s = diff_of(source, compensated(scratch, source, step));
+      CHECK(s.out_of_line_a == 0);
+      CHECK(s.out_of_line_b == 0);
+      CHECK(s.matched == s.moves_a);
+      CHECK(s.moves_b > s.moves_a);
+      CHECK(s.points >= s.moves_b);
+      CHECK(s.shift[2].largest > 0.01);
+      CHECK(s.shift[2].largest < 0.1);
+      CHECK(s.shift[2].rms < s.shift[2].largest);
+      CHECK(s.time_change.value <= 0.0016);
+      CHECK(s.seconds_b == Approx(s.seconds_a).epsilon(1e-3));
+      CHECK_FALSE(s.equal_within(1e-4, 1e-4));
+    }
+  }
+}
+
+TEST_CASE("pieces of a line and chords of an arc equal it") {
+  const std::string a = "G1 F100 X0 Y0\nG1 X10 Y5 C10\nG1 X20\n";
+  const std::string b = "G1 F100 X0 Y0\nG1 X2.5 Y1.25 C2.5\nX5 Y2.5 C5\nX7.5 Y3.75 C7.5\nX10 Y5 C10\nG1 X20\n";
+  const DiffSummary s = diff_of(a, b);
+  CHECK(s.equal_within(1e-9, 1e-9));
+  CHECK(s.matched == 3);
+}
+
+TEST_CASE("a moved block shows on its axis, with its lines") {
+  const std::string a = "G0 X0 Y0\nG1 F100 X10\nY10\nX0\nY0\n";
+  const std::string b = "G0 X0 Y0\nG1 F100 X10\nY10.3\nX0\nY0\n";
+  const DiffSummary s = diff_of(a, b);
+  CHECK(s.out_of_line_a == 0);
+  CHECK(s.shift[1].largest == Approx(0.3));
+  CHECK(s.shift[1].line_a == 3);
+  CHECK(s.shift[1].line_b == 3);
+  CHECK(s.shift[0].largest == 0);
+}
+
+TEST_CASE("an arc turned the other way is out of line") {
+  const DiffSummary s = diff_of("G0 X0 Y0\nG2 X10 Y0 I5 F100\nG1 X20\n", "G0 X0 Y0\nG3 X10 Y0 I5 F100\nG1 X20\n");
+  CHECK(s.out_of_line_a == 1);
+  CHECK(s.out_of_line_b == 1);
+  REQUIRE(s.out_of_line.size() == 1);
+  CHECK(s.out_of_line[0].first_line_a == 2);
+  CHECK_FALSE(s.equal_within(1, 1));
+}
+
+TEST_CASE("blocks that were put in or taken out are out of line, the rest is not") {
+  std::string a = "G0 X0 Y0\nG1 F100 X0\n";
+  for (int i = 1; i <= 100; ++i) a += fmt::format("X{} Y{}\n", i, i % 7);
+  const std::size_t at = a.find("X50 ");
+  const std::string b = a.substr(0, at) + "X20 Y30\nX22 Y33\n" + a.substr(at);
+  const DiffSummary put_in = diff_of(a, b);
+  CHECK(put_in.out_of_line_b <= 3);
+  CHECK(put_in.out_of_line_a <= 1);
+  CHECK(put_in.shift[0].largest < 1e-12);
+  const DiffSummary taken_out = diff_of(b, a);
+  CHECK(taken_out.out_of_line_a <= 3);
+  CHECK(taken_out.shift[0].largest < 1e-12);
+}
+
+TEST_CASE("programs that have nothing in common end all the same") {
+  std::string a = "G1 F100 X0\n";
+  std::string b = "G1 F100 X0\n";
+  for (int i = 1; i <= 200; ++i) {
+    a += fmt::format("X{}\n", i * 3);
+    b += fmt::format("Y{}\n", i * 5);
+  }
+  const DiffSummary s = diff_of(a, b);
+  CHECK(s.matched + s.out_of_line_a == s.moves_a);
+  CHECK(s.out_of_line_a > 190);
+  CHECK(diff_of(a, "").out_of_line_a == 201);
+  CHECK(diff_of("", a).out_of_line_b == 201);
+}
+
+TEST_CASE("another feed shows in the time") {
+  const DiffSummary s = diff_of("G1 F100 X10\nX20\nG4 P2\n", "G1 F100 X10\nF50 X20\nG4 P3\n");
+  CHECK(s.equal_within(0, 0));
+  CHECK(s.seconds_a == Approx(14));
+  CHECK(s.seconds_b == Approx(21));
+  CHECK(s.time_change.value == Approx(1));
+  CHECK(s.time_change.line == 2);
+}
+
+TEST_CASE("a diff is JSON for scripts") {
+  const auto json = nlohmann::json::parse(jobs::diff_json(diff_of("G0 X1\n", "G0 X1.5 A1\n")));
+  CHECK(json.at("plumbline") == "diff 1");
+  CHECK(json.at("shift").at("X").at("largest_mm") == 0.5);
+  CHECK(json.at("shift").at("A").at("largest_deg") == 1);
+  CHECK(json.at("out_of_line_a") == 0);
+}

@@ -1,0 +1,97 @@
+#include "jobs/simulate.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+
+#include "jobs/compensate_file.hpp"
+#include "jobs/error_table.hpp"
+#include "jobs/scratch.hpp"
+#include "machine/model_file.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+jobs::Options options() {
+  jobs::Options o;
+  o.model = testing::source_file("models/pm600-like.toml");
+  o.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
+  return o;
+}
+
+// Rows of numbers; the motion's name counts as zero.
+std::vector<std::vector<double>> simulate(const testing::Scratch& scratch, const std::string& program,
+                                          const jobs::Options& how) {
+  OutputFile out(scratch.path("sim.csv"));
+  jobs::simulate_program(scratch.file("sim.ngc", program), how, out);
+  out.commit();
+  std::istringstream text(scratch.text("sim.csv"));
+  std::vector<std::vector<double>> rows;
+  for (std::string line; std::getline(text, line);) {
+    rows.emplace_back();
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(std::atof(cell.c_str()));
+  }
+  rows.erase(rows.begin());
+  return rows;
+}
+
+constexpr const char* kProgram = "G0 X0 Y0 Z0 A0 B0 C0\nG1 X50 Y-20 A10 B-5 F1000\nG2 X60 Y-10 I0 J10\n";
+
+}  // namespace
+
+TEST_CASE("a simulation without friction has the errors and tensions of the table of the machine at rest") {
+  const testing::Scratch scratch;
+  jobs::Options how = options();
+  how.compensation.friction = false;
+  const auto rows = simulate(scratch, kProgram, how);
+  REQUIRE(rows.size() > 60);
+  const machine::MachineModel model = machine::read_model(how.model);
+  jobs::PoseRow pose;
+  for (std::size_t i = 0; i < kAxes; ++i) pose.pose.values[i] = rows.back()[3 + i];
+  CHECK(pose.pose == AxisWords{{60, -10, -1008, 10, -5, 0}});
+  OutputFile out(scratch.path("rest.csv"));
+  jobs::write_error_table(model, std::span(&pose, 1), out);
+  out.commit();
+  std::istringstream text(scratch.text("rest.csv"));
+  std::string line;
+  std::getline(text, line);
+  std::vector<double> rest;
+  for (std::string cell; std::getline(text, cell, ',');) rest.push_back(std::atof(cell.c_str()));
+  for (std::size_t i = 0; i < 6; ++i) {
+    CHECK(rows.back()[9 + i] == Approx(rest[24 + i]).margin(1e-3));   // error
+    CHECK(rows.back()[15 + i] == Approx(rest[6 + i]).margin(1e-6));   // length
+    CHECK(rows.back()[21 + i] == Approx(rest[12 + i]).margin(1e-3));  // tension
+  }
+}
+
+TEST_CASE("time goes on by the feed, and friction turns with the direction") {
+  const testing::Scratch scratch;
+  const auto rows = simulate(scratch, "G0 X0 Y0 Z0 A0 B0 C0\nG1 Z10 F600\nG1 Z0\n", options());
+  CHECK(rows.back()[2] == Approx(2.0));
+  const auto& up = rows[5];
+  const auto& down = rows[15];
+  CHECK(up[5] == Approx(-1003));
+  CHECK(down[5] == Approx(-1003));
+  CHECK(std::abs(up[11] - down[11]) > 1);    // um in z
+  CHECK(std::abs(up[27] - down[27]) > 0.5);  // N m at motor 1
+}
+
+TEST_CASE("the tip of a compensated program goes where the source meant it to go") {
+  const testing::Scratch scratch;
+  jobs::Options how = options();
+  how.compensation.friction = false;
+  jobs::compensate_file(scratch.file("p.ngc", kProgram), scratch.path("c.ngc"), how);
+  how.compensation.step = {90, 1e4, 0};  // the blocks' ends alone
+  const auto wanted = simulate(scratch, kProgram, options());
+  const auto got = simulate(scratch, scratch.text("c.ngc"), how);
+  REQUIRE(got.size() == wanted.size());
+  for (std::size_t row = 0; row < got.size(); ++row) {
+    INFO("row " << row);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(got[row][3 + i] + got[row][9 + i] * 1e-3 == Approx(wanted[row][3 + i]).margin(1.5e-4));
+    }
+  }
+}

@@ -1,0 +1,77 @@
+#include "jobs/stamp.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "jobs/scratch.hpp"
+#include "jobs/used_tools.hpp"
+#include "jobs/version.hpp"
+#include "machine/model_file.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+std::vector<std::string> stamp_of(const jobs::Options& options, const std::string& model_name = "pm600-like") {
+  machine::MachineModel model = machine::read_model(testing::source_file("models/pm600-like.toml"));
+  model.name = model_name;
+  nc::ProgramSettings program;
+  program.work_offsets[0] = nc::WorkOffset{{{0, 0.5, -1008, 0, 0, 0}}, 30};
+  program.start[4] = 2;
+  const std::vector<nc::Tool> tools{{1, 85, 16, 1.4, 22}, {2, 60.5, {}, {}, {}}};
+  return jobs::stamp(options, program, model, tools, nc::dialect("linuxcnc"));
+}
+
+bool has(const std::vector<std::string>& lines, const std::string& line) {
+  return std::find(lines.begin(), lines.end(), line) != lines.end();
+}
+
+}  // namespace
+
+TEST_CASE("a stamp says what the output was made with and holds for") {
+  jobs::Options options;
+  options.compensation.friction = false;
+  options.block_delete = true;
+  options.settings_file = "part/plumbline.toml";
+  options.compensation.touch_off = AxisWords{{1, 2, 3, 0, 0, 0}};
+  const std::vector<std::string> lines = stamp_of(options);
+  CHECK(lines.front() == "plumbline " + std::string(jobs::version()) + " compensated this program");
+  CHECK(lines[1].starts_with("model pm600-like, hash "));
+  CHECK(
+      has(lines, "method exact, friction off, step 0.1 deg or 1 mm, time tolerance 0.001 of a block, block delete on"));
+  CHECK(has(lines, "touch-off at X1 Y2 Z3 A0 B0 C0"));
+  CHECK(has(lines, "settings file part/plumbline.toml"));
+  CHECK(has(lines, "start at B2"));
+  CHECK(has(lines, "G54 X0 Y0.5 Z-1008 A0 B0 C0 R30"));
+  CHECK(has(lines, "tool 1: length 85 mm, mass 1.4 kg at 22 mm"));
+  CHECK(has(lines, "tool 2: length 60.5 mm, mass not stated"));
+}
+
+TEST_CASE("whatever a name holds, a stamp is plain short comments") {
+  const std::string odd = "M2) G0 X99 (DEBUG, %\n;\xC3\xA4" + std::string(400, 'n') + " end";
+  for (const std::string& line : stamp_of({}, odd)) {
+    INFO(line);
+    CHECK(line.size() <= 100);
+    CHECK(line.find_first_of("();%\n\r") == std::string::npos);
+    CHECK(std::all_of(line.begin(), line.end(), [](char c) { return c >= 0x20 && c < 0x7F; }));
+    for (const char* const active : {"MSG", "DEBUG", "PRINT", "LOG", "PROBE", "PY", "AXIS"}) {
+      CHECK_FALSE(line.starts_with(active));
+    }
+  }
+}
+
+TEST_CASE("the tools of a program are those whose numbers stand in it") {
+  const testing::Scratch scratch;
+  const nc::ToolTable table({{1, 10, {}, {}, {}}, {2, 20, {}, {}, {}}, {3, 30, {}, {}, {}}, {12, 40, {}, {}, {}}});
+  const auto numbers = [&](const char* program, std::optional<int> spindle = {}) {
+    std::vector<int> found;
+    const InputFile file(scratch.file("p.ngc", program));
+    for (const nc::Tool& tool : jobs::used_tools(file, table, spindle)) found.push_back(tool.number);
+    return found;
+  };
+  CHECK(numbers("t 1 2 m6 (T1)\n; T2\nG43h03\n") == std::vector{3, 12});
+  CHECK(numbers("G1X1\n").empty());
+  CHECK(numbers("G1X1\n", 2) == std::vector{2});
+  CHECK(numbers("M61 Q1\n") == std::vector{1});
+  CHECK(numbers("T#<tool> M6\n").size() == 4);
+  CHECK(numbers("G43 H[1+1]\n").size() == 4);
+}
