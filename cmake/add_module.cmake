@@ -3,10 +3,11 @@ add_library(plumbline_options INTERFACE)
 target_include_directories(plumbline_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
 target_compile_options(plumbline_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wimplicit-fallthrough
+  -Wno-missing-field-initializers  # Options{.tolerance = ...} leaves the others at their defaults
   $<$<BOOL:${PLUMBLINE_WARNINGS_AS_ERRORS}>:-Werror>)
 if(PLUMBLINE_SANITIZE)
   target_compile_options(plumbline_options INTERFACE -fsanitize=${PLUMBLINE_SANITIZE} -fno-sanitize-recover=all
-    -fno-omit-frame-pointer)
+    -fno-omit-frame-pointer -Wno-maybe-uninitialized)  # GCC 12 takes sanitised std::function for uninitialised
   target_link_options(plumbline_options INTERFACE -fsanitize=${PLUMBLINE_SANITIZE})
 endif()
 if(PLUMBLINE_TIDY)

@@ -95,7 +95,6 @@ bool Corrector::move_struts(const Load& load, Pose<double>& pose) const {
 Corrected Corrector::correct_once(const Target& target) const {
   const Load load = load_at(target);
   Corrected corrected;
-  corrected.condition = machine::condition_bound(load.stretch.struts, radius_);
   if (load.stretch.jacobian.singular()) return corrected;
   Pose<double> commanded = load.pose;
   if (settings_.method == Method::first_order) {
@@ -153,6 +152,10 @@ std::optional<double> Corrector::tip_distance_mm(const Target& target, const Axi
   const physics::TipError<double> error = physics::tip_error(physics_, environment, motion);
   if (!error.converged()) return std::nullopt;
   return tip_distance(error.pose, pose_of(target.pose)) / kMm;
+}
+
+double Corrector::condition(const Target& target) const {
+  return machine::condition_number(machine::strut_geometry(geometry(), pose_of(target.pose)), radius_);
 }
 
 std::optional<double> Corrector::error_per_kg_mm(const Target& target) const {

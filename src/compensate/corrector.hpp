@@ -27,7 +27,6 @@ struct Target {
 struct Corrected {
   AxisWords pose;  // to be commanded
   bool converged = false;
-  double condition = 0;  // of the Jacobian at the target, an upper bound
 };
 
 class Corrector {
@@ -48,6 +47,9 @@ class Corrector {
 
   /// Distance (mm) of the deformed tool tip from the target when `commanded` is what the control was told.
   std::optional<double> tip_distance_mm(const Target& target, const AxisWords& commanded) const;
+
+  /// Condition number of the Jacobian where the machine stands on the target.
+  double condition(const Target& target) const;
 
   /// How far each kg hung at the tool tip moves it, mm.
   std::optional<double> error_per_kg_mm(const Target& target) const;

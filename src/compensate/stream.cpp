@@ -196,7 +196,6 @@ nc::CorrectedPoint Stream::corrected_point(const nc::Step& step, const Target& t
   refuse_violations(
       machine::check_compensated(model_.limits, corrector_.geometry(), corrector_.pose_of(corrected.pose)), *step.block,
       source_.name());
-  summary_.condition.take(corrected.condition, step.block->line);
   AxisWords nominal = words;
   AxisWords shift = step.frame->from_pose(corrected.pose) - nominal;
   for (const Axis axis : kAllAxes) {
@@ -292,6 +291,7 @@ void Stream::note_end(const nc::Step& step, const Target& target) {
   PLUMBLINE_CHECK(distance.has_value());
   summary_.residual_mm.take(*distance, step.block->line);
   ++summary_.replayed;
+  summary_.condition.take(corrector_.condition(target), step.block->line);
   note_offset_sensitivity(target, commanded);
 }
 

@@ -41,7 +41,7 @@ struct Summary {
   Worst rounding_mm;                 // of a point: what the control keeps against what was asked
   Worst residual_mm;                 // distance of the deformed tip from the programmed point, replayed on the model
   std::uint64_t replayed = 0;        // points that this was worked out for
-  Worst condition;                   // condition number of the Jacobian (an upper bound) of the compensated poses
+  Worst condition;                   // condition number of the Jacobian at the points that were played
   std::uint64_t widened_blocks = 0;  // whose pieces the control's block time made longer
   Worst widened_step_mm;
   double offset_shift_for_1um_mm = std::numeric_limits<double>::infinity();  // of the work offset, that costs 1 um

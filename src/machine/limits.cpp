@@ -10,17 +10,20 @@ namespace plumbline::machine {
 namespace {
 
 // Adds what lies beyond the range, in the unit that messages speak.
-void check_range(std::vector<Violation>& broken, std::string what, double value, const Range& range, double unit,
+// `name` is asked only then: poses within the limits, which are many, cost no text.
+template <class Name>
+void check_range(std::vector<Violation>& broken, Name&& name, double value, const Range& range, double unit,
                  std::string_view unit_name) {
   if (value >= range.lower && value <= range.upper) return;
   const double limit = value < range.lower ? range.lower : range.upper;
-  broken.push_back(
-      {std::move(what), value / unit, limit / unit, std::abs(value - limit) / unit, std::string(unit_name)});
+  broken.push_back({name(), value / unit, limit / unit, std::abs(value - limit) / unit, std::string(unit_name)});
 }
 
 void check_tilt(std::vector<Violation>& broken, const Matrix3<double>& R_WP, double limit) {
   const double angle = tilt(R_WP);
-  if (angle > limit + kTiltTolerance) check_range(broken, "tilt", angle, {0, limit}, kDeg, "deg");
+  if (angle > limit + kTiltTolerance)
+    check_range(
+        broken, [] { return "tilt"; }, angle, {0, limit}, kDeg, "deg");
 }
 
 }  // namespace
@@ -46,18 +49,20 @@ std::vector<Violation> check_compensated(const Limits& limits, const Geometry& g
   std::vector<Violation> broken;
   check_tilt(broken, pose.R_WP, limits.tilt + limits.tilt_allowance);
   for (int a = 0; a < 3; ++a) {
-    check_range(broken, std::string(1, static_cast<char>('X' + a)), pose.p_WT[a],
-                limits.travel[static_cast<std::size_t>(a)], kMm, "mm");
+    const auto name = [a] { return std::string(1, static_cast<char>('X' + a)); };
+    check_range(broken, name, pose.p_WT[a], limits.travel[static_cast<std::size_t>(a)], kMm, "mm");
   }
   const StrutGeometry<double> struts = strut_geometry(geometry, pose);
   for (int j = 0; j < kStruts; ++j) {
-    check_range(broken, fmt::format("strut {}", j + 1), struts.length[j], {limits.length_min[j], limits.length_max[j]},
-                kMm, "mm");
+    const auto name = [j] { return fmt::format("strut {}", j + 1); };
+    check_range(broken, name, struts.length[j], {limits.length_min[j], limits.length_max[j]}, kMm, "mm");
   }
+  if (std::isinf(limits.condition_max)) return broken;
   // The bound is cheap and never too small: only where it exceeds the limit is the number itself needed.
   const double radius = platform_radius(geometry);
   if (condition_bound<double>(struts, radius) > limits.condition_max) {
-    check_range(broken, "condition", condition_number(struts, radius), {0, limits.condition_max}, 1, "");
+    check_range(
+        broken, [] { return "condition"; }, condition_number(struts, radius), {0, limits.condition_max}, 1, "");
   }
   return broken;
 }

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "base/check.hpp"
-#include "base/diagnostic.hpp"
 #include "base/number_text.hpp"
 #include "base/units.hpp"
 
@@ -15,16 +14,6 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 16U;
 constexpr std::string_view kSkipped = "block delete is on: this block was left out";
-
-Place place_of(const Step& step, const InputFile& source) {
-  Place place;
-  place.file = source.name();
-  place.line = step.block->line;
-  place.column = 1;
-  place.length = step.block->text.size();
-  place.text = step.block->text;
-  return place;
-}
 
 // Only the words that tell where the control stands: their values grow by what the control is off.
 bool shifts_words(const Step& step, const AxisWords& shift) {
@@ -104,10 +93,10 @@ void Emitter::begin_change(const Step& step) {
 
 void Emitter::write_line(const Step& step, std::string_view text) {
   if (text.size() > dialect_.line_length) {
-    refuse("emit-line-too-long",
-           fmt::format("the corrected block has {} characters, and {} takes {}", text.size(), dialect_.name,
-                       dialect_.line_length),
-           "put comments or other words of this block on a line of their own", place_of(step, source_));
+    refuse_block(*step.block, "emit-line-too-long",
+                 fmt::format("the corrected block has {} characters, and {} takes {}", text.size(), dialect_.name,
+                             dialect_.line_length),
+                 "put comments or other words of this block on a line of their own");
   }
   out_.write(text);
 }
@@ -169,11 +158,11 @@ void Emitter::copy(const Step& step) {
 void Emitter::refuse_if_shifted(const Step& step) const {
   for (const Axis axis : kAllAxes) {
     if (std::abs(control_.shift[axis]) <= 1e-9) continue;
-    refuse("emit-stores-position",
-           fmt::format("this block stores where the control stands, which is {:.4f} {} off in {} after the correction",
-                       control_.shift[axis], is_rotary(axis) ? "deg" : "mm", letter(axis)),
-           "store the position before the program runs, or move there in machine coordinates (G53) first",
-           place_of(step, source_));
+    refuse_block(
+        *step.block, "emit-stores-position",
+        fmt::format("this block stores where the control stands, which is {:.4f} {} off in {} after the correction",
+                    control_.shift[axis], is_rotary(axis) ? "deg" : "mm", letter(axis)),
+        "store the position before the program runs, or move there in machine coordinates (G53) first");
   }
 }
 

@@ -5,16 +5,19 @@
 
 #include <fmt/format.h>
 
-#include "base/diagnostic.hpp"
 #include "base/number_text.hpp"
 #include "base/units.hpp"
+#include "nc/emit_text.hpp"
 #include "nc/feed.hpp"
 
 namespace plumbline::nc {
 namespace {
 
 constexpr double kAlikeSpeeds = 0.02;  // pieces of a block whose speeds differ less share one F
-constexpr double kMoves = 0.25;        // of a quantum: less than this is the noise of adding and taking away offsets
+constexpr double kLargestWord = 1e6;   // with nine decimals this still is exact in a double
+constexpr double kLeastFeed = 1e-6;
+constexpr double kLargestFeed = 1e12;
+constexpr double kMoves = 0.25;  // of a quantum: less than this is the noise of adding and taking away offsets
 
 double distance_mm(const AxisWords& a, const AxisWords& b) {
   const AxisWords d = a - b;
@@ -22,18 +25,25 @@ double distance_mm(const AxisWords& a, const AxisWords& b) {
 }
 
 [[noreturn]] void refuse_feed_rule(const Step& step, const Dialect& dialect) {
-  Place place;
-  place.line = step.block->line;
-  place.column = 1;
-  place.text = step.block->text;
-  refuse("emit-feed-rule",
-         fmt::format("dialect {} does not say which speed F is in a block that mixes linear and rotary words",
-                     dialect.name),
-         "program such blocks in inverse time (G93), or set the dialect's feed rule", place);
+  refuse_block(*step.block, "emit-feed-rule",
+               fmt::format("dialect {} does not say which speed F is in a block that mixes linear and rotary words",
+                           dialect.name),
+               "program such blocks in inverse time (G93), or set the dialect's feed rule");
+}
+
+// Numbers that cannot be written with all their digits.
+void check_word(const Step& step, double value) {
+  if (std::abs(value) < kLargestWord) return;
+  refuse_block(*step.block, "emit-out-of-range", fmt::format("this block would need the number {:.6g}", value),
+               "check the words and offsets of the block: no machine goes there");
 }
 
 // F as written: six digits that count, so that it is within 5e-6 of what was asked.
-double rounded_feed(double feed) {
+double rounded_feed(const Step& step, double feed) {
+  if (!(feed > kLeastFeed && feed < kLargestFeed)) {
+    refuse_block(*step.block, "emit-feed-range", fmt::format("this block would need F{:.6g} to keep its time", feed),
+                 "check its feed, or let several such blocks be one");
+  }
   const int decimals = std::clamp(5 - static_cast<int>(std::floor(std::log10(feed))), 0, kMostDecimals);
   return from_ticks(to_ticks(feed, decimals), decimals);
 }
@@ -120,6 +130,7 @@ Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point,
     }
     const bool known = step.motions.front().known_before.contains(axis) || !first;
     const double wanted = (step.after->incremental ? target[axis] - at[axis] : target[axis]) / g.per_unit;
+    check_word(step, wanted);
     const double kept = std::round(wanted / g.quantum) * g.quantum;
     const double value = from_ticks(to_ticks(kept, g.digits), g.digits);
     const double end = step.after->incremental ? at[axis] + value * g.per_unit : value * g.per_unit;
@@ -174,7 +185,7 @@ void PiecePlanner::choose_rates(const Step& step, double seconds, OutputState& c
   double spent = 0;
   for (Piece& piece : pieces_) {
     double feed = step.after->feed;
-    if (!keeps && piece.length > 0) feed = rounded_feed(alike ? mean : piece.length / (piece.share * time));
+    if (!keeps && piece.length > 0) feed = rounded_feed(step, alike ? mean : piece.length / (piece.share * time));
     const bool stated = &piece == &pieces_.front() && find_word(*step.block, 'F') != nullptr;
     const double allowed = keeps ? 0 : settings_.time_tolerance / 4;
     if (stated || control.feed <= 0 || differs(feed, control.feed, allowed)) {
@@ -198,7 +209,7 @@ void PiecePlanner::choose_inverse_times(const Step& step, double seconds, Output
     piece.restates_mode = mode != control.feed_mode;
     control.feed_mode = mode;
     const bool whole = pieces_.size() == 1 && !piece.leaves_inverse_time;
-    const double feed = rounded_feed(piece.leaves_inverse_time ? rate : 1 / minutes);
+    const double feed = rounded_feed(step, piece.leaves_inverse_time ? rate : 1 / minutes);
     const bool keep = whole && !differs(step.motions.front().feed, feed, settings_.time_tolerance);
     if (!keep) piece.feed = feed;
     spent += piece.leaves_inverse_time ? piece.length / feed : 1 / (keep ? step.motions.front().feed : feed);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/number_text.hpp"
+#include "nc/parser.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -94,6 +95,10 @@ void append_word(std::string& out, char letter, double value, int decimals, cons
   constexpr double kExact = 1e15;  // units of the last decimal that a double counts
   while (decimals > 0 && std::abs(value) * std::pow(10.0, decimals) > kExact) --decimals;
   append_decimal(out, value, decimals);
+}
+
+void refuse_block(const Block& block, std::string_view code, std::string message, std::string help) {
+  refuse_at(block, {0, static_cast<std::uint32_t>(block.text.size())}, code, std::move(message), std::move(help));
 }
 
 }  // namespace plumbline::nc

@@ -52,4 +52,7 @@ void append_code(std::string& out, std::string_view code, const Spelling& spelli
 /// A word: letter in the case asked for, then the number with at most that many decimals.
 void append_word(std::string& out, char letter, double value, int decimals, const Spelling& spelling);
 
+/// Refuses a block as a whole.
+[[noreturn]] void refuse_block(const Block& block, std::string_view code, std::string message, std::string help);
+
 }  // namespace plumbline::nc
