@@ -1,0 +1,116 @@
+// What each command gives.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+
+using namespace plumbline::testing;
+using nlohmann::json;
+
+TEST_CASE("compensate writes a program, a summary and JSON") {
+  const Scratch scratch;
+  scratch.file("p.ngc", kPart);
+  const Outcome outcome = run(scratch, "compensate p.ngc -o out.ngc --json sum.json " + kModel + kOffset);
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out.empty());
+  CHECK(contains(outcome.err, "largest correction"));
+  CHECK_FALSE(contains(outcome.err, "\r"));
+  CHECK(json::parse(scratch.text("sum.json")).at("plumbline") == "compensation 1");
+  CHECK(contains(scratch.text("out.ngc"), "compensated this program)"));
+  const Outcome twice = run(scratch, "compensate out.ngc -o twice.ngc " + kModel + kOffset);
+  CHECK(twice.code == 1);
+  CHECK(contains(twice.err, "compensated already"));
+}
+
+TEST_CASE("compensate says where what a program needs was not given") {
+  const Scratch scratch;
+  scratch.file("p.ngc", kPart);
+  const Outcome outcome = run(scratch, "compensate p.ngc -o out.ngc " + kModel);
+  CHECK(outcome.code == 1);
+  CHECK(contains(outcome.err, "p.ngc:3:"));
+  CHECK(contains(outcome.err, "--work-offset"));
+}
+
+TEST_CASE("trace prints a line of JSON for each motion") {
+  const Scratch scratch;
+  scratch.file("p.ngc", kPart);
+  const Outcome outcome = run(scratch, "trace p.ngc");
+  CHECK(outcome.code == 0);
+  CHECK(std::count(outcome.out.begin(), outcome.out.end(), '\n') == 4);
+  const json last = json::parse(outcome.out.substr(outcome.out.rfind('\n', outcome.out.size() - 2) + 1));
+  CHECK(last.at("motion") == "arc");
+  CHECK(last.at("to") == json({30.5, 20.25, 0, 5, -2.5, 1}));
+  CHECK(run(scratch, "trace - -o t.jsonl <p.ngc").code == 0);
+  CHECK(scratch.text("t.jsonl") == outcome.out);
+}
+
+TEST_CASE("error tabulates the machine at rest") {
+  const Scratch scratch;
+  scratch.file("poses.csv", "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n0,0,-1008,0,0,0\n");
+  const Outcome outcome = run(scratch, "error " + kModel + " poses.csv");
+  CHECK(outcome.code == 0);
+  CHECK(contains(outcome.out, "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,length1_mm,"));
+  CHECK(contains(outcome.out, "\n0.000,0.000,-1008.000,0.000,0.000,0.000,1251.0212102"));
+  CHECK(contains(outcome.out, ",-15.378975"));
+  CHECK(run(scratch, "error " + kModel + " - -o e.csv <poses.csv").code == 0);
+  CHECK(scratch.text("e.csv") == outcome.out);
+  scratch.file("poses.csv", "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n0,0,-1008,0,0,oops\n");
+  const Outcome wrong = run(scratch, "error " + kModel + " poses.csv");
+  CHECK(wrong.code == 1);
+  CHECK(wrong.out.empty());
+  CHECK(contains(wrong.err, "poses.csv:2:15: error: row 2, column c_deg"));
+}
+
+TEST_CASE("check exits with 1 where a limit is broken") {
+  const Scratch scratch;
+  scratch.file("p.ngc", kPart);
+  const Outcome kept = run(scratch, "check p.ngc " + kModel + kOffset);
+  CHECK(kept.code == 0);
+  CHECK(contains(kept.out, "all kept"));
+  const Outcome broken = run(scratch, "check p.ngc --json c.json --work-offset G54=290,0,-1008,0,0,0 " + kModel);
+  CHECK(broken.code == 1);
+  CHECK(contains(broken.out, "p.ngc:5: X would be "));
+  CHECK(json::parse(scratch.text("c.json")).at("violations") > 0);
+  const Outcome as_json = run(scratch, "check p.ngc --json - " + kModel + kOffset);
+  CHECK(json::parse(as_json.out).at("violations") == 0);
+}
+
+TEST_CASE("simulate writes a row for each point") {
+  const Scratch scratch;
+  scratch.file("p.ngc", kPart);
+  const Outcome outcome = run(scratch, "simulate p.ngc " + kModel + kOffset);
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out.starts_with("line,motion,time_s,x_mm,"));
+  CHECK(std::count(outcome.out.begin(), outcome.out.end(), '\n') > 40);
+  CHECK(contains(outcome.err, "the tip up to"));
+}
+
+TEST_CASE("diff tells programs apart and says so to scripts") {
+  const Scratch scratch;
+  scratch.file("a.ngc", kPart);
+  CHECK(run(scratch, "compensate a.ngc -o b.ngc " + kModel + kOffset).code == 0);
+  CHECK(run(scratch, "diff a.ngc a.ngc --expect-equal").code == 0);
+  const Outcome outcome = run(scratch, "diff a.ngc b.ngc --json d.json");
+  CHECK(outcome.code == 0);
+  CHECK(contains(outcome.out, "shift of Z"));
+  CHECK(contains(outcome.out, "0 moves of A, 0 of B"));
+  CHECK(json::parse(scratch.text("d.json")).at("out_of_line_b") == 0);
+  CHECK(run(scratch, "diff a.ngc b.ngc --expect-equal").code == 1);
+  CHECK(run(scratch, "diff a.ngc b.ngc --expect-equal --tolerance-mm 1 --tolerance-deg 1").code == 0);
+  CHECK(run(scratch, "diff - b.ngc --json - <a.ngc").out == scratch.text("d.json"));
+}
+
+TEST_CASE("tools, variables and the rest reach the work") {
+  const Scratch scratch;
+  scratch.file("p.ngc", "G0 X0 Y0 Z0 A0 B0 C0\nT1 M6\nG43 H1\nG1 X#100 F500\n/G1 X2\nM120\nM2\n");
+  scratch.file("tools.toml", "plumbline = \"tools 1\"\n[[tool]]\nnumber = 1\nlength_mm = 80\nmass_kg = 1\n");
+  scratch.file("v.txt", "#100 7.5\n");
+  const std::string command = "compensate p.ngc -o out.ngc " + kModel + kOffset;
+  CHECK(run(scratch, command).code == 1);
+  const Outcome outcome =
+      run(scratch, command + "--tools tools.toml --variables v.txt --block-delete on --pass M120 --keeps-position M6");
+  INFO(outcome.err);
+  CHECK(outcome.code == 0);
+  CHECK(contains(scratch.text("out.ngc"), "(tool 1: length 80 mm, mass 1 kg at 0 mm)"));
+  CHECK(contains(scratch.text("out.ngc"), "block delete on"));
+}
