@@ -128,12 +128,15 @@ std::string read_text(const std::string& path) {
 }
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
-  if (path_ == kStandardStream) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path_, ignored)) {
+    refuse_file("file-is-folder", path_, "is a folder, not a file", "name a file in it");
+  }
+  // A device or a pipe (/dev/null, /dev/stdout) is written to, never replaced.
+  const bool is_special = std::filesystem::exists(path_, ignored) && !std::filesystem::is_regular_file(path_, ignored);
+  if (path_ == kStandardStream || is_special) {
     descriptor_ = open_unnamed_temporary();
     return;
-  }
-  if (std::filesystem::is_directory(path_)) {
-    refuse_file("file-is-folder", path_, "is a folder, not a file", "name a file in it");
   }
   temporary_ = path_ + ".XXXXXX";
   descriptor_ = mkstemp(temporary_.data());
@@ -161,6 +164,7 @@ void OutputFile::refuse_write(int error) const {
 void OutputFile::write(std::string_view bytes) {
   buffer_ += bytes;
   size_ += bytes.size();
+  if (hash_) hash_ = fnv1a(bytes, *hash_);
   if (buffer_.size() >= kBufferedOutput) flush();
 }
 
@@ -172,16 +176,28 @@ void OutputFile::flush() {
 void OutputFile::commit() {
   PLUMBLINE_CHECK(descriptor_ >= 0);
   flush();
-  if (path_ == kStandardStream) {
-    if (lseek(descriptor_, 0, SEEK_SET) != 0 || !copy_all(descriptor_, STDOUT_FILENO)) refuse_write(errno);
-    ::close(descriptor_);
-    descriptor_ = -1;
+  if (temporary_.empty()) {
+    copy_to_stream();
     return;
   }
   const bool closed = fsync(descriptor_) == 0 && ::close(descriptor_) == 0;
   descriptor_ = -1;
   if (!closed || rename(temporary_.c_str(), path_.c_str()) != 0) refuse_write(errno);
   temporary_.clear();
+}
+
+// What was spooled goes to standard output, or into the device or pipe that the path names.
+void OutputFile::copy_to_stream() {
+  const bool is_standard = path_ == kStandardStream;
+  const int stream = is_standard ? STDOUT_FILENO : ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+  if (stream < 0) refuse_write(errno);
+  const bool copied = lseek(descriptor_, 0, SEEK_SET) == 0 && copy_all(descriptor_, stream);
+  const int error = errno;
+  const bool closed = is_standard || ::close(stream) == 0;
+  ::close(descriptor_);
+  descriptor_ = -1;
+  if (!copied) refuse_write(error);
+  if (!closed) refuse_write(errno);
 }
 
 void write_text(const std::string& path, std::string_view text) {

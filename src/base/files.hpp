@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "base/hash.hpp"
 
 namespace plumbline {
 
@@ -43,7 +45,8 @@ class InputFile {
 std::string read_text(const std::string& path);
 
 /// A file being written: a temporary one beside `path` that takes its name at commit(). Without commit() nothing is
-/// left behind. "-" writes to standard output, at commit(). Refuses with file-unwritable.
+/// left behind. "-", a device or a pipe gets its bytes at commit() and is never replaced. Refuses with
+/// file-unwritable or file-is-folder.
 class OutputFile {
  public:
   explicit OutputFile(std::string path);
@@ -55,17 +58,22 @@ class OutputFile {
 
   void write(std::string_view bytes);
   std::uint64_t size() const { return size_; }
+  /// From now on hash() is the fnv1a of all that is written. To be called before the first write.
+  void keep_hash() { hash_ = fnv1a({}); }
+  std::uint64_t hash() const { return hash_.value_or(0); }
   const std::string& name() const { return path_; }
   void commit();
 
  private:
   void flush();
+  void copy_to_stream();
   [[noreturn]] void refuse_write(int error) const;
   std::string path_;
   std::string temporary_;
   std::string buffer_;
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
+  std::optional<std::uint64_t> hash_;
 };
 
 /// Writes a small file whole, as OutputFile does.

@@ -24,7 +24,10 @@ int compensate(const Arguments& arguments) {
   const jobs::Options options = arguments.shared.read(arguments.program);
   require_model(options);
   check_outputs({arguments.program, options.model, options.tools, options.variables, options.settings_file},
-                {arguments.output, arguments.json});
+                {arguments.output, arguments.json, options.undo ? jobs::undo_name(arguments.output) : std::string()});
+  if (options.undo && arguments.output == kStandardStream) {
+    throw UsageError("--undo writes a file beside the output: name one with -o");
+  }
   std::optional<OutputFile> json;
   if (!arguments.json.empty()) json.emplace(arguments.json);
   ProgressLine line;

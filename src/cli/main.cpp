@@ -43,7 +43,9 @@ int main_of(int argc, const char* const* argv) {
   CLI::App app;
   Run run;
   describe(app);
-  for (const auto add : {add_compensate, add_error, add_trace, add_check, add_simulate, add_diff}) add(app, run);
+  for (const auto add : {add_compensate, add_restore, add_error, add_trace, add_check, add_simulate, add_diff,
+                         add_compare, add_circularity})
+    add(app, run);
   try {
     app.parse(argc, argv);
     return run();

@@ -9,19 +9,32 @@
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
 #include "jobs/simulate.hpp"
+#include "jobs/simulate_dataset.hpp"
 #include "jobs/text_table.hpp"
 
 namespace plumbline::cli {
 namespace {
 
 struct Arguments {
-  std::string program;
+  std::string program, dataset;
   std::string output = std::string(kStandardStream);
   SharedOptions shared;
 };
 
+int simulate_dataset(const Arguments& arguments) {
+  if (!arguments.program.empty()) throw UsageError("either PROGRAM or -d DATASET, not both");
+  if (arguments.output == kStandardStream) throw UsageError("-o DIR is required: the folder for the dataset");
+  const jobs::Options options = arguments.shared.read(arguments.dataset);
+  require_model(options);
+  const jobs::DatasetSimulationSummary summary =
+      jobs::simulate_dataset(options.model, arguments.dataset, arguments.output);
+  fmt::print(stderr, "{} runs, {} samples\n", jobs::count_text(summary.runs), jobs::count_text(summary.samples));
+  return kDone;
+}
+
 int simulate(const Arguments& arguments) {
-  if (arguments.program.empty()) throw UsageError("PROGRAM is required: the NC program to be played");
+  if (!arguments.dataset.empty()) return simulate_dataset(arguments);
+  if (arguments.program.empty()) throw UsageError("PROGRAM is required: the NC program to be played, or -d DATASET");
   const jobs::Options options = arguments.shared.read(arguments.program);
   require_model(options);
   check_outputs({arguments.program, options.model, options.tools, options.variables, options.settings_file},
@@ -41,9 +54,15 @@ int simulate(const Arguments& arguments) {
 
 void add_simulate(CLI::App& app, Run& run) {
   CLI::App* const command = app.add_subcommand(
-      "simulate", "Play a program, as it stands, on the model: path, error of the tool tip, struts, forces, torques");
+      "simulate",
+      "Play a program, as it stands, on the model: path, error of the tool tip, struts, forces, torques; or the "
+      "circular tests of a dataset: readings of bar and motors");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("PROGRAM", arguments->program, "the NC program; - for standard input")->type_name("FILE");
+  command
+      ->add_option("-d,--dataset", arguments->dataset,
+                   "a dataset.toml instead of a program: writes the same dataset, simulated, into the folder -o")
+      ->type_name("DATASET");
   command
       ->add_option("-o,--output", arguments->output,
                    "CSV: line, motion, time (s), pose (mm, deg), error of the tip (um) and of the orientation (urad), "

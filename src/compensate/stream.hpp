@@ -22,6 +22,9 @@ class Stream {
   Stream(const InputFile& source, const nc::Dialect& dialect, const nc::ProgramSettings& program,
          const machine::MachineModel& model, const Settings& settings, nc::EmitSettings emit, OutputFile& out);
 
+  /// Notes what the output replaces; to be called before run(). `log` must outlive the stream.
+  void record(nc::UndoLog& log) { emitter_.record(log); }
+
   /// Compensates the whole program into `out`, which is left for the caller to commit. Refuses with nc-..., limit-...,
   /// emit-... or compensate-... and the place.
   Summary run(const Progress& progress = {});

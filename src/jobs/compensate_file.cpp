@@ -1,11 +1,14 @@
 #include "jobs/compensate_file.hpp"
 
+#include <optional>
+
 #include "base/files.hpp"
 #include "compensate/stream.hpp"
 #include "jobs/guard_block.hpp"
 #include "jobs/stamp.hpp"
 #include "jobs/used_tools.hpp"
 #include "machine/model_file.hpp"
+#include "nc/undo.hpp"
 
 namespace plumbline::jobs {
 namespace {
@@ -21,7 +24,15 @@ nc::EmitSettings emit_settings(const machine::ControlSettings& control, const Op
   return emit;
 }
 
+struct Undo {
+  explicit Undo(const std::string& output) : file(undo_name(output)), log(file) {}
+  OutputFile file;
+  nc::UndoLog log;
+};
+
 }  // namespace
+
+std::string undo_name(const std::string& output) { return output + ".undo"; }
 
 compensate::Summary compensate_file(const std::string& program, const std::string& output, const Options& options,
                                     const Progress& progress) {
@@ -41,8 +52,18 @@ compensate::Summary compensate_file(const std::string& program, const std::strin
 
   OutputFile out(output);
   compensate::Stream stream(source, dialect, settings, model, compensation, std::move(emit), out);
+  std::optional<Undo> undo;
+  if (options.undo) {
+    undo.emplace(output);
+    out.keep_hash();
+    stream.record(undo->log);
+  }
   compensate::Summary summary = stream.run(progress);
   summary.bytes_after = out.size();
+  if (undo) {
+    undo->log.finish(source, out.size(), out.hash());
+    undo->file.commit();
+  }
   out.commit();
   return summary;
 }

@@ -14,4 +14,7 @@ namespace plumbline::jobs {
 compensate::Summary compensate_file(const std::string& program, const std::string& output, const Options& options,
                                     const Progress& progress = {});
 
+/// Where --undo puts what the output replaced: beside it.
+std::string undo_name(const std::string& output);
+
 }  // namespace plumbline::jobs

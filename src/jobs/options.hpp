@@ -33,6 +33,7 @@ struct Options {
   compensate::Settings compensation;
   double time_tolerance = 1e-3;  // share of a block's time
   bool guard = false;
+  bool undo = false;
 
   std::string settings_file;  // that some of these come from; empty: none
 };

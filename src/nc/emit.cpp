@@ -81,14 +81,25 @@ void Emitter::begin_change(const Step& step) {
   changed_ = true;
   copy_source(0, header_end_);
   write_stamp();
+  if (undo_ != nullptr) undo_->replaced(header_end_, out_.size() - header_end_, {});
   std::uint64_t at = header_end_;
   for (const Replacement& r : before_change_) {
     copy_source(at, r.offset);
+    if (undo_ != nullptr) undo_->replaced(out_.size(), r.text.size(), r.original);
     out_.write(r.text);
-    at = r.offset + r.size;
+    at = r.offset + r.original.size();
   }
   copy_source(at, step.block->offset);
   before_change_.clear();
+}
+
+// What was written since `begin` stands for the block, unless it is the block.
+void Emitter::note_replaced(const Step& step, std::uint64_t begin) {
+  if (undo_ == nullptr) return;
+  const Block& block = *step.block;
+  const std::uint64_t size = out_.size() - begin;
+  if (size == block.text.size() + block.line_end.size() && line_ == block.text) return;
+  undo_->replaced(begin, size, std::string(block.text) + std::string(block.line_end));
 }
 
 void Emitter::write_line(const Step& step, std::string_view text) {
@@ -138,6 +149,7 @@ void Emitter::copy(const Step& step) {
                               step.motions.front().kind != MotionKind::dwell;
   if (offset_words) begin_change(step);
   if (changed_) {
+    const std::uint64_t begin = out_.size();
     restore_feed_state(step, codes.feed != nullptr);
     editor_.start(block, spelling_);
     if (offset_words) add_offset_shifts(step);
@@ -151,6 +163,7 @@ void Emitter::copy(const Step& step) {
     editor_.apply(line_);
     write_line(step, line_);
     out_.write(block.line_end);
+    note_replaced(step, begin);
   }
   control_.follow(step, codes.motion != nullptr, codes.feed_mode != nullptr, codes.feed != nullptr);
 }
@@ -192,11 +205,14 @@ void Emitter::copy_with_choice_applied(const Step& step) {
     editor_.apply(text);
   }
   if (!changed_) {
-    before_change_.push_back({block.offset, block.text.size(), text});
+    before_change_.push_back({block.offset, std::string(block.text), text});
   } else {
+    const std::uint64_t begin = out_.size();
     if (!step.skipped) restore_feed_state(step, find_word(block, 'F') != nullptr);
     write_line(step, text);
     out_.write(block.line_end);
+    line_ = text;
+    note_replaced(step, begin);
   }
   if (step.skipped) return;
   const BlockCodes codes = codes_.codes_of(block);
@@ -213,6 +229,7 @@ EmittedMove Emitter::move(const Step& step, std::span<const CorrectedPoint> poin
   }
   note_header(step);
   begin_change(step);
+  const std::uint64_t begin = out_.size();
   const std::span<Piece> pieces = planner_.plan(step, points, writable, seconds, control_);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const bool is_last = i + 1 == pieces.size();
@@ -225,6 +242,7 @@ EmittedMove Emitter::move(const Step& step, std::span<const CorrectedPoint> poin
     write_line(step, line_);
     out_.write(is_last ? step.block->line_end : line_end(step));
   }
+  note_replaced(step, begin);
   control_.motion = step.motions.front().kind == MotionKind::rapid ? MotionMode::rapid : MotionMode::feed;
   return {true, static_cast<int>(pieces.size()), planner_.seconds(), planner_.rounding_mm()};
 }

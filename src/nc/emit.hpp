@@ -14,6 +14,7 @@
 #include "nc/emit_state.hpp"
 #include "nc/emit_text.hpp"
 #include "nc/step.hpp"
+#include "nc/undo.hpp"
 
 namespace plumbline::nc {
 
@@ -30,6 +31,9 @@ class Emitter {
  public:
   /// All must outlive it. `source` is the file that the steps come from.
   Emitter(const InputFile& source, const Dialect& dialect, EmitSettings settings, OutputFile& out);
+
+  /// Notes what the output replaces; to be called before the first block. `log` must outlive the emitter.
+  void record(UndoLog& log) { undo_ = &log; }
 
   /// Passes a block through: no correction. Its axis words are changed only where they tell the control where it
   /// stands (G92), so that it ends with the offset that the original gives. Refuses with emit-stores-position.
@@ -49,7 +53,8 @@ class Emitter {
 
  private:
   struct Replacement {  // of a whole block's text, before anything else of the program was changed
-    std::uint64_t offset, size;
+    std::uint64_t offset;
+    std::string original;
     std::string text;
   };
 
@@ -58,6 +63,7 @@ class Emitter {
   void copy_source(std::uint64_t from, std::uint64_t to);
   void write_stamp();
   void write_line(const Step& step, std::string_view text);
+  void note_replaced(const Step& step, std::uint64_t begin);
   void restore_feed_state(const Step& step, bool has_feed_word);
   void add_offset_shifts(const Step& step);
   void refuse_if_shifted(const Step& step) const;
@@ -72,6 +78,7 @@ class Emitter {
   PiecePlanner planner_;
   CodeWriter codes_;
   PieceWriter writer_;
+  UndoLog* undo_ = nullptr;
   bool changed_ = false;
   bool in_header_ = true;
   std::uint64_t header_end_ = 0;

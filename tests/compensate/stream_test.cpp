@@ -48,16 +48,30 @@ struct Result {
   compensate::Summary summary;
 };
 
+std::string original_of(const std::string& output) {
+  OutputFile back(output + ".back");
+  nc::restore(InputFile(output), InputFile(output + ".undo"), back);
+  back.commit();
+  return read_text(output + ".back");
+}
+
 Result run(const std::string& text, const Job& job) {
   const Folder folder;
   write_text(folder / "in.ngc", text);
   const InputFile source(folder / "in.ngc");
   OutputFile out(folder / "out.ngc");
   compensate::Stream stream(source, nc::dialect("linuxcnc"), job.program, job.model, job.settings, job.emit, out);
+  OutputFile undo(folder / "out.ngc.undo");
+  nc::UndoLog log(undo);
+  stream.record(log);
+  out.keep_hash();
   Result result;
   result.summary = stream.run();
+  log.finish(source, out.size(), out.hash());
+  undo.commit();
   out.commit();
   result.text = read_text(folder / "out.ngc");
+  CHECK(original_of(folder / "out.ngc") == text);
   return result;
 }
 

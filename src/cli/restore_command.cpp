@@ -1,0 +1,42 @@
+#include <memory>
+
+#include "base/files.hpp"
+#include "cli/command.hpp"
+#include "cli/command_files.hpp"
+#include "jobs/compensate_file.hpp"
+#include "nc/undo.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+struct Arguments {
+  std::string program, undo, output;
+};
+
+int restore(const Arguments& arguments) {
+  const std::string undo = arguments.undo.empty() ? jobs::undo_name(arguments.program) : arguments.undo;
+  check_outputs({arguments.program, undo}, {arguments.output});
+  const InputFile program(arguments.program);
+  const InputFile log(undo);
+  OutputFile out(arguments.output);
+  nc::restore(program, log, out);
+  out.commit();
+  return kDone;
+}
+
+}  // namespace
+
+void add_restore(CLI::App& app, Run& run) {
+  CLI::App* const command =
+      app.add_subcommand("restore", "Give back the original of a compensated program, byte for byte");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("PROGRAM", arguments->program, "the compensated program")->type_name("FILE")->required();
+  command->add_option("--undo", arguments->undo, "what compensate --undo wrote (default PROGRAM.undo)")
+      ->type_name("FILE");
+  command->add_option("-o,--output", arguments->output, "the original; - for standard output")
+      ->type_name("FILE")
+      ->required();
+  command->callback([arguments, &run] { run = [arguments] { return restore(*arguments); }; });
+}
+
+}  // namespace plumbline::cli
