@@ -1,162 +1,13 @@
-// Whole programs: text in, text out, the output read again and played on the model.
 #include "compensate/stream.hpp"
-
-#include <cmath>
-#include <filesystem>
 
 #include <catch2/catch.hpp>
 
-#include "base/diagnostic.hpp"
-#include "base/units.hpp"
+#include "compensate/play.hpp"
 #include "compensate/random_program.hpp"
-#include "machine/model_file.hpp"
-#include "path/duration.hpp"
-#include "path/subdivide.hpp"
 
 using namespace plumbline;
-namespace fs = std::filesystem;
 
 namespace {
-
-machine::MachineModel pm600() { return machine::read_model(PLUMBLINE_SOURCE_DIR "/models/pm600-like.toml"); }
-
-nc::ProgramSettings in_workspace() {
-  nc::ProgramSettings settings;
-  settings.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
-  return settings;
-}
-
-struct Job {
-  machine::MachineModel model = pm600();
-  nc::ProgramSettings program = in_workspace();
-  compensate::Settings settings;
-  nc::EmitSettings emit = {.stamp = {"plumbline 0 compensated this program"}};
-};
-
-class Folder {
- public:
-  Folder() { fs::create_directories(path_); }
-  ~Folder() { fs::remove_all(path_); }
-  std::string operator/(const char* name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_ = fs::temp_directory_path() / "plumbline-stream-test";
-};
-
-struct Result {
-  std::string text;
-  compensate::Summary summary;
-};
-
-std::string original_of(const std::string& output) {
-  OutputFile back(output + ".back");
-  nc::restore(InputFile(output), InputFile(output + ".undo"), back);
-  back.commit();
-  return read_text(output + ".back");
-}
-
-Result run(const std::string& text, const Job& job) {
-  const Folder folder;
-  write_text(folder / "in.ngc", text);
-  const InputFile source(folder / "in.ngc");
-  OutputFile out(folder / "out.ngc");
-  compensate::Stream stream(source, nc::dialect("linuxcnc"), job.program, job.model, job.settings, job.emit, out);
-  OutputFile undo(folder / "out.ngc.undo");
-  nc::UndoLog log(undo);
-  stream.record(log);
-  out.keep_hash();
-  Result result;
-  result.summary = stream.run();
-  log.finish(source, out.size(), out.hash());
-  undo.commit();
-  out.commit();
-  result.text = read_text(folder / "out.ngc");
-  CHECK(original_of(folder / "out.ngc") == text);
-  return result;
-}
-
-std::string code_of(const std::string& text, const Job& job, std::size_t* line = nullptr) {
-  try {
-    run(text, job);
-  } catch (const Refusal& refusal) {
-    if (line != nullptr) *line = refusal.diagnostic().place.line;
-    return refusal.diagnostic().code;
-  }
-  return "";
-}
-
-struct Move {
-  nc::Motion motion;
-  nc::Frame frame;
-  AxisWords from_W, to_W;
-};
-
-std::vector<Move> moves_of(const std::string& text, const nc::ProgramSettings& settings) {
-  const Folder folder;
-  write_text(folder / "again.ngc", text);
-  const InputFile source(folder / "again.ngc");
-  nc::Program program(source, nc::dialect("linuxcnc"), settings);
-  std::vector<Move> moves;
-  while (const nc::Step* step = program.next()) {
-    for (const nc::Motion& m : step->motions) {
-      if (m.kind != nc::MotionKind::dwell)
-        moves.push_back({m, *step->frame, step->frame->to_pose(m.from), step->frame->to_pose(m.to)});
-    }
-  }
-  return moves;
-}
-
-double tip_distance(const AxisWords& a, const AxisWords& b) {
-  const AxisWords d = a - b;
-  return std::hypot(d[Axis::X], d[Axis::Y], d[Axis::Z]);
-}
-
-struct Played {
-  double at_points_um = 0;
-  double between_points_um = 0;
-  double time_change = 0;
-  std::size_t blocks = 0;
-};
-
-// Plays the output on the model without friction and holds it against the original path; each block's time too.
-Played play(const std::string& original, const std::string& output, const Job& job, double tool_length = 0) {
-  Played played;
-  compensate::Settings still = job.settings;
-  still.friction = false;
-  compensate::Corrector machine(job.model, still);
-  machine.set_tool({.length = tool_length, .mass = 0, .along = 0});
-  const auto stands = [&](const AxisWords& commanded) {
-    return commanded + machine.error({commanded, {}, std::nullopt}).value();
-  };
-  const std::vector<Move> before = moves_of(original, job.program);
-  const std::vector<Move> after = moves_of(output, job.program);
-  const nc::Dialect& dialect = nc::dialect("linuxcnc");
-  std::size_t next = 0;
-  for (const Move& move : before) {
-    const bool cuts = move.motion.kind != nc::MotionKind::rapid;
-    const path::Curve curve(move.motion);
-    const auto seconds = path::duration(move.motion, curve, dialect);
-    const int pieces = cuts ? path::subdivide(curve, seconds, job.settings.step).pieces : 1;
-    double spent = 0;
-    for (int i = 1; i <= pieces; ++i, ++next) {
-      REQUIRE(next < after.size());
-      const Move& piece = after[next];
-      const auto on_path = [&](double fraction) { return move.frame.to_pose(curve.at(fraction)); };
-      played.at_points_um =
-          std::max(played.at_points_um, tip_distance(stands(piece.to_W), on_path(1.0 * i / pieces)) * 1e3);
-      spent += path::duration(piece.motion, path::Curve(piece.motion), dialect).value_or(0);
-      if (!cuts) continue;
-      AxisWords middle;
-      for (const Axis axis : kAllAxes) middle[axis] = (piece.from_W[axis] + piece.to_W[axis]) / 2;
-      played.between_points_um =
-          std::max(played.between_points_um, tip_distance(stands(middle), on_path((i - 0.5) / pieces)) * 1e3);
-    }
-    if (seconds && *seconds > 0) played.time_change = std::max(played.time_change, std::abs(spent / *seconds - 1));
-    ++played.blocks;
-  }
-  CHECK(next == after.size());
-  return played;
-}
 
 const std::string kFiveMoves =
     "G21 G90 G94 G17\n"
@@ -321,5 +172,5 @@ TEST_CASE("a tool without a mass is warned of, with the error per kg") {
   CHECK(summary.warnings[0].code == "compensate-tool-mass");
   CHECK(summary.warnings[0].message.find("um") != std::string::npos);
   job.settings.friction = false;
-  CHECK(play(text, run(text, job).text, job, 0.08).at_points_um <= 0.15);
+  CHECK(play(text, run(text, job).text, job, {.length = 0.08}).at_points_um <= 0.15);
 }

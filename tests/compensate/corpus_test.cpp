@@ -1,0 +1,83 @@
+// Programs of real length: the first example, and whatever the folder of other people's programs holds.
+#include <cstdlib>
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+
+#include "compensate/play.hpp"
+
+using namespace plumbline;
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path corpus() {
+  const char* named = std::getenv("PLUMBLINE_NC_CORPUS");
+  return named != nullptr ? fs::path(named) : fs::path(PLUMBLINE_SOURCE_DIR).parent_path() / "shared" / "nc";
+}
+
+// Whatever a program asks for is given, and no limit stops it: what is left is whether its bytes survive.
+Job without_errors() {
+  Job job;
+  job.model.gravity.setZero();
+  job.settings.friction = false;
+  machine::Limits& limits = job.model.limits;
+  limits.tilt = 7;
+  limits.travel.fill({});
+  limits.length_min.setConstant(0);
+  limits.length_max.setConstant(1e9);
+  for (auto& offset : job.program.work_offsets) offset = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
+  for (auto& start : job.program.start) start = 0;
+  job.program.passed_m_codes = {428, 429};
+  job.program.keeps_position = {0, 1, 6, 428, 429};
+  return job;
+}
+
+}  // namespace
+
+TEST_CASE("the example's deformed tip stays on its path, at the points and between them") {
+  const Folder folder;
+  const std::string example = PLUMBLINE_SOURCE_DIR "/examples/01_compensate_a_program/";
+  const std::string command = "python3 -B " + example + "make_program.py " + (folder / "crown.ngc");
+  REQUIRE(std::system(command.c_str()) == 0);  // NOLINT(concurrency-mt-unsafe)
+  Job job;
+  job.settings.friction = false;
+  job.program.tools = nc::read_tool_table(example + "tools.toml");
+  const std::string text = read_text(folder / "crown.ngc");
+  const Result result = run(text, job);
+  const nc::Tool& tool = *job.program.tools.find(1);
+  const Played played = play(
+      text, result.text, job,
+      {.length = tool.length_mm * kMm, .mass = tool.mass_kg.value(), .along = tool.centre_of_mass_mm.value() * kMm});
+  WARN("example: " << result.summary.points << " points, " << played.at_points_um << " um at them, "
+                   << played.between_points_um << " um between, time " << played.time_change);
+  CHECK(played.blocks >= 5000);
+  CHECK(played.at_points_um <= 0.15);
+  CHECK(played.between_points_um <= 0.5);
+  CHECK(played.time_change <= 1e-3);
+}
+
+TEST_CASE("a model without errors gives every program of the corpus back") {
+  if (!fs::is_directory(corpus())) {
+    WARN("no folder of programs: name one in PLUMBLINE_NC_CORPUS");
+    return;
+  }
+  const Job job = without_errors();
+  int same = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(corpus())) {
+    if (entry.path().extension() != ".ngc") continue;
+    const std::string text = read_text(entry.path().string());
+    INFO(entry.path());
+    try {
+      const Result result = run(text, job);
+      CHECK(result.text == text);
+      CHECK(result.summary.identical);
+      ++same;
+    } catch (const Refusal& refusal) {
+      INFO(to_text(refusal.diagnostic()));
+      CHECK(refusal.diagnostic().code.starts_with("nc-"));  // what is not read yet
+    }
+  }
+  WARN(same << " programs came out as they went in");
+  CHECK(same >= 4);
+}
