@@ -210,9 +210,12 @@ nc::CorrectedPoint Stream::corrected_point(const nc::Step& step, const Target& t
 void Stream::correct_rapid(const nc::Step& step) {
   const nc::Motion& motion = step.motions.front();
   const AxisWords shift_before = emitter_.control().work_shift(*step.frame);
-  const Target target = target_of(step, motion.to, motion.to - motion.from, std::nullopt);
+  // Where it comes from decides which way friction acts; not known, it is left out.
+  const bool start_known = motion.known_before.contains(writable());
+  const AxisWords slope = start_known ? motion.to - motion.from : AxisWords{};
+  const Target target = target_of(step, motion.to, slope, std::nullopt);
   points_.assign(1, corrected_point(step, target, motion.to));
-  if (motion.known_before.contains(writable())) {
+  if (start_known) {
     check_chord(step, motion.from + shift_before, motion.to + points_.front().shift);
   }
   note_point(step, points_.front());

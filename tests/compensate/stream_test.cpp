@@ -111,6 +111,15 @@ TEST_CASE("cutting with an unknown position is refused, a rapid goes through as 
   CHECK_FALSE(result.summary.identical);
 }
 
+TEST_CASE("the first rapid is corrected as at rest: nobody knows which way friction acts") {
+  Job still;
+  still.settings.friction = false;
+  const std::string text = "G0 X30 Y20 Z5 A-3 B0 C0\n";
+  CHECK(run(text, {}).text == run(text, still).text);
+  const std::string twice = text + "G0 X0\n";
+  CHECK(run(twice, {}).text != run(twice, still).text);
+}
+
 TEST_CASE("limits are refused by block, axis or strut, and by how much") {
   std::size_t line = 0;
   CHECK(code_of("G0 X0 Y0 Z0 A0 B0 C0\nG1 A30 F500\n", {}, &line) == "limit-tilt");
