@@ -1,0 +1,249 @@
+#include "measure/dataset.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "base/units.hpp"
+#include "machine/model_values.hpp"
+#include "machine/nearest_name.hpp"
+#include "machine/unit.hpp"
+#include "measure/run_table.hpp"
+
+namespace plumbline::measure {
+
+std::string_view to_text(Direction direction) { return direction == Direction::ccw ? "ccw" : "cw"; }
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace units = machine::units;
+using Kind = TomlValue::Kind;
+
+constexpr machine::Unit kFeedUnit{"mm/min", kMmPerMin, {{{"m/min", 1000}, {"mm/s", 60}}}};
+constexpr machine::Unit kSecond{"s", 1, {}};
+
+const std::vector<std::string_view> kTopKeys{"plumbline", "machine", "run"};
+const std::vector<std::string_view> kRunKeys{"id",       "file",      "centre_mm",   "radius_mm", "bar_mm",
+                                             "tilt_deg", "direction", "feed_mm_min", "start_s",   "payload_kg"};
+
+// A number of a [[run]], in the file's unit.
+struct NumberSpec {
+  std::string_view key;
+  machine::Unit unit;
+  double lower = 0;
+  double upper = 0;
+  std::string_view meaning;
+};
+constexpr NumberSpec kCentre{"centre_mm", units::mm, -1e4, 1e4, "centre of the tool tip's circle in W, [x, y, z]"};
+constexpr NumberSpec kRadius{"radius_mm", units::mm, 1, 2000, "radius of the tool tip's circle"};
+constexpr NumberSpec kBar{"bar_mm", units::mm, 1, 3000, "length of the bar"};
+constexpr NumberSpec kTilt{"tilt_deg", units::deg, -180, 180, "orientation of the platform, [A, B, C]"};
+constexpr NumberSpec kFeed{"feed_mm_min", kFeedUnit, 1, 2e5, "speed of the tip along the circle"};
+constexpr NumberSpec kStart{"start_s", kSecond, 0, 1e8, "when the run began, on the clock of the dataset"};
+constexpr NumberSpec kPayload{"payload_kg", units::kg, 0, 1000, "known mass hung at the tool tip"};
+
+class RunReader {
+ public:
+  RunReader(const TomlDocument& document, const TomlValue& table) : document_(document), table_(table) {}
+
+  Run read() const {
+    for (const TomlEntry& entry : table_.entries) {
+      if (std::find(kRunKeys.begin(), kRunKeys.end(), entry.key) != kRunKeys.end()) continue;
+      refuse("dataset-unknown-key", fmt::format("{} is no key of a [[run]]", entry.key),
+             machine::suggestion(entry.key, kRunKeys), document_.place(entry.key_span));
+    }
+    Run run;
+    run.id = text("id", "a name of the run, in quotes");
+    run.file = text("file", "the run's table, beside the dataset");
+    run.centre_W = three(kCentre);
+    run.radius = *number(kRadius, true);
+    run.bar = number(kBar, false);
+    run.tilt = three(kTilt);
+    run.direction = direction();
+    run.feed = *number(kFeed, true);
+    run.start = number(kStart, false).value_or(0);
+    run.payload_mass = number(kPayload, false).value_or(0);
+    if (run.bar_length() < run.radius) refuse_bar(run);
+    return run;
+  }
+
+  Place place_of(std::string_view key) const { return document_.place(table_.find(key)->value.span); }
+
+ private:
+  const TomlValue& required(std::string_view key, std::string_view meaning) const {
+    const TomlEntry* const entry = table_.find(key);
+    if (entry == nullptr) {
+      refuse("dataset-missing-key", fmt::format("this [[run]] has no {}", key), fmt::format("add it: {}", meaning),
+             document_.place(table_.span));
+    }
+    return entry->value;
+  }
+
+  void require(const TomlValue& value, Kind kind, std::string_view key, std::string_view meaning) const {
+    if (value.kind == kind) return;
+    refuse("dataset-wrong-type", fmt::format("{} holds {} where {} belongs", key, name_of(value.kind), name_of(kind)),
+           fmt::format("{}: {}", key, meaning), document_.place(value.span));
+  }
+
+  std::string text(std::string_view key, std::string_view meaning) const {
+    const TomlValue& value = required(key, meaning);
+    require(value, Kind::text, key, meaning);
+    if (value.text.empty()) {
+      refuse("dataset-out-of-range", fmt::format("{} is empty", key), fmt::format("{}: {}", key, meaning),
+             document_.place(value.span));
+    }
+    return value.text;
+  }
+
+  double in_range(const TomlValue& value, const NumberSpec& spec) const {
+    require(value, Kind::number, spec.key, spec.meaning);
+    const double x = value.number;
+    if (!(x >= spec.lower && x <= spec.upper)) {
+      refuse("dataset-out-of-range", fmt::format("{} is {:.12g} {}", spec.key, x, spec.unit.name),
+             fmt::format("{}: {:.12g} to {:.12g} {}{}", spec.meaning, spec.lower, spec.upper, spec.unit.name,
+                         machine::slip_hint(spec.unit, x, spec.lower, spec.upper)),
+             document_.place(value.span));
+    }
+    return x * spec.unit.si;
+  }
+
+  std::optional<double> number(const NumberSpec& spec, bool is_required) const {
+    if (!is_required && table_.find(spec.key) == nullptr) return std::nullopt;
+    return in_range(required(spec.key, spec.meaning), spec);
+  }
+
+  Vector3<double> three(const NumberSpec& spec) const {
+    const TomlValue& value = required(spec.key, spec.meaning);
+    require(value, Kind::array, spec.key, spec.meaning);
+    if (value.items.size() != 3) {
+      refuse("dataset-wrong-size", fmt::format("{} holds {} numbers where 3 belong", spec.key, value.items.size()),
+             std::string(spec.meaning), document_.place(value.span));
+    }
+    return {in_range(value.items[0], spec), in_range(value.items[1], spec), in_range(value.items[2], spec)};
+  }
+
+  Direction direction() const {
+    constexpr std::string_view kMeaning = "\"ccw\" or \"cw\", seen from +Z";
+    const TomlValue& value = required("direction", kMeaning);
+    require(value, Kind::text, "direction", kMeaning);
+    for (const Direction direction : {Direction::ccw, Direction::cw}) {
+      if (value.text == to_text(direction)) return direction;
+    }
+    refuse("dataset-direction", fmt::format("direction is \"{}\"", value.text), std::string(kMeaning),
+           document_.place(value.span));
+  }
+
+  [[noreturn]] void refuse_bar(const Run& run) const {
+    refuse("dataset-bar",
+           fmt::format("a bar of {:.12g} mm does not reach a circle of radius {:.12g} mm", *run.bar / kMm,
+                       run.radius / kMm),
+           "bar_mm is the distance of the two balls; leave it out for a bar in the plane of the circle",
+           place_of("bar_mm"));
+  }
+
+  const TomlDocument& document_;
+  const TomlValue& table_;
+};
+
+void check_top(const TomlDocument& document) {
+  constexpr std::string_view kMarker = "dataset 1";
+  const TomlEntry* const marker = document.root.find("plumbline");
+  if (marker == nullptr || marker->value.kind != Kind::text || marker->value.text != kMarker) {
+    refuse("dataset-marker", "this file does not say that it is a dataset",
+           "a dataset begins with plumbline = \"dataset 1\"; a machine model is given with -m",
+           document.place(marker == nullptr ? Span{0, 1} : marker->value.span));
+  }
+  for (const TomlEntry& entry : document.root.entries) {
+    if (std::find(kTopKeys.begin(), kTopKeys.end(), entry.key) != kTopKeys.end()) continue;
+    refuse("dataset-unknown-key", fmt::format("{} is no key of a dataset", entry.key),
+           machine::suggestion(entry.key, kTopKeys), document.place(entry.key_span));
+  }
+}
+
+std::string machine_name(const TomlDocument& document) {
+  const TomlEntry* const name = document.root.find("machine");
+  if (name == nullptr) return "";
+  if (name->value.kind != Kind::text) {
+    refuse("dataset-wrong-type", fmt::format("machine holds {} where text belongs", name_of(name->value.kind)),
+           "machine: the name of the machine's model, in quotes", document.place(name->value.span));
+  }
+  return name->value.text;
+}
+
+const TomlValue& run_list(const TomlDocument& document) {
+  const TomlEntry* const runs = document.root.find("run");
+  if (runs == nullptr) {
+    refuse("dataset-no-runs", "the dataset has no runs", "add a [[run]] for each circular test",
+           document.place({0, 1}));
+  }
+  const bool tables = runs->value.kind == Kind::array && !runs->value.items.empty() &&
+                      std::all_of(runs->value.items.begin(), runs->value.items.end(),
+                                  [](const TomlValue& item) { return item.kind == Kind::table; });
+  if (!tables) {
+    refuse("dataset-wrong-type", "run is no list of tables", "write [[run]], in double brackets, above each run",
+           document.place(runs->key_span));
+  }
+  return runs->value;
+}
+
+void read_table(const RunReader& reader, const std::string& folder, Run& run) {
+  const fs::path path = fs::path(folder) / run.file;
+  if (!fs::is_regular_file(path)) {
+    refuse("dataset-file-missing", fmt::format("there is no file {}", path.string()),
+           "file names the run's table, relative to the folder of the dataset", reader.place_of("file"));
+  }
+  read_run_table(path.string(), run);
+}
+
+}  // namespace
+
+Dataset parse_dataset(std::string text, const std::string& file, const std::string& folder) {
+  Dataset dataset;
+  dataset.document = parse_toml(std::move(text), file);
+  check_top(dataset.document);
+  dataset.machine = machine_name(dataset.document);
+  for (const TomlValue& table : run_list(dataset.document).items) {
+    const RunReader reader(dataset.document, table);
+    Run run = reader.read();
+    for (const Run& other : dataset.runs) {
+      if (other.id != run.id) continue;
+      refuse("dataset-same-id", fmt::format("two runs have the id \"{}\"", run.id), "give each run an id of its own",
+             reader.place_of("id"));
+    }
+    read_table(reader, folder, run);
+    dataset.runs.push_back(std::move(run));
+  }
+  return dataset;
+}
+
+Dataset read_dataset(const std::string& path) {
+  return parse_dataset(read_text(path), path, fs::path(path).parent_path().string());
+}
+
+void write_dataset(const Dataset& dataset, const std::string& folder) {
+  constexpr std::string_view kName = "dataset.toml";
+  const fs::path into(folder);
+  std::error_code error;
+  fs::create_directories(into, error);
+  const fs::path source = fs::path(dataset.document.file).parent_path();
+  if (fs::equivalent(into, source.empty() ? fs::path(".") : source, error)) {
+    refuse("file-overwrites-input", "the dataset would overwrite the one that is read",
+           "name another folder for the output", {folder});
+  }
+  for (const Run& run : dataset.runs) {
+    const fs::path relative = fs::path(run.file).lexically_normal();
+    if (relative.is_absolute() || *relative.begin() == "..") {
+      refuse("dataset-file-outside", fmt::format("the table {} would be written outside of {}", run.file, folder),
+             "name the tables of a dataset relative to its folder, inside it", {folder});
+    }
+    fs::create_directories((into / relative).parent_path(), error);
+    write_text((into / relative).string(), run_table_text(run));
+  }
+  write_text((into / kName).string(), dataset.document.text);
+}
+
+}  // namespace plumbline::measure

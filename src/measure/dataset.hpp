@@ -1,0 +1,84 @@
+// Measurements: circular tests with a ballbar and the torques of the motors, as a dataset holds them.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/pose.hpp"
+#include "base/toml.hpp"
+#include "machine/geometry.hpp"
+
+namespace plumbline::measure {
+
+enum class Direction { ccw, cw };
+std::string_view to_text(Direction direction);
+
+/// The columns of a run's table, in the order of kColumns.
+enum class Column { time, angle, radial, torque1, torque2, torque3, torque4, torque5, torque6 };
+struct ColumnSpec {
+  std::string_view name;  // in the first line of the table
+  std::string_view unit;
+  double si = 1;
+  double largest = 0;  // magnitude that makes sense, in the file's unit
+};
+inline constexpr std::size_t kColumnCount = 9;
+extern const std::array<ColumnSpec, kColumnCount> kColumns;
+
+/// A column as the table has it.
+struct TableColumn {
+  Column column = Column::time;
+  int decimals = 3;  // the most that a number of it has
+};
+
+/// One full turn of the tool tip at constant feed, from angle 0, without a run-in. SI.
+struct Run {
+  std::string id;
+  std::string file;                                    // of the table, beside the dataset
+  Vector3<double> centre_W = Vector3<double>::Zero();  // of the tool tip's circle, m
+  double radius = 0;                                   // m
+  std::optional<double> bar;                           // length, m; nothing: the bar lies in the plane of the circle
+  Vector3<double> tilt = Vector3<double>::Zero();      // A, B, C, rad
+  Direction direction = Direction::ccw;
+  double feed = 0;          // m/s
+  double start = 0;         // on the clock of the dataset, s
+  double payload_mass = 0;  // known, hung at the tool tip, kg
+
+  // Columns, one number per sample. time and angle are always there: one that was not measured follows from the other
+  // and the feed. radial and torque are empty if they were not measured.
+  std::vector<double> time;                                  // from the start of the run, s
+  std::vector<double> angle;                                 // commanded, from +X towards +Y, rad
+  std::vector<double> radial;                                // bar reading minus bar length, m
+  std::array<std::vector<double>, machine::kStruts> torque;  // N m
+  std::vector<TableColumn> columns;                          // of the table, in its order
+
+  std::size_t samples() const { return angle.size(); }
+  bool has_radial() const { return !radial.empty(); }
+  bool has_torque() const { return !torque[0].empty(); }
+  /// +1 counterclockwise, seen from +Z; -1 clockwise.
+  double turn() const { return direction == Direction::ccw ? 1 : -1; }
+  double bar_length() const { return bar.value_or(radius); }
+};
+
+struct Dataset {
+  std::string machine;  // name of the model that it was measured on
+  std::vector<Run> runs;
+  TomlDocument document;  // what it was read from
+};
+
+/// Reads a dataset.toml and the tables of its runs. Refuses with toml-syntax, dataset-marker, dataset-unknown-key,
+/// dataset-missing-key, dataset-wrong-type, dataset-wrong-size, dataset-out-of-range, dataset-direction, dataset-bar,
+/// dataset-same-id, dataset-no-runs or dataset-file-missing at the value, with what run_table.hpp lists at the row and
+/// column, and as read_text does.
+Dataset read_dataset(const std::string& path);
+
+/// The same of a text; tables are looked for in `folder`.
+Dataset parse_dataset(std::string text, const std::string& file, const std::string& folder);
+
+/// Writes the dataset's text, as it was read, as dataset.toml into a folder, made if need be, and the tables beside it.
+/// Refuses with dataset-file-outside a table that would lie outside the folder, with file-overwrites-input what would
+/// overwrite `source` or a table of it, and with file-unwritable.
+void write_dataset(const Dataset& dataset, const std::string& folder);
+
+}  // namespace plumbline::measure

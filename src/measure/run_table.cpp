@@ -1,0 +1,247 @@
+#include "measure/run_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "base/number_text.hpp"
+#include "base/units.hpp"
+#include "machine/nearest_name.hpp"
+#include "measure/table_fields.hpp"
+
+namespace plumbline::measure {
+
+const std::array<ColumnSpec, kColumnCount> kColumns{{{"time_s", "s", 1, 1e6},
+                                                     {"angle_deg", "deg", kDeg, 720},
+                                                     {"radial_um", "um", kUm, 2e4},
+                                                     {"torque1_Nm", "N m", 1, 1e4},
+                                                     {"torque2_Nm", "N m", 1, 1e4},
+                                                     {"torque3_Nm", "N m", 1, 1e4},
+                                                     {"torque4_Nm", "N m", 1, 1e4},
+                                                     {"torque5_Nm", "N m", 1, 1e4},
+                                                     {"torque6_Nm", "N m", 1, 1e4}}};
+
+namespace {
+
+constexpr std::size_t kFirstTorque = static_cast<std::size_t>(Column::torque1);
+constexpr double kTurn = 2 * std::numbers::pi;
+
+const ColumnSpec& spec_of(Column column) { return kColumns[static_cast<std::size_t>(column)]; }
+
+template <class AnyRun>
+auto& values_of(AnyRun& run, Column column) {
+  switch (column) {
+    case Column::time:
+      return run.time;
+    case Column::angle:
+      return run.angle;
+    case Column::radial:
+      return run.radial;
+    default:
+      return run.torque[static_cast<std::size_t>(column) - kFirstTorque];
+  }
+}
+
+bool has(const Run& run, Column column) {
+  return std::any_of(run.columns.begin(), run.columns.end(),
+                     [&](const TableColumn& there) { return there.column == column; });
+}
+
+class TableReader {
+ public:
+  TableReader(const std::string& path, Run& run, const TableOptions& options)
+      : text_(read_text(path)), lines_(path, text_), run_(run), options_(options) {}
+
+  void read() {
+    read_header();
+    check_header();
+    while (lines_.next()) read_row();
+    if (run_.time.size() + run_.angle.size() == 0 || rows() < options_.fewest_samples) refuse_too_few();
+    check_time();
+    check_angle();
+    check_feed();
+    fill_in();
+  }
+
+ private:
+  std::size_t rows() const { return places_.size(); }
+
+  // --- the first line ---
+
+  void read_header() {
+    header_ = lines_.place();
+    if (!lines_.next()) return;
+    for (const TableField& field : lines_.fields()) {
+      const auto known = std::find_if(kColumns.begin(), kColumns.end(),
+                                      [&](const ColumnSpec& spec) { return spec.name == field.text; });
+      if (known == kColumns.end()) refuse_unknown(field);
+      const auto column = static_cast<Column>(known - kColumns.begin());
+      if (has(run_, column)) {
+        refuse("table-same-column", fmt::format("there are two columns {}", field.text), "leave one of them out",
+               lines_.place(field));
+      }
+      run_.columns.push_back({column, 0});
+    }
+    header_ = lines_.place();
+  }
+
+  [[noreturn]] void refuse_unknown(const TableField& field) const {
+    std::vector<std::string_view> names;
+    for (const ColumnSpec& spec : kColumns) names.push_back(spec.name);
+    refuse("table-unknown-column", fmt::format("\"{}\" is no column of a run", field.text),
+           machine::suggestion(field.text, names), lines_.place(field));
+  }
+
+  void check_header() const {
+    if (!has(run_, Column::time) && !has(run_, Column::angle)) {
+      refuse("table-missing-column", "there is neither a column angle_deg nor a column time_s",
+             "one of them says where on the circle each sample was taken", header_);
+    }
+    std::string missing;
+    std::size_t torques = 0;
+    for (std::size_t j = kFirstTorque; j < kColumnCount; ++j) {
+      if (has(run_, static_cast<Column>(j))) {
+        ++torques;
+      } else {
+        missing += fmt::format("{}{}", missing.empty() ? "" : ", ", kColumns[j].name);
+      }
+    }
+    if (torques > 0 && !missing.empty()) {
+      refuse("table-missing-column", fmt::format("torques are given in part: {} is missing", missing),
+             "give the torques of all six struts, or of none", header_);
+    }
+    if (torques == 0 && !has(run_, Column::radial)) {
+      refuse("table-missing-column", "nothing was measured: there is neither radial_um nor a torque",
+             "add the column radial_um (bar reading minus bar length), the columns torque1_Nm to torque6_Nm, or both",
+             header_);
+    }
+  }
+
+  // --- rows ---
+
+  void read_row() {
+    const std::vector<TableField> fields = lines_.fields();
+    if (fields.size() != run_.columns.size()) {
+      refuse("table-columns",
+             fmt::format("row {} has {} columns, and the first line names {}", lines_.number(), fields.size(),
+                         run_.columns.size()),
+             "write one number for each column, a point for decimals and a comma between columns", lines_.place());
+    }
+    places_.push_back(lines_.place());
+    for (std::size_t i = 0; i < fields.size(); ++i) read_number(fields[i], run_.columns[i]);
+  }
+
+  void read_number(const TableField& field, TableColumn& column) {
+    const ColumnSpec& spec = spec_of(column.column);
+    const std::optional<double> value = parse_number(field.text);
+    if (!value || std::abs(*value) > spec.largest) {
+      refuse("table-number",
+             fmt::format("row {}, column {}: \"{}\" is {}", lines_.number(), spec.name, field.text,
+                         value ? fmt::format("beyond {} {}", spec.largest, spec.unit) : "no finite number"),
+             fmt::format("expected a number in {}, as in 12.5; leave the whole column out if it was not measured",
+                         spec.unit),
+             lines_.place(field));
+    }
+    const std::size_t point = field.text.find('.');
+    const std::size_t digits = point == std::string_view::npos ? 0 : field.text.size() - point - 1;
+    column.decimals = std::max(column.decimals, static_cast<int>(std::min<std::size_t>(digits, kMostDecimals)));
+    values_of(run_, column.column).push_back(*value * spec.si);
+  }
+
+  [[noreturn]] void refuse_too_few() const {
+    refuse("table-too-few", fmt::format("{} samples are too few for a circle", rows()),
+           fmt::format("a run needs at least {}, best every 0.5 to 3 deg", options_.fewest_samples), header_);
+  }
+
+  // --- what the numbers mean together ---
+
+  void check_time() const {
+    for (std::size_t i = 1; i < run_.time.size(); ++i) {
+      if (run_.time[i] > run_.time[i - 1]) continue;
+      refuse("table-time", fmt::format("time_s does not go on: {} s after {} s", run_.time[i], run_.time[i - 1]),
+             "samples are in the order in which they were taken, each later than the one before", places_[i]);
+    }
+  }
+
+  void check_angle() {
+    swept_.assign(1, 0);
+    for (std::size_t i = 1; i < run_.angle.size(); ++i) {
+      const double step = std::remainder(run_.angle[i] - run_.angle[i - 1], kTurn) * run_.turn();
+      if (step <= 0) {
+        refuse("table-angle",
+               fmt::format("angle_deg goes from {:.6g} to {:.6g}, and the run is {}", run_.angle[i - 1] / kDeg,
+                           run_.angle[i] / kDeg, to_text(run_.direction)),
+               fmt::format("angles {} from sample to sample (past 0 or 360 they go on at the other end); check the "
+                           "direction of this run in the dataset",
+                           run_.turn() > 0 ? "grow" : "fall"),
+               places_[i]);
+      }
+      swept_.push_back(swept_.back() + step);
+      if (swept_.back() > options_.most_turns * kTurn) {
+        refuse("table-angle", "the angles go more than once around", "a run is one turn: make each turn a run",
+               places_[i]);
+      }
+    }
+  }
+
+  void check_feed() const {
+    if (run_.time.empty() || run_.angle.empty()) return;
+    const double stated = run_.feed / run_.radius;
+    const double found = swept_.back() / (run_.time.back() - run_.time.front());
+    if (std::abs(found / stated - 1) <= options_.feed_tolerance) return;
+    refuse("table-feed",
+           fmt::format("the table takes {:.4g} mm/min around the circle, and the dataset says feed_mm_min = {:.4g}",
+                       found * run_.radius / kMmPerMin, run_.feed / kMmPerMin),
+           "check the units: time_s in seconds, angle_deg in degrees, feed_mm_min in mm/min, radius_mm in mm", header_);
+  }
+
+  void fill_in() {
+    const double speed = run_.feed / run_.radius;  // rad/s
+    if (run_.time.empty()) {
+      // the run starts at angle 0
+      const double first = std::remainder(run_.angle.front(), kTurn) * run_.turn();
+      for (const double swept : swept_) run_.time.push_back((std::max(first, 0.0) + swept) / speed);
+    }
+    if (run_.angle.empty()) {
+      for (const double time : run_.time) run_.angle.push_back(run_.turn() * speed * time);
+    }
+  }
+
+  std::string text_;
+  TableLines lines_;
+  Run& run_;
+  const TableOptions& options_;
+  Place header_;
+  std::vector<Place> places_;  // of the rows
+  std::vector<double> swept_;  // angle from the first sample, rad
+};
+
+}  // namespace
+
+void read_run_table(const std::string& path, Run& run, const TableOptions& options) {
+  TableReader(path, run, options).read();
+}
+
+std::string run_table_text(const Run& run) {
+  std::string text;
+  for (const TableColumn& column : run.columns) {
+    text += fmt::format("{}{}", text.empty() ? "" : ",", spec_of(column.column).name);
+  }
+  text += '\n';
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    std::string_view comma;
+    for (const TableColumn& column : run.columns) {
+      const int least = column.column >= Column::torque1 ? 5 : column.column == Column::radial ? 4 : 0;
+      const double value = values_of(run, column.column)[i] / spec_of(column.column).si;
+      text += fmt::format("{}{:.{}f}", comma, value, std::max(column.decimals, least));
+      comma = ",";
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace plumbline::measure

@@ -1,0 +1,25 @@
+// The table of one run: CSV with a header, columns found by name.
+#pragma once
+
+#include <string>
+
+#include "measure/dataset.hpp"
+
+namespace plumbline::measure {
+
+struct TableOptions {
+  std::size_t fewest_samples = 8;
+  double most_turns = 1.0 + 1e-3;
+  double feed_tolerance = 0.25;  // by which the table's own speed may differ from the stated feed
+};
+
+/// Reads the columns of `run`, whose other fields are there already. Refuses with table-unknown-column,
+/// table-same-column, table-missing-column, table-columns, table-number, table-too-few, table-time, table-angle or
+/// table-feed, at the row and column.
+void read_run_table(const std::string& path, Run& run, const TableOptions& options = {});
+
+/// The table as text: its columns in their order, as many decimals as they had, measured quantities at least as many as
+/// a simulation deserves (um: 4, N m: 5).
+std::string run_table_text(const Run& run);
+
+}  // namespace plumbline::measure

@@ -1,0 +1,117 @@
+#include "measure/dataset.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "jobs/scratch.hpp"
+#include "measure/runs.hpp"
+
+using namespace plumbline;
+using namespace plumbline::measure;
+using namespace plumbline::testing;
+
+namespace {
+
+struct Bad {
+  std::string from, into;  // what replaces what in a good dataset
+  std::string code;
+  std::size_t line;
+  std::string help;  // a part of it
+};
+
+std::string replaced(std::string text, const std::string& from, const std::string& into) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), into);
+}
+
+}  // namespace
+
+TEST_CASE("a dataset is read in SI, what may be left out has its default") {
+  const Scratch scratch;
+  scratch.file("run.csv", table_text());
+  const Dataset dataset = read_dataset(scratch.file("dataset.toml", dataset_text()));
+  CHECK(dataset.machine == "pm600-like");
+  REQUIRE(dataset.runs.size() == 1);
+  const Run& run = dataset.runs.front();
+  CHECK(run.id == "a");
+  CHECK(run.centre_W == Vector3<double>(0, 0.1, -1.008));
+  CHECK(run.radius == Approx(0.144));
+  CHECK_FALSE(run.bar.has_value());
+  CHECK(run.bar_length() == run.radius);
+  CHECK(run.tilt[0] == Approx(-22 * kDeg));
+  CHECK(run.feed == Approx(1.0 / 60));
+  CHECK(run.start == 0);
+  CHECK(run.payload_mass == 0);
+  REQUIRE(run.samples() == 12);
+  CHECK(run.angle[3] == Approx(90 * kDeg));
+  CHECK(run.radial[3] == Approx(3.25e-6));
+  CHECK_FALSE(run.has_torque());
+
+  const Dataset other =
+      parse_dataset(dataset_text("bar_mm = 150\nstart_s = 60\npayload_kg = 20\n"), "x", scratch.path(""));
+  CHECK(other.runs[0].bar == 150 * kMm);
+  CHECK(other.runs[0].start == 60);
+  CHECK(other.runs[0].payload_mass == 20);
+}
+
+TEST_CASE("every flaw of a dataset is refused at its place with the way out") {
+  const Scratch scratch;
+  scratch.file("run.csv", table_text());
+  const std::vector<Bad> cases{
+      {"dataset 1", "machine 1", "dataset-marker", 1, "dataset 1"},
+      {"plumbline =", "plumbing =", "dataset-marker", 1, "dataset 1"},
+      {"machine =", "machines =", "dataset-unknown-key", 2, "did you mean `machine`"},
+      {"radius_mm", "radius_nm", "dataset-unknown-key", 8, "did you mean `radius_mm`"},
+      {"radius_mm = 144\n", "", "dataset-missing-key", 4, "add it"},
+      {"radius_mm = 144", "radius_mm = 0.144", "dataset-out-of-range", 8, "if it was meant in m, write 144"},
+      {"radius_mm = 144", "radius_mm = \"144\"", "dataset-wrong-type", 8, "radius"},
+      {"radius_mm = 144", "radius_mm = nan", "dataset-out-of-range", 8, "1 to 2000 mm"},
+      {"[0, 100, -1008]", "[0, 100]", "dataset-wrong-size", 7, "[x, y, z]"},
+      {"[0, 100, -1008]", "[0, 100, -1008000]", "dataset-out-of-range", 7, "meant in um, write -1008"},
+      {"\"ccw\"", "\"left\"", "dataset-direction", 10, "\"ccw\" or \"cw\""},
+      {"feed_mm_min = 1000", "feed_mm_min = 0", "dataset-out-of-range", 11, "speed"},
+      {"feed_mm_min = 1000", "feed_mm_min = 1000\nbar_mm = 100", "dataset-bar", 12, "distance of the two balls"},
+      {"feed_mm_min = 1000", "feed_mm_min = 1000\npayload_kg = -1", "dataset-out-of-range", 12, "0 to 1000 kg"},
+      {"run.csv", "none.csv", "dataset-file-missing", 6, "relative to the folder"},
+      {"id = \"a\"", "id = \"\"", "dataset-out-of-range", 5, "name of the run"},
+      {"[[run]]", "[run]", "dataset-wrong-type", 4, "double brackets"},
+      {"[[run]]", "[[run", "toml-syntax", 4, ""},
+  };
+  for (const Bad& bad : cases) {
+    INFO(bad.from << " -> " << bad.into);
+    const std::string text = replaced(dataset_text(), bad.from, bad.into);
+    const Diagnostic d = refusal_of([&] { parse_dataset(text, "dataset.toml", scratch.path("")); });
+    INFO(to_text(d));
+    CHECK(d.code == bad.code);
+    CHECK(d.place.line == bad.line);
+    CHECK(d.place.file == "dataset.toml");
+    CHECK(d.help.find(bad.help) != std::string::npos);
+  }
+}
+
+TEST_CASE("a dataset without runs, and two runs of one id, are refused") {
+  const Scratch scratch;
+  scratch.file("run.csv", table_text());
+  CHECK(refusal_of([&] { parse_dataset("plumbline = \"dataset 1\"\n", "d", ""); }).code == "dataset-no-runs");
+  const std::string one = dataset_text();
+  const Diagnostic d = refusal_of([&] { parse_dataset(one + one.substr(one.find("[[run]]")), "d", scratch.path("")); });
+  CHECK(d.code == "dataset-same-id");
+  CHECK(d.place.line == 13);
+}
+
+TEST_CASE("a dataset is written as it was read, and never over itself") {
+  const Scratch scratch;
+  const std::string text = "# my measurements\n" + dataset_text();
+  scratch.file("run.csv", table_text());
+  const Dataset dataset = read_dataset(scratch.file("dataset.toml", text));
+  write_dataset(dataset, scratch.path("out"));
+  CHECK(scratch.text("out/dataset.toml") == text);
+  const Dataset again = read_dataset(scratch.path("out/dataset.toml"));
+  CHECK(again.runs[0].radial == dataset.runs[0].radial);
+  CHECK(again.runs[0].angle == dataset.runs[0].angle);
+  CHECK(refusal_of([&] { write_dataset(dataset, scratch.path("")); }).code == "file-overwrites-input");
+
+  const Dataset outside =
+      parse_dataset(replaced(text, "run.csv", "../run.csv"), scratch.path("x/dataset.toml"), scratch.path("out"));
+  CHECK(refusal_of([&] { write_dataset(outside, scratch.path("out")); }).code == "dataset-file-outside");
+}
