@@ -1,0 +1,45 @@
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "cli/command.hpp"
+#include "cli/command_files.hpp"
+#include "jobs/circularity.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+struct Arguments {
+  std::string dataset, json;
+};
+
+int circularity(const Arguments& arguments) {
+  check_outputs({arguments.dataset}, {arguments.json});
+  std::optional<OutputFile> json;
+  if (!arguments.json.empty()) json.emplace(arguments.json);
+  const jobs::CircularityTable table = jobs::circularity_table(measure::read_dataset(arguments.dataset));
+  if (arguments.json != kStandardStream) fmt::print("{}", jobs::circularity_text(table));
+  if (json) {
+    json->write(jobs::circularity_json(table));
+    json->commit();
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_circularity(CLI::App& app, Run& run) {
+  CLI::App* const command = app.add_subcommand(
+      "circularity", "Tabulate the figures of ISO 230-4 of measured circular tests: circularity, G, F, G(b), D");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("-d,--dataset", arguments->dataset, "the measurements: a dataset.toml")
+      ->type_name("DATASET")
+      ->required();
+  command->add_option("--json", arguments->json, "write the result as JSON, too")->type_name("FILE");
+  command->callback([arguments, &run] { run = [arguments] { return circularity(*arguments); }; });
+}
+
+}  // namespace plumbline::cli

@@ -1,0 +1,53 @@
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "cli/command.hpp"
+#include "cli/command_files.hpp"
+#include "jobs/compare.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+struct Arguments {
+  std::string model, dataset, json;
+  double most_radial_um = std::numeric_limits<double>::infinity();
+};
+
+int compare(const Arguments& arguments) {
+  check_outputs({arguments.model, arguments.dataset}, {arguments.json});
+  std::optional<OutputFile> json;
+  if (!arguments.json.empty()) json.emplace(arguments.json);
+  const jobs::Comparison comparison = jobs::compare(arguments.model, arguments.dataset);
+  if (arguments.json != kStandardStream) fmt::print("{}", jobs::compare_text(comparison));
+  if (json) {
+    json->write(jobs::compare_json(comparison));
+    json->commit();
+  }
+  return comparison.radial_rms_um.value_or(0) <= arguments.most_radial_um ? kDone : kFailed;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Run& run) {
+  CLI::App* const command = app.add_subcommand(
+      "compare", "Compare a model with measurements: simulated and measured readings, the set-up fitted per run");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("-m,--model", arguments->model, "the machine's model file")->type_name("MODEL")->required();
+  command->add_option("-d,--dataset", arguments->dataset, "the measurements: a dataset.toml")
+      ->type_name("DATASET")
+      ->required();
+  command->add_option("--json", arguments->json, "write the result as JSON, too")->type_name("FILE");
+  command
+      ->add_option("--max-radial-um", arguments->most_radial_um,
+                   "exit code 1 if the rms of all bar readings is above that")
+      ->type_name("UM")
+      ->check(CLI::NonNegativeNumber);
+  command->callback([arguments, &run] { run = [arguments] { return compare(*arguments); }; });
+}
+
+}  // namespace plumbline::cli

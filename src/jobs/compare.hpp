@@ -1,0 +1,39 @@
+// A model against measurements: how far what it says is from what was measured.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "machine/geometry.hpp"
+
+namespace plumbline::jobs {
+
+/// One run. What was not measured is left out.
+struct RunComparison {
+  std::string id;
+  std::optional<double> radial_rms_um;  // after the set-up was fitted
+  std::optional<double> torque_rms_Nm;  // of all six struts
+  std::array<double, machine::kStruts> torque_mean_abs_Nm{};
+  std::array<double, 3> ball_um{};  // set-up: where the ball stood, from the ideal place
+  double bar_um = 0;                // how much longer the bar was than stated
+};
+
+struct Comparison {
+  std::optional<double> radial_rms_um;  // over all samples
+  std::optional<double> torque_rms_Nm;  // over all samples and struts
+  std::array<double, machine::kStruts> torque_mean_abs_Nm{};
+  std::vector<RunComparison> runs;
+};
+
+/// Simulates every run of a dataset and compares, the set-up (ball centre, bar length) fitted per run. Refuses what the
+/// readers of models and datasets, physics::ForceModel and measure::simulate_run refuse.
+Comparison compare(const std::string& model, const std::string& dataset);
+
+/// A line per run and the pooled figures.
+std::string compare_text(const Comparison& comparison);
+/// As docs/formats.md says; what was not measured is null.
+std::string compare_json(const Comparison& comparison);
+
+}  // namespace plumbline::jobs
