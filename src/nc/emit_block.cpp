@@ -108,7 +108,7 @@ std::string PieceWriter::change_axis_words(const Step& step, const Piece& piece)
 void PieceWriter::place_words(const Step& step, const std::string& codes_before, const std::string& words) {
   const Block& block = *step.block;
   const Word* first_axis = first_axis_word(block);
-  const Word* last_axis = nullptr;
+  const Word* last_axis = first_axis;
   std::string both = codes_before;
   if (!both.empty() && !words.empty() && editor_.spelling().spaced) both += ' ';
   both += words;
