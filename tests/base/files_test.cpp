@@ -1,5 +1,9 @@
 #include "base/files.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <filesystem>
 
 #include <catch2/catch.hpp>
@@ -67,4 +71,18 @@ TEST_CASE("files that cannot be had are refused by name") {
   CHECK(code_of([&] { InputFile file(folder.path.string()); }) == "file-is-folder");
   CHECK(code_of([&] { OutputFile file(folder.path.string()); }) == "file-is-folder");
   CHECK(code_of([&] { OutputFile file(folder / "none/out.txt"); }) == "file-unwritable");
+}
+
+TEST_CASE("a pipe is written to and stays a pipe") {
+  const fs::path path = fs::temp_directory_path() / ("plumbline-pipe-" + std::to_string(getpid()));
+  REQUIRE(mkfifo(path.c_str(), 0600) == 0);
+  const int reader = open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  REQUIRE(reader >= 0);
+  write_text(path.string(), "hello");
+  char text[8] = {};
+  CHECK(read(reader, text, sizeof text) == 5);
+  CHECK(std::string(text) == "hello");
+  CHECK(fs::is_fifo(path));
+  close(reader);
+  fs::remove(path);
 }
