@@ -20,14 +20,38 @@
 
 #include "physics/effects/axial_elasticity.hpp"
 #include "physics/effects/backlash.hpp"
+#include "physics/effects/base_joint_compliance.hpp"
+#include "physics/effects/cable.hpp"
+#include "physics/effects/centre_of_mass.hpp"
+#include "physics/effects/counterbalance.hpp"
+#include "physics/effects/cyclic.hpp"
+#include "physics/effects/inertia.hpp"
+#include "physics/effects/joint_clearance.hpp"
+#include "physics/effects/joint_coulomb.hpp"
 #include "physics/effects/joint_friction.hpp"
 #include "physics/effects/joint_position.hpp"
+#include "physics/effects/joint_viscous.hpp"
 #include "physics/effects/known_loads.hpp"
+#include "physics/effects/lead_error.hpp"
+#include "physics/effects/level.hpp"
+#include "physics/effects/load_friction.hpp"
 #include "physics/effects/payload.hpp"
 #include "physics/effects/platform_gravity.hpp"
+#include "physics/effects/platform_joint_compliance.hpp"
+#include "physics/effects/platform_mass.hpp"
+#include "physics/effects/ring_thermal.hpp"
+#include "physics/effects/screw_coulomb.hpp"
 #include "physics/effects/screw_friction.hpp"
+#include "physics/effects/screw_stribeck.hpp"
+#include "physics/effects/screw_viscous.hpp"
+#include "physics/effects/servo_lag.hpp"
+#include "physics/effects/servo_mismatch.hpp"
+#include "physics/effects/strut_compliance.hpp"
 #include "physics/effects/strut_gravity.hpp"
+#include "physics/effects/strut_mass.hpp"
 #include "physics/effects/strut_offset.hpp"
+#include "physics/effects/thermal_drift.hpp"
+#include "physics/effects/torque_scale.hpp"
 
 namespace plumbline::physics {
 
@@ -40,9 +64,33 @@ using BaseEffects = std::tuple<PlatformGravity,  //
                                AxialElasticity>;
 
 /// There when an [[effect]] row of the model file, or whoever fits a model, puts them there.
-using CatalogueEffects = std::tuple<Payload,      //
-                                    Backlash,     //
-                                    StrutOffset,  //
+using CatalogueEffects = std::tuple<Payload,                  //
+                                    PlatformMass,             //
+                                    CentreOfMass,             //
+                                    Level,                    //
+                                    StrutMass,                //
+                                    ScrewCoulomb,             //
+                                    ScrewViscous,             //
+                                    ScrewStribeck,            //
+                                    LoadFriction,             //
+                                    JointCoulomb,             //
+                                    JointViscous,             //
+                                    Backlash,                 //
+                                    StrutOffset,              //
+                                    ThermalDrift,             //
+                                    Cyclic,                   //
+                                    ServoLag,                 //
+                                    ServoMismatch,            //
+                                    TorqueScale,              //
+                                    BaseJointCompliance,      //
+                                    PlatformJointCompliance,  //
+                                    StrutCompliance,          //
+                                    JointClearance,           //
+                                    Cable,                    //
+                                    Inertia,                  //
+                                    Counterbalance,           //
+                                    LeadError,                //
+                                    RingThermal,              //
                                     JointPosition>;
 
 using Effects = decltype(std::tuple_cat(BaseEffects{}, CatalogueEffects{}));
