@@ -20,7 +20,7 @@ struct Place {
 enum class Severity { error, warning, note };
 
 struct Diagnostic {
-  std::string code;     // stable and short: "nc-unknown-code"; listed in docs/diagnostics.md
+  std::string code;     // stable and short: "nc-unknown-code"
   std::string message;  // one sentence, no full stop, what is wrong
   std::string help;     // the way out
   Place place;
