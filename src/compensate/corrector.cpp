@@ -27,6 +27,7 @@ Corrector::Corrector(const machine::MachineModel& model, const Settings& setting
       environment_(physics_.environment()),
       radius_(machine::platform_radius(model.geometry)) {
   environment_.friction = settings.friction;
+  environment_.dynamic = false;  // a control shapes the speed itself
 }
 
 void Corrector::set_tool(const ToolInSpindle& tool) {

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/files.hpp"
 #include "base/units.hpp"
 #include "machine/model_file.hpp"
 
@@ -127,4 +128,16 @@ TEST_CASE("at rest friction is silent") {
   Target target = at({{50, 0, -1008, 5, 0, 0}});
   target.slope = {};
   CHECK(Corrector(pm600(), settings).correct(target).pose == Corrector(pm600(), without).correct(target).pose);
+}
+
+TEST_CASE("a control's following error is not compensated") {
+  const std::string text = read_text(PLUMBLINE_SOURCE_DIR "/models/pm600-like.toml");
+  const auto with = [&](const std::string& row) {
+    return machine::parse_model(text + "\n[[effect]]\n" + row, "model.toml");
+  };
+  const Target target = at({{50, 20, -1008, 5, -5, 0}});
+  const AxisWords plain = Corrector(pm600(), {}).correct(target).pose;
+  CHECK(Corrector(with("name = \"servo-lag\"\nlag_ms = 20\n"), {}).correct(target).pose == plain);
+  CHECK(distance(Corrector(with("name = \"backlash\"\nwidth_um = [9, 0, 0, 0, 0, 0]\n"), {}).correct(target).pose,
+                 plain) > 1e-4);
 }
