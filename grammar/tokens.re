@@ -188,4 +188,37 @@ again:
   */
 }
 
+void lex_flow(const char* cursor, Token& token) {
+  const auto* at = reinterpret_cast<const unsigned char*>(cursor);
+  const unsigned char* marker = nullptr;
+  const unsigned char* begin = nullptr;
+  const auto text = [](const unsigned char* c) { return reinterpret_cast<const char*>(c); };
+  const auto flow = [&](FlowWord word) {
+    keep(token, TokenKind::flow, text(begin), text(at));
+    token.operation = static_cast<std::uint8_t>(word);
+  };
+again:
+  begin = at;
+  /*!re2c
+    blank+  { goto again; }
+    's' w 'u' w 'b'                                      { return flow(FlowWord::sub); }
+    'e' w 'n' w 'd' w 's' w 'u' w 'b'                    { return flow(FlowWord::end_sub); }
+    'c' w 'a' w 'l' w 'l'                                { return flow(FlowWord::call); }
+    'r' w 'e' w 't' w 'u' w 'r' w 'n'                    { return flow(FlowWord::give_back); }
+    'd' w 'o'                                            { return flow(FlowWord::begin_do); }
+    'w' w 'h' w 'i' w 'l' w 'e'                          { return flow(FlowWord::begin_while); }
+    'e' w 'n' w 'd' w 'w' w 'h' w 'i' w 'l' w 'e'        { return flow(FlowWord::end_while); }
+    'r' w 'e' w 'p' w 'e' w 'a' w 't'                    { return flow(FlowWord::repeat); }
+    'e' w 'n' w 'd' w 'r' w 'e' w 'p' w 'e' w 'a' w 't'  { return flow(FlowWord::end_repeat); }
+    'b' w 'r' w 'e' w 'a' w 'k'                          { return flow(FlowWord::leave); }
+    'c' w 'o' w 'n' w 't' w 'i' w 'n' w 'u' w 'e'        { return flow(FlowWord::go_on); }
+    'i' w 'f'                                            { return flow(FlowWord::begin_if); }
+    'e' w 'l' w 's' w 'e' w 'i' w 'f'                    { return flow(FlowWord::else_if); }
+    'e' w 'l' w 's' w 'e'                                { return flow(FlowWord::otherwise); }
+    'e' w 'n' w 'd' w 'i' w 'f'                          { return flow(FlowWord::end_if); }
+    "["     { return keep(token, TokenKind::open, text(begin), text(at)); }
+    *       { return keep(token, TokenKind::end, text(begin), text(begin)); }
+  */
+}
+
 }  // namespace plumbline::nc

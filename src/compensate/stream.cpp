@@ -62,6 +62,7 @@ Summary Stream::run(const Progress& progress) {
   while (const nc::Step* step = program_.next()) {
     ++summary_.blocks;
     refuse_stamped(*step->block);
+    refuse_flow(*step);
     take_tool(*step);
     if (!is_corrected(*step)) {
       pass(*step);
@@ -86,6 +87,18 @@ void Stream::refuse_stamped(const nc::Block& block) const {
     refuse("compensate-stamped", "this program was compensated already", "compensate the original program instead",
            place_of(block, source_.name()));
   }
+}
+
+// Corrections depend on the place, so that a loop or a cycle cannot keep its form.
+void Stream::refuse_flow(const nc::Step& step) const {
+  if (step.role == nc::BlockRole::cycle) {
+    refuse("compensate-cycle", "canned cycles are not compensated yet",
+           "write the cycle out in G0 and G1 with the CAM system; trace shows its moves",
+           place_of(*step.block, source_.name()));
+  }
+  if (!step.flow) return;
+  refuse("compensate-flow", "loops, branches and subprograms are not compensated yet",
+         "unroll the program with the CAM system; trace shows its moves", place_of(*step.block, source_.name()));
 }
 
 void Stream::set_touch_off() {

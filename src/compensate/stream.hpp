@@ -31,6 +31,7 @@ class Stream {
 
  private:
   void refuse_stamped(const nc::Block& block) const;
+  void refuse_flow(const nc::Step& step) const;
   void set_touch_off();
   void take_tool(const nc::Step& step);
   void warn_of_massless_tool(const nc::Step& step, int tool);

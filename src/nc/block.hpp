@@ -84,6 +84,36 @@ struct Setting {
   Span span;
 };
 
+/// What an O word asks for.
+enum class FlowWord : std::uint8_t {
+  none,
+  program,  // O100 alone: begins a program that M98 calls
+  sub,
+  end_sub,
+  call,
+  give_back,  // return
+  begin_do,
+  begin_while,
+  end_while,
+  repeat,
+  end_repeat,
+  leave,  // break
+  go_on,  // continue
+  begin_if,
+  else_if,
+  otherwise,  // else
+  end_if,
+};
+
+/// The O word of a line, and what stands behind it.
+struct Flow {
+  FlowWord word = FlowWord::none;
+  Span span;                          // O, label and keyword
+  Span name;                          // of a named label, without < and >
+  std::uint32_t label = kLiteral;     // code of a numbered one
+  std::vector<std::uint32_t> values;  // code of a condition, a count, a value to return, or of the arguments
+};
+
 /// What a line is when it is not a block of words.
 enum class LineKind : std::uint8_t {
   block,    // words, comments, or nothing
@@ -105,6 +135,7 @@ struct Block {
   std::vector<Comment> comments;
   std::vector<Setting> settings;
   std::vector<Instruction> code;  // of all expressions of the block, one behind the other
+  Flow flow;                      // of a line that begins with O
   std::vector<Span> names;        // of named parameters, without # < and >
 
   std::string_view at(Span span) const { return text.substr(span.begin, span.end - span.begin); }

@@ -60,6 +60,11 @@ inline constexpr std::string_view kMachineMove = "nc-machine-move";
 inline constexpr std::string_view kWorkOffsetUnknown = "nc-work-offset-unknown";
 inline constexpr std::string_view kPositionUnknown = "nc-position-unknown";
 inline constexpr std::string_view kToolUnknown = "nc-tool-unknown";
+inline constexpr std::string_view kFlowLabel = "nc-flow-label";
+inline constexpr std::string_view kFlowOpen = "nc-flow-open";
+inline constexpr std::string_view kModesNotSaved = "nc-modes-not-saved";
+inline constexpr std::string_view kCallDepth = "nc-call-depth";
+inline constexpr std::string_view kTooManyBlocks = "nc-too-many-blocks";
 inline constexpr std::string_view kUnknownDialect = "nc-unknown-dialect";
 
 inline constexpr std::array kAll{kLineTooLong,       kNulByte,
@@ -84,6 +89,9 @@ inline constexpr std::array kAll{kLineTooLong,       kNulByte,
                                  kArcRadius,         kArcEnds,
                                  kArcTurns,          kMachineMove,
                                  kWorkOffsetUnknown, kPositionUnknown,
-                                 kToolUnknown,       kUnknownDialect};
+                                 kToolUnknown,       kUnknownDialect,
+                                 kFlowLabel,         kFlowOpen,
+                                 kModesNotSaved,     kCallDepth,
+                                 kTooManyBlocks};
 
 }  // namespace plumbline::nc::codes

@@ -38,6 +38,8 @@ Control::Control(const ProgramSettings& settings) {
     homes[i].known = given(parameters, first, homes[i].machine);
     if (settings.as_with_empty_tables) homes[i].known = AxisSet::all();
   }
+  parameters.set("_value", {});
+  parameters.set("_value_returned", {});
   given(parameters, kG92, suspended_g92);
   if (parameters.has(kG92InForce) && parameters.get(kG92InForce).number != 0) frame.g92 = suspended_g92;
   frame.origin = active().origin;

@@ -26,6 +26,17 @@ struct Home {
   AxisSet known;
 };
 
+/// What a cycle inherits from the blocks before it, in mm and s.
+struct Cycle {
+  bool begun = false;  // false: another motion came between
+  double start = 0;    // along the normal of the plane, where the first of these cycles began
+  double r = 0;
+  double bottom = 0;
+  double dwell_s = 0;           // P
+  double peck = 0;              // Q
+  std::array<double, 3> ijk{};  // G87
+};
+
 struct Control {
   explicit Control(const ProgramSettings& settings);
 
@@ -35,6 +46,7 @@ struct Control {
   AxisWords position;  // in the active work system
   AxisSet known;       // of position; where the origin is not known, of the machine's position
   std::array<WorkSystem, kWorkSystems> systems;
+  Cycle cycle;
   AxisWords suspended_g92;         // what G92.3 brings back
   std::array<Home, 2> homes;       // G28, G30
   std::map<int, AxisWords> tools;  // tool table rows that the program wrote (G10 L1)

@@ -60,6 +60,15 @@ constexpr std::array kActions{
     ActionName{"set_output", Action::set_output},
     ActionName{"read_input", Action::read_input},
     ActionName{"set_analog_output", Action::set_analog_output},
+    ActionName{"cycle", Action::cycle},
+    ActionName{"retract_to_start", Action::retract_to_start},
+    ActionName{"retract_to_r", Action::retract_to_r},
+    ActionName{"call_program", Action::call_program},
+    ActionName{"end_program", Action::end_program},
+    ActionName{"save_modes", Action::save_modes},
+    ActionName{"forget_modes", Action::forget_modes},
+    ActionName{"restore_modes", Action::restore_modes},
+    ActionName{"save_modes_of_call", Action::save_modes_of_call},
     ActionName{"no_motion", Action::no_motion},
 };
 

@@ -57,7 +57,7 @@ void Emitter::note_header(const Step& step) {
   const bool blank =
       block.words.empty() && block.comments.empty() && block.settings.empty() && block.kind == LineKind::block;
   const bool comment = block.words.empty() && !block.comments.empty() && block.settings.empty() && !block.block_delete;
-  const bool number = block.words.size() == 1 && block.words.front().letter == 'O';
+  const bool number = block.flow.word == FlowWord::program;
   if (block.kind == LineKind::percent || comment || number) {
     header_end_ = source_end_;
   } else if (!blank) {

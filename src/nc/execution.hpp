@@ -35,6 +35,7 @@ struct Execution {
   bool uses_position_axes = false;     // the axis words are those of a code of group 0
 
   Step step = {};
+  ProgramCall call = {};
   std::vector<Motion> motions = {};
 
   [[noreturn]] void refuse(const Word& word, std::string_view code, std::string message, std::string help) const;
@@ -77,9 +78,12 @@ void set_tool_row(Execution& run);                        // G10 L1
 void select_tool(Execution& run, const Word& word);       // T
 void change_tool(Execution& run, const Chosen& chosen);   // M6 M61
 void dwell(Execution& run, const Word& code);             // machine_codes.cpp: G4
+void call_program(Execution& run, const Chosen& chosen);  // M98 M99
 void machine_code(Execution& run, const Chosen& chosen);  // M0 M1 M60, outputs, inputs, spindle, user codes
 void move_straight(Execution& run);                       // straight.cpp
 void move_arc(Execution& run);                            // arcs.cpp
+
+void move_in_cycle(Execution& run);  // cycles.cpp: G73 G74 G81..G89
 
 // What the moves share: moves.cpp
 /// Ends of a move in the active work system from the axis words, absolute or incremental.

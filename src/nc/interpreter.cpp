@@ -70,6 +70,7 @@ void Interpreter::begin(const Block& block) {
   run_.words.clear();
   run_.step = Step{};
   run_.step.block = &block;
+  run_.call = ProgramCall{};
 }
 
 void Interpreter::finish() {
@@ -93,6 +94,44 @@ bool Interpreter::deleted(const Block& block) {
   }
   run_.step.executed_delete = !harmless;
   return false;
+}
+
+double Interpreter::value_of(const Block& block, std::uint32_t code, Span span) {
+  const Value value = evaluator_.run(block, code, readings_);
+  if (value.known) return value.number;
+  refuse_at(block, span, codes::kValueUnknown, "where the program goes on is known only when the machine runs",
+            "a program that depends on a probe or an input cannot be compensated beforehand");
+}
+
+void Interpreter::enter_subprogram(bool own_parameters, const std::vector<double>& arguments) {
+  control_.parameters.enter(own_parameters);
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    control_.parameters.set(static_cast<int>(i) + 1, {arguments[i], true});
+  control_.parameters.set("_value", {});
+  control_.parameters.set("_value_returned", {});
+  saved_.emplace_back();
+}
+
+void Interpreter::leave_subprogram(const Block& block) {
+  control_.parameters.leave();
+  const SavedModes modes = saved_.back();
+  saved_.pop_back();
+  if (modes.valid && modes.of_call) restore_modes(run_, modes, block);
+}
+
+void Interpreter::act_on_saved_modes(const Chosen& chosen) {
+  switch (chosen.row->action) {
+    case Action::forget_modes:
+      saved_.back().valid = false;
+      return;
+    case Action::restore_modes:
+      if (!saved_.back().valid) {
+        run_.refuse(*chosen.word, codes::kModesNotSaved, "no modes were saved here", "save them with M70 before");
+      }
+      return restore_modes(run_, saved_.back(), *run_.block);
+    default:
+      saved_.back() = save_modes(control_, chosen.row->action == Action::save_modes_of_call);
+  }
 }
 
 void Interpreter::evaluate(Block& block) {
@@ -140,6 +179,7 @@ void Interpreter::act(const Chosen& chosen) {
     case Action::feed:
     case Action::arc_cw:
     case Action::arc_ccw:
+    case Action::cycle:
       return move();
     case Action::feed_word:
       return set_feed(run_, *chosen.word);
@@ -174,6 +214,11 @@ void Interpreter::act(const Chosen& chosen) {
     case Action::change_tool:
     case Action::set_tool:
       return change_tool(run_, chosen);
+    case Action::save_modes:
+    case Action::forget_modes:
+    case Action::restore_modes:
+    case Action::save_modes_of_call:
+      return act_on_saved_modes(chosen);
     default:
       return chosen.word->letter == 'G' ? act_on_mode(chosen) : machine_code(run_, chosen);
   }
@@ -184,6 +229,7 @@ void Interpreter::act_on_mode(const Chosen& chosen) {
   switch (chosen.row->action) {
     case Action::motion_off:
       if (run_.motion != nullptr) return;
+      control_.cycle.begun = false;
       modal.motion = MotionMode::none;
       control_.motion_row = nullptr;
       return;
@@ -227,6 +273,10 @@ void Interpreter::act_on_mode(const Chosen& chosen) {
     case Action::continuous:
       modal.path_control = PathControl::continuous;
       return;
+    case Action::retract_to_start:
+    case Action::retract_to_r:
+      modal.retract_to_r = chosen.row->action == Action::retract_to_r;
+      return;
     case Action::work_system:
       return choose_work_system(run_, chosen.row->value);
     default:
@@ -243,6 +293,8 @@ void Interpreter::change_unit(bool inches) {
 
 void Interpreter::move() {
   const Action action = run_.motion->action;
+  if (action == Action::cycle) return move_in_cycle(run_);
+  control_.cycle.begun = false;
   control_.motion_row = run_.motion;
   control_.modal.motion = action == Action::rapid    ? MotionMode::rapid
                           : action == Action::feed   ? MotionMode::feed

@@ -24,23 +24,25 @@ enum class TokenKind : std::uint8_t {
   operation,
   function,
   exists,
-  bad,  // anything else, one byte
+  flow,  // a keyword behind O
+  bad,   // anything else, one byte
 };
 
 struct Token {
   TokenKind kind = TokenKind::end;
   char letter = 0;             // word, letter: upper case; sign: + or -
   std::uint8_t decimals = 0;   // word, number: digits after the point
-  std::uint8_t operation = 0;  // operation, function: an Operation
+  std::uint8_t operation = 0;  // operation, function: an Operation; flow: a FlowWord
   double value = 0;            // word, number
   const char* begin = nullptr;
   const char* end = nullptr;
 };
 
-/// The three places in a block; a letter means something else in each. A lexer reads up to a line end or a NUL, which
+/// The places in a block; a letter means something else in each. A lexer reads up to a line end or a NUL, which
 /// must stand behind the text.
 void lex_item(const char* cursor, Token& token);       // where a word begins
 void lex_value(const char* cursor, Token& token);      // where a value begins
 void lex_operation(const char* cursor, Token& token);  // behind a value, inside brackets
+void lex_flow(const char* cursor, Token& token);       // behind the label of an O word
 
 }  // namespace plumbline::nc

@@ -43,8 +43,11 @@ bool LineSource::next(Line& line) {
 }
 
 void LineSource::seek(LinePlace place) {
+  const std::uint64_t window = place_.offset - begin_;  // the offset of its first byte
+  const bool inside = !middle_ && place.offset >= window && place.offset <= window + end_;
+  begin_ = inside ? static_cast<std::size_t>(place.offset - window) : 0;
+  if (!inside) end_ = 0;
   place_ = place;
-  begin_ = end_ = 0;
   middle_ = false;
 }
 

@@ -34,6 +34,8 @@ class LineSource {
   bool next(Line& line);
   /// The next call of next() gives the line that begins here.
   void seek(LinePlace place);
+  /// Of the line that next() gives.
+  LinePlace place() const { return place_; }
 
  private:
   void fill();

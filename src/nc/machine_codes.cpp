@@ -52,6 +52,20 @@ void lose_unless_kept(Execution& run, int code) {
 
 }  // namespace
 
+void call_program(Execution& run, const Chosen& chosen) {
+  const bool calls = chosen.row->action == Action::call_program;
+  for (const Word& word : run.block->words) {
+    if (&word == chosen.word || (calls && (word.letter == 'P' || word.letter == 'L'))) continue;
+    run.refuse(word, codes::kFlowControl, "M98 and M99 stand alone in their block",
+               "put the other words into a block of their own");
+  }
+  run.call.calls = calls;
+  run.call.ends = !calls;
+  if (!calls) return;
+  run.call.number = run.whole(run.need('P', "M98"), 0, kNoLimit);
+  if (const Word* count = run.words.find('L')) run.call.count = run.whole(*count, 0, kNoLimit);
+}
+
 void dwell(Execution& run, const Word& code) {
   const Word* const word = run.words.find('P');
   if (word == nullptr) {
@@ -77,6 +91,9 @@ void machine_code(Execution& run, const Chosen& chosen) {
       return;
     case Action::read_input:
       return read_input(run);
+    case Action::call_program:
+    case Action::end_program:
+      return call_program(run, chosen);
     case Action::end:
       run.control.ended = true;
       return;

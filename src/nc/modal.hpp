@@ -9,8 +9,8 @@
 
 namespace plumbline::nc {
 
-enum class MotionMode : std::uint8_t { none, rapid, feed, arc_cw, arc_ccw };   // G80, G0, G1, G2, G3
-enum class PathControl : std::uint8_t { exact_path, exact_stop, continuous };  // G61, G61.1, G64
+enum class MotionMode : std::uint8_t { none, rapid, feed, arc_cw, arc_ccw, cycle };  // G80, G0, G1, G2, G3, G73..G89
+enum class PathControl : std::uint8_t { exact_path, exact_stop, continuous };        // G61, G61.1, G64
 
 struct Modal {
   MotionMode motion = MotionMode::none;
@@ -20,6 +20,7 @@ struct Modal {
   bool inches = false;               // G20
   bool incremental = false;          // G91
   bool arc_centre_absolute = false;  // G90.1
+  bool retract_to_r = true;          // G99: cycles end at their R, not where they began
   int work_system = 1;               // 1..9: G54..G59.3
   double feed = 0;                   // the F in force, in the program's own unit; 0: none. Not used under G93
   int tool_in_spindle = -1;          // after M6 or M61; -1: not known

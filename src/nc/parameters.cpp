@@ -1,5 +1,8 @@
 #include "nc/parameters.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace plumbline::nc {
 
 std::string_view Parameters::plain(std::string_view name) {
@@ -12,17 +15,35 @@ std::string_view Parameters::plain(std::string_view name) {
 }
 
 const Value* Parameters::find(std::string_view name) {
-  const auto at = named_.find(plain(name));
-  return at == named_.end() ? nullptr : &at->second;
+  plain(name);
+  const Names& names = scope_of(plain_);
+  const auto at = names.find(plain_);
+  return at == names.end() ? nullptr : &at->second;
 }
 
 void Parameters::set(std::string_view name, Value value) {
-  const auto at = named_.find(plain(name));
-  if (at != named_.end()) {
+  plain(name);
+  Names& names = scope_of(plain_);
+  const auto at = names.find(plain_);
+  if (at != names.end()) {
     at->second = value;
   } else {
-    named_.emplace(plain_, value);
+    names.emplace(plain_, value);
   }
+}
+
+void Parameters::enter(bool numbers) {
+  Scope scope;
+  if (numbers) {
+    scope.callers.assign(numbered_.begin() + 1, numbered_.begin() + 1 + kLocalParameters);
+    std::fill_n(numbered_.begin() + 1, kLocalParameters, Numbered{{}, true});
+  }
+  scopes_.push_back(std::move(scope));
+}
+
+void Parameters::leave() {
+  std::copy(scopes_.back().callers.begin(), scopes_.back().callers.end(), numbered_.begin() + 1);
+  scopes_.pop_back();
 }
 
 }  // namespace plumbline::nc

@@ -7,9 +7,11 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 namespace plumbline::nc {
 
+inline constexpr int kLocalParameters = 30;  // #1..#30 belong to a subprogram
 inline constexpr int kLastParameter = 5601;  // [LinuxCNC; RS274/NGC has 5400]
 
 /// A number, or one that only the machine will know.
@@ -28,6 +30,10 @@ class Parameters {
   /// Names are the same whatever their case and blanks [RS274/NGC 3.3.1]. Null: never set.
   const Value* find(std::string_view name);
   void set(std::string_view name, Value value);
+  /// A subprogram begins: the names that do not begin with _ are its own; so are #1..#30 if `numbers` (then all zero).
+  void enter(bool numbers);
+  /// It ends: those of its caller are back.
+  void leave();
   /// The name as it is looked up; valid until the next call.
   std::string_view plain(std::string_view name);
 
@@ -41,7 +47,14 @@ class Parameters {
     std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
   };
   std::array<Numbered, kLastParameter + 1> numbered_{};
-  std::unordered_map<std::string, Value, Hash, std::equal_to<>> named_;
+  using Names = std::unordered_map<std::string, Value, Hash, std::equal_to<>>;
+  struct Scope {
+    Names names;
+    std::vector<Numbered> callers;  // #1..#30 of the caller
+  };
+  Names& scope_of(std::string_view plain) { return plain.starts_with('_') ? global_ : scopes_.back().names; }
+  Names global_;
+  std::vector<Scope> scopes_{Scope{}};
   std::string plain_;
 };
 

@@ -40,6 +40,7 @@ void Parser::parse(Block& block) {
   block.settings.clear();
   block.code.clear();
   block.names.clear();
+  block.flow.word = FlowWord::none;
   seen_ = 0;
   at_ = block.text.data();
   if (block.offset == 0 && block.text.starts_with(kByteOrderMark)) at_ += kByteOrderMark.size();
@@ -58,6 +59,7 @@ void Parser::parse(Block& block) {
     }
     take(lex_item);
   }
+  if (token_.letter == 'O' && (token_.kind == TokenKind::word || token_.kind == TokenKind::letter)) return flow();
   items();
 }
 
@@ -159,8 +161,8 @@ void Parser::see(char letter, Span span) {
   if (letter == 'G' || letter == 'M') return;
   const std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(letter - 'A');
   if (letter == 'O') {
-    refuse_at(*block_, span, codes::kFlowControl, "O words (loops, branches, subprograms) are not interpreted yet",
-              "unroll the program with the control's simulator or the CAM system first");
+    refuse_at(*block_, span, codes::kFlowControl, "an O word inside a block",
+              "a line with an O word holds nothing before it but a line number");
   }
   if (letter == 'N') {
     refuse_at(*block_, span, codes::kLineNumber, "N inside a block", "a line number stands at the begin of its line");

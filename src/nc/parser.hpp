@@ -21,6 +21,9 @@ class Parser {
 
  private:
   void percent();
+  void flow();
+  void flow_label();
+  void flow_values(FlowWord word);
   void items();
   void word(char letter);
   void literal_word();

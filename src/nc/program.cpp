@@ -6,8 +6,8 @@
 
 #include "base/diagnostic.hpp"
 #include "nc/codes.hpp"
+#include "nc/flow.hpp"
 #include "nc/interpreter.hpp"
-#include "nc/line_source.hpp"
 #include "nc/parser.hpp"
 
 namespace plumbline::nc {
@@ -36,40 +36,94 @@ void check_length(const Block& block, const Line& line, const Dialect& dialect) 
          "break it into several blocks, or shorten its comment", std::move(place));
 }
 
+// Behind "/" and N, as the lines that are left out are looked through for O words.
+bool begins_with_flow(std::string_view text) {
+  std::size_t at = text.find_first_not_of(" \t\r/");
+  if (at != std::string_view::npos && (text[at] == 'N' || text[at] == 'n')) {
+    at = text.find_first_not_of(" \t\r0123456789", at + 1);
+  }
+  return at != std::string_view::npos && (text[at] == 'O' || text[at] == 'o');
+}
+
 }  // namespace
 
 struct Program::Parts {
   Parts(const InputFile& file_, const Dialect& dialect_, ProgramSettings settings_)
-      : file(file_), dialect(dialect_), settings(std::move(settings_)), lines(file), interpreter(dialect, settings) {}
+      : file(file_),
+        dialect(dialect_),
+        settings(std::move(settings_)),
+        interpreter(dialect, settings),
+        flow(file, interpreter) {}
 
   const InputFile& file;
   const Dialect& dialect;
   const ProgramSettings settings;
-  LineSource lines;
   Parser parser;
   Interpreter interpreter;
+  FlowControl flow;
   Block block;
   bool begun = false;        // a line that is not blank was read
   bool in_percents = false;  // the program began with %
   bool behind_end = false;   // M2, M30 or the second % was executed
 
+  std::uint64_t executed = 0;
+
   const Step* next();
+  const Step* execute();
+  const Step* steer();
+  void count_block();
   const Step* ignore();
   const Step* percent();
 };
 
 const Step* Program::Parts::next() {
   Line line;
-  if (!lines.next(line)) return nullptr;
-  place_block(block, line, file.name());
-  if (behind_end) return ignore();
-  check_length(block, line, dialect);
-  parser.parse(block);
-  if (block.kind == LineKind::percent) return percent();
-  begun = begun || !is_blank(block.text);
-  const Step& step = interpreter.execute(block);
+  while (true) {
+    if (behind_end && flow.used()) return nullptr;
+    if (!flow.next(line)) return nullptr;
+    place_block(block, line, flow.file());
+    if (behind_end) return ignore();
+    if (flow.skipping() && !begins_with_flow(line.text)) continue;
+    check_length(block, line, dialect);
+    parser.parse(block);
+    if (block.kind == LineKind::percent && flow.called()) continue;  // around a subprogram in a file of its own
+    if (block.kind == LineKind::percent) return percent();
+    begun = begun || !is_blank(block.text);
+    if (flow.used()) count_block();
+    if (block.flow.word == FlowWord::none) return execute();
+    if (const Step* const step = steer()) return step;
+  }
+}
+
+const Step* Program::Parts::execute() {
+  interpreter.execute(block);
+  Step& step = interpreter.step();
+  step.jumped = flow.used();
   behind_end = interpreter.ended();
+  const ProgramCall& call = interpreter.program_call();
+  step.flow = call.calls || call.ends;
+  if (call.calls) flow.call_program(block, call.number, call.count);
+  if (call.ends && !flow.end_program(block)) behind_end = true;
   return &step;
+}
+
+// Null: the O word is left out, for block delete or as part of what is skipped.
+const Step* Program::Parts::steer() {
+  interpreter.pass(block);
+  if (block.block_delete && interpreter.deleted(block)) return nullptr;
+  if (!flow.take(block)) return nullptr;
+  Step& step = interpreter.step();
+  step.flow = block.flow.word != FlowWord::program || flow.used();
+  step.jumped = flow.used();
+  return &step;
+}
+
+void Program::Parts::count_block() {
+  if (++executed <= settings.max_blocks) return;
+  const Span whole{0, static_cast<std::uint32_t>(block.text.size())};
+  refuse_at(block, whole, codes::kTooManyBlocks,
+            fmt::format("the program executes more than {} lines", settings.max_blocks),
+            "look for a loop that does not end, or allow more with --max-blocks");
 }
 
 const Step* Program::Parts::ignore() {

@@ -31,6 +31,7 @@ struct ProgramSettings {
   std::map<int, double> variables;                 // numbered parameters set before the program
   std::set<int> passed_m_codes;                    // --pass
   std::set<int> keeps_position;                    // --keeps-position, M codes
+  std::uint64_t max_blocks = 10'000'000;           // --max-blocks: lines that a program with jumps may execute
   std::optional<bool> block_delete;                // --block-delete on|off
   /// Expressions may read where the control stands (#5420..., #<_x>...): true for who only looks, since a rewritten
   /// program would read something else.
@@ -50,8 +51,8 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  /// Executes the next block; null at the end of the file. The texts of all blocks, with their line ends, put one after
-  /// the other are the file. Refuses with nc-... and the place of what it cannot take.
+  /// Executes the next block; null at the end. As long as nothing jumped (Step::jumped) the texts of all blocks, with
+  /// their line ends, put one after the other are the file. Refuses with nc-... and the place of what it cannot take.
   const Step* next();
 
  private:

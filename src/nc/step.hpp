@@ -15,7 +15,15 @@ enum class BlockRole : std::uint8_t {
   plain,            // moves, modal codes, or nothing
   machine_move,     // G53, G28, G30: goes through as it stands
   sets_offset,      // G92, G10 L20: reads where the control stands; its axis words must make up for the shift
+  cycle,            // G73, G81..G89: several moves of one block
   stores_position,  // G28.1, G30.1: stores where the control stands; cannot be made up for
+};
+
+/// M98 calls a program, M99 ends it.
+struct ProgramCall {
+  bool calls = false, ends = false;
+  int number = 0;
+  int count = 1;
 };
 
 /// Everything points into the interpreter and holds until the next block is executed.
@@ -29,6 +37,8 @@ struct Step {
   AxisSet known;                    // of which this is known
   AxisSet named;                    // axes whose words stand in the block
   BlockRole role = BlockRole::plain;
+  bool flow = false;             // the line steers the program: an O word, M98, M99
+  bool jumped = false;           // something jumped or repeated before: steps are not in the order of the text
   bool skipped = false;          // block delete is on for it: nothing of it was executed
   bool executed_delete = false;  // block delete is off for it, and it moves or changes modal state
   bool changes_tool = false;     // M6, M61

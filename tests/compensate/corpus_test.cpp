@@ -75,7 +75,9 @@ TEST_CASE("a model without errors gives every program of the corpus back") {
       ++same;
     } catch (const Refusal& refusal) {
       INFO(to_text(refusal.diagnostic()));
-      CHECK(refusal.diagnostic().code.starts_with("nc-"));  // what is not read yet
+      const std::string& code = refusal.diagnostic().code;
+      CHECK((code.starts_with("nc-") || code == "compensate-flow" || code == "compensate-cycle" ||
+             code == "compensate-polar"));  // what is not read yet
     }
   }
   WARN(same << " programs came out as they went in");

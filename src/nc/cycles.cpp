@@ -1,0 +1,245 @@
+// Canned cycles: G73, G74 and G81 to G89 in any plane, as LinuxCNC makes them [measured].
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "nc/codes.hpp"
+#include "nc/execution.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr double kPeckGapMm = 0.254;  // over the bottom of the peck before, where the next one begins to feed
+constexpr double kMostPecks = 1e6;
+constexpr std::array kCentreLetters{'I', 'J', 'K'};
+
+enum Code {
+  kChipBreaking = 73,
+  kLeftTapping = 74,
+  kDrill = 81,
+  kDrillDwell,
+  kPeck,
+  kTapping,
+  kBore,
+  kBoreStop,
+  kBackBore,
+  kBoreByHand,
+  kBoreDwell
+};
+
+// A cycle at one hole after the other.
+class CycleRun {
+ public:
+  explicit CycleRun(Execution& run)
+      : run_(run), control_(run.control), cycle_(run.control.cycle), axes_(axes_of(run.control.modal.plane)) {}
+
+  void make();
+
+ private:
+  void take_words();
+  double inherited(const char letter, double before, double value, bool needed) const;
+  void check_level() const;
+  void hole(bool first);
+  void at_hole();
+  void pecks();
+  void back_bore();
+  void go(MotionKind kind, double first, double second, double level);
+  void along(MotionKind kind, double level) { go(kind, first_, second_, level); }
+  void wait();
+
+  Execution& run_;
+  Control& control_;
+  Cycle& cycle_;
+  PlaneAxes axes_;
+  int code_ = 0;
+  bool goes_on_ = false;  // the same cycle is in force: words that are missing are inherited
+  double first_ = 0, second_ = 0, first_step_ = 0, second_step_ = 0;
+  double r_ = 0, bottom_ = 0, clear_ = 0, level_ = 0, offset_level_ = 0;
+};
+
+double CycleRun::inherited(const char letter, double before, double value, bool needed) const {
+  if (run_.words.has(letter)) return value;
+  if (needed && !goes_on_) run_.need(letter, fmt::format("G{}", code_));
+  return before;
+}
+
+void CycleRun::take_words() {
+  const auto length = [&](char letter) {
+    const Word* const word = run_.words.find(letter);
+    return word == nullptr ? 0 : run_.length(*word);
+  };
+  const auto number = [&](char letter) {
+    const Word* const word = run_.words.find(letter);
+    return word == nullptr ? 0 : word->value;
+  };
+  cycle_.r = inherited('R', cycle_.r, length('R'), true);
+  const char normal = letter(axes_.third);
+  cycle_.bottom = inherited(normal, cycle_.bottom, length(normal), true);
+  const bool dwells = code_ == kDrillDwell || code_ == kBoreStop || code_ == kBoreByHand || code_ == kBoreDwell;
+  cycle_.dwell_s = inherited('P', cycle_.dwell_s, number('P'), dwells);
+  const bool pecks = code_ == kChipBreaking || code_ == kPeck;
+  cycle_.peck = inherited('Q', cycle_.peck, length('Q'), pecks);
+  for (std::size_t i = 0; i < 3; ++i) {
+    cycle_.ijk[i] = inherited(kCentreLetters[i], cycle_.ijk[i], length(kCentreLetters[i]), code_ == kBackBore);
+  }
+  if (pecks && cycle_.peck <= 0) {
+    const Word* const word = run_.words.find('Q');
+    run_.refuse(word != nullptr ? *word : run_.motion_code(), codes::kOutOfRange, "a peck has no depth",
+                "write Q greater than 0");
+  }
+}
+
+void CycleRun::check_level() const {
+  if (r_ < bottom_) {
+    run_.refuse(run_.motion_code(), codes::kOutOfRange,
+                fmt::format("R lies below {}, the bottom of the hole", letter(axes_.third)),
+                "a hole goes down from R along the normal of the plane");
+  }
+  if (cycle_.peck > 0 && (r_ - bottom_) / cycle_.peck > kMostPecks) {
+    run_.refuse(run_.motion_code(), codes::kOutOfRange, "the hole takes more than a million pecks", "check Q");
+  }
+}
+
+void CycleRun::make() {
+  code_ = run_.motion->value;
+  goes_on_ = control_.motion_row == run_.motion;
+  take_words();
+  level_ = control_.position[axes_.third];
+  if (!cycle_.begun) cycle_.start = level_;
+  cycle_.begun = true;
+  double start = cycle_.start;
+  first_ = control_.position[axes_.first];
+  second_ = control_.position[axes_.second];
+  r_ = cycle_.r;
+  bottom_ = cycle_.bottom;
+  offset_level_ = cycle_.ijk[2];
+  const auto word = [&](Axis axis, double missing) { return run_.axes.contains(axis) ? run_.value(axis) : missing; };
+  if (control_.modal.incremental) {
+    first_step_ = word(axes_.first, 0);
+    second_step_ = word(axes_.second, 0);
+    r_ += start;
+    bottom_ += r_;
+    offset_level_ += bottom_;
+  } else {
+    first_ = word(axes_.first, first_);
+    second_ = word(axes_.second, second_);
+  }
+  check_level();
+  if (start < r_) {
+    go(MotionKind::rapid, control_.position[axes_.first], control_.position[axes_.second], r_);
+    start = level_ = r_;
+  }
+  clear_ = control_.modal.retract_to_r ? r_ : start;
+  const Word* const count = run_.words.find('L');
+  const int holes = count == nullptr ? 1 : run_.whole(*count, 1, kNoLimit);
+  for (int i = 0; i < holes; ++i) hole(i == 0);
+}
+
+void CycleRun::hole(bool first) {
+  first_ += first_step_;
+  second_ += second_step_;
+  const double level = first && level_ > r_ ? level_ : clear_;
+  along(MotionKind::rapid, level);
+  if (level != r_) along(MotionKind::rapid, r_);
+  at_hole();
+}
+
+void CycleRun::at_hole() {
+  if (code_ == kChipBreaking || code_ == kPeck) return pecks();
+  if (code_ == kBackBore) return back_bore();
+  along(MotionKind::feed, bottom_);
+  const bool taps = code_ == kTapping || code_ == kLeftTapping;
+  if (code_ != kDrill && code_ != kBore) wait();
+  if (code_ == kBore) along(MotionKind::feed, r_);
+  if (code_ == kBoreByHand) {
+    control_.position[axes_.third] = clear_;  // the operator takes it there
+    return;
+  }
+  along(taps || code_ == kBoreDwell ? MotionKind::feed : MotionKind::rapid, clear_);
+}
+
+void CycleRun::pecks() {
+  for (double depth = r_ - cycle_.peck; depth > bottom_; depth -= cycle_.peck) {
+    along(MotionKind::feed, depth);
+    if (code_ == kPeck) along(MotionKind::rapid, r_);
+    along(MotionKind::rapid, depth + kPeckGapMm);
+  }
+  along(MotionKind::feed, bottom_);
+  along(MotionKind::rapid, clear_);
+}
+
+// Down beside the hole, up into it from below.
+void CycleRun::back_bore() {
+  const double first = first_ + cycle_.ijk[index(axes_.first)];
+  const double second = second_ + cycle_.ijk[index(axes_.second)];
+  go(MotionKind::rapid, first, second, r_);
+  go(MotionKind::rapid, first, second, bottom_);
+  along(MotionKind::rapid, bottom_);
+  along(MotionKind::feed, offset_level_);
+  along(MotionKind::feed, bottom_);
+  go(MotionKind::rapid, first, second, bottom_);
+  go(MotionKind::rapid, first, second, clear_);
+  along(MotionKind::rapid, clear_);
+}
+
+void CycleRun::go(MotionKind kind, double first, double second, double level) {
+  Motion motion;
+  motion.kind = kind;
+  motion.to = control_.position;
+  motion.to[axes_.first] = first;
+  motion.to[axes_.second] = second;
+  motion.to[axes_.third] = level;
+  motion.known_after = control_.known;
+  if (kind == MotionKind::feed) motion.feed = feed_of_move(run_, true);
+  add_motion(run_, motion);
+}
+
+void CycleRun::wait() {
+  const bool taps = code_ == kTapping || code_ == kLeftTapping;
+  if (taps && cycle_.dwell_s <= 0) return;
+  Motion motion;
+  motion.kind = MotionKind::dwell;
+  motion.to = control_.position;
+  motion.known_after = control_.known;
+  motion.dwell_s = cycle_.dwell_s;
+  add_motion(run_, motion);
+}
+
+void check(const Execution& run) {
+  const Control& control = run.control;
+  if (const AxisSet rotary = run.axes & AxisSet::rotary(); !rotary.empty()) {
+    for (const Axis axis : kAllAxes) {
+      if (!rotary.contains(axis)) continue;
+      run.refuse(*run.words.find(axis), codes::kAxesUnused, "rotary axes stand still in a cycle",
+                 "turn to the hole's direction with G0 before");
+    }
+  }
+  if (control.modal.feed_mode == FeedMode::inverse_time) {
+    run.refuse(run.motion_code(), codes::kFeedMissing, "a cycle takes no inverse time (G93)", "write G94 before it");
+  }
+  const AxisSet known = control.modal.incremental ? control.known : control.known | run.axes;
+  const PlaneAxes axes = axes_of(control.modal.plane);
+  if (known.contains(AxisSet{axes.first, axes.second}) && control.known.contains(axes.third)) return;
+  run.refuse(run.motion_code(), codes::kPositionUnknown, "the cycle begins where X, Y or Z is not known",
+             "move there with a G0 that names all three");
+}
+
+}  // namespace
+
+void move_in_cycle(Execution& run) {
+  need_offsets(run);
+  if (run.machine_word != nullptr) {
+    run.refuse(*run.machine_word, codes::kMachineMove, "G53 needs G0 or G1",
+               "write the motion code into the block of G53");
+  }
+  check(run);
+  run.control.known = run.control.modal.incremental ? run.control.known : run.control.known | run.axes;
+  run.step.role = BlockRole::cycle;
+  CycleRun(run).make();
+  run.control.motion_row = run.motion;
+  run.control.modal.motion = MotionMode::cycle;
+  if (run.motion->loses_position) lose_position(run, AxisSet{Axis::X, Axis::Y, Axis::Z});
+}
+
+}  // namespace plumbline::nc

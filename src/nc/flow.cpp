@@ -1,0 +1,214 @@
+#include "nc/flow.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "nc/codes.hpp"
+#include "nc/expression.hpp"
+#include "nc/parser.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr std::size_t kCallLevels = 9;  // [LinuxCNC, measured]
+
+[[noreturn]] void refuse_flow(const Block& block, std::string_view code, std::string message, std::string help) {
+  Span span = block.flow.span;
+  if (block.flow.word == FlowWord::none && !block.words.empty()) span = block.words.front().span;
+  refuse_at(block, span, code, std::move(message), std::move(help));
+}
+
+}  // namespace
+
+FlowControl::FlowControl(const InputFile& program, Interpreter& interpreter) : interpreter_(interpreter) {
+  files_.push_back(std::make_unique<File>(File{nullptr, &program, LineSource(program)}));
+}
+
+bool FlowControl::next(Line& line) {
+  if (files_[file_]->lines.next(line)) return true;
+  if (skipping()) {
+    refuse(codes::kFlowOpen, fmt::format("the file ends before {} was found", skip_what_),
+           "add it, or put the subprogram into a file of its name beside the program", skip_from_);
+  }
+  if (!called()) return false;
+  Place place;
+  place.file = file();
+  refuse(codes::kFlowOpen, fmt::format("the file ends inside subprogram {}", calls_.back().name),
+         "end it with O<name> ENDSUB, or with M99 if M98 calls it", std::move(place));
+}
+
+std::string FlowControl::label_of(const Block& block) {
+  const Flow& flow = block.flow;
+  if (flow.label == kLiteral) return std::string(interpreter_.control().parameters.plain(block.at(flow.name)));
+  return std::to_string(
+      whole_number(block, flow.span, interpreter_.value_of(block, flow.label, flow.span), "the label of an O word"));
+}
+
+// Loops and branches of a subprogram have labels of their own.
+std::string FlowControl::scoped(std::string label) const {
+  return calls_.empty() ? label + '#' : calls_.back().name + '#' + label;
+}
+
+bool FlowControl::take(const Block& block) {
+  std::string label = label_of(block);
+  const FlowWord word = block.flow.word;
+  const bool is_subprogram = word == FlowWord::program || word == FlowWord::sub || word == FlowWord::end_sub ||
+                             word == FlowWord::call || word == FlowWord::give_back;
+  if (!is_subprogram) label = scoped(std::move(label));
+  if (skipping() && label != skip_) return false;
+  if (seeks_subprogram_ && word != FlowWord::sub && word != FlowWord::program) return false;
+  if (!defining_.empty() && word != FlowWord::end_sub) return false;
+  switch (word) {
+    case FlowWord::program:
+    case FlowWord::sub:
+      return define(block, label);
+    case FlowWord::end_sub:
+    case FlowWord::give_back:
+      give_back(block, label);
+      return true;
+    case FlowWord::call:
+      enter(block, {label, file_, files_[file_]->lines.place(), false, 0});
+      return true;
+    default:
+      used_ = true;
+      steer(block, label);
+      return true;
+  }
+}
+
+// Met on the way: a definition, passed over; looked for: the begin of the call.
+bool FlowControl::define(const Block& block, const std::string& label) {
+  const bool by_number = block.flow.word == FlowWord::program;
+  if (called() && (seeks_subprogram_ || by_number) && by_number != calls_.back().by_number) {
+    refuse_flow(block, codes::kFlowLabel,
+                by_number ? "this program begins with O and a number, and O CALL calls it"
+                          : "this subprogram begins with SUB, and M98 calls it",
+                "M98 calls programs that begin with O100 and end with M99, O100 CALL those between SUB and ENDSUB");
+  }
+  if (by_number && !seeks_subprogram_) return true;
+  used_ = true;
+  if (seeks_subprogram_ || !called()) {
+    const Target here{block.flow.word, file_, place_of_line(block), -1};
+    if (!targets_.try_emplace(label, here).second) {
+      refuse_flow(block, codes::kFlowLabel, "this subprogram was called or defined before",
+                  "define it once, before the first move or behind the end of the program (M2)");
+    }
+  }
+  skip_.clear();
+  if (!std::exchange(seeks_subprogram_, false) && !called()) {
+    skip_to(block, label, "the ENDSUB of this subprogram");
+    defining_ = label;
+  }
+  return true;
+}
+
+void FlowControl::enter(const Block& block, Call call) {
+  used_ = true;
+  if (calls_.size() >= kCallLevels) {
+    refuse_flow(block, codes::kCallDepth, fmt::format("subprograms call each other more than {} deep", kCallLevels),
+                "the control takes no more; does a subprogram call itself without an end?");
+  }
+  std::vector<double> arguments;
+  for (const std::uint32_t code : block.flow.values) {
+    arguments.push_back(interpreter_.value_of(block, code, block.flow.span));
+  }
+  if (arguments.size() > static_cast<std::size_t>(kLocalParameters)) {
+    refuse_flow(block, codes::kFlowControl, "a call takes 30 arguments at most", "set global parameters instead");
+  }
+  skip_.clear();
+  interpreter_.enter_subprogram(!call.by_number, arguments);
+  calls_.push_back(std::move(call));
+  go_to_subprogram(block, calls_.back().name);
+}
+
+void FlowControl::go_to_subprogram(const Block& block, const std::string& name) {
+  if (const auto at = targets_.find(name); at != targets_.end()) return go_to(at->second);
+  namespace fs = std::filesystem;
+  const fs::path path = fs::path(files_.front()->file->name()).parent_path() / (name + ".ngc");
+  skip_to(block, name, fmt::format("subprogram {}", name));
+  seeks_subprogram_ = true;
+  if (!fs::is_regular_file(path)) return;
+  auto opened = std::make_unique<InputFile>(path.string());
+  const InputFile& file = *opened;
+  files_.push_back(std::make_unique<File>(File{std::move(opened), &file, LineSource(file)}));
+  file_ = files_.size() - 1;
+}
+
+void FlowControl::call_program(const Block& block, int number, int count) {
+  enter(block, {std::to_string(number), file_, files_[file_]->lines.place(), true, count - 1});
+  if (count == 0) {
+    seeks_subprogram_ = false;  // L0: the control stays here, and the next M99 returns to here [LinuxCNC, measured]
+    skip_.clear();
+    file_ = calls_.back().file;
+    files_[file_]->lines.seek(calls_.back().place);
+  }
+}
+
+bool FlowControl::end_program(const Block& block) {
+  if (!called()) return false;
+  if (!calls_.back().by_number) {
+    refuse_flow(block, codes::kFlowLabel, "M99 inside a subprogram that began with SUB", "end it with ENDSUB");
+  }
+  if (calls_.back().remaining > 0) {
+    --calls_.back().remaining;
+    go_to(targets_.at(calls_.back().name));
+  } else {
+    leave(block);
+  }
+  return true;
+}
+
+// ENDSUB and RETURN, with a value or without.
+void FlowControl::give_back(const Block& block, const std::string& label) {
+  if (!defining_.empty()) {
+    defining_.clear();
+    skip_.clear();
+    return;
+  }
+  if (!called() || calls_.back().by_number || calls_.back().name != label) {
+    refuse_flow(block, codes::kFlowLabel, "no subprogram of this name is being executed",
+                "check the label; a subprogram that M98 calls ends with M99");
+  }
+  interpreter_.control().parameters.set("_value_returned", {block.flow.values.empty() ? 0.0 : 1.0, true});
+  if (!block.flow.values.empty()) {
+    const double value = interpreter_.value_of(block, block.flow.values.front(), block.flow.span);
+    interpreter_.control().parameters.set("_value", {value, true});
+  }
+  leave(block);
+}
+
+void FlowControl::leave(const Block& block) {
+  skip_.clear();
+  interpreter_.leave_subprogram(block);
+  file_ = calls_.back().file;
+  files_[file_]->lines.seek(calls_.back().place);
+  calls_.pop_back();
+}
+
+void FlowControl::go_to(const Target& target) {
+  file_ = target.file;
+  files_[file_]->lines.seek(target.place);
+}
+
+void FlowControl::skip_to(const Block& block, std::string label, std::string_view what) {
+  skip_ = std::move(label);
+  skip_what_ = what;
+  skip_from_ = {};
+  skip_from_.file = block.file;
+  skip_from_.line = block.line;
+  skip_from_.column = std::size_t{block.flow.span.begin} + 1;
+  skip_from_.length = block.flow.span.end - block.flow.span.begin;
+  skip_from_.text = block.text;
+  if (block.flow.word != FlowWord::none || block.words.empty()) return;
+  skip_from_.column = std::size_t{block.words.front().span.begin} + 1;
+  skip_from_.length = block.words.front().span.end - block.words.front().span.begin;
+}
+
+bool FlowControl::condition(const Block& block) {
+  return interpreter_.value_of(block, block.flow.values.front(), block.flow.span) != 0;
+}
+
+}  // namespace plumbline::nc
