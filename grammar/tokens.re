@@ -87,7 +87,7 @@ void keep_operation(Token& token, TokenKind kind, Operation operation, const cha
   blank    = [ \t\r];
   w        = blank*;
   digit    = [0-9];
-  letter   = [A-Za-z];
+  letter   = [A-Za-z@^];  // @ and ^ are polar words
   unsigned = digit (w digit)* (w "." (w digit)*)? | "." (w digit)+;
   number   = [+-]? w unsigned;
 */

@@ -96,6 +96,10 @@ void Stream::refuse_flow(const nc::Step& step) const {
            "write the cycle out in G0 and G1 with the CAM system; trace shows its moves",
            place_of(*step.block, source_.name()));
   }
+  if (step.polar) {
+    refuse("compensate-polar", "polar words (@ and ^) are not compensated yet", "write the end in X and Y",
+           place_of(*step.block, source_.name()));
+  }
   if (!step.flow) return;
   refuse("compensate-flow", "loops, branches and subprograms are not compensated yet",
          "unroll the program with the CAM system; trace shows its moves", place_of(*step.block, source_.name()));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "base/axes.hpp"
@@ -9,7 +10,11 @@
 
 namespace plumbline::nc {
 
-constexpr std::uint32_t letter_bit(char letter) { return std::uint32_t{1} << static_cast<unsigned>(letter - 'A'); }
+inline constexpr std::size_t kLetters = 28;  // A to Z, @ and ^
+constexpr std::size_t letter_place(char letter) {
+  return letter == '@' ? 26 : letter == '^' ? 27 : static_cast<std::size_t>(letter - 'A');
+}
+constexpr std::uint32_t letter_bit(char letter) { return std::uint32_t{1} << letter_place(letter); }
 
 class BlockWords {
  public:
@@ -18,11 +23,13 @@ class BlockWords {
   /// G and M are not kept: there may be several.
   void add(const Word& word) {
     letters_ |= letter_bit(word.letter);
-    words_[static_cast<std::size_t>(word.letter - 'A')] = &word;
+    words_[letter_place(word.letter)] = &word;
   }
   bool has(char letter) const { return (letters_ & letter_bit(letter)) != 0; }
-  const Word* find(char letter) const { return has(letter) ? words_[static_cast<std::size_t>(letter - 'A')] : nullptr; }
+  const Word* find(char letter) const { return has(letter) ? words_[letter_place(letter)] : nullptr; }
   const Word* find(Axis axis) const { return find(plumbline::letter(axis)); }
+  /// @ radius and ^ angle in place of X and Y.
+  bool polar() const { return has('@') || has('^'); }
   std::uint32_t letters() const { return letters_; }
   AxisSet axes() const {
     AxisSet axes;
@@ -34,7 +41,7 @@ class BlockWords {
 
  private:
   std::uint32_t letters_ = 0;
-  std::array<const Word*, 26> words_{};
+  std::array<const Word*, kLetters> words_{};
 };
 
 }  // namespace plumbline::nc

@@ -114,7 +114,9 @@ void CycleRun::make() {
   r_ = cycle_.r;
   bottom_ = cycle_.bottom;
   offset_level_ = cycle_.ijk[2];
-  const auto word = [&](Axis axis, double missing) { return run_.axes.contains(axis) ? run_.value(axis) : missing; };
+  const auto word = [&](Axis axis, double missing) {
+    return run_.words.find(axis) != nullptr ? run_.value(axis) : missing;
+  };
   if (control_.modal.incremental) {
     first_step_ = word(axes_.first, 0);
     second_step_ = word(axes_.second, 0);
@@ -139,6 +141,11 @@ void CycleRun::make() {
 void CycleRun::hole(bool first) {
   first_ += first_step_;
   second_ += second_step_;
+  if (run_.words.polar() && (first || control_.modal.incremental)) {
+    const std::array<double, 2> there = polar_end(run_, first_, second_);
+    first_ = there[0];
+    second_ = there[1];
+  }
   const double level = first && level_ > r_ ? level_ : clear_;
   along(MotionKind::rapid, level);
   if (level != r_) along(MotionKind::rapid, r_);

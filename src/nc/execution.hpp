@@ -1,6 +1,7 @@
 // One block on its way through the interpreter: what it says, what it works on, what it has done so far.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -88,6 +89,8 @@ void move_in_cycle(Execution& run);  // cycles.cpp: G73 G74 G81..G89
 // What the moves share: moves.cpp
 /// Ends of a move in the active work system from the axis words, absolute or incremental.
 AxisWords end_of_move(const Execution& run);
+/// X and Y that @ and ^ mean for a move that begins at x, y.
+std::array<double, 2> polar_end(const Execution& run, double x, double y);
 /// Which axes are known there.
 AxisSet known_after_move(const Execution& run);
 /// Every offset of the active work system must have been given.

@@ -168,7 +168,8 @@ void FlowControl::give_back(const Block& block, const std::string& label) {
     skip_.clear();
     return;
   }
-  if (!called() || calls_.back().by_number || calls_.back().name != label) {
+  const bool ends = block.flow.word == FlowWord::end_sub;  // RETURN may bear any label [LinuxCNC, measured]
+  if (!called() || calls_.back().by_number || (ends && calls_.back().name != label)) {
     refuse_flow(block, codes::kFlowLabel, "no subprogram of this name is being executed",
                 "check the label; a subprogram that M98 calls ends with M99");
   }

@@ -103,37 +103,6 @@ double Interpreter::value_of(const Block& block, std::uint32_t code, Span span) 
             "a program that depends on a probe or an input cannot be compensated beforehand");
 }
 
-void Interpreter::enter_subprogram(bool own_parameters, const std::vector<double>& arguments) {
-  control_.parameters.enter(own_parameters);
-  for (std::size_t i = 0; i < arguments.size(); ++i)
-    control_.parameters.set(static_cast<int>(i) + 1, {arguments[i], true});
-  control_.parameters.set("_value", {});
-  control_.parameters.set("_value_returned", {});
-  saved_.emplace_back();
-}
-
-void Interpreter::leave_subprogram(const Block& block) {
-  control_.parameters.leave();
-  const SavedModes modes = saved_.back();
-  saved_.pop_back();
-  if (modes.valid && modes.of_call) restore_modes(run_, modes, block);
-}
-
-void Interpreter::act_on_saved_modes(const Chosen& chosen) {
-  switch (chosen.row->action) {
-    case Action::forget_modes:
-      saved_.back().valid = false;
-      return;
-    case Action::restore_modes:
-      if (!saved_.back().valid) {
-        run_.refuse(*chosen.word, codes::kModesNotSaved, "no modes were saved here", "save them with M70 before");
-      }
-      return restore_modes(run_, saved_.back(), *run_.block);
-    default:
-      saved_.back() = save_modes(control_, chosen.row->action == Action::save_modes_of_call);
-  }
-}
-
 void Interpreter::evaluate(Block& block) {
   if (block.code.empty()) return;
   for (Word& word : block.words) {

@@ -39,6 +39,30 @@ std::string name_of_system(int system) {
 
 const Word& Execution::motion_code() const { return motion_word != nullptr ? *motion_word : block->words.front(); }
 
+// What is missing is that of where the move begins.
+std::array<double, 2> polar_end(const Execution& run, double x, double y) {
+  const Word* const radius_word = run.words.find('@');
+  const Word* const angle_word = run.words.find('^');
+  const Word& word = radius_word != nullptr ? *radius_word : *angle_word;
+  const Control& control = run.control;
+  if (control.modal.plane != Plane::xy) {
+    run.refuse(word, codes::kOutOfRange, "polar words need the XY plane", "write G17 before, or X, Y and Z");
+  }
+  const bool complete = !control.modal.incremental && radius_word != nullptr && angle_word != nullptr;
+  if (!complete && !control.known.contains(AxisSet{Axis::X, Axis::Y})) {
+    run.refuse(word, codes::kPositionUnknown, "where X and Y stand is not known",
+               "move there with a G0 that names both axes");
+  }
+  if ((control.modal.incremental || angle_word == nullptr) && x == 0 && y == 0) {
+    run.refuse(word, codes::kOutOfRange, "the move begins at the origin, which has no angle",
+               "give radius and angle as absolute words");
+  }
+  double radius = std::hypot(x, y), angle = std::atan2(y, x);
+  if (radius_word != nullptr) radius = run.length(*radius_word) + (control.modal.incremental ? radius : 0);
+  if (angle_word != nullptr) angle = angle_word->value * kDeg + (control.modal.incremental ? angle : 0);
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
 AxisWords end_of_move(const Execution& run) {
   AxisWords end = run.control.position;
   for (const Axis axis : kAllAxes) {
@@ -46,6 +70,10 @@ AxisWords end_of_move(const Execution& run) {
     if (word == nullptr) continue;
     end[axis] = run.control.modal.incremental ? end[axis] + run.value(axis) : run.value(axis);
   }
+  if (!run.words.polar()) return end;
+  const std::array<double, 2> polar = polar_end(run, end[Axis::X], end[Axis::Y]);
+  end[Axis::X] = polar[0];
+  end[Axis::Y] = polar[1];
   return end;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
+#include "nc/block_words.hpp"
 #include "nc/codes.hpp"
 
 namespace plumbline::nc {
@@ -159,7 +160,7 @@ void Parser::push(Operation operation, Span span, double number, std::uint32_t n
 
 void Parser::see(char letter, Span span) {
   if (letter == 'G' || letter == 'M') return;
-  const std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(letter - 'A');
+  const std::uint32_t bit = letter_bit(letter);
   if (letter == 'O') {
     refuse_at(*block_, span, codes::kFlowControl, "an O word inside a block",
               "a line with an O word holds nothing before it but a line number");
@@ -194,9 +195,8 @@ void Parser::refuse_token(std::string_view expected) {
     refuse_at(*block_, span, codes::kNotAscii, fmt::format("{} outside a comment", shown(c)),
               "only comments may hold anything but ASCII characters");
   }
-  if (c == '@' || c == '^' || c == '$') {
-    refuse_at(*block_, span, codes::kNotInterpreted, fmt::format("{} words are not interpreted yet", shown(c)),
-              c == '$' ? "leave out the spindle number" : "write the end point in X and Y");
+  if (c == '$') {
+    refuse_at(*block_, span, codes::kNotInterpreted, "$ words are not interpreted yet", "leave out the spindle number");
   }
   if (expected == "a value" && c != '.' && c != '<') {
     refuse_at(*block_, span, codes::kValueMissing, "a value is missing here",

@@ -90,6 +90,22 @@ void check_groups(const Execution& run) {
   }
 }
 
+// @ and ^ stand for X and Y.
+void plan_polar(Execution& run) {
+  const AxisSet plane{Axis::X, Axis::Y};
+  for (const Axis axis : {Axis::X, Axis::Y}) {
+    if (!run.axes.contains(axis)) continue;
+    run.refuse(*run.words.find(axis), codes::kAxesTwice, "the end is given by @ and ^ as well",
+               "give either X and Y or radius and angle");
+  }
+  run.axes = run.axes | plane;
+  run.step.polar = true;
+}
+
+const Word& polar_word(const Execution& run) {
+  return run.words.has('@') ? *run.words.find('@') : *run.words.find('^');
+}
+
 void gather(Execution& run) {
   run.chosen.clear();
   for (const Word& word : run.block->words) {
@@ -119,6 +135,7 @@ void gather(Execution& run) {
     run.words.add(word);
   }
   run.axes = run.words.axes();
+  if (run.words.polar()) plan_polar(run);
   if (run.chosen.size() > 1) check_groups(run);
 }
 
@@ -126,6 +143,7 @@ const Word& first_axis_word(const Execution& run) {
   for (const Axis axis : kAllAxes) {
     if (const Word* word = run.words.find(axis)) return *word;
   }
+  if (run.words.polar()) return polar_word(run);
   return run.block->words.front();
 }
 
@@ -196,6 +214,7 @@ void check_machine_coordinates(const Execution& run) {
 
 void check_words_used(const Execution& run) {
   std::uint32_t taken = kFreeLetters | kAxisLetters;
+  if (run.motion != nullptr && run.machine_word == nullptr) taken |= letter_bit('@') | letter_bit('^');
   if (run.motion != nullptr) taken |= run.motion->word_mask;
   for (const Chosen& chosen : run.chosen) taken |= chosen.row->word_mask;
   const std::uint32_t left = run.words.letters() & ~taken;

@@ -1,5 +1,8 @@
 #include "nc/saved_modes.hpp"
 
+#include "nc/codes.hpp"
+#include "nc/interpreter.hpp"
+
 namespace plumbline::nc {
 
 SavedModes save_modes(const Control& control, bool of_call) {
@@ -36,6 +39,37 @@ void restore_modes(Execution& run, const SavedModes& saved, const Block& block) 
   next.tool = saved.tool;
   control.change_frame(next);
   modal.tool_of_offset = saved.modal.tool_of_offset;
+}
+
+void Interpreter::enter_subprogram(bool own_parameters, const std::vector<double>& arguments) {
+  control_.parameters.enter(own_parameters);
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    control_.parameters.set(static_cast<int>(i) + 1, {arguments[i], true});
+  control_.parameters.set("_value", {});
+  control_.parameters.set("_value_returned", {});
+  saved_.emplace_back();
+}
+
+void Interpreter::leave_subprogram(const Block& block) {
+  control_.parameters.leave();
+  const SavedModes modes = saved_.back();
+  saved_.pop_back();
+  if (modes.valid && modes.of_call) restore_modes(run_, modes, block);
+}
+
+void Interpreter::act_on_saved_modes(const Chosen& chosen) {
+  switch (chosen.row->action) {
+    case Action::forget_modes:
+      saved_.back().valid = false;
+      return;
+    case Action::restore_modes:
+      if (!saved_.back().valid) {
+        run_.refuse(*chosen.word, codes::kModesNotSaved, "no modes were saved here", "save them with M70 before");
+      }
+      return restore_modes(run_, saved_.back(), *run_.block);
+    default:
+      saved_.back() = save_modes(control_, chosen.row->action == Action::save_modes_of_call);
+  }
 }
 
 }  // namespace plumbline::nc

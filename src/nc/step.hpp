@@ -38,6 +38,7 @@ struct Step {
   AxisSet named;                    // axes whose words stand in the block
   BlockRole role = BlockRole::plain;
   bool flow = false;             // the line steers the program: an O word, M98, M99
+  bool polar = false;            // its end is given by @ and ^
   bool jumped = false;           // something jumped or repeated before: steps are not in the order of the text
   bool skipped = false;          // block delete is on for it: nothing of it was executed
   bool executed_delete = false;  // block delete is off for it, and it moves or changes modal state

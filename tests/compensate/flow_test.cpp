@@ -15,6 +15,8 @@ TEST_CASE("loops, branches, subprograms and cycles are refused at the line where
     CHECK(code_of(start + text, {}, &line) == "compensate-flow");
     CHECK(line == 3);
   }
+  CHECK(code_of(start + "G1 @5 ^30 F100\n", {}, &line) == "compensate-polar");
+  CHECK(line == 3);
   CHECK(code_of(start + "G81 X1 Y1 Z-3 R1 F100\n", {}, &line) == "compensate-cycle");
   CHECK(line == 3);
 }
