@@ -133,6 +133,11 @@ constexpr std::array kRows{
               OptionGroup::program, true, false, [](Options& o, Text t) { add_m_codes(o.keeps_position, t); }},
     OptionRow{"block-delete", "on|off", "whether blocks that begin with / are left out (on) or executed (off)",
               OptionGroup::program, false, false, [](Options& o, Text t) { o.block_delete = on_or_off(t); }},
+    OptionRow{"max-blocks", "N", "lines that a program with loops or subprograms may execute (default 10000000)",
+              OptionGroup::program, false, false,
+              [](Options& o, Text t) {
+                o.max_blocks = whole_number_in(t, 1, 2'000'000'000, "a number of lines, 1 to 2000000000");
+              }},
     OptionRow{"model", "MODEL", "the machine's model file", OptionGroup::model, false, true,
               [](Options& o, Text t) { o.model = t; }},
     OptionRow{"step-angle", "DEG", "largest angle of a piece: of arc, or of the turn of the tool (default 0.1 deg)",
@@ -211,6 +216,7 @@ nc::ProgramSettings program_settings(const Options& options) {
   settings.passed_m_codes = options.pass;
   settings.keeps_position = options.keeps_position;
   settings.block_delete = options.block_delete;
+  settings.max_blocks = static_cast<std::uint64_t>(options.max_blocks);
   return settings;
 }
 

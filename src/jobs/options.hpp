@@ -27,6 +27,7 @@ struct Options {
   std::set<int> pass;                              // M codes
   std::set<int> keeps_position;                    // M codes
   std::optional<bool> block_delete;
+  int max_blocks = 10'000'000;
 
   // The machine, and how a program is compensated for it
   std::string model;  // path of the machine model
