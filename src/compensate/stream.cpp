@@ -258,10 +258,6 @@ void Stream::correct_feed(const nc::Step& step) {
   const std::optional<double> duration = path::duration(motion, curve, dialect_);
   const std::optional<double> seconds = clock_seconds(motion, duration);
   const path::Subdivision cut = path::subdivide(curve, seconds, settings_.step);
-  if (cut.widened) {
-    ++summary_.widened_blocks;
-    summary_.widened_step_mm.take(curve.linear_mm() / cut.pieces, step.block->line);
-  }
   points_.clear();
   for (int i = 1; i <= cut.pieces; ++i) {
     const double fraction = static_cast<double>(i) / cut.pieces;
@@ -272,7 +268,27 @@ void Stream::correct_feed(const nc::Step& step) {
     note_point(step, points_.back());
     if (i == cut.pieces) note_end(step, target);
   }
+  if (cut.widened) note_widened(step, curve, seconds);
   note_move(step, emitter_.move(step, points_, writable(), duration), seconds);
+}
+
+// What pieces longer than the steps cost: how far the middle of each lies from where it should be commanded.
+void Stream::note_widened(const nc::Step& step, const path::Curve& curve, std::optional<double> seconds) {
+  const std::size_t line = step.block->line;
+  const auto count = static_cast<double>(points_.size());
+  ++summary_.widened_blocks;
+  summary_.widened_step_mm.take(curve.linear_mm() / count, line);
+  AxisWords begin = step.motions.front().from + emitter_.control().work_shift(*step.frame);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const double middle = (static_cast<double>(i) + 0.5) / count;
+    const Target target = target_of(step, curve.at(middle), curve.slope(middle), seconds);
+    const AxisWords wanted = step.frame->from_pose(corrector_.correct(target).pose);
+    const AxisWords end = points_[i].nominal + points_[i].shift;
+    AxisWords off;
+    for (const Axis axis : kAllAxes) off[axis] = (begin[axis] + end[axis]) / 2 - wanted[axis];
+    summary_.widening_mm.take(length_mm(off), line);
+    begin = end;
+  }
 }
 
 // Axes that may get words.

@@ -13,6 +13,7 @@
 #include "machine/model.hpp"
 #include "nc/emit.hpp"
 #include "nc/program.hpp"
+#include "path/curve.hpp"
 
 namespace plumbline::compensate {
 
@@ -45,6 +46,7 @@ class Stream {
                    std::optional<double> seconds) const;
   nc::CorrectedPoint corrected_point(const nc::Step& step, const Target& target, const AxisWords& words);
   void check_chord(const nc::Step& step, const AxisWords& from, const AxisWords& to) const;
+  void note_widened(const nc::Step& step, const path::Curve& curve, std::optional<double> seconds);
   void note_point(const nc::Step& step, const nc::CorrectedPoint& point);
   void note_move(const nc::Step& step, const nc::EmittedMove& move, std::optional<double> seconds);
   void note_end(const nc::Step& step, const Target& target);

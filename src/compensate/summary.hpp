@@ -44,6 +44,7 @@ struct Summary {
   Worst condition;                   // condition number of the Jacobian at the points that were played
   std::uint64_t widened_blocks = 0;  // whose pieces the control's block time made longer
   Worst widened_step_mm;
+  Worst widening_mm;  // that the tip leaves its path by between the points of such blocks
   double offset_shift_for_1um_mm = std::numeric_limits<double>::infinity();  // of the work offset, that costs 1 um
   std::optional<AxisWords> zero_error;  // dT at the first cutting block: what a work offset probed there holds already
   std::size_t zero_error_line = 0;

@@ -66,6 +66,8 @@ void add_quality(TextTable& table, const Summary& s) {
     table.add("wider steps",
               fmt::format("{} blocks, up to {:.3f} mm{}: the control's block time asks for it",
                           count_text(s.widened_blocks), s.widened_step_mm.value, at_line(s.widened_step_mm.line)));
+    table.add("", fmt::format("between their points the tip is up to {:.3f} um off{}", s.widening_mm.value * kUmPerMm,
+                              at_line(s.widening_mm.line)));
   }
 }
 
@@ -154,6 +156,7 @@ std::string summary_json(const Summary& s, const Options& options) {
       {"largest_condition", worst(s.condition)},
       {"widened_blocks", s.widened_blocks},
       {"widest_step_mm", s.widened_blocks > 0 ? worst(s.widened_step_mm) : Json()},
+      {"widening_cost_um", s.widened_blocks > 0 ? worst(s.widening_mm, kUmPerMm) : Json()},
       {"offset_shift_for_1um_mm", std::isfinite(s.offset_shift_for_1um_mm) ? Json(s.offset_shift_for_1um_mm) : Json()},
       {"zero_error", s.zero_error ? axis_values(*s.zero_error) : Json()},
       {"zero_error_line", s.zero_error ? Json(s.zero_error_line) : Json()},

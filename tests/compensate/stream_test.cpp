@@ -167,6 +167,9 @@ TEST_CASE("a control that needs time for each block gets longer pieces") {
   const compensate::Summary summary = run(kFiveMoves, job).summary;
   CHECK(summary.widened_blocks > 0);
   CHECK(summary.points < 200);
+  CHECK(summary.widening_mm.value > 1e-4);  // the arc of 25 mm radius alone leaves its chords by more
+  CHECK(summary.widening_mm.value < 1);
+  CHECK(run(kFiveMoves, {}).summary.widening_mm.value == 0);
 }
 
 TEST_CASE("a tool without a mass is warned of, with the error per kg") {
