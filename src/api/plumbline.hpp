@@ -1,7 +1,7 @@
 // What plumbline does, as functions: paths and options in, summaries out. "-" as a path is standard input or output.
-// Every function throws plumbline::Refusal (base/diagnostic.hpp) at input that it will not take, with file, line, column
-// and the way out, and writes nothing then. An InternalError (base/check.hpp) is a bug of plumbline. No function prints,
-// keeps state or depends on the locale; different files may be handled by different threads.
+// Every function throws plumbline::Refusal (base/diagnostic.hpp) at input that it will not take, with file, line,
+// column and the way out, and writes nothing then. An InternalError (base/check.hpp) is a bug of plumbline. No function
+// prints, keeps state or depends on the locale; different files may be handled by different threads.
 #pragma once
 
 #include <string>

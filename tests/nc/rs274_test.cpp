@@ -85,7 +85,8 @@ TEST_CASE("programs of others mean what the canonical calls beside them say") {
     WARN("no corpus: name its folder in PLUMBLINE_NC_CORPUS");
     return;
   }
-  for (const char* name : {"arcspiral", "b-index", "abc_tangent", "daisy", "factorial", "flowsnake", "g20sub", "hole-circle"}) {
+  for (const char* name :
+       {"arcspiral", "b-index", "abc_tangent", "daisy", "factorial", "flowsnake", "g20sub", "hole-circle"}) {
     const fs::path program = corpus() / "linuxcnc" / (std::string(name) + ".ngc");
     if (!fs::exists(program)) continue;
     compare(program, fs::path(program).replace_extension(".canon").string());
