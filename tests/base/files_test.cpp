@@ -8,21 +8,14 @@
 #include <unistd.h>
 
 #include "base/diagnostic.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder {
-  fs::path path = fs::temp_directory_path() / fs::path("plumbline-files-test");
-  Folder() {
-    fs::remove_all(path);
-    fs::create_directory(path);
-  }
-  ~Folder() { fs::remove_all(path); }
-  std::string operator/(const char* name) const { return (path / name).string(); }
-};
+using Folder = testing::Scratch;
 
 std::string code_of(auto&& action) {
   try {
@@ -43,10 +36,10 @@ TEST_CASE("output appears whole at commit and not before") {
     file.write("half");
     CHECK_FALSE(fs::exists(name));
   }
-  CHECK(fs::is_empty(folder.path));  // no commit: nothing is left, the temporary file neither
+  CHECK(fs::is_empty(folder.folder()));  // no commit: nothing is left, the temporary file neither
   write_text(name, "whole\n");
   CHECK(read_text(name) == "whole\n");
-  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
+  CHECK(std::distance(fs::directory_iterator(folder.folder()), fs::directory_iterator()) == 1);
 }
 
 TEST_CASE("input is read at any offset, and knows itself by another name") {
@@ -67,8 +60,8 @@ TEST_CASE("input is read at any offset, and knows itself by another name") {
 TEST_CASE("files that cannot be had are refused by name") {
   const Folder folder;
   CHECK(code_of([&] { InputFile file(folder / "none"); }) == "file-missing");
-  CHECK(code_of([&] { InputFile file(folder.path.string()); }) == "file-is-folder");
-  CHECK(code_of([&] { OutputFile file(folder.path.string()); }) == "file-is-folder");
+  CHECK(code_of([&] { InputFile file(folder.folder().string()); }) == "file-is-folder");
+  CHECK(code_of([&] { OutputFile file(folder.folder().string()); }) == "file-is-folder");
   CHECK(code_of([&] { OutputFile file(folder / "none/out.txt"); }) == "file-unwritable");
 }
 

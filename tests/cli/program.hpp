@@ -6,7 +6,7 @@
 
 #include <sys/wait.h>
 
-#include "jobs/scratch.hpp"
+#include "support/scratch.hpp"
 
 namespace plumbline::testing {
 

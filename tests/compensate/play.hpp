@@ -14,6 +14,7 @@
 #include "machine/model_file.hpp"
 #include "path/duration.hpp"
 #include "path/subdivide.hpp"
+#include "support/scratch.hpp"
 
 namespace plumbline {
 
@@ -32,15 +33,7 @@ struct Job {
   nc::EmitSettings emit = {.stamp = {"plumbline 0 compensated this program"}};
 };
 
-class Folder {
- public:
-  Folder() { std::filesystem::create_directories(path_); }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  std::string operator/(const char* name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_ = std::filesystem::temp_directory_path() / "plumbline-stream-test";
-};
+using Folder = testing::Scratch;
 
 struct Result {
   std::string text;

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jobs/scratch.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "jobs/scratch.hpp"
 #include "jobs/summary_text.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 

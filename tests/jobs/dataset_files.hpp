@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
-#include "jobs/scratch.hpp"
+#include "support/scratch.hpp"
 
 namespace plumbline::testing {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jobs/compensate_file.hpp"
-#include "jobs/scratch.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 using jobs::DiffSummary;

@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 
 #include "base/number_text.hpp"
-#include "jobs/scratch.hpp"
 #include "machine/model_file.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 

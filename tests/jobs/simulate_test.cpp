@@ -7,8 +7,8 @@
 
 #include "jobs/compensate_file.hpp"
 #include "jobs/error_table.hpp"
-#include "jobs/scratch.hpp"
 #include "machine/model_file.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 

@@ -2,10 +2,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "jobs/scratch.hpp"
 #include "jobs/used_tools.hpp"
 #include "jobs/version.hpp"
 #include "machine/model_file.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "jobs/scratch.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "jobs/scratch.hpp"
 #include "measure/runs.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 using namespace plumbline::measure;

@@ -10,6 +10,7 @@
 #include "nc/program.hpp"
 #include "path/curve.hpp"
 #include "path/duration.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 using nc::CorrectedPoint;
@@ -34,12 +35,11 @@ nc::ProgramSettings known_start() {
 }
 
 std::string rewrite(const std::string& text, const Rewriting& how) {
-  const fs::path folder = fs::temp_directory_path() / "plumbline-emit-test";
-  fs::create_directories(folder);
-  write_text((folder / "in.ngc").string(), text);
+  const testing::Scratch folder;
+  write_text(folder / "in.ngc", text);
   {
-    const InputFile source((folder / "in.ngc").string());
-    OutputFile out((folder / "out.ngc").string());
+    const InputFile source(folder / "in.ngc");
+    OutputFile out(folder / "out.ngc");
     const nc::Dialect& dialect = nc::dialect("linuxcnc");
     nc::Program program(source, dialect, how.program);
     nc::Emitter emitter(source, dialect, how.emit, out);
@@ -62,8 +62,7 @@ std::string rewrite(const std::string& text, const Rewriting& how) {
     emitter.finish();
     out.commit();
   }
-  const std::string result = read_text((folder / "out.ngc").string());
-  fs::remove_all(folder);
+  const std::string result = read_text(folder / "out.ngc");
   return result;
 }
 

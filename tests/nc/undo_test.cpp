@@ -5,18 +5,14 @@
 #include <catch2/catch.hpp>
 
 #include "base/diagnostic.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder {
-  fs::path path = fs::temp_directory_path() / "plumbline-undo-test";
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-  std::string operator/(const char* name) const { return (path / name).string(); }
-};
+using Folder = testing::Scratch;
 
 // "G0 X1\nG1 X2\nG1 X3\nM2\n" rewritten with a stamp and two blocks replaced.
 void write_case(const Folder& folder) {

@@ -22,7 +22,9 @@ class Scratch {
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
 
+  const std::filesystem::path& folder() const { return folder_; }
   std::string path(std::string_view name) const { return (folder_ / name).string(); }
+  std::string operator/(std::string_view name) const { return path(name); }
   /// Writes a file and gives its path.
   std::string file(std::string_view name, std::string_view text) const {
     write_text(path(name), text);
