@@ -1,9 +1,6 @@
 // Work offsets: G54 to G59.3, G10 L2 and L20, the G92 family.
-#include <cmath>
-
 #include <fmt/format.h>
 
-#include "base/units.hpp"
 #include "nc/codes.hpp"
 #include "nc/execution.hpp"
 #include "nc/expression.hpp"
@@ -24,14 +21,10 @@ void need_position(const Execution& run, AxisSet axes) {
   }
 }
 
-AxisWords turned(AxisWords words, double degrees) {
-  const double c = std::cos(degrees * kDeg);
-  const double s = std::sin(degrees * kDeg);
-  const double x = words[Axis::X];
-  const double y = words[Axis::Y];
-  words[Axis::X] = c * x - s * y;
-  words[Axis::Y] = s * x + c * y;
-  return words;
+AxisWords turned(const AxisWords& words, double degrees) {
+  Frame frame;
+  frame.rotation_deg = degrees;
+  return frame.to_pose(words);
 }
 
 int system_of(const Execution& run) {
