@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "base/csv.hpp"
 #include "base/files.hpp"
 #include "base/number_text.hpp"
 #include "base/units.hpp"
 #include "machine/nearest_name.hpp"
-#include "measure/table_fields.hpp"
 
 namespace plumbline::measure {
 
@@ -74,7 +74,7 @@ class TableReader {
   void read_header() {
     header_ = lines_.place();
     if (!lines_.next()) return;
-    for (const TableField& field : lines_.fields()) {
+    for (const CsvField& field : lines_.fields()) {
       const auto known = std::find_if(kColumns.begin(), kColumns.end(),
                                       [&](const ColumnSpec& spec) { return spec.name == field.text; });
       if (known == kColumns.end()) refuse_unknown(field);
@@ -88,7 +88,7 @@ class TableReader {
     header_ = lines_.place();
   }
 
-  [[noreturn]] void refuse_unknown(const TableField& field) const {
+  [[noreturn]] void refuse_unknown(const CsvField& field) const {
     std::vector<std::string_view> names;
     for (const ColumnSpec& spec : kColumns) names.push_back(spec.name);
     refuse("table-unknown-column", fmt::format("\"{}\" is no column of a run", field.text),
@@ -123,7 +123,7 @@ class TableReader {
   // --- rows ---
 
   void read_row() {
-    const std::vector<TableField> fields = lines_.fields();
+    const std::vector<CsvField> fields = lines_.fields();
     if (fields.size() != run_.columns.size()) {
       refuse("table-columns",
              fmt::format("row {} has {} columns, and the first line names {}", lines_.number(), fields.size(),
@@ -134,7 +134,7 @@ class TableReader {
     for (std::size_t i = 0; i < fields.size(); ++i) read_number(fields[i], run_.columns[i]);
   }
 
-  void read_number(const TableField& field, TableColumn& column) {
+  void read_number(const CsvField& field, TableColumn& column) {
     const ColumnSpec& spec = spec_of(column.column);
     const std::optional<double> value = parse_number(field.text);
     if (!value || std::abs(*value) > spec.largest) {
@@ -211,7 +211,7 @@ class TableReader {
   }
 
   std::string text_;
-  TableLines lines_;
+  CsvLines lines_;
   Run& run_;
   const TableOptions& options_;
   Place header_;

@@ -7,25 +7,25 @@
 
 #include "base/diagnostic.hpp"
 
-namespace plumbline::measure {
+namespace plumbline {
 
-struct TableField {
+struct CsvField {
   std::string_view text;   // without the blanks around it
   std::size_t column = 1;  // of the text in its line
 };
 
-class TableLines {
+class CsvLines {
  public:
   /// `text` must outlive this. A byte order mark is passed over.
-  TableLines(std::string file, std::string_view text);
+  CsvLines(std::string file, std::string_view text);
 
   /// Goes to the next line that is not blank; false at the end, where the last line stays.
   bool next();
   std::size_t number() const { return number_; }
-  std::vector<TableField> fields() const;
+  std::vector<CsvField> fields() const;
   /// Of the line, of a field of it.
   Place place() const;
-  Place place(const TableField& field) const;
+  Place place(const CsvField& field) const;
 
  private:
   std::string file_;
@@ -34,4 +34,4 @@ class TableLines {
   std::size_t number_ = 0;  // of the line, from 1
 };
 
-}  // namespace plumbline::measure
+}  // namespace plumbline

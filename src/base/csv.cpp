@@ -1,8 +1,8 @@
-#include "measure/table_fields.hpp"
+#include "base/csv.hpp"
 
 #include <algorithm>
 
-namespace plumbline::measure {
+namespace plumbline {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -10,11 +10,11 @@ constexpr std::string_view kBlanks = " \t\r";
 
 }  // namespace
 
-TableLines::TableLines(std::string file, std::string_view text) : file_(std::move(file)), rest_(text) {
+CsvLines::CsvLines(std::string file, std::string_view text) : file_(std::move(file)), rest_(text) {
   if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
 }
 
-bool TableLines::next() {
+bool CsvLines::next() {
   while (!rest_.empty()) {
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
     line_ = rest_.substr(0, end);
@@ -27,8 +27,8 @@ bool TableLines::next() {
   return false;
 }
 
-std::vector<TableField> TableLines::fields() const {
-  std::vector<TableField> fields;
+std::vector<CsvField> CsvLines::fields() const {
+  std::vector<CsvField> fields;
   for (std::size_t begin = 0; begin <= line_.size();) {
     const std::size_t end = std::min(line_.find(',', begin), line_.size());
     std::string_view text = line_.substr(begin, end - begin);
@@ -41,12 +41,12 @@ std::vector<TableField> TableLines::fields() const {
   return fields;
 }
 
-Place TableLines::place() const {
+Place CsvLines::place() const {
   return {file_, number_, 1, std::max<std::size_t>(line_.size(), 1), std::string(line_)};
 }
 
-Place TableLines::place(const TableField& field) const {
+Place CsvLines::place(const CsvField& field) const {
   return {file_, number_, field.column, std::max<std::size_t>(field.text.size(), 1), std::string(line_)};
 }
 
-}  // namespace plumbline::measure
+}  // namespace plumbline
