@@ -1,5 +1,7 @@
 #include "nc/dialect.hpp"
 
+#include <array>
+
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
@@ -24,12 +26,18 @@ const CodeRow* row_of(const std::vector<CodeRow>& rows, const std::vector<std::i
 const CodeRow* Dialect::g_code(int times_ten) const { return row_of(g_codes, g_index, times_ten); }
 const CodeRow* Dialect::m_code(int times_ten) const { return row_of(m_codes, m_index, times_ten); }
 
+std::span<const std::string_view> dialect_names() {
+  static constexpr std::array<std::string_view, 1> kNames{"linuxcnc"};
+  return kNames;
+}
+
 const Dialect& dialect(std::string_view name) {
   if (name == "linuxcnc") {
     static const Dialect linuxcnc = read_dialect("grammar/linuxcnc.toml", embedded::linuxcnc_toml);
     return linuxcnc;
   }
-  refuse(codes::kUnknownDialect, fmt::format("no dialect is named '{}'", name), "there are: linuxcnc");
+  refuse(codes::kUnknownDialect, fmt::format("no dialect is named '{}'", name),
+         fmt::format("there are: {}", fmt::join(dialect_names(), ", ")));
 }
 
 }  // namespace plumbline::nc

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -113,6 +114,9 @@ struct Dialect {
   const CodeRow* g_code(int times_ten) const;
   const CodeRow* m_code(int times_ten) const;
 };
+
+/// The dialects that there are.
+std::span<const std::string_view> dialect_names();
 
 /// The dialect of that name. Refuses with nc-unknown-dialect and the list of those that there are.
 const Dialect& dialect(std::string_view name);

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/check.hpp"
+#include "base/diagnostic.hpp"
 #include "nc/dialect_table.hpp"
 
 using namespace plumbline;
@@ -25,6 +26,11 @@ TEST_CASE("the rows of the LinuxCNC dialect say what its documentation says") {
   CHECK(linuxcnc.g_code(11) == nullptr);
   CHECK(linuxcnc.g_code(-10) == nullptr);
   CHECK(linuxcnc.g_code(99999) == nullptr);
+}
+
+TEST_CASE("every dialect goes by its own name, and an unknown one is told of them") {
+  for (const std::string_view name : dialect_names()) CHECK(dialect(name).name == name);
+  CHECK_THROWS_AS(dialect("gcode"), Refusal);
 }
 
 TEST_CASE("F acts before the unit of its own block, motion after both, M0 at the end") {
