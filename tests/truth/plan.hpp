@@ -1,0 +1,39 @@
+// Plans of circular tests, and what a machine reads on them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "truth/motion.hpp"
+
+namespace truth {
+
+struct PlannedRun {
+  std::string id;
+  Circle circle;
+  int samples = 120;  // over the turn
+};
+using Plan = std::vector<PlannedRun>;
+
+/// Eight poses both ways, three of them fast, two with 20 kg, two again when warm: 26 runs.
+Plan eight_poses(int samples);
+/// Conditions A and B of Table 2 of Ibaraki et al.: two tilts, counter-clockwise, F1000.
+Plan paper(int samples);
+/// Other poses, feeds and directions, to look at what was found.
+Plan holdout(int samples);
+/// By name: eight-pose, paper. Throws std::runtime_error for another.
+Plan plan_of(const std::string& name, int samples);
+
+/// Moments of a run, where the machine stands at each, and what it reads there.
+struct Sample {
+  double seconds = 0;  // from the start of the run
+  double angle = 0;    // commanded, rad from 0 to 2 pi
+  Moment moment;
+  Standing standing;
+  Reading reading;
+};
+using Samples = std::vector<Sample>;
+
+Samples measured(const Truth& truth, const PlannedRun& run, FrictionLaw law, const Vec& ball_off, double bar_off);
+
+}  // namespace truth
