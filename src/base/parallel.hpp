@@ -1,0 +1,44 @@
+// The same work for many items on all processors.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace plumbline {
+
+/// How many threads a library uses when nobody says otherwise.
+inline unsigned processors() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+/// Calls work(i) for each i below `count`, on up to `threads` threads, in no order. What depends on the order (sums) is
+/// for the caller to do afterwards, item by item, so that results do not depend on the number of threads. The first
+/// exception that a call throws is thrown again here; calls that have not begun by then are left out.
+template <class Work>
+void for_each_index(std::size_t count, Work&& work, unsigned threads = processors()) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex guard;
+  const auto run = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        const std::scoped_lock lock(guard);
+        if (!failure) failure = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t) others.emplace_back(run);
+    run();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace plumbline

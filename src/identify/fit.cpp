@@ -1,0 +1,204 @@
+#include "identify/fit.hpp"
+
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <ceres/ceres.h>
+
+#include "base/diagnostic.hpp"
+
+namespace plumbline::identify {
+namespace {
+
+Eigen::VectorXd scales_of(const Unknowns& unknowns) {
+  Eigen::VectorXd scales(static_cast<Eigen::Index>(unknowns.size()));
+  for (std::size_t i = 0; i < unknowns.size(); ++i) scales[static_cast<Eigen::Index>(i)] = unknowns[i].scale;
+  return scales;
+}
+
+// 1 / sigma^2 of each prior, in scales; zero for what is free.
+Eigen::VectorXd prior_weights(const Unknowns& unknowns) {
+  Eigen::VectorXd weights(static_cast<Eigen::Index>(unknowns.size()));
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const double ratio = unknowns[i].free() ? 0 : unknowns[i].scale / unknowns[i].sigma;
+    weights[static_cast<Eigen::Index>(i)] = ratio * ratio;
+  }
+  return weights;
+}
+
+// Eigenvalues of an information matrix below this share of the largest count as none.
+constexpr double kLeastInformation = 1e-14;
+
+// What Ceres sees of the objective, in scales from the unknowns' start: as many residuals as unknowns and one more,
+// whose square, gradient and Gauss-Newton matrix are those of the thousands of readings. With the normal equations
+// H = V diag(h) V^T and gradient g:  r = diag(h)^(-1/2) V^T g,  dr/dz = diag(h)^(1/2) V^T, and a last residual that
+// holds the rest of the misfit.
+class Condensed : public ceres::CostFunction {
+ public:
+  explicit Condensed(Objective& objective)
+      : objective_(objective),
+        start_(objective.unknowns().start()),
+        scales_(scales_of(objective.unknowns())),
+        prior_(prior_weights(objective.unknowns())) {
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(scales_.size()));
+    set_num_residuals(static_cast<int>(scales_.size()) + 1);
+  }
+
+  bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
+    const Eigen::Index size = scales_.size();
+    const Eigen::Map<const Eigen::VectorXd> z(parameters[0], size);
+    const bool derivatives = jacobians != nullptr && jacobians[0] != nullptr;
+    NormalEquations normal;
+    try {
+      normal = objective_.evaluate(values(z), derivatives);
+    } catch (const Refusal&) {
+      return false;  // out of reach there: a shorter step is tried
+    }
+    const double misfit = normal.misfit + z.cwiseAbs2().dot(prior_);
+    Eigen::Map<Eigen::VectorXd> r(residuals, size + 1);
+    r.setZero();
+    if (derivatives) {
+      normal.information.diagonal() += prior_;
+      normal.gradient += prior_.cwiseProduct(z);
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(normal.information);
+      const Eigen::VectorXd root =
+          eigen.eigenvalues().cwiseMax(kLeastInformation * eigen.eigenvalues().maxCoeff()).cwiseSqrt();
+      using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+      Eigen::Map<RowMajor> J(jacobians[0], size + 1, size);
+      J.topRows(size) = root.asDiagonal() * eigen.eigenvectors().transpose();
+      J.row(size).setZero();
+      r.head(size) = (eigen.eigenvectors().transpose() * normal.gradient).cwiseQuotient(root);
+    }
+    r[size] = std::sqrt(std::max(0.0, misfit - r.head(size).squaredNorm()));
+    return true;
+  }
+
+  Eigen::VectorXd values(const Eigen::VectorXd& z) const { return start_ + scales_.cwiseProduct(z); }
+  Eigen::VectorXd in_scales(const Eigen::VectorXd& values) const { return (values - start_).cwiseQuotient(scales_); }
+
+ private:
+  Objective& objective_;
+  Eigen::VectorXd start_, scales_, prior_;
+};
+
+struct Round {
+  Eigen::VectorXd values;
+  int iterations = 0;
+  bool converged = false;
+  std::string message;
+};
+
+Round minimise(Objective& objective, const Eigen::VectorXd& from, const FitOptions& options) {
+  Condensed cost(objective);
+  const Unknowns& unknowns = objective.unknowns();
+  Eigen::VectorXd z = cost.in_scales(from);
+  ceres::Problem::Options ownership;
+  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem problem(ownership);
+  problem.AddResidualBlock(&cost, nullptr, z.data());
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const Unknown& u = unknowns[i];
+    if (std::isfinite(u.lower))
+      problem.SetParameterLowerBound(z.data(), static_cast<int>(i), (u.lower - u.start) / u.scale);
+    if (std::isfinite(u.upper))
+      problem.SetParameterUpperBound(z.data(), static_cast<int>(i), (u.upper - u.start) / u.scale);
+  }
+  ceres::Solver::Options solver;
+  solver.linear_solver_type = ceres::DENSE_QR;
+  solver.max_num_iterations = options.most_iterations;
+  solver.function_tolerance = options.misfit_tolerance;
+  solver.parameter_tolerance = 1e-10;
+  solver.initial_trust_region_radius = 1e10;  // Gauss-Newton's step first: the model bends little
+  solver.max_trust_region_radius = 1e16;
+  solver.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(solver, &problem, &summary);
+  return {cost.values(z), static_cast<int>(summary.iterations.size()), summary.termination_type == ceres::CONVERGENCE,
+          summary.message};
+}
+
+// How much heavier or lighter readings become between two estimates of the noise, at low frequencies, where the model
+// acts: relative.
+double change_of(const NoiseModel& from, const NoiseModel& to) {
+  double most = 0;
+  for (std::size_t c = 0; c < from.channels.size(); ++c) {
+    if (to.channels[c].samples == 0) continue;
+    const auto weight = [](const ChannelNoise& n) { return n.sigma * std::sqrt((1 + n.memory) / (1 - n.memory)); };
+    most = std::max(most, std::abs(weight(to.channels[c]) / weight(from.channels[c]) - 1));
+  }
+  return most;
+}
+
+// How many unknowns the data determine: each counts as far as its prior no longer matters.
+double degrees_of(const Unknowns& unknowns, const Eigen::MatrixXd& covariance) {
+  double degrees = 0;
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    degrees += unknowns[i].free() ? 1 : 1 - covariance(k, k) / (unknowns[i].sigma * unknowns[i].sigma);
+  }
+  return degrees;
+}
+
+}  // namespace
+
+double Fit::standard_error(std::size_t i) const {
+  const auto k = static_cast<Eigen::Index>(i);
+  return std::sqrt(covariance(k, k));
+}
+
+double Fit::correlation(std::size_t i, std::size_t k) const {
+  const double both = standard_error(i) * standard_error(k);
+  return std::isfinite(both) ? covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) / both : 0;
+}
+
+Eigen::MatrixXd posterior_covariance(const Unknowns& unknowns, const Eigen::MatrixXd& information) {
+  const Eigen::VectorXd scales = scales_of(unknowns);
+  Eigen::MatrixXd precision = information;
+  precision.diagonal() += prior_weights(unknowns);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(precision);
+  const double least = kLeastInformation * std::max(eigen.eigenvalues().maxCoeff(), 1e-300);
+  const Eigen::VectorXd inverse =
+      eigen.eigenvalues().unaryExpr([least](double value) { return value > least ? 1 / value : 0; });
+  const Eigen::MatrixXd& V = eigen.eigenvectors();
+  Eigen::MatrixXd covariance = scales.asDiagonal() * (V * inverse.asDiagonal() * V.transpose()) * scales.asDiagonal();
+  for (Eigen::Index k = 0; k < inverse.size(); ++k) {
+    if (inverse[k] > 0) continue;
+    for (Eigen::Index i = 0; i < V.rows(); ++i) {
+      if (std::abs(V(i, k)) > 1e-6) covariance(i, i) = std::numeric_limits<double>::infinity();
+    }
+  }
+  return covariance;
+}
+
+Fit fit(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Unknowns& unknowns,
+        const FitOptions& options) {
+  Objective objective(order, runs, unknowns, options.objective);
+  Fit result(unknowns);
+  result.values = unknowns.start();
+  NoiseOptions noise_options = options.noise;
+  objective.set_noise(options.known_noise ? *options.known_noise
+                                          : rough_noise(objective.equations(result.values), noise_options));
+  for (int round = 1;; ++round) {
+    const Round found = minimise(objective, result.values, options);
+    result.values = found.values;
+    result.iterations += found.iterations;
+    result.converged = found.converged;
+    result.stopped_because = found.message;
+    if (options.known_noise || round >= options.most_noise_rounds) break;
+    const NoiseModel noise = estimate_noise(objective.equations(result.values), noise_options);
+    const double change = change_of(objective.noise(), noise);
+    objective.set_noise(noise);
+    if (change <= options.noise_tolerance) break;
+  }
+  const NormalEquations normal = objective.evaluate(result.values, true);
+  result.information = normal.information;
+  result.covariance = posterior_covariance(unknowns, normal.information);
+  result.fitted_degrees = degrees_of(unknowns, result.covariance);
+  result.misfit = normal.misfit;
+  result.readings = normal.rows;
+  result.noise = objective.noise();
+  result.setups = objective.setups();
+  return result;
+}
+
+}  // namespace plumbline::identify

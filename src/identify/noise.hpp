@@ -1,0 +1,45 @@
+// The noise of the readings: how large, and how long it remembers.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "identify/run_model.hpp"
+
+namespace plumbline::identify {
+
+/// Noise of one channel as an autoregressive process of the first order: e_i = memory e_(i-1) + innovation.
+struct ChannelNoise {
+  double sigma = 1;          // standard deviation of a sample, SI
+  double memory = 0;         // correlation of neighbours, from -1 to 1
+  Eigen::Index samples = 0;  // that it was estimated from
+};
+
+struct NoiseModel {
+  std::array<ChannelNoise, kChannels> channels;
+};
+
+struct NoiseOptions {
+  double clip = 4;  // residuals beyond that many sigma count as outliers and are cut back
+  double most_memory = 0.999;
+  double least_sigma_um = 1e-3;  // what is less is rounding
+  double least_sigma_Nm = 1e-5;
+  double degrees_taken = 0;  // unknowns that were fitted to these residuals, of all channels
+};
+
+/// Estimates the noise of each channel from the residuals of all runs, alike in all of them: sigma and memory by
+/// restricted maximum likelihood [Patterson and Thompson 1971], which allows for the set-up that each run was fitted
+/// with; outliers cut back at `clip` robust standard deviations (median).
+NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options = {});
+
+/// Noise that does not remember, its sigma the robust standard deviation (median) of the residuals: to begin with.
+NoiseModel rough_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options = {});
+
+/// Rows of one channel of one run, in order, turned so that the noise in them is independent and of variance one:
+/// y_0 / sigma, (y_i - memory y_(i-1)) / (sigma sqrt(1 - memory^2)).
+void whiten(const ChannelNoise& noise, Eigen::Ref<Eigen::MatrixXd> rows);
+
+/// All equations of a run whitened, channel by channel.
+void whiten(const NoiseModel& noise, RunEquations& equations);
+
+}  // namespace plumbline::identify

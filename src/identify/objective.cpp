@@ -1,0 +1,110 @@
+#include "identify/objective.hpp"
+
+#include <cmath>
+
+#include <Eigen/QR>
+
+#include "base/parallel.hpp"
+
+namespace plumbline::identify {
+namespace {
+
+// rho(e) = e^2 up to k, 2 k |e| - k^2 beyond  [Huber 1964]; k = 0: e^2 throughout.
+double misfit_of(double e, double k) {
+  const double size = std::abs(e);
+  return k <= 0 || size <= k ? e * e : k * (2 * size - k);
+}
+
+// The root of the weight min(1, k / |e|) that each whitened row has.
+Eigen::VectorXd root_weights(const Eigen::VectorXd& whitened, double k) {
+  return whitened.unaryExpr([k](double e) { return k <= 0 || std::abs(e) <= k ? 1.0 : std::sqrt(k / std::abs(e)); });
+}
+
+}  // namespace
+
+NormalEquations normal_equations(RunEquations equations, const NoiseModel& noise, const Unknowns& unknowns,
+                                 double huber) {
+  whiten(noise, equations);
+  NormalEquations normal;
+  normal.rows = equations.residual.size();
+  for (const double e : equations.residual) normal.misfit += misfit_of(e, huber);
+  if (equations.slopes.size() == 0) return normal;
+
+  const Eigen::VectorXd weights = root_weights(equations.residual, huber);
+  equations.residual.array() *= weights.array();
+  for (std::size_t u = 0; u < unknowns.size(); ++u) {
+    equations.slopes.col(static_cast<Eigen::Index>(u)).array() *= unknowns[u].scale * weights.array();
+  }
+  const Eigen::Index n = equations.setup_slopes.rows();
+  if (n > 0) {
+    // what the set-up can take is taken out of readings and slopes alike  [variable projection: Golub, Pereyra 1973]
+    const Eigen::MatrixXd weighted = weights.head(n).asDiagonal() * equations.setup_slopes;
+    const Eigen::MatrixXd Q = weighted.householderQr().householderQ() * Eigen::MatrixXd::Identity(n, weighted.cols());
+    equations.slopes.topRows(n) -= Q * (Q.transpose() * equations.slopes.topRows(n)).eval();
+    equations.residual.head(n) -= Q * (Q.transpose() * equations.residual.head(n)).eval();
+  }
+  normal.information = Eigen::MatrixXd::Zero(equations.slopes.cols(), equations.slopes.cols());
+  normal.information.selfadjointView<Eigen::Lower>().rankUpdate(equations.slopes.transpose());
+  normal.information.triangularView<Eigen::StrictlyUpper>() = normal.information.transpose();
+  normal.gradient = -equations.slopes.transpose() * equations.residual;
+  return normal;
+}
+
+Objective::Objective(machine::RotationOrder order, const std::vector<measure::Run>& runs, Unknowns unknowns,
+                     const ObjectiveOptions& options)
+    : order_(order), runs_(runs), unknowns_(std::move(unknowns)), options_(options) {
+  for (const measure::Run& run : runs_) setups_.push_back(ideal_setup(run));
+}
+
+RunEquations Objective::fitted(std::size_t index, const physics::ForceModel& forces, const Sensitivity* sensitivity) {
+  const measure::Run& run = runs_[index];
+  measure::Setup& setup = setups_[index];
+  SimulatedRun simulated = simulate_run(order_, forces, run, sensitivity);
+  Eigen::MatrixXd slopes;
+  slopes.swap(simulated.slopes);  // the set-up is fitted without them
+  for (setup.iterations = 1; run.has_radial() && setup.iterations <= options_.most_setup_steps; ++setup.iterations) {
+    RunEquations equations = run_equations(run, simulated, setup);
+    whiten(noise_, equations);
+    const Eigen::VectorXd radial = equations.residual.head(equations.samples);
+    const Eigen::VectorXd weights = root_weights(radial, options_.huber);
+    const Eigen::VectorXd step = (weights.asDiagonal() * equations.setup_slopes)
+                                     .colPivHouseholderQr()
+                                     .solve((weights.array() * radial.array()).matrix());
+    move_setup(setup, step);
+    setup.converged = step.cwiseAbs().maxCoeff() <= options_.setup_tolerance_m;
+    if (setup.converged) break;
+  }
+  simulated.slopes.swap(slopes);
+  return run_equations(run, simulated, setup);
+}
+
+std::vector<RunEquations> Objective::equations(const Eigen::VectorXd& values, bool derivatives) {
+  const physics::ForceModel forces = unknowns_.at(values);
+  const Sensitivity sensitivity(forces, unknowns_);
+  std::vector<RunEquations> all(runs_.size());
+  for_each_index(runs_.size(),
+                 [&](std::size_t i) { all[i] = fitted(i, forces, derivatives ? &sensitivity : nullptr); });
+  return all;
+}
+
+NormalEquations Objective::evaluate(const Eigen::VectorXd& values, bool derivatives) {
+  const physics::ForceModel forces = unknowns_.at(values);
+  const Sensitivity sensitivity(forces, unknowns_);
+  std::vector<NormalEquations> each(runs_.size());
+  for_each_index(runs_.size(), [&](std::size_t i) {
+    each[i] =
+        normal_equations(fitted(i, forces, derivatives ? &sensitivity : nullptr), noise_, unknowns_, options_.huber);
+  });
+  const auto size = static_cast<Eigen::Index>(unknowns_.size());
+  NormalEquations sum{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
+  for (const NormalEquations& run : each) {
+    sum.misfit += run.misfit;
+    sum.rows += run.rows;
+    if (!derivatives) continue;
+    sum.information += run.information;
+    sum.gradient += run.gradient;
+  }
+  return sum;
+}
+
+}  // namespace plumbline::identify

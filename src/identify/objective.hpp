@@ -1,0 +1,60 @@
+// What a fit minimises: the misfit of all runs against the noise, and of the unknowns against what is known of them
+// beforehand, the set-up of each run taken out exactly.
+#pragma once
+
+#include <vector>
+
+#include "identify/noise.hpp"
+#include "measure/dataset.hpp"
+
+namespace plumbline::identify {
+
+/// Normal equations about a point, in scales of the unknowns (Unknown::scale).
+struct NormalEquations {
+  Eigen::MatrixXd information;  // of the data alone: J^T W J, the set-ups projected out
+  Eigen::VectorXd gradient;     // of half the misfit of the data
+  double misfit = 0;            // of the data: sum of squares in units of the noise, outliers counting linearly
+  Eigen::Index rows = 0;        // readings
+};
+
+struct ObjectiveOptions {
+  double huber = 3;  // innovations beyond that many sigma count linearly [Huber 1964]; 0: all count by their square
+  int most_setup_steps = 8;
+  double setup_tolerance_m = 1e-12;
+};
+
+/// The runs of a dataset beside a model with unknowns. Keeps the set-up of each run, which every evaluation fits anew
+/// from where the last one left it. Runs are simulated on all processors; results do not depend on how many.
+class Objective {
+ public:
+  /// `runs` are kept by reference.
+  Objective(machine::RotationOrder order, const std::vector<measure::Run>& runs, Unknowns unknowns,
+            const ObjectiveOptions& options = {});
+
+  const Unknowns& unknowns() const { return unknowns_; }
+  const NoiseModel& noise() const { return noise_; }
+  void set_noise(const NoiseModel& noise) { noise_ = noise; }
+  const std::vector<measure::Setup>& setups() const { return setups_; }
+
+  /// The misfit at `values` (SI) and, if asked for, its derivatives. Refuses with simulate-unreachable.
+  NormalEquations evaluate(const Eigen::VectorXd& values, bool derivatives);
+
+  /// The equations of every run at `values`, not whitened, the set-up fitted: residuals to look at.
+  std::vector<RunEquations> equations(const Eigen::VectorXd& values, bool derivatives = false);
+
+ private:
+  RunEquations fitted(std::size_t run, const physics::ForceModel& forces, const Sensitivity* sensitivity);
+
+  machine::RotationOrder order_;
+  const std::vector<measure::Run>& runs_;
+  Unknowns unknowns_;
+  ObjectiveOptions options_;
+  NoiseModel noise_;
+  std::vector<measure::Setup> setups_;
+};
+
+/// Whitens, weighs and projects the equations of one run: what it adds to the normal equations, in scales.
+NormalEquations normal_equations(RunEquations equations, const NoiseModel& noise, const Unknowns& unknowns,
+                                 double huber);
+
+}  // namespace plumbline::identify

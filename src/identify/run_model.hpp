@@ -1,0 +1,53 @@
+// What a model says of a run, beside what was measured: residuals, and how readings move with the unknowns and the
+// set-up.
+#pragma once
+
+#include <vector>
+
+#include "identify/sensitivity.hpp"
+#include "measure/setup.hpp"
+
+namespace plumbline::identify {
+
+/// What one sample reads: the bar, and six torques.
+inline constexpr int kChannels = 7;
+inline constexpr int kRadial = 0;
+/// What the set-up of a run leaves open: the ball's x and y, the bar's length. On a circle the ball's height changes
+/// all readings alike, as the bar's length does.
+inline constexpr int kSetup = 3;
+/// "radial", "torque1", ... as the columns of datasets are called.
+std::string_view channel_name(int channel);
+
+/// A run as a model makes it, the bar's set-up apart. Rows of `slopes` (for each unknown a column): tip x of all
+/// samples, tip y, tip z, then the torques of strut 1, of strut 2, ...
+struct SimulatedRun {
+  Eigen::Matrix3Xd tip_W;                           // m
+  Eigen::Matrix<double, 6, Eigen::Dynamic> torque;  // N m
+  Eigen::MatrixXd slopes;                           // empty if not asked for
+};
+
+/// Simulates a run by the fixed point of physics::tip_error; with `sensitivity`, which belongs to `forces`, the slopes,
+/// too. Refuses with simulate-unreachable as measure::simulate_run does.
+SimulatedRun simulate_run(const machine::RotationOrder& order, const physics::ForceModel& forces,
+                          const measure::Run& run, const Sensitivity* sensitivity = nullptr);
+
+/// The equations of a run for small changes of the unknowns and of the set-up:
+///   residual = slopes d(unknowns) + setup_slopes d(setup) + noise
+/// Rows: all samples of the first measured channel, then of the next one. SI.
+struct RunEquations {
+  std::vector<int> channels;     // those that were measured
+  Eigen::Index samples = 0;      // of each channel
+  Eigen::VectorXd residual;      // measured minus simulated
+  Eigen::MatrixXd slopes;        // of the simulated readings by the unknowns; empty if the run was simulated without
+  Eigen::MatrixXd setup_slopes;  // samples x kSetup, of the radial channel alone; empty if that was not measured
+};
+
+RunEquations run_equations(const measure::Run& run, const SimulatedRun& simulated, const measure::Setup& setup);
+
+/// The ball where it ideally stands, the bar as long as stated.
+measure::Setup ideal_setup(const measure::Run& run);
+
+/// Moves a set-up by a step in the order of setup_slopes.
+void move_setup(measure::Setup& setup, const Eigen::VectorXd& step);
+
+}  // namespace plumbline::identify

@@ -1,0 +1,312 @@
+#include "identify/sensitivity.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
+#include "base/check.hpp"
+
+namespace plumbline::identify {
+namespace {
+
+using machine::kStruts;
+using machine::Matrix6;
+using machine::PerStrut;
+using machine::StrutVectors;
+using machine::Vector6;
+using physics::Conditions;
+using physics::Situation;
+using physics::Wrench;
+
+// What follows from where the machine stands: strut lengths beyond those commanded, displacement of the tip that no
+// strut makes, torques. Derivatives of each, one column per seed.
+struct Flow {
+  Matrix6<double> stretch, tip, torque;
+};
+
+// The conditions as 25 numbers, in this order: what is often unknown comes first, and together.
+constexpr int kConditions = 25;
+Eigen::Matrix<Jet, kConditions, 1> flat(const Conditions<Jet>& c) {
+  Eigen::Matrix<Jet, kConditions, 1> all;
+  all << c.gravity, c.centre_of_mass_P, c.screw_mass, c.motor_mass, c.joint_mass, c.platform_mass;
+  return all;
+}
+Jet& condition(Conditions<Jet>& c, int i) {
+  if (i < 3) return c.gravity[i];
+  if (i < 6) return c.centre_of_mass_P[i - 3];
+  if (i < 12) return c.screw_mass[i - 6];
+  if (i < 18) return c.motor_mass[i - 12];
+  return i < 24 ? c.joint_mass[i - 18] : c.platform_mass;
+}
+
+template <class Matrix>
+auto jets_of(const Matrix& values) {
+  return values.template cast<Jet>().eval();
+}
+
+void seed(PerStrut<Jet>& values) {
+  for (int j = 0; j < kStruts; ++j) values[j].v = PerStrut<double>::Unit(j);
+}
+
+}  // namespace
+
+// One point, and how the outcome moves with each sum that effects add to.
+struct Sensitivity::Point {
+  using Outcome6 = Eigen::Matrix<double, kOutcomes, 6>;
+
+  Point(const physics::ForceModel& forces, const Jet* parameters, const physics::Environment& environment,
+        const physics::Motion<double>& motion, const physics::TipError<double>& error);
+
+  const physics::ForceModel& forces;
+  const Jet* parameters;
+  physics::Motion<Jet> motion;
+  physics::StrutRates<Jet> rates;
+  Pose<Jet> pose;
+  const machine::Lu6<double>& lu;
+  Situation<Jet> at;
+
+  Outcome6 by_stretch, by_tip, by_torque;
+  Outcome6 by_drive, by_nut, by_wrench;
+
+  /// What changes of the conditions do, given as 25 rows. What is asked for once is kept.
+  Outcome6 by_conditions(const Eigen::Matrix<double, kConditions, kSeeds>& changes);
+
+ private:
+  Flow by_pose(const Pose<double>& standing) const;
+  Flow after_drive(Situation<Jet>& now) const;
+  Flow after_nut(Situation<Jet>& now) const;
+  Flow after_conditions(Situation<Jet>& now) const;
+  Outcome6 outcome(const Flow& flow) const {
+    return by_stretch * flow.stretch + by_tip * flow.tip + by_torque * flow.torque;
+  }
+
+  static constexpr int kParts = (kConditions + kSeeds - 1) / kSeeds;
+  std::array<std::optional<Outcome6>, kParts> by_conditions_;
+};
+
+namespace {
+
+physics::Motion<Jet> without_slopes(const physics::Motion<double>& m) {
+  return {{jets_of(m.pose.p_WT), jets_of(m.pose.R_WP)},
+          {jets_of(m.twist.v_WT), jets_of(m.twist.w_WP)},
+          {jets_of(m.acceleration.v_WT), jets_of(m.acceleration.w_WP)},
+          Jet(m.time)};
+}
+
+physics::StrutRates<Jet> without_slopes(const physics::StrutRates<double>& r) {
+  return {jets_of(r.speed), jets_of(r.acceleration), jets_of(r.sign), jets_of(r.transverse)};
+}
+
+// Where the struts leave the platform, before displacements that no strut makes.
+Pose<double> on_struts(const physics::TipError<double>& error) {
+  const Vector6<double> tip = error.loads.tip;
+  return {error.pose.p_WT - tip.head<3>(), machine::exponential<double>(-tip.tail<3>()) * error.pose.R_WP};
+}
+
+}  // namespace
+
+Sensitivity::Point::Point(const physics::ForceModel& model, const Jet* values, const physics::Environment& environment,
+                          const physics::Motion<double>& commanded, const physics::TipError<double>& error)
+    : forces(model),
+      parameters(values),
+      motion(without_slopes(commanded)),
+      rates(without_slopes(physics::strut_rates(machine::strut_geometry(model.machine.geometry, commanded.pose),
+                                                commanded, environment))),
+      lu(error.loads.jacobian),
+      at{model.machine,
+         environment,
+         motion,
+         rates,
+         pose,
+         {jets_of(error.loads.struts.arm), jets_of(error.loads.struts.direction), jets_of(error.loads.struts.length)},
+         {}} {
+  const Pose<double> standing = on_struts(error);
+  pose = {jets_of(standing.p_WT), jets_of(standing.R_WP)};
+  at.conditions.gravity = jets_of(model.machine.gravity);
+  ask_conditions(forces, parameters, at, at.conditions);
+  at.nut_tension = jets_of(error.loads.nut_tension);
+  at.drive_tension = jets_of(error.loads.drive_tension);
+  at.torque = at.drive_tension.cwiseProduct(jets_of((model.machine.lead / (2 * std::numbers::pi)).eval()));
+
+  // L_cmd + dL(X, p) - L(X) = 0 holds for where the machine stands, X, hence (J - dL_X) dX = dL_p  [implicit function
+  // theorem]; the tip is at X displaced by what no strut makes
+  const Flow pose_flow = by_pose(standing);
+  const Matrix6<double> J = machine::jacobian(error.loads.struts);
+  const Matrix6<double> by_length = (J - pose_flow.stretch).partialPivLu().inverse();
+  by_stretch << (Matrix6<double>::Identity() + pose_flow.tip).topRows<3>() * by_length, pose_flow.torque * by_length;
+  by_tip.setZero();
+  by_tip.topLeftCorner<3, 3>().setIdentity();
+  by_torque.setZero();
+  by_torque.bottomRows<6>().setIdentity();
+
+  Situation<Jet> driven = at;
+  seed(driven.drive_tension);
+  by_drive = outcome(after_drive(driven));
+  Situation<Jet> pulled = at;
+  seed(pulled.nut_tension);
+  by_nut = outcome(after_nut(pulled));
+  // J^T t = w
+  by_wrench = by_nut * J.transpose().partialPivLu().inverse();
+}
+
+Sensitivity::Point::Outcome6 Sensitivity::Point::by_conditions(
+    const Eigen::Matrix<double, kConditions, kSeeds>& changes) {
+  Outcome6 sum = Outcome6::Zero();
+  for (int part = 0; part < kParts; ++part) {
+    const int first = part * kSeeds;
+    const int count = std::min(kSeeds, kConditions - first);
+    if (changes.middleRows(first, count).isZero(0)) continue;
+    std::optional<Outcome6>& known = by_conditions_[static_cast<std::size_t>(part)];
+    if (!known) {
+      Situation<Jet> weighed = at;
+      for (int k = 0; k < count; ++k) condition(weighed.conditions, first + k).v[k] = 1;
+      known = outcome(after_conditions(weighed));
+    }
+    sum += known->leftCols(count) * changes.middleRows(first, count);
+  }
+  return sum;
+}
+
+// The whole calculation, its derivatives by a displacement of the platform.
+Flow Sensitivity::Point::by_pose(const Pose<double>& standing) const {
+  Vector6<Jet> displacement = Vector6<Jet>::Zero();
+  seed(displacement);
+  const Pose<Jet> near = machine::displaced<Jet>({jets_of(standing.p_WT), jets_of(standing.R_WP)}, displacement);
+  const physics::StrutStretch<Jet> loads = strut_stretch_at(forces, parameters, at.environment, motion, rates, near,
+                                                            machine::strut_geometry(forces.machine.geometry, near));
+  return {slopes_of<6>(loads.stretch), slopes_of<6>(loads.tip), slopes_of<6>(loads.torque)};
+}
+
+// The last steps of physics::strut_stretch_at, from the drive's tension on.
+Flow Sensitivity::Point::after_drive(Situation<Jet>& now) const {
+  PerStrut<Jet> stretch = PerStrut<Jet>::Zero();
+  ask_length(forces, parameters, now, stretch);
+  Vector6<Jet> tip = Vector6<Jet>::Zero();
+  ask_tip(forces, parameters, now, tip);
+  now.torque = now.drive_tension.cwiseProduct(jets_of((forces.machine.lead / (2 * std::numbers::pi)).eval()));
+  PerStrut<Jet> torque = now.torque;
+  ask_reading(forces, parameters, now, torque);
+  return {slopes_of<6>(stretch), slopes_of<6>(tip), slopes_of<6>(torque)};
+}
+
+// From the nut's tension on.
+Flow Sensitivity::Point::after_nut(Situation<Jet>& now) const {
+  now.drive_tension = now.nut_tension;
+  ask_drive_tension(forces, parameters, now, now.drive_tension);
+  return after_drive(now);
+}
+
+// From gravity and masses on; the machine stands still, so that its Jacobian has no derivative.
+Flow Sensitivity::Point::after_conditions(Situation<Jet>& now) const {
+  Wrench<Jet> wrench;
+  ask_wrench(forces, parameters, now, wrench);
+  StrutVectors<Jet> transverse = StrutVectors<Jet>::Zero();
+  ask_transverse_force(forces, parameters, now, transverse);
+  for (int j = 0; j < kStruts; ++j) wrench.add(transverse.col(j), now.struts.arm.col(j));
+  Matrix6<double> load;
+  load << slopes_of<3>(wrench.force), slopes_of<3>(wrench.moment);
+  const PerStrut<Jet> here = at.nut_tension;
+  now.nut_tension.setZero();
+  ask_nut_tension(forces, parameters, now, now.nut_tension);
+  for (int k = 0; k < kSeeds; ++k) {
+    const Vector6<double> tension = lu.solve_transposed(load.col(k));
+    for (int j = 0; j < kStruts; ++j) now.nut_tension[j].v[k] += tension[j];
+  }
+  for (int j = 0; j < kStruts; ++j) now.nut_tension[j].a = here[j].a;
+  return after_nut(now);
+}
+
+Sensitivity::Sensitivity(const physics::ForceModel& forces, const Unknowns& unknowns)
+    : forces_(forces),
+      unknowns_(static_cast<Eigen::Index>(unknowns.size())),
+      parameters_(physics::parameters_as<Jet>(forces)) {
+  for (std::size_t u = 0; u < unknowns.size(); ++u) {
+    for (const Unknown::Term& term : unknowns[u].terms) {
+      const auto holds = [&](const physics::Instance& i) {
+        return term.parameter >= i.first && term.parameter < i.first + physics::effect_infos()[i.effect].size();
+      };
+      const auto instance = std::find_if(forces.instances().begin(), forces.instances().end(), holds);
+      PLUMBLINE_CHECK(instance != forces.instances().end());
+      add_seed(instance->effect, instance->first, static_cast<int>(u),
+               {term.parameter - instance->first, 0, term.weight});
+    }
+  }
+}
+
+void Sensitivity::add_seed(std::size_t effect, int first, int unknown, Seed seed) {
+  std::vector<Chunk>& chunks = chunks_[effect];
+  const bool known = !chunks.empty() && chunks.back().first == first && chunks.back().used > 0 &&
+                     chunks.back().unknowns[static_cast<std::size_t>(chunks.back().used - 1)] == unknown;
+  if (!known) {
+    if (chunks.empty() || chunks.back().first != first || chunks.back().used == kSeeds) chunks.push_back({first});
+    chunks.back().unknowns[static_cast<std::size_t>(chunks.back().used++)] = unknown;
+  }
+  seed.slot = chunks.back().used - 1;
+  chunks.back().seeds.push_back(seed);
+}
+
+// Calls one hook with an empty sum, if the effect has it, and hands over what it added.
+#define PLUMBLINE_TRY(hook, Sum, use)                        \
+  if constexpr (requires { &Effect::template hook<Jet>; }) { \
+    Sum sum = empty<Sum>();                                  \
+    Effect::hook(p, point.at, sum);                          \
+    use;                                                     \
+  }
+
+namespace {
+template <class Sum>
+Sum empty() {
+  if constexpr (requires { Sum::Zero(); }) {
+    return Sum::Zero();
+  } else {
+    return Sum{};
+  }
+}
+}  // namespace
+
+template <class Effect>
+void Sensitivity::add_slopes(const Chunk& chunk, Point& point, Eigen::Ref<Slopes> slopes) const {
+  std::array<Jet, std::max<std::size_t>(1,
+                                        [] {
+                                          std::size_t size = 0;
+                                          for (const auto& spec : Effect::parameters)
+                                            size += static_cast<std::size_t>(spec.size());
+                                          return size;
+                                        }())>
+      values;
+  std::copy_n(parameters_.begin() + chunk.first, values.size(), values.begin());
+  for (const Seed& seed : chunk.seeds) values[static_cast<std::size_t>(seed.offset)].v[seed.slot] = seed.weight;
+  const physics::Values<Jet> p(values.data());
+
+  Point::Outcome6 by = Point::Outcome6::Zero();
+  PLUMBLINE_TRY(conditions, Conditions<Jet>, by += point.by_conditions(slopes_of<kConditions>(flat(sum))))
+  PLUMBLINE_TRY(wrench, Wrench<Jet>,
+                by += point.by_wrench.template leftCols<3>() * slopes_of<3>(sum.force) +
+                      point.by_wrench.template rightCols<3>() * slopes_of<3>(sum.moment))
+  PLUMBLINE_TRY(transverse_force, StrutVectors<Jet>, {
+    Wrench<Jet> wrench;
+    for (int j = 0; j < kStruts; ++j) wrench.add(sum.col(j), point.at.struts.arm.col(j));
+    by += point.by_wrench.template leftCols<3>() * slopes_of<3>(wrench.force) +
+          point.by_wrench.template rightCols<3>() * slopes_of<3>(wrench.moment);
+  })
+  PLUMBLINE_TRY(nut_tension, PerStrut<Jet>, by += point.by_nut * slopes_of<6>(sum))
+  PLUMBLINE_TRY(drive_tension, PerStrut<Jet>, by += point.by_drive * slopes_of<6>(sum))
+  PLUMBLINE_TRY(length, PerStrut<Jet>, by += point.by_stretch * slopes_of<6>(sum))
+  PLUMBLINE_TRY(tip, Vector6<Jet>, by += point.by_tip * slopes_of<6>(sum))
+  PLUMBLINE_TRY(reading, PerStrut<Jet>, by += point.by_torque * slopes_of<6>(sum))
+  for (int k = 0; k < chunk.used; ++k) slopes.col(chunk.unknowns[static_cast<std::size_t>(k)]) += by.col(k);
+}
+#undef PLUMBLINE_TRY
+
+void Sensitivity::at(const physics::Environment& environment, const physics::Motion<double>& motion,
+                     const physics::TipError<double>& error, Eigen::Ref<Slopes> slopes) const {
+  Point point(forces_, parameters_.data(), environment, motion, error);
+  slopes.setZero();
+  physics::for_each_effect([&]<class Effect>(std::size_t i) {
+    if constexpr (!Effect::parameters.empty()) {
+      for (const Chunk& chunk : chunks_[i]) add_slopes<Effect>(chunk, point, slopes);
+    }
+  });
+}
+
+}  // namespace plumbline::identify

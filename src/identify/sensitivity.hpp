@@ -1,0 +1,58 @@
+// How far the readings of a machine move with each unknown: exact derivatives through the fixed point that finds where
+// the machine stands.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "identify/jet.hpp"
+#include "identify/unknowns.hpp"
+#include "physics/error.hpp"
+
+namespace plumbline::identify {
+
+/// Rows: where the tip stands (x, y, z in W, m), then the torques of the six motors (N m). A column for each unknown.
+inline constexpr int kOutcomes = 9;
+using Slopes = Eigen::Matrix<double, kOutcomes, Eigen::Dynamic>;
+
+/// Derivatives for one force model. The unknowns and the model are those that a point was simulated with; the model
+/// holds the effects of the unknowns (Unknowns::at).
+class Sensitivity {
+ public:
+  /// `forces` is kept by reference.
+  Sensitivity(const physics::ForceModel& forces, const Unknowns& unknowns);
+
+  /// Fills `slopes` (9 x unknowns) for the point that `error` is the converged result of. May be called from several
+  /// threads.
+  void at(const physics::Environment& environment, const physics::Motion<double>& motion,
+          const physics::TipError<double>& error, Eigen::Ref<Slopes> slopes) const;
+
+  Eigen::Index unknowns() const { return unknowns_; }
+
+ private:
+  // An unknown's part in a parameter of an instance of an effect.
+  struct Seed {
+    int offset = 0;  // from the instance's first parameter
+    int slot = 0;    // which of the derivatives carries it
+    double weight = 1;
+  };
+  // Up to six unknowns that work through one instance.
+  struct Chunk {
+    int first = 0;  // parameter of the instance
+    std::vector<Seed> seeds;
+    std::array<int, kSeeds> unknowns{};
+    int used = 0;
+  };
+  struct Point;
+
+  void add_seed(std::size_t effect, int first, int unknown, Seed seed);
+  template <class Effect>
+  void add_slopes(const Chunk& chunk, Point& point, Eigen::Ref<Slopes> slopes) const;
+
+  const physics::ForceModel& forces_;
+  Eigen::Index unknowns_ = 0;
+  std::vector<Jet> parameters_;                               // of the model, without derivatives
+  std::array<std::vector<Chunk>, physics::kEffects> chunks_;  // by effect
+};
+
+}  // namespace plumbline::identify
