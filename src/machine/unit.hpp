@@ -41,6 +41,8 @@ inline constexpr Unit m_s2{"m/s^2", 1, {{{"mm/s^2", 0.001}, {"g", kStandardGravi
 inline constexpr Unit ms{"ms", 1e-3, {{{"s", 1000}, {"us", 0.001}}}};
 inline constexpr Unit K_h{"K/h", 1 / 3600.0, {}};
 inline constexpr Unit um_m{"um/m", 1e-6, {}};
+inline constexpr Unit um_h{"um/h", kUm / 3600.0, {}};
+inline constexpr Unit urad_Nm{"urad/N m", 1e-6, {}};
 }  // namespace units
 
 }  // namespace plumbline::machine

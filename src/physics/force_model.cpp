@@ -1,6 +1,7 @@
 #include "physics/force_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -36,6 +37,15 @@ void check_bounds(const EffectRow& row, const EffectValue& value, const Paramete
            fmt::format("it lies between {:.12g} and {:.12g} {}{}", spec.lower, spec.upper, spec.unit.name,
                        machine::slip_hint(spec.unit, x, spec.lower, spec.upper)),
            value.place);
+  }
+}
+
+void check_whole(const EffectRow& row, const EffectValue& value, const ParameterSpec& spec) {
+  if (!spec.whole) return;
+  for (const double x : value.values) {
+    if (x == std::floor(x)) continue;
+    refuse("effect-not-whole", fmt::format("{} of the effect {} holds {:.12g}", spec.key, row.name, x),
+           "these are whole numbers", value.place);
   }
 }
 
@@ -92,6 +102,10 @@ void ForceModel::add_row(const EffectRow& row) {
   for (const ParameterSpec& spec : info.parameters) {
     const auto value =
         std::find_if(row.values.begin(), row.values.end(), [&](const EffectValue& v) { return v.key == spec.key; });
+    if (value == row.values.end() && spec.optional) {
+      into += spec.size();
+      continue;
+    }
     if (value == row.values.end()) {
       refuse("effect-missing-key", fmt::format("the effect {} needs {}", row.name, spec.key),
              fmt::format("add it: {}{}", size_text(spec),
@@ -100,6 +114,7 @@ void ForceModel::add_row(const EffectRow& row) {
     }
     check_size(row, *value, spec);
     check_bounds(row, *value, spec);
+    check_whole(row, *value, spec);
     for (const double x : value->values) *into++ = x * spec.unit.si;
   }
 }

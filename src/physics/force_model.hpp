@@ -18,8 +18,8 @@ struct Instance {
 class ForceModel {
  public:
   /// The base effects with the parameters of the model's tables, and one instance for each [[effect]] row. Refuses a
-  /// row with effect-unknown, effect-unknown-key, effect-missing-key, effect-wrong-size or effect-out-of-bounds, at its
-  /// place.
+  /// row with effect-unknown, effect-unknown-key, effect-missing-key, effect-wrong-size, effect-out-of-bounds or
+  /// effect-not-whole, at its place.
   explicit ForceModel(const machine::MachineModel& model);
 
   MachineConstants machine;

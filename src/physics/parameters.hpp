@@ -18,6 +18,9 @@ struct ParameterSpec {
   int each = 1;                 // 3: an array of `count` points, 3 x count numbers
   double initial = 0;           // in a fresh instance; the instance as a whole shall change nothing with it
   std::string_view table = {};  // base effects: the table of the model file that holds the key
+  bool optional = false;        // a row may leave the key out: it then has its initial value
+  bool setting = false;         // says what the effect is, and is never fitted
+  bool whole = false;           // whole numbers only
 
   constexpr int size() const { return count * each; }
 };

@@ -113,6 +113,14 @@ TEST_CASE("effects on the length of a strut add what their equation says") {
          const Vector3<double> q = t.bare.machine.geometry.base_joints_W.col(j);
          return t.u(j).dot(kSteel * t.p[0] * Vector3<double>(q.x(), q.y(), 0));
        }},
+      {"gimbal-offset",
+       [](const Trial& t, int j) {
+         const Vector3<double> q = t.bare.machine.geometry.base_joints_W.col(j);
+         const Vector3<double> outer = Vector3<double>(-q.y(), q.x(), 0) / std::hypot(q.x(), q.y());
+         // the strut begins off the joint, towards where it leans to across the outer axis
+         const Vector3<double> way = outer.cross(t.u(j)).normalized().cross(outer);
+         return t.at(j) * way.dot(t.u(j));
+       }},
   };
   Random random(51);
   for (const PerStrutCase& test : cases) {
@@ -198,6 +206,54 @@ TEST_CASE("effects on the platform add their force where it acts") {
     CHECK(expected.norm() > 0);
     CHECK((t.wrench() - expected).norm() <= 1e-9 * (expected.norm() + 1));
   }
+}
+
+TEST_CASE("a right-handed screw that is turned by its joints lengthens by lead over a turn") {
+  Random random(57);
+  const Trial t("screw-roll", random);
+  // at home nothing has rolled; turned about Z by a small angle, each screw has by about that angle times u_z
+  const auto stretch = [&](const ForceModel& model, double turn) -> Six {
+    Motion<double> motion;
+    motion.pose = {Vector3<double>(0, 0, -1), machine::axis_rotation<double>(2, turn)};
+    return strut_stretch(model, model.environment(), motion).stretch;
+  };
+  CHECK((stretch(t.with, 0) - stretch(t.bare, 0)).norm() < 1e-15);
+  const double turn = 1e-3;
+  const Six rolled = (stretch(t.with, turn) - stretch(t.bare, turn)) / (t.p[0] * 0.02 / (2 * std::numbers::pi));
+  Motion<double> home;
+  home.pose.p_WT = Vector3<double>(0, 0, -1);
+  const auto struts = strut_stretch(t.bare, t.bare.environment(), home).struts;
+  for (int j = 0; j < 6; ++j) {
+    CHECK(std::abs(rolled[j]) > 0.2 * turn * std::abs(struts.direction(2, j)));
+    CHECK(std::abs(rolled[j]) < 5 * turn);
+    CHECK(rolled[j] * struts.direction(2, j) > 0);  // upper end anticlockwise as seen against the strut
+  }
+}
+
+TEST_CASE("a spindle that grows takes the tip along the tool") {
+  Random random(58);
+  const Trial t("spindle-growth", random);
+  const Vector3<double> along = t.motion.pose.R_WP * Vector3<double>(0, 0, -1);
+  CHECK(t.after.tip.head<3>().isApprox((t.p[0] + t.p[1] * t.motion.time) * along, 1e-12));
+  CHECK(t.after.tip.tail<3>().isZero(0));
+}
+
+TEST_CASE("a frame gives way to what the struts pull at it, as a rigid body about its middle") {
+  Random random(59);
+  const Trial t("frame-compliance", random);
+  const Struts base = t.bare.machine.geometry.base_joints_W;
+  const Vector3<double> middle = base * Six::Constant(1 / 6.0);
+  Vector3<double> force = Vector3<double>::Zero();
+  Vector3<double> moment = Vector3<double>::Zero();
+  for (int j = 0; j < 6; ++j) {
+    force += t.before.nut_tension[j] * t.u(j);
+    moment += base.col(j).cross(t.before.nut_tension[j] * t.u(j));
+  }
+  moment -= middle.cross(force);
+  const Vector3<double> tip = t.p[0] * force + t.p[1] * moment.cross(t.motion.pose.p_WT - middle);
+  CHECK(t.after.tip.head<3>().isApprox(tip, 1e-9));
+  CHECK(t.after.tip.tail<3>().isApprox(t.p[1] * moment, 1e-9));
+  CHECK(force.z() < 0);  // the machine hangs
 }
 
 TEST_CASE("level turns gravity by small angles about X and Y") {

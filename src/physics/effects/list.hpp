@@ -25,6 +25,9 @@
 #include "physics/effects/centre_of_mass.hpp"
 #include "physics/effects/counterbalance.hpp"
 #include "physics/effects/cyclic.hpp"
+#include "physics/effects/frame_compliance.hpp"
+#include "physics/effects/generic.hpp"
+#include "physics/effects/gimbal_offset.hpp"
 #include "physics/effects/inertia.hpp"
 #include "physics/effects/joint_clearance.hpp"
 #include "physics/effects/joint_coulomb.hpp"
@@ -42,10 +45,12 @@
 #include "physics/effects/ring_thermal.hpp"
 #include "physics/effects/screw_coulomb.hpp"
 #include "physics/effects/screw_friction.hpp"
+#include "physics/effects/screw_roll.hpp"
 #include "physics/effects/screw_stribeck.hpp"
 #include "physics/effects/screw_viscous.hpp"
 #include "physics/effects/servo_lag.hpp"
 #include "physics/effects/servo_mismatch.hpp"
+#include "physics/effects/spindle_growth.hpp"
 #include "physics/effects/strut_compliance.hpp"
 #include "physics/effects/strut_gravity.hpp"
 #include "physics/effects/strut_mass.hpp"
@@ -91,7 +96,7 @@ using CatalogueEffects = std::tuple<Payload,                  //
                                     Counterbalance,           //
                                     LeadError,                //
                                     RingThermal,              //
-                                    JointPosition>;
+                                    JointPosition, GimbalOffset, ScrewRoll, SpindleGrowth, FrameCompliance, Generic>;
 
 using Effects = decltype(std::tuple_cat(BaseEffects{}, CatalogueEffects{}));
 inline constexpr std::size_t kBaseEffects = std::tuple_size_v<BaseEffects>;
