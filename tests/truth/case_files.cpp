@@ -134,7 +134,7 @@ void write_case(const DrawnCase& drawn, const std::string& folder) {
   fs::create_directories(root);
   opened(root / "base.toml") << drawn.model.text;
   write_dataset(drawn.model.machine.name, drawn.data, (root / "data").string());
-  write_dataset(drawn.model.machine.name, drawn.holdout, (root / "holdout").string());
+  if (!drawn.holdout.empty()) write_dataset(drawn.model.machine.name, drawn.holdout, (root / "holdout").string());
   opened(root / "answer.json") << answer_of(drawn).dump(1) << '\n';
 }
 

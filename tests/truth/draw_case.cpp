@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
   app.add_option("--effect", options.effect, "a name, none, any, outside, outside:NAME, two, two:A,B")
       ->capture_default_str();
   app.add_option("--snr", options.snr, "how strongly each effect shows after the nuisances took their part");
-  app.add_option("--plan", options.plan, "eight-pose or paper")->capture_default_str();
+  app.add_option("--plan", options.plan, "eight-pose, paper or figures")->capture_default_str();
   app.add_option("--samples", options.samples, "of a run")->capture_default_str();
   app.add_option("--noise", options.colour, "white, mixed or red")
       ->transform(CLI::CheckedTransformer(std::map<std::string, truth::Colour>{
@@ -34,6 +34,9 @@ int main(int argc, char** argv) {
                                                     {"root", truth::FrictionLaw::root},
                                                     {"dahl", truth::FrictionLaw::dahl},
                                                     {"stribeck", truth::FrictionLaw::stribeck}}));
+  app.add_option(
+      "--programs", options.programs,
+      "folder with ID.jsonl for each run of the plan: what plumbline trace says of the program to run instead");
   app.add_flag("--quick", quick, "do not look for effects that look alike");
   app.add_option("-o", out, "folder")->required();
   CLI11_PARSE(app, argc, argv);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "truth/program.hpp"
+
 namespace truth {
 namespace {
 
@@ -106,8 +108,14 @@ MeasuredRun measured_with_noise(const DrawnCase& drawn, const PlannedRun& planne
   std::normal_distribution<double> normal;
   const Vec off = kBallOff * Vec(normal(random), normal(random), normal(random));
   const double bar = kBarOff * normal(random);
-  MeasuredRun run{planned, measured(drawn.truth, planned, drawn.options.law, off, bar)};
   const CaseOptions& o = drawn.options;
+  MeasuredRun run{planned, {}};
+  if (o.programs.empty()) {
+    run.samples = measured(drawn.truth, planned, o.law, off, bar);
+  } else {
+    const Program program = read_program(o.programs + "/" + planned.id + ".jsonl");
+    run.samples = measured_on(drawn.truth, planned, program.path, program.seconds, o.law, off, bar);
+  }
   const auto some = [&](double sigma) { return noise(run.samples.size(), sigma, o.colour, o.memory, random); };
   const std::vector<double> radial = some(o.radial_noise);
   for (std::size_t i = 0; i < run.samples.size(); ++i) {
@@ -142,6 +150,7 @@ DrawnCase draw_case(const CaseOptions& options) {
   for (const PlannedRun& run : plan_of(options.plan, options.samples)) {
     drawn.data.push_back(measured_with_noise(drawn, run, random));
   }
+  if (!options.programs.empty()) return drawn;
   for (const PlannedRun& run : holdout(options.samples)) {
     drawn.holdout.push_back(measured_with_noise(drawn, run, random));
   }

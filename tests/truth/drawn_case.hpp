@@ -21,6 +21,7 @@ struct CaseOptions {
   double memory = 0.7;
   double radial_noise = 0.5e-6, torque_noise = 0.05;  // m, N m
   FrictionLaw law = FrictionLaw::tanh;
+  std::string programs;     // folder with a trace ID.jsonl for each run, to be run in place of the circles
   bool look_alikes = true;  // say what the rest of the catalogue makes of it: takes a second
 };
 

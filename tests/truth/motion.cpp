@@ -10,13 +10,13 @@ constexpr double kBristle = 4e-6;        // m of travel over which friction turn
 constexpr double kStribeckShare = 0.15;  // more at rest
 constexpr double kStribeckSpeed = 2e-3;  // m/s
 
+}  // namespace
+
 Rotation turned(const Vec& abc) {
   return (Eigen::AngleAxisd(abc.z(), Vec::UnitZ()) * Eigen::AngleAxisd(abc.y(), Vec::UnitY()) *
           Eigen::AngleAxisd(abc.x(), Vec::UnitX()))
       .toRotationMatrix();
 }
-
-}  // namespace
 
 Stand commanded(const Circle& circle, double angle) {
   return {circle.centre + circle.radius * Vec(std::cos(angle), std::sin(angle), 0), turned(circle.abc)};

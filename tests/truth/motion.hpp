@@ -25,6 +25,8 @@ struct Circle {
 
 using Path = std::function<Stand(double seconds)>;
 
+/// Rz(C) Ry(B) Rx(A), rad.
+Rotation turned(const Vec& abc);
 Stand commanded(const Circle& circle, double angle);
 Path path_of(const Circle& circle);
 

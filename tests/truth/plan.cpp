@@ -59,6 +59,17 @@ Plan paper(int samples) {
   return plan;
 }
 
+Plan figures(int samples) {
+  Plan plan;
+  for (const int tilt : {-25, -23, -20, -10, 0, 10, 20}) {
+    plan.push_back(
+        {fmt::format("a{:+03}", tilt), circle({0, 100, -1008}, {static_cast<double>(tilt), 0, 0}, 1, 1000), samples});
+  }
+  plan.push_back({"a-17-b-17", circle({-70, -70, -1008}, {-17, -17, 0}, 1, 1000), samples});
+  set_starts(plan, plan.size());
+  return plan;
+}
+
 Plan holdout(int samples) {
   Plan plan{{"h1", circle({0, 100, -1008}, {-18, 0, 0}, 1, 1000), samples},
             {"h2", circle({-50, 60, -1040}, {12, -12, 0}, -1, 2000), samples},
@@ -73,24 +84,30 @@ Plan holdout(int samples) {
 Plan plan_of(const std::string& name, int samples) {
   if (name == "eight-pose") return eight_poses(samples);
   if (name == "paper") return paper(samples);
-  throw std::runtime_error("no plan is called " + name + ": eight-pose, paper");
+  if (name == "figures") return figures(samples);
+  throw std::runtime_error("no plan is called " + name + ": eight-pose, paper, figures");
 }
 
-Samples measured(const Truth& truth, const PlannedRun& run, FrictionLaw law, const Vec& ball_off, double bar_off) {
+Samples measured_on(const Truth& truth, const PlannedRun& run, const Path& path, double seconds, FrictionLaw law,
+                    const Vec& ball_off, double bar_off) {
   const Circle& circle = run.circle;
   const double piece = 1e-4 * circle.radius / circle.feed;
-  Follower follower(truth.machine, path_of(circle), piece, law);
+  Follower follower(truth.machine, path, piece, law);
   Samples samples(static_cast<std::size_t>(run.samples));
   for (std::size_t i = 0; i < samples.size(); ++i) {
     Sample& s = samples[i];
     const double part = static_cast<double>(i) / run.samples;
-    s.seconds = part * circle.seconds();
+    s.seconds = part * seconds;
     s.angle = circle.turn > 0 || i == 0 ? 2 * M_PI * part : 2 * M_PI * (1 - part);
     s.moment = follower.at(s.seconds, circle.start, circle.payload);
     s.standing = settled(truth, s.moment);
     s.reading = reading_at(truth, s.standing.at, s.moment, circle.ball() + ball_off, circle.bar + bar_off);
   }
   return samples;
+}
+
+Samples measured(const Truth& truth, const PlannedRun& run, FrictionLaw law, const Vec& ball_off, double bar_off) {
+  return measured_on(truth, run, path_of(run.circle), run.circle.seconds(), law, ball_off, bar_off);
 }
 
 }  // namespace truth

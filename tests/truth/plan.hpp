@@ -21,7 +21,9 @@ Plan eight_poses(int samples);
 Plan paper(int samples);
 /// Other poses, feeds and directions, to look at what was found.
 Plan holdout(int samples);
-/// By name: eight-pose, paper. Throws std::runtime_error for another.
+/// The circles of Fig. 8 and 9: seven tilts at one place, and a place with two.
+Plan figures(int samples);
+/// By name: eight-pose, paper, figures. Throws std::runtime_error for another.
 Plan plan_of(const std::string& name, int samples);
 
 /// Moments of a run, where the machine stands at each, and what it reads there.
@@ -34,6 +36,9 @@ struct Sample {
 };
 using Samples = std::vector<Sample>;
 
+/// On a path that takes so long in place of the circle itself.
+Samples measured_on(const Truth& truth, const PlannedRun& run, const Path& path, double seconds, FrictionLaw law,
+                    const Vec& ball_off, double bar_off);
 Samples measured(const Truth& truth, const PlannedRun& run, FrictionLaw law, const Vec& ball_off, double bar_off);
 
 }  // namespace truth

@@ -1,0 +1,50 @@
+// Programs as the stand-in runs them.
+#include "truth/program.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "support/scratch.hpp"
+
+using plumbline::testing::Scratch;
+
+namespace {
+
+const std::string kRapid =
+    R"({"motion": "rapid", "machine": [144, 100, -1008, -25, 0, 0], "feed": 0, "feed_mode": "G94"})"
+    "\n";
+
+}  // namespace
+
+TEST_CASE("an arc of a full turn is run as the circle of a circular test") {
+  const Scratch scratch;
+  const truth::Program program = truth::read_program(scratch.file(
+      "a.jsonl",
+      kRapid +
+          R"({"motion": "arc", "machine": [144, 100, -1008, -25, 0, 0], "feed": 1000, "feed_mode": "G94", "plane": "G17", "centre": [0, 100, -1008], "turns": 1})" +
+          "\n"));
+  const truth::Circle circle{{0, 0.1, -1.008}, 0.144, 0.15, {-25 * M_PI / 180, 0, 0}, 1, 1.0 / 60};
+  CHECK(program.seconds == Approx(circle.seconds()));
+  const truth::Path path = truth::path_of(circle);
+  for (const double t : {0.0, 7.0, 30.0, 54.0}) {
+    CHECK((program.path(t).x - path(t).x).norm() < 1e-12);
+    CHECK(program.path(t).R.isApprox(path(t).R, 1e-12));
+  }
+}
+
+TEST_CASE("straight moves take the time that their feed gives, by its mode") {
+  const Scratch scratch;
+  const truth::Program program = truth::read_program(scratch.file(
+      "a.jsonl",
+      kRapid + R"({"motion": "feed", "machine": [144, 130, -968, -25, 0, 0], "feed": 600, "feed_mode": "G94"})" + "\n" +
+          R"({"motion": "feed", "machine": [144, 130, -968, -20, 0, 0], "feed": 30, "feed_mode": "G93"})" + "\n"));
+  CHECK(program.seconds == Approx(5 + 2));
+  CHECK((program.path(2.5).x - truth::Vec(0.144, 0.115, -0.988)).norm() < 1e-12);
+  CHECK(program.path(6).R.isApprox(truth::turned({-22.5 * M_PI / 180, 0, 0}), 1e-12));
+}
+
+TEST_CASE("what the stand-in does not run it does not skip") {
+  const Scratch scratch;
+  CHECK_THROWS_AS(truth::read_program(scratch.file("a.jsonl", kRapid)), std::runtime_error);
+  CHECK_THROWS_AS(truth::read_program(scratch.file("b.jsonl", R"({"motion": "probe", "machine": [0,0,0,0,0,0]})")),
+                  std::runtime_error);
+}
