@@ -173,6 +173,13 @@ void OutputFile::flush() {
   buffer_.clear();
 }
 
+void OutputFile::restart() {
+  buffer_.clear();
+  size_ = 0;
+  if (hash_) hash_ = fnv1a({});
+  if (ftruncate(descriptor_, 0) != 0 || lseek(descriptor_, 0, SEEK_SET) < 0) refuse_write(errno);
+}
+
 void OutputFile::commit() {
   PLUMBLINE_CHECK(descriptor_ >= 0);
   flush();

@@ -62,6 +62,8 @@ class OutputFile {
   void keep_hash() { hash_ = fnv1a({}); }
   std::uint64_t hash() const { return hash_.value_or(0); }
   const std::string& name() const { return path_; }
+  /// Forgets all that was written.
+  void restart();
   void commit();
 
  private:

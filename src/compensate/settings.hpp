@@ -19,6 +19,8 @@ struct Settings {
   path::StepSettings step;
   /// The sign of a strut's speed is smoothed over this share of the feed, so that a compensated path has no steps.
   double sign_width_of_feed = 0.01;
+  /// What a correction may vary along a hole whose cycle is shifted as a whole (G74, G84, G86 to G88).
+  double cycle_tolerance_mm = 0.005;
   /// Where the work offset was probed on the sagging machine: pose in W, mm and deg. Its error is added to the offset.
   std::optional<AxisWords> touch_off;
 };

@@ -52,6 +52,12 @@ struct Summary {
   std::uint64_t bytes_before = 0;
   std::uint64_t bytes_after = 0;
   bool identical = true;  // nothing had to change
+  bool unrolled = false;  // written as a program without loops, subprograms and parameters
+  struct InlinedFile {
+    std::string name;
+    std::uint64_t hash = 0;
+  };
+  std::vector<InlinedFile> inlined_files;  // of subprograms that stand in the output now
   std::vector<Diagnostic> warnings;
 };
 

@@ -163,6 +163,11 @@ constexpr std::array kRows{
               "share of a block's time that may change before its F is written anew (default 0.001)",
               OptionGroup::compensation, false, false,
               [](Options& o, Text t) { o.time_tolerance = number_in(t, 0, 1, "a share of the time, 0 to 1"); }},
+    OptionRow{
+        "cycle-tolerance", "MM",
+        "what the correction may vary along a hole of G74, G84, G86, G87 or G88, which stay cycles (default 0.005 mm)",
+        OptionGroup::compensation, false, false,
+        [](Options& o, Text t) { o.compensation.cycle_tolerance_mm = number_in(t, 0, 100, "mm, 0 to 100"); }},
     OptionRow{"guard", "",
               "put a block at the start that stops the control when its offsets differ from those given here",
               OptionGroup::compensation, false, false, [](Options& o, Text t) { o.guard = on_or_off(t); }},

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/hash.hpp"
 #include "base/units.hpp"
 #include "jobs/text_table.hpp"
 #include "jobs/version.hpp"
@@ -35,6 +36,12 @@ std::string axis_list(AxisSet axes) {
 void add_counts(TextTable& table, const Summary& s) {
   table.add("blocks", fmt::format("{} read, {} moves changed of {}", count_text(s.blocks), count_text(s.changed_blocks),
                                   count_text(s.moves)));
+  if (s.unrolled) {
+    table.add("form", "unrolled: loops and subprograms written out as they are executed, parameters as values");
+  }
+  for (const Summary::InlinedFile& file : s.inlined_files) {
+    table.add("subprograms from", fmt::format("{} (hash {})", file.name, to_hex(file.hash)));
+  }
   if (s.passed_moves > 0) table.add("left as they stand", fmt::format("{} moves", count_text(s.passed_moves)));
   table.add("points", count_text(s.points));
 }
@@ -135,10 +142,16 @@ std::string summary_json(const Summary& s, const Options& options) {
   for (const Axis axis : kAllAxes) {
     if (s.assumed_at_zero.contains(axis)) assumed.push_back(std::string(1, letter(axis)));
   }
+  Json inlined = Json::array();
+  for (const Summary::InlinedFile& file : s.inlined_files) {
+    inlined.push_back({{"name", file.name}, {"hash", to_hex(file.hash)}});
+  }
   Json json{
       {"plumbline", "compensation 1"},
       {"version", version()},
       {"identical", s.identical},
+      {"unrolled", s.unrolled},
+      {"inlined_files", inlined},
       {"blocks", s.blocks},
       {"moves", s.moves},
       {"changed_blocks", s.changed_blocks},

@@ -28,6 +28,10 @@ enum Code {
   kBoreDwell
 };
 
+bool works_spindle(int code) {
+  return code == kLeftTapping || code == kTapping || code == kBoreStop || code == kBackBore || code == kBoreByHand;
+}
+
 // A cycle at one hole after the other.
 class CycleRun {
  public:
@@ -146,10 +150,24 @@ void CycleRun::hole(bool first) {
     first_ = there[0];
     second_ = there[1];
   }
+  Hole hole;
+  hole.approach_begin = run_.holes.empty() ? 0 : run_.holes.back().end;
   const double level = first && level_ > r_ ? level_ : clear_;
   along(MotionKind::rapid, level);
+  hole.approach_end = run_.motions.size();
   if (level != r_) along(MotionKind::rapid, r_);
+  hole.begin = run_.motions.size();
   at_hole();
+  hole.end = run_.motions.size();
+  hole.code = code_;
+  hole.clear = clear_;
+  hole.first = first_;
+  hole.second = second_;
+  hole.r = r_;
+  hole.bottom = bottom_;
+  if (run_.motion->word_mask & letter_bit('P')) hole.dwell_s = cycle_.dwell_s;
+  if (code_ == kBackBore) hole.ijk = {cycle_.ijk[0], cycle_.ijk[1], offset_level_};
+  run_.holes.push_back(hole);
 }
 
 void CycleRun::at_hole() {
@@ -243,7 +261,9 @@ void move_in_cycle(Execution& run) {
   check(run);
   run.control.known = run.control.modal.incremental ? run.control.known : run.control.known | run.axes;
   run.step.role = BlockRole::cycle;
+  run.step.cycle = works_spindle(run.motion->value) ? CycleForm::spindle : CycleForm::moves;
   CycleRun(run).make();
+  run.step.holes = run.holes;
   run.control.motion_row = run.motion;
   run.control.modal.motion = MotionMode::cycle;
   if (run.motion->loses_position) lose_position(run, AxisSet{Axis::X, Axis::Y, Axis::Z});

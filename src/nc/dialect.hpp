@@ -75,7 +75,10 @@ enum class Action : std::uint8_t {
   forget_modes,
   restore_modes,
   save_modes_of_call,
-  no_motion,  // changes nothing that motion depends on
+  no_motion,        // changes nothing that motion depends on
+  spindle,          // M3, M4, M5
+  coolant,          // M7, M8, M9
+  override_switch,  // M48 to M53
   feed_word,
   speed_word,
   tool_word,  // F, S and T, which take their turn among the codes

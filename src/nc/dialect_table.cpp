@@ -70,6 +70,9 @@ constexpr std::array kActions{
     ActionName{"restore_modes", Action::restore_modes},
     ActionName{"save_modes_of_call", Action::save_modes_of_call},
     ActionName{"no_motion", Action::no_motion},
+    ActionName{"spindle", Action::spindle},
+    ActionName{"coolant", Action::coolant},
+    ActionName{"override", Action::override_switch},
 };
 
 constexpr std::array kFeedRules{

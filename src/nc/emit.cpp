@@ -23,16 +23,19 @@ bool shifts_words(const Step& step, const AxisWords& shift) {
 
 }  // namespace
 
-Emitter::Emitter(const InputFile& source, const Dialect& dialect, EmitSettings settings, OutputFile& out)
+Emitter::Emitter(const InputFile& source, const Dialect& dialect, EmitSettings settings, OutputFile& out, Form form)
     : source_(source),
       dialect_(dialect),
       settings_(std::move(settings)),
       out_(out),
       planner_(dialect_, settings_),
       codes_(dialect_),
-      writer_(codes_) {}
+      writer_(codes_),
+      form_(form),
+      changed_(form == Form::unrolled) {}
 
 std::string_view Emitter::line_end(const Step& step) const {
+  if (unrolls()) return newline_;
   return step.block->line_end.empty() ? std::string_view(newline_) : step.block->line_end;
 }
 
@@ -52,7 +55,9 @@ void Emitter::note_header(const Step& step) {
   const Block& block = *step.block;
   spelling_ = spelling_of(block, spelling_);
   source_end_ = block.offset + block.text.size() + block.line_end.size();
-  if (!block.line_end.empty()) newline_ = block.line_end;
+  if (!block.line_end.empty() && (in_header_ || !unrolls())) newline_ = block.line_end;
+  if (block.kind == LineKind::percent) ++percents_;
+  tool_ = step.frame->tool;
   if (!in_header_) return;
   const bool blank =
       block.words.empty() && block.comments.empty() && block.settings.empty() && block.kind == LineKind::block;
@@ -62,6 +67,7 @@ void Emitter::note_header(const Step& step) {
     header_end_ = source_end_;
   } else if (!blank) {
     in_header_ = false;
+    if (unrolls()) write_stamp();
   }
 }
 
@@ -76,9 +82,11 @@ void Emitter::write_stamp() {
 
 // Nothing was written as long as nothing had to change; now the text up to this block goes out, the stamp in it.
 void Emitter::begin_change(const Step& step) {
+  if (unrolls()) return write_entries();
   in_header_ = false;
   if (changed_) return;
   changed_ = true;
+  if (only_looks_) return;
   copy_source(0, header_end_);
   write_stamp();
   if (undo_ != nullptr) undo_->replaced(header_end_, out_.size() - header_end_, {});
@@ -95,7 +103,7 @@ void Emitter::begin_change(const Step& step) {
 
 // What was written since `begin` stands for the block, unless it is the block.
 void Emitter::note_replaced(const Step& step, std::uint64_t begin) {
-  if (undo_ == nullptr) return;
+  if (undo_ == nullptr || grouping_ || unrolls()) return;
   const Block& block = *step.block;
   const std::uint64_t size = out_.size() - begin;
   if (size == block.text.size() + block.line_end.size() && line_ == block.text) return;
@@ -147,7 +155,7 @@ void Emitter::copy(const Step& step) {
   const bool motion_missing = changed_ && !step.motions.empty() && codes.motion == nullptr &&
                               control_.motion != step.after->motion && step.role == BlockRole::plain &&
                               step.motions.front().kind != MotionKind::dwell;
-  if (offset_words) begin_change(step);
+  if (offset_words || unrolls()) begin_change(step);
   if (changed_) {
     const std::uint64_t begin = out_.size();
     restore_feed_state(step, codes.feed != nullptr);
@@ -162,7 +170,7 @@ void Emitter::copy(const Step& step) {
     line_.clear();
     editor_.apply(line_);
     write_line(step, line_);
-    out_.write(block.line_end);
+    out_.write(unrolls() ? newline_ : block.line_end);
     note_replaced(step, begin);
   }
   control_.follow(step, codes.motion != nullptr, codes.feed_mode != nullptr, codes.feed != nullptr);
@@ -204,13 +212,14 @@ void Emitter::copy_with_choice_applied(const Step& step) {
     editor_.replace(block.slash, "");
     editor_.apply(text);
   }
+  if (unrolls()) begin_change(step);
   if (!changed_) {
-    before_change_.push_back({block.offset, std::string(block.text), text});
+    if (!only_looks_) before_change_.push_back({block.offset, std::string(block.text), text});
   } else {
     const std::uint64_t begin = out_.size();
     if (!step.skipped) restore_feed_state(step, find_word(block, 'F') != nullptr);
     write_line(step, text);
-    out_.write(block.line_end);
+    out_.write(unrolls() ? newline_ : block.line_end);
     line_ = text;
     note_replaced(step, begin);
   }
@@ -240,15 +249,29 @@ EmittedMove Emitter::move(const Step& step, std::span<const CorrectedPoint> poin
       writer_.append_further(line_, step, pieces[i], spelling_, is_last);
     }
     write_line(step, line_);
-    out_.write(is_last ? step.block->line_end : line_end(step));
+    out_.write(is_last && !unrolls() ? step.block->line_end : line_end(step));
   }
   note_replaced(step, begin);
   control_.motion = step.motions.front().kind == MotionKind::rapid ? MotionMode::rapid : MotionMode::feed;
   return {true, static_cast<int>(pieces.size()), planner_.seconds(), planner_.rounding_mm()};
 }
 
+void Emitter::begin_group(const Step& step) {
+  note_header(step);
+  begin_change(step);
+  grouping_ = true;
+  group_begin_ = out_.size();
+}
+
+void Emitter::end_group(const Step& step) {
+  grouping_ = false;
+  line_.clear();
+  note_replaced(step, group_begin_);
+}
+
 void Emitter::finish() {
   if (!changed_) copy_source(0, source_.size());
+  if (unrolls() && percents_ == 1) out_.write("%" + newline_);
 }
 
 }  // namespace plumbline::nc

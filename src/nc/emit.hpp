@@ -26,14 +26,53 @@ struct EmittedMove {
   double rounding_mm = 0;         // largest distance between a point as the control keeps it and as it was asked
 };
 
-/// The rules that it keeps are numbered in docs/rewriting.md: 3, 5, 13-15, 17, 19.
+enum class Form : std::uint8_t {
+  in_text_order,  // the source with its changed blocks replaced: the steps come in the order of the text
+  unrolled,       // every block as it is executed, without parameters: no line of it steers
+};
+
+/// A file of subprograms that stands in the output now.
+struct InlinedFile {
+  std::string name;
+  std::uint64_t hash = 0;
+};
+
+/// The rules that it keeps are numbered in docs/rewriting.md: 3, 5, 13-19.
 class Emitter {
  public:
-  /// All must outlive it. `source` is the file that the steps come from.
-  Emitter(const InputFile& source, const Dialect& dialect, EmitSettings settings, OutputFile& out);
+  /// All must outlive it. `source` is the file that the steps come from. Unrolled, the steps are those of PlainSteps.
+  Emitter(const InputFile& source, const Dialect& dialect, EmitSettings settings, OutputFile& out,
+          Form form = Form::in_text_order);
 
   /// Notes what the output replaces; to be called before the first block. `log` must outlive the emitter.
   void record(UndoLog& log) { undo_ = &log; }
+
+  /// From here on what is written does not matter, only whether changed(): the steps left the order of the text.
+  void only_look() { only_looks_ = true; }
+
+  /// Unrolled: a line that steers the program, or keeps or restores modes. A comment says what is entered; modes that
+  /// come back are written as the codes that bring them back. Refuses with emit-modes.
+  void steer(const Step& step);
+
+  /// True if a move through `points` may stay as it stands.
+  bool stays(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable) {
+    return planner_.stays(step, points, writable, control_);
+  }
+  /// True if a shift is none as the words of the block are written.
+  bool rounds_to_zero(const Step& step, const AxisWords& shift, AxisSet writable) const {
+    return planner_.rounds_to_zero(step, shift, writable);
+  }
+  /// True if the control stands where the original has it, as far as it can tell.
+  bool stands_true(const Step& step, AxisSet writable) const {
+    return planner_.rounds_to_zero(step, control_.work_shift(*step.frame), writable);
+  }
+
+  /// What is written between these two stands for the block of `step`.
+  void begin_group(const Step& step);
+  void end_group(const Step& step);
+
+  /// A hole of a cycle that stays one (PlainSteps::moves), shifted by `shift` in X, Y and Z, in mm of the work system.
+  EmittedMove hole(const Step& step, const AxisWords& shift);
 
   /// Passes a block through: no correction. Its axis words are changed only where they tell the control where it
   /// stands (G92), so that it ends with the offset that the original gives. Refuses with emit-stores-position.
@@ -50,6 +89,7 @@ class Emitter {
 
   bool changed() const { return changed_; }
   const OutputState& control() const { return control_; }
+  const std::vector<InlinedFile>& inlined() const { return inlined_; }
 
  private:
   struct Replacement {  // of a whole block's text, before anything else of the program was changed
@@ -58,7 +98,21 @@ class Emitter {
     std::string text;
   };
 
+  struct Pending {  // an entry whose first block was not met yet
+    FlowEntry::Kind kind;
+    std::string name;
+    std::size_t line;
+    std::string text;
+  };
+
+  bool unrolls() const { return form_ == Form::unrolled; }
   void note_header(const Step& step);
+  void note_entry(const FlowEntry& entry);
+  std::string entry_text(const FlowEntry& entry);
+  void write_entries();
+  void restore_modes(const Step& step);
+  void restore_switches(const Switches& was, const Switches& is);
+  void write_words(std::string text);
   void begin_change(const Step& step);
   void copy_source(std::uint64_t from, std::uint64_t to);
   void write_stamp();
@@ -78,7 +132,15 @@ class Emitter {
   PiecePlanner planner_;
   CodeWriter codes_;
   PieceWriter writer_;
+  Form form_;
   UndoLog* undo_ = nullptr;
+  bool only_looks_ = false;
+  bool grouping_ = false;
+  std::uint64_t group_begin_ = 0;
+  int percents_ = 0;
+  AxisWords tool_;  // length that the output has in force
+  std::vector<Pending> entries_;
+  std::vector<InlinedFile> inlined_;
   bool changed_ = false;
   bool in_header_ = true;
   std::uint64_t header_end_ = 0;

@@ -23,16 +23,27 @@ void BlockCodes::add_after_motion(const Word& word) {
 
 CodeWriter::CodeWriter(const Dialect& dialect)
     : dialect_(dialect),
-      motion_{text_of("motion_off"), text_of("rapid"), text_of("feed"), text_of("arc_cw"), text_of("arc_ccw")},
+      motion_{text_of("motion_off"), text_of("rapid"), text_of("feed"), text_of("arc_cw"), text_of("arc_ccw"), {}},
       feed_mode_{text_of("inverse_time"), text_of("per_minute"), text_of("per_revolution")},
-      path_control_{text_of("exact_path"), text_of("exact_stop"), text_of("continuous")} {}
+      path_control_{text_of("exact_path"), text_of("exact_stop"), text_of("continuous")},
+      dwell_(text_of("dwell")),
+      distance_{text_of("absolute"), text_of("incremental")} {}
 
-std::string CodeWriter::text_of(std::string_view meaning) const {
-  for (const CodeRow& row : dialect_.g_codes) {
-    if (row.meaning != meaning) continue;
-    return row.code % 10 == 0 ? fmt::format("G{}", row.code / 10) : fmt::format("G{}.{}", row.code / 10, row.code % 10);
+std::string CodeWriter::text_of(std::string_view meaning, std::optional<int> value) const {
+  for (const auto* rows : {&dialect_.g_codes, &dialect_.m_codes}) {
+    const char letter = rows == &dialect_.g_codes ? 'G' : 'M';
+    for (const CodeRow& row : *rows) {
+      if (row.meaning != meaning || (value && row.value != *value)) continue;
+      return row.code % 10 == 0 ? fmt::format("{}{}", letter, row.code / 10)
+                                : fmt::format("{}{}.{}", letter, row.code / 10, row.code % 10);
+    }
   }
   return {};
+}
+
+bool CodeWriter::is_motion(const Word& word) const {
+  const CodeRow* row = word.letter == 'G' ? row_of(word) : nullptr;
+  return row != nullptr && row->group == kMotionGroup;
 }
 
 const CodeRow* CodeWriter::row_of(const Word& word) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,16 +39,24 @@ class CodeWriter {
   std::string_view motion(MotionMode mode) const { return motion_[static_cast<std::size_t>(mode)]; }
   std::string_view feed_mode(FeedMode mode) const { return feed_mode_[static_cast<std::size_t>(mode)]; }
   std::string_view path_control(PathControl control) const { return path_control_[static_cast<std::size_t>(control)]; }
+  std::string_view dwell() const { return dwell_; }
+  std::string_view distance(bool incremental) const { return distance_[incremental ? 1 : 0]; }
+  std::string cycle(int value) const { return text_of("cycle", value); }
+  /// The code that means this; of several the one with that value.
+  std::string text_of(std::string_view meaning, std::optional<int> value = std::nullopt) const;
+  /// True of a code of the group of motions.
+  bool is_motion(const Word& word) const;
   /// True if a code of the block other than its motion takes this letter.
   bool other_code_takes(const Block& block, char letter) const;
 
  private:
   const CodeRow* row_of(const Word& word) const;
-  std::string text_of(std::string_view meaning) const;
   const Dialect& dialect_;
-  std::array<std::string, 5> motion_;
+  std::array<std::string, 6> motion_;
   std::array<std::string, 3> feed_mode_;
   std::array<std::string, 3> path_control_;
+  std::string dwell_;
+  std::array<std::string, 2> distance_;
 };
 
 }  // namespace plumbline::nc

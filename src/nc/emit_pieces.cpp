@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kAlikeSpeeds = 0.02;  // pieces of a block whose speeds differ less share one F
 constexpr double kLargestWord = 1e6;   // with nine decimals this still is exact in a double
+constexpr double kArcStart = 1e-7;     // mm
 constexpr double kLeastFeed = 1e-6;
 constexpr double kLargestFeed = 1e12;
 constexpr double kMoves = 0.25;  // of a quantum: less than this is the noise of adding and taking away offsets
@@ -67,18 +68,34 @@ bool PiecePlanner::stays(const Step& step, std::span<const CorrectedPoint> point
                          const OutputState& control) const {
   const AxisWords standing = control.work_shift(*step.frame);
   const Motion& motion = step.motions.front();
-  const bool starts_matter = step.after->incremental || motion.kind == MotionKind::arc;
+  const bool arc = motion.kind == MotionKind::arc;
+  const bool starts_matter = step.after->incremental || step.polar || arc;
   for (const Axis axis : kAllAxes) {
     if (!writable.contains(axis)) continue;
     const Grid g = grid(step, axis);
     const double half = g.quantum * g.per_unit / 2;
     const bool keeps_start = starts_matter || !step.named.contains(axis);
-    if (keeps_start && motion.known_before.contains(axis) && std::abs(standing[axis]) >= half) return false;
+    // An arc may be none at all where its start is a little off its end.
+    const double allowed = arc ? std::min(half, kArcStart) : half;
+    if (keeps_start && motion.known_before.contains(axis) && std::abs(standing[axis]) >= allowed) return false;
     for (const CorrectedPoint& point : points) {
       if (std::abs(point.shift[axis]) >= half) return false;
     }
   }
   return true;
+}
+
+bool PiecePlanner::rounds_to_zero(const Step& step, const AxisWords& shift, AxisSet writable) const {
+  return std::all_of(kAllAxes.begin(), kAllAxes.end(), [&](Axis axis) {
+    const Grid g = grid(step, axis);
+    return !writable.contains(axis) || std::abs(shift[axis]) < g.quantum * g.per_unit / 2;
+  });
+}
+
+double PiecePlanner::rounded(const Step& step, Axis axis, double value) const {
+  check_word(step, value);
+  const Grid g = grid(step, axis);
+  return from_ticks(to_ticks(std::round(value / g.quantum) * g.quantum, g.digits), g.digits);
 }
 
 std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,

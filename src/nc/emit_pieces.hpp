@@ -54,6 +54,12 @@ class PiecePlanner {
   bool stays(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
              const OutputState& control) const;
 
+  /// True if a shift is none, as the words of the block are written, in every axis that may be.
+  bool rounds_to_zero(const Step& step, const AxisWords& shift, AxisSet writable) const;
+
+  /// A word of the program's unit as it can be written and kept.
+  double rounded(const Step& step, Axis axis, double value) const;
+
   /// The pieces of a move; control is left as after the last of them. Pieces in which nothing moves are joined.
   std::span<Piece> plan(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
                         std::optional<double> seconds, OutputState& control);

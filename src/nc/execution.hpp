@@ -38,6 +38,7 @@ struct Execution {
   Step step = {};
   ProgramCall call = {};
   std::vector<Motion> motions = {};
+  std::vector<Hole> holes = {};  // of a cycle
 
   [[noreturn]] void refuse(const Word& word, std::string_view code, std::string message, std::string help) const;
   /// Refuses with the first word of the block under the caret.

@@ -70,7 +70,7 @@ bool FlowControl::take(const Block& block) {
       give_back(block, label);
       return true;
     case FlowWord::call:
-      enter(block, {label, file_, files_[file_]->lines.place(), false, 0});
+      enter(block, {label, file_, files_[file_]->lines.place()});
       return true;
     default:
       used_ = true;
@@ -91,7 +91,7 @@ bool FlowControl::define(const Block& block, const std::string& label) {
   if (by_number && !seeks_subprogram_) return true;
   used_ = true;
   if (seeks_subprogram_ || !called()) {
-    const Target here{block.flow.word, file_, place_of_line(block), -1};
+    const Target here{block.flow.word, file_, place_of_line(block)};
     if (!targets_.try_emplace(label, here).second) {
       refuse_flow(block, codes::kFlowLabel, "this subprogram was called or defined before",
                   "define it once, before the first move or behind the end of the program (M2)");
@@ -120,8 +120,16 @@ void FlowControl::enter(const Block& block, Call call) {
   }
   skip_.clear();
   interpreter_.enter_subprogram(!call.by_number, arguments);
+  call.line = block.line;
   calls_.push_back(std::move(call));
   go_to_subprogram(block, calls_.back().name);
+  note_call();
+}
+
+void FlowControl::note_call() {
+  const Call& call = calls_.back();
+  entry_ = {FlowEntry::Kind::call, call.name, {}, call.line, call.pass};
+  if (file_ != 0) entry_.file = file();
 }
 
 void FlowControl::go_to_subprogram(const Block& block, const std::string& name) {
@@ -154,7 +162,9 @@ bool FlowControl::end_program(const Block& block) {
   }
   if (calls_.back().remaining > 0) {
     --calls_.back().remaining;
+    ++calls_.back().pass;
     go_to(targets_.at(calls_.back().name));
+    note_call();
   } else {
     leave(block);
   }

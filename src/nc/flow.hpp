@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "base/diagnostic.hpp"
@@ -39,6 +40,8 @@ class FlowControl {
   void call_program(const Block& block, int number, int count);
   /// M99; false: this is the main program, which ends here.
   bool end_program(const Block& block);
+  /// What the line just taken enters; names hold until the next line is taken.
+  FlowEntry take_entry() { return std::exchange(entry_, {}); }
 
  private:
   struct File {
@@ -50,7 +53,8 @@ class FlowControl {
     FlowWord word = FlowWord::none;
     std::size_t file = 0;
     LinePlace place;
-    int remaining = -1;  // passes of a repeat; -1: not begun
+    int remaining = -1;      // passes of a repeat; -1: not begun
+    std::uint64_t pass = 0;  // of the loop that is being executed
   };
   struct Call {
     std::string name;
@@ -58,6 +62,8 @@ class FlowControl {
     LinePlace place;
     bool by_number = false;  // M98
     int remaining = 0;       // further calls of the same block
+    std::size_t line = 0;    // of the call
+    std::uint64_t pass = 1;
   };
 
   std::string label_of(const Block& block);
@@ -75,6 +81,8 @@ class FlowControl {
   void branch(const Block& block, const std::string& label);
   void end_loop(const Block& block, const std::string& label);
   bool condition(const Block& block);
+  void note_call();
+  void note_pass(Target& loop);
   LinePlace place_of_line(const Block& block) const { return {block.offset, block.line}; }
 
   Interpreter& interpreter_;
@@ -91,6 +99,8 @@ class FlowControl {
   bool breaking_ = false;
   bool continuing_ = false;
   bool used_ = false;
+  bool jumps_back_ = false;  // to the begin of a loop
+  FlowEntry entry_;
 };
 
 }  // namespace plumbline::nc

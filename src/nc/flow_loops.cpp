@@ -20,8 +20,14 @@ namespace {
 
 }  // namespace
 
+// The loop is entered, or begins again where it jumped back.
+void FlowControl::note_pass(Target& loop) {
+  loop.pass = std::exchange(jumps_back_, false) ? loop.pass + 1 : 1;
+  entry_ = {FlowEntry::Kind::pass, {}, {}, loop.place.line, loop.pass};
+}
+
 FlowControl::Target& FlowControl::begin_loop(const Block& block, const std::string& label) {
-  Target& target = targets_.try_emplace(label, Target{block.flow.word, file_, place_of_line(block), -1}).first->second;
+  Target& target = targets_.try_emplace(label, Target{block.flow.word, file_, place_of_line(block)}).first->second;
   if (target.file != file_ || target.place.line != block.line) {
     refuse_label(block, fmt::format("this label stands in line {} already", target.place.line));
   }
@@ -42,7 +48,7 @@ void FlowControl::steer(const Block& block, const std::string& label) {
   switch (block.flow.word) {
     case FlowWord::begin_do: {
       skip_.clear();
-      targets_.try_emplace(label, Target{FlowWord::begin_do, file_, place_of_line(block), -1});
+      note_pass(targets_.try_emplace(label, Target{FlowWord::begin_do, file_, place_of_line(block)}).first->second);
       return;
     }
     case FlowWord::repeat: {
@@ -52,7 +58,12 @@ void FlowControl::steer(const Block& block, const std::string& label) {
         const double count = interpreter_.value_of(block, block.flow.values.front(), block.flow.span);
         target.remaining = static_cast<int>(std::lround(std::clamp(count, 0.0, 1e9)));
       }
-      if (target.remaining-- <= 0) skip_to(block, label, "the ENDREPEAT of this loop");
+      if (target.remaining-- <= 0) {
+        skip_to(block, label, "the ENDREPEAT of this loop");
+      } else {
+        note_pass(target);
+      }
+      jumps_back_ = false;
       return;
     }
     case FlowWord::leave:
@@ -77,13 +88,19 @@ void FlowControl::end_loop(const Block& block, const std::string& label) {
   if (block.flow.word == FlowWord::begin_while) {
     const auto at = targets_.find(label);
     const bool ends_do = at != targets_.end() && at->second.word == FlowWord::begin_do;
-    if (!ends_do) begin_loop(block, label);
+    Target& loop = ends_do ? at->second : begin_loop(block, label);
     skip_.clear();
     const bool holds = condition(block);
     if (!ends_do) {
-      if (!holds) skip_to(block, label, "the ENDWHILE of this loop");
+      if (holds) {
+        note_pass(loop);
+      } else {
+        skip_to(block, label, "the ENDWHILE of this loop");
+      }
+      jumps_back_ = false;
     } else if (holds && !breaking_) {
-      go_to(at->second);
+      jumps_back_ = true;
+      go_to(loop);
     } else {
       breaking_ = false;
     }
@@ -95,6 +112,7 @@ void FlowControl::end_loop(const Block& block, const std::string& label) {
     skip_.clear();
     if (!std::exchange(continuing_, false)) return;
   }
+  jumps_back_ = true;
   go_to(target);
 }
 

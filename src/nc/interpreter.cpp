@@ -66,6 +66,7 @@ void Interpreter::begin(const Block& block) {
   before_ = control_.modal;
   run_.block = &block;
   run_.motions.clear();
+  run_.holes.clear();
   run_.axes = AxisSet{};
   run_.words.clear();
   run_.step = Step{};
@@ -157,7 +158,7 @@ void Interpreter::act(const Chosen& chosen) {
         run_.refuse(*chosen.word, codes::kNegative, "the spindle speed is negative",
                     "write S0 or more; M4 turns backwards");
       }
-      control_.spindle_speed = chosen.word->value;
+      control_.spindle_speed = control_.modal.switches.speed = chosen.word->value;
       return;
     case Action::tool_word:
       return select_tool(run_, *chosen.word);
@@ -241,6 +242,9 @@ void Interpreter::act_on_mode(const Chosen& chosen) {
       return;
     case Action::continuous:
       modal.path_control = PathControl::continuous;
+      modal.switches.path_tolerance = run_.words.has('P') ? run_.words.find('P')->value : 0;
+      modal.switches.naive_tolerance =
+          run_.words.has('Q') ? run_.words.find('Q')->value : modal.switches.path_tolerance;
       return;
     case Action::retract_to_start:
     case Action::retract_to_r:

@@ -46,6 +46,24 @@ void read_input(Execution& run) {
   run.control.parameters.set(kInputResult, {0, false});
 }
 
+void switch_coolant(Switches& switches, int code) {
+  if (code == 9) switches.mist = switches.flood = false;
+  if (code == 7) switches.mist = true;
+  if (code == 8) switches.flood = true;
+}
+
+// M48 and M49 switch both overrides; M50 to M53 one each, by P: on unless it is 0.
+void switch_override(const Execution& run, int code) {
+  Switches& switches = run.control.modal.switches;
+  const Word* const word = run.words.find('P');
+  const bool on = word == nullptr || word->value != 0;
+  if (code == 48 || code == 49) switches.feed_override = switches.speed_override = code == 48;
+  if (code == 50) switches.feed_override = on;
+  if (code == 51) switches.speed_override = on;
+  if (code == 52) switches.adaptive_feed = on;
+  if (code == 53) switches.feed_stop = on;
+}
+
 void lose_unless_kept(Execution& run, int code) {
   if (!run.settings.keeps_position.contains(code)) lose_position(run, AxisSet::all());
 }
@@ -94,6 +112,13 @@ void machine_code(Execution& run, const Chosen& chosen) {
     case Action::call_program:
     case Action::end_program:
       return call_program(run, chosen);
+    case Action::spindle:
+      run.control.modal.switches.spindle = chosen.row->value;
+      return;
+    case Action::coolant:
+      return switch_coolant(run.control.modal.switches, chosen.row->value);
+    case Action::override_switch:
+      return switch_override(run, chosen.row->value);
     case Action::end:
       run.control.ended = true;
       return;

@@ -12,6 +12,16 @@ namespace plumbline::nc {
 enum class MotionMode : std::uint8_t { none, rapid, feed, arc_cw, arc_ccw, cycle };  // G80, G0, G1, G2, G3, G73..G89
 enum class PathControl : std::uint8_t { exact_path, exact_stop, continuous };        // G61, G61.1, G64
 
+/// What is switched on or off and moves nothing: M3 to M5, M7 to M9, M48 to M53, G64 P Q, S. M70 and M73 keep it.
+struct Switches {
+  int spindle = 5;  // M3, M4, M5
+  bool mist = false, flood = false;
+  bool feed_override = true, speed_override = true, adaptive_feed = false, feed_stop = true;
+  double path_tolerance = 0, naive_tolerance = 0;  // in the program's unit
+  double speed = 0;
+  bool operator==(const Switches&) const = default;
+};
+
 struct Modal {
   MotionMode motion = MotionMode::none;
   Plane plane = Plane::xy;
@@ -25,6 +35,7 @@ struct Modal {
   double feed = 0;                   // the F in force, in the program's own unit; 0: none. Not used under G93
   int tool_in_spindle = -1;          // after M6 or M61; -1: not known
   int tool_of_offset = -1;           // whose length G43 put in force; -1: none, or not a tool of the table
+  Switches switches;
 };
 
 }  // namespace plumbline::nc

@@ -101,9 +101,10 @@ const Step* Program::Parts::execute() {
   step.jumped = flow.used();
   behind_end = interpreter.ended();
   const ProgramCall& call = interpreter.program_call();
-  step.flow = call.calls || call.ends;
+  step.flow = call.calls || (call.ends && flow.called());
   if (call.calls) flow.call_program(block, call.number, call.count);
   if (call.ends && !flow.end_program(block)) behind_end = true;
+  step.entry = flow.take_entry();
   return &step;
 }
 
@@ -115,6 +116,7 @@ const Step* Program::Parts::steer() {
   Step& step = interpreter.step();
   step.flow = block.flow.word != FlowWord::program || flow.used();
   step.jumped = flow.used();
+  step.entry = flow.take_entry();
   return &step;
 }
 

@@ -30,6 +30,7 @@ void restore_modes(Execution& run, const SavedModes& saved, const Block& block) 
   control.feed_linear = saved.feed_linear;
   control.feed_rotary = saved.feed_rotary;
   control.spindle_speed = saved.spindle_speed;
+  modal.switches = saved.modal.switches;
   if (modal.work_system != saved.modal.work_system) {
     modal.work_system = saved.modal.work_system;
     control.use_active_system();
@@ -58,6 +59,7 @@ void Interpreter::leave_subprogram(const Block& block) {
 }
 
 void Interpreter::act_on_saved_modes(const Chosen& chosen) {
+  run_.step.saves_modes = true;
   switch (chosen.row->action) {
     case Action::forget_modes:
       saved_.back().valid = false;

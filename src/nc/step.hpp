@@ -1,7 +1,10 @@
 // What executing one block did: the hand-over from the interpreter to everything that looks at or rewrites programs.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
+#include <string_view>
 
 #include "nc/block.hpp"
 #include "nc/frame.hpp"
@@ -17,6 +20,34 @@ enum class BlockRole : std::uint8_t {
   sets_offset,      // G92, G10 L20: reads where the control stands; its axis words must make up for the shift
   cycle,            // G73, G81..G89: several moves of one block
   stores_position,  // G28.1, G30.1: stores where the control stands; cannot be made up for
+};
+
+/// Where the program goes on at a subprogram or at another pass of a loop.
+struct FlowEntry {
+  enum class Kind : std::uint8_t { none, call, pass };
+  Kind kind = Kind::none;
+  std::string_view name;   // of the subprogram
+  std::string_view file;   // that it stands in, if that is not the program's own
+  std::size_t line = 0;    // of the call, or of where the loop begins
+  std::uint64_t pass = 1;  // of a loop, or of M98 with L
+};
+
+/// How a cycle may be rewritten.
+enum class CycleForm : std::uint8_t {
+  none,
+  moves,    // G73, G81, G82, G83, G85, G89: its moves are all that it does
+  spindle,  // G74, G84, G86 to G88: it works the spindle as well, so that it stays a cycle
+};
+
+/// One hole of a cycle, in the work system, mm; `first`, `second` and the normal are the axes of its plane.
+struct Hole {
+  std::size_t approach_begin = 0, approach_end = 0;  // its motions: those to above the hole,
+  std::size_t begin = 0, end = 0;                    // and those from R down and back
+  int code = 0;                                      // of the cycle, as its row of the dialect says
+  double first = 0, second = 0;
+  double r = 0, bottom = 0, clear = 0;       // where it begins to feed, its end, where it goes back to
+  std::optional<double> dwell_s;             // P
+  std::optional<std::array<double, 3>> ijk;  // G87: I and J beside the hole, K the level
 };
 
 /// M98 calls a program, M99 ends it.
@@ -37,13 +68,17 @@ struct Step {
   AxisSet known;                    // of which this is known
   AxisSet named;                    // axes whose words stand in the block
   BlockRole role = BlockRole::plain;
-  bool flow = false;             // the line steers the program: an O word, M98, M99
-  bool polar = false;            // its end is given by @ and ^
-  bool jumped = false;           // something jumped or repeated before: steps are not in the order of the text
-  bool skipped = false;          // block delete is on for it: nothing of it was executed
-  bool executed_delete = false;  // block delete is off for it, and it moves or changes modal state
-  bool changes_tool = false;     // M6, M61
-  bool loses_position = false;   // M0, M6, user M code, G28...: some axis may stand elsewhere now
+  bool flow = false;         // the line steers the program: an O word, M98, M99 that ends a subprogram
+  FlowEntry entry = {};      // what it enters, if anything
+  bool saves_modes = false;  // M70 to M73: modes are kept or come back
+  CycleForm cycle = CycleForm::none;
+  std::span<const Hole> holes = {};  // of a cycle
+  bool polar = false;                // its end is given by @ and ^
+  bool jumped = false;               // something jumped or repeated before: steps are not in the order of the text
+  bool skipped = false;              // block delete is on for it: nothing of it was executed
+  bool executed_delete = false;      // block delete is off for it, and it moves or changes modal state
+  bool changes_tool = false;         // M6, M61
+  bool loses_position = false;       // M0, M6, user M code, G28...: some axis may stand elsewhere now
 };
 
 }  // namespace plumbline::nc

@@ -102,6 +102,7 @@ class UndoReader {
 UndoLog::UndoLog(OutputFile& file) : file_(file) { file_.write(kHeader); }
 
 void UndoLog::replaced(std::uint64_t offset, std::uint64_t size, std::string_view original) {
+  if (all_) return;
   const bool touches = holds_ && offset == offset_ + size_ && original_.size() < kChunk;
   if (!touches) {
     flush();
@@ -114,6 +115,14 @@ void UndoLog::replaced(std::uint64_t offset, std::uint64_t size, std::string_vie
   original_ += original;
 }
 
+void UndoLog::replaced_all() {
+  file_.restart();
+  file_.write(kHeader);
+  original_.clear();
+  holds_ = false;
+  all_ = true;
+}
+
 void UndoLog::flush() {
   if (!holds_) return;
   file_.write(fmt::format("{}{} {} {}\n", kReplaced, offset_, size_, original_.size()));
@@ -124,6 +133,11 @@ void UndoLog::flush() {
 
 void UndoLog::finish(const InputFile& original, std::uint64_t output_size, std::uint64_t output_hash) {
   flush();
+  if (all_) {
+    file_.write(fmt::format("{}0 {} {}\n", kReplaced, output_size, original.size()));
+    for_bytes(original, 0, original.size(), [&](std::string_view bytes) { file_.write(bytes); });
+    file_.write("\n");
+  }
   file_.write(fmt::format("{}{} {} {} {}\n", kEnd, original.size(), output_size, to_hex(hash_of(original)),
                           to_hex(output_hash)));
 }

@@ -18,6 +18,8 @@ class UndoLog {
 
   /// Bytes [offset, offset + size) of the output stand for `original`. Offsets do not decrease.
   void replaced(std::uint64_t offset, std::uint64_t size, std::string_view original);
+  /// Forgets all of it: the whole output stands for the whole original, whose order it does not keep.
+  void replaced_all();
   /// To be called last, with both files whole.
   void finish(const InputFile& original, std::uint64_t output_size, std::uint64_t output_hash);
 
@@ -28,6 +30,7 @@ class UndoLog {
   std::uint64_t size_ = 0;
   std::string original_;
   bool holds_ = false;
+  bool all_ = false;
 };
 
 /// Writes the original that `rewritten` was made from. Refuses with undo-format where the undo file is none or is cut

@@ -76,8 +76,9 @@ TEST_CASE("a model without errors gives every program of the corpus back") {
     } catch (const Refusal& refusal) {
       INFO(to_text(refusal.diagnostic()));
       const std::string& code = refusal.diagnostic().code;
-      CHECK((code.starts_with("nc-") || code == "compensate-flow" || code == "compensate-cycle" ||
-             code == "compensate-polar"));  // what is not read yet
+      // G28 goes where nobody said, and the program cuts from there on.
+      const bool unknown = code == "compensate-position-unknown" && entry.path().filename() == "cone.ngc";
+      CHECK((code.starts_with("nc-") || unknown));
     }
   }
   WARN(same << " programs came out as they went in");

@@ -1,24 +1,149 @@
-// Programs that loop, branch, call subprograms or drill in cycles: refused, never written as if each block stood alone.
+// Programs that loop, branch, call subprograms, drill in cycles or count in polar words.
 #include <catch2/catch.hpp>
 
 #include "compensate/play.hpp"
 
 using namespace plumbline;
 
-TEST_CASE("loops, branches, subprograms and cycles are refused at the line where they begin") {
-  const std::string start = "G21 G90 G94\nG0 X0 Y0 Z0 A0 B0 C0\n";
-  std::size_t line = 0;
-  for (const std::string text :
-       {"o1 repeat [2]\nG1 X5 F100\no1 endrepeat\n", "o1 if [1]\nG1 X5 F100\no1 endif\n", "o1 sub\no1 endsub\n",
-        "o1 call\nM2\no1 sub\nG1 X5 F100\no1 endsub\n", "M98 P1\nM2\nO1\nG1 X5 F100\nM99\n", "M99\n"}) {
-    INFO(text);
-    CHECK(code_of(start + text, {}, &line) == "compensate-flow");
-    CHECK(line == 3);
+namespace {
+
+const std::string kStart = "G21 G90 G94 G17\nG0 X0 Y0 Z5 A0 B0 C0\n";
+
+Job without_friction() {
+  Job job;
+  job.settings.friction = false;
+  return job;
+}
+
+Job without_errors() {
+  Job job = without_friction();
+  job.model.gravity.setZero();
+  return job;
+}
+
+// The output holds no parameter, no O word, and plays as the original does.
+std::string check_unrolled(const std::string& text) {
+  INFO(text);
+  const Result result = run(text, without_friction());
+  INFO(result.text);
+  CHECK(result.summary.unrolled);
+  std::string code;
+  for (std::size_t i = 0, depth = 0; i < result.text.size(); ++i) {
+    if (result.text[i] == '(') ++depth;
+    if (depth == 0) code += result.text[i];
+    if (result.text[i] == ')') --depth;
   }
-  CHECK(code_of(start + "G1 @5 ^30 F100\n", {}, &line) == "compensate-polar");
-  CHECK(line == 3);
-  CHECK(code_of(start + "G81 X1 Y1 Z-3 R1 F100\n", {}, &line) == "compensate-cycle");
-  CHECK(line == 3);
+  CHECK(code.find_first_of("#oO[@^") == std::string::npos);
+  const Played played = play(text, result.text, without_friction());
+  CHECK(played.at_points_um <= 0.15);
+  CHECK(played.time_change <= 1e-3);
+  CHECK(run(text, without_errors()).text == text);
+  return result.text;
+}
+
+}  // namespace
+
+TEST_CASE("loops and subprograms are written out pass by pass, with a comment at each entry") {
+  const std::string text =
+      "(a part)\no100 sub\n#2=[#1*2]\nG1 X[#1] Y#2 F500 (to the side)\no100 endsub\n" + kStart +
+      "#<i>=0\no1 while [#<i> lt 3]\no100 call [#<i>*5]\nG1 Z[#<i>]\n#<i>=[#<i>+1]\no1 endwhile\nM2\n";
+  const std::string output = check_unrolled(text);
+  CHECK(output.starts_with("(a part)\n(plumbline 0 compensated this program)\nG21"));
+  CHECK(output.find("(pass 1 of the loop in line 9)\n(o100 called in line 10)\n") != std::string::npos);
+  CHECK(output.find("(pass 3 of the loop in line 9)\n(o100 called in line 10)\n") != std::string::npos);
+  CHECK(output.find("pass 4") == std::string::npos);
+}
+
+TEST_CASE("every kind of loop and call is unrolled") {
+  check_unrolled(kStart + "o1 repeat [2]\nG91 G1 X5 F100\nG90\no1 endrepeat\n");
+  check_unrolled(kStart + "#1=0\no1 do\n#1=[#1+1]\nG1 X#1 F100\no1 while [#1 lt 4]\nM2\n");
+  check_unrolled(kStart + "o1 if [1 gt 2]\nG1 X5 F100\no1 else\nG1 X7 F100\no1 endif\n");
+  check_unrolled("%\n" + kStart + "M98 P7 L3\nG1 X1 F50\nM2\nO7\nG91 G1 X5 F100\nG90 G3 X0 Y0 R9\nM99\n%\n");
+  check_unrolled(kStart + "#1=3\nG2 X[#1/7] Y1 R[#1*2] F200\no1 repeat [2]\nG3 I[#1/9] J0\no1 endrepeat\n");
+  check_unrolled(
+      "G20 G90 G94\nG0 X0 Y0 Z.2 A0 B0 C0\no1 repeat [2]\nG1 X[1/3] F20\nG1 Y[2/3] A1\nG1 X0 Y0 A0\n"
+      "o1 endrepeat\nM2\n");
+}
+
+TEST_CASE("modes that come back are written as codes") {
+  const std::string output = check_unrolled(kStart +
+                                            "F300 S1000 M3\nM70\nG91 G20 G93 M8\nG1 X.1 F10\nM72\nG1 X9\n"
+                                            "o1 sub\nM73\nG18 G90.1 F200\nG1 X3\no1 endsub\no1 call\nG1 Y4\nM2\n");
+  CHECK(output.find("G21 G90 G94\nF300\nM9\n") != std::string::npos);
+  CHECK(output.find("G17 G91.1\nF300\n") != std::string::npos);
+}
+
+TEST_CASE("a program that jumps stays as it is where nothing must change") {
+  const std::string text = kStart +
+                           "#1=0 (counts)\no1 while [#1 lt 9]\n#1=[#1+1]\nG1 @[#1] ^30 F100\no1 endwhile\n"
+                           "G81 X1 Y1 Z-3 R1\nX5\nG80\nM2\nbehind the end\n";
+  const Result result = run(text, without_errors());
+  CHECK(result.text == text);
+  CHECK(result.summary.identical);
+  CHECK_FALSE(result.summary.unrolled);
+}
+
+TEST_CASE("unrolling stops at its bound") {
+  Job job = without_friction();
+  job.program.max_blocks = 100;
+  CHECK(code_of(kStart + "o1 while [1]\nG1 X5 F100\no1 endwhile\n", job) == "nc-too-many-blocks");
+}
+
+TEST_CASE("an M99 that ends the program is one pass, kept") {
+  const Result result = run(kStart + "G1 X5 F100\nM99\n", without_friction());
+  CHECK_FALSE(result.summary.unrolled);
+  CHECK(result.text.ends_with("M99\n"));
+}
+
+TEST_CASE("drilling cycles become moves, each corrected") {
+  for (const std::string text :
+       {"G81 X10 Y5 Z-8 R2 F200\nX20\nG80\nG0 Z9\n", "G99 G82 X10 Y5 Z-8 R2 P0.5 F200 (hole)\nG98 X20 Y1\nG1 X0 F99\n",
+        "N7 G83 X1 Y2 Z-10 R1 Q3 F200 L2\n", "G73 X1 Y2 Z-10 R1 Q3 F200\nG85 X9 Z-9 R1\nG89 P1 Y4 Z-8 R1 M0\n",
+        "G91 G81 X3 Y1 Z-6 R-2 L4 F150\nG90 G0 X0 Y0\n", "G18 G81 X3 Z1 Y-6 R2 F150\n",
+        "G81 @10 ^45 Z-3 R1 F100\n^60\n"}) {
+    const std::string whole = kStart + text + "M2\n";
+    INFO(whole);
+    const Result result = run(whole, without_friction());
+    INFO(result.text);
+    CHECK(result.text.find("G8", result.text.find("G0")) == result.text.find("G80"));
+    const Played played = play(whole, result.text, without_friction());
+    CHECK(played.at_points_um <= 0.15);
+    CHECK(played.time_change <= 1e-3);
+    CHECK(run(whole, without_errors()).text == whole);
+  }
+}
+
+TEST_CASE("polar words become X and Y where the block must change") {
+  const std::string text = kStart + "G1 @20 ^30 F100\n^60 (turns)\nG0 @5\nG91 G1 @3 ^20\nG90 G3 @10 ^0 R8\n";
+  const Result result = run(text, without_friction());
+  CHECK(result.text.find_first_of("@^") == std::string::npos);
+  CHECK(result.text.find("(turns)") != std::string::npos);
+  CHECK(play(text, result.text, without_friction()).at_points_um <= 0.15);
+  CHECK(run(text, without_errors()).text == text);
+}
+
+TEST_CASE("cycles that work the spindle keep their form, their hole shifted") {
+  Job job = without_friction();
+  for (const std::string text : {"S300 M3\nG84 X10 Y5 Z-8 R2 F200\nX20\nG80\n",
+                                 "G98 G86 X10 Y5 Z-8 R2 P1 F200\nX20\nG80\n", "G91 G84 X3 Y1 Z-6 R-2 L2 F150\nG90\n",
+                                 "G87 X9 Y9 Z-3 R1 I1 J1 K-1 F99\n", "G99 G74 X10 Y5 Z-8 R2 F200 P.5\n"}) {
+    const std::string whole = kStart + text + "G0 X1 Y1 Z9\nM2\n";
+    INFO(whole);
+    const Result result = run(whole, job);
+    INFO(result.text);
+    const std::vector<Move> before = moves_of(whole, job.program);
+    const std::vector<Move> after = moves_of(result.text, job.program);
+    REQUIRE(before.size() == after.size());
+    compensate::Corrector machine(job.model, job.settings);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const AxisWords stands = after[i].to_W + machine.error({after[i].to_W, {}, std::nullopt}).value();
+      CHECK(tip_distance(stands, before[i].to_W) <= job.settings.cycle_tolerance_mm);
+      CHECK(tip_distance(after[i].to_W, before[i].to_W) > 1e-3);
+    }
+    CHECK(run(whole, without_errors()).text == whole);
+  }
+  job.settings.cycle_tolerance_mm = 1e-5;
+  CHECK(code_of(kStart + "G84 X10 Y5 Z-80 R2 F200\n", job) == "compensate-cycle");
 }
 
 TEST_CASE("a program number alone steers nothing, and stands before the stamp") {

@@ -10,6 +10,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/units.hpp"
+#include "compensate/corrector.hpp"
 #include "compensate/stream.hpp"
 #include "machine/model_file.hpp"
 #include "path/duration.hpp"
@@ -91,7 +92,9 @@ inline std::vector<Move> moves_of(const std::string& text, const nc::ProgramSett
   std::vector<Move> moves;
   while (const nc::Step* step = program.next()) {
     for (const nc::Motion& m : step->motions) {
-      if (m.kind != nc::MotionKind::dwell)
+      // A cycle goes through all its stations, also where it stands there already.
+      const bool stands = step->role == nc::BlockRole::cycle && m.from == m.to;
+      if (m.kind != nc::MotionKind::dwell && !stands)
         moves.push_back({m, *step->frame, step->frame->to_pose(m.from), step->frame->to_pose(m.to)});
     }
   }

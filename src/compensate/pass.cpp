@@ -1,0 +1,292 @@
+#include "compensate/pass.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+#include "base/units.hpp"
+#include "compensate/figures.hpp"
+#include "compensate/guard.hpp"
+#include "path/curve.hpp"
+#include "path/duration.hpp"
+#include "path/subdivide.hpp"
+
+namespace plumbline::compensate {
+namespace {
+
+constexpr double kChordStepMm = 10;  // at which the limits are checked along a rapid
+constexpr double kChordStepDeg = 1;
+constexpr std::uint64_t kProgressEvery = 4096;
+constexpr std::string_view kStampMark = " compensated this program";
+
+bool is_feed(nc::MotionKind kind) { return kind == nc::MotionKind::feed || kind == nc::MotionKind::arc; }
+
+}  // namespace
+
+Pass::Pass(const InputFile& source, const nc::Dialect& dialect, const nc::ProgramSettings& program,
+           const machine::MachineModel& model, const Settings& settings, nc::EmitSettings emit, OutputFile& out,
+           nc::Form form)
+    : source_(source),
+      dialect_(dialect),
+      program_settings_(program),
+      model_(model),
+      settings_(settings),
+      program_(source, dialect, program),
+      form_(form),
+      plain_(dialect),
+      emitter_(source, dialect, std::move(emit), out, form),
+      corrector_(model, settings) {}
+
+bool Pass::run(const Progress& progress) {
+  set_touch_off();
+  bool jumps = false;
+  while (const nc::Step* step = program_.next()) {
+    ++summary_.blocks;
+    refuse_stamped(*step->block);
+    if (!jumps && step->jumped && form_ == nc::Form::in_text_order) {
+      jumps = true;
+      emitter_.only_look();
+    }
+    take(*step);
+    if (jumps && emitter_.changed()) return false;
+    if (progress && summary_.blocks % kProgressEvery == 0) progress(step->block->offset, source_.size());
+  }
+  emitter_.finish();
+  return true;
+}
+
+// Unrolled, lines that steer are left out, and what depends on parameters is written out.
+void Pass::take(const nc::Step& step) {
+  take_tool(step);
+  if (form_ == nc::Form::in_text_order) return process(step);
+  if (step.flow || step.saves_modes) return emitter_.steer(step);
+  const nc::Step* const plain = plain_.plain(step, false);
+  if (plain != nullptr) process(*plain);
+}
+
+void Pass::process(const nc::Step& step) {
+  if (step.cycle != nc::CycleForm::none) {
+    process_cycle(step);
+  } else if (!is_corrected(step)) {
+    pass(step);
+  } else if (step.motions.front().kind == nc::MotionKind::rapid) {
+    correct_rapid(step);
+  } else {
+    correct_feed(step);
+  }
+}
+
+// A compensated program holds the corrections already; a second helping would double them.
+void Pass::refuse_stamped(const nc::Block& block) const {
+  for (const nc::Comment& comment : block.comments) {
+    const std::string_view text = block.at(comment.span);
+    const std::size_t name = text.find("plumbline ");
+    if (name == std::string_view::npos || text.find(kStampMark, name) == std::string_view::npos) continue;
+    refuse("compensate-stamped", "this program was compensated already", "compensate the original program instead",
+           place_of(block, block.file));
+  }
+}
+
+void Pass::set_touch_off() {
+  if (!settings_.touch_off) return;
+  const std::optional<AxisWords> error = corrector_.error({*settings_.touch_off, {}, std::nullopt});
+  if (!error) {
+    refuse("compensate-touch-off", "the machine cannot stand at the touch-off pose",
+           "give the pose in W at which the work offset was probed: --touch-off X,Y,Z,A,B,C in mm and deg");
+  }
+  touch_off_error_ = *error;
+}
+
+// Length (G43) and load (M6) of the tool.
+void Pass::take_tool(const nc::Step& step) {
+  const AxisWords& offset = step.frame->tool;
+  const int tool = step.after->tool_in_spindle;
+  if (offset == tool_offset_ && tool == tool_in_spindle_) return;
+  for (const Axis axis : kAllAxes) {
+    if (axis == Axis::Z || offset[axis] == 0) continue;
+    refuse("compensate-tool-offset", fmt::format("the tool offset has a part in {}", letter(axis)),
+           "a tool of a hexapod lies along the spindle: give its length alone",
+           place_of(*step.block, step.block->file));
+  }
+  tool_offset_ = offset;
+  tool_in_spindle_ = tool;
+  const nc::Tool* row = tool >= 0 ? program_settings_.tools.find(tool) : nullptr;
+  ToolInSpindle in_spindle;
+  in_spindle.length = offset[Axis::Z] * kMm;
+  if (row != nullptr && row->mass_kg) {
+    in_spindle.mass = *row->mass_kg;
+    in_spindle.along = row->centre_of_mass_mm.value_or(0) * kMm;
+  } else {
+    in_spindle.mass = model_.reference_tool_mass;
+    if (tool >= 0) warn_of_massless_tool(step, tool);
+  }
+  corrector_.set_tool(in_spindle);
+}
+
+void Pass::warn_of_massless_tool(const nc::Step& step, int tool) {
+  massless_tools_.try_emplace(tool, place_of(*step.block, step.block->file));
+}
+
+// True for the moves that get a correction; refuses feed moves whose position is not known.
+bool Pass::is_corrected(const nc::Step& step) {
+  if (step.role != nc::BlockRole::plain || step.motions.size() != 1) return false;
+  const nc::Motion& motion = step.motions.front();
+  const bool cuts = is_feed(motion.kind);
+  if (motion.in_machine_coordinates || (!cuts && motion.kind != nc::MotionKind::rapid)) return false;
+  return has_position(step, cuts ? motion.known_after & motion.known_before : motion.known_after, cuts);
+}
+
+bool Pass::has_position(const nc::Step& step, AxisSet known, bool needed) {
+  const AxisSet unknown = AxisSet::all() - known;
+  const AxisSet missing = unknown - assumed_axes(step, unknown);
+  if (missing.empty()) return true;
+  if (!needed) return false;
+  refuse("compensate-position-unknown",
+         fmt::format("this move cuts, and where {} stands is not known here", axis_list(missing)),
+         fmt::format("move {} with G0 to a stated position first, or say where the machine stands: --start at the "
+                     "begin, --keeps-position M6 after a tool change",
+                     axis_list(missing)),
+         place_of(*step.block, step.block->file));
+}
+
+// Rotary axes that no word of the program names are taken to stand at zero, and are never written.
+AxisSet Pass::assumed_axes(const nc::Step& step, AxisSet unknown) {
+  if (assumed_ && !(*assumed_ & step.named).empty()) {
+    refuse("compensate-position-unknown",
+           fmt::format("{} was taken to stand at zero, since the program's own file never names it, and moves here",
+                       axis_list(*assumed_ & step.named)),
+           "say where the machine stands with --start", place_of(*step.block, step.block->file));
+  }
+  if ((unknown & AxisSet::rotary()).empty()) return {};
+  if (!assumed_) {
+    assumed_ = AxisSet::rotary() - nc::named_axes(source_, dialect_);
+    corrector_.fix_axes(*assumed_);
+  }
+  for (const Axis axis : kAllAxes) {
+    if (!unknown.contains(axis) || !assumed_->contains(axis)) continue;
+    if (step.frame->to_pose({})[axis] == 0) continue;
+    refuse("compensate-position-unknown",
+           fmt::format("the program never says where {} stands, and the work offset turns it", letter(axis)),
+           "say where the machine stands with --start", place_of(*step.block, step.block->file));
+  }
+  return unknown & *assumed_;
+}
+
+void Pass::pass(const nc::Step& step) {
+  emitter_.copy(step);
+  for (const nc::Motion& motion : step.motions) {
+    if (motion.kind == nc::MotionKind::dwell) {
+      summary_.seconds_before += motion.dwell_s;
+      summary_.seconds_after += motion.dwell_s;
+    } else {
+      ++summary_.passed_moves;
+    }
+  }
+}
+
+Target Pass::target_of(const nc::Step& step, const AxisWords& words, const AxisWords& slope,
+                       std::optional<double> seconds) const {
+  AxisWords work = words;
+  for (const Axis axis : kAllAxes) {
+    if (assumed_ && assumed_->contains(axis)) work[axis] = 0;
+  }
+  nc::Frame turned;
+  turned.rotation_deg = step.frame->rotation_deg;
+  return {step.frame->to_pose(work) + touch_off_error_, turned.to_pose(slope), seconds};
+}
+
+nc::CorrectedPoint Pass::corrected_point(const nc::Step& step, const Target& target, const AxisWords& words) {
+  const Pose<double> programmed = corrector_.pose_of(target.pose);
+  refuse_violations(machine::check_programmed(model_.limits, programmed), *step.block, step.block->file);
+  const Corrected corrected = corrector_.correct(target);
+  if (!corrected.converged) {
+    refuse("compensate-unreachable", "the machine cannot be made to stand here: no strut lengths put the tool there",
+           "move the part away from the edge of the workspace", place_of(*step.block, step.block->file));
+  }
+  refuse_violations(
+      machine::check_compensated(model_.limits, corrector_.geometry(), corrector_.pose_of(corrected.pose)), *step.block,
+      step.block->file);
+  AxisWords nominal = words;
+  AxisWords shift = step.frame->from_pose(corrected.pose) - nominal;
+  for (const Axis axis : kAllAxes) {
+    if (!assumed_ || !assumed_->contains(axis)) continue;
+    nominal[axis] = 0;
+    shift[axis] = 0;
+  }
+  return {nominal, shift, 1};
+}
+
+// Only the end of a rapid is corrected; the control goes there as it likes, so the limits are checked on the chord.
+void Pass::rapid_point(const nc::Step& step) {
+  const nc::Motion& motion = step.motions.front();
+  // Where it comes from decides which way friction acts; not known, it is left out.
+  const bool start_known = motion.known_before.contains(writable());
+  const AxisWords slope = start_known ? motion.to - motion.from : AxisWords{};
+  const Target target = target_of(step, motion.to, slope, std::nullopt);
+  points_.assign(1, corrected_point(step, target, motion.to));
+  if (!start_known) return;
+  const AxisWords shift_before = emitter_.control().work_shift(*step.frame);
+  check_chord(step, motion.from + shift_before, motion.to + points_.front().shift);
+}
+
+void Pass::correct_rapid(const nc::Step& step) {
+  rapid_point(step);
+  note_point(step, points_.front());
+  note_move(step, write_move(step, std::nullopt), std::nullopt);
+}
+
+void Pass::check_chord(const nc::Step& step, const AxisWords& from, const AxisWords& to) const {
+  const AxisWords delta = to - from;
+  const double steps = std::max(length_mm(delta) / kChordStepMm, largest_turn_deg(delta) / kChordStepDeg);
+  const int count = static_cast<int>(std::ceil(steps));
+  for (int i = 1; i < count; ++i) {
+    AxisWords words;
+    for (const Axis axis : kAllAxes) words[axis] = from[axis] + delta[axis] * i / count;
+    const Pose<double> pose = corrector_.pose_of(target_of(step, words, {}, std::nullopt).pose);
+    refuse_violations(machine::check_compensated(model_.limits, corrector_.geometry(), pose), *step.block,
+                      step.block->file);
+  }
+}
+
+path::Subdivision Pass::feed_points(const nc::Step& step, const path::Curve& curve, std::optional<double> seconds) {
+  const path::Subdivision cut = path::subdivide(curve, seconds, settings_.step);
+  points_.clear();
+  for (int i = 1; i <= cut.pieces; ++i) {
+    const double fraction = static_cast<double>(i) / cut.pieces;
+    const AxisWords words = curve.at(fraction);
+    points_.push_back(corrected_point(step, target_of(step, words, curve.slope(fraction), seconds), words));
+    points_.back().share = 1.0 / cut.pieces;
+  }
+  return cut;
+}
+
+void Pass::correct_feed(const nc::Step& step) {
+  const nc::Motion& motion = step.motions.front();
+  const path::Curve curve(motion);
+  const std::optional<double> duration = path::duration(motion, curve, dialect_);
+  const std::optional<double> seconds = clock_seconds(motion, duration);
+  const path::Subdivision cut = feed_points(step, curve, seconds);
+  for (const nc::CorrectedPoint& point : points_) note_point(step, point);
+  note_end(step, target_of(step, curve.at(1), curve.slope(1), seconds));
+  if (cut.widened) note_widened(step, curve, seconds);
+  note_move(step, write_move(step, duration), seconds);
+}
+
+// In text order a block with @ and ^ gets X and Y only where it must change.
+nc::EmittedMove Pass::write_move(const nc::Step& step, std::optional<double> duration) {
+  if (!step.polar || emitter_.stays(step, points_, writable())) {
+    return emitter_.move(step, points_, writable(), duration);
+  }
+  nc::EmittedMove move;
+  emitter_.begin_group(step);
+  move = emitter_.move(*plain_.plain(step, true), points_, writable(), duration);
+  emitter_.end_group(step);
+  return move;
+}
+
+// Axes that may get words.
+AxisSet Pass::writable() const { return AxisSet::all() - assumed_.value_or(AxisSet{}); }
+
+}  // namespace plumbline::compensate

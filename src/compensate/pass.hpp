@@ -1,0 +1,93 @@
+// One reading of a program through the model: block by block, corrected, written in one form.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/files.hpp"
+#include "base/progress.hpp"
+#include "compensate/corrector.hpp"
+#include "compensate/settings.hpp"
+#include "compensate/summary.hpp"
+#include "machine/model.hpp"
+#include "nc/emit.hpp"
+#include "nc/plain.hpp"
+#include "nc/program.hpp"
+#include "path/curve.hpp"
+#include "path/subdivide.hpp"
+
+namespace plumbline::compensate {
+
+class Pass {
+ public:
+  /// All references must outlive it.
+  Pass(const InputFile& source, const nc::Dialect& dialect, const nc::ProgramSettings& program,
+       const machine::MachineModel& model, const Settings& settings, nc::EmitSettings emit, OutputFile& out,
+       nc::Form form);
+
+  /// Notes what the output replaces; to be called before run(). `log` must outlive the stream.
+  void record(nc::UndoLog& log) { emitter_.record(log); }
+
+  /// Reads the program to its end, and writes it. False, and what was written is of no use: it is to be written in text
+  /// order, but jumps, and something in it must change. Refuses as Stream does.
+  bool run(const Progress& progress);
+  Summary summary();
+
+ private:
+  void refuse_stamped(const nc::Block& block) const;
+  void take(const nc::Step& step);
+  void process(const nc::Step& step);
+  void process_cycle(const nc::Step& step);
+  bool cycle_stays(const nc::Step& step, std::span<const nc::Step* const> moves);
+  void process_hole(const nc::Step& step);
+  void hole_points(const nc::Step& step);
+  void find_points(const nc::Step& step);
+  nc::EmittedMove write_move(const nc::Step& step, std::optional<double> duration);
+  void note_cycle(const nc::Step& step);
+  void set_touch_off();
+  void take_tool(const nc::Step& step);
+  void warn_of_massless_tool(const nc::Step& step, int tool);
+  bool is_corrected(const nc::Step& step);
+  bool has_position(const nc::Step& step, AxisSet known, bool needed);
+  AxisSet assumed_axes(const nc::Step& step, AxisSet unknown);
+  AxisSet writable() const;
+  void pass(const nc::Step& step);
+  void correct_rapid(const nc::Step& step);
+  void correct_feed(const nc::Step& step);
+  void rapid_point(const nc::Step& step);
+  path::Subdivision feed_points(const nc::Step& step, const path::Curve& curve, std::optional<double> seconds);
+  Target target_of(const nc::Step& step, const AxisWords& words, const AxisWords& slope,
+                   std::optional<double> seconds) const;
+  nc::CorrectedPoint corrected_point(const nc::Step& step, const Target& target, const AxisWords& words);
+  void check_chord(const nc::Step& step, const AxisWords& from, const AxisWords& to) const;
+  void note_widened(const nc::Step& step, const path::Curve& curve, std::optional<double> seconds);
+  void note_point(const nc::Step& step, const nc::CorrectedPoint& point);
+  void note_move(const nc::Step& step, const nc::EmittedMove& move, std::optional<double> seconds);
+  void note_end(const nc::Step& step, const Target& target);
+  void note_offset_sensitivity(const Target& target, const AxisWords& commanded);
+
+  const InputFile& source_;
+  const nc::Dialect& dialect_;
+  const nc::ProgramSettings& program_settings_;
+  const machine::MachineModel& model_;
+  const Settings& settings_;
+  nc::Program program_;
+  nc::Form form_;
+  nc::PlainSteps plain_;
+  nc::Emitter emitter_;
+  Corrector corrector_;
+  Summary summary_;
+  AxisWords touch_off_error_;
+  std::optional<AxisSet> assumed_;  // rotary axes that no word names; looked for when first asked
+  std::vector<nc::CorrectedPoint> points_;
+  AxisWords tool_offset_;
+  int tool_in_spindle_ = -1;
+  std::map<int, Place> massless_tools_;  // and where each came into the spindle
+  std::optional<Target> sample_;         // where the error per kg of a tool is worked out
+  double sum_of_squares_ = 0;
+  std::uint64_t corrected_moves_ = 0;
+};
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,115 @@
+// Cycles: left as they are, written out move by move, or kept with their hole shifted.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "compensate/figures.hpp"
+#include "compensate/guard.hpp"
+#include "compensate/pass.hpp"
+#include "path/duration.hpp"
+
+namespace plumbline::compensate {
+namespace {
+
+// The length over which a turn that varies along a hole counts like a shift that does.
+constexpr double kTurnOverMm = 100;
+
+}  // namespace
+
+void Pass::process_cycle(const nc::Step& step) {
+  const nc::Step& plain = *plain_.plain(step, true);
+  const std::span<const nc::Step* const> moves = plain_.moves(plain);
+  // A cycle that goes on with the words of the one before it, which was written out.
+  const bool goes_on = step.before->motion == nc::MotionMode::cycle && emitter_.changed() &&
+                       emitter_.control().motion != nc::MotionMode::cycle;
+  if (!goes_on && cycle_stays(step, moves)) {
+    emitter_.copy(step);
+    note_cycle(step);
+    return;
+  }
+  emitter_.begin_group(step);
+  for (const nc::Step* const move : moves) {
+    if (move->cycle != nc::CycleForm::none) {
+      process_hole(*move);
+    } else {
+      process(*move);
+    }
+  }
+  emitter_.end_group(step);
+}
+
+bool Pass::cycle_stays(const nc::Step& step, std::span<const nc::Step* const> moves) {
+  if (!emitter_.stands_true(step, writable())) return false;
+  return std::all_of(moves.begin(), moves.end(), [&](const nc::Step* const move) {
+    if (move->cycle != nc::CycleForm::none) {
+      hole_points(*move);
+      return std::all_of(points_.begin(), points_.end(), [&](const nc::CorrectedPoint& point) {
+        return emitter_.rounds_to_zero(*move, point.shift, writable());
+      });
+    }
+    if (!is_corrected(*move)) return true;
+    find_points(*move);
+    return emitter_.stays(*move, points_, writable());
+  });
+}
+
+void Pass::find_points(const nc::Step& step) {
+  const nc::Motion& motion = step.motions.front();
+  if (motion.kind == nc::MotionKind::rapid) return rapid_point(step);
+  const path::Curve curve(motion);
+  feed_points(step, curve, clock_seconds(motion, path::duration(motion, curve, dialect_)));
+}
+
+// Corrections from where the hole begins to its bottom. The tool goes down and up: without friction.
+void Pass::hole_points(const nc::Step& step) {
+  const nc::Hole& hole = step.holes.front();
+  const nc::Motion& motion = step.motions.front();
+  has_position(step, motion.known_before & motion.known_after, true);
+  const Axis normal = nc::axes_of(step.after->plane).third;
+  const double depth = std::abs(hole.r - hole.bottom);
+  const int pieces = std::max(1, static_cast<int>(std::ceil(depth / settings_.step.length_mm)));
+  AxisWords words = motion.to;
+  points_.clear();
+  for (int i = 0; i <= pieces; ++i) {
+    words[normal] = hole.r + (hole.bottom - hole.r) * i / pieces;
+    points_.push_back(corrected_point(step, target_of(step, words, {}, std::nullopt), words));
+  }
+}
+
+void Pass::process_hole(const nc::Step& step) {
+  hole_points(step);
+  AxisWords mean;
+  for (const nc::CorrectedPoint& point : points_) mean += point.shift;
+  for (double& value : mean.values) value /= static_cast<double>(points_.size());
+  for (const nc::CorrectedPoint& point : points_) {
+    const AxisWords off = point.shift - mean;
+    const double varies = std::max(length_mm(off), largest_turn_deg(off) * kDeg * kTurnOverMm);
+    note_point(step, point);
+    if (varies <= settings_.cycle_tolerance_mm) continue;
+    refuse(
+        "compensate-cycle",
+        fmt::format("the correction varies by {:.4f} mm along this hole, and a cycle that works the spindle can only "
+                    "be shifted as a whole",
+                    varies),
+        "allow more with --cycle-tolerance, or drill a shorter hole", place_of(*step.block, step.block->file));
+  }
+  nc::EmittedMove move = emitter_.hole(step, mean);
+  note_move(step, move, std::nullopt);
+  note_cycle(step);
+}
+
+// Times that the rewriting keeps.
+void Pass::note_cycle(const nc::Step& step) {
+  for (const nc::Motion& motion : step.motions) {
+    double seconds = motion.dwell_s;
+    if (motion.kind == nc::MotionKind::feed) {
+      seconds = clock_seconds(motion, path::duration(motion, path::Curve(motion), dialect_)).value_or(0);
+    }
+    summary_.seconds_before += seconds;
+    summary_.seconds_after += seconds;
+  }
+}
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,110 @@
+// What a pass notes for the summary.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+#include "base/units.hpp"
+#include "compensate/figures.hpp"
+#include "compensate/pass.hpp"
+
+namespace plumbline::compensate {
+namespace {
+
+constexpr std::uint64_t kReplayEvery = 16;  // corrected moves
+constexpr double kOffsetProbeMm = 1;
+
+}  // namespace
+
+// What pieces longer than the steps cost: how far the middle of each lies from where it should be commanded.
+void Pass::note_widened(const nc::Step& step, const path::Curve& curve, std::optional<double> seconds) {
+  const std::size_t line = step.block->line;
+  const auto count = static_cast<double>(points_.size());
+  ++summary_.widened_blocks;
+  summary_.widened_step_mm.take(curve.linear_mm() / count, line);
+  AxisWords begin = step.motions.front().from + emitter_.control().work_shift(*step.frame);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const double middle = (static_cast<double>(i) + 0.5) / count;
+    const Target target = target_of(step, curve.at(middle), curve.slope(middle), seconds);
+    const AxisWords wanted = step.frame->from_pose(corrector_.correct(target).pose);
+    const AxisWords end = points_[i].nominal + points_[i].shift;
+    AxisWords off;
+    for (const Axis axis : kAllAxes) off[axis] = (begin[axis] + end[axis]) / 2 - wanted[axis];
+    summary_.widening_mm.take(length_mm(off), line);
+    begin = end;
+  }
+}
+
+void Pass::note_point(const nc::Step& step, const nc::CorrectedPoint& point) {
+  ++summary_.points;
+  const double correction = length_mm(point.shift);
+  sum_of_squares_ += correction * correction;
+  summary_.correction_mm.take(correction, step.block->line);
+  summary_.correction_deg.take(largest_turn_deg(point.shift), step.block->line);
+}
+
+void Pass::note_move(const nc::Step& step, const nc::EmittedMove& move, std::optional<double> seconds) {
+  ++summary_.moves;
+  if (move.changed) ++summary_.changed_blocks;
+  summary_.rounding_mm.take(move.rounding_mm, step.block->line);
+  if (!seconds || *seconds <= 0) return;
+  const double after = move.seconds.value_or(*seconds);
+  summary_.seconds_before += *seconds;
+  summary_.seconds_after += after;
+  summary_.time_change.take(std::abs(after / *seconds - 1), step.block->line);
+}
+
+// Some ends of blocks are played on the model: the figures of the summary are not those of the formula that made them.
+void Pass::note_end(const nc::Step& step, const Target& target) {
+  if (!sample_) {
+    sample_ = target;
+    summary_.zero_error = corrector_.error(target);
+    summary_.zero_error_line = step.block->line;
+  }
+  if (corrected_moves_++ % kReplayEvery != 0) return;
+  const nc::CorrectedPoint& point = points_.back();
+  const AxisWords commanded = step.frame->to_pose(point.nominal + point.shift);
+  const std::optional<double> distance = corrector_.tip_distance_mm(target, commanded);
+  PLUMBLINE_CHECK(distance.has_value());
+  summary_.residual_mm.take(*distance, step.block->line);
+  ++summary_.replayed;
+  summary_.condition.take(corrector_.condition(target), step.block->line);
+  note_offset_sensitivity(target, commanded);
+}
+
+// How far the offset may be off: the change of the correction with the place of the part.
+void Pass::note_offset_sensitivity(const Target& target, const AxisWords& commanded) {
+  const AxisWords correction = commanded - target.pose;
+  double squares = 0;
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
+    Target moved = target;
+    moved.pose[axis] += kOffsetProbeMm;
+    const AxisWords there = corrector_.correct(moved).pose - moved.pose;
+    const double change = length_mm(there - correction) / kOffsetProbeMm;
+    squares += change * change;
+  }
+  if (squares == 0) return;
+  summary_.offset_shift_for_1um_mm = std::min(summary_.offset_shift_for_1um_mm, kUm / kMm / std::sqrt(squares));
+}
+
+Summary Pass::summary() {
+  for (const nc::InlinedFile& file : emitter_.inlined()) summary_.inlined_files.push_back({file.name, file.hash});
+  summary_.unrolled = form_ == nc::Form::unrolled;
+  summary_.identical = !emitter_.changed();
+  summary_.bytes_before = source_.size();
+  if (summary_.points > 0)
+    summary_.rms_correction_mm = std::sqrt(sum_of_squares_ / static_cast<double>(summary_.points));
+  summary_.assumed_at_zero = assumed_.value_or(AxisSet{});
+  for (const auto& [tool, place] : massless_tools_) {
+    const std::optional<double> per_kg = sample_ ? corrector_.error_per_kg_mm(*sample_) : std::nullopt;
+    summary_.warnings.push_back(
+        {"compensate-tool-mass",
+         fmt::format("tool {} has no mass{}", tool,
+                     per_kg ? fmt::format(": each kg moves the tip by {:.2g} um", *per_kg * kMm / kUm) : std::string()),
+         "state mass_kg and centre_of_mass_mm in the tool table (--tools)", place, Severity::warning});
+  }
+  return summary_;
+}
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,186 @@
+// What is written where a program steered or worked a cycle: entries, modes that come back, holes.
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "base/units.hpp"
+#include "nc/emit.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+std::string as_comment(std::string_view text) {
+  std::string plain;
+  for (const char c : text) {
+    const bool may_stand = c >= 0x20 && c < 0x7F && c != '(' && c != ')' && c != ';' && c != '%';
+    plain += may_stand ? c : '_';
+  }
+  return plain;
+}
+
+std::string subprogram_name(std::string_view name) {
+  const bool number = name.find_first_not_of("0123456789") == std::string_view::npos;
+  return number ? fmt::format("o{}", name) : fmt::format("o<{}>", as_comment(name));
+}
+
+}  // namespace
+
+void Emitter::steer(const Step& step) {
+  const Block& block = *step.block;
+  if (step.saves_modes && block.words.size() > 1) {
+    refuse_block(block, "emit-modes", "this block keeps or restores modes and does something else as well",
+                 "put M70 to M73 into a block of its own");
+  }
+  note_header(step);
+  if (step.entry.kind != FlowEntry::Kind::none) note_entry(step.entry);
+  restore_modes(step);
+  tool_ = step.frame->tool;
+}
+
+// An entry met again before any block was written takes the place of the one before, and of all that is inside it.
+void Emitter::note_entry(const FlowEntry& entry) {
+  const auto again = std::find_if(entries_.begin(), entries_.end(), [&](const Pending& p) {
+    return p.kind == entry.kind && p.line == entry.line && p.name == entry.name;
+  });
+  entries_.erase(again, entries_.end());
+  entries_.push_back({entry.kind, std::string(entry.name), entry.line, entry_text(entry)});
+}
+
+std::string Emitter::entry_text(const FlowEntry& entry) {
+  if (entry.kind == FlowEntry::Kind::pass) return fmt::format("pass {} of the loop in line {}", entry.pass, entry.line);
+  std::string text = fmt::format("{} called in line {}", subprogram_name(entry.name), entry.line);
+  if (entry.pass > 1) text += fmt::format(", pass {}", entry.pass);
+  const bool known =
+      std::any_of(inlined_.begin(), inlined_.end(), [&](const InlinedFile& file) { return file.name == entry.file; });
+  if (entry.file.empty() || known) return text;
+  const InputFile file{std::string(entry.file)};
+  inlined_.push_back({file.name(), hash_of(file)});
+  const std::string plain_name = std::filesystem::path(file.name()).filename().string();
+  return fmt::format("{}, from {}, hash {}", text, as_comment(plain_name), to_hex(inlined_.back().hash));
+}
+
+void Emitter::write_entries() {
+  const std::size_t signs = dialect_.comment_open.size() + dialect_.comment_close.size();
+  for (const Pending& entry : entries_) {
+    const std::string_view text = std::string_view(entry.text).substr(0, dialect_.line_length - signs);
+    out_.write(fmt::format("{}{}{}{}", dialect_.comment_open, text, dialect_.comment_close, newline_));
+  }
+  entries_.clear();
+}
+
+void Emitter::write_words(std::string text) {
+  if (text.empty()) return;
+  write_entries();
+  out_.write(text + newline_);
+}
+
+// What M72 and the end of a subprogram with M73 bring back, said with codes. Units first, since F and G64 P count in
+// them; F behind its mode, which drops it.
+void Emitter::restore_modes(const Step& step) {
+  const Modal& was = *step.before;
+  const Modal& is = *step.after;
+  const bool tool = step.frame->tool != tool_;
+  std::string modes;
+  const auto code = [&](bool differs, std::string_view meaning, std::optional<int> value = std::nullopt) {
+    if (differs) append_code(modes, codes_.text_of(meaning, value), spelling_);
+  };
+  const auto word = [&](char letter, double value) { append_word(modes, letter, value, kMostDecimals, spelling_); };
+  constexpr std::array kPlanes{"plane_xy", "plane_zx", "plane_yz"};
+  code(is.inches != was.inches, is.inches ? "inches" : "millimetres");
+  code(is.plane != was.plane, kPlanes[static_cast<std::size_t>(is.plane)]);
+  code(is.incremental != was.incremental, is.incremental ? "incremental" : "absolute");
+  code(is.arc_centre_absolute != was.arc_centre_absolute,
+       is.arc_centre_absolute ? "arc_centre_absolute" : "arc_centre_incremental");
+  code(is.retract_to_r != was.retract_to_r, is.retract_to_r ? "retract_to_r" : "retract_to_start");
+  code(is.work_system != was.work_system, "work_system", is.work_system);
+  const bool tolerances = is.switches.path_tolerance != was.switches.path_tolerance ||
+                          is.switches.naive_tolerance != was.switches.naive_tolerance;
+  if (is.path_control != was.path_control || (tolerances && is.path_control == PathControl::continuous)) {
+    append_code(modes, codes_.path_control(is.path_control), spelling_);
+    if (is.path_control == PathControl::continuous) {
+      word('P', is.switches.path_tolerance);
+      word('Q', is.switches.naive_tolerance);
+    }
+  }
+  if (is.feed_mode != control_.feed_mode) {
+    append_code(modes, codes_.feed_mode(is.feed_mode), spelling_);
+    control_.feed_mode = is.feed_mode;
+    control_.feed = 0;
+  }
+  write_words(std::exchange(modes, {}));
+  if (is.feed > 0 && is.feed_mode != FeedMode::inverse_time && is.feed != control_.feed) {
+    word('F', is.feed);
+    control_.feed = is.feed;
+  }
+  if (is.switches.speed != was.switches.speed) word('S', is.switches.speed);
+  code(is.switches.spindle != was.switches.spindle, "spindle", is.switches.spindle);
+  write_words(std::exchange(modes, {}));
+  restore_switches(was.switches, is.switches);
+  if (!tool) return;
+  const AxisWords& length = step.frame->tool;
+  if (length == AxisWords{}) {
+    code(true, "tool_length_off");
+  } else if (is.tool_of_offset >= 0) {
+    code(true, "tool_length");
+    word('H', is.tool_of_offset);
+  } else {
+    code(true, "tool_length_by_words");
+    for (const Axis axis : kAllAxes) {
+      word(letter(axis), length[axis] / (is.inches && !is_rotary(axis) ? kMmPerInch : 1));
+    }
+  }
+  write_words(std::exchange(modes, {}));
+}
+
+void Emitter::restore_switches(const Switches& was, const Switches& is) {
+  const auto write = [&](std::string_view meaning, int value) {
+    write_words(in_spelling(codes_.text_of(meaning, value), spelling_));
+  };
+  const bool off = (was.mist && !is.mist) || (was.flood && !is.flood);
+  if (off) write("coolant", 9);
+  if (is.mist && (off || !was.mist)) write("coolant", 7);
+  if (is.flood && (off || !was.flood)) write("coolant", 8);
+  const auto override_switch = [&](bool before, bool after, int code) {
+    if (before == after) return;
+    write_words(in_spelling(fmt::format("{} P{}", codes_.text_of("override", code), after ? 1 : 0), spelling_));
+  };
+  override_switch(was.feed_override, is.feed_override, 50);
+  override_switch(was.speed_override, is.speed_override, 51);
+  override_switch(was.adaptive_feed, is.adaptive_feed, 52);
+  override_switch(was.feed_stop, is.feed_stop, 53);
+}
+
+EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
+  note_header(step);
+  begin_change(step);
+  restore_feed_state(step, false);
+  const PlaneAxes axes = axes_of(step.after->plane);
+  AxisWords left = control_.work_shift(*step.frame);
+  editor_.start(*step.block, spelling_);
+  for (const Word& word : step.block->words) {
+    std::optional<Axis> axis = axis_of(word.letter);
+    if (word.letter == 'R' || word.letter == 'K') axis = axes.third;
+    if (!axis) continue;
+    const double per_unit = step.after->inches ? kMmPerInch : 1;
+    const double value = planner_.rounded(step, *axis, word.value + shift[*axis] / per_unit);
+    const bool goes_back_there = word.letter == 'R' && step.after->retract_to_r;
+    const bool in_plane = word.letter == letter(axes.first) || word.letter == letter(axes.second);
+    if (goes_back_there || in_plane) left[*axis] = (value - word.value) * per_unit;
+    std::string text;
+    append_word(text, word.letter, value, kMostDecimals, {spelling_.lower_case, false});
+    editor_.replace(word.span, text);
+  }
+  line_.clear();
+  editor_.apply(line_);
+  write_line(step, line_);
+  out_.write(unrolls() ? newline_ : step.block->line_end);
+  control_.set_work_shift(*step.frame, left);
+  control_.motion = MotionMode::cycle;
+  return {true, 1, std::nullopt, 0};
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,301 @@
+#include "nc/plain.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+#include "base/check.hpp"
+#include "base/number_text.hpp"
+#include "base/units.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr double kStands = 1e-9;  // mm and deg under which an axis does not move
+
+bool is_polar(const Word& word) { return word.letter == '@' || word.letter == '^'; }
+
+// Active comments that show parameters, which a program without parameters has not.
+bool shows_parameters(std::string_view comment) {
+  std::string text;
+  for (const char c : comment.substr(1)) {
+    if (c != ' ' && c != '\t') text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (text.size() > 6) break;
+  }
+  const bool active = text.starts_with("debug,") || text.starts_with("print,") || text.starts_with("log,");
+  return active && comment.find('#') != std::string_view::npos;
+}
+
+double unit_of(const Step& step, Axis axis) { return step.after->inches && !is_rotary(axis) ? kMmPerInch : 1; }
+
+}  // namespace
+
+bool PlainSteps::is_plain(const Step& step, bool keeps_settings) const {
+  const Block& block = *step.block;
+  if (!keeps_settings && !block.settings.empty()) return false;
+  if (step.polar && step.cycle == CycleForm::none && step.motions.size() == 1) return false;
+  for (const Comment& comment : block.comments) {
+    if (!keeps_settings && shows_parameters(block.at(comment.span))) return false;
+  }
+  return std::all_of(block.words.begin(), block.words.end(),
+                     [](const Word& word) { return word.expression == kLiteral; });
+}
+
+const Step* PlainSteps::plain(const Step& step, bool keeps_settings) {
+  used_ = 0;
+  if (step.skipped || is_plain(step, keeps_settings)) return &step;
+  const Block& block = *step.block;
+  if (!keeps_settings && block.words.empty() && !block.settings.empty()) return nullptr;
+  spelling_ = spelling_of(block, spelling_);
+  editor_.start(block, spelling_);
+  write_values(step, keeps_settings);
+  if (!keeps_settings) {
+    for (const Setting& setting : block.settings) editor_.replace(setting.span, "");
+    defuse_comments(block);
+  }
+  Own& own = next_own(step);
+  editor_.apply(own.text);
+  own.step = step;
+  if (step.cycle == CycleForm::none) own.step.polar = false;
+  parse(own, step);
+  // As many decimals as the control needs are written where the block changes, not as many as the value has.
+  auto word = own.block.words.begin();
+  bool polar_seen = false;
+  const bool polar = step.cycle == CycleForm::none;
+  for (const Word& before : block.words) {
+    const bool end = polar && is_polar(before);
+    if (end && polar_seen) continue;
+    polar_seen = polar_seen || end;
+    for (int i = end ? 2 : 1; i > 0; --i, ++word) {
+      PLUMBLINE_CHECK(word != own.block.words.end());
+      if (before.expression != kLiteral || end) word->decimals = 0;
+    }
+  }
+  return &own.step;
+}
+
+void PlainSteps::write_values(const Step& step, bool keeps_settings) {
+  bool end_written = false;
+  for (const Word& word : step.block->words) {
+    if (is_polar(word) && step.cycle == CycleForm::none) {
+      write_polar_end(step, end_written, word.span);
+    } else if (word.expression != kLiteral && !word.unknown) {
+      std::string text;
+      append_word(text, word.letter, word.value, kMostDecimals, {spelling_.lower_case, false});
+      editor_.replace(word.span, text);
+    } else if (word.unknown && !keeps_settings) {
+      refuse_at(*step.block, word.span, "emit-value-unknown",
+                "this value is known only when the machine runs, and the program must be written without parameters",
+                "write the value as a number, or the program without loops and subprograms");
+    }
+  }
+}
+
+void PlainSteps::write_polar_end(const Step& step, bool& written, Span span) {
+  std::string text;
+  if (!written) {
+    const Motion& motion = step.motions.front();
+    for (const Axis axis : {Axis::X, Axis::Y}) {
+      const double value = motion.to[axis] - (step.after->incremental ? motion.from[axis] : 0);
+      if (spelling_.spaced && !text.empty()) text += ' ';
+      append_word(text, letter(axis), value / unit_of(step, axis), kMostDecimals, {spelling_.lower_case, false});
+    }
+  }
+  editor_.replace(span, text);
+  written = true;
+}
+
+void PlainSteps::defuse_comments(const Block& block) {
+  for (const Comment& comment : block.comments) {
+    const std::string_view text = block.at(comment.span);
+    if (!shows_parameters(text)) continue;
+    editor_.replace({comment.span.begin, comment.span.begin + 1}, std::string(text.substr(0, 1)) + "was ");
+  }
+}
+
+PlainSteps::Own& PlainSteps::next_own(const Step& like) {
+  if (used_ == own_.size()) own_.emplace_back();
+  Own& own = own_[used_++];
+  own.text.clear();
+  own.before = *like.after;
+  own.after = *like.after;
+  own.step = Step{};
+  own.step.frame = like.frame;
+  own.step.position = like.position;
+  own.step.known = like.known;
+  own.step.jumped = like.jumped;
+  return own;
+}
+
+void PlainSteps::parse(Own& own, const Step& like) {
+  own.block.file = like.block->file;
+  own.block.text = own.text;
+  own.block.line = like.block->line;
+  own.block.line_end = like.block->line_end;
+  own.block.offset = std::max<std::uint64_t>(like.block->offset, 1);  // the text is not at the begin of a file
+  parser_.parse(own.block);
+  own.block.offset = like.block->offset;
+  own.step.block = &own.block;
+}
+
+void PlainSteps::add(Own& own) {
+  own.step.before = &own.before;
+  own.step.after = &own.after;
+  list_.push_back(&own.step);
+  made_.push_back(&own);
+}
+
+std::span<const Step* const> PlainSteps::moves(const Step& step) {
+  used_ = std::max<std::size_t>(used_, 1);  // the first may be what plain() gave
+  if (own_.empty()) own_.emplace_back();
+  list_.clear();
+  made_.clear();
+  number_.clear();
+  mode_ = step.before->motion;
+  spelling_ = spelling_of(*step.block, spelling_);
+  add_rest(step);
+  if (step.cycle == CycleForm::spindle) {
+    for (const Hole& hole : step.holes) add_hole(step, hole);
+  } else {
+    for (const Motion& motion : step.motions) add_move(step, motion);
+  }
+  add_words_behind(step);
+  if (list_.empty()) return list_;
+  // Every line but the last needs an end, which the last of a file may lack.
+  for (Own* const own : made_) {
+    own->block.line_end = step.block->line_end.empty() && own != made_.back() ? "\n" : step.block->line_end;
+  }
+  return list_;
+}
+
+// The block without the words of its cycle, and without those that wait for the motion.
+void PlainSteps::add_rest(const Step& step) {
+  constexpr std::string_view kCycleLetters = "XYZABCRLPQIJK@^";
+  const Block& block = *step.block;
+  const BlockCodes codes = codes_.codes_of(block);
+  editor_.start(block, spelling_);
+  std::size_t left = 0;
+  for (const Word& word : block.words) {
+    const auto behind = codes.after_motion();
+    const bool waits = std::any_of(behind.begin(), behind.end(), [&](const Word* other) { return other == &word; });
+    const bool of_cycle = kCycleLetters.find(word.letter) != std::string_view::npos
+                              ? !codes_.other_code_takes(block, word.letter)
+                              : codes_.is_motion(word);
+    if (waits || of_cycle) {
+      editor_.replace(word.span, "");
+    } else {
+      ++left;
+    }
+  }
+  if (step.executed_delete) editor_.replace(block.slash, "");
+  if (left + block.comments.size() + block.settings.size() == 0) {
+    number_ = block.at(block.number);
+    return;
+  }
+  Own& own = next_own(step);
+  editor_.apply(own.text);
+  own.text.erase(0, std::min(own.text.find_first_not_of(" \t"), own.text.size()));
+  own.before = *step.before;
+  own.after.motion = step.before->motion;
+  own.step.changes_tool = step.changes_tool;
+  parse(own, step);
+  add(own);
+}
+
+void PlainSteps::add_words_behind(const Step& step) {
+  const BlockCodes codes = codes_.codes_of(*step.block);
+  if (codes.after_motion().empty()) return;
+  Own& own = next_own(step);
+  for (const Word* word : codes.after_motion()) append_code(own.text, step.block->at(word->span), spelling_);
+  own.before.motion = own.after.motion = mode_;
+  own.step.loses_position = step.loses_position;
+  parse(own, step);
+  add(own);
+}
+
+void PlainSteps::append_axis(std::string& text, const Step& step, char letter, double mm) const {
+  append_word(text, letter, mm / (step.after->inches ? kMmPerInch : 1), kMostDecimals, spelling_);
+}
+
+void PlainSteps::add_move(const Step& step, const Motion& motion) {
+  AxisSet moved;
+  for (const Axis axis : kAllAxes) {
+    if (std::abs(motion.to[axis] - motion.from[axis]) > kStands || !motion.known_before.contains(axis)) {
+      if (motion.known_after.contains(axis)) moved.insert(axis);
+    }
+  }
+  const bool dwells = motion.kind == MotionKind::dwell;
+  if (moved.empty() && !dwells) return;
+  Own& own = next_own(step);
+  own.text = std::exchange(number_, {});
+  own.before.motion = mode_;
+  if (dwells) {
+    append_code(own.text, codes_.dwell(), spelling_);
+    append_word(own.text, 'P', motion.dwell_s, kMostDecimals, spelling_);
+  } else {
+    mode_ = motion.kind == MotionKind::rapid ? MotionMode::rapid : MotionMode::feed;
+    append_code(own.text, codes_.motion(mode_), spelling_);
+    for (const Axis axis : kAllAxes) {
+      if (!moved.contains(axis)) continue;
+      const double value = motion.to[axis] - (step.after->incremental ? motion.from[axis] : 0);
+      append_word(own.text, letter(axis), value / unit_of(step, axis), kMostDecimals, spelling_);
+    }
+  }
+  own.after.motion = mode_;
+  own.motion = motion;
+  own.step.motions = {&own.motion, 1};
+  own.step.named = dwells ? AxisSet{} : moved;
+  parse(own, step);
+  for (Word& word : own.block.words) word.decimals = 0;
+  add(own);
+}
+
+// The way to above the hole, then a cycle of its own with every word stated, absolute.
+void PlainSteps::add_hole(const Step& step, const Hole& hole) {
+  for (std::size_t i = hole.approach_begin; i < hole.approach_end; ++i) add_move(step, step.motions[i]);
+  const PlaneAxes axes = axes_of(step.after->plane);
+  const Motion& above = step.motions[hole.approach_end - 1];
+  if (!step.after->retract_to_r && above.to[axes.third] < hole.clear) {
+    Motion up = above;
+    up.from = above.to;
+    up.to[axes.third] = hole.clear;
+    up.known_before = above.known_after;
+    add_move(step, up);
+  }
+  Own& own = next_own(step);
+  own.text = std::exchange(number_, {});
+  if (step.after->incremental) append_code(own.text, codes_.distance(false), spelling_);
+  append_code(own.text, codes_.cycle(hole.code), spelling_);
+  append_axis(own.text, step, letter(axes.first), hole.first);
+  append_axis(own.text, step, letter(axes.second), hole.second);
+  append_axis(own.text, step, letter(axes.third), hole.bottom);
+  append_axis(own.text, step, 'R', hole.r);
+  if (hole.dwell_s) append_word(own.text, 'P', *hole.dwell_s, kMostDecimals, spelling_);
+  if (hole.ijk) {
+    for (std::size_t i = 0; i < 3; ++i) append_axis(own.text, step, "IJK"[i], (*hole.ijk)[i]);
+  }
+  own.before.motion = mode_;
+  own.hole = hole;
+  own.step.motions = step.motions.subspan(hole.begin, hole.end - hole.begin);
+  own.step.holes = {&own.hole, 1};
+  own.step.role = BlockRole::cycle;
+  own.step.cycle = CycleForm::spindle;
+  own.step.loses_position = step.loses_position;
+  own.step.named = AxisSet::linear();
+  own.after.incremental = false;
+  own.after.motion = mode_ = MotionMode::cycle;
+  parse(own, step);
+  for (Word& word : own.block.words) word.decimals = 0;
+  add(own);
+  if (!step.after->incremental) return;
+  Own& back = next_own(step);
+  append_code(back.text, codes_.distance(true), spelling_);
+  back.before.incremental = false;
+  back.before.motion = back.after.motion = mode_;
+  parse(back, step);
+  add(back);
+}
+
+}  // namespace plumbline::nc
