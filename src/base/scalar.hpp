@@ -69,7 +69,7 @@ T absolute(const T& a) {
 /// NaN if either is: a residual that is no number must not pass for a small one.
 template <class T>
 T larger(const T& a, const T& b) {
-  return select<T>(b <= a || a != a, a, b);
+  return select<T>(b <= a, a, select<T>(b > a, b, a + b));
 }
 
 }  // namespace plumbline

@@ -65,4 +65,10 @@ int main_of(int argc, const char* const* argv) {
 }  // namespace
 }  // namespace plumbline::cli
 
-int main(int argc, char** argv) { return plumbline::cli::main_of(argc, argv); }
+int main(int argc, char** argv) {
+  try {
+    return plumbline::cli::main_of(argc, argv);
+  } catch (...) {  // while saying what is wrong: standard error is gone
+    return plumbline::cli::kFailed;
+  }
+}

@@ -125,7 +125,7 @@ constexpr std::array kRows{
               "some of them alone as A=0,B=0,C=0",
               OptionGroup::program, false, false, set_start},
     OptionRow{"variables", "FILE",
-              "variables of the control, lines \"#NUMBER VALUE\" or \"NUMBER VALUE\" (a .var file); lengths in mm",
+              "variables of the control, a line #NUMBER VALUE or NUMBER VALUE for each (a .var file); lengths in mm",
               OptionGroup::program, false, true, [](Options& o, Text t) { o.variables = t; }},
     OptionRow{"pass", "M428,...", "M codes of the machine's builder that go through as they stand; repeatable",
               OptionGroup::program, true, false, [](Options& o, Text t) { add_m_codes(o.pass, t); }},

@@ -78,7 +78,8 @@ class Player {
   physics::Motion<double> motion_of(const compensate::Target& target) const {
     physics::Motion<double> motion;
     motion.pose = machine::pose_of(model_.rotation, target.pose);
-    Vector3<double> abc, rate;
+    Vector3<double> abc;
+    Vector3<double> rate;
     for (int i = 0; i < 3; ++i) {
       const auto linear = static_cast<std::size_t>(i);
       motion.twist.v_WT[i] = target.slope.values[linear] * kMm;

@@ -90,7 +90,7 @@ void add_offsets(TextTable& table, const Summary& s, const Options& options) {
     table.add("", "an offset probed on the machine holds that already: say where with --touch-off");
   }
   if (!s.assumed_at_zero.empty()) {
-    table.add("taken to be zero", fmt::format("{}: the program never names it", axis_list(s.assumed_at_zero)));
+    table.add("taken to be zero", fmt::format("{}: no word of the program names them", axis_list(s.assumed_at_zero)));
   }
 }
 

@@ -87,16 +87,15 @@ void append_numbers(std::string& out, std::span<const double> values) {
 }  // namespace
 
 void append_trace_line(std::string& out, const Motion& motion) {
-  fmt::format_to(std::back_inserter(out), "{{\"line\": {}, \"motion\": \"{}\", \"to\": ", motion.line,
-                 name_of(motion.kind));
+  fmt::format_to(std::back_inserter(out), R"({{"line": {}, "motion": "{}", "to": )", motion.line, name_of(motion.kind));
   append_numbers(out, motion.to.values);
   out += ", \"machine\": ";
   append_numbers(out, motion.machine.values);
   out += ", \"feed\": ";
   append_number(out, motion.feed);
-  fmt::format_to(std::back_inserter(out), ", \"feed_mode\": \"{}\"", name_of(motion.feed_mode));
+  fmt::format_to(std::back_inserter(out), R"(, "feed_mode": "{}")", name_of(motion.feed_mode));
   if (motion.kind == MotionKind::arc) {
-    fmt::format_to(std::back_inserter(out), ", \"plane\": \"{}\", \"centre\": ", name_of(motion.arc.plane));
+    fmt::format_to(std::back_inserter(out), R"(, "plane": "{}", "centre": )", name_of(motion.arc.plane));
     append_numbers(out, motion.arc.centre_mm);
     fmt::format_to(std::back_inserter(out), ", \"turns\": {}", motion.arc.turns);
   }

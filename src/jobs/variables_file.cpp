@@ -16,7 +16,7 @@ constexpr int kFirstWorkOffset = 5221;
 constexpr int kRotation = 9;  // behind the first of a work system
 constexpr int kPerSystem = 20;
 constexpr std::string_view kBlanks = " \t\r";
-constexpr std::string_view kForm = "write \"#NUMBER VALUE\", as in \"#100 12.5\"";
+constexpr std::string_view kForm = R"(write "#NUMBER VALUE", as in "#100 12.5")";
 
 struct Piece {
   std::size_t begin = 0;

@@ -127,7 +127,7 @@ class RunReader {
   }
 
   Direction direction() const {
-    constexpr std::string_view kMeaning = "\"ccw\" or \"cw\", seen from +Z";
+    constexpr std::string_view kMeaning = R"("ccw" or "cw", seen from +Z)";
     const TomlValue& value = required("direction", kMeaning);
     require(value, Kind::text, "direction", kMeaning);
     for (const Direction direction : {Direction::ccw, Direction::cw}) {

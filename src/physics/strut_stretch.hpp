@@ -34,6 +34,7 @@ void for_each_instance(const ForceModel& model, const T* parameters, Apply&& app
 
 // One function per hook: asks every instance of every effect that has the hook. The name alone decides, so that a hook
 // whose arguments are wrong does not compile.
+// NOLINTBEGIN(bugprone-macro-parentheses): the name of a member takes none
 #define PLUMBLINE_ASK(hook)                                                                         \
   template <class T, class Sum>                                                                     \
   void ask_##hook(const ForceModel& model, const T* parameters, const Situation<T>& at, Sum& sum) { \
@@ -41,6 +42,7 @@ void for_each_instance(const ForceModel& model, const T* parameters, Apply&& app
       if constexpr (requires { &Effect::template hook<T>; }) Effect::hook(p, at, sum);              \
     });                                                                                             \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 PLUMBLINE_ASK(conditions)
 PLUMBLINE_ASK(wrench)
 PLUMBLINE_ASK(transverse_force)

@@ -68,7 +68,7 @@ TEST_CASE("every flaw of a dataset is refused at its place with the way out") {
       {"radius_mm = 144", "radius_mm = nan", "dataset-out-of-range", 8, "1 to 2000 mm"},
       {"[0, 100, -1008]", "[0, 100]", "dataset-wrong-size", 7, "[x, y, z]"},
       {"[0, 100, -1008]", "[0, 100, -1008000]", "dataset-out-of-range", 7, "meant in um, write -1008"},
-      {"\"ccw\"", "\"left\"", "dataset-direction", 10, "\"ccw\" or \"cw\""},
+      {"\"ccw\"", "\"left\"", "dataset-direction", 10, R"("ccw" or "cw")"},
       {"feed_mm_min = 1000", "feed_mm_min = 0", "dataset-out-of-range", 11, "speed"},
       {"feed_mm_min = 1000", "feed_mm_min = 1000\nbar_mm = 100", "dataset-bar", 12, "distance of the two balls"},
       {"feed_mm_min = 1000", "feed_mm_min = 1000\npayload_kg = -1", "dataset-out-of-range", 12, "0 to 1000 kg"},
