@@ -15,6 +15,7 @@ constexpr double kDeg = M_PI / 180;
 template <class Numbers>
 std::vector<double*> each(Numbers& numbers) {
   std::vector<double*> all;
+  all.reserve(static_cast<std::size_t>(numbers.size()));
   for (double& x : numbers) all.push_back(&x);
   return all;
 }

@@ -1,13 +1,15 @@
 // plumbline_draw_case: draws a machine, its measurements and what is hidden in them from a seed, and writes them.
+#include <cstdio>
 #include <exception>
-#include <iostream>
 #include <map>
 
 #include <CLI/CLI.hpp>
 
 #include "truth/drawn_case.hpp"
 
-int main(int argc, char** argv) {
+namespace {
+
+int draw(int argc, char** argv) {
   CLI::App app("Draws a blind case: a machine whose model misses something that its measurements hold.");
   truth::CaseOptions options;
   std::string machine = "pm";
@@ -40,16 +42,23 @@ int main(int argc, char** argv) {
   app.add_flag("--quick", quick, "do not look for effects that look alike");
   app.add_option("-o", out, "folder")->required();
   CLI11_PARSE(app, argc, argv);
+  const bool named = machine.find('/') == std::string::npos && machine.find(".toml") == std::string::npos;
+  options.machine = named ? std::string(PLUMBLINE_TRUTH_MACHINES) + "/" + machine + ".toml" : machine;
+  options.radial_noise = radial_um * 1e-6;
+  options.look_alikes = !quick;
+  if (options.effect != "none" && options.snr <= 0) throw std::runtime_error("an effect needs --snr");
+  truth::write_case(truth::draw_case(options), out);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
   try {
-    const bool named = machine.find('/') == std::string::npos && machine.find(".toml") == std::string::npos;
-    options.machine = named ? std::string(PLUMBLINE_TRUTH_MACHINES) + "/" + machine + ".toml" : machine;
-    options.radial_noise = radial_um * 1e-6;
-    options.look_alikes = !quick;
-    if (options.effect != "none" && options.snr <= 0) throw std::runtime_error("an effect needs --snr");
-    truth::write_case(truth::draw_case(options), out);
+    return draw(argc, argv);
   } catch (const std::exception& problem) {
-    std::cerr << problem.what() << '\n';
+    std::fputs(problem.what(), stderr);
+    std::fputc('\n', stderr);
     return 1;
   }
-  return 0;
 }
