@@ -146,13 +146,26 @@ NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOpti
 }
 
 void whiten(const ChannelNoise& noise, Eigen::Ref<Eigen::MatrixXd> rows) {
-  const double innovation = 1 / (noise.sigma * std::sqrt(1 - noise.memory * noise.memory));
+  // the filter's gains do not depend on the data: x = memory (x + gain e), e = y - x, of variance F = P + white,
+  // P' = memory^2 P (1 - gain) + (1 - memory^2) (1 - white)
+  const double remembered = 1 - noise.white;
+  Eigen::VectorXd gain(rows.rows());
+  Eigen::VectorXd weight(rows.rows());
+  double P = remembered;
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const double F = P + noise.white;
+    gain[i] = noise.memory * P / F;
+    weight[i] = 1 / (noise.sigma * std::sqrt(F));
+    P = noise.memory * noise.memory * P * noise.white / F + (1 - noise.memory * noise.memory) * remembered;
+  }
   for (Eigen::Index c = 0; c < rows.cols(); ++c) {
     auto column = rows.col(c);
-    for (Eigen::Index i = rows.rows() - 1; i > 0; --i) {
-      column[i] = (column[i] - noise.memory * column[i - 1]) * innovation;
+    double x = 0;
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+      const double e = column[i] - x;
+      x = noise.memory * x + gain[i] * e;
+      column[i] = weight[i] * e;
     }
-    column[0] /= noise.sigma;
   }
 }
 

@@ -8,11 +8,13 @@
 
 namespace plumbline::identify {
 
-/// Noise of one channel as an autoregressive process of the first order: e_i = memory e_(i-1) + innovation.
+/// Noise of one channel: an autoregressive process of the first order, a_i = memory a_(i-1) + innovation, and a part
+/// that does not remember at all: e_i = a_i + b_i.
 struct ChannelNoise {
   double sigma = 1;          // standard deviation of a sample, SI
-  double memory = 0;         // correlation of neighbours, from -1 to 1
+  double memory = 0;         // correlation of neighbours of a, from -1 to 1
   Eigen::Index samples = 0;  // that it was estimated from
+  double white = 0;          // share of b in the variance, from 0 to 1
 };
 
 struct NoiseModel {
@@ -36,7 +38,8 @@ NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOpti
 NoiseModel rough_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options = {});
 
 /// Rows of one channel of one run, in order, turned so that the noise in them is independent and of variance one:
-/// y_0 / sigma, (y_i - memory y_(i-1)) / (sigma sqrt(1 - memory^2)).
+/// y_0 / sigma, (y_i - memory y_(i-1)) / (sigma sqrt(1 - memory^2)) without a white part; else the innovations of the
+/// Kalman filter for a  [Durbin and Koopman 2012, 4.3].
 void whiten(const ChannelNoise& noise, Eigen::Ref<Eigen::MatrixXd> rows);
 
 /// All equations of a run whitened, channel by channel.

@@ -1,0 +1,145 @@
+#include "diagnose/linear_problem.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+
+#include "base/check.hpp"
+#include "base/parallel.hpp"
+#include "diagnose/states.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+// Row by row factors of all channels of a run: per sample, the same for each channel.
+Eigen::VectorXd repeated(const Eigen::VectorXd& per_sample, std::size_t channels) {
+  return per_sample.replicate(static_cast<Eigen::Index>(channels), 1);
+}
+
+class ColumnMaker {
+ public:
+  ColumnMaker(const Shelf& shelf, const physics::ForceModel& forces, const std::vector<State>& states,
+              const identify::RunEquations& equations)
+      : shelf_(shelf), forces_(forces), states_(states), equations_(equations) {}
+
+  Eigen::MatrixXd run() const {
+    const auto count = static_cast<Eigen::Index>(shelf_.columns.size());
+    Eigen::MatrixXd all(equations_.residual.size(), count + 1);
+    const Eigen::Index direct = equations_.slopes.cols();
+    for (Eigen::Index c = 0; c < direct; ++c) {
+      all.col(c) = shelf_.columns[static_cast<std::size_t>(c)].scale * equations_.slopes.col(c);
+    }
+    for (const Candidate& candidate : shelf_.candidates) {
+      if (candidate.name == "screw-stribeck") {
+        for (const Way& way : candidate.ways) all.col(way.carriers[0][0]) = stribeck(way);
+      } else if (candidate.name == "cyclic") {
+        for (const Carrier& carrier : candidate.ways[0].carriers) {
+          all.col(carrier[0]) = cyclic(carrier[0], [](double x) { return std::sin(x); });
+          all.col(carrier[1]) = cyclic(carrier[1], [](double x) { return std::cos(x); });
+        }
+      }
+    }
+    all.col(count) = equations_.residual;
+    return all;
+  }
+
+ private:
+  template <class F>
+  Eigen::VectorXd factors(F&& of) const {
+    Eigen::VectorXd values(static_cast<Eigen::Index>(states_.size()));
+    for (std::size_t i = 0; i < states_.size(); ++i) values[static_cast<Eigen::Index>(i)] = of(states_[i]);
+    return repeated(values, equations_.channels.size());
+  }
+
+  Eigen::VectorXd slope(std::string_view effect, std::string_view key, int index) const {
+    return equations_.slopes.col(shelf_.unknowns.find(effect, key, index));
+  }
+
+  // a Coulomb friction's column, each sample times exp(-(Ldot / v)^2), summed over the struts
+  Eigen::VectorXd stribeck(const Way& way) const {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(equations_.residual.size());
+    for (int j = 0; j < machine::kStruts; ++j) {
+      const auto fading = [&](const State& s) { return std::exp(-std::pow(s.speed[j] / way.setting, 2)); };
+      sum += slope("screw-coulomb", "force_N", j).cwiseProduct(factors(fading));
+    }
+    return shelf_.columns[static_cast<std::size_t>(way.carriers[0][0])].scale * sum;
+  }
+
+  // an offset's column times sin or cos of 2 pi L / lead
+  template <class Wave>
+  Eigen::VectorXd cyclic(int column, Wave&& wave) const {
+    const Column& about = shelf_.columns[static_cast<std::size_t>(column)];
+    const double turns = 2 * std::numbers::pi / forces_.machine.lead[about.strut];
+    const auto at = [&](const State& s) { return wave(turns * s.struts.length[about.strut]); };
+    return about.scale * slope("strut-offset", "length_um", about.strut).cwiseProduct(factors(at));
+  }
+
+  const Shelf& shelf_;
+  const physics::ForceModel& forces_;
+  const std::vector<State>& states_;
+  const identify::RunEquations& equations_;
+};
+
+}  // namespace
+
+Eigen::MatrixXd without_setup(const identify::RunEquations& equations, Eigen::MatrixXd columns,
+                              const identify::NoiseModel& noise) {
+  const Eigen::Index n = equations.samples;
+  for (std::size_t c = 0; c < equations.channels.size(); ++c) {
+    const identify::ChannelNoise& channel = noise.channels[static_cast<std::size_t>(equations.channels[c])];
+    identify::whiten(channel, columns.middleRows(static_cast<Eigen::Index>(c) * n, n));
+    if (equations.channels[c] != identify::kRadial) continue;
+    Eigen::MatrixXd setup = equations.setup_slopes;
+    identify::whiten(channel, setup);
+    const Eigen::MatrixXd Q = setup.householderQr().householderQ() * Eigen::MatrixXd::Identity(n, setup.cols());
+    auto radial = columns.middleRows(static_cast<Eigen::Index>(c) * n, n);
+    radial -= Q * (Q.transpose() * radial).eval();
+  }
+  return columns;
+}
+
+LinearProblem linearise(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Shelf& shelf,
+                        const Eigen::VectorXd& values, const identify::NoiseModel& noise) {
+  identify::Objective objective(order, runs, shelf.unknowns, {.huber = 0});
+  objective.set_noise(noise);
+  LinearProblem problem;
+  problem.values = values;
+  problem.raw = objective.equations(values, true);
+  problem.blocks.resize(runs.size());
+  const physics::ForceModel forces = shelf.unknowns.at(values);
+  std::vector<Eigen::MatrixXd> grams(runs.size());
+  for_each_index(runs.size(), [&](std::size_t i) {
+    const std::vector<State> states = states_of(order, forces, runs[i]);
+    identify::RunEquations& raw = problem.raw[i];
+    problem.blocks[i].rows = without_setup(raw, ColumnMaker(shelf, forces, states, raw).run(), noise);
+    raw.slopes.resize(0, 0);
+    const Eigen::MatrixXd& rows = problem.blocks[i].rows;
+    grams[i].setZero(rows.cols(), rows.cols());
+    grams[i].selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+  });
+  problem.gram.setZero(grams[0].rows(), grams[0].cols());
+  for (const Eigen::MatrixXd& gram : grams) problem.gram += gram;
+  problem.gram.triangularView<Eigen::StrictlyUpper>() = problem.gram.transpose();
+  return problem;
+}
+
+Eigen::MatrixXd left_of(const LinearProblem& problem, const Taken& taken) {
+  const auto count = static_cast<Eigen::Index>(taken.columns.size());
+  const Eigen::Index r = problem.residual();
+  Eigen::MatrixXd G = problem.gram(Eigen::all, taken.columns);  // what they have in common with all columns
+  Eigen::MatrixXd own = G(taken.columns, Eigen::all);
+  own.diagonal() += taken.precision;
+  // rows of the priors: slope one, residual minus the departure
+  const Eigen::VectorXd pull = taken.precision.cwiseProduct(taken.departure);
+  G.row(r) -= pull.transpose();
+  Eigen::MatrixXd left = problem.gram;
+  left(r, r) += pull.dot(taken.departure);
+  const Eigen::LDLT<Eigen::MatrixXd> ldlt(own);
+  PLUMBLINE_CHECK(ldlt.info() == Eigen::Success && count == own.rows());
+  left -= G * ldlt.solve(G.transpose());
+  return left;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,260 @@
+#include "diagnose/refit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <Eigen/Cholesky>
+
+#include "base/check.hpp"
+#include "base/parallel.hpp"
+#include "diagnose/bounded.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+constexpr double kWeak = 1e-7;    // precision of effects, in their scales: keeps what the data cannot tell in place
+constexpr double kZeroSum = 1e6;  // precision of the sum of numbers that sum to zero
+
+bool is_phase(const identify::Unknown& unknown) { return unknown.key == "phase_deg"; }
+
+class Fitter {
+ public:
+  Fitter(const Workbench& bench, const std::vector<Pick>& picks, const identify::NoiseModel& noise)
+      : bench_(bench), unknowns_(identify::nuisances(bench.machine, bench.forces)), noise_(noise) {
+    for (std::size_t i = 0; i < unknowns_.size(); ++i) places_.push_back(static_cast<int>(i));
+    for (const Pick& pick : picks) {
+      for (const int place : pick.unknowns) {
+        if (place < static_cast<int>(bench.shelf.nuisances)) {
+          unknowns_.set_free(static_cast<std::size_t>(place));
+          effects_.push_back(place);
+        } else {
+          const identify::Unknown& u = bench.shelf.unknowns[static_cast<std::size_t>(place)];
+          effects_.push_back(static_cast<int>(unknowns_.add(u.effect, u.key, std::max(u.index, 0))));
+          places_.push_back(place);
+        }
+        zero_sums_.push_back(pick.candidate->ways[static_cast<std::size_t>(pick.way)].sums_to_zero);
+      }
+    }
+    const auto n = static_cast<Eigen::Index>(unknowns_.size());
+    scales_.resize(n);
+    precision_.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const identify::Unknown& u = unknowns_[static_cast<std::size_t>(i)];
+      scales_[i] = u.scale;
+      precision_[i] = u.free() ? kWeak : 1;
+    }
+    objective_.emplace(bench.machine.rotation, bench.runs, unknowns_, identify::ObjectiveOptions{.huber = 0});
+    objective_->set_noise(noise);
+  }
+
+  Refit run(const Eigen::VectorXd& start, const RefitOptions& options) {
+    Eigen::VectorXd values = start(places_);
+    Point now = at(values);
+    Refit result;
+    for (int i = 0; i < options.most_iterations && !result.converged; ++i) {
+      Eigen::VectorXd step = step_from(now, values);
+      Point next = at(values + step);
+      for (int half = 0; half < 5 && next.misfit > now.misfit + options.tolerance; ++half) {
+        step *= 0.5;
+        next = at(values + step);
+      }
+      const double drop = now.misfit - next.misfit;
+      result.converged = drop < options.tolerance;
+      if (drop < 0) break;
+      values += step;
+      now = std::move(next);
+    }
+    result.misfit = now.misfit;
+    result.values = start;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      double value = values[static_cast<Eigen::Index>(i)];
+      if (is_phase(unknowns_[i])) value = std::remainder(value, 2 * std::numbers::pi);
+      result.values[places_[i]] = value;
+    }
+    finish(now, values, result);
+    return result;
+  }
+
+ private:
+  struct Point {
+    Eigen::MatrixXd gram;  // of all unknowns in scales, residual last; of data alone
+    double misfit = 0;
+  };
+
+  Eigen::VectorXd departure(const Eigen::VectorXd& values) const {
+    return (values - unknowns_.start()).cwiseQuotient(scales_);
+  }
+
+  Point at(const Eigen::VectorXd& values) {
+    const std::vector<identify::RunEquations> equations = objective_->equations(values, true);
+    std::vector<Eigen::MatrixXd> grams(equations.size());
+    for_each_index(equations.size(), [&](std::size_t i) {
+      Eigen::MatrixXd rows(equations[i].residual.size(), scales_.size() + 1);
+      rows << equations[i].slopes * scales_.asDiagonal(), equations[i].residual;
+      rows = without_setup(equations[i], std::move(rows), noise_);
+      grams[i].setZero(rows.cols(), rows.cols());
+      grams[i].selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+    });
+    Point point;
+    point.gram.setZero(scales_.size() + 1, scales_.size() + 1);
+    for (const Eigen::MatrixXd& gram : grams) point.gram += gram;
+    point.gram.triangularView<Eigen::StrictlyUpper>() = point.gram.transpose();
+    const Eigen::VectorXd z = departure(values);
+    point.misfit = point.gram(scales_.size(), scales_.size()) + z.dot(precision_.cwiseProduct(z));
+    return point;
+  }
+
+  // Normal equations of data and priors.
+  void normal(const Point& point, const Eigen::VectorXd& values, Eigen::MatrixXd& A, Eigen::VectorXd& b) const {
+    const Eigen::Index n = scales_.size();
+    const Eigen::VectorXd z = departure(values);
+    A = point.gram.topLeftCorner(n, n);
+    A.diagonal() += precision_;
+    b = point.gram.col(n).head(n) - precision_.cwiseProduct(z);
+    for (std::size_t i = 0; i < effects_.size(); ++i) {
+      if (!zero_sums_[i]) continue;
+      for (std::size_t k = 0; k < effects_.size(); ++k) {
+        if (!zero_sums_[k]) continue;
+        A(effects_[i], effects_[k]) += kZeroSum;
+        b[effects_[i]] -= kZeroSum * z[effects_[k]];
+      }
+    }
+  }
+
+  // Effects within their bounds first, the nuisances then follow exactly.
+  Eigen::VectorXd step_from(const Point& point, const Eigen::VectorXd& values) const {
+    Eigen::MatrixXd A;
+    Eigen::VectorXd b;
+    normal(point, values, A, b);
+    const std::vector<int> others = not_effects();
+    Eigen::VectorXd step(b.size());
+    const auto m = static_cast<Eigen::Index>(effects_.size());
+    const Eigen::MatrixXd cross = A(others, effects_);
+    const Eigen::LDLT<Eigen::MatrixXd> inner(Eigen::MatrixXd(A(others, others)));
+    const Eigen::MatrixXd taken = others.empty() ? Eigen::MatrixXd(0, m) : Eigen::MatrixXd(inner.solve(cross));
+    const Eigen::VectorXd b_others = b(others);
+    Eigen::VectorXd sizes(m);
+    if (m > 0) {
+      const Eigen::MatrixXd S = A(effects_, effects_) - cross.transpose() * taken;
+      const Eigen::VectorXd s = b(effects_) - taken.transpose() * b_others;
+      Eigen::VectorXd lower(m);
+      Eigen::VectorXd upper(m);
+      for (Eigen::Index i = 0; i < m; ++i) {
+        const int place = effects_[static_cast<std::size_t>(i)];
+        const identify::Unknown& u = unknowns_[static_cast<std::size_t>(place)];
+        const bool open = is_phase(u);
+        lower[i] = open ? -1e9 : std::min(0.0, (u.lower - values[place]) / u.scale);
+        upper[i] = open ? 1e9 : std::max(0.0, (u.upper - values[place]) / u.scale);
+      }
+      sizes = solve_bounded(S, s, lower, upper);
+    }
+    step(effects_) = sizes;
+    if (!others.empty()) step(others) = inner.solve(b_others) - taken * sizes;
+    return step.cwiseProduct(scales_);
+  }
+
+  std::vector<int> not_effects() const {
+    std::vector<int> others;
+    for (int i = 0; i < scales_.size(); ++i) {
+      if (std::find(effects_.begin(), effects_.end(), i) == effects_.end()) others.push_back(i);
+    }
+    return others;
+  }
+
+  void finish(const Point& point, const Eigen::VectorXd& values, Refit& result) const {
+    Eigen::MatrixXd A;
+    Eigen::VectorXd b;
+    normal(point, values, A, b);
+    const Eigen::MatrixXd covariance = A.ldlt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
+    result.errors.assign(bench_.shelf.unknowns.size(), 0);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      result.errors[static_cast<std::size_t>(places_[i])] = std::sqrt(std::max(covariance(k, k), 0.0)) * scales_[k];
+    }
+    const std::vector<int> others = not_effects();
+    const Eigen::MatrixXd cross = A(others, effects_);
+    result.effects = A(effects_, effects_);
+    if (!others.empty() && !effects_.empty()) {
+      result.effects -= cross.transpose() * Eigen::MatrixXd(A(others, others)).ldlt().solve(cross);
+    }
+    result.sizes = departure(values)(effects_);
+  }
+
+  const Workbench& bench_;
+  identify::Unknowns unknowns_;
+  identify::NoiseModel noise_;
+  std::vector<int> places_;   // of unknowns_ in the shelf
+  std::vector<int> effects_;  // in unknowns_
+  std::vector<bool> zero_sums_;
+  Eigen::VectorXd scales_, precision_;
+  std::optional<identify::Objective> objective_;
+};
+
+}  // namespace
+
+Refit refit(const Workbench& bench, const std::vector<Pick>& picks, const Eigen::VectorXd& start,
+            const identify::NoiseModel& noise, const RefitOptions& options) {
+  return Fitter(bench, picks, noise).run(start, options);
+}
+
+Pick pick_of(const Shelf& shelf, const Candidate& candidate, const Score& score, Eigen::VectorXd& values) {
+  Pick pick{&candidate, score.way, score.carriers, {}};
+  const auto set = [&](std::string_view key, int index, double value) {
+    const int place = shelf.unknowns.find(candidate.name, key, index);
+    PLUMBLINE_CHECK(place >= 0);
+    values[place] = value;
+    pick.unknowns.push_back(place);
+  };
+  const Way& way = candidate.ways[static_cast<std::size_t>(score.way)];
+  for (std::size_t i = 0; i < score.columns.size(); ++i) {
+    const Column& column = shelf.columns[static_cast<std::size_t>(score.columns[i])];
+    const double size = score.sizes[static_cast<Eigen::Index>(i)] * column.scale;
+    if (candidate.name == "cyclic") {
+      if (column.key == "cosine") continue;
+      const double cosine = score.sizes[static_cast<Eigen::Index>(i) + 1] * column.scale;
+      set("amplitude_um", column.strut, std::hypot(size, cosine));
+      set("phase_deg", column.strut, std::atan2(cosine, size));
+    } else if (candidate.name == "screw-stribeck") {
+      set("force_N", -1, size);
+      set("speed_mm_s", -1, way.setting);
+    } else {
+      set(column.key, column.index, shelf.unknowns[static_cast<std::size_t>(column.unknown)].start + size);
+    }
+  }
+  return pick;
+}
+
+Taken taken_by(const Shelf& shelf, const std::vector<Pick>& picks, const Eigen::VectorXd& values) {
+  Taken taken;
+  std::vector<double> precision;
+  std::vector<double> departure;
+  std::vector<bool> free(shelf.nuisances, false);
+  std::vector<int> more;
+  for (const Pick& pick : picks) {
+    for (const int place : pick.unknowns) {
+      if (place < static_cast<int>(shelf.nuisances)) {
+        free[static_cast<std::size_t>(place)] = true;
+      } else {
+        more.push_back(place);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < shelf.nuisances; ++i) {
+    const identify::Unknown& u = shelf.unknowns[i];
+    taken.columns.push_back(static_cast<int>(i));
+    precision.push_back(free[i] ? kWeak : 1);
+    departure.push_back(free[i] ? 0 : (values[static_cast<Eigen::Index>(i)] - u.start) / u.scale);
+  }
+  for (const int place : more) {
+    taken.columns.push_back(place);
+    precision.push_back(kWeak);
+    departure.push_back(0);
+  }
+  taken.precision = Eigen::Map<Eigen::VectorXd>(precision.data(), static_cast<Eigen::Index>(precision.size()));
+  taken.departure = Eigen::Map<Eigen::VectorXd>(departure.data(), static_cast<Eigen::Index>(departure.size()));
+  return taken;
+}
+
+}  // namespace plumbline::diagnose

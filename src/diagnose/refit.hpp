@@ -1,0 +1,49 @@
+// The nonlinear fit of a model with some effects added: nuisances within their priors, effects within their bounds.
+#pragma once
+
+#include "diagnose/linear_problem.hpp"
+#include "diagnose/score.hpp"
+
+namespace plumbline::diagnose {
+
+/// An effect that was picked, and which of its numbers are fitted.
+struct Pick {
+  const Candidate* candidate = nullptr;
+  int way = 0;
+  std::vector<int> carriers;
+  std::vector<int> unknowns;  // of the shelf
+};
+
+/// What all fits need. Kept by reference.
+struct Workbench {
+  const machine::MachineModel& machine;
+  const physics::ForceModel& forces;  // of the machine as stated
+  const std::vector<measure::Run>& runs;
+  const Shelf& shelf;
+};
+
+struct RefitOptions {
+  int most_iterations = 8;
+  double tolerance = 0.02;  // of the misfit, at which it ends
+};
+
+struct Refit {
+  Eigen::VectorXd values;      // of the shelf's unknowns, SI
+  double misfit = 0;           // of data and priors, in units of the noise
+  Eigen::MatrixXd effects;     // Gram matrix of the picks' numbers, nuisances out, in scales of their unknowns
+  Eigen::VectorXd sizes;       // of those numbers in these scales, from where they change nothing
+  std::vector<double> errors;  // standard errors of the shelf's unknowns that were fitted, SI; others zero
+  bool converged = false;
+};
+
+/// Gauss-Newton with halved steps, the set-up of each run projected out at every step.
+Refit refit(const Workbench& bench, const std::vector<Pick>& picks, const Eigen::VectorXd& start,
+            const identify::NoiseModel& noise, const RefitOptions& options = {});
+
+/// A pick as its score has it; puts the sizes found into `values`.
+Pick pick_of(const Shelf& shelf, const Candidate& candidate, const Score& score, Eigen::VectorXd& values);
+
+/// The columns of the linear problem that these picks and the nuisances stand for at `values`.
+Taken taken_by(const Shelf& shelf, const std::vector<Pick>& picks, const Eigen::VectorXd& values);
+
+}  // namespace plumbline::diagnose

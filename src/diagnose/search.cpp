@@ -1,0 +1,224 @@
+#include "diagnose/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "diagnose/noise_spectrum.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+using identify::NoiseModel;
+
+class Search {
+ public:
+  Search(const Workbench& bench, const SearchOptions& options, const Say& say)
+      : bench_(bench), options_(options), say_(say) {}
+
+  Model run(Refit& base) {
+    settle({}, bench_.shelf.unknowns.start());
+    base = fit_;
+    limit_ = threshold(left_, bench_.shelf, options_.scoring, options_.threshold).log_odds;
+    say_(fmt::format("threshold {:.1f} nats", limit_));
+    while (static_cast<int>(picks_.size()) < options_.most_effects && add_one()) {
+      for (int i = 0; i < options_.most_swaps && swap_one(); ++i) {
+      }
+      drop_idle();
+    }
+    return finish();
+  }
+
+ private:
+  std::vector<Pick> with(const Pick& pick, std::size_t place) const {
+    std::vector<Pick> picks = picks_;
+    if (place < picks.size()) {
+      picks[place] = pick;
+    } else {
+      picks.push_back(pick);
+    }
+    return picks;
+  }
+  std::vector<Pick> without(std::size_t place) const {
+    std::vector<Pick> picks = picks_;
+    if (place < picks.size()) picks.erase(picks.begin() + static_cast<std::ptrdiff_t>(place));
+    return picks;
+  }
+
+  // Fits these picks, estimates the noise anew from what they leave, and takes all slopes there.
+  void settle(const std::vector<Pick>& picks, const Eigen::VectorXd& start) {
+    picks_ = picks;
+    Eigen::VectorXd from = start;
+    if (noise_.channels[0].samples == 0) {
+      identify::Objective objective(bench_.machine.rotation, bench_.runs, bench_.shelf.unknowns, {.huber = 0});
+      objective.set_noise(identify::rough_noise(objective.equations(from)));
+      noise_ = objective.noise();
+    }
+    for (int round = 0; round < 2; ++round) {
+      fit_ = refit(bench_, picks_, from, noise_, options_.refit);
+      identify::Objective objective(bench_.machine.rotation, bench_.runs, bench_.shelf.unknowns, {.huber = 0});
+      objective.set_noise(noise_);
+      noise_ = noise_of(objective.equations(fit_.values));
+      from = fit_.values;
+    }
+    fit_ = refit(bench_, picks_, from, noise_, options_.refit);
+    problem_ = linearise(bench_.machine.rotation, bench_.runs, bench_.shelf, fit_.values, noise_);
+    left_ = left_of(problem_, taken_by(bench_.shelf, picks_, fit_.values));
+    say_(fmt::format(
+        "noise: bar {:.3f} um (memory {:.2f}, white {:.2f}), torque {:.4f} N m (memory {:.2f}, white {:.2f})",
+        noise_.channels[0].sigma * 1e6, noise_.channels[0].memory, noise_.channels[0].white, noise_.channels[1].sigma,
+        noise_.channels[1].memory, noise_.channels[1].white));
+  }
+
+  // The linear problem as if the pick at `place` were not there: its numbers go back to where they change nothing.
+  LinearProblem taken_back(std::size_t place, Eigen::VectorXd& values) const {
+    LinearProblem problem = problem_;
+    const Eigen::Index r = problem.residual();
+    for (const int u : picks_[place].unknowns) {
+      const identify::Unknown& unknown = bench_.shelf.unknowns[static_cast<std::size_t>(u)];
+      if (u >= static_cast<int>(bench_.shelf.nuisances)) {
+        if (unknown.key != "phase_deg" && unknown.key != "speed_mm_s") {
+          const double size = (values[u] - unknown.start) / unknown.scale;
+          // the residual's column and row: r + J size
+          problem.gram.col(r) += size * problem.gram.col(u);
+          problem.gram.row(r) += size * problem.gram.row(u);
+        }
+        values[u] = unknown.start;
+      }
+    }
+    return problem;
+  }
+
+  // Candidates for a place beside the other picks, best first: by the linear problem, then the foremost of them fitted.
+  std::vector<Rival> rivals(std::size_t place) {
+    Eigen::VectorXd values = fit_.values;
+    const std::vector<Pick> others = without(place);
+    const LinearProblem problem = place < picks_.size() ? taken_back(place, values) : LinearProblem{};
+    const LinearProblem& about = place < picks_.size() ? problem : problem_;
+    const Eigen::MatrixXd left = left_of(about, taken_by(bench_.shelf, others, values));
+    // what was fitted with that pick in its prior's place is a departure only without it
+    const std::vector<Ranked> ranked = ranking(left, bench_.shelf, options_.scoring);
+    const Refit without_it = place < picks_.size() ? refit(bench_, others, values, noise_, options_.refit) : fit_;
+    std::vector<Rival> all;
+    double best = -1e9;
+    for (const Ranked& r : ranked) {
+      if (is_picked(*r.candidate, place)) continue;
+      Rival rival;
+      Eigen::VectorXd start = values;
+      rival.pick = pick_of(bench_.shelf, *r.candidate, r.score, start);
+      rival.log_odds = r.score.log_odds;
+      const bool near = r.score.log_odds > limit_ - 3 && static_cast<int>(all.size()) < options_.most_refits &&
+                        r.score.log_odds > std::min(best - options_.near_nats, (1 - options_.near_share) * best);
+      if (near) {
+        rival.fit = refit(bench_, with(rival.pick, place), start, noise_, options_.refit);
+        rival.log_odds += 0.5 * (without_it.misfit - rival.fit.misfit - r.score.gain);
+        rival.refitted = true;
+        best = std::max(best, rival.log_odds);
+      }
+      all.push_back(std::move(rival));
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Rival& a, const Rival& b) {
+      if (a.refitted != b.refitted) return a.refitted;
+      return a.log_odds > b.log_odds;
+    });
+    say_rivals(all, place);
+    return all;
+  }
+
+  void say_rivals(const std::vector<Rival>& all, std::size_t place) {
+    std::string text = fmt::format("place {}:", place);
+    for (std::size_t i = 0; i < std::min<std::size_t>(all.size(), 7); ++i) {
+      text += fmt::format(" {} {:.1f}{}", all[i].pick.candidate->name, all[i].log_odds, all[i].refitted ? "*" : "");
+      if (all[i].pick.carriers.size() > 1 || all[i].pick.candidate->ways[0].carriers.size() > 1)
+        text += fmt::format("/{}", all[i].pick.carriers.size());
+    }
+    say_(text);
+  }
+
+  bool is_picked(const Candidate& candidate, std::size_t place) const {
+    for (std::size_t i = 0; i < picks_.size(); ++i) {
+      if (i != place && picks_[i].candidate == &candidate) return true;
+    }
+    return false;
+  }
+
+  bool add_one() {
+    const std::size_t place = picks_.size();
+    const std::vector<Rival> all = rivals(place);
+    if (all.empty() || !all.front().refitted || all.front().log_odds < limit_) return false;
+    settle(with(all.front().pick, place), all.front().fit.values);
+    return true;
+  }
+
+  // Puts a better effect in the place of one that was picked, if there is one.
+  bool swap_one() {
+    for (std::size_t place = 0; place < picks_.size(); ++place) {
+      const std::vector<Rival> all = rivals(place);
+      const Pick& now = picks_[place];
+      const Rival& best = all.front();
+      if (!best.refitted) continue;
+      const bool same = best.pick.candidate == now.candidate && best.pick.carriers == now.carriers;
+      if (same) continue;
+      const auto mine =
+          std::find_if(all.begin(), all.end(), [&](const Rival& r) { return r.pick.candidate == now.candidate; });
+      if (mine != all.end() && mine->refitted && best.log_odds < mine->log_odds + 0.5) continue;
+      say_(fmt::format("swap {} for {}", now.candidate->name, best.pick.candidate->name));
+      settle(with(best.pick, place), best.fit.values);
+      return true;
+    }
+    return false;
+  }
+
+  // Takes out what no longer passes the threshold beside the others.
+  void drop_idle() {
+    for (std::size_t place = 0; picks_.size() > 1 && place < picks_.size(); ++place) {
+      const std::vector<Rival> all = rivals(place);
+      if (!all.empty() && all.front().refitted && all.front().log_odds >= limit_) continue;
+      say_(fmt::format("drop {}", picks_[place].candidate->name));
+      settle(without(place), fit_.values);
+      place = static_cast<std::size_t>(-1);
+    }
+  }
+
+  Model finish() {
+    Model model;
+    for (std::size_t place = 0; place < picks_.size(); ++place) {
+      Found found;
+      found.pick = picks_[place];
+      found.rivals = rivals(place);
+      const auto mine = std::find_if(found.rivals.begin(), found.rivals.end(),
+                                     [&](const Rival& r) { return r.pick.candidate == found.pick.candidate; });
+      if (mine != found.rivals.end()) {
+        found.log_odds = mine->log_odds;
+        found.rivals.erase(mine);
+      }
+      model.found.push_back(std::move(found));
+    }
+    std::stable_sort(model.found.begin(), model.found.end(),
+                     [](const Found& a, const Found& b) { return a.log_odds > b.log_odds; });
+    model.fit = fit_;
+    model.noise = noise_;
+    model.threshold = limit_;
+    model.problem = std::move(problem_);
+    return model;
+  }
+
+  const Workbench& bench_;
+  const SearchOptions& options_;
+  const Say& say_;
+  std::vector<Pick> picks_;
+  NoiseModel noise_;
+  Refit fit_;
+  LinearProblem problem_;
+  Eigen::MatrixXd left_;
+  double limit_ = 0;
+};
+
+}  // namespace
+
+Model search(const Workbench& bench, const SearchOptions& options, const Say& say, Refit& base) {
+  return Search(bench, options, say).run(base);
+}
+
+}  // namespace plumbline::diagnose

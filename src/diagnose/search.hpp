@@ -1,0 +1,56 @@
+// Which effects are missing: the strongest first, then again on what is left, each pick reconsidered.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "diagnose/refit.hpp"
+#include "diagnose/threshold.hpp"
+
+namespace plumbline::diagnose {
+
+struct SearchOptions {
+  ScoreOptions scoring;
+  ThresholdOptions threshold;
+  RefitOptions refit;
+  int most_effects = 3;
+  int most_refits = 6;       // of the candidates of one step
+  double near_share = 0.25;  // of the best log odds: candidates that much behind are still fitted nonlinearly
+  double near_nats = 12;     // or that much behind
+  int most_swaps = 4;
+};
+
+/// An effect in the place of one that was picked, and what the whole model with it is worth.
+struct Rival {
+  Pick pick;
+  double log_odds = 0;  // against the model without that effect
+  Refit fit;            // of the whole model with it in that place
+  bool refitted = false;
+};
+
+/// An effect that was found.
+struct Found {
+  Pick pick;
+  double log_odds = 0;        // against the model without it
+  double gain = 0;            // misfit that it takes away, the others refitted
+  std::vector<Rival> rivals;  // in its place, best first; itself left out
+};
+
+struct Step {
+  std::string what;  // in words
+};
+
+struct Model {
+  std::vector<Found> found;  // strongest first
+  Refit fit;
+  identify::NoiseModel noise;
+  double threshold = 0;   // nats
+  LinearProblem problem;  // about the fit, all columns
+};
+
+using Say = std::function<void(const std::string&)>;
+
+/// Searches the shelf. The base model's nuisances are refitted first.
+Model search(const Workbench& bench, const SearchOptions& options, const Say& say, Refit& base);
+
+}  // namespace plumbline::diagnose

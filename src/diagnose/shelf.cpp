@@ -1,0 +1,146 @@
+#include "diagnose/shelf.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+#include "base/diagnostic.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+using physics::EffectInfo;
+using physics::ParameterSpec;
+
+bool is_second_row(std::string_view name) {
+  constexpr std::array<std::string_view, 8> kNames{"counterbalance", "lead-error",      "ring-thermal",
+                                                   "joint-position", "gimbal-offset",   "screw-roll",
+                                                   "spindle-growth", "frame-compliance"};
+  return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
+}
+
+class Maker {
+ public:
+  Maker(const machine::MachineModel& machine, const physics::ForceModel& forces, const ShelfOptions& options)
+      : shelf_{identify::nuisances(machine, forces), 0, {}, {}}, options_(options) {
+    shelf_.nuisances = shelf_.unknowns.size();
+  }
+
+  Shelf run() {
+    for (const std::string& name : options_.without) check_known(name);
+    for (const EffectInfo& info : physics::effect_infos()) {
+      if (!info.base && info.name != "generic") add_unknowns(info);
+    }
+    for (std::size_t u = 0; u < shelf_.unknowns.size(); ++u) shelf_.columns.push_back(column_of(u));
+    for (const EffectInfo& info : physics::effect_infos()) {
+      const bool left_out =
+          std::find(options_.without.begin(), options_.without.end(), info.name) != options_.without.end();
+      if (!info.base && info.name != "generic" && !left_out) add_candidate(info);
+    }
+    return std::move(shelf_);
+  }
+
+ private:
+  static void check_known(const std::string& name) {
+    const auto names = physics::catalogue_names();
+    if (std::find(names.begin(), names.end(), name) != names.end()) return;
+    refuse("diagnose-unknown-effect", fmt::format("no effect is called {}", name),
+           fmt::format("the catalogue has {}", fmt::join(names, ", ")));
+  }
+
+  void add_unknowns(const EffectInfo& info) {
+    for (const ParameterSpec& spec : info.parameters) {
+      for (int i = 0; i < spec.size(); ++i) {
+        if (shelf_.unknowns.find(info.name, spec.key, spec.size() == 1 ? -1 : i) < 0) {
+          shelf_.unknowns.add(info.name, spec.key, i);
+        }
+      }
+    }
+  }
+
+  Column column_of(std::size_t u) const {
+    const identify::Unknown& unknown = shelf_.unknowns[u];
+    Column column{unknown.effect, unknown.key, unknown.index};
+    column.unknown = static_cast<int>(u);
+    column.scale = unknown.scale;
+    const auto& infos = physics::effect_infos();
+    for (const ParameterSpec& spec : infos[physics::effect_index(unknown.effect)].parameters) {
+      if (spec.key == unknown.key && spec.count == 6 && unknown.index >= 0) column.strut = unknown.index / spec.each;
+    }
+    column.lower = (unknown.lower - unknown.start) / unknown.scale;
+    column.upper = (unknown.upper - unknown.start) / unknown.scale;
+    return column;
+  }
+
+  void add_candidate(const EffectInfo& info) {
+    Candidate candidate{std::string(info.name), is_second_row(info.name)};
+    if (info.name == "screw-stribeck") {
+      add_stribeck(candidate);
+    } else if (info.name == "cyclic") {
+      add_cyclic(candidate);
+    } else {
+      Way way;
+      way.all_or_none = way.sums_to_zero = info.name == "servo-mismatch";
+      for (const ParameterSpec& spec : info.parameters) {
+        for (int i = 0; i < spec.size(); ++i) {
+          const int column = shelf_.unknowns.find(info.name, spec.key, spec.size() == 1 ? -1 : i);
+          const bool own = spec.count == 6 && i % spec.each == 0;  // a joint's three numbers belong together
+          if (own || way.carriers.empty()) way.carriers.emplace_back();
+          way.carriers.back().push_back(column);
+        }
+      }
+      candidate.ways.push_back(way);
+    }
+    shelf_.candidates.push_back(candidate);
+  }
+
+  void add_stribeck(Candidate& candidate) {
+    const double unit = machine::units::mm_s.si;
+    const int force = shelf_.unknowns.find("screw-stribeck", "force_N");
+    for (const double speed : options_.stribeck_speeds_mm_s) {
+      Column column = shelf_.columns[static_cast<std::size_t>(force)];
+      column.unknown = -1;
+      Way way{{{add(column)}}};
+      way.setting = speed * unit;
+      candidate.ways.push_back(way);
+    }
+  }
+
+  void add_cyclic(Candidate& candidate) {
+    Way way;
+    for (int strut = 0; strut < machine::kStruts; ++strut) {
+      Column column = shelf_.columns[static_cast<std::size_t>(shelf_.unknowns.find("cyclic", "amplitude_um", strut))];
+      column.unknown = -1;
+      Column cosine = column;
+      cosine.key = "cosine";
+      const int sine = add(column);
+      way.carriers.push_back({sine, add(cosine)});
+    }
+    candidate.ways.push_back(way);
+  }
+
+  int add(const Column& column) {
+    shelf_.columns.push_back(column);
+    return static_cast<int>(shelf_.columns.size()) - 1;
+  }
+
+  Shelf shelf_;
+  const ShelfOptions& options_;
+};
+
+}  // namespace
+
+const Candidate& Shelf::candidate(std::string_view name) const {
+  const auto found =
+      std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) { return c.name == name; });
+  PLUMBLINE_CHECK(found != candidates.end());
+  return *found;
+}
+
+Shelf make_shelf(const machine::MachineModel& machine, const physics::ForceModel& forces, const ShelfOptions& options) {
+  return Maker(machine, forces, options).run();
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,62 @@
+// The shelf of effects that may be missing, as columns of a linear problem: what each adds to the readings for small
+// sizes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identify/unknowns.hpp"
+
+namespace plumbline::diagnose {
+
+/// One number that may be missing from the model. Its column of the linear problem is the change of all readings with
+/// it.
+struct Column {
+  std::string effect;
+  std::string key;
+  int index = -1;    // among the key's numbers; -1: the only one
+  int strut = -1;    // 0 to 5; -1: of all struts
+  int unknown = -1;  // its place among the unknowns; -1: made from other columns
+  double scale = 1;  // SI per unit of the linear problem
+  double lower = 0;  // bounds, in units of the linear problem
+  double upper = 0;
+};
+
+/// Columns that belong together: a strut, a joint; an effect without parts has one carrier.
+using Carrier = std::vector<int>;
+
+/// One way in which an effect may act; an effect that bends has several (speeds of a Stribeck friction).
+struct Way {
+  std::vector<Carrier> carriers;  // each may act or not
+  bool all_or_none = false;       // carriers act together
+  bool sums_to_zero = false;      // the numbers of all columns
+  double setting = 0;             // what bends, SI: the speed
+};
+
+/// An effect that may be missing.
+struct Candidate {
+  std::string name;
+  bool second_row = false;  // of the shelf: less common
+  std::vector<Way> ways;
+};
+
+struct ShelfOptions {
+  std::vector<std::string> without;                                             // effects to be left out
+  std::vector<double> stribeck_speeds_mm_s{1, 1.4, 1.9, 2.6, 3.6, 5, 7.2, 10};  // tried in the linear problem
+};
+
+/// The columns that are made from others: of Stribeck friction at one speed, of a cyclic error's sine and cosine.
+struct Shelf {
+  identify::Unknowns unknowns;  // nuisances first, then all numbers of all candidates that are not among them
+  std::size_t nuisances = 0;    // how many of the unknowns are
+  std::vector<Column> columns;  // of the linear problem: first one for each unknown
+  std::vector<Candidate> candidates;
+
+  const Candidate& candidate(std::string_view name) const;
+};
+
+/// Refuses with diagnose-unknown-effect what `without` names and the catalogue does not.
+Shelf make_shelf(const machine::MachineModel& machine, const physics::ForceModel& forces,
+                 const ShelfOptions& options = {});
+
+}  // namespace plumbline::diagnose
