@@ -67,7 +67,7 @@ TEST_CASE("two effects and ones outside of the catalogue are drawn by name") {
 TEST_CASE("what is left of a machine in which nothing is hidden is its spread and the noise") {
   const truth::DrawnCase drawn = truth::draw_case(options("none", 0));
   const Scratch scratch;
-  const fs::path folder = scratch.folder();
+  const fs::path& folder = scratch.folder();
   truth::write_case(drawn, folder.string());
   const machine::MachineModel machine = machine::read_model((folder / "base.toml").string());
   const measure::Dataset data = measure::read_dataset((folder / "data" / "dataset.toml").string());
