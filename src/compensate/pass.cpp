@@ -50,7 +50,7 @@ bool Pass::run(const Progress& progress) {
       emitter_.only_look();
     }
     take(*step);
-    if (jumps && emitter_.changed()) return false;
+    if (must_unroll_ || (jumps && emitter_.changed())) return false;
     if (progress && summary_.blocks % kProgressEvery == 0) progress(step->block->offset, source_.size());
   }
   emitter_.finish();
@@ -63,12 +63,16 @@ void Pass::take(const nc::Step& step) {
   if (form_ == nc::Form::in_text_order) return process(step);
   if (step.flow || step.saves_modes) return emitter_.steer(step);
   const nc::Step* const plain = plain_.plain(step, false);
-  if (plain != nullptr) process(*plain);
+  if (plain == nullptr) return;
+  if (!plain->nurbs_point) return process(*plain);
+  for (const nc::Step* const rest : plain_.moves(*plain)) process(*rest);  // its curve is written out at its end
 }
 
 void Pass::process(const nc::Step& step) {
   if (step.cycle != nc::CycleForm::none) {
     process_cycle(step);
+  } else if (step.role == nc::BlockRole::synchronised) {
+    process_synchronised(step);
   } else if (!is_corrected(step)) {
     pass(step);
   } else if (step.motions.front().kind == nc::MotionKind::rapid) {

@@ -41,6 +41,7 @@ class Pass {
   void process(const nc::Step& step);
   void process_cycle(const nc::Step& step);
   bool cycle_stays(const nc::Step& step, std::span<const nc::Step* const> moves);
+  void process_synchronised(const nc::Step& step);
   void process_hole(const nc::Step& step);
   void hole_points(const nc::Step& step);
   void find_points(const nc::Step& step);
@@ -75,6 +76,7 @@ class Pass {
   const Settings& settings_;
   nc::Program program_;
   nc::Form form_;
+  bool must_unroll_ = false;  // something changes that cannot be put in the place of its block
   nc::PlainSteps plain_;
   nc::Emitter emitter_;
   Corrector corrector_;

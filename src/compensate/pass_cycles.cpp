@@ -24,9 +24,14 @@ void Pass::process_cycle(const nc::Step& step) {
   // A cycle that goes on with the words of the one before it, which was written out.
   const bool goes_on = step.before->motion == nc::MotionMode::cycle && emitter_.changed() &&
                        emitter_.control().motion != nc::MotionMode::cycle;
-  if (!goes_on && cycle_stays(step, moves)) {
+  const bool point_by_point = step.ends_nurbs && form_ == nc::Form::unrolled;  // its points were left out
+  if (!goes_on && !point_by_point && cycle_stays(step, moves)) {
     emitter_.copy(step);
     note_cycle(step);
+    return;
+  }
+  if (step.ends_nurbs && !point_by_point) {
+    must_unroll_ = true;  // the blocks of its points are behind us
     return;
   }
   emitter_.begin_group(step);
@@ -53,6 +58,19 @@ bool Pass::cycle_stays(const nc::Step& step, std::span<const nc::Step* const> mo
     find_points(*move);
     return emitter_.stays(*move, points_, writable());
   });
+}
+
+// The spindle leads: such a block cannot be divided, and its K would have to follow the corrections.
+void Pass::process_synchronised(const nc::Step& step) {
+  bool stays = emitter_.stands_true(step, writable());
+  for (const nc::Motion& motion : step.motions) {
+    has_position(step, motion.known_before & motion.known_after, true);
+    const nc::CorrectedPoint point = corrected_point(step, target_of(step, motion.to, {}, std::nullopt), motion.to);
+    stays = stays && emitter_.rounds_to_zero(step, point.shift, writable());
+  }
+  if (stays) return pass(step);
+  refuse("compensate-synchronised", "a move that follows the spindle (G33, G33.1) is not compensated",
+         "tap with G84, which is shifted as a whole, or mill the thread", place_of(*step.block, step.block->file));
 }
 
 void Pass::find_points(const nc::Step& step) {

@@ -40,6 +40,7 @@ Control::Control(const ProgramSettings& settings) {
   }
   parameters.set("_value", {});
   parameters.set("_value_returned", {});
+  parameters.set("_task", {settings.as_with_empty_tables ? 0.0 : 1.0, true});  // 0: rs274 and previews
   given(parameters, kG92, suspended_g92);
   if (parameters.has(kG92InForce) && parameters.get(kG92InForce).number != 0) frame.g92 = suspended_g92;
   frame.origin = active().origin;

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <map>
+#include <optional>
+#include <vector>
 
 #include "nc/dialect.hpp"
 #include "nc/frame.hpp"
@@ -37,6 +39,11 @@ struct Cycle {
   std::array<double, 3> ijk{};  // G87
 };
 
+/// A control point of G5.2, mm, with its weight.
+struct NurbsPoint {
+  double x = 0, y = 0, weight = 1;
+};
+
 struct Control {
   explicit Control(const ProgramSettings& settings);
 
@@ -47,6 +54,9 @@ struct Control {
   AxisSet known;       // of position; where the origin is not known, of the machine's position
   std::array<WorkSystem, kWorkSystems> systems;
   Cycle cycle;
+  std::optional<std::array<double, 2>> spline_end;  // P and Q of the G5 before, mm
+  std::vector<NurbsPoint> nurbs;                    // begun by G5.2
+  int nurbs_order = 3;
   AxisWords suspended_g92;         // what G92.3 brings back
   std::array<Home, 2> homes;       // G28, G30
   std::map<int, AxisWords> tools;  // tool table rows that the program wrote (G10 L1)

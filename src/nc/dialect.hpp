@@ -75,10 +75,18 @@ enum class Action : std::uint8_t {
   forget_modes,
   restore_modes,
   save_modes_of_call,
-  no_motion,        // changes nothing that motion depends on
-  spindle,          // M3, M4, M5
-  coolant,          // M7, M8, M9
-  override_switch,  // M48 to M53
+  no_motion,         // changes nothing that motion depends on
+  cubic_spline,      // G5
+  quadratic_spline,  // G5.1
+  nurbs_point,       // G5.2
+  nurbs_end,         // G5.3
+  synchronised,      // G33
+  rigid_tap,         // G33.1
+  probe,             // G38.2 to G38.5
+  compensation_on,   // G41, G42: refused
+  spindle,           // M3, M4, M5
+  coolant,           // M7, M8, M9
+  override_switch,   // M48 to M53
   feed_word,
   speed_word,
   tool_word,  // F, S and T, which take their turn among the codes

@@ -23,7 +23,7 @@ void BlockCodes::add_after_motion(const Word& word) {
 
 CodeWriter::CodeWriter(const Dialect& dialect)
     : dialect_(dialect),
-      motion_{text_of("motion_off"), text_of("rapid"), text_of("feed"), text_of("arc_cw"), text_of("arc_ccw"), {}},
+      motion_{text_of("motion_off"), text_of("rapid"), text_of("feed"), text_of("arc_cw"), text_of("arc_ccw"), {}, {}},
       feed_mode_{text_of("inverse_time"), text_of("per_minute"), text_of("per_revolution")},
       path_control_{text_of("exact_path"), text_of("exact_stop"), text_of("continuous")},
       dwell_(text_of("dwell")),

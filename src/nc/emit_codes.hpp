@@ -52,7 +52,7 @@ class CodeWriter {
  private:
   const CodeRow* row_of(const Word& word) const;
   const Dialect& dialect_;
-  std::array<std::string, 6> motion_;
+  std::array<std::string, 7> motion_;
   std::array<std::string, 3> feed_mode_;
   std::array<std::string, 3> path_control_;
   std::string dwell_;

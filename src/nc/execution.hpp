@@ -85,6 +85,12 @@ void machine_code(Execution& run, const Chosen& chosen);  // M0 M1 M60, outputs,
 void move_straight(Execution& run);                       // straight.cpp
 void move_arc(Execution& run);                            // arcs.cpp
 
+void move_spline(Execution& run);        // splines.cpp: G5 G5.1
+void add_nurbs_point(Execution& run);    // G5.2
+void move_nurbs(Execution& run);         // G5.3
+void move_synchronised(Execution& run);  // synchronised.cpp: G33 G33.1
+void move_probe(Execution& run);         // probe.cpp: G38.2 to G38.5
+
 void move_in_cycle(Execution& run);  // cycles.cpp: G73 G74 G81..G89
 
 // What the moves share: moves.cpp

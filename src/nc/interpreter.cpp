@@ -150,6 +150,13 @@ void Interpreter::act(const Chosen& chosen) {
     case Action::arc_cw:
     case Action::arc_ccw:
     case Action::cycle:
+    case Action::cubic_spline:
+    case Action::quadratic_spline:
+    case Action::nurbs_point:
+    case Action::nurbs_end:
+    case Action::synchronised:
+    case Action::rigid_tap:
+    case Action::probe:
       return move();
     case Action::feed_word:
       return set_feed(run_, *chosen.word);
@@ -200,6 +207,7 @@ void Interpreter::act_on_mode(const Chosen& chosen) {
     case Action::motion_off:
       if (run_.motion != nullptr) return;
       control_.cycle.begun = false;
+      control_.spline_end.reset();
       modal.motion = MotionMode::none;
       control_.motion_row = nullptr;
       return;
@@ -264,10 +272,35 @@ void Interpreter::change_unit(bool inches) {
   control_.modal.feed = control_.feed_linear / control_.length_unit();
 }
 
+// Splines, probing and what the spindle leads; false: some other motion.
+bool Interpreter::moves_specially(Action action) {
+  const bool spline = action == Action::cubic_spline || action == Action::quadratic_spline;
+  const bool nurbs = action == Action::nurbs_point || action == Action::nurbs_end;
+  const bool spindle_leads = action == Action::synchronised || action == Action::rigid_tap;
+  if (!spline && !nurbs && !spindle_leads && action != Action::probe) return false;
+  if (run_.machine_word != nullptr) {
+    run_.refuse(*run_.machine_word, codes::kMachineMove, "G53 needs G0 or G1",
+                "write the motion code into the block of G53");
+  }
+  if (spline) move_spline(run_);
+  if (!spline) control_.spline_end.reset();
+  if (action == Action::nurbs_point) add_nurbs_point(run_);
+  if (action == Action::nurbs_end) move_nurbs(run_);
+  if (spindle_leads) move_synchronised(run_);
+  if (action == Action::probe) move_probe(run_);
+  // A spline is in force for its own block alone [LinuxCNC, measured].
+  const bool lasts = !spline && action != Action::nurbs_end;
+  control_.motion_row = lasts ? run_.motion : nullptr;
+  control_.modal.motion = lasts ? MotionMode::special : MotionMode::none;
+  return true;
+}
+
 void Interpreter::move() {
   const Action action = run_.motion->action;
   if (action == Action::cycle) return move_in_cycle(run_);
   control_.cycle.begun = false;
+  if (moves_specially(action)) return;
+  control_.spline_end.reset();
   control_.motion_row = run_.motion;
   control_.modal.motion = action == Action::rapid    ? MotionMode::rapid
                           : action == Action::feed   ? MotionMode::feed

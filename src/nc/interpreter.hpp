@@ -42,6 +42,7 @@ class Interpreter {
   void act_on_mode(const Chosen& chosen);
   void change_unit(bool inches);
   void move();
+  bool moves_specially(Action action);
   void act_on_saved_modes(const Chosen& chosen);
 
   Control control_;

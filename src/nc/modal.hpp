@@ -9,8 +9,9 @@
 
 namespace plumbline::nc {
 
-enum class MotionMode : std::uint8_t { none, rapid, feed, arc_cw, arc_ccw, cycle };  // G80, G0, G1, G2, G3, G73..G89
-enum class PathControl : std::uint8_t { exact_path, exact_stop, continuous };        // G61, G61.1, G64
+// G80, G0, G1, G2, G3, G73..G89; special: G5.2, G33, G38.2
+enum class MotionMode : std::uint8_t { none, rapid, feed, arc_cw, arc_ccw, cycle, special };
+enum class PathControl : std::uint8_t { exact_path, exact_stop, continuous };  // G61, G61.1, G64
 
 /// What is switched on or off and moves nothing: M3 to M5, M7 to M9, M48 to M53, G64 P Q, S. M70 and M73 keep it.
 struct Switches {

@@ -51,6 +51,7 @@ struct Motion {
   double mm_per_unit = 1;  // the program's length unit at this move: 25.4 under G20
   double dwell_s = 0;      // dwell only
   Arc arc;                 // arc only
+  bool goes_on = false;    // a piece of a spline, and not its last
 };
 
 }  // namespace plumbline::nc

@@ -1,4 +1,11 @@
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
 #include "nc/line_source.hpp"
@@ -7,6 +14,8 @@
 
 namespace plumbline::nc {
 namespace {
+
+namespace fs = std::filesystem;
 
 bool ends_program(const Block& block, const Dialect& dialect) {
   if (block.block_delete) return false;
@@ -25,14 +34,34 @@ void add_axes(const Block& block, AxisSet& axes) {
   }
 }
 
-}  // namespace
+bool calls(const Block& block) {
+  const Word* const code = find_word(block, 'M');
+  return block.flow.word == FlowWord::call || (code != nullptr && code->value == 98);
+}
 
-AxisSet named_axes(const InputFile& file, const Dialect& dialect) {
-  AxisSet axes;
+// The file of a subprogram that the line calls, beside the program; empty: none.
+fs::path called_file(const Block& block, const fs::path& folder) {
+  std::string name;
+  if (block.flow.word == FlowWord::call && block.flow.label == kLiteral) {
+    for (const char c : block.at(block.flow.name)) {
+      if (c != ' ' && c != '\t') name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+  } else if (block.flow.word == FlowWord::call && block.code.at(block.flow.label).operation == Operation::number) {
+    name = fmt::format("{}", std::lround(block.code[block.flow.label].number));
+  } else if (const Word* program = find_word(block, 'P'); program != nullptr && program->expression == kLiteral) {
+    if (calls(block)) name = fmt::format("{}", std::lround(program->value));
+  }
+  if (name.empty()) return {};
+  const fs::path path = folder / (name + ".ngc");
+  return fs::is_regular_file(path) ? path : fs::path();
+}
+
+void scan(const InputFile& file, const Dialect& dialect, std::set<fs::path>& seen, AxisSet& axes) {
   LineSource lines(file);
   Parser parser;
   Block block;
   Line line;
+  bool jumps = !seen.empty();  // then what stands behind the end may be executed as well
   while (axes != AxisSet::all() && lines.next(line)) {
     block.file = file.name();
     block.text = line.text;
@@ -44,8 +73,19 @@ AxisSet named_axes(const InputFile& file, const Dialect& dialect) {
       continue;  // executing the program will say so
     }
     add_axes(block, axes);
-    if (ends_program(block, dialect)) break;
+    const fs::path called = called_file(block, fs::path(file.name()).parent_path());
+    if (!called.empty() && seen.insert(called).second) scan(InputFile(called.string()), dialect, seen, axes);
+    jumps = jumps || calls(block);
+    if (!jumps && ends_program(block, dialect)) break;
   }
+}
+
+}  // namespace
+
+AxisSet named_axes(const InputFile& file, const Dialect& dialect) {
+  AxisSet axes;
+  std::set<fs::path> seen;
+  scan(file, dialect, seen, axes);
   return axes;
 }
 

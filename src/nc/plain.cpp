@@ -172,7 +172,8 @@ std::span<const Step* const> PlainSteps::moves(const Step& step) {
 
 // The block without the words of its cycle, and without those that wait for the motion.
 void PlainSteps::add_rest(const Step& step) {
-  constexpr std::string_view kCycleLetters = "XYZABCRLPQIJK@^";
+  const bool timed = step.after->feed_mode == FeedMode::inverse_time;
+  const std::string_view of_motion = timed ? "XYZABCRLPQIJK@^F" : "XYZABCRLPQIJK@^";
   const Block& block = *step.block;
   const BlockCodes codes = codes_.codes_of(block);
   editor_.start(block, spelling_);
@@ -180,7 +181,7 @@ void PlainSteps::add_rest(const Step& step) {
   for (const Word& word : block.words) {
     const auto behind = codes.after_motion();
     const bool waits = std::any_of(behind.begin(), behind.end(), [&](const Word* other) { return other == &word; });
-    const bool of_cycle = kCycleLetters.find(word.letter) != std::string_view::npos
+    const bool of_cycle = of_motion.find(word.letter) != std::string_view::npos
                               ? !codes_.other_code_takes(block, word.letter)
                               : codes_.is_motion(word);
     if (waits || of_cycle) {
@@ -242,6 +243,8 @@ void PlainSteps::add_move(const Step& step, const Motion& motion) {
       const double value = motion.to[axis] - (step.after->incremental ? motion.from[axis] : 0);
       append_word(own.text, letter(axis), value / unit_of(step, axis), kMostDecimals, spelling_);
     }
+    const bool needs_feed = motion.kind == MotionKind::feed && motion.feed_mode == FeedMode::inverse_time;
+    if (needs_feed) append_word(own.text, 'F', motion.feed, kMostDecimals, spelling_);
   }
   own.after.motion = mode_;
   own.motion = motion;

@@ -41,6 +41,12 @@ const CodeRow* g_row(const Execution& run, const Word& word) {
     run.refuse(word, codes::kUnknownCode, fmt::format("{} is no G code of this control", text_of(run, word)),
                "look for a slip, or choose another dialect");
   }
+  if (row->action == Action::compensation_on) {
+    run.refuse(word, codes::kNotInterpreted,
+               fmt::format("{} lets the control offset the path by the tool's radius", text_of(run, word)),
+               "let the CAM system write the path of the tool's centre: an offset at the control would turn the "
+               "corrections of the path into others");
+  }
   if (row->action == Action::none) {
     run.refuse(word, codes::kNotInterpreted, fmt::format("{} is not interpreted yet", text_of(run, word)),
                "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system");

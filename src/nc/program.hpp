@@ -60,7 +60,8 @@ class Program {
   std::unique_ptr<Parts> parts_;
 };
 
-/// The axes that some word of the program names, found without executing it.
+/// The axes that some word of the program names, or of a subprogram beside it that it calls by a plain name; found
+/// without executing it.
 AxisSet named_axes(const InputFile& file, const Dialect& dialect);
 
 }  // namespace plumbline::nc

@@ -19,6 +19,7 @@ enum class BlockRole : std::uint8_t {
   machine_move,     // G53, G28, G30: goes through as it stands
   sets_offset,      // G92, G10 L20: reads where the control stands; its axis words must make up for the shift
   cycle,            // G73, G81..G89: several moves of one block
+  synchronised,     // G33, G33.1: the spindle leads
   stores_position,  // G28.1, G30.1: stores where the control stands; cannot be made up for
 };
 
@@ -35,7 +36,7 @@ struct FlowEntry {
 /// How a cycle may be rewritten.
 enum class CycleForm : std::uint8_t {
   none,
-  moves,    // G73, G81, G82, G83, G85, G89: its moves are all that it does
+  moves,    // G73, G81, G82, G83, G85, G89, and splines: its moves are all that it does
   spindle,  // G74, G84, G86 to G88: it works the spindle as well, so that it stays a cycle
 };
 
@@ -73,12 +74,14 @@ struct Step {
   bool saves_modes = false;  // M70 to M73: modes are kept or come back
   CycleForm cycle = CycleForm::none;
   std::span<const Hole> holes = {};  // of a cycle
-  bool polar = false;                // its end is given by @ and ^
-  bool jumped = false;               // something jumped or repeated before: steps are not in the order of the text
-  bool skipped = false;              // block delete is on for it: nothing of it was executed
-  bool executed_delete = false;      // block delete is off for it, and it moves or changes modal state
-  bool changes_tool = false;         // M6, M61
-  bool loses_position = false;       // M0, M6, user M code, G28...: some axis may stand elsewhere now
+  bool nurbs_point = false;          // G5.2: its curve is moved along at the G5.3 behind it
+  bool ends_nurbs = false;
+  bool polar = false;            // its end is given by @ and ^
+  bool jumped = false;           // something jumped or repeated before: steps are not in the order of the text
+  bool skipped = false;          // block delete is on for it: nothing of it was executed
+  bool executed_delete = false;  // block delete is off for it, and it moves or changes modal state
+  bool changes_tool = false;     // M6, M61
+  bool loses_position = false;   // M0, M6, user M code, G28...: some axis may stand elsewhere now
 };
 
 }  // namespace plumbline::nc

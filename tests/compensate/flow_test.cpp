@@ -146,6 +146,74 @@ TEST_CASE("cycles that work the spindle keep their form, their hole shifted") {
   CHECK(code_of(kStart + "G84 X10 Y5 Z-80 R2 F200\n", job) == "compensate-cycle");
 }
 
+TEST_CASE("splines become straight moves, each corrected") {
+  for (const std::string text :
+       {"G5 I0 J30 P0 Q-30 X20 Y10 F500\nG5 P5 Q-3 X30 Y0 (goes on)\nG1 Z1\n",
+        "G91 G5.1 X20 Y5 I5 J20 F500\nG90 G1 X0\n", "G93 G5.1 X20 Y5 I5 J20 F5\nG94 G1 X0 F99\n"}) {
+    const std::string whole = kStart + text + "M2\n";
+    INFO(whole);
+    const Result result = run(whole, without_friction());
+    CHECK_FALSE(result.summary.unrolled);
+    const Played played = play(whole, result.text, without_friction());
+    CHECK(played.at_points_um <= 0.15);
+    CHECK(played.time_change <= 1e-3);
+    CHECK(run(whole, without_errors()).text == whole);
+  }
+  // Its points stand in blocks that were written before anybody knew that the curve must change.
+  check_unrolled(kStart + "G5.2 X10 Y20 P1 L3 F500\nX20 Y20 P.5\nX20 Y0 P1\nG5.3\nG1 Z3\nM2\n");
+}
+
+TEST_CASE("probes go through as they stand, and nothing is known behind them") {
+  const std::string probe = kStart + "G1 X5 F100\nG38.2 Z-9 F30\n";
+  const Result result = run(probe + "G0 X1 Y1 Z9 A0 B0 C0\nG1 X2\n", without_friction());
+  CHECK(result.text.find("\nG38.2 Z-9 F30\n") != std::string::npos);
+  CHECK(code_of(probe + "G1 X2\n", without_friction()) == "compensate-position-unknown");
+  CHECK(code_of(probe + "G0 Z#5063\n", without_friction()) == "nc-value-unknown");
+}
+
+TEST_CASE("moves that the spindle leads go through only where nothing must change") {
+  const std::string text = kStart + "S100 M3\nG33 Z-5 K1\nG33.1 Z-9 K1\n";
+  std::size_t line = 0;
+  CHECK(code_of(text, without_friction(), &line) == "compensate-synchronised");
+  CHECK(line == 4);
+  CHECK(run(text, without_errors()).text == text);
+}
+
+TEST_CASE("what only the machine knows may not be written as a value") {
+  const std::string text = kStart + "M66 P0\nS#5399 M3\n";
+  CHECK(run(text + "G1 X5 F100\n", without_friction()).text.find("S#5399") != std::string::npos);
+  CHECK(code_of(text + "o1 repeat [2]\nG1 X5 F100\no1 endrepeat\n", without_friction()) == "emit-value-unknown");
+}
+
+TEST_CASE("modes kept in a block that does more are refused") {
+  CHECK(code_of(kStart + "o1 repeat [2]\nM70 S100\nG1 X5 F100\no1 endrepeat\n", without_friction()) == "emit-modes");
+}
+
+TEST_CASE("subprograms of files beside the program stand in the output, with their hash") {
+  const Folder folder;
+  write_text(folder / "side.ngc", "o<side> sub\nG1 X#1 A[#1/10] F500\no<side> endsub\n");
+  write_text(folder / "in.ngc", "G21 G90 G94\nG0 X0 Y0 Z5\no<side> call [7]\nM2\n");
+  const InputFile source(folder / "in.ngc");
+  CHECK(nc::named_axes(source, nc::dialect("linuxcnc")).contains(Axis::A));
+  const Job job = without_friction();
+  const auto compensate_with = [&](const nc::ProgramSettings& settings) {
+    OutputFile out(folder / "out.ngc");
+    const compensate::Summary summary =
+        compensate::Stream(source, nc::dialect("linuxcnc"), settings, job.model, job.settings, job.emit, out).run();
+    out.commit();
+    return summary;
+  };
+  CHECK_THROWS_AS(compensate_with(job.program), Refusal);  // nobody said where A stands
+  nc::ProgramSettings settings = job.program;
+  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) settings.start[index(axis)] = 0;
+  const compensate::Summary summary = compensate_with(settings);
+  REQUIRE(summary.inlined_files.size() == 1);
+  const std::string hash = to_hex(nc::hash_of(InputFile(folder / "side.ngc")));
+  CHECK(to_hex(summary.inlined_files[0].hash) == hash);
+  const std::string output = read_text(folder / "out.ngc");
+  CHECK(output.find("(o<side> called in line 3, from side.ngc, hash " + hash + ")\nG1 ") != std::string::npos);
+}
+
 TEST_CASE("a program number alone steers nothing, and stands before the stamp") {
   const Result result = run("%\nO1234 (PART)\nG21 G90 G94\nG0 X9 Y0 Z0 A0 B0 C0\nG1 X5 F100\n%\n", {});
   CHECK(result.text.starts_with("%\nO1234 (PART)\n("));

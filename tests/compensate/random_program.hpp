@@ -3,6 +3,8 @@
 
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -12,7 +14,8 @@ namespace plumbline {
 
 class RandomProgram {
  public:
-  explicit RandomProgram(unsigned seed) : random_(seed) {}
+  /// `flows`: with loops, branches, subprograms, cycles.
+  explicit RandomProgram(unsigned seed, bool flows = false) : random_(seed), flows_(flows) {}
 
   std::string text(int blocks) {
     inches_ = chance(0.3);
@@ -23,6 +26,74 @@ class RandomProgram {
   }
 
  private:
+  // As a loop, a subprogram, a branch, drilling or polar words would have it; positions as they are before it.
+  std::string flow() {
+    const int label = ++label_;
+    const double kind = uniform(0, 1);
+    if (inverse_time_ || !feed_stated_) return "(no flow here)";
+    if (kind < 0.25) {
+      const std::string there = increments(3);
+      const std::string back = negated();
+      return fmt::format("o{0} repeat [{1}]\nG91 G1{2}\nG1{3} (back)\n{4}\no{0} endrepeat", label,
+                         static_cast<int>(uniform(0, 3.99)), there, back, incremental_ ? "G91" : "G90");
+    }
+    if (kind < 0.45) {
+      const std::string there = increments(1);
+      return fmt::format(
+          "#<i{0}> = 0\no{0} while [#<i{0}> lt 3] (counts)\nG91 G1{1}\n#<i{0}> = [#<i{0}> + 1]\nG1{2} F[{3:.2f} + "
+          "#<i{0}> / 3]\n{4}\no{0} endwhile",
+          label, there, negated(), uniform(300, 900) / unit(), incremental_ ? "G91" : "G90");
+    }
+    if (kind < 0.6) {
+      return fmt::format(
+          "o{0} sub\nM73\nG91 {1}\nG1 X[#1/3] Y[-#2/7] F[#3]\nG1 X[-#1/3] Y[#2/7]\no{0} endsub\n"
+          "o{0} call [{2:.3f}] [{3:.3f}] [{4:.1f}]\no{0} call [2] [1] [700]",
+          label, inches_ ? "G21" : "G20", uniform(1, 9) / 25.4, uniform(1, 9) / 25.4, uniform(300, 900) / 25.4);
+    }
+    if (kind < 0.7) {
+      const std::string there = increments(2);
+      return fmt::format(
+          "#{0} = {1:.3f}\no{0} if [#{0} gt 0.5]\nG91 G1{2}\nG1{3}\no{0} else\nG4 P[#{0}]\no{0} endif\n{4}",
+          100 + label, uniform(0, 1), there, negated(), incremental_ ? "G91" : "G90");
+    }
+    return drilling();
+  }
+
+  // A row of holes, and back to where it began.
+  std::string drilling() {
+    static constexpr std::string_view kCodes[] = {"G81", "G82 P0.1", "G83 Q1.3", "G73 Q0.9", "G85", "G89 P.2"};
+    const double step = uniform(1, 4) / unit();
+    const std::string_view code = kCodes[static_cast<std::size_t>(uniform(0, 5.999))];
+    const std::string scaled = inches_ && code.find('Q') != std::string_view::npos
+                                   ? std::string(code.substr(0, code.find('Q'))) + "Q.05"
+                                   : std::string(code);
+    return fmt::format("G17 G91 {} {} X{:.3f} Y{:.3f} Z{:.3f} R{:.3f} L2\nX{:.3f}\nG80 G1 X{:.3f} Y{:.3f} Z{:.3f}\n{}",
+                       chance(0.5) ? "G98" : "G99", scaled, step, step / 2, -step, -step / 4, step, -3 * step, -step,
+                       0.0, incremental_ ? "G91" : "G90");
+  }
+
+  // Some words of a move by increments, which negated() takes back.
+  std::string increments(int count) {
+    away_.clear();
+    std::string words;
+    for (const Axis axis : kAllAxes) {
+      if (away_.size() >= static_cast<std::size_t>(count) || !chance(0.5)) continue;
+      const double by = uniform(-3, 3) / (is_rotary(axis) ? 1 : unit());
+      away_.push_back({axis, by});
+      words += fmt::format(" {}{:.3f}", letter(axis), by);
+    }
+    if (away_.empty()) {
+      away_.push_back({Axis::X, 2 / unit()});
+      words = fmt::format(" X{:.3f}", 2 / unit());
+    }
+    return words;
+  }
+  std::string negated() const {
+    std::string words;
+    for (const auto& [axis, by] : away_) words += fmt::format(" {}[0-{:.3f}]", letter(axis), by);
+    return words;
+  }
+
   bool chance(double p) { return std::bernoulli_distribution(p)(random_); }
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
   std::string number(double value) { return fmt::format("{:.{}f}", value, static_cast<int>(uniform(0.5, 4.9))); }
@@ -76,6 +147,7 @@ class RandomProgram {
   }
 
   std::string block() {
+    if (flows_ && chance(0.2)) return flow();
     const double kind = uniform(0, 1);
     if (kind < 0.45) return "G1" + some_axes(0.4, 0.2) + feed();
     if (kind < 0.55) return "G1" + some_axes(0.0, 0.4) + feed();
@@ -106,6 +178,9 @@ class RandomProgram {
   }
 
   std::mt19937_64 random_;
+  bool flows_;
+  int label_ = 0;
+  std::vector<std::pair<Axis, double>> away_;
   AxisWords position_;  // in the program's unit
   bool inches_ = false;
   bool incremental_ = false;

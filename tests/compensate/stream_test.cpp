@@ -53,6 +53,25 @@ TEST_CASE("programs drawn at random keep path and time in every mode") {
   }
 }
 
+TEST_CASE("programs drawn at random with loops, branches, subprograms and cycles keep path and time") {
+  Job job;
+  job.settings.friction = false;
+  Job perfect = job;
+  perfect.model.gravity.setZero();
+  int unrolled = 0;
+  for (unsigned seed = 1; seed <= 25; ++seed) {
+    const std::string text = RandomProgram(seed, true).text(40);
+    INFO("seed " << seed << "\n" << text);
+    const Result result = run(text, job);
+    unrolled += result.summary.unrolled ? 1 : 0;
+    const Played played = play(text, result.text, job);
+    CHECK(played.at_points_um <= 0.15);
+    CHECK(played.time_change <= 1e-3);
+    CHECK(run(text, perfect).text == text);
+  }
+  CHECK(unrolled >= 20);
+}
+
 TEST_CASE("inch programs come out as well") {
   Job job;
   job.settings.friction = false;

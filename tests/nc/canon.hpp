@@ -12,11 +12,13 @@ namespace plumbline::nc::tests {
 struct CanonMotion {
   Motion motion;
   double unit_mm = 1;
+  bool spline = false;         // no more is said of it than that it is one
   double offsets_unit_mm = 1;  // the longest unit that offsets were written in so far
 };
 
-/// STRAIGHT_TRAVERSE, STRAIGHT_FEED, ARC_FEED and DWELL; feeds of SET_FEED_RATE; the display of the machine from the
-/// offsets, rotation and tool length in force. A dwell has no positions.
+/// STRAIGHT_TRAVERSE, STRAIGHT_FEED, STRAIGHT_PROBE, ARC_FEED, RIGID_TAP (down and back), NURBS_FEED and DWELL; feeds
+/// of SET_FEED_RATE; the display of the machine from the offsets, rotation and tool length in force. A dwell has no
+/// positions.
 std::vector<CanonMotion> read_canon(const std::string& path);
 
 /// The first difference between the motions of a program and the canonical ones, with both; "" if they agree to
