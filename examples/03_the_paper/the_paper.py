@@ -16,6 +16,10 @@ PAPER_UM = {run_id(-25): (200.6, 44.5, 77.9), CORNER: (116.2, 35.6, 69.4)}  # be
 PAPER_SMALL = [run_id(a) for a in (-10, 0, 10, 20)]  # "less than 15 um"
 
 
+def place_text(name):
+    return "(-70, -70), A = B = -17" if name == CORNER else f"(0, 100), A = {int(name[1:])}"
+
+
 def reduction(before, after):
     return 100 * (1 - after / before)
 
@@ -47,9 +51,8 @@ def print_circularities(before, after):
     print("\nFig. 8 and 9: circularity (um), without and with compensation")
     print(f"  {'':28}{'paper':>12}{'':14}{'here':>12}")
     for name in [run_id(a) for a in TILTS_DEG] + [CORNER]:
-        place = "(-70, -70), A = B = -17" if name == CORNER else f"(0, 100), A = {name[1:]}"
         ours = f"{before[name]:8.1f}{after[name]:8.1f}{reduction(before[name], after[name]):8.1f} %"
-        print(f"  {place:26}{paper_text(name)}{ours}")
+        print(f"  {place_text(name):26}{paper_text(name)}{ours}")
 
 
 def write_plots(folder, measured, predicted, compensated):
@@ -59,10 +62,10 @@ def write_plots(folder, measured, predicted, compensated):
 
     for figure, name in (("fig7a", run_id(-23)), ("fig7b", CORNER)):
         curves = [shown(predicted, name, "simulated"), shown(measured, name, "measured")]
-        (folder / f"{figure}.svg").write_text(polar_plot(f"Fig. 7, {name}", curves))
+        (folder / f"{figure}.svg").write_text(polar_plot(f"Fig. 7: {place_text(name)} deg", curves))
     for figure, name in (("fig9a", run_id(-25)), ("fig9b", CORNER)):
         curves = [shown(compensated, name, "with compensation"), shown(measured, name, "without")]
-        (folder / f"{figure}.svg").write_text(polar_plot(f"Fig. 9, {name}", curves))
+        (folder / f"{figure}.svg").write_text(polar_plot(f"Fig. 9: {place_text(name)} deg", curves))
 
 
 def main():
