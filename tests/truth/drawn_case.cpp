@@ -14,6 +14,7 @@ constexpr double kBarOff = 2e-6;      // m
 constexpr double kRadialStep = 1e-7;  // m, as the files are written
 constexpr double kTorqueStep = 0.01;  // N m
 constexpr int kSamplesOfStrength = 120;
+constexpr double kMostOfBound = 0.95;
 
 std::string one_of(const std::vector<std::string>& names, Random& random) {
   return names[std::uniform_int_distribution<std::size_t>(0, names.size() - 1)(random)];
@@ -41,14 +42,14 @@ std::vector<std::string> names_of(const std::string& effect, Random& random) {
   return names;
 }
 
-// How far the numbers of an effect may grow before one meets its bound.
+// How far the numbers of an effect may grow before one comes near its bound.
 double largest_share(Flaws flaws, const std::string& name) {
   double largest = 0;
   for (const Key& key : effect_in(flaws, name).keys) {
     if (key.name == "phase_deg" || key.name == "speed_mm_s") continue;
     for (const double* x : key.numbers) largest = std::max(largest, std::abs(*x) / (key.upper * key.unit));
   }
-  return 1 / largest;
+  return kMostOfBound / largest;
 }
 
 // The effect at the size that gives the wanted strength, or at its largest if that does not reach it.
