@@ -19,9 +19,16 @@ namespace {
 constexpr double kChordStepMm = 10;  // at which the limits are checked along a rapid
 constexpr double kChordStepDeg = 1;
 constexpr std::uint64_t kProgressEvery = 4096;
+constexpr double kNoWay = 1e-7;  // mm and deg
 constexpr std::string_view kStampMark = " compensated this program";
 
 bool is_feed(nc::MotionKind kind) { return kind == nc::MotionKind::feed || kind == nc::MotionKind::arc; }
+
+// To where the tool stands already, but for the last digits of an expression: no F could keep its time.
+bool is_no_way(const nc::Motion& motion, const path::Curve& curve) {
+  return motion.feed_mode != nc::FeedMode::inverse_time && curve.linear_mm() < kNoWay &&
+         largest_turn_deg(curve.delta()) < kNoWay;
+}
 
 }  // namespace
 
@@ -269,7 +276,8 @@ path::Subdivision Pass::feed_points(const nc::Step& step, const path::Curve& cur
 void Pass::correct_feed(const nc::Step& step) {
   const nc::Motion& motion = step.motions.front();
   const path::Curve curve(motion);
-  const std::optional<double> duration = path::duration(motion, curve, dialect_);
+  std::optional<double> duration = path::duration(motion, curve, dialect_);
+  if (is_no_way(motion, curve)) duration.reset();
   const std::optional<double> seconds = clock_seconds(motion, duration);
   const path::Subdivision cut = feed_points(step, curve, seconds);
   for (const nc::CorrectedPoint& point : points_) note_point(step, point);

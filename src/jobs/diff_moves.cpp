@@ -42,7 +42,7 @@ bool MoveReader::read_more() {
   for (const nc::Motion& motion : step->motions) {
     if (motion.kind == nc::MotionKind::dwell) {
       dwell_s_ += motion.dwell_s;
-    } else {
+    } else if (step->role != nc::BlockRole::cycle || motion.from != motion.to) {  // cycles stop over where they stand
       moves_ahead_.push_back(move_of(*step, motion, dialect_));
       ++moves_;
     }

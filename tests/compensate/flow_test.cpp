@@ -185,6 +185,13 @@ TEST_CASE("what only the machine knows may not be written as a value") {
   CHECK(code_of(text + "o1 repeat [2]\nG1 X5 F100\no1 endrepeat\n", without_friction()) == "emit-value-unknown");
 }
 
+TEST_CASE("a move that only the last digits of an expression make needs no feed of its own") {
+  const std::string text = kStart + "#1=0.1\nG1 X0.3 F100\nG1 X[#1*3]\nX5\n";
+  CHECK(play(text, run(text, without_friction()).text, without_friction()).at_points_um <= 0.15);
+  CHECK(code_of(text, {}).empty());
+  check_unrolled(text + "o1 repeat [2]\nX[#1*3]\nX0.3\nX9\no1 endrepeat\n");
+}
+
 TEST_CASE("modes kept in a block that does more are refused") {
   CHECK(code_of(kStart + "o1 repeat [2]\nM70 S100\nG1 X5 F100\no1 endrepeat\n", without_friction()) == "emit-modes");
 }

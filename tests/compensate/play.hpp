@@ -48,13 +48,20 @@ inline std::string original_of(const std::string& output) {
   return read_text(output + ".back");
 }
 
-inline Result run(const std::string& text, const Job& job) {
+/// `beside`: a folder whose programs stand beside this one.
+inline Result run(const std::string& text, const Job& job, const std::filesystem::path& beside = {}) {
   const Folder folder;
-  write_text(folder / "in.ngc", text);
-  const InputFile source(folder / "in.ngc");
-  OutputFile out(folder / "out.ngc");
+  if (!beside.empty()) {
+    for (const auto& entry : std::filesystem::directory_iterator(beside)) {
+      if (entry.is_regular_file())
+        std::filesystem::create_symlink(entry.path(), folder / entry.path().filename().string());
+    }
+  }
+  write_text(folder / "program.in", text);
+  const InputFile source(folder / "program.in");
+  OutputFile out(folder / "program.out");
   compensate::Stream stream(source, nc::dialect("linuxcnc"), job.program, job.model, job.settings, job.emit, out);
-  OutputFile undo(folder / "out.ngc.undo");
+  OutputFile undo(folder / "program.out.undo");
   nc::UndoLog log(undo);
   stream.record(log);
   out.keep_hash();
@@ -63,8 +70,8 @@ inline Result run(const std::string& text, const Job& job) {
   log.finish(source, out.size(), out.hash());
   undo.commit();
   out.commit();
-  result.text = read_text(folder / "out.ngc");
-  CHECK(original_of(folder / "out.ngc") == text);
+  result.text = read_text(folder / "program.out");
+  CHECK(original_of(folder / "program.out") == text);
   return result;
 }
 
@@ -147,7 +154,7 @@ inline Played play(const std::string& original, const std::string& output, const
       played.between_points_um =
           std::max(played.between_points_um, tip_distance(stands(middle), on_path((i - 0.5) / pieces)) * 1e3);
     }
-    if (seconds && *seconds > 0) played.time_change = std::max(played.time_change, std::abs(spent / *seconds - 1));
+    if (seconds && *seconds > 1e-9) played.time_change = std::max(played.time_change, std::abs(spent / *seconds - 1));
     ++played.blocks;
   }
   CHECK(next == after.size());

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jobs/summary_text.hpp"
+#include "nc/undo.hpp"
 #include "support/scratch.hpp"
 
 using namespace plumbline;
@@ -33,6 +34,27 @@ TEST_CASE("a program is compensated into a stamped one, which is refused the nex
       testing::refusal_of([&] { jobs::compensate_file(scratch.path("b.ngc"), scratch.path("c.ngc"), options()); });
   CHECK(d.code == "compensate-stamped");
   CHECK_FALSE(scratch.has("c.ngc"));
+}
+
+TEST_CASE("an unrolled program is stamped, refused the next time, and restored byte for byte") {
+  const testing::Scratch scratch;
+  const std::string program =
+      "(PART)\nG0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F900 (changes before the first loop)\no1 repeat [3]\nG91 G1 X5\no1 "
+      "endrepeat\nM2\nnever read";
+  jobs::Options how = options();
+  how.undo = true;
+  const compensate::Summary s = jobs::compensate_file(scratch.file("a.ngc", program), scratch.path("b.ngc"), how);
+  CHECK(s.unrolled);
+  CHECK(s.bytes_after == scratch.text("b.ngc").size());
+  CHECK(scratch.text("b.ngc").starts_with("(PART)\n(plumbline "));
+  CHECK(jobs::summary_text(s, how).find("unrolled") != std::string::npos);
+  CHECK(nlohmann::json::parse(jobs::summary_json(s, how)).at("unrolled") == true);
+  CHECK(testing::refusal_of([&] { jobs::compensate_file(scratch.path("b.ngc"), scratch.path("c.ngc"), how); }).code ==
+        "compensate-stamped");
+  OutputFile back(scratch.path("back.ngc"));
+  nc::restore(InputFile(scratch.path("b.ngc")), InputFile(scratch.path("b.ngc.undo")), back);
+  back.commit();
+  CHECK(scratch.text("back.ngc") == program);
 }
 
 TEST_CASE("what fails writes nothing") {

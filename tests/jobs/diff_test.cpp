@@ -1,5 +1,7 @@
 #include "jobs/diff.hpp"
 
+#include <cmath>
+
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -52,6 +54,24 @@ std::string compensated(const testing::Scratch& scratch, const std::string& prog
 }
 
 }  // namespace
+
+TEST_CASE("an unrolled program and written-out cycles are aligned with their original") {
+  const std::string program =
+      "G21 G90 G94 G17\nG0 X0 Y0 Z10 A0 B0 C0\nM98 P7 L2\n#1=0\no1 while [#1 lt 3]\nG1 X[#1*9] Y[1/3] F600\nG3 X0 Y5 "
+      "R30\n#1=[#1+1]\no1 endwhile\nG99 G81 X5 Y5 Z-4 R2\nG91 X3 L3\nG80 G90 G0 Z20\nG5.1 X30 Y0 I9 J9\nG1 @20 ^30\n"
+      "M2\nO7\nG1 X40 Y5 A2 F500\nG0 X0 Y0 A0\nM99\n";
+  const testing::Scratch scratch;
+  const std::string output = compensated(scratch, program);
+  CHECK(output.find("o1 ") == std::string::npos);
+  const DiffSummary s = diff_of(program, output);
+  CHECK(s.out_of_line_a == 0);
+  CHECK(s.out_of_line_b == 0);
+  CHECK(s.matched == s.moves_a);
+  CHECK(s.moves_b > s.moves_a);
+  CHECK(s.shift[index(Axis::Z)].largest < 0.05);
+  CHECK(s.shift[index(Axis::Z)].largest > 0.005);
+  CHECK(std::abs(s.seconds_b / s.seconds_a - 1) < 1e-3);
+}
 
 TEST_CASE("a program equals itself") {
   const DiffSummary s = diff_of(winding(false), winding(false));
