@@ -57,7 +57,7 @@ std::string generic_formula(std::span<const double> parameters) {
       any = any || x != 0;
     }
     first += count;
-    const auto channel =
+    const auto* const channel =
         std::find_if(kChannels.begin(), kChannels.end(), [&](const Channel& c) { return c.key == spec.key; });
     if (channel == kChannels.end() || !any) continue;
     lines += fmt::format("{}{}: [{:.4g}] {}{}{}", lines.empty() ? "" : "\n", channel->name, fmt::join(values, ", "),
