@@ -142,6 +142,12 @@ struct Block {
   bool has_number() const { return number.end > number.begin; }
 };
 
+/// Bytes at the begin of the block that are the file's byte order mark: 3 or 0.
+inline std::size_t byte_order_mark_size(const Block& block) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return block.offset == 0 && block.text.starts_with(kMark) ? kMark.size() : 0;
+}
+
 /// The first word of that letter (upper case); null if there is none.
 inline const Word* find_word(const Block& block, char letter) {
   for (const Word& word : block.words) {

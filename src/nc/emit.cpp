@@ -8,6 +8,7 @@
 #include "base/check.hpp"
 #include "base/number_text.hpp"
 #include "base/units.hpp"
+#include "nc/parser.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -19,6 +20,20 @@ constexpr std::string_view kSkipped = "block delete is on: this block was left o
 bool shifts_words(const Step& step, const AxisWords& shift) {
   return std::any_of(kAllAxes.begin(), kAllAxes.end(),
                      [&](Axis axis) { return step.named.contains(axis) && std::abs(shift[axis]) > 1e-9; });
+}
+
+// The file's byte order mark is the header's, which goes out before the stamp.
+std::string_view without_mark(const Block& block, std::string_view text) {
+  const std::string_view mark = block.text.substr(0, byte_order_mark_size(block));
+  return text.substr(text.starts_with(mark) ? mark.size() : 0);
+}
+
+// What the control is off, in the words of a block that sets an offset: G10 L20 may name a system that is turned
+// otherwise than the active one.
+AxisWords offset_shift(const Step& step, const OutputState& control) {
+  Frame turned;
+  turned.rotation_deg = step.offset_rotation_deg;
+  return control.work_shift(turned);
 }
 
 }  // namespace
@@ -59,6 +74,7 @@ void Emitter::note_header(const Step& step) {
   if (block.kind == LineKind::percent) ++percents_;
   tool_ = step.frame->tool;
   if (!in_header_) return;
+  header_end_ = std::max<std::uint64_t>(header_end_, byte_order_mark_size(block));
   const bool blank =
       block.words.empty() && block.comments.empty() && block.settings.empty() && block.kind == LineKind::block;
   const bool comment = block.words.empty() && !block.comments.empty() && block.settings.empty() && !block.block_delete;
@@ -105,9 +121,10 @@ void Emitter::begin_change(const Step& step) {
 void Emitter::note_replaced(const Step& step, std::uint64_t begin) {
   if (undo_ == nullptr || grouping_ || unrolls()) return;
   const Block& block = *step.block;
+  const std::string_view original = without_mark(block, block.text);
   const std::uint64_t size = out_.size() - begin;
-  if (size == block.text.size() + block.line_end.size() && line_ == block.text) return;
-  undo_->replaced(begin, size, std::string(block.text) + std::string(block.line_end));
+  if (size == original.size() + block.line_end.size() && line_ == block.text) return;
+  undo_->replaced(begin, size, std::string(original) + std::string(block.line_end));
 }
 
 void Emitter::write_line(const Step& step, std::string_view text) {
@@ -117,7 +134,7 @@ void Emitter::write_line(const Step& step, std::string_view text) {
                              dialect_.line_length),
                  "put comments or other words of this block on a line of their own");
   }
-  out_.write(text);
+  out_.write(without_mark(*step.block, text));
 }
 
 // F and its mode as the original has them, before a block that counts on them.
@@ -151,7 +168,7 @@ void Emitter::copy(const Step& step) {
     copy_with_choice_applied(step);
     return;
   }
-  const bool offset_words = step.role == BlockRole::sets_offset && shifts_words(step, control_.work_shift(*step.frame));
+  const bool offset_words = step.role == BlockRole::sets_offset && shifts_words(step, offset_shift(step, control_));
   const bool motion_missing = changed_ && !step.motions.empty() && codes.motion == nullptr &&
                               control_.motion != step.after->motion && step.role == BlockRole::plain &&
                               step.motions.front().kind != MotionKind::dwell;
@@ -187,10 +204,19 @@ void Emitter::refuse_if_shifted(const Step& step) const {
   }
 }
 
+// G43.1 Z-8 G0 X1 moves to Z-8 and makes that the length of the tool: a correction of the one would change the other.
+void Emitter::refuse_if_shared(const Step& step) const {
+  const Word* const taker = codes_.codes_of(*step.block).axis_taker;
+  if (taker == nullptr || step.named.empty()) return;
+  refuse_at(*step.block, taker->span, "emit-shared-words",
+            fmt::format("{} and the motion of this block both take its axis words", step.block->at(taker->span)),
+            "put the two into blocks of their own");
+}
+
 // The control works the offset out from where it stands; its words grow by what it is off, so that the offset is the
 // one that the original gives.
 void Emitter::add_offset_shifts(const Step& step) {
-  const AxisWords shift = control_.work_shift(*step.frame);
+  const AxisWords shift = offset_shift(step, control_);
   for (const Word& word : step.block->words) {
     const std::optional<Axis> axis = axis_of(word.letter);
     if (!axis || std::abs(shift[*axis]) <= 1e-9) continue;
@@ -214,7 +240,10 @@ void Emitter::copy_with_choice_applied(const Step& step) {
   }
   if (unrolls()) begin_change(step);
   if (!changed_) {
-    if (!only_looks_) before_change_.push_back({block.offset, std::string(block.text), text});
+    if (!only_looks_) {
+      before_change_.push_back({block.offset + byte_order_mark_size(block),
+                                std::string(without_mark(block, block.text)), std::string(without_mark(block, text))});
+    }
   } else {
     const std::uint64_t begin = out_.size();
     if (!step.skipped) restore_feed_state(step, find_word(block, 'F') != nullptr);
@@ -236,6 +265,7 @@ EmittedMove Emitter::move(const Step& step, std::span<const CorrectedPoint> poin
     copy(step);
     return {false, 1, seconds, 0};
   }
+  refuse_if_shared(step);
   note_header(step);
   begin_change(step);
   const std::uint64_t begin = out_.size();

@@ -79,8 +79,8 @@ class Emitter {
   void copy(const Step& step);
 
   /// Writes the one move of a block through `points`, the last of them its end. Only axes in `writable` get words.
-  /// `seconds`: what the block takes in the original; nothing for rapids. Refuses with emit-feed-rule and
-  /// emit-line-too-long.
+  /// `seconds`: what the block takes in the original; nothing for rapids. Refuses with emit-feed-rule,
+  /// emit-line-too-long and emit-shared-words.
   EmittedMove move(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
                    std::optional<double> seconds);
 
@@ -121,6 +121,7 @@ class Emitter {
   void restore_feed_state(const Step& step, bool has_feed_word);
   void add_offset_shifts(const Step& step);
   void refuse_if_shifted(const Step& step) const;
+  void refuse_if_shared(const Step& step) const;
   void copy_with_choice_applied(const Step& step);
   std::string_view line_end(const Step& step) const;
 

@@ -121,7 +121,11 @@ void PieceWriter::place_words(const Step& step, const std::string& codes_before,
     editor_.replace(word.span, takes_words ? in_spelling(both, editor_.spelling()) : "");
     if (takes_words) both.clear();
   }
-  if (first_axis == nullptr) return;
+  if (first_axis == nullptr) {
+    // G1 F500 alone moves nowhere, but to where the correction is.
+    if (!both.empty()) editor_.insert_after(block.words.back().span.end, both);
+    return;
+  }
   if (!codes_before.empty()) editor_.insert_before(first_axis->span.begin, codes_before);
   if (!words.empty()) editor_.insert_after(last_axis->span.end, words);
 }

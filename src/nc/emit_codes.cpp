@@ -62,6 +62,7 @@ BlockCodes CodeWriter::codes_of(const Block& block) const {
       if (row->group == kMotionGroup) codes.motion = &word;
       if (row->group == kFeedModeGroup) codes.feed_mode = &word;
       if (row->group == kPathControlGroup) codes.path_control = &word;
+      if (row->group != kMotionGroup && row->takes_axes) codes.axis_taker = &word;
     } else if (row->order == Order::after_motion) {
       codes.add_after_motion(word);
     }

@@ -17,10 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kBeyondCodes = 1e4;
+
 bool ends_program(const Block& block, const Dialect& dialect) {
   if (block.block_delete) return false;
   return std::any_of(block.words.begin(), block.words.end(), [&](const Word& word) {
-    if (word.letter != 'M' || word.expression != kLiteral) return false;
+    const bool is_code = word.letter == 'M' && word.expression == kLiteral && std::abs(word.value) < kBeyondCodes;
+    if (!is_code) return false;
     const CodeRow* const row = dialect.m_code(static_cast<int>(word.value * 10));
     return row != nullptr && row->action == Action::end;
   });
@@ -63,6 +66,8 @@ void scan(const InputFile& file, const Dialect& dialect, std::set<fs::path>& see
   Line line;
   bool jumps = !seen.empty();  // then what stands behind the end may be executed as well
   while (axes != AxisSet::all() && lines.next(line)) {
+    // Executing the program refuses such a line; parsing one of 200,000 brackets would take as deep a stack.
+    if (!line.whole || line.text.size() > dialect.line_length) continue;
     block.file = file.name();
     block.text = line.text;
     block.line = line.place.line;

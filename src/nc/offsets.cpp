@@ -83,6 +83,7 @@ void set_origin_here(Execution& run) {
   row.origin += turned(shift, row.rotation_deg);
   row.known = row.known | run.axes;
   run.step.role = BlockRole::sets_offset;
+  run.step.offset_rotation_deg = row.rotation_deg;
   if (!is_active) return;
   control.frame.origin = row.origin;
   for (const Axis axis : kAllAxes) {
@@ -131,6 +132,7 @@ void set_position(Execution& run) {
   }
   control.suspended_g92 = control.frame.g92;
   run.step.role = BlockRole::sets_offset;
+  run.step.offset_rotation_deg = control.frame.rotation_deg;
 }
 
 void clear_position(Execution& run, Action action) {

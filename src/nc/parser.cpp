@@ -9,11 +9,6 @@
 #include "nc/codes.hpp"
 
 namespace plumbline::nc {
-namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-}  // namespace
 
 std::string Parser::shown(char c) {
   const auto byte = static_cast<unsigned char>(c);
@@ -43,8 +38,7 @@ void Parser::parse(Block& block) {
   block.names.clear();
   block.flow.word = FlowWord::none;
   seen_ = 0;
-  at_ = block.text.data();
-  if (block.offset == 0 && block.text.starts_with(kByteOrderMark)) at_ += kByteOrderMark.size();
+  at_ = block.text.data() + byte_order_mark_size(block);
   take(lex_item);
   if (token_.kind == TokenKind::percent) return percent();
   if (token_.kind == TokenKind::slash) {

@@ -69,9 +69,10 @@ struct Step {
   AxisSet known;                    // of which this is known
   AxisSet named;                    // axes whose words stand in the block
   BlockRole role = BlockRole::plain;
-  bool flow = false;         // the line steers the program: an O word, M98, M99 that ends a subprogram
-  FlowEntry entry = {};      // what it enters, if anything
-  bool saves_modes = false;  // M70 to M73: modes are kept or come back
+  double offset_rotation_deg = 0;  // sets_offset: of the work system that its words are in, active or not
+  bool flow = false;               // the line steers the program: an O word, M98, M99 that ends a subprogram
+  FlowEntry entry = {};            // what it enters, if anything
+  bool saves_modes = false;        // M70 to M73: modes are kept or come back
   CycleForm cycle = CycleForm::none;
   std::span<const Hole> holes = {};  // of a cycle
   bool nurbs_point = false;          // G5.2: its curve is moved along at the G5.3 behind it

@@ -83,7 +83,8 @@ int ForceModel::append(std::size_t effect) {
 }
 
 void ForceModel::add_base(const machine::MachineModel& model, std::size_t effect) {
-  auto into = parameters.begin() + append(effect);
+  const int first = append(effect);  // first, since it may move them
+  auto into = parameters.begin() + first;
   for (const ParameterSpec& spec : effect_infos()[effect].parameters) {
     const std::vector<double>& values = model.value(spec.table, spec.key).values;
     into = std::copy(values.begin(), values.end(), into);
@@ -98,7 +99,8 @@ void ForceModel::add_row(const EffectRow& row) {
   }
   const EffectInfo& info = effect_infos()[effect];
   check_keys(row, info);
-  auto into = parameters.begin() + append(effect);
+  const int first = append(effect);  // first, since it may move them
+  auto into = parameters.begin() + first;
   for (const ParameterSpec& spec : info.parameters) {
     const auto value =
         std::find_if(row.values.begin(), row.values.end(), [&](const EffectValue& v) { return v.key == spec.key; });

@@ -101,6 +101,15 @@ TEST_CASE("the stamp stands behind %, and the comments that the program begins w
         "%\n(part 7)\n\n(by hand)\n(stamped)\n\nG21\nG0 X1 Z0.01\n");
 }
 
+TEST_CASE("a byte order mark stays at the begin of the file") {
+  const std::string mark = "\xEF\xBB\xBF";
+  CHECK(rewrite(mark + "G0 X1\nX2\n", lift(0.01)) == mark + "(stamped)\nG0 X1 Z0.01\nX2\n");
+  CHECK(rewrite(mark + "%\nG0 X1\n", lift(0.01)) == mark + "%\n(stamped)\nG0 X1 Z0.01\n");
+  Rewriting how = lift(0.01);
+  how.program.block_delete = false;
+  CHECK(rewrite(mark + "/G21\nG0 X1\n", how) == mark + "(stamped)\nG21\nG0 X1 Z0.01\n");
+}
+
 TEST_CASE("decimals are at least those of the source") {
   CHECK(rewrite("G0 X0 Z1.123456\n", lift(0.1)) == "(stamped)\nG0 X0 Z1.223456\n");
   CHECK(rewrite("G20\nG0 X0 Z1\n", lift(0.254)) == "(stamped)\nG20\nG0 X0 Z1.01\n");
@@ -114,6 +123,12 @@ TEST_CASE("a move is cut: N, S and comments stay on the first piece, M2 moves to
 TEST_CASE("blocks after a correction find the axes where they take them to be") {
   // Z is corrected at X4 and must come back to zero at X0, although the block does not name it.
   CHECK(rewrite("G1 F600 X4\nX0\nY5\n", slope(0.01)) == "(stamped)\nG1 F600 X4 Z0.04\nX0 Z0\nY5\n");
+}
+
+TEST_CASE("a motion code without axis words gets those of its correction") {
+  // The control comes from a move in machine coordinates, where nothing is corrected.
+  CHECK(rewrite("G0 X1\nG53 G0 Z0\nG1 F500\nX2\n", lift(0.01)) ==
+        "(stamped)\nG0 X1 Z0.01\nG53 G0 Z0\nG1 F500 Z0.01\nX2 F500\n");
 }
 
 TEST_CASE("increments lead from one corrected point to the next, without drift") {
@@ -158,6 +173,13 @@ TEST_CASE("offsets set from where the control stands come out as in the original
   CHECK_THROWS_AS(rewrite("G0 X1\nG28.1\n", lift(0.01)), Refusal);
 }
 
+TEST_CASE("an offset set for a system that is turned counts in the directions of that system") {
+  Rewriting aside = lift(0);
+  aside.shift = [](const AxisWords&) { return AxisWords{{0.01, 0, 0, 0, 0, 0}}; };
+  CHECK(rewrite("G10 L2 P2 R90\nG0 X1\nG10 L20 P2 X5 Y7\nG10 L20 P1 X5\n", aside) ==
+        "(stamped)\nG10 L2 P2 R90\nG0 X1.01\nG10 L20 P2 X5 Y6.99\nG10 L20 P1 X5.01\n");
+}
+
 TEST_CASE("moves in machine coordinates go through as they stand") {
   CHECK(rewrite("G0 X1\nG53 G0 Z7\nG0 X2\n", lift(0.01)) == "(stamped)\nG0 X1 Z0.01\nG53 G0 Z7\nG0 X2 Z7.01\n");
 }
@@ -174,6 +196,12 @@ TEST_CASE("block delete: the choice is applied") {
         "left out)\n");
   how.program.block_delete = false;
   CHECK(rewrite("G0 X1\n/G0 X6\n/(note)\n", how) == "(stamped)\nG0 X1 Z0.01\nG0 X6\n/(note)\n");
+}
+
+TEST_CASE("words that set a tool length as well as move are not corrected") {
+  const std::string text = "G0 X1\nG43.1 Z8 G0 X2\n";
+  CHECK(rewrite(text, lift(0)) == text);
+  CHECK(testing::refusal_of([&] { rewrite(text, lift(0.01)); }).code == "emit-shared-words");
 }
 
 TEST_CASE("what the control resolves bounds the digits") {

@@ -37,6 +37,11 @@ AxisSet axes_named_in(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("axes are looked for in what could be executed alone") {
+  CHECK(axes_named_in("G0 X" + std::string(200'000, '[') + "\nA1\n") == AxisSet{Axis::A});
+  CHECK(axes_named_in("M99999999999999\nA1\n") == AxisSet{Axis::A});
+}
+
 TEST_CASE("the texts of all blocks are the program, byte for byte") {
   for (const std::string text :
        {"", "\n", "G0 X1", "G0 X1\n", "G0 X1\r\nG1 X2 F3\r\n", "\r\n\n \t\n",
