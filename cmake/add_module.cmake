@@ -7,8 +7,12 @@ target_compile_options(plumbline_options INTERFACE
   $<$<BOOL:${PLUMBLINE_WARNINGS_AS_ERRORS}>:-Werror>)
 if(PLUMBLINE_SANITIZE)
   target_compile_options(plumbline_options INTERFACE -fsanitize=${PLUMBLINE_SANITIZE} -fno-sanitize-recover=all
-    -fno-omit-frame-pointer -Wno-maybe-uninitialized)  # GCC 12 takes sanitised std::function for uninitialised
+    -fno-omit-frame-pointer $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC 12 takes sanitised std::function for uninitialised
   target_link_options(plumbline_options INTERFACE -fsanitize=${PLUMBLINE_SANITIZE})
+endif()
+if(PLUMBLINE_FUZZER)  # float conversions of anything that a file may say are undefined where they do not fit
+  target_compile_options(plumbline_options INTERFACE -fsanitize=fuzzer-no-link,float-cast-overflow)
+  target_link_options(plumbline_options INTERFACE -fsanitize=float-cast-overflow)
 endif()
 if(PLUMBLINE_TIDY)
   find_program(CLANG_TIDY clang-tidy REQUIRED)

@@ -1,8 +1,11 @@
-# embed(TARGET NAME FILE): compiles FILE into TARGET as `extern const std::string_view plumbline::embedded::NAME`.
-function(embed target name file)
+# embed(TARGET NAME FILE...): compiles the files, one behind the other, into TARGET as
+# `extern const std::string_view plumbline::embedded::NAME`.
+function(embed target name)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/embedded_${name}.cpp)
+  list(JOIN ARGN "|" files)
   add_custom_command(OUTPUT ${source}
-    COMMAND ${CMAKE_COMMAND} -DNAME=${name} -DFILE=${file} -DSOURCE=${source} -P ${CMAKE_SOURCE_DIR}/cmake/embed_file.cmake
-    DEPENDS ${file} ${CMAKE_SOURCE_DIR}/cmake/embed_file.cmake VERBATIM)
+    COMMAND ${CMAKE_COMMAND} -DNAME=${name} "-DFILES=${files}" -DSOURCE=${source}
+      -P ${CMAKE_SOURCE_DIR}/cmake/embed_file.cmake
+    DEPENDS ${ARGN} ${CMAKE_SOURCE_DIR}/cmake/embed_file.cmake VERBATIM)
   target_sources(${target} PRIVATE ${source})
 endfunction()

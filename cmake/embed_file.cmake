@@ -1,5 +1,11 @@
-# Writes the bytes of FILE as one string literal a line; hexadecimal escapes, so that no byte needs thought.
-file(READ ${FILE} text HEX)
+# Writes the bytes of FILES (| between them) as one string literal a line; hexadecimal escapes, so that no byte needs
+# thought.
+string(REPLACE "|" ";" files "${FILES}")
+set(text "")
+foreach(file IN LISTS files)
+  file(READ ${file} bytes HEX)
+  string(APPEND text "${bytes}")
+endforeach()
 string(REGEX REPLACE "([0-9a-f][0-9a-f])" "\\\\x\\1" text "${text}")
 string(REPLACE "\\x0a" "\\x0a\"\n    \"" text "${text}")
 file(WRITE ${SOURCE}

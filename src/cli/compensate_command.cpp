@@ -1,12 +1,10 @@
-#include <cstdio>
 #include <memory>
 #include <optional>
-
-#include <fmt/format.h>
 
 #include "base/files.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
+#include "cli/messages.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
 #include "jobs/compensate_file.hpp"
@@ -38,8 +36,8 @@ int compensate(const Arguments& arguments) {
     json->write(jobs::summary_json(summary, options));
     json->commit();
   }
-  for (const Diagnostic& warning : summary.warnings) fmt::print(stderr, "{}", to_text(warning));
-  fmt::print(stderr, "{}", jobs::summary_text(summary, options));
+  for (const Diagnostic& warning : summary.warnings) say(warning);
+  say_note(jobs::summary_text(summary, options));
   return kDone;
 }
 

@@ -6,6 +6,7 @@
 #include "base/files.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
+#include "cli/messages.hpp"
 #include "jobs/error_table.hpp"
 #include "jobs/text_table.hpp"
 #include "machine/model_file.hpp"
@@ -25,7 +26,7 @@ int error(const Arguments& arguments) {
   OutputFile out(arguments.output);
   const jobs::ErrorTableSummary summary = jobs::write_error_table(model, poses, out);
   out.commit();
-  fmt::print(stderr, "{} poses, the tip up to {:.3f} um off\n", jobs::count_text(summary.poses), summary.largest_um);
+  say_note(fmt::format("{} poses, the tip up to {:.3f} um off\n", jobs::count_text(summary.poses), summary.largest_um));
   return kDone;
 }
 

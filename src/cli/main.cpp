@@ -1,11 +1,13 @@
 // plumbline: the command line. Exit codes: 0 done, 1 the work failed, 2 wrong usage.
 #include <cstdio>
+#include <span>
 
 #include <fmt/format.h>
 
 #include "base/check.hpp"
 #include "base/diagnostic.hpp"
 #include "cli/command.hpp"
+#include "cli/messages.hpp"
 #include "jobs/version.hpp"
 
 namespace plumbline::cli {
@@ -14,16 +16,55 @@ namespace {
 int wrong_usage(const CLI::App& app, const char* message) {
   const std::vector<CLI::App*> asked = const_cast<CLI::App&>(app).get_subcommands();
   const std::string command = asked.empty() ? "" : " " + asked.front()->get_name();
+  if (says_json()) {
+    say({"usage-wrong", message, fmt::format("plumbline{} --help says more", command), {}, Severity::error});
+    return kWrongUsage;
+  }
   fmt::print(stderr, "plumbline{}: {}\nplumbline{} --help says more\n", command, message, command);
   return kWrongUsage;
 }
 
 int broken(const char* what) {
-  fmt::print(stderr,
-             "plumbline: this is a bug in plumbline {}: {}\n"
-             "please report it with the command, the program and the model\n",
-             jobs::version(), what);
+  constexpr const char* kHelp = "please report it with the command, the program and the model";
+  const std::string message = fmt::format("this is a bug in plumbline {}: {}", jobs::version(), what);
+  if (says_json()) {
+    say({"internal-error", message, kHelp, {}, Severity::error});
+  } else {
+    fmt::print(stderr, "plumbline: {}\n{}\n", message, kHelp);
+  }
   return kFailed;
+}
+
+int refused(const Diagnostic& diagnostic) {
+  say(diagnostic);
+  if (!says_json() && diagnostic.code != "explain-unknown-code")
+    fmt::print(stderr, "plumbline explain {} says more\n", diagnostic.code);
+  return kFailed;
+}
+
+// Looked for beforehand: even what is wrong with the command line is said in the form that was asked for.
+bool asks_for_json(std::span<const char* const> arguments) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string_view argument = arguments[i];
+    if (argument == "--") return false;
+    if (argument == "--diagnostics=json") return true;
+    if (argument == "--diagnostics" && i + 1 < arguments.size() && std::string_view(arguments[i + 1]) == "json") {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Before the command and behind it.
+void add_diagnostics(CLI::App& app) {
+  static std::string form;
+  std::vector<CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });
+  all.push_back(&app);
+  for (CLI::App* const one : all) {
+    one->add_option("--diagnostics", form, "form of the messages on standard error: text, or json, an object a line")
+        ->type_name("FORM")
+        ->check(CLI::IsMember({"text", "json"}));
+  }
 }
 
 void describe(CLI::App& app) {
@@ -43,9 +84,11 @@ int main_of(int argc, const char* const* argv) {
   CLI::App app;
   Run run;
   describe(app);
-  for (const auto add : {add_compensate, add_restore, add_error, add_trace, add_check, add_simulate, add_diff,
-                         add_compare, add_circularity})
+  for (const auto add : {add_compensate, add_restore, add_error, add_explain, add_trace, add_check, add_simulate,
+                         add_diff, add_compare, add_circularity})
     add(app, run);
+  add_diagnostics(app);
+  say_as_json(asks_for_json({argv, static_cast<std::size_t>(argc)}));
   try {
     app.parse(argc, argv);
     return run();
@@ -55,8 +98,7 @@ int main_of(int argc, const char* const* argv) {
   } catch (const UsageError& error) {
     return wrong_usage(app, error.what());
   } catch (const Refusal& refusal) {
-    fmt::print(stderr, "{}", to_text(refusal.diagnostic()));
-    return kFailed;
+    return refused(refusal.diagnostic());
   } catch (const std::exception& error) {
     return broken(error.what());
   }

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "cli/messages.hpp"
+
 namespace plumbline::cli {
 namespace {
 
@@ -14,7 +16,7 @@ constexpr std::chrono::milliseconds kEvery{200};
 }  // namespace
 
 ProgressLine::ProgressLine()
-    : is_terminal_(isatty(STDERR_FILENO) == 1), next_(std::chrono::steady_clock::now() + kFirst) {}
+    : is_terminal_(isatty(STDERR_FILENO) == 1 && !says_json()), next_(std::chrono::steady_clock::now() + kFirst) {}
 
 ProgressLine::~ProgressLine() { clear(); }
 

@@ -6,6 +6,7 @@
 #include "base/files.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
+#include "cli/messages.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
 #include "jobs/simulate.hpp"
@@ -28,7 +29,7 @@ int simulate_dataset(const Arguments& arguments) {
   require_model(options);
   const jobs::DatasetSimulationSummary summary =
       jobs::simulate_dataset(options.model, arguments.dataset, arguments.output);
-  fmt::print(stderr, "{} runs, {} samples\n", jobs::count_text(summary.runs), jobs::count_text(summary.samples));
+  say_note(fmt::format("{} runs, {} samples\n", jobs::count_text(summary.runs), jobs::count_text(summary.samples)));
   return kDone;
 }
 
@@ -44,9 +45,9 @@ int simulate(const Arguments& arguments) {
   const jobs::SimulationSummary summary = jobs::simulate_program(arguments.program, options, out, line.progress());
   line.clear();
   out.commit();
-  fmt::print(stderr, "{} points in {}: the tip up to {:.3f} um off (line {}), rms {:.3f} um\n",
-             jobs::count_text(summary.points), jobs::time_text(summary.seconds), summary.largest_um,
-             summary.largest_line, summary.rms_um);
+  say_note(fmt::format("{} points in {}: the tip up to {:.3f} um off (line {}), rms {:.3f} um\n",
+                       jobs::count_text(summary.points), jobs::time_text(summary.seconds), summary.largest_um,
+                       summary.largest_line, summary.rms_um));
   return kDone;
 }
 

@@ -1,0 +1,26 @@
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "cli/command.hpp"
+#include "jobs/explain.hpp"
+
+namespace plumbline::cli {
+
+void add_explain(CLI::App& app, Run& run) {
+  CLI::App* const command =
+      app.add_subcommand("explain",
+                         "Say what the code of a message means, as in nc-unknown-code, and what to do; without a code "
+                         "list them all");
+  const auto code = std::make_shared<std::string>();
+  command->add_option("CODE", *code, "the code, as it stands in brackets behind a message")->type_name("TEXT");
+  command->callback([code, &run] {
+    run = [code] {
+      fmt::print("{}", code->empty() ? jobs::explain_list() : jobs::explain_text(*code));
+      return kDone;
+    };
+  });
+}
+
+}  // namespace plumbline::cli

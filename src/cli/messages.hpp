@@ -1,0 +1,19 @@
+// What is said on standard error: as text for people, or as one JSON object a line (--diagnostics=json).
+#pragma once
+
+#include <string_view>
+
+#include "base/diagnostic.hpp"
+
+namespace plumbline::cli {
+
+/// For all that is said from now on.
+void say_as_json(bool json);
+bool says_json();
+
+/// An error, a warning.
+void say(const Diagnostic& diagnostic);
+/// What was done: whole lines, of no severity but "note".
+void say_note(std::string_view text);
+
+}  // namespace plumbline::cli
