@@ -116,6 +116,13 @@ class Setup(unittest.TestCase):
         self.assertEqual(len([line for line in self.log() if line.endswith(" update")]), 1)
         self.assertTrue((self.state / "linuxcnc-uspace").exists())
 
+    def test_installs_the_fuzzer_when_asked(self):
+        self.need_root()
+        self.play_debian(installed=packages("packages.txt"))
+        run = self.run_setup("--with-fuzzer")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("--no-install-recommends clang libclang-rt-14-dev", self.log()[-1])
+
     def test_without_root_says_what_to_run(self):
         self.play_debian(installed=packages("packages.txt")[1:])
         run = self.run_setup(as_nobody=True)

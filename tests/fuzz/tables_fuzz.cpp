@@ -1,0 +1,55 @@
+// Any bytes as each of the small files of the user: tools, settings, variables, poses.
+#include <cmath>
+
+#include "fuzz/fuzz.hpp"
+#include "jobs/pose_table.hpp"
+#include "jobs/settings_file.hpp"
+#include "jobs/variables_file.hpp"
+#include "nc/tool_table.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+void check_tools(const std::string& path) {
+  const nc::ToolTable table = nc::read_tool_table(path);
+  for (const nc::Tool& tool : table.all()) {
+    FUZZ_CHECK(table.find(tool.number) != nullptr);
+    FUZZ_CHECK(std::isfinite(tool.length_mm));
+    FUZZ_CHECK(!tool.mass_kg || std::isfinite(*tool.mass_kg));
+    FUZZ_CHECK(!tool.centre_of_mass_mm || std::isfinite(*tool.centre_of_mass_mm));
+  }
+}
+
+void check_settings(const std::string& path) {
+  jobs::Options options;
+  jobs::read_settings_file(path, options);
+  FUZZ_CHECK(options.settings_file == path);
+  for (const auto& offset : options.work_offsets) {
+    for (const Axis axis : kAllAxes) FUZZ_CHECK(!offset || std::isfinite(offset->origin[axis]));
+  }
+}
+
+void check_variables(const std::string& path) {
+  const std::map<int, double> variables = jobs::read_variables(path);
+  for (const auto& [number, value] : variables) FUZZ_CHECK(number >= 1 && std::isfinite(value));
+  for (const auto& offset : jobs::work_offsets_of(variables)) {
+    for (const Axis axis : kAllAxes) FUZZ_CHECK(!offset || std::isfinite(offset->origin[axis]));
+  }
+}
+
+void check_poses(const std::string& path) {
+  for (const jobs::PoseRow& row : jobs::read_poses(path)) {
+    for (const Axis axis : kAllAxes) FUZZ_CHECK(std::isfinite(row.pose[axis]));
+  }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string path = fuzz::folder().file("table", fuzz::text_of(data, size));
+  for (const auto check : {check_tools, check_settings, check_variables, check_poses}) {
+    fuzz::is_taken([&] { check(path); });
+  }
+  return 0;
+}
