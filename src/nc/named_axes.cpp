@@ -56,7 +56,8 @@ fs::path called_file(const Block& block, const fs::path& folder) {
   }
   if (name.empty()) return {};
   const fs::path path = folder / (name + ".ngc");
-  return fs::is_regular_file(path) ? path : fs::path();
+  std::error_code ignored;  // a name too long for a file is none
+  return fs::is_regular_file(path, ignored) ? path : fs::path();
 }
 
 void scan(const InputFile& file, const Dialect& dialect, std::set<fs::path>& seen, AxisSet& axes) {
