@@ -71,7 +71,8 @@ Rewritten rewrite(const InputFile& source, const nc::Dialect& dialect, Draw* dra
     emitter.record(log);
     out.keep_hash();
     while (const nc::Step* step = program.next()) {
-      if (step->flow || step->jumped || step->role == nc::BlockRole::cycle || step->polar || !is_within_reach(*step)) {
+      if ((draw != nullptr && step->motions.size() > 1) || step->flow || step->jumped ||
+          step->role == nc::BlockRole::cycle || step->polar || !is_within_reach(*step)) {
         refuse("fuzz", "not rewritten", "none");
       }
       if (draw == nullptr || !is_rewritable(*step)) {
