@@ -30,9 +30,7 @@ bool shows_parameters(std::string_view comment) {
 
 double unit_of(const Step& step, Axis axis) { return step.after->inches && !is_rotary(axis) ? kMmPerInch : 1; }
 
-}  // namespace
-
-bool PlainSteps::is_plain(const Step& step, bool keeps_settings) const {
+bool is_plain(const Step& step, bool keeps_settings) {
   const Block& block = *step.block;
   if (!keeps_settings && !block.settings.empty()) return false;
   if (step.polar && step.cycle == CycleForm::none && step.motions.size() == 1) return false;
@@ -42,6 +40,8 @@ bool PlainSteps::is_plain(const Step& step, bool keeps_settings) const {
   return std::all_of(block.words.begin(), block.words.end(),
                      [](const Word& word) { return word.expression == kLiteral; });
 }
+
+}  // namespace
 
 const Step* PlainSteps::plain(const Step& step, bool keeps_settings) {
   used_ = 0;

@@ -41,7 +41,6 @@ class PlainSteps {
     Hole hole;
     Step step;
   };
-  bool is_plain(const Step& step, bool keeps_settings) const;
   void write_values(const Step& step, bool keeps_settings);
   void write_polar_end(const Step& step, bool& written, Span span);
   void defuse_comments(const Block& block);

@@ -32,14 +32,15 @@ class Curve {
   Point at(double u) const {
     const int count = static_cast<int>(points_.size());
     const int span = std::clamp(static_cast<int>(std::floor(u)), 0, count - order_) + order_ - 1;
+    const int first = span - order_ + 1;
     std::array<NurbsPoint, kMostOrder> d;
     for (int j = 0; j < order_; ++j) {
-      const NurbsPoint& p = points_[static_cast<std::size_t>(span - order_ + 1 + j)];
+      const NurbsPoint& p = points_[static_cast<std::size_t>(first) + static_cast<std::size_t>(j)];
       d[static_cast<std::size_t>(j)] = {p.x * p.weight, p.y * p.weight, p.weight};
     }
     for (int r = 1; r < order_; ++r) {
       for (int j = order_ - 1; j >= r; --j) {
-        const int i = span - order_ + 1 + j;
+        const int i = first + j;
         const double low = knot(i);
         const double t = (u - low) / (knot(i + order_ - r) - low);
         const NurbsPoint& before = d[static_cast<std::size_t>(j - 1)];
