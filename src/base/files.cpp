@@ -68,25 +68,40 @@ bool copy_all(int from, int to) {
 InputFile::InputFile(const std::string& path) : name_(path) {
   if (path == kStandardStream) {
     name_ = "<stdin>";
-    descriptor_ = open_unnamed_temporary();
-    if (!copy_all(STDIN_FILENO, descriptor_)) {
-      refuse_file("file-unreadable", name_, fmt::format("cannot keep standard input: {}", std::strerror(errno)),
-                  "name the program's file instead");
-    }
+    spool(STDIN_FILENO);
   } else {
-    descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor_ < 0) {
-      refuse_file(errno == ENOENT ? "file-missing" : "file-unreadable", path,
-                  fmt::format("cannot be opened: {}", std::strerror(errno)), "check the path and its permissions");
-    }
+    open(path);
   }
   struct stat status {};
   PLUMBLINE_CHECK(fstat(descriptor_, &status) == 0);
+  size_ = static_cast<std::uint64_t>(status.st_size);
+}
+
+void InputFile::open(const std::string& path) {
+  descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor_ < 0) {
+    refuse_file(errno == ENOENT ? "file-missing" : "file-unreadable", path,
+                fmt::format("cannot be opened: {}", std::strerror(errno)), "check the path and its permissions");
+  }
+  struct stat status {};
+  PLUMBLINE_CHECK(fstat(descriptor_, &status) == 0);
+  if (S_ISREG(status.st_mode)) return;
+  const int opened = descriptor_;
   if (S_ISDIR(status.st_mode)) {
-    ::close(descriptor_);
+    ::close(opened);
     refuse_file("file-is-folder", path, "is a folder, not a file", "name a file in it");
   }
-  size_ = static_cast<std::uint64_t>(status.st_size);
+  spool(opened);
+  ::close(opened);
+}
+
+// Pipes and devices cannot be sought in: what they give is kept in a temporary file.
+void InputFile::spool(int from) {
+  descriptor_ = open_unnamed_temporary();
+  if (!copy_all(from, descriptor_)) {
+    refuse_file("file-unreadable", name_, fmt::format("cannot be kept: {}", std::strerror(errno)),
+                "write it into a file, and name that");
+  }
 }
 
 InputFile::InputFile(InputFile&& other) noexcept

@@ -16,7 +16,8 @@ namespace plumbline {
 /// The name by which standard input and output are asked for on the command line.
 inline constexpr std::string_view kStandardStream = "-";
 
-/// A file open for reading at any offset. Standard input ("-") is copied to an unnamed temporary file first.
+/// A file open for reading at any offset. Standard input ("-"), a pipe or a device is copied to an unnamed temporary
+/// file first.
 /// Refuses with file-missing, file-is-folder or file-unreadable.
 class InputFile {
  public:
@@ -36,6 +37,9 @@ class InputFile {
   bool is_same_as(const std::string& path) const;
 
  private:
+  void open(const std::string& path);
+  void spool(int from);
+
   std::string name_;
   int descriptor_ = -1;
   std::uint64_t size_ = 0;

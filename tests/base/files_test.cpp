@@ -78,3 +78,16 @@ TEST_CASE("a pipe is written to and stays a pipe") {
   close(reader);
   fs::remove(path);
 }
+
+TEST_CASE("a pipe is read as a file, at any offset") {
+  int ends[2] = {};
+  REQUIRE(pipe(ends) == 0);
+  REQUIRE(write(ends[1], "hello world", 11) == 11);
+  close(ends[1]);
+  const InputFile file("/dev/fd/" + std::to_string(ends[0]));
+  close(ends[0]);
+  CHECK(file.size() == 11);
+  char text[5] = {};
+  CHECK(file.read(6, text, sizeof text) == 5);
+  CHECK(std::string(text, 5) == "world");
+}
