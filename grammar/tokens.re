@@ -50,6 +50,7 @@ void read_number(Token& token, const char* begin, const char* end) {
       negative = true;
     }
   }
+  token.point = decimals >= 0;
   if (decimals < 0) decimals = 0;
   token.decimals = static_cast<std::uint8_t>(decimals);
   if (count > kMostDigits || digits > kLargestExact) {
@@ -218,6 +219,113 @@ again:
     'e' w 'n' w 'd' w 'i' w 'f'                          { return flow(FlowWord::end_if); }
     "["     { return keep(token, TokenKind::open, text(begin), text(at)); }
     *       { return keep(token, TokenKind::end, text(begin), text(begin)); }
+  */
+}
+
+void lex_statement(const char* cursor, Token& token) {
+  const auto* at = reinterpret_cast<const unsigned char*>(cursor);
+  const unsigned char* marker = nullptr;
+  const unsigned char* begin = nullptr;
+  const auto text = [](const unsigned char* c) { return reinterpret_cast<const char*>(c); };
+  const auto flow = [&](FlowWord word) {
+    keep(token, TokenKind::flow, text(begin), text(at));
+    token.operation = static_cast<std::uint8_t>(word);
+  };
+again:
+  begin = at;
+  /*!re2c
+    blank+  { goto again; }
+    'i' w 'f'                          { return flow(FlowWord::begin_if); }
+    't' w 'h' w 'e' w 'n'              { return flow(FlowWord::if_then); }
+    'w' w 'h' w 'i' w 'l' w 'e'        { return flow(FlowWord::begin_while); }
+    'd' w 'o'                          { return flow(FlowWord::begin_do); }
+    'e' w 'n' w 'd'                    { return flow(FlowWord::end_while); }
+    'g' w 'o' w 't' w 'o'              { return flow(FlowWord::go_to); }
+    *       { return keep(token, TokenKind::end, text(begin), text(begin)); }
+  */
+}
+
+void lex_named_item(const char* cursor, Token& token) {
+  const auto* at = reinterpret_cast<const unsigned char*>(cursor);
+  const unsigned char* marker = nullptr;
+  const unsigned char* begin = nullptr;
+  const auto text = [](const unsigned char* c) { return reinterpret_cast<const char*>(c); };
+again:
+  begin = at;
+  /*!re2c
+    plain      = [A-Za-z];
+    identifier = [A-Za-z_] [A-Za-z_] [A-Za-z0-9_]*;
+    string     = "\"" [^"\n\x00]* "\"" | "'" [^'\n\x00]* "'";
+
+    blank+                { goto again; }
+    plain w number        { return keep_word(token, text(begin), text(at)); }
+    identifier            { return keep(token, TokenKind::identifier, text(begin), text(at)); }
+    plain                 { return keep_letter(token, text(begin), text(at)); }
+    string                { return keep(token, TokenKind::string, text(begin), text(at)); }
+    ";" [^\n\x00]*        { return keep(token, TokenKind::comment, text(begin), text(at)); }
+    "("                   { return keep(token, TokenKind::parenthesis, text(begin), text(at)); }
+    ")"                   { return keep(token, TokenKind::closing_parenthesis, text(begin), text(at)); }
+    "["                   { return keep(token, TokenKind::open, text(begin), text(at)); }
+    "]"                   { return keep(token, TokenKind::close, text(begin), text(at)); }
+    "="                   { return keep(token, TokenKind::equals, text(begin), text(at)); }
+    ","                   { return keep(token, TokenKind::comma, text(begin), text(at)); }
+    ":"                   { return keep(token, TokenKind::colon, text(begin), text(at)); }
+    "/"                   { return keep(token, TokenKind::slash, text(begin), text(at)); }
+    "%"                   { return keep(token, TokenKind::percent, text(begin), text(at)); }
+    [\n\x00]              { return keep(token, TokenKind::end, text(begin), text(begin)); }
+    *                     { return keep(token, TokenKind::bad, text(begin), text(at)); }
+  */
+}
+
+void lex_named_value(const char* cursor, Token& token) {
+  const auto* at = reinterpret_cast<const unsigned char*>(cursor);
+  const unsigned char* marker = nullptr;
+  const unsigned char* begin = nullptr;
+  const auto text = [](const unsigned char* c) { return reinterpret_cast<const char*>(c); };
+again:
+  begin = at;
+  /*!re2c
+    blank+       { goto again; }
+    unsigned     { keep(token, TokenKind::number, text(begin), text(at));
+                   return read_number(token, text(begin), text(at)); }
+    [+-]         { keep(token, TokenKind::sign, text(begin), text(at));
+                   token.letter = *text(begin);
+                   return; }
+    "["          { return keep(token, TokenKind::open, text(begin), text(at)); }
+    "("          { return keep(token, TokenKind::parenthesis, text(begin), text(at)); }
+    [A-Za-z_] [A-Za-z0-9_]*  { return keep(token, TokenKind::identifier, text(begin), text(at)); }
+    string       { return keep(token, TokenKind::string, text(begin), text(at)); }
+    [\n\x00]     { return keep(token, TokenKind::end, text(begin), text(begin)); }
+    *            { return keep(token, TokenKind::bad, text(begin), text(at)); }
+  */
+}
+
+void lex_named_operation(const char* cursor, Token& token) {
+  const auto* at = reinterpret_cast<const unsigned char*>(cursor);
+  const unsigned char* begin = nullptr;
+  const auto text = [](const unsigned char* c) { return reinterpret_cast<const char*>(c); };
+  const auto operation = [&](Operation which) {
+    keep_operation(token, TokenKind::operation, which, text(begin), text(at));
+  };
+again:
+  begin = at;
+  /*!re2c
+    blank+      { goto again; }
+    "]"         { return keep(token, TokenKind::close, text(begin), text(at)); }
+    ")"         { return keep(token, TokenKind::closing_parenthesis, text(begin), text(at)); }
+    ","         { return keep(token, TokenKind::comma, text(begin), text(at)); }
+    "*"         { return operation(Operation::times); }
+    "/"         { return operation(Operation::divide); }
+    "+"         { return operation(Operation::plus); }
+    "-"         { return operation(Operation::minus); }
+    "=="        { return operation(Operation::equal); }
+    "<>"        { return operation(Operation::not_equal); }
+    ">"         { return operation(Operation::greater); }
+    ">="        { return operation(Operation::greater_equal); }
+    "<"         { return operation(Operation::less); }
+    "<="        { return operation(Operation::less_equal); }
+    [A-Za-z_] [A-Za-z0-9_]*  { return keep(token, TokenKind::identifier, text(begin), text(at)); }
+    *           { return keep(token, TokenKind::end, text(begin), text(begin)); }
   */
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/files.hpp"
 #include "jobs/compensate_file.hpp"
+#include "jobs/program_dialect.hpp"
 #include "jobs/trace.hpp"
 #include "jobs/version.hpp"
 #include "machine/model_file.hpp"
@@ -43,7 +44,7 @@ void trace(const std::string& program, const std::string& output, const Options&
   settings.as_with_empty_tables = true;
   const InputFile source(program);
   OutputFile out(output);
-  plumbline::trace(source, nc::dialect(options.dialect), std::move(settings), out, progress);
+  plumbline::trace(source, jobs::dialect_of(options, source), std::move(settings), out, progress);
   out.commit();
 }
 

@@ -5,6 +5,7 @@
 #include "cli/command_files.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
+#include "jobs/program_dialect.hpp"
 #include "jobs/trace.hpp"
 
 namespace plumbline::cli {
@@ -24,7 +25,7 @@ int trace(const Arguments& arguments) {
   const InputFile program(arguments.program);
   OutputFile out(arguments.output);
   ProgressLine line;
-  plumbline::trace(program, nc::dialect(options.dialect), std::move(settings), out, line.progress());
+  plumbline::trace(program, jobs::dialect_of(options, program), std::move(settings), out, line.progress());
   out.commit();
   return kDone;
 }

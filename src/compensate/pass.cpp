@@ -68,6 +68,10 @@ bool Pass::run(const Progress& progress) {
 void Pass::take(const nc::Step& step) {
   take_tool(step);
   if (form_ == nc::Form::in_text_order) return process(step);
+  if (step.flow && !step.motions.empty()) {
+    refuse("compensate-flow", "this block moves and calls a program, which cannot be told apart in the output",
+           "put the call into a block of its own", place_of(*step.block, step.block->file));
+  }
   if (step.flow || step.saves_modes) return emitter_.steer(step);
   const nc::Step* const plain = plain_.plain(step, false);
   if (plain == nullptr) return;
@@ -76,6 +80,7 @@ void Pass::take(const nc::Step& step) {
 }
 
 void Pass::process(const nc::Step& step) {
+  refuse_system_of_block(step);
   if (step.cycle != nc::CycleForm::none) {
     process_cycle(step);
   } else if (step.role == nc::BlockRole::synchronised) {
@@ -86,6 +91,18 @@ void Pass::process(const nc::Step& step) {
     correct_rapid(step);
   } else {
     correct_feed(step);
+  }
+}
+
+// G16: only the first of the pieces of such a block would be in its work system.
+void Pass::refuse_system_of_block(const nc::Step& step) const {
+  if (step.motions.empty()) return;
+  for (const nc::Word& word : step.block->words) {
+    const nc::CodeRow* const row = dialect_.row_of(word);
+    if (row == nullptr || row->action != nc::Action::work_system_of_block) continue;
+    refuse("compensate-work-system", "this block moves in a work system that is in force for it alone",
+           "choose the work system before it and the other one behind it, as with G15 H",
+           place_of(*step.block, step.block->file));
   }
 }
 

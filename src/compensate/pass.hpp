@@ -36,6 +36,7 @@ class Pass {
   Summary summary();
 
  private:
+  void refuse_system_of_block(const nc::Step& step) const;
   void refuse_stamped(const nc::Block& block) const;
   void take(const nc::Step& step);
   void process(const nc::Step& step);

@@ -7,6 +7,7 @@
 
 #include "compensate/corrector.hpp"
 #include "jobs/path_walk.hpp"
+#include "jobs/program_dialect.hpp"
 #include "jobs/text_table.hpp"
 #include "machine/model_file.hpp"
 
@@ -83,9 +84,9 @@ std::string message_of(const machine::Violation& violation) {
 
 CheckSummary check_file(const std::string& program, const Options& options, const Progress& progress) {
   const machine::MachineModel model = machine::read_model(options.model);
-  const nc::Dialect& dialect = nc::dialect(options.dialect);
   const nc::ProgramSettings settings = program_settings(options);
   const InputFile source(program);
+  const nc::Dialect& dialect = dialect_of(options, source);
   compensate::Settings compensation = options.compensation;
   compensation.step.least_time_s = model.control.block_time;
 

@@ -5,6 +5,7 @@
 #include "base/files.hpp"
 #include "compensate/stream.hpp"
 #include "jobs/guard_block.hpp"
+#include "jobs/program_dialect.hpp"
 #include "jobs/stamp.hpp"
 #include "jobs/used_tools.hpp"
 #include "machine/model_file.hpp"
@@ -37,9 +38,9 @@ std::string undo_name(const std::string& output) { return output + ".undo"; }
 compensate::Summary compensate_file(const std::string& program, const std::string& output, const Options& options,
                                     const Progress& progress) {
   const machine::MachineModel model = machine::read_model(options.model);
-  const nc::Dialect& dialect = nc::dialect(options.dialect);
   const nc::ProgramSettings settings = program_settings(options);
   const InputFile source(program);
+  const nc::Dialect& dialect = dialect_of(options, source);
 
   nc::EmitSettings emit = emit_settings(model.control, options);
   const std::vector<nc::Tool> tools = used_tools(source, settings.tools, settings.tool_in_spindle);

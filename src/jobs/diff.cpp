@@ -1,6 +1,7 @@
 #include "jobs/diff.hpp"
 
 #include "jobs/diff_align.hpp"
+#include "jobs/program_dialect.hpp"
 
 namespace plumbline::jobs {
 namespace {
@@ -18,11 +19,11 @@ bool DiffSummary::equal_within(double tolerance_mm, double tolerance_deg) const 
 }
 
 DiffSummary diff_files(const std::string& a, const std::string& b, const Options& options, const Progress& progress) {
-  const nc::Dialect& dialect = nc::dialect(options.dialect);
   nc::ProgramSettings settings = program_settings(options);
   settings.as_with_empty_tables = true;  // what both leave open cancels
   const InputFile file_a(a);
   const InputFile file_b(b);
+  const nc::Dialect& dialect = dialect_of(options, file_a);
   MoveReader moves_a(file_a, dialect, settings);
   MoveReader moves_b(file_b, dialect, settings);
   Aligner aligner(moves_a, moves_b);

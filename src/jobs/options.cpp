@@ -11,9 +11,6 @@
 namespace plumbline::jobs {
 namespace {
 
-constexpr std::array<std::string_view, nc::kWorkSystems> kSystems{"G54", "G55",   "G56",   "G57",  "G58",
-                                                                  "G59", "G59.1", "G59.2", "G59.3"};
-
 std::string upper(std::string_view text) {
   std::string out(text);
   for (char& c : out) {
@@ -57,6 +54,13 @@ bool on_or_off(std::string_view text) {
   throw OptionError("expected on or off");
 }
 
+nc::FeedRule feed_rule_in(std::string_view text) {
+  if (text == "xyz") return nc::FeedRule::xyz_first;
+  if (text == "all") return nc::FeedRule::all_axes_as_mm;
+  if (text == "unknown") return nc::FeedRule::unknown;
+  throw OptionError("expected xyz, all or unknown");
+}
+
 void add_m_codes(std::set<int>& codes, std::string_view text) {
   constexpr std::string_view kExpected = "M codes between commas, as in M428,M429";
   each_part(text, [&](std::string_view part) {
@@ -73,17 +77,28 @@ std::array<double, kAxes> pose_in(std::string_view text) {
   return *values;
 }
 
+// Of the first dialect that has a work system of this name; 0: none has.
+int system_of(const std::string& name) {
+  for (const std::string_view dialect : nc::dialect_names()) {
+    if (const int system = nc::dialect(dialect).system_of_name(name); system > 0) return system;
+  }
+  return 0;
+}
+
 void set_work_offset(Options& options, std::string_view text) {
   constexpr std::string_view kExpected =
-      "expected SYSTEM=X,Y,Z,A,B,C with six numbers in mm and deg, as in G54=0,0,-1008,0,0,0; "
-      "systems are G54 to G59 and G59.1 to G59.3";
+      "expected SYSTEM=X,Y,Z,A,B,C with six numbers in mm and deg, as in G54=0,0,-1008,0,0,0; systems are G54 to G59 "
+      "and, by dialect, G59.1 to G59.3, G54.1P1 to G54.1P300, G15H1 to G15H200, G500, G505 to G599";
   const std::size_t equals = text.find('=');
-  const std::string name = upper(trimmed(text.substr(0, equals)));
-  const auto* const found = std::find(kSystems.begin(), kSystems.end(), name);
-  if (equals == std::string_view::npos || found == kSystems.end()) throw OptionError(std::string(kExpected));
+  std::string name = upper(trimmed(text.substr(0, equals)));
+  std::erase(name, ' ');
+  if (name.size() > 1 && name.front() == 'H') name.insert(0, "G15");
+  const int system = system_of(name);
+  if (equals == std::string_view::npos || system == 0) throw OptionError(std::string(kExpected));
   const auto values = six_numbers(text.substr(equals + 1));
   if (!values) throw OptionError(std::string(kExpected));
-  options.work_offsets[static_cast<std::size_t>(found - kSystems.begin())] = nc::WorkOffset{{*values}, 0};
+  options.work_offsets[static_cast<std::size_t>(system - 1)] = nc::WorkOffset{{*values}, 0};
+  options.work_offset_names.emplace_back(name, system);
 }
 
 void set_start(Options& options, std::string_view text) {
@@ -109,8 +124,19 @@ void set_touch_off(Options& options, std::string_view text) { options.compensati
 using Text = std::string_view;
 
 constexpr std::array kRows{
-    OptionRow{"dialect", "NAME", "language of the program (default linuxcnc)", OptionGroup::program, false, false,
-              [](Options& o, Text t) { o.dialect = t; }},
+    OptionRow{"dialect", "NAME",
+              "language of the program: linuxcnc, fanuc, okuma, siemens (default: as its text shows)",
+              OptionGroup::program, false, false, [](Options& o, Text t) { o.dialect = t; }},
+    OptionRow{
+        "calculator-type", "on|off",
+        "fanuc: a number without a point counts mm, inches and degrees (on) or increments of the control (off, the "
+        "default)",
+        OptionGroup::program, false, false, [](Options& o, Text t) { o.calculator_type = on_or_off(t); }},
+    OptionRow{
+        "feed-rule", "xyz|all|unknown",
+        "F of a block that moves X, Y, Z and turns is the speed of X, Y, Z alone, or of all axes with degrees as mm "
+        "(default: the dialect's)",
+        OptionGroup::program, false, false, [](Options& o, Text t) { o.feed_rule = feed_rule_in(t); }},
     OptionRow{"work-offset", "G54=X,Y,Z,A,B,C",
               "where a work system's zero lies in the base frame W, mm and deg; G54 to G59, G59.1 to G59.3; repeatable",
               OptionGroup::program, true, false, set_work_offset},
@@ -190,7 +216,9 @@ void set_option(Options& options, const OptionRow& row, std::string_view text) {
   row.set(options, text);
 }
 
-std::string work_system_name(std::size_t system) { return std::string(kSystems.at(system)); }
+std::string work_system_name(std::size_t system) {
+  return nc::dialect("linuxcnc").name_of_system(static_cast<int>(system) + 1);
+}
 
 std::optional<std::array<double, kAxes>> six_numbers(std::string_view text) {
   std::array<double, kAxes> values{};
@@ -221,6 +249,8 @@ nc::ProgramSettings program_settings(const Options& options) {
   settings.passed_m_codes = options.pass;
   settings.keeps_position = options.keeps_position;
   settings.block_delete = options.block_delete;
+  settings.calculator_type = options.calculator_type;
+  settings.feed_rule = options.feed_rule;
   settings.max_blocks = static_cast<std::uint64_t>(options.max_blocks);
   return settings;
 }

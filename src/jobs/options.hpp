@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "compensate/settings.hpp"
 #include "nc/program.hpp"
@@ -18,8 +20,12 @@ namespace plumbline::jobs {
 
 struct Options {
   // What the text of a program alone does not say
-  std::string dialect = "linuxcnc";
+  std::string dialect;  // empty: seen from the program
   std::array<std::optional<nc::WorkOffset>, nc::kWorkSystems> work_offsets;
+  std::vector<std::pair<std::string, int>>
+      work_offset_names;  // as they were given, and which system they were taken for
+  std::optional<bool> calculator_type;
+  std::optional<nc::FeedRule> feed_rule;
   std::string tools;  // path of the tool table; empty: none
   std::optional<int> tool_in_spindle;
   std::array<std::optional<double>, kAxes> start;  // mm and deg, in the first work system

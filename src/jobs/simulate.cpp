@@ -10,6 +10,7 @@
 #include "base/units.hpp"
 #include "compensate/guard.hpp"
 #include "jobs/path_walk.hpp"
+#include "jobs/program_dialect.hpp"
 #include "machine/axis_words.hpp"
 #include "machine/model_file.hpp"
 #include "physics/error.hpp"
@@ -136,9 +137,9 @@ class Player {
 SimulationSummary simulate_program(const std::string& program, const Options& options, OutputFile& out,
                                    const Progress& progress) {
   const machine::MachineModel model = machine::read_model(options.model);
-  const nc::Dialect& dialect = nc::dialect(options.dialect);
   const nc::ProgramSettings settings = program_settings(options);
   const InputFile source(program);
+  const nc::Dialect& dialect = dialect_of(options, source);
 
   PathWalk walk(source, dialect, settings, model, options.compensation.step);
   Player player(model, options.compensation.friction, source, out);

@@ -22,12 +22,18 @@ std::string words(const AxisWords& values) {
   return text;
 }
 
+std::string_view name_of(nc::FeedRule rule) {
+  return rule == nc::FeedRule::xyz_first ? "xyz" : rule == nc::FeedRule::all_axes_as_mm ? "all" : "unknown";
+}
+
 std::string settings_line(const Options& options) {
   const compensate::Settings& c = options.compensation;
   std::string line =
       fmt::format("method {}, friction {}, step {} deg or {} mm, time tolerance {} of a block",
                   c.method == compensate::Method::exact ? "exact" : "first order", c.friction ? "on" : "off",
                   number(c.step.angle_deg), number(c.step.length_mm), number(options.time_tolerance));
+  if (options.calculator_type) line += fmt::format(", calculator type {}", *options.calculator_type ? "on" : "off");
+  if (options.feed_rule) line += fmt::format(", feed rule {}", name_of(*options.feed_rule));
   if (options.block_delete) line += fmt::format(", block delete {}", *options.block_delete ? "on" : "off");
   return line;
 }
@@ -96,7 +102,7 @@ std::vector<std::string> stamp(const Options& options, const nc::ProgramSettings
     const auto& offset = program.work_offsets[i];
     if (!offset) continue;
     const std::string turned = offset->rotation_deg == 0 ? "" : " R" + number(offset->rotation_deg);
-    add(work_system_name(i) + words(offset->origin) + turned);
+    add(dialect.name_of_system(static_cast<int>(i) + 1) + words(offset->origin) + turned);
   }
   for (const nc::Tool& tool : tools) add(tool_line(tool));
   return lines;

@@ -24,7 +24,7 @@ class Scan {
       if (std::string_view("TtHhQq").find(c) == std::string_view::npos) continue;
       std::size_t at = i + 1;
       while (at < line.size() && (is_blank(line[at]) || line[at] == '+')) ++at;
-      if (at < line.size() && (line[at] == '#' || line[at] == '[')) has_expression_ = true;
+      if (at < line.size() && (line[at] == '#' || line[at] == '[' || line[at] == '=')) has_expression_ = true;
       if (at < line.size() && is_digit(line[at])) take_number(line, at);
     }
   }

@@ -69,6 +69,8 @@ class Reader {
   std::map<int, double> variables_;
 };
 
+constexpr std::size_t kSystemsOfVariables = 9;  // G54 to G59.3, of which other controls have the first six
+
 }  // namespace
 
 std::map<int, double> read_variables(const std::string& path) {
@@ -84,7 +86,7 @@ std::map<int, double> read_variables(const std::string& path) {
 
 std::array<std::optional<nc::WorkOffset>, nc::kWorkSystems> work_offsets_of(const std::map<int, double>& variables) {
   std::array<std::optional<nc::WorkOffset>, nc::kWorkSystems> systems;
-  for (std::size_t i = 0; i < systems.size(); ++i) {
+  for (std::size_t i = 0; i < kSystemsOfVariables; ++i) {
     const int first = kFirstWorkOffset + kPerSystem * static_cast<int>(i);
     nc::WorkOffset offset;
     bool is_whole = true;

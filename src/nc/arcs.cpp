@@ -87,7 +87,9 @@ void centre_by_words(const Execution& run, PlaneArc& arc, const PlaneAxes& axes)
   for (std::size_t i = 0; i < 2; ++i) {
     const Word* const word = run.words.find(centre_letter(in_plane[i]));
     const double value = word == nullptr ? 0 : run.length(*word);
-    arc.centre[i] = run.control.modal.arc_centre_absolute ? value : arc.start[i] + value;
+    const WordMode mode = word == nullptr ? WordMode::modal : word->mode;
+    const bool absolute = mode == WordMode::modal ? run.control.modal.arc_centre_absolute : mode == WordMode::absolute;
+    arc.centre[i] = absolute ? value : arc.start[i] + value;
   }
   const double at_start = distance(arc.start, arc.centre);
   const double at_end = distance(arc.end, arc.centre);
@@ -105,13 +107,45 @@ void centre_by_words(const Execution& run, PlaneArc& arc, const PlaneAxes& axes)
   }
 }
 
+// CIP: through a point between (I1 J1 K1). With a = point - start and b = end - start, the centre lies at start + u
+// with 2 a.u = a.a, 2 b.u = b.b. Gives the turns: counter-clockwise if b lies left of a.
+int centre_by_point(const Execution& run, PlaneArc& arc, const PlaneAxes& axes, const AxisWords& end) {
+  const Control& control = run.control;
+  const auto between = [&](Axis axis) {
+    const Word* const word = run.words.find(static_cast<char>('1' + index(axis)));
+    if (word == nullptr) return control.position[axis];
+    const bool increments =
+        word->mode == WordMode::modal ? control.modal.incremental : word->mode == WordMode::incremental;
+    return run.length(*word) + (increments ? control.position[axis] : 0);
+  };
+  const double level = control.position[axes.third];
+  const double tolerance = by_unit(run, kRadiusMm, kRadiusInch);
+  if (std::abs(between(axes.third) - level) > tolerance || std::abs(end[axes.third] - level) > tolerance) {
+    run.refuse(run.motion_code(), codes::kNotInterpreted,
+               "a circle that is not in the plane in force is not interpreted",
+               fmt::format("choose the plane of the circle (G17, G18, G19), or write it in G1"));
+  }
+  const double ax = between(axes.first) - arc.start[0], ay = between(axes.second) - arc.start[1];
+  const double bx = arc.end[0] - arc.start[0], by = arc.end[1] - arc.start[1];
+  const double cross = ax * by - ay * bx;
+  if (std::abs(cross) < tolerance * tolerance) {
+    run.refuse(run.motion_code(), codes::kArcEnds, "no circle goes through these three points",
+               "they lie on a straight line, or two of them are the same");
+  }
+  const double aa = (ax * ax + ay * ay) / 2, bb = (bx * bx + by * by) / 2;
+  arc.centre = {arc.start[0] + (aa * by - bb * ay) / cross, arc.start[1] + (bb * ax - aa * bx) / cross};
+  return cross > 0 ? 1 : -1;
+}
+
 int turns_of(const Execution& run, bool clockwise) {
   const Word* const word = run.words.find('P');
   int turns = 1;
   if (word != nullptr) {
-    const double whole = std::round(word->value);
-    if (std::abs(word->value - whole) > kWholeTurns || whole < 1 || whole > kNoLimit) {
-      run.refuse(*word, codes::kArcTurns, "P of an arc is no count of turns", "write 1 or a greater whole number");
+    const double extra = run.dialect.habits.turns_are_extra ? 1 : 0;  // TURN does not count the one begun [PG 9.5]
+    const double whole = std::round(word->value) + extra;
+    if (std::abs(word->value + extra - whole) > kWholeTurns || whole < 1 || whole > kNoLimit) {
+      run.refuse(*word, codes::kArcTurns, "P of an arc is no count of turns",
+                 fmt::format("write {} or a greater whole number", 1 - extra));
     }
     turns = static_cast<int>(whole);
   }
@@ -134,8 +168,9 @@ void move_arc(Execution& run) {
   const Control& control = run.control;
   const PlaneAxes axes = axes_of(control.modal.plane);
   const bool clockwise = run.motion->action == Action::arc_cw;
+  const bool through_point = run.motion->action == Action::arc_through_point;
   need_offsets(run);
-  check_words(run, axes);
+  if (!through_point) check_words(run, axes);
   check_start(run, axes);
   Motion motion;
   motion.kind = MotionKind::arc;
@@ -146,7 +181,9 @@ void move_arc(Execution& run) {
                {}};
   motion.feed = feed_of_move(run, true);
   motion.arc.turns = turns_of(run, clockwise);
-  if (run.words.has('R')) {
+  if (through_point) {
+    motion.arc.turns = centre_by_point(run, arc, axes, motion.to);
+  } else if (run.words.has('R')) {
     centre_by_radius(run, arc, clockwise);
   } else {
     centre_by_words(run, arc, axes);

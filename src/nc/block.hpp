@@ -17,7 +17,20 @@ struct Span {
 
 inline constexpr std::uint32_t kLiteral = 0xFFFFFFFF;  // a Word whose value is a plain number
 
-/// A letter and its value, as in or Y[#1+2].
+inline constexpr char kNamedCode = '_';  // in place of a word's letter: a code that is written as a name, as in TRAORI
+
+/// How the value of an axis word counts.
+enum class WordMode : std::uint8_t {
+  modal,        // as G90 or G91 says
+  absolute,     // X=AC(5)
+  incremental,  // X=IC(5)
+  shortest,     // A=DC(5): the shorter way round
+  positive,     // A=ACP(5)
+  negative,     // A=ACN(5)
+};
+
+/// A letter and its value, as in or Y[#1+2]. Of a code written as a name the value is its row in
+/// Dialect::named_codes.
 struct Word {
   char letter = 0;                      // upper case
   double value = 0;                     // literals: at once; expressions: after the interpreter evaluated them
@@ -25,6 +38,9 @@ struct Word {
   Span span;                            // letter and value
   std::uint8_t decimals = 0;            // digits after the point, as written; 0 for an expression
   bool unknown = false;                 // an expression whose value only the machine knows (a probe result, an input)
+  bool point = false;                   // a literal with a decimal point
+  bool vacant = false;                  // an expression without a value
+  WordMode mode = WordMode::modal;
 };
 
 struct Comment {
@@ -66,6 +82,15 @@ enum class Operation : std::uint8_t {
   logical_and,
   logical_or,
   exclusive_or,
+  whole_quotient,    // DIV
+  remainder,         // with the sign of the dividend
+  truncate,          // towards zero
+  round_away,        // away from zero
+  arc_tangent_turn,  // 0 to 360
+  arc_tangent_of_one,
+  square,
+  logical_not,
+  vacant,  // pushes the value of a variable that nobody set
 };
 
 /// One step of an expression's code, in postfix order; Operation::end closes it.
@@ -103,15 +128,30 @@ enum class FlowWord : std::uint8_t {
   else_if,
   otherwise,  // else
   end_if,
+  // Controls with jumps
+  go_to,    // with a condition in Flow::values: if it holds
+  if_then,  // Block::settings if the condition holds
+  begin_for,
+  end_for,
+  begin_loop,
+  end_loop,
+  begin_repeat,
+  until,
+  define,  // DEF: the settings of the block declare variables
 };
 
-/// The O word of a line, and what stands behind it.
+/// Where a jump looks for its label.
+enum class Direction : std::uint8_t { both, forward, backward };
+
+/// What steers the program: the O word of a line, or its IF, GOTO, CALL..., and what stands behind it.
 struct Flow {
   FlowWord word = FlowWord::none;
   Span span;                          // O, label and keyword
   Span name;                          // of a named label, without < and >
   std::uint32_t label = kLiteral;     // code of a numbered one
   std::vector<std::uint32_t> values;  // code of a condition, a count, a value to return, or of the arguments
+  Direction direction = Direction::both;
+  std::uint32_t count = kLiteral;  // code of how often a subprogram is called
 };
 
 /// What a line is when it is not a block of words.
@@ -135,7 +175,8 @@ struct Block {
   std::vector<Comment> comments;
   std::vector<Setting> settings;
   std::vector<Instruction> code;  // of all expressions of the block, one behind the other
-  Flow flow;                      // of a line that begins with O
+  Flow flow;                      // of a line that steers
+  std::vector<Span> left_out;     // words whose value is that of a vacant variable
   std::vector<Span> names;        // of named parameters, without # < and >
 
   std::string_view at(Span span) const { return text.substr(span.begin, span.end - span.begin); }

@@ -10,9 +10,10 @@
 
 namespace plumbline::nc {
 
-inline constexpr std::size_t kLetters = 28;  // A to Z, @ and ^
+inline constexpr std::size_t kLetters = 31;  // A to Z, @ and ^, and 1 2 3 for the point between of a circle (I1 J1 K1)
 constexpr std::size_t letter_place(char letter) {
-  return letter == '@' ? 26 : letter == '^' ? 27 : static_cast<std::size_t>(letter - 'A');
+  if (letter >= 'A' && letter <= 'Z') return static_cast<std::size_t>(letter - 'A');
+  return letter == '@' ? 26 : letter == '^' ? 27 : static_cast<std::size_t>(letter - '1') + 28;
 }
 constexpr std::uint32_t letter_bit(char letter) { return std::uint32_t{1} << letter_place(letter); }
 

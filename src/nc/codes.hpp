@@ -66,6 +66,7 @@ inline constexpr std::string_view kModesNotSaved = "nc-modes-not-saved";
 inline constexpr std::string_view kCallDepth = "nc-call-depth";
 inline constexpr std::string_view kTooManyBlocks = "nc-too-many-blocks";
 inline constexpr std::string_view kUnknownDialect = "nc-unknown-dialect";
+inline constexpr std::string_view kDialectAmbiguous = "nc-dialect-ambiguous";
 
 inline constexpr std::array kAll{kLineTooLong,       kNulByte,
                                  kNotAscii,          kBadCharacter,
@@ -92,6 +93,6 @@ inline constexpr std::array kAll{kLineTooLong,       kNulByte,
                                  kToolUnknown,       kUnknownDialect,
                                  kFlowLabel,         kFlowOpen,
                                  kModesNotSaved,     kCallDepth,
-                                 kTooManyBlocks};
+                                 kTooManyBlocks,     kDialectAmbiguous};
 
 }  // namespace plumbline::nc::codes

@@ -24,7 +24,15 @@ AxisSet given(const Parameters& parameters, int first, AxisWords& into) {
 
 }  // namespace
 
-Control::Control(const ProgramSettings& settings) {
+Control::Control(const Dialect& dialect, const ProgramSettings& settings)
+    : feed_rule(settings.feed_rule.value_or(dialect.feed_rule)) {
+  for (const CodeRow& row : dialect.at_start) {
+    if (row.action == Action::retract_to_start) modal.retract_to_r = false;
+    if (row.action == Action::exact_stop) modal.path_control = PathControl::exact_stop;
+    if (row.action == Action::work_system) modal.work_system = row.value;
+  }
+  if (dialect.habits.no_work_system_at_start) modal.work_system = 0;
+  if (settings.as_with_empty_tables) no_system.known = AxisSet::all();
   for (const auto& [number, value] : settings.variables) {
     if (number >= 1 && number <= kLastParameter) parameters.set(number, {value, true});
   }
@@ -76,8 +84,8 @@ void Control::change_frame(const Frame& next) {
 
 void Control::use_active_system() {
   Frame next = frame;
-  next.origin = active().origin;
-  next.rotation_deg = active().rotation_deg;
+  next.origin = active().origin + local;
+  next.rotation_deg = active().rotation_deg + turn_deg;
   change_frame(next);
 }
 

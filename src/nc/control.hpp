@@ -30,8 +30,9 @@ struct Home {
 
 /// What a cycle inherits from the blocks before it, in mm and s.
 struct Cycle {
-  bool begun = false;  // false: another motion came between
-  double start = 0;    // along the normal of the plane, where the first of these cycles began
+  bool begun = false;        // false: another motion came between
+  bool incremental = false;  // how its R and depth were given
+  double start = 0;          // along the normal of the plane, where the first of these cycles began
   double r = 0;
   double bottom = 0;
   double dwell_s = 0;           // P
@@ -45,7 +46,7 @@ struct NurbsPoint {
 };
 
 struct Control {
-  explicit Control(const ProgramSettings& settings);
+  Control(const Dialect& dialect, const ProgramSettings& settings);
 
   Modal modal;
   const CodeRow* motion_row = nullptr;  // of the motion mode in force
@@ -57,10 +58,15 @@ struct Control {
   std::optional<std::array<double, 2>> spline_end;  // P and Q of the G5 before, mm
   std::vector<NurbsPoint> nurbs;                    // begun by G5.2
   int nurbs_order = 3;
-  AxisWords suspended_g92;         // what G92.3 brings back
-  std::array<Home, 2> homes;       // G28, G30
-  std::map<int, AxisWords> tools;  // tool table rows that the program wrote (G10 L1)
-  int selected_tool = -1;          // T; -1: none yet
+  AxisWords suspended_g92;                 // what G92.3 brings back
+  AxisWords local;                         // G52, TRANS: added to the origin of the work system
+  AxisWords local_before_turn;             // G68 changes it, G69 brings it back
+  double turn_deg = 0;                     // G68, ROT: about Z
+  FeedRule feed_rule = FeedRule::unknown;  // the dialect's, or as FGROUP says
+  std::array<Home, 2> homes;               // G28, G30
+  std::map<int, AxisWords> tools;          // tool table rows that the program wrote (G10 L1)
+  int selected_tool = -1;                  // T; -1: none yet
+  int edge = 1;                            // D
   double spindle_speed = 0;
   double feed_rotary = 0;  // the F in force as deg/min: it does not follow a change of units
   double feed_linear = 0;  // the F in force as mm/min (mm/rev under G95)
@@ -68,8 +74,11 @@ struct Control {
   bool tool_in_inches = false;  // the unit in force when the tool's offset was taken
   bool ended = false;           // M2, M30
 
-  WorkSystem& active() { return systems[static_cast<std::size_t>(modal.work_system - 1)]; }
-  const WorkSystem& active() const { return systems[static_cast<std::size_t>(modal.work_system - 1)]; }
+  WorkSystem no_system;  // before a control that needs to be told was told
+  WorkSystem& active() {
+    return modal.work_system == 0 ? no_system : systems[static_cast<std::size_t>(modal.work_system - 1)];
+  }
+  const WorkSystem& active() const { return const_cast<Control*>(this)->active(); }
   /// mm or mm/min per unit of the program.
   double length_unit() const;
   /// Offsets change, the machine does not move: the position gets its new words.

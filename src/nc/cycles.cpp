@@ -10,7 +10,6 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr double kPeckGapMm = 0.254;  // over the bottom of the peck before, where the next one begins to feed
 constexpr double kMostPecks = 1e6;
 constexpr std::array kCentreLetters{'I', 'J', 'K'};
 
@@ -44,6 +43,7 @@ class CycleRun {
   void take_words();
   double inherited(const char letter, double before, double value, bool needed) const;
   void check_level() const;
+  void check_distance_mode();
   void hole(bool first);
   void at_hole();
   void pecks();
@@ -58,6 +58,7 @@ class CycleRun {
   PlaneAxes axes_;
   int code_ = 0;
   bool goes_on_ = false;  // the same cycle is in force: words that are missing are inherited
+  bool as_fanuc_ = false;
   double first_ = 0, second_ = 0, first_step_ = 0, second_step_ = 0;
   double r_ = 0, bottom_ = 0, clear_ = 0, level_ = 0, offset_level_ = 0;
 };
@@ -81,7 +82,8 @@ void CycleRun::take_words() {
   const char normal = letter(axes_.third);
   cycle_.bottom = inherited(normal, cycle_.bottom, length(normal), true);
   const bool dwells = code_ == kDrillDwell || code_ == kBoreStop || code_ == kBoreByHand || code_ == kBoreDwell;
-  cycle_.dwell_s = inherited('P', cycle_.dwell_s, number('P'), dwells);
+  cycle_.dwell_s = inherited('P', cycle_.dwell_s, number('P'), dwells && !as_fanuc_);
+  cycle_.dwell_s = run_.words.has('P') ? cycle_.dwell_s * run_.dialect.habits.dwell_p_s : cycle_.dwell_s;
   const bool pecks = code_ == kChipBreaking || code_ == kPeck;
   cycle_.peck = inherited('Q', cycle_.peck, length('Q'), pecks);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -107,7 +109,10 @@ void CycleRun::check_level() const {
 
 void CycleRun::make() {
   code_ = run_.motion->value;
+  as_fanuc_ = run_.dialect.habits.fanuc_cycles;
   goes_on_ = control_.motion_row == run_.motion;
+  if (as_fanuc_) goes_on_ = cycle_.begun;  // until G80 or a move of another kind [Haas 96-8000, p. 185]
+  if (as_fanuc_) check_distance_mode();
   take_words();
   level_ = control_.position[axes_.third];
   if (!cycle_.begun) cycle_.start = level_;
@@ -132,13 +137,14 @@ void CycleRun::make() {
     second_ = word(axes_.second, second_);
   }
   check_level();
-  if (start < r_) {
+  if (start < r_ && !as_fanuc_) {
     go(MotionKind::rapid, control_.position[axes_.first], control_.position[axes_.second], r_);
     start = level_ = r_;
   }
   clear_ = control_.modal.retract_to_r ? r_ : start;
-  const Word* const count = run_.words.find('L');
-  const int holes = count == nullptr ? 1 : run_.whole(*count, 1, kNoLimit);
+  const Word* count = run_.words.find('L');
+  if (as_fanuc_ && count == nullptr) count = run_.words.find('K');
+  const int holes = count == nullptr ? 1 : run_.whole(*count, as_fanuc_ ? 0 : 1, kNoLimit);
   for (int i = 0; i < holes; ++i) hole(i == 0);
 }
 
@@ -152,7 +158,7 @@ void CycleRun::hole(bool first) {
   }
   Hole hole;
   hole.approach_begin = run_.holes.empty() ? 0 : run_.holes.back().end;
-  const double level = first && level_ > r_ ? level_ : clear_;
+  const double level = first && (level_ > r_ || as_fanuc_) ? level_ : clear_;
   along(MotionKind::rapid, level);
   hole.approach_end = run_.motions.size();
   if (level != r_) along(MotionKind::rapid, r_);
@@ -181,14 +187,28 @@ void CycleRun::at_hole() {
     control_.position[axes_.third] = clear_;  // the operator takes it there
     return;
   }
-  along(taps || code_ == kBoreDwell ? MotionKind::feed : MotionKind::rapid, clear_);
+  const bool feeds_out = taps || code_ == kBoreDwell;
+  if (as_fanuc_ && feeds_out) along(MotionKind::feed, r_);
+  if (as_fanuc_ && feeds_out && clear_ == r_) return;
+  along(feeds_out && !as_fanuc_ ? MotionKind::feed : MotionKind::rapid, clear_);
+}
+
+// Whether an R and a Z that G91 counted mean the same under G90 is not known.
+void CycleRun::check_distance_mode() {
+  const bool inherits = !run_.words.has('R') || !run_.words.has(letter(axes_.third));
+  if (goes_on_ && inherits && cycle_.incremental != control_.modal.incremental) {
+    run_.refuse(run_.motion_code(), codes::kNotInterpreted,
+                "what R and the depth of the cycle mean after the change between G90 and G91 depends on the control",
+                "state both again behind the change");
+  }
+  cycle_.incremental = control_.modal.incremental;
 }
 
 void CycleRun::pecks() {
   for (double depth = r_ - cycle_.peck; depth > bottom_; depth -= cycle_.peck) {
     along(MotionKind::feed, depth);
     if (code_ == kPeck) along(MotionKind::rapid, r_);
-    along(MotionKind::rapid, depth + kPeckGapMm);
+    along(MotionKind::rapid, depth + run_.dialect.habits.peck_gap_mm);
   }
   along(MotionKind::feed, bottom_);
   along(MotionKind::rapid, clear_);

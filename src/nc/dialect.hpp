@@ -5,17 +5,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
-namespace plumbline::nc {
+#include "nc/block.hpp"
+#include "nc/motion.hpp"
 
-/// Which length a feed per minute is the speed along.
-enum class FeedRule : std::uint8_t {
-  xyz_first,       // of X Y Z if any of them moves, else of A B C (deg) [RS274/NGC 2.1.2.5]
-  all_axes_as_mm,  // of all six, degrees counted as millimetres
-  path_group,      // of the axes of the path group
-  unknown,         // blocks that mix linear and rotary words are refused
-};
+namespace plumbline::nc {
 
 /// When inside its block a word is executed.
 enum class Order : std::uint8_t { before_motion, with_motion, after_motion };
@@ -75,18 +71,33 @@ enum class Action : std::uint8_t {
   forget_modes,
   restore_modes,
   save_modes_of_call,
-  no_motion,         // changes nothing that motion depends on
-  cubic_spline,      // G5
-  quadratic_spline,  // G5.1
-  nurbs_point,       // G5.2
-  nurbs_end,         // G5.3
-  synchronised,      // G33
-  rigid_tap,         // G33.1
-  probe,             // G38.2 to G38.5
-  compensation_on,   // G41, G42: refused
-  spindle,           // M3, M4, M5
-  coolant,           // M7, M8, M9
-  override_switch,   // M48 to M53
+  refused,               // known, and not interpreted for the reason that its row states
+  lose_position,         // the axes go where only the machine knows
+  arc_through_point,     // CIP
+  call_macro,            // G65
+  set_work_table,        // G10 L2 and L20 of a control whose L20 names further work systems
+  local_shift,           // G52
+  turn_on,               // G68
+  turn_off,              // G69
+  frame_new,             // TRANS, ROT: the programmable frame is this
+  frame_added,           // ATRANS, AROT
+  feed_group,            // FGROUP
+  exact_stop_once,       // G9: of this block alone
+  work_system_by_word,   // G54.1 P3, G15 H3
+  work_system_of_block,  // G16 H3: of this block alone
+  tool_edge,             // D
+  no_motion,             // changes nothing that motion depends on
+  cubic_spline,          // G5
+  quadratic_spline,      // G5.1
+  nurbs_point,           // G5.2
+  nurbs_end,             // G5.3
+  synchronised,          // G33
+  rigid_tap,             // G33.1
+  probe,                 // G38.2 to G38.5
+  compensation_on,       // G41, G42: refused
+  spindle,               // M3, M4, M5
+  coolant,               // M7, M8, M9
+  override_switch,       // M48 to M53
   feed_word,
   speed_word,
   tool_word,  // F, S and T, which take their turn among the codes
@@ -107,11 +118,88 @@ struct CodeRow {
   bool takes_axes = false;       // the axis words of the block are its own
   bool loses_position = false;   // the axes may stand elsewhere after it
   bool harmless = false;         // may stand behind / without a choice
+  std::string name;              // of a code that is no letter and number
+  std::string why;               // refused: why
+  bool has_arguments = false;    // a name with ( ) behind it, which the interpreter does not look into
+};
+
+/// How a program says where it goes on.
+enum class Statements : std::uint8_t {
+  o_words,     // RS274/NGC
+  macro_b,     // IF [..] GOTO 10, WHILE [..] DO 1
+  user_task,   // IF [..] NAME, GOTO NAME, CALL OSUB
+  high_level,  // IF .. ELSE ENDIF, GOTOF NAME, SUB(1,2)
+};
+
+/// What a name in a program means.
+struct NameMeaning {
+  enum class Kind : std::uint8_t { code, address, keyword, function, operation, variable, own };
+  Kind kind = Kind::code;
+  int which = 0;      // row of named_codes, letter, FlowWord, Operation, place in variables
+  int arguments = 0;  // of a function
+  double value = 0;   // of one without arguments, as PI
+};
+
+/// Variables that have numbers, as R1 or VC[3]: they are kept as parameters `at`, `at` + 1...
+struct NumberedVariables {
+  std::string name;
+  int first = 0, last = 0, at = 0;
+};
+
+/// How the control reads what is written.
+struct Syntax {
+  Statements statements = Statements::o_words;
+  bool names = false;             // words, values and codes may be names
+  bool semicolon_comment = true;  // else the comment stands in ( ), and ; does as well where both are known
+  bool percent_text = false;      // behind the first % there may be text
+  bool open_assignment = false;   // what is assigned needs no brackets
+  bool repeated_ijk = false;      // I, J and K may stand more than once (arguments of a macro)
+  bool rounds_to_zero = false;    // FIX and FUP
+  bool full_turn = false;         // ATAN gives 0 to 360
+  bool relations_last = false;    // == binds weaker than AND
+  char open = '[';                // of expressions of a language with names
+  double equal_within = 1e-4;     // EQ and NE
+  int local_variables = 30;       // #1... of a subprogram
+  int last_variable = 5601;
+  std::string reserved;                                   // names of the control's own variables begin with this
+  std::unordered_map<std::string, NameMeaning> meanings;  // upper case
+  std::vector<NumberedVariables> variables;
+  std::vector<std::string> subprogram_files;  // what a file of a subprogram is called: {} stands for its name
+};
+
+/// How the control executes what it has read, where controls differ.
+struct Habits {
+  bool last_of_group = false;       // of two codes of a group the last one counts
+  bool group_0_takes_axes = false;  // G0 G91 G28 Z0: the words are G28's, and G0 is the mode from here on
+  bool no_work_system_at_start = false;
+  bool always_point = false;                                       // numbers are written with a decimal point
+  double increment_mm = 0, increment_inch = 0, increment_deg = 0;  // what a number without a point counts; 0: units
+  double feed_per_revolution_increment = 0;
+  bool machine_move_is_rapid = false;  // G53 goes as G0 whatever is in force
+  bool h0_is_no_tool = false;
+  bool tool_length_moves = false;      // whether G43 without Z moves depends on the control's parameters
+  bool tool_length_at_change = false;  // M6 puts the length of the tool in force
+  bool fanuc_cycles = false;           // over the hole first, then to R; K repeats; taps and bores feed to R alone
+  double peck_gap_mm = 0.254;
+  bool call_with_moves = false;   // M98 may stand in a block that moves
+  int call_repeat_digits = 0;     // M98 P00030010: digits of the program's number
+  bool table_increments = false;  // G10 L2 under G91 adds
+  bool end_returns = false;       // M2, M30 in a subprogram end it alone
+  bool turns_are_extra = false;   // the count of an arc's turns does not hold the begun one
+  double dwell_p_s = 1;           // what P of G4 counts
 };
 
 struct Dialect {
   std::string name;
-  std::vector<CodeRow> g_codes;  // by code
+  Syntax syntax;
+  Habits habits;
+  std::vector<CodeRow> named_codes;
+  std::vector<CodeRow> at_start;  // codes that are in force before the program
+  int work_systems = 9;
+  std::vector<std::string> marks;         // what only programs for this control hold: recognise.hpp
+  std::vector<std::string> weak_marks;    // what counts where nothing else does
+  std::vector<std::string> file_endings;  // upper case
+  std::vector<CodeRow> g_codes;           // by code
   std::vector<CodeRow> m_codes;
   FeedRule feed_rule = FeedRule::unknown;
   double feed_rate_min = 0;       // units/min under which length x F is lifted in inverse time mode
@@ -120,10 +208,20 @@ struct Dialect {
   std::string comment_close = ")";
   int first_user_m_code = 0, last_user_m_code = -1;  // codes of the machine's builder
   CodeRow feed_row, speed_row, tool_row, user_row;   // the turns of F, S, T and of user M codes
-  std::vector<std::int16_t> g_index, m_index;        // code times ten -> place in g_codes, m_codes; -1: none
+  CodeRow edge_row;                                  // of D, where it chooses a tool's length
+  bool has_edges = false;
+  std::vector<std::int16_t> g_index, m_index;  // code times ten -> place in g_codes, m_codes; -1: none
 
   const CodeRow* g_code(int times_ten) const;
   const CodeRow* m_code(int times_ten) const;
+  /// The row of a word that is a code, named or not; null for other words and codes that the control does not know.
+  const CodeRow* row_of(const Word& word) const;
+  /// What a name means, whatever its case; null if nothing.
+  const NameMeaning* meaning(std::string_view name) const;
+  /// "G54", "G54.1 P2" and so on, as programs and messages name a work system; 1 is the first.
+  std::string name_of_system(int system) const;
+  /// The work system of that name (upper case, blanks left out); 0: none.
+  int system_of_name(std::string_view name) const;
 };
 
 /// The dialects that there are.

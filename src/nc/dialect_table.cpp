@@ -10,6 +10,7 @@
 #include "base/check.hpp"
 #include "base/number_text.hpp"
 #include "base/toml.hpp"
+#include "nc/block_words.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -69,6 +70,21 @@ constexpr std::array kActions{
     ActionName{"forget_modes", Action::forget_modes},
     ActionName{"restore_modes", Action::restore_modes},
     ActionName{"save_modes_of_call", Action::save_modes_of_call},
+    ActionName{"refused", Action::refused},
+    ActionName{"lose_position", Action::lose_position},
+    ActionName{"arc_through_point", Action::arc_through_point},
+    ActionName{"call_macro", Action::call_macro},
+    ActionName{"set_work_table", Action::set_work_table},
+    ActionName{"local_shift", Action::local_shift},
+    ActionName{"turn_on", Action::turn_on},
+    ActionName{"turn_off", Action::turn_off},
+    ActionName{"frame_new", Action::frame_new},
+    ActionName{"frame_added", Action::frame_added},
+    ActionName{"feed_group", Action::feed_group},
+    ActionName{"exact_stop_once", Action::exact_stop_once},
+    ActionName{"work_system_by_word", Action::work_system_by_word},
+    ActionName{"work_system_of_block", Action::work_system_of_block},
+    ActionName{"tool_edge", Action::tool_edge},
     ActionName{"no_motion", Action::no_motion},
     ActionName{"cubic_spline", Action::cubic_spline},
     ActionName{"quadratic_spline", Action::quadratic_spline},
@@ -83,6 +99,65 @@ constexpr std::array kActions{
     ActionName{"override", Action::override_switch},
 };
 
+constexpr std::array kStatements{
+    std::pair<std::string_view, Statements>{"o_words", Statements::o_words},
+    std::pair<std::string_view, Statements>{"macro_b", Statements::macro_b},
+    std::pair<std::string_view, Statements>{"user_task", Statements::user_task},
+    std::pair<std::string_view, Statements>{"high_level", Statements::high_level},
+};
+
+constexpr std::array kKeywords{
+    std::pair<std::string_view, FlowWord>{"if", FlowWord::begin_if},
+    std::pair<std::string_view, FlowWord>{"else", FlowWord::otherwise},
+    std::pair<std::string_view, FlowWord>{"end_if", FlowWord::end_if},
+    std::pair<std::string_view, FlowWord>{"go_to", FlowWord::go_to},
+    std::pair<std::string_view, FlowWord>{"call", FlowWord::call},
+    std::pair<std::string_view, FlowWord>{"return", FlowWord::give_back},
+    std::pair<std::string_view, FlowWord>{"while", FlowWord::begin_while},
+    std::pair<std::string_view, FlowWord>{"end_while", FlowWord::end_while},
+    std::pair<std::string_view, FlowWord>{"for", FlowWord::begin_for},
+    std::pair<std::string_view, FlowWord>{"end_for", FlowWord::end_for},
+    std::pair<std::string_view, FlowWord>{"loop", FlowWord::begin_loop},
+    std::pair<std::string_view, FlowWord>{"end_loop", FlowWord::end_loop},
+    std::pair<std::string_view, FlowWord>{"repeat", FlowWord::begin_repeat},
+    std::pair<std::string_view, FlowWord>{"until", FlowWord::until},
+    std::pair<std::string_view, FlowWord>{"define", FlowWord::define},
+    std::pair<std::string_view, FlowWord>{"subprogram", FlowWord::sub},
+};
+
+constexpr std::array kOperations{
+    std::pair<std::string_view, Operation>{"number", Operation::number},  // of no argument: pi, or 1 and 0
+    std::pair<std::string_view, Operation>{"vacant", Operation::vacant},
+    std::pair<std::string_view, Operation>{"absolute", Operation::absolute},
+    std::pair<std::string_view, Operation>{"arc_cosine", Operation::arc_cosine},
+    std::pair<std::string_view, Operation>{"arc_sine", Operation::arc_sine},
+    std::pair<std::string_view, Operation>{"arc_tangent", Operation::arc_tangent},
+    std::pair<std::string_view, Operation>{"arc_tangent_of_one", Operation::arc_tangent_of_one},
+    std::pair<std::string_view, Operation>{"cosine", Operation::cosine},
+    std::pair<std::string_view, Operation>{"exponential", Operation::exponential},
+    std::pair<std::string_view, Operation>{"truncate", Operation::truncate},
+    std::pair<std::string_view, Operation>{"round_away", Operation::round_away},
+    std::pair<std::string_view, Operation>{"logarithm", Operation::logarithm},
+    std::pair<std::string_view, Operation>{"round", Operation::round},
+    std::pair<std::string_view, Operation>{"sine", Operation::sine},
+    std::pair<std::string_view, Operation>{"square_root", Operation::square_root},
+    std::pair<std::string_view, Operation>{"square", Operation::square},
+    std::pair<std::string_view, Operation>{"tangent", Operation::tangent},
+    std::pair<std::string_view, Operation>{"power", Operation::power},
+    std::pair<std::string_view, Operation>{"logical_not", Operation::logical_not},
+    std::pair<std::string_view, Operation>{"remainder", Operation::remainder},
+    std::pair<std::string_view, Operation>{"whole_quotient", Operation::whole_quotient},
+    std::pair<std::string_view, Operation>{"equal", Operation::equal},
+    std::pair<std::string_view, Operation>{"not_equal", Operation::not_equal},
+    std::pair<std::string_view, Operation>{"greater", Operation::greater},
+    std::pair<std::string_view, Operation>{"greater_equal", Operation::greater_equal},
+    std::pair<std::string_view, Operation>{"less", Operation::less},
+    std::pair<std::string_view, Operation>{"less_equal", Operation::less_equal},
+    std::pair<std::string_view, Operation>{"logical_and", Operation::logical_and},
+    std::pair<std::string_view, Operation>{"logical_or", Operation::logical_or},
+    std::pair<std::string_view, Operation>{"exclusive_or", Operation::exclusive_or},
+};
+
 constexpr std::array kFeedRules{
     std::pair<std::string_view, FeedRule>{"xyz_first", FeedRule::xyz_first},
     std::pair<std::string_view, FeedRule>{"all_axes_as_mm", FeedRule::all_axes_as_mm},
@@ -92,7 +167,7 @@ constexpr std::array kFeedRules{
 
 std::uint32_t mask(std::string_view letters) {
   std::uint32_t bits = 0;
-  for (const char c : letters) bits |= std::uint32_t{1} << static_cast<unsigned>(c - 'A');
+  for (const char c : letters) bits |= letter_bit(c);
   return bits;
 }
 
@@ -127,8 +202,26 @@ class TableReader {
     dialect.user_row.words = "PQ";
     dialect.user_row.word_mask = mask(dialect.user_row.words);
     dialect.user_row.loses_position = true;
+    dialect.has_edges = has_turn("D");
+    if (dialect.has_edges) dialect.edge_row = turn("D", Action::tool_edge);
     rows("g", dialect.g_codes, dialect.g_index);
     rows("m", dialect.m_codes, dialect.m_index);
+    dialect.work_systems = static_cast<int>(number(root_, "work_systems", dialect.work_systems));
+    if (const TomlEntry* entry = root_.find("syntax")) read_syntax(entry->value, dialect.syntax);
+    if (const TomlEntry* entry = root_.find("habits")) read_habits(entry->value, dialect.habits);
+    if (root_.find("names") != nullptr) named_rows(dialect);
+    if (root_.find("marks") != nullptr) {
+      for (const TomlValue& mark : list("marks")) dialect.marks.push_back(mark.text);
+    }
+    if (root_.find("weak_marks") != nullptr) {
+      for (const TomlValue& mark : list("weak_marks")) dialect.weak_marks.push_back(mark.text);
+    }
+    if (root_.find("file_endings") != nullptr) {
+      for (const TomlValue& ending : list("file_endings")) dialect.file_endings.push_back(ending.text);
+    }
+    if (root_.find("at_start") != nullptr) {
+      for (const TomlValue& code : list("at_start")) dialect.at_start.push_back(start_row(dialect, code.text));
+    }
     return dialect;
   }
 
@@ -166,12 +259,93 @@ class TableReader {
     return found->items;
   }
 
+  void read_syntax(const TomlValue& from, Syntax& syntax) const {
+    syntax.statements = named(kStatements, text(from, "statements"));
+    syntax.names = flag(from, "names");
+    syntax.percent_text = flag(from, "percent_text");
+    syntax.open_assignment = flag(from, "open_assignment");
+    syntax.repeated_ijk = flag(from, "repeated_ijk");
+    syntax.rounds_to_zero = flag(from, "rounds_to_zero");
+    syntax.full_turn = flag(from, "full_turn");
+    syntax.relations_last = flag(from, "relations_last");
+    if (from.find("open") != nullptr) syntax.open = text(from, "open").at(0);
+    if (from.find("reserved") != nullptr) syntax.reserved = text(from, "reserved");
+    syntax.equal_within = number(from, "equal_within", syntax.equal_within);
+    syntax.local_variables = static_cast<int>(number(from, "local_variables", syntax.local_variables));
+    syntax.last_variable = static_cast<int>(number(from, "last_variable", syntax.last_variable));
+    if (root_.find("subprogram_files") != nullptr) {
+      for (const TomlValue& file : list("subprogram_files")) syntax.subprogram_files.push_back(file.text);
+    }
+    using Kind = NameMeaning::Kind;
+    const auto each = [&](std::string_view key, Kind kind, const auto& which) {
+      if (root_.find(key) == nullptr) return;
+      for (const TomlValue& row : list(key)) {
+        const int arguments = static_cast<int>(number(row, "arguments", 1));
+        syntax.meanings[text(row, "name")] = {kind, static_cast<int>(which(row)), arguments, number(row, "value", 0)};
+      }
+    };
+    each("addresses", Kind::address, [&](const TomlValue& row) { return text(row, "letter").at(0); });
+    each("keywords", Kind::keyword, [&](const TomlValue& row) { return named(kKeywords, text(row, "does")); });
+    each("functions", Kind::function, [&](const TomlValue& row) { return named(kOperations, text(row, "does")); });
+    each("operations", Kind::operation, [&](const TomlValue& row) { return named(kOperations, text(row, "does")); });
+    each("variables", Kind::variable, [&](const TomlValue& row) {
+      syntax.variables.push_back({text(row, "name"), static_cast<int>(number(row, "first", 0)),
+                                  static_cast<int>(number(row, "last", 0)), static_cast<int>(number(row, "at", 0))});
+      return syntax.variables.size() - 1;
+    });
+  }
+
+  void read_habits(const TomlValue& from, Habits& habits) const {
+    habits.last_of_group = flag(from, "last_of_group");
+    habits.group_0_takes_axes = flag(from, "group_0_takes_axes");
+    habits.no_work_system_at_start = flag(from, "no_work_system_at_start");
+    habits.always_point = flag(from, "always_point");
+    habits.increment_mm = number(from, "increment_mm", 0);
+    habits.increment_inch = number(from, "increment_inch", 0);
+    habits.increment_deg = number(from, "increment_deg", 0);
+    habits.feed_per_revolution_increment = number(from, "feed_per_revolution_increment", 0);
+    habits.machine_move_is_rapid = flag(from, "machine_move_is_rapid");
+    habits.h0_is_no_tool = flag(from, "h0_is_no_tool");
+    habits.tool_length_moves = flag(from, "tool_length_moves");
+    habits.tool_length_at_change = flag(from, "tool_length_at_change");
+    habits.fanuc_cycles = flag(from, "fanuc_cycles");
+    habits.peck_gap_mm = number(from, "peck_gap_mm", habits.peck_gap_mm);
+    habits.call_with_moves = flag(from, "call_with_moves");
+    habits.call_repeat_digits = static_cast<int>(number(from, "call_repeat_digits", 0));
+    habits.table_increments = flag(from, "table_increments");
+    habits.end_returns = flag(from, "end_returns");
+    habits.turns_are_extra = flag(from, "turns_are_extra");
+    habits.dwell_p_s = number(from, "dwell_p_s", 1);
+  }
+
+  void named_rows(Dialect& dialect) const {
+    for (const TomlValue& from : list("names")) {
+      CodeRow named_code = row(from, false);
+      named_code.name = text(from, "code");
+      const int place = static_cast<int>(dialect.named_codes.size());
+      dialect.syntax.meanings[named_code.name] = {NameMeaning::Kind::code, place, 0, 0};
+      dialect.named_codes.push_back(std::move(named_code));
+    }
+  }
+
+  CodeRow start_row(const Dialect& dialect, const std::string& code) const {
+    const int times_ten = static_cast<int>(std::lround(parse_number(code.substr(1)).value_or(-1) * 10));
+    const CodeRow* const found = dialect.g_code(times_ten);
+    if (found == nullptr) complain(fmt::format("'at_start' names {}, which is no code", code));
+    return *found;
+  }
+
   std::uint8_t step(std::string_view name) const {
     const std::vector<TomlValue>& steps = list("execution");
     const auto at =
         std::find_if(steps.begin(), steps.end(), [&](const TomlValue& entry) { return entry.text == name; });
     if (at == steps.end()) complain(fmt::format("'{}' has no turn in 'execution'", name));
     return static_cast<std::uint8_t>(at - steps.begin());
+  }
+
+  bool has_turn(std::string_view name) const {
+    const std::vector<TomlValue>& steps = list("execution");
+    return std::any_of(steps.begin(), steps.end(), [&](const TomlValue& entry) { return entry.text == name; });
   }
 
   CodeRow turn(std::string_view name, Action action) const {
@@ -181,10 +355,10 @@ class TableReader {
     return row;
   }
 
-  CodeRow row(const TomlValue& from) const {
+  CodeRow row(const TomlValue& from, bool has_number = true) const {
     CodeRow row;
     const std::string code = text(from, "code");
-    row.code = static_cast<int>(std::lround(parse_number(code).value_or(-1) * 10));
+    if (has_number) row.code = static_cast<int>(std::lround(parse_number(code).value_or(-1) * 10));
     if (row.code < 0) complain(fmt::format("'{}' is no code", code));
     row.group = static_cast<int>(number(from, "group", -1));
     row.meaning = text(from, "does");
@@ -200,11 +374,23 @@ class TableReader {
     row.takes_axes = flag(from, "axes");
     row.loses_position = flag(from, "loses_position");
     row.harmless = flag(from, "harmless");
+    row.has_arguments = flag(from, "arguments");
+    if (row.action == Action::refused) row.why = text(from, "why");
     return row;
   }
 
   void rows(std::string_view key, std::vector<CodeRow>& into, std::vector<std::int16_t>& places) const {
-    for (const TomlValue& from : list(key)) into.push_back(row(from));
+    for (const TomlValue& from : list(key)) {
+      into.push_back(row(from));
+      if (from.find("last") == nullptr) continue;
+      const int last = static_cast<int>(std::lround(parse_number(text(from, "last")).value_or(-1) * 10));
+      for (int code = into.back().code + 10; code <= last; code += 10) {  // a row for each whole number up to there
+        CodeRow next = into.back();
+        next.code = code;
+        ++next.value;
+        into.push_back(std::move(next));
+      }
+    }
     std::sort(into.begin(), into.end(), [](const CodeRow& a, const CodeRow& b) { return a.code < b.code; });
     places.assign(into.empty() ? 0 : static_cast<std::size_t>(into.back().code) + 1, -1);
     for (std::size_t i = 0; i < into.size(); ++i) {

@@ -47,7 +47,9 @@ Emitter::Emitter(const InputFile& source, const Dialect& dialect, EmitSettings s
       codes_(dialect_),
       writer_(codes_),
       form_(form),
-      changed_(form == Form::unrolled) {}
+      changed_(form == Form::unrolled) {
+  spelling_.point = dialect_.habits.always_point;
+}
 
 std::string_view Emitter::line_end(const Step& step) const {
   if (unrolls()) return newline_;
@@ -151,7 +153,7 @@ void Emitter::restore_feed_state(const Step& step, bool has_feed_word) {
   const bool needs_feed = (cuts && !has_feed_word) || step.loses_position;
   if (needs_feed && control_.feed_mode != FeedMode::inverse_time && step.before->feed > 0 &&
       control_.feed != step.before->feed) {
-    append_word(line_, 'F', step.before->feed, kMostDecimals, {});
+    append_word(line_, 'F', step.before->feed, kMostDecimals, {false, false, spelling_.point});
     control_.feed = step.before->feed;
   }
   if (line_.empty()) return;
@@ -222,7 +224,8 @@ void Emitter::add_offset_shifts(const Step& step) {
     if (!axis || std::abs(shift[*axis]) <= 1e-9) continue;
     const double per_unit = step.after->inches && !is_rotary(*axis) ? kMmPerInch : 1;
     std::string text;
-    append_word(text, word.letter, word.value + shift[*axis] / per_unit, kMostDecimals, {spelling_.lower_case, false});
+    append_word(text, word.letter, word.value + shift[*axis] / per_unit, kMostDecimals,
+                {spelling_.lower_case, false, spelling_.point});
     editor_.replace(word.span, text);
   }
 }

@@ -10,7 +10,9 @@ namespace {
 
 bool is_axis_letter(char letter) { return axis_of(letter).has_value(); }
 
-bool is_arc_letter(char letter) { return letter == 'I' || letter == 'J' || letter == 'K' || letter == 'R'; }
+bool is_arc_letter(char letter) {
+  return letter == 'I' || letter == 'J' || letter == 'K' || letter == 'R' || (letter >= '1' && letter <= '3');
+}
 
 }  // namespace
 
@@ -97,9 +99,9 @@ std::string PieceWriter::change_axis_words(const Step& step, const Piece& piece)
       if (piece.moved.contains(axis)) append_word(added, letter(axis), piece.value[axis], digits, plain);
       continue;
     }
-    if (std::abs(word->value - piece.value[axis]) < 1e-12) continue;
+    if (word->mode == WordMode::modal && std::abs(word->value - piece.value[axis]) < 1e-12) continue;
     std::string text;
-    append_word(text, letter(axis), piece.value[axis], digits, {plain.lower_case, false});
+    append_word(text, letter(axis), piece.value[axis], digits, {plain.lower_case, false, plain.point});
     editor_.replace(word->span, text);
   }
   return added;
@@ -135,7 +137,7 @@ void PieceWriter::change_feed_word(const Step& step, const Piece& piece) {
   const Word* word = find_word(*step.block, 'F');
   if (word != nullptr && word->value == *piece.feed) return;
   std::string text;
-  append_word(text, 'F', *piece.feed, kMostDecimals, {editor_.spelling().lower_case, false});
+  append_word(text, 'F', *piece.feed, kMostDecimals, {editor_.spelling().lower_case, false, editor_.spelling().point});
   if (word != nullptr) {
     editor_.replace(word->span, text);
     return;

@@ -27,7 +27,9 @@ CodeWriter::CodeWriter(const Dialect& dialect)
       feed_mode_{text_of("inverse_time"), text_of("per_minute"), text_of("per_revolution")},
       path_control_{text_of("exact_path"), text_of("exact_stop"), text_of("continuous")},
       dwell_(text_of("dwell")),
-      distance_{text_of("absolute"), text_of("incremental")} {}
+      distance_{text_of("absolute"), text_of("incremental")} {
+  if (path_control_.front().empty()) path_control_.front() = path_control_.back();
+}
 
 std::string CodeWriter::text_of(std::string_view meaning, std::optional<int> value) const {
   for (const auto* rows : {&dialect_.g_codes, &dialect_.m_codes}) {
@@ -42,15 +44,11 @@ std::string CodeWriter::text_of(std::string_view meaning, std::optional<int> val
 }
 
 bool CodeWriter::is_motion(const Word& word) const {
-  const CodeRow* row = word.letter == 'G' ? row_of(word) : nullptr;
+  const CodeRow* row = word.letter != 'M' ? row_of(word) : nullptr;
   return row != nullptr && row->group == kMotionGroup;
 }
 
-const CodeRow* CodeWriter::row_of(const Word& word) const {
-  const int code = static_cast<int>(std::lround(word.value * 10));
-  if (word.letter == 'G') return dialect_.g_code(code);
-  return word.letter == 'M' ? dialect_.m_code(code) : nullptr;
-}
+const CodeRow* CodeWriter::row_of(const Word& word) const { return dialect_.row_of(word); }
 
 BlockCodes CodeWriter::codes_of(const Block& block) const {
   BlockCodes codes;
@@ -58,7 +56,7 @@ BlockCodes CodeWriter::codes_of(const Block& block) const {
     if (word.letter == 'F') codes.feed = &word;
     const CodeRow* row = row_of(word);
     if (row == nullptr) continue;
-    if (word.letter == 'G') {
+    if (word.letter != 'M' && row->order != Order::after_motion) {
       if (row->group == kMotionGroup) codes.motion = &word;
       if (row->group == kFeedModeGroup) codes.feed_mode = &word;
       if (row->group == kPathControlGroup) codes.path_control = &word;
@@ -73,7 +71,7 @@ BlockCodes CodeWriter::codes_of(const Block& block) const {
 bool CodeWriter::other_code_takes(const Block& block, char letter) const {
   for (const Word& word : block.words) {
     const CodeRow* row = row_of(word);
-    if (row == nullptr || (word.letter == 'G' && row->group == kMotionGroup)) continue;
+    if (row == nullptr || (word.letter != 'M' && row->group == kMotionGroup)) continue;
     if (row->words.find(letter) != std::string::npos) return true;
   }
   return false;

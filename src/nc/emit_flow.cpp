@@ -171,7 +171,7 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
     const bool in_plane = word.letter == letter(axes.first) || word.letter == letter(axes.second);
     if (goes_back_there || in_plane) left[*axis] = (value - word.value) * per_unit;
     std::string text;
-    append_word(text, word.letter, value, kMostDecimals, {spelling_.lower_case, false});
+    append_word(text, word.letter, value, kMostDecimals, {spelling_.lower_case, false, spelling_.point});
     editor_.replace(word.span, text);
   }
   line_.clear();

@@ -168,9 +168,9 @@ void PiecePlanner::set_lengths(const Step& step, const AxisWords& start) {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const AxisWords delta = ends_[i] - at;
     const double linear = distance_mm(delta, {});
-    const std::optional<double> length = feed_length(linear, delta, dialect_.feed_rule);
+    const std::optional<double> length = feed_length(linear, delta, step.motions.front().feed_rule);
     if (!length) refuse_feed_rule(step, dialect_);
-    const bool in_degrees = feed_length_is_angle(linear, dialect_.feed_rule);
+    const bool in_degrees = feed_length_is_angle(linear, step.motions.front().feed_rule);
     pieces_[i].length = in_degrees ? *length : *length / step.motions.front().mm_per_unit;
     at = ends_[i];
   }

@@ -20,8 +20,8 @@ Spelling spelling_of(const Block& block, const Spelling& like) {
   if (block.words.empty()) return like;
   const Span last = block.words.back().span;
   const bool lower_case = std::islower(static_cast<unsigned char>(block.text[last.begin])) != 0;
-  if (block.words.size() == 1) return {lower_case, like.spaced};
-  return {lower_case, is_blank(block.text[last.begin - 1])};
+  if (block.words.size() == 1) return {lower_case, like.spaced, like.point};
+  return {lower_case, is_blank(block.text[last.begin - 1]), like.point};
 }
 
 void BlockEditor::start(const Block& block, const Spelling& spelling) {
@@ -94,7 +94,9 @@ void append_word(std::string& out, char letter, double value, int decimals, cons
   out += in_case(letter, spelling.lower_case);
   constexpr double kExact = 1e15;  // units of the last decimal that a double counts
   while (decimals > 0 && std::abs(value) * std::pow(10.0, decimals) > kExact) --decimals;
+  const std::size_t begin = out.size();
   append_decimal(out, value, decimals);
+  if (spelling.point && out.find('.', begin) == std::string::npos) out += '.';
 }
 
 void refuse_block(const Block& block, std::string_view code, std::string message, std::string help) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "nc/block_words.hpp"
@@ -34,9 +35,12 @@ struct Execution {
   const Word* motion_word = nullptr;   // null: the mode in force
   const Word* machine_word = nullptr;  // G53
   bool uses_position_axes = false;     // the axis words are those of a code of group 0
+  bool has_word_modes = false;         // some axis word says itself how it counts: X=IC(5)
+  int work_system_before = 0;          // G16: to be brought back behind the block; 0: none
 
   Step step = {};
   ProgramCall call = {};
+  std::vector<std::pair<int, Value>> arguments = {};  // of G65: number of the variable and its value
   std::vector<Motion> motions = {};
   std::vector<Hole> holes = {};  // of a cycle
 
@@ -53,16 +57,17 @@ struct Execution {
   int whole(const Word& word, int least, int most) const;
   /// The code of the block's motion, or its first word where the mode in force goes on.
   const Word& motion_code() const;
+  /// The row of the block's code that does this; null if it has none.
+  const CodeRow* chosen_row(Action action) const;
   /// The word of that letter; refuses when it is missing.
   const Word& need(char letter, std::string_view code_text) const;
 };
 
-/// "G54" and so on, as messages name a work system.
-std::string name_of_system(int system);
-
 // How the block is read: plan.cpp
 /// Finds the rows of all codes, their order, the motion; refuses what does not go together.
 void plan(Execution& run);
+/// Gives words without a decimal point the value that they have where the control counts its increments.
+void count_increments(const Execution& run, Block& block);
 
 // What codes do, one file a family.
 void set_feed(Execution& run, const Word& word);  // feed_words.cpp
@@ -85,11 +90,17 @@ void machine_code(Execution& run, const Chosen& chosen);  // M0 M1 M60, outputs,
 void move_straight(Execution& run);                       // straight.cpp
 void move_arc(Execution& run);                            // arcs.cpp
 
-void move_spline(Execution& run);        // splines.cpp: G5 G5.1
-void add_nurbs_point(Execution& run);    // G5.2
-void move_nurbs(Execution& run);         // G5.3
-void move_synchronised(Execution& run);  // synchronised.cpp: G33 G33.1
-void move_probe(Execution& run);         // probe.cpp: G38.2 to G38.5
+void move_spline(Execution& run);                                    // splines.cpp: G5 G5.1
+void add_nurbs_point(Execution& run);                                // G5.2
+void move_nurbs(Execution& run);                                     // G5.3
+void move_synchronised(Execution& run);                              // synchronised.cpp: G33 G33.1
+void move_probe(Execution& run);                                     // probe.cpp: G38.2 to G38.5
+void set_work_table(Execution& run);                                 // frames.cpp: G10 L2 and L20 of Fanuc
+void choose_work_system(Execution& run, const Chosen& chosen);       // G54.1 P, G15 H, G16 H
+void change_programmed_frame(Execution& run, const Chosen& chosen);  // G52, G68, G69, TRANS, ROT...
+void set_feed_group(Execution& run, const Chosen& chosen);           // FGROUP
+void choose_edge(Execution& run, const Word& word);                  // tools.cpp: D
+void call_macro(Execution& run);                                     // macro_call.cpp: G65
 
 void move_in_cycle(Execution& run);  // cycles.cpp: G73 G74 G81..G89
 

@@ -12,11 +12,15 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr double kEqual = 1e-4;  // EQ and NE [LinuxCNC, measured]
 constexpr double kWhole = 1e-4;
 constexpr double kLargestWhole = 1e9;
 
-bool is_binary(Operation operation) { return operation >= Operation::power || operation == Operation::arc_tangent; }
+constexpr double kTurn = 360;
+
+bool is_binary(Operation operation) {
+  return (operation >= Operation::power && operation <= Operation::remainder) || operation == Operation::arc_tangent ||
+         operation == Operation::arc_tangent_turn;
+}
 
 double truth(bool value) { return value ? 1 : 0; }
 
@@ -25,10 +29,18 @@ double modulo(double a, double b) {
   return rest < 0 ? rest + std::abs(b) : rest;
 }
 
-double of_two(Operation operation, double a, double b) {
+double of_two(Operation operation, double a, double b, double equal_within) {
   switch (operation) {
     case Operation::arc_tangent:
       return std::atan2(a, b) / kDeg;
+    case Operation::arc_tangent_turn: {
+      const double angle = std::atan2(a, b) / kDeg;
+      return angle < 0 ? angle + kTurn : angle;
+    }
+    case Operation::whole_quotient:
+      return std::trunc(a / b);
+    case Operation::remainder:
+      return std::fmod(a, b);
     case Operation::power:
       return std::pow(a, b);
     case Operation::times:
@@ -42,9 +54,9 @@ double of_two(Operation operation, double a, double b) {
     case Operation::minus:
       return a - b;
     case Operation::equal:
-      return truth(std::abs(a - b) < kEqual);
+      return truth(a == b || std::abs(a - b) < equal_within);
     case Operation::not_equal:
-      return truth(std::abs(a - b) >= kEqual);
+      return truth(a != b && std::abs(a - b) >= equal_within);
     case Operation::greater:
       return truth(a > b);
     case Operation::greater_equal:
@@ -72,6 +84,16 @@ double of_one(Operation operation, double a) {
       return -a;
     case Operation::absolute:
       return std::abs(a);
+    case Operation::truncate:
+      return std::trunc(a);
+    case Operation::round_away:
+      return a < 0 ? std::floor(a) : std::ceil(a);
+    case Operation::arc_tangent_of_one:
+      return std::atan(a) / kDeg;
+    case Operation::square:
+      return a * a;
+    case Operation::logical_not:
+      return truth(a == 0);
     case Operation::arc_cosine:
       return std::acos(a) / kDeg;
     case Operation::arc_sine:
@@ -110,6 +132,9 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
       case Operation::number:
         stack_.push_back({step->number, true});
         continue;
+      case Operation::vacant:
+        stack_.push_back({0, true, true});
+        continue;
       case Operation::name:
         stack_.push_back(parameters.read(block, block.at(block.names[step->name]), step->span));
         continue;
@@ -117,7 +142,8 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
         stack_.push_back({truth(parameters.exists(block.at(block.names[step->name]))), true});
         continue;
       case Operation::parameter:
-        stack_.back() = parameters.read(block, parameter_number(block, step->span, stack_.back()), step->span);
+        stack_.back() =
+            parameters.read(block, parameter_number(block, step->span, stack_.back(), parameters.limits()), step->span);
         continue;
       default:
         break;
@@ -128,9 +154,13 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
       stack_.pop_back();
       const Value a = stack_.back();
       result.known = a.known && b.known;
-      result.number = of_two(step->operation, a.number, b.number);
+      result.number = of_two(step->operation, a.number, b.number, equal_within_);
+      // To be vacant is not to be zero, for EQ and NE alone [B-63174EN, 13.1].
+      if (a.vacant != b.vacant && step->operation == Operation::equal) result.number = 0;
+      if (a.vacant != b.vacant && step->operation == Operation::not_equal) result.number = 1;
     } else {
       result.number = of_one(step->operation, b.number);
+      result.vacant = b.vacant && step->operation == Operation::negate;
     }
     if (result.known && !std::isfinite(result.number)) {
       refuse_at(block, step->span, codes::kArithmetic, fmt::format("{} has no value here", block.at(step->span)),
@@ -150,15 +180,15 @@ int whole_number(const Block& block, Span span, double value, std::string_view w
   return static_cast<int>(whole);
 }
 
-int parameter_number(const Block& block, Span span, Value value) {
+int parameter_number(const Block& block, Span span, Value value, ParameterLimits limits) {
   if (!value.known) {
     refuse_at(block, span, codes::kValueUnknown, "which parameter this is depends on what only the machine knows",
               "write the number of the parameter itself");
   }
   const int number = whole_number(block, span, value.number, "the number of a parameter");
-  if (number < 1 || number > kLastParameter) {
+  if (number < limits.first || number > limits.last) {
     refuse_at(block, span, codes::kParameterNumber, fmt::format("there is no parameter #{}", number),
-              fmt::format("parameters have the numbers 1 to {}", kLastParameter));
+              fmt::format("parameters have the numbers {} to {}", limits.first, limits.last));
   }
   return number;
 }

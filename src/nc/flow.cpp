@@ -146,9 +146,9 @@ void FlowControl::go_to_subprogram(const Block& block, const std::string& name) 
   file_ = files_.size() - 1;
 }
 
-void FlowControl::call_program(const Block& block, int number, int count) {
-  enter(block, {std::to_string(number), file_, files_[file_]->lines.place(), true, count - 1});
-  if (count == 0) {
+void FlowControl::call_program(const Block& block, const ProgramCall& call) {
+  enter(block, {std::to_string(call.number), file_, files_[file_]->lines.place(), true, call.count - 1});
+  if (call.count == 0) {
     seeks_subprogram_ = false;  // L0: the control stays here, and the next M99 returns to here [LinuxCNC, measured]
     skip_.clear();
     file_ = calls_.back().file;
@@ -156,7 +156,7 @@ void FlowControl::call_program(const Block& block, int number, int count) {
   }
 }
 
-bool FlowControl::end_program(const Block& block) {
+bool FlowControl::end_program(const Block& block, const ProgramCall& /*call*/) {
   if (!called()) return false;
   if (!calls_.back().by_number) {
     refuse_flow(block, codes::kFlowLabel, "M99 inside a subprogram that began with SUB", "end it with ENDSUB");

@@ -14,34 +14,33 @@
 #include "nc/block.hpp"
 #include "nc/interpreter.hpp"
 #include "nc/line_source.hpp"
+#include "nc/sequencer.hpp"
 
 namespace plumbline::nc {
 
-class FlowControl {
+class FlowControl : public Sequencer {
  public:
   /// Both must outlive it.
   FlowControl(const InputFile& program, Interpreter& interpreter);
 
   /// The next line to be read, of whichever file; false where the program ends. Refuses when something that was looked
   /// for, or that must end, did not appear before the end of its file.
-  bool next(Line& line);
-  const std::string& file() const { return files_[file_]->file->name(); }
+  bool next(Line& line) override;
+  const std::string& file() const override { return files_[file_]->file->name(); }
 
   /// True while lines are left out: all but the O words.
-  bool skipping() const { return !skip_.empty(); }
+  bool skipping() const override { return !skip_.empty(); }
   /// True once something jumped, repeated or left out lines.
-  bool used() const { return used_; }
+  bool used() const override { return used_; }
   /// True inside a subprogram.
-  bool called() const { return !calls_.empty(); }
+  bool called() const override { return !calls_.empty(); }
 
   /// An O word; false: it belongs to what is left out.
-  bool take(const Block& block);
+  bool take(const Block& block) override;
   /// M98 P L.
-  void call_program(const Block& block, int number, int count);
+  void call_program(const Block& block, const ProgramCall& call) override;
   /// M99; false: this is the main program, which ends here.
-  bool end_program(const Block& block);
-  /// What the line just taken enters; names hold until the next line is taken.
-  FlowEntry take_entry() { return std::exchange(entry_, {}); }
+  bool end_program(const Block& block, const ProgramCall& call) override;
 
  private:
   struct File {
@@ -100,7 +99,6 @@ class FlowControl {
   bool continuing_ = false;
   bool used_ = false;
   bool jumps_back_ = false;  // to the begin of a loop
-  FlowEntry entry_;
 };
 
 }  // namespace plumbline::nc

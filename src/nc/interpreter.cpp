@@ -1,5 +1,7 @@
 #include "nc/interpreter.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "nc/codes.hpp"
@@ -26,7 +28,10 @@ bool is_harmless(const Block& block, const Dialect& dialect) {
 }  // namespace
 
 Interpreter::Interpreter(const Dialect& dialect, const ProgramSettings& settings)
-    : control_(settings), readings_(control_, settings), run_{dialect, settings, control_} {}
+    : control_(dialect, settings),
+      readings_(control_, settings, dialect),
+      evaluator_(dialect.syntax.equal_within),
+      run_{dialect, settings, control_} {}
 
 const Step& Interpreter::pass(const Block& block) {
   begin(block);
@@ -46,6 +51,7 @@ const Step& Interpreter::execute(Block& block) {
     return run_.step;
   }
   evaluate(block);
+  if (run_.dialect.habits.increment_mm > 0) count_increments(run_, block);
   plan(run_);
   apply_settings(block);
   bool moved = run_.motion == nullptr || run_.motion_word != nullptr;
@@ -58,7 +64,14 @@ const Step& Interpreter::execute(Block& block) {
     act(chosen);
   }
   if (!moved) move();
+  if (run_.work_system_before == 0) {
+    finish();
+    return run_.step;
+  }
+  frame_of_block_ = control_.frame;
+  nc::choose_work_system(run_, std::exchange(run_.work_system_before, 0));
   finish();
+  run_.step.frame = &frame_of_block_;
   return run_.step;
 }
 
@@ -106,9 +119,12 @@ double Interpreter::value_of(const Block& block, std::uint32_t code, Span span) 
 
 void Interpreter::evaluate(Block& block) {
   if (block.code.empty()) return;
+  bool vacant = false;
   for (Word& word : block.words) {
     if (word.expression == kLiteral) continue;
     const Value value = evaluator_.run(block, word.expression, readings_);
+    word.vacant = value.vacant;
+    vacant = vacant || value.vacant;
     if (!value.known && !may_be_unknown(word.letter)) {
       run_.refuse(word, codes::kValueUnknown, "this value is known only when the machine runs",
                   "a program that depends on a probe or an input cannot be compensated beforehand");
@@ -116,30 +132,77 @@ void Interpreter::evaluate(Block& block) {
     word.value = value.number;
     word.unknown = !value.known;
   }
+  if (vacant) leave_out_vacant_words(block);
+  evaluate_settings(block);
+}
+
+// A word whose value is a vacant variable is as if not written [B-63174EN 13]; the control with EMPTY stops there.
+void Interpreter::leave_out_vacant_words(Block& block) {
+  for (const Word& word : block.words) {
+    if (!word.vacant || run_.dialect.syntax.statements == Statements::macro_b) continue;
+    run_.refuse(word, codes::kParameterUnset, fmt::format("nobody gave {} a value", block.at(word.span)),
+                "set the variable before, or ask with EQ EMPTY");
+  }
+  for (const Word& word : block.words) {
+    if (word.vacant) block.left_out.push_back(word.span);
+  }
+  std::erase_if(block.words, [](const Word& word) { return word.vacant; });
+}
+
+int Interpreter::setting_number(const Block& block, const Setting& setting) {
+  int number = kNamed;
+  if (setting.target != kLiteral) {
+    number =
+        parameter_number(block, setting.span, evaluator_.run(block, setting.target, readings_), readings_.limits());
+  }
+  if (number == kNamed ? readings_.is_read_only(block.at(block.names[setting.name])) : readings_.is_read_only(number)) {
+    refuse_at(block, setting.span, codes::kParameterReadOnly, "this parameter shows the control's own state",
+              "change offsets with G10 or G92, tools with G10 L1, stored positions with G28.1 and G30.1");
+  }
+  return number;
+}
+
+void Interpreter::evaluate_settings(const Block& block) {
   setting_values_.clear();
   setting_numbers_.clear();
   for (const Setting& setting : block.settings) {
-    int number = kNamed;
-    if (setting.target != kLiteral) {
-      number = parameter_number(block, setting.span, evaluator_.run(block, setting.target, readings_));
-    }
-    if (number == kNamed ? readings_.is_read_only(block.at(block.names[setting.name]))
-                         : Readings::is_read_only(number)) {
-      refuse_at(block, setting.span, codes::kParameterReadOnly, "this parameter shows the control's own state",
-                "change offsets with G10 or G92, tools with G10 L1, stored positions with G28.1 and G30.1");
-    }
-    setting_numbers_.push_back(number);
+    setting_numbers_.push_back(setting_number(block, setting));
     setting_values_.push_back(evaluator_.run(block, setting.value, readings_));
+  }
+}
+
+void Interpreter::assign(const Block& block) {
+  evaluate_settings(block);
+  apply_settings(block);
+}
+
+Value Interpreter::value(const Block& block, std::uint32_t code) { return evaluator_.run(block, code, readings_); }
+
+Value Interpreter::variable(const Block& block, std::size_t setting) {
+  const Setting& place = block.settings[setting];
+  const int number = setting_number(block, place);
+  return number == kNamed ? readings_.read(block, block.at(block.names[place.name]), place.span)
+                          : readings_.read(block, number, place.span);
+}
+
+void Interpreter::set_variable(const Block& block, std::size_t setting, Value value) {
+  const Setting& place = block.settings[setting];
+  set_parameter(block, place, setting_number(block, place), value);
+}
+
+void Interpreter::set_parameter(const Block& block, const Setting& place, int number, Value value) {
+  if (number == kNamed) {
+    control_.parameters.set(block.at(block.names[place.name]), value);
+  } else if (value.vacant) {
+    control_.parameters.clear(number);
+  } else {
+    control_.parameters.set(number, value);
   }
 }
 
 void Interpreter::apply_settings(const Block& block) {
   for (std::size_t i = 0; i < block.settings.size(); ++i) {
-    if (setting_numbers_[i] == kNamed) {
-      control_.parameters.set(block.at(block.names[block.settings[i].name]), setting_values_[i]);
-    } else {
-      control_.parameters.set(setting_numbers_[i], setting_values_[i]);
-    }
+    set_parameter(block, block.settings[i], setting_numbers_[i], setting_values_[i]);
   }
 }
 
@@ -149,6 +212,7 @@ void Interpreter::act(const Chosen& chosen) {
     case Action::feed:
     case Action::arc_cw:
     case Action::arc_ccw:
+    case Action::arc_through_point:
     case Action::cycle:
     case Action::cubic_spline:
     case Action::quadratic_spline:
@@ -157,6 +221,7 @@ void Interpreter::act(const Chosen& chosen) {
     case Action::synchronised:
     case Action::rigid_tap:
     case Action::probe:
+      if (run_.motion == nullptr) return set_motion_mode(*chosen.row);
       return move();
     case Action::feed_word:
       return set_feed(run_, *chosen.word);
@@ -191,13 +256,33 @@ void Interpreter::act(const Chosen& chosen) {
     case Action::change_tool:
     case Action::set_tool:
       return change_tool(run_, chosen);
+    case Action::set_work_table:
+      return set_work_table(run_);
+    case Action::work_system_by_word:
+    case Action::work_system_of_block:
+      return nc::choose_work_system(run_, chosen);
+    case Action::local_shift:
+    case Action::turn_on:
+    case Action::turn_off:
+    case Action::frame_new:
+    case Action::frame_added:
+      return change_programmed_frame(run_, chosen);
+    case Action::feed_group:
+      return set_feed_group(run_, chosen);
+    case Action::tool_edge:
+      return choose_edge(run_, *chosen.word);
+    case Action::lose_position:
+      run_.step.role = BlockRole::machine_move;
+      return nc::lose_position(run_, AxisSet::all());
+    case Action::call_macro:
+      return call_macro(run_);
     case Action::save_modes:
     case Action::forget_modes:
     case Action::restore_modes:
     case Action::save_modes_of_call:
       return act_on_saved_modes(chosen);
     default:
-      return chosen.word->letter == 'G' ? act_on_mode(chosen) : machine_code(run_, chosen);
+      return chosen.word->letter == 'M' ? machine_code(run_, chosen) : act_on_mode(chosen);
   }
 }
 
@@ -295,18 +380,24 @@ bool Interpreter::moves_specially(Action action) {
   return true;
 }
 
+void Interpreter::set_motion_mode(const CodeRow& row) {
+  control_.cycle.begun = false;
+  control_.motion_row = row.action == Action::arc_through_point ? nullptr : &row;  // CIP is stated anew in each block
+  control_.modal.motion = row.action == Action::rapid    ? MotionMode::rapid
+                          : row.action == Action::feed   ? MotionMode::feed
+                          : row.action == Action::arc_cw ? MotionMode::arc_cw
+                                                         : MotionMode::arc_ccw;
+}
+
 void Interpreter::move() {
   const Action action = run_.motion->action;
   if (action == Action::cycle) return move_in_cycle(run_);
+  if (run_.machine_word != nullptr && run_.dialect.habits.machine_move_is_rapid) return move_straight(run_);
   control_.cycle.begun = false;
   if (moves_specially(action)) return;
   control_.spline_end.reset();
-  control_.motion_row = run_.motion;
-  control_.modal.motion = action == Action::rapid    ? MotionMode::rapid
-                          : action == Action::feed   ? MotionMode::feed
-                          : action == Action::arc_cw ? MotionMode::arc_cw
-                                                     : MotionMode::arc_ccw;
-  if (action == Action::arc_cw || action == Action::arc_ccw) {
+  set_motion_mode(*run_.motion);
+  if (action != Action::rapid && action != Action::feed) {
     move_arc(run_);
   } else {
     move_straight(run_);

@@ -25,28 +25,47 @@ class Interpreter {
   double value_of(const Block& block, std::uint32_t code, Span span);
   /// A subprogram begins. With parameters #1..#30 of its own, these are the arguments and zeros.
   void enter_subprogram(bool own_parameters, const std::vector<double>& arguments);
+  /// A subprogram of a control with statements begins. Its variables 1 to `own_variables`, which begin without a value,
+  /// and its names are its own; -1: all are its caller's.
+  void enter_subprogram(int own_variables);
+  /// G65: gives the subprogram just entered its arguments.
+  void set_macro_arguments();
+  /// The settings of a block that steers.
+  void assign(const Block& block);
+  Value value(const Block& block, std::uint32_t code);
+  /// The variable that a setting of the block sets.
+  Value variable(const Block& block, std::size_t setting);
+  void set_variable(const Block& block, std::size_t setting, Value value);
   /// It ends; M73 brings modes back.
   void leave_subprogram(const Block& block);
   /// The step just made, to be added to.
   Step& step() { return run_.step; }
   const ProgramCall& program_call() const { return run_.call; }
   bool ended() const { return control_.ended; }
+  /// M30 ended a subprogram alone.
+  void go_on() { control_.ended = false; }
   Control& control() { return control_; }
 
  private:
   void begin(const Block& block);
   void finish();
   void evaluate(Block& block);
+  void leave_out_vacant_words(Block& block);
+  int setting_number(const Block& block, const Setting& setting);
+  void evaluate_settings(const Block& block);
   void apply_settings(const Block& block);
+  void set_parameter(const Block& block, const Setting& place, int number, Value value);
   void act(const Chosen& chosen);
   void act_on_mode(const Chosen& chosen);
   void change_unit(bool inches);
+  void set_motion_mode(const CodeRow& row);
   void move();
   bool moves_specially(Action action);
   void act_on_saved_modes(const Chosen& chosen);
 
   Control control_;
   Modal before_;
+  Frame frame_of_block_;  // where the work system is that of one block alone
   Readings readings_;
   Evaluator evaluator_;
   std::vector<SavedModes> saved_{SavedModes{}};  // one a call level, the program itself first

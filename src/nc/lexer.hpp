@@ -24,14 +24,21 @@ enum class TokenKind : std::uint8_t {
   operation,
   function,
   exists,
-  flow,  // a keyword behind O
-  bad,   // anything else, one byte
+  flow,        // a keyword behind O
+  identifier,  // a name of two letters or more
+  string,      // "text" or 'text'
+  parenthesis,
+  closing_parenthesis,
+  comma,
+  colon,
+  bad,  // anything else, one byte
 };
 
 struct Token {
   TokenKind kind = TokenKind::end;
   char letter = 0;             // word, letter: upper case; sign: + or -
   std::uint8_t decimals = 0;   // word, number: digits after the point
+  bool point = false;          // word, number: written with a decimal point
   std::uint8_t operation = 0;  // operation, function: an Operation; flow: a FlowWord
   double value = 0;            // word, number
   const char* begin = nullptr;
@@ -44,5 +51,11 @@ void lex_item(const char* cursor, Token& token);       // where a word begins
 void lex_value(const char* cursor, Token& token);      // where a value begins
 void lex_operation(const char* cursor, Token& token);  // behind a value, inside brackets
 void lex_flow(const char* cursor, Token& token);       // behind the label of an O word
+void lex_statement(const char* cursor, Token& token);  // where a line of macro B may begin with IF, WHILE, GOTO...
+
+/// The same for languages in which words, values and codes may be names (X=LENGTH, TRAORI).
+void lex_named_item(const char* cursor, Token& token);
+void lex_named_value(const char* cursor, Token& token);
+void lex_named_operation(const char* cursor, Token& token);
 
 }  // namespace plumbline::nc

@@ -1,5 +1,6 @@
 // Codes that make the machine wait, switch or stop: G4, M0, M1, M2, M30, M60, spindle, outputs and inputs, user codes.
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -73,28 +74,53 @@ void lose_unless_kept(Execution& run, int code) {
 void call_program(Execution& run, const Chosen& chosen) {
   const bool calls = chosen.row->action == Action::call_program;
   for (const Word& word : run.block->words) {
+    if (run.dialect.habits.call_with_moves) break;
     if (&word == chosen.word || (calls && (word.letter == 'P' || word.letter == 'L'))) continue;
     run.refuse(word, codes::kFlowControl, "M98 and M99 stand alone in their block",
                "put the other words into a block of their own");
   }
   run.call.calls = calls;
   run.call.ends = !calls;
-  if (!calls) return;
+  if (!calls) {
+    if (const Word* to = run.words.find('P')) run.call.return_to = run.whole(*to, 0, kNoLimit);
+    return;
+  }
   run.call.number = run.whole(run.need('P', "M98"), 0, kNoLimit);
-  if (const Word* count = run.words.find('L')) run.call.count = run.whole(*count, 0, kNoLimit);
+  const Word* const count = run.words.find('L');
+  if (count != nullptr) run.call.count = run.whole(*count, 0, kNoLimit);
+  if (run.dialect.habits.call_repeat_digits == 0 || count != nullptr) return;
+  const int one = static_cast<int>(std::pow(10, run.dialect.habits.call_repeat_digits));
+  if (run.call.number < one) return;
+  run.call.count = run.call.number / one;  // P00030010: three times O0010
+  run.call.number %= one;
 }
 
 void dwell(Execution& run, const Word& code) {
-  const Word* const word = run.words.find('P');
-  if (word == nullptr) {
-    run.refuse(code, codes::kWordMissing, "G4 needs a P word", "add the seconds to wait");
+  const std::string_view letters = run.chosen_row(Action::dwell)->words;
+  const Word* word = nullptr;
+  for (const char letter : letters) {
+    if (word == nullptr) word = run.words.find(letter);
   }
-  if (word->value < 0) run.refuse(*word, codes::kNegative, "the time to wait is negative", "write P0 or more");
+  if (word == nullptr) {
+    run.refuse(code, codes::kWordMissing, fmt::format("G4 needs a {} word", letters.front()),
+               "add the seconds to wait");
+  }
+  if (word->value < 0) {
+    run.refuse(*word, codes::kNegative, "the time to wait is negative", fmt::format("write {}0 or more", word->letter));
+  }
   Motion motion;
   motion.kind = MotionKind::dwell;
+  if (run.chosen_row(Action::dwell)->takes_axes) run.axes = AxisSet{};  // X is the time
   motion.to = run.control.position;
   motion.known_after = run.control.known;
   motion.dwell_s = word->value;
+  if (word->letter == 'P') motion.dwell_s *= run.dialect.habits.dwell_p_s;
+  if (word->letter == 'S') {  // turns of the spindle
+    if (run.control.spindle_speed <= 0) {
+      run.refuse(*word, codes::kFeedMissing, "a dwell in turns needs a turning spindle", "write S and M3 before it");
+    }
+    motion.dwell_s = word->value / run.control.spindle_speed * 60;
+  }
   add_motion(run, motion);
 }
 

@@ -13,6 +13,14 @@ enum class MotionKind : std::uint8_t { rapid, feed, arc, probe, dwell };
 enum class FeedMode : std::uint8_t { inverse_time, per_minute, per_revolution };  // G93, G94, G95
 enum class Plane : std::uint8_t { xy, zx, yz };                                   // G17, G18, G19
 
+/// Which length a feed per minute is the speed along.
+enum class FeedRule : std::uint8_t {
+  xyz_first,       // of X Y Z if any of them moves, else of A B C (deg) [RS274/NGC 2.1.2.5]
+  all_axes_as_mm,  // of all six, degrees counted as millimetres
+  path_group,      // of the axes of the path group
+  unknown,         // blocks that mix linear and rotary words are refused
+};
+
 /// The linear axes of a plane: first and second turn into each other counter-clockwise, third is normal to both.
 struct PlaneAxes {
   Axis first, second, third;
@@ -50,8 +58,9 @@ struct Motion {
                            // per_revolution: mm/rev. 0: no feed in force
   double mm_per_unit = 1;  // the program's length unit at this move: 25.4 under G20
   double dwell_s = 0;      // dwell only
-  Arc arc;                 // arc only
-  bool goes_on = false;    // a piece of a spline, and not its last
+  FeedRule feed_rule = FeedRule::unknown;  // which length its feed is the speed along
+  Arc arc;                                 // arc only
+  bool goes_on = false;                    // a piece of a spline, and not its last
 };
 
 }  // namespace plumbline::nc

@@ -1,4 +1,5 @@
 // What straight moves and arcs share: their ends, their feed, and what must be known for them.
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -10,6 +11,11 @@
 #include "nc/parser.hpp"
 
 namespace plumbline::nc {
+namespace {
+
+constexpr double kFullTurn = 360;
+
+}  // namespace
 
 void Execution::refuse(const Word& word, std::string_view code, std::string message, std::string help) const {
   refuse_at(*block, word.span, code, std::move(message), std::move(help));
@@ -28,16 +34,51 @@ int Execution::whole(const Word& word, int least, int most) const {
          most == kNoLimit ? fmt::format("write {} or more", least) : fmt::format("write {} to {}", least, most));
 }
 
+const CodeRow* Execution::chosen_row(Action action) const {
+  for (const Chosen& code : chosen) {
+    if (code.row->action == action) return code.row;
+  }
+  return nullptr;
+}
+
 const Word& Execution::need(char letter, std::string_view code_text) const {
   if (const Word* word = words.find(letter)) return *word;
   refuse(codes::kWordMissing, fmt::format("{} needs a {} word", code_text, letter), "add it to the block");
 }
 
-std::string name_of_system(int system) {
-  return system <= 6 ? fmt::format("G{}", 53 + system) : fmt::format("G59.{}", system - 6);
+const Word& Execution::motion_code() const { return motion_word != nullptr ? *motion_word : block->words.front(); }
+
+namespace {
+
+std::string without_blanks(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  return text;
 }
 
-const Word& Execution::motion_code() const { return motion_word != nullptr ? *motion_word : block->words.front(); }
+// The end that a word means for an axis that stands at `from`.
+double end_of_word(const Execution& run, Axis axis, WordMode mode, double from) {
+  const double value = run.value(axis);
+  const auto turned_to = [&](double least) {  // the angle value + n 360 that is at least `least`
+    const double above = std::fmod(value - least, kFullTurn);
+    return least + (above < 0 ? above + kFullTurn : above);
+  };
+  switch (mode) {
+    case WordMode::absolute:
+      return value;
+    case WordMode::incremental:
+      return from + value;
+    case WordMode::shortest:
+      return turned_to(from - kFullTurn / 2);
+    case WordMode::positive:
+      return turned_to(from);
+    case WordMode::negative:
+      return turned_to(from) == from ? from : turned_to(from) - kFullTurn;
+    default:
+      return run.control.modal.incremental ? from + value : value;
+  }
+}
+
+}  // namespace
 
 // What is missing is that of where the move begins.
 std::array<double, 2> polar_end(const Execution& run, double x, double y) {
@@ -68,7 +109,11 @@ AxisWords end_of_move(const Execution& run) {
   for (const Axis axis : kAllAxes) {
     const Word* const word = run.words.find(axis);
     if (word == nullptr) continue;
-    end[axis] = run.control.modal.incremental ? end[axis] + run.value(axis) : run.value(axis);
+    if (word->mode == WordMode::modal) {
+      end[axis] = run.control.modal.incremental ? end[axis] + run.value(axis) : run.value(axis);
+    } else {
+      end[axis] = end_of_word(run, axis, word->mode, end[axis]);
+    }
   }
   if (!run.words.polar()) return end;
   const std::array<double, 2> polar = polar_end(run, end[Axis::X], end[Axis::Y]);
@@ -78,8 +123,19 @@ AxisWords end_of_move(const Execution& run) {
 }
 
 AxisSet known_after_move(const Execution& run) {
-  if (run.control.modal.incremental) return run.control.known;
-  return run.control.known | run.axes;
+  AxisSet stated = run.control.modal.incremental ? AxisSet{} : run.axes;
+  if (run.has_word_modes) {
+    for (const Axis axis : kAllAxes) {
+      const Word* const word = run.words.find(axis);
+      if (word == nullptr || word->mode == WordMode::modal) continue;
+      if (word->mode == WordMode::absolute) {
+        stated.insert(axis);
+      } else {
+        stated.erase(axis);
+      }
+    }
+  }
+  return run.control.known | stated;
 }
 
 void need_offsets(const Execution& run) {
@@ -89,10 +145,15 @@ void need_offsets(const Execution& run) {
   for (const Axis axis : kAllAxes) {
     if (missing.contains(axis)) letters += fmt::format("{}{}", letters.empty() ? "" : ", ", letter(axis));
   }
-  const std::string name = name_of_system(run.control.modal.work_system);
-  run.refuse(run.motion_code(), codes::kWorkOffsetUnknown,
-             fmt::format("the program moves in {}, whose offset of {} is not known", name, letters),
-             fmt::format("give what stands in the control's table: --work-offset {}=X,Y,Z,A,B,C", name));
+  if (run.control.modal.work_system == 0) {
+    run.refuse(run.motion_code(), codes::kWorkOffsetUnknown, "the program moves before it chooses a work system",
+               "which one is in force at the start depends on what ran before; choose one first, as with G15 H1");
+  }
+  const std::string name = run.dialect.name_of_system(run.control.modal.work_system);
+  run.refuse(
+      run.motion_code(), codes::kWorkOffsetUnknown,
+      fmt::format("the program moves in {}, whose offset of {} is not known", name, letters),
+      fmt::format("give what stands in the control's table: --work-offset {}=X,Y,Z,A,B,C", without_blanks(name)));
 }
 
 double feed_of_move(const Execution& run, bool linear) {
@@ -120,6 +181,7 @@ void add_motion(Execution& run, Motion motion) {
   motion.line = run.block->line;
   motion.feed_mode = control.modal.feed_mode;
   motion.mm_per_unit = control.modal.inches ? kMmPerInch : 1;
+  motion.feed_rule = control.feed_rule;
   motion.from = control.position;
   motion.known_before = control.known;
   motion.machine = control.frame.to_machine(motion.to);

@@ -62,7 +62,7 @@ fs::path called_file(const Block& block, const fs::path& folder) {
 
 void scan(const InputFile& file, const Dialect& dialect, std::set<fs::path>& seen, AxisSet& axes) {
   LineSource lines(file);
-  Parser parser;
+  Parser parser(dialect);
   Block block;
   Line line;
   bool jumps = !seen.empty();  // then what stands behind the end may be executed as well

@@ -29,7 +29,7 @@ AxisWords turned(const AxisWords& words, double degrees) {
 
 int system_of(const Execution& run) {
   const Word& word = run.need('P', "G10");
-  const int system = run.whole(word, 0, kWorkSystems);
+  const int system = run.whole(word, 0, run.dialect.work_systems);
   return system == 0 ? run.control.modal.work_system : system;
 }
 

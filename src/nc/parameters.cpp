@@ -41,6 +41,18 @@ void Parameters::enter(bool numbers) {
   scopes_.push_back(std::move(scope));
 }
 
+void Parameters::enter_with_own(int count) {
+  Scope scope;
+  scope.callers.assign(numbered_.begin() + 1, numbered_.begin() + 1 + count);
+  std::fill_n(numbered_.begin() + 1, count, Numbered{});
+  scopes_.push_back(std::move(scope));
+}
+
+void Parameters::enter_sharing() {
+  scopes_.emplace_back();
+  scopes_.back().shared = true;
+}
+
 void Parameters::leave() {
   std::copy(scopes_.back().callers.begin(), scopes_.back().callers.end(), numbered_.begin() + 1);
   scopes_.pop_back();

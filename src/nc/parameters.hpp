@@ -11,13 +11,15 @@
 
 namespace plumbline::nc {
 
-inline constexpr int kLocalParameters = 30;  // #1..#30 belong to a subprogram
-inline constexpr int kLastParameter = 5601;  // [LinuxCNC; RS274/NGC has 5400]
+inline constexpr int kLocalParameters = 30;   // #1..#30 belong to a subprogram
+inline constexpr int kLastParameter = 5601;   // [LinuxCNC; RS274/NGC has 5400]
+inline constexpr int kMostParameters = 9999;  // of any control
 
 /// A number, or one that only the machine will know.
 struct Value {
   double number = 0;
   bool known = true;
+  bool vacant = false;  // of a variable that nobody set, where the language has such; counts as 0
 };
 
 class Parameters {
@@ -30,8 +32,14 @@ class Parameters {
   /// Names are the same whatever their case and blanks [RS274/NGC 3.3.1]. Null: never set.
   const Value* find(std::string_view name);
   void set(std::string_view name, Value value);
+  /// Nobody gave it a value any more.
+  void clear(int number) { numbered_[static_cast<std::size_t>(number)] = {}; }
   /// A subprogram begins: the names that do not begin with _ are its own; so are #1..#30 if `numbers` (then all zero).
   void enter(bool numbers);
+  /// The same with #1..#`count`, which begin without a value.
+  void enter_with_own(int count);
+  /// A subprogram begins that shares all names and numbers with its caller.
+  void enter_sharing();
   /// It ends: those of its caller are back.
   void leave();
   /// The name as it is looked up; valid until the next call.
@@ -46,13 +54,19 @@ class Parameters {
     using is_transparent = void;
     std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
   };
-  std::array<Numbered, kLastParameter + 1> numbered_{};
+  std::array<Numbered, kMostParameters + 1> numbered_{};
   using Names = std::unordered_map<std::string, Value, Hash, std::equal_to<>>;
   struct Scope {
     Names names;
     std::vector<Numbered> callers;  // #1..#30 of the caller
+    bool shared = false;            // the names are those of the caller
   };
-  Names& scope_of(std::string_view plain) { return plain.starts_with('_') ? global_ : scopes_.back().names; }
+  Names& scope_of(std::string_view plain) {
+    if (plain.starts_with('_')) return global_;
+    std::size_t at = scopes_.size() - 1;
+    while (scopes_[at].shared) --at;
+    return scopes_[at].names;
+  }
   Names global_;
   std::vector<Scope> scopes_{Scope{}};
   std::string plain_;

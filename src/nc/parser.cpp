@@ -36,14 +36,17 @@ void Parser::parse(Block& block) {
   block.settings.clear();
   block.code.clear();
   block.names.clear();
+  block.left_out.clear();
   block.flow.word = FlowWord::none;
   seen_ = 0;
   at_ = block.text.data() + byte_order_mark_size(block);
+  if (syntax_->names) return named_block();
   take(lex_item);
   if (token_.kind == TokenKind::percent) return percent();
   if (token_.kind == TokenKind::slash) {
     block.block_delete = true;
     block.slash = span_of(token_);
+    if (syntax_->statements != Statements::o_words) skip_level();
     take(lex_item);
   }
   if (token_.letter == 'N' && (token_.kind == TokenKind::word || token_.kind == TokenKind::letter)) {
@@ -55,13 +58,14 @@ void Parser::parse(Block& block) {
     take(lex_item);
   }
   if (token_.letter == 'O' && (token_.kind == TokenKind::word || token_.kind == TokenKind::letter)) return flow();
+  if (token_.kind == TokenKind::letter && syntax_->statements == Statements::macro_b && macro_statement()) return;
   items();
 }
 
 void Parser::percent() {
   block_->kind = LineKind::percent;
   take(lex_item);
-  if (token_.kind == TokenKind::end) return;
+  if (token_.kind == TokenKind::end || syntax_->percent_text) return;
   refuse_at(*block_, span_of(token_), codes::kPercentText, "text behind %",
             "leave % alone on its line; the control refuses anything else there");
 }
@@ -95,7 +99,8 @@ void Parser::items() {
 void Parser::literal_word() {
   const Span span = span_of(token_);
   see(token_.letter, span);
-  block_->words.push_back({token_.letter, token_.value, kLiteral, span, token_.decimals, false});
+  block_->words.push_back(
+      {token_.letter, token_.value, kLiteral, span, token_.decimals, false, token_.point, false, WordMode::modal});
 }
 
 void Parser::word(char letter) {
@@ -103,7 +108,7 @@ void Parser::word(char letter) {
   see(letter, span);
   const std::uint32_t code = value_code();
   const auto end = static_cast<std::uint32_t>(at_ - block_->text.data());
-  block_->words.push_back({letter, 0, code, {span.begin, end}, 0, false});
+  block_->words.push_back({letter, 0, code, {span.begin, end}, 0, false, false, false, WordMode::modal});
 }
 
 // setting = "#" , ( name | real value ) , "=" , real value
@@ -123,7 +128,7 @@ void Parser::setting() {
     refuse_at(*block_, setting.span, codes::kAssignment, "a parameter stands here without a word or a value",
               "set it as in #5 = 3, or write the letter that its value is for");
   }
-  setting.value = value_code();
+  setting.value = syntax_->open_assignment ? open_value_code() : value_code();
   block_->settings.push_back(setting);
 }
 
@@ -162,7 +167,7 @@ void Parser::see(char letter, Span span) {
   if (letter == 'N') {
     refuse_at(*block_, span, codes::kLineNumber, "N inside a block", "a line number stands at the begin of its line");
   }
-  if ((seen_ & bit) != 0) {
+  if ((seen_ & bit) != 0 && !(syntax_->repeated_ijk && letter >= 'I' && letter <= 'K')) {
     refuse_at(*block_, span, codes::kWordTwice, fmt::format("two {} words in one block", letter), "leave one of them");
   }
   seen_ |= bit;

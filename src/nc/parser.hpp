@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "nc/block.hpp"
+#include "nc/dialect.hpp"
 #include "nc/lexer.hpp"
 
 namespace plumbline::nc {
@@ -17,6 +18,8 @@ namespace plumbline::nc {
 /// block.file, text, line_end, line and offset are the caller's.
 class Parser {
  public:
+  /// The dialect must outlive it.
+  explicit Parser(const Dialect& dialect) : dialect_(&dialect), syntax_(&dialect.syntax) {}
   void parse(Block& block);
 
  private:
@@ -38,6 +41,57 @@ class Parser {
   void exists();
   std::uint32_t name();
 
+  // Macro B: parser_macro.cpp
+  void skip_level();
+  bool macro_statement();
+  void macro_condition();
+  void macro_label();
+  void macro_arc_tangent(Span span);
+  std::uint32_t open_value_code();
+
+  // Languages with names: parser_names.cpp, parser_statements.cpp
+  void named_block();
+  bool block_label();
+  void program_name(Span span);
+  void named_items();
+  void named_word();
+  void named_letter();
+  void identifier();
+  void code_by_name(Span span, int row);
+  void assigned_word(char letter, Span span);
+  void assigned_variable(Span name, const NameMeaning* meaning);
+  void tool_by_name(Span span);
+  bool word_mode(WordMode& mode);
+  void pass_comment();
+  void pass_arguments();
+  void expect_equals(Span name);
+  bool next_is(TokenKind kind);
+  void expect(TokenKind kind, std::string_view what);
+  [[noreturn]] void refuse_reserved(Span span) const;
+
+  std::uint32_t named_value_code();
+  void named_value();
+  void named_value_until(TokenKind kind);
+  void named_term();
+  void named_operations(int least_precedence);
+  bool is_operation(Token& token) const;
+  int named_precedence(Operation operation) const;
+  void named_bracket();
+  void named_identifier();
+  bool is_numbered(std::string_view name) const;
+  bool variable_place(std::string_view name, Span span);
+  void call_function(const NameMeaning& meaning, Span span);
+
+  void statement(FlowWord word);
+  void named_jump(bool conditional);
+  void jump_label();
+  void call_statement();
+  void call_by_name(Span name);
+  void subprogram_head();
+  void for_statement();
+  void define_statement();
+  void end_of_statement();
+
   void take(void (*lex)(const char*, Token&));
   Span span_of(const Token& token) const;
   void push(Operation operation, Span span, double number = 0, std::uint32_t name = 0);
@@ -45,6 +99,8 @@ class Parser {
   [[noreturn]] void refuse_token(std::string_view expected);
   static std::string shown(char c);
 
+  const Dialect* dialect_;
+  const Syntax* syntax_;
   Block* block_ = nullptr;
   const char* at_ = nullptr;
   Token token_;

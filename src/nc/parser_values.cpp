@@ -17,6 +17,7 @@ int precedence(Operation operation) {
     case Operation::times:
     case Operation::divide:
     case Operation::modulo:
+    case Operation::remainder:
       return 4;
     case Operation::plus:
     case Operation::minus:
@@ -79,8 +80,9 @@ void Parser::expression() {
 // Precedence climbing; token_ is the operation behind the value just read, and again on return.
 void Parser::operations(int least_precedence) {
   while (token_.kind == TokenKind::operation) {
-    const auto operation = static_cast<Operation>(token_.operation);
+    auto operation = static_cast<Operation>(token_.operation);
     if (precedence(operation) < least_precedence) return;
+    if (operation == Operation::modulo && syntax_->rounds_to_zero) operation = Operation::remainder;
     const Span span = span_of(token_);
     at_ = token_.end;
     real_value();
@@ -107,8 +109,11 @@ void Parser::parameter() {
 
 // function = "ATAN" , expression , "/" , expression | function name , expression
 void Parser::function() {
-  const auto operation = static_cast<Operation>(token_.operation);
+  auto operation = static_cast<Operation>(token_.operation);
   const Span span = span_of(token_);
+  if (syntax_->rounds_to_zero && operation == Operation::round_down) operation = Operation::truncate;
+  if (syntax_->rounds_to_zero && operation == Operation::round_up) operation = Operation::round_away;
+  if (syntax_->full_turn && operation == Operation::arc_tangent) return macro_arc_tangent(span);
   const auto argument = [&] {
     take(lex_value);
     if (token_.kind != TokenKind::open) {

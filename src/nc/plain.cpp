@@ -33,6 +33,7 @@ double unit_of(const Step& step, Axis axis) { return step.after->inches && !is_r
 bool is_plain(const Step& step, bool keeps_settings) {
   const Block& block = *step.block;
   if (!keeps_settings && !block.settings.empty()) return false;
+  if (!block.left_out.empty()) return false;
   if (step.polar && step.cycle == CycleForm::none && step.motions.size() == 1) return false;
   for (const Comment& comment : block.comments) {
     if (!keeps_settings && shows_parameters(block.at(comment.span))) return false;
@@ -70,21 +71,34 @@ const Step* PlainSteps::plain(const Step& step, bool keeps_settings) {
     polar_seen = polar_seen || end;
     for (int i = end ? 2 : 1; i > 0; --i, ++word) {
       PLUMBLINE_CHECK(word != own.block.words.end());
+      if (!end) word->value = before.value;  // where the text does not say it: increments, X=IC(5)
       if (before.expression != kLiteral || end) word->decimals = 0;
     }
   }
   return &own.step;
 }
 
+// A word with its value in place of an expression, as the language spells it: X5, CR=5, X=IC(5).
+std::string PlainSteps::with_value(std::string_view text, const Word& word) const {
+  const Spelling spelling{spelling_.lower_case, false, spelling_.point};
+  std::string value;
+  append_word(value, word.letter, word.value, kMostDecimals, spelling);
+  const std::size_t equals = text.find('=');
+  if (word.letter == kNamedCode) return std::string(text);
+  if (equals == std::string_view::npos) return value;
+  if (word.mode != WordMode::modal) return std::string(text.substr(0, text.find('(') + 1)) + value.substr(1) + ')';
+  const std::size_t name_end = text.find_last_not_of(" \t", equals - 1);
+  return name_end == 0 ? value : std::string(text.substr(0, equals + 1)) + value.substr(1);
+}
+
 void PlainSteps::write_values(const Step& step, bool keeps_settings) {
   bool end_written = false;
+  for (const Span& span : step.block->left_out) editor_.replace(span, "");
   for (const Word& word : step.block->words) {
     if (is_polar(word) && step.cycle == CycleForm::none) {
       write_polar_end(step, end_written, word.span);
     } else if (word.expression != kLiteral && !word.unknown) {
-      std::string text;
-      append_word(text, word.letter, word.value, kMostDecimals, {spelling_.lower_case, false});
-      editor_.replace(word.span, text);
+      editor_.replace(word.span, with_value(step.block->at(word.span), word));
     } else if (word.unknown && !keeps_settings) {
       refuse_at(*step.block, word.span, "emit-value-unknown",
                 "this value is known only when the machine runs, and the program must be written without parameters",
@@ -100,7 +114,8 @@ void PlainSteps::write_polar_end(const Step& step, bool& written, Span span) {
     for (const Axis axis : {Axis::X, Axis::Y}) {
       const double value = motion.to[axis] - (step.after->incremental ? motion.from[axis] : 0);
       if (spelling_.spaced && !text.empty()) text += ' ';
-      append_word(text, letter(axis), value / unit_of(step, axis), kMostDecimals, {spelling_.lower_case, false});
+      append_word(text, letter(axis), value / unit_of(step, axis), kMostDecimals,
+                  {spelling_.lower_case, false, spelling_.point});
     }
   }
   editor_.replace(span, text);

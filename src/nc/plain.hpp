@@ -19,7 +19,9 @@ namespace plumbline::nc {
 class PlainSteps {
  public:
   /// The dialect must outlive it.
-  explicit PlainSteps(const Dialect& dialect) : codes_(dialect) {}
+  explicit PlainSteps(const Dialect& dialect) : codes_(dialect), parser_(dialect) {
+    spelling_.point = dialect.habits.always_point;
+  }
 
   /// The step with a block that holds values where the original has expressions, and X and Y in place of @ and ^.
   /// Values come with nine decimals, and count as written with none. Its parameter settings go too unless
@@ -41,6 +43,7 @@ class PlainSteps {
     Hole hole;
     Step step;
   };
+  std::string with_value(std::string_view text, const Word& word) const;
   void write_values(const Step& step, bool keeps_settings);
   void write_polar_end(const Step& step, bool& written, Span span);
   void defuse_comments(const Block& block);

@@ -23,12 +23,21 @@ constexpr std::uint32_t kCentreLetters = letter_bit('I') | letter_bit('J') | let
 std::string text_of(const Execution& run, const Word& word) { return std::string(run.block->at(word.span)); }
 
 bool is_arc(const CodeRow* row) {
-  return row != nullptr && (row->action == Action::arc_cw || row->action == Action::arc_ccw);
+  return row != nullptr &&
+         (row->action == Action::arc_cw || row->action == Action::arc_ccw || row->action == Action::arc_through_point);
 }
 
 bool is_tool_length(Action action) {
   return action == Action::tool_length_by_words || action == Action::tool_length_added;
 }
+
+[[noreturn]] void refuse_row(const Execution& run, const CodeRow& row, const Word& word) {
+  const std::string why = row.why.empty() ? std::string("is not interpreted yet") : row.why;
+  run.refuse(word, codes::kNotInterpreted, fmt::format("{} {}", text_of(run, word), why),
+             "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system");
+}
+
+bool is_refused(const CodeRow& row) { return row.action == Action::none || row.action == Action::refused; }
 
 const CodeRow* g_row(const Execution& run, const Word& word) {
   const double times_ten = word.value * 10;
@@ -47,17 +56,17 @@ const CodeRow* g_row(const Execution& run, const Word& word) {
                "let the CAM system write the path of the tool's centre: an offset at the control would turn the "
                "corrections of the path into others");
   }
-  if (row->action == Action::none) {
-    run.refuse(word, codes::kNotInterpreted, fmt::format("{} is not interpreted yet", text_of(run, word)),
-               "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system");
-  }
+  if (is_refused(*row)) refuse_row(run, *row, word);
   return row;
 }
 
 const CodeRow* m_row(const Execution& run, const Word& word) {
   const int code = whole_number(*run.block, word.span, word.value, "an M code");
   const CodeRow* row = code < 0 || code > 1000 ? nullptr : run.dialect.m_code(code * 10);
-  if (row != nullptr && row->action != Action::none) return row;
+  if (row != nullptr && !is_refused(*row)) return row;
+  if (row != nullptr && row->action == Action::refused && !run.settings.passed_m_codes.contains(code)) {
+    refuse_row(run, *row, word);
+  }
   const bool users = code >= run.dialect.first_user_m_code;
   if (run.settings.passed_m_codes.contains(code) || (users && run.settings.as_with_empty_tables)) {
     return &run.dialect.user_row;
@@ -78,12 +87,28 @@ const CodeRow* m_row(const Execution& run, const Word& word) {
 
 void choose(Execution& run, const CodeRow* row, const Word& word) { run.chosen.push_back({row, &word}); }
 
+bool is_code(char letter) { return letter == 'G' || letter == 'M' || letter == kNamedCode; }
+
+// Where the control takes the last one of a group, those before it are as if not written.
+void keep_last_of_groups(Execution& run) {
+  for (std::size_t i = 0; i < run.chosen.size(); ++i) {
+    const Chosen& code = run.chosen[i];
+    if (code.word->letter != 'G' || code.row->group == 0) continue;
+    const bool last = std::none_of(
+        run.chosen.begin() + static_cast<std::ptrdiff_t>(i) + 1, run.chosen.end(),
+        [&](const Chosen& later) { return later.word->letter == 'G' && later.row->group == code.row->group; });
+    if (!last) run.chosen.erase(run.chosen.begin() + static_cast<std::ptrdiff_t>(i--));
+  }
+}
+
 // Two codes of one modal group cannot both act.
-void check_groups(const Execution& run) {
+void check_groups(Execution& run) {
+  if (run.dialect.habits.last_of_group) return keep_last_of_groups(run);
   std::uint64_t seen = 0;
   for (const Chosen& chosen : run.chosen) {
-    if (chosen.word->letter != 'G' && chosen.word->letter != 'M') continue;
-    if (chosen.row->action == Action::motion_off) continue;  // gives way to another motion [LinuxCNC, measured]
+    if (!is_code(chosen.word->letter)) continue;
+    if (chosen.row->group < 0 || chosen.row->action == Action::motion_off)
+      continue;  // gives way to another motion [LinuxCNC, measured]
     const int group = chosen.row == &run.dialect.user_row ? kUserGroup : chosen.row->group;
     const int bit = group + (chosen.word->letter == 'M' ? kGroupsPerLetter : 0);
     if ((seen >> static_cast<unsigned>(bit) & 1U) != 0) {
@@ -112,13 +137,66 @@ const Word& polar_word(const Execution& run) {
   return run.words.has('@') ? *run.words.find('@') : *run.words.find('^');
 }
 
+// F and S of a dwell are its time, not a feed and a speed.
+void take_words_of_dwell(Execution& run) {
+  const auto dwell = std::find_if(run.chosen.begin(), run.chosen.end(),
+                                  [](const Chosen& chosen) { return chosen.row->action == Action::dwell; });
+  if (dwell == run.chosen.end()) return;
+  const std::uint32_t taken = dwell->row->word_mask;
+  std::erase_if(run.chosen, [&](const Chosen& chosen) {
+    return (chosen.word->letter == 'F' || chosen.word->letter == 'S') && (letter_bit(chosen.word->letter) & taken) != 0;
+  });
+}
+
+// A cycle goes on or begins: K is its count then.
+bool is_in_cycle(const Execution& run, const Block& block) {
+  const CodeRow* motion = run.control.motion_row;
+  for (const Word& word : block.words) {
+    const CodeRow* const row = word.letter == 'G' ? run.dialect.row_of(word) : nullptr;
+    if (row != nullptr && row->group == 1) motion = row;
+  }
+  return motion != nullptr && motion->action == Action::cycle;
+}
+
+// What a number without a decimal point counts, where that is not a unit.
+void count_increments(const Execution& run, Word& word) {
+  const Habits& habits = run.dialect.habits;
+  if (word.point || word.expression != kLiteral || run.settings.calculator_type.value_or(false)) return;
+  constexpr std::uint32_t kLengths = letter_bit('X') | letter_bit('Y') | letter_bit('Z') | letter_bit('U') |
+                                     letter_bit('V') | letter_bit('W') | letter_bit('I') | letter_bit('J') |
+                                     letter_bit('K') | letter_bit('Q') | letter_bit('R');
+  constexpr std::uint32_t kAngles = letter_bit('A') | letter_bit('B') | letter_bit('C');
+  if ((letter_bit(word.letter) & kLengths) != 0) {
+    word.value *= run.control.modal.inches ? habits.increment_inch : habits.increment_mm;
+  } else if ((letter_bit(word.letter) & kAngles) != 0) {
+    word.value *= habits.increment_deg;
+  } else if (word.letter == 'F' && run.control.modal.feed_mode == FeedMode::per_revolution &&
+             habits.feed_per_revolution_increment > 0) {
+    word.value *= habits.feed_per_revolution_increment;
+  }
+}
+
+void refuse_twice(const Execution& run, const Word& word) {
+  run.refuse(word, codes::kWordTwice, fmt::format("two {} words in one block", word.letter), "leave one of them");
+}
+
 void gather(Execution& run) {
   run.chosen.clear();
+  run.has_word_modes = false;
+  bool calls_macro = false;
   for (const Word& word : run.block->words) {
+    if (calls_macro) continue;  // its words are arguments
     switch (word.letter) {
       case 'G':
         choose(run, g_row(run, word), word);
+        calls_macro = calls_macro || run.chosen.back().row->action == Action::call_macro;
         continue;
+      case kNamedCode: {
+        const CodeRow& row = run.dialect.named_codes[static_cast<std::size_t>(word.value)];
+        if (is_refused(row)) refuse_row(run, row, word);
+        choose(run, &row, word);
+        continue;
+      }
       case 'M':
         choose(run, m_row(run, word), word);
         continue;
@@ -131,9 +209,14 @@ void gather(Execution& run) {
       case 'T':
         choose(run, &run.dialect.tool_row, word);
         break;
+      case 'D':
+        if (run.dialect.has_edges) choose(run, &run.dialect.edge_row, word);
+        break;
       default:
         break;
     }
+    if (run.dialect.syntax.repeated_ijk && run.words.has(word.letter)) refuse_twice(run, word);
+    if (word.mode != WordMode::modal) run.has_word_modes = true;
     if ((letter_bit(word.letter) & kUninterpretedLetters) != 0) {
       run.refuse(word, codes::kNotInterpreted, fmt::format("{} words are not interpreted", word.letter),
                  "the axes are X, Y, Z, A, B and C");
@@ -142,7 +225,10 @@ void gather(Execution& run) {
   }
   run.axes = run.words.axes();
   if (run.words.polar()) plan_polar(run);
-  if (run.chosen.size() > 1) check_groups(run);
+  if (run.chosen.size() > 1) {
+    if (run.dialect.syntax.statements != Statements::o_words) take_words_of_dwell(run);
+    check_groups(run);
+  }
 }
 
 const Word& first_axis_word(const Execution& run) {
@@ -164,7 +250,7 @@ struct AxisTakers {
 AxisTakers axis_takers(Execution& run) {
   AxisTakers takers;
   for (const Chosen& chosen : run.chosen) {
-    if (chosen.word->letter != 'G') continue;
+    if (chosen.word->letter != 'G' && chosen.word->letter != kNamedCode) continue;
     if (chosen.row->action == Action::motion_off) {
       takers.turns_off = true;
       continue;
@@ -186,8 +272,15 @@ void find_motion(Execution& run) {
   const AxisTakers takers = axis_takers(run);
   run.motion = nullptr;
   run.motion_word = nullptr;
+  if (run.machine_word != nullptr && run.dialect.habits.machine_move_is_rapid && takers.other == nullptr) {
+    run.uses_position_axes = false;
+    if (takers.motion != nullptr) run.motion_word = takers.motion->word;
+    run.motion = run.axes.empty() ? nullptr : run.dialect.g_code(0);  // G53 is a rapid, whatever is in force
+    return;
+  }
   run.uses_position_axes = takers.other != nullptr;
   if (takers.motion != nullptr) {
+    if (takers.other != nullptr && run.dialect.habits.group_0_takes_axes) return;
     if (takers.other != nullptr) {
       run.refuse(*takers.motion->word, codes::kAxesTwice,
                  fmt::format("{} and {} both take the axis words", text_of(run, *takers.motion->word),
@@ -220,13 +313,14 @@ void check_machine_coordinates(const Execution& run) {
 
 void check_words_used(const Execution& run) {
   std::uint32_t taken = kFreeLetters | kAxisLetters;
+  if (run.dialect.has_edges) taken |= letter_bit('D');
   if (run.motion != nullptr && run.machine_word == nullptr) taken |= letter_bit('@') | letter_bit('^');
   if (run.motion != nullptr) taken |= run.motion->word_mask;
   for (const Chosen& chosen : run.chosen) taken |= chosen.row->word_mask;
   const std::uint32_t left = run.words.letters() & ~taken;
   if (left == 0) return;
   for (const Word& word : run.block->words) {
-    if (word.letter == 'G' || word.letter == 'M' || (letter_bit(word.letter) & left) == 0) continue;
+    if (is_code(word.letter) || (letter_bit(word.letter) & left) == 0) continue;
     run.refuse(word, codes::kWordUnused, fmt::format("no code of this block uses the {} word", word.letter),
                "remove it, or add the code that it belongs to");
   }
@@ -236,12 +330,26 @@ int turn_of(const Chosen& chosen) { return chosen.row->step * 2 + (chosen.row->g
 
 }  // namespace
 
+void count_increments(const Execution& run, Block& block) {
+  const bool in_cycle = find_word(block, 'K') != nullptr && is_in_cycle(run, block);
+  for (Word& word : block.words) {
+    if (in_cycle && word.letter == 'K') continue;
+    if (word.letter != 'G' && word.letter != 'M' && word.letter != kNamedCode) count_increments(run, word);
+  }
+}
+
 void plan(Execution& run) {
   run.machine_word = nullptr;
   gather(run);
+  if (!run.chosen.empty() && run.chosen.back().row->action == Action::call_macro) {
+    run.motion = nullptr;
+    return;
+  }
   find_motion(run);
   check_words_used(run);
-  if (run.machine_word != nullptr) check_machine_coordinates(run);
+  if (run.machine_word != nullptr && (run.motion != nullptr || !run.dialect.habits.machine_move_is_rapid)) {
+    check_machine_coordinates(run);
+  }
   if (run.chosen.size() > 1) {
     std::stable_sort(run.chosen.begin(), run.chosen.end(),
                      [](const Chosen& a, const Chosen& b) { return turn_of(a) < turn_of(b); });

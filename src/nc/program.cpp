@@ -9,6 +9,7 @@
 #include "nc/flow.hpp"
 #include "nc/interpreter.hpp"
 #include "nc/parser.hpp"
+#include "nc/statement_flow.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -45,6 +46,11 @@ bool begins_with_flow(std::string_view text) {
   return at != std::string_view::npos && (text[at] == 'O' || text[at] == 'o');
 }
 
+std::unique_ptr<Sequencer> sequencer_of(const Dialect& dialect, const InputFile& file, Interpreter& interpreter) {
+  if (dialect.syntax.statements == Statements::o_words) return std::make_unique<FlowControl>(file, interpreter);
+  return std::make_unique<StatementFlow>(file, dialect, interpreter);
+}
+
 }  // namespace
 
 struct Program::Parts {
@@ -52,15 +58,18 @@ struct Program::Parts {
       : file(file_),
         dialect(dialect_),
         settings(std::move(settings_)),
+        parser(dialect),
         interpreter(dialect, settings),
-        flow(file, interpreter) {}
+        sequencer(sequencer_of(dialect, file, interpreter)),
+        flow(*sequencer) {}
 
   const InputFile& file;
   const Dialect& dialect;
   const ProgramSettings settings;
   Parser parser;
   Interpreter interpreter;
-  FlowControl flow;
+  const std::unique_ptr<Sequencer> sequencer;
+  Sequencer& flow;
   Block block;
   bool begun = false;        // a line that is not blank was read
   bool in_percents = false;  // the program began with %
@@ -101,9 +110,17 @@ const Step* Program::Parts::execute() {
   step.jumped = flow.used();
   behind_end = interpreter.ended();
   const ProgramCall& call = interpreter.program_call();
-  step.flow = call.calls || (call.ends && flow.called());
-  if (call.calls) flow.call_program(block, call.number, call.count);
-  if (call.ends && !flow.end_program(block)) behind_end = true;
+  if (behind_end && flow.called() && dialect.habits.end_returns) {
+    interpreter.go_on();
+    behind_end = false;
+    step.flow = true;
+    flow.end_program(block, call);
+    return &step;
+  }
+  const bool jumps_back = call.ends && call.return_to.has_value();
+  step.flow = call.calls || jumps_back || (call.ends && flow.called());
+  if (call.calls) flow.call_program(block, call);
+  if (call.ends && !flow.end_program(block, call)) behind_end = true;
   step.entry = flow.take_entry();
   return &step;
 }
@@ -113,8 +130,9 @@ const Step* Program::Parts::steer() {
   interpreter.pass(block);
   if (block.block_delete && interpreter.deleted(block)) return nullptr;
   if (!flow.take(block)) return nullptr;
+  if (flow.ended()) behind_end = true;
   Step& step = interpreter.step();
-  step.flow = block.flow.word != FlowWord::program || flow.used();
+  step.flow = (block.flow.word != FlowWord::program && block.flow.word != FlowWord::define) || flow.used();
   step.jumped = flow.used();
   step.entry = flow.take_entry();
   return &step;
@@ -138,9 +156,11 @@ const Step* Program::Parts::ignore() {
   return &interpreter.pass(block);
 }
 
-// The first line that is not blank may be %; then the program ends at the next one [RS274/NGC 3.2].
+// Controls with statements take % for the begin of the file as well as for its end, and what stands behind that is none
+// of theirs. RS274/NGC: the first line that is not blank may be %; then the program ends at the next one
+// [RS274/NGC 3.2].
 const Step* Program::Parts::percent() {
-  if (begun && !in_percents) {
+  if (begun && !in_percents && dialect.syntax.statements == Statements::o_words) {
     const auto at = static_cast<std::uint32_t>(block.text.find('%'));
     refuse_at(block, {at, at + 1}, codes::kBadCharacter, "% ends a program that did not begin with %",
               "put % on the first line as well, or end with M2");

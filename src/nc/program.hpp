@@ -15,7 +15,7 @@
 
 namespace plumbline::nc {
 
-inline constexpr int kWorkSystems = 9;  // G54..G59, G59.1..G59.3
+inline constexpr int kWorkSystems = 306;  // of any control; Dialect::work_systems says how many it has
 
 struct WorkOffset {
   AxisWords origin;
@@ -31,6 +31,8 @@ struct ProgramSettings {
   std::map<int, double> variables;                 // numbered parameters set before the program
   std::set<int> passed_m_codes;                    // --pass
   std::set<int> keeps_position;                    // --keeps-position, M codes
+  std::optional<FeedRule> feed_rule;               // --feed-rule, in place of the dialect's
+  std::optional<bool> calculator_type;             // --calculator-type: a number without a point counts units
   std::uint64_t max_blocks = 10'000'000;           // --max-blocks: lines that a program with jumps may execute
   std::optional<bool> block_delete;                // --block-delete on|off
   /// Expressions may read where the control stands (#5420..., #<_x>...): true for who only looks, since a rewritten

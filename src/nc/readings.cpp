@@ -18,6 +18,12 @@ constexpr int kActiveSystem = 5220, kSystems = 5221, kSystemsEnd = 5401 - 11;
 constexpr int kTool = 5400, kToolOffset = 5401, kPosition = 5420, kPositionEnd = 5429;
 constexpr int kPerRow = 20, kRotation = 9;
 
+// Variables of macro B [B-63174EN 13]
+constexpr int kClocks = 3001, kClocksEnd = 3002, kDate = 3011, kTime = 3012;
+constexpr int kSingleBlock = 3003, kFeedHold = 3004;  // whether stops act: no matter for the path
+constexpr int kBlockEnd = 5001, kPositionNow = 5041, kMacroSystems = 5221, kMacroSystemsEnd = 5340;
+bool is_common(int number) { return (number >= 100 && number <= 199) || (number >= 500 && number <= 999); }
+
 struct Name {
   std::string_view name;
   double (*value)(const Control&);
@@ -50,12 +56,22 @@ constexpr std::array<std::string_view, kAxes> kPositionNames{"_x", "_y", "_z", "
 
 }  // namespace
 
-bool Readings::is_read_only(int number) {
+ParameterLimits Readings::limits() const {
+  return {dialect_.syntax.statements == Statements::o_words ? 1 : 0, dialect_.syntax.last_variable};
+}
+
+bool Readings::is_read_only(int number) const {
+  if (dialect_.syntax.statements == Statements::macro_b) {
+    const bool free = (number >= 1 && number <= dialect_.syntax.local_variables) || is_common(number);
+    return !free && number != kSingleBlock && number != kFeedHold;
+  }
+  if (dialect_.syntax.names) return false;
   return (number >= kHomes && number <= kHomesEnd) || (number >= kG92InForce && number <= kSystemsEnd) ||
          (number >= kTool && number < kPositionEnd);
 }
 
 bool Readings::is_read_only(std::string_view name) {
+  if (dialect_.syntax.names) return false;
   const std::string_view plain = control_.parameters.plain(name);
   for (const Name& known : kNames) {
     if (known.name == plain) return true;
@@ -108,7 +124,41 @@ std::optional<double> Readings::table_value(int number) const {
   return 0;
 }
 
+Value Readings::unset(const Block& block, Span span) const {
+  if (settings_.as_with_empty_tables) return {0, true, true};
+  refuse_at(block, span, codes::kParameterUnset, fmt::format("nobody gave {} a value", block.at(span)),
+            "set it in the program before, or give the control's variables: --variables FILE");
+}
+
+// A local variable that was not set is vacant; a common one may hold what another program left there.
+Value Readings::read_macro_variable(const Block& block, int number, Span span) const {
+  const auto axis_from = [&](int first) { return kAllAxes[static_cast<std::size_t>(number - first)]; };
+  const auto is_axis_from = [&](int first) { return number >= first && number < first + static_cast<int>(kAxes); };
+  if (number == 0) return {0, true, true};
+  if (control_.parameters.has(number)) return control_.parameters.get(number);
+  if (number <= dialect_.syntax.local_variables) return {0, true, true};
+  if (is_common(number)) return unset(block, span);
+  if ((number >= kClocks && number <= kClocksEnd) || number == kDate || number == kTime) return {0, false};
+  if (is_axis_from(kBlockEnd)) return position(block, axis_from(kBlockEnd), span);
+  if (is_axis_from(kPositionNow)) return position(block, axis_from(kPositionNow), span);
+  if (number >= kMacroSystems && number <= kMacroSystemsEnd &&
+      (number - kMacroSystems) % kPerRow < static_cast<int>(kAxes)) {
+    const auto at = static_cast<std::size_t>((number - kMacroSystems) / kPerRow);
+    const Axis axis = kAllAxes[static_cast<std::size_t>((number - kMacroSystems) % kPerRow)];
+    if (!control_.systems[at].known.contains(axis)) return unset(block, span);
+    const double value = control_.systems[at].origin[axis];
+    return {is_rotary(axis) ? value : value / control_.length_unit(), true};
+  }
+  refuse_at(block, span, codes::kNotInterpreted,
+            fmt::format("#{} is a variable of the control itself, which is not interpreted", number),
+            "write the value itself; #1 to #33, #100 to #199 and #500 to #999 are the program's");
+}
+
 Value Readings::read(const Block& block, int number, Span span) {
+  if (dialect_.syntax.statements == Statements::macro_b) return read_macro_variable(block, number, span);
+  if (dialect_.syntax.names) {
+    return control_.parameters.has(number) ? control_.parameters.get(number) : unset(block, span);
+  }
   if (number >= kPosition && number < kPosition + static_cast<int>(kAxes)) {
     return position(block, kAllAxes[static_cast<std::size_t>(number - kPosition)], span);
   }
@@ -124,6 +174,8 @@ Value Readings::read(const Block& block, int number, Span span) {
 
 Value Readings::read(const Block& block, std::string_view name, Span span) {
   if (const Value* value = control_.parameters.find(name)) return *value;
+  if (dialect_.syntax.statements == Statements::user_task) return {0, true, true};  // EMPTY
+  if (dialect_.syntax.names) return unset(block, span);
   const std::string_view plain = control_.parameters.plain(name);
   for (const Name& known : kNames) {
     if (known.name == plain) return {known.value(control_), true};

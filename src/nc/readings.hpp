@@ -8,19 +8,24 @@ namespace plumbline::nc {
 
 class Readings : public ParameterReader {
  public:
-  Readings(Control& control, const ProgramSettings& settings) : control_(control), settings_(settings) {}
+  Readings(Control& control, const ProgramSettings& settings, const Dialect& dialect)
+      : control_(control), settings_(settings), dialect_(dialect) {}
   Value read(const Block& block, int number, Span span) override;
   Value read(const Block& block, std::string_view name, Span span) override;
   bool exists(std::string_view name) override;
+  ParameterLimits limits() const override;
   /// True for parameters that a program may read but not set.
-  static bool is_read_only(int number);
+  bool is_read_only(int number) const;
   bool is_read_only(std::string_view name);
 
  private:
   Value position(const Block& block, Axis axis, Span span) const;
   std::optional<double> table_value(int number) const;
+  Value read_macro_variable(const Block& block, int number, Span span) const;
+  Value unset(const Block& block, Span span) const;
   Control& control_;
   const ProgramSettings& settings_;
+  const Dialect& dialect_;
 };
 
 }  // namespace plumbline::nc

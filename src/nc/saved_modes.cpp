@@ -51,6 +51,19 @@ void Interpreter::enter_subprogram(bool own_parameters, const std::vector<double
   saved_.emplace_back();
 }
 
+void Interpreter::enter_subprogram(int own_variables) {
+  if (own_variables < 0) {
+    control_.parameters.enter_sharing();
+  } else {
+    control_.parameters.enter_with_own(own_variables);
+  }
+  saved_.emplace_back();
+}
+
+void Interpreter::set_macro_arguments() {
+  for (const auto& [number, value] : run_.arguments) control_.parameters.set(number, value);
+}
+
 void Interpreter::leave_subprogram(const Block& block) {
   control_.parameters.leave();
   const SavedModes modes = saved_.back();

@@ -51,11 +51,13 @@ struct Hole {
   std::optional<std::array<double, 3>> ijk;  // G87: I and J beside the hole, K the level
 };
 
-/// M98 calls a program, M99 ends it.
+/// M98 and G65 call a program, M99 ends it.
 struct ProgramCall {
   bool calls = false, ends = false;
+  bool macro = false;  // G65: the program has variables of its own
   int number = 0;
   int count = 1;
+  std::optional<int> return_to;  // M99 P: the N at which the caller goes on
 };
 
 /// Everything points into the interpreter and holds until the next block is executed.

@@ -29,7 +29,8 @@ int tool_number(const Execution& run, const Word& word, std::string_view what) {
 int tool_of_block(const Execution& run, const Chosen& chosen) {
   const Word* const word = run.words.find('H');
   const int named = word == nullptr ? 0 : tool_number(run, *word, "the number of a tool");
-  if (named > 0) return named;  // H0 is the tool in the spindle [LinuxCNC, measured]
+  if (named > 0 || (word != nullptr && run.dialect.habits.h0_is_no_tool))
+    return named;  // H0 is the tool in the spindle [LinuxCNC, measured]
   if (word == nullptr && chosen.row->action == Action::tool_length_added) run.need('H', "G43.2");
   const int number = run.control.modal.tool_in_spindle;
   if (number >= 0) return number;
@@ -53,6 +54,23 @@ void take_offset(Execution& run, const AxisWords& offset) {
   run.control.tool_in_inches = run.control.modal.inches;
 }
 
+// The length of a tool's edge, without H.
+void take_edge(Execution& run, const Word& word, int number) {
+  const std::optional<AxisWords> offset =
+      number < 0 ? (run.settings.as_with_empty_tables ? std::optional(AxisWords{}) : std::nullopt)
+                 : offset_of(run, number);
+  if (!offset) {
+    run.refuse(word, codes::kToolUnknown,
+               number < 0 ? std::string("which tool is in the spindle is not known")
+                          : fmt::format("the length of tool {} is not known", number),
+               number < 0
+                   ? std::string("put T and M6 before it")
+                   : fmt::format("add a [[tool]] with number = {} to a tool table and name it with --tools", number));
+  }
+  take_offset(run, *offset);
+  if (run.settings.tools.find(number) != nullptr) run.control.modal.tool_of_offset = number;
+}
+
 }  // namespace
 
 // LinuxCNC keeps a tool's offset as a number: after a change of units it takes 2 mm for 2 inches [measured].
@@ -74,6 +92,7 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
     case Action::tool_length: {
       const int number = tool_of_block(run, chosen);
       offset = needed_offset(run, chosen, number);
+      if (chosen.row->value < 0) offset = AxisWords{} - offset;  // G44
       if (run.settings.tools.find(number) != nullptr) control.modal.tool_of_offset = number;
       break;
     }
@@ -90,6 +109,24 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
       break;
   }
   take_offset(run, offset);
+  const bool may_move =
+      run.dialect.habits.tool_length_moves && !run.words.has('Z') && !run.settings.as_with_empty_tables;
+  if (may_move) control.known.erase(Axis::Z);
+}
+
+// D0: no length; D1: that of the tool in the spindle, or of the one that will be.
+void choose_edge(Execution& run, const Word& word) {
+  Control& control = run.control;
+  const int edge = run.whole(word, 0, kNoLimit);
+  control.modal.tool_of_offset = -1;
+  control.edge = edge;
+  if (edge == 0) return take_offset(run, AxisWords{});
+  if (edge > 1) {
+    run.refuse(word, codes::kToolUnknown, "a tool of the table has one edge, and this chooses another",
+               "give the edge's length as a tool of its own");
+  }
+  const int number = control.modal.tool_in_spindle >= 0 ? control.modal.tool_in_spindle : control.selected_tool;
+  take_edge(run, word, number);
 }
 
 void set_tool_row(Execution& run) {
@@ -116,6 +153,9 @@ void change_tool(Execution& run, const Chosen& chosen) {
     return;
   }
   control.modal.tool_in_spindle = control.selected_tool;
+  if (run.dialect.habits.tool_length_at_change && control.edge != 0) {
+    take_edge(run, *chosen.word, control.modal.tool_in_spindle);
+  }
   const int code = chosen.row->code / 10;
   if (chosen.row->loses_position && !run.settings.keeps_position.contains(code)) lose_position(run, AxisSet::all());
 }

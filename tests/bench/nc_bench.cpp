@@ -46,7 +46,7 @@ void parse(benchmark::State& state) {
   const InputFile file(program_file());
   for (auto _ : state) {
     nc::LineSource lines(file);
-    nc::Parser parser;
+    nc::Parser parser(nc::dialect("linuxcnc"));
     nc::Block block;
     nc::Line line;
     std::size_t words = 0;

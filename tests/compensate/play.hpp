@@ -31,6 +31,7 @@ struct Job {
   machine::MachineModel model = pm600();
   nc::ProgramSettings program = in_workspace();
   compensate::Settings settings;
+  std::string dialect = "linuxcnc";
   nc::EmitSettings emit = {.stamp = {"plumbline 0 compensated this program"}};
 };
 
@@ -60,7 +61,7 @@ inline Result run(const std::string& text, const Job& job, const std::filesystem
   write_text(folder / "program.in", text);
   const InputFile source(folder / "program.in");
   OutputFile out(folder / "program.out");
-  compensate::Stream stream(source, nc::dialect("linuxcnc"), job.program, job.model, job.settings, job.emit, out);
+  compensate::Stream stream(source, nc::dialect(job.dialect), job.program, job.model, job.settings, job.emit, out);
   OutputFile undo(folder / "program.out.undo");
   nc::UndoLog log(undo);
   stream.record(log);
@@ -91,11 +92,12 @@ struct Move {
   AxisWords from_W, to_W;
 };
 
-inline std::vector<Move> moves_of(const std::string& text, const nc::ProgramSettings& settings) {
+inline std::vector<Move> moves_of(const std::string& text, const nc::ProgramSettings& settings,
+                                  const std::string& dialect = "linuxcnc") {
   const Folder folder;
   write_text(folder / "again.ngc", text);
   const InputFile source(folder / "again.ngc");
-  nc::Program program(source, nc::dialect("linuxcnc"), settings);
+  nc::Program program(source, nc::dialect(dialect), settings);
   std::vector<Move> moves;
   while (const nc::Step* step = program.next()) {
     for (const nc::Motion& m : step->motions) {
@@ -131,9 +133,9 @@ inline Played play(const std::string& original, const std::string& output, const
   const auto stands = [&](const AxisWords& commanded) {
     return commanded + machine.error({commanded, {}, std::nullopt}).value();
   };
-  const std::vector<Move> before = moves_of(original, job.program);
-  const std::vector<Move> after = moves_of(output, job.program);
-  const nc::Dialect& dialect = nc::dialect("linuxcnc");
+  const std::vector<Move> before = moves_of(original, job.program, job.dialect);
+  const std::vector<Move> after = moves_of(output, job.program, job.dialect);
+  const nc::Dialect& dialect = nc::dialect(job.dialect);
   std::size_t next = 0;
   for (const Move& move : before) {
     const bool cuts = move.motion.kind != nc::MotionKind::rapid;

@@ -70,7 +70,7 @@ std::size_t longest_line() {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const InputFile file(fuzz::folder().file("parsed.ngc", fuzz::text_of(data, size)));
   nc::LineSource lines(file);
-  nc::Parser parser;
+  nc::Parser parser(nc::dialect("linuxcnc"));
   nc::Block block;
   std::uint64_t bytes = 0;
   for (nc::Line line; lines.next(line);) {

@@ -10,6 +10,7 @@
 #include "base/files.hpp"
 #include "nc/codes.hpp"
 #include "nc/programs.hpp"
+#include "nc/recognise.hpp"
 #include "nc/tool_table.hpp"
 
 using namespace plumbline;
@@ -61,7 +62,8 @@ TEST_CASE("programs that make no sense are refused where they stop making sense"
     std::optional<Diagnostic> diagnostic;
     try {
       const InputFile file(entry.path().string());
-      Program program(file, dialect(expected.dialect), at_zero());
+      const Dialect& known = expected.dialect == "recognise" ? *recognise(file).dialect : dialect(expected.dialect);
+      Program program(file, known, at_zero());
       while (program.next() != nullptr) continue;
     } catch (const Refusal& refusal) {
       diagnostic = refusal.diagnostic();

@@ -27,7 +27,7 @@ Value run(const std::string& expression) {
   std::string text(1, 'X');
   text += expression;
   block.text = text;
-  Parser().parse(block);
+  Parser(dialect("linuxcnc")).parse(block);
   SomeParameters parameters;
   return Evaluator().run(block, block.words.at(0).expression, parameters);
 }

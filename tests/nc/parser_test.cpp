@@ -19,7 +19,7 @@ struct Parsed {
     block.text = text;
     block.line = 7;
     block.offset = offset;
-    Parser().parse(block);
+    Parser(dialect("linuxcnc")).parse(block);
   }
   std::string at(Span span) const { return std::string(block.at(span)); }
 };
@@ -91,7 +91,7 @@ TEST_CASE("comments may hold any byte, a block's rest not") {
 TEST_CASE("a block parsed again forgets the one before") {
   std::string text = "N1 G1 X[1] #1=2 (c)";
   Block block;
-  Parser parser;
+  Parser parser(dialect("linuxcnc"));
   block.text = text;
   parser.parse(block);
   const std::string other = "/";

@@ -23,7 +23,8 @@ nc::Motion feed(AxisWords to, double f, nc::FeedMode mode = nc::FeedMode::per_mi
   return motion;
 }
 
-std::optional<double> seconds(const nc::Motion& motion, const nc::Dialect& dialect = rs274()) {
+std::optional<double> seconds(nc::Motion motion, const nc::Dialect& dialect = rs274()) {
+  motion.feed_rule = dialect.feed_rule;
   return path::duration(motion, path::Curve(motion), dialect);
 }
 

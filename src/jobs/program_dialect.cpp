@@ -1,0 +1,22 @@
+#include "jobs/program_dialect.hpp"
+
+#include <fmt/format.h>
+
+#include "base/diagnostic.hpp"
+#include "nc/recognise.hpp"
+
+namespace plumbline::jobs {
+
+const nc::Dialect& dialect_of(const Options& options, const InputFile& program) {
+  const nc::Dialect& dialect = options.dialect.empty() ? *nc::recognise(program).dialect : nc::dialect(options.dialect);
+  for (const auto& [name, system] : options.work_offset_names) {
+    if (dialect.system_of_name(name) == system) continue;
+    refuse(
+        "settings-work-system",
+        fmt::format("a work offset was given for {}, which {} does not have", name, dialect.name),
+        fmt::format("its first work system is called {}; --dialect names another control", dialect.name_of_system(1)));
+  }
+  return dialect;
+}
+
+}  // namespace plumbline::jobs

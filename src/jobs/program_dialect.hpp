@@ -1,0 +1,14 @@
+// The dialect of a program: the one that was named, else the one that its text shows.
+#pragma once
+
+#include "base/files.hpp"
+#include "jobs/options.hpp"
+#include "nc/dialect.hpp"
+
+namespace plumbline::jobs {
+
+/// Refuses with nc-unknown-dialect or nc-dialect-ambiguous, and with settings-work-system where a work offset was given
+/// for a system that the dialect does not have.
+const nc::Dialect& dialect_of(const Options& options, const InputFile& program);
+
+}  // namespace plumbline::jobs

@@ -1,0 +1,163 @@
+#include "nc/recognise.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/diagnostic.hpp"
+#include "nc/codes.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr std::size_t kLook = std::size_t{1} << 16U;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+// A mark at one place of a line: a blank stands for any blanks or none, 0 for a number, ~ for the end of a word, $ for
+// the end of the line.
+bool matches_at(std::string_view mark, std::string_view line, std::size_t at) {
+  for (const char wanted : mark) {
+    if (wanted == ' ') {
+      while (at < line.size() && is_blank(line[at])) ++at;
+    } else if (wanted == '0') {
+      if (at >= line.size() || !is_digit(line[at])) return false;
+      while (at < line.size() && is_digit(line[at])) ++at;
+    } else if (wanted == '~') {
+      const bool number = at > 0 && is_digit(line[at - 1]);
+      if (at < line.size() && (is_digit(line[at]) || line[at] == '.')) return false;
+      if (!number && at < line.size() && is_letter(line[at])) return false;
+    } else if (wanted == '$') {
+      while (at < line.size() && is_blank(line[at])) ++at;
+      if (at < line.size()) return false;
+    } else if (at >= line.size() || line[at++] != wanted) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Anywhere in the line, but not inside a name.
+bool holds(std::string_view mark, std::string_view line, bool first) {
+  if (mark.starts_with('^')) return first && matches_at(mark.substr(1), line, 0);
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const bool inside = is_letter(mark.front()) && at > 0 && (is_letter(line[at - 1]) || line[at - 1] == '$');
+    if (!inside && matches_at(mark, line, at)) return true;
+  }
+  return false;
+}
+
+// Upper case, without comments in ( ) and behind ;, which in a program may say anything. A bracket behind a name is
+// none.
+std::string plain(std::string_view line) {
+  std::string out;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == ';' && !line.substr(i).starts_with(";$PATH")) break;
+    const bool behind_name = !out.empty() && is_letter(out.back());
+    if (line[i] == '(' && !behind_name) {
+      i = std::min(line.find(')', i), line.size());
+    } else {
+      out += upper(line[i]);
+    }
+  }
+  while (!out.empty() && is_blank(out.back())) out.pop_back();
+  out.erase(0, std::min(out.find_first_not_of(" \t\r"), out.size()));
+  return out;
+}
+
+struct Evidence {
+  const Dialect* dialect;
+  std::string text;
+  std::size_t line;
+};
+
+class Look {
+ public:
+  explicit Look(const InputFile& file) : file_(file) {}
+
+  Recognised decide() {
+    name();
+    text();
+    if (found_.empty() && weak_) return {weak_->dialect, weak_->text, weak_->line};
+    if (found_.empty()) return {&dialect("linuxcnc"), {}, 0};
+    if (found_.size() == 1) return {found_.front().dialect, found_.front().text, found_.front().line};
+    std::string list;
+    for (const Evidence& e : found_) {
+      list += fmt::format("{}{} speaks for {}", list.empty() ? "" : ", ", e.text, e.dialect->name);
+    }
+    Place place;
+    place.file = file_.name();
+    place.line = found_.back().line;
+    place.column = 1;
+    place.length = std::max<std::size_t>(found_.back().text.size(), 1);
+    place.text = last_line_;
+    refuse(codes::kDialectAmbiguous, fmt::format("which control this program is for is not clear: {}", list),
+           "name it: --dialect linuxcnc, fanuc, okuma or siemens", std::move(place));
+  }
+
+ private:
+  void note(const Dialect& dialect, std::string text, std::size_t line, std::string_view whole) {
+    for (const Evidence& e : found_) {
+      if (e.dialect == &dialect) return;
+    }
+    found_.push_back({&dialect, std::move(text), line});
+    last_line_ = whole;
+  }
+
+  void name() {
+    std::string upper_name;
+    for (const char c : file_.name()) upper_name += upper(c);
+    for (const std::string_view dialect_name : dialect_names()) {
+      const Dialect& known = dialect(dialect_name);
+      for (const std::string& ending : known.file_endings) {
+        if (upper_name.ends_with(ending)) note(known, fmt::format("the file's ending {}", ending), 0, {});
+      }
+    }
+  }
+
+  void text() {
+    std::string begin(kLook, '\0');
+    begin.resize(file_.read(0, begin.data(), begin.size()));
+    const std::string_view all = begin;
+    bool first = true;
+    std::size_t number = 1;
+    for (std::size_t at = 0; at < all.size(); ++number) {
+      const std::size_t end = std::min(all.find('\n', at), all.size());
+      const std::string_view whole = all.substr(at, end - at);
+      at = end + 1;
+      const std::string line = plain(whole);
+      if (line.empty() || line == "%") continue;
+      for (const std::string_view dialect_name : dialect_names())
+        marks(dialect(dialect_name), line, whole, number, first);
+      first = false;
+    }
+  }
+
+  void marks(const Dialect& known, const std::string& line, std::string_view whole, std::size_t number, bool first) {
+    for (const std::string& mark : known.marks) {
+      if (!holds(mark, line, first)) continue;
+      return note(known, fmt::format("line {} ({})", number, line.substr(0, 40)), number, whole);
+    }
+    for (const std::string& mark : known.weak_marks) {
+      if (weak_ || !holds(mark, line, first)) continue;
+      weak_ = {&known, fmt::format("line {} ({})", number, line.substr(0, 40)), number};
+    }
+  }
+
+  const InputFile& file_;
+  std::vector<Evidence> found_;
+  std::optional<Evidence> weak_;
+  std::string last_line_;
+};
+
+}  // namespace
+
+Recognised recognise(const InputFile& file) { return Look(file).decide(); }
+
+}  // namespace plumbline::nc

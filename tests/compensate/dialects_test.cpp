@@ -1,0 +1,117 @@
+// Programs for other controls come out in their own language, and put the tip where it was programmed.
+#include <regex>
+
+#include <catch2/catch.hpp>
+
+#include "compensate/play.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+Job job_for(const std::string& dialect) {
+  Job job;
+  job.dialect = dialect;
+  job.settings.friction = false;
+  for (auto& offset : job.program.work_offsets) offset = job.program.work_offsets[0];
+  return job;
+}
+
+void check(const std::string& text, const std::string& output, const Job& job) {
+  INFO(output);
+  const Played played = play(text, output, job);
+  CHECK(played.at_points_um <= 0.15);
+  CHECK(played.between_points_um <= 0.5);
+  CHECK(played.time_change <= 2e-3);
+}
+
+bool holds(const std::string& text, const std::string& pattern) {
+  return std::regex_search(text, std::regex(pattern, std::regex::multiline));
+}
+
+const std::string kFanuc =
+    "%\nO0042 (POCKET)\nG17 G21 G90 G94 G54\nG0 X0. Y0. Z20. A0. B0. C0.\nG43.4 H0 Z20.\n"
+    "N10 G1 X20. Y10. Z0. A-12. B5. F900.\nN20 G3 X-20000 Y10. I-20. J15.\nG1 A3. B-4.\nG9 G1 X0. Y0.\nG61 X5.\nG64 "
+    "G91 X1.5 "
+    "Y-2.\n"
+    "G90 G93 G1 X0. Y0. F12.\nG94 X5. F500.\nM98 P1\nG0 Z30.\nM30\nO1\nG54.1 P2 G1 Y5.\nM99\n%\n";
+
+const std::string kOkuma =
+    "$POCKET.MIN%\nO42 (POCKET)\nG15 H1\nG17 G90 G94\nG0 X0 Y0 Z20 A0 B0 C0\nVC1=20\n"
+    "NPOCK G1 X=VC1 Y10 Z0 A-12 B5 F900\nG3 X-20 Y10 I-20 J15\nG1 A3 B-4\nG15 H2 G1 X5\nX5 G9\nG0 Z30\nM2\n";
+
+const std::string kSiemens =
+    "%_N_POCKET_MPF\n;$PATH=/_N_MPF_DIR\nN10 G54 G17 G710 G90 G94\nN20 G0 X0 Y0 Z20 A0 B0 C0\nN30 TRAORI\nN40 "
+    "FGROUP(X,Y,Z)\n"
+    "N50 G1 X=IC(20) Y=10 Z0 A=-12 B=AC(5) F900\nN60 G3 X-20 Y10 I=AC(0) J=AC(25)\nN70 G1 X-10 Y20\n"
+    "N75 G2 X10 Y20 CR=15\nN80 CIP X10 Y0 I1=20 J1=10\nN90 G1 A3 B-4\nN100 FGROUP()\nN110 X5 C2\nN120 G0 Z30\nN130 "
+    "M30\n";
+
+}  // namespace
+
+TEST_CASE("a program for Fanuc comes out for Fanuc") {
+  Job job = job_for("fanuc");
+  job.program.feed_rule = nc::FeedRule::xyz_first;
+  const Result result = run(kFanuc, job);
+  check(kFanuc, result.text, job);
+  CHECK(result.summary.changed_blocks > 5);
+  INFO(result.text);
+  CHECK_FALSE(holds(result.text, "[XYZABCF]-?[0-9]+( |$|[A-Z])"));  // each number that was written has its point
+  CHECK(holds(result.text, "^O0042 \\(POCKET\\)\n\\(plumbline"));   // the stamp behind the number
+  CHECK_FALSE(holds(result.text, "M98|M99|^O1$"));
+}
+
+TEST_CASE("a flat program for Okuma comes out for Okuma") {
+  Job job = job_for("okuma");
+  CHECK(code_of(kOkuma, job) == "emit-feed-rule");
+  job.program.feed_rule = nc::FeedRule::xyz_first;
+  const Result result = run(kOkuma, job);
+  check(kOkuma, result.text, job);
+  INFO(result.text);
+  CHECK(holds(result.text, "^NPOCK G1 X-?[0-9]+\\.[0-9]* Y"));
+  CHECK(holds(result.text, "^VC1=20$"));
+  CHECK(holds(result.text, "G9$"));
+}
+
+TEST_CASE("a flat program for Siemens comes out for Siemens") {
+  const Job job = job_for("siemens");
+  const Result result = run(kSiemens, job);
+  check(kSiemens, result.text, job);
+  INFO(result.text);
+  CHECK(holds(result.text, "^; plumbline"));
+  CHECK(holds(result.text, "^N50 G1 X[0-9.]+ Y[0-9.]+ Z-?[0-9.]+ A-[0-9.]+ B[0-9.]+ "));
+  CHECK_FALSE(holds(result.text, "IC\\(|CIP|CR=|I=AC"));
+  CHECK(holds(result.text, "^N120 G0 Z"));
+}
+
+TEST_CASE("loops and subprograms of every dialect are written out") {
+  const std::string head = "G0 X0 Y0 Z20. A0 B0 C0\n";
+  Job fanuc = job_for("fanuc");
+  const std::string macro =
+      "O7\n" + head +
+      "#1=0\nWHILE [#1 LT 3] DO 1\nG1 X[#1*10.] Y#5 F500\n#1=#1+1\nEND 1\nG65 P8 X25.\nM30\nO8\nG1 X#24 Y#25\nM99\n";
+  check(macro, run(macro, fanuc).text, fanuc);
+  Job okuma = job_for("okuma");
+  okuma.program.feed_rule = nc::FeedRule::xyz_first;
+  const std::string task =
+      "O7\nG15 H1\n" + head +
+      "VC1=0\nNA IF [VC1 GE 3] NB\nG1 X=VC1*10 F500\nVC1=VC1+1\nGOTO NA\nNB CALL O8 PX=25\nM2\nO8\nG1 X=PX\nRTS\n";
+  check(task, run(task, okuma).text, okuma);
+  Job siemens = job_for("siemens");
+  const std::string loops =
+      "G54\n" + head + "FOR R1=0 TO 2\nG1 X=R1*10 Y=IC(1) F500\nENDFOR\nIF R1>2\nG2 X10 Y5 CR=30\nENDIF\nM30\n";
+  const std::string out = run(loops, siemens).text;
+  check(loops, out, siemens);
+  CHECK_FALSE(holds(out, "FOR|IF|R1"));
+}
+
+TEST_CASE("a work system of one block alone cannot hold for its pieces") {
+  Job job = job_for("okuma");
+  const std::string text = "G15 H1\nG0 X0 Y0 Z20 A0 B0 C0\nG16 H2 G1 X5 F100\nM2\n";
+  CHECK(code_of(text, job) == "compensate-work-system");
+}
+
+TEST_CASE("a block that moves and calls is refused") {
+  const std::string text = "O7\nG0 X0 Y0 Z20. A0 B0 C0\nG1 F500 X5. M98 P8\nM30\nO8\nX6.\nM99\n";
+  CHECK(code_of(text, job_for("fanuc")) == "compensate-flow");
+}

@@ -1,0 +1,3 @@
+(expect: nc-dialect-ambiguous 3 1 dialect: recognise)
+G65 P100 A1.
+TRAORI

@@ -1,0 +1,2 @@
+(expect: nc-parameter-unset 2 4 dialect: fanuc)
+#1=#500

@@ -1,0 +1,2 @@
+(expect: nc-flow-label 2 1 dialect: fanuc)
+END 1

@@ -1,0 +1,2 @@
+(expect: nc-flow-control 2 1 dialect: fanuc)
+IF [#1 EQ 0] X5.

@@ -1,0 +1,61 @@
+#include "nc/recognise.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "base/diagnostic.hpp"
+#include "nc/programs.hpp"
+
+using namespace plumbline;
+using namespace plumbline::nc;
+using namespace plumbline::nc::tests;
+
+namespace {
+
+std::string dialect_of(std::string_view text) {
+  const ProgramFile file(text);
+  return recognise(InputFile(file.path())).dialect->name;
+}
+
+std::string refusal_of_look(std::string_view text) {
+  const ProgramFile file(text);
+  try {
+    recognise(InputFile(file.path()));
+  } catch (const Refusal& refusal) {
+    return refusal.diagnostic().code;
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("what only one dialect has names it") {
+  CHECK(dialect_of("G21\no100 sub\no100 endsub\n") == "linuxcnc");
+  CHECK(dialect_of("#<depth>=5\n") == "linuxcnc");
+  CHECK(dialect_of("%\nG90 g54.1p2 X0\n") == "fanuc");
+  CHECK(dialect_of("IF[#1EQ#0]GOTO10\n") == "fanuc");
+  CHECK(dialect_of("N1G15H1\n") == "okuma");
+  CHECK(dialect_of("CALL OPULL PL=5\n") == "okuma");
+  CHECK(dialect_of("N10 G1 X=IC(5)\n") == "siemens");
+  CHECK(dialect_of("%_N_TEIL_MPF\n;$PATH=/_N_MPF_DIR\nG1 X5\n") == "siemens");
+  CHECK(dialect_of("MSG(\"HALT\")\n") == "siemens");
+}
+
+TEST_CASE("what all dialects have is read as LinuxCNC's, unless the program begins with its number") {
+  CHECK(dialect_of("") == "linuxcnc");
+  CHECK(dialect_of("%\nN10 G90 G54 G0 X10. Y5. A3. S800 M3\nG1 Z-2. F200\nM30\n%\n") == "linuxcnc");
+  CHECK(dialect_of("%\nO1234 (PART)\nG0 X10.\n") == "fanuc");
+  CHECK(dialect_of("G0 X10.\nO1234\n") == "linuxcnc");
+  CHECK(dialect_of("O1234\no100 if [1]\no100 endif\n") == "linuxcnc");
+  CHECK(dialect_of("O1234\nG15 H1\n") == "okuma");
+}
+
+TEST_CASE("comments show nothing") {
+  CHECK(dialect_of("(TRAORI)\nG0 X1. ; CALL O1000\n") == "linuxcnc");
+  CHECK(dialect_of("(POST: G54.1 P2 AND #<name>)\nG0 X1.\n") == "linuxcnc");
+}
+
+TEST_CASE("what shows two dialects is refused") {
+  CHECK(refusal_of_look("TRAORI\nG54.1 P2\n") == "nc-dialect-ambiguous");
+  CHECK(refusal_of_look("G15 H1\no<tool> call\n") == "nc-dialect-ambiguous");
+  CHECK(refusal_of_look("G90 G0 X1\n").empty());
+}
