@@ -28,6 +28,7 @@ void add_compensate(CLI::App& app, Run& run);
 void add_circularity(CLI::App& app, Run& run);
 void add_compare(CLI::App& app, Run& run);
 void add_diff(CLI::App& app, Run& run);
+void add_identify(CLI::App& app, Run& run);
 void add_error(CLI::App& app, Run& run);
 void add_explain(CLI::App& app, Run& run);
 void add_restore(CLI::App& app, Run& run);

@@ -123,8 +123,8 @@ double change_of(const NoiseModel& from, const NoiseModel& to) {
   double most = 0;
   for (std::size_t c = 0; c < from.channels.size(); ++c) {
     if (to.channels[c].samples == 0) continue;
-    const auto weight = [](const ChannelNoise& n) { return n.sigma * std::sqrt((1 + n.memory) / (1 - n.memory)); };
-    most = std::max(most, std::abs(weight(to.channels[c]) / weight(from.channels[c]) - 1));
+    const double ratio = low_frequency_variance(to.channels[c]) / low_frequency_variance(from.channels[c]);
+    most = std::max(most, std::abs(std::sqrt(ratio) - 1));
   }
   return most;
 }
@@ -151,6 +151,17 @@ double Fit::correlation(std::size_t i, std::size_t k) const {
   return std::isfinite(both) ? covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) / both : 0;
 }
 
+std::vector<double> Fit::parameter_errors() const {
+  std::vector<double> errors(unknowns.forces().parameters.size(), 0);
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    for (const Unknown::Term& term : unknowns[i].terms) {
+      double& error = errors[static_cast<std::size_t>(term.parameter)];
+      error = std::hypot(error, term.weight * standard_error(i));
+    }
+  }
+  return errors;
+}
+
 Eigen::MatrixXd posterior_covariance(const Unknowns& unknowns, const Eigen::MatrixXd& information) {
   const Eigen::VectorXd scales = scales_of(unknowns);
   Eigen::MatrixXd precision = information;
@@ -170,27 +181,71 @@ Eigen::MatrixXd posterior_covariance(const Unknowns& unknowns, const Eigen::Matr
   return covariance;
 }
 
+namespace {
+
+// Every `stride`-th sample of each run.
+std::vector<measure::Run> thinned(const std::vector<measure::Run>& runs, std::size_t stride) {
+  std::vector<measure::Run> thin = runs;
+  for (measure::Run& run : thin) {
+    const auto keep = [stride](std::vector<double>& column) {
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < column.size(); i += stride) column[kept++] = column[i];
+      column.resize(kept);
+    };
+    for (auto* column : {&run.time, &run.angle, &run.radial}) keep(*column);
+    for (auto& column : run.torque) keep(column);
+  }
+  return thin;
+}
+
+// Rounds of a fit with the noise held, and of the noise with the fit held, until the noise settles.
+Round rounds(Objective& objective, Eigen::VectorXd values, const FitOptions& options) {
+  Round last;
+  for (int round = 1;; ++round) {
+    const int before = last.iterations;
+    last = minimise(objective, values, options);
+    last.iterations += before;
+    values = last.values;
+    if (options.known_noise || round >= options.most_noise_rounds) return last;
+    NoiseOptions taken = options.noise;
+    taken.degrees_taken = degrees_of(
+        objective.unknowns(), posterior_covariance(objective.unknowns(), objective.evaluate(values, true).information));
+    const NoiseModel noise = estimate_noise(objective.equations(values), taken);
+    if (change_of(objective.noise(), noise) <= options.noise_tolerance) return last;
+    objective.set_noise(noise);
+  }
+}
+
+}  // namespace
+
 Fit fit(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Unknowns& unknowns,
         const FitOptions& options) {
   Objective objective(order, runs, unknowns, options.objective);
-  Fit result(unknowns);
-  result.values = unknowns.start();
-  NoiseOptions noise_options = options.noise;
-  objective.set_noise(options.known_noise ? *options.known_noise
-                                          : rough_noise(objective.equations(result.values), noise_options));
-  for (int round = 1;; ++round) {
-    const Round found = minimise(objective, result.values, options);
-    result.values = found.values;
-    result.iterations += found.iterations;
-    result.converged = found.converged;
-    result.stopped_because = found.message;
-    if (options.known_noise || round >= options.most_noise_rounds) break;
-    const NoiseModel noise = estimate_noise(objective.equations(result.values), noise_options);
-    const double change = change_of(objective.noise(), noise);
-    objective.set_noise(noise);
-    if (change <= options.noise_tolerance) break;
+  Eigen::VectorXd start = unknowns.start();
+  std::size_t shortest = std::numeric_limits<std::size_t>::max();
+  for (const measure::Run& run : runs) shortest = std::min(shortest, run.samples());
+  const std::size_t stride = shortest / std::max<std::size_t>(options.coarse_samples, 1);
+  if (options.known_noise) {
+    objective.set_noise(*options.known_noise);
+  } else if (stride < 3) {
+    objective.set_noise(rough_noise(objective.equations(start), options.noise));
+  } else {
+    const std::vector<measure::Run> few = thinned(runs, stride);
+    Objective coarse(order, few, unknowns, options.objective);
+    coarse.set_noise(rough_noise(coarse.equations(start), options.noise));
+    start = rounds(coarse, start, options).values;
+    objective.set_setups(coarse.setups());
+    objective.set_noise(coarse.noise());
+    objective.set_noise(estimate_noise(objective.equations(start), options.noise));
   }
-  const NormalEquations normal = objective.evaluate(result.values, true);
+  const Round found = rounds(objective, start, options);
+  const NormalEquations normal = objective.evaluate(found.values, true);
+
+  Fit result(unknowns);
+  result.values = found.values;
+  result.iterations = found.iterations;
+  result.converged = found.converged;
+  result.stopped_because = found.message;
   result.information = normal.information;
   result.covariance = posterior_covariance(unknowns, normal.information);
   result.fitted_degrees = degrees_of(unknowns, result.covariance);

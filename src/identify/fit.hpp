@@ -14,9 +14,11 @@ struct FitOptions {
   NoiseOptions noise;
   std::optional<NoiseModel> known_noise;  // if given, the noise is not estimated
   int most_noise_rounds = 5;
-  double noise_tolerance = 0.03;   // relative change of the noise's weight at which rounds end
-  int most_iterations = 40;        // of each round
-  double misfit_tolerance = 1e-8;  // relative change of the misfit at which iterations end
+  double noise_tolerance = 0.03;     // relative change of the noise's weight at which rounds end
+  int most_iterations = 40;          // of each round
+  double misfit_tolerance = 1e-8;    // relative change of the misfit at which iterations end
+  std::size_t coarse_samples = 180;  // of each run, in a first fit that only tells the last one where to start; runs
+                                     // that have hardly more are fitted at once
 };
 
 /// The values with the greatest posterior density, and how sure they are. Vectors and matrices in the order of the
@@ -39,6 +41,8 @@ struct Fit {
 
   double standard_error(std::size_t i) const;
   double correlation(std::size_t i, std::size_t k) const;
+  /// The standard error of each parameter of forces(), SI; zero for what was not fitted.
+  std::vector<double> parameter_errors() const;
   /// The force model with the values found.
   physics::ForceModel forces() const { return unknowns.at(values); }
 };

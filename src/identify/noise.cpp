@@ -46,68 +46,105 @@ double least_sigma(int channel, const NoiseOptions& options) {
   return channel == kRadial ? options.least_sigma_um * kUm : options.least_sigma_Nm;
 }
 
-// a^T V^-1 b of the noise with unit variance and memory m is [whole - m lagged + m^2 inner] / (1 - m^2), whole the sum
-// over all samples, lagged over neighbours both ways, inner without the first and last sample.
-struct Grams {
-  Eigen::MatrixXd whole, lagged, inner;
-  Eigen::Index samples;
+// The Kalman filter of noise whose gains do not depend on the data: x = memory x + gain e, e = y - x of variance F,
+// F = P + white,  P' = memory^2 P white / F + (1 - memory^2) (1 - white); weight = 1 / (sigma sqrt F)
+struct Filter {
+  Eigen::VectorXd gain, weight;
 
-  explicit Grams(const Eigen::MatrixXd& columns) : samples(columns.rows()) {
-    const Eigen::Index n = samples;
-    whole = columns.transpose() * columns;
-    const Eigen::MatrixXd one_way = columns.topRows(n - 1).transpose() * columns.bottomRows(n - 1);
-    lagged = one_way + one_way.transpose();
-    inner = columns.middleRows(1, n - 2).transpose() * columns.middleRows(1, n - 2);
-  }
-  Eigen::MatrixXd at(double memory) const {
-    return (whole - memory * lagged + memory * memory * inner) / (1 - memory * memory);
+  Filter(const ChannelNoise& noise, Eigen::Index samples) : gain(samples), weight(samples) {
+    const double remembered = 1 - noise.white;
+    double P = remembered;
+    for (Eigen::Index i = 0; i < samples; ++i) {
+      const double F = P + noise.white;
+      gain[i] = noise.memory * P / F;
+      weight[i] = 1 / (noise.sigma * std::sqrt(F));
+      P = noise.memory * noise.memory * P * noise.white / F + (1 - noise.memory * noise.memory) * remembered;
+    }
   }
 };
 
-// What the restricted likelihood makes of one memory: its best sigma, and -2 log of the likelihood there.
+// What the restricted likelihood makes of one colour: its best sigma, and -2 log of the likelihood there.
 struct Trial {
   double variance = 0;
-  double deviance = 0;
+  double deviance = 1e300;
+  double memory = 0;
+  double white = 0;
 };
 
-Trial trial(const std::vector<Grams>& runs, double memory, double taken) {
-  double squares = 0;
-  double determinants = 0;
-  double degrees = -taken;
-  for (const Grams& run : runs) {
-    const Eigen::MatrixXd gram = run.at(memory);
-    const Eigen::Index setup = gram.rows() - 1;
-    double left = gram(setup, setup);
-    if (setup > 0) {
-      const Eigen::LLT<Eigen::MatrixXd> llt(gram.topLeftCorner(setup, setup));
-      const Eigen::VectorXd half = llt.matrixL().solve(gram.topRightCorner(setup, 1));
-      left -= half.squaredNorm();
-      for (Eigen::Index i = 0; i < setup; ++i) determinants += 2 * std::log(llt.matrixLLT()(i, i));
-    }
-    squares += std::max(left, 0.0);
-    determinants += static_cast<double>(run.samples - 1) * std::log(1 - memory * memory);
-    degrees += static_cast<double>(run.samples - setup);
-  }
-  degrees = std::max(degrees, 1.0);
-  return {squares / degrees, degrees * std::log(std::max(squares / degrees, 1e-300)) + determinants};
-}
+// Residuals of a channel, each run beside the columns of its set-up: the last column.
+struct Channel {
+  std::vector<Eigen::MatrixXd> runs;
+  double taken = 0;  // degrees of freedom
 
-// The memory of the smallest deviance: golden section, the deviance having one minimum.
-double best_memory(const std::vector<Grams>& runs, double taken, double most) {
+  Trial at(double memory, double white) const {
+    const ChannelNoise unit{1, memory, 0, white};
+    double squares = 0;
+    double determinants = 0;
+    double degrees = -taken;
+    for (const Eigen::MatrixXd& run : runs) {
+      Eigen::MatrixXd columns = run;
+      whiten(unit, columns);
+      const Eigen::MatrixXd gram = columns.transpose() * columns;
+      const Eigen::Index setup = gram.rows() - 1;
+      double left = gram(setup, setup);
+      if (setup > 0) {
+        const Eigen::LLT<Eigen::MatrixXd> llt(gram.topLeftCorner(setup, setup));
+        left -= llt.matrixL().solve(gram.topRightCorner(setup, 1)).squaredNorm();
+        determinants += 2 * llt.matrixLLT().diagonal().array().log().sum();
+      }
+      squares += std::max(left, 0.0);
+      determinants -= 2 * Filter(unit, run.rows()).weight.array().log().sum();
+      degrees += static_cast<double>(run.rows() - setup);
+    }
+    degrees = std::max(degrees, 1.0);
+    return {squares / degrees, degrees * std::log(std::max(squares / degrees, 1e-300)) + determinants, memory, white};
+  }
+};
+
+// The memory of the smallest deviance without a white part: golden section, the deviance having one minimum.
+Trial best_memory(const Channel& channel, double most) {
   constexpr double kGolden = 0.6180339887498949;
-  constexpr double kTolerance = 1e-4;
+  constexpr double kTolerance = 3e-3;
   double lower = -most;
   double upper = most;
+  Trial a = channel.at(upper - kGolden * (upper - lower), 0);
+  Trial b = channel.at(lower + kGolden * (upper - lower), 0);
   while (upper - lower > kTolerance) {
-    const double a = upper - kGolden * (upper - lower);
-    const double b = lower + kGolden * (upper - lower);
-    if (trial(runs, a, taken).deviance < trial(runs, b, taken).deviance) {
-      upper = b;
+    if (a.deviance < b.deviance) {
+      upper = b.memory;
+      b = a;
+      a = channel.at(upper - kGolden * (upper - lower), 0);
     } else {
-      lower = a;
+      lower = a.memory;
+      a = b;
+      b = channel.at(lower + kGolden * (upper - lower), 0);
     }
   }
-  return 0.5 * (lower + upper);
+  return a.deviance < b.deviance ? a : b;
+}
+
+// Memory and white part together: the best of a coarse grid, then steps each way that shrink where none helps.
+Trial best_colour(const Channel& channel, const NoiseOptions& options) {
+  const Trial simple = best_memory(channel, options.most_memory);
+  Trial best;
+  const auto consider = [&](double memory, double white) {
+    if (std::abs(memory) > options.most_memory || white < 0 || white > 0.98) return false;
+    const Trial trial = channel.at(memory, white);
+    if (trial.deviance >= best.deviance) return false;
+    best = trial;
+    return true;
+  };
+  for (const double memory : {0.5, 0.75, 0.9, 0.97}) {
+    for (const double white : {0.2, 0.5, 0.8}) consider(memory, white);
+  }
+  for (double step = 0.1; step > 0.01;) {
+    const Trial now = best;
+    const double away = std::min(1.0, 4 * (1 - now.memory));  // near 1 the memory means more
+    const bool better = consider(now.memory + step * away, now.white) || consider(now.memory - step * away, now.white) ||
+                        consider(now.memory, now.white + step) || consider(now.memory, now.white - step);
+    if (!better) step /= 2;
+  }
+  return best.deviance < simple.deviance - options.least_gain ? best : simple;
 }
 
 }  // namespace
@@ -132,41 +169,40 @@ NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOpti
     if (found.samples == 0) continue;
     const ChannelResiduals all = residuals_of(runs, channel);
     const double most = options.clip * found.sigma;
-    std::vector<Grams> grams;
+    Channel whole;
     for (std::size_t r = 0; r < all.residuals.size(); ++r) {
-      Eigen::MatrixXd columns(all.residuals[r].size(), all.setups[r].cols() + 1);
-      columns << all.setups[r], all.residuals[r].cwiseMax(-most).cwiseMin(most);
-      grams.emplace_back(columns);
+      whole.runs.emplace_back(all.residuals[r].size(), all.setups[r].cols() + 1);
+      whole.runs.back() << all.setups[r], all.residuals[r].cwiseMax(-most).cwiseMin(most);
     }
-    const double taken = options.degrees_taken * static_cast<double>(found.samples) / static_cast<double>(total);
-    found.memory = best_memory(grams, taken, options.most_memory);
-    found.sigma = std::max(std::sqrt(trial(grams, found.memory, taken).variance), least_sigma(channel, options));
+    whole.taken = options.degrees_taken * static_cast<double>(found.samples) / static_cast<double>(total);
+    const Trial best = best_colour(whole, options);
+    found.memory = best.memory;
+    found.white = best.white;
+    found.sigma = std::max(std::sqrt(best.variance), least_sigma(channel, options));
   }
   return noise;
 }
 
-void whiten(const ChannelNoise& noise, Eigen::Ref<Eigen::MatrixXd> rows) {
-  // the filter's gains do not depend on the data: x = memory (x + gain e), e = y - x, of variance F = P + white,
-  // P' = memory^2 P (1 - gain) + (1 - memory^2) (1 - white)
-  const double remembered = 1 - noise.white;
-  Eigen::VectorXd gain(rows.rows());
-  Eigen::VectorXd weight(rows.rows());
-  double P = remembered;
+namespace {
+
+template <class Rows>
+void whiten_rows(const ChannelNoise& noise, Rows& rows) {
+  const Filter filter(noise, rows.rows());
+  Eigen::RowVectorXd remembered = Eigen::RowVectorXd::Zero(rows.cols());
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    const double F = P + noise.white;
-    gain[i] = noise.memory * P / F;
-    weight[i] = 1 / (noise.sigma * std::sqrt(F));
-    P = noise.memory * noise.memory * P * noise.white / F + (1 - noise.memory * noise.memory) * remembered;
+    rows.row(i) -= remembered;
+    remembered = noise.memory * remembered + filter.gain[i] * rows.row(i);
+    rows.row(i) *= filter.weight[i];
   }
-  for (Eigen::Index c = 0; c < rows.cols(); ++c) {
-    auto column = rows.col(c);
-    double x = 0;
-    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-      const double e = column[i] - x;
-      x = noise.memory * x + gain[i] * e;
-      column[i] = weight[i] * e;
-    }
-  }
+}
+
+}  // namespace
+
+void whiten(const ChannelNoise& noise, Eigen::Ref<SlopeRows> rows) { whiten_rows(noise, rows); }
+void whiten(const ChannelNoise& noise, Eigen::Ref<Eigen::MatrixXd> rows) { whiten_rows(noise, rows); }
+
+double low_frequency_variance(const ChannelNoise& noise) {
+  return noise.sigma * noise.sigma * ((1 - noise.white) * (1 + noise.memory) / (1 - noise.memory) + noise.white);
 }
 
 void whiten(const NoiseModel& noise, RunEquations& equations) {
@@ -174,9 +210,13 @@ void whiten(const NoiseModel& noise, RunEquations& equations) {
   for (std::size_t c = 0; c < equations.channels.size(); ++c) {
     const ChannelNoise& channel = noise.channels[static_cast<std::size_t>(equations.channels[c])];
     const Eigen::Index first = static_cast<Eigen::Index>(c) * n;
-    whiten(channel, equations.residual.segment(first, n));
-    if (equations.slopes.size() > 0) whiten(channel, equations.slopes.middleRows(first, n));
-    if (equations.channels[c] == kRadial) whiten(channel, equations.setup_slopes);
+    auto residual = equations.residual.segment(first, n);
+    whiten_rows(channel, residual);
+    if (equations.slopes.size() > 0) {
+      auto slopes = equations.slopes.middleRows(first, n);
+      whiten_rows(channel, slopes);
+    }
+    if (equations.channels[c] == kRadial) whiten_rows(channel, equations.setup_slopes);
   }
 }
 

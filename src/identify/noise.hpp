@@ -24,14 +24,16 @@ struct NoiseModel {
 struct NoiseOptions {
   double clip = 4;  // residuals beyond that many sigma count as outliers and are cut back
   double most_memory = 0.999;
+  double least_gain = 4;
   double least_sigma_um = 1e-3;  // what is less is rounding
   double least_sigma_Nm = 1e-5;
   double degrees_taken = 0;  // unknowns that were fitted to these residuals, of all channels
 };
 
-/// Estimates the noise of each channel from the residuals of all runs, alike in all of them: sigma and memory by
-/// restricted maximum likelihood [Patterson and Thompson 1971], which allows for the set-up that each run was fitted
-/// with; outliers cut back at `clip` robust standard deviations (median).
+/// Estimates the noise of each channel from the residuals of all runs, alike in all of them: sigma, memory and white
+/// part by restricted maximum likelihood [Patterson and Thompson 1971], which allows for the set-up that each run was
+/// fitted with; outliers cut back at `clip` robust standard deviations (median). A white part is taken where it makes
+/// the deviance smaller by `least_gain`.
 NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options = {});
 
 /// Noise that does not remember, its sigma the robust standard deviation (median) of the residuals: to begin with.
@@ -40,7 +42,11 @@ NoiseModel rough_noise(const std::vector<RunEquations>& runs, const NoiseOptions
 /// Rows of one channel of one run, in order, turned so that the noise in them is independent and of variance one:
 /// y_0 / sigma, (y_i - memory y_(i-1)) / (sigma sqrt(1 - memory^2)) without a white part; else the innovations of the
 /// Kalman filter for a  [Durbin and Koopman 2012, 4.3].
+void whiten(const ChannelNoise& noise, Eigen::Ref<SlopeRows> rows);
 void whiten(const ChannelNoise& noise, Eigen::Ref<Eigen::MatrixXd> rows);
+
+/// The variance of noise at low frequencies, where models act, as if it were white.
+double low_frequency_variance(const ChannelNoise& noise);
 
 /// All equations of a run whitened, channel by channel.
 void whiten(const NoiseModel& noise, RunEquations& equations);

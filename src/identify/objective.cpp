@@ -32,8 +32,10 @@ NormalEquations normal_equations(RunEquations equations, const NoiseModel& noise
 
   const Eigen::VectorXd weights = root_weights(equations.residual, huber);
   equations.residual.array() *= weights.array();
-  for (std::size_t u = 0; u < unknowns.size(); ++u) {
-    equations.slopes.col(static_cast<Eigen::Index>(u)).array() *= unknowns[u].scale * weights.array();
+  Eigen::RowVectorXd scales(equations.slopes.cols());
+  for (std::size_t u = 0; u < unknowns.size(); ++u) scales[static_cast<Eigen::Index>(u)] = unknowns[u].scale;
+  for (Eigen::Index i = 0; i < equations.slopes.rows(); ++i) {
+    equations.slopes.row(i).array() *= weights[i] * scales.array();
   }
   const Eigen::Index n = equations.setup_slopes.rows();
   if (n > 0) {
@@ -60,7 +62,7 @@ RunEquations Objective::fitted(std::size_t index, const physics::ForceModel& for
   const measure::Run& run = runs_[index];
   measure::Setup& setup = setups_[index];
   SimulatedRun simulated = simulate_run(order_, forces, run, sensitivity);
-  Eigen::MatrixXd slopes;
+  SlopeRows slopes;
   slopes.swap(simulated.slopes);  // the set-up is fitted without them
   for (setup.iterations = 1; run.has_radial() && setup.iterations <= options_.most_setup_steps; ++setup.iterations) {
     RunEquations equations = run_equations(run, simulated, setup);
@@ -88,6 +90,7 @@ std::vector<RunEquations> Objective::equations(const Eigen::VectorXd& values, bo
 }
 
 NormalEquations Objective::evaluate(const Eigen::VectorXd& values, bool derivatives) {
+  if (known_at_ && *known_at_ == values) return known_;
   const physics::ForceModel forces = unknowns_.at(values);
   const Sensitivity sensitivity(forces, unknowns_);
   std::vector<NormalEquations> each(runs_.size());
@@ -103,6 +106,10 @@ NormalEquations Objective::evaluate(const Eigen::VectorXd& values, bool derivati
     if (!derivatives) continue;
     sum.information += run.information;
     sum.gradient += run.gradient;
+  }
+  if (derivatives) {
+    known_at_ = values;
+    known_ = sum;
   }
   return sum;
 }

@@ -2,6 +2,7 @@
 // beforehand, the set-up of each run taken out exactly.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "identify/noise.hpp"
@@ -33,8 +34,12 @@ class Objective {
 
   const Unknowns& unknowns() const { return unknowns_; }
   const NoiseModel& noise() const { return noise_; }
-  void set_noise(const NoiseModel& noise) { noise_ = noise; }
+  void set_noise(const NoiseModel& noise) {
+    noise_ = noise;
+    known_at_.reset();
+  }
   const std::vector<measure::Setup>& setups() const { return setups_; }
+  void set_setups(std::vector<measure::Setup> setups) { setups_ = std::move(setups); }
 
   /// The misfit at `values` (SI) and, if asked for, its derivatives. Refuses with simulate-unreachable.
   NormalEquations evaluate(const Eigen::VectorXd& values, bool derivatives);
@@ -51,6 +56,9 @@ class Objective {
   ObjectiveOptions options_;
   NoiseModel noise_;
   std::vector<measure::Setup> setups_;
+  // the last evaluation with derivatives: a fit asks for it again where it ends
+  std::optional<Eigen::VectorXd> known_at_;
+  NormalEquations known_;
 };
 
 /// Whitens, weighs and projects the equations of one run: what it adds to the normal equations, in scales.

@@ -79,9 +79,9 @@ RunEquations run_equations(const measure::Run& run, const SimulatedRun& simulate
     equations.setup_slopes.leftCols<2>() = -e.topRows<2>().transpose();
     equations.setup_slopes.col(2).setConstant(-1);
     if (sloped) {
-      equations.slopes.topRows(n) = e.row(0).transpose().asDiagonal() * simulated.slopes.topRows(n);
-      for (int a = 1; a < 3; ++a) {
-        equations.slopes.topRows(n) += e.row(a).transpose().asDiagonal() * simulated.slopes.middleRows(a * n, n);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        equations.slopes.row(i) = e(0, i) * simulated.slopes.row(i) + e(1, i) * simulated.slopes.row(n + i) +
+                                  e(2, i) * simulated.slopes.row(2 * n + i);
       }
     }
     row = n;

@@ -18,12 +18,15 @@ inline constexpr int kSetup = 3;
 /// "radial", "torque1", ... as the columns of datasets are called.
 std::string_view channel_name(int channel);
 
+/// Rows of readings, columns of unknowns; a row is contiguous, as samples come one after the other.
+using SlopeRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// A run as a model makes it, the bar's set-up apart. Rows of `slopes` (for each unknown a column): tip x of all
 /// samples, tip y, tip z, then the torques of strut 1, of strut 2, ...
 struct SimulatedRun {
   Eigen::Matrix3Xd tip_W;                           // m
   Eigen::Matrix<double, 6, Eigen::Dynamic> torque;  // N m
-  Eigen::MatrixXd slopes;                           // empty if not asked for
+  SlopeRows slopes;                                 // empty if not asked for
 };
 
 /// Simulates a run by the fixed point of physics::tip_error; with `sensitivity`, which belongs to `forces`, the slopes,
@@ -38,7 +41,7 @@ struct RunEquations {
   std::vector<int> channels;     // those that were measured
   Eigen::Index samples = 0;      // of each channel
   Eigen::VectorXd residual;      // measured minus simulated
-  Eigen::MatrixXd slopes;        // of the simulated readings by the unknowns; empty if the run was simulated without
+  SlopeRows slopes;              // of the simulated readings by the unknowns; empty if the run was simulated without
   Eigen::MatrixXd setup_slopes;  // samples x kSetup, of the radial channel alone; empty if that was not measured
 };
 

@@ -30,6 +30,33 @@ TEST_CASE("simulate, compare and circularity work on a dataset") {
   CHECK(json::parse(scratch.text("f.json")).at("runs")[0].at("circularity_um").get<double>() > 200);
 }
 
+TEST_CASE("identify writes a model that fits, and says what it learnt") {
+  const Scratch scratch;
+  scratch.file("plan/dataset.toml", plan_text(scratch));
+  std::string other = plumbline::read_text(source_file("models/pm600-like.toml"));
+  const std::string friction = "coulomb_friction_N = [110";
+  other.replace(other.find(friction), friction.size(), "coulomb_friction_N = [121");
+  scratch.file("other.toml", other);
+  REQUIRE(run(scratch, "simulate -d plan/dataset.toml -o sim -m other.toml").code == 0);
+
+  const Outcome found = run(scratch, "identify -d sim/dataset.toml -o new.toml --json new.json " + kModel);
+  CHECK(found.code == 0);
+  CHECK(contains(found.out, "friction strut 1"));
+  CHECK(contains(found.out, "circles at one height"));
+  CHECK(contains(scratch.text("new.toml"), "# Identified by plumbline"));
+  const json result = json::parse(scratch.text("new.json"));
+  CHECK(result.at("converged") == true);
+  CHECK(result.at("gap").at("after").at("radial_rms_um").get<double>() < 0.01);
+  CHECK(run(scratch, "compare -d sim/dataset.toml -m new.toml --max-radial-um 0.01").code == 0);
+
+  CHECK(run(scratch, "identify -d sim/dataset.toml " + kModel).code == 2);
+  CHECK(run(scratch, "identify -d sim/dataset.toml -o x.toml --stages both " + kModel).code == 2);
+  const Outcome unknown = run(scratch, "identify -d sim/dataset.toml -o x.toml --free backlash.witdh_um " + kModel);
+  CHECK(unknown.code == 1);
+  CHECK(contains(unknown.err, "did you mean backlash.width_um?"));
+  CHECK(run(scratch, "identify -d sim/dataset.toml -o sim/dataset.toml " + kModel).code == 1);
+}
+
 TEST_CASE("what the commands on measurements are not told is wrong usage, what is wrong with a dataset fails") {
   const Scratch scratch;
   scratch.file("plan/dataset.toml", plan_text(scratch));

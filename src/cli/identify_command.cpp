@@ -1,0 +1,77 @@
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "cli/command.hpp"
+#include "cli/command_files.hpp"
+#include "jobs/identify.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+struct Arguments {
+  std::string model, dataset, output, json;
+  identify::IdentifyOptions options;
+};
+
+int identify_model(const Arguments& arguments) {
+  check_outputs({arguments.model, arguments.dataset}, {arguments.output, arguments.json});
+  OutputFile out(arguments.output);
+  std::optional<OutputFile> json;
+  if (!arguments.json.empty()) json.emplace(arguments.json);
+  const jobs::IdentifiedModel identified = jobs::identify_model(arguments.model, arguments.dataset, arguments.options);
+  const bool standard_taken = arguments.output == kStandardStream || arguments.json == kStandardStream;
+  fmt::print(standard_taken ? stderr : stdout, "{}", jobs::identification_text(identified.found));
+  if (json) {
+    json->write(jobs::identification_json(identified.found));
+    json->commit();
+  }
+  if (!identified.found.converged()) {
+    fmt::print(stderr, "not converged: {} is not written\n", arguments.output);
+    return kFailed;
+  }
+  out.write(identified.text);
+  out.commit();
+  return kDone;
+}
+
+}  // namespace
+
+void add_identify(CLI::App& app, Run& run) {
+  CLI::App* const command = app.add_subcommand(
+      "identify",
+      "Learn the model's parameters from circular tests: masses, friction, compliance, where the joints really are");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("-m,--model", arguments->model, "the machine's model file")->type_name("MODEL")->required();
+  command->add_option("-d,--dataset", arguments->dataset, "the measurements: a dataset.toml")
+      ->type_name("DATASET")
+      ->required();
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "the model with what was found: the same text, comments and all, but for the numbers")
+      ->type_name("MODEL2")
+      ->required();
+  command->add_option("--json", arguments->json, "write values, errors, correlations and the gap as JSON, too")
+      ->type_name("FILE");
+  const std::map<std::string, identify::Stages> stages{{"joint", identify::Stages::joint},
+                                                       {"paper", identify::Stages::paper}};
+  command
+      ->add_option("--stages", arguments->options.stages,
+                   "joint (the default): all that [uncertainty] lists, with its priors, from bar and torques together; "
+                   "paper: masses and friction from torques, then K1 and K2 from the bar, without priors")
+      ->type_name("joint|paper")
+      ->transform(CLI::CheckedTransformer(stages).description(""));
+  command
+      ->add_option("--free", arguments->options.free,
+                   "fit these keys, too, without a prior: table.key of the model file, or effect.key, as "
+                   "strut.motor_mass_kg,backlash.width_um")
+      ->type_name("KEY,...")
+      ->delimiter(',');
+  command->callback([arguments, &run] { run = [arguments] { return identify_model(*arguments); }; });
+}
+
+}  // namespace plumbline::cli

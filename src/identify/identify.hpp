@@ -1,0 +1,60 @@
+// Identification: the parameters of a machine's model from circular tests.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identify/observability.hpp"
+#include "measure/dataset.hpp"
+
+namespace plumbline::identify {
+
+enum class Stages {
+  joint,  // one fit of all nuisances, their priors from [uncertainty], to bar readings and torques together
+  paper,  // two fits of what the paper identifies, without priors: masses and friction from torques, then K1 and K2
+          // from bar readings  [Ibaraki et al., 3.2]
+};
+
+struct IdentifyOptions {
+  Stages stages = Stages::joint;
+  std::vector<std::string> free;  // "strut.motor_mass_kg", "backlash.width_um": fitted without a prior, too
+  FitOptions fit;
+  ObservabilityOptions observability;
+};
+
+/// How far a model is from the measurements: rms and means over all samples of all runs.
+struct Misfit {
+  double radial_rms = 0;       // m, the set-up of each run fitted
+  double torque_rms = 0;       // N m, of all six struts
+  double torque_mean_abs = 0;  // N m
+  Eigen::Index radial_readings = 0;
+  Eigen::Index torque_readings = 0;
+};
+
+/// One fit, and what it is worth.
+struct Stage {
+  std::string name;  // "joint", "torques", "bar readings"
+  Fit fit;
+  Observability observability;
+};
+
+struct Identification {
+  std::vector<Stage> stages;
+  physics::ForceModel forces;  // with all that was found
+  Misfit before, after;
+
+  /// Whether all fits converged.
+  bool converged() const;
+};
+
+/// Refuses with simulate-unreachable; with identify-nothing-unknown if there is nothing to fit; identify-no-readings
+/// if the runs hold none of the readings that a stage needs; identify-unknown-key a key of `free` that does not exist.
+Identification identify(const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
+                        const IdentifyOptions& options = {});
+
+/// The unknowns of the paper's first stage (shared masses of motors and screws, friction of each screw, viscous
+/// friction of the base joints) and second (K1, K2), free.
+Unknowns torque_unknowns(const physics::ForceModel& forces);
+Unknowns compliance_unknowns(const physics::ForceModel& forces);
+
+}  // namespace plumbline::identify

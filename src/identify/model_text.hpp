@@ -1,0 +1,25 @@
+// A model file with new values: the old text, byte for byte, but for the numbers that changed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "machine/model.hpp"
+#include "physics/force_model.hpp"
+
+namespace plumbline::identify {
+
+struct ModelChanges {
+  const physics::ForceModel& forces;  // made from that model, its parameters changed, effects added
+  std::vector<double> resolution;     // of each parameter, SI: how far it may be rounded; empty: nine digits of each
+  std::string provenance;             // is appended to the model's provenance
+  std::vector<std::string> notes;     // lines of a comment at the end of the file
+};
+
+/// The text of `machine` with the parameters of `changes`: numbers that differ are spliced into their places, keys that
+/// the file left out are added to their tables, effects that it does not name are added as [[effect]] rows at its end
+/// (unless they change nothing). Comments, order and all else stay. What a reader of models would take for a slip of
+/// units (a friction of 0.05 N) becomes zero.
+std::string model_text(const machine::MachineModel& machine, const ModelChanges& changes);
+
+}  // namespace plumbline::identify

@@ -1,0 +1,189 @@
+#include "jobs/identify.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/files.hpp"
+#include "base/hash.hpp"
+#include "identify/model_text.hpp"
+#include "jobs/version.hpp"
+#include "machine/model_file.hpp"
+
+namespace plumbline::jobs {
+namespace {
+
+using identify::Fit;
+using identify::Identification;
+using identify::Stage;
+using identify::Unknown;
+using nlohmann::ordered_json;
+
+// Of the dataset and the tables that it names.
+std::uint64_t hash_of(const measure::Dataset& dataset, const std::string& path) {
+  std::uint64_t hash = fnv1a(dataset.document.text);
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  for (const measure::Run& run : dataset.runs) hash = fnv1a(read_text((folder / run.file).string()), hash);
+  return hash;
+}
+
+double value_of(const Fit& fit, std::size_t i) { return fit.values[static_cast<Eigen::Index>(i)]; }
+
+// "K1: 0.01287 -> 0.01209 +- 0.0002 um/N per m"
+std::string change_text(const Fit& fit, std::size_t i) {
+  const Unknown& u = fit.unknowns[i];
+  return fmt::format("{}: {:.6g} -> {:.6g} +- {:.2g} {}", u.label, u.start / u.unit.si, value_of(fit, i) / u.unit.si,
+                     fit.standard_error(i) / u.unit.si, u.unit.name);
+}
+
+std::vector<std::string> notes_of(const Identification& found, const std::string& source) {
+  std::vector<std::string> notes{fmt::format("Identified by plumbline {} from {}", version(), source),
+                                 "What was before, what it is now, and its standard error:"};
+  for (const Stage& stage : found.stages) {
+    for (std::size_t i = 0; i < stage.fit.unknowns.size(); ++i) notes.push_back("  " + change_text(stage.fit, i));
+    for (const std::string& statement : stage.observability.statements) notes.push_back("  " + statement);
+  }
+  return notes;
+}
+
+bool of_a_crowd(const Unknown& u) { return u.effect == "joint-position" || u.effect == "strut-offset"; }
+
+std::string values_text(const Fit& fit) {
+  std::string text = fmt::format("{:<32}{:>12}{:>12}{:>12}{:>12}   unit\n", "", "before", "found", "+-", "known to");
+  std::map<std::string, std::pair<int, double>> crowds;  // how many, and the largest of them
+  for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
+    const Unknown& u = fit.unknowns[i];
+    const double si = u.unit.si;
+    if (of_a_crowd(u)) {
+      auto& [count, largest] = crowds[u.effect];
+      ++count;
+      largest = std::max(largest, std::abs(value_of(fit, i) - u.start) / si);
+      continue;
+    }
+    text += fmt::format("{:<32}{:>12.6g}{:>12.6g}{:>12.2g}{:>12}   {}\n", u.label, u.start / si, value_of(fit, i) / si,
+                        fit.standard_error(i) / si, u.free() ? "-" : fmt::format("{:.2g}", u.sigma / si), u.unit.name);
+  }
+  for (const auto& [effect, crowd] : crowds) {
+    text += fmt::format("{:<32}{} numbers, moved by up to {:.2f} um\n", effect, crowd.first, crowd.second);
+  }
+  return text;
+}
+
+std::string stage_text(const Stage& stage) {
+  const Fit& fit = stage.fit;
+  std::string text =
+      fmt::format("{} fit: {} readings, {} unknowns, {}\n", stage.name, fit.readings, fit.unknowns.size(),
+                  fit.converged ? "converged" : "NOT CONVERGED: " + fit.stopped_because);
+  text += values_text(fit);
+  std::vector<std::string> torques;
+  for (int c = 0; c < identify::kChannels; ++c) {
+    const identify::ChannelNoise& noise = fit.noise.channels[static_cast<std::size_t>(c)];
+    if (noise.samples == 0) continue;
+    if (c == identify::kRadial) {
+      text += fmt::format("noise of the bar: {:.3f} um\n", noise.sigma / kUm);
+    } else {
+      torques.push_back(fmt::format("{:.4f}", noise.sigma));
+    }
+  }
+  if (!torques.empty()) text += fmt::format("noise of the torques: {} N m\n", fmt::join(torques, ", "));
+  for (const std::string& statement : stage.observability.statements) text += "note: " + statement + "\n";
+  return text;
+}
+
+ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
+
+ordered_json unknowns_json(const Fit& fit) {
+  ordered_json all = ordered_json::array();
+  for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
+    const Unknown& u = fit.unknowns[i];
+    ordered_json one{{"label", u.label}, {"effect", u.effect}, {"key", u.key}, {"unit", u.unit.name}};
+    if (u.index >= 0) one["index"] = u.index;
+    one["before"] = u.start / u.unit.si;
+    one["value"] = value_of(fit, i) / u.unit.si;
+    one["standard_error"] = number(fit.standard_error(i) / u.unit.si);
+    one["prior_sigma"] = u.free() ? ordered_json(nullptr) : ordered_json(u.sigma / u.unit.si);
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+ordered_json stage_json(const Stage& stage) {
+  const Fit& fit = stage.fit;
+  ordered_json json{{"name", stage.name},       {"converged", fit.converged}, {"iterations", fit.iterations},
+                    {"readings", fit.readings}, {"misfit", fit.misfit},       {"unknowns", unknowns_json(fit)}};
+  ordered_json rows = ordered_json::array();
+  for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
+    ordered_json row = ordered_json::array();
+    for (std::size_t k = 0; k < fit.unknowns.size(); ++k) row.push_back(number(fit.correlation(i, k)));
+    rows.push_back(std::move(row));
+  }
+  json["correlations"] = std::move(rows);
+  const Eigen::VectorXd& singular = stage.observability.singular_values;
+  json["singular_values"] = std::vector<double>(singular.begin(), singular.end());
+  json["cannot_tell"] = stage.observability.statements;
+  for (int c = 0; c < identify::kChannels; ++c) {
+    const identify::ChannelNoise& noise = fit.noise.channels[static_cast<std::size_t>(c)];
+    if (noise.samples == 0) continue;
+    json["noise"][std::string(identify::channel_name(c))] = {
+        {c == identify::kRadial ? "sigma_um" : "sigma_Nm", c == identify::kRadial ? noise.sigma / kUm : noise.sigma},
+        {"memory", noise.memory}};
+  }
+  return json;
+}
+
+ordered_json gap_json(const identify::Misfit& misfit) {
+  const bool bar = misfit.radial_readings > 0;
+  const bool torques = misfit.torque_readings > 0;
+  return {{"radial_rms_um", bar ? ordered_json(misfit.radial_rms / kUm) : ordered_json(nullptr)},
+          {"torque_rms_Nm", torques ? ordered_json(misfit.torque_rms) : ordered_json(nullptr)},
+          {"torque_mean_abs_Nm", torques ? ordered_json(misfit.torque_mean_abs) : ordered_json(nullptr)}};
+}
+
+}  // namespace
+
+IdentifiedModel identify_model(const std::string& model, const std::string& dataset,
+                               const identify::IdentifyOptions& options) {
+  const machine::MachineModel machine = machine::read_model(model);
+  const measure::Dataset measured = measure::read_dataset(dataset);
+  IdentifiedModel result{identify::identify(machine, measured.runs, options), {}};
+  const std::string source =
+      fmt::format("{} (fnv1a {}, {} runs), model fnv1a {}", dataset, to_hex(hash_of(measured, dataset)),
+                  measured.runs.size(), to_hex(machine.hash));
+  std::vector<double> errors(result.found.forces.parameters.size(), 0);
+  for (const Stage& stage : result.found.stages) {
+    const std::vector<double> of_stage = stage.fit.parameter_errors();
+    for (std::size_t i = 0; i < of_stage.size(); ++i) errors[i] = std::max(errors[i], of_stage[i]);
+  }
+  result.text = identify::model_text(
+      machine, {result.found.forces, std::move(errors),
+                fmt::format("refitted by plumbline {} to {}", version(), source), notes_of(result.found, source)});
+  return result;
+}
+
+std::string identification_text(const Identification& found) {
+  std::string text;
+  for (const Stage& stage : found.stages) text += stage_text(stage) + "\n";
+  const identify::Misfit& a = found.before;
+  const identify::Misfit& b = found.after;
+  if (a.radial_readings > 0) {
+    text += fmt::format("bar readings: rms {:.3f} -> {:.3f} um\n", a.radial_rms / kUm, b.radial_rms / kUm);
+  }
+  if (a.torque_readings > 0) {
+    text += fmt::format("torques: rms {:.4f} -> {:.4f} N m, mean error {:.4f} -> {:.4f} N m\n", a.torque_rms,
+                        b.torque_rms, a.torque_mean_abs, b.torque_mean_abs);
+  }
+  return text;
+}
+
+std::string identification_json(const Identification& found) {
+  ordered_json json{{"plumbline", "identification 1"}, {"converged", found.converged()}};
+  json["stages"] = ordered_json::array();
+  for (const Stage& stage : found.stages) json["stages"].push_back(stage_json(stage));
+  json["gap"] = {{"before", gap_json(found.before)}, {"after", gap_json(found.after)}};
+  return json.dump(1) + "\n";
+}
+
+}  // namespace plumbline::jobs

@@ -1,0 +1,84 @@
+#include "identify/noise.hpp"
+
+#include <random>
+
+#include <catch2/catch.hpp>
+
+using namespace plumbline;
+using namespace plumbline::identify;
+
+namespace {
+
+// Runs of bar readings that hold noise alone, each with the columns of a set-up.
+std::vector<RunEquations> noisy_runs(double sigma, double memory, std::size_t runs, Eigen::Index samples,
+                                     std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  std::vector<RunEquations> all;
+  for (std::size_t r = 0; r < runs; ++r) {
+    RunEquations run;
+    run.channels = {kRadial};
+    run.samples = samples;
+    run.residual.resize(samples);
+    run.setup_slopes.resize(samples, kSetup);
+    double now = sigma * normal(random);
+    for (Eigen::Index i = 0; i < samples; ++i) {
+      const double angle = 2 * 3.14159265358979 * static_cast<double>(i) / static_cast<double>(samples);
+      run.residual[i] = now;
+      run.setup_slopes.row(i) << -std::cos(angle), -std::sin(angle), -1;
+      now = memory * now + std::sqrt(1 - memory * memory) * sigma * normal(random);
+    }
+    all.push_back(std::move(run));
+  }
+  return all;
+}
+
+// What a fit of the set-up leaves.
+void fit_setups(std::vector<RunEquations>& runs) {
+  for (RunEquations& run : runs) {
+    run.residual -= run.setup_slopes * run.setup_slopes.colPivHouseholderQr().solve(run.residual);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("whitening turns the covariance of the noise into the unit matrix") {
+  const ChannelNoise noise{2.5, 0.7};
+  constexpr int n = 6;
+  Eigen::MatrixXd V(n, n);
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < n; ++k) V(i, k) = noise.sigma * noise.sigma * std::pow(noise.memory, std::abs(i - k));
+  }
+  Eigen::MatrixXd W = Eigen::MatrixXd::Identity(n, n);
+  whiten(noise, W);
+  CHECK((W * V * W.transpose()).isApprox(Eigen::MatrixXd::Identity(n, n), 1e-12));
+}
+
+TEST_CASE("sigma and memory of noise are found, although set-ups were fitted to it") {
+  std::mt19937_64 random(41);
+  for (const double memory : {0.0, 0.6, 0.9}) {
+    INFO("memory " << memory);
+    std::vector<RunEquations> runs = noisy_runs(0.5e-6, memory, 40, 120, random);
+    fit_setups(runs);
+    const ChannelNoise found = estimate_noise(runs).channels[kRadial];
+    CHECK(found.samples == 4800);
+    CHECK(found.memory == Approx(memory).margin(0.03));
+    // the level at low frequencies is what standard errors live by
+    const double level = found.sigma * std::sqrt((1 + found.memory) / (1 - found.memory));
+    CHECK(level == Approx(0.5e-6 * std::sqrt((1 + memory) / (1 - memory))).epsilon(0.1));
+  }
+}
+
+TEST_CASE("a few gross outliers do not make the noise large") {
+  std::mt19937_64 random(42);
+  std::vector<RunEquations> runs = noisy_runs(0.5e-6, 0.5, 20, 120, random);
+  for (RunEquations& run : runs) run.residual[17] += 300e-6;
+  const ChannelNoise found = estimate_noise(runs).channels[kRadial];
+  CHECK(found.sigma == Approx(0.5e-6).epsilon(0.15));
+}
+
+TEST_CASE("a channel that was not measured has no noise to estimate, and exact data the least") {
+  std::mt19937_64 random(43);
+  const NoiseModel noise = estimate_noise(noisy_runs(1e-15, 0, 3, 60, random), {.least_sigma_um = 0.01});
+  CHECK(noise.channels[1].samples == 0);
+  CHECK(noise.channels[kRadial].sigma == Approx(0.01e-6));
+}
