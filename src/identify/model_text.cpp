@@ -121,9 +121,10 @@ class Writer {
                             changes_.resolution.empty() ? nullptr : changes_.resolution.data() + at);
       first += spec.size();
       if (!old) {
-        matters = matters ||
-                  std::any_of(after, after + spec.size(), [&](double x) { return x != spec.initial * spec.unit.si; });
-        row += fmt::format("{} = {}\n", spec.key, numbers.text());
+        const bool fresh =
+            std::all_of(after, after + spec.size(), [&](double x) { return x == spec.initial * spec.unit.si; });
+        matters = matters || !fresh;
+        if (!fresh || !spec.optional) row += fmt::format("{} = {}\n", spec.key, numbers.text());
       } else if (numbers.changed()) {
         spec.table.empty() ? effect_key(i, spec, numbers) : model_key(spec, numbers);
       }
@@ -133,8 +134,16 @@ class Writer {
 
   void effect_key(std::size_t i, const ParameterSpec& spec, const Numbers& numbers) {
     const TomlValue& rows = document().root.find("effect")->value;
+    const TomlValue& row = rows.items[i - physics::kBaseEffects];
+    const TomlEntry* const entry = row.find(spec.key);
+    if (entry == nullptr) {  // an optional key: a line of its own below the name
+      const Span name = row.find("name")->value.span;
+      const std::size_t end = std::min(document().text.find('\n', name.offset), document().text.size());
+      splices_.push_back({{end, 0}, fmt::format("\n{} = {}", spec.key, numbers.text())});
+      return;
+    }
     std::vector<Span> spans;
-    collect(rows.items[i - physics::kBaseEffects].find(spec.key)->value, spans);
+    collect(entry->value, spans);
     PLUMBLINE_CHECK(spans.size() == static_cast<std::size_t>(spec.size()));
     splice_each(spans, numbers);
   }

@@ -101,7 +101,7 @@ std::size_t Unknowns::add_shared(std::string_view effect, std::string_view key) 
 
 void Unknowns::add_effect(std::string_view effect) {
   for (const physics::ParameterSpec& spec : physics::effect_infos()[physics::effect_index(effect)].parameters) {
-    for (int i = 0; i < spec.size(); ++i) add(effect, spec.key, i);
+    for (int i = 0; i < (spec.setting ? 0 : spec.size()); ++i) add(effect, spec.key, i);
   }
 }
 

@@ -48,7 +48,7 @@ class Unknowns {
   std::size_t add(std::string_view effect, std::string_view key, int index);
   /// All numbers of a key that the struts share: they move in proportion to what they are; if they are all zero, alike.
   std::size_t add_shared(std::string_view effect, std::string_view key);
-  /// Every number of every key of an effect, free within its bounds.
+  /// Every number of every key of an effect that is no setting, free within its bounds.
   void add_effect(std::string_view effect);
   /// States what is known of an unknown beforehand: its start, give or take sigma (SI).
   void set_prior(std::size_t unknown, double sigma);
