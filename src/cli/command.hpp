@@ -27,6 +27,7 @@ using Run = std::function<int()>;
 void add_compensate(CLI::App& app, Run& run);
 void add_circularity(CLI::App& app, Run& run);
 void add_compare(CLI::App& app, Run& run);
+void add_diagnose(CLI::App& app, Run& run);
 void add_diff(CLI::App& app, Run& run);
 void add_identify(CLI::App& app, Run& run);
 void add_error(CLI::App& app, Run& run);

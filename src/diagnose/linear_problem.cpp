@@ -114,7 +114,8 @@ LinearProblem linearise(const machine::RotationOrder& order, const std::vector<m
     const std::vector<State> states = states_of(order, forces, runs[i]);
     identify::RunEquations& raw = problem.raw[i];
     problem.blocks[i].rows = without_setup(raw, ColumnMaker(shelf, forces, states, raw).run(), noise);
-    raw.slopes.resize(0, 0);
+    raw.slopes =
+        Eigen::MatrixXd(raw.slopes.middleCols(shelf.unknowns.find("strut-offset", "length_um", 0), machine::kStruts));
     const Eigen::MatrixXd& rows = problem.blocks[i].rows;
     grams[i].setZero(rows.cols(), rows.cols());
     grams[i].selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());

@@ -14,10 +14,11 @@ struct Block {
 
 /// All runs about one point.
 struct LinearProblem {
-  Eigen::VectorXd values;                   // of the shelf's unknowns, SI: where the slopes were taken
-  std::vector<Block> blocks;                // of the runs
-  Eigen::MatrixXd gram;                     // sum of rows^T rows
-  std::vector<identify::RunEquations> raw;  // residuals alone, not whitened
+  Eigen::VectorXd values;     // of the shelf's unknowns, SI: where the slopes were taken
+  std::vector<Block> blocks;  // of the runs
+  Eigen::MatrixXd gram;       // sum of rows^T rows
+  // Not whitened, in SI: residuals, and of the slopes those by the length of each strut alone (six columns).
+  std::vector<identify::RunEquations> raw;
 
   Eigen::Index residual() const { return gram.cols() - 1; }
 };

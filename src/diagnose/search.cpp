@@ -17,9 +17,9 @@ class Search {
   Search(const Workbench& bench, const SearchOptions& options, const Say& say)
       : bench_(bench), options_(options), say_(say) {}
 
-  Model run(Refit& base) {
+  Model run() {
     settle({}, bench_.shelf.unknowns.start());
-    base = fit_;
+    base_ = {fit_, noise_, problem_};
     limit_ = threshold(left_, bench_.shelf, options_.scoring, options_.threshold).log_odds;
     say_(fmt::format("threshold {:.1f} nats", limit_));
     while (static_cast<int>(picks_.size()) < options_.most_effects && add_one()) {
@@ -49,6 +49,7 @@ class Search {
   // Fits these picks, estimates the noise anew from what they leave, and takes all slopes there.
   void settle(const std::vector<Pick>& picks, const Eigen::VectorXd& start) {
     picks_ = picks;
+    known_.clear();
     Eigen::VectorXd from = start;
     if (noise_.channels[0].samples == 0) {
       identify::Objective objective(bench_.machine.rotation, bench_.runs, bench_.shelf.unknowns, {.huber = 0});
@@ -90,8 +91,15 @@ class Search {
     return problem;
   }
 
-  // Candidates for a place beside the other picks, best first: by the linear problem, then the foremost of them fitted.
-  std::vector<Rival> rivals(std::size_t place) {
+  // Candidates for a place beside the other picks, best first.
+  const std::vector<Rival>& rivals(std::size_t place) {
+    known_.resize(std::max(known_.size(), place + 1));
+    if (known_[place].empty()) known_[place] = new_rivals(place);
+    return known_[place];
+  }
+
+  // By the linear problem, then the foremost of them fitted.
+  std::vector<Rival> new_rivals(std::size_t place) const {
     Eigen::VectorXd values = fit_.values;
     const std::vector<Pick> others = without(place);
     const LinearProblem problem = place < picks_.size() ? taken_back(place, values) : LinearProblem{};
@@ -126,7 +134,7 @@ class Search {
     return all;
   }
 
-  void say_rivals(const std::vector<Rival>& all, std::size_t place) {
+  void say_rivals(const std::vector<Rival>& all, std::size_t place) const {
     std::string text = fmt::format("place {}:", place);
     for (std::size_t i = 0; i < std::min<std::size_t>(all.size(), 7); ++i) {
       text += fmt::format(" {} {:.1f}{}", all[i].pick.candidate->name, all[i].log_odds, all[i].refitted ? "*" : "");
@@ -145,18 +153,19 @@ class Search {
 
   bool add_one() {
     const std::size_t place = picks_.size();
-    const std::vector<Rival> all = rivals(place);
+    const std::vector<Rival>& all = rivals(place);
     if (all.empty() || !all.front().refitted || all.front().log_odds < limit_) return false;
-    settle(with(all.front().pick, place), all.front().fit.values);
+    const Rival best = all.front();
+    settle(with(best.pick, place), best.fit.values);
     return true;
   }
 
   // Puts a better effect in the place of one that was picked, if there is one.
   bool swap_one() {
     for (std::size_t place = 0; place < picks_.size(); ++place) {
-      const std::vector<Rival> all = rivals(place);
-      const Pick& now = picks_[place];
-      const Rival& best = all.front();
+      const std::vector<Rival>& all = rivals(place);
+      const Pick now = picks_[place];
+      const Rival best = all.front();
       if (!best.refitted) continue;
       const bool same = best.pick.candidate == now.candidate && best.pick.carriers == now.carriers;
       if (same) continue;
@@ -173,7 +182,7 @@ class Search {
   // Takes out what no longer passes the threshold beside the others.
   void drop_idle() {
     for (std::size_t place = 0; picks_.size() > 1 && place < picks_.size(); ++place) {
-      const std::vector<Rival> all = rivals(place);
+      const std::vector<Rival>& all = rivals(place);
       if (!all.empty() && all.front().refitted && all.front().log_odds >= limit_) continue;
       say_(fmt::format("drop {}", picks_[place].candidate->name));
       settle(without(place), fit_.values);
@@ -200,6 +209,7 @@ class Search {
     model.fit = fit_;
     model.noise = noise_;
     model.threshold = limit_;
+    model.base = base_;
     model.problem = std::move(problem_);
     return model;
   }
@@ -208,8 +218,10 @@ class Search {
   const SearchOptions& options_;
   const Say& say_;
   std::vector<Pick> picks_;
+  std::vector<std::vector<Rival>> known_;  // of each place, since the last settle()
   NoiseModel noise_;
   Refit fit_;
+  Footing base_;
   LinearProblem problem_;
   Eigen::MatrixXd left_;
   double limit_ = 0;
@@ -217,8 +229,8 @@ class Search {
 
 }  // namespace
 
-Model search(const Workbench& bench, const SearchOptions& options, const Say& say, Refit& base) {
-  return Search(bench, options, say).run(base);
+Model search(const Workbench& bench, const SearchOptions& options, const Say& say) {
+  return Search(bench, options, say).run();
 }
 
 }  // namespace plumbline::diagnose

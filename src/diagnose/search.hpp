@@ -36,8 +36,11 @@ struct Found {
   std::vector<Rival> rivals;  // in its place, best first; itself left out
 };
 
-struct Step {
-  std::string what;  // in words
+/// A fit, its noise, and the linear problem about it.
+struct Footing {
+  Refit fit;
+  identify::NoiseModel noise;
+  LinearProblem problem;
 };
 
 struct Model {
@@ -46,11 +49,12 @@ struct Model {
   identify::NoiseModel noise;
   double threshold = 0;   // nats
   LinearProblem problem;  // about the fit, all columns
+  Footing base;           // nothing added, nuisances refitted
 };
 
 using Say = std::function<void(const std::string&)>;
 
 /// Searches the shelf. The base model's nuisances are refitted first.
-Model search(const Workbench& bench, const SearchOptions& options, const Say& say, Refit& base);
+Model search(const Workbench& bench, const SearchOptions& options, const Say& say);
 
 }  // namespace plumbline::diagnose

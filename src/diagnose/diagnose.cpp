@@ -1,0 +1,236 @@
+#include "diagnose/diagnose.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/diagnostic.hpp"
+#include "diagnose/verdict.hpp"
+#include "physics/generic_formula.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+using identify::RunEquations;
+using measure::Run;
+
+struct Squares {
+  double sum = 0;
+  Eigen::Index count = 0;
+  void add(const Eigen::Ref<const Eigen::VectorXd>& e) {
+    sum += e.squaredNorm();
+    count += e.size();
+  }
+  std::optional<double> rms() const {
+    return count > 0 ? std::optional(std::sqrt(sum / static_cast<double>(count))) : std::nullopt;
+  }
+};
+
+// Residuals of all runs with one force model, each run's set-up fitted.
+std::vector<RunEquations> residuals(const machine::MachineModel& machine, const std::vector<Run>& runs,
+                                    const physics::ForceModel& forces, const identify::NoiseModel& noise) {
+  identify::Objective objective(machine.rotation, runs, identify::Unknowns(forces), {.huber = 0});
+  objective.set_noise(noise);
+  return objective.equations(Eigen::VectorXd(0));
+}
+
+Rms rms_of(const std::vector<RunEquations>& runs, const std::vector<bool>& out, bool held_out) {
+  Squares radial;
+  Squares torque;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (out[i] != held_out) continue;
+    for (std::size_t c = 0; c < runs[i].channels.size(); ++c) {
+      const auto first = static_cast<Eigen::Index>(c) * runs[i].samples;
+      (runs[i].channels[c] == identify::kRadial ? radial : torque)
+          .add(runs[i].residual.segment(first, runs[i].samples));
+    }
+  }
+  return {radial.rms(), torque.rms()};
+}
+
+void fill_gaps(const machine::MachineModel& machine, const std::vector<Run>& runs, const std::vector<bool>& out,
+               const physics::ForceModel& before, const std::optional<physics::ForceModel>& runner_up,
+               Diagnosis& diagnosis) {
+  const auto base = residuals(machine, runs, before, diagnosis.noise);
+  const auto after = residuals(machine, runs, diagnosis.forces, diagnosis.noise);
+  const auto second = runner_up ? residuals(machine, runs, *runner_up, diagnosis.noise) : base;
+  for (const bool held_out : {false, true}) {
+    Gap& gap = held_out ? diagnosis.held_out : diagnosis.fit;
+    gap = {rms_of(base, out, held_out), rms_of(second, out, held_out), rms_of(after, out, held_out)};
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    RunGap run{runs[i].id, out[i]};
+    for (std::size_t c = 0; c < base[i].channels.size(); ++c) {
+      const Eigen::Index n = base[i].samples;
+      const auto first = static_cast<Eigen::Index>(c) * n;
+      const auto rms = [&](const RunEquations& of) { return of.residual.segment(first, n).norm() / std::sqrt(n); };
+      run.channels.push_back({base[i].channels[c], rms(base[i]), rms(second[i]), rms(after[i])});
+      if (base[i].channels[c] != identify::kRadial) continue;
+      run.angle = Eigen::Map<const Eigen::VectorXd>(runs[i].angle.data(), n);
+      run.radial_before = base[i].residual.head(n);
+      run.radial_after = after[i].residual.head(n);
+    }
+    diagnosis.runs.push_back(std::move(run));
+  }
+}
+
+// Adds the terms of a description as instances of the effect `generic`.
+void add_terms(physics::ForceModel& forces, const std::vector<Term>& terms) {
+  for (const Term& term : terms) {
+    const int first = forces.add("generic");
+    const std::vector<double> parameters = generic_parameters(term);
+    std::copy(parameters.begin(), parameters.end(), forces.parameters.begin() + first);
+  }
+}
+
+std::string formula_of(const std::vector<Term>& terms) {
+  std::string text;
+  for (const Term& term : terms) {
+    if (!text.empty()) text += '\n';
+    text += physics::generic_formula(generic_parameters(term));
+  }
+  return text;
+}
+
+std::vector<Pick> picks_of(const Model& model) {
+  std::vector<Pick> picks;
+  for (const Found& found : model.found) picks.push_back(found.pick);
+  return picks;
+}
+
+// Whether what the effects leave is too much for their names to be the whole story.
+Verdict verdict_of(const Model& model, const Description& left, const VerdictOptions& options) {
+  const bool gap = left.gain >= options.remainder_gain && !left.terms.empty();
+  if (model.found.empty()) return gap ? Verdict::unknown : Verdict::nothing_missing;
+  if (static_cast<int>(model.found.size()) > options.most_named) return Verdict::unknown;
+  double explained = 0;
+  for (const Found& found : model.found) explained += 2 * found.log_odds;
+  const bool much = left.gain > options.remainder_most && left.gain > options.remainder_share * explained;
+  return gap && much ? Verdict::unknown : Verdict::named;
+}
+
+std::vector<Evidence> evidence_of(const Model& model) {
+  std::vector<Evidence> all;
+  if (model.found.empty()) return all;
+  const Found& strongest = model.found.front();
+  all.push_back({strongest.pick.candidate->name, strongest.log_odds});
+  for (const Rival& rival : strongest.rivals) all.push_back({rival.pick.candidate->name, rival.log_odds});
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Evidence& a, const Evidence& b) { return a.log_odds > b.log_odds; });
+  return all;
+}
+
+std::vector<double> parameter_errors(const Shelf& shelf, const physics::ForceModel& forces, const Refit& fit) {
+  std::vector<double> errors(forces.parameters.size(), 0);
+  for (std::size_t u = 0; u < shelf.unknowns.size(); ++u) {
+    for (const identify::Unknown::Term& term : shelf.unknowns[u].terms) {
+      double& error = errors[static_cast<std::size_t>(term.parameter)];
+      error = std::hypot(error, term.weight * fit.errors[u]);
+    }
+  }
+  return errors;
+}
+
+// What would separate the strongest effect from the others of the confidence set: rivals, refitted in its place.
+std::vector<Separation> separations_of(const Workbench& bench, const Model& model, const Diagnosis& diagnosis,
+                                       const NextTestOptions& options) {
+  std::vector<Separation> all;
+  const auto like = std::max_element(bench.runs.begin(), bench.runs.end(), [](const Run& a, const Run& b) {
+    return a.has_radial() + a.has_torque() < b.has_radial() + b.has_torque();
+  });
+  for (const std::string& name : diagnosis.confidence_set) {
+    for (const Rival& rival : model.found.front().rivals) {
+      if (rival.pick.candidate->name != name || !rival.refitted) continue;
+      const physics::ForceModel other = bench.shelf.unknowns.at(rival.fit.values);
+      all.push_back({name, next_test(bench.machine, diagnosis.forces, other, *like, diagnosis.noise, options)});
+    }
+  }
+  return all;
+}
+
+void check_measured(const std::vector<Run>& runs) {
+  const bool any = std::any_of(runs.begin(), runs.end(), [](const Run& r) { return r.has_radial() || r.has_torque(); });
+  if (!any) {
+    refuse("diagnose-nothing-measured", "no run of the dataset has a reading of the bar or of the motors",
+           "the tables need a column radial_um, or torque1_Nm to torque6_Nm");
+  }
+}
+
+}  // namespace
+
+std::string_view to_text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::named:
+      return "named";
+    case Verdict::nothing_missing:
+      return "nothing-missing";
+    case Verdict::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>& runs, const DiagnoseOptions& options,
+                   const Say& say) {
+  check_measured(runs);
+  const physics::ForceModel forces(machine);
+  const Shelf shelf = make_shelf(machine, forces, options.shelf);
+  std::vector<std::string> steps;
+  const Say tell = [&](const std::string& text) {
+    steps.push_back(text);
+    if (say) say(text);
+  };
+
+  const std::vector<bool> out = held_out(machine.rotation, runs, shelf, options.held_out);
+  std::vector<Run> fitted;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!out[i]) fitted.push_back(runs[i]);
+  }
+  const Workbench bench{machine, forces, fitted, shelf};
+  const Model model = search(bench, options.search, tell);
+  const physics::ForceModel with = shelf.unknowns.at(model.fit.values);
+  Description left = describe(bench, with, model.problem, taken_by(shelf, picks_of(model), model.fit.values),
+                              model.noise, options.description);
+  tell(fmt::format("remainder: gain {:.1f}, {:.1f} nats", left.gain, left.log_odds));
+
+  Diagnosis diagnosis(with);
+  diagnosis.verdict = verdict_of(model, left, options.verdict);
+  diagnosis.noise = model.noise;
+  diagnosis.threshold = model.threshold;
+  diagnosis.converged = model.fit.converged;
+  diagnosis.evidence = evidence_of(model);
+  diagnosis.errors = parameter_errors(shelf, with, model.fit);
+  const physics::ForceModel before = shelf.unknowns.at(model.base.fit.values);
+  std::optional<physics::ForceModel> runner_up;
+  if (diagnosis.verdict == Verdict::named) {
+    for (std::size_t place = 0; place < model.found.size(); ++place) {
+      const Pick& pick = model.found[place].pick;
+      diagnosis.effects.push_back({pick.candidate->name, alternatives_of(bench, model, place, options.verdict),
+                                   parameters_of(bench, pick, model.fit), model.found[place].log_odds});
+    }
+    diagnosis.confidence_set = confidence_set_of(model, diagnosis.effects, options.verdict);
+    const std::vector<Rival>& rivals = model.found.front().rivals;
+    if (!rivals.empty() && rivals.front().refitted) {
+      diagnosis.runner_up = rivals.front().pick.candidate->name;
+      runner_up = shelf.unknowns.at(rivals.front().fit.values);
+    }
+    diagnosis.next = separations_of(bench, model, diagnosis, options.next_test);
+  } else if (diagnosis.verdict == Verdict::unknown) {
+    // described as it stands beside the base model: no effect of the catalogue is believed
+    diagnosis.forces = before;
+    diagnosis.errors = parameter_errors(shelf, before, model.base.fit);
+    left = describe(bench, before, model.base.problem, taken_by(shelf, {}, model.base.fit.values), model.base.noise,
+                    options.description);
+    add_terms(diagnosis.forces, left.terms);
+    diagnosis.errors.resize(diagnosis.forces.parameters.size(), 0);
+  }
+  if (left.gain >= options.verdict.remainder_gain && !left.terms.empty()) {
+    diagnosis.remainder = {std::sqrt(left.gain), left.terms, formula_of(left.terms)};
+  }
+  fill_gaps(machine, runs, out, before, runner_up, diagnosis);
+  diagnosis.steps = std::move(steps);
+  return diagnosis;
+}
+
+}  // namespace plumbline::diagnose

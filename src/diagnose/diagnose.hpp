@@ -1,0 +1,120 @@
+// Diagnosis: where a model and measurements of its machine disagree, which effect is missing, how sure that is, and
+// what is left when it is added.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnose/description.hpp"
+#include "diagnose/held_out.hpp"
+#include "diagnose/next_test.hpp"
+#include "diagnose/search.hpp"
+
+namespace plumbline::diagnose {
+
+struct VerdictOptions {
+  double within_nats = 6;  // an effect that is that much less likely than the best one is not ruled out
+  double as_strong = 0.7;  // share of the strongest one's log odds from which a second effect may be the strongest
+  double same_signature = 0.9999;  // |cos| from which no data of the plan tell two effects apart
+  double remainder_gain = 60;      // misfit that a description must take away to count as a gap
+  double remainder_share = 0.04;   // of what the effects explain; a remainder above that and
+  double remainder_most = 150;     // above that makes the verdict unknown
+  int most_named = 2;              // more effects at once are a sign of one that the catalogue does not have
+};
+
+struct DiagnoseOptions {
+  ShelfOptions shelf;
+  HeldOutOptions held_out;
+  SearchOptions search;
+  DescriptionOptions description;
+  VerdictOptions verdict;
+  NextTestOptions next_test;
+};
+
+enum class Verdict { named, nothing_missing, unknown };
+std::string_view to_text(Verdict verdict);
+
+/// The numbers of one key of an effect, in the file's unit.
+struct NamedParameter {
+  std::string key, unit;
+  std::vector<double> values, errors;
+  std::size_t each = 1;  // numbers that belong together: 3 for points
+  bool single = false;   // one number, no list
+};
+
+/// An effect that was found.
+struct NamedEffect {
+  std::string name;
+  std::vector<std::string> alternatives;  // that no data of this plan tell from it
+  std::vector<NamedParameter> parameters;
+  double log_odds = 0;  // nats, against the model without it
+};
+
+/// An effect of the catalogue and how likely it is as the strongest.
+struct Evidence {
+  std::string name;
+  double log_odds = 0;
+};
+
+/// What is left of one channel: rms over all samples, SI.
+struct ChannelGap {
+  int channel = 0;
+  double before = 0;     // base model, nuisances refitted
+  double runner_up = 0;  // with the second-best effect in place of the strongest
+  double after = 0;
+};
+struct RunGap {
+  std::string id;
+  bool held_out = false;
+  std::vector<ChannelGap> channels;
+  Eigen::VectorXd angle;          // rad
+  Eigen::VectorXd radial_before;  // residuals, m
+  Eigen::VectorXd radial_after;
+};
+struct Rms {
+  std::optional<double> radial, torque;  // m, N m
+};
+struct Gap {
+  Rms before, runner_up, after;
+};
+
+/// The test that would separate the strongest effect from another one that is not ruled out.
+struct Separation {
+  std::string from;
+  std::optional<NextTest> test;  // nothing: no circular test does
+};
+
+/// What the catalogue does not explain.
+struct Remainder {
+  double snr = 0;
+  std::vector<Term> terms;
+  std::string text;  // the formula
+};
+
+struct Diagnosis {
+  Verdict verdict = Verdict::nothing_missing;
+  std::vector<NamedEffect> effects;  // the strongest first
+  std::vector<std::string> confidence_set;
+  std::vector<Evidence> evidence;  // all effects of the catalogue in the place of the strongest, best first
+  std::string runner_up;           // empty: none
+  double threshold = 0;            // nats
+  std::optional<Remainder> remainder;
+  std::vector<Separation> next;      // for each other effect of the confidence set
+  identify::NoiseModel noise;
+  std::vector<RunGap> runs;
+  Gap fit, held_out;
+  physics::ForceModel forces;  // with what was found and the nuisances refitted
+  std::vector<double> errors;  // of its parameters, SI
+  bool converged = true;
+  std::vector<std::string> steps;  // what was done, in words
+
+  explicit Diagnosis(physics::ForceModel found) : forces(std::move(found)) {}
+};
+
+/// Diagnoses a dataset. Refuses with simulate-unreachable, diagnose-unknown-effect, and with diagnose-nothing-measured
+/// if no run has a reading. `say` is told of each step.
+Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
+                   const DiagnoseOptions& options = {}, const Say& say = {});
+
+}  // namespace plumbline::diagnose

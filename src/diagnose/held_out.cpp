@@ -1,0 +1,64 @@
+#include "diagnose/held_out.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/linear_problem.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+constexpr double kSamePlace = 1e-6;  // m, rad
+constexpr double kUsualRadial = 0.5e-6;
+constexpr double kUsualTorque = 0.05;
+
+}  // namespace
+
+std::vector<int> poses_of(const std::vector<measure::Run>& runs) {
+  std::vector<int> poses;
+  int count = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    int pose = -1;
+    for (std::size_t k = 0; k < i && pose < 0; ++k) {
+      const bool same = (runs[i].centre_W - runs[k].centre_W).norm() < kSamePlace &&
+                        (runs[i].tilt - runs[k].tilt).norm() < kSamePlace;
+      if (same) pose = poses[k];
+    }
+    poses.push_back(pose < 0 ? count++ : pose);
+  }
+  return poses;
+}
+
+std::vector<bool> held_out(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
+                           const Shelf& shelf, const HeldOutOptions& options) {
+  const std::vector<int> poses = poses_of(runs);
+  const int count = *std::max_element(poses.begin(), poses.end()) + 1;
+  std::vector<bool> out(runs.size(), false);
+  if (count < options.least_poses) return out;
+
+  identify::NoiseModel noise;
+  for (std::size_t c = 0; c < noise.channels.size(); ++c) {
+    noise.channels[c].sigma = c == identify::kRadial ? kUsualRadial : kUsualTorque;
+  }
+  const LinearProblem problem = linearise(order, runs, shelf, shelf.unknowns.start(), noise);
+  const Eigen::VectorXd all = problem.gram.diagonal();
+  std::vector<double> cost(static_cast<std::size_t>(count), 0);
+  for (int pose = 0; pose < count; ++pose) {
+    Eigen::VectorXd own = Eigen::VectorXd::Zero(all.size());
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (poses[i] == pose) own += problem.blocks[i].rows.colwise().squaredNorm().transpose();
+    }
+    for (Eigen::Index c = 0; c < problem.residual(); ++c) {
+      if (all[c] > 0) cost[static_cast<std::size_t>(pose)] -= std::log(std::max(1 - own[c] / all[c], 1e-6));
+    }
+  }
+  for (int k = 0; k < std::max(1, count / options.poses_of); ++k) {
+    const auto cheapest = std::min_element(cost.begin(), cost.end());
+    const int pose = static_cast<int>(cheapest - cost.begin());
+    *cheapest = 1e300;
+    for (std::size_t i = 0; i < runs.size(); ++i) out[i] = out[i] || poses[i] == pose;
+  }
+  return out;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,102 @@
+#include "diagnose/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/bounded.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+// Slopes of an effect's fitted numbers times these numbers: its signature, as coefficients of the problem's columns.
+Eigen::VectorXd signature_of(const Workbench& bench, const Pick& pick, const Refit& fit, Eigen::Index columns) {
+  Eigen::VectorXd signature = Eigen::VectorXd::Zero(columns);
+  for (const int u : pick.unknowns) {
+    const identify::Unknown& unknown = bench.shelf.unknowns[static_cast<std::size_t>(u)];
+    if (unknown.key == "phase_deg" || unknown.key == "speed_mm_s") continue;
+    signature[u] = (fit.values[u] - unknown.start) / unknown.scale;
+  }
+  return signature;
+}
+
+void add_once(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+}  // namespace
+
+std::vector<std::string> alternatives_of(const Workbench& bench, const Model& model, std::size_t place,
+                                         const VerdictOptions& options) {
+  std::vector<Pick> others;
+  for (std::size_t i = 0; i < model.found.size(); ++i) {
+    if (i != place) others.push_back(model.found[i].pick);
+  }
+  const Eigen::MatrixXd left = left_of(model.problem, taken_by(bench.shelf, others, model.fit.values));
+  const Pick& pick = model.found[place].pick;
+  const Eigen::VectorXd signature = signature_of(bench, pick, model.fit, left.cols());
+  const Eigen::VectorXd seen = left * signature;
+  const double length2 = signature.dot(seen);
+  std::vector<std::string> names;
+  if (!(length2 > 0)) return names;
+  for (const Candidate& candidate : bench.shelf.candidates) {
+    if (&candidate == pick.candidate) continue;
+    double most = 0;
+    for (const Way& way : candidate.ways) {
+      std::vector<int> columns;
+      for (const Carrier& carrier : way.carriers) columns.insert(columns.end(), carrier.begin(), carrier.end());
+      Eigen::MatrixXd A = left(columns, columns);
+      const double mean = A.trace() / static_cast<double>(A.rows());
+      if (!(mean > 1e-9)) continue;
+      A.diagonal().array() += 1e-9 * mean;
+      if (way.sums_to_zero) A.array() += 1e3 * mean;
+      const Eigen::VectorXd b = seen(columns);
+      Eigen::VectorXd lower(b.size());
+      Eigen::VectorXd upper(b.size());
+      for (Eigen::Index i = 0; i < b.size(); ++i) {
+        const Column& column = bench.shelf.columns[static_cast<std::size_t>(columns[static_cast<std::size_t>(i)])];
+        lower[i] = column.lower;
+        upper[i] = column.upper;
+      }
+      const Eigen::VectorXd x = solve_bounded(A, b, lower, upper);
+      most = std::max(most, 2 * x.dot(b) - x.dot(A * x));
+    }
+    if (most > options.same_signature * options.same_signature * length2) names.push_back(candidate.name);
+  }
+  return names;
+}
+
+std::vector<std::string> confidence_set_of(const Model& model, const std::vector<NamedEffect>& effects,
+                                           const VerdictOptions& options) {
+  std::vector<std::string> names;
+  for (std::size_t place = 0; place < model.found.size(); ++place) {
+    const Found& found = model.found[place];
+    if (place > 0 && found.log_odds < options.as_strong * model.found.front().log_odds) continue;
+    add_once(names, found.pick.candidate->name);
+    for (const std::string& name : effects[place].alternatives) add_once(names, name);
+    for (const Rival& rival : found.rivals) {
+      if (rival.refitted && rival.log_odds > found.log_odds - options.within_nats) {
+        add_once(names, rival.pick.candidate->name);
+      }
+    }
+  }
+  return names;
+}
+
+std::vector<NamedParameter> parameters_of(const Workbench& bench, const Pick& pick, const Refit& fit) {
+  std::vector<NamedParameter> parameters;
+  const physics::EffectInfo& info = physics::effect_infos()[physics::effect_index(pick.candidate->name)];
+  for (const physics::ParameterSpec& spec : info.parameters) {
+    NamedParameter parameter{std::string(spec.key), std::string(spec.unit.name)};
+    parameter.each = static_cast<std::size_t>(spec.each);
+    parameter.single = spec.size() == 1;
+    for (int i = 0; i < spec.size(); ++i) {
+      const int place = bench.shelf.unknowns.find(info.name, spec.key, parameter.single ? -1 : i);
+      parameter.values.push_back(fit.values[place] / spec.unit.si);
+      parameter.errors.push_back(fit.errors[static_cast<std::size_t>(place)] / spec.unit.si);
+    }
+    parameters.push_back(std::move(parameter));
+  }
+  return parameters;
+}
+
+}  // namespace plumbline::diagnose

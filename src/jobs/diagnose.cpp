@@ -1,0 +1,218 @@
+#include "jobs/diagnose.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/units.hpp"
+#include "identify/model_text.hpp"
+#include "machine/model_file.hpp"
+#include "physics/generic_formula.hpp"
+
+namespace plumbline::jobs {
+namespace {
+
+using diagnose::Diagnosis;
+using diagnose::Gap;
+using diagnose::NamedEffect;
+using diagnose::NamedParameter;
+using Json = nlohmann::ordered_json;
+
+constexpr int kDigits = 6;
+
+double rounded(double value) { return std::stod(fmt::format("{:.{}g}", value, kDigits)); }
+
+Json numbers(const NamedParameter& parameter, const std::vector<double>& values) {
+  if (parameter.single) return rounded(values.front());
+  Json list = Json::array();
+  for (std::size_t i = 0; i < values.size(); i += parameter.each) {
+    if (parameter.each == 1) {
+      list.push_back(rounded(values[i]));
+      continue;
+    }
+    Json point = Json::array();
+    for (std::size_t k = 0; k < parameter.each; ++k) point.push_back(rounded(values[i + k]));
+    list.push_back(point);
+  }
+  return list;
+}
+
+Json effect_json(const NamedEffect& effect) {
+  Json parameters = Json::object();
+  Json errors = Json::object();
+  for (const NamedParameter& parameter : effect.parameters) {
+    parameters[parameter.key] = numbers(parameter, parameter.values);
+    errors[parameter.key] = numbers(parameter, parameter.errors);
+  }
+  return {{"name", effect.name},
+          {"alternatives", effect.alternatives},
+          {"parameters", parameters},
+          {"standard_errors", errors},
+          {"log_odds", rounded(effect.log_odds)}};
+}
+
+Json figure(const std::optional<double>& value, double unit) {
+  return value ? Json(rounded(*value / unit)) : Json(nullptr);
+}
+
+Json gap_json(const Gap& gap, bool runner_up) {
+  const auto both = [&](const auto& of, double unit) {
+    Json json{{"before", figure(of(gap.before), unit)}};
+    if (runner_up) json["runner_up"] = figure(of(gap.runner_up), unit);
+    json["after"] = figure(of(gap.after), unit);
+    return json;
+  };
+  return {{"radial_rms_um", both([](const diagnose::Rms& r) { return r.radial; }, kUm)},
+          {"torque_rms_Nm", both([](const diagnose::Rms& r) { return r.torque; }, 1)}};
+}
+
+Json run_json(const diagnose::RunGap& run) {
+  Json channels = Json::object();
+  for (const diagnose::ChannelGap& gap : run.channels) {
+    const bool radial = gap.channel == identify::kRadial;
+    const double unit = radial ? kUm : 1;
+    channels[std::string(identify::channel_name(gap.channel)) + (radial ? "_um" : "_Nm")] = {
+        {"before", rounded(gap.before / unit)}, {"after", rounded(gap.after / unit)}};
+  }
+  return {{"id", run.id}, {"held_out", run.held_out}, {"rms", channels}};
+}
+
+Json test_json(const diagnose::Separation& separation) {
+  Json json{{"from", separation.from}};
+  if (!separation.test) {
+    json["test"] = nullptr;
+    return json;
+  }
+  const measure::Run& run = separation.test->run;
+  const auto list = [](const Vector3<double>& v, double unit) {
+    return Json{rounded(v.x() / unit), rounded(v.y() / unit), rounded(v.z() / unit)};
+  };
+  json["test"] = {{"centre_mm", list(run.centre_W, kMm)},
+                  {"radius_mm", rounded(run.radius / kMm)},
+                  {"tilt_deg", list(run.tilt, kDeg)},
+                  {"direction", measure::to_text(run.direction)},
+                  {"feed_mm_min", rounded(run.feed / kMmPerMin)},
+                  {"payload_kg", rounded(run.payload_mass)}};
+  json["separation_sigma"] = rounded(separation.test->separation);
+  return json;
+}
+
+std::string test_text(const diagnose::Separation& separation) {
+  if (!separation.test) {
+    return fmt::format("no circular test separates it from {}\n", separation.from);
+  }
+  const measure::Run& run = separation.test->run;
+  return fmt::format("next test, to separate it from {} (by {:.0f} sigma): centre {:.0f}, {:.0f}, {:.0f} mm, A {:.1f} B {:.1f} "
+                     "deg, {}, F{:.0f}{}\n",
+                     separation.from, separation.test->separation, run.centre_W.x() / kMm, run.centre_W.y() / kMm,
+                     run.centre_W.z() / kMm, run.tilt.x() / kDeg, run.tilt.y() / kDeg, measure::to_text(run.direction),
+                     run.feed / kMmPerMin,
+                     run.payload_mass > 0 ? fmt::format(", {:.0f} kg at the tip", run.payload_mass) : "");
+}
+
+std::string list_of(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
+std::string rms_line(const char* what, const Gap& gap, double floor_um, double floor_Nm) {
+  const auto text = [](const std::optional<double>& value, double unit, int decimals) {
+    return value ? fmt::format("{:.{}f}", *value / unit, decimals) : std::string("-");
+  };
+  return fmt::format("{:<10} bar {} -> {} um (noise {:.2f}), torque {} -> {} N m (noise {:.3f})\n", what,
+                     text(gap.before.radial, kUm, 2), text(gap.after.radial, kUm, 2), floor_um,
+                     text(gap.before.torque, 1, 3), text(gap.after.torque, 1, 3), floor_Nm);
+}
+
+std::string parameter_text(const NamedParameter& parameter) {
+  std::vector<std::string> values;
+  for (std::size_t i = 0; i < parameter.values.size(); ++i) {
+    values.push_back(parameter.errors[i] > 0 ? fmt::format("{:.3g} +- {:.2g}", parameter.values[i], parameter.errors[i])
+                                             : fmt::format("{:.3g}", parameter.values[i]));
+  }
+  return fmt::format("    {} = {}\n", parameter.key, fmt::join(values, ", "));
+}
+
+std::vector<std::string> notes_of(const Diagnosis& diagnosis) {
+  std::vector<std::string> notes{fmt::format("diagnosis: {}", to_text(diagnosis.verdict))};
+  for (const NamedEffect& effect : diagnosis.effects) {
+    notes.push_back(effect.alternatives.empty() ? effect.name
+                                                : fmt::format("{}, which these data do not tell from {}", effect.name,
+                                                              list_of(effect.alternatives)));
+  }
+  if (diagnosis.verdict == diagnose::Verdict::unknown) {
+    notes.emplace_back("the effects named generic describe what was seen; they are no cause");
+  }
+  return notes;
+}
+
+}  // namespace
+
+std::string diagnosis_json(const Diagnosis& d) {
+  Json json;
+  json["plumbline"] = "diagnosis 1";
+  json["verdict"] = to_text(d.verdict);
+  json["effects"] = Json::array();
+  for (const NamedEffect& effect : d.effects) json["effects"].push_back(effect_json(effect));
+  json["confidence_set"] = d.confidence_set;
+  const bool second = !d.runner_up.empty();
+  json["gap"]["fit"] = gap_json(d.fit, second);
+  json["gap"]["held_out"] = gap_json(d.held_out, second);
+  if (second) json["runner_up"] = d.runner_up;
+  if (d.remainder) {
+    json["remainder"] = {{"snr", rounded(d.remainder->snr)}, {"description", d.remainder->text}};
+  }
+  json["next_tests"] = Json::array();
+  for (const diagnose::Separation& separation : d.next) json["next_tests"].push_back(test_json(separation));
+  json["threshold_nats"] = rounded(d.threshold);
+  json["evidence_nats"] = Json::array();
+  for (const diagnose::Evidence& e : d.evidence) {
+    json["evidence_nats"].push_back({{"name", e.name}, {"log_odds", rounded(e.log_odds)}});
+  }
+  const identify::ChannelNoise& bar = d.noise.channels[identify::kRadial];
+  const identify::ChannelNoise& motor = d.noise.channels[1];
+  json["noise"] = {{"radial_um", rounded(bar.sigma / kUm)},    {"radial_memory", rounded(bar.memory)},
+                   {"radial_white_share", rounded(bar.white)}, {"torque_Nm", rounded(motor.sigma)},
+                   {"torque_memory", rounded(motor.memory)},   {"torque_white_share", rounded(motor.white)}};
+  json["runs"] = Json::array();
+  for (const diagnose::RunGap& run : d.runs) json["runs"].push_back(run_json(run));
+  json["converged"] = d.converged;
+  return json.dump(1) + "\n";
+}
+
+std::string diagnosis_text(const Diagnosis& d) {
+  std::string text = fmt::format("{}\n", to_text(d.verdict));
+  for (const NamedEffect& effect : d.effects) {
+    text += fmt::format("  {} ({:.0f} nats, threshold {:.1f})\n", effect.name, effect.log_odds, d.threshold);
+    if (!effect.alternatives.empty()) {
+      text += fmt::format("    these data do not tell it from {}\n", list_of(effect.alternatives));
+    }
+    for (const NamedParameter& parameter : effect.parameters) text += parameter_text(parameter);
+  }
+  if (d.confidence_set.size() > 1) text += fmt::format("not ruled out: {}\n", list_of(d.confidence_set));
+  for (const diagnose::Separation& separation : d.next) text += test_text(separation);
+  if (d.remainder) {
+    text += fmt::format("not explained by the catalogue (a description, not a cause; strength {:.0f}):\n{}\n",
+                        d.remainder->snr, d.remainder->text);
+  }
+  const double bar = d.noise.channels[identify::kRadial].sigma / kUm;
+  const double motor = d.noise.channels[1].sigma;
+  text += rms_line("fitted", d.fit, bar, motor);
+  if (d.held_out.before.radial || d.held_out.before.torque) text += rms_line("held out", d.held_out, bar, motor);
+  return text;
+}
+
+DiagnoseReport diagnose(const DiagnoseJob& job, const diagnose::Say& say) {
+  const machine::MachineModel machine = machine::read_model(job.model);
+  const measure::Dataset dataset = measure::read_dataset(job.dataset);
+  diagnose::DiagnoseOptions options;
+  options.shelf.without = job.without;
+  options.search.threshold.seed = job.seed;
+  Diagnosis diagnosis = diagnose::diagnose(machine, dataset.runs, options, say);
+  std::string json = diagnosis_json(diagnosis);
+  std::string text = diagnosis_text(diagnosis);
+  std::string model = identify::model_text(
+      machine, {diagnosis.forces, diagnosis.errors, "with what diagnose found", notes_of(diagnosis)});
+  return {std::move(diagnosis), std::move(json), std::move(model), std::move(text)};
+}
+
+}  // namespace plumbline::jobs

@@ -1,0 +1,32 @@
+// What the command `diagnose` does: a model and a dataset in, the diagnosis in words, as JSON and as a model file out.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "diagnose/diagnose.hpp"
+
+namespace plumbline::jobs {
+
+struct DiagnoseJob {
+  std::string model, dataset;
+  std::vector<std::string> without;  // effects to be left out of the catalogue
+  std::uint64_t seed = 1;
+};
+
+/// A diagnosis and the texts made of it.
+struct DiagnoseReport {
+  diagnose::Diagnosis diagnosis;
+  std::string json;        // diagnosis.json, docs/formats.md
+  std::string model_toml;  // the model with what was found
+  std::string text;        // for people
+};
+
+/// Refuses as read_model, read_dataset and diagnose::diagnose do.
+DiagnoseReport diagnose(const DiagnoseJob& job, const diagnose::Say& say = {});
+
+std::string diagnosis_json(const diagnose::Diagnosis& diagnosis);
+std::string diagnosis_text(const diagnose::Diagnosis& diagnosis);
+
+}  // namespace plumbline::jobs

@@ -1,0 +1,37 @@
+#include "diagnose/score.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "diagnose/threshold.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+// A shelf without a machine: columns c0, c1 of one effect each, and three struts of another.
+Shelf small_shelf() {
+  Shelf shelf{identify::Unknowns(physics::ForceModel(machine::MachineModel{})), 0, {}, {}};
+  for (int i = 0; i < 5; ++i) {
+    Column column;
+    column.lower = -100;
+    column.upper = 100;
+    shelf.columns.push_back(column);
+  }
+  shelf.columns[1].lower = 0;
+  shelf.candidates = {{"either", false, {{{{0}}}}}, {"positive", false, {{{{1}}}}}, {"struts", false, {{{{2}, {3}, {4}}}}}};
+  return shelf;
+}
+
+TEST_CASE("the evidence of one number grows with half its gain and falls with its logarithm") {
+  // tau^2 at its best: log BF = (g - 1 - log g) / 2
+  const Eigen::MatrixXd A = Eigen::MatrixXd::Constant(1, 1, 4.0);
+  for (const double gain : {9.0, 40.0, 400.0}) {
+    const Eigen::VectorXd size = Eigen::VectorXd::Constant(1, std::sqrt(gain / 4));
+    CHECK(log_bayes_factor(A, gain, size, 0) == Approx(0.5 * (gain - 1 - std::log(gain))).margin(0.15));
+    CHECK(log_bayes_factor(A, gain, size, 1) == Approx(log_bayes_factor(A, gain, size, 0) + std::log(2)));
+  }
+}
+
+}  // namespace
+}  // namespace plumbline::diagnose
