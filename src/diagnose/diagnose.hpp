@@ -100,7 +100,7 @@ struct Diagnosis {
   std::string runner_up;           // empty: none
   double threshold = 0;            // nats
   std::optional<Remainder> remainder;
-  std::vector<Separation> next;      // for each other effect of the confidence set
+  std::vector<Separation> next;  // for each other effect of the confidence set
   identify::NoiseModel noise;
   std::vector<RunGap> runs;
   Gap fit, held_out;

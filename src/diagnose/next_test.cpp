@@ -16,8 +16,8 @@ namespace {
 
 using measure::Run;
 
-Run designed(const Run& like, const Vector3<double>& centre, const Vector3<double>& tilt,
-             measure::Direction direction, double feed, double payload, int samples) {
+Run designed(const Run& like, const Vector3<double>& centre, const Vector3<double>& tilt, measure::Direction direction,
+             double feed, double payload, int samples) {
   Run run;
   run.centre_W = centre;
   run.radius = like.radius;
@@ -45,7 +45,8 @@ bool within(const machine::MachineModel& machine, const Run& run) {
       if (pose.p_WT[a] < range.lower || pose.p_WT[a] > range.upper) return false;
     }
     const machine::PerStrut<double> L = machine::strut_lengths(machine.geometry, pose);
-    if ((L.array() < machine.limits.length_min.array()).any() || (L.array() > machine.limits.length_max.array()).any()) {
+    if ((L.array() < machine.limits.length_min.array()).any() ||
+        (L.array() > machine.limits.length_max.array()).any()) {
       return false;
     }
     if (std::acos(std::clamp(pose.R_WP(2, 2), -1.0, 1.0)) > machine.limits.tilt) return false;
@@ -57,8 +58,10 @@ double separation(const machine::MachineModel& machine, const physics::ForceMode
                   const physics::ForceModel& other, const Run& run, const identify::NoiseModel& noise) {
   try {
     const measure::Setup setup = identify::ideal_setup(run);
-    const identify::RunEquations a = identify::run_equations(run, identify::simulate_run(machine.rotation, one, run), setup);
-    const identify::RunEquations b = identify::run_equations(run, identify::simulate_run(machine.rotation, other, run), setup);
+    const identify::RunEquations a =
+        identify::run_equations(run, identify::simulate_run(machine.rotation, one, run), setup);
+    const identify::RunEquations b =
+        identify::run_equations(run, identify::simulate_run(machine.rotation, other, run), setup);
     return without_setup(a, a.residual - b.residual, noise).norm();
   } catch (const Refusal&) {
     return 0;  // a machine that cannot stand there cannot be tested there
@@ -68,8 +71,8 @@ double separation(const machine::MachineModel& machine, const physics::ForceMode
 std::vector<Run> designs(const machine::MachineModel& machine, const Run& like, const NextTestOptions& options) {
   const Vector3<double> middle = machine::home_pose(machine).p_WT;
   const double tilt = options.tilt_share * machine.limits.tilt;
-  const std::vector<std::pair<double, double>> tilts{{0, 0},     {tilt, 0},           {-tilt, 0},           {0, tilt},
-                                                     {0, -tilt}, {0.7 * tilt, 0.7 * tilt}, {-0.7 * tilt, -0.7 * tilt}};
+  const std::vector<std::pair<double, double>> tilts{
+      {0, 0}, {tilt, 0}, {-tilt, 0}, {0, tilt}, {0, -tilt}, {0.7 * tilt, 0.7 * tilt}, {-0.7 * tilt, -0.7 * tilt}};
   std::vector<Run> all;
   for (const double x : {-1.0, 0.0, 1.0}) {
     for (const double y : {-1.0, 0.0, 1.0}) {

@@ -12,18 +12,18 @@
 namespace plumbline::diagnose {
 
 struct NextTestOptions {
-  double radius = 0.144;                       // m, used if no run says otherwise
-  double off_centre = 0.1;                     // m, how far from the middle of the travel circles are laid
-  double tilt_share = 0.8;                     // of the limit of tilt
+  double radius = 0.144;    // m, used if no run says otherwise
+  double off_centre = 0.1;  // m, how far from the middle of the travel circles are laid
+  double tilt_share = 0.8;  // of the limit of tilt
   std::vector<double> feeds_mm_min{1000, 6000};
   std::vector<double> payloads_kg{0, 20};
-  int samples = 24;                            // of each test that is tried
+  int samples = 24;  // of each test that is tried
 };
 
 struct NextTest {
-  measure::Run run;      // its design: no readings
-  double separation = 0; // distance of the two models' readings in units of the noise, the set-up fitted, for a run of
-                         // as many samples as those measured
+  measure::Run run;       // its design: no readings
+  double separation = 0;  // distance of the two models' readings in units of the noise, the set-up fitted, for a run of
+                          // as many samples as those measured
 };
 
 /// The best of a grid of centres, tilts, directions, feeds and payloads within the machine's limits, as `like` was

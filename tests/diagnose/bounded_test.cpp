@@ -1,9 +1,9 @@
 #include "diagnose/bounded.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 
 #include <Eigen/Cholesky>
+#include <catch2/catch.hpp>
 
 namespace plumbline::diagnose {
 namespace {
@@ -38,7 +38,8 @@ double best_by_trying_all(const Problem& p) {
       if (code % 3 == 2) free.push_back(i);
     }
     if (!free.empty()) {
-      const Eigen::VectorXd step = Eigen::MatrixXd(p.A(free, free)).ldlt().solve(Eigen::VectorXd((p.b - p.A * x)(free)));
+      const Eigen::VectorXd step =
+          Eigen::MatrixXd(p.A(free, free)).ldlt().solve(Eigen::VectorXd((p.b - p.A * x)(free)));
       for (std::size_t k = 0; k < free.size(); ++k) x[free[k]] += step[static_cast<Eigen::Index>(k)];
     }
     const bool within = ((x - p.lower).array() > -1e-12).all() && ((p.upper - x).array() > -1e-12).all();

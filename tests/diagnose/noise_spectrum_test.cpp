@@ -1,8 +1,9 @@
 #include "diagnose/noise_spectrum.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+
+#include <catch2/catch.hpp>
 
 namespace plumbline::diagnose {
 namespace {

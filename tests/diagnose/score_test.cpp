@@ -1,8 +1,9 @@
 #include "diagnose/score.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+
+#include <catch2/catch.hpp>
 
 #include "diagnose/threshold.hpp"
 
@@ -19,7 +20,8 @@ Shelf small_shelf() {
     shelf.columns.push_back(column);
   }
   shelf.columns[1].lower = 0;
-  shelf.candidates = {{"either", false, {{{{0}}}}}, {"positive", false, {{{{1}}}}}, {"struts", false, {{{{2}, {3}, {4}}}}}};
+  shelf.candidates = {
+      {"either", false, {{{{0}}}}}, {"positive", false, {{{{1}}}}}, {"struts", false, {{{{2}, {3}, {4}}}}}};
   return shelf;
 }
 
