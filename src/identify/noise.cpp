@@ -128,7 +128,7 @@ Trial best_colour(const Channel& channel, const NoiseOptions& options) {
   const Trial simple = best_memory(channel, options.most_memory);
   Trial best;
   const auto consider = [&](double memory, double white) {
-    if (std::abs(memory) > options.most_memory || white < 0 || white > 0.98) return false;
+    if (std::abs(memory) > options.most_memory_beside_white || white < 0 || white > 0.98) return false;
     const Trial trial = channel.at(memory, white);
     if (trial.deviance >= best.deviance) return false;
     best = trial;
@@ -140,8 +140,9 @@ Trial best_colour(const Channel& channel, const NoiseOptions& options) {
   for (double step = 0.1; step > 0.01;) {
     const Trial now = best;
     const double away = std::min(1.0, 4 * (1 - now.memory));  // near 1 the memory means more
-    const bool better = consider(now.memory + step * away, now.white) || consider(now.memory - step * away, now.white) ||
-                        consider(now.memory, now.white + step) || consider(now.memory, now.white - step);
+    const bool better = consider(now.memory + step * away, now.white) ||
+                        consider(now.memory - step * away, now.white) || consider(now.memory, now.white + step) ||
+                        consider(now.memory, now.white - step);
     if (!better) step /= 2;
   }
   return best.deviance < simple.deviance - options.least_gain ? best : simple;

@@ -24,8 +24,9 @@ struct NoiseModel {
 struct NoiseOptions {
   double clip = 4;  // residuals beyond that many sigma count as outliers and are cut back
   double most_memory = 0.999;
-  double least_gain = 4;
-  double least_sigma_um = 1e-3;  // what is less is rounding
+  double least_gain = 10;                  // of deviance: a white part is two numbers more
+  double most_memory_beside_white = 0.98;  // more is an offset, which set-ups take
+  double least_sigma_um = 1e-3;            // what is less is rounding
   double least_sigma_Nm = 1e-5;
   double degrees_taken = 0;  // unknowns that were fitted to these residuals, of all channels
 };

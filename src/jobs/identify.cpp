@@ -129,7 +129,8 @@ ordered_json stage_json(const Stage& stage) {
     if (noise.samples == 0) continue;
     json["noise"][std::string(identify::channel_name(c))] = {
         {c == identify::kRadial ? "sigma_um" : "sigma_Nm", c == identify::kRadial ? noise.sigma / kUm : noise.sigma},
-        {"memory", noise.memory}};
+        {"memory", noise.memory},
+        {"white", noise.white}};
   }
   return json;
 }

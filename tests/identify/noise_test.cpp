@@ -63,9 +63,42 @@ TEST_CASE("sigma and memory of noise are found, although set-ups were fitted to 
     CHECK(found.samples == 4800);
     CHECK(found.memory == Approx(memory).margin(0.03));
     // the level at low frequencies is what standard errors live by
-    const double level = found.sigma * std::sqrt((1 + found.memory) / (1 - found.memory));
+    const double level = std::sqrt(low_frequency_variance(found));
     CHECK(level == Approx(0.5e-6 * std::sqrt((1 + memory) / (1 - memory))).epsilon(0.1));
   }
+}
+
+TEST_CASE("a part of the noise that does not remember is told from the part that does") {
+  std::mt19937_64 random(44);
+  std::vector<RunEquations> runs = noisy_runs(0.4e-6, 0.9, 40, 120, random);
+  std::normal_distribution<double> white(0, 0.3e-6);
+  for (RunEquations& run : runs) {
+    for (double& e : run.residual) e += white(random);
+  }
+  fit_setups(runs);
+  const ChannelNoise found = estimate_noise(runs).channels[kRadial];
+  CHECK(found.sigma == Approx(0.5e-6).epsilon(0.1));
+  CHECK(found.memory == Approx(0.9).margin(0.04));
+  CHECK(found.white == Approx(0.36).margin(0.08));
+  const double level = 0.16 * 19 + 0.09;
+  CHECK(low_frequency_variance(found) * 1e12 == Approx(level).epsilon(0.35));
+}
+
+TEST_CASE("whitening with a white part turns the covariance into the unit matrix, too, whatever the storage") {
+  const ChannelNoise noise{2.5, 0.7, 0, 0.3};
+  constexpr int n = 7;
+  Eigen::MatrixXd V(n, n);
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < n; ++k) {
+      V(i, k) = 6.25 * (0.7 * std::pow(noise.memory, std::abs(i - k)) + (i == k ? 0.3 : 0));
+    }
+  }
+  Eigen::MatrixXd W = Eigen::MatrixXd::Identity(n, n);
+  whiten(noise, W);
+  CHECK((W * V * W.transpose()).isApprox(Eigen::MatrixXd::Identity(n, n), 1e-12));
+  SlopeRows rows = SlopeRows::Identity(n, n);
+  whiten(noise, rows);
+  CHECK(rows.isApprox(W, 1e-14));
 }
 
 TEST_CASE("a few gross outliers do not make the noise large") {
