@@ -11,6 +11,7 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "jobs/diagnose.hpp"
+#include "report/diagnosis_page.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -33,14 +34,16 @@ void make_folder(const std::string& folder) {
 int diagnose(const Arguments& arguments) {
   const std::string json = arguments.folder + "/diagnosis.json";
   const std::string model = arguments.folder + "/model.toml";
+  const std::string page = arguments.folder + "/report.html";
   make_folder(arguments.folder);
-  check_outputs({arguments.job.model, arguments.job.dataset}, {json, model});
+  check_outputs({arguments.job.model, arguments.job.dataset}, {json, model, page});
   const bool terminal = isatty(STDERR_FILENO) != 0;
   const jobs::DiagnoseReport report = jobs::diagnose(arguments.job, [&](const std::string& step) {
     if (terminal) fmt::print(stderr, "{}\n", step);
   });
   write_text(json, report.json);
   write_text(model, report.model_toml);
+  write_text(page, report::diagnosis_page(report.diagnosis, "Diagnosis of " + report.machine));
   fmt::print("{}", arguments.json ? report.json : report.text);
   return report.diagnosis.converged ? kDone : kFailed;
 }

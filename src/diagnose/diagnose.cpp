@@ -103,7 +103,7 @@ std::vector<Pick> picks_of(const Model& model) {
 Verdict verdict_of(const Model& model, const Description& left, const VerdictOptions& options) {
   const bool gap = left.gain >= options.remainder_gain && !left.terms.empty();
   if (model.found.empty()) return gap ? Verdict::unknown : Verdict::nothing_missing;
-  if (static_cast<int>(model.found.size()) > options.most_named) return Verdict::unknown;
+  if (model.one_more) return Verdict::unknown;
   double explained = 0;
   for (const Found& found : model.found) explained += 2 * found.log_odds;
   const bool much = left.gain > options.remainder_most && left.gain > options.remainder_share * explained;

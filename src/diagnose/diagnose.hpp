@@ -20,7 +20,6 @@ struct VerdictOptions {
   double remainder_gain = 60;      // misfit that a description must take away to count as a gap
   double remainder_share = 0.04;   // of what the effects explain; a remainder above that and
   double remainder_most = 150;     // above that makes the verdict unknown
-  int most_named = 2;              // more effects at once are a sign of one that the catalogue does not have
 };
 
 struct DiagnoseOptions {

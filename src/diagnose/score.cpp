@@ -92,7 +92,11 @@ double log_prior(const Candidate& candidate, int way, std::size_t carriers, cons
   double prior = candidate.second_row ? -options.second_row : 0;
   prior -= std::log(static_cast<double>(candidate.ways.size()));
   const std::size_t n = of.carriers.size();
-  if (!of.all_or_none && n > 1) prior -= std::log(static_cast<double>(n)) + log_choose(n, carriers);
+  if (of.all_or_none || n == 1) return prior;
+  // one strut or all of them, mostly; else each number of them alike, and each set of so many alike
+  const bool usual = carriers == 1 || carriers == n;
+  const double share = usual ? options.one_or_all / 2 : (1 - options.one_or_all) / std::max(static_cast<double>(n) - 2, 1.0);
+  prior += std::log(share) - log_choose(n, carriers);
   return prior;
 }
 

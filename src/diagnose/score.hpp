@@ -9,6 +9,7 @@ namespace plumbline::diagnose {
 
 struct ScoreOptions {
   double second_row = 1.6;  // nats that an effect of the second row is less likely beforehand
+  double one_or_all = 0.9;  // how likely it is that one strut carries an effect, or all of them do
 };
 
 /// What an effect makes of what is left. Sizes in units of the linear problem.

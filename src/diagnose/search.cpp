@@ -22,7 +22,9 @@ class Search {
     base_ = {fit_, noise_, problem_};
     limit_ = threshold(left_, bench_.shelf, options_.scoring, options_.threshold).log_odds;
     say_(fmt::format("threshold {:.1f} nats", limit_));
-    while (static_cast<int>(picks_.size()) < options_.most_effects && add_one()) {
+    // what is dropped may be added again: rounds are counted
+    for (int round = 0; round < 2 * options_.most_effects; ++round) {
+      if (static_cast<int>(picks_.size()) >= options_.most_effects || !add_one()) break;
       for (int i = 0; i < options_.most_swaps && swap_one(); ++i) {
       }
       drop_idle();
@@ -192,6 +194,8 @@ class Search {
 
   Model finish() {
     Model model;
+    const std::vector<Rival>& more = rivals(picks_.size());
+    model.one_more = !more.empty() && more.front().refitted && more.front().log_odds >= limit_;
     for (std::size_t place = 0; place < picks_.size(); ++place) {
       Found found;
       found.pick = picks_[place];

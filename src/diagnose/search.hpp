@@ -13,7 +13,7 @@ struct SearchOptions {
   ScoreOptions scoring;
   ThresholdOptions threshold;
   RefitOptions refit;
-  int most_effects = 3;
+  int most_effects = 2;      // more at once are a sign of one that the catalogue does not have
   int most_refits = 6;       // of the candidates of one step
   double near_share = 0.25;  // of the best log odds: candidates that much behind are still fitted nonlinearly
   double near_nats = 12;     // or that much behind
@@ -48,6 +48,7 @@ struct Model {
   Refit fit;
   identify::NoiseModel noise;
   double threshold = 0;   // nats
+  bool one_more = false;  // beyond most_effects another one passes
   LinearProblem problem;  // about the fit, all columns
   Footing base;           // nothing added, nuisances refitted
 };

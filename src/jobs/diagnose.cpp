@@ -212,7 +212,7 @@ DiagnoseReport diagnose(const DiagnoseJob& job, const diagnose::Say& say) {
   std::string text = diagnosis_text(diagnosis);
   std::string model = identify::model_text(
       machine, {diagnosis.forces, diagnosis.errors, "with what diagnose found", notes_of(diagnosis)});
-  return {std::move(diagnosis), std::move(json), std::move(model), std::move(text)};
+  return {std::move(diagnosis), machine.name, std::move(json), std::move(model), std::move(text)};
 }
 
 }  // namespace plumbline::jobs

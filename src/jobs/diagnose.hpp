@@ -18,6 +18,7 @@ struct DiagnoseJob {
 /// A diagnosis and the texts made of it.
 struct DiagnoseReport {
   diagnose::Diagnosis diagnosis;
+  std::string machine;     // its name
   std::string json;        // diagnosis.json, docs/formats.md
   std::string model_toml;  // the model with what was found
   std::string text;        // for people

@@ -1,29 +1,11 @@
 #include "diagnose/score.hpp"
 
 #include <cmath>
-#include <random>
 
 #include <catch2/catch.hpp>
 
-#include "diagnose/threshold.hpp"
-
 namespace plumbline::diagnose {
 namespace {
-
-// A shelf without a machine: columns c0, c1 of one effect each, and three struts of another.
-Shelf small_shelf() {
-  Shelf shelf{identify::Unknowns(physics::ForceModel(machine::MachineModel{})), 0, {}, {}};
-  for (int i = 0; i < 5; ++i) {
-    Column column;
-    column.lower = -100;
-    column.upper = 100;
-    shelf.columns.push_back(column);
-  }
-  shelf.columns[1].lower = 0;
-  shelf.candidates = {
-      {"either", false, {{{{0}}}}}, {"positive", false, {{{{1}}}}}, {"struts", false, {{{{2}, {3}, {4}}}}}};
-  return shelf;
-}
 
 TEST_CASE("the evidence of one number grows with half its gain and falls with its logarithm") {
   // tau^2 at its best: log BF = (g - 1 - log g) / 2

@@ -1,0 +1,161 @@
+#include "report/diagnosis_page.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/units.hpp"
+#include "report/svg.hpp"
+
+namespace plumbline::report {
+namespace {
+
+using diagnose::Diagnosis;
+using diagnose::Gap;
+using diagnose::NamedEffect;
+using diagnose::NamedParameter;
+
+constexpr const char* kStyle =
+    "body{font:15px/1.5 system-ui,sans-serif;color:#222;max-width:1000px;margin:2em auto;padding:0 1em}"
+    "h1{font-size:1.6em;margin:0}h2{font-size:1.15em;margin:2em 0 .4em;border-bottom:1px solid #ddd}"
+    "svg text{font:11px system-ui,sans-serif;fill:#333}table{border-collapse:collapse}"
+    "td,th{padding:.2em .9em;text-align:right;border-bottom:1px solid "
+    "#eee}td:first-child,th:first-child{text-align:left}"
+    ".verdict{font-size:1.25em;margin:.6em 0}.quiet{color:#666}.polar{display:flex;flex-wrap:wrap;gap:6px}"
+    ".b{color:#c0392b}.a{color:#1f5fa8}pre{background:#f6f6f6;padding:.7em;white-space:pre-wrap}";
+
+std::string verdict_text(const Diagnosis& d) {
+  switch (d.verdict) {
+    case diagnose::Verdict::nothing_missing:
+      return "Nothing is missing: what model and measurements differ by is noise.";
+    case diagnose::Verdict::unknown:
+      return "There is a gap, and no effect of the catalogue explains it.";
+    case diagnose::Verdict::named:
+      break;
+  }
+  std::vector<std::string> names;
+  for (const NamedEffect& effect : d.effects) names.push_back(effect.name);
+  return fmt::format("The model misses: {}.", escaped(fmt::format("{}", fmt::join(names, ", "))));
+}
+
+std::string figure(const std::optional<double>& value, double unit, int decimals) {
+  return value ? fmt::format("{:.{}f}", *value / unit, decimals) : "-";
+}
+
+std::string gap_row(const char* what, const Gap& gap, bool second) {
+  const auto pair = [&](auto of, double unit, int decimals) {
+    std::string cells = fmt::format("<td>{}</td>", figure(of(gap.before), unit, decimals));
+    if (second) cells += fmt::format("<td>{}</td>", figure(of(gap.runner_up), unit, decimals));
+    return cells + fmt::format("<td>{}</td>", figure(of(gap.after), unit, decimals));
+  };
+  return fmt::format("<tr><td>{}</td>{}{}</tr>", what, pair([](const diagnose::Rms& r) { return r.radial; }, kUm, 2),
+                     pair([](const diagnose::Rms& r) { return r.torque; }, 1, 3));
+}
+
+std::string gap_table(const Diagnosis& d) {
+  const bool second = !d.runner_up.empty();
+  const std::string middle = second ? fmt::format("<th>with {}</th>", escaped(d.runner_up)) : "";
+  std::string html = fmt::format(
+      "<table><tr><th></th><th>bar, um: before</th>{0}<th>after</th><th>torque, N m: before</th>{0}<th>after</th></tr>",
+      middle);
+  html += gap_row("fitted runs", d.fit, second) + gap_row("runs left out", d.held_out, second) + "</table>";
+  return html +
+         fmt::format("<p class=quiet>Noise, from the spectrum of what is left: bar {:.2f} um, torque {:.3f} N m.</p>",
+                     d.noise.channels[identify::kRadial].sigma / kUm, d.noise.channels[1].sigma);
+}
+
+std::string polar_plots(const Diagnosis& d) {
+  double most = kUm;
+  for (const diagnose::RunGap& run : d.runs) {
+    if (run.radial_before.size() > 0) most = std::max(most, run.radial_before.cwiseAbs().maxCoeff());
+  }
+  const double scale = 0.6 * most;
+  std::string html = "<div class=polar>";
+  for (const diagnose::RunGap& run : d.runs) {
+    if (run.radial_before.size() > 0) html += polar_plot(run, scale);
+  }
+  return html + fmt::format(
+                    "</div><p class=quiet>Bar readings minus model, the set-up fitted: <span class=b>before</span>, "
+                    "<span class=a>after</span>. Rings are {:.1f} um apart.</p>",
+                    scale / kUm);
+}
+
+std::string parameter_rows(const NamedParameter& p) {
+  std::string rows;
+  for (std::size_t i = 0; i < p.values.size(); ++i) {
+    const std::string name = p.single ? p.key : fmt::format("{} {}", p.key, i + 1);
+    rows += fmt::format("<tr><td>{}</td><td>{:.4g}</td><td>{}</td></tr>", escaped(name), p.values[i],
+                        p.errors[i] > 0 ? fmt::format("{:.2g}", p.errors[i]) : "not fitted");
+  }
+  return rows;
+}
+
+std::string effects(const Diagnosis& d) {
+  std::string html;
+  for (const NamedEffect& effect : d.effects) {
+    html += fmt::format(
+        "<h3>{}</h3><p>{:.0f} nats against the model without it; by chance the best of the catalogue "
+        "passes {:.1f} in 0.3 % of machines.</p>",
+        escaped(effect.name), effect.log_odds, d.threshold);
+    if (!effect.alternatives.empty()) {
+      html += fmt::format("<p>No data of this plan tell it from {}.</p>",
+                          escaped(fmt::format("{}", fmt::join(effect.alternatives, ", "))));
+    }
+    html += "<table><tr><th>number</th><th>value</th><th>standard error</th></tr>";
+    for (const NamedParameter& parameter : effect.parameters) html += parameter_rows(parameter);
+    html += "</table>";
+  }
+  return html;
+}
+
+std::string next_tests(const Diagnosis& d) {
+  std::string html;
+  for (const diagnose::Separation& next : d.next) {
+    if (!next.test) {
+      html += fmt::format("<p>No circular test within the limits separates it from {}.</p>", escaped(next.from));
+      continue;
+    }
+    const measure::Run& run = next.test->run;
+    html += fmt::format(
+        "<p>To separate it from {}: centre ({:.0f}, {:.0f}, {:.0f}) mm, A {:.1f}, B {:.1f} deg, {}, F{:.0f}, {:.0f} kg "
+        "at the "
+        "tip. The two would then differ by {:.0f} sigma.</p>",
+        escaped(next.from), run.centre_W.x() / kMm, run.centre_W.y() / kMm, run.centre_W.z() / kMm, run.tilt.x() / kDeg,
+        run.tilt.y() / kDeg, to_text(run.direction), run.feed / kMmPerMin, run.payload_mass, next.test->separation);
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string diagnosis_page(const Diagnosis& d, const std::string& title) {
+  std::string html = fmt::format(
+      "<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport content=\"width=device-width\">"
+      "<title>{0}</title><style>{1}</style><h1>{0}</h1><p class=verdict>{2}</p>",
+      escaped(title), kStyle, verdict_text(d));
+  if (d.confidence_set.size() > 1) {
+    html += fmt::format("<p>Not ruled out: {}.</p>", escaped(fmt::format("{}", fmt::join(d.confidence_set, ", "))));
+  }
+  html += "<h2>The gap</h2>" + gap_table(d);
+  html +=
+      "<h2>Where</h2>" + gap_map(d) + "<p class=quiet>White: the noise. Full red: ten times the noise and more.</p>";
+  html += polar_plots(d);
+  if (!d.evidence.empty()) {
+    html += "<h2>Which</h2>" + evidence_bars(d) +
+            "<p class=quiet>How much more likely the readings are with the effect, as a natural logarithm. Blue: not "
+            "ruled out as "
+            "the strongest.</p>";
+  }
+  if (!d.effects.empty()) html += "<h2>What was found</h2>" + effects(d);
+  if (d.remainder) {
+    html += fmt::format(
+        "<h2>What the catalogue does not explain</h2><p>A description, not a cause; {:.0f} times the noise in "
+        "all.</p><pre>{}</pre>",
+        d.remainder->snr, escaped(d.remainder->text));
+  }
+  if (!d.next.empty()) html += "<h2>What next</h2>" + next_tests(d);
+  return html + "</html>\n";
+}
+
+}  // namespace plumbline::report

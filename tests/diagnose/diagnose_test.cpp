@@ -1,0 +1,60 @@
+#include "diagnose/diagnose.hpp"
+
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "machine/model_file.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+const std::string kBlind = std::string(PLUMBLINE_SOURCE_DIR) + "/tests/blind/";
+
+Diagnosis diagnosed(const std::string& name, const DiagnoseOptions& options = {}) {
+  const machine::MachineModel machine = machine::read_model(kBlind + name + "/base.toml");
+  const measure::Dataset data = measure::read_dataset(kBlind + name + "/data/dataset.toml");
+  return diagnose(machine, data.runs, options);
+}
+
+TEST_CASE("a hidden effect is named, and the gap on poses left out closes") {
+  const Diagnosis d = diagnosed("open-08");
+  CHECK(d.verdict == Verdict::named);
+  REQUIRE(d.effects.size() == 1);
+  CHECK(d.effects[0].name == "joint-viscous");
+  CHECK(d.confidence_set == std::vector<std::string>{"joint-viscous"});
+  const NamedParameter& damping = d.effects[0].parameters.at(0);
+  CHECK(std::abs(damping.values[0] - 20.6087) < 3 * damping.errors[0]);  // what was hidden
+  CHECK(*d.held_out.after.torque < *d.held_out.before.torque);
+  CHECK(*d.held_out.after.radial < 0.6e-6);
+  const auto out = std::count_if(d.runs.begin(), d.runs.end(), [](const RunGap& run) { return run.held_out; });
+  CHECK(out >= 2);
+  CHECK(out < 8);
+}
+
+TEST_CASE("a diagnosis is the same each time") {
+  DiagnoseOptions options;
+  options.search.threshold.draws = 2000;
+  const Diagnosis one = diagnosed("open-03", options);
+  const Diagnosis two = diagnosed("open-03", options);
+  CHECK(one.verdict == Verdict::nothing_missing);
+  CHECK(one.effects.empty());
+  CHECK(one.threshold == two.threshold);
+  CHECK(one.fit.after.radial == two.fit.after.radial);
+  CHECK(one.threshold > 5);
+  CHECK(one.threshold < 20);
+}
+
+TEST_CASE("what is left out of the catalogue must be in it") {
+  DiagnoseOptions options;
+  options.shelf.without = {"back-lash"};
+  CHECK_THROWS_WITH(diagnosed("open-03", options), Catch::Contains("no effect is called back-lash"));
+}
+
+TEST_CASE("without a reading there is nothing to diagnose") {
+  const machine::MachineModel machine = machine::read_model(kBlind + "open-03/base.toml");
+  CHECK_THROWS_WITH(diagnose(machine, std::vector<measure::Run>(2)), Catch::Contains("has a reading"));
+}
+
+}  // namespace
+}  // namespace plumbline::diagnose
