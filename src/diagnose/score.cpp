@@ -95,7 +95,8 @@ double log_prior(const Candidate& candidate, int way, std::size_t carriers, cons
   if (of.all_or_none || n == 1) return prior;
   // one strut or all of them, mostly; else each number of them alike, and each set of so many alike
   const bool usual = carriers == 1 || carriers == n;
-  const double share = usual ? options.one_or_all / 2 : (1 - options.one_or_all) / std::max(static_cast<double>(n) - 2, 1.0);
+  const double share =
+      usual ? options.one_or_all / 2 : (1 - options.one_or_all) / std::max(static_cast<double>(n) - 2, 1.0);
   prior += std::log(share) - log_choose(n, carriers);
   return prior;
 }
