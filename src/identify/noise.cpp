@@ -101,37 +101,44 @@ struct Channel {
   }
 };
 
+// The deviance of one colour, summed over channels that share it, each with the sigma that suits it best.
+Trial trial(const std::vector<Channel>& channels, double memory, double white) {
+  Trial sum{0, 0, memory, white};
+  for (const Channel& channel : channels) sum.deviance += channel.at(memory, white).deviance;
+  return sum;
+}
+
 // The memory of the smallest deviance without a white part: golden section, the deviance having one minimum.
-Trial best_memory(const Channel& channel, double most) {
+Trial best_memory(const std::vector<Channel>& channels, double most) {
   constexpr double kGolden = 0.6180339887498949;
   constexpr double kTolerance = 3e-3;
   double lower = -most;
   double upper = most;
-  Trial a = channel.at(upper - kGolden * (upper - lower), 0);
-  Trial b = channel.at(lower + kGolden * (upper - lower), 0);
+  Trial a = trial(channels, upper - kGolden * (upper - lower), 0);
+  Trial b = trial(channels, lower + kGolden * (upper - lower), 0);
   while (upper - lower > kTolerance) {
     if (a.deviance < b.deviance) {
       upper = b.memory;
       b = a;
-      a = channel.at(upper - kGolden * (upper - lower), 0);
+      a = trial(channels, upper - kGolden * (upper - lower), 0);
     } else {
       lower = a.memory;
       a = b;
-      b = channel.at(lower + kGolden * (upper - lower), 0);
+      b = trial(channels, lower + kGolden * (upper - lower), 0);
     }
   }
   return a.deviance < b.deviance ? a : b;
 }
 
 // Memory and white part together: the best of a coarse grid, then steps each way that shrink where none helps.
-Trial best_colour(const Channel& channel, const NoiseOptions& options) {
-  const Trial simple = best_memory(channel, options.most_memory);
+Trial best_colour(const std::vector<Channel>& channels, const NoiseOptions& options) {
+  const Trial simple = best_memory(channels, options.most_memory);
   Trial best;
   const auto consider = [&](double memory, double white) {
     if (std::abs(memory) > options.most_memory_beside_white || white < 0 || white > 0.98) return false;
-    const Trial trial = channel.at(memory, white);
-    if (trial.deviance >= best.deviance) return false;
-    best = trial;
+    const Trial one = trial(channels, memory, white);
+    if (one.deviance >= best.deviance) return false;
+    best = one;
     return true;
   };
   for (const double memory : {0.5, 0.75, 0.9, 0.97}) {
@@ -145,7 +152,21 @@ Trial best_colour(const Channel& channel, const NoiseOptions& options) {
                         consider(now.memory, now.white - step);
     if (!better) step /= 2;
   }
-  return best.deviance < simple.deviance - options.least_gain ? best : simple;
+  Eigen::Index readings = 0;
+  for (const Channel& channel : channels) {
+    for (const Eigen::MatrixXd& run : channel.runs) readings += run.rows();
+  }
+  return best.deviance < simple.deviance - std::log(static_cast<double>(readings)) ? best : simple;
+}
+
+// Residuals of a channel with its set-ups, outliers cut back at `most`.
+Channel clipped(const ChannelResiduals& all, double most) {
+  Channel channel;
+  for (std::size_t r = 0; r < all.residuals.size(); ++r) {
+    channel.runs.emplace_back(all.residuals[r].size(), all.setups[r].cols() + 1);
+    channel.runs.back() << all.setups[r], all.residuals[r].cwiseMax(-most).cwiseMin(most);
+  }
+  return channel;
 }
 
 }  // namespace
@@ -165,21 +186,24 @@ NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOpti
   const Eigen::Index total =
       std::accumulate(noise.channels.begin(), noise.channels.end(), Eigen::Index{0},
                       [](Eigen::Index sum, const ChannelNoise& channel) { return sum + channel.samples; });
-  for (int channel = 0; channel < kChannels; ++channel) {
-    ChannelNoise& found = noise.channels[static_cast<std::size_t>(channel)];
-    if (found.samples == 0) continue;
-    const ChannelResiduals all = residuals_of(runs, channel);
-    const double most = options.clip * found.sigma;
-    Channel whole;
-    for (std::size_t r = 0; r < all.residuals.size(); ++r) {
-      whole.runs.emplace_back(all.residuals[r].size(), all.setups[r].cols() + 1);
-      whole.runs.back() << all.setups[r], all.residuals[r].cwiseMax(-most).cwiseMin(most);
+  // the drives are of one kind: their torques share a colour
+  for (const std::vector<int>& group : {std::vector<int>{kRadial}, std::vector<int>{1, 2, 3, 4, 5, 6}}) {
+    std::vector<Channel> channels;
+    for (const int channel : group) {
+      const ChannelNoise& rough = noise.channels[static_cast<std::size_t>(channel)];
+      channels.push_back(clipped(residuals_of(runs, channel), options.clip * rough.sigma));
+      channels.back().taken = options.degrees_taken * static_cast<double>(rough.samples) /
+                              static_cast<double>(std::max<Eigen::Index>(total, 1));
     }
-    whole.taken = options.degrees_taken * static_cast<double>(found.samples) / static_cast<double>(total);
-    const Trial best = best_colour(whole, options);
-    found.memory = best.memory;
-    found.white = best.white;
-    found.sigma = std::max(std::sqrt(best.variance), least_sigma(channel, options));
+    if (std::all_of(channels.begin(), channels.end(), [](const Channel& c) { return c.runs.empty(); })) continue;
+    const Trial best = best_colour(channels, options);
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      ChannelNoise& found = noise.channels[static_cast<std::size_t>(group[i])];
+      found.memory = best.memory;
+      found.white = best.white;
+      found.sigma =
+          std::max(std::sqrt(channels[i].at(best.memory, best.white).variance), least_sigma(group[i], options));
+    }
   }
   return noise;
 }

@@ -24,7 +24,6 @@ struct NoiseModel {
 struct NoiseOptions {
   double clip = 4;  // residuals beyond that many sigma count as outliers and are cut back
   double most_memory = 0.999;
-  double least_gain = 10;                  // of deviance: a white part is two numbers more
   double most_memory_beside_white = 0.98;  // more is an offset, which set-ups take
   double least_sigma_um = 1e-3;            // what is less is rounding
   double least_sigma_Nm = 1e-5;
@@ -34,7 +33,8 @@ struct NoiseOptions {
 /// Estimates the noise of each channel from the residuals of all runs, alike in all of them: sigma, memory and white
 /// part by restricted maximum likelihood [Patterson and Thompson 1971], which allows for the set-up that each run was
 /// fitted with; outliers cut back at `clip` robust standard deviations (median). A white part is taken where it makes
-/// the deviance smaller by `least_gain`.
+/// the deviance smaller by the logarithm of the number of readings [Schwarz 1978]. The torques of all struts share
+/// memory and white part.
 NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options = {});
 
 /// Noise that does not remember, its sigma the robust standard deviation (median) of the residuals: to begin with.
