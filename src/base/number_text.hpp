@@ -19,7 +19,7 @@ double from_ticks(std::int64_t ticks, int decimals);
 
 /// Appends value rounded to that many decimals; trailing zeros dropped down to `least` decimals, no "-0", no exponent.
 void append_decimal(std::string& out, double value, int decimals, int least = 0);
-std::string to_decimal(double value, int decimals, int least = 0);
+std::string to_decimal(double value, int decimals = kMostDecimals, int least = 0);
 
 /// The number that the whole of `text` is, exponent allowed; nothing if any of it is no number, or it is not finite.
 std::optional<double> parse_number(std::string_view text);

@@ -14,12 +14,12 @@
 namespace plumbline::cli {
 namespace {
 
-struct Arguments {
+struct CheckArguments {
   std::string program, json;
   SharedOptions shared;
 };
 
-int check(const Arguments& arguments) {
+int check(const CheckArguments& arguments) {
   const jobs::Options options = arguments.shared.read(arguments.program);
   require_model(options);
   check_outputs({arguments.program, options.model, options.tools, options.variables, options.settings_file},
@@ -44,7 +44,7 @@ void add_check(CLI::App& app, Run& run) {
       app.add_subcommand("check",
                          "Check a program, as it would be compensated, against the limits of the machine; exit "
                          "code 1 if it breaks one");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CheckArguments>();
   command->add_option("PROGRAM", arguments->program, "the NC program; - for standard input")
       ->type_name("FILE")
       ->required();

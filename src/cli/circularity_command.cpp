@@ -12,11 +12,11 @@
 namespace plumbline::cli {
 namespace {
 
-struct Arguments {
+struct CircularityArguments {
   std::string dataset, json;
 };
 
-int circularity(const Arguments& arguments) {
+int circularity(const CircularityArguments& arguments) {
   check_outputs({arguments.dataset}, {arguments.json});
   std::optional<OutputFile> json;
   if (!arguments.json.empty()) json.emplace(arguments.json);
@@ -34,7 +34,7 @@ int circularity(const Arguments& arguments) {
 void add_circularity(CLI::App& app, Run& run) {
   CLI::App* const command = app.add_subcommand(
       "circularity", "Tabulate the figures of ISO 230-4 of measured circular tests: circularity, G, F, G(b), D");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CircularityArguments>();
   command->add_option("-d,--dataset", arguments->dataset, "the measurements: a dataset.toml")
       ->type_name("DATASET")
       ->required();

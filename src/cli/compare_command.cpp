@@ -13,12 +13,12 @@
 namespace plumbline::cli {
 namespace {
 
-struct Arguments {
+struct CompareArguments {
   std::string model, dataset, json;
   double most_radial_um = std::numeric_limits<double>::infinity();
 };
 
-int compare(const Arguments& arguments) {
+int compare(const CompareArguments& arguments) {
   check_outputs({arguments.model, arguments.dataset}, {arguments.json});
   std::optional<OutputFile> json;
   if (!arguments.json.empty()) json.emplace(arguments.json);
@@ -36,7 +36,7 @@ int compare(const Arguments& arguments) {
 void add_compare(CLI::App& app, Run& run) {
   CLI::App* const command = app.add_subcommand(
       "compare", "Compare a model with measurements: simulated and measured readings, the set-up fitted per run");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CompareArguments>();
   command->add_option("-m,--model", arguments->model, "the machine's model file")->type_name("MODEL")->required();
   command->add_option("-d,--dataset", arguments->dataset, "the measurements: a dataset.toml")
       ->type_name("DATASET")

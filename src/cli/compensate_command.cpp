@@ -13,12 +13,12 @@
 namespace plumbline::cli {
 namespace {
 
-struct Arguments {
+struct CompensateArguments {
   std::string program, output, json;
   SharedOptions shared;
 };
 
-int compensate(const Arguments& arguments) {
+int compensate(const CompensateArguments& arguments) {
   const jobs::Options options = arguments.shared.read(arguments.program);
   require_model(options);
   check_outputs({arguments.program, options.model, options.tools, options.variables, options.settings_file},
@@ -47,7 +47,7 @@ void add_compensate(CLI::App& app, Run& run) {
   CLI::App* const command = app.add_subcommand("compensate",
                                                "Correct a program, so that the tool tip of the deformed "
                                                "machine goes where the program means it to go");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CompensateArguments>();
   command->add_option("PROGRAM", arguments->program, "the NC program; - for standard input")
       ->type_name("FILE")
       ->required();

@@ -16,7 +16,7 @@
 namespace plumbline::cli {
 namespace {
 
-struct Arguments {
+struct DiagnoseArguments {
   jobs::DiagnoseJob job;
   std::string folder;
   bool json = false;
@@ -31,7 +31,7 @@ void make_folder(const std::string& folder) {
   }
 }
 
-int diagnose(const Arguments& arguments) {
+int diagnose(const DiagnoseArguments& arguments) {
   const std::string json = arguments.folder + "/diagnosis.json";
   const std::string model = arguments.folder + "/model.toml";
   const std::string page = arguments.folder + "/report.html";
@@ -53,7 +53,7 @@ int diagnose(const Arguments& arguments) {
 void add_diagnose(CLI::App& app, Run& run) {
   CLI::App* const command = app.add_subcommand(
       "diagnose", "Find which effect a model misses: name it, say how sure that is, add it, predict runs left out");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<DiagnoseArguments>();
   command->add_option("-m,--model", arguments->job.model, "the machine's model file")->type_name("MODEL")->required();
   command->add_option("-d,--dataset", arguments->job.dataset, "the measurements: a dataset.toml")
       ->type_name("DATASET")

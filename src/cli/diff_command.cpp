@@ -14,7 +14,7 @@
 namespace plumbline::cli {
 namespace {
 
-struct Arguments {
+struct DiffArguments {
   std::string a, b, json;
   bool expect_equal = false;
   double tolerance_mm = 1e-4;
@@ -22,7 +22,7 @@ struct Arguments {
   SharedOptions shared;
 };
 
-int diff(const Arguments& arguments) {
+int diff(const DiffArguments& arguments) {
   if (arguments.a == kStandardStream && arguments.b == kStandardStream) {
     throw UsageError("only one of A and B can be standard input");
   }
@@ -42,7 +42,7 @@ int diff(const Arguments& arguments) {
   return fails ? kFailed : kDone;
 }
 
-void add_files(CLI::App& command, Arguments& arguments) {
+void add_files(CLI::App& command, DiffArguments& arguments) {
   command.add_option("A", arguments.a, "the NC program to compare with; - for standard input")
       ->type_name("FILE")
       ->required();
@@ -67,7 +67,7 @@ void add_diff(CLI::App& app, Run& run) {
       "diff",
       "Compare two programs by the poses of the tool tip in W; offsets, tools and start that are not given are "
       "zero for both, and the settings file is that beside A");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<DiffArguments>();
   add_files(*command, *arguments);
   arguments->shared.add_to(*command, {jobs::OptionGroup::program});
   command->callback([arguments, &run] { run = [arguments] { return diff(*arguments); }; });

@@ -14,12 +14,12 @@
 namespace plumbline::cli {
 namespace {
 
-struct Arguments {
+struct ErrorArguments {
   std::string poses, model;
   std::string output = std::string(kStandardStream);
 };
 
-int error(const Arguments& arguments) {
+int error(const ErrorArguments& arguments) {
   check_outputs({arguments.poses, arguments.model}, {arguments.output});
   const machine::MachineModel model = machine::read_model(arguments.model);
   const std::vector<jobs::PoseRow> poses = jobs::read_poses(arguments.poses);
@@ -35,7 +35,7 @@ int error(const Arguments& arguments) {
 void add_error(CLI::App& app, Run& run) {
   CLI::App* const command =
       app.add_subcommand("error", "Tabulate strut lengths, forces and the error of the tool tip, the machine at rest");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ErrorArguments>();
   command
       ->add_option("POSES", arguments->poses,
                    "CSV with the columns x_mm,y_mm,z_mm,a_deg,b_deg,c_deg: poses of the tool tip in W; - for "

@@ -13,12 +13,12 @@
 namespace plumbline::cli {
 namespace {
 
-struct Arguments {
+struct IdentifyArguments {
   std::string model, dataset, output, json;
   identify::IdentifyOptions options;
 };
 
-int identify_model(const Arguments& arguments) {
+int identify_model(const IdentifyArguments& arguments) {
   check_outputs({arguments.model, arguments.dataset}, {arguments.output, arguments.json});
   OutputFile out(arguments.output);
   std::optional<OutputFile> json;
@@ -45,7 +45,7 @@ void add_identify(CLI::App& app, Run& run) {
   CLI::App* const command = app.add_subcommand(
       "identify",
       "Learn the model's parameters from circular tests: masses, friction, compliance, where the joints really are");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<IdentifyArguments>();
   command->add_option("-m,--model", arguments->model, "the machine's model file")->type_name("MODEL")->required();
   command->add_option("-d,--dataset", arguments->dataset, "the measurements: a dataset.toml")
       ->type_name("DATASET")

@@ -9,11 +9,11 @@
 namespace plumbline::cli {
 namespace {
 
-struct Arguments {
+struct RestoreArguments {
   std::string program, undo, output;
 };
 
-int restore(const Arguments& arguments) {
+int restore(const RestoreArguments& arguments) {
   const std::string undo = arguments.undo.empty() ? jobs::undo_name(arguments.program) : arguments.undo;
   check_outputs({arguments.program, undo}, {arguments.output});
   const InputFile program(arguments.program);
@@ -29,7 +29,7 @@ int restore(const Arguments& arguments) {
 void add_restore(CLI::App& app, Run& run) {
   CLI::App* const command =
       app.add_subcommand("restore", "Give back the original of a compensated program, byte for byte");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<RestoreArguments>();
   command->add_option("PROGRAM", arguments->program, "the compensated program")->type_name("FILE")->required();
   command->add_option("--undo", arguments->undo, "what compensate --undo wrote (default PROGRAM.undo)")
       ->type_name("FILE");

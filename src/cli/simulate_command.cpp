@@ -16,13 +16,13 @@
 namespace plumbline::cli {
 namespace {
 
-struct Arguments {
+struct SimulateArguments {
   std::string program, dataset;
   std::string output = std::string(kStandardStream);
   SharedOptions shared;
 };
 
-int simulate_dataset(const Arguments& arguments) {
+int simulate_dataset(const SimulateArguments& arguments) {
   if (!arguments.program.empty()) throw UsageError("either PROGRAM or -d DATASET, not both");
   if (arguments.output == kStandardStream) throw UsageError("-o DIR is required: the folder for the dataset");
   const jobs::Options options = arguments.shared.read(arguments.dataset);
@@ -33,7 +33,7 @@ int simulate_dataset(const Arguments& arguments) {
   return kDone;
 }
 
-int simulate(const Arguments& arguments) {
+int simulate(const SimulateArguments& arguments) {
   if (!arguments.dataset.empty()) return simulate_dataset(arguments);
   if (arguments.program.empty()) throw UsageError("PROGRAM is required: the NC program to be played, or -d DATASET");
   const jobs::Options options = arguments.shared.read(arguments.program);
@@ -58,7 +58,7 @@ void add_simulate(CLI::App& app, Run& run) {
       "simulate",
       "Play a program, as it stands, on the model: path, error of the tool tip, struts, forces, torques; or the "
       "circular tests of a dataset: readings of bar and motors");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<SimulateArguments>();
   command->add_option("PROGRAM", arguments->program, "the NC program; - for standard input")->type_name("FILE");
   command
       ->add_option("-d,--dataset", arguments->dataset,

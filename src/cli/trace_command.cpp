@@ -11,13 +11,13 @@
 namespace plumbline::cli {
 namespace {
 
-struct Arguments {
+struct TraceArguments {
   std::string program;
   std::string output = std::string(kStandardStream);
   SharedOptions shared;
 };
 
-int trace(const Arguments& arguments) {
+int trace(const TraceArguments& arguments) {
   const jobs::Options options = arguments.shared.read(arguments.program);
   check_outputs({arguments.program, options.tools, options.variables, options.settings_file}, {arguments.output});
   nc::ProgramSettings settings = jobs::program_settings(options);
@@ -35,7 +35,7 @@ int trace(const Arguments& arguments) {
 void add_trace(CLI::App& app, Run& run) {
   CLI::App* const command = app.add_subcommand(
       "trace", "Print the motion that a program makes, one JSON object a line, mm and deg; what nobody gave is zero");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<TraceArguments>();
   command->add_option("PROGRAM", arguments->program, "the NC program; - for standard input")
       ->type_name("FILE")
       ->required();

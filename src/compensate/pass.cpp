@@ -18,7 +18,6 @@ namespace {
 
 constexpr double kChordStepMm = 10;  // at which the limits are checked along a rapid
 constexpr double kChordStepDeg = 1;
-constexpr std::uint64_t kProgressEvery = 4096;
 constexpr double kNoWay = 1e-7;  // mm and deg
 constexpr std::string_view kStampMark = " compensated this program";
 

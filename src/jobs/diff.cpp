@@ -4,12 +4,6 @@
 #include "jobs/program_dialect.hpp"
 
 namespace plumbline::jobs {
-namespace {
-
-constexpr std::uint64_t kProgressEvery = 4096;
-
-}  // namespace
-
 bool DiffSummary::equal_within(double tolerance_mm, double tolerance_deg) const {
   bool equal = out_of_line_a == 0 && out_of_line_b == 0;
   for (const Axis axis : kAllAxes) {

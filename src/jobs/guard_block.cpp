@@ -8,17 +8,15 @@
 #include "base/number_text.hpp"
 #include "base/units.hpp"
 #include "jobs/options.hpp"
+#include "nc/parameters.hpp"
 
 namespace plumbline::jobs {
 namespace {
 
-constexpr int kG92InForce = 5210;  // parameters [LinuxCNC 2.9, "Parameters"; measured with rs274]
 constexpr int kActiveSystem = 5220;
 constexpr int kFirstRotation = 5230;
 constexpr int kPerSystem = 20;
 constexpr std::string_view kTolerance = "0.001";  // mm and deg
-
-std::string number(double value) { return to_decimal(value, kMostDecimals); }
 
 // LinuxCNC. Parameters #5221... are in the machine's unit, which a program cannot ask for; so an origin is found as the
 // difference of machine position (#<_abs_x>) and work position (#<_x>), both in the program's unit. #<plumbline_u> is
@@ -31,10 +29,10 @@ class LinuxCncGuard {
   }
 
   void check_start() {
-    stop_if(
-        "start",
-        {fmt::format("[#{} NE 1]", kActiveSystem), fmt::format("[#{} NE 0]", kG92InForce), "[#<_tool_offset> NE 0]"},
-        "start with G54, without G92 and without tool offset");
+    stop_if("start",
+            {fmt::format("[#{} NE 1]", kActiveSystem), fmt::format("[#{} NE 0]", nc::kG92InForce),
+             "[#<_tool_offset> NE 0]"},
+            "start with G54, without G92 and without tool offset");
   }
 
   void check_system(std::size_t system, const nc::WorkOffset& offset) {
@@ -43,12 +41,12 @@ class LinuxCncGuard {
     std::string wanted = name;
     std::vector<std::string> conditions;
     for (const Axis axis : kAllAxes) {
-      wanted += fmt::format(" {}{}", letter(axis), number(offset.origin[axis]));
+      wanted += fmt::format(" {}{}", letter(axis), to_decimal(offset.origin[axis]));
       conditions.push_back(differs(origin(axis, offset.rotation_deg), offset.origin[axis], !is_rotary(axis)));
     }
     const int rotation = kFirstRotation + kPerSystem * static_cast<int>(system);
     conditions.push_back(differs(fmt::format("#{}", rotation), offset.rotation_deg, false));
-    if (offset.rotation_deg != 0) wanted += " R" + number(offset.rotation_deg);
+    if (offset.rotation_deg != 0) wanted += " R" + to_decimal(offset.rotation_deg);
     stop_if(fmt::format("offset{}", system + 1), conditions, "this program was made for " + wanted);
   }
 
@@ -56,14 +54,14 @@ class LinuxCncGuard {
     lines_.emplace_back("#<plumbline_z>=#<_z>");
     lines_.push_back(fmt::format("G43 H{}", tool.number));
     stop_if(fmt::format("tool{}", tool.number), {differs("#<plumbline_z>-#<_z>", tool.length_mm, true)},
-            fmt::format("this program was made for tool {} of length {} mm", tool.number, number(tool.length_mm)));
+            fmt::format("this program was made for tool {} of length {} mm", tool.number, to_decimal(tool.length_mm)));
     lines_.emplace_back("G49");
   }
 
   void check_position(Axis axis, double wanted) {
     const auto lower = static_cast<char>(letter(axis) - 'A' + 'a');
     stop_if(fmt::format("axis{}", lower), {differs(fmt::format("#<_{}>", lower), wanted, false)},
-            fmt::format("this program was made for {} at {} deg", letter(axis), number(wanted)));
+            fmt::format("this program was made for {} at {} deg", letter(axis), to_decimal(wanted)));
   }
 
   void add_line(std::string line) { lines_.push_back(std::move(line)); }
@@ -73,15 +71,15 @@ class LinuxCncGuard {
   // wanted is in mm or deg
   static std::string differs(const std::string& expression, double wanted, bool is_length) {
     const std::string_view unit = is_length ? "*#<plumbline_u>" : "";
-    return fmt::format("[ABS[{}-[{}]{}] GT {}{}]", expression, number(wanted), unit, kTolerance, unit);
+    return fmt::format("[ABS[{}-[{}]{}] GT {}{}]", expression, to_decimal(wanted), unit, kTolerance, unit);
   }
 
   // p_machine = R(rotation) p_work + origin, of X and Y; the tool offset and G92 are off
   static std::string origin(Axis axis, double rotation_deg) {
     const auto lower = static_cast<char>(letter(axis) - 'A' + 'a');
     if (rotation_deg == 0 || (axis != Axis::X && axis != Axis::Y)) return fmt::format("#<_abs_{0}>-#<_{0}>", lower);
-    const std::string c = number(std::cos(rotation_deg * kDeg));
-    const std::string s = number(std::sin(rotation_deg * kDeg));
+    const std::string c = to_decimal(std::cos(rotation_deg * kDeg));
+    const std::string s = to_decimal(std::sin(rotation_deg * kDeg));
     if (axis == Axis::X) return fmt::format("#<_abs_x>-[{}]*#<_x>+[{}]*#<_y>", c, s);
     return fmt::format("#<_abs_y>-[{}]*#<_x>-[{}]*#<_y>", s, c);
   }
@@ -102,7 +100,7 @@ class LinuxCncGuard {
 };
 
 void refuse_g92(const nc::ProgramSettings& program) {
-  const auto in_force = program.variables.find(kG92InForce);
+  const auto in_force = program.variables.find(nc::kG92InForce);
   if (in_force == program.variables.end() || in_force->second == 0) return;
   refuse("guard-g92", "the variables put a G92 offset in force, and the guard cannot compare that",
          "clear it (G92.1) and put it into the work offset, or leave --guard out");

@@ -93,7 +93,7 @@ std::string stage_text(const Stage& stage) {
   return text;
 }
 
-ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
+ordered_json finite_or_null(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
 
 ordered_json unknowns_json(const Fit& fit) {
   ordered_json all = ordered_json::array();
@@ -103,7 +103,7 @@ ordered_json unknowns_json(const Fit& fit) {
     if (u.index >= 0) one["index"] = u.index;
     one["before"] = u.start / u.unit.si;
     one["value"] = value_of(fit, i) / u.unit.si;
-    one["standard_error"] = number(fit.standard_error(i) / u.unit.si);
+    one["standard_error"] = finite_or_null(fit.standard_error(i) / u.unit.si);
     one["prior_sigma"] = u.free() ? ordered_json(nullptr) : ordered_json(u.sigma / u.unit.si);
     all.push_back(std::move(one));
   }
@@ -117,7 +117,7 @@ ordered_json stage_json(const Stage& stage) {
   ordered_json rows = ordered_json::array();
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
     ordered_json row = ordered_json::array();
-    for (std::size_t k = 0; k < fit.unknowns.size(); ++k) row.push_back(number(fit.correlation(i, k)));
+    for (std::size_t k = 0; k < fit.unknowns.size(); ++k) row.push_back(finite_or_null(fit.correlation(i, k)));
     rows.push_back(std::move(row));
   }
   json["correlations"] = std::move(rows);

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kChordStepMm = 10;
 constexpr double kChordStepDeg = 1;
-constexpr std::uint64_t kProgressEvery = 4096;
 
 bool cuts(const nc::Motion& motion) {
   return motion.kind == nc::MotionKind::feed || motion.kind == nc::MotionKind::arc;

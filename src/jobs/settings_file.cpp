@@ -34,9 +34,9 @@ const OptionRow* row_of_key(std::string_view key) {
   return found == rows.end() ? nullptr : &*found;
 }
 
-class Reader {
+class SettingsReader {
  public:
-  Reader(const TomlDocument& document, Options& options) : document_(document), options_(options) {}
+  SettingsReader(const TomlDocument& document, Options& options) : document_(document), options_(options) {}
 
   void check_kind() const {
     const TomlEntry* const kind = document_.root.find("plumbline");
@@ -128,7 +128,7 @@ std::string settings_file_beside(const std::string& program) {
 void read_settings_file(const std::string& path, Options& options,
                         const std::function<bool(const OptionRow&)>& is_given) {
   const TomlDocument document = parse_toml(read_text(path), path);
-  Reader reader(document, options);
+  SettingsReader reader(document, options);
   reader.check_kind();
   for (const TomlEntry& entry : document.root.entries) {
     if (entry.key == "plumbline") continue;
@@ -139,7 +139,7 @@ void read_settings_file(const std::string& path, Options& options,
     }
     Options scratch;
     const bool counts = row->name == "work-offset" || !is_given || !is_given(*row);
-    Reader(document, counts ? options : scratch).take(*row, entry);
+    SettingsReader(document, counts ? options : scratch).take(*row, entry);
   }
   options.settings_file = path;
 }

@@ -14,11 +14,9 @@ namespace {
 constexpr std::size_t kWidth = 100;  // of a comment, where the dialect does not ask for less
 constexpr std::string_view kFurther = ".. ";
 
-std::string number(double value) { return to_decimal(value, kMostDecimals); }
-
 std::string words(const AxisWords& values) {
   std::string text;
-  for (const Axis axis : kAllAxes) text += fmt::format(" {}{}", letter(axis), number(values[axis]));
+  for (const Axis axis : kAllAxes) text += fmt::format(" {}{}", letter(axis), to_decimal(values[axis]));
   return text;
 }
 
@@ -31,7 +29,7 @@ std::string settings_line(const Options& options) {
   std::string line =
       fmt::format("method {}, friction {}, step {} deg or {} mm, time tolerance {} of a block",
                   c.method == compensate::Method::exact ? "exact" : "first order", c.friction ? "on" : "off",
-                  number(c.step.angle_deg), number(c.step.length_mm), number(options.time_tolerance));
+                  to_decimal(c.step.angle_deg), to_decimal(c.step.length_mm), to_decimal(options.time_tolerance));
   if (options.calculator_type) line += fmt::format(", calculator type {}", *options.calculator_type ? "on" : "off");
   if (options.feed_rule) line += fmt::format(", feed rule {}", name_of(*options.feed_rule));
   if (options.block_delete) line += fmt::format(", block delete {}", *options.block_delete ? "on" : "off");
@@ -39,16 +37,17 @@ std::string settings_line(const Options& options) {
 }
 
 std::string tool_line(const nc::Tool& tool) {
-  std::string line = fmt::format("tool {}: length {} mm", tool.number, number(tool.length_mm));
+  std::string line = fmt::format("tool {}: length {} mm", tool.number, to_decimal(tool.length_mm));
   if (!tool.mass_kg) return line + ", mass not stated";
-  return line + fmt::format(", mass {} kg at {} mm", number(*tool.mass_kg), number(tool.centre_of_mass_mm.value_or(0)));
+  return line + fmt::format(", mass {} kg at {} mm", to_decimal(*tool.mass_kg),
+                            to_decimal(tool.centre_of_mass_mm.value_or(0)));
 }
 
 std::string start_line(const nc::ProgramSettings& program) {
   std::string line;
   for (const Axis axis : kAllAxes) {
     const auto& value = program.start[index(axis)];
-    if (value) line += fmt::format(" {}{}", letter(axis), number(*value));
+    if (value) line += fmt::format(" {}{}", letter(axis), to_decimal(*value));
   }
   return line.empty() ? line : "start at" + line;
 }
@@ -101,7 +100,7 @@ std::vector<std::string> stamp(const Options& options, const nc::ProgramSettings
   for (std::size_t i = 0; i < program.work_offsets.size(); ++i) {
     const auto& offset = program.work_offsets[i];
     if (!offset) continue;
-    const std::string turned = offset->rotation_deg == 0 ? "" : " R" + number(offset->rotation_deg);
+    const std::string turned = offset->rotation_deg == 0 ? "" : " R" + to_decimal(offset->rotation_deg);
     add(dialect.name_of_system(static_cast<int>(i) + 1) + words(offset->origin) + turned);
   }
   for (const nc::Tool& tool : tools) add(tool_line(tool));

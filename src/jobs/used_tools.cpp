@@ -4,15 +4,13 @@
 #include <set>
 #include <string_view>
 
+#include "base/characters.hpp"
 #include "nc/line_source.hpp"
 
 namespace plumbline::jobs {
 namespace {
 
 constexpr int kLargestNumber = 99999999;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 class Scan {
  public:

@@ -31,9 +31,9 @@ Piece next_piece(std::string_view line, std::size_t from) {
   return {begin, end - begin};
 }
 
-class Reader {
+class VariablesReader {
  public:
-  Reader(const std::string& path, const std::string& text) : path_(path), text_(text) {}
+  VariablesReader(const std::string& path, const std::string& text) : path_(path), text_(text) {}
 
   void take_line(std::size_t begin, std::size_t end) {
     std::string_view line = std::string_view(text_).substr(begin, end - begin);
@@ -75,7 +75,7 @@ constexpr std::size_t kSystemsOfVariables = 9;  // G54 to G59.3, of which other 
 
 std::map<int, double> read_variables(const std::string& path) {
   const std::string text = read_text(path);
-  Reader reader(path, text);
+  VariablesReader reader(path, text);
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     reader.take_line(begin, end);

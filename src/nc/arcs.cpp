@@ -19,7 +19,6 @@ constexpr double kSpiralRelative = 1e-3;
 constexpr double kSpiralLargest = 100;  // times the tolerance, whatever the radius
 constexpr double kHalfCircle = 1e-12;   // of the chord over the diameter, from 1
 constexpr double kWholeTurns = 1e-3;
-constexpr std::array kCentreLetters{'I', 'J', 'K'};  // of X, Y, Z
 
 // Start, end and centre in the plane: first and second axis.
 struct PlaneArc {

@@ -15,6 +15,8 @@ constexpr std::size_t letter_place(char letter) {
   if (letter >= 'A' && letter <= 'Z') return static_cast<std::size_t>(letter - 'A');
   return letter == '@' ? 26 : letter == '^' ? 27 : static_cast<std::size_t>(letter - '1') + 28;
 }
+inline constexpr std::array kCentreLetters{'I', 'J', 'K'};  // of X, Y, Z
+
 constexpr std::uint32_t letter_bit(char letter) { return std::uint32_t{1} << letter_place(letter); }
 
 class BlockWords {

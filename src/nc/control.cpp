@@ -6,7 +6,6 @@ namespace plumbline::nc {
 namespace {
 
 constexpr int kFirstHome = 5161;  // parameters of G28, twenty further G30 [LinuxCNC; RS274/NGC 3.2.1]
-constexpr int kG92InForce = 5210;
 constexpr int kG92 = 5211;
 constexpr int kParametersPerRow = 20;
 

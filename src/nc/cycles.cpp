@@ -11,7 +11,6 @@ namespace plumbline::nc {
 namespace {
 
 constexpr double kMostPecks = 1e6;
-constexpr std::array kCentreLetters{'I', 'J', 'K'};
 
 enum Code {
   kChipBreaking = 73,

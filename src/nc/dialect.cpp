@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/characters.hpp"
 #include "base/diagnostic.hpp"
 #include "nc/codes.hpp"
 #include "nc/dialect_table.hpp"
@@ -43,11 +44,7 @@ const CodeRow* Dialect::row_of(const Word& word) const {
 }
 
 const NameMeaning* Dialect::meaning(std::string_view text) const {
-  std::string upper(text);
-  for (char& c : upper) {
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  }
-  const auto at = syntax.meanings.find(upper);
+  const auto at = syntax.meanings.find(upper(text));
   return at == syntax.meanings.end() ? nullptr : &at->second;
 }
 

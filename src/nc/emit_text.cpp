@@ -1,18 +1,16 @@
 #include "nc/emit_text.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
+#include "base/characters.hpp"
 #include "base/number_text.hpp"
 #include "nc/parser.hpp"
 
 namespace plumbline::nc {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
-char in_case(char c, bool lower) { return lower ? static_cast<char>(std::tolower(static_cast<unsigned char>(c))) : c; }
+char in_case(char c, bool lower) { return lower ? plumbline::lower(c) : c; }
 
 }  // namespace
 

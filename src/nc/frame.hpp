@@ -5,6 +5,8 @@
 
 namespace plumbline::nc {
 
+inline constexpr AxisSet kTurningAxes{Axis::X, Axis::Y};  // which a rotation of the work system mixes
+
 /// The offsets in force. Order as in RS274/NGC: work + G92, turned about Z by the rotation, + work offset, + tool.
 struct Frame {
   AxisWords origin;         // of the active work system (G54...)

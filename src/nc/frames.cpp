@@ -9,8 +9,6 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr AxisSet kTurning{Axis::X, Axis::Y};
-
 AxisWords turned(AxisWords words, double degrees) {
   Frame frame;
   frame.rotation_deg = degrees;
@@ -32,7 +30,7 @@ void turn(Execution& run, double degrees) {
   const bool changes = degrees != control.turn_deg;
   control.turn_deg = degrees;
   control.use_active_system();
-  if (changes && !run.settings.as_with_empty_tables) control.known = control.known - kTurning;
+  if (changes && !run.settings.as_with_empty_tables) control.known = control.known - kTurningAxes;
 }
 
 void check_no_g92(const Execution& run, const Word& word) {

@@ -4,12 +4,10 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr AxisSet kTurning{Axis::X, Axis::Y};
-
 // In a turned work system X and Y are known together or not at all.
 AxisSet known_in_work(const Frame& frame, AxisSet known_in_machine) {
-  if (frame.rotation_deg == 0 || known_in_machine.contains(kTurning)) return known_in_machine;
-  return known_in_machine - kTurning;
+  if (frame.rotation_deg == 0 || known_in_machine.contains(kTurningAxes)) return known_in_machine;
+  return known_in_machine - kTurningAxes;
 }
 
 }  // namespace

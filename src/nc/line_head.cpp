@@ -1,15 +1,13 @@
 #include "nc/line_head.hpp"
 
 #include <algorithm>
-#include <cctype>
+
+#include "base/characters.hpp"
 
 namespace plumbline::nc {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+bool is_of_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
 std::string upper_without_blanks(std::string_view text) {
   std::string out;
@@ -58,7 +56,7 @@ class HeadReader {
 
   std::string_view identifier() {
     const std::size_t begin = at_;
-    while (!at_end() && (is_letter(line_[at_]) || is_digit(line_[at_]))) ++at_;
+    while (!at_end() && is_of_name(line_[at_])) ++at_;
     return line_.substr(begin, at_ - begin);
   }
 

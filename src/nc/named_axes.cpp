@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -7,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/characters.hpp"
 #include "base/diagnostic.hpp"
 #include "nc/line_source.hpp"
 #include "nc/parser.hpp"
@@ -47,7 +47,7 @@ fs::path called_file(const Block& block, const fs::path& folder) {
   std::string name;
   if (block.flow.word == FlowWord::call && block.flow.label == kLiteral) {
     for (const char c : block.at(block.flow.name)) {
-      if (c != ' ' && c != '\t') name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      if (c != ' ' && c != '\t') name += lower(c);
     }
   } else if (block.flow.word == FlowWord::call && block.code.at(block.flow.label).operation == Operation::number) {
     name = fmt::format("{}", std::lround(block.code[block.flow.label].number));

@@ -8,8 +8,6 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr AxisSet kTurning{Axis::X, Axis::Y};  // the axes that a rotation mixes
-
 // What G92 and G10 L20 read: where the named axes stand.
 void need_position(const Execution& run, AxisSet axes) {
   for (const Axis axis : kAllAxes) {
@@ -54,7 +52,7 @@ void set_origin(Execution& run) {
   control.use_changed_row();
   const bool shifted = control.frame.g92[Axis::X] != 0 || control.frame.g92[Axis::Y] != 0;
   // The control errs then about where it stands.
-  if (shifted && row.rotation_deg != rotation) lose_position(run, kTurning);
+  if (shifted && row.rotation_deg != rotation) lose_position(run, kTurningAxes);
 }
 
 // G10 L20: the origin moves so that the axes stand on the given words. With p = origin + R (work + G92) and p
@@ -68,9 +66,9 @@ void set_origin_here(Execution& run) {
       run.refuse(*word, codes::kWordUnused, fmt::format("G10 L20 has no use for {}", letter), "remove it");
     }
   }
-  const bool turns = row.rotation_deg != 0 && !(run.axes & kTurning).empty();
-  need_position(run, turns ? run.axes | kTurning : run.axes);
-  if (turns && !row.known.contains(kTurning - run.axes)) need_offsets(run);
+  const bool turns = row.rotation_deg != 0 && !(run.axes & kTurningAxes).empty();
+  need_position(run, turns ? run.axes | kTurningAxes : run.axes);
+  if (turns && !row.known.contains(kTurningAxes - run.axes)) need_offsets(run);
   Frame there = control.frame;
   there.origin = row.origin;
   there.rotation_deg = row.rotation_deg;

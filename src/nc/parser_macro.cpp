@@ -1,4 +1,5 @@
 // The productions of macro B: statements, and values that need no brackets.
+#include "base/characters.hpp"
 #include "nc/codes.hpp"
 #include "nc/parser.hpp"
 
@@ -6,7 +7,7 @@ namespace plumbline::nc {
 
 // Block skip with a number: /2. The numbers are switches of the control, which here are one.
 void Parser::skip_level() {
-  while (*at_ >= '0' && *at_ <= '9') ++at_;
+  while (is_digit(*at_)) ++at_;
   block_->slash.end = static_cast<std::uint32_t>(at_ - block_->text.data());
 }
 

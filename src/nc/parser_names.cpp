@@ -1,18 +1,14 @@
 // The productions of languages in which words, values and codes may be names: X=LENGTH, TRAORI, R1=5.
 #include <algorithm>
-#include <cctype>
 
 #include <fmt/format.h>
 
+#include "base/characters.hpp"
 #include "nc/codes.hpp"
 #include "nc/parser.hpp"
 
 namespace plumbline::nc {
-namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-}  // namespace
+namespace {}  // namespace
 
 // block = [ percent ] , [ "/" , [ digit ] ] , [ label ] , ( program name | items )
 void Parser::named_block() {
@@ -39,7 +35,7 @@ void Parser::named_block() {
 // False: the line is the name of a program.
 bool Parser::block_label() {
   const bool user_task = syntax_->statements == Statements::user_task;
-  const auto first = [&] { return static_cast<char>(std::toupper(static_cast<unsigned char>(*token_.begin))); };
+  const auto first = [&] { return upper(*token_.begin); };
   if (token_.kind == TokenKind::word && token_.letter == 'N') {
     block_->number = span_of(token_);
     if (token_.begin[1] == '-' || token_.begin[1] == '+') {
@@ -224,8 +220,7 @@ bool Parser::word_mode(WordMode& mode) {
   Token next;
   lex_named_value(at_, next);
   if (next.kind != TokenKind::identifier) return false;
-  std::string name(next.begin, next.end);
-  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  const std::string name = upper({next.begin, next.end});
   constexpr std::pair<std::string_view, WordMode> kModes[] = {{"AC", WordMode::absolute},
                                                               {"IC", WordMode::incremental},
                                                               {"DC", WordMode::shortest},
@@ -301,8 +296,7 @@ void Parser::assigned_variable(Span name, const NameMeaning* meaning) {
   if (meaning != nullptr && meaning->kind == NameMeaning::Kind::function) {
     refuse_at(*block_, name, codes::kAssignment, fmt::format("{} is no variable", text), "choose another name");
   }
-  if (!syntax_->reserved.empty() && !is_numbered(text) &&
-      std::toupper(static_cast<unsigned char>(text.front())) == syntax_->reserved.front()) {
+  if (!syntax_->reserved.empty() && !is_numbered(text) && upper(text.front()) == syntax_->reserved.front()) {
     refuse_reserved(name);
   }
   const auto begin = static_cast<std::uint32_t>(block_->code.size());

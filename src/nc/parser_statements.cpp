@@ -1,8 +1,8 @@
 // The productions of lines that steer a program in languages with names: IF, GOTO, CALL, FOR and their like.
-#include <cctype>
 
 #include <fmt/format.h>
 
+#include "base/characters.hpp"
 #include "nc/codes.hpp"
 #include "nc/parser.hpp"
 
@@ -45,7 +45,7 @@ namespace {
 
 // GOTOF, GOTOB
 Direction direction_of(std::string_view keyword) {
-  const int last = std::toupper(static_cast<unsigned char>(keyword.back()));
+  const char last = upper(keyword.back());
   return last == 'F' ? Direction::forward : last == 'B' ? Direction::backward : Direction::both;
 }
 
@@ -163,8 +163,7 @@ void Parser::for_statement() {
   const Span name = span_of(token_);
   assigned_variable(name, dialect_->meaning(block_->at(name)));
   take(lex_named_item);
-  std::string word(token_.begin, token_.end);
-  for (char& c : word) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  const std::string word = upper({token_.begin, token_.end});
   if (word != "TO") {
     refuse_at(*block_, block_->flow.span, codes::kFlowControl, "TO is missing in this loop",
               "write it as in FOR R1=1 TO 10");
@@ -175,8 +174,7 @@ void Parser::for_statement() {
 // definition = "DEF" , type , variable , [ "=" , value ] , { "," , variable , [ "=" , value ] }
 void Parser::define_statement() {
   take(lex_named_item);
-  std::string type(token_.begin, token_.end);
-  for (char& c : type) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  const std::string type = upper({token_.begin, token_.end});
   if (type != "REAL" && type != "INT" && type != "BOOL") {
     refuse_at(*block_, span_of(token_), codes::kNotInterpreted,
               fmt::format("variables of type {} are not interpreted", type), "REAL, INT and BOOL are");

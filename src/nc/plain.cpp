@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <utility>
 
+#include "base/characters.hpp"
 #include "base/check.hpp"
 #include "base/number_text.hpp"
 #include "base/units.hpp"
@@ -21,7 +21,7 @@ bool is_polar(const Word& word) { return word.letter == '@' || word.letter == '^
 bool shows_parameters(std::string_view comment) {
   std::string text;
   for (const char c : comment.substr(1)) {
-    if (c != ' ' && c != '\t') text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (c != ' ' && c != '\t') text += lower(c);
     if (text.size() > 6) break;
   }
   const bool active = text.starts_with("debug,") || text.starts_with("print,") || text.starts_with("log,");

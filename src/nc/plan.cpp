@@ -18,7 +18,7 @@ constexpr std::uint32_t kUninterpretedLetters = letter_bit('U') | letter_bit('V'
 constexpr std::uint32_t kAxisLetters =
     letter_bit('X') | letter_bit('Y') | letter_bit('Z') | letter_bit('A') | letter_bit('B') | letter_bit('C');
 constexpr std::uint32_t kFreeLetters = letter_bit('F') | letter_bit('S') | letter_bit('T');  // need no code
-constexpr std::uint32_t kCentreLetters = letter_bit('I') | letter_bit('J') | letter_bit('K');
+constexpr std::uint32_t kCentreBits = letter_bit('I') | letter_bit('J') | letter_bit('K');
 
 std::string text_of(const Execution& run, const Word& word) { return std::string(run.block->at(word.span)); }
 
@@ -293,7 +293,7 @@ void find_motion(Execution& run) {
   }
   if (takers.other != nullptr || takers.tool_length) return;
   const CodeRow* const mode = takers.turns_off ? nullptr : run.control.motion_row;
-  const bool centre = is_arc(mode) && (run.words.letters() & kCentreLetters) != 0;
+  const bool centre = is_arc(mode) && (run.words.letters() & kCentreBits) != 0;
   if (run.axes.empty() && !centre) return;
   if (mode == nullptr) {
     run.refuse(first_axis_word(run), codes::kAxesUnused, "no motion code is in force for these axis words",

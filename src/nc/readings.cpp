@@ -13,7 +13,7 @@ namespace {
 
 // Parameters of the control's tables, in the machine's unit (mm, deg) [LinuxCNC, "Parameters"].
 constexpr int kHomes = 5161, kHomesEnd = 5190;
-constexpr int kG92InForce = 5210, kG92End = 5220;
+constexpr int kG92End = 5220;
 constexpr int kActiveSystem = 5220, kSystems = 5221, kSystemsEnd = 5401 - 11;
 constexpr int kTool = 5400, kToolOffset = 5401, kPosition = 5420, kPositionEnd = 5429;
 constexpr int kPerRow = 20, kRotation = 9;

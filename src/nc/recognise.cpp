@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/characters.hpp"
 #include "base/diagnostic.hpp"
 #include "nc/codes.hpp"
 
@@ -15,10 +16,7 @@ namespace {
 
 constexpr std::size_t kLook = std::size_t{1} << 16U;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+bool begins_name(char c) { return is_letter(c) || c == '_'; }
 
 // A mark at one place of a line: a blank stands for any blanks or none, 0 for a number, ~ for the end of a word, $ for
 // the end of the line.
@@ -32,7 +30,7 @@ bool matches_at(std::string_view mark, std::string_view line, std::size_t at) {
     } else if (wanted == '~') {
       const bool number = at > 0 && is_digit(line[at - 1]);
       if (at < line.size() && (is_digit(line[at]) || line[at] == '.')) return false;
-      if (!number && at < line.size() && is_letter(line[at])) return false;
+      if (!number && at < line.size() && begins_name(line[at])) return false;
     } else if (wanted == '$') {
       while (at < line.size() && is_blank(line[at])) ++at;
       if (at < line.size()) return false;
@@ -47,7 +45,7 @@ bool matches_at(std::string_view mark, std::string_view line, std::size_t at) {
 bool holds(std::string_view mark, std::string_view line, bool first) {
   if (mark.starts_with('^')) return first && matches_at(mark.substr(1), line, 0);
   for (std::size_t at = 0; at < line.size(); ++at) {
-    const bool inside = is_letter(mark.front()) && at > 0 && (is_letter(line[at - 1]) || line[at - 1] == '$');
+    const bool inside = begins_name(mark.front()) && at > 0 && (begins_name(line[at - 1]) || line[at - 1] == '$');
     if (!inside && matches_at(mark, line, at)) return true;
   }
   return false;
@@ -59,7 +57,7 @@ std::string plain(std::string_view line) {
   std::string out;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == ';' && !line.substr(i).starts_with(";$PATH")) break;
-    const bool behind_name = !out.empty() && is_letter(out.back());
+    const bool behind_name = !out.empty() && begins_name(out.back());
     if (line[i] == '(' && !behind_name) {
       i = std::min(line.find(')', i), line.size());
     } else {

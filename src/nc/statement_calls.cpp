@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/characters.hpp"
 #include "nc/codes.hpp"
 #include "nc/parser.hpp"
 #include "nc/statement_flow.hpp"
@@ -13,13 +14,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kCallLevels = 10;
-
-std::string upper(std::string text) {
-  for (char& c : text) {
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  }
-  return text;
-}
 
 Span span_of_statement(const Block& block) {
   if (block.flow.word == FlowWord::none && !block.words.empty()) return block.words.front().span;

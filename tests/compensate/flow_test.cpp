@@ -15,7 +15,7 @@ Job without_friction() {
   return job;
 }
 
-Job without_errors() {
+Job without_gravity() {
   Job job = without_friction();
   job.model.gravity.setZero();
   return job;
@@ -37,7 +37,7 @@ std::string check_unrolled(const std::string& text) {
   const Played played = play(text, result.text, without_friction());
   CHECK(played.at_points_um <= 0.15);
   CHECK(played.time_change <= 1e-3);
-  CHECK(run(text, without_errors()).text == text);
+  CHECK(run(text, without_gravity()).text == text);
   return result.text;
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("a program that jumps stays as it is where nothing must change") {
   const std::string text = kStart +
                            "#1=0 (counts)\no1 while [#1 lt 9]\n#1=[#1+1]\nG1 @[#1] ^30 F100\no1 endwhile\n"
                            "G81 X1 Y1 Z-3 R1\nX5\nG80\nM2\nbehind the end\n";
-  const Result result = run(text, without_errors());
+  const Result result = run(text, without_gravity());
   CHECK(result.text == text);
   CHECK(result.summary.identical);
   CHECK_FALSE(result.summary.unrolled);
@@ -109,7 +109,7 @@ TEST_CASE("drilling cycles become moves, each corrected") {
     const Played played = play(whole, result.text, without_friction());
     CHECK(played.at_points_um <= 0.15);
     CHECK(played.time_change <= 1e-3);
-    CHECK(run(whole, without_errors()).text == whole);
+    CHECK(run(whole, without_gravity()).text == whole);
   }
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("polar words become X and Y where the block must change") {
   CHECK(result.text.find_first_of("@^") == std::string::npos);
   CHECK(result.text.find("(turns)") != std::string::npos);
   CHECK(play(text, result.text, without_friction()).at_points_um <= 0.15);
-  CHECK(run(text, without_errors()).text == text);
+  CHECK(run(text, without_gravity()).text == text);
 }
 
 TEST_CASE("cycles that work the spindle keep their form, their hole shifted") {
@@ -140,7 +140,7 @@ TEST_CASE("cycles that work the spindle keep their form, their hole shifted") {
       CHECK(tip_distance(stands, before[i].to_W) <= job.settings.cycle_tolerance_mm);
       CHECK(tip_distance(after[i].to_W, before[i].to_W) > 1e-3);
     }
-    CHECK(run(whole, without_errors()).text == whole);
+    CHECK(run(whole, without_gravity()).text == whole);
   }
   job.settings.cycle_tolerance_mm = 1e-5;
   CHECK(code_of(kStart + "G84 X10 Y5 Z-80 R2 F200\n", job) == "compensate-cycle");
@@ -157,7 +157,7 @@ TEST_CASE("splines become straight moves, each corrected") {
     const Played played = play(whole, result.text, without_friction());
     CHECK(played.at_points_um <= 0.15);
     CHECK(played.time_change <= 1e-3);
-    CHECK(run(whole, without_errors()).text == whole);
+    CHECK(run(whole, without_gravity()).text == whole);
   }
   // Its points stand in blocks that were written before anybody knew that the curve must change.
   check_unrolled(kStart + "G5.2 X10 Y20 P1 L3 F500\nX20 Y20 P.5\nX20 Y0 P1\nG5.3\nG1 Z3\nM2\n");
@@ -176,7 +176,7 @@ TEST_CASE("moves that the spindle leads go through only where nothing must chang
   std::size_t line = 0;
   CHECK(code_of(text, without_friction(), &line) == "compensate-synchronised");
   CHECK(line == 4);
-  CHECK(run(text, without_errors()).text == text);
+  CHECK(run(text, without_gravity()).text == text);
 }
 
 TEST_CASE("what only the machine knows may not be written as a value") {

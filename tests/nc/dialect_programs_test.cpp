@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Expected {
+struct ExpectedMotion {
   std::string text;
   std::string kind;
   AxisWords to, machine;
@@ -35,7 +35,7 @@ struct Expected {
 };
 
 struct Trace {
-  std::vector<Expected> motions;
+  std::vector<ExpectedMotion> motions;
   ProgramSettings settings = empty_tables();
   std::string dialect;
 };
@@ -66,7 +66,7 @@ Trace read_trace(const fs::path& path, const Dialect& dialect) {
   std::ifstream in(path);
   REQUIRE(in);
   Trace trace;
-  Expected now;
+  ExpectedMotion now;
   for (std::string line; std::getline(in, line);) {
     std::istringstream words(line);
     std::string word;
@@ -121,7 +121,7 @@ std::string kind_of(const Motion& motion) {
 
 bool near(double a, double b) { return std::abs(a - b) < 1e-6; }
 
-bool same(const Motion& ours, const Expected& expected) {
+bool same(const Motion& ours, const ExpectedMotion& expected) {
   if (kind_of(ours) != expected.kind) return false;
   if (expected.kind == "dwell") return near(ours.dwell_s, expected.dwell_s);
   for (const Axis axis : kAllAxes) {

@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kMilli = 1e-3;
 constexpr double kMicro = 1e-6;
-constexpr double kDeg = M_PI / 180;
 
 template <class Numbers>
 std::vector<double*> each(Numbers& numbers) {

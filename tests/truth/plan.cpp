@@ -8,8 +8,6 @@
 namespace truth {
 namespace {
 
-constexpr double kMm = 1e-3;
-constexpr double kDeg = M_PI / 180;
 constexpr double kPause = 120;    // s between two runs
 constexpr double kWarmUp = 3600;  // s until a warm repeat
 

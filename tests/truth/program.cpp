@@ -12,7 +12,7 @@
 namespace truth {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 // One motion: where it begins and ends, mm and deg, and about which centre if it is an arc.
 struct Move {

@@ -8,6 +8,9 @@
 
 namespace truth {
 
+inline constexpr double kMm = 1e-3;
+inline constexpr double kDeg = M_PI / 180;
+
 using Vec = Eigen::Vector3d;
 using Rotation = Eigen::Matrix3d;
 using Vec6 = Eigen::Matrix<double, 6, 1>;
