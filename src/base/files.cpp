@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 16U;
 constexpr std::size_t kBufferedOutput = std::size_t{1} << 18U;
+constexpr std::uint64_t kLargestText = 1'000'000'000;
 
 [[noreturn]] void refuse_file(std::string_view code, const std::string& path, std::string message, std::string help) {
   Place place;
@@ -30,15 +31,19 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
-int open_unnamed_temporary() {
-  std::string name = (std::filesystem::temp_directory_path() / "plumbline-XXXXXX").string();
-  const int descriptor = mkstemp(name.data());
-  if (descriptor < 0) {
-    refuse_file("file-unwritable", name, fmt::format("cannot make a temporary file: {}", std::strerror(errno)),
+Descriptor open_unnamed_temporary() {
+  std::error_code no_folder;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(no_folder);
+  const char* const stated = std::getenv("TMPDIR");
+  std::string name = no_folder && stated != nullptr ? stated : (folder / "plumbline-XXXXXX").string();
+  Descriptor file(no_folder ? -1 : mkostemp(name.data(), O_CLOEXEC));
+  if (!file.is_open()) {
+    const std::string why = no_folder ? no_folder.message() : std::strerror(errno);
+    refuse_file("file-unwritable", name, fmt::format("cannot make a temporary file: {}", why),
                 "name a folder with room in the environment variable TMPDIR");
   }
   unlink(name.c_str());
-  return descriptor;
+  return file;
 }
 
 bool write_all(int descriptor, const char* bytes, std::size_t count) {
@@ -65,6 +70,18 @@ bool copy_all(int from, int to) {
 
 }  // namespace
 
+Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
+  if (this != &other) {
+    close();
+    number_ = other.release();
+  }
+  return *this;
+}
+
+Descriptor::~Descriptor() { close(); }
+
+bool Descriptor::close() { return !is_open() || ::close(release()) == 0; }
+
 InputFile::InputFile(const std::string& path) : name_(path) {
   if (path == kStandardStream) {
     name_ = "<stdin>";
@@ -73,50 +90,39 @@ InputFile::InputFile(const std::string& path) : name_(path) {
     open(path);
   }
   struct stat status {};
-  PLUMBLINE_CHECK(fstat(descriptor_, &status) == 0);
+  PLUMBLINE_CHECK(fstat(descriptor_.number(), &status) == 0);
   size_ = static_cast<std::uint64_t>(status.st_size);
 }
 
 void InputFile::open(const std::string& path) {
-  descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor_ < 0) {
+  Descriptor opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!opened.is_open()) {
     refuse_file(errno == ENOENT ? "file-missing" : "file-unreadable", path,
                 fmt::format("cannot be opened: {}", std::strerror(errno)), "check the path and its permissions");
   }
   struct stat status {};
-  PLUMBLINE_CHECK(fstat(descriptor_, &status) == 0);
-  if (S_ISREG(status.st_mode)) return;
-  const int opened = descriptor_;
-  if (S_ISDIR(status.st_mode)) {
-    ::close(opened);
-    refuse_file("file-is-folder", path, "is a folder, not a file", "name a file in it");
+  PLUMBLINE_CHECK(fstat(opened.number(), &status) == 0);
+  if (S_ISDIR(status.st_mode)) refuse_file("file-is-folder", path, "is a folder, not a file", "name a file in it");
+  if (S_ISREG(status.st_mode)) {
+    descriptor_ = std::move(opened);
+  } else {
+    spool(opened.number());
   }
-  spool(opened);
-  ::close(opened);
 }
 
 // Pipes and devices cannot be sought in: what they give is kept in a temporary file.
 void InputFile::spool(int from) {
   descriptor_ = open_unnamed_temporary();
-  if (!copy_all(from, descriptor_)) {
+  if (!copy_all(from, descriptor_.number())) {
     refuse_file("file-unreadable", name_, fmt::format("cannot be kept: {}", std::strerror(errno)),
                 "write it into a file, and name that");
   }
 }
 
-InputFile::InputFile(InputFile&& other) noexcept
-    : name_(std::move(other.name_)), descriptor_(other.descriptor_), size_(other.size_) {
-  other.descriptor_ = -1;
-}
-
-InputFile::~InputFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
 std::size_t InputFile::read(std::uint64_t offset, char* into, std::size_t count) const {
   std::size_t got = 0;
   while (got < count) {
-    const ssize_t n = pread(descriptor_, into + got, count - got, static_cast<off_t>(offset + got));
+    const ssize_t n = pread(descriptor_.number(), into + got, count - got, static_cast<off_t>(offset + got));
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) {
       refuse_file("file-unreadable", name_, fmt::format("cannot be read: {}", std::strerror(errno)),
@@ -131,18 +137,23 @@ std::size_t InputFile::read(std::uint64_t offset, char* into, std::size_t count)
 bool InputFile::is_same_as(const std::string& path) const {
   struct stat mine {};
   struct stat other {};
-  return fstat(descriptor_, &mine) == 0 && ::stat(path.c_str(), &other) == 0 && mine.st_dev == other.st_dev &&
+  return fstat(descriptor_.number(), &mine) == 0 && ::stat(path.c_str(), &other) == 0 && mine.st_dev == other.st_dev &&
          mine.st_ino == other.st_ino;
 }
 
 std::string read_text(const std::string& path) {
   const InputFile file(path);
+  if (file.size() > kLargestText) {
+    refuse_file("file-too-large", file.name(),
+                fmt::format("is {:.3g} GB large", static_cast<double>(file.size()) / 1e9),
+                "name the right file, or cut it into several: no more than 1 GB is read at once");
+  }
   std::string text(file.size(), '\0');
   text.resize(file.read(0, text.data(), text.size()));
   return text;
 }
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path_, ignored)) {
     refuse_file("file-is-folder", path_, "is a folder, not a file", "name a file in it");
@@ -153,21 +164,22 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
     descriptor_ = open_unnamed_temporary();
     return;
   }
-  temporary_ = path_ + ".XXXXXX";
-  descriptor_ = mkstemp(temporary_.data());
-  if (descriptor_ < 0) {
+  const std::filesystem::path led_to = std::filesystem::canonical(path_, ignored);  // nothing for a file yet to be
+  if (!led_to.empty()) target_ = led_to.string();
+  temporary_ = target_ + ".XXXXXX";
+  descriptor_ = Descriptor(mkostemp(temporary_.data(), O_CLOEXEC));
+  if (!descriptor_.is_open()) {
     const int error = errno;
     temporary_.clear();
     refuse_write(error);
   }
-  // mkstemp opens for the owner alone; the file that appears shall be like any other that the user makes.
+  // mkostemp opens for the owner alone; the file that appears shall be like any other that the user makes.
   const mode_t mask = umask(0);
   umask(mask);
-  fchmod(descriptor_, 0666 & ~mask);
+  fchmod(descriptor_.number(), 0666 & ~mask);
 }
 
 OutputFile::~OutputFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
   if (!temporary_.empty()) unlink(temporary_.c_str());
 }
 
@@ -184,7 +196,7 @@ void OutputFile::write(std::string_view bytes) {
 }
 
 void OutputFile::flush() {
-  if (!write_all(descriptor_, buffer_.data(), buffer_.size())) refuse_write(errno);
+  if (!write_all(descriptor_.number(), buffer_.data(), buffer_.size())) refuse_write(errno);
   buffer_.clear();
 }
 
@@ -192,34 +204,32 @@ void OutputFile::restart() {
   buffer_.clear();
   size_ = 0;
   if (hash_) hash_ = fnv1a({});
-  if (ftruncate(descriptor_, 0) != 0 || lseek(descriptor_, 0, SEEK_SET) < 0) refuse_write(errno);
+  if (ftruncate(descriptor_.number(), 0) != 0 || lseek(descriptor_.number(), 0, SEEK_SET) < 0) refuse_write(errno);
 }
 
 void OutputFile::commit() {
-  PLUMBLINE_CHECK(descriptor_ >= 0);
+  PLUMBLINE_CHECK(descriptor_.is_open());
   flush();
   if (temporary_.empty()) {
     copy_to_stream();
     return;
   }
-  const bool closed = fsync(descriptor_) == 0 && ::close(descriptor_) == 0;
-  descriptor_ = -1;
-  if (!closed || rename(temporary_.c_str(), path_.c_str()) != 0) refuse_write(errno);
+  const bool kept = fsync(descriptor_.number()) == 0 && descriptor_.close();
+  if (!kept || rename(temporary_.c_str(), target_.c_str()) != 0) refuse_write(errno);
   temporary_.clear();
 }
 
 // What was spooled goes to standard output, or into the device or pipe that the path names.
 void OutputFile::copy_to_stream() {
-  const bool is_standard = path_ == kStandardStream;
-  const int stream = is_standard ? STDOUT_FILENO : ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-  if (stream < 0) refuse_write(errno);
-  const bool copied = lseek(descriptor_, 0, SEEK_SET) == 0 && copy_all(descriptor_, stream);
-  const int error = errno;
-  const bool closed = is_standard || ::close(stream) == 0;
-  ::close(descriptor_);
-  descriptor_ = -1;
-  if (!copied) refuse_write(error);
-  if (!closed) refuse_write(errno);
+  Descriptor named;
+  if (path_ != kStandardStream) {
+    named = Descriptor(::open(path_.c_str(), O_WRONLY | O_CLOEXEC));
+    if (!named.is_open()) refuse_write(errno);
+  }
+  const int stream = named.is_open() ? named.number() : STDOUT_FILENO;
+  const bool copied = lseek(descriptor_.number(), 0, SEEK_SET) == 0 && copy_all(descriptor_.number(), stream);
+  if (!copied || !named.close()) refuse_write(errno);
+  descriptor_.close();
 }
 
 void write_text(const std::string& path, std::string_view text) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/hash.hpp"
 
@@ -16,17 +17,34 @@ namespace plumbline {
 /// The name by which standard input and output are asked for on the command line.
 inline constexpr std::string_view kStandardStream = "-";
 
+/// An open file by its number, closed when this goes.
+class Descriptor {
+ public:
+  Descriptor() = default;
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(other.release()) {}
+  Descriptor& operator=(Descriptor&& other) noexcept;
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor();
+
+  bool is_open() const { return number_ >= 0; }
+  int number() const { return number_; }
+  /// Hands the number over to the caller, who closes it.
+  int release() { return std::exchange(number_, -1); }
+  /// Closes it now; false if the system could not keep what was written.
+  bool close();
+
+ private:
+  int number_ = -1;
+};
+
 /// A file open for reading at any offset. Standard input ("-"), a pipe or a device is copied to an unnamed temporary
 /// file first.
 /// Refuses with file-missing, file-is-folder or file-unreadable.
 class InputFile {
  public:
   explicit InputFile(const std::string& path);
-  ~InputFile();
-  InputFile(InputFile&& other) noexcept;
-  InputFile& operator=(InputFile&&) = delete;
-  InputFile(const InputFile&) = delete;
-  InputFile& operator=(const InputFile&) = delete;
 
   /// As the user wrote it; "<stdin>" for standard input.
   const std::string& name() const { return name_; }
@@ -41,16 +59,16 @@ class InputFile {
   void spool(int from);
 
   std::string name_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   std::uint64_t size_ = 0;
 };
 
-/// The whole of a small file (models, tables). Refuses as InputFile does.
+/// The whole of a small file (models, tables). Refuses as InputFile does, and with file-too-large beyond a gigabyte.
 std::string read_text(const std::string& path);
 
 /// A file being written: a temporary one beside `path` that takes its name at commit(). Without commit() nothing is
-/// left behind. "-", a device or a pipe gets its bytes at commit() and is never replaced. Refuses with
-/// file-unwritable or file-is-folder.
+/// left behind. A link stays one: the file that it leads to is replaced. "-", a device or a pipe gets its bytes at
+/// commit() and is never replaced. Refuses with file-unwritable or file-is-folder.
 class OutputFile {
  public:
   explicit OutputFile(std::string path);
@@ -75,9 +93,10 @@ class OutputFile {
   void copy_to_stream();
   [[noreturn]] void refuse_write(int error) const;
   std::string path_;
+  std::string target_;  // what path_ leads to
   std::string temporary_;
   std::string buffer_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   std::uint64_t size_ = 0;
   std::optional<std::uint64_t> hash_;
 };

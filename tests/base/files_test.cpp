@@ -1,5 +1,6 @@
 #include "base/files.hpp"
 
+#include <cstdlib>
 #include <filesystem>
 
 #include <catch2/catch.hpp>
@@ -63,6 +64,43 @@ TEST_CASE("files that cannot be had are refused by name") {
   CHECK(code_of([&] { InputFile file(folder.folder().string()); }) == "file-is-folder");
   CHECK(code_of([&] { OutputFile file(folder.folder().string()); }) == "file-is-folder");
   CHECK(code_of([&] { OutputFile file(folder / "none/out.txt"); }) == "file-unwritable");
+}
+
+TEST_CASE("output through a link replaces the file that it leads to, and leaves the link") {
+  const Folder folder;
+  const std::string name = folder / "part.ngc";
+  write_text(name, "old");
+  fs::create_symlink(name, folder / "link");
+  write_text(folder / "link", "new");
+  CHECK(fs::is_symlink(folder / "link"));
+  CHECK(read_text(name) == "new");
+}
+
+TEST_CASE("a file far too large for a text is refused before it is read") {
+  const Folder folder;
+  const std::string name = folder / "huge.csv";
+  write_text(name, "");
+  fs::resize_file(name, 2'000'000'000);  // takes no room: nothing is written
+  CHECK(code_of([&] { read_text(name); }) == "file-too-large");
+  CHECK(InputFile(name).size() == 2'000'000'000);
+}
+
+TEST_CASE("a folder for temporary files that is not there is refused, and nothing stays open") {
+  const auto open_files = [] {
+    return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
+  };
+  const char* const before = std::getenv("TMPDIR");
+  const std::string kept = before == nullptr ? "" : before;
+  const auto open_before = open_files();
+  setenv("TMPDIR", "/no/such/folder", 1);
+  CHECK(code_of([] { InputFile file("/dev/null"); }) == "file-unwritable");
+  CHECK(code_of([] { OutputFile file("-"); }) == "file-unwritable");
+  if (before == nullptr) {
+    unsetenv("TMPDIR");
+  } else {
+    setenv("TMPDIR", kept.c_str(), 1);
+  }
+  CHECK(open_files() == open_before);
 }
 
 TEST_CASE("a pipe is written to and stays a pipe") {
