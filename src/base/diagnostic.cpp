@@ -21,20 +21,37 @@ std::string_view name_of(Severity severity) {
   return "error";
 }
 
-// The line under a caret; tabs and control characters become blanks so that the caret stands where it should.
+// What comes from a file may hold tabs and control characters: blanks keep carets and terminals in order.
+std::string printable(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+  }
+  return text;
+}
+
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }  // UTF-8
+
+std::size_t characters(std::string_view text) {
+  return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues_character));
+}
+
+// The line with a caret below; a long one is cut around it, between two characters.
 std::string excerpt(const Place& place) {
   const std::size_t column = std::max<std::size_t>(place.column, 1);
   std::size_t first = 0;
   if (place.text.size() > kShownWidth && column > kShownWidth / 2) first = column - kShownWidth / 2;
-  std::string shown = place.text.substr(std::min(first, place.text.size()), kShownWidth);
-  for (char& c : shown) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-  }
-  const std::size_t at = column - 1 - first;
-  const std::size_t room = shown.size() > at ? shown.size() - at : 1;
-  const std::size_t marks = std::clamp<std::size_t>(place.length, 1, room);
+  first = std::min(first, place.text.size());
+  while (first > 0 && first < place.text.size() && continues_character(place.text[first])) --first;
+  std::size_t end = std::min(first + kShownWidth, place.text.size());
+  while (end < place.text.size() && continues_character(place.text[end])) ++end;
+
+  const std::string shown = printable(place.text.substr(first, end - first));
+  const std::string_view before = std::string_view(shown).substr(0, column - 1 - first);
+  const std::string_view marked = std::string_view(shown).substr(before.size(), place.length);
   const std::string number = fmt::format("{:>5}", place.line);
-  return fmt::format("{} | {}\n      | {}^{}\n", number, shown, std::string(at, ' '), std::string(marks - 1, '~'));
+  return fmt::format("{} | {}\n{} | {}^{}\n", number, shown, std::string(number.size(), ' '),
+                     std::string(characters(before), ' '),
+                     std::string(std::max<std::size_t>(characters(marked), 1) - 1, '~'));
 }
 
 }  // namespace
@@ -45,7 +62,7 @@ std::string to_text(const Diagnostic& d) {
   if (d.place.line > 0) out += fmt::format("{}:", d.place.line);
   if (d.place.line > 0 && d.place.column > 0) out += fmt::format("{}:", d.place.column);
   if (!out.empty()) out += ' ';
-  out += fmt::format("{}: {}", name_of(d.severity), d.message);
+  out += fmt::format("{}: {}", name_of(d.severity), printable(d.message));
   out += d.code.empty() ? "\n" : fmt::format(" [{}]\n", d.code);
   if (d.place.line > 0 && d.place.column > 0) out += excerpt(d.place);
   if (!d.help.empty()) out += fmt::format("help: {}\n", d.help);

@@ -39,6 +39,24 @@ TEST_CASE("the caret stays below its column in a long line and under control cha
   CHECK(text.find('\t') == std::string::npos);
 }
 
+TEST_CASE("the caret stands below its character behind letters of several bytes, in any line") {
+  const std::string line = "(M\xc3\xbcller, \xc3\xbc\xc3\xb6) Q\xc3\xa4 5";
+  const std::size_t column = line.find('Q') + 1;
+  CHECK(to_text({"c", "m", "", {"f", 1234567, column, 3, line}, Severity::error}) ==
+        "f:1234567:" + std::to_string(column) + ": error: m [c]\n1234567 | " + line + "\n        | " +
+            std::string(13, ' ') + "^~\n");
+  std::string umlauts;
+  for (int i = 0; i < 300; ++i) umlauts += "\xc3\xbc";
+  const std::string text = to_text({"c", "m", "", {"f", 1, 301, 2, umlauts}, Severity::error});
+  const std::size_t shown = text.find("| ") + 2;
+  CHECK((text.find('\n', shown) - shown) % 2 == 0);  // no letter is cut
+  CHECK(text.substr(shown, 2) == "\xc3\xbc");
+}
+
+TEST_CASE("a message cannot command the terminal") {
+  CHECK(to_text({"", "no word \x1b[31m", "", {}, Severity::error}) == "error: no word  [31m\n");
+}
+
 TEST_CASE("a refusal carries its diagnostic") {
   try {
     refuse("code", "message", "help");
