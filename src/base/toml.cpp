@@ -12,36 +12,50 @@ namespace {
 class Offsets {
  public:
   explicit Offsets(std::string_view text) : text_(text) {
+    lines_.push_back(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);  // a byte order mark is no column
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] == '\n') lines_.push_back(i + 1);
     }
   }
 
-  std::size_t of(const toml::source_position& position) const {
-    if (position.line == 0) return 0;
-    if (position.line > lines_.size()) return text_.size();
-    std::size_t at = lines_[position.line - 1];
-    for (std::size_t column = 1; column < position.column && at < text_.size() && text_[at] != '\n'; ++column) {
-      ++at;
-      while (at < text_.size() && (static_cast<unsigned char>(text_[at]) & 0xC0U) == 0x80U) ++at;
-    }
-    return at;
-  }
-
-  Span of(const toml::source_region& region) const {
-    const std::size_t begin = of(region.begin);
-    const std::size_t end = of(region.end);
-    return {begin, end > begin ? end - begin : 1};
+  Span of(const toml::source_region& region) {
+    const Seen begin = find(region.begin);
+    const Seen end = find(region.end, begin);
+    last_ = begin;
+    return {begin.at, end.at > begin.at ? end.at - begin.at : 1};
   }
 
  private:
+  struct Seen {
+    std::size_t line = 0;
+    std::size_t column = 1;
+    std::size_t at = 0;
+  };
+
+  Seen find(const toml::source_position& position) const { return find(position, last_); }
+
+  // Goes on from `from` where that stands before on the same line: values come in the order of the text by and large,
+  // and a line may hold thousands of them.
+  Seen find(const toml::source_position& position, const Seen& from) const {
+    if (position.line == 0) return {};
+    if (position.line > lines_.size()) return {position.line, 1, text_.size()};
+    Seen seen{position.line, 1, lines_[position.line - 1]};
+    if (from.line == seen.line && from.column <= position.column) seen = from;
+    for (; seen.column < position.column && seen.at < text_.size() && text_[seen.at] != '\n'; ++seen.column) {
+      ++seen.at;
+      while (seen.at < text_.size() && (static_cast<unsigned char>(text_[seen.at]) & 0xC0U) == 0x80U) ++seen.at;
+    }
+    return seen;
+  }
+
   std::string_view text_;
-  std::vector<std::size_t> lines_{0};
+  std::vector<std::size_t> lines_;
+  Seen last_;
 };
 
-TomlValue convert(const toml::node& node, const Offsets& offsets);
+TomlValue convert(const toml::node& node, Offsets& offsets);
 
-std::vector<TomlEntry> entries_of(const toml::table& table, const Offsets& offsets) {
+std::vector<TomlEntry> entries_of(const toml::table& table, Offsets& offsets) {
   std::vector<TomlEntry> entries;
   for (const auto& [key, value] : table) {
     entries.push_back({std::string(key.str()), offsets.of(key.source()), convert(value, offsets)});
@@ -51,7 +65,7 @@ std::vector<TomlEntry> entries_of(const toml::table& table, const Offsets& offse
   return entries;
 }
 
-TomlValue convert(const toml::node& node, const Offsets& offsets) {
+TomlValue convert(const toml::node& node, Offsets& offsets) {
   TomlValue value;
   value.span = offsets.of(node.source());
   switch (node.type()) {
@@ -120,7 +134,7 @@ std::string_view name_of(TomlValue::Kind kind) {
 
 TomlDocument parse_toml(std::string text, std::string file) {
   TomlDocument document{std::move(file), std::move(text), {}};
-  const Offsets offsets(document.text);
+  Offsets offsets(document.text);
   try {
     const toml::table table = toml::parse(document.text, document.file);
     document.root.entries = entries_of(table, offsets);

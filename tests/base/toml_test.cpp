@@ -25,6 +25,33 @@ TEST_CASE("each key and value knows its bytes") {
   CHECK(document.root.find("none") == nullptr);
 }
 
+TEST_CASE("a byte order mark and Windows line ends move nothing") {
+  const std::string text =
+      "\xEF\xBB\xBF"
+      "a = 12\r\nb = [3, 45]\r\nc = 6";
+  const TomlDocument document = parse_toml(text, "m.toml");
+  const auto cut = [&](const char* key) {
+    const Span span = document.root.find(key)->value.span;
+    return text.substr(span.offset, span.length);
+  };
+  CHECK(cut("a") == "12");
+  CHECK(cut("b") == "[3, 45]");
+  CHECK(cut("c") == "6");
+  CHECK(document.place(document.root.find("b")->value.span).text == "b = [3, 45]");
+}
+
+TEST_CASE("keys and values of one line are found in any order") {
+  const std::string text = "t = {z = [[1, \"\xc3\xa4\"], [22]], a = 333, m = {q = 4, b = 55}}\n";
+  const TomlDocument document = parse_toml(text, "m.toml");
+  const auto cut = [&](Span span) { return text.substr(span.offset, span.length); };
+  const TomlValue& t = document.root.find("t")->value;
+  CHECK(cut(t.find("z")->value.items[1].items[0].span) == "22");
+  CHECK(cut(t.find("a")->value.span) == "333");
+  CHECK(cut(t.find("m")->key_span) == "m");
+  CHECK(cut(t.find("m")->value.find("b")->value.span) == "55");
+  CHECK(cut(t.find("m")->value.find("q")->value.span) == "4");
+}
+
 TEST_CASE("what is no TOML is refused where it stands") {
   const auto place_of = [](const char* text) {
     try {
