@@ -12,13 +12,14 @@ constexpr double kFullTurn = 2 * std::numbers::pi;
 constexpr double kSameAngle = 1e-9;  // rad; a circle that closes up to this is a full one
 
 // The angle from alpha to beta in the sense of the turns, with the further full turns. [RS274/NGC, G2 and G3 with P]
+// Where both lie at half a turn, one of them just before it and one just behind, the second full turn makes the circle.
 double sweep_of(double alpha, double beta, int turns) {
   double sweep = beta - alpha;
   if (turns > 0) {
-    if (sweep <= kSameAngle) sweep += kFullTurn;
+    while (sweep <= kSameAngle) sweep += kFullTurn;
     return sweep + (turns - 1) * kFullTurn;
   }
-  if (sweep >= -kSameAngle) sweep -= kFullTurn;
+  while (sweep >= -kSameAngle) sweep -= kFullTurn;
   return sweep + (turns + 1) * kFullTurn;
 }
 

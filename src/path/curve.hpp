@@ -23,7 +23,7 @@ class Curve {
   double linear_mm() const { return linear_mm_; }
   /// Angle that an arc sweeps, deg, positive counter-clockwise; 0 for a line.
   double arc_deg() const;
-  /// The largest turn of the tool, deg: what A, B, C turn together, counted as if each added up.
+  /// From start to end in each word, mm and deg.
   const AxisWords& delta() const { return delta_; }
 
  private:

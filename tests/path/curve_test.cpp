@@ -59,6 +59,18 @@ TEST_CASE("the sense and the turns of an arc") {
   CHECK(path::Curve(arc(start, start, nc::Plane::xy, {}, -1)).arc_deg() == Approx(-360));
 }
 
+TEST_CASE("a circle that begins at half a turn is a full one, whichever side of it rounding put its ends") {
+  for (const double start : {-1e-14, -0.0, 0.0, 1e-14}) {
+    for (const double end : {-1e-14, -0.0, 0.0, 1e-14}) {
+      const AxisWords from{{-10, start, 0, 0, 0, 0}};
+      const AxisWords to{{-10, end, 0, 0, 0, 0}};
+      CHECK(path::Curve(arc(from, to, nc::Plane::xy, {}, 1)).arc_deg() == Approx(360));
+      CHECK(path::Curve(arc(from, to, nc::Plane::xy, {}, -1)).arc_deg() == Approx(-360));
+      CHECK(path::Curve(arc(from, to, nc::Plane::xy, {}, 2)).arc_deg() == Approx(720));
+    }
+  }
+}
+
 TEST_CASE("arcs in G18 turn from Z to X and in G19 from Y to Z") {
   // G18, counter-clockwise seen against Y: from +Z to +X.
   const path::Curve zx(arc({{0, 0, 10, 0, 0, 0}}, {{10, 2, 0, 0, 0, 0}}, nc::Plane::zx, {0, 0, 0}, 1));
