@@ -33,7 +33,7 @@ Subdivision subdivide(const Curve& curve, std::optional<double> seconds, const S
     refuse("path-too-many-pieces", fmt::format("a single move would be cut into {:.3g} pieces", wanted),
            "check its end, or give a larger --step-length or --step-angle");
   }
-  const double pieces = std::ceil(wanted - kSlack * wanted);
+  const double pieces = std::ceil(wanted * (1 - kSlack));
   return {static_cast<int>(std::min(pieces, allowed)), pieces > allowed};
 }
 

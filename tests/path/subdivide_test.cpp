@@ -54,4 +54,11 @@ TEST_CASE("no piece is shorter than the control's time for a block") {
   CHECK(path::subdivide(line({{10, 0, 0, 0, 0, 0}}), 0.001, settings).pieces == 1);
 }
 
+TEST_CASE("a step of next to nothing leaves the least time to decide") {
+  const path::StepSettings settings{.length_mm = 1e-320, .least_time_s = 0.01};
+  const path::Subdivision cut = path::subdivide(line({{10, 0, 0, 0, 0, 0}}), 0.055, settings);
+  CHECK(cut.pieces == 5);
+  CHECK(cut.widened);
+}
+
 TEST_CASE("a move of absurd length is refused") { CHECK_THROWS_AS(pieces(line({{1e9, 0, 0, 0, 0, 0}})), Refusal); }
