@@ -18,7 +18,7 @@ struct Standing {
       : pose(at), misfit(lengths - struts.length), lu(jacobian(struts)), side(sign_of(lu)) {}
 
   static int sign_of(const Lu6<double>& lu) { return lu.singular() ? 0 : (lu.determinant() > 0 ? 1 : -1); }
-  double residual() const { return misfit.cwiseAbs().maxCoeff(); }
+  double residual() const { return misfit.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(); }
 };
 
 // A machine whose lengths are being sought.
@@ -95,7 +95,8 @@ int side_of(const Geometry& geometry, const Pose<double>& pose) {
 
 ForwardResult forward(const Geometry& geometry, const PerStrut<double>& lengths, const Pose<double>& start,
                       const ForwardOptions& options) {
-  const int side = options.side == 0 ? side_of(geometry, start) : options.side;
+  int side = options.side == 0 ? side_of(geometry, start) : options.side;
+  if (side == 0 && options.second_start) side = side_of(geometry, *options.second_start);
   const Search search{geometry, lengths, side, options};
   ForwardResult result = search.run(start, 0);
   if (!options.second_start) return result;

@@ -25,7 +25,8 @@ struct ForwardOptions {
   int most_iterations = 12;
   double longest_turn = 0.5;                      // rad that one step may turn
   int most_halvings = 3;                          // of a step that does not help
-  int side = 0;                                   // the sign of det J that the pose shall have; 0: that of the start
+  int side = 0;                                   // the sign of det J that the pose shall have; 0: that of the start,
+                                                  // of the second one where the first is singular
   std::optional<Pose<double>> second_start = {};  // where the way from the first is blocked; the home pose serves
 };
 

@@ -1,5 +1,8 @@
 #include "machine/forward.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include <catch2/catch.hpp>
 
 #include "machine/forward_statistics.hpp"
@@ -55,6 +58,39 @@ TEST_CASE("a start on the other side of a singularity is stated") {
   flat.base_joints_W = flat.platform_joints_P;
   CHECK(side_of(flat, home) == 0);
   CHECK(forward(flat, lengths, home).stopped_because == ForwardStop::singular);
+}
+
+TEST_CASE("a length that is no number is met by no pose") {
+  const MachineModel model = pm600_like();
+  const Pose<double> home = home_pose(model);
+  for (int j = 0; j < kStruts; ++j) {
+    PerStrut<double> lengths = strut_lengths(model.geometry, home);
+    lengths[j] = std::numeric_limits<double>::quiet_NaN();
+    const ForwardResult result = forward(model.geometry, lengths, home);
+    CHECK_FALSE(result.converged());
+    CHECK(std::isnan(result.residual_m));
+  }
+}
+
+TEST_CASE("from a singular start the second one serves, and says which side is meant") {
+  const MachineModel model = pm600_like();
+  const Pose<double> home = home_pose(model);
+  const int side = side_of(model.geometry, home);
+  Pose<double> singular = home;
+  double low = 0;
+  double high = 120 * kDeg;
+  for (int n = 0; n < 100 && side_of(model.geometry, singular) != 0; ++n) {  // turned about Z until J loses its rank
+    const double middle = (low + high) / 2;
+    singular.R_WP = axis_rotation(2, middle);
+    (side_of(model.geometry, singular) == side ? low : high) = middle;
+  }
+  REQUIRE(side_of(model.geometry, singular) == 0);
+  const PerStrut<double> lengths = strut_lengths(model.geometry, home);
+  CHECK(forward(model.geometry, lengths, singular).stopped_because == ForwardStop::singular);
+  const ForwardResult result =
+      forward(model.geometry, lengths, singular, {.most_iterations = 50, .second_start = home});
+  CHECK(result.converged());
+  CHECK(side_of(model.geometry, result.pose) == side);
 }
 
 TEST_CASE("small changes of the lengths are followed by the chord method, one pose or a pack of them") {
