@@ -21,9 +21,9 @@ void check_range(std::vector<Violation>& broken, Name&& name, double value, cons
 
 void check_tilt(std::vector<Violation>& broken, const Matrix3<double>& R_WP, double limit) {
   const double angle = tilt(R_WP);
-  if (angle > limit + kTiltTolerance)
-    check_range(
-        broken, [] { return "tilt"; }, angle, {0, limit}, kDeg, "deg");
+  if (angle <= limit + kTiltTolerance) return;
+  check_range(
+      broken, [] { return "tilt"; }, angle, {0, limit}, kDeg, "deg");
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "machine/limits.hpp"
 
+#include <limits>
+
 #include <catch2/catch.hpp>
 
 #include "machine/machines.hpp"
@@ -56,4 +58,12 @@ TEST_CASE("travel, strut lengths and condition are told one by one") {
   broken = check_compensated(model.limits, model.geometry, tilted(0));
   REQUIRE(broken.size() == 1);
   CHECK(broken[0].what == "condition");
+}
+
+TEST_CASE("a pose that is no number is within no limit") {
+  const MachineModel model = pm600_like();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(check_programmed(model.limits, tilted(nan)).size() == 1);
+  const auto broken = check_compensated(model.limits, model.geometry, tilted(0, nan));
+  CHECK(broken.size() == 1 + kStruts);  // X and each strut
 }
