@@ -66,7 +66,8 @@ void check_lengths(const MachineModel& model) {
     if (model.limits.length_min[j] < model.limits.length_max[j]) continue;
     const ModelValue& least = model.value("strut", "length_min_mm");
     refuse("model-length-order", fmt::format("strut {}: length_min_mm is not below length_max_mm", j + 1),
-           "exchange the two", model.document.place(least.spans[static_cast<std::size_t>(j)]));
+           "length_min_mm is the shortest that a strut may become, length_max_mm the longest",
+           model.document.place(least.spans[static_cast<std::size_t>(j)]));
   }
 }
 

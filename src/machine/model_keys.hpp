@@ -14,6 +14,7 @@ namespace plumbline::machine {
 enum class Shape {
   text,
   number,
+  whole,        // a whole number
   six,          // a number for all struts, or an array of six
   vector,       // three numbers
   range,        // two numbers, the lower first
@@ -26,6 +27,7 @@ constexpr std::size_t count_of(Shape shape) {
     case Shape::text:
       return 0;
     case Shape::number:
+    case Shape::whole:
       return 1;
     case Shape::range:
       return 2;
@@ -90,9 +92,9 @@ inline constexpr std::array kKeys{
     KeySpec{"control", "block_time_ms", Shape::number, units::ms, 0, 10000, 0, "the shortest time that the control needs for a block"},
     KeySpec{"control", "increment_mm", Shape::number, units::none, 0, 1, 0, "the step that the control rounds linear positions to, mm"},
     KeySpec{"control", "increment_deg", Shape::number, units::none, 0, 1, 0, "the step that the control rounds rotary positions to, deg"},
-    KeySpec{"control", "digits_mm", Shape::number, units::none, 0, 9, 4, "decimals that the control reads in mm"},
-    KeySpec{"control", "digits_deg", Shape::number, units::none, 0, 9, 5, "decimals that the control reads in deg"},
-    KeySpec{"control", "digits_inch", Shape::number, units::none, 0, 9, 6, "decimals that the control reads in inch"},
+    KeySpec{"control", "digits_mm", Shape::whole, units::none, 0, 9, 4, "decimals that the control reads in mm"},
+    KeySpec{"control", "digits_deg", Shape::whole, units::none, 0, 9, 5, "decimals that the control reads in deg"},
+    KeySpec{"control", "digits_inch", Shape::whole, units::none, 0, 9, 6, "decimals that the control reads in inch"},
     KeySpec{"uncertainty", "joint_position_um", Shape::number, units::um, 0, 10000, 0, "1 sigma of each coordinate of each joint"},
     KeySpec{"uncertainty", "strut_offset_um", Shape::number, units::um, 0, 10000, 0, "1 sigma of each strut's length"},
     KeySpec{"uncertainty", "compliance_relative", Shape::number, units::none, 0, 1, 0, "1 sigma of K1 and of K2, relative"},

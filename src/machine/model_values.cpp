@@ -25,6 +25,8 @@ std::string_view shape_text(Shape shape) {
       return "a text in quotes";
     case Shape::number:
       return "a number";
+    case Shape::whole:
+      return "a whole number";
     case Shape::six:
       return "a number for all six struts, or an array of six";
     case Shape::vector:
@@ -168,6 +170,7 @@ class Reader {
   void read_shape(const TomlValue& value) {
     switch (spec_.shape) {
       case Shape::number:
+      case Shape::whole:
         read_number(value);
         break;
       case Shape::six:
@@ -201,6 +204,10 @@ class Reader {
              fmt::format("write the number: {}", spec_.meaning), document_.place(value.span));
     }
     check_range(value);
+    if (spec_.shape == Shape::whole && value.number != std::floor(value.number)) {
+      refuse("model-not-whole", fmt::format("{} is {:.12g}", full_name(spec_), value.number),
+             fmt::format("{}: a whole number", spec_.meaning), document_.place(value.span));
+    }
     read_.values.push_back(value.number);
     read_.spans.push_back(value.span);
   }

@@ -10,7 +10,8 @@
 namespace plumbline::machine {
 
 /// Every key of kKeys, in SI, in its order. Refuses with model-marker, model-unknown-table, model-unknown-key,
-/// model-missing-table, model-missing-key, model-wrong-type, model-wrong-size, model-not-finite or model-out-of-range.
+/// model-missing-table, model-missing-key, model-wrong-type, model-wrong-size, model-not-finite, model-out-of-range or
+/// model-not-whole.
 std::vector<ModelValue> read_values(const TomlDocument& document);
 
 /// "; if it was meant in m, write 1200" where another unit would bring the value into the range, else empty.
