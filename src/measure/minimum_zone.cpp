@@ -44,7 +44,9 @@ class Program {
       if (entering.reading < 0) break;
       exchange(rows.transpose(), entering);
     }
-    return {solution_[0], solution_[1], solution_[3], solution_[2]};
+    // of the readings themselves: what the tolerance left outside is inside
+    const Eigen::ArrayXd left = reading_.array() - solution_[0] * cos_ - solution_[1] * sin_;
+    return {solution_[0], solution_[1], left.minCoeff(), left.maxCoeff()};
   }
 
  private:

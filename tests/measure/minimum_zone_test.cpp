@@ -53,6 +53,9 @@ TEST_CASE("the minimum zone is the least width of all centres") {
     if (n % 3 == 0) reading = (reading * 4).array().round() / 4;  // as a coarse display shows them
     const Zone zone = minimum_zone(angle, reading);
     CHECK(zone.width() == Approx(width_at(angle, reading, zone.x, zone.y)).margin(1e-9));
+    const Eigen::ArrayXd left = reading.array() - zone.x * angle.array().cos() - zone.y * angle.array().sin();
+    CHECK(left.maxCoeff() <= zone.outer + 1e-12);
+    CHECK(left.minCoeff() >= zone.inner - 1e-12);
     const double brute = brute_force(angle, reading);
     CHECK(zone.width() <= brute + 1e-9);
     CHECK(zone.width() >= brute - 1e-6);
