@@ -64,6 +64,7 @@ class TableReader {
     check_angle();
     check_feed();
     fill_in();
+    check_turn();
   }
 
  private:
@@ -205,9 +206,26 @@ class TableReader {
       const double first = std::remainder(run_.angle.front(), kTurn) * run_.turn();
       for (const double swept : swept_) run_.time.push_back((std::max(first, 0.0) + swept) / speed);
     }
-    if (run_.angle.empty()) {
+    measured_angles_ = !run_.angle.empty();
+    if (!measured_angles_) {
       for (const double time : run_.time) run_.angle.push_back(run_.turn() * speed * time);
     }
+  }
+
+  // How much of the circle the samples cover, by their angles or by time and feed.
+  void check_turn() const {
+    const double turns = std::abs(measured_angles_ ? swept_.back() : run_.angle.back() - run_.angle.front()) / kTurn;
+    if (turns < options_.least_turns) {
+      refuse("table-too-few", fmt::format("the samples cover {:.3g} deg of the circle", turns * kTurn / kDeg),
+             fmt::format("a run is one turn, or at least {:.3g} deg of it; check the units of time_s, angle_deg and "
+                         "feed_mm_min",
+                         options_.least_turns * kTurn / kDeg),
+             header_);
+    }
+    if (measured_angles_ || turns <= options_.most_turns_by_time) return;
+    refuse("table-time", fmt::format("at {:.4g} mm/min the times go {:.3g} times around", run_.feed / kMmPerMin, turns),
+           "a run is one turn: make each turn a run; check that time_s is in seconds and feed_mm_min right",
+           places_.back());
   }
 
   std::string text_;
@@ -217,6 +235,7 @@ class TableReader {
   Place header_;
   std::vector<Place> places_;  // of the rows
   std::vector<double> swept_;  // angle from the first sample, rad
+  bool measured_angles_ = false;
 };
 
 }  // namespace

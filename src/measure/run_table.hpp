@@ -9,8 +9,10 @@ namespace plumbline::measure {
 
 struct TableOptions {
   std::size_t fewest_samples = 8;
-  double most_turns = 1.0 + 1e-3;
-  double feed_tolerance = 0.25;  // by which the table's own speed may differ from the stated feed
+  double most_turns = 1.0 + 1e-3;    // that the angles go around
+  double most_turns_by_time = 1.05;  // where only time and feed tell: the feed may be a little off
+  double least_turns = 1.0 / 12;     // of a shorter arc, neither centre nor mean can be told
+  double feed_tolerance = 0.25;      // by which the table's own speed may differ from the stated feed
 };
 
 /// Reads the columns of `run`, whose other fields are there already. Refuses with table-unknown-column,

@@ -31,6 +31,13 @@ std::string timed_table(double seconds_per_row = 4.5239) {
   return text;
 }
 
+// Twelve rows with time alone.
+std::string by_time(double seconds_per_row) {
+  std::string text = "time_s,radial_um\n";
+  for (int i = 0; i < 12; ++i) text += std::to_string(seconds_per_row * i) + ",1\n";
+  return text;
+}
+
 constexpr const char* kTorques = "torque1_Nm,torque2_Nm,torque3_Nm,torque4_Nm,torque5_Nm,torque6_Nm";
 
 }  // namespace
@@ -49,9 +56,7 @@ TEST_CASE("time follows from the angle and the feed, and the angle from the time
   CHECK(ccw.time[3] == Approx(90 * kDeg * 0.144 / ccw.feed));
   const Run cw = read(table_text(-1), Direction::cw);
   CHECK(cw.time[3] == Approx(ccw.time[3]));
-  std::string text = "time_s,radial_um\n";
-  for (int i = 0; i < 12; ++i) text += std::to_string(4.5239 * i) + ",1\n";
-  CHECK(read(text, Direction::cw).angle[3] == Approx(-90 * kDeg).epsilon(1e-4));
+  CHECK(read(by_time(4.5239), Direction::cw).angle[3] == Approx(-90 * kDeg).epsilon(1e-4));
 }
 
 TEST_CASE("tables go out as they came in") {
@@ -91,6 +96,9 @@ TEST_CASE("every flaw of a table is refused at its row and column") {
       {"angle_deg,radial_um\n0,1\n30,1\n", "table-too-few", 1, 1, "at least 8"},
       {"", "table-missing-column", 0, 1, ""},
       {timed_table(-1), "table-time", 3, 1, "does not go on"},
+      {by_time(4.5239 * 12), "table-time", 13, 1, "11 times around"},
+      {by_time(0.01), "table-too-few", 1, 1, "of the circle"},
+      {"angle_deg,radial_um\n0,1\n1,1\n2,1\n3,1\n4,1\n5,1\n6,1\n7,1\n", "table-too-few", 1, 1, "cover 7 deg"},
       {timed_table(4523.9), "table-feed", 1, 1, "time_s in seconds"},
   };
   for (const Bad& bad : cases) {
