@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -25,6 +26,7 @@ using Kind = TomlValue::Kind;
 
 constexpr machine::Unit kFeedUnit{"mm/min", kMmPerMin, {{{"m/min", 1000}, {"mm/s", 60}}}};
 constexpr machine::Unit kSecond{"s", 1, {}};
+constexpr std::string_view kDatasetName = "dataset.toml";
 
 const std::vector<std::string_view> kTopKeys{"plumbline", "machine", "run"};
 const std::vector<std::string_view> kRunKeys{"id",       "file",      "centre_mm",   "radius_mm", "bar_mm",
@@ -225,8 +227,41 @@ Dataset read_dataset(const std::string& path) {
   return parse_dataset(read_text(path), path, fs::path(path).parent_path().string());
 }
 
+namespace {
+
+// Where the tables of a dataset will stand, in the order of its runs; each in a place of its own, which no file of the
+// dataset that was read has.
+std::vector<fs::path> table_targets(const Dataset& dataset, const fs::path& folder) {
+  std::error_code ignored;
+  const fs::path source = fs::path(dataset.document.file).parent_path();
+  std::set<fs::path> read;
+  for (const Run& run : dataset.runs) read.insert(fs::weakly_canonical(source / run.file, ignored));
+  std::set<fs::path> written{fs::weakly_canonical(folder / kDatasetName, ignored)};
+  std::vector<fs::path> targets;
+  for (const Run& run : dataset.runs) {
+    const fs::path relative = fs::path(run.file).lexically_normal();
+    if (relative.is_absolute() || *relative.begin() == "..") {
+      refuse("dataset-file-outside",
+             fmt::format("the table {} would be written outside of {}", run.file, folder.string()),
+             "name the tables of a dataset relative to its folder, inside it", {folder.string()});
+    }
+    const fs::path target = fs::weakly_canonical(folder / relative, ignored);
+    if (read.contains(target)) {
+      refuse("file-overwrites-input", fmt::format("the table of run {} would overwrite one that is read", run.id),
+             "name another folder for the output", {folder.string()});
+    }
+    if (!written.insert(target).second) {
+      refuse("dataset-same-file", fmt::format("the table of run {} would be written over another file", run.id),
+             "give each run a table of its own", {dataset.document.file});
+    }
+    targets.push_back(folder / relative);
+  }
+  return targets;
+}
+
+}  // namespace
+
 void write_dataset(const Dataset& dataset, const std::string& folder) {
-  constexpr std::string_view kName = "dataset.toml";
   const fs::path into(folder);
   std::error_code error;
   fs::create_directories(into, error);
@@ -235,16 +270,12 @@ void write_dataset(const Dataset& dataset, const std::string& folder) {
     refuse("file-overwrites-input", "the dataset would overwrite the one that is read",
            "name another folder for the output", {folder});
   }
-  for (const Run& run : dataset.runs) {
-    const fs::path relative = fs::path(run.file).lexically_normal();
-    if (relative.is_absolute() || *relative.begin() == "..") {
-      refuse("dataset-file-outside", fmt::format("the table {} would be written outside of {}", run.file, folder),
-             "name the tables of a dataset relative to its folder, inside it", {folder});
-    }
-    fs::create_directories((into / relative).parent_path(), error);
-    write_text((into / relative).string(), run_table_text(run));
+  const std::vector<fs::path> targets = table_targets(dataset, into);
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    fs::create_directories(targets[i].parent_path(), error);
+    write_text(targets[i].string(), run_table_text(dataset.runs[i]));
   }
-  write_text((into / kName).string(), dataset.document.text);
+  write_text((into / kDatasetName).string(), dataset.document.text);
 }
 
 }  // namespace plumbline::measure

@@ -77,8 +77,9 @@ Dataset read_dataset(const std::string& path);
 Dataset parse_dataset(std::string text, const std::string& file, const std::string& folder);
 
 /// Writes the dataset's text, as it was read, as dataset.toml into a folder, made if need be, and the tables beside it.
-/// Refuses with dataset-file-outside a table that would lie outside the folder, with file-overwrites-input what would
-/// overwrite `source` or a table of it, and with file-unwritable.
+/// Refuses, before anything is written, with dataset-file-outside a table that would lie outside the folder, with
+/// file-overwrites-input what would overwrite the dataset that was read or a table of it, and with dataset-same-file
+/// two runs of one table; and with file-unwritable.
 void write_dataset(const Dataset& dataset, const std::string& folder);
 
 }  // namespace plumbline::measure

@@ -1,5 +1,7 @@
 #include "measure/dataset.hpp"
 
+#include <filesystem>
+
 #include <catch2/catch.hpp>
 
 #include "measure/runs.hpp"
@@ -114,4 +116,22 @@ TEST_CASE("a dataset is written as it was read, and never over itself") {
   const Dataset outside =
       parse_dataset(replaced(text, "run.csv", "../run.csv"), scratch.path("x/dataset.toml"), scratch.path("out"));
   CHECK(refusal_of([&] { write_dataset(outside, scratch.path("out")); }).code == "dataset-file-outside");
+}
+
+TEST_CASE("no table is written over another one, and nothing is written before that is clear") {
+  const Scratch scratch;
+  std::filesystem::create_directories(scratch.path("sub"));
+  scratch.file("run.csv", table_text());
+  scratch.file("sub/run.csv", table_text());
+  std::string text = dataset_text();
+  std::string second = replaced(text.substr(text.find("[[run]]")), "\"a\"", "\"b\"");
+  const Dataset shared = read_dataset(scratch.file("shared.toml", text + second));
+  CHECK(refusal_of([&] { write_dataset(shared, scratch.path("out")); }).code == "dataset-same-file");
+  CHECK(std::filesystem::is_empty(scratch.path("out")));
+  const Dataset beside = read_dataset(scratch.file("beside.toml", text + replaced(second, "run.csv", "sub/run.csv")));
+  const Diagnostic d = refusal_of([&] { write_dataset(beside, scratch.path("sub")); });
+  CHECK(d.code == "file-overwrites-input");
+  CHECK(d.message.find("run a") != std::string::npos);
+  write_dataset(beside, scratch.path("out"));
+  CHECK(scratch.has("out/sub/run.csv"));
 }
