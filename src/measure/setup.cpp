@@ -1,5 +1,7 @@
 #include "measure/setup.hpp"
 
+#include <cmath>
+
 #include <Eigen/QR>
 
 namespace plumbline::measure {

@@ -1,5 +1,7 @@
 #include "measure/simulation.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"

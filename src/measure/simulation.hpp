@@ -1,6 +1,7 @@
 // What a model of the machine says that a run would measure.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "measure/circular_motion.hpp"

@@ -76,7 +76,12 @@ TEST_CASE("a known payload, the direction and the time change a run") {
   const RunSimulation back = simulate_run(machine, forces, cw);
   // at the same place 120 - i: friction, twice
   CHECK((there.samples[30].torque - back.samples[90].torque).cwiseAbs().maxCoeff() > 0.5);
-  CHECK(there.samples[30].torque.isApprox(simulate_run(machine, forces, run).samples[30].torque));
+  forces.parameters[static_cast<std::size_t>(forces.add("thermal-drift"))] = 1 / 3600.0;  // strut 1, 1 K/h
+  Run later = run;
+  later.start = 3600;
+  const Vector3<double> moved =
+      simulate_run(machine, forces, later).samples[30].tip_W - simulate_run(machine, forces, run).samples[30].tip_W;
+  CHECK(moved.norm() > 2 * kUm);  // 11.5 um/K on a metre
 }
 
 TEST_CASE("a sample's derivative by a parameter equals the finite difference") {
