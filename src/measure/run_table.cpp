@@ -147,7 +147,10 @@ class TableReader {
              lines_.place(field));
     }
     const std::size_t point = field.text.find('.');
-    const std::size_t digits = point == std::string_view::npos ? 0 : field.text.size() - point - 1;
+    const bool has_exponent = field.text.find_first_of("eE") != std::string_view::npos;
+    const std::size_t digits = has_exponent                      ? kMostDecimals
+                               : point == std::string_view::npos ? 0
+                                                                 : field.text.size() - point - 1;
     column.decimals = std::max(column.decimals, static_cast<int>(std::min<std::size_t>(digits, kMostDecimals)));
     values_of(run_, column.column).push_back(*value * spec.si);
   }

@@ -67,6 +67,15 @@ TEST_CASE("tables go out as they came in") {
   CHECK(read(again).radial == run.radial);
 }
 
+TEST_CASE("a number with an exponent keeps its digits") {
+  std::string text = "time_s,radial_um\n0,5e-3\n";
+  for (int i = 1; i < 12; ++i) text += std::to_string(45239 * i) + "e-4,1\n";
+  const Run run = read(text);
+  const Run again = read(run_table_text(run));
+  CHECK(again.time == run.time);
+  CHECK(again.radial[0] == Approx(5e-9));
+}
+
 TEST_CASE("every flaw of a table is refused at its row and column") {
   struct Bad {
     std::string text, code;
