@@ -19,12 +19,14 @@ void keep(Token& token, TokenKind kind, const char* begin, const char* end) {
   token.end = end;
 }
 
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
 // Long numbers, blanks taken out.
 double read_long_number(const char* begin, const char* end) {
   char digits[512];
   char* to = digits;
   for (; begin != end && to != digits + sizeof digits; ++begin) {
-    if (*begin != ' ' && *begin != '\t' && *begin != '\r' && *begin != '+') *to++ = *begin;
+    if (!is_blank(*begin) && *begin != '+') *to++ = *begin;
   }
   double value = 0;
   std::from_chars(digits, to, value, std::chars_format::fixed);
@@ -34,24 +36,31 @@ double read_long_number(const char* begin, const char* end) {
 // Digits and their power of ten are both exact in a double up to 2^53 and 10^22, so that one division rounds the number
 // as std::from_chars does.
 void read_number(Token& token, const char* begin, const char* end) {
+  const char* c = begin;
+  while (is_blank(*c)) ++c;
+  const bool negative = *c == '-';
+  if (negative || *c == '+') ++c;
   std::uint64_t digits = 0;
   int count = 0;
-  int decimals = -1;
-  bool negative = false;
-  for (const char* c = begin; c != end; ++c) {
-    const unsigned digit = static_cast<unsigned char>(*c) - unsigned{'0'};
-    if (digit <= 9) {
-      digits = digits * 10 + digit;
-      ++count;
-      if (decimals >= 0) ++decimals;
-    } else if (*c == '.') {
-      decimals = 0;
-    } else if (*c == '-') {
-      negative = true;
+  const auto take_digits = [&] {
+    for (; c != end; ++c) {
+      const unsigned digit = static_cast<unsigned char>(*c) - unsigned{'0'};
+      if (digit <= 9) {
+        digits = digits * 10 + digit;
+        ++count;
+      } else if (!is_blank(*c)) {
+        return;
+      }
     }
+  };
+  take_digits();
+  const int before_point = count;
+  token.point = c != end;
+  if (token.point) {
+    ++c;
+    take_digits();
   }
-  token.point = decimals >= 0;
-  if (decimals < 0) decimals = 0;
+  const int decimals = count - before_point;
   token.decimals = static_cast<std::uint8_t>(decimals);
   if (count > kMostDigits || digits > kLargestExact) {
     token.value = read_long_number(begin, end);

@@ -38,9 +38,9 @@ const CodeRow* Dialect::m_code(int times_ten) const { return row_at(m_codes, m_i
 
 const CodeRow* Dialect::row_of(const Word& word) const {
   if (word.letter == kNamedCode) return &named_codes[static_cast<std::size_t>(word.value)];
+  if (word.letter != 'G' && word.letter != 'M') return nullptr;
   const int code = static_cast<int>(std::lround(word.value * 10));
-  if (word.letter == 'G') return g_code(code);
-  return word.letter == 'M' ? m_code(code) : nullptr;
+  return word.letter == 'G' ? g_code(code) : m_code(code);
 }
 
 const NameMeaning* Dialect::meaning(std::string_view text) const {

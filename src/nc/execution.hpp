@@ -116,7 +116,7 @@ void need_offsets(const Execution& run);
 /// The feed of a move in the unit that Motion states; refuses when there is none.
 double feed_of_move(const Execution& run, bool linear);
 /// Adds the move and puts the control at its end.
-void add_motion(Execution& run, Motion motion);
+void add_motion(Execution& run, const Motion& planned);
 /// From here on the axes may stand anywhere.
 void lose_position(Execution& run, AxisSet axes);
 

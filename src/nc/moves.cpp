@@ -176,8 +176,9 @@ double feed_of_move(const Execution& run, bool linear) {
              "write F; G93, G94 and G95 drop the F before them");
 }
 
-void add_motion(Execution& run, Motion motion) {
+void add_motion(Execution& run, const Motion& planned) {
   Control& control = run.control;
+  Motion& motion = run.motions.emplace_back(planned);
   motion.line = run.block->line;
   motion.feed_mode = control.modal.feed_mode;
   motion.mm_per_unit = control.modal.inches ? kMmPerInch : 1;
@@ -187,7 +188,6 @@ void add_motion(Execution& run, Motion motion) {
   motion.machine = control.frame.to_machine(motion.to);
   control.position = motion.to;
   control.known = motion.known_after;
-  run.motions.push_back(motion);
 }
 
 void lose_position(Execution& run, AxisSet axes) {

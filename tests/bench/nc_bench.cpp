@@ -1,4 +1,4 @@
-// Reading NC: parsing alone, and parsing with execution, on simultaneous moves of six axes.
+// Reading NC: parsing alone, with execution, and with every block written again, on simultaneous moves of six axes.
 #include <cstdio>
 #include <filesystem>
 #include <random>
@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/files.hpp"
+#include "nc/emit.hpp"
 #include "nc/line_source.hpp"
 #include "nc/parser.hpp"
 #include "nc/program.hpp"
@@ -74,7 +75,34 @@ void parse_and_interpret(benchmark::State& state) {
   count_bytes(state, file);
 }
 
+// The first feed is corrected, so that all blocks behind it are written one by one.
+void parse_interpret_and_emit(benchmark::State& state) {
+  const InputFile file(program_file());
+  const nc::Dialect& dialect = nc::dialect("linuxcnc");
+  nc::ProgramSettings settings;
+  settings.as_with_empty_tables = true;
+  std::uint64_t written = 0;
+  for (auto _ : state) {
+    nc::Program program(file, dialect, settings);
+    OutputFile out(program_file() + ".out");  // its bytes are written, but never take that name
+    nc::Emitter emitter(file, dialect, {}, out);
+    while (const nc::Step* step = program.next()) {
+      if (!emitter.changed() && !step->motions.empty() && step->motions.front().kind == nc::MotionKind::feed) {
+        const nc::CorrectedPoint corrected{step->motions.front().to, {{0.01}}, 1};
+        emitter.move(*step, std::span(&corrected, 1), AxisSet::all(), std::nullopt);
+      } else {
+        emitter.copy(*step);
+      }
+    }
+    emitter.finish();
+    written = out.size();
+  }
+  if (written < file.size()) state.SkipWithError("the program was not written");
+  count_bytes(state, file);
+}
+
 BENCHMARK(parse)->Unit(benchmark::kMillisecond);
 BENCHMARK(parse_and_interpret)->Unit(benchmark::kMillisecond);
+BENCHMARK(parse_interpret_and_emit)->Unit(benchmark::kMillisecond);
 
 }  // namespace
