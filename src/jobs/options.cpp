@@ -53,6 +53,28 @@ nc::FeedRule feed_rule_in(std::string_view text) {
   throw OptionError("expected xyz, all or unknown");
 }
 
+// sign, or A=sign,C=shortest.
+void set_rotary(Options& options, std::string_view text) {
+  constexpr std::string_view kExpected =
+      "expected linear, sign, shortest or one-turn, for one axis as in C=sign, several between commas";
+  constexpr std::array<std::string_view, 4> kRules{"linear", "sign", "shortest", "one-turn"};
+  each_part(text, [&](std::string_view part) {
+    const std::size_t equals = part.find('=');
+    const std::string_view name = equals == std::string_view::npos ? part : trimmed(part.substr(equals + 1));
+    const auto* const rule = std::find(kRules.begin(), kRules.end(), name);
+    if (rule == kRules.end()) throw OptionError(std::string(kExpected));
+    const auto value = static_cast<nc::RotaryRule>(rule - kRules.begin());
+    if (equals == std::string_view::npos) {
+      options.rotary.fill(value);
+      return;
+    }
+    const std::string axis_name = upper(trimmed(part.substr(0, equals)));
+    const std::optional<Axis> axis = axis_name.size() == 1 ? axis_of(axis_name.front()) : std::nullopt;
+    if (!axis || !is_rotary(*axis)) throw OptionError(std::string(kExpected));
+    options.rotary[index(*axis) - 3] = value;
+  });
+}
+
 void add_m_codes(std::set<int>& codes, std::string_view text) {
   constexpr std::string_view kExpected = "M codes between commas, as in M428,M429";
   each_part(text, [&](std::string_view part) {
@@ -129,6 +151,11 @@ constexpr std::array kRows{
         "F of a block that moves X, Y, Z and turns is the speed of X, Y, Z alone, or of all axes with degrees as mm "
         "(default: the dialect's)",
         OptionGroup::program, false, false, [](Options& o, Text t) { o.feed_rule = feed_rule_in(t); }},
+    OptionRow{"rotary", "sign|shortest|one-turn",
+              "how absolute words of A, B and C count on axes that turn without end, or of one as C=sign; repeatable "
+              "(default: "
+              "linear)",
+              OptionGroup::program, true, false, set_rotary},
     OptionRow{"work-offset", "G54=X,Y,Z,A,B,C",
               "where a work system's zero lies in the base frame W, mm and deg; G54 to G59, G59.1 to G59.3; repeatable",
               OptionGroup::program, true, false, set_work_offset},
@@ -243,6 +270,7 @@ nc::ProgramSettings program_settings(const Options& options) {
   settings.block_delete = options.block_delete;
   settings.calculator_type = options.calculator_type;
   settings.feed_rule = options.feed_rule;
+  settings.rotary = options.rotary;
   settings.max_blocks = static_cast<std::uint64_t>(options.max_blocks);
   return settings;
 }

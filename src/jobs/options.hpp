@@ -26,6 +26,7 @@ struct Options {
       work_offset_names;  // as they were given, and which system they were taken for
   std::optional<bool> calculator_type;
   std::optional<nc::FeedRule> feed_rule;
+  nc::RotaryRules rotary{};
   std::string tools;  // path of the tool table; empty: none
   std::optional<int> tool_in_spindle;
   std::array<std::optional<double>, kAxes> start;  // mm and deg, in the first work system

@@ -1,6 +1,7 @@
 #include "jobs/stamp.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -24,6 +25,18 @@ std::string_view name_of(nc::FeedRule rule) {
   return rule == nc::FeedRule::xyz_first ? "xyz" : rule == nc::FeedRule::all_axes_as_mm ? "all" : "unknown";
 }
 
+std::string rotary_text(const nc::RotaryRules& rules) {
+  constexpr std::array<std::string_view, 4> kNames{"linear", "sign", "shortest", "one turn"};
+  std::string text;
+  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
+    const nc::RotaryRule rule = rules[index(axis) - 3];
+    if (rule != nc::RotaryRule::linear) {
+      text += fmt::format(", {} {}", letter(axis), kNames[static_cast<std::size_t>(rule)]);
+    }
+  }
+  return text;
+}
+
 std::string settings_line(const Options& options) {
   const compensate::Settings& c = options.compensation;
   std::string line =
@@ -32,6 +45,7 @@ std::string settings_line(const Options& options) {
                   to_decimal(c.step.angle_deg), to_decimal(c.step.length_mm), to_decimal(options.time_tolerance));
   if (options.calculator_type) line += fmt::format(", calculator type {}", *options.calculator_type ? "on" : "off");
   if (options.feed_rule) line += fmt::format(", feed rule {}", name_of(*options.feed_rule));
+  line += rotary_text(options.rotary);
   if (options.block_delete) line += fmt::format(", block delete {}", *options.block_delete ? "on" : "off");
   return line;
 }

@@ -30,6 +30,7 @@ Control::Control(const Dialect& dialect, const ProgramSettings& settings)
     if (row.action == Action::exact_stop) modal.path_control = PathControl::exact_stop;
     if (row.action == Action::work_system) modal.work_system = row.value;
   }
+  modal.rotary = settings.rotary;
   if (dialect.habits.no_work_system_at_start) modal.work_system = 0;
   if (settings.as_with_empty_tables) no_system.known = AxisSet::all();
   for (const auto& [number, value] : settings.variables) {

@@ -166,6 +166,7 @@ void Emitter::copy(const Step& step) {
   const Block& block = *step.block;
   const BlockCodes codes = codes_.codes_of(block);
   if (step.role == BlockRole::stores_position) refuse_if_shifted(step);
+  if (changed_) refuse_if_turned(step);
   if (step.skipped || step.executed_delete) {
     copy_with_choice_applied(step);
     return;
@@ -203,6 +204,21 @@ void Emitter::refuse_if_shifted(const Step& step) const {
         fmt::format("this block stores where the control stands, which is {:.4f} {} off in {} after the correction",
                     control_.shift[axis], is_rotary(axis) ? "deg" : "mm", letter(axis)),
         "store the position before the program runs, or move there in machine coordinates (G53) first");
+  }
+}
+
+// Off by a little, an axis whose words count from where it stands may turn all the way round.
+void Emitter::refuse_if_turned(const Step& step) const {
+  if (step.motions.empty() || step.named.empty() || step.after->incremental) return;
+  const AxisWords shift = control_.work_shift(*step.frame);
+  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
+    const bool endless = step.named.contains(axis) && step.after->rule_of(axis) != RotaryRule::linear;
+    if (!endless || std::abs(shift[axis]) <= 1e-9) continue;
+    refuse_block(*step.block, "emit-rotary-word",
+                 fmt::format("{} stands {:.6g} deg off after the correction, and this block, which is not corrected, "
+                             "counts its word from there",
+                             letter(axis), shift[axis]),
+                 "move it by increments (G91), or leave it out of the block");
   }
 }
 

@@ -80,7 +80,7 @@ class Emitter {
 
   /// Writes the one move of a block through `points`, the last of them its end. Only axes in `writable` get words.
   /// `seconds`: what the block takes in the original; nothing for rapids. Refuses with emit-feed-rule,
-  /// emit-line-too-long and emit-shared-words.
+  /// emit-line-too-long, emit-rotary-word and emit-shared-words.
   EmittedMove move(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
                    std::optional<double> seconds);
 
@@ -122,6 +122,7 @@ class Emitter {
   void add_offset_shifts(const Step& step);
   void refuse_if_shifted(const Step& step) const;
   void refuse_if_shared(const Step& step) const;
+  void refuse_if_turned(const Step& step) const;
   void copy_with_choice_applied(const Step& step);
   std::string_view line_end(const Step& step) const;
 

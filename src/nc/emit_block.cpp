@@ -80,12 +80,21 @@ void PieceWriter::append_further(std::string& out, const Step& step, const Piece
   }
   for (const Axis axis : kAllAxes) {
     if (piece.moved.contains(axis)) {
-      append_word(out, letter(axis), piece.value[axis], piece.digits[index(axis)], spelling);
+      append_axis_word(out, piece, axis, spelling);
     }
   }
   if (piece.feed) append_word(out, 'F', *piece.feed, kMostDecimals, spelling);
   if (!is_last) return;
   for (const Word* word : codes.after_motion()) append_code(out, step.block->at(word->span), spelling);
+}
+
+void PieceWriter::append_axis_word(std::string& out, const Piece& piece, Axis axis, const Spelling& spelling) const {
+  const std::size_t begin = out.size();
+  append_word(out, letter(axis), piece.value[axis], piece.digits[index(axis)], spelling);
+  if (!piece.direct || !piece.endless.contains(axis)) return;
+  const std::size_t value = out.find_first_not_of(' ', begin) + 1;
+  out.insert(value, "=DC(");
+  out += ')';
 }
 
 // Words that stand in the block get their new values; gives the ones that must be added.
@@ -94,14 +103,18 @@ std::string PieceWriter::change_axis_words(const Step& step, const Piece& piece)
   Spelling plain = editor_.spelling();
   for (const Axis axis : kAllAxes) {
     const Word* word = find_word(*step.block, letter(axis));
-    const int digits = piece.digits[index(axis)];
+    const bool moves = piece.moved.contains(axis);
     if (word == nullptr) {
-      if (piece.moved.contains(axis)) append_word(added, letter(axis), piece.value[axis], digits, plain);
+      if (moves) append_axis_word(added, piece, axis, plain);
+      continue;
+    }
+    if (!moves && piece.endless.contains(axis)) {
+      editor_.replace(word->span, "");
       continue;
     }
     if (word->mode == WordMode::modal && std::abs(word->value - piece.value[axis]) < 1e-12) continue;
     std::string text;
-    append_word(text, letter(axis), piece.value[axis], digits, {plain.lower_case, false, plain.point});
+    append_axis_word(text, piece, axis, {plain.lower_case, false, plain.point});
     editor_.replace(word->span, text);
   }
   return added;

@@ -16,6 +16,7 @@ namespace {
 constexpr double kAlikeSpeeds = 0.02;  // pieces of a block whose speeds differ less share one F
 constexpr double kLargestWord = 1e6;   // with nine decimals this still is exact in a double
 constexpr double kArcStart = 1e-7;     // mm
+constexpr double kSamePlace = 1e-9;    // deg
 constexpr double kLeastFeed = 1e-6;
 constexpr double kLargestFeed = 1e12;
 constexpr double kMoves = 0.25;  // of a quantum: less than this is the noise of adding and taking away offsets
@@ -69,20 +70,53 @@ bool PiecePlanner::stays(const Step& step, std::span<const CorrectedPoint> point
   const AxisWords standing = control.work_shift(*step.frame);
   const Motion& motion = step.motions.front();
   const bool arc = motion.kind == MotionKind::arc;
-  const bool starts_matter = step.after->incremental || step.polar || arc;
   for (const Axis axis : kAllAxes) {
     if (!writable.contains(axis)) continue;
     const Grid g = grid(step, axis);
     const double half = g.quantum * g.per_unit / 2;
-    const bool keeps_start = starts_matter || !step.named.contains(axis);
-    // An arc may be none at all where its start is a little off its end.
-    const double allowed = arc ? std::min(half, kArcStart) : half;
-    if (keeps_start && motion.known_before.contains(axis) && std::abs(standing[axis]) >= allowed) return false;
+    // An arc may be none at all where its start is a little off its end, and an axis turn all the way round.
+    const double allowed = counts_turns(step, axis) ? kSamePlace : arc ? std::min(half, kArcStart) : half;
+    if (depends_on_start(step, axis) && motion.known_before.contains(axis) && std::abs(standing[axis]) >= allowed)
+      return false;
     for (const CorrectedPoint& point : points) {
       if (std::abs(point.shift[axis]) >= half) return false;
     }
   }
   return true;
+}
+
+// Its absolute words are counted from where it stands.
+bool PiecePlanner::counts_turns(const Step& step, Axis axis) const {
+  return step.named.contains(axis) && !step.after->incremental && step.after->rule_of(axis) != RotaryRule::linear;
+}
+
+bool PiecePlanner::depends_on_start(const Step& step, Axis axis) const {
+  const bool all = step.after->incremental || step.polar || step.motions.front().kind == MotionKind::arc;
+  if (all || !step.named.contains(axis) || counts_turns(step, axis)) return true;
+  const Word* const word = find_word(*step.block, letter(axis));
+  return word != nullptr && word->mode == WordMode::incremental;
+}
+
+// The word that sends an axis which turns without end to `to`. Where it stands may not be known: then the way round is
+// the one that the original goes.
+double PiecePlanner::endless_word(const Step& step, Axis axis, double to, std::optional<double> from) const {
+  const bool direct = dialect_.syntax.statements == Statements::high_level;
+  const RotaryRule rule = direct ? RotaryRule::shortest : step.after->rule_of(axis);
+  std::optional<double> word = within_one_turn(to);
+  if (from) {
+    word = rotary_word(rule, to, *from);
+  } else if (rule != RotaryRule::shortest) {
+    const Word* const written = find_word(*step.block, letter(axis));
+    const double place = written != nullptr ? within_one_turn(std::abs(written->value)) : *word;
+    if (std::abs(place - *word) > kFullTurn / 2) word.reset();
+    if (word && written != nullptr && rule == RotaryRule::sign && std::signbit(written->value)) word = -*word;
+  }
+  if (word) return *word;
+  refuse_block(*step.block, "emit-rotary-word",
+               fmt::format("no word sends {} to {:.6g}, where the corrected move ends: its words count within a turn",
+                           letter(axis), to),
+               from ? "turn there in two blocks, or by increments (G91)"
+                    : "say where the axis stands (--start), so that the way round is known");
 }
 
 bool PiecePlanner::rounds_to_zero(const Step& step, const AxisWords& shift, AxisSet writable) const {
@@ -137,6 +171,7 @@ Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point,
   Piece piece;
   const AxisWords target = point.nominal + point.shift;
   const bool first = pieces_.empty();
+  piece.direct = dialect_.syntax.statements == Statements::high_level;
   for (const Axis axis : kAllAxes) {
     const std::size_t i = index(axis);
     const Grid& g = grid_[i];
@@ -150,9 +185,14 @@ Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point,
     check_word(step, wanted);
     const double kept = std::round(wanted / g.quantum) * g.quantum;
     const double value = from_ticks(to_ticks(kept, g.digits), g.digits);
-    const double end = step.after->incremental ? at[axis] + value * g.per_unit : value * g.per_unit;
+    double end = step.after->incremental ? at[axis] + value * g.per_unit : value * g.per_unit;
+    const bool endless = !step.after->incremental && step.after->rule_of(axis) != RotaryRule::linear;
+    // Downwards to 0 would be -0, which is not the same to every control: the last step is left out.
+    if (endless && known && end < at[axis] && within_one_turn(end) == 0) end += g.quantum;
+    if (endless) piece.endless.insert(axis);
     piece.value[axis] = value;
     if (!known || std::abs(end - at[axis]) > kMoves * g.quantum * g.per_unit) {
+      if (endless) piece.value[axis] = endless_word(step, axis, end, known ? std::optional(at[axis]) : std::nullopt);
       piece.moved.insert(axis);
       at[axis] = end;
     } else if (step.after->incremental) {

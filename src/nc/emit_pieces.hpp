@@ -37,6 +37,8 @@ struct Piece {
   AxisWords value;                  // to be written: position, or increment under G91; in the program's unit
   std::array<int, kAxes> digits{};  // decimals of each
   AxisSet moved;                    // axes whose word must be written
+  AxisSet endless;                  // axes whose absolute words count turns: those that do not move get no word
+  bool direct = false;              // their words are written as A=DC(5)
   double share = 0;
   double length = 0;                 // that the feed is the speed along, in the program's unit or deg
   std::optional<double> feed;        // F to be written
@@ -75,6 +77,9 @@ class PiecePlanner {
     double quantum;  // of what the control keeps, in the program's unit
   };
   Grid grid(const Step& step, Axis axis) const;
+  bool counts_turns(const Step& step, Axis axis) const;
+  bool depends_on_start(const Step& step, Axis axis) const;
+  double endless_word(const Step& step, Axis axis, double to, std::optional<double> from) const;
   Piece rounded_piece(const Step& step, const CorrectedPoint& point, AxisSet writable, AxisWords& at);
   void set_lengths(const Step& step, const AxisWords& start);
   void choose_feeds(const Step& step, double seconds, OutputState& control);

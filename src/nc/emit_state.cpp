@@ -42,8 +42,13 @@ void OutputState::follow(const Step& step, bool has_motion_word, bool has_feed_m
   }
   if (step.after->incremental) return;
   AxisWords work = work_shift(*step.frame);
+  AxisSet stated = step.named;
+  for (const Word& word : step.block->words) {
+    if (word.mode != WordMode::incremental) continue;
+    if (const std::optional<Axis> axis = axis_of(word.letter)) stated.erase(*axis);
+  }
   for (const Axis axis : kAllAxes) {
-    if (step.named.contains(axis)) work[axis] = 0;
+    if (stated.contains(axis)) work[axis] = 0;
   }
   set_work_shift(*step.frame, work);
 }

@@ -11,7 +11,6 @@ namespace plumbline::nc {
 namespace {
 
 constexpr int kInputResult = 5399;  // parameter that M66 sets
-constexpr double kFullTurn = 360;
 constexpr int kWaitModes = 4;
 
 void orient_spindle(const Execution& run) {

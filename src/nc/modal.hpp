@@ -6,6 +6,7 @@
 
 #include "base/axes.hpp"
 #include "nc/motion.hpp"
+#include "nc/rotary.hpp"
 
 namespace plumbline::nc {
 
@@ -36,7 +37,10 @@ struct Modal {
   double feed = 0;                   // the F in force, in the program's own unit; 0: none. Not used under G93
   int tool_in_spindle = -1;          // after M6 or M61; -1: not known
   int tool_of_offset = -1;           // whose length G43 put in force; -1: none, or not a tool of the table
+  RotaryRules rotary{};              // how absolute words of A, B and C count
   Switches switches;
+
+  RotaryRule rule_of(Axis axis) const { return is_rotary(axis) ? rotary[index(axis) - 3] : RotaryRule::linear; }
 };
 
 }  // namespace plumbline::nc

@@ -11,11 +11,6 @@
 #include "nc/parser.hpp"
 
 namespace plumbline::nc {
-namespace {
-
-constexpr double kFullTurn = 360;
-
-}  // namespace
 
 void Execution::refuse(const Word& word, std::string_view code, std::string message, std::string help) const {
   refuse_at(*block, word.span, code, std::move(message), std::move(help));
@@ -55,27 +50,30 @@ std::string without_blanks(std::string text) {
   return text;
 }
 
+void check_within_turn(const Execution& run, const Word& word) {
+  if (std::abs(word.value) < kFullTurn) return;
+  run.refuse(word, codes::kOutOfRange, fmt::format("{} is a turn or more", run.block->at(word.span)),
+             "on an axis whose words have a sign for the way round (--rotary), write 0 to 359.999, or use G91");
+}
+
 // The end that a word means for an axis that stands at `from`.
-double end_of_word(const Execution& run, Axis axis, WordMode mode, double from) {
+double end_of_word(const Execution& run, const Word& word, Axis axis, double from) {
   const double value = run.value(axis);
-  const auto turned_to = [&](double least) {  // the angle value + n 360 that is at least `least`
-    const double above = std::fmod(value - least, kFullTurn);
-    return least + (above < 0 ? above + kFullTurn : above);
-  };
-  switch (mode) {
-    case WordMode::absolute:
-      return value;
-    case WordMode::incremental:
-      return from + value;
+  const bool incremental = run.control.modal.incremental && word.mode == WordMode::modal;
+  if (incremental || word.mode == WordMode::incremental) return from + value;
+  switch (word.mode) {
     case WordMode::shortest:
-      return turned_to(from - kFullTurn / 2);
+      return rotary_end(RotaryRule::shortest, value, false, from);
     case WordMode::positive:
-      return turned_to(from);
     case WordMode::negative:
-      return turned_to(from) == from ? from : turned_to(from) - kFullTurn;
+      return rotary_end(RotaryRule::sign, within_one_turn(value), word.mode == WordMode::negative, from);
     default:
-      return run.control.modal.incremental ? from + value : value;
+      break;
   }
+  const RotaryRule rule = run.control.modal.rule_of(axis);
+  if (rule == RotaryRule::linear) return value;
+  if (rule == RotaryRule::sign) check_within_turn(run, word);
+  return rotary_end(rule, value, std::signbit(value), from);
 }
 
 }  // namespace
@@ -108,12 +106,7 @@ AxisWords end_of_move(const Execution& run) {
   AxisWords end = run.control.position;
   for (const Axis axis : kAllAxes) {
     const Word* const word = run.words.find(axis);
-    if (word == nullptr) continue;
-    if (word->mode == WordMode::modal) {
-      end[axis] = run.control.modal.incremental ? end[axis] + run.value(axis) : run.value(axis);
-    } else {
-      end[axis] = end_of_word(run, axis, word->mode, end[axis]);
-    }
+    if (word != nullptr) end[axis] = end_of_word(run, *word, axis, end[axis]);
   }
   if (!run.words.polar()) return end;
   const std::array<double, 2> polar = polar_end(run, end[Axis::X], end[Axis::Y]);
@@ -128,10 +121,10 @@ AxisSet known_after_move(const Execution& run) {
     for (const Axis axis : kAllAxes) {
       const Word* const word = run.words.find(axis);
       if (word == nullptr || word->mode == WordMode::modal) continue;
-      if (word->mode == WordMode::absolute) {
-        stated.insert(axis);
-      } else {
+      if (word->mode == WordMode::incremental) {
         stated.erase(axis);
+      } else {
+        stated.insert(axis);
       }
     }
   }

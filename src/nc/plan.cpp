@@ -180,6 +180,15 @@ void refuse_twice(const Execution& run, const Word& word) {
   run.refuse(word, codes::kWordTwice, fmt::format("two {} words in one block", word.letter), "leave one of them");
 }
 
+// Only an axis that turns without end has a shorter or a positive way round; G90 counts within its turn then (setting).
+void take_word_mode(Execution& run, const Word& word) {
+  run.has_word_modes = true;
+  const std::optional<Axis> axis = axis_of(word.letter);
+  if (word.mode == WordMode::absolute || word.mode == WordMode::incremental || !axis || !is_rotary(*axis)) return;
+  RotaryRule& rule = run.control.modal.rotary[index(*axis) - 3];
+  if (rule == RotaryRule::linear) rule = RotaryRule::one_turn;
+}
+
 void gather(Execution& run) {
   run.chosen.clear();
   run.has_word_modes = false;
@@ -216,7 +225,7 @@ void gather(Execution& run) {
         break;
     }
     if (run.dialect.syntax.repeated_ijk && run.words.has(word.letter)) refuse_twice(run, word);
-    if (word.mode != WordMode::modal) run.has_word_modes = true;
+    if (word.mode != WordMode::modal) take_word_mode(run, word);
     if ((letter_bit(word.letter) & kUninterpretedLetters) != 0) {
       run.refuse(word, codes::kNotInterpreted, fmt::format("{} words are not interpreted", word.letter),
                  "the axes are X, Y, Z, A, B and C");

@@ -10,6 +10,7 @@
 
 #include "base/files.hpp"
 #include "nc/dialect.hpp"
+#include "nc/rotary.hpp"
 #include "nc/step.hpp"
 #include "nc/tool_table.hpp"
 
@@ -32,6 +33,7 @@ struct ProgramSettings {
   std::set<int> passed_m_codes;                    // --pass
   std::set<int> keeps_position;                    // --keeps-position, M codes
   std::optional<FeedRule> feed_rule;               // --feed-rule, in place of the dialect's
+  RotaryRules rotary{};                            // --rotary, of A, B and C
   std::optional<bool> calculator_type;             // --calculator-type: a number without a point counts units
   std::uint64_t max_blocks = 10'000'000;           // --max-blocks: lines that a program with jumps may execute
   std::optional<bool> block_delete;                // --block-delete on|off

@@ -28,7 +28,10 @@ void end_in_machine_coordinates(const Execution& run, Motion& motion) {
   if (turned && moves_plane) moved = moved | plane;
   motion.to = control.position;
   for (const Axis axis : kAllAxes) {
-    if (moved.contains(axis)) motion.to[axis] = work[axis];
+    if (!moved.contains(axis)) continue;
+    const Word* const word = run.words.find(axis);
+    const bool negative = word != nullptr && std::signbit(word->value);
+    motion.to[axis] = rotary_end(control.modal.rule_of(axis), work[axis], negative, control.position[axis]);
   }
   motion.known_after = control.known | run.axes;
   // A turned X is made of both X and Y.

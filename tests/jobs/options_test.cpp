@@ -97,3 +97,14 @@ TEST_CASE("work offsets of a variables file count as given, those of options com
   CHECK(settings.work_offsets[1]->rotation_deg == 30);
   CHECK_FALSE(settings.work_offsets[2]);
 }
+
+TEST_CASE("a rule of rotary words holds for all axes or for those that are named") {
+  using nc::RotaryRule;
+  CHECK(with("rotary", "sign").rotary == nc::RotaryRules{RotaryRule::sign, RotaryRule::sign, RotaryRule::sign});
+  CHECK(with("rotary", "b=one-turn, C = shortest").rotary ==
+        nc::RotaryRules{RotaryRule::linear, RotaryRule::one_turn, RotaryRule::shortest});
+  for (const char* const wrong : {"", "wrapped", "X=sign", "=sign", "A=", "A=sign;B=sign"}) {
+    INFO(wrong);
+    CHECK_THROWS_AS(with("rotary", wrong), OptionError);
+  }
+}

@@ -1,0 +1,98 @@
+// Corrections of an axis whose words count within a turn must never send it all the way round.
+#include <algorithm>
+#include <regex>
+
+#include <catch2/catch.hpp>
+
+#include "compensate/play.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+Job job_for(const std::string& dialect, nc::RotaryRule rule) {
+  Job job;
+  job.dialect = dialect;
+  job.settings.friction = false;
+  job.program.rotary.fill(rule);
+  job.program.start.fill(0);
+  for (auto& offset : job.program.work_offsets) offset = job.program.work_offsets[0];
+  return job;
+}
+
+double largest_turn(const std::string& text, const Job& job) {
+  double largest = 0;
+  for (const Move& move : moves_of(text, job.program, job.dialect)) {
+    for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
+      largest = std::max(largest, std::abs(move.to_W[axis] - move.from_W[axis]));
+    }
+  }
+  return largest;
+}
+
+void check_small_turns(const std::string& text, const Job& job) {
+  const Result result = run(text, job);
+  INFO(result.text);
+  const Played played = play(text, result.text, job);
+  CHECK(played.at_points_um <= 0.15);
+  CHECK(played.between_points_um <= 0.5);
+  CHECK(played.time_change <= 2e-3);
+  CHECK(result.summary.changed_blocks > 5);
+  CHECK(largest_turn(result.text, job) < 20);
+}
+
+bool matches(const std::string& text, const std::string& pattern) {
+  return std::regex_search(text, std::regex(pattern, std::regex::multiline));
+}
+
+}  // namespace
+
+TEST_CASE("words whose sign says the way round stay small turns") {
+  const Job job = job_for("linuxcnc", nc::RotaryRule::sign);
+  const std::string text =
+      "G21 G90 G94\nG0 X0 Y0 Z20 A0 B0 C0\nG1 X30 Y10 Z0 A10 B-355 C-352 F900\nX35 C-352\nX40 Y-20 A-2 B5 C4\n"
+      "G0 X0 Y0 A-355 B-0 C-0\nG1 X10 Y10 C0\nG91 X5 C-1\nG90 X20 C0 A-354\nG3 X-20 Y10 I-20 J15 A-350 C8\nM2\n";
+  check_small_turns(text, job);
+  const std::string out = run(text, job).text;
+  INFO(out);
+  CHECK(matches(out, " C-35[0-9.]+"));
+  CHECK_FALSE(matches(out, "[ABC]-0(\\.0*)?( |$)"));
+}
+
+TEST_CASE("words that go the shorter way stay small turns") {
+  check_small_turns(
+      "O1\nG21 G90 G94 G54\nG0 X0. Y0. Z20. A0. B0. C0.\nG1 X30. Y10. A10. B355. C-8. F900.\nX40. Y-20. A-2. B5. "
+      "C364.\n"
+      "G91 G1 X5. C-5.\nG90 X0. C0. A0.\nG93 X10. B358. F20.\nG94 G1 X0. B0. F800.\nM30\n",
+      [] {
+        Job job = job_for("fanuc", nc::RotaryRule::shortest);
+        job.program.feed_rule = nc::FeedRule::xyz_first;
+        return job;
+      }());
+}
+
+TEST_CASE("words of a modulo axis are written with DC") {
+  const Job job = job_for("siemens", nc::RotaryRule::linear);
+  const std::string text =
+      "G54 G90 G94\nG0 X0 Y0 Z20 A0 B0 C0\nFGROUP(X,Y,Z)\nG1 X30 Y10 A=DC(352) B=ACP(5) C=ACN(352) F900\nX35 A350\n"
+      "X40 A=IC(12) C=DC(4)\nX45 A3 C5\nG91 X-5 A-4\nG90 G1 X0 A=AC(358) B0\nM30\n";
+  check_small_turns(text, job);
+  const std::string out = run(text, job).text;
+  INFO(out);
+  CHECK(matches(out, "A=DC\\(35[0-9.]+\\)"));
+  CHECK_FALSE(matches(out, "ACP|ACN|IC\\("));
+}
+
+TEST_CASE("a move that no word says is refused") {
+  Job job = job_for("linuxcnc", nc::RotaryRule::sign);
+  for (auto& start : job.program.start) start.reset();
+  // Where C stands is not known, and the correction turns it below 0: all the way round, or hardly at all?
+  const std::string there = "G0 X30 Y40 Z0 A0 B0 C0\nM2\n";
+  const std::string other = "G0 X-30 Y-40 Z0 A0 B0 C0\nM2\n";
+  CHECK((code_of(there, job) == "emit-rotary-word" || code_of(other, job) == "emit-rotary-word"));
+  job.program.start.fill(0);
+  CHECK(code_of(there, job).empty());
+  CHECK(code_of(other, job).empty());
+  // G53 is not corrected, and counts from where the correction has left the axis.
+  CHECK(code_of("G0 X30 Y40 Z0 A3 B2 C5\nG53 G0 C5\nM2\n", job) == "emit-rotary-word");
+}
