@@ -161,6 +161,8 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
   if (seconds && *seconds > 0) {
     set_lengths(step, start);
     choose_feeds(step, *seconds, control);
+  } else if (find_word(*step.block, 'F') != nullptr) {
+    control.feed = step.after->feed;
   }
   control.set_work_shift(*step.frame, left);
   return pieces_;
