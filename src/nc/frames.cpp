@@ -1,4 +1,4 @@
-// Work systems and shifts of controls other than LinuxCNC: G54.1 P, G15 H, G10 L2, G52, G68, TRANS, ROT.
+// Further work systems and shifts: G54.1 P, G15 H, G10 L2 of Fanuc, G52, G68, TRANS, ROT.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -93,6 +93,18 @@ void change_frame_by_name(Execution& run, const Chosen& chosen) {
   turn(run, degrees);
 }
 
+// LinuxCNC has one shift for G52 and G92: G92.1 to G92.3 act on it, whichever of the two set it [measured].
+void set_shift_of_g92(Execution& run, const Word& code) {
+  if (run.axes.empty()) run.refuse(code, codes::kAxesMissing, "G52 names no axis", "add the words of the shift");
+  Control& control = run.control;
+  Frame next = control.frame;
+  for (const Axis axis : kAllAxes) {
+    if (run.axes.contains(axis)) next.g92[axis] = run.value(axis);
+  }
+  control.suspended_g92 = next.g92;
+  control.change_frame(next);
+}
+
 void set_local_shift(Execution& run, const Word& code) {
   Control& control = run.control;
   if (control.turn_deg != 0) {
@@ -148,6 +160,8 @@ void set_work_table(Execution& run) {
 
 void change_programmed_frame(Execution& run, const Chosen& chosen) {
   Control& control = run.control;
+  const bool with_g92 = chosen.row->action == Action::local_shift && chosen.row->value == 1;
+  if (with_g92) return set_shift_of_g92(run, *chosen.word);
   check_no_g92(run, *chosen.word);
   switch (chosen.row->action) {
     case Action::local_shift:
