@@ -9,6 +9,7 @@
 #include "base/check.hpp"
 #include "base/number_text.hpp"
 #include "base/units.hpp"
+#include "nc/line_head.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -44,13 +45,29 @@ bool is_plain(const Step& step, bool keeps_settings) {
 
 }  // namespace
 
+// NAME: of a program that is written out, where nothing jumps there and the same name would stand more than once.
+Span PlainSteps::label_of(const Block& block) const {
+  if (dialect_.syntax.statements != Statements::high_level || block.kind != LineKind::block) return {};
+  if (head_of(block.text, dialect_).label.empty()) return {};
+  const std::size_t before = std::max(block.number.end, block.slash.end);
+  const std::size_t begin = block.text.find_first_not_of(" \t", before);
+  std::size_t end = block.text.find(':', begin) + 1;
+  if (before == 0)
+    end = std::min(block.text.find_first_not_of(" \t", end), block.text.size());  // else those before it go
+  return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+}
+
 const Step* PlainSteps::plain(const Step& step, bool keeps_settings) {
   used_ = 0;
-  if (step.skipped || is_plain(step, keeps_settings)) return &step;
   const Block& block = *step.block;
-  if (!keeps_settings && block.words.empty() && !block.settings.empty()) return nullptr;
+  const Span label = keeps_settings ? Span{} : label_of(block);
+  const bool has_label = label.end > label.begin;
+  if (step.skipped || (is_plain(step, keeps_settings) && !has_label)) return &step;
+  const bool vanishes = !block.settings.empty() || (has_label && block.comments.empty());
+  if (!keeps_settings && block.words.empty() && vanishes) return nullptr;
   spelling_ = spelling_of(block, spelling_);
   editor_.start(block, spelling_);
+  if (has_label) editor_.replace(label, "");
   write_values(step, keeps_settings);
   if (!keeps_settings) {
     for (const Setting& setting : block.settings) editor_.replace(setting.span, "");
@@ -231,6 +248,14 @@ void PlainSteps::add_words_behind(const Step& step) {
   add(own);
 }
 
+// P counts whole milliseconds on some controls, which take no point in it.
+void PlainSteps::append_dwell(std::string& text, double seconds) const {
+  const double per_count = dialect_.habits.dwell_p_s;
+  const bool whole = per_count != 1;
+  append_word(text, 'P', seconds / per_count, whole ? 0 : kMostDecimals,
+              {spelling_.lower_case, spelling_.spaced, spelling_.point && !whole});
+}
+
 void PlainSteps::append_axis(std::string& text, const Step& step, char letter, double mm) const {
   append_word(text, letter, mm / (step.after->inches ? kMmPerInch : 1), kMostDecimals, spelling_);
 }
@@ -249,7 +274,7 @@ void PlainSteps::add_move(const Step& step, const Motion& motion) {
   own.before.motion = mode_;
   if (dwells) {
     append_code(own.text, codes_.dwell(), spelling_);
-    append_word(own.text, 'P', motion.dwell_s, kMostDecimals, spelling_);
+    append_dwell(own.text, motion.dwell_s);
   } else {
     mode_ = motion.kind == MotionKind::rapid ? MotionMode::rapid : MotionMode::feed;
     append_code(own.text, codes_.motion(mode_), spelling_);
@@ -290,7 +315,7 @@ void PlainSteps::add_hole(const Step& step, const Hole& hole) {
   append_axis(own.text, step, letter(axes.second), hole.second);
   append_axis(own.text, step, letter(axes.third), hole.bottom);
   append_axis(own.text, step, 'R', hole.r);
-  if (hole.dwell_s) append_word(own.text, 'P', *hole.dwell_s, kMostDecimals, spelling_);
+  if (hole.dwell_s) append_dwell(own.text, *hole.dwell_s);
   if (hole.ijk) {
     for (std::size_t i = 0; i < 3; ++i) append_axis(own.text, step, "IJK"[i], (*hole.ijk)[i]);
   }

@@ -19,7 +19,7 @@ namespace plumbline::nc {
 class PlainSteps {
  public:
   /// The dialect must outlive it.
-  explicit PlainSteps(const Dialect& dialect) : codes_(dialect), parser_(dialect) {
+  explicit PlainSteps(const Dialect& dialect) : dialect_(dialect), codes_(dialect), parser_(dialect) {
     spelling_.point = dialect.habits.always_point;
   }
 
@@ -54,8 +54,11 @@ class PlainSteps {
   void add_words_behind(const Step& step);
   void add_move(const Step& step, const Motion& motion);
   void add_hole(const Step& step, const Hole& hole);
+  Span label_of(const Block& block) const;
+  void append_dwell(std::string& text, double seconds) const;
   void append_axis(std::string& text, const Step& step, char letter, double mm) const;
 
+  const Dialect& dialect_;
   CodeWriter codes_;
   Parser parser_;
   BlockEditor editor_;

@@ -115,3 +115,24 @@ TEST_CASE("a block that moves and calls is refused") {
   const std::string text = "O7\nG0 X0 Y0 Z20. A0 B0 C0\nG1 F500 X5. M98 P8\nM30\nO8\nX6.\nM99\n";
   CHECK(code_of(text, job_for("fanuc")) == "compensate-flow");
 }
+
+TEST_CASE("a dwell of a cycle counts what the control counts") {
+  const Job job = job_for("fanuc");
+  const std::string text =
+      "O1\nG54\nG0 X0. Y0. Z20. A0. B0. C0.\nG82 X1. Z0. R2. P500 F100.\nG80\nG84 X5. Z-1. R2. P250 F100.\nG80\nM30\n";
+  const std::string out = run(text, job).text;
+  INFO(out);
+  CHECK(holds(out, "^G4 P500$"));
+  CHECK(holds(out, "^G84 .* P250$"));
+}
+
+TEST_CASE("a program that is written out repeats no label") {
+  const Job job = job_for("siemens");
+  const std::string text =
+      "G54\nG0 X0 Y0 Z20 A0 B0 C0\nR1=0\nN10 LOOP: G1 X=R1*5 Y1 F500\nAGAIN:\nMORE: R1=R1+1\nIF R1<3 GOTOB LOOP\nM30\n";
+  const std::string out = run(text, job).text;
+  INFO(out);
+  CHECK_FALSE(holds(out, "LOOP:|AGAIN|MORE"));
+  CHECK(holds(out, "^N10 G1 X"));
+  check(text, out, job);
+}
