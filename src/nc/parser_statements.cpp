@@ -43,8 +43,9 @@ void Parser::statement(FlowWord word) {
 
 namespace {
 
-// GOTOF, GOTOB
+// GOTOF, GOTOB; a label behind the condition itself may stand anywhere
 Direction direction_of(std::string_view keyword) {
+  if (keyword.empty()) return Direction::both;
   const char last = upper(keyword.back());
   return last == 'F' ? Direction::forward : last == 'B' ? Direction::backward : Direction::both;
 }
@@ -54,7 +55,7 @@ Direction direction_of(std::string_view keyword) {
 // jump = [ "IF" , value ] , ( "GOTO" , label | label | ) ; without either it begins a branch
 void Parser::named_jump(bool conditional) {
   Flow& flow = block_->flow;
-  Span keyword = flow.span;
+  Span keyword = conditional ? Span{} : flow.span;
   if (conditional) {
     flow.values.push_back(named_value_code());
     Token next;
