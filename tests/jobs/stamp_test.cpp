@@ -75,3 +75,21 @@ TEST_CASE("the tools of a program are those whose numbers stand in it") {
   CHECK(numbers("T#<tool> M6\n").size() == 4);
   CHECK(numbers("G43 H[1+1]\n").size() == 4);
 }
+
+TEST_CASE("the tools of subprograms beside a program are its own") {
+  const testing::Scratch scratch;
+  const nc::ToolTable table({{1, 10, {}, {}, {}}, {2, 20, {}, {}, {}}, {3, 30, {}, {}, {}}, {12, 40, {}, {}, {}}});
+  scratch.file("drill.ngc", "o<drill> sub\nT2 M6\no100 call\no<drill> endsub\n");
+  scratch.file("100.ngc", "o100 sub\nG43 H3\no100 endsub\n");
+  scratch.file("other.ngc", "T12 M6\n");
+  const auto numbers = [&](const char* name, const char* program) {
+    std::vector<int> found;
+    const InputFile file(scratch.file(name, program));
+    for (const nc::Tool& tool : jobs::used_tools(file, table, std::nullopt)) found.push_back(tool.number);
+    return found;
+  };
+  CHECK(numbers("p.ngc", "T1 M6\no<drill> call\n(other)\n") == std::vector{1, 2, 3});
+  CHECK(numbers("p.nc", "M98 P0100\n") == std::vector{3});
+  CHECK(numbers("p.mpf", "DRILL(1)\n") == std::vector{2, 3});
+  CHECK(numbers("p.ngc", "G1 X100 L5\n").empty());
+}
