@@ -51,6 +51,7 @@ bool Pass::run(const Progress& progress) {
   while (const nc::Step* step = program_.next()) {
     ++summary_.blocks;
     refuse_stamped(*step->block);
+    note_whether_it_ends(*step);
     if (!jumps && step->jumped && form_ == nc::Form::in_text_order) {
       jumps = true;
       emitter_.only_look();

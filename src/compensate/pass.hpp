@@ -38,6 +38,8 @@ class Pass {
  private:
   void refuse_system_of_block(const nc::Step& step) const;
   void refuse_stamped(const nc::Block& block) const;
+  void note_whether_it_ends(const nc::Step& step);
+  void warn_of_no_end();
   void take(const nc::Step& step);
   void process(const nc::Step& step);
   void process_cycle(const nc::Step& step);
@@ -87,6 +89,8 @@ class Pass {
   std::vector<nc::CorrectedPoint> points_;
   AxisWords tool_offset_;
   int tool_in_spindle_ = -1;
+  bool ended_ = false;                   // the last thing that was executed ends a program
+  std::size_t last_line_ = 0;            // that holds a word
   std::map<int, Place> massless_tools_;  // and where each came into the spindle
   std::optional<Target> sample_;         // where the error per kg of a tool is worked out
   double sum_of_squares_ = 0;

@@ -88,6 +88,27 @@ void Pass::note_offset_sensitivity(const Target& target, const AxisWords& comman
   summary_.offset_shift_for_1um_mm = std::min(summary_.offset_shift_for_1um_mm, kUm / kMm / std::sqrt(squares));
 }
 
+void Pass::note_whether_it_ends(const nc::Step& step) {
+  const nc::Block& block = *step.block;
+  const bool percent = block.kind == nc::LineKind::percent;
+  if (block.kind == nc::LineKind::ignored || (block.words.empty() && !percent)) return;
+  ended_ = percent || std::any_of(block.words.begin(), block.words.end(), [&](const nc::Word& word) {
+             const nc::CodeRow* const row = word.letter == 'M' ? dialect_.row_of(word) : nullptr;
+             return row != nullptr && (row->action == nc::Action::end || row->action == nc::Action::end_program);
+           });
+  last_line_ = block.line;
+}
+
+void Pass::warn_of_no_end() {
+  if (ended_ || last_line_ == 0) return;
+  Place place;
+  place.file = source_.name();
+  place.line = last_line_;
+  summary_.warnings.push_back({"compensate-no-end", "the program ends without M2 or M30",
+                               "some controls stop with an alarm there, and leave spindle and coolant on: add one",
+                               std::move(place), Severity::warning});
+}
+
 Summary Pass::summary() {
   for (const nc::InlinedFile& file : emitter_.inlined()) summary_.inlined_files.push_back({file.name, file.hash});
   summary_.unrolled = form_ == nc::Form::unrolled;
@@ -96,6 +117,7 @@ Summary Pass::summary() {
   if (summary_.points > 0)
     summary_.rms_correction_mm = std::sqrt(sum_of_squares_ / static_cast<double>(summary_.points));
   summary_.assumed_at_zero = assumed_.value_or(AxisSet{});
+  warn_of_no_end();
   for (const auto& [tool, place] : massless_tools_) {
     const std::optional<double> per_kg = sample_ ? corrector_.error_per_kg_mm(*sample_) : std::nullopt;
     summary_.warnings.push_back(

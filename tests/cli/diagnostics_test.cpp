@@ -97,7 +97,7 @@ TEST_CASE("a place is file, line, column, length and the text of the line") {
 
 TEST_CASE("wrong usage, warnings and notes are objects as well") {
   const Scratch scratch;
-  scratch.file("p.ngc", "T1 M6\nG43\n" + std::string(kPart));
+  scratch.file("p.ngc", "T1 M6\nG43\n" + std::string(kPart) + "M2\n");
   scratch.file("tools.toml", "plumbline = \"tools 1\"\n[[tool]]\nnumber = 1\nlength_mm = 5\n");
   for (const std::string& name : commands(scratch)) {
     INFO(name);

@@ -197,11 +197,26 @@ TEST_CASE("a tool without a mass is warned of, with the error per kg") {
   tool.number = 1;
   tool.length_mm = 80;
   job.program.tools = nc::ToolTable({tool});
-  const std::string text = "T1 M6\nG43 H1\nG0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F100\n";
+  const std::string text = "T1 M6\nG43 H1\nG0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F100\nM2\n";
   const compensate::Summary summary = run(text, job).summary;
   REQUIRE(summary.warnings.size() == 1);
   CHECK(summary.warnings[0].code == "compensate-tool-mass");
   CHECK(summary.warnings[0].message.find("um") != std::string::npos);
   job.settings.friction = false;
   CHECK(play(text, run(text, job).text, job, {.length = 0.08}).at_points_um <= 0.15);
+}
+
+TEST_CASE("a program without an end is warned of") {
+  const auto codes = [](const std::string& text) {
+    std::vector<std::string> codes;
+    for (const Diagnostic& warning : run(text, Job{}).summary.warnings) codes.push_back(warning.code);
+    return codes;
+  };
+  const std::string moves = "G0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F100\n";
+  CHECK(codes(moves + "M2\n").empty());
+  CHECK(codes(moves + "m30 (done)\n\n(more)\n").empty());
+  CHECK(codes("%\n" + moves + "%\n").empty());
+  CHECK(codes("o1 sub\n" + moves + "o1 endsub\no1 call\no1 call\nM2\n").empty());
+  CHECK(codes(moves) == std::vector<std::string>{"compensate-no-end"});
+  CHECK(codes("%\n" + moves) == std::vector<std::string>{"compensate-no-end"});
 }
