@@ -12,7 +12,8 @@
 namespace plumbline::compensate {
 namespace {
 
-constexpr std::uint64_t kReplayEvery = 16;  // corrected moves
+constexpr std::uint64_t kReplayAll = 256;   // corrected moves at the begin
+constexpr std::uint64_t kReplayEvery = 16;  // behind them
 constexpr double kOffsetProbeMm = 1;
 
 }  // namespace
@@ -62,7 +63,8 @@ void Pass::note_end(const nc::Step& step, const Target& target) {
     summary_.zero_error = corrector_.error(target);
     summary_.zero_error_line = step.block->line;
   }
-  if (corrected_moves_++ % kReplayEvery != 0) return;
+  ++corrected_moves_;
+  if (corrected_moves_ > kReplayAll && corrected_moves_ % kReplayEvery != 0) return;
   const nc::CorrectedPoint& point = points_.back();
   const AxisWords commanded = step.frame->to_pose(point.nominal + point.shift);
   const std::optional<double> distance = corrector_.tip_distance_mm(target, commanded);

@@ -133,7 +133,8 @@ class Fitter {
     const auto m = static_cast<Eigen::Index>(effects_.size());
     const Eigen::MatrixXd cross = A(others, effects_);
     const Eigen::LDLT<Eigen::MatrixXd> inner(Eigen::MatrixXd(A(others, others)));
-    const Eigen::MatrixXd taken = others.empty() ? Eigen::MatrixXd(0, m) : Eigen::MatrixXd(inner.solve(cross));
+    Eigen::MatrixXd taken(cross.rows(), m);
+    if (cross.size() > 0) taken = inner.solve(cross);  // Eigen reads an element of an empty one
     const Eigen::VectorXd b_others = b(others);
     Eigen::VectorXd sizes(m);
     if (m > 0) {

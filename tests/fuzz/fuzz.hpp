@@ -56,7 +56,7 @@ class Folder {
     std::string path = *this / name;
     std::FILE* const file = std::fopen(path.c_str(), "wb");
     FUZZ_CHECK(file != nullptr);
-    FUZZ_CHECK(std::fwrite(text.data(), 1, text.size(), file) == text.size());
+    FUZZ_CHECK(text.empty() || std::fwrite(text.data(), 1, text.size(), file) == text.size());
     FUZZ_CHECK(std::fclose(file) == 0);
     return path;
   }
