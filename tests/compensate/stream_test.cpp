@@ -208,9 +208,9 @@ TEST_CASE("a tool without a mass is warned of, with the error per kg") {
 
 TEST_CASE("a program without an end is warned of") {
   const auto codes = [](const std::string& text) {
-    std::vector<std::string> codes;
-    for (const Diagnostic& warning : run(text, Job{}).summary.warnings) codes.push_back(warning.code);
-    return codes;
+    std::vector<std::string> found;
+    for (const Diagnostic& warning : run(text, Job{}).summary.warnings) found.push_back(warning.code);
+    return found;
   };
   const std::string moves = "G0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F100\n";
   CHECK(codes(moves + "M2\n").empty());
