@@ -2,6 +2,9 @@
 
 #include <optional>
 
+#include <fmt/format.h>
+
+#include "base/diagnostic.hpp"
 #include "base/files.hpp"
 #include "compensate/stream.hpp"
 #include "jobs/guard_block.hpp"
@@ -30,6 +33,15 @@ struct Undo {
   OutputFile file;
   nc::UndoLog log;
 };
+
+// Which files are called shows only when the program has run.
+void refuse_overwriting_subprogram(const compensate::Summary& summary, const std::string& output) {
+  for (const compensate::Summary::InlinedFile& file : summary.inlined_files) {
+    if (!InputFile(file.name).is_same_as(output)) continue;
+    refuse("file-overwrites-input", fmt::format("the output would overwrite the subprogram {}", file.name),
+           "name another file for the output", Place{.file = output});
+  }
+}
 
 }  // namespace
 
@@ -60,6 +72,7 @@ compensate::Summary compensate_file(const std::string& program, const std::strin
     stream.record(undo->log);
   }
   compensate::Summary summary = stream.run(progress);
+  refuse_overwriting_subprogram(summary, output);
   summary.bytes_after = out.size();
   if (undo) {
     undo->log.finish(source, out.size(), out.hash());

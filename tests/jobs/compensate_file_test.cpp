@@ -113,3 +113,29 @@ TEST_CASE("where nothing had to change, the summary says so") {
   CHECK(jobs::summary_text(s, how).starts_with("nothing had to change"));
   CHECK(nlohmann::json::parse(jobs::summary_json(s, how)).at("offset_shift_for_1um_mm").is_null());
 }
+
+TEST_CASE("tools that only a subprogram in another file uses stand in stamp and guard") {
+  const testing::Scratch scratch;
+  scratch.file("drill.ngc", "o<drill> sub\nT2 M6\nG43 H2\nG0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F500\nG49\no<drill> endsub\n");
+  jobs::Options how = options();
+  how.tools = scratch.file("tools.toml",
+                           "plumbline = \"tools 1\"\n[[tool]]\nnumber = 1\nlength_mm = 80\nmass_kg = 1\n"
+                           "[[tool]]\nnumber = 2\nlength_mm = 60\nmass_kg = 1\n");
+  how.guard = true;
+  how.undo = true;
+  const std::string program = scratch.file("a.ngc", "G0 X0 Y0 Z0 A0 B0 C0\no<drill> call\nM2\n");
+  const compensate::Summary s = jobs::compensate_file(program, scratch.path("b.ngc"), how);
+  const std::string text = scratch.text("b.ngc");
+  CHECK(s.bytes_after == text.size());
+  CHECK(text.find("(tool 2: length 60 mm, mass 1 kg at 0 mm)") != std::string::npos);
+  CHECK(text.find("(tool 1:") == std::string::npos);
+  CHECK(text.find("\no<plumbline_tool2> if ") != std::string::npos);
+  OutputFile back(scratch.path("back.ngc"));
+  nc::restore(InputFile(scratch.path("b.ngc")), InputFile(scratch.path("b.ngc.undo")), back);
+  back.commit();
+  CHECK(scratch.text("back.ngc") == scratch.text("a.ngc"));
+
+  const Diagnostic d = testing::refusal_of([&] { jobs::compensate_file(program, scratch.path("drill.ngc"), how); });
+  CHECK(d.code == "file-overwrites-input");
+  CHECK(scratch.text("drill.ngc").starts_with("o<drill> sub"));
+}
