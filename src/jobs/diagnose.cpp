@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/number_text.hpp"
 #include "base/units.hpp"
 #include "identify/model_text.hpp"
 #include "machine/model_file.hpp"
@@ -22,7 +23,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kDigits = 6;
 
-double rounded(double value) { return std::stod(fmt::format("{:.{}g}", value, kDigits)); }
+Json rounded(double value) {
+  const std::optional<double> number = parse_number(fmt::format("{:.{}g}", value, kDigits));
+  return number ? Json(*number) : Json(nullptr);
+}
 
 Json numbers(const NamedParameter& parameter, const std::vector<double>& values) {
   if (parameter.single) return rounded(values.front());
@@ -53,9 +57,7 @@ Json effect_json(const NamedEffect& effect) {
           {"log_odds", rounded(effect.log_odds)}};
 }
 
-Json figure(const std::optional<double>& value, double unit) {
-  return value ? Json(rounded(*value / unit)) : Json(nullptr);
-}
+Json figure(const std::optional<double>& value, double unit) { return value ? rounded(*value / unit) : Json(nullptr); }
 
 Json gap_json(const Gap& gap, bool runner_up) {
   const auto both = [&](const auto& of, double unit) {
@@ -66,6 +68,21 @@ Json gap_json(const Gap& gap, bool runner_up) {
   };
   return {{"radial_rms_um", both([](const diagnose::Rms& r) { return r.radial; }, kUm)},
           {"torque_rms_Nm", both([](const diagnose::Rms& r) { return r.torque; }, 1)}};
+}
+
+// Null where nothing was measured.
+Json noise_json(const identify::NoiseModel& noise) {
+  Json json;
+  const auto add = [&](const std::string& name, const std::string& unit_name, const identify::ChannelNoise& channel,
+                       double unit) {
+    const bool measured = channel.samples > 0;
+    json[name + unit_name] = measured ? rounded(channel.sigma / unit) : Json();
+    json[name + "_memory"] = measured ? rounded(channel.memory) : Json();
+    json[name + "_white_share"] = measured ? rounded(channel.white) : Json();
+  };
+  add("radial", "_um", noise.channels[identify::kRadial], kUm);
+  add("torque", "_Nm", noise.channels[1], 1);
+  return json;
 }
 
 Json run_json(const diagnose::RunGap& run) {
@@ -114,13 +131,19 @@ std::string test_text(const diagnose::Separation& separation) {
 
 std::string list_of(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
-std::string rms_line(const char* what, const Gap& gap, double floor_um, double floor_Nm) {
-  const auto text = [](const std::optional<double>& value, double unit, int decimals) {
-    return value ? fmt::format("{:.{}f}", *value / unit, decimals) : std::string("-");
-  };
-  return fmt::format("{:<10} bar {} -> {} um (noise {:.2f}), torque {} -> {} N m (noise {:.3f})\n", what,
-                     text(gap.before.radial, kUm, 2), text(gap.after.radial, kUm, 2), floor_um,
-                     text(gap.before.torque, 1, 3), text(gap.after.torque, 1, 3), floor_Nm);
+// "bar 3.10 -> 0.60 um (noise 0.50)"
+std::string change_text(const char* what, const std::optional<double>& before, const std::optional<double>& after,
+                        const identify::ChannelNoise& noise, double unit, int decimals, const char* unit_name) {
+  if (!before || !after) return fmt::format("{} not measured", what);
+  return fmt::format("{} {:.{}f} -> {:.{}f} {} (noise {:.{}f})", what, *before / unit, decimals, *after / unit,
+                     decimals, unit_name, noise.sigma / unit, decimals);
+}
+
+std::string rms_line(const char* what, const Gap& gap, const identify::NoiseModel& noise) {
+  return fmt::format(
+      "{:<10} {}, {}\n", what,
+      change_text("bar", gap.before.radial, gap.after.radial, noise.channels[identify::kRadial], kUm, 2, "um"),
+      change_text("torque", gap.before.torque, gap.after.torque, noise.channels[1], 1, 3, "N m"));
 }
 
 std::string parameter_text(const NamedParameter& parameter) {
@@ -168,11 +191,7 @@ std::string diagnosis_json(const Diagnosis& d) {
   for (const diagnose::Evidence& e : d.evidence) {
     json["evidence_nats"].push_back({{"name", e.name}, {"log_odds", rounded(e.log_odds)}});
   }
-  const identify::ChannelNoise& bar = d.noise.channels[identify::kRadial];
-  const identify::ChannelNoise& motor = d.noise.channels[1];
-  json["noise"] = {{"radial_um", rounded(bar.sigma / kUm)},    {"radial_memory", rounded(bar.memory)},
-                   {"radial_white_share", rounded(bar.white)}, {"torque_Nm", rounded(motor.sigma)},
-                   {"torque_memory", rounded(motor.memory)},   {"torque_white_share", rounded(motor.white)}};
+  json["noise"] = noise_json(d.noise);
   json["runs"] = Json::array();
   for (const diagnose::RunGap& run : d.runs) json["runs"].push_back(run_json(run));
   json["converged"] = d.converged;
@@ -194,10 +213,8 @@ std::string diagnosis_text(const Diagnosis& d) {
     text += fmt::format("not explained by the catalogue (a description, not a cause; strength {:.0f}):\n{}\n",
                         d.remainder->snr, d.remainder->text);
   }
-  const double bar = d.noise.channels[identify::kRadial].sigma / kUm;
-  const double motor = d.noise.channels[1].sigma;
-  text += rms_line("fitted", d.fit, bar, motor);
-  if (d.held_out.before.radial || d.held_out.before.torque) text += rms_line("held out", d.held_out, bar, motor);
+  text += rms_line("fitted", d.fit, d.noise);
+  if (d.held_out.before.radial || d.held_out.before.torque) text += rms_line("held out", d.held_out, d.noise);
   return text;
 }
 

@@ -60,20 +60,25 @@ std::string gap_table(const Diagnosis& d) {
       "<table><tr><th></th><th>bar, um: before</th>{0}<th>after</th><th>torque, N m: before</th>{0}<th>after</th></tr>",
       middle);
   html += gap_row("fitted runs", d.fit, second) + gap_row("runs left out", d.held_out, second) + "</table>";
-  return html +
-         fmt::format("<p class=quiet>Noise, from the spectrum of what is left: bar {:.2f} um, torque {:.3f} N m.</p>",
-                     d.noise.channels[identify::kRadial].sigma / kUm, d.noise.channels[1].sigma);
+  const auto noise = [&](int channel, double unit, int decimals, const char* unit_name) {
+    const identify::ChannelNoise& of = d.noise.channels[static_cast<std::size_t>(channel)];
+    return of.samples > 0 ? fmt::format("{:.{}f} {}", of.sigma / unit, decimals, unit_name) : "not measured";
+  };
+  return html + fmt::format("<p class=quiet>Noise, from the spectrum of what is left: bar {}, torque {}.</p>",
+                            noise(identify::kRadial, kUm, 2, "um"), noise(1, 1, 3, "N m"));
 }
 
 std::string polar_plots(const Diagnosis& d) {
+  const auto has_bar = [](const diagnose::RunGap& run) { return run.radial_before.size() > 0; };
+  if (std::none_of(d.runs.begin(), d.runs.end(), has_bar)) return {};
   double most = kUm;
   for (const diagnose::RunGap& run : d.runs) {
-    if (run.radial_before.size() > 0) most = std::max(most, run.radial_before.cwiseAbs().maxCoeff());
+    if (has_bar(run)) most = std::max(most, run.radial_before.cwiseAbs().maxCoeff());
   }
   const double scale = 0.6 * most;
   std::string html = "<div class=polar>";
   for (const diagnose::RunGap& run : d.runs) {
-    if (run.radial_before.size() > 0) html += polar_plot(run, scale);
+    if (has_bar(run)) html += polar_plot(run, scale);
   }
   return html + fmt::format(
                     "</div><p class=quiet>Bar readings minus model, the set-up fitted: <span class=b>before</span>, "

@@ -26,9 +26,10 @@ std::string colour_of(double times_noise) {
 }
 
 std::string cell(int x, int y, double value, double noise, const std::string& title) {
+  const double times = value > 0 ? value / noise : 0;
   return fmt::format(
       R"(<rect x="{}" y="{}" width="{}" height="{}" fill="{}" stroke="#fff"><title>{}: {:.2f} times the noise</title></rect>)",
-      x, y, kCell, kRow, colour_of(value / noise), title, value / noise);
+      x, y, kCell, kRow, colour_of(times), title, times);
 }
 
 std::string closed_line(const RunGap& run, const Eigen::VectorXd& residual, double scale, const char* style) {

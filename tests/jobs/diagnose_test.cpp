@@ -1,0 +1,49 @@
+#include "jobs/diagnose.hpp"
+
+#include <limits>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "support/diagnosis.hpp"
+
+using namespace plumbline;
+using nlohmann::json;
+
+TEST_CASE("a diagnosis has the keys that others rely on, in their units") {
+  const json d = json::parse(jobs::diagnosis_json(testing::small_diagnosis()));
+  CHECK(d["plumbline"] == "diagnosis 1");
+  CHECK(d["verdict"] == "named");
+  CHECK(d["effects"][0]["name"] == "backlash");
+  CHECK(d["effects"][0]["alternatives"] == json({"cyclic"}));
+  CHECK(d["effects"][0]["parameters"]["width_um"] == json({4.1, 0.0}));
+  CHECK(d["effects"][0]["standard_errors"]["width_um"] == json({0.1, 0.0}));
+  CHECK(d["confidence_set"] == json({"backlash", "cyclic"}));
+  CHECK(d["gap"]["fit"]["radial_rms_um"] == json({{"before", 3.1}, {"after", 0.6}}));
+  CHECK(d["gap"]["held_out"]["torque_rms_Nm"] == json({{"before", 0.06}, {"after", 0.05}}));
+  CHECK(d["noise"]["radial_um"] == 0.5);
+  CHECK(d["runs"][1]["held_out"] == true);
+  CHECK(d["runs"][0]["rms"]["radial_um"]["before"] == 3.1);
+}
+
+TEST_CASE("what was not measured, or is no number, is null") {
+  diagnose::Diagnosis d = testing::small_diagnosis();
+  d.noise.channels[1] = {};
+  d.fit.before.torque = d.fit.after.torque = std::nullopt;
+  d.effects[0].parameters[0].errors = {std::numeric_limits<double>::infinity(), 1e-310};
+  const json written = json::parse(jobs::diagnosis_json(d));
+  CHECK(written["noise"]["torque_Nm"].is_null());
+  CHECK(written["gap"]["fit"]["torque_rms_Nm"]["after"].is_null());
+  CHECK(written["effects"][0]["standard_errors"]["width_um"][0].is_null());
+  CHECK(jobs::diagnosis_text(d).find("fitted     bar 3.10 -> 0.60 um (noise 0.50), torque not measured\n") !=
+        std::string::npos);
+}
+
+TEST_CASE("a diagnosis in words names the effect, its numbers, and what else it may be") {
+  const std::string text = jobs::diagnosis_text(testing::small_diagnosis());
+  CHECK(text.starts_with("named\n  backlash (50 nats, threshold 9.5)\n    these data do not tell it from cyclic\n"));
+  CHECK(text.find("width_um = 4.1 +- 0.1, 0\n") != std::string::npos);
+  CHECK(text.find("not ruled out: backlash, cyclic\n") != std::string::npos);
+  CHECK(text.find("held out   bar 3.00 -> 0.70 um (noise 0.50), torque 0.060 -> 0.050 N m (noise 0.050)\n") !=
+        std::string::npos);
+}
