@@ -133,6 +133,14 @@ void set_start(Options& options, std::string_view text) {
   });
 }
 
+void set_dialect(Options& options, std::string_view text) {
+  const auto names = nc::dialect_names();
+  if (std::find(names.begin(), names.end(), text) == names.end()) {
+    throw OptionError(fmt::format("expected one of {}", fmt::join(names, ", ")));
+  }
+  options.dialect = text;
+}
+
 void set_touch_off(Options& options, std::string_view text) { options.compensation.touch_off = {pose_in(text)}; }
 
 using Text = std::string_view;
@@ -140,7 +148,7 @@ using Text = std::string_view;
 constexpr std::array kRows{
     OptionRow{"dialect", "NAME",
               "language of the program: linuxcnc, fanuc, okuma, siemens (default: as its text shows)",
-              OptionGroup::program, false, false, [](Options& o, Text t) { o.dialect = t; }},
+              OptionGroup::program, false, false, set_dialect},
     OptionRow{
         "calculator-type", "on|off",
         "fanuc: a number without a point counts mm, inches and degrees (on) or increments of the control (off, the "
@@ -157,7 +165,8 @@ constexpr std::array kRows{
               "linear)",
               OptionGroup::program, true, false, set_rotary},
     OptionRow{"work-offset", "G54=X,Y,Z,A,B,C",
-              "where a work system's zero lies in the base frame W, mm and deg; G54 to G59, G59.1 to G59.3; repeatable",
+              "where a work system's zero lies in the base frame W, mm and deg; named as the control does: G54 to G59, "
+              "G59.1 to G59.3, G54.1P1, G15H1, G505; repeatable",
               OptionGroup::program, true, false, set_work_offset},
     OptionRow{"tools", "FILE", "tool table: length and diameter in mm, mass in kg", OptionGroup::program, false, true,
               [](Options& o, Text t) { o.tools = t; }},

@@ -47,18 +47,24 @@ class SettingsReader {
   }
 
   void take(const OptionRow& row, const TomlEntry& entry) {
-    for (const std::string& text : texts_of(row, entry)) {
+    for (const Stated& stated : stated_by(row, entry)) {
       try {
-        set_option(options_, row, row.is_path ? beside_file(text) : text);
+        set_option(options_, row, row.is_path ? beside_file(stated.text) : stated.text);
       } catch (const OptionError& error) {
         refuse("settings-value", fmt::format("{}: {}", entry.key, error.what()),
                fmt::format("write it as --{} takes it; plumbline compensate --help", row.name),
-               document_.place(entry.value.span));
+               document_.place(stated.span));
       }
     }
   }
 
  private:
+  // A value as the command line would spell it, and where it stands.
+  struct Stated {
+    std::string text;
+    Span span;
+  };
+
   std::string beside_file(const std::string& path) const {
     return path.empty() ? path : (fs::path(document_.file).parent_path() / path).string();
   }
@@ -96,20 +102,22 @@ class SettingsReader {
     return value.kind == Kind::array ? joined(entry, value) : text_of(entry, value);
   }
 
-  // The texts that stand for one key: of a table NAME=VALUE for each entry, of an array of texts each of them.
-  std::vector<std::string> texts_of(const OptionRow& row, const TomlEntry& entry) const {
+  // What stands for one key: of a table NAME=VALUE for each entry, of an array of texts each of them.
+  std::vector<Stated> stated_by(const OptionRow& row, const TomlEntry& entry) const {
     const TomlValue& value = entry.value;
     const bool takes_names = row.name == "work-offset" || row.name == "start";
-    std::vector<std::string> texts;
+    std::vector<Stated> all;
     if (value.kind == Kind::table && takes_names) {
-      for (const TomlEntry& item : value.entries) texts.push_back(item.key + "=" + text_or_list(item, item.value));
-      return texts;
+      for (const TomlEntry& item : value.entries) {
+        all.push_back({item.key + "=" + text_or_list(item, item.value), item.key_span});
+      }
+      return all;
     }
     if (value.kind == Kind::array && row.is_repeatable) {
-      for (const TomlValue& item : value.items) texts.push_back(text_of(entry, item));
-      return texts;
+      for (const TomlValue& item : value.items) all.push_back({text_of(entry, item), item.span});
+      return all;
     }
-    return {text_or_list(entry, value)};
+    return {{text_or_list(entry, value), value.span}};
   }
 
   const TomlDocument& document_;
