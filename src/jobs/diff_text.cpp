@@ -26,8 +26,9 @@ std::string axis_text(Axis axis, const AxisShift& shift) {
 }
 
 std::string time_change_text(const DiffSummary& s) {
-  const double change = s.seconds_a > 0 ? (s.seconds_b / s.seconds_a - 1) * 100 : 0;
-  return fmt::format("{} in A, {} in B ({:+.3f} %)", time_text(s.seconds_a), time_text(s.seconds_b), change);
+  const std::string times = fmt::format("{} in A, {} in B", time_text(s.seconds_a), time_text(s.seconds_b));
+  if (s.seconds_a <= 0) return times;
+  return times + fmt::format(" ({:+.3f} %)", (s.seconds_b / s.seconds_a - 1) * 100);
 }
 
 }  // namespace

@@ -176,3 +176,8 @@ TEST_CASE("a diff is JSON for scripts") {
   CHECK(json.at("shift").at("A").at("largest_deg") == 1);
   CHECK(json.at("out_of_line_a") == 0);
 }
+
+TEST_CASE("a change of time is no share of nothing") {
+  CHECK(jobs::diff_text(diff_of("G0 X1\n", "G1 F60 X1\n")).find("0.00 s in A, 1.00 s in B\n") != std::string::npos);
+  CHECK(jobs::diff_text(diff_of("G1 F60 X1\n", "G1 F30 X1\n")).find("(+100.000 %)") != std::string::npos);
+}
