@@ -12,6 +12,13 @@
 #include "machine/model_file.hpp"
 
 namespace plumbline::api {
+namespace {
+
+void require_model(const Options& options) {
+  if (options.model.empty()) throw std::invalid_argument("model: expected the path of a machine model");
+}
+
+}  // namespace
 
 std::string_view version() { return jobs::version(); }
 
@@ -27,6 +34,7 @@ void set_option(Options& options, std::string_view name, std::string_view text) 
 
 CompensationSummary compensate(const std::string& program, const std::string& output, const Options& options,
                                const Progress& progress) {
+  require_model(options);
   return jobs::compensate_file(program, output, options, progress);
 }
 
@@ -49,6 +57,7 @@ void trace(const std::string& program, const std::string& output, const Options&
 }
 
 CheckSummary check(const std::string& program, const Options& options, const Progress& progress) {
+  require_model(options);
   return jobs::check_file(program, options, progress);
 }
 

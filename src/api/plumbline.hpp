@@ -31,19 +31,24 @@ std::string_view version();
 /// ("G54=0,0,-1008,0,0,0", mm and deg; "on" for a switch). Throws std::invalid_argument that says what is expected.
 void set_option(Options& options, std::string_view name, std::string_view text);
 
-/// Corrects a program for the machine `options.model`.
+/// Corrects a program for the machine `options.model`, and writes the corrected one, with options.undo OUTPUT.undo too.
+/// The summary is in mm, deg and s; its lines are those of `program`. Throws std::invalid_argument if no model is
+/// named.
 CompensationSummary compensate(const std::string& program, const std::string& output, const Options& options,
                                const Progress& progress = {});
 
 /// Tabulates strut lengths (mm), nut tensions (N), stretches (um) and the error of the tool tip (um, urad; in W) at the
-/// poses of a CSV file (x_mm,y_mm,z_mm,a_deg,b_deg,c_deg), the machine at rest.
+/// poses of a CSV file (x_mm,y_mm,z_mm,a_deg,b_deg,c_deg: the tool tip in W), the machine at rest, into a CSV file.
+/// Refuses with error-unreachable a pose where the machine cannot stand.
 ErrorSummary error(const std::string& poses, const std::string& model, const std::string& output);
 
-/// Writes the interpreted motion of a program, one JSON object a line (mm, deg). What nobody gave is zero.
+/// Writes the interpreted motion of a program, one JSON object a line (mm, deg; `to` in the active work system,
+/// `machine` the control's display) [docs/formats.md]. What nobody gave is zero; no model is needed.
 void trace(const std::string& program, const std::string& output, const Options& options,
            const Progress& progress = {});
 
-/// Finds all places where a program, compensated, breaks limits of the machine `options.model`; writes nothing.
+/// Finds all places where a program, compensated, breaks limits of the machine `options.model`; writes nothing. That
+/// there are some is no error: the summary counts them. Throws std::invalid_argument if no model is named.
 CheckSummary check(const std::string& program, const Options& options, const Progress& progress = {});
 
 }  // namespace plumbline::api

@@ -45,4 +45,6 @@ TEST_CASE("what is wrong is thrown, with its place, and nothing is written") {
   api::Options o;
   CHECK_THROWS_AS(api::set_option(o, "work-offset", "G54=1"), std::invalid_argument);
   CHECK_THROWS_AS(api::set_option(o, "nonsense", "1"), std::invalid_argument);
+  CHECK_THROWS_AS(api::compensate(bad, scratch.path("out.ngc"), o), std::invalid_argument);
+  CHECK_THROWS_AS(api::check(bad, o), std::invalid_argument);
 }
