@@ -1,10 +1,5 @@
-#include <cstdio>
 #include <memory>
-#include <optional>
 
-#include <fmt/format.h>
-
-#include "base/files.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/progress_line.hpp"
@@ -22,18 +17,12 @@ struct CheckArguments {
 int check(const CheckArguments& arguments) {
   const jobs::Options options = arguments.shared.read(arguments.program);
   require_model(options);
-  check_outputs({arguments.program, options.model, options.tools, options.variables, options.settings_file},
-                {arguments.json});
-  std::optional<OutputFile> json;
-  if (!arguments.json.empty()) json.emplace(arguments.json);
+  check_outputs(files_read(arguments.program, options), {arguments.json});
+  JsonResult json(arguments.json);
   ProgressLine line;
   const jobs::CheckSummary summary = jobs::check_file(arguments.program, options, line.progress());
   line.clear();
-  if (arguments.json != kStandardStream) fmt::print("{}", jobs::check_text(summary, arguments.program));
-  if (json) {
-    json->write(jobs::check_json(summary));
-    json->commit();
-  }
+  json.give(jobs::check_text(summary), jobs::check_json(summary));
   return summary.violations == 0 ? kDone : kFailed;
 }
 

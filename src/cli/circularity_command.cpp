@@ -1,10 +1,5 @@
-#include <cstdio>
 #include <memory>
-#include <optional>
 
-#include <fmt/format.h>
-
-#include "base/files.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "jobs/circularity.hpp"
@@ -17,15 +12,10 @@ struct CircularityArguments {
 };
 
 int circularity(const CircularityArguments& arguments) {
-  check_outputs({arguments.dataset}, {arguments.json});
-  std::optional<OutputFile> json;
-  if (!arguments.json.empty()) json.emplace(arguments.json);
+  check_outputs(files_of_dataset(arguments.dataset), {arguments.json});
+  JsonResult json(arguments.json);
   const jobs::CircularityTable table = jobs::circularity_table(measure::read_dataset(arguments.dataset));
-  if (arguments.json != kStandardStream) fmt::print("{}", jobs::circularity_text(table));
-  if (json) {
-    json->write(jobs::circularity_json(table));
-    json->commit();
-  }
+  json.give(jobs::circularity_text(table), jobs::circularity_json(table));
   return kDone;
 }
 

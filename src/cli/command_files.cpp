@@ -1,5 +1,7 @@
 #include "cli/command_files.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <optional>
 
 #include <fmt/format.h>
@@ -7,10 +9,14 @@
 #include <unistd.h>
 
 #include "base/diagnostic.hpp"
-#include "base/files.hpp"
+#include "cli/command.hpp"
+#include "cli/messages.hpp"
+#include "measure/dataset.hpp"
 
 namespace plumbline::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct Identity {
   dev_t device;
@@ -26,6 +32,16 @@ std::optional<Identity> identity_of(const std::string& path, int standard_stream
   return Identity{status.st_dev, status.st_ino};
 }
 
+// Of files that need not be there yet.
+bool is_same_name(const std::string& a, const std::string& b) {
+  if (a == b) return true;
+  if (a == kStandardStream || b == kStandardStream) return false;
+  std::error_code unknown;
+  const fs::path full_a = fs::weakly_canonical(fs::absolute(a, unknown), unknown);
+  const fs::path full_b = fs::weakly_canonical(fs::absolute(b, unknown), unknown);
+  return !full_a.empty() && full_a == full_b;
+}
+
 [[noreturn]] void refuse_output(std::string_view code, const std::string& output, std::string message) {
   Place place;
   place.file = output == kStandardStream ? "<stdout>" : output;
@@ -34,8 +50,11 @@ std::optional<Identity> identity_of(const std::string& path, int standard_stream
 
 }  // namespace
 
-void check_outputs(std::initializer_list<std::string> inputs, std::initializer_list<std::string> outputs) {
-  for (const std::string* output = outputs.begin(); output != outputs.end(); ++output) {
+void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
+  if (std::count(inputs.begin(), inputs.end(), kStandardStream) > 1) {
+    throw UsageError("only one of the files that are read can be standard input");
+  }
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
     if (output->empty()) continue;
     const std::optional<Identity> identity = identity_of(*output, STDOUT_FILENO);
     for (const std::string& input : inputs) {
@@ -44,11 +63,32 @@ void check_outputs(std::initializer_list<std::string> inputs, std::initializer_l
           "file-overwrites-input", *output,
           fmt::format("the output would overwrite the input {}", input == kStandardStream ? "<stdin>" : input));
     }
-    for (const std::string* other = outputs.begin(); other != output; ++other) {
-      if (*other != *output && !(identity && identity == identity_of(*other, STDOUT_FILENO))) continue;
+    for (auto other = outputs.begin(); other != output; ++other) {
+      if (other->empty()) continue;
+      if (!is_same_name(*other, *output) && !(identity && identity == identity_of(*other, STDOUT_FILENO))) continue;
       refuse_output("file-written-twice", *output, "two outputs would be written to the same file");
     }
   }
+}
+
+std::vector<std::string> files_of_dataset(const std::string& dataset) {
+  std::vector<std::string> files{dataset};
+  std::error_code missing;
+  if (!fs::is_regular_file(dataset, missing)) return files;  // a pipe is read once
+  const fs::path folder = fs::path(dataset).parent_path();
+  for (const measure::Run& run : measure::read_dataset(dataset).runs) files.push_back((folder / run.file).string());
+  return files;
+}
+
+JsonResult::JsonResult(const std::string& path) {
+  if (!path.empty()) file_.emplace(path);
+}
+
+void JsonResult::give(const std::string& words, const std::string& json) {
+  if (!file_ || file_->name() != kStandardStream) print_result(words);
+  if (!file_) return;
+  file_->write(json);
+  file_->commit();
 }
 
 }  // namespace plumbline::cli

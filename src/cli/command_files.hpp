@@ -1,13 +1,33 @@
 // The files that a command names.
 #pragma once
 
-#include <initializer_list>
+#include <optional>
 #include <string>
+#include <vector>
+
+#include "base/files.hpp"
 
 namespace plumbline::cli {
 
 /// No output may be a file that is read, or another output: links followed, before anything is opened. Empty names are
-/// left out, "-" is standard input or output. Refuses with file-overwrites-input or file-written-twice.
-void check_outputs(std::initializer_list<std::string> inputs, std::initializer_list<std::string> outputs);
+/// left out, "-" is standard input or output. Refuses with file-overwrites-input or file-written-twice; throws
+/// UsageError if two inputs are standard input.
+void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
+
+/// What is read of a dataset: its dataset.toml and the tables of its runs. Refuses as measure::read_dataset does.
+std::vector<std::string> files_of_dataset(const std::string& dataset);
+
+/// A result in words on standard output, and as JSON in the file that --json names.
+class JsonResult {
+ public:
+  /// Opens the file, so that one that cannot be written shows before the work; empty: no JSON is wanted.
+  explicit JsonResult(const std::string& path);
+
+  /// Words are left out where standard output takes the JSON.
+  void give(const std::string& words, const std::string& json);
+
+ private:
+  std::optional<OutputFile> file_;
+};
 
 }  // namespace plumbline::cli

@@ -1,11 +1,8 @@
-#include <cstdio>
+#include <cmath>
 #include <limits>
 #include <memory>
-#include <optional>
 
-#include <fmt/format.h>
-
-#include "base/files.hpp"
+#include "base/diagnostic.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "jobs/compare.hpp"
@@ -19,15 +16,17 @@ struct CompareArguments {
 };
 
 int compare(const CompareArguments& arguments) {
-  check_outputs({arguments.model, arguments.dataset}, {arguments.json});
-  std::optional<OutputFile> json;
-  if (!arguments.json.empty()) json.emplace(arguments.json);
+  std::vector<std::string> inputs = files_of_dataset(arguments.dataset);
+  inputs.push_back(arguments.model);
+  check_outputs(inputs, {arguments.json});
+  JsonResult json(arguments.json);
   const jobs::Comparison comparison = jobs::compare(arguments.model, arguments.dataset);
-  if (arguments.json != kStandardStream) fmt::print("{}", jobs::compare_text(comparison));
-  if (json) {
-    json->write(jobs::compare_json(comparison));
-    json->commit();
+  const bool is_bounded = std::isfinite(arguments.most_radial_um);
+  if (is_bounded && !comparison.radial_rms_um) {
+    refuse("compare-no-bar", "--max-radial-um bounds readings of the bar, and no run has any",
+           "leave it out, or measure radial_um", Place{.file = arguments.dataset});
   }
+  json.give(jobs::compare_text(comparison), jobs::compare_json(comparison));
   return comparison.radial_rms_um.value_or(0) <= arguments.most_radial_um ? kDone : kFailed;
 }
 

@@ -21,7 +21,7 @@ struct CompensateArguments {
 int compensate(const CompensateArguments& arguments) {
   const jobs::Options options = arguments.shared.read(arguments.program);
   require_model(options);
-  check_outputs({arguments.program, options.model, options.tools, options.variables, options.settings_file},
+  check_outputs(files_read(arguments.program, options),
                 {arguments.output, arguments.json, options.undo ? jobs::undo_name(arguments.output) : std::string()});
   if (options.undo && arguments.output == kStandardStream) {
     throw UsageError("--undo writes a file beside the output: name one with -o");

@@ -1,7 +1,7 @@
-#include <cstdio>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -10,11 +10,14 @@
 #include "base/files.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
+#include "cli/messages.hpp"
 #include "jobs/diagnose.hpp"
 #include "report/diagnosis_page.hpp"
 
 namespace plumbline::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct DiagnoseArguments {
   jobs::DiagnoseJob job;
@@ -22,30 +25,50 @@ struct DiagnoseArguments {
   bool json = false;
 };
 
+[[noreturn]] void refuse_folder(const std::string& folder, const std::string& why) {
+  Place place;
+  place.file = folder;
+  refuse("file-unwritable", fmt::format("cannot be made a folder: {}", why),
+         "name a folder that can be written with -o", place);
+}
+
+// Before the work; the folder itself is made behind it, so that work that fails leaves none.
+void check_folder(const std::string& folder) {
+  std::error_code missing;
+  fs::path there = fs::absolute(folder);
+  while (!fs::exists(there, missing) && there.has_relative_path()) there = there.parent_path();
+  if (!fs::is_directory(there, missing)) refuse_folder(folder, fmt::format("{} is a file", there.string()));
+  if (access(there.c_str(), W_OK) != 0) refuse_folder(folder, std::strerror(errno));
+}
+
 void make_folder(const std::string& folder) {
   std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
-  if (problem) {
-    refuse("file-unwritable", fmt::format("cannot make the folder {}: {}", folder, problem.message()),
-           "name a folder that can be written with -o");
-  }
+  fs::create_directories(folder, problem);
+  if (problem) refuse_folder(folder, problem.message());
 }
 
 int diagnose(const DiagnoseArguments& arguments) {
-  const std::string json = arguments.folder + "/diagnosis.json";
-  const std::string model = arguments.folder + "/model.toml";
-  const std::string page = arguments.folder + "/report.html";
-  make_folder(arguments.folder);
+  const std::string json = (fs::path(arguments.folder) / "diagnosis.json").string();
+  const std::string model = (fs::path(arguments.folder) / "model.toml").string();
+  const std::string page = (fs::path(arguments.folder) / "report.html").string();
+  check_folder(arguments.folder);
   check_outputs({arguments.job.model, arguments.job.dataset}, {json, model, page});
-  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const bool is_followed = isatty(STDERR_FILENO) != 0 && !says_json();
   const jobs::DiagnoseReport report = jobs::diagnose(arguments.job, [&](const std::string& step) {
-    if (terminal) fmt::print(stderr, "{}\n", step);
+    if (is_followed) say_note(step + "\n");
   });
+  make_folder(arguments.folder);
   write_text(json, report.json);
   write_text(model, report.model_toml);
   write_text(page, report::diagnosis_page(report.diagnosis, "Diagnosis of " + report.machine));
-  fmt::print("{}", arguments.json ? report.json : report.text);
-  return report.diagnosis.converged ? kDone : kFailed;
+  print_result(arguments.json ? report.json : report.text);
+  if (report.diagnosis.converged) return kDone;
+  say({"diagnose-not-converged",
+       "the last fit did not converge: do not use the numbers found",
+       "look at the runs of report.html for what is odd in the readings; measure anew, or more runs",
+       {},
+       Severity::error});
+  return kFailed;
 }
 
 }  // namespace

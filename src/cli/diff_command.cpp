@@ -1,10 +1,5 @@
-#include <cstdio>
 #include <memory>
-#include <optional>
 
-#include <fmt/format.h>
-
-#include "base/files.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/progress_line.hpp"
@@ -23,21 +18,15 @@ struct DiffArguments {
 };
 
 int diff(const DiffArguments& arguments) {
-  if (arguments.a == kStandardStream && arguments.b == kStandardStream) {
-    throw UsageError("only one of A and B can be standard input");
-  }
   const jobs::Options options = arguments.shared.read(arguments.a);
-  check_outputs({arguments.a, arguments.b, options.tools, options.variables, options.settings_file}, {arguments.json});
-  std::optional<OutputFile> json;
-  if (!arguments.json.empty()) json.emplace(arguments.json);
+  std::vector<std::string> inputs = files_read(arguments.a, options);
+  inputs.push_back(arguments.b);
+  check_outputs(inputs, {arguments.json});
+  JsonResult json(arguments.json);
   ProgressLine line;
   const jobs::DiffSummary summary = jobs::diff_files(arguments.a, arguments.b, options, line.progress());
   line.clear();
-  if (arguments.json != kStandardStream) fmt::print("{}", jobs::diff_text(summary));
-  if (json) {
-    json->write(jobs::diff_json(summary));
-    json->commit();
-  }
+  json.give(jobs::diff_text(summary), jobs::diff_json(summary));
   const bool fails = arguments.expect_equal && !summary.equal_within(arguments.tolerance_mm, arguments.tolerance_deg);
   return fails ? kFailed : kDone;
 }

@@ -1,9 +1,7 @@
-#include <cstdio>
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "cli/command.hpp"
+#include "cli/messages.hpp"
 #include "jobs/explain.hpp"
 
 namespace plumbline::cli {
@@ -17,7 +15,7 @@ void add_explain(CLI::App& app, Run& run) {
   command->add_option("CODE", *code, "the code, as it stands in brackets behind a message")->type_name("TEXT");
   command->callback([code, &run] {
     run = [code] {
-      fmt::print("{}", code->empty() ? jobs::explain_list() : jobs::explain_text(*code));
+      print_result(code->empty() ? jobs::explain_list() : jobs::explain_text(*code));
       return kDone;
     };
   });

@@ -2,7 +2,9 @@
 #include <cstdio>
 #include <span>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "base/check.hpp"
 #include "base/diagnostic.hpp"
@@ -12,6 +14,15 @@
 
 namespace plumbline::cli {
 namespace {
+
+// A shell can start a program with a stream closed (2>&-). The first file that is opened would take its place, and
+// messages would go into it.
+void occupy_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) != -1) continue;
+    open("/dev/null", stream == STDERR_FILENO ? O_RDWR : stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
 
 int wrong_usage(const CLI::App& app, const char* message) {
   const std::vector<CLI::App*> asked = const_cast<CLI::App&>(app).get_subcommands();
@@ -67,6 +78,18 @@ void add_diagnostics(CLI::App& app) {
   }
 }
 
+// What a script meant to put there was not set.
+void refuse_empty_values(const CLI::App& app) {
+  for (const CLI::App* const command : app.get_subcommands()) {
+    for (const CLI::Option* const option : command->get_options()) {
+      for (const std::string& value : option->results()) {
+        if (value.empty())
+          throw UsageError(fmt::format("{}: expected {}", option->get_name(), option->get_type_name()));
+      }
+    }
+  }
+}
+
 void describe(CLI::App& app) {
   app.description(
       "plumbline straightens NC programs for hexapod machine tools: it moves the tool tip to where the "
@@ -91,6 +114,7 @@ int main_of(int argc, const char* const* argv) {
   say_as_json(asks_for_json({argv, static_cast<std::size_t>(argc)}));
   try {
     app.parse(argc, argv);
+    refuse_empty_values(app);
     return run();
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
@@ -109,6 +133,7 @@ int main_of(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   try {
+    plumbline::cli::occupy_standard_streams();
     return plumbline::cli::main_of(argc, argv);
   } catch (...) {  // while saying what is wrong: standard error is gone
     return plumbline::cli::kFailed;

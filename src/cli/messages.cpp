@@ -1,6 +1,8 @@
 #include "cli/messages.hpp"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <string>
 
 #include <fmt/format.h>
@@ -31,6 +33,14 @@ void say_note(std::string_view text) {
   note.message = text;
   note.severity = Severity::note;
   say(note);
+}
+
+void print_result(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
+  Place place;
+  place.file = "<stdout>";
+  refuse("file-unwritable", fmt::format("cannot be written: {}", std::strerror(errno)),
+         "check where standard output goes, and that there is room", place);
 }
 
 }  // namespace plumbline::cli

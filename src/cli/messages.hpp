@@ -1,4 +1,5 @@
-// What is said on standard error: as text for people, or as one JSON object a line (--diagnostics=json).
+// What is said on standard error, as text for people or as one JSON object a line (--diagnostics=json); and results on
+// standard output.
 #pragma once
 
 #include <string_view>
@@ -15,5 +16,8 @@ bool says_json();
 void say(const Diagnostic& diagnostic);
 /// What was done: whole lines, of no severity but "note".
 void say_note(std::string_view text);
+
+/// A result, on standard output. Refuses with file-unwritable where it cannot be written.
+void print_result(std::string_view text);
 
 }  // namespace plumbline::cli

@@ -58,6 +58,18 @@ jobs::Options SharedOptions::read(const std::string& program) const {
   return options;
 }
 
+void SharedOptions::allow_model_alone(std::string_view why) const {
+  for (const Given& given : given_) {
+    if (given.row->name != "model" && !given.texts.empty()) {
+      throw UsageError(fmt::format("--{} does nothing here: {}", given.row->name, why));
+    }
+  }
+}
+
+std::vector<std::string> files_read(const std::string& program, const jobs::Options& options) {
+  return {program, options.model, options.tools, options.variables, options.settings_file};
+}
+
 void require_model(const jobs::Options& options) {
   if (options.model.empty()) throw UsageError("--model MODEL is required: the machine's model file");
 }

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/command.hpp"
@@ -20,6 +21,9 @@ class SharedOptions {
   /// for none. Throws UsageError for values that are none, and refuses as read_settings_file does.
   jobs::Options read(const std::string& program) const;
 
+  /// Throws UsageError if the command line gives any of them but the model: `why` they would do nothing.
+  void allow_model_alone(std::string_view why) const;
+
  private:
   struct Given {
     const jobs::OptionRow* row;
@@ -32,6 +36,9 @@ class SharedOptions {
   std::list<Given> given_;
   bool no_settings_ = false;
 };
+
+/// What is read for a program: itself, and what the options name.
+std::vector<std::string> files_read(const std::string& program, const jobs::Options& options);
 
 /// The model that the options name. Throws UsageError if they name none.
 void require_model(const jobs::Options& options);

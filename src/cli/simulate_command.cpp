@@ -1,5 +1,5 @@
-#include <cstdio>
 #include <memory>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -25,6 +25,7 @@ struct SimulateArguments {
 int simulate_dataset(const SimulateArguments& arguments) {
   if (!arguments.program.empty()) throw UsageError("either PROGRAM or -d DATASET, not both");
   if (arguments.output == kStandardStream) throw UsageError("-o DIR is required: the folder for the dataset");
+  arguments.shared.allow_model_alone("a dataset says all of a circular test");
   const jobs::Options options = arguments.shared.read(arguments.dataset);
   require_model(options);
   const jobs::DatasetSimulationSummary summary =
@@ -33,21 +34,33 @@ int simulate_dataset(const SimulateArguments& arguments) {
   return kDone;
 }
 
+std::string words_of(const jobs::SimulationSummary& summary) {
+  std::string words =
+      fmt::format("{} points in {}", jobs::count_text(summary.points), jobs::time_text(summary.seconds));
+  if (summary.points > 0) {
+    words += fmt::format(": the tip up to {:.3f} um off (line {}), rms {:.3f} um", summary.largest_um,
+                         summary.largest_line, summary.rms_um);
+  }
+  words += '\n';
+  if (summary.passed_moves > 0) {
+    words += fmt::format("{} moves are not in the table: machine coordinates, probing, or from where nobody knows\n",
+                         jobs::count_text(summary.passed_moves));
+  }
+  return words;
+}
+
 int simulate(const SimulateArguments& arguments) {
   if (!arguments.dataset.empty()) return simulate_dataset(arguments);
   if (arguments.program.empty()) throw UsageError("PROGRAM is required: the NC program to be played, or -d DATASET");
   const jobs::Options options = arguments.shared.read(arguments.program);
   require_model(options);
-  check_outputs({arguments.program, options.model, options.tools, options.variables, options.settings_file},
-                {arguments.output});
+  check_outputs(files_read(arguments.program, options), {arguments.output});
   OutputFile out(arguments.output);
   ProgressLine line;
   const jobs::SimulationSummary summary = jobs::simulate_program(arguments.program, options, out, line.progress());
   line.clear();
   out.commit();
-  say_note(fmt::format("{} points in {}: the tip up to {:.3f} um off (line {}), rms {:.3f} um\n",
-                       jobs::count_text(summary.points), jobs::time_text(summary.seconds), summary.largest_um,
-                       summary.largest_line, summary.rms_um));
+  say_note(words_of(summary));
   return kDone;
 }
 

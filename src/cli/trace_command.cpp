@@ -19,7 +19,7 @@ struct TraceArguments {
 
 int trace(const TraceArguments& arguments) {
   const jobs::Options options = arguments.shared.read(arguments.program);
-  check_outputs({arguments.program, options.tools, options.variables, options.settings_file}, {arguments.output});
+  check_outputs(files_read(arguments.program, options), {arguments.output});
   nc::ProgramSettings settings = jobs::program_settings(options);
   settings.as_with_empty_tables = true;
   const InputFile program(arguments.program);

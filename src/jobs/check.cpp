@@ -36,8 +36,10 @@ class Checker {
  private:
   void look_at(const PathPoint& point) {
     ++summary_.points;
-    if (point.step->block->line != line_) end_block();
-    line_ = point.step->block->line;
+    const nc::Block& block = *point.step->block;
+    if (block.line != line_ || block.file != file_) end_block();
+    line_ = block.line;
+    file_ = block.file;
     note(machine::check_programmed(model_.limits, corrector_.pose_of(point.target.pose)));
     const compensate::Corrected corrected = corrector_.correct(point.target);
     if (corrected.converged) {
@@ -64,7 +66,8 @@ class Checker {
     for (const machine::Violation& violation : of_block_) {
       ++summary_.violations;
       ++summary_.kinds[violation.what];
-      if (summary_.findings.size() < CheckSummary::kMostFindings) summary_.findings.push_back({line_, violation});
+      if (summary_.findings.size() < CheckSummary::kMostFindings)
+        summary_.findings.push_back({file_, line_, violation});
     }
     of_block_.clear();
   }
@@ -72,6 +75,7 @@ class Checker {
   const machine::MachineModel& model_;
   compensate::Corrector corrector_;
   CheckSummary summary_;
+  std::string file_;
   std::size_t line_ = 0;
   std::vector<machine::Violation> of_block_;
 };
@@ -100,12 +104,12 @@ CheckSummary check_file(const std::string& program, const Options& options, cons
   return summary;
 }
 
-std::string check_text(const CheckSummary& summary, const std::string& program) {
+std::string check_text(const CheckSummary& summary) {
   std::string text;
   const std::size_t shown = std::min(kShown, summary.findings.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const CheckFinding& finding = summary.findings[i];
-    text += fmt::format("{}:{}: {}\n", program, finding.line, message_of(finding.violation));
+    text += fmt::format("{}:{}: {}\n", finding.file, finding.line, message_of(finding.violation));
   }
   if (summary.violations > shown) text += fmt::format("and {} more\n", count_text(summary.violations - shown));
   TextTable table;
@@ -124,7 +128,8 @@ std::string check_text(const CheckSummary& summary, const std::string& program) 
 std::string check_json(const CheckSummary& summary) {
   Json findings = Json::array();
   for (const CheckFinding& f : summary.findings) {
-    findings.push_back({{"line", f.line},
+    findings.push_back({{"file", f.file},
+                        {"line", f.line},
                         {"what", f.violation.what},
                         {"value", f.violation.value},
                         {"limit", f.violation.limit},

@@ -13,6 +13,7 @@
 namespace plumbline::jobs {
 
 struct CheckFinding {
+  std::string file;              // that the block stands in: the program, or a subprogram beside it
   std::size_t line = 0;          // of the block
   machine::Violation violation;  // the worst of its kind in this block
 };
@@ -33,7 +34,7 @@ struct CheckSummary {
 CheckSummary check_file(const std::string& program, const Options& options, const Progress& progress = {});
 
 /// The first twenty violations, then how many blocks break which limit.
-std::string check_text(const CheckSummary& summary, const std::string& program);
+std::string check_text(const CheckSummary& summary);
 /// `"plumbline": "check 1"`
 std::string check_json(const CheckSummary& summary);
 

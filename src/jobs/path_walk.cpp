@@ -82,11 +82,16 @@ bool PathWalk::is_known(const nc::Step& step, const nc::Motion& motion) {
   refuse("walk-position-unknown", "this move cuts, and where some axis stands is not known here",
          "move all axes with G0 to a stated position first, or say where the machine stands: --start at the begin, "
          "--keeps-position M6 after a tool change",
-         compensate::place_of(*step.block, source_.name()));
+         compensate::place_of(*step.block, step.block->file));
 }
 
 // Rotary axes that no word of the program names are taken to stand at zero, unless the work offset turns them.
 AxisSet PathWalk::assumed_of(const nc::Step& step, AxisSet unknown) {
+  if (assumed_ && !(*assumed_ & step.named).empty()) {
+    refuse("walk-position-unknown",
+           "an axis was taken to stand at zero, since the program's own file never names it, and moves here",
+           "say where the machine stands with --start", compensate::place_of(*step.block, step.block->file));
+  }
   if ((unknown & AxisSet::rotary()).empty()) return {};
   if (!assumed_) {
     assumed_ = AxisSet::rotary() - nc::named_axes(source_, dialect_);

@@ -33,7 +33,8 @@ class PathWalk {
 
   /// Goes through the whole program. A feed move gives its points at the step settings, a rapid the points of its chord
   /// every 10 mm or 1 deg and its end; moves in machine coordinates and to unknown positions give none. Refuses what
-  /// nc::Program refuses, and walk-position-unknown for feed moves from or to positions that are not known.
+  /// nc::Program refuses, and walk-position-unknown for feed moves from or to positions that are not known, and for
+  /// axes that were taken to stand at zero and move.
   void run(const Progress& progress = {});
 
   std::uint64_t blocks() const { return blocks_; }

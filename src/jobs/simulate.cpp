@@ -45,8 +45,8 @@ void append_columns(std::string& line, const Numbers& numbers, double unit, int 
 
 class Player {
  public:
-  Player(const machine::MachineModel& model, bool friction, const InputFile& source, OutputFile& out)
-      : model_(model), forces_(model), environment_(forces_.environment()), source_(source), out_(out) {
+  Player(const machine::MachineModel& model, bool friction, OutputFile& out)
+      : model_(model), forces_(model), environment_(forces_.environment()), out_(out) {
     environment_.friction = friction;
     out_.write(kHeader);
   }
@@ -64,7 +64,7 @@ class Player {
       refuse("simulate-unreachable",
              fmt::format("the machine cannot stand here: {}", physics::to_text(error.stopped_because)),
              "check the work offset (--work-offset) and the pose",
-             compensate::place_of(*point.step->block, source_.name()));
+             compensate::place_of(*point.step->block, point.step->block->file));
     }
     write_row(point, motion.pose, error);
     note(point, error.displacement.head<3>().norm() / kUm);
@@ -125,7 +125,6 @@ class Player {
   const machine::MachineModel& model_;
   physics::ForceModel forces_;
   physics::Environment environment_;
-  const InputFile& source_;
   OutputFile& out_;
   std::string line_;
   SimulationSummary summary_;
@@ -142,7 +141,7 @@ SimulationSummary simulate_program(const std::string& program, const Options& op
   const nc::Dialect& dialect = dialect_of(options, source);
 
   PathWalk walk(source, dialect, settings, model, options.compensation.step);
-  Player player(model, options.compensation.friction, source, out);
+  Player player(model, options.compensation.friction, out);
   walk.on_tool = [&](const compensate::ToolInSpindle& tool) { player.set_tool(tool); };
   walk.on_point = [&](const PathPoint& point) { player.play(point); };
   walk.run(progress);

@@ -85,6 +85,14 @@ TEST_CASE("simulate writes a row for each point") {
   CHECK(contains(outcome.err, "the tip up to"));
 }
 
+TEST_CASE("simulate says what is not in its table") {
+  const Scratch scratch;
+  scratch.file("p.ngc", "G0 X0\nG53 G0 Z0\n");
+  const Outcome outcome = run(scratch, "simulate p.ngc" + kOffset + kModel);
+  CHECK(outcome.code == 0);
+  CHECK(contains(outcome.err, "0 points in 0.00 s\n2 moves are not in the table"));
+}
+
 TEST_CASE("diff tells programs apart and says so to scripts") {
   const Scratch scratch;
   scratch.file("a.ngc", kPart);

@@ -62,6 +62,7 @@ TEST_CASE("what the commands on measurements are not told is wrong usage, what i
   scratch.file("plan/dataset.toml", plan_text(scratch));
   CHECK(run(scratch, "simulate -d plan/dataset.toml " + kModel).code == 2);
   CHECK(run(scratch, "simulate -d plan/dataset.toml -o sim").code == 2);
+  CHECK(run(scratch, "simulate -d plan/dataset.toml -o sim --no-friction " + kModel).code == 2);
   CHECK(run(scratch, "simulate x.ngc -d plan/dataset.toml -o sim " + kModel).code == 2);
   CHECK(run(scratch, "compare " + kModel).code == 2);
   CHECK(run(scratch, "compare -d plan/dataset.toml --max-radial-um -1 " + kModel).code == 2);
@@ -70,4 +71,45 @@ TEST_CASE("what the commands on measurements are not told is wrong usage, what i
   CHECK(wrong.code == 1);
   CHECK(contains(wrong.err, "b.csv:1:11:"));
   CHECK(contains(wrong.err, "did you mean `radial_um`"));
+}
+
+TEST_CASE("a table of readings is never overwritten") {
+  const Scratch scratch;
+  scratch.file("plan/dataset.toml", plan_text(scratch));
+  const std::string before = scratch.text("plan/a.csv");
+  CHECK(run(scratch, "compare -d plan/dataset.toml --json plan/a.csv " + kModel).code == 1);
+  CHECK(run(scratch, "circularity -d plan/dataset.toml --json plan/a.csv").code == 1);
+  CHECK(scratch.text("plan/a.csv") == before);
+}
+
+TEST_CASE("a bound on readings of the bar that nobody made is refused") {
+  const Scratch scratch;
+  scratch.file("dataset.toml", run_text("a", "ccw", "plumbline = \"dataset 1\"\n"));
+  std::string table = "angle_deg,torque1_Nm,torque2_Nm,torque3_Nm,torque4_Nm,torque5_Nm,torque6_Nm\n";
+  for (int angle = 0; angle < 360; angle += 10) table += std::to_string(angle) + ",1,1,1,1,1,1\n";
+  scratch.file("a.csv", table);
+  CHECK(run(scratch, "compare -d dataset.toml " + kModel).code == 0);
+  const Outcome outcome = run(scratch, "compare -d dataset.toml --max-radial-um 5 " + kModel);
+  CHECK(outcome.code == 1);
+  CHECK(contains(outcome.err, "[compare-no-bar]"));
+}
+
+TEST_CASE("a diagnosis that fails leaves no folder, and one that works fills it") {
+  const Scratch scratch;
+  const std::string blind = source_file("tests/blind/open-03");
+  const std::string diagnose = "diagnose -m " + blind + "/base.toml -d " + blind + "/data/dataset.toml ";
+  CHECK(run(scratch, diagnose + "-o a/b --without back-lash").code == 1);
+  CHECK_FALSE(scratch.has("a"));
+  scratch.file("file", "");
+  const Outcome in_file = run(scratch, diagnose + "-o file/b");
+  CHECK(in_file.code == 1);
+  CHECK(contains(in_file.err, "file/b: error: cannot be made a folder"));
+
+  const Outcome done = run(scratch, diagnose + "-o a/b --json");
+  CHECK(done.code == 0);
+  CHECK(done.err.empty());
+  CHECK(done.out == scratch.text("a/b/diagnosis.json"));
+  CHECK(json::parse(done.out).at("plumbline") == "diagnosis 1");
+  CHECK(scratch.text("a/b/report.html").starts_with("<!doctype html>"));
+  CHECK(run(scratch, "compare -d " + blind + "/holdout/dataset.toml -m a/b/model.toml").code == 0);
 }

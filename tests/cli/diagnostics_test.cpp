@@ -83,6 +83,17 @@ TEST_CASE("each command says what it refuses as one object a line, if asked") {
   }
 }
 
+TEST_CASE("each command stands in the README and in the formats") {
+  const Scratch scratch;
+  for (const char* const page : {"README.md", "docs/formats.md"}) {
+    const std::string text = plumbline::read_text(source_file(page));
+    for (const std::string& name : commands(scratch)) {
+      INFO(page << ": a new command gets a line");
+      CHECK(contains(text, '`' + std::string(page == std::string("README.md") ? "" : "plumbline ") + name + ' '));
+    }
+  }
+}
+
 TEST_CASE("a place is file, line, column, length and the text of the line") {
   const Scratch scratch;
   scratch.file("bad.ngc", "G0 X1\nG0 X1 X2\n");

@@ -85,6 +85,45 @@ TEST_CASE("two outputs do not share a file") {
   CHECK(run(scratch, compensate("p.ngc -o x --json x")).code == 1);
   CHECK(run(scratch, compensate("p.ngc -o - --json -")).code == 1);
   CHECK_FALSE(scratch.has("x"));
+  CHECK(run(scratch, compensate("p.ngc -o x --json ./x")).code == 1);
+  CHECK(run(scratch, compensate("p.ngc -o x.undo --undo --json x.undo.undo")).code == 1);
+  CHECK(run(scratch, compensate("p.ngc -o x --json '" + scratch.path("x") + "'")).code == 1);
+  CHECK_FALSE(scratch.has("x"));
+}
+
+TEST_CASE("standard input can be one file only") {
+  const Scratch scratch;
+  scratch.file("p.ngc", kPart);
+  const Outcome outcome = run(scratch, "compensate - -m - -o out.ngc" + kOffset + "<p.ngc");
+  CHECK(outcome.code == 2);
+  CHECK(contains(outcome.err, "standard input"));
+  CHECK_FALSE(scratch.has("out.ngc"));
+}
+
+TEST_CASE("results that cannot be written are a failure, and no bug") {
+  const Scratch scratch;
+  scratch.file("p.ngc", kPart);
+  for (const std::string& arguments :
+       std::vector<std::string>{"diff p.ngc p.ngc", "diff p.ngc p.ngc --json -", "explain", "trace p.ngc",
+                                "check p.ngc " + kModel + kOffset}) {
+    for (const char* const stream : {" >/dev/full", " >&-"}) {
+      INFO(arguments << stream);
+      const Outcome outcome = run(scratch, arguments + stream);
+      CHECK(outcome.code == 1);
+      CHECK(contains(outcome.err, "[file-unwritable]"));
+    }
+  }
+}
+
+TEST_CASE("messages do not end up in files where standard error is closed") {
+  const Scratch scratch;
+  scratch.file("p.ngc", kPart);
+  const std::string arguments = "simulate p.ngc " + kModel + kOffset;
+  const std::string expected = run(scratch, arguments).out;
+  CHECK(run(scratch, arguments + "-o s.csv <&- >&- 2>&-").code == 0);
+  CHECK(scratch.text("s.csv") == expected);
+  CHECK(run(scratch, "trace - -o t.jsonl <&-").code == 1);
+  CHECK_FALSE(scratch.has("t.jsonl"));
 }
 
 TEST_CASE("files that cannot be read or written are named") {

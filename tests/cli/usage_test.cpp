@@ -27,11 +27,11 @@ TEST_CASE("help and version are results") {
 TEST_CASE("what is missing or unknown is wrong usage") {
   const Scratch scratch;
   scratch.file("p.ngc", kPart);
-  for (const std::string& arguments :
-       std::vector<std::string>{"", "nonsense", "compensate", "compensate p.ngc", "compensate p.ngc -o out.ngc",
-                                "compensate p.ngc -o out.ngc -m", "check p.ngc", "simulate", "simulate p.ngc",
-                                "error p.csv", "diff p.ngc", "diff - -", "trace p.ngc --nonsense", "trace p.ngc extra",
-                                "diff p.ngc p.ngc --tolerance-mm -1", "diff p.ngc p.ngc --tolerance-mm x"}) {
+  for (const std::string& arguments : std::vector<std::string>{
+           "", "nonsense", "compensate", "compensate p.ngc", "compensate p.ngc -o out.ngc",
+           "compensate p.ngc -o out.ngc -m", "check p.ngc", "simulate", "simulate p.ngc", "error p.csv", "diff p.ngc",
+           "diff - -", "trace p.ngc --nonsense", "trace p.ngc extra", "diff p.ngc p.ngc --tolerance-mm -1",
+           "diff p.ngc p.ngc --tolerance-mm x", "trace p.ngc -o ''", "diff p.ngc p.ngc --json ''", "trace ''"}) {
     INFO(arguments);
     const Outcome outcome = run(scratch, arguments);
     CHECK(outcome.code == 2);
@@ -50,8 +50,9 @@ TEST_CASE("values of options are checked before any file is read") {
   for (const Case& c :
        {Case{"--work-offset G54=1,2,3", "six numbers"}, Case{"--work-offset 1,2,3,4,5,6", "G54="},
         Case{"--start 1,2", "six numbers"}, Case{"--touch-off 1,2,3,4,5,x", "six numbers"}, Case{"--pass 428", "M428"},
-        Case{"--block-delete maybe", "on or off"}, Case{"--step-angle 0", "deg"}, Case{"--step-length abc", "mm"},
-        Case{"--tool-in-spindle 1.5", "tool number"}, Case{"--time-tolerance 2", "share"}}) {
+        Case{"--dialect klingon", "linuxcnc, "}, Case{"--block-delete maybe", "on or off"},
+        Case{"--step-angle 0", "deg"}, Case{"--step-length abc", "mm"}, Case{"--tool-in-spindle 1.5", "tool number"},
+        Case{"--time-tolerance 2", "share"}}) {
     INFO(c.option);
     const Outcome outcome = run(scratch, "compensate missing.ngc -m missing.toml -o out.ngc " + std::string(c.option));
     CHECK(outcome.code == 2);

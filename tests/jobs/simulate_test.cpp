@@ -95,3 +95,16 @@ TEST_CASE("the tip of a compensated program goes where the source meant it to go
     }
   }
 }
+
+TEST_CASE("a move that cannot be looked at is refused in the file that it stands in") {
+  const testing::Scratch scratch;
+  const std::string sub = scratch.file("turn.ngc", "o<turn> sub\nG1 C90 F1000\no<turn> endsub\n");
+  const Diagnostic unreachable =
+      testing::refusal_of([&] { simulate(scratch, "G0 X0 Y0 Z0 A0 B0 C0\no<turn> call\nM2\n", options()); });
+  CHECK(unreachable.code == "simulate-unreachable");
+  CHECK(unreachable.place.file == sub);
+  CHECK(unreachable.place.line == 2);
+  const Diagnostic unknown = testing::refusal_of([&] { simulate(scratch, "G0 X0\no<turn> call\nM2\n", options()); });
+  CHECK(unknown.code == "walk-position-unknown");
+  CHECK(unknown.place.file == sub);
+}
