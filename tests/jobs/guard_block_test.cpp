@@ -43,7 +43,11 @@ bool goes_on(const Control& control, const std::string& units = "") {
   return reached;
 }
 
-bool has_rs274() { return std::system("command -v rs274 >/dev/null 2>&1") == 0; }
+bool has_rs274() {
+  const bool has = std::system("command -v rs274 >/dev/null 2>&1") == 0;
+  if (!has) WARN("rs274 is not installed: no control has run the guard");
+  return has;
+}
 
 }  // namespace
 
