@@ -96,8 +96,9 @@ TEST_CASE("a bound on readings of the bar that nobody made is refused") {
 
 TEST_CASE("a diagnosis that fails leaves no folder, and one that works fills it") {
   const Scratch scratch;
-  const std::string blind = source_file("tests/blind/open-03");
-  const std::string diagnose = "diagnose -m " + blind + "/base.toml -d " + blind + "/data/dataset.toml ";
+  scratch.file("plan/dataset.toml", plan_text(scratch));
+  REQUIRE(run(scratch, "simulate -d plan/dataset.toml -o sim " + kModel).code == 0);
+  const std::string diagnose = "diagnose -d sim/dataset.toml " + kModel + " ";
   CHECK(run(scratch, diagnose + "-o a/b --without back-lash").code == 1);
   CHECK_FALSE(scratch.has("a"));
   scratch.file("file", "");
@@ -111,5 +112,5 @@ TEST_CASE("a diagnosis that fails leaves no folder, and one that works fills it"
   CHECK(done.out == scratch.text("a/b/diagnosis.json"));
   CHECK(json::parse(done.out).at("plumbline") == "diagnosis 1");
   CHECK(scratch.text("a/b/report.html").starts_with("<!doctype html>"));
-  CHECK(run(scratch, "compare -d " + blind + "/holdout/dataset.toml -m a/b/model.toml").code == 0);
+  CHECK(run(scratch, "compare -d sim/dataset.toml -m a/b/model.toml --max-radial-um 0.1").code == 0);
 }
