@@ -34,8 +34,8 @@ std::optional<Identity> identity_of(const std::string& path, int standard_stream
 
 }  // namespace
 
-void check_outputs(std::initializer_list<std::string> inputs, std::initializer_list<std::string> outputs) {
-  for (const std::string* output = outputs.begin(); output != outputs.end(); ++output) {
+void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
     if (output->empty()) continue;
     const std::optional<Identity> identity = identity_of(*output, STDOUT_FILENO);
     for (const std::string& input : inputs) {
@@ -44,7 +44,7 @@ void check_outputs(std::initializer_list<std::string> inputs, std::initializer_l
           "file-overwrites-input", *output,
           fmt::format("the output would overwrite the input {}", input == kStandardStream ? "<stdin>" : input));
     }
-    for (const std::string* other = outputs.begin(); other != output; ++other) {
+    for (auto other = outputs.begin(); other != output; ++other) {
       if (*other != *output && !(identity && identity == identity_of(*other, STDOUT_FILENO))) continue;
       refuse_output("file-written-twice", *output, "two outputs would be written to the same file");
     }

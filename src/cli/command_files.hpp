@@ -1,13 +1,13 @@
 // The files that a command names.
 #pragma once
 
-#include <initializer_list>
 #include <string>
+#include <vector>
 
 namespace plumbline::cli {
 
 /// No output may be a file that is read, or another output: links followed, before anything is opened. Empty names are
 /// left out, "-" is standard input or output. Refuses with file-overwrites-input or file-written-twice.
-void check_outputs(std::initializer_list<std::string> inputs, std::initializer_list<std::string> outputs);
+void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
 }  // namespace plumbline::cli

@@ -16,8 +16,8 @@
 namespace plumbline::identify {
 namespace {
 
-constexpr int kTriesPerCandidate = 60;      // draws, of which most may lie outside of the machine's limits
-constexpr double kLeastInformation = 1e-9;  // in scales, of what is free and not told by anything
+constexpr int kTriesPerCandidate = 60;     // draws, of which most may lie outside of the machine's limits
+constexpr double kFreeInformation = 1e-9;  // in scales, of what is free and not told by anything
 
 // From 0 to 1, the same everywhere: distributions of the standard library are not.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
@@ -86,7 +86,7 @@ std::vector<measure::Run> candidate_runs(const machine::MachineModel& machine, c
 }
 
 Criterion d_optimal(const Unknowns& unknowns, std::vector<std::size_t> asked) {
-  Eigen::VectorXd prior = prior_weights(unknowns).cwiseMax(kLeastInformation);
+  Eigen::VectorXd prior = prior_weights(unknowns).cwiseMax(kFreeInformation);
   std::vector<Eigen::Index> others;
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     if (std::find(asked.begin(), asked.end(), i) == asked.end()) others.push_back(static_cast<Eigen::Index>(i));
@@ -108,13 +108,13 @@ double noncentrality(const Unknowns& unknowns, const Eigen::MatrixXd& informatio
     if (!own && !free) rest.push_back(static_cast<Eigen::Index>(i));
   }
   Eigen::MatrixXd others = information(rest, rest);
-  others.diagonal() += prior_weights(unknowns)(rest).cwiseMax(kLeastInformation);
+  others.diagonal() += prior_weights(unknowns)(rest).cwiseMax(kFreeInformation);
   const Eigen::LLT<Eigen::MatrixXd> llt(others);
   double least = std::numeric_limits<double>::infinity();
   for (const std::size_t place : effect) {
     const auto i = static_cast<Eigen::Index>(place);
     const double alone = information(i, i);
-    if (alone <= kLeastInformation) continue;
+    if (alone <= kFreeInformation) continue;
     const Eigen::VectorXd shared = information(rest, i);
     least = std::min(least, alone - llt.matrixL().solve(shared).squaredNorm());
   }
@@ -125,7 +125,7 @@ Criterion separating(const Unknowns& unknowns, std::vector<std::size_t> one, std
   return [&unknowns, one = std::move(one), other = std::move(other)](const Eigen::MatrixXd& information) {
     return std::log(
         std::min(noncentrality(unknowns, information, one, other), noncentrality(unknowns, information, other, one)) +
-        kLeastInformation);
+        kFreeInformation);
   };
 }
 
