@@ -35,9 +35,10 @@ def circle_program(centre_mm, tilt_deg):
 class Experiment:
     """One machine, drawn from a seed, and everything that is done with it, in one folder."""
 
-    def __init__(self, plumbline, draw, folder, seed, friction="stribeck", model=MODEL):
+    def __init__(self, plumbline, draw, folder, seed, friction="stribeck", model=MODEL, friction_turn=None):
         self.plumbline, self.draw, self.model = pathlib.Path(plumbline), pathlib.Path(draw), model
         self.folder, self.seed, self.friction = pathlib.Path(folder), seed, friction
+        self.turn = () if friction_turn is None else ("--friction-turn", friction_turn)
         self.folder.mkdir(parents=True, exist_ok=True)
 
     def call(self, *command):
@@ -52,9 +53,9 @@ class Experiment:
                   samples, "--friction", self.friction, "-o", self.folder / name, *more)
         return self.folder / name / "data" / "dataset.toml"
 
-    def identify(self, dataset, *more):
-        """The model that was learnt from a dataset."""
-        self.call(self.plumbline, "identify", "-m", self.model, "-d", dataset, "-o", self.folder / "identified.toml",
+    def learn(self, dataset, *more, command="identify"):
+        """The model that was learnt from a dataset, by identify or calibrate."""
+        self.call(self.plumbline, command, "-m", self.model, "-d", dataset, "-o", self.folder / "identified.toml",
                   "--json", self.folder / "identify.json", *more)
         return self.folder / "identified.toml"
 
@@ -77,7 +78,7 @@ class Experiment:
         for name, circle in CIRCLES.items():
             source, result = programs / f"{name}.ngc", programs / f"{name}-compensated.ngc"
             source.write_text(circle_program(*circle))
-            self.call(self.plumbline, "compensate", source, "-m", model, "-o", result, "--step-angle", "0.1", *zero)
+            self.call(self.plumbline, "compensate", source, "-m", model, "-o", result, "--step-angle", "0.1", *self.turn, *zero)
             self.call(self.plumbline, "trace", result, "-o", traces / f"{name}.jsonl", *zero)
         return self.measure("compensated", "figures", "--programs", traces)
 

@@ -18,9 +18,10 @@ PAPER_PERCENT = {STEEP: 77.9, CORNER: 69.4}
 
 def reductions(options, seed):
     with tempfile.TemporaryDirectory() as folder:
-        machine = Experiment(options.plumbline, options.draw_case, folder, seed, options.friction)
+        machine = Experiment(options.plumbline, options.draw_case, folder, seed, options.friction,
+                             friction_turn=options.friction_turn)
         samples = 720 if options.plan == "paper" else 120
-        model = machine.identify(machine.measure("learn", options.plan, samples=samples))
+        model = machine.learn(machine.measure("learn", options.plan, samples=samples), command=options.learn)
         before = machine.circularities_um(machine.measure("uncompensated", "figures"))
         after = machine.circularities_um(machine.compensate_and_run(model))
     return {name: (before[name], after[name]) for name in PAPER_PERCENT}
@@ -33,6 +34,8 @@ def main():
     parser.add_argument("--seeds", default="1:51", help="FIRST:END, END not included")
     parser.add_argument("--plan", default="paper", help="paper: conditions A and B alone; eight-pose: 26 runs")
     parser.add_argument("--friction", default="stribeck")
+    parser.add_argument("--learn", default="identify", choices=("identify", "calibrate"))
+    parser.add_argument("--friction-turn", help="as of compensate: how soon corrections follow friction that turns")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args()
     seeds = range(*(int(part) for part in options.seeds.split(":")))

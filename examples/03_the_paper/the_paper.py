@@ -78,7 +78,7 @@ def main():
     machine = Experiment(options.plumbline, options.draw_case, options.folder, options.seed)
 
     table_2 = machine.measure("table2", "paper")
-    model = machine.identify(table_2)
+    model = machine.learn(table_2)
     torques = print_torques(machine.compare(model, table_2))
     measured = machine.measure("uncompensated", "figures")
     profiles = machine.compare(model, measured)

@@ -24,6 +24,7 @@ inline constexpr int kWrongUsage = 2;
 using Run = std::function<int()>;
 
 // Each adds its command to `app`, and puts what it does into `run` when it is the one asked for.
+void add_calibrate(CLI::App& app, Run& run);
 void add_compensate(CLI::App& app, Run& run);
 void add_circularity(CLI::App& app, Run& run);
 void add_compare(CLI::App& app, Run& run);
@@ -32,6 +33,7 @@ void add_diff(CLI::App& app, Run& run);
 void add_identify(CLI::App& app, Run& run);
 void add_error(CLI::App& app, Run& run);
 void add_explain(CLI::App& app, Run& run);
+void add_plan(CLI::App& app, Run& run);
 void add_restore(CLI::App& app, Run& run);
 void add_check(CLI::App& app, Run& run);
 void add_simulate(CLI::App& app, Run& run);

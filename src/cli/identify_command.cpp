@@ -1,14 +1,8 @@
-#include <cstdio>
 #include <map>
 #include <memory>
-#include <optional>
 
-#include <fmt/format.h>
-
-#include "base/files.hpp"
 #include "cli/command.hpp"
-#include "cli/command_files.hpp"
-#include "jobs/identify.hpp"
+#include "cli/identified_output.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -19,24 +13,8 @@ struct IdentifyArguments {
 };
 
 int identify_model(const IdentifyArguments& arguments) {
-  check_outputs({arguments.model, arguments.dataset}, {arguments.output, arguments.json});
-  OutputFile out(arguments.output);
-  std::optional<OutputFile> json;
-  if (!arguments.json.empty()) json.emplace(arguments.json);
-  const jobs::IdentifiedModel identified = jobs::identify_model(arguments.model, arguments.dataset, arguments.options);
-  const bool standard_taken = arguments.output == kStandardStream || arguments.json == kStandardStream;
-  fmt::print(standard_taken ? stderr : stdout, "{}", jobs::identification_text(identified.found));
-  if (json) {
-    json->write(jobs::identification_json(identified.found));
-    json->commit();
-  }
-  if (!identified.found.converged()) {
-    fmt::print(stderr, "not converged: {} is not written\n", arguments.output);
-    return kFailed;
-  }
-  out.write(identified.text);
-  out.commit();
-  return kDone;
+  return write_identified({arguments.model, arguments.dataset}, arguments.output, arguments.json,
+                          [&] { return jobs::identify_model(arguments.model, arguments.dataset, arguments.options); });
 }
 
 }  // namespace

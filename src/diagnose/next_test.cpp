@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/diagnostic.hpp"
 #include "base/parallel.hpp"
 #include "base/units.hpp"
 #include "diagnose/linear_problem.hpp"
-#include "machine/inverse.hpp"
-#include "machine/orientation.hpp"
+#include "measure/planned_run.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -26,32 +24,8 @@ Run designed(const Run& like, const Vector3<double>& centre, const Vector3<doubl
   run.direction = direction;
   run.feed = feed;
   run.payload_mass = payload;
-  for (int i = 0; i < samples; ++i) {
-    const double turn = 2 * std::numbers::pi * i / samples;
-    run.time.push_back(turn * run.radius / feed);
-    run.angle.push_back(run.turn() * turn);
-  }
-  const std::vector<double> nothing(static_cast<std::size_t>(samples), 0);
-  if (like.has_radial()) run.radial = nothing;
-  if (like.has_torque()) run.torque.fill(nothing);
+  measure::lay_samples(run, static_cast<std::size_t>(samples), like.has_radial(), like.has_torque());
   return run;
-}
-
-bool within(const machine::MachineModel& machine, const Run& run) {
-  for (std::size_t i = 0; i < run.samples(); ++i) {
-    const Pose<double> pose = measure::circular_motion(machine.rotation, run, i).pose;
-    for (int a = 0; a < 3; ++a) {
-      const machine::Range& range = machine.limits.travel[static_cast<std::size_t>(a)];
-      if (pose.p_WT[a] < range.lower || pose.p_WT[a] > range.upper) return false;
-    }
-    const machine::PerStrut<double> L = machine::strut_lengths(machine.geometry, pose);
-    if ((L.array() < machine.limits.length_min.array()).any() ||
-        (L.array() > machine.limits.length_max.array()).any()) {
-      return false;
-    }
-    if (std::acos(std::clamp(pose.R_WP(2, 2), -1.0, 1.0)) > machine.limits.tilt) return false;
-  }
-  return true;
 }
 
 double separation(const machine::MachineModel& machine, const physics::ForceModel& one,
@@ -101,7 +75,7 @@ std::optional<NextTest> next_test(const machine::MachineModel& machine, const ph
   const std::vector<Run> all = designs(machine, like, options);
   std::vector<double> separations(all.size(), 0);
   for_each_index(all.size(), [&](std::size_t i) {
-    if (within(machine, all[i])) separations[i] = separation(machine, one, other, all[i], noise);
+    if (measure::within_limits(machine, all[i])) separations[i] = separation(machine, one, other, all[i], noise);
   });
   std::size_t best = 0;
   for (std::size_t i = 1; i < all.size(); ++i) {

@@ -16,16 +16,6 @@ Eigen::VectorXd scales_of(const Unknowns& unknowns) {
   return scales;
 }
 
-// 1 / sigma^2 of each prior, in scales; zero for what is free.
-Eigen::VectorXd prior_weights(const Unknowns& unknowns) {
-  Eigen::VectorXd weights(static_cast<Eigen::Index>(unknowns.size()));
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const double ratio = unknowns[i].free() ? 0 : unknowns[i].scale / unknowns[i].sigma;
-    weights[static_cast<Eigen::Index>(i)] = ratio * ratio;
-  }
-  return weights;
-}
-
 // Eigenvalues of an information matrix below this share of the largest count as none.
 constexpr double kLeastInformation = 1e-14;
 
@@ -141,6 +131,15 @@ double degrees_of(const Unknowns& unknowns, const Eigen::MatrixXd& covariance) {
 
 }  // namespace
 
+Eigen::VectorXd prior_weights(const Unknowns& unknowns) {
+  Eigen::VectorXd weights(static_cast<Eigen::Index>(unknowns.size()));
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const double ratio = unknowns[i].free() ? 0 : unknowns[i].scale / unknowns[i].sigma;
+    weights[static_cast<Eigen::Index>(i)] = ratio * ratio;
+  }
+  return weights;
+}
+
 double Fit::standard_error(std::size_t i) const {
   const auto k = static_cast<Eigen::Index>(i);
   return std::sqrt(covariance(k, k));
@@ -219,19 +218,19 @@ Round rounds(Objective& objective, Eigen::VectorXd values, const FitOptions& opt
 }  // namespace
 
 Fit fit(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Unknowns& unknowns,
-        const FitOptions& options) {
-  Objective objective(order, runs, unknowns, options.objective);
+        const FitOptions& options, const Tracked* tracked) {
+  Objective objective(order, runs, unknowns, options.objective, tracked);
   Eigen::VectorXd start = unknowns.start();
   std::size_t shortest = std::numeric_limits<std::size_t>::max();
   for (const measure::Run& run : runs) shortest = std::min(shortest, run.samples());
-  const std::size_t stride = shortest / std::max<std::size_t>(options.coarse_samples, 1);
+  const std::size_t stride = runs.empty() ? 0 : shortest / std::max<std::size_t>(options.coarse_samples, 1);
   if (options.known_noise) {
     objective.set_noise(*options.known_noise);
   } else if (stride < 3) {
     objective.set_noise(rough_noise(objective.equations(start), options.noise));
   } else {
     const std::vector<measure::Run> few = thinned(runs, stride);
-    Objective coarse(order, few, unknowns, options.objective);
+    Objective coarse(order, few, unknowns, options.objective, tracked);
     coarse.set_noise(rough_noise(coarse.equations(start), options.noise));
     start = rounds(coarse, start, options).values;
     objective.set_setups(coarse.setups());
@@ -253,6 +252,7 @@ Fit fit(const machine::RotationOrder& order, const std::vector<measure::Run>& ru
   result.readings = normal.rows;
   result.noise = objective.noise();
   result.setups = objective.setups();
+  result.frame = objective.frame();
   return result;
 }
 

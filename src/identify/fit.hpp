@@ -32,7 +32,8 @@ struct Fit {
   Eigen::MatrixXd information;  // of the data alone, in scales of the unknowns
   NoiseModel noise;
   std::vector<measure::Setup> setups;  // of each run
-  double misfit = 0;                   // of the data, in units of the noise
+  TrackerFrame frame;
+  double misfit = 0;  // of the data, in units of the noise
   Eigen::Index readings = 0;
   double fitted_degrees = 0;  // how many unknowns the data determine, as a sum of shares
   int iterations = 0;
@@ -48,9 +49,13 @@ struct Fit {
 };
 
 /// Fits by Ceres (Levenberg-Marquardt within the bounds, derivatives exact), the noise estimated between rounds, from
-/// the unknowns' start. Refuses with simulate-unreachable, and with fit-nothing-measured if no run has a reading.
+/// the unknowns' start. `tracked`: poses that a tracker measured, beside the runs or alone. Refuses with
+/// simulate-unreachable and tracker-far.
 Fit fit(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Unknowns& unknowns,
-        const FitOptions& options = {});
+        const FitOptions& options = {}, const Tracked* tracked = nullptr);
+
+/// 1 / sigma^2 of each prior, in scales; zero for what is free.
+Eigen::VectorXd prior_weights(const Unknowns& unknowns);
 
 /// The covariance (SI) of unknowns of which data tell `information` (in scales), with their priors; infinite variances
 /// for what neither tells.

@@ -6,54 +6,10 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
-#include "machine/nearest_name.hpp"
+#include "identify/named_keys.hpp"
 
 namespace plumbline::identify {
 namespace {
-
-// --- unknowns that the user names ---
-
-// "table.key" of the model file, or "effect.key" of an effect.
-struct NamedKey {
-  std::string name;
-  std::string_view effect;
-  const physics::ParameterSpec* spec = nullptr;
-};
-
-std::vector<NamedKey> named_keys() {
-  std::vector<NamedKey> keys;
-  for (const physics::EffectInfo& info : physics::effect_infos()) {
-    for (const physics::ParameterSpec& spec : info.parameters) {
-      const std::string_view group = info.base ? spec.table : info.name;
-      keys.push_back({fmt::format("{}.{}", group, spec.key), info.name, &spec});
-    }
-  }
-  return keys;
-}
-
-// Adds all numbers of a key as free unknowns; a mass or a length of all struts as one.
-void add_free(Unknowns& unknowns, const std::string& name) {
-  const std::vector<NamedKey> keys = named_keys();
-  const auto key = std::find_if(keys.begin(), keys.end(), [&](const NamedKey& k) { return k.name == name; });
-  if (key == keys.end()) {
-    std::vector<std::string_view> known;
-    for (const NamedKey& k : keys) known.push_back(k.name);
-    const std::string_view nearest = machine::nearest_name(name, known);
-    refuse("identify-unknown-key", fmt::format("{} is nothing that can be fitted", name),
-           fmt::format("{}write table.key of the model file or effect.key, as strut.motor_mass_kg or backlash.width_um",
-                       nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest)));
-  }
-  const bool shared = key->effect == "strut-gravity" || key->effect == "axial-elasticity";
-  for (int i = 0; i < (shared ? 1 : key->spec->size()); ++i) {
-    const int index = shared || key->spec->size() == 1 ? -1 : i;
-    int place = unknowns.find(key->effect, key->spec->key, index);
-    if (place < 0) {
-      place = static_cast<int>(shared ? unknowns.add_shared(key->effect, key->spec->key)
-                                      : unknowns.add(key->effect, key->spec->key, i));
-    }
-    unknowns.set_free(static_cast<std::size_t>(place));
-  }
-}
 
 // --- which readings a stage looks at ---
 
@@ -78,34 +34,56 @@ std::vector<measure::Run> only(const std::vector<measure::Run>& runs, Readings w
 }
 
 Stage run_stage(std::string name, const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
-                const Unknowns& unknowns, const IdentifyOptions& options) {
+                const Unknowns& unknowns, const IdentifyOptions& options, const Tracked* tracked = nullptr) {
   if (unknowns.size() == 0) {
     refuse("identify-nothing-unknown", "the model's [uncertainty] lists nothing: all of it is exact",
            "list what is not known, as joint_position_um = 8, or name keys by --free", {machine.document.file});
   }
-  Fit found = fit(machine.rotation, runs, unknowns, options.fit);
+  Fit found = fit(machine.rotation, runs, unknowns, options.fit, tracked);
   Observability known = observability(found, runs, options.observability);
   return {std::move(name), std::move(found), std::move(known)};
 }
 
-Misfit misfit_of(const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
-                 const physics::ForceModel& forces, const NoiseModel& noise) {
-  Objective objective(machine.rotation, runs, Unknowns(forces));
-  objective.set_noise(noise);
-  Misfit misfit;
-  for (const RunEquations& run : objective.equations(Eigen::VectorXd(0))) {
-    const Eigen::Index radial = run.setup_slopes.rows();
-    const Eigen::Index torque = run.residual.size() - radial;
-    misfit.radial_rms += run.residual.head(radial).squaredNorm();
-    misfit.torque_rms += run.residual.tail(torque).squaredNorm();
-    misfit.torque_mean_abs += run.residual.tail(torque).cwiseAbs().sum();
-    misfit.radial_readings += radial;
-    misfit.torque_readings += torque;
+// Squares summed, and how many.
+struct Pool {
+  double squares = 0;
+  Eigen::Index readings = 0;
+
+  template <class Rows>
+  void add(const Rows& rows) {
+    squares += rows.squaredNorm();
+    readings += rows.size();
   }
-  const auto per = [](Eigen::Index readings) { return 1 / static_cast<double>(std::max<Eigen::Index>(readings, 1)); };
-  misfit.radial_rms = std::sqrt(misfit.radial_rms * per(misfit.radial_readings));
-  misfit.torque_rms = std::sqrt(misfit.torque_rms * per(misfit.torque_readings));
-  misfit.torque_mean_abs *= per(misfit.torque_readings);
+  double rms() const { return std::sqrt(squares / static_cast<double>(std::max<Eigen::Index>(readings, 1))); }
+};
+
+Misfit misfit_of(const machine::MachineModel& machine, const std::vector<measure::Run>& runs, const Tracked* tracked,
+                 const physics::ForceModel& forces, const NoiseModel& noise) {
+  Objective objective(machine.rotation, runs, Unknowns(forces), {}, tracked);
+  objective.set_noise(noise);
+  std::array<Pool, kAllChannels> pools;
+  double magnitudes = 0;
+  for (const RunEquations& block : objective.equations(Eigen::VectorXd(0))) {
+    Eigen::Index first = 0;
+    for (const int channel : block.channels) {
+      const auto rows = block.residual.segment(first, block.samples);
+      first += block.samples;
+      const bool torque = channel > kRadial && channel < kChannels;
+      pools[torque ? 1 : static_cast<std::size_t>(channel)].add(rows);
+      if (torque) magnitudes += rows.cwiseAbs().sum();
+    }
+  }
+  const Pool& torques = pools[1];
+  Misfit misfit;
+  misfit.radial_rms = pools[kRadial].rms();
+  misfit.radial_readings = pools[kRadial].readings;
+  misfit.torque_rms = torques.rms();
+  misfit.torque_mean_abs = magnitudes / static_cast<double>(std::max<Eigen::Index>(torques.readings, 1));
+  misfit.torque_readings = torques.readings;
+  misfit.tracker_rms = pools[kTracker].rms();
+  misfit.tracker_readings = pools[kTracker].readings;
+  misfit.tilt_rms = pools[kTrackerTilt].rms();
+  misfit.tilt_readings = pools[kTrackerTilt].readings;
   return misfit;
 }
 
@@ -130,25 +108,42 @@ Unknowns compliance_unknowns(const physics::ForceModel& forces) {
   return unknowns;
 }
 
+namespace {
+
+// One fit of everything that is not known.
+Stage joint_stage(const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
+                  const physics::ForceModel& forces, const IdentifyOptions& options, const Tracked* tracked) {
+  const bool calibration = options.stages == Stages::geometry;
+  Unknowns unknowns = calibration ? geometry_unknowns(machine, forces, options.geometry) : nuisances(machine, forces);
+  for (const std::string& name : options.free) add_free(unknowns, name);
+  Stage stage =
+      run_stage(calibration ? "calibration" : "joint", machine,
+                tracked != nullptr && runs.empty() ? runs : only(runs, Readings::all), unknowns, options, tracked);
+  for (std::string& statement :
+       geometry_statements(machine.geometry, stage.fit.unknowns, stage.fit.covariance, options.observability.little)) {
+    if (calibration) stage.observability.statements.push_back(std::move(statement));
+  }
+  return stage;
+}
+
+}  // namespace
+
 Identification identify(const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
-                        const IdentifyOptions& options) {
-  Identification result{{}, physics::ForceModel(machine)};
-  if (options.stages == Stages::joint) {
-    Unknowns unknowns = nuisances(machine, result.forces);
-    for (const std::string& name : options.free) add_free(unknowns, name);
-    result.stages.push_back(run_stage("joint", machine, only(runs, Readings::all), unknowns, options));
-    result.forces = result.stages.back().fit.forces();
-  } else {
+                        const IdentifyOptions& options, const Tracked* tracked) {
+  Identification result{{}, physics::ForceModel(machine), {}, {}};
+  if (options.stages == Stages::paper) {
     Unknowns torques = torque_unknowns(result.forces);
     for (const std::string& name : options.free) add_free(torques, name);
     result.stages.push_back(run_stage("torques", machine, only(runs, Readings::torques), torques, options));
     const Unknowns compliances = compliance_unknowns(result.stages.back().fit.forces());
     result.stages.push_back(run_stage("bar readings", machine, only(runs, Readings::bar), compliances, options));
-    result.forces = result.stages.back().fit.forces();
+  } else {
+    result.stages.push_back(joint_stage(machine, runs, result.forces, options, tracked));
   }
+  result.forces = result.stages.back().fit.forces();
   const NoiseModel& noise = result.stages.back().fit.noise;
-  result.before = misfit_of(machine, runs, physics::ForceModel(machine), noise);
-  result.after = misfit_of(machine, runs, result.forces, noise);
+  result.before = misfit_of(machine, runs, tracked, physics::ForceModel(machine), noise);
+  result.after = misfit_of(machine, runs, tracked, result.forces, noise);
   return result;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/number_text.hpp"
+#include "base/units.hpp"
 
 namespace plumbline::identify {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 using physics::ParameterSpec;
 
 constexpr double kRoundingShare = 0.01;  // of a standard error that rounding may take
+constexpr int kJointDecimals = 5;        // mm
 constexpr int kDigits = 9;               // where no standard error is known
 
 struct Splice {
@@ -95,6 +97,10 @@ class Writer {
     const auto& after = changes_.forces.instances();
     PLUMBLINE_CHECK(after.size() >= before_.instances().size());
     for (std::size_t i = 0; i < after.size(); ++i) instance(i);
+    if (changes_.joints) {
+      joints("base", changes_.joints->base_W);
+      joints("platform", changes_.joints->platform_P);
+    }
     if (!changes_.provenance.empty()) provenance();
     std::string text = spliced(document().text, std::move(splices_));
     if (!text.empty() && text.back() != '\n') text += '\n';
@@ -156,6 +162,15 @@ class Writer {
       splices_.push_back({value.span, numbers.all_alike() ? numbers.text(0) : numbers.text()});  // one for all six
     } else {
       splice_each(value.spans, numbers);
+    }
+  }
+
+  void joints(std::string_view table, const machine::StrutVectors<double>& positions) {
+    const machine::ModelValue& value = machine_.value(table, "joints_mm");
+    PLUMBLINE_CHECK(value.spans.size() == static_cast<std::size_t>(positions.size()));
+    for (std::size_t i = 0; i < value.spans.size(); ++i) {
+      const double mm = positions(static_cast<Eigen::Index>(i % 3), static_cast<Eigen::Index>(i / 3)) / kMm;
+      splices_.push_back({value.spans[i], to_decimal(mm, kJointDecimals)});
     }
   }
 

@@ -1,6 +1,7 @@
 // A model file with new values: the old text, byte for byte, but for the numbers that changed.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,17 @@
 
 namespace plumbline::identify {
 
+/// Joints as the controller is to believe them, m.
+struct BelievedJoints {
+  machine::StrutVectors<double> base_W, platform_P;
+};
+
 struct ModelChanges {
-  const physics::ForceModel& forces;  // made from that model, its parameters changed, effects added
-  std::vector<double> resolution;     // of each parameter, SI: how far it may be rounded; empty: nine digits of each
-  std::string provenance;             // is appended to the model's provenance
-  std::vector<std::string> notes;     // lines of a comment at the end of the file
+  const physics::ForceModel& forces;     // made from that model, its parameters changed, effects added
+  std::vector<double> resolution;        // of each parameter, SI: how far it may be rounded; empty: nine digits of each
+  std::string provenance;                // is appended to the model's provenance
+  std::vector<std::string> notes;        // lines of a comment at the end of the file
+  std::optional<BelievedJoints> joints;  // in place of the file's
 };
 
 /// The text of `machine` with the parameters of `changes`: numbers that differ are spliced into their places, keys that

@@ -23,8 +23,11 @@ ChannelResiduals residuals_of(const std::vector<RunEquations>& runs, int channel
   for (const RunEquations& run : runs) {
     const auto place = std::find(run.channels.begin(), run.channels.end(), channel);
     if (place == run.channels.end()) continue;
-    all.residuals.emplace_back(run.residual.segment((place - run.channels.begin()) * run.samples, run.samples));
-    all.setups.push_back(channel == kRadial ? run.setup_slopes : Eigen::MatrixXd(run.samples, 0));
+    const Eigen::Index first = (place - run.channels.begin()) * run.samples;
+    all.residuals.emplace_back(run.residual.segment(first, run.samples));
+    all.setups.push_back(first < run.setup_slopes.rows()
+                             ? Eigen::MatrixXd(run.setup_slopes.middleRows(first, run.samples))
+                             : Eigen::MatrixXd(run.samples, 0));
     all.samples += run.samples;
   }
   return all;
@@ -43,7 +46,8 @@ double robust_sigma(const ChannelResiduals& all) {
 }
 
 double least_sigma(int channel, const NoiseOptions& options) {
-  return channel == kRadial ? options.least_sigma_um * kUm : options.least_sigma_Nm;
+  if (channel == kTrackerTilt) return options.least_sigma_rad;
+  return channel == kRadial || channel == kTracker ? options.least_sigma_um * kUm : options.least_sigma_Nm;
 }
 
 // The Kalman filter of noise whose gains do not depend on the data: x = memory x + gain e, e = y - x of variance F,
@@ -173,13 +177,35 @@ Channel clipped(const ChannelResiduals& all, double most) {
 
 NoiseModel rough_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options) {
   NoiseModel noise;
-  for (int channel = 0; channel < kChannels; ++channel) {
+  for (int channel = 0; channel < kAllChannels; ++channel) {
     const ChannelResiduals all = residuals_of(runs, channel);
     noise.channels[static_cast<std::size_t>(channel)] = {std::max(robust_sigma(all), least_sigma(channel, options)), 0,
                                                          all.samples};
   }
   return noise;
 }
+
+namespace {
+
+// Of a channel whose noise does not remember: the residuals' mean square, allowing for unknowns and set-ups.
+void estimate_white(const std::vector<RunEquations>& runs, int channel, Eigen::Index total, const NoiseOptions& options,
+                    NoiseModel& noise) {
+  ChannelNoise& found = noise.channels[static_cast<std::size_t>(channel)];
+  if (found.samples == 0) return;
+  const ChannelResiduals all = residuals_of(runs, channel);
+  const double most = options.clip * found.sigma;
+  const auto readings = static_cast<double>(found.samples);
+  const bool both = noise.channels[kTracker].samples > 0 && noise.channels[kTrackerTilt].samples > 0;
+  double squares = 0;
+  double degrees = readings * (1 - options.degrees_taken / static_cast<double>(std::max<Eigen::Index>(total, 1)));
+  for (std::size_t r = 0; r < all.residuals.size(); ++r) {
+    squares += all.residuals[r].cwiseMax(-most).cwiseMin(most).squaredNorm();
+    degrees -= static_cast<double>(all.setups[r].cols()) / (both ? 2 : 1);
+  }
+  found.sigma = std::max(std::sqrt(squares / std::max(degrees, 1.0)), least_sigma(channel, options));
+}
+
+}  // namespace
 
 NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options) {
   NoiseModel noise = rough_noise(runs, options);
@@ -205,6 +231,7 @@ NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOpti
           std::max(std::sqrt(channels[i].at(best.memory, best.white).variance), least_sigma(group[i], options));
     }
   }
+  for (const int channel : {kTracker, kTrackerTilt}) estimate_white(runs, channel, total, options, noise);
   return noise;
 }
 
@@ -241,7 +268,9 @@ void whiten(const NoiseModel& noise, RunEquations& equations) {
       auto slopes = equations.slopes.middleRows(first, n);
       whiten_rows(channel, slopes);
     }
-    if (equations.channels[c] == kRadial) whiten_rows(channel, equations.setup_slopes);
+    if (first >= equations.setup_slopes.rows()) continue;
+    auto setup = equations.setup_slopes.middleRows(first, n);
+    whiten_rows(channel, setup);
   }
 }
 

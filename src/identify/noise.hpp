@@ -18,7 +18,7 @@ struct ChannelNoise {
 };
 
 struct NoiseModel {
-  std::array<ChannelNoise, kChannels> channels;
+  std::array<ChannelNoise, kAllChannels> channels;
 };
 
 struct NoiseOptions {
@@ -27,6 +27,7 @@ struct NoiseOptions {
   double most_memory_beside_white = 0.98;  // more is an offset, which set-ups take
   double least_sigma_um = 1e-3;            // what is less is rounding
   double least_sigma_Nm = 1e-5;
+  double least_sigma_rad = 1e-9;
   double degrees_taken = 0;  // unknowns that were fitted to these residuals, of all channels
 };
 
@@ -34,7 +35,7 @@ struct NoiseOptions {
 /// part by restricted maximum likelihood [Patterson and Thompson 1971], which allows for the set-up that each run was
 /// fitted with; outliers cut back at `clip` robust standard deviations (median). A white part is taken where it makes
 /// the deviance smaller by the logarithm of the number of readings [Schwarz 1978]. The torques of all struts share
-/// memory and white part.
+/// memory and white part. Noise of a tracker does not remember.
 NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options = {});
 
 /// Noise that does not remember, its sigma the robust standard deviation (median) of the residuals: to begin with.

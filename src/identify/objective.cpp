@@ -53,29 +53,56 @@ NormalEquations normal_equations(RunEquations equations, const NoiseModel& noise
 }
 
 Objective::Objective(machine::RotationOrder order, const std::vector<measure::Run>& runs, Unknowns unknowns,
-                     const ObjectiveOptions& options)
-    : order_(order), runs_(runs), unknowns_(std::move(unknowns)), options_(options) {
+                     const ObjectiveOptions& options, const Tracked* tracked)
+    : order_(order), runs_(runs), unknowns_(std::move(unknowns)), options_(options), tracked_(tracked) {
   for (const measure::Run& run : runs_) setups_.push_back(ideal_setup(run));
+  if (tracked_ != nullptr) frame_ = first_frame(*tracked_);
 }
 
-RunEquations Objective::fitted(std::size_t index, const physics::ForceModel& forces, const Sensitivity* sensitivity) {
+RunEquations Objective::fitted(std::size_t block, const physics::ForceModel& forces, const Sensitivity* sensitivity) {
+  return block < runs_.size() ? fitted_run(block, forces, sensitivity) : fitted_poses(forces, sensitivity);
+}
+
+// Moves a set-up until the readings that it moves fit best, outliers counting linearly. `equations_at` makes them for
+// the set-up as it is, without the slopes of the unknowns; `move` moves it.
+bool Objective::fit_setup(const std::function<RunEquations()>& equations_at,
+                          const std::function<void(const Eigen::VectorXd&)>& move, int& steps) const {
+  for (steps = 1; steps <= options_.most_setup_steps; ++steps) {
+    RunEquations equations = equations_at();
+    const Eigen::Index n = equations.setup_slopes.rows();
+    if (n == 0) return true;
+    whiten(noise_, equations);
+    const Eigen::VectorXd residual = equations.residual.head(n);
+    const Eigen::VectorXd weights = root_weights(residual, options_.huber);
+    const Eigen::VectorXd step = (weights.asDiagonal() * equations.setup_slopes)
+                                     .colPivHouseholderQr()
+                                     .solve((weights.array() * residual.array()).matrix());
+    move(step);
+    if (step.cwiseAbs().maxCoeff() <= options_.setup_tolerance_m) return true;
+  }
+  return false;
+}
+
+RunEquations Objective::fitted_poses(const physics::ForceModel& forces, const Sensitivity* sensitivity) {
+  SimulatedPoses simulated = simulate_poses(order_, forces, *tracked_, sensitivity);
+  SlopeRows slopes;
+  slopes.swap(simulated.slopes);  // the frame is fitted without them
+  int steps = 0;
+  fit_setup([&] { return tracker_equations(order_, *tracked_, simulated, frame_); },
+            [&](const Eigen::VectorXd& step) { move_frame(frame_, step); }, steps);
+  simulated.slopes.swap(slopes);
+  return tracker_equations(order_, *tracked_, simulated, frame_);
+}
+
+RunEquations Objective::fitted_run(std::size_t index, const physics::ForceModel& forces,
+                                   const Sensitivity* sensitivity) {
   const measure::Run& run = runs_[index];
   measure::Setup& setup = setups_[index];
   SimulatedRun simulated = simulate_run(order_, forces, run, sensitivity);
   SlopeRows slopes;
   slopes.swap(simulated.slopes);  // the set-up is fitted without them
-  for (setup.iterations = 1; run.has_radial() && setup.iterations <= options_.most_setup_steps; ++setup.iterations) {
-    RunEquations equations = run_equations(run, simulated, setup);
-    whiten(noise_, equations);
-    const Eigen::VectorXd radial = equations.residual.head(equations.samples);
-    const Eigen::VectorXd weights = root_weights(radial, options_.huber);
-    const Eigen::VectorXd step = (weights.asDiagonal() * equations.setup_slopes)
-                                     .colPivHouseholderQr()
-                                     .solve((weights.array() * radial.array()).matrix());
-    move_setup(setup, step);
-    setup.converged = step.cwiseAbs().maxCoeff() <= options_.setup_tolerance_m;
-    if (setup.converged) break;
-  }
+  setup.converged = fit_setup([&] { return run_equations(run, simulated, setup); },
+                              [&](const Eigen::VectorXd& step) { move_setup(setup, step); }, setup.iterations);
   simulated.slopes.swap(slopes);
   return run_equations(run, simulated, setup);
 }
@@ -83,9 +110,8 @@ RunEquations Objective::fitted(std::size_t index, const physics::ForceModel& for
 std::vector<RunEquations> Objective::equations(const Eigen::VectorXd& values, bool derivatives) {
   const physics::ForceModel forces = unknowns_.at(values);
   const Sensitivity sensitivity(forces, unknowns_);
-  std::vector<RunEquations> all(runs_.size());
-  for_each_index(runs_.size(),
-                 [&](std::size_t i) { all[i] = fitted(i, forces, derivatives ? &sensitivity : nullptr); });
+  std::vector<RunEquations> all(blocks());
+  for_each_index(blocks(), [&](std::size_t i) { all[i] = fitted(i, forces, derivatives ? &sensitivity : nullptr); });
   return all;
 }
 
@@ -93,8 +119,8 @@ NormalEquations Objective::evaluate(const Eigen::VectorXd& values, bool derivati
   if (known_at_ && *known_at_ == values) return known_;
   const physics::ForceModel forces = unknowns_.at(values);
   const Sensitivity sensitivity(forces, unknowns_);
-  std::vector<NormalEquations> each(runs_.size());
-  for_each_index(runs_.size(), [&](std::size_t i) {
+  std::vector<NormalEquations> each(blocks());
+  for_each_index(blocks(), [&](std::size_t i) {
     each[i] =
         normal_equations(fitted(i, forces, derivatives ? &sensitivity : nullptr), noise_, unknowns_, options_.huber);
   });

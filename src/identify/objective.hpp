@@ -2,10 +2,12 @@
 // beforehand, the set-up of each run taken out exactly.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "identify/noise.hpp"
+#include "identify/tracker.hpp"
 #include "measure/dataset.hpp"
 
 namespace plumbline::identify {
@@ -24,13 +26,14 @@ struct ObjectiveOptions {
   double setup_tolerance_m = 1e-12;
 };
 
-/// The runs of a dataset beside a model with unknowns. Keeps the set-up of each run, which every evaluation fits anew
-/// from where the last one left it. Runs are simulated on all processors; results do not depend on how many.
+/// The runs of a dataset, and poses that a tracker measured, beside a model with unknowns. Keeps the set-up of each run
+/// and the frame of the tracker, which every evaluation fits anew from where the last one left it. Runs are simulated
+/// on all processors; results do not depend on how many.
 class Objective {
  public:
-  /// `runs` are kept by reference.
+  /// `runs` and `tracked` (if any) are kept by reference. Refuses with tracker-far as first_frame does.
   Objective(machine::RotationOrder order, const std::vector<measure::Run>& runs, Unknowns unknowns,
-            const ObjectiveOptions& options = {});
+            const ObjectiveOptions& options = {}, const Tracked* tracked = nullptr);
 
   const Unknowns& unknowns() const { return unknowns_; }
   const NoiseModel& noise() const { return noise_; }
@@ -40,15 +43,22 @@ class Objective {
   }
   const std::vector<measure::Setup>& setups() const { return setups_; }
   void set_setups(std::vector<measure::Setup> setups) { setups_ = std::move(setups); }
+  const TrackerFrame& frame() const { return frame_; }
 
   /// The misfit at `values` (SI) and, if asked for, its derivatives. Refuses with simulate-unreachable.
   NormalEquations evaluate(const Eigen::VectorXd& values, bool derivatives);
 
-  /// The equations of every run at `values`, not whitened, the set-up fitted: residuals to look at.
+  /// The equations of every run at `values`, not whitened, the set-up fitted: residuals to look at. Those of the
+  /// tracker come last.
   std::vector<RunEquations> equations(const Eigen::VectorXd& values, bool derivatives = false);
 
  private:
-  RunEquations fitted(std::size_t run, const physics::ForceModel& forces, const Sensitivity* sensitivity);
+  std::size_t blocks() const { return runs_.size() + (tracked_ != nullptr ? 1 : 0); }
+  RunEquations fitted(std::size_t block, const physics::ForceModel& forces, const Sensitivity* sensitivity);
+  RunEquations fitted_run(std::size_t run, const physics::ForceModel& forces, const Sensitivity* sensitivity);
+  RunEquations fitted_poses(const physics::ForceModel& forces, const Sensitivity* sensitivity);
+  bool fit_setup(const std::function<RunEquations()>& equations_at,
+                 const std::function<void(const Eigen::VectorXd&)>& move, int& steps) const;
 
   machine::RotationOrder order_;
   const std::vector<measure::Run>& runs_;
@@ -56,6 +66,8 @@ class Objective {
   ObjectiveOptions options_;
   NoiseModel noise_;
   std::vector<measure::Setup> setups_;
+  const Tracked* tracked_;
+  TrackerFrame frame_;
   // the last evaluation with derivatives: a fit asks for it again where it ends
   std::optional<Eigen::VectorXd> known_at_;
   NormalEquations known_;

@@ -65,6 +65,7 @@ std::vector<Confusion> confusions_of(const Fit& fit, const Observability& known,
 }
 
 std::string circles_text(const std::vector<measure::Run>& runs, double one_height) {
+  if (runs.empty()) return "these poses";
   const auto [lowest, highest] = std::minmax_element(
       runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.centre_W.z() < b.centre_W.z(); });
   return highest->centre_W.z() - lowest->centre_W.z() <= one_height ? "circles at one height" : "these circles";

@@ -27,8 +27,8 @@ physics::TipError<double> standing(const physics::ForceModel& forces, const phys
 }  // namespace
 
 std::string_view channel_name(int channel) {
-  constexpr std::array<std::string_view, kChannels> kNames{"radial",  "torque1", "torque2", "torque3",
-                                                           "torque4", "torque5", "torque6"};
+  constexpr std::array<std::string_view, kAllChannels> kNames{"radial",  "torque1", "torque2", "torque3",     "torque4",
+                                                              "torque5", "torque6", "tracker", "tracker_tilt"};
   return kNames.at(static_cast<std::size_t>(channel));
 }
 
@@ -42,7 +42,7 @@ SimulatedRun simulate_run(const machine::RotationOrder& order, const physics::Fo
   Slopes slopes;
   if (sensitivity != nullptr) {
     slopes.resize(kOutcomes, sensitivity->unknowns());
-    simulated.slopes.resize(kOutcomes * samples, sensitivity->unknowns());
+    simulated.slopes.resize(kReadRows * samples, sensitivity->unknowns());
   }
   for (Eigen::Index i = 0; i < samples; ++i) {
     const auto sample = static_cast<std::size_t>(i);
@@ -52,7 +52,7 @@ SimulatedRun simulate_run(const machine::RotationOrder& order, const physics::Fo
     simulated.torque.col(i) = error.loads.torque;
     if (sensitivity == nullptr) continue;
     sensitivity->at(environment, motion, error, slopes);
-    for (int row = 0; row < kOutcomes; ++row) simulated.slopes.row(row * samples + i) = slopes.row(row);
+    for (int row = 0; row < kReadRows; ++row) simulated.slopes.row(row * samples + i) = slopes.row(row);
   }
   return simulated;
 }

@@ -12,10 +12,16 @@ namespace plumbline::identify {
 /// What one sample reads: the bar, and six torques.
 inline constexpr int kChannels = 7;
 inline constexpr int kRadial = 0;
+/// Rows of outcomes that runs read: the tip and the torques.
+inline constexpr int kReadRows = kTurnRow;
+/// Channels of a tracker, after those of runs: where the tip is (m), how the platform is turned (rad).
+inline constexpr int kTracker = kChannels;
+inline constexpr int kTrackerTilt = kChannels + 1;
+inline constexpr int kAllChannels = kChannels + 2;
 /// What the set-up of a run leaves open: the ball's x and y, the bar's length. On a circle the ball's height changes
 /// all readings alike, as the bar's length does.
 inline constexpr int kSetup = 3;
-/// "radial", "torque1", ... as the columns of datasets are called.
+/// "radial", "torque1", ... as the columns of datasets are called; "tracker", "tracker_tilt".
 std::string_view channel_name(int channel);
 
 /// Rows of readings, columns of unknowns; a row is contiguous, as samples come one after the other.
@@ -42,7 +48,8 @@ struct RunEquations {
   Eigen::Index samples = 0;      // of each channel
   Eigen::VectorXd residual;      // measured minus simulated
   SlopeRows slopes;              // of the simulated readings by the unknowns; empty if the run was simulated without
-  Eigen::MatrixXd setup_slopes;  // samples x kSetup, of the radial channel alone; empty if that was not measured
+  Eigen::MatrixXd setup_slopes;  // of the first channels, those that a set-up moves: of a run samples x kSetup, of the
+                                 // bar alone; empty if nothing that was measured has a set-up
 };
 
 RunEquations run_equations(const measure::Run& run, const SimulatedRun& simulated, const measure::Setup& setup);

@@ -133,11 +133,15 @@ Sensitivity::Point::Point(const physics::ForceModel& model, const Jet* values, c
   const Flow pose_flow = by_pose(standing);
   const Matrix6<double> J = machine::jacobian(error.loads.struts);
   const Matrix6<double> by_length = (J - pose_flow.stretch).partialPivLu().inverse();
-  by_stretch << (Matrix6<double>::Identity() + pose_flow.tip).topRows<3>() * by_length, pose_flow.torque * by_length;
+  const Matrix6<double> displaced = (Matrix6<double>::Identity() + pose_flow.tip) * by_length;
+  by_stretch.middleRows<3>(kTipRow) = displaced.topRows<3>();
+  by_stretch.middleRows<6>(kTorqueRow) = pose_flow.torque * by_length;
+  by_stretch.middleRows<3>(kTurnRow) = displaced.bottomRows<3>();
   by_tip.setZero();
-  by_tip.topLeftCorner<3, 3>().setIdentity();
+  by_tip.block<3, 3>(kTipRow, 0).setIdentity();
+  by_tip.block<3, 3>(kTurnRow, 3).setIdentity();
   by_torque.setZero();
-  by_torque.bottomRows<6>().setIdentity();
+  by_torque.middleRows<6>(kTorqueRow).setIdentity();
 
   Situation<Jet> driven = at;
   seed(driven.drive_tension);

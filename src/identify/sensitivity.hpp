@@ -11,8 +11,12 @@
 
 namespace plumbline::identify {
 
-/// Rows: where the tip stands (x, y, z in W, m), then the torques of the six motors (N m). A column for each unknown.
-inline constexpr int kOutcomes = 9;
+/// Rows: where the tip stands (x, y, z in W, m), the torques of the six motors (N m), how the platform is turned
+/// (rotation vector in W, rad). A column for each unknown.
+inline constexpr int kTipRow = 0;
+inline constexpr int kTorqueRow = 3;
+inline constexpr int kTurnRow = 9;
+inline constexpr int kOutcomes = 12;
 using Slopes = Eigen::Matrix<double, kOutcomes, Eigen::Dynamic>;
 
 /// Derivatives for one force model. The unknowns and the model are those that a point was simulated with; the model
@@ -22,7 +26,7 @@ class Sensitivity {
   /// `forces` is kept by reference.
   Sensitivity(const physics::ForceModel& forces, const Unknowns& unknowns);
 
-  /// Fills `slopes` (9 x unknowns) for the point that `error` is the converged result of. May be called from several
+  /// Fills `slopes` (12 x unknowns) for the point that `error` is the converged result of. May be called from several
   /// threads.
   void at(const physics::Environment& environment, const physics::Motion<double>& motion,
           const physics::TipError<double>& error, Eigen::Ref<Slopes> slopes) const;

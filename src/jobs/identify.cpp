@@ -16,18 +16,24 @@
 namespace plumbline::jobs {
 namespace {
 
+constexpr double kMicroradian = 1e-6;
+
 using identify::Fit;
 using identify::Identification;
 using identify::Stage;
 using identify::Unknown;
 using nlohmann::ordered_json;
 
-// Of the dataset and the tables that it names.
+// "measurements (fnv1a ..., 26 runs)": of the dataset and the tables that it names.
 std::uint64_t hash_of(const measure::Dataset& dataset, const std::string& path) {
   std::uint64_t hash = fnv1a(dataset.document.text);
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   for (const measure::Run& run : dataset.runs) hash = fnv1a(read_text((folder / run.file).string()), hash);
   return hash;
+}
+
+std::string source_text(const std::string& path, std::uint64_t hash, std::size_t count, std::string_view what) {
+  return fmt::format("{} (fnv1a {}, {} {})", path, to_hex(hash), count, what);
 }
 
 double value_of(const Fit& fit, std::size_t i) { return fit.values[static_cast<Eigen::Index>(i)]; }
@@ -39,8 +45,8 @@ std::string change_text(const Fit& fit, std::size_t i) {
                      fit.standard_error(i) / u.unit.si, u.unit.name);
 }
 
-std::vector<std::string> notes_of(const Identification& found, const std::string& source) {
-  std::vector<std::string> notes{fmt::format("Identified by plumbline {} from {}", version(), source),
+std::vector<std::string> notes_of(const Identification& found, const std::string& verb, const std::string& source) {
+  std::vector<std::string> notes{fmt::format("{} by plumbline {} from {}", verb, version(), source),
                                  "What was before, what it is now, and its standard error:"};
   for (const Stage& stage : found.stages) {
     for (std::size_t i = 0; i < stage.fit.unknowns.size(); ++i) notes.push_back("  " + change_text(stage.fit, i));
@@ -72,23 +78,55 @@ std::string values_text(const Fit& fit) {
   return text;
 }
 
+// "  12.3 +- 0.8" for each number of a key, `each` in a line that begins with a name and its number.
+std::string crowd_text(const Fit& fit, const char* effect, const char* key, std::string_view name, int each) {
+  std::string text;
+  for (int i = 0;; ++i) {
+    const int place = fit.unknowns.find(effect, key, i);
+    if (place < 0) return text;
+    const auto u = static_cast<std::size_t>(place);
+    const double si = fit.unknowns[u].unit.si;
+    if (i % each == 0) text += fmt::format("{:<18}", fmt::format("{} {}", name, i / each + 1));
+    text += fmt::format("{:>10.2f} +- {:<7.2g}{}", value_of(fit, u) / si, fit.standard_error(u) / si,
+                        i % each == each - 1 ? "\n" : "");
+  }
+}
+
+std::string geometry_text(const Fit& fit) {
+  return "true minus believed, um:         x                   y                   z\n" +
+         crowd_text(fit, "joint-position", "base_um", "base joint", 3) +
+         crowd_text(fit, "joint-position", "platform_um", "platform joint", 3) + "longer than commanded, um:\n" +
+         crowd_text(fit, "strut-offset", "length_um", "strut", 1);
+}
+
+std::string noise_text(const identify::NoiseModel& noise) {
+  std::string text;
+  std::vector<std::string> torques;
+  for (int c = 0; c < identify::kAllChannels; ++c) {
+    const identify::ChannelNoise& channel = noise.channels[static_cast<std::size_t>(c)];
+    if (channel.samples == 0) continue;
+    if (c == identify::kRadial) {
+      text += fmt::format("noise of the bar: {:.3f} um\n", channel.sigma / kUm);
+    } else if (c == identify::kTracker) {
+      text += fmt::format("noise of the tracker: {:.2f} um\n", channel.sigma / kUm);
+    } else if (c == identify::kTrackerTilt) {
+      text += fmt::format("noise of the tracker's angles: {:.2f} urad\n", channel.sigma / kMicroradian);
+    } else {
+      torques.push_back(fmt::format("{:.4f}", channel.sigma));
+    }
+  }
+  if (!torques.empty()) text += fmt::format("noise of the torques: {} N m\n", fmt::join(torques, ", "));
+  return text;
+}
+
 std::string stage_text(const Stage& stage) {
   const Fit& fit = stage.fit;
   std::string text =
       fmt::format("{} fit: {} readings, {} unknowns, {}\n", stage.name, fit.readings, fit.unknowns.size(),
                   fit.converged ? "converged" : "NOT CONVERGED: " + fit.stopped_because);
   text += values_text(fit);
-  std::vector<std::string> torques;
-  for (int c = 0; c < identify::kChannels; ++c) {
-    const identify::ChannelNoise& noise = fit.noise.channels[static_cast<std::size_t>(c)];
-    if (noise.samples == 0) continue;
-    if (c == identify::kRadial) {
-      text += fmt::format("noise of the bar: {:.3f} um\n", noise.sigma / kUm);
-    } else {
-      torques.push_back(fmt::format("{:.4f}", noise.sigma));
-    }
-  }
-  if (!torques.empty()) text += fmt::format("noise of the torques: {} N m\n", fmt::join(torques, ", "));
+  if (stage.name == "calibration") text += geometry_text(fit);
+  text += noise_text(fit.noise);
   for (const std::string& statement : stage.observability.statements) text += "note: " + statement + "\n";
   return text;
 }
@@ -124,13 +162,19 @@ ordered_json stage_json(const Stage& stage) {
   const Eigen::VectorXd& singular = stage.observability.singular_values;
   json["singular_values"] = std::vector<double>(singular.begin(), singular.end());
   json["cannot_tell"] = stage.observability.statements;
-  for (int c = 0; c < identify::kChannels; ++c) {
+  for (int c = 0; c < identify::kAllChannels; ++c) {
     const identify::ChannelNoise& noise = fit.noise.channels[static_cast<std::size_t>(c)];
     if (noise.samples == 0) continue;
-    json["noise"][std::string(identify::channel_name(c))] = {
-        {c == identify::kRadial ? "sigma_um" : "sigma_Nm", c == identify::kRadial ? noise.sigma / kUm : noise.sigma},
-        {"memory", noise.memory},
-        {"white", noise.white}};
+    const bool length = c == identify::kRadial || c == identify::kTracker;
+    const bool angle = c == identify::kTrackerTilt;
+    json["noise"][std::string(identify::channel_name(c))] = {{length  ? "sigma_um"
+                                                              : angle ? "sigma_urad"
+                                                                      : "sigma_Nm",
+                                                              noise.sigma / (length  ? kUm
+                                                                             : angle ? kMicroradian
+                                                                                     : 1)},
+                                                             {"memory", noise.memory},
+                                                             {"white", noise.white}};
   }
   return json;
 }
@@ -138,9 +182,42 @@ ordered_json stage_json(const Stage& stage) {
 ordered_json gap_json(const identify::Misfit& misfit) {
   const bool bar = misfit.radial_readings > 0;
   const bool torques = misfit.torque_readings > 0;
-  return {{"radial_rms_um", bar ? ordered_json(misfit.radial_rms / kUm) : ordered_json(nullptr)},
-          {"torque_rms_Nm", torques ? ordered_json(misfit.torque_rms) : ordered_json(nullptr)},
-          {"torque_mean_abs_Nm", torques ? ordered_json(misfit.torque_mean_abs) : ordered_json(nullptr)}};
+  return {
+      {"radial_rms_um", bar ? ordered_json(misfit.radial_rms / kUm) : ordered_json(nullptr)},
+      {"torque_rms_Nm", torques ? ordered_json(misfit.torque_rms) : ordered_json(nullptr)},
+      {"torque_mean_abs_Nm", torques ? ordered_json(misfit.torque_mean_abs) : ordered_json(nullptr)},
+      {"tracker_rms_um", misfit.tracker_readings > 0 ? ordered_json(misfit.tracker_rms / kUm) : ordered_json(nullptr)},
+      {"tracker_tilt_rms_urad",
+       misfit.tilt_readings > 0 ? ordered_json(misfit.tilt_rms / kMicroradian) : ordered_json(nullptr)}};
+}
+
+}  // namespace
+
+namespace {
+
+// The model's text with what was found; with `controller` its joints instead of what the controller has wrong.
+std::string refitted(const machine::MachineModel& machine, const Identification& found, const std::string& verb,
+                     const std::string& source, bool controller = false) {
+  std::vector<double> errors(found.forces.parameters.size(), 0);
+  for (const Stage& stage : found.stages) {
+    const std::vector<double> of_stage = stage.fit.parameter_errors();
+    for (std::size_t i = 0; i < of_stage.size(); ++i) errors[i] = std::max(errors[i], of_stage[i]);
+  }
+  physics::ForceModel forces = found.forces;
+  std::optional<identify::BelievedJoints> joints;
+  if (controller) {
+    joints = {machine.geometry.base_joints_W, machine.geometry.platform_joints_P};
+    for (auto [key, positions] :
+         {std::pair("base_um", &joints->base_W), std::pair("platform_um", &joints->platform_P)}) {
+      double* const off = forces.parameters.data() + forces.find("joint-position", key);
+      *positions += Eigen::Map<machine::StrutVectors<double>>(off);
+      std::fill_n(off, positions->size(), 0.0);
+    }
+  }
+  const std::string from = fmt::format("{}, model fnv1a {}", source, to_hex(machine.hash));
+  return identify::model_text(
+      machine, {forces, std::move(errors), fmt::format("{} by plumbline {} to {}", verb, version(), from),
+                notes_of(found, verb == "refitted" ? "Identified" : "Calibrated", from), joints});
 }
 
 }  // namespace
@@ -150,17 +227,28 @@ IdentifiedModel identify_model(const std::string& model, const std::string& data
   const machine::MachineModel machine = machine::read_model(model);
   const measure::Dataset measured = measure::read_dataset(dataset);
   IdentifiedModel result{identify::identify(machine, measured.runs, options), {}};
-  const std::string source =
-      fmt::format("{} (fnv1a {}, {} runs), model fnv1a {}", dataset, to_hex(hash_of(measured, dataset)),
-                  measured.runs.size(), to_hex(machine.hash));
-  std::vector<double> errors(result.found.forces.parameters.size(), 0);
-  for (const Stage& stage : result.found.stages) {
-    const std::vector<double> of_stage = stage.fit.parameter_errors();
-    for (std::size_t i = 0; i < of_stage.size(); ++i) errors[i] = std::max(errors[i], of_stage[i]);
+  result.text = refitted(machine, result.found, "refitted",
+                         source_text(dataset, hash_of(measured, dataset), measured.runs.size(), "runs"));
+  return result;
+}
+
+IdentifiedModel calibrate_model(CalibrateJob job) {
+  const machine::MachineModel machine = machine::read_model(job.model);
+  measure::Dataset measured;
+  std::optional<identify::Tracked> tracked;
+  std::vector<std::string> sources;
+  if (!job.dataset.empty()) {
+    measured = measure::read_dataset(job.dataset);
+    sources.push_back(source_text(job.dataset, hash_of(measured, job.dataset), measured.runs.size(), "runs"));
   }
-  result.text = identify::model_text(
-      machine, {result.found.forces, std::move(errors),
-                fmt::format("refitted by plumbline {} to {}", version(), source), notes_of(result.found, source)});
+  if (!job.poses.empty()) {
+    tracked = {measure::read_tracked_poses(job.poses), job.frame_known};
+    sources.push_back(source_text(job.poses, fnv1a(tracked->table.text), tracked->table.poses.size(), "poses"));
+  }
+  job.options.stages = identify::Stages::geometry;
+  IdentifiedModel result{identify::identify(machine, measured.runs, job.options, tracked ? &*tracked : nullptr), {}};
+  result.text =
+      refitted(machine, result.found, "calibrated", fmt::format("{}", fmt::join(sources, " and ")), job.controller);
   return result;
 }
 
@@ -175,6 +263,12 @@ std::string identification_text(const Identification& found) {
   if (a.torque_readings > 0) {
     text += fmt::format("torques: rms {:.4f} -> {:.4f} N m, mean error {:.4f} -> {:.4f} N m\n", a.torque_rms,
                         b.torque_rms, a.torque_mean_abs, b.torque_mean_abs);
+  }
+  if (a.tracker_readings > 0) {
+    text += fmt::format("tracker: rms {:.2f} -> {:.2f} um", a.tracker_rms / kUm, b.tracker_rms / kUm);
+    if (a.tilt_readings > 0)
+      text += fmt::format(", {:.2f} -> {:.2f} urad", a.tilt_rms / kMicroradian, b.tilt_rms / kMicroradian);
+    text += "\n";
   }
   return text;
 }

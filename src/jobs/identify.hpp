@@ -1,4 +1,4 @@
-// Identification from files: a model and a dataset in, a model with what was learnt out.
+// Identification and calibration from files: a model and measurements in, a model with what was learnt out.
 #pragma once
 
 #include <string>
@@ -17,6 +17,20 @@ struct IdentifiedModel {
 /// models and datasets, physics::ForceModel and identify::identify refuse.
 IdentifiedModel identify_model(const std::string& model, const std::string& dataset,
                                const identify::IdentifyOptions& options);
+
+/// What a calibration is made from.
+struct CalibrateJob {
+  std::string model;
+  std::string dataset;  // circular tests; empty: none
+  std::string poses;    // a tracker's table; empty: none
+  identify::IdentifyOptions options;
+  bool frame_known = false;  // the tracker measures in the machine's frame W
+  bool controller = false;   // new joints for the controller, not what it has wrong
+};
+
+/// The same with Stages::geometry. With `controller` the joints that were found become those of [base] and [platform],
+/// and joint-position adds nothing to them. Refuses what read_tracked_poses refuses, too.
+IdentifiedModel calibrate_model(CalibrateJob job);
 
 /// What was found, for people: values before and after, what the data cannot tell, the gap before and after.
 std::string identification_text(const identify::Identification& found);

@@ -205,6 +205,14 @@ constexpr std::array kRows{
               }},
     OptionRow{"no-friction", "", "leave friction out of the model", OptionGroup::step, false, false,
               [](Options& o, Text t) { o.compensation.friction = !on_or_off(t); }},
+    OptionRow{
+        "friction-turn", "SHARE",
+        "speed at which the friction of a strut that turns around has turned, as a share of the feed (default 0.01); "
+        "less puts the correction nearer to the reversal, in a steeper path",
+        OptionGroup::step, false, false,
+        [](Options& o, Text t) {
+          o.compensation.sign_width_of_feed = number_in(t, 0, 1, "a share of the feed, 0 to 1");
+        }},
     OptionRow{"first-order", "", "subtract the error instead of solving for it: leaves tens of um near singular poses",
               OptionGroup::compensation, false, false,
               [](Options& o, Text t) {

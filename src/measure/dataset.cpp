@@ -266,7 +266,7 @@ void write_dataset(const Dataset& dataset, const std::string& folder) {
   std::error_code error;
   fs::create_directories(into, error);
   const fs::path source = fs::path(dataset.document.file).parent_path();
-  if (fs::equivalent(into, source.empty() ? fs::path(".") : source, error)) {
+  if (!dataset.document.file.empty() && fs::equivalent(into, source.empty() ? fs::path(".") : source, error)) {
     refuse("file-overwrites-input", "the dataset would overwrite the one that is read",
            "name another folder for the output", {folder});
   }

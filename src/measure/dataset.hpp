@@ -64,7 +64,7 @@ struct Run {
 struct Dataset {
   std::string machine;  // name of the model that it was measured on
   std::vector<Run> runs;
-  TomlDocument document;  // what it was read from
+  TomlDocument document;  // what it was read from; without a file's name: it was made
 };
 
 /// Reads a dataset.toml and the tables of its runs. Refuses with toml-syntax, dataset-marker, dataset-unknown-key,

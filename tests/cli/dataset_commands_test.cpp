@@ -8,6 +8,29 @@
 using namespace plumbline::testing;
 using nlohmann::json;
 
+namespace {
+
+// The table of a tracker in the frame W: what `error` says of each pose, added to it.
+std::string seen_by_tracker(const std::string& errors) {
+  std::istringstream lines(errors);
+  std::string line;
+  std::getline(lines, line);
+  std::string table = "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,measured_x_mm,measured_y_mm,measured_z_mm\n";
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    std::vector<double> row;
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(*plumbline::parse_number(cell));
+    for (std::size_t i = 0; i < 6; ++i) table += fmt::format("{},", row[i]);
+    // dx_um, dy_um, dz_um are the first of the last six columns
+    const std::size_t dx = row.size() - 6;
+    for (std::size_t i = 0; i < 3; ++i)
+      table += fmt::format("{:.7f}{}", row[i] + 1e-3 * row[dx + i], i < 2 ? "," : "\n");
+  }
+  return table;
+}
+
+}  // namespace
+
 TEST_CASE("simulate, compare and circularity work on a dataset") {
   const Scratch scratch;
   scratch.file("plan/dataset.toml", plan_text(scratch));
@@ -55,6 +78,73 @@ TEST_CASE("identify writes a model that fits, and says what it learnt") {
   CHECK(unknown.code == 1);
   CHECK(contains(unknown.err, "did you mean backlash.width_um?"));
   CHECK(run(scratch, "identify -d sim/dataset.toml -o sim/dataset.toml " + kModel).code == 1);
+}
+
+TEST_CASE("calibrate finds joints from a tracker's poses, and can write them for the controller") {
+  const Scratch scratch;
+  std::string poses = "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n";
+  for (int i = 0; i < 40; ++i) {
+    poses += fmt::format("{},{},{},{},{},{}\n", i % 5 * 70 - 140, i % 4 * 80 - 120, -900 - i % 7 * 40, i % 3 * 14 - 14,
+                         i % 6 * 5 - 12, i % 2 * 8);
+  }
+  // the machine as it is, its base joint 2 moved by 0.05 mm: what `error` says of it is what the tracker sees
+  scratch.file("poses.csv", poses);
+  scratch.file("true.toml", plumbline::read_text(source_file("models/pm600-like.toml")) +
+                                "\n[[effect]]\nname = \"joint-position\"\nbase_um = [[0, 0, 0], [50, 0, 0], [0, 0, 0], "
+                                "[0, 0, 0], [0, 0, 0], [0, 0, 0]]\nplatform_um = [[0, 0, 0], [0, 0, 0], [0, 0, 0], "
+                                "[0, 0, 0], [0, 0, 0], [0, 0, 0]]\n");
+  REQUIRE(run(scratch, "error poses.csv -m true.toml -o errors.csv").code == 0);
+  scratch.file("tracker.csv", seen_by_tracker(scratch.text("errors.csv")));
+
+  const Outcome found =
+      run(scratch, "calibrate --poses tracker.csv --frame-known -o new.toml --json new.json " + kModel);
+  INFO(found.err);
+  CHECK(found.code == 0);
+  CHECK(contains(found.out, "base joint 2"));
+  CHECK(contains(found.out, "directions of the geometry"));
+  CHECK(contains(scratch.text("new.toml"), "# Calibrated by plumbline"));
+  const json result = json::parse(scratch.text("new.json"));
+  CHECK(result.at("gap").at("before").at("tracker_rms_um").get<double>() > 5);
+  CHECK(result.at("gap").at("after").at("tracker_rms_um").get<double>() < 0.5);
+
+  REQUIRE(run(scratch, "calibrate --poses tracker.csv --frame-known --controller -o control.toml " + kModel).code == 0);
+  CHECK_FALSE(contains(scratch.text("control.toml"), "joint-position\"\nbase_um"));
+  CHECK_FALSE(contains(scratch.text("control.toml"), "[997.80725, "));
+
+  CHECK(run(scratch, "calibrate -o new.toml " + kModel).code == 2);
+  CHECK(run(scratch, "calibrate --poses tracker.csv -o tracker.csv " + kModel).code == 1);
+  CHECK(contains(run(scratch, "calibrate --poses poses.csv -o x.toml " + kModel).err, "csv-header"));
+}
+
+TEST_CASE("plan proposes circles that simulate and calibrate read, the same ones for a seed") {
+  const Scratch scratch;
+  const std::string few = " --candidates 40 --samples 60 -n 3 ";
+  const Outcome planned = run(scratch, "plan -o plan --json plan.json --seed 7" + few + kModel);
+  INFO(planned.err);
+  CHECK(planned.code == 0);
+  CHECK(contains(planned.out, "joint-position base_um"));
+  CHECK(contains(planned.out, "note: "));
+  const json plan = json::parse(scratch.text("plan.json"));
+  CHECK(plan.at("runs").size() == 3);
+  for (const json& unknown : plan.at("unknowns")) {
+    CHECK(unknown.at("after").get<double>() <= unknown.at("before").get<double>());
+  }
+  CHECK(run(scratch, "plan --json - --seed 7" + few + kModel).out == scratch.text("plan.json"));
+  CHECK(run(scratch, "plan --json - --seed 8" + few + kModel).out != scratch.text("plan.json"));
+
+  CHECK(run(scratch, "simulate -d plan/dataset.toml -o sim " + kModel).code == 0);
+  CHECK(scratch.text("sim/01-" + plan.at("runs")[0].at("direction").get<std::string>() + ".csv").size() > 1000);
+  CHECK(run(scratch, "calibrate -d sim/dataset.toml -o new.toml " + kModel).code == 0);
+  // a plan for what is there already: nothing is as good as something else
+  CHECK(run(scratch, "plan -d plan/dataset.toml --for elasticity,friction" + few + kModel).code == 0);
+
+  const Outcome apart = run(scratch, "plan --separate backlash,screw-coulomb" + few + kModel);
+  CHECK(apart.code == 0);
+  CHECK(contains(apart.out, "sigma for a hundredth of its range"));
+  CHECK(run(scratch, "plan --separate backlash" + few + kModel).code == 2);
+  CHECK(contains(run(scratch, "plan --separate backlash,frictoin" + few + kModel).err, "plan-unknown-effect"));
+  CHECK(contains(run(scratch, "plan -o plan" + few + kModel).err, "plan-folder-taken"));
+  CHECK(contains(run(scratch, "plan --radius 900" + few + kModel).err, "plan-no-candidates"));
 }
 
 TEST_CASE("what the commands on measurements are not told is wrong usage, what is wrong with a dataset fails") {

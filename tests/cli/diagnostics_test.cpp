@@ -51,6 +51,8 @@ const std::map<std::string, std::string> kRefused{
     {"compare", "compare -d missing.toml " + kModel},
     {"circularity", "circularity -d missing.toml"},
     {"identify", "identify -d missing.toml -o out.toml " + kModel},
+    {"calibrate", "calibrate -d missing.toml -o out.toml " + kModel},
+    {"plan", "plan --for backlash.witdh_um " + kModel},
     {"diagnose", "diagnose -d missing.toml -o out " + kModel},
 };
 

@@ -29,13 +29,17 @@ struct Bench {
   }
   Outcome outcome(const physics::ForceModel& forces) const {
     const physics::TipError<double> e = error(forces);
-    return (Outcome() << e.pose.p_WT, e.loads.torque).finished();
+    // turned from what was commanded, by some urad: rotation vectors that small add
+    const Vector3<double> turn = machine::logarithm<double>(e.pose.R_WP * motion.pose.R_WP.transpose());
+    return (Outcome() << e.pose.p_WT, e.loads.torque, turn).finished();
   }
 };
 
-// um and mN m: what a difference of one means is then alike.
+// um, mN m and urad: what a difference of one means is then alike.
 Outcome scaled(const Outcome& outcome) {
-  return (Outcome() << outcome.head<3>() * 1e6, outcome.tail<6>() * 1e3).finished();
+  return (Outcome() << outcome.segment<3>(kTipRow) * 1e6, outcome.segment<6>(kTorqueRow) * 1e3,
+          outcome.segment<3>(kTurnRow) * 1e6)
+      .finished();
 }
 
 // An ordinary value of each unknown: some scales of it away from where it starts.

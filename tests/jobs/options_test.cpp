@@ -56,6 +56,8 @@ TEST_CASE("M codes, switches and numbers are checked") {
   CHECK_THROWS_AS(with("tool-in-spindle", "1.5"), OptionError);
   CHECK_THROWS_AS(with("tool-in-spindle", "-1"), OptionError);
   CHECK_FALSE(with("no-friction", "on").compensation.friction);
+  CHECK(with("friction-turn", "0.002").compensation.sign_width_of_feed == 0.002);
+  CHECK_THROWS_AS(with("friction-turn", "1.5"), OptionError);
   CHECK(with("first-order", "on").compensation.method == compensate::Method::first_order);
   CHECK(with("touch-off", "0,0,-1008,0,0,0").compensation.touch_off->values[2] == -1008);
 }

@@ -1,0 +1,17 @@
+// What identify and calibrate write.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "jobs/identify.hpp"
+
+namespace plumbline::cli {
+
+/// Checks that `output` and `json` (may be empty) overwrite none of the inputs, makes the model, prints what was found,
+/// and writes both. A model that did not converge is not written. Returns the exit code.
+int write_identified(const std::vector<std::string>& inputs, const std::string& output, const std::string& json,
+                     const std::function<jobs::IdentifiedModel()>& make);
+
+}  // namespace plumbline::cli

@@ -1,0 +1,137 @@
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "base/units.hpp"
+#include "cli/command.hpp"
+#include "cli/command_files.hpp"
+#include "jobs/plan.hpp"
+
+namespace plumbline::cli {
+namespace {
+
+// As the command line says it, in its units.
+struct PlanArguments {
+  jobs::PlanJob job;
+  std::string folder, json;
+  std::vector<double> radii_mm{144}, feeds_mm_min{1000}, payloads_kg{0};
+  double bar_mm = 150;
+  double radial_um = 0.5;
+  std::string channels = "both";
+};
+
+jobs::PlanJob job_of(const PlanArguments& arguments) {
+  jobs::PlanJob job = arguments.job;
+  if (!job.separate.empty() && job.separate.size() != 2) throw UsageError("--separate names two effects, as in A,B");
+  identify::CandidateOptions& candidates = job.candidates;
+  candidates.radii.clear();
+  for (const double mm : arguments.radii_mm) candidates.radii.push_back(mm * kMm);
+  candidates.feeds.clear();
+  for (const double feed : arguments.feeds_mm_min) candidates.feeds.push_back(feed * kMmPerMin);
+  candidates.payloads = arguments.payloads_kg;
+  candidates.bar = arguments.bar_mm * kMm;
+  candidates.bar_readings = arguments.channels != "torques";
+  candidates.torques = arguments.channels != "bar";
+  job.radial_noise = arguments.radial_um * kUm;
+  return job;
+}
+
+int plan(const PlanArguments& arguments) {
+  const jobs::PlanJob job = job_of(arguments);
+  check_outputs({job.model, job.measured}, {arguments.json});
+  std::optional<OutputFile> json;
+  if (!arguments.json.empty()) json.emplace(arguments.json);
+  const jobs::PlannedTests planned = jobs::plan_tests(job);
+  if (!arguments.folder.empty()) jobs::write_plan(planned, arguments.folder);
+  fmt::print(arguments.json == kStandardStream ? stderr : stdout, "{}", jobs::plan_text(planned));
+  if (json) {
+    json->write(jobs::plan_json(planned));
+    json->commit();
+  }
+  return kDone;
+}
+
+void add_aim(CLI::App& command, PlanArguments& arguments) {
+  command
+      .add_option(
+          "--for", arguments.job.asked,
+          "what the plan is to tell: geometry, elasticity, friction, masses, centre-of-mass, level, all, or keys "
+          "as strut.motor_mass_kg and backlash.width_um")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->capture_default_str();
+  command
+      .add_option("--separate", arguments.job.separate,
+                  "two effects of the catalogue that the plan is to tell apart, in place of --for")
+      ->type_name("A,B")
+      ->delimiter(',');
+  command.add_option("-n,--runs", arguments.job.design.runs, "how many circular tests")
+      ->type_name("N")
+      ->check(CLI::Range(1, 200))
+      ->capture_default_str();
+  command.add_option("-d,--dataset", arguments.job.measured, "what was measured already: the plan adds to it")
+      ->type_name("DATASET");
+}
+
+void add_circles(CLI::App& command, PlanArguments& arguments) {
+  const auto list = [&](const char* name, std::vector<double>& values, const char* type, const char* help) {
+    command.add_option(name, values, help)
+        ->type_name(type)
+        ->delimiter(',')
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+  };
+  list("--radius", arguments.radii_mm, "MM,...", "radii of circles to choose from");
+  list("--feed", arguments.feeds_mm_min, "MM/MIN,...", "feeds to choose from");
+  list("--payload", arguments.payloads_kg, "KG,...", "known masses at the tool tip to choose from");
+  command.add_option("--bar", arguments.bar_mm, "length of the bar, mm; it lies in the plane of larger circles")
+      ->type_name("MM")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--channels", arguments.channels, "what will be measured")
+      ->type_name("bar|torques|both")
+      ->check(CLI::IsMember({"bar", "torques", "both"}).description(""))
+      ->capture_default_str();
+  command.add_option("--samples", arguments.job.samples, "samples of a run")
+      ->type_name("N")
+      ->check(CLI::Range(8, 100000))
+      ->capture_default_str();
+}
+
+void add_noise(CLI::App& command, PlanArguments& arguments) {
+  command.add_option("--bar-noise", arguments.radial_um, "1 sigma of a reading of the bar, um")
+      ->type_name("UM")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--torque-noise", arguments.job.torque_noise, "1 sigma of a torque, N m")
+      ->type_name("NM")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--candidates", arguments.job.candidates.most, "how many circles are drawn to choose from")
+      ->type_name("N")
+      ->check(CLI::Range(1, 20000))
+      ->capture_default_str();
+  command.add_option("--seed", arguments.job.candidates.seed, "of the random numbers that draw them")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, Run& run) {
+  CLI::App* const command = app.add_subcommand(
+      "plan", "Propose the circular tests that tell most of what is asked for, within the machine's limits");
+  const auto arguments = std::make_shared<PlanArguments>();
+  command->add_option("-m,--model", arguments->job.model, "the machine's model file")->type_name("MODEL")->required();
+  add_aim(*command, *arguments);
+  add_circles(*command, *arguments);
+  add_noise(*command, *arguments);
+  command->add_option("-o,--output", arguments->folder, "write the plan as a dataset into this folder")
+      ->type_name("DIR");
+  command->add_option("--json", arguments->json, "write runs and standard errors as JSON, too")->type_name("FILE");
+  command->callback([arguments, &run] { run = [arguments] { return plan(*arguments); }; });
+}
+
+}  // namespace plumbline::cli

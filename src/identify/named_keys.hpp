@@ -1,0 +1,19 @@
+// Unknowns by the names that people write: keys of the model file and of effects.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identify/unknowns.hpp"
+
+namespace plumbline::identify {
+
+/// All numbers of a key, "table.key" of the model file or "effect.key" of an effect; a mass or a compliance of all
+/// struts as one. What is not among the unknowns yet is added, free. Returns their places in the list. Refuses with
+/// identify-unknown-key.
+std::vector<std::size_t> named_unknowns(Unknowns& unknowns, const std::string& name);
+
+/// The same, nothing known of them beforehand.
+void add_free(Unknowns& unknowns, const std::string& name);
+
+}  // namespace plumbline::identify

@@ -1,0 +1,226 @@
+#include "jobs/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "base/diagnostic.hpp"
+#include "base/parallel.hpp"
+#include "base/units.hpp"
+#include "identify/geometry.hpp"
+#include "identify/named_keys.hpp"
+#include "machine/model_file.hpp"
+#include "machine/nearest_name.hpp"
+#include "measure/planned_run.hpp"
+#include "measure/simulation.hpp"
+
+namespace plumbline::jobs {
+namespace {
+
+using identify::Fit;
+using identify::Unknowns;
+
+// --- what is asked for ---
+
+using Places = std::vector<std::size_t>;
+
+const std::map<std::string, std::vector<std::string>>& groups() {
+  static const std::map<std::string, std::vector<std::string>> all{
+      {"geometry", {"strut-offset.length_um", "joint-position.base_um", "joint-position.platform_um"}},
+      {"elasticity", {"strut.compliance_per_length_um_N_m", "strut.compliance_um_N"}},
+      {"friction", {"strut.coulomb_friction_N"}},
+      {"masses", {"platform.mass_kg", "strut.screw_mass_kg", "strut.motor_mass_kg"}},
+      {"centre-of-mass", {"platform.centre_of_mass_mm"}},
+      {"level", {"level.tilt_mrad"}}};
+  return all;
+}
+
+void add(Places& places, const Places& more) {
+  for (const std::size_t place : more) {
+    if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
+  }
+}
+
+Places asked_for(Unknowns& unknowns, const std::vector<std::string>& names) {
+  Places places;
+  for (const std::string& name : names) {
+    if (name == "all") {
+      for (std::size_t i = 0; i < unknowns.size(); ++i) add(places, {i});
+      continue;
+    }
+    const auto group = groups().find(name);
+    if (group == groups().end()) {
+      add(places, identify::named_unknowns(unknowns, name));
+    } else {
+      for (const std::string& key : group->second) add(places, identify::named_unknowns(unknowns, key));
+    }
+  }
+  return places;
+}
+
+// The numbers of an effect that is to be told from another one; nothing is known of it beforehand, even if it is among
+// what [uncertainty] lists.
+Places effect_numbers(Unknowns& unknowns, const std::string& name) {
+  std::vector<std::string_view> known = physics::catalogue_names();
+  std::erase(known, "generic");
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    refuse("plan-unknown-effect", fmt::format("no effect is called {}", name), machine::suggestion(name, known));
+  }
+  if (unknowns.of_effect(name).empty()) unknowns.add_effect(name);
+  const Places places = unknowns.of_effect(name);
+  for (const std::size_t place : places) unknowns.set_free(place);
+  return places;
+}
+
+// --- what plans are made of ---
+
+identify::NoiseModel noise_of(const PlanJob& job) {
+  identify::NoiseModel noise;
+  for (int c = 0; c < identify::kChannels; ++c) {
+    noise.channels[static_cast<std::size_t>(c)].sigma = c == identify::kRadial ? job.radial_noise : job.torque_noise;
+  }
+  return noise;
+}
+
+std::vector<Eigen::MatrixXd> informations(const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
+                                          const Unknowns& unknowns, const identify::NoiseModel& noise) {
+  std::vector<Eigen::MatrixXd> all(runs.size());
+  for_each_index(runs.size(),
+                 [&](std::size_t i) { all[i] = run_information(machine.rotation, runs[i], unknowns, noise); });
+  return all;
+}
+
+Eigen::MatrixXd known_already(const machine::MachineModel& machine, const std::string& dataset,
+                              const Unknowns& unknowns, const identify::NoiseModel& noise) {
+  const auto size = static_cast<Eigen::Index>(unknowns.size());
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
+  if (dataset.empty()) return sum;
+  for (const Eigen::MatrixXd& one : informations(machine, measure::read_dataset(dataset).runs, unknowns, noise))
+    sum += one;
+  return sum;
+}
+
+void fill(Fit& fit, const Eigen::MatrixXd& information) {
+  fit.values = fit.unknowns.start();
+  fit.information = information;
+  fit.covariance = identify::posterior_covariance(fit.unknowns, information);
+  fit.converged = true;
+}
+
+// --- the plan as a dataset ---
+
+std::string three_text(const Vector3<double>& v, double unit) {
+  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v[0] / unit, v[1] / unit, v[2] / unit);
+}
+
+std::string row_text(const measure::Run& run) {
+  std::string text = fmt::format("\n[[run]]\nid = \"{}\"\nfile = \"{}\"\ncentre_mm = {}\nradius_mm = {:.6g}\n", run.id,
+                                 run.file, three_text(run.centre_W, kMm), run.radius / kMm);
+  if (run.bar) text += fmt::format("bar_mm = {:.6g}\n", *run.bar / kMm);
+  text += fmt::format("tilt_deg = {}\ndirection = \"{}\"\nfeed_mm_min = {:.6g}\nstart_s = {:.6g}\n",
+                      three_text(run.tilt, kDeg), to_text(run.direction), run.feed / kMmPerMin, run.start);
+  if (run.payload_mass > 0) text += fmt::format("payload_kg = {:.6g}\n", run.payload_mass);
+  return text;
+}
+
+std::vector<measure::TableColumn> columns_of(const PlanJob& job) {
+  using measure::Column;
+  std::vector<measure::TableColumn> columns{{Column::time, 4}, {Column::angle, 4}};
+  if (job.candidates.bar_readings) columns.push_back({Column::radial, 4});
+  for (int j = 0; job.candidates.torques && j < machine::kStruts; ++j) {
+    columns.push_back({static_cast<Column>(static_cast<int>(Column::torque1) + j), 5});
+  }
+  return columns;
+}
+
+measure::Dataset dataset_of(const machine::MachineModel& machine, const PlanJob& job, std::vector<measure::Run> runs) {
+  measure::Dataset dataset;
+  dataset.machine = machine.name;
+  std::string text = fmt::format(
+      "# A plan by plumbline. Its tables hold what the model {} predicts, until they are measured.\n"
+      "plumbline = \"dataset 1\"\nmachine = \"{}\"\n",
+      machine.name, machine.name);
+  double now = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    measure::Run& run = runs[i];
+    run.id = fmt::format("{:02}-{}", i + 1, to_text(run.direction));
+    run.file = run.id + ".csv";
+    run.start = std::round(now);
+    now += 2 * std::numbers::pi * run.radius / run.feed + job.pause;
+    run.columns = columns_of(job);
+    measure::lay_samples(run, job.samples, job.candidates.bar_readings, job.candidates.torques);
+    text += row_text(run);
+  }
+  dataset.runs = std::move(runs);
+  dataset = measure::simulated(machine, physics::ForceModel(machine), std::move(dataset));
+  dataset.document = parse_toml(std::move(text), "");
+  return dataset;
+}
+
+}  // namespace
+
+PlannedTests plan_tests(const PlanJob& job) {
+  const machine::MachineModel machine = machine::read_model(job.model);
+  const physics::ForceModel forces(machine);
+  const bool geometry =
+      job.separate.empty() && std::find(job.asked.begin(), job.asked.end(), "geometry") != job.asked.end();
+  Unknowns unknowns = geometry ? identify::geometry_unknowns(machine, forces) : identify::nuisances(machine, forces);
+  Places asked;
+  Places other;
+  if (job.separate.empty()) {
+    asked = asked_for(unknowns, job.asked);
+  } else {
+    asked = effect_numbers(unknowns, job.separate.at(0));
+    other = effect_numbers(unknowns, job.separate.at(1));
+  }
+  const std::vector<measure::Run> candidates = identify::candidate_runs(machine, job.candidates);
+  if (candidates.empty()) {
+    refuse("plan-no-candidates", "the machine can make no such circle within its limits",
+           "choose a smaller --radius, or look at [limits] of the model", {machine.document.file});
+  }
+  const identify::NoiseModel noise = noise_of(job);
+  const std::vector<Eigen::MatrixXd> told = informations(machine, candidates, unknowns, noise);
+  const Eigen::MatrixXd known = known_already(machine, job.measured, unknowns, noise);
+  identify::DesignOptions options = job.design;
+  options.readings_per_sample = static_cast<double>(job.samples) / static_cast<double>(job.candidates.samples);
+  const identify::Criterion criterion =
+      job.separate.empty() ? identify::d_optimal(unknowns, asked) : identify::separating(unknowns, asked, other);
+  const identify::Design design = identify::design(told, known, criterion, options);
+
+  PlannedTests plan(unknowns);
+  fill(plan.before, known);
+  fill(plan.after, design.information);
+  std::vector<measure::Run> runs;
+  for (const std::size_t chosen : design.chosen) runs.push_back(candidates[chosen]);
+  plan.dataset = dataset_of(machine, job, std::move(runs));
+  plan.candidates = candidates.size();
+  plan.criterion = design.criterion;
+  plan.asked = asked;
+  if (!job.separate.empty()) {
+    plan.asked.insert(plan.asked.end(), other.begin(), other.end());
+    for (const auto& [these, those] : {std::pair(asked, other), std::pair(other, asked)}) {
+      plan.apart.push_back(std::sqrt(identify::noncentrality(unknowns, design.information, these, those)));
+    }
+  }
+  plan.unseen = identify::observability(plan.after, plan.dataset.runs).statements;
+  for (std::string& statement : identify::geometry_statements(machine.geometry, unknowns, plan.after.covariance)) {
+    plan.unseen.push_back(std::move(statement));
+  }
+  return plan;
+}
+
+void write_plan(const PlannedTests& plan, const std::string& folder) {
+  const std::filesystem::path taken = std::filesystem::path(folder) / "dataset.toml";
+  std::error_code ignored;
+  if (std::filesystem::exists(taken, ignored)) {
+    refuse("plan-folder-taken", fmt::format("there is a dataset in {} already", folder),
+           "it may have been measured: name another folder with -o", {taken.string()});
+  }
+  measure::write_dataset(plan.dataset, folder);
+}
+
+}  // namespace plumbline::jobs

@@ -1,0 +1,54 @@
+// A plan of circular tests: those that tell most of what is asked for, as a dataset that waits to be measured.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identify/design.hpp"
+#include "identify/observability.hpp"
+#include "measure/dataset.hpp"
+
+namespace plumbline::jobs {
+
+struct PlanJob {
+  std::string model;
+  std::string measured;  // a dataset that is there already; empty: none
+  /// What is to be told: groups (geometry, elasticity, friction, masses, centre-of-mass, level, all) and keys
+  /// ("strut.motor_mass_kg", "backlash.width_um").
+  std::vector<std::string> asked{"geometry"};
+  std::vector<std::string>
+      separate;  // two effects of the catalogue that the plan is to tell apart, in place of `asked`
+  identify::CandidateOptions candidates;
+  identify::DesignOptions design;
+  double radial_noise = 0.5e-6;  // m, 1 sigma of a reading, independent from sample to sample
+  double torque_noise = 0.05;    // N m
+  std::size_t samples = 120;     // of each run
+  double pause = 120;            // s between two runs
+};
+
+struct PlannedTests {
+  explicit PlannedTests(identify::Unknowns of) : before(of), after(std::move(of)) {}
+
+  measure::Dataset dataset;         // its tables hold what the model predicts
+  identify::Fit before, after;      // what is known without the plan and with it: values at their start
+  std::vector<std::size_t> asked;   // of the unknowns
+  std::vector<double> criterion;    // after each run
+  std::vector<std::string> unseen;  // in words, what the plan does not tell
+  std::size_t candidates = 0;
+  std::vector<double> apart;  // of --separate: smallest distance of each effect from the other, in sigma
+};
+
+/// Refuses what the readers of models and datasets refuse, identify-unknown-key, plan-unknown-effect, and with
+/// plan-no-candidates if the machine can make no such circle.
+PlannedTests plan_tests(const PlanJob& job);
+
+/// Writes the dataset into a folder, made if need be. Refuses with plan-folder-taken if it holds a dataset already:
+/// somebody may have measured it.
+void write_plan(const PlannedTests& plan, const std::string& folder);
+
+/// For people: the runs, what is known before and after, what stays unseen.
+std::string plan_text(const PlannedTests& plan);
+/// As docs/formats.md says.
+std::string plan_json(const PlannedTests& plan);
+
+}  // namespace plumbline::jobs
