@@ -8,19 +8,19 @@
 #include "support/diagnosis.hpp"
 
 using namespace plumbline;
-using nlohmann::json;
+using Json = nlohmann::json;
 
 TEST_CASE("a diagnosis has the keys that others rely on, in their units") {
-  const json d = json::parse(jobs::diagnosis_json(testing::small_diagnosis()));
+  const Json d = Json::parse(jobs::diagnosis_json(testing::small_diagnosis()));
   CHECK(d["plumbline"] == "diagnosis 1");
   CHECK(d["verdict"] == "named");
   CHECK(d["effects"][0]["name"] == "backlash");
-  CHECK(d["effects"][0]["alternatives"] == json({"cyclic"}));
-  CHECK(d["effects"][0]["parameters"]["width_um"] == json({4.1, 0.0}));
-  CHECK(d["effects"][0]["standard_errors"]["width_um"] == json({0.1, 0.0}));
-  CHECK(d["confidence_set"] == json({"backlash", "cyclic"}));
-  CHECK(d["gap"]["fit"]["radial_rms_um"] == json({{"before", 3.1}, {"after", 0.6}}));
-  CHECK(d["gap"]["held_out"]["torque_rms_Nm"] == json({{"before", 0.06}, {"after", 0.05}}));
+  CHECK(d["effects"][0]["alternatives"] == Json({"cyclic"}));
+  CHECK(d["effects"][0]["parameters"]["width_um"] == Json({4.1, 0.0}));
+  CHECK(d["effects"][0]["standard_errors"]["width_um"] == Json({0.1, 0.0}));
+  CHECK(d["confidence_set"] == Json({"backlash", "cyclic"}));
+  CHECK(d["gap"]["fit"]["radial_rms_um"] == Json({{"before", 3.1}, {"after", 0.6}}));
+  CHECK(d["gap"]["held_out"]["torque_rms_Nm"] == Json({{"before", 0.06}, {"after", 0.05}}));
   CHECK(d["noise"]["radial_um"] == 0.5);
   CHECK(d["runs"][1]["held_out"] == true);
   CHECK(d["runs"][0]["rms"]["radial_um"]["before"] == 3.1);
@@ -31,7 +31,7 @@ TEST_CASE("what was not measured, or is no number, is null") {
   d.noise.channels[1] = {};
   d.fit.before.torque = d.fit.after.torque = std::nullopt;
   d.effects[0].parameters[0].errors = {std::numeric_limits<double>::infinity(), 1e-310};
-  const json written = json::parse(jobs::diagnosis_json(d));
+  const Json written = Json::parse(jobs::diagnosis_json(d));
   CHECK(written["noise"]["torque_Nm"].is_null());
   CHECK(written["gap"]["fit"]["torque_rms_Nm"]["after"].is_null());
   CHECK(written["effects"][0]["standard_errors"]["width_um"][0].is_null());
