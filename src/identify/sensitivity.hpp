@@ -12,7 +12,7 @@
 namespace plumbline::identify {
 
 /// Rows: where the tip stands (x, y, z in W, m), the torques of the six motors (N m), how the platform is turned
-/// (rotation vector in W, rad). A column for each unknown.
+/// (rotation vector in W, rad; to first order of the error's own turn). A column for each unknown.
 inline constexpr int kTipRow = 0;
 inline constexpr int kTorqueRow = 3;
 inline constexpr int kTurnRow = 9;

@@ -22,7 +22,7 @@ machine::MachineModel with_uncertainty(const std::string& lines) {
   return machine::parse_model(text + "[uncertainty]\n" + lines, "model.toml");
 }
 
-// By how much a change of the unknowns moves what runs read, in the largest reading: um and mN m.
+// By how much a change of the unknowns moves what the bar reads, in the largest reading, um.
 double seen(const std::vector<measure::Run>& runs, const Unknowns& unknowns, const Eigen::VectorXd& change) {
   Objective objective(pm600_like().rotation, runs, unknowns);
   const std::vector<RunEquations> before = objective.equations(unknowns.start());
@@ -31,7 +31,7 @@ double seen(const std::vector<measure::Run>& runs, const Unknowns& unknowns, con
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Eigen::VectorXd moved = after[i].residual - before[i].residual;
     const Eigen::Index n = before[i].samples;
-    most = std::max({most, moved.head(n).cwiseAbs().maxCoeff() * 1e6, moved.tail(6 * n).cwiseAbs().maxCoeff() * 1e3});
+    most = std::max(most, moved.head(n).cwiseAbs().maxCoeff() * 1e6);
   }
   return most;
 }
@@ -51,22 +51,22 @@ TEST_CASE("geometry is unknown even where [uncertainty] does not list it") {
   CHECK(known[static_cast<std::size_t>(known.find("strut-offset", "length_um", 0))].sigma == Approx(5e-6));
 }
 
-TEST_CASE("rigid motions of a ring that no circle shows move no reading, and others do") {
+TEST_CASE("rigid motions of a ring that no circle shows hardly move what the bar reads, and others do") {
   const machine::MachineModel machine = pm600_like();
   const physics::ForceModel forces(machine);
   const Unknowns unknowns = geometry_unknowns(machine, forces);
   const std::vector<measure::Run> runs = wider_plan(30);
   constexpr double kFar = 100e-6;  // m at a joint, or m per m
   for (const WholeMotion& motion : whole_motions(machine.geometry, unknowns)) {
-    INFO(motion.name);
     const double moved = seen(runs, unknowns, kFar * motion.direction);
+    INFO(motion.name << ": " << moved << " um");
     // the base shifted, or turned about the vertical; the platform shifted: ball and bar take it. Loads move a little
     // with the struts' directions.
     const bool hidden = motion.name.find("a shift of the") == 0 || motion.name == "a turn of the base joints about Z";
     const bool shape =
         motion.name.find("wider") != std::string::npos || motion.name.find("longer") != std::string::npos;
-    if (hidden) CHECK(moved < 0.5);
-    if (shape) CHECK(moved > 1);
+    if (hidden) CHECK(moved < 0.1);
+    if (shape) CHECK(moved > 0.5);
   }
 }
 
@@ -113,7 +113,9 @@ TEST_CASE("what no circle shows of the geometry stays where it was, even with wi
   REQUIRE(found.converged());
   const Fit& fit = found.stages[0].fit;
   const double share = shift->direction.dot(fit.values) / shift->direction.squaredNorm();
-  CHECK(std::abs(share) < 30e-6);
-  CHECK(left_of_prior(*shift, fit.unknowns, fit.covariance) > 0.9);
+  // what the data leave of the prior says how far they may draw the estimate from it: through the loads alone
+  const double left = left_of_prior(*shift, fit.unknowns, fit.covariance);
+  CHECK(left > 0.7);
+  CHECK(share == Approx(300e-6 * (1 - left * left)).margin(40e-6));
   CHECK(found.after.radial_rms < 0.2e-6);
 }

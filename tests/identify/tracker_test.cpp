@@ -75,12 +75,12 @@ TEST_CASE("the tracker's equations hold for small changes of the frame and of th
   const RunEquations there = tracker_equations(machine.rotation, tracked, poses, moved);
   CHECK((there.residual - (here.residual - here.setup_slopes * step)).cwiseAbs().maxCoeff() < 1e-10);
 
-  const Eigen::VectorXd change = 0.1 * (drawn(unknowns, random) - unknowns.start());
+  const Eigen::VectorXd change = 0.02 * (drawn(unknowns, random) - unknowns.start());
   const physics::ForceModel other = unknowns.at(unknowns.start() + change);
   const RunEquations after =
       tracker_equations(machine.rotation, tracked, simulate_poses(machine.rotation, other, tracked), kHall);
-  CHECK((after.residual - (here.residual - here.slopes * change)).cwiseAbs().maxCoeff() < 2e-9);
-  CHECK((here.slopes * change).cwiseAbs().maxCoeff() > 1e-6);
+  CHECK((after.residual - (here.residual - here.slopes * change)).cwiseAbs().maxCoeff() < 1e-9);
+  CHECK((here.slopes * change).cwiseAbs().maxCoeff() > 2e-7);
 }
 
 TEST_CASE("a machine is calibrated from a tracker's poses, wherever the tracker stood") {
@@ -97,7 +97,8 @@ TEST_CASE("a machine is calibrated from a tracker's poses, wherever the tracker 
     const Fit& fit = found.stages[0].fit;
     const Eigen::VectorXd off = fit.values - truth;
     CHECK(off.dot(fit.covariance.ldlt().solve(off)) == Approx(static_cast<double>(off.size())).epsilon(0.6));
-    CHECK(fit.noise.channels[kTracker].sigma == Approx(2e-6).epsilon(0.15));
+    // what the unknowns take is shared by positions and angles by their number, though angles tell more: 5 % too much
+    CHECK(fit.noise.channels[kTracker].sigma == Approx(2e-6).epsilon(0.2));
     if (sigma_tilt > 0) CHECK(fit.noise.channels[kTrackerTilt].sigma == Approx(sigma_tilt).epsilon(0.15));
     CHECK(found.after.tracker_rms < 0.5 * found.before.tracker_rms);
     CHECK(found.after.radial_readings == 0);
