@@ -4,6 +4,7 @@ Only this module runs programs: plumbline, and plumbline_draw_case, the machine.
 
 import csv
 import json
+import math
 import pathlib
 import subprocess
 
@@ -12,6 +13,8 @@ MODEL = ROOT / "models" / "pm600-like.toml"
 TILTS_DEG = (-25, -23, -20, -10, 0, 10, 20)
 RADIUS_MM = 144
 FEED_MM_MIN = 1000
+FEED_IN_DEG = 10
+FRICTION_TURN = 0.002  # of the feed: a turn of friction done within half a degree of this circle
 SAMPLES = 720
 
 
@@ -25,20 +28,24 @@ CIRCLES[CORNER] = ((-70, -70, -1008), (-17, -17, 0))
 
 
 def circle_program(centre_mm, tilt_deg):
-    """One turn counter-clockwise from angle zero, as a control is told to make it."""
+    """One turn counter-clockwise from angle zero, fed in along the circle, as a control is told to make it."""
     x, y, z = centre_mm
     a, b, c = tilt_deg
-    return (f"(circular test, radius {RADIUS_MM} mm)\nG21 G90 G94 G17 G54\nG0 X{x + RADIUS_MM} Y{y} Z{z} A{a} B{b} C{c}\n"
-            f"G3 X{x + RADIUS_MM} Y{y} I-{RADIUS_MM} J0 F{FEED_MM_MIN}\nM2\n")
+    angle = math.radians(FEED_IN_DEG)
+    into_x, into_y = round(RADIUS_MM * math.cos(angle), 4), -round(RADIUS_MM * math.sin(angle), 4)
+    return (f"(circular test, radius {RADIUS_MM} mm)\nG21 G90 G94 G17 G54\n"
+            f"G0 X{x + into_x:.4f} Y{y + into_y:.4f} Z{z} A{a} B{b} C{c}\n"
+            f"G3 X{x + RADIUS_MM} Y{y} I{-into_x:.4f} J{-into_y:.4f} F{FEED_MM_MIN}\n"
+            f"G3 X{x + RADIUS_MM} Y{y} I-{RADIUS_MM} J0\nM2\n")
 
 
 class Experiment:
     """One machine, drawn from a seed, and everything that is done with it, in one folder."""
 
-    def __init__(self, plumbline, draw, folder, seed, friction="stribeck", model=MODEL, friction_turn=None):
+    def __init__(self, plumbline, draw, folder, seed, friction="stribeck", model=MODEL, friction_turn=FRICTION_TURN):
         self.plumbline, self.draw, self.model = pathlib.Path(plumbline), pathlib.Path(draw), model
         self.folder, self.seed, self.friction = pathlib.Path(folder), seed, friction
-        self.turn = () if friction_turn is None else ("--friction-turn", friction_turn)
+        self.friction_turn = friction_turn
         self.folder.mkdir(parents=True, exist_ok=True)
 
     def call(self, *command):
@@ -78,7 +85,8 @@ class Experiment:
         for name, circle in CIRCLES.items():
             source, result = programs / f"{name}.ngc", programs / f"{name}-compensated.ngc"
             source.write_text(circle_program(*circle))
-            self.call(self.plumbline, "compensate", source, "-m", model, "-o", result, "--step-angle", "0.1", *self.turn, *zero)
+            self.call(self.plumbline, "compensate", source, "-m", model, "-o", result, "--step-angle", "0.1",
+                      "--friction-turn", self.friction_turn, *zero)
             self.call(self.plumbline, "trace", result, "-o", traces / f"{name}.jsonl", *zero)
         return self.measure("compensated", "figures", "--programs", traces)
 

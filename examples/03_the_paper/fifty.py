@@ -10,7 +10,7 @@ import os
 import statistics
 import tempfile
 
-from experiment import CORNER, Experiment, run_id
+from experiment import CORNER, FRICTION_TURN, Experiment, run_id
 
 STEEP = run_id(-25)
 PAPER_PERCENT = {STEEP: 77.9, CORNER: 69.4}
@@ -35,7 +35,7 @@ def main():
     parser.add_argument("--plan", default="paper", help="paper: conditions A and B alone; eight-pose: 26 runs")
     parser.add_argument("--friction", default="stribeck")
     parser.add_argument("--learn", default="identify", choices=("identify", "calibrate"))
-    parser.add_argument("--friction-turn", help="as of compensate: how soon corrections follow friction that turns")
+    parser.add_argument("--friction-turn", default=FRICTION_TURN, help="as of compensate: how soon corrections follow friction that turns")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args()
     seeds = range(*(int(part) for part in options.seeds.split(":")))

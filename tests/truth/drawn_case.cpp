@@ -114,8 +114,9 @@ MeasuredRun measured_with_noise(const DrawnCase& drawn, const PlannedRun& planne
   if (o.programs.empty()) {
     run.samples = measured(drawn.truth, planned, o.law, off, bar);
   } else {
-    const Program program = read_program(o.programs + "/" + planned.id + ".jsonl");
-    run.samples = measured_on(drawn.truth, planned, program.path, program.seconds, o.law, off, bar);
+    const Program whole = read_program(o.programs + "/" + planned.id + ".jsonl");
+    const Program program = last_turn(whole, planned.circle.ball());
+    run.samples = measured_on(drawn.truth, planned, program, o.law, off, bar);
   }
   const auto some = [&](double sigma) { return noise(run.samples.size(), sigma, o.colour, o.memory, random); };
   const std::vector<double> radial = some(o.radial_noise);

@@ -86,16 +86,17 @@ Plan plan_of(const std::string& name, int samples) {
   throw std::runtime_error("no plan is called " + name + ": eight-pose, paper, figures");
 }
 
-Samples measured_on(const Truth& truth, const PlannedRun& run, const Path& path, double seconds, FrictionLaw law,
+Samples measured_on(const Truth& truth, const PlannedRun& run, const Program& program, FrictionLaw law,
                     const Vec& ball_off, double bar_off) {
   const Circle& circle = run.circle;
   const double piece = 1e-4 * circle.radius / circle.feed;
-  Follower follower(truth.machine, path, piece, law);
+  Follower follower(truth.machine, program.path, piece, law);
+  if (program.before > 0) follower.at(-program.before, circle.start, circle.payload);  // friction remembers the way in
   Samples samples(static_cast<std::size_t>(run.samples));
   for (std::size_t i = 0; i < samples.size(); ++i) {
     Sample& s = samples[i];
     const double part = static_cast<double>(i) / run.samples;
-    s.seconds = part * seconds;
+    s.seconds = part * program.seconds;
     s.angle = circle.turn > 0 || i == 0 ? 2 * M_PI * part : 2 * M_PI * (1 - part);
     s.moment = follower.at(s.seconds, circle.start, circle.payload);
     s.standing = settled(truth, s.moment);
@@ -105,7 +106,7 @@ Samples measured_on(const Truth& truth, const PlannedRun& run, const Path& path,
 }
 
 Samples measured(const Truth& truth, const PlannedRun& run, FrictionLaw law, const Vec& ball_off, double bar_off) {
-  return measured_on(truth, run, path_of(run.circle), run.circle.seconds(), law, ball_off, bar_off);
+  return measured_on(truth, run, {path_of(run.circle), run.circle.seconds()}, law, ball_off, bar_off);
 }
 
 }  // namespace truth

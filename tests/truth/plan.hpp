@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "truth/motion.hpp"
+#include "truth/program.hpp"
 
 namespace truth {
 
@@ -36,8 +37,8 @@ struct Sample {
 };
 using Samples = std::vector<Sample>;
 
-/// On a path that takes so long in place of the circle itself.
-Samples measured_on(const Truth& truth, const PlannedRun& run, const Path& path, double seconds, FrictionLaw law,
+/// On a program in place of the circle itself.
+Samples measured_on(const Truth& truth, const PlannedRun& run, const Program& program, FrictionLaw law,
                     const Vec& ball_off, double bar_off);
 Samples measured(const Truth& truth, const PlannedRun& run, FrictionLaw law, const Vec& ball_off, double bar_off);
 

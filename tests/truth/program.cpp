@@ -92,4 +92,24 @@ Program read_program(const std::string& path) {
           seconds};
 }
 
+Program last_turn(const Program& program, const Vec& centre) {
+  constexpr int kPieces = 7200;
+  constexpr double kTurn = 2 * M_PI - 1e-6;
+  const double piece = program.seconds / kPieces;
+  const auto arm_at = [&](double t) -> Eigen::Vector2d { return (program.path(t).x - centre).head<2>(); };
+  double turned = 0;
+  Eigen::Vector2d later = arm_at(program.seconds);
+  for (int left = kPieces - 1; left >= 0; --left) {
+    const Eigen::Vector2d arm = arm_at(left * piece);
+    const double turn = std::abs(std::atan2(arm.x() * later.y() - arm.y() * later.x(), arm.dot(later)));
+    if (turned + turn >= kTurn) {
+      const double begins = piece * (left + 1 - std::min(1.0, (2 * M_PI - turned) / turn));
+      return {[path = program.path, begins](double t) { return path(begins + t); }, program.seconds - begins, begins};
+    }
+    turned += turn;
+    later = arm;
+  }
+  return program;
+}
+
 }  // namespace truth

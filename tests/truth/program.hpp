@@ -12,10 +12,15 @@ namespace truth {
 struct Program {
   Path path;
   double seconds = 0;
+  double before = 0;  // s of path that was run before its start
 };
 
 /// Reads the lines of `plumbline trace`; rapids set where cutting begins. Throws std::runtime_error for what is neither
 /// rapid, straight nor an arc in the XY plane.
 Program read_program(const std::string& path);
+
+/// The last whole turn of a program about a centre (metres): what a ballbar counts when it was fed in along its circle.
+/// The program itself when it makes no more than one turn.
+Program last_turn(const Program& program, const Vec& centre);
 
 }  // namespace truth
