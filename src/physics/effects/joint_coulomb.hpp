@@ -1,8 +1,8 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 
+#include "physics/rest_speed.hpp"
 #include "physics/situation.hpp"
 
 namespace plumbline::physics {
@@ -13,15 +13,12 @@ struct JointCoulomb {
   static constexpr std::array parameters{
       ParameterSpec{.key = "moment_Nm", .unit = machine::units::Nm, .lower = 0, .upper = 40}};
 
-  static constexpr double kRestSpeed = 0.01 * kMm;  // m/s, below which v_perp / |v_perp| fades
-
   // -(M / L_j) v_perp,j / |v_perp,j|
   template <class T>
   static void transverse_force(Values<T> p, const Situation<T>& at, machine::StrutVectors<T>& sum) {
-    using std::sqrt;
     for (int j = 0; j < machine::kStruts; ++j) {
       const Vector3<T> v = at.rates.transverse.col(j);
-      const T speed = sqrt(v.squaredNorm() + T(kRestSpeed * kRestSpeed));
+      const T speed = speed_from_rest(v);
       sum.col(j) -= p[0] / (at.struts.length[j] * speed) * v;
     }
   }

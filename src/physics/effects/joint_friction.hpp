@@ -1,8 +1,8 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 
+#include "physics/rest_speed.hpp"
 #include "physics/situation.hpp"
 
 namespace plumbline::physics {
@@ -13,7 +13,6 @@ struct JointFriction {
   static constexpr std::array parameters{model_key("joint", "viscous_friction_Nms_rad"),
                                          model_key("joint", "coulomb_friction_Nm")};
   enum { kViscous = 0, kCoulomb = 1 };
-  static constexpr double kRestSpeed = 0.01 * kMm;  // m/s, below which v_perp / |v_perp| fades
 
   // tau_j = -c w_j or -c_c w_j / |w_j| on the strut makes (tau_j x u_j) / L_j on the platform, with w_j = u_j x
   // v_perp,j / L_j:
@@ -21,11 +20,10 @@ struct JointFriction {
   // direction]
   template <class T>
   static void transverse_force(Values<T> p, const Situation<T>& at, machine::StrutVectors<T>& sum) {
-    using std::sqrt;
     for (int j = 0; j < machine::kStruts; ++j) {
       const Vector3<T> v = at.rates.transverse.col(j);
       const T per_length = T(1.0) / at.struts.length[j];
-      const T speed = sqrt(v.squaredNorm() + T(kRestSpeed * kRestSpeed));
+      const T speed = speed_from_rest(v);
       sum.col(j) -= (p[kViscous] * per_length + p[kCoulomb] / speed) * per_length * v;
     }
   }
