@@ -8,6 +8,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/files.hpp"
+#include "base/input_name.hpp"
 #include "base/toml.hpp"
 
 namespace plumbline::jobs {
@@ -135,7 +136,7 @@ std::string settings_file_beside(const std::string& program) {
 
 void read_settings_file(const std::string& path, Options& options,
                         const std::function<bool(const OptionRow&)>& is_given) {
-  const TomlDocument document = parse_toml(read_text(path), path);
+  const TomlDocument document = parse_toml(read_text(path), input_name(path));
   SettingsReader reader(document, options);
   reader.check_kind();
   for (const TomlEntry& entry : document.root.entries) {

@@ -6,6 +6,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/files.hpp"
+#include "base/input_name.hpp"
 #include "base/number_text.hpp"
 #include "nc/parameters.hpp"
 
@@ -75,7 +76,7 @@ constexpr std::size_t kSystemsOfVariables = 9;  // G54 to G59.3, of which other 
 
 std::map<int, double> read_variables(const std::string& path) {
   const std::string text = read_text(path);
-  VariablesReader reader(path, text);
+  VariablesReader reader(input_name(path), text);
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     reader.take_line(begin, end);

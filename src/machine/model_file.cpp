@@ -4,6 +4,7 @@
 
 #include "base/files.hpp"
 #include "base/hash.hpp"
+#include "base/input_name.hpp"
 #include "machine/effect_rows.hpp"
 #include "machine/model_checks.hpp"
 #include "machine/model_values.hpp"
@@ -84,6 +85,6 @@ MachineModel parse_model(std::string text, std::string file) {
   return model;
 }
 
-MachineModel read_model(const std::string& path) { return parse_model(read_text(path), path); }
+MachineModel read_model(const std::string& path) { return parse_model(read_text(path), input_name(path)); }
 
 }  // namespace plumbline::machine

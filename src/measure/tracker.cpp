@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/files.hpp"
+#include "base/input_name.hpp"
 #include "base/number_table.hpp"
 #include "base/units.hpp"
 
@@ -53,7 +54,7 @@ TrackedPose pose_of(const NumberTable::Row& row, const NumberTable& table) {
 
 TrackedPoses read_tracked_poses(const std::string& path, const TrackerTableOptions& options) {
   TrackedPoses tracked;
-  tracked.file = path == kStandardStream ? "<stdin>" : path;
+  tracked.file = input_name(path);
   tracked.text = read_text(path);
   const NumberTable table =
       read_number_table(tracked.file, tracked.text, columns(), kHeader.substr(0, kHeader.find(",measured_a")));
