@@ -60,17 +60,37 @@ bool Aligner::next() {
     if (more) leave_out(0, 1);
     return more;
   }
-  if (!(move->cuts() ? align_cut(*move) : align_one_to_one(*move))) find_way_back();
+  if (!(move->cuts() ? align_cut(*move) : align_rapid(*move))) find_way_back();
   return true;
 }
 
-bool Aligner::align_one_to_one(const DiffMove& move) {
-  const DiffMove* const other = b_.peek(0);
-  if (other == nullptr || other->kind != move.kind || numbers_differ(move, *other)) return false;
-  if (other->in_machine_coordinates != move.in_machine_coordinates) return false;
-  if (distance(other->end, move.end + shift_) > kFirstShift + kRapidShare * move.length) return false;
-  found_.assign(1, other->end - move.end);
-  take_match(move, 1);
+bool Aligner::corresponds(const DiffMove& move, std::size_t ahead) {
+  const DiffMove* const other = b_.peek(ahead);
+  return other != nullptr && other->kind == move.kind && other->in_machine_coordinates == move.in_machine_coordinates &&
+         !numbers_differ(move, *other);
+}
+
+// One to one, except that either side may have a tiny move more: a cycle that begins where the tool already stands has
+// no way there, and some micrometres of way where the one side was moved. The nearest end decides.
+bool Aligner::align_rapid(const DiffMove& move) {
+  const AxisWords wanted = move.end + shift_;
+  double nearest = kFirstShift + kRapidShare * move.length;
+  std::optional<std::size_t> count;
+  const auto consider = [&](std::size_t moves, const AxisWords& end) {
+    const double off = distance(end, wanted);
+    if (off > nearest || (count && off == nearest)) return;
+    nearest = off;
+    count = moves;
+  };
+  const bool is_tiny = move.length <= kSlack;
+  const bool goes_on = corresponds(move, 0);
+  const bool other_is_tiny = goes_on && b_.peek(0)->length <= kSlack;
+  if (goes_on) consider(1, b_.peek(0)->end);
+  if (other_is_tiny && !is_tiny && corresponds(move, 1)) consider(2, b_.peek(1)->end);
+  if (is_tiny && !other_is_tiny && has_shift_) consider(0, at_b_);
+  if (!count) return false;
+  found_.assign(1, (*count == 0 ? at_b_ : b_.peek(*count - 1)->end) - move.end);
+  take_match(move, *count);
   return true;
 }
 

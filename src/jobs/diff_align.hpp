@@ -19,7 +19,8 @@ class Aligner {
   DiffSummary take();
 
  private:
-  bool align_one_to_one(const DiffMove& move);
+  bool align_rapid(const DiffMove& move);
+  bool corresponds(const DiffMove& move, std::size_t ahead);
   bool align_cut(const DiffMove& move);
   double slack(const DiffMove& move) const;
   const DiffMove* piece(const DiffMove& move, std::size_t count);
