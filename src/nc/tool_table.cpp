@@ -1,23 +1,28 @@
 #include "nc/tool_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/diagnostic.hpp"
 #include "base/files.hpp"
+#include "base/input_name.hpp"
 #include "base/toml.hpp"
 
 namespace plumbline::nc {
 namespace {
 
 constexpr std::string_view kVersion = "tools 1";
-constexpr std::string_view kKeys = "number, length_mm, diameter_mm, mass_kg, centre_of_mass_mm";
+constexpr std::array<std::string_view, 5> kKeys{"number", "length_mm", "diameter_mm", "mass_kg", "centre_of_mass_mm"};
 constexpr double kLongest = 2000;  // mm, kg: beyond it the unit is wrong
 constexpr double kLargestNumber = 1e6;
+
+bool is_key(std::string_view key) { return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end(); }
 
 class ToolReader {
  public:
@@ -60,6 +65,10 @@ class ToolReader {
     bool has_number = false;
     bool has_length = false;
     for (const TomlEntry& entry : row.entries) {
+      if (!is_key(entry.key)) {
+        refuse_key("tools-unknown-key", entry, fmt::format("a tool has no key '{}'", entry.key),
+                   fmt::format("its keys are {}", fmt::join(kKeys, ", ")));
+      }
       const double value = number(entry);
       if (entry.key == "number") {
         tool.number = tool_number(entry, value);
@@ -71,11 +80,8 @@ class ToolReader {
         tool.diameter_mm = in_range(entry, value, 0);
       } else if (entry.key == "mass_kg") {
         tool.mass_kg = in_range(entry, value, 0);
-      } else if (entry.key == "centre_of_mass_mm") {
-        tool.centre_of_mass_mm = in_range(entry, value, -kLongest);
       } else {
-        refuse_key("tools-unknown-key", entry, fmt::format("a tool has no key '{}'", entry.key),
-                   fmt::format("its keys are {}", kKeys));
+        tool.centre_of_mass_mm = in_range(entry, value, -kLongest);
       }
     }
     if (!has_number || !has_length) {
@@ -123,7 +129,7 @@ const Tool* ToolTable::find(int number) const {
 }
 
 ToolTable read_tool_table(const std::string& path) {
-  const TomlDocument document = parse_toml(read_text(path), path);
+  const TomlDocument document = parse_toml(read_text(path), input_name(path));
   return ToolTable(ToolReader(document).read());
 }
 
