@@ -22,7 +22,8 @@ constexpr double kFreeInformation = 1e-9;  // in scales, of what is free and not
 // From 0 to 1, the same everywhere: distributions of the standard library are not.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
-double rounded(double value, double step) { return step * std::round(value / step); }
+// 0 and never -0.
+double rounded(double value, double step) { return step * std::round(value / step) + 0.0; }
 
 const double& one_of(const std::vector<double>& values, std::mt19937_64& random) {
   return values[std::min(values.size() - 1,

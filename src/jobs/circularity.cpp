@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/number_text.hpp"
 #include "base/units.hpp"
 
 namespace plumbline::jobs {
@@ -35,6 +36,8 @@ std::vector<PairCircularity> pairs_of(const std::vector<measure::Run>& runs) {
   return pairs;
 }
 
+std::string um_text(double metres) { return to_decimal(metres / kUm, 2, 2); }  // no "-0.00"
+
 }  // namespace
 
 CircularityTable circularity_table(const measure::Dataset& dataset) {
@@ -52,14 +55,14 @@ std::string circularity_text(const CircularityTable& table) {
   std::string text = fmt::format("{:<24}{:>13}{:>10}{:>10}{:>10}   um\n", "run", "circularity", "G", "F max", "F min");
   for (const RunCircularity& run : table.runs) {
     const measure::CircularityFigures& f = run.figures;
-    text += fmt::format("{:<24}{:>13.2f}{:>10.2f}{:>10.2f}{:>10.2f}\n", run.id, f.least_squares / kUm,
-                        f.minimum_zone / kUm, f.radial_max / kUm, f.radial_min / kUm);
+    text += fmt::format("{:<24}{:>13}{:>10}{:>10}{:>10}\n", run.id, um_text(f.least_squares), um_text(f.minimum_zone),
+                        um_text(f.radial_max), um_text(f.radial_min));
   }
   if (table.pairs.empty()) return text;
   text += fmt::format("\n{:<37}{:>10}{:>10}   um\n", "both directions", "G(b)", "D");
   for (const PairCircularity& pair : table.pairs) {
-    text += fmt::format("{:<37}{:>10.2f}{:>10.2f}\n", pair.ccw + ", " + pair.cw, pair.figures.minimum_zone / kUm,
-                        pair.figures.mean_radial / kUm);
+    text += fmt::format("{:<37}{:>10}{:>10}\n", pair.ccw + ", " + pair.cw, um_text(pair.figures.minimum_zone),
+                        um_text(pair.figures.mean_radial));
   }
   return text;
 }

@@ -78,6 +78,9 @@ TEST_CASE("candidates keep the machine's limits, and follow from the seed alone"
   for (const measure::Run& run : runs) {
     CHECK(measure::within_limits(machine, run));
     CHECK(run.samples() == 36);
+    for (const Vector3<double>& v : {run.centre_W, run.tilt}) {
+      for (const double x : v) CHECK_FALSE((x == 0 && std::signbit(x)));  // "-0" would stand in the plan
+    }
     ccw = ccw || run.direction == measure::Direction::ccw;
     cw = cw || run.direction == measure::Direction::cw;
     loaded = loaded || run.payload_mass > 0;

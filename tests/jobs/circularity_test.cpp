@@ -31,6 +31,16 @@ TEST_CASE("every run and every pair of directions has its figures") {
   CHECK(text.find("1.50\n") != std::string::npos);
 }
 
+TEST_CASE("figures that round to zero have no sign") {
+  jobs::CircularityTable table;
+  table.runs.push_back(
+      {"a", {.least_squares = 1e-9, .minimum_zone = -1e-9, .radial_max = -1e-10, .radial_min = -4e-9}, {}});
+  table.pairs.push_back({"a", "b", {.minimum_zone = -1e-9, .mean_radial = -1.5e-6}});
+  const std::string text = jobs::circularity_text(table);
+  CHECK(text.find("-0.00") == std::string::npos);
+  CHECK(text.find("-1.50\n") != std::string::npos);
+}
+
 TEST_CASE("runs at other tilts are no pair") {
   const Scratch scratch;
   std::string text = plan_text(scratch);
