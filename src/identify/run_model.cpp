@@ -19,7 +19,7 @@ physics::TipError<double> standing(const physics::ForceModel& forces, const phys
     refuse("simulate-unreachable",
            fmt::format("run {}: the machine cannot stand at {:.6g} deg of the circle: {}", run.id,
                        run.angle[sample] / kDeg, physics::to_text(error.stopped_because)),
-           "check centre_mm, radius_mm and tilt_deg of the run, and that it belongs to this machine");
+           "check centre_mm, radius_mm and tilt_deg of the run, and that it belongs to this machine", run.place);
   }
   return error;
 }

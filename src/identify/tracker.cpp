@@ -27,7 +27,7 @@ SimulatedPoses simulate_poses(const machine::RotationOrder& order, const physics
       refuse("simulate-unreachable",
              fmt::format("pose {} of {}: the machine cannot stand there: {}", simulated.standing.size() + 1,
                          tracked.table.file, physics::to_text(error.stopped_because)),
-             "check the commanded columns of the table, and that it belongs to this machine");
+             "check the commanded columns of the table, and that it belongs to this machine", {tracked.table.file});
     }
     simulated.standing.push_back(error.pose);
     if (sensitivity == nullptr) continue;

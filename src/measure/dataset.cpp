@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/files.hpp"
+#include "base/input_name.hpp"
 #include "base/units.hpp"
 #include "machine/model_values.hpp"
 #include "machine/nearest_name.hpp"
@@ -62,6 +63,7 @@ class RunReader {
     run.id = text("id", "a name of the run, in quotes");
     run.file = text("file", "the run's table, beside the dataset");
     run.centre_W = three(kCentre);
+    run.place = place_of(kCentre.key);
     run.radius = *number(kRadius, true);
     run.bar = number(kBar, false);
     run.tilt = three(kTilt);
@@ -224,7 +226,7 @@ Dataset parse_dataset(std::string text, const std::string& file, const std::stri
 }
 
 Dataset read_dataset(const std::string& path) {
-  return parse_dataset(read_text(path), path, fs::path(path).parent_path().string());
+  return parse_dataset(read_text(path), input_name(path), fs::path(path).parent_path().string());
 }
 
 namespace {

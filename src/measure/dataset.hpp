@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostic.hpp"
 #include "base/pose.hpp"
 #include "base/toml.hpp"
 #include "machine/geometry.hpp"
@@ -44,6 +45,7 @@ struct Run {
   double feed = 0;          // m/s
   double start = 0;         // on the clock of the dataset, s
   double payload_mass = 0;  // known, hung at the tool tip, kg
+  Place place;              // of centre_mm in the dataset; no file: the run was made
 
   // Columns, one number per sample. time and angle are always there: one that was not measured follows from the other
   // and the feed. radial and torque are empty if they were not measured.

@@ -39,7 +39,7 @@ RunSimulation simulate_run(const machine::MachineModel& machine, const physics::
       refuse("simulate-unreachable",
              fmt::format("run {}: the machine cannot stand at {:.6g} deg of the circle: {}", run.id,
                          run.angle[i] / kDeg, physics::to_text(stop)),
-             "check centre_mm, radius_mm and tilt_deg of the run, and that it belongs to this machine");
+             "check centre_mm, radius_mm and tilt_deg of the run, and that it belongs to this machine", run.place);
     }
   }
   return simulation;

@@ -111,11 +111,13 @@ TEST_CASE("a run that the machine cannot make is refused by its name") {
   forces.parameters[static_cast<std::size_t>(forces.find("platform-gravity", "mass_kg"))] = 1e8;
   Run run = circle_run({0, 100, -1008}, {-20, 0, 0});
   run.id = "sunk";
+  run.place.file = "dataset.toml";
   try {
     simulate_run(machine, forces, run);
     FAIL_CHECK("was not refused");
   } catch (const Refusal& refusal) {
     CHECK(refusal.diagnostic().code == "simulate-unreachable");
     CHECK(refusal.diagnostic().message.find("sunk") != std::string::npos);
+    CHECK(refusal.diagnostic().place.file == "dataset.toml");
   }
 }
