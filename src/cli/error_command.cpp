@@ -26,7 +26,8 @@ int error(const ErrorArguments& arguments) {
   OutputFile out(arguments.output);
   const jobs::ErrorTableSummary summary = jobs::write_error_table(model, poses, out);
   out.commit();
-  say_note(fmt::format("{} poses, the tip up to {:.3f} um off\n", jobs::count_text(summary.poses), summary.largest_um));
+  say_note(
+      fmt::format("{}, the tip up to {:.3f} um off\n", jobs::count_text(summary.poses, "pose"), summary.largest_um));
   return kDone;
 }
 

@@ -30,21 +30,21 @@ int simulate_dataset(const SimulateArguments& arguments) {
   require_model(options);
   const jobs::DatasetSimulationSummary summary =
       jobs::simulate_dataset(options.model, arguments.dataset, arguments.output);
-  say_note(fmt::format("{} runs, {} samples\n", jobs::count_text(summary.runs), jobs::count_text(summary.samples)));
+  say_note(fmt::format("{}, {}\n", jobs::count_text(summary.runs, "run"), jobs::count_text(summary.samples, "sample")));
   return kDone;
 }
 
 std::string words_of(const jobs::SimulationSummary& summary) {
   std::string words =
-      fmt::format("{} points in {}", jobs::count_text(summary.points), jobs::time_text(summary.seconds));
+      fmt::format("{} in {}", jobs::count_text(summary.points, "point"), jobs::time_text(summary.seconds));
   if (summary.points > 0) {
     words += fmt::format(": the tip up to {:.3f} um off (line {}), rms {:.3f} um", summary.largest_um,
                          summary.largest_line, summary.rms_um);
   }
   words += '\n';
   if (summary.passed_moves > 0) {
-    words += fmt::format("{} moves are not in the table: machine coordinates, probing, or from where nobody knows\n",
-                         jobs::count_text(summary.passed_moves));
+    words += fmt::format("{} left out of the table: machine coordinates, probing, or from where nobody knows\n",
+                         jobs::count_text(summary.passed_moves, "move"));
   }
   return words;
 }

@@ -113,14 +113,14 @@ std::string check_text(const CheckSummary& summary) {
   }
   if (summary.violations > shown) text += fmt::format("and {} more\n", count_text(summary.violations - shown));
   TextTable table;
-  table.add("blocks", fmt::format("{}, {} points looked at", count_text(summary.blocks), count_text(summary.points)));
+  table.add("blocks", fmt::format("{}, {} looked at", count_text(summary.blocks), count_text(summary.points, "point")));
   if (summary.passed_moves > 0) {
-    table.add("not looked at", fmt::format("{} moves: machine coordinates, probing, or from where nobody knows",
-                                           count_text(summary.passed_moves)));
+    table.add("not looked at", fmt::format("{}: machine coordinates, probing, or from where nobody knows",
+                                           count_text(summary.passed_moves, "move")));
   }
   if (summary.violations == 0) table.add("limits", "all kept");
   for (const auto& [kind, count] : summary.kinds) {
-    table.add(kind, fmt::format("beyond its limit in {} blocks", count_text(count)));
+    table.add(kind, fmt::format("beyond its limit in {}", count_text(count, "block")));
   }
   return text + table.text();
 }

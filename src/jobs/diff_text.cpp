@@ -45,7 +45,7 @@ std::string diff_text(const DiffSummary& s) {
             fmt::format("{:.3f} %{}", s.time_change.value * 100,
                         s.time_change.line > 0 ? fmt::format(" (line {})", s.time_change.line) : ""));
   table.add("out of line",
-            fmt::format("{} moves of A, {} of B", count_text(s.out_of_line_a), count_text(s.out_of_line_b)));
+            fmt::format("{} of A, {} of B", count_text(s.out_of_line_a, "move"), count_text(s.out_of_line_b)));
   const std::size_t shown = std::min(kShown, s.out_of_line.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const OutOfLine& place = s.out_of_line[i];

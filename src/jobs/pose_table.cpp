@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/files.hpp"
+#include "base/input_name.hpp"
 #include "base/number_table.hpp"
 
 namespace plumbline::jobs {
@@ -10,8 +11,11 @@ namespace plumbline::jobs {
 std::vector<PoseRow> read_poses(const std::string& path) {
   static const std::vector<NumberColumn> columns{{"x_mm", "mm"},   {"y_mm", "mm"},   {"z_mm", "mm"},
                                                  {"a_deg", "deg"}, {"b_deg", "deg"}, {"c_deg", "deg"}};
-  const NumberTable table = read_number_table(path == kStandardStream ? "<stdin>" : path, read_text(path), columns,
-                                              "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg");
+  const NumberTable table =
+      read_number_table(input_name(path), read_text(path), columns, "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg");
+  if (table.rows.empty()) {
+    refuse("csv-no-rows", "the table has no rows", "write a pose a line below the names of the columns", table.header);
+  }
   std::vector<PoseRow> rows;
   for (const NumberTable::Row& row : table.rows) {
     PoseRow pose{{}, row.place};

@@ -15,7 +15,7 @@ struct PoseRow {
 };
 
 /// Reads the columns x_mm,y_mm,z_mm,a_deg,b_deg,c_deg, found by the names of the first line; others are left out.
-/// Refuses with csv-header, csv-columns or csv-number and the place.
+/// Refuses with csv-header, csv-columns, csv-number or csv-no-rows and the place.
 std::vector<PoseRow> read_poses(const std::string& path);
 
 }  // namespace plumbline::jobs

@@ -42,7 +42,7 @@ void add_counts(TextTable& table, const Summary& s) {
   for (const Summary::InlinedFile& file : s.inlined_files) {
     table.add("subprograms from", fmt::format("{} (hash {})", file.name, to_hex(file.hash)));
   }
-  if (s.passed_moves > 0) table.add("left as they stand", fmt::format("{} moves", count_text(s.passed_moves)));
+  if (s.passed_moves > 0) table.add("left as they stand", count_text(s.passed_moves, "move"));
   table.add("points", count_text(s.points));
 }
 
@@ -63,16 +63,16 @@ void add_time(TextTable& table, const Summary& s) {
 void add_quality(TextTable& table, const Summary& s) {
   if (s.replayed > 0) {
     table.add("left at the tip",
-              fmt::format("at most {:.3f} um{}, {} points played on the model", s.residual_mm.value * kUmPerMm,
-                          at_line(s.residual_mm.line), count_text(s.replayed)));
+              fmt::format("at most {:.3f} um{}, {} played on the model", s.residual_mm.value * kUmPerMm,
+                          at_line(s.residual_mm.line), count_text(s.replayed, "point")));
   }
   table.add("rounding",
             fmt::format("at most {:.3f} um{}", s.rounding_mm.value * kUmPerMm, at_line(s.rounding_mm.line)));
   table.add("condition number", fmt::format("at most {:.1f}{}", s.condition.value, at_line(s.condition.line)));
   if (s.widened_blocks > 0) {
-    table.add("wider steps",
-              fmt::format("{} blocks, up to {:.3f} mm{}: the control's block time asks for it",
-                          count_text(s.widened_blocks), s.widened_step_mm.value, at_line(s.widened_step_mm.line)));
+    table.add("wider steps", fmt::format("{}, up to {:.3f} mm{}: the control's block time asks for it",
+                                         count_text(s.widened_blocks, "block"), s.widened_step_mm.value,
+                                         at_line(s.widened_step_mm.line)));
     table.add("", fmt::format("between their points the tip is up to {:.3f} um off{}", s.widening_mm.value * kUmPerMm,
                               at_line(s.widening_mm.line)));
   }

@@ -30,5 +30,7 @@ std::string time_text(double seconds);
 
 /// "1,234,567"
 std::string count_text(std::uint64_t count);
+/// "1 pose", "2,000 poses": the noun's plural ends in s.
+std::string count_text(std::uint64_t count, std::string_view noun);
 
 }  // namespace plumbline::jobs

@@ -61,6 +61,20 @@ TEST_CASE("error tabulates the machine at rest") {
   CHECK(contains(wrong.err, "poses.csv:2:15: error: row 2, column c_deg"));
 }
 
+TEST_CASE("standard input is called so in what is said about it, and one pose is no poses") {
+  const Scratch scratch;
+  scratch.file("wrong.toml", "plumbline = \"model 1\"\nnonsense = 1\n");
+  scratch.file("poses.csv", "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n0,0,-1008,0,0,0\n");
+  const Outcome model = run(scratch, "error poses.csv -m - <wrong.toml");
+  CHECK(model.code == 1);
+  CHECK(contains(model.err, "<stdin>:"));
+  CHECK(contains(run(scratch, "error poses.csv -o e.csv " + kModel).err, "1 pose, the tip"));
+  scratch.file("header.csv", "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n");
+  const Outcome header = run(scratch, "error header.csv -o e.csv " + kModel);
+  CHECK(header.code == 1);
+  CHECK(contains(header.err, "csv-no-rows"));
+}
+
 TEST_CASE("check exits with 1 where a limit is broken") {
   const Scratch scratch;
   scratch.file("p.ngc", kPart);
@@ -90,7 +104,7 @@ TEST_CASE("simulate says what is not in its table") {
   scratch.file("p.ngc", "G0 X0\nG53 G0 Z0\n");
   const Outcome outcome = run(scratch, "simulate p.ngc" + kOffset + kModel);
   CHECK(outcome.code == 0);
-  CHECK(contains(outcome.err, "0 points in 0.00 s\n2 moves are not in the table"));
+  CHECK(contains(outcome.err, "0 points in 0.00 s\n2 moves left out of the table"));
 }
 
 TEST_CASE("diff tells programs apart and says so to scripts") {

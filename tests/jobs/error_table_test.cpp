@@ -79,7 +79,8 @@ TEST_CASE("a table of poses that is none is refused at its place") {
   }
   for (const Case& c : {Case{"0,0,-1008,0,0,0\n1,2,3\n", "csv-columns", 3, 1},
                         Case{"0,0,-1008,nan,0,0\n", "csv-number", 2, 11}, Case{"0,0,-1008,0,0,\n", "csv-number", 2, 15},
-                        Case{"0,0,-1008,0,0,1e9\n", "csv-number", 2, 15}, Case{"0,0,x,0,0,0\n", "csv-number", 2, 5}}) {
+                        Case{"0,0,-1008,0,0,1e9\n", "csv-number", 2, 15}, Case{"0,0,x,0,0,0\n", "csv-number", 2, 5},
+                        Case{"", "csv-no-rows", 1, 1}, Case{",,,,,\n", "csv-no-rows", 1, 1}}) {
     INFO(c.text);
     const Diagnostic d = testing::refusal_of([&] { table_of(scratch, header + c.text); });
     CHECK(d.code == c.code);

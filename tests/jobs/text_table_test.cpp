@@ -17,4 +17,7 @@ TEST_CASE("counts have their thousands apart") {
   CHECK(count_text(999) == "999");
   CHECK(count_text(1000) == "1,000");
   CHECK(count_text(12345678) == "12,345,678");
+  CHECK(count_text(0, "pose") == "0 poses");
+  CHECK(count_text(1, "pose") == "1 pose");
+  CHECK(count_text(2000, "pose") == "2,000 poses");
 }
