@@ -209,6 +209,9 @@ class TableReader {
     dialect.work_systems = static_cast<int>(number(root_, "work_systems", dialect.work_systems));
     if (const TomlEntry* entry = root_.find("syntax")) read_syntax(entry->value, dialect.syntax);
     if (const TomlEntry* entry = root_.find("habits")) read_habits(entry->value, dialect.habits);
+    if (root_.find("subprogram_files") != nullptr) {
+      for (const TomlValue& file : list("subprogram_files")) dialect.syntax.subprogram_files.push_back(file.text);
+    }
     if (root_.find("names") != nullptr) named_rows(dialect);
     if (root_.find("marks") != nullptr) {
       for (const TomlValue& mark : list("marks")) dialect.marks.push_back(mark.text);
@@ -273,9 +276,6 @@ class TableReader {
     syntax.equal_within = number(from, "equal_within", syntax.equal_within);
     syntax.local_variables = static_cast<int>(number(from, "local_variables", syntax.local_variables));
     syntax.last_variable = static_cast<int>(number(from, "last_variable", syntax.last_variable));
-    if (root_.find("subprogram_files") != nullptr) {
-      for (const TomlValue& file : list("subprogram_files")) syntax.subprogram_files.push_back(file.text);
-    }
     using Kind = NameMeaning::Kind;
     const auto each = [&](std::string_view key, Kind kind, const auto& which) {
       if (root_.find(key) == nullptr) return;

@@ -9,6 +9,7 @@
 #include "nc/codes.hpp"
 #include "nc/expression.hpp"
 #include "nc/parser.hpp"
+#include "nc/subprogram_file.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -23,7 +24,8 @@ constexpr std::size_t kCallLevels = 9;  // [LinuxCNC, measured]
 
 }  // namespace
 
-FlowControl::FlowControl(const InputFile& program, Interpreter& interpreter) : interpreter_(interpreter) {
+FlowControl::FlowControl(const InputFile& program, const Dialect& dialect, Interpreter& interpreter)
+    : dialect_(dialect), interpreter_(interpreter) {
   files_.push_back(std::make_unique<File>(File{nullptr, &program, LineSource(program)}));
 }
 
@@ -134,12 +136,10 @@ void FlowControl::note_call() {
 
 void FlowControl::go_to_subprogram(const Block& block, const std::string& name) {
   if (const auto at = targets_.find(name); at != targets_.end()) return go_to(at->second);
-  namespace fs = std::filesystem;
-  const fs::path path = fs::path(files_.front()->file->name()).parent_path() / (name + ".ngc");
+  const std::filesystem::path path = subprogram_file(files_.front()->file->name(), name, dialect_);
   skip_to(block, name, fmt::format("subprogram {}", name));
   seeks_subprogram_ = true;
-  std::error_code ignored;  // a name too long for a file is none
-  if (!fs::is_regular_file(path, ignored)) return;
+  if (path.empty()) return;
   auto opened = std::make_unique<InputFile>(path.string());
   const InputFile& file = *opened;
   files_.push_back(std::make_unique<File>(File{std::move(opened), &file, LineSource(file)}));

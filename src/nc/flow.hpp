@@ -12,6 +12,7 @@
 #include "base/diagnostic.hpp"
 #include "base/files.hpp"
 #include "nc/block.hpp"
+#include "nc/dialect.hpp"
 #include "nc/interpreter.hpp"
 #include "nc/line_source.hpp"
 #include "nc/sequencer.hpp"
@@ -20,8 +21,8 @@ namespace plumbline::nc {
 
 class FlowControl : public Sequencer {
  public:
-  /// Both must outlive it.
-  FlowControl(const InputFile& program, Interpreter& interpreter);
+  /// All must outlive it.
+  FlowControl(const InputFile& program, const Dialect& dialect, Interpreter& interpreter);
 
   /// The next line to be read, of whichever file; false where the program ends. Refuses when something that was looked
   /// for, or that must end, did not appear before the end of its file.
@@ -84,6 +85,7 @@ class FlowControl : public Sequencer {
   void note_pass(Target& loop);
   LinePlace place_of_line(const Block& block) const { return {block.offset, block.line}; }
 
+  const Dialect& dialect_;
   Interpreter& interpreter_;
   std::vector<std::unique_ptr<File>> files_;
   std::size_t file_ = 0;

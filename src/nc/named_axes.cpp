@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -8,9 +9,11 @@
 
 #include "base/characters.hpp"
 #include "base/diagnostic.hpp"
+#include "nc/line_head.hpp"
 #include "nc/line_source.hpp"
 #include "nc/parser.hpp"
 #include "nc/program.hpp"
+#include "nc/subprogram_file.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -18,81 +21,112 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kBeyondCodes = 1e4;
+constexpr double kBeyondPrograms = 1e9;
 
-bool ends_program(const Block& block, const Dialect& dialect) {
-  if (block.block_delete) return false;
-  return std::any_of(block.words.begin(), block.words.end(), [&](const Word& word) {
-    const bool is_code = word.letter == 'M' && word.expression == kLiteral && std::abs(word.value) < kBeyondCodes;
-    if (!is_code) return false;
-    const CodeRow* const row = dialect.m_code(static_cast<int>(word.value * 10));
-    return row != nullptr && row->action == Action::end;
-  });
+// What a word that is a code and no expression does; nothing of others.
+std::optional<Action> action_of(const Word& word, const Dialect& dialect) {
+  if (word.expression != kLiteral || std::abs(word.value) >= kBeyondCodes) return std::nullopt;
+  const CodeRow* const row = dialect.row_of(word);
+  return row == nullptr ? std::nullopt : std::optional(row->action);
 }
 
-void add_axes(const Block& block, AxisSet& axes) {
+bool has_action(const Block& block, const Dialect& dialect, Action action) {
+  return std::any_of(block.words.begin(), block.words.end(),
+                     [&](const Word& word) { return action_of(word, dialect) == action; });
+}
+
+bool ends_program(const Block& block, const Dialect& dialect) {
+  return !block.block_delete && has_action(block, dialect, Action::end);
+}
+
+// Behind G65 letters are arguments.
+void add_axes(const Block& block, const Dialect& dialect, AxisSet& axes) {
   for (const Word& word : block.words) {
-    for (const Axis axis : kAllAxes) {
-      if (word.letter == letter(axis)) axes.insert(axis);
-    }
+    if (action_of(word, dialect) == Action::call_macro) return;
+    if (const std::optional<Axis> axis = axis_of(word.letter)) axes.insert(*axis);
   }
 }
 
-bool calls(const Block& block) {
-  const Word* const code = find_word(block, 'M');
-  return block.flow.word == FlowWord::call || (code != nullptr && code->value == 98);
-}
-
-// The file of a subprogram that the line calls, beside the program; empty: none.
-fs::path called_file(const Block& block, const fs::path& folder) {
-  std::string name;
+// The name of the subprogram that the line calls; empty: none, or one that only executing it tells.
+std::string called_name(const Block& block, const Dialect& dialect) {
   if (block.flow.word == FlowWord::call && block.flow.label == kLiteral) {
+    if (dialect.syntax.statements != Statements::o_words) return canonical_program(block.at(block.flow.name));
+    std::string name;
     for (const char c : block.at(block.flow.name)) {
       if (c != ' ' && c != '\t') name += lower(c);
     }
-  } else if (block.flow.word == FlowWord::call && block.code.at(block.flow.label).operation == Operation::number) {
-    name = fmt::format("{}", std::lround(block.code[block.flow.label].number));
-  } else if (const Word* program = find_word(block, 'P'); program != nullptr && program->expression == kLiteral) {
-    if (calls(block)) name = fmt::format("{}", std::lround(program->value));
+    return name;
   }
-  if (name.empty()) return {};
-  const fs::path path = folder / (name + ".ngc");
-  std::error_code ignored;  // a name too long for a file is none
-  return fs::is_regular_file(path, ignored) ? path : fs::path();
+  if (block.flow.word == FlowWord::call) {
+    const Instruction& label = block.code.at(block.flow.label);
+    return label.operation == Operation::number ? fmt::format("{}", std::lround(label.number)) : "";
+  }
+  const bool by_code = has_action(block, dialect, Action::call_program);
+  const Word* const program = find_word(block, 'P');
+  if (program == nullptr || program->expression != kLiteral || std::abs(program->value) >= kBeyondPrograms) return {};
+  if (!by_code && !has_action(block, dialect, Action::call_macro)) return {};
+  long number = std::lround(program->value);
+  if (by_code && dialect.habits.call_repeat_digits > 0 && find_word(block, 'L') == nullptr) {
+    number %= std::lround(std::pow(10, dialect.habits.call_repeat_digits));
+  }
+  return fmt::format("{}", number);
 }
 
-void scan(const InputFile& file, const Dialect& dialect, std::set<fs::path>& seen, AxisSet& axes) {
-  LineSource lines(file);
-  Parser parser(dialect);
-  Block block;
-  Line line;
-  bool jumps = !seen.empty();  // then what stands behind the end may be executed as well
-  while (axes != AxisSet::all() && lines.next(line)) {
-    // Executing the program refuses such a line; parsing one of 200,000 brackets would take as deep a stack.
-    if (!line.whole || line.text.size() > dialect.line_length) continue;
-    block.file = file.name();
-    block.text = line.text;
-    block.line = line.place.line;
-    block.offset = line.place.offset;
-    try {
-      parser.parse(block);
-    } catch (const Refusal&) {
-      continue;  // executing the program will say so
-    }
-    add_axes(block, axes);
-    const fs::path called = called_file(block, fs::path(file.name()).parent_path());
-    if (!called.empty() && seen.insert(called).second) scan(InputFile(called.string()), dialect, seen, axes);
-    jumps = jumps || calls(block);
-    if (!jumps && ends_program(block, dialect)) break;
-  }
+// Behind the end of the program nothing is executed unless something jumps there.
+bool may_jump(const Block& block, const Dialect& dialect) {
+  return block.flow.word == FlowWord::call || block.flow.word == FlowWord::go_to ||
+         has_action(block, dialect, Action::call_program) || has_action(block, dialect, Action::call_macro);
 }
+
+class AxisSearch {
+ public:
+  AxisSearch(const InputFile& program, const Dialect& dialect) : program_(program), dialect_(dialect) {}
+
+  AxisSet run() {
+    scan(program_, false);
+    return axes_;
+  }
+
+ private:
+  void scan(const InputFile& file, bool whole) {
+    LineSource lines(file);
+    Parser parser(dialect_);
+    Block block;
+    Line line;
+    while (axes_ != AxisSet::all() && lines.next(line)) {
+      // Executing the program refuses such a line; parsing one of 200,000 brackets would take as deep a stack.
+      if (!line.whole || line.text.size() > dialect_.line_length) continue;
+      block.file = file.name();
+      block.text = line.text;
+      block.line = line.place.line;
+      block.offset = line.place.offset;
+      try {
+        parser.parse(block);
+      } catch (const Refusal&) {
+        continue;  // executing the program will say so
+      }
+      add_axes(block, dialect_, axes_);
+      follow(block);
+      whole = whole || may_jump(block, dialect_);
+      if (!whole && ends_program(block, dialect_)) break;
+    }
+  }
+
+  void follow(const Block& block) {
+    const std::string name = called_name(block, dialect_);
+    if (name.empty()) return;
+    const fs::path path = subprogram_file(program_.name(), name, dialect_);
+    if (!path.empty() && seen_.insert(path).second) scan(InputFile(path.string()), true);
+  }
+
+  const InputFile& program_;
+  const Dialect& dialect_;
+  std::set<fs::path> seen_;
+  AxisSet axes_;
+};
 
 }  // namespace
 
-AxisSet named_axes(const InputFile& file, const Dialect& dialect) {
-  AxisSet axes;
-  std::set<fs::path> seen;
-  scan(file, dialect, seen, axes);
-  return axes;
-}
+AxisSet named_axes(const InputFile& file, const Dialect& dialect) { return AxisSearch(file, dialect).run(); }
 
 }  // namespace plumbline::nc

@@ -47,7 +47,8 @@ bool begins_with_flow(std::string_view text) {
 }
 
 std::unique_ptr<Sequencer> sequencer_of(const Dialect& dialect, const InputFile& file, Interpreter& interpreter) {
-  if (dialect.syntax.statements == Statements::o_words) return std::make_unique<FlowControl>(file, interpreter);
+  if (dialect.syntax.statements == Statements::o_words)
+    return std::make_unique<FlowControl>(file, dialect, interpreter);
   return std::make_unique<StatementFlow>(file, dialect, interpreter);
 }
 

@@ -65,7 +65,7 @@ class Program {
 };
 
 /// The axes that some word of the program names, or of a subprogram beside it that it calls by a plain name; found
-/// without executing it.
+/// without executing it. Files of subprograms are those of the dialect.
 AxisSet named_axes(const InputFile& file, const Dialect& dialect);
 
 }  // namespace plumbline::nc

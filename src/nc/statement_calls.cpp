@@ -1,16 +1,15 @@
 // Subprograms of controls with statements: where they are, and the way there and back.
-#include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "base/characters.hpp"
 #include "nc/codes.hpp"
 #include "nc/parser.hpp"
 #include "nc/statement_flow.hpp"
+#include "nc/subprogram_file.hpp"
 
 namespace plumbline::nc {
-namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kCallLevels = 10;
@@ -18,16 +17,6 @@ constexpr std::size_t kCallLevels = 10;
 Span span_of_statement(const Block& block) {
   if (block.flow.word == FlowWord::none && !block.words.empty()) return block.words.front().span;
   return block.flow.span;
-}
-
-// A pattern of a file's name with the program's name in place of {}, or of {4}, which has at least four digits.
-std::string filled(std::string_view pattern, const std::string& name) {
-  std::string padded = name;
-  while (padded.size() < 4) padded.insert(padded.begin(), '0');
-  std::string out(pattern);
-  if (const std::size_t at = out.find("{4}"); at != std::string::npos) out.replace(at, 3, padded);
-  if (const std::size_t at = out.find("{}"); at != std::string::npos) out.replace(at, 2, name);
-  return upper(out);
 }
 
 }  // namespace
@@ -54,22 +43,11 @@ std::optional<std::pair<std::size_t, LinePlace>> StatementFlow::find_program(con
 }
 
 void StatementFlow::open_beside(const std::string& name) {
-  const fs::path main(files_.front()->file->name());
-  const fs::path folder = main.has_parent_path() ? main.parent_path() : fs::path(".");
-  std::error_code error;
-  std::vector<fs::path> there;
-  for (const auto& entry : fs::directory_iterator(folder, error)) there.push_back(entry.path());
-  std::sort(there.begin(), there.end());
-  for (const std::string& pattern : dialect_.syntax.subprogram_files) {
-    const std::string wanted = filled(pattern, name);
-    for (const fs::path& path : there) {
-      if (upper(path.filename().string()) != wanted || !fs::is_regular_file(path)) continue;
-      auto opened = std::make_unique<InputFile>(path.string());
-      const InputFile& file = *opened;
-      files_.push_back(std::make_unique<File>(File{std::move(opened), &file, LineSource(file), false, {}, false, {}}));
-      return;
-    }
-  }
+  const std::filesystem::path path = subprogram_file(files_.front()->file->name(), name, dialect_);
+  if (path.empty()) return;
+  auto opened = std::make_unique<InputFile>(path.string());
+  const InputFile& file = *opened;
+  files_.push_back(std::make_unique<File>(File{std::move(opened), &file, LineSource(file), false, {}, false, {}}));
 }
 
 // CALL OSUB, SUB(1,2): what the arguments are worth is found before the subprogram has variables of its own.
@@ -110,7 +88,7 @@ void StatementFlow::enter(const Block& block, Call call, bool own_variables) {
     refuse_at(block, span_of_statement(block), codes::kFlowOpen,
               fmt::format("subprogram {} is neither in this file nor beside it", call.name),
               fmt::format("put it into a file of its name beside the program, as {}",
-                          filled(dialect_.syntax.subprogram_files.front(), call.name)));
+                          subprogram_file_name(call.name, dialect_)));
   }
   call.file = file_;
   call.place = back;

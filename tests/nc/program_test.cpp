@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "nc/programs.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 using namespace plumbline::nc;
@@ -92,6 +93,35 @@ TEST_CASE("named axes are found without executing the program") {
   CHECK(axes_named_in("G0 X1\nM2\nC1\n") == AxisSet{Axis::X});
   CHECK(axes_named_in("G0 X1\nnonsense!\nA[1+#3]\n") == AxisSet{Axis::X, Axis::A});
   CHECK(axes_named_in("").empty());
+}
+
+TEST_CASE("named axes are found in the files of subprograms, whatever the control calls those") {
+  struct Case {
+    const char* control;
+    const char* program;
+    const char* file;
+    const char* subprogram;
+    AxisSet expected;
+  };
+  const AxisSet x_and_a{Axis::X, Axis::A};
+  for (const Case& c : {
+           Case{"linuxcnc", "G0 X1\no<Side> call\nM2\n", "side.ngc", "o<side> sub\nA1\no<side> endsub\n", x_and_a},
+           Case{"linuxcnc", "G0 X1\no<side> call\nM2\n", "Side.ngc", "A1\n", {Axis::X}},
+           Case{"linuxcnc", "G0 X1\nM98 P7\nM2\n", "7.ngc", "O7\nA1\nM99\n", x_and_a},
+           Case{"fanuc", "O1\nG0 X1.\nM98 P7\nM30\n", "O0007.NC", "O7\nA1.\nM99\n", x_and_a},
+           Case{"fanuc", "O1\nG0 X1.\nM98 P50007\nM30\n", "o0007", "O7\nA1.\nM99\n", x_and_a},
+           Case{"fanuc", "O1\nG0 X1.\nG65 P7 B2. C3.\nM30\n", "7.nc", "A1.\nM99\n", x_and_a},
+           Case{"fanuc", "O1\nG0 X1.\nGOTO 9\nM30\nN9 A1.\nM30\n", "none", "", x_and_a},
+           Case{"okuma", "G0 X1\nCALL OSIDE\nM2\n", "OSIDE.SSB", "OSIDE\nA1\nRTS\n", x_and_a},
+           Case{"siemens", "G0 X1\nSIDE\nM30\n", "side.spf", "A1\nM17\n", x_and_a},
+           Case{"siemens", "G0 X1\nSIDE\nM30\n", "_N_SIDE_SPF", "A=IC(1)\nM17\n", x_and_a},
+       }) {
+    INFO(c.control << ": " << c.program << c.file);
+    const testing::Scratch scratch;
+    scratch.file(c.file, c.subprogram);
+    const InputFile file(scratch.file("main.nc", c.program));
+    CHECK(named_axes(file, dialect(c.control)) == c.expected);
+  }
 }
 
 TEST_CASE("steps tell what they are") {
