@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 16U;
 constexpr std::string_view kSkipped = "block delete is on: this block was left out";
+constexpr std::string_view kAllStand = "every axis of this block stands there already";
 
 // Only the words that tell where the control stands: their values grow by what the control is off.
 bool shifts_words(const Step& step, const AxisWords& shift) {
@@ -27,6 +28,9 @@ std::string_view without_mark(const Block& block, std::string_view text) {
   const std::string_view mark = block.text.substr(0, byte_order_mark_size(block));
   return text.substr(text.starts_with(mark) ? mark.size() : 0);
 }
+
+// What is left of a block that held nothing but words of endless axes that stand.
+bool is_blank_line(std::string_view line) { return line.find_first_not_of(" \t") == std::string_view::npos; }
 
 // What the control is off, in the words of a block that sets an offset: G10 L20 may name a system that is turned
 // otherwise than the active one.
@@ -294,6 +298,7 @@ EmittedMove Emitter::move(const Step& step, std::span<const CorrectedPoint> poin
     line_.clear();
     if (i == 0) {
       writer_.append_first(line_, step, pieces[i], spelling_, control_.motion, is_last);
+      if (is_blank_line(line_)) line_ = dialect_.comment_open + std::string(kAllStand) + dialect_.comment_close;
     } else {
       writer_.append_further(line_, step, pieces[i], spelling_, is_last);
     }

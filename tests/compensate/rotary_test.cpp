@@ -96,3 +96,16 @@ TEST_CASE("a move that no word says is refused") {
   // G53 is not corrected, and counts from where the correction has left the axis.
   CHECK(code_of("G0 X30 Y40 Z0 A3 B2 C5\nG53 G0 C5\nM2\n", job) == "emit-rotary-word");
 }
+
+TEST_CASE("a block whose axes all stand already says so instead of being empty") {
+  Job job = job_for("linuxcnc", nc::RotaryRule::sign);
+  const std::string text =
+      "G21 G90 G94\nG0 X0 Y0 Z20 A0 B0 C0\nG1 X30 Y10 Z0 C10 F900\nC10\nN7 C10\nC10 (there)\nC20\nM2\n";
+  const Result result = run(text, job);
+  INFO(result.text);
+  CHECK(result.text.find("\n\n") == std::string::npos);
+  CHECK(matches(result.text, "^\\(every axis of this block stands there already\\)$"));
+  CHECK(matches(result.text, "^N7$"));
+  CHECK(matches(result.text, "^ ?\\(there\\)$"));
+  CHECK(largest_turn(result.text, job) < 11);
+}
