@@ -27,6 +27,63 @@ std::string subprogram_name(std::string_view name) {
   return number ? fmt::format("o{}", name) : fmt::format("o<{}>", as_comment(name));
 }
 
+// Codes and words of one block, spelt like the program.
+class CodeText {
+ public:
+  CodeText(const CodeWriter& codes, const Spelling& spelling) : codes_(codes), spelling_(spelling) {}
+
+  void code(std::string_view text) { append_code(text_, text, spelling_); }
+  void code(std::string_view meaning, std::optional<int> value) { code(codes_.text_of(meaning, value)); }
+  void word(char letter, double value) { append_word(text_, letter, value, kMostDecimals, spelling_); }
+  const CodeWriter& codes() const { return codes_; }
+  std::string take() { return std::exchange(text_, {}); }
+
+ private:
+  const CodeWriter& codes_;
+  const Spelling& spelling_;
+  std::string text_;
+};
+
+// Units, plane, and how words count.
+void append_geometry_modes(CodeText& text, const Modal& was, const Modal& is) {
+  constexpr std::array kPlanes{"plane_xy", "plane_zx", "plane_yz"};
+  const auto differs = [&](bool differ, std::string_view meaning, std::optional<int> value = std::nullopt) {
+    if (differ) text.code(meaning, value);
+  };
+  differs(is.inches != was.inches, is.inches ? "inches" : "millimetres");
+  differs(is.plane != was.plane, kPlanes[static_cast<std::size_t>(is.plane)]);
+  differs(is.incremental != was.incremental, is.incremental ? "incremental" : "absolute");
+  differs(is.arc_centre_absolute != was.arc_centre_absolute,
+          is.arc_centre_absolute ? "arc_centre_absolute" : "arc_centre_incremental");
+  differs(is.retract_to_r != was.retract_to_r, is.retract_to_r ? "retract_to_r" : "retract_to_start");
+  differs(is.work_system != was.work_system, "work_system", is.work_system);
+}
+
+void append_path_control(CodeText& text, const Modal& was, const Modal& is) {
+  const bool continuous = is.path_control == PathControl::continuous;
+  const bool tolerances = is.switches.path_tolerance != was.switches.path_tolerance ||
+                          is.switches.naive_tolerance != was.switches.naive_tolerance;
+  if (is.path_control == was.path_control && !(tolerances && continuous)) return;
+  text.code(text.codes().path_control(is.path_control));
+  if (!continuous) return;
+  text.word('P', is.switches.path_tolerance);
+  text.word('Q', is.switches.naive_tolerance);
+}
+
+void append_tool_length(CodeText& text, const Step& step) {
+  const Modal& is = *step.after;
+  const AxisWords& length = step.frame->tool;
+  if (length == AxisWords{}) return text.code("tool_length_off", std::nullopt);
+  if (is.tool_of_offset >= 0) {
+    text.code("tool_length", std::nullopt);
+    return text.word('H', is.tool_of_offset);
+  }
+  text.code("tool_length_by_words", std::nullopt);
+  for (const Axis axis : kAllAxes) {
+    text.word(letter(axis), length[axis] / (is.inches && !is_rotary(axis) ? kMmPerInch : 1));
+  }
+}
+
 }  // namespace
 
 void Emitter::steer(const Step& step) {
@@ -84,56 +141,26 @@ void Emitter::restore_modes(const Step& step) {
   const Modal& was = *step.before;
   const Modal& is = *step.after;
   const bool tool = step.frame->tool != tool_;
-  std::string modes;
-  const auto code = [&](bool differs, std::string_view meaning, std::optional<int> value = std::nullopt) {
-    if (differs) append_code(modes, codes_.text_of(meaning, value), spelling_);
-  };
-  const auto word = [&](char letter, double value) { append_word(modes, letter, value, kMostDecimals, spelling_); };
-  constexpr std::array kPlanes{"plane_xy", "plane_zx", "plane_yz"};
-  code(is.inches != was.inches, is.inches ? "inches" : "millimetres");
-  code(is.plane != was.plane, kPlanes[static_cast<std::size_t>(is.plane)]);
-  code(is.incremental != was.incremental, is.incremental ? "incremental" : "absolute");
-  code(is.arc_centre_absolute != was.arc_centre_absolute,
-       is.arc_centre_absolute ? "arc_centre_absolute" : "arc_centre_incremental");
-  code(is.retract_to_r != was.retract_to_r, is.retract_to_r ? "retract_to_r" : "retract_to_start");
-  code(is.work_system != was.work_system, "work_system", is.work_system);
-  const bool tolerances = is.switches.path_tolerance != was.switches.path_tolerance ||
-                          is.switches.naive_tolerance != was.switches.naive_tolerance;
-  if (is.path_control != was.path_control || (tolerances && is.path_control == PathControl::continuous)) {
-    append_code(modes, codes_.path_control(is.path_control), spelling_);
-    if (is.path_control == PathControl::continuous) {
-      word('P', is.switches.path_tolerance);
-      word('Q', is.switches.naive_tolerance);
-    }
-  }
+  CodeText modes(codes_, spelling_);
+  append_geometry_modes(modes, was, is);
+  append_path_control(modes, was, is);
   if (is.feed_mode != control_.feed_mode) {
-    append_code(modes, codes_.feed_mode(is.feed_mode), spelling_);
+    modes.code(codes_.feed_mode(is.feed_mode));
     control_.feed_mode = is.feed_mode;
     control_.feed = 0;
   }
-  write_words(std::exchange(modes, {}));
+  write_words(modes.take());
   if (is.feed > 0 && is.feed_mode != FeedMode::inverse_time && is.feed != control_.feed) {
-    word('F', is.feed);
+    modes.word('F', is.feed);
     control_.feed = is.feed;
   }
-  if (is.switches.speed != was.switches.speed) word('S', is.switches.speed);
-  code(is.switches.spindle != was.switches.spindle, "spindle", is.switches.spindle);
-  write_words(std::exchange(modes, {}));
+  if (is.switches.speed != was.switches.speed) modes.word('S', is.switches.speed);
+  if (is.switches.spindle != was.switches.spindle) modes.code(codes_.text_of("spindle", is.switches.spindle));
+  write_words(modes.take());
   restore_switches(was.switches, is.switches);
   if (!tool) return;
-  const AxisWords& length = step.frame->tool;
-  if (length == AxisWords{}) {
-    code(true, "tool_length_off");
-  } else if (is.tool_of_offset >= 0) {
-    code(true, "tool_length");
-    word('H', is.tool_of_offset);
-  } else {
-    code(true, "tool_length_by_words");
-    for (const Axis axis : kAllAxes) {
-      word(letter(axis), length[axis] / (is.inches && !is_rotary(axis) ? kMmPerInch : 1));
-    }
-  }
-  write_words(std::exchange(modes, {}));
+  append_tool_length(modes, step);
+  write_words(modes.take());
 }
 
 void Emitter::restore_switches(const Switches& was, const Switches& is) {
