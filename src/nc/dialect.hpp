@@ -73,6 +73,7 @@ enum class Action : std::uint8_t {
   save_modes_of_call,
   refused,               // known, and not interpreted for the reason that its row states
   lose_position,         // the axes go where only the machine knows
+  home_or_unit,          // with a P word that; alone a statement of the unit: value 0 mm, 1 inches
   arc_through_point,     // CIP
   call_macro,            // G65
   set_work_table,        // G10 L2 and L20 of a control whose L20 names further work systems

@@ -72,6 +72,7 @@ constexpr std::array kActions{
     ActionName{"save_modes_of_call", Action::save_modes_of_call},
     ActionName{"refused", Action::refused},
     ActionName{"lose_position", Action::lose_position},
+    ActionName{"home_or_unit", Action::home_or_unit},
     ActionName{"arc_through_point", Action::arc_through_point},
     ActionName{"call_macro", Action::call_macro},
     ActionName{"set_work_table", Action::set_work_table},

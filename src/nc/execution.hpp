@@ -78,6 +78,7 @@ void set_position(Execution& run);                           // G92
 void clear_position(Execution& run, Action action);          // G92.1 G92.2 G92.3
 void go_home(Execution& run, int which);                     // homes.cpp: G28 G30
 void store_home(Execution& run, int which);                  // G28.1 G30.1
+void home_or_unit(Execution& run, const Chosen& chosen);     // G20 of the OSP
 void set_tool_length(Execution& run, const Chosen& chosen);  // tools.cpp: G43 G43.1 G43.2 G49
 /// Refuses at `word` when the length unit has changed under the tool length in force.
 void check_tool_unit(const Execution& run, const Word& word);

@@ -1,4 +1,7 @@
-// G28 and G30: through a point to a stored position; G28.1 and G30.1 store it.
+// G28 and G30: through a point to a stored position; G28.1 and G30.1 store it. G20 HP=4 of the OSP.
+#include <fmt/format.h>
+
+#include "nc/codes.hpp"
 #include "nc/execution.hpp"
 
 namespace plumbline::nc {
@@ -49,6 +52,18 @@ void store_home(Execution& run, int which) {
   home.machine = control.frame.to_machine(control.position);
   home.known = known_in_work(control.frame, control.known);
   run.step.role = BlockRole::stores_position;
+}
+
+void home_or_unit(Execution& run, const Chosen& chosen) {
+  if (run.words.has('P')) {
+    run.step.role = BlockRole::machine_move;
+    return lose_position(run, AxisSet::all());
+  }
+  if (chosen.row->value == 0) return;
+  run.refuse(
+      *chosen.word, codes::kNotInterpreted,
+      fmt::format("{} without a home position says that the program is in inches", run.block->at(chosen.word->span)),
+      "write the program in mm, which this control takes everywhere, or name the home position: HP=");
 }
 
 }  // namespace plumbline::nc

@@ -236,6 +236,21 @@ void Interpreter::act(const Chosen& chosen) {
       return select_tool(run_, *chosen.word);
     case Action::dwell:
       return dwell(run_, *chosen.word);
+    case Action::call_macro:
+      return call_macro(run_);
+    case Action::save_modes:
+    case Action::forget_modes:
+    case Action::restore_modes:
+    case Action::save_modes_of_call:
+      return act_on_saved_modes(chosen);
+    default:
+      return act_on_position(chosen);
+  }
+}
+
+// Offsets, homes, tools, and turns of the coordinates.
+void Interpreter::act_on_position(const Chosen& chosen) {
+  switch (chosen.row->action) {
     case Action::set_table:
       return set_table(run_);
     case Action::set_position:
@@ -271,16 +286,11 @@ void Interpreter::act(const Chosen& chosen) {
       return set_feed_group(run_, chosen);
     case Action::tool_edge:
       return choose_edge(run_, *chosen.word);
+    case Action::home_or_unit:
+      return home_or_unit(run_, chosen);
     case Action::lose_position:
       run_.step.role = BlockRole::machine_move;
       return nc::lose_position(run_, AxisSet::all());
-    case Action::call_macro:
-      return call_macro(run_);
-    case Action::save_modes:
-    case Action::forget_modes:
-    case Action::restore_modes:
-    case Action::save_modes_of_call:
-      return act_on_saved_modes(chosen);
     default:
       return chosen.word->letter == 'M' ? machine_code(run_, chosen) : act_on_mode(chosen);
   }

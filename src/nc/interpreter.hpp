@@ -56,6 +56,7 @@ class Interpreter {
   void apply_settings(const Block& block);
   void set_parameter(const Block& block, const Setting& place, int number, Value value);
   void act(const Chosen& chosen);
+  void act_on_position(const Chosen& chosen);
   void act_on_mode(const Chosen& chosen);
   void change_unit(bool inches);
   void set_motion_mode(const CodeRow& row);

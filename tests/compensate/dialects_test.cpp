@@ -73,6 +73,17 @@ TEST_CASE("a flat program for Okuma comes out for Okuma") {
   CHECK(holds(result.text, "G9$"));
 }
 
+TEST_CASE("what Okuma's control does when the axes have arrived stands behind the last piece") {
+  Job job = job_for("okuma");
+  job.program.feed_rule = nc::FeedRule::xyz_first;
+  const std::string text = "G15 H1\nG0 X0 Y0 Z20 A0 B0 C0\nG1 X40 Y10 Z0 F500 M3 M8\nG1 X0 Y0 M5 M9\nM2\n";
+  const std::string out = run(text, job).text;
+  INFO(out);
+  CHECK(holds(out, "^G1 X[0-9.]+ Y[0-9.]+ Z[0-9.]+ .*M3 M8$"));
+  CHECK(holds(out, "^X[-0-9.]+ .*M5 M9$"));
+  CHECK_FALSE(holds(out, "^G1 .*M5"));
+}
+
 TEST_CASE("a flat program for Siemens comes out for Siemens") {
   const Job job = job_for("siemens");
   const Result result = run(kSiemens, job);
