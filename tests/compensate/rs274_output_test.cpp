@@ -26,7 +26,7 @@ bool has_rs274() { return std::system("command -v rs274 >/dev/null 2>&1") == 0; 
 bool run_rs274(const Folder& folder, const std::string& program, const std::string& canon) {
   std::ofstream(folder / "variables.var").close();
   const std::string command = fmt::format(
-      "cd '{0}' && HOME='{0}' timeout 60 rs274 -g -n 2 -t '{1}/tools.tbl' -v variables.var {2} {3} "
+      "cd '{0}' && ulimit -t 60 && HOME='{0}' timeout 600 rs274 -g -n 2 -t '{1}/tools.tbl' -v variables.var {2} {3} "
       ">/dev/null 2>&1",
       fs::path(folder / ".").parent_path().string(), kPrograms.string(), program, canon);
   return std::system(command.c_str()) == 0;

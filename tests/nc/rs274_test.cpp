@@ -59,8 +59,10 @@ bool run_rs274(const fs::path& program, const fs::path& scratch, std::string& ca
   fs::remove(scratch / "variables.var");
   std::ofstream(scratch / "variables.var").close();
   canon = (scratch / "out.canon").string();
+  // What never ends is stopped by the seconds that it computes, which other work on the machine does not lengthen.
   const std::string command = fmt::format(
-      "cd '{}' && HOME='{}' timeout 20 rs274 -g -n 2 -t '{}/tools.tbl' -v '{}/variables.var' '{}' '{}' >/dev/null 2>&1",
+      "cd '{}' && ulimit -t 20 && HOME='{}' timeout 600 rs274 -g -n 2 -t '{}/tools.tbl' -v '{}/variables.var' '{}' "
+      "'{}' </dev/null >/dev/null 2>&1",
       program.parent_path().string(), scratch.string(), scratch.string(), scratch.string(), program.string(), canon);
   return std::system(command.c_str()) == 0;
 }
