@@ -43,7 +43,11 @@ Pass::Pass(const InputFile& source, const nc::Dialect& dialect, const nc::Progra
       form_(form),
       plain_(dialect),
       emitter_(source, dialect, std::move(emit), out, form),
-      corrector_(model, settings) {}
+      corrector_(model, settings),
+      spindle_(program.tools, model.reference_tool_mass),
+      pose_(source, dialect) {
+  pose_.on_assumed = [this](AxisSet axes) { corrector_.fix_axes(axes); };
+}
 
 bool Pass::run(const Progress& progress) {
   set_touch_off();
@@ -127,30 +131,18 @@ void Pass::set_touch_off() {
   touch_off_error_ = *error;
 }
 
-// Length (G43) and load (M6) of the tool.
 void Pass::take_tool(const nc::Step& step) {
+  const std::optional<ToolInSpindle> tool = spindle_.change(step);
+  if (!tool) return;
   const AxisWords& offset = step.frame->tool;
-  const int tool = step.after->tool_in_spindle;
-  if (offset == tool_offset_ && tool == tool_in_spindle_) return;
   for (const Axis axis : kAllAxes) {
     if (axis == Axis::Z || offset[axis] == 0) continue;
     refuse("compensate-tool-offset", fmt::format("the tool offset has a part in {}", letter(axis)),
            "a tool of a hexapod lies along the spindle: give its length alone",
            place_of(*step.block, step.block->file));
   }
-  tool_offset_ = offset;
-  tool_in_spindle_ = tool;
-  const nc::Tool* row = tool >= 0 ? program_settings_.tools.find(tool) : nullptr;
-  ToolInSpindle in_spindle;
-  in_spindle.length = offset[Axis::Z] * kMm;
-  if (row != nullptr && row->mass_kg) {
-    in_spindle.mass = *row->mass_kg;
-    in_spindle.along = row->centre_of_mass_mm.value_or(0) * kMm;
-  } else {
-    in_spindle.mass = model_.reference_tool_mass;
-    if (tool >= 0) warn_of_massless_tool(step, tool);
-  }
-  corrector_.set_tool(in_spindle);
+  if (!spindle_.has_mass()) warn_of_massless_tool(step, step.after->tool_in_spindle);
+  corrector_.set_tool(*tool);
 }
 
 void Pass::warn_of_massless_tool(const nc::Step& step, int tool) {
@@ -166,40 +158,30 @@ bool Pass::is_corrected(const nc::Step& step) {
   return has_position(step, cuts ? motion.known_after & motion.known_before : motion.known_after, cuts);
 }
 
+// Rotary axes that are taken to stand at zero are never written.
 bool Pass::has_position(const nc::Step& step, AxisSet known, bool needed) {
+  const auto place = [&] { return place_of(*step.block, step.block->file); };
+  if (const AxisSet moved = pose_.assumed() & step.named; !moved.empty()) {
+    refuse("compensate-position-unknown",
+           fmt::format("{} was taken to stand at zero, since the program's own file never names it, and moves here",
+                       axis_list(moved)),
+           "say where the machine stands with --start", place());
+  }
   const AxisSet unknown = AxisSet::all() - known;
-  const AxisSet missing = unknown - assumed_axes(step, unknown);
+  const AxisSet missing = unknown - pose_.assumed(step, unknown);
   if (missing.empty()) return true;
   if (!needed) return false;
+  if (const AxisSet turned = missing & pose_.assumed(); !turned.empty()) {
+    refuse("compensate-position-unknown",
+           fmt::format("the program never says where {} stands, and the work offset turns it", axis_list(turned)),
+           "say where the machine stands with --start", place());
+  }
   refuse("compensate-position-unknown",
          fmt::format("this move cuts, and where {} stands is not known here", axis_list(missing)),
          fmt::format("move {} with G0 to a stated position first, or say where the machine stands: --start at the "
                      "begin, --keeps-position M6 after a tool change",
                      axis_list(missing)),
-         place_of(*step.block, step.block->file));
-}
-
-// Rotary axes that no word of the program names are taken to stand at zero, and are never written.
-AxisSet Pass::assumed_axes(const nc::Step& step, AxisSet unknown) {
-  if (assumed_ && !(*assumed_ & step.named).empty()) {
-    refuse("compensate-position-unknown",
-           fmt::format("{} was taken to stand at zero, since the program's own file never names it, and moves here",
-                       axis_list(*assumed_ & step.named)),
-           "say where the machine stands with --start", place_of(*step.block, step.block->file));
-  }
-  if ((unknown & AxisSet::rotary()).empty()) return {};
-  if (!assumed_) {
-    assumed_ = AxisSet::rotary() - nc::named_axes(source_, dialect_);
-    corrector_.fix_axes(*assumed_);
-  }
-  for (const Axis axis : kAllAxes) {
-    if (!unknown.contains(axis) || !assumed_->contains(axis)) continue;
-    if (step.frame->to_pose({})[axis] == 0) continue;
-    refuse("compensate-position-unknown",
-           fmt::format("the program never says where {} stands, and the work offset turns it", letter(axis)),
-           "say where the machine stands with --start", place_of(*step.block, step.block->file));
-  }
-  return unknown & *assumed_;
+         place());
 }
 
 void Pass::pass(const nc::Step& step) {
@@ -216,13 +198,9 @@ void Pass::pass(const nc::Step& step) {
 
 Target Pass::target_of(const nc::Step& step, const AxisWords& words, const AxisWords& slope,
                        std::optional<double> seconds) const {
-  AxisWords work = words;
-  for (const Axis axis : kAllAxes) {
-    if (assumed_ && assumed_->contains(axis)) work[axis] = 0;
-  }
-  nc::Frame turned;
-  turned.rotation_deg = step.frame->rotation_deg;
-  return {step.frame->to_pose(work) + touch_off_error_, turned.to_pose(slope), seconds};
+  Target target = pose_.target(step, words, slope, seconds);
+  target.pose = target.pose + touch_off_error_;
+  return target;
 }
 
 nc::CorrectedPoint Pass::corrected_point(const nc::Step& step, const Target& target, const AxisWords& words) {
@@ -239,7 +217,7 @@ nc::CorrectedPoint Pass::corrected_point(const nc::Step& step, const Target& tar
   AxisWords nominal = words;
   AxisWords shift = step.frame->from_pose(corrected.pose) - nominal;
   for (const Axis axis : kAllAxes) {
-    if (!assumed_ || !assumed_->contains(axis)) continue;
+    if (!pose_.assumed().contains(axis)) continue;
     nominal[axis] = 0;
     shift[axis] = 0;
   }
@@ -316,6 +294,6 @@ nc::EmittedMove Pass::write_move(const nc::Step& step, std::optional<double> dur
 }
 
 // Axes that may get words.
-AxisSet Pass::writable() const { return AxisSet::all() - assumed_.value_or(AxisSet{}); }
+AxisSet Pass::writable() const { return AxisSet::all() - pose_.assumed(); }
 
 }  // namespace plumbline::compensate

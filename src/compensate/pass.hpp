@@ -9,6 +9,7 @@
 #include "base/files.hpp"
 #include "base/progress.hpp"
 #include "compensate/corrector.hpp"
+#include "compensate/program_pose.hpp"
 #include "compensate/settings.hpp"
 #include "compensate/summary.hpp"
 #include "machine/model.hpp"
@@ -55,7 +56,6 @@ class Pass {
   void warn_of_massless_tool(const nc::Step& step, int tool);
   bool is_corrected(const nc::Step& step);
   bool has_position(const nc::Step& step, AxisSet known, bool needed);
-  AxisSet assumed_axes(const nc::Step& step, AxisSet unknown);
   AxisSet writable() const;
   void pass(const nc::Step& step);
   void correct_rapid(const nc::Step& step);
@@ -83,12 +83,11 @@ class Pass {
   nc::PlainSteps plain_;
   nc::Emitter emitter_;
   Corrector corrector_;
+  SpindleTool spindle_;
+  ProgramPose pose_;
   Summary summary_;
   AxisWords touch_off_error_;
-  std::optional<AxisSet> assumed_;  // rotary axes that no word names; looked for when first asked
   std::vector<nc::CorrectedPoint> points_;
-  AxisWords tool_offset_;
-  int tool_in_spindle_ = -1;
   bool ended_ = false;                   // the last thing that was executed ends a program
   std::size_t last_line_ = 0;            // that holds a word
   std::map<int, Place> massless_tools_;  // and where each came into the spindle

@@ -118,7 +118,7 @@ Summary Pass::summary() {
   summary_.bytes_before = source_.size();
   if (summary_.points > 0)
     summary_.rms_correction_mm = std::sqrt(sum_of_squares_ / static_cast<double>(summary_.points));
-  summary_.assumed_at_zero = assumed_.value_or(AxisSet{});
+  summary_.assumed_at_zero = pose_.assumed();
   warn_of_no_end();
   for (const auto& [tool, place] : massless_tools_) {
     const std::optional<double> per_kg = sample_ ? corrector_.error_per_kg_mm(*sample_) : std::nullopt;

@@ -3,11 +3,10 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 
 #include "base/files.hpp"
 #include "base/progress.hpp"
-#include "compensate/corrector.hpp"
+#include "compensate/program_pose.hpp"
 #include "machine/model.hpp"
 #include "nc/program.hpp"
 #include "path/subdivide.hpp"
@@ -41,23 +40,16 @@ class PathWalk {
   std::uint64_t passed_moves() const { return passed_moves_; }
 
  private:
-  void take_tool(const nc::Step& step);
   bool is_known(const nc::Step& step, const nc::Motion& motion);
-  AxisSet assumed_of(const nc::Step& step, AxisSet unknown);
-  compensate::Target target_of(const nc::Step& step, const AxisWords& words, const AxisWords& slope,
-                               std::optional<double> seconds) const;
   void walk_rapid(const nc::Step& step, const nc::Motion& motion);
   void walk_feed(const nc::Step& step, const nc::Motion& motion);
 
   const InputFile& source_;
   const nc::Dialect& dialect_;
-  const nc::ProgramSettings& settings_;
-  const machine::MachineModel& model_;
   path::StepSettings steps_;
   nc::Program program_;
-  std::optional<AxisSet> assumed_;
-  std::optional<AxisWords> tool_offset_;
-  int tool_in_spindle_ = -1;
+  compensate::SpindleTool spindle_;
+  compensate::ProgramPose pose_;
   double time_s_ = 0;
   std::uint64_t blocks_ = 0;
   std::uint64_t passed_moves_ = 0;
