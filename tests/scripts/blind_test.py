@@ -142,6 +142,14 @@ class Cases(unittest.TestCase):
                   "found": {"effects": [{"name": "backlash", "parameters": {"width_um": [1.1, 3, 0]},
                                          "standard_errors": {"width_um": [0.1, 0.1, 0]}}]}}
         self.assertEqual([inside for *_, inside in blind.intervals(result)], [True, False])
+        result["answer"]["effects"][0]["departure"] = {"width_um": [2, 3, 0.5]}
+        self.assertEqual([inside for *_, inside in blind.intervals(result)], [False, True, False])
+
+    def test_an_amplitude_has_no_sign_of_its_own(self):
+        result = {"answer": {"effects": [{"name": "cyclic", "parameters": {"amplitude_um": [-1], "phase_deg": [30]}}]},
+                  "found": {"effects": [{"name": "cyclic", "parameters": {"amplitude_um": [1.1], "phase_deg": [-150]},
+                                         "standard_errors": {"amplitude_um": [0.1], "phase_deg": [5]}}]}}
+        self.assertEqual(blind.intervals(result), [("cyclic", "amplitude_um", True)])
 
     def test_bands(self):
         self.assertEqual([blind.band_name(blind.band_of(s)) for s in (11, 12, 500)],

@@ -51,7 +51,31 @@ Json numbers(const Key& key) {
   return points;
 }
 
-Json hidden_json(const Hidden& hidden, bool look_alikes) {
+Json numbers_of(Flaws flaws, const std::string& effect) {
+  Json json = Json::object();
+  for (const Key& key : effect_in(flaws, effect).keys) json[key.name] = numbers(key);
+  return json;
+}
+
+// What a diagnosis finds of an effect that [uncertainty] leaves open as well: what was hidden and what was drawn with
+// the machine are one departure from the model.
+Flaws departure(Flaws flaws, const Machine& is, const Machine& believed) {
+  flaws.platform_mass += is.mass - believed.mass;
+  flaws.centre_of_mass += is.centre_of_mass - believed.centre_of_mass;
+  flaws.screw_mass += is.screw_mass[0] - believed.screw_mass[0];
+  const Vec turned = (is.gravity - believed.gravity) / believed.gravity.norm();
+  flaws.level[0] += turned.y();
+  flaws.level[1] -= turned.x();
+  for (std::size_t j = 0; j < 6; ++j) {
+    flaws.coulomb[j] += is.friction[j] - believed.friction[j];
+    flaws.offset[j] += is.length_offset[j] - believed.length_offset[j];
+    flaws.base_moved[j] += is.base[j] - believed.base[j];
+    flaws.platform_moved[j] += is.platform[j] - believed.platform[j];
+  }
+  return flaws;
+}
+
+Json hidden_json(const Hidden& hidden, const Machine& is, const Machine& believed, bool look_alikes) {
   Json effect;
   effect["name"] = hidden.outside ? std::string("unknown:").append(hidden.name) : hidden.name;
   effect["snr"] = hidden.snr;
@@ -60,8 +84,8 @@ Json hidden_json(const Hidden& hidden, bool look_alikes) {
     effect["beyond_others"] = hidden.beyond_others;
     for (const auto& [name, left] : hidden.nearest) effect["nearest"].push_back({name, left});
   }
-  Flaws flaws = hidden.flaws;
-  for (const Key& key : effect_in(flaws, hidden.name).keys) effect["parameters"][key.name] = numbers(key);
+  effect["parameters"] = numbers_of(hidden.flaws, hidden.name);
+  effect["departure"] = numbers_of(departure(hidden.flaws, is, believed), hidden.name);
   return effect;
 }
 
@@ -99,7 +123,7 @@ Json answer_of(const DrawnCase& drawn) {
   bool outside = false;
   Json effects = Json::array();
   for (const Hidden& hidden : drawn.hidden) {
-    effects.push_back(hidden_json(hidden, drawn.options.look_alikes));
+    effects.push_back(hidden_json(hidden, drawn.truth.machine, drawn.model.machine, drawn.options.look_alikes));
     outside = outside || hidden.outside;
   }
   const std::string verdict = drawn.hidden.empty() ? "nothing-missing" : outside ? "unknown" : "named";

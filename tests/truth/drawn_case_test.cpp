@@ -85,6 +85,19 @@ TEST_CASE("what is left of a machine in which nothing is hidden is its spread an
   CHECK(answer["effects"].empty());
 }
 
+TEST_CASE("the departure of what is a nuisance, too, is what was hidden and what was drawn with the machine") {
+  const Scratch scratch;
+  truth::write_case(truth::draw_case(options("strut-offset", 15)), scratch.path("case"));
+  const auto answer = nlohmann::json::parse(scratch.text("case/answer.json"));
+  const auto& effect = answer["effects"][0];
+  const auto& drawn = answer["machine_is"]["strut_offset_um"];
+  for (std::size_t j = 0; j < 6; ++j) {
+    const double hidden = effect["parameters"]["length_um"][j];
+    CHECK(effect["departure"]["length_um"][j].get<double>() == Approx(hidden + drawn[j].get<double>()));
+    CHECK(drawn[j].get<double>() != 0);
+  }
+}
+
 TEST_CASE("what is no more than a nuisance shows by its prior alone, however good the readings") {
   const truth::Model model = truth::read_model(source_path("tests/truth/machines/small.toml"));
   const truth::Strength strength(model, truth::paper(40), truth::Floor{1e-8, 1e-3});
