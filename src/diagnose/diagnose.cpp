@@ -49,12 +49,21 @@ Rms rms_of(const std::vector<RunEquations>& runs, const std::vector<bool>& out, 
   return {radial.rms(), torque.rms()};
 }
 
+std::optional<Circularity> circularity_of(const machine::MachineModel& machine, const Run& run,
+                                          const physics::ForceModel& found, const CompensatedOptions& options) {
+  const std::optional<double> measured = measured_circularity(run);
+  if (!measured) return std::nullopt;
+  return Circularity{*measured, *compensated_circularity(machine.rotation, run, physics::ForceModel(machine), options),
+                     *compensated_circularity(machine.rotation, run, found, options)};
+}
+
 void fill_gaps(const machine::MachineModel& machine, const std::vector<Run>& runs, const std::vector<bool>& out,
                const physics::ForceModel& before, const std::optional<physics::ForceModel>& runner_up,
-               Diagnosis& diagnosis) {
+               const DiagnoseOptions& options, Diagnosis& diagnosis) {
   const auto base = residuals(machine, runs, before, diagnosis.noise);
   const auto after = residuals(machine, runs, diagnosis.forces, diagnosis.noise);
   const auto second = runner_up ? residuals(machine, runs, *runner_up, diagnosis.noise) : base;
+  diagnosis.where = where_of(machine.rotation, runs, before, base, diagnosis.noise, options.where);
   for (const bool held_out : {false, true}) {
     Gap& gap = held_out ? diagnosis.held_out : diagnosis.fit;
     gap = {rms_of(base, out, held_out), rms_of(second, out, held_out), rms_of(after, out, held_out)};
@@ -71,6 +80,7 @@ void fill_gaps(const machine::MachineModel& machine, const std::vector<Run>& run
       run.radial_before = base[i].residual.head(n);
       run.radial_after = after[i].residual.head(n);
     }
+    run.circularity = circularity_of(machine, runs[i], diagnosis.forces, options.compensated);
     diagnosis.runs.push_back(std::move(run));
   }
 }
@@ -114,8 +124,10 @@ std::vector<Evidence> evidence_of(const Model& model) {
   std::vector<Evidence> all;
   if (model.found.empty()) return all;
   const Found& strongest = model.found.front();
-  all.push_back({strongest.pick.candidate->name, strongest.log_odds});
-  for (const Rival& rival : strongest.rivals) all.push_back({rival.pick.candidate->name, rival.log_odds});
+  all.push_back({strongest.pick.candidate->name, strongest.log_odds, strongest.left_out});
+  for (const Rival& rival : strongest.rivals) {
+    all.push_back({rival.pick.candidate->name, rival.log_odds, rival.left_out});
+  }
   std::stable_sort(all.begin(), all.end(),
                    [](const Evidence& a, const Evidence& b) { return a.log_odds > b.log_odds; });
   return all;
@@ -190,9 +202,11 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
   const Workbench bench{machine, forces, fitted, shelf};
   const Model model = search(bench, options.search, tell);
   const physics::ForceModel with = shelf.unknowns.at(model.fit.values);
-  Description left = describe(bench, with, model.problem, taken_by(shelf, picks_of(model), model.fit.values),
+  Description left = describe(bench, with, model.problem, taken_by(shelf, picks_of(model), model.problem.values),
                               model.noise, options.description);
   tell(fmt::format("remainder: gain {:.1f}, {:.1f} nats", left.gain, left.log_odds));
+
+  if (model.found.size() > 1) tell(fmt::format("resemblance of the two: {:.3f}", resemblance(bench, model, 0, 1)));
 
   Diagnosis diagnosis(with);
   diagnosis.verdict = verdict_of(model, left, options.verdict);
@@ -207,7 +221,8 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
     for (std::size_t place = 0; place < model.found.size(); ++place) {
       const Pick& pick = model.found[place].pick;
       diagnosis.effects.push_back({pick.candidate->name, alternatives_of(bench, model, place, options.verdict),
-                                   parameters_of(bench, pick, model.fit), model.found[place].log_odds});
+                                   parameters_of(bench, pick, model.fit), model.found[place].log_odds,
+                                   model.found[place].left_out});
     }
     diagnosis.confidence_set = confidence_set_of(model, diagnosis.effects, options.verdict);
     const std::vector<Rival>& rivals = model.found.front().rivals;
@@ -228,7 +243,7 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
   if (left.gain >= options.verdict.remainder_gain && !left.terms.empty()) {
     diagnosis.remainder = {std::sqrt(left.gain), left.terms, formula_of(left.terms)};
   }
-  fill_gaps(machine, runs, out, before, runner_up, diagnosis);
+  fill_gaps(machine, runs, out, before, runner_up, options, diagnosis);
   diagnosis.steps = std::move(steps);
   return diagnosis;
 }

@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/compensated.hpp"
 #include "diagnose/description.hpp"
 #include "diagnose/held_out.hpp"
 #include "diagnose/next_test.hpp"
 #include "diagnose/search.hpp"
+#include "diagnose/where.hpp"
 
 namespace plumbline::diagnose {
 
@@ -29,6 +31,8 @@ struct DiagnoseOptions {
   DescriptionOptions description;
   VerdictOptions verdict;
   NextTestOptions next_test;
+  WhereOptions where;
+  CompensatedOptions compensated;
 };
 
 enum class Verdict { named, nothing_missing, unknown };
@@ -48,12 +52,22 @@ struct NamedEffect {
   std::vector<std::string> alternatives;  // that no data of this plan tell from it
   std::vector<NamedParameter> parameters;
   double log_odds = 0;  // nats, against the model without it
+  std::optional<LeftOut> left_out;
 };
 
 /// An effect of the catalogue and how likely it is as the strongest.
 struct Evidence {
   std::string name;
   double log_odds = 0;
+  std::optional<LeftOut> left_out;  // of those fitted nonlinearly
+};
+
+/// Circularity of a run, m: as measured, and predicted if its program were compensated with the model as given, or
+/// with what was found.
+struct Circularity {
+  double measured = 0;
+  double given = 0;
+  double found = 0;
 };
 
 /// What is left of one channel: rms over all samples, SI.
@@ -70,6 +84,7 @@ struct RunGap {
   Eigen::VectorXd angle;          // rad
   Eigen::VectorXd radial_before;  // residuals, m
   Eigen::VectorXd radial_after;
+  std::optional<Circularity> circularity;  // nothing: no readings of the bar
 };
 struct Rms {
   std::optional<double> radial, torque;  // m, N m
@@ -101,6 +116,7 @@ struct Diagnosis {
   std::optional<Remainder> remainder;
   std::vector<Separation> next;  // for each other effect of the confidence set
   identify::NoiseModel noise;
+  Where where;  // with the base model, nuisances refitted, all runs
   std::vector<RunGap> runs;
   Gap fit, held_out;
   physics::ForceModel forces;  // with what was found and the nuisances refitted

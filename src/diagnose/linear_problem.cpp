@@ -109,7 +109,6 @@ LinearProblem linearise(const machine::RotationOrder& order, const std::vector<m
   problem.raw = objective.equations(values, true);
   problem.blocks.resize(runs.size());
   const physics::ForceModel forces = shelf.unknowns.at(values);
-  std::vector<Eigen::MatrixXd> grams(runs.size());
   for_each_index(runs.size(), [&](std::size_t i) {
     const std::vector<State> states = states_of(order, forces, runs[i]);
     identify::RunEquations& raw = problem.raw[i];
@@ -117,12 +116,13 @@ LinearProblem linearise(const machine::RotationOrder& order, const std::vector<m
     raw.slopes =
         Eigen::MatrixXd(raw.slopes.middleCols(shelf.unknowns.find("strut-offset", "length_um", 0), machine::kStruts));
     const Eigen::MatrixXd& rows = problem.blocks[i].rows;
-    grams[i].setZero(rows.cols(), rows.cols());
-    grams[i].selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+    Eigen::MatrixXd& gram = problem.blocks[i].gram;
+    gram.setZero(rows.cols(), rows.cols());
+    gram.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+    gram.triangularView<Eigen::StrictlyUpper>() = gram.transpose();
   });
-  problem.gram.setZero(grams[0].rows(), grams[0].cols());
-  for (const Eigen::MatrixXd& gram : grams) problem.gram += gram;
-  problem.gram.triangularView<Eigen::StrictlyUpper>() = problem.gram.transpose();
+  problem.gram = problem.blocks[0].gram;
+  for (std::size_t i = 1; i < problem.blocks.size(); ++i) problem.gram += problem.blocks[i].gram;
   return problem;
 }
 

@@ -10,6 +10,7 @@ namespace plumbline::diagnose {
 /// One run: rows are its readings; a column for each Column of the shelf, in its units, and the residual last.
 struct Block {
   Eigen::MatrixXd rows;
+  Eigen::MatrixXd gram;  // rows^T rows
 };
 
 /// All runs about one point.

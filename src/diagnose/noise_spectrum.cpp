@@ -154,6 +154,10 @@ void estimate(const std::vector<RunEquations>& runs, const std::vector<int>& cha
 
 }  // namespace
 
+double noise_power(const identify::ChannelNoise& noise, double frequency) {
+  return noise.sigma * noise.sigma * shape(noise.memory, noise.white, frequency);
+}
+
 identify::NoiseModel noise_of(const std::vector<RunEquations>& runs, const SpectrumOptions& options) {
   identify::NoiseModel noise;
   estimate(runs, {kRadial}, options, noise);

@@ -17,4 +17,7 @@ struct SpectrumOptions {
 /// [Whittle 1953]. Trimming: what the model lacks shows in some runs more than in others.
 identify::NoiseModel noise_of(const std::vector<identify::RunEquations>& runs, const SpectrumOptions& options = {});
 
+/// The power of such noise at a frequency (cycles per sample), SI^2; of white noise its variance.
+double noise_power(const identify::ChannelNoise& noise, double frequency);
+
 }  // namespace plumbline::diagnose

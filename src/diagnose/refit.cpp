@@ -74,6 +74,7 @@ class Fitter {
       result.values[places_[i]] = value;
     }
     finish(now, values, result);
+    result.left = std::move(now.left);
     return result;
   }
 
@@ -81,6 +82,7 @@ class Fitter {
   struct Point {
     Eigen::MatrixXd gram;  // of all unknowns in scales, residual last; of data alone
     double misfit = 0;
+    std::vector<identify::RunEquations> left;
   };
 
   Eigen::VectorXd departure(const Eigen::VectorXd& values) const {
@@ -88,7 +90,7 @@ class Fitter {
   }
 
   Point at(const Eigen::VectorXd& values) {
-    const std::vector<identify::RunEquations> equations = objective_->equations(values, true);
+    std::vector<identify::RunEquations> equations = objective_->equations(values, true);
     std::vector<Eigen::MatrixXd> grams(equations.size());
     for_each_index(equations.size(), [&](std::size_t i) {
       Eigen::MatrixXd rows(equations[i].residual.size(), scales_.size() + 1);
@@ -96,8 +98,10 @@ class Fitter {
       rows = without_setup(equations[i], std::move(rows), noise_);
       grams[i].setZero(rows.cols(), rows.cols());
       grams[i].selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+      equations[i].slopes.resize(0, 0);
     });
     Point point;
+    point.left = std::move(equations);
     point.gram.setZero(scales_.size() + 1, scales_.size() + 1);
     for (const Eigen::MatrixXd& gram : grams) point.gram += gram;
     point.gram.triangularView<Eigen::StrictlyUpper>() = point.gram.transpose();

@@ -101,14 +101,20 @@ double log_prior(const Candidate& candidate, int way, std::size_t carriers, cons
   return prior;
 }
 
+Score score_of(const Eigen::MatrixXd& left, const Shelf& shelf, const Candidate& candidate, int way,
+               const std::vector<int>& carriers, const ScoreOptions& options) {
+  Score score = Trial(left, shelf, candidate.ways[static_cast<std::size_t>(way)], carriers).score_;
+  score.way = way;
+  score.log_odds += log_prior(candidate, way, carriers.size(), options);
+  return score;
+}
+
 Score best_score(const Eigen::MatrixXd& left, const Shelf& shelf, const Candidate& candidate,
                  const ScoreOptions& options) {
   Score best{-1e9};
   for (std::size_t w = 0; w < candidate.ways.size(); ++w) {
     for (const std::vector<int>& subset : subsets_of(candidate.ways[w])) {
-      Score score = Trial(left, shelf, candidate.ways[w], subset).score_;
-      score.way = static_cast<int>(w);
-      score.log_odds += log_prior(candidate, score.way, subset.size(), options);
+      Score score = score_of(left, shelf, candidate, static_cast<int>(w), subset, options);
       if (score.log_odds > best.log_odds) best = std::move(score);
     }
   }

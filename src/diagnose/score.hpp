@@ -35,6 +35,10 @@ double log_bayes_factor(const Eigen::MatrixXd& A, double gain, const Eigen::Vect
 Score best_score(const Eigen::MatrixXd& left, const Shelf& shelf, const Candidate& candidate,
                  const ScoreOptions& options = {});
 
+/// The same for one way and one set of its carriers.
+Score score_of(const Eigen::MatrixXd& left, const Shelf& shelf, const Candidate& candidate, int way,
+               const std::vector<int>& carriers, const ScoreOptions& options = {});
+
 /// Scores of all candidates, the best first.
 struct Ranked {
   const Candidate* candidate;

@@ -2,15 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
+#include "diagnose/held_out.hpp"
 #include "diagnose/noise_spectrum.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
 using identify::NoiseModel;
+
+// Whether two estimates of the noise are as near as makes no difference: a step of the colour, 2 % of the size.
+bool alike(const NoiseModel& a, const NoiseModel& b) {
+  constexpr double kColour = 0.051;
+  constexpr double kSize = 0.02;
+  for (std::size_t c = 0; c < a.channels.size(); ++c) {
+    const identify::ChannelNoise& one = a.channels[c];
+    const identify::ChannelNoise& other = b.channels[c];
+    if (one.samples != other.samples || std::abs(one.sigma - other.sigma) > kSize * other.sigma ||
+        std::abs(one.memory - other.memory) > kColour || std::abs(one.white - other.white) > kColour) {
+      return false;
+    }
+  }
+  return true;
+}
 
 class Search {
  public:
@@ -53,19 +70,19 @@ class Search {
     picks_ = picks;
     known_.clear();
     Eigen::VectorXd from = start;
-    if (noise_.channels[0].samples == 0) {
-      identify::Objective objective(bench_.machine.rotation, bench_.runs, bench_.shelf.unknowns, {.huber = 0});
-      objective.set_noise(identify::rough_noise(objective.equations(from)));
-      noise_ = objective.noise();
+    const auto is_unknown = [](const identify::ChannelNoise& channel) { return channel.samples == 0; };
+    if (std::all_of(noise_.channels.begin(), noise_.channels.end(), is_unknown)) {
+      identify::Objective objective(bench_.machine.rotation, bench_.runs, identify::Unknowns(bench_.forces),
+                                    {.huber = 0});
+      noise_ = identify::rough_noise(objective.equations(Eigen::VectorXd(0)));
     }
-    for (int round = 0; round < 2; ++round) {
+    for (int round = 0; round < options_.most_noise_rounds; ++round) {
       fit_ = refit(bench_, picks_, from, noise_, options_.refit);
-      identify::Objective objective(bench_.machine.rotation, bench_.runs, bench_.shelf.unknowns, {.huber = 0});
-      objective.set_noise(noise_);
-      noise_ = noise_of(objective.equations(fit_.values));
       from = fit_.values;
+      const NoiseModel next = noise_of(fit_.left);
+      if (alike(next, noise_)) break;
+      if (round + 1 < options_.most_noise_rounds) noise_ = next;
     }
-    fit_ = refit(bench_, picks_, from, noise_, options_.refit);
     problem_ = linearise(bench_.machine.rotation, bench_.runs, bench_.shelf, fit_.values, noise_);
     left_ = left_of(problem_, taken_by(bench_.shelf, picks_, fit_.values));
     say_(fmt::format(
@@ -75,22 +92,37 @@ class Search {
   }
 
   // The linear problem as if the pick at `place` were not there: its numbers go back to where they change nothing.
+  // Gram matrices alone.
   LinearProblem taken_back(std::size_t place, Eigen::VectorXd& values) const {
-    LinearProblem problem = problem_;
-    const Eigen::Index r = problem.residual();
+    LinearProblem problem;
+    problem.gram = problem_.gram;
+    for (const Block& block : problem_.blocks) problem.blocks.push_back({{}, block.gram});
     for (const int u : picks_[place].unknowns) {
       const identify::Unknown& unknown = bench_.shelf.unknowns[static_cast<std::size_t>(u)];
       if (u >= static_cast<int>(bench_.shelf.nuisances)) {
         if (unknown.key != "phase_deg" && unknown.key != "speed_mm_s") {
           const double size = (values[u] - unknown.start) / unknown.scale;
-          // the residual's column and row: r + J size
-          problem.gram.col(r) += size * problem.gram.col(u);
-          problem.gram.row(r) += size * problem.gram.row(u);
+          add_to_residual(problem.gram, u, size);
+          for (Block& block : problem.blocks) add_to_residual(block.gram, u, size);
         }
         values[u] = unknown.start;
       }
     }
     return problem;
+  }
+
+  // The residual's column and row, the last: r + J size
+  static void add_to_residual(Eigen::MatrixXd& gram, int column, double size) {
+    const Eigen::Index r = gram.cols() - 1;
+    gram.col(r) += size * gram.col(column);
+    gram.row(r) += size * gram.row(column);
+  }
+
+  LeftOut left_out(const LinearProblem& problem, const Taken& taken, const Score& score) const {
+    std::vector<int> runs(bench_.runs.size());
+    std::iota(runs.begin(), runs.end(), 0);
+    return {left_out_nats(problem, taken, score.columns, score.sizes, poses_of(bench_.runs)),
+            left_out_nats(problem, taken, score.columns, score.sizes, runs)};
   }
 
   // Candidates for a place beside the other picks, best first.
@@ -106,7 +138,8 @@ class Search {
     const std::vector<Pick> others = without(place);
     const LinearProblem problem = place < picks_.size() ? taken_back(place, values) : LinearProblem{};
     const LinearProblem& about = place < picks_.size() ? problem : problem_;
-    const Eigen::MatrixXd left = left_of(about, taken_by(bench_.shelf, others, values));
+    const Taken taken = taken_by(bench_.shelf, others, values);
+    const Eigen::MatrixXd left = left_of(about, taken);
     // what was fitted with that pick in its prior's place is a departure only without it
     const std::vector<Ranked> ranked = ranking(left, bench_.shelf, options_.scoring);
     const Refit without_it = place < picks_.size() ? refit(bench_, others, values, noise_, options_.refit) : fit_;
@@ -125,6 +158,7 @@ class Search {
         rival.log_odds += 0.5 * (without_it.misfit - rival.fit.misfit - r.score.gain);
         rival.refitted = true;
         best = std::max(best, rival.log_odds);
+        if (place < picks_.size()) rival.left_out = left_out(about, taken, r.score);
       }
       all.push_back(std::move(rival));
     }
@@ -140,6 +174,7 @@ class Search {
     std::string text = fmt::format("place {}:", place);
     for (std::size_t i = 0; i < std::min<std::size_t>(all.size(), 7); ++i) {
       text += fmt::format(" {} {:.1f}{}", all[i].pick.candidate->name, all[i].log_odds, all[i].refitted ? "*" : "");
+      if (all[i].left_out) text += fmt::format(" ({:.0f}, {:.0f})", all[i].left_out->poses, all[i].left_out->runs);
       if (all[i].pick.carriers.size() > 1 || all[i].pick.candidate->ways[0].carriers.size() > 1)
         text += fmt::format("/{}", all[i].pick.carriers.size());
     }
@@ -192,25 +227,61 @@ class Search {
     }
   }
 
+  // The pick at a place with all its carriers, if the data do not rule out that all of them act: what a smaller set
+  // leaves at nil would be stated as nil exactly.
+  // Puts where to start from into `start`.
+  Pick widened(std::size_t place, Eigen::VectorXd& start) const {
+    const Pick& pick = picks_[place];
+    const Way& way = pick.candidate->ways[static_cast<std::size_t>(pick.way)];
+    if (pick.carriers.size() == way.carriers.size()) return pick;
+    Eigen::VectorXd values = fit_.values;
+    const LinearProblem problem = taken_back(place, values);
+    const Eigen::MatrixXd left = left_of(problem, taken_by(bench_.shelf, without(place), values));
+    const auto score = [&](const std::vector<int>& carriers) {
+      return score_of(left, bench_.shelf, *pick.candidate, pick.way, carriers, options_.scoring);
+    };
+    std::vector<int> all(way.carriers.size());
+    std::iota(all.begin(), all.end(), 0);
+    const Score full = score(all);
+    if (full.log_odds < score(pick.carriers).log_odds - options_.all_struts_nats) return pick;
+    const Pick wide = pick_of(bench_.shelf, *pick.candidate, full, values);
+    start(wide.unknowns) = values(wide.unknowns);
+    return wide;
+  }
+
+  // The last fit, from where the search ended.
+  Refit last_fit(std::vector<Pick>& picks) const {
+    bool more = false;
+    Eigen::VectorXd start = fit_.values;
+    for (std::size_t place = 0; place < picks.size(); ++place) {
+      const std::size_t before = picks[place].unknowns.size();
+      picks[place] = widened(place, start);
+      more = more || picks[place].unknowns.size() > before;
+    }
+    return more ? refit(bench_, picks, start, noise_, options_.refit) : fit_;
+  }
+
   Model finish() {
     Model model;
     const std::vector<Rival>& more = rivals(picks_.size());
     model.one_more = !more.empty() && more.front().refitted && more.front().log_odds >= limit_;
+    std::vector<Pick> picks = picks_;
+    model.fit = last_fit(picks);
     for (std::size_t place = 0; place < picks_.size(); ++place) {
       Found found;
-      found.pick = picks_[place];
+      found.pick = picks[place];
       found.rivals = rivals(place);
       const auto mine = std::find_if(found.rivals.begin(), found.rivals.end(),
                                      [&](const Rival& r) { return r.pick.candidate == found.pick.candidate; });
       if (mine != found.rivals.end()) {
         found.log_odds = mine->log_odds;
+        found.left_out = mine->left_out;
         found.rivals.erase(mine);
       }
       model.found.push_back(std::move(found));
     }
     std::stable_sort(model.found.begin(), model.found.end(),
                      [](const Found& a, const Found& b) { return a.log_odds > b.log_odds; });
-    model.fit = fit_;
     model.noise = noise_;
     model.threshold = limit_;
     model.base = base_;

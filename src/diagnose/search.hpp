@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "diagnose/left_out.hpp"
 #include "diagnose/refit.hpp"
 #include "diagnose/threshold.hpp"
 
@@ -18,6 +20,8 @@ struct SearchOptions {
   double near_share = 0.25;  // of the best log odds: candidates that much behind are still fitted nonlinearly
   double near_nats = 12;     // or that much behind
   int most_swaps = 4;
+  int most_noise_rounds = 3;   // fits with the noise estimated anew
+  double all_struts_nats = 6;  // all struts are fitted at last where that is no more nats behind the best set of them
 };
 
 /// An effect in the place of one that was picked, and what the whole model with it is worth.
@@ -26,13 +30,15 @@ struct Rival {
   double log_odds = 0;  // against the model without that effect
   Refit fit;            // of the whole model with it in that place
   bool refitted = false;
+  std::optional<LeftOut> left_out;  // of those refitted in the place of an effect that was found
 };
 
 /// An effect that was found.
 struct Found {
   Pick pick;
-  double log_odds = 0;        // against the model without it
-  double gain = 0;            // misfit that it takes away, the others refitted
+  double log_odds = 0;  // against the model without it
+  double gain = 0;      // misfit that it takes away, the others refitted
+  std::optional<LeftOut> left_out;
   std::vector<Rival> rivals;  // in its place, best first; itself left out
 };
 
@@ -49,7 +55,7 @@ struct Model {
   identify::NoiseModel noise;
   double threshold = 0;   // nats
   bool one_more = false;  // beyond most_effects another one passes
-  LinearProblem problem;  // about the fit, all columns
+  LinearProblem problem;  // about the fit (or nearly: about it before all struts were fitted), all columns
   Footing base;           // nothing added, nuisances refitted
 };
 

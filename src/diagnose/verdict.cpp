@@ -31,7 +31,7 @@ std::vector<std::string> alternatives_of(const Workbench& bench, const Model& mo
   for (std::size_t i = 0; i < model.found.size(); ++i) {
     if (i != place) others.push_back(model.found[i].pick);
   }
-  const Eigen::MatrixXd left = left_of(model.problem, taken_by(bench.shelf, others, model.fit.values));
+  const Eigen::MatrixXd left = left_of(model.problem, taken_by(bench.shelf, others, model.problem.values));
   const Pick& pick = model.found[place].pick;
   const Eigen::VectorXd signature = signature_of(bench, pick, model.fit, left.cols());
   const Eigen::VectorXd seen = left * signature;
@@ -63,6 +63,15 @@ std::vector<std::string> alternatives_of(const Workbench& bench, const Model& mo
     if (most > options.same_signature * options.same_signature * length2) names.push_back(candidate.name);
   }
   return names;
+}
+
+double resemblance(const Workbench& bench, const Model& model, std::size_t one, std::size_t other) {
+  const Eigen::MatrixXd left = left_of(model.problem, taken_by(bench.shelf, {}, model.problem.values));
+  const Eigen::VectorXd a = signature_of(bench, model.found[one].pick, model.fit, left.cols());
+  const Eigen::VectorXd b = signature_of(bench, model.found[other].pick, model.fit, left.cols());
+  const Eigen::VectorXd seen = left * b;
+  const double lengths = std::sqrt(a.dot(left * a) * b.dot(seen));
+  return lengths > 0 ? std::abs(a.dot(seen)) / lengths : 0;
 }
 
 std::vector<std::string> confidence_set_of(const Model& model, const std::vector<NamedEffect>& effects,

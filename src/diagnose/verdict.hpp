@@ -10,6 +10,10 @@ namespace plumbline::diagnose {
 std::vector<std::string> alternatives_of(const Workbench& bench, const Model& model, std::size_t place,
                                          const VerdictOptions& options);
 
+/// |cos| between the signatures of the effects at two places, nuisances taken out: near one where each takes away
+/// much of what the other adds, so that the two together can shape what neither of them is.
+double resemblance(const Workbench& bench, const Model& model, std::size_t one, std::size_t other);
+
 /// Every effect that the data do not rule out as the strongest one.
 std::vector<std::string> confidence_set_of(const Model& model, const std::vector<NamedEffect>& effects,
                                            const VerdictOptions& options);

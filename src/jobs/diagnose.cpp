@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "base/number_text.hpp"
 #include "base/units.hpp"
 #include "identify/model_text.hpp"
+#include "jobs/where_json.hpp"
 #include "machine/model_file.hpp"
 #include "physics/generic_formula.hpp"
 
@@ -21,11 +21,9 @@ using diagnose::NamedEffect;
 using diagnose::NamedParameter;
 using Json = nlohmann::ordered_json;
 
-constexpr int kDigits = 6;
-
-Json rounded(double value) {
-  const std::optional<double> number = parse_number(fmt::format("{:.{}g}", value, kDigits));
-  return number ? Json(*number) : Json(nullptr);
+Json left_out_json(const std::optional<diagnose::LeftOut>& left_out) {
+  if (!left_out) return nullptr;
+  return {{"poses", rounded(left_out->poses)}, {"runs", rounded(left_out->runs)}};
 }
 
 Json numbers(const NamedParameter& parameter, const std::vector<double>& values) {
@@ -54,7 +52,8 @@ Json effect_json(const NamedEffect& effect) {
           {"alternatives", effect.alternatives},
           {"parameters", parameters},
           {"standard_errors", errors},
-          {"log_odds", rounded(effect.log_odds)}};
+          {"log_odds", rounded(effect.log_odds)},
+          {"left_out_nats", left_out_json(effect.left_out)}};
 }
 
 Json figure(const std::optional<double>& value, double unit) { return value ? rounded(*value / unit) : Json(nullptr); }
@@ -93,7 +92,13 @@ Json run_json(const diagnose::RunGap& run) {
     channels[std::string(identify::channel_name(gap.channel)) + (radial ? "_um" : "_Nm")] = {
         {"before", rounded(gap.before / unit)}, {"after", rounded(gap.after / unit)}};
   }
-  return {{"id", run.id}, {"held_out", run.held_out}, {"rms", channels}};
+  Json json{{"id", run.id}, {"held_out", run.held_out}, {"rms", channels}, {"circularity_um", nullptr}};
+  if (run.circularity) {
+    json["circularity_um"] = {{"measured", rounded(run.circularity->measured / kUm)},
+                              {"compensated_with_given", rounded(run.circularity->given / kUm)},
+                              {"compensated_with_found", rounded(run.circularity->found / kUm)}};
+  }
+  return json;
 }
 
 Json test_json(const diagnose::Separation& separation) {
@@ -155,6 +160,26 @@ std::string parameter_text(const NamedParameter& parameter) {
   return fmt::format("    {} = {}\n", parameter.key, fmt::join(values, ", "));
 }
 
+// "circles    as measured 41.2 um, compensated with the model as given 9.0, with what was found 3.9 (means of 26)"
+std::string circularity_line(const Diagnosis& d) {
+  diagnose::Circularity sum;
+  int count = 0;
+  for (const diagnose::RunGap& run : d.runs) {
+    if (!run.circularity) continue;
+    sum.measured += run.circularity->measured;
+    sum.given += run.circularity->given;
+    sum.found += run.circularity->found;
+    ++count;
+  }
+  if (count == 0) return {};
+  const double unit = count * kUm;
+  return fmt::format(
+      "circles    as measured {:.1f} um, compensated with the model as given {:.1f}, with what was found {:.1f} (means "
+      "of "
+      "{})\n",
+      sum.measured / unit, sum.given / unit, sum.found / unit, count);
+}
+
 std::vector<std::string> notes_of(const Diagnosis& diagnosis) {
   std::vector<std::string> notes{fmt::format("diagnosis: {}", to_text(diagnosis.verdict))};
   for (const NamedEffect& effect : diagnosis.effects) {
@@ -189,9 +214,12 @@ std::string diagnosis_json(const Diagnosis& d) {
   json["threshold_nats"] = rounded(d.threshold);
   json["evidence_nats"] = Json::array();
   for (const diagnose::Evidence& e : d.evidence) {
-    json["evidence_nats"].push_back({{"name", e.name}, {"log_odds", rounded(e.log_odds)}});
+    json["evidence_nats"].push_back(
+        {{"name", e.name}, {"log_odds", rounded(e.log_odds)}, {"left_out_nats", left_out_json(e.left_out)}});
   }
   json["noise"] = noise_json(d.noise);
+  json["circularity_um"] = circularity_json(d.runs);
+  json["where"] = where_json(d.where);
   json["runs"] = Json::array();
   for (const diagnose::RunGap& run : d.runs) json["runs"].push_back(run_json(run));
   json["converged"] = d.converged;
@@ -215,6 +243,7 @@ std::string diagnosis_text(const Diagnosis& d) {
   }
   text += rms_line("fitted", d.fit, d.noise);
   if (d.held_out.before.radial || d.held_out.before.torque) text += rms_line("held out", d.held_out, d.noise);
+  text += circularity_line(d);
   return text;
 }
 

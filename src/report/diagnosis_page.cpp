@@ -7,6 +7,7 @@
 
 #include "base/units.hpp"
 #include "report/svg.hpp"
+#include "report/where_svg.hpp"
 
 namespace plumbline::report {
 namespace {
@@ -86,6 +87,40 @@ std::string polar_plots(const Diagnosis& d) {
                     scale / kUm);
 }
 
+// What the base model leaves, cut in the ways in which effects show.
+std::string where_tables(const Diagnosis& d) {
+  if (d.where.channels.empty()) return {};
+  return "<h3>Around the circle, before</h3>" + circle_map(d) + "<h3>Pairs of runs, before</h3>" + contrast_table(d) +
+         "<p class=quiet>rms in units of the noise; 1: nothing but noise. What differs with direction is odd in "
+         "it.</p><h3>Groups of runs, before</h3>" +
+         group_table(d) + "<h3>Steps where struts turn around, before</h3>" + reversal_bars(d) +
+         "<p class=quiet>In the direction of growing strut speed; whiskers: two standard errors. Red: more than "
+         "three.</p>";
+}
+
+// Evidence on poses and runs that were left out in turn.
+std::string left_out_table(const Diagnosis& d) {
+  std::string rows;
+  for (const diagnose::Evidence& e : d.evidence) {
+    if (!e.left_out) continue;
+    rows += fmt::format("<tr><td>{}</td><td>{:.1f}</td><td>{:.1f}</td><td>{:.1f}</td></tr>", escaped(e.name),
+                        e.log_odds, e.left_out->poses, e.left_out->runs);
+  }
+  if (rows.empty()) return {};
+  return "<table><tr><th>nats</th><th>all fitted runs</th><th>each pose foretold from the others</th><th>each "
+         "run</th></tr>" +
+         rows + "</table>";
+}
+
+std::string circles(const Diagnosis& d) {
+  const std::string bars = circularity_bars(d);
+  if (bars.empty()) return {};
+  return "<h2>What it is good for</h2>" + bars +
+         "<p class=quiet>Circularity of each circle, um, noise included: grey as measured; predicted if its program is "
+         "compensated with the model as given (<span class=b>red</span>), and with what was found (<span "
+         "class=a>blue</span>).</p>";
+}
+
 std::string parameter_rows(const NamedParameter& p) {
   std::string rows;
   for (std::size_t i = 0; i < p.values.size(); ++i) {
@@ -146,11 +181,13 @@ std::string diagnosis_page(const Diagnosis& d, const std::string& title) {
   html +=
       "<h2>Where</h2>" + gap_map(d) + "<p class=quiet>White: the noise. Full red: ten times the noise and more.</p>";
   html += polar_plots(d);
+  html += where_tables(d);
   if (!d.evidence.empty()) {
     html += "<h2>Which</h2>" + evidence_bars(d) +
             "<p class=quiet>How much more likely the readings are with the effect, as a natural logarithm. Blue: not "
             "ruled out as "
-            "the strongest.</p>";
+            "the strongest.</p>" +
+            left_out_table(d);
   }
   if (!d.effects.empty()) html += "<h2>What was found</h2>" + effects(d);
   if (d.remainder) {
@@ -159,6 +196,7 @@ std::string diagnosis_page(const Diagnosis& d, const std::string& title) {
         "all.</p><pre>{}</pre>",
         d.remainder->snr, escaped(d.remainder->text));
   }
+  html += circles(d);
   if (!d.next.empty()) html += "<h2>What next</h2>" + next_tests(d);
   return html + "</html>\n";
 }

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/units.hpp"
+#include "report/where_svg.hpp"
 
 namespace plumbline::report {
 namespace {
@@ -18,18 +18,11 @@ constexpr int kCell = 26;  // px
 constexpr int kRow = 18;
 constexpr std::size_t kMostBars = 8;
 
-// White where the rms is the noise, darker as it grows: full at ten times.
-std::string colour_of(double times_noise) {
-  const double share = std::clamp(std::log10(std::max(times_noise, 1.0)), 0.0, 1.0);
-  const int other = static_cast<int>(std::lround(245 - 195 * share));
-  return fmt::format("rgb({},{},{})", 245 - static_cast<int>(std::lround(40 * share)), other, other);
-}
-
 std::string cell(int x, int y, double value, double noise, const std::string& title) {
   const double times = value > 0 ? value / noise : 0;
   return fmt::format(
       R"(<rect x="{}" y="{}" width="{}" height="{}" fill="{}" stroke="#fff"><title>{}: {:.2f} times the noise</title></rect>)",
-      x, y, kCell, kRow, colour_of(times), title, times);
+      x, y, kCell, kRow, heat(times), title, times);
 }
 
 std::string closed_line(const RunGap& run, const Eigen::VectorXd& residual, double scale, const char* style) {

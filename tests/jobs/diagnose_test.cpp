@@ -26,6 +26,24 @@ TEST_CASE("a diagnosis has the keys that others rely on, in their units") {
   CHECK(d["runs"][0]["rms"]["radial_um"]["before"] == 3.1);
 }
 
+TEST_CASE("a diagnosis says where the gap lives, what was foretold and what it is good for, in the units of files") {
+  const Json d = Json::parse(jobs::diagnosis_json(testing::small_diagnosis()));
+  CHECK(d["evidence_nats"][0]["left_out_nats"] == Json({{"poses", 31.5}, {"runs", 33.5}}));
+  CHECK(d["evidence_nats"][1]["left_out_nats"].is_null());
+  CHECK(d["circularity_um"]["compensated_with_found"] == Json({{"mean", 4.0}, {"largest", 4.0}}));
+  CHECK(d["runs"][0]["circularity_um"]["measured"] == 20.0);
+  CHECK(d["runs"][1]["circularity_um"].is_null());
+  const Json& where = d["where"];
+  CHECK(where["channels"][0]["channel"] == "radial_um");
+  CHECK(where["channels"][0]["arcs_rms"][3] == 5.0);
+  CHECK(where["channels"][0]["harmonics_rms"][1] == 1.0);
+  CHECK(where["contrasts"][0]["by"] == "direction");
+  CHECK(where["contrasts"][0]["differs_rms"] == Json({{"radial_um", 2.0}, {"torque_Nm", 0.1}}));
+  CHECK(where["groups"][0]["rms"]["radial_um"] == 3.1);
+  CHECK(where["reversals"][0]["length_um"] == 4.0);
+  CHECK(where["reversals"][0]["torque_Nm"].is_null());
+}
+
 TEST_CASE("what was not measured, or is no number, is null") {
   diagnose::Diagnosis d = testing::small_diagnosis();
   d.noise.channels[1] = {};

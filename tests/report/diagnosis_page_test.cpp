@@ -32,6 +32,19 @@ TEST_CASE("a page says what was found, with its numbers in the units of files") 
   CHECK(contains(page, "No data of this plan tell it from cyclic."));
 }
 
+TEST_CASE("a page shows where the gap lives, what poses left out say, and what compensation gains") {
+  const std::string page = report::diagnosis_page(testing::small_diagnosis(), "t");
+  CHECK(contains(page, "<title>bar, 90 to 120 deg: 10.00 times the noise</title>"));
+  CHECK(contains(page, "<title>bar, order 2: 10.00 times the noise</title>"));
+  CHECK(contains(page, "<td>direction</td><td>2</td>"));
+  CHECK(contains(page, ">4.00</td>"));  // differs with direction: 2 um of 0.5
+  CHECK(contains(page, "<td>tilt 0 to 5 deg</td><td>2</td>"));
+  CHECK(contains(page, "the widest reaches 5.00 um"));
+  CHECK(contains(page, "<td>backlash</td><td>50.0</td><td>31.5</td><td>33.5</td>"));
+  CHECK(contains(page, ">20.0</text>"));
+  CHECK(contains(page, ">4.0</text>"));
+}
+
 TEST_CASE("a page needs nothing else, and text of files cannot break it") {
   const std::string page = report::diagnosis_page(testing::small_diagnosis(), "t");
   for (const char* const from_elsewhere : {"http", "src=", "href", "<script", "@import", "url("}) {

@@ -29,6 +29,16 @@ inline diagnose::Diagnosis small_diagnosis() {
     run.radial_after = Eigen::VectorXd::Constant(4, 0.5e-6);
     d.runs.push_back(run);
   }
+  d.runs[0].circularity = diagnose::Circularity{20e-6, 9e-6, 4e-6};
+  d.evidence[0].left_out = diagnose::LeftOut{31.5, 33.5};
+  diagnose::ChannelWhere bar{identify::kRadial, 3.1e-6};
+  bar.arcs[3] = 5e-6;
+  bar.waves[1] = 1e-6;
+  bar.wave_noise.fill(0.1e-6);
+  d.where.channels = {bar};
+  d.where.contrasts = {{"direction", 2, {0.5e-6, 0.05}, {2e-6, 0.1}}};
+  d.where.groups = {{"tilt_deg", 0, 5, 2, {3.1e-6, 0.06}}};
+  d.where.reversals = {{0, 6, 4e-6, 0.5e-6, 0, 0}};
   return d;
 }
 
