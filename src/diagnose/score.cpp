@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostSubsets = 6;  // carriers of which every subset is tried
 constexpr double kRidge = 1e-9;          // relative: keeps matrices of what the plan cannot tell apart regular
-constexpr double kZeroSum = 1e3;         // relative to the Gram matrix: how firmly numbers sum to zero
+constexpr double kFirmZeroSum = 1e3;     // relative to the Gram matrix: how firmly numbers sum to zero
 
 double log_choose(std::size_t n, std::size_t k) {
   return std::lgamma(static_cast<double>(n) + 1) - std::lgamma(static_cast<double>(k) + 1) -
@@ -34,7 +34,7 @@ class Trial {
     const Eigen::VectorXd b = left(score_.columns, r);
     const double mean = A.trace() / static_cast<double>(A.rows());
     if (!(mean > 1e-9)) return;  // the plan does not see it
-    if (way.sums_to_zero) A.array() += kZeroSum * mean;
+    if (way.sums_to_zero) A.array() += kFirmZeroSum * mean;
     A.diagonal().array() += kRidge * mean;
     Eigen::VectorXd lower(b.size());
     Eigen::VectorXd upper(b.size());
