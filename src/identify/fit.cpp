@@ -206,10 +206,10 @@ Round rounds(Objective& objective, Eigen::VectorXd values, const FitOptions& opt
     last.iterations += before;
     values = last.values;
     if (options.known_noise || round >= options.most_noise_rounds) return last;
-    NoiseOptions taken = options.noise;
-    taken.degrees_taken = degrees_of(
-        objective.unknowns(), posterior_covariance(objective.unknowns(), objective.evaluate(values, true).information));
-    const NoiseModel noise = estimate_noise(objective.equations(values), taken);
+    FittedUnknowns fitted{objective.evaluate(values, true).information, scales_of(objective.unknowns()),
+                          objective.noise()};
+    fitted.precision.diagonal() += prior_weights(objective.unknowns());
+    const NoiseModel noise = estimate_noise(objective.equations(values, true), options.noise, &fitted);
     if (change_of(objective.noise(), noise) <= options.noise_tolerance) return last;
     objective.set_noise(noise);
   }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <Eigen/Cholesky>
+
+#include "base/parallel.hpp"
+#include "identify/fitted_directions.hpp"
 
 namespace plumbline::identify {
 namespace {
@@ -15,10 +17,12 @@ constexpr double kMedianToSigma = 1.4826;  // of a normal distribution: sigma ov
 struct ChannelResiduals {
   std::vector<Eigen::VectorXd> residuals;
   std::vector<Eigen::MatrixXd> setups;
+  std::vector<Eigen::MatrixXd> slopes;  // readings per direction of the unknowns; none if not asked for
   Eigen::Index samples = 0;
 };
 
-ChannelResiduals residuals_of(const std::vector<RunEquations>& runs, int channel) {
+ChannelResiduals residuals_of(const std::vector<RunEquations>& runs, int channel,
+                              const Eigen::MatrixXd* directions = nullptr) {
   ChannelResiduals all;
   for (const RunEquations& run : runs) {
     const auto place = std::find(run.channels.begin(), run.channels.end(), channel);
@@ -28,6 +32,7 @@ ChannelResiduals residuals_of(const std::vector<RunEquations>& runs, int channel
     all.setups.push_back(first < run.setup_slopes.rows()
                              ? Eigen::MatrixXd(run.setup_slopes.middleRows(first, run.samples))
                              : Eigen::MatrixXd(run.samples, 0));
+    if (directions != nullptr) all.slopes.emplace_back(run.slopes.middleRows(first, run.samples) * *directions);
     all.samples += run.samples;
   }
   return all;
@@ -75,40 +80,75 @@ struct Trial {
   double white = 0;
 };
 
-// Residuals of a channel, each run beside the columns of its set-up: the last column.
+// Residuals of a channel: of each run a matrix whose columns are its set-up, the directions that were fitted, the
+// residuals.
 struct Channel {
   std::vector<Eigen::MatrixXd> runs;
-  double taken = 0;  // degrees of freedom
+  std::vector<Eigen::Index> setups;  // how many columns
+  Eigen::VectorXd elsewhere;         // precision of each direction from other channels and priors
+  Eigen::VectorXd balance;           // products of directions and residuals where the fit ended, in units of variance
+  double variance = 0;               // sigma^2 that the fit weighed these readings with
+  double taken = 0;                  // degrees of freedom
 
-  Trial at(double memory, double white) const {
-    const ChannelNoise unit{1, memory, 0, white};
-    double squares = 0;
+  // Whitened products of directions and residuals of all runs, set-ups out; and what the set-ups cost.
+  struct Products {
+    Eigen::MatrixXd sum;
     double determinants = 0;
-    double degrees = -taken;
-    for (const Eigen::MatrixXd& run : runs) {
-      Eigen::MatrixXd columns = run;
+    double degrees = 0;
+  };
+
+  Products products(double memory, double white) const {
+    const ChannelNoise unit{1, memory, 0, white};
+    std::vector<Products> each(runs.size());
+    for_each_index(runs.size(), [&](std::size_t r) {
+      Eigen::MatrixXd columns = runs[r];
       whiten(unit, columns);
       const Eigen::MatrixXd gram = columns.transpose() * columns;
-      const Eigen::Index setup = gram.rows() - 1;
-      double left = gram(setup, setup);
+      const Eigen::Index setup = setups[r];
+      const Eigen::Index rest = gram.rows() - setup;
+      each[r].sum = gram.bottomRightCorner(rest, rest);
       if (setup > 0) {
         const Eigen::LLT<Eigen::MatrixXd> llt(gram.topLeftCorner(setup, setup));
-        left -= llt.matrixL().solve(gram.topRightCorner(setup, 1)).squaredNorm();
-        determinants += 2 * llt.matrixLLT().diagonal().array().log().sum();
+        const Eigen::MatrixXd taken_out = llt.matrixL().solve(gram.topRightCorner(setup, rest));
+        each[r].sum -= taken_out.transpose() * taken_out;
+        each[r].determinants = 2 * llt.matrixLLT().diagonal().array().log().sum();
       }
-      squares += std::max(left, 0.0);
-      determinants -= 2 * Filter(unit, run.rows()).weight.array().log().sum();
-      degrees += static_cast<double>(run.rows() - setup);
+      each[r].determinants -= 2 * Filter(unit, columns.rows()).weight.array().log().sum();
+      each[r].degrees = static_cast<double>(columns.rows() - setup);
+    });
+    Products all = each.front();
+    for (std::size_t r = 1; r < each.size(); ++r) {
+      all.sum += each[r].sum;
+      all.determinants += each[r].determinants;
+      all.degrees += each[r].degrees;
     }
-    degrees = std::max(degrees, 1.0);
-    return {squares / degrees, degrees * std::log(std::max(squares / degrees, 1e-300)) + determinants, memory, white};
+    return all;
+  }
+
+  Trial at(double memory, double white) const {
+    Products p = products(memory, white);
+    const Eigen::Index n = elsewhere.size();
+    double squares = p.sum(n, n);
+    if (n > 0) {
+      // the misfit of this channel where the unknowns, held by all else that is known of them, would then go
+      Eigen::MatrixXd precision = p.sum.topLeftCorner(n, n);
+      precision.diagonal() += variance * elsewhere;
+      const Eigen::LLT<Eigen::MatrixXd> llt(precision);
+      squares -= llt.matrixL().solve(p.sum.topRightCorner(n, 1) - balance).squaredNorm();
+      p.determinants += 2 * llt.matrixLLT().diagonal().array().log().sum();
+    }
+    const double degrees = std::max(p.degrees - taken, 1.0);
+    squares = std::max(squares, 0.0);
+    return {squares / degrees, degrees * std::log(std::max(squares / degrees, 1e-300)) + p.determinants, memory, white};
   }
 };
 
 // The deviance of one colour, summed over channels that share it, each with the sigma that suits it best.
 Trial trial(const std::vector<Channel>& channels, double memory, double white) {
   Trial sum{0, 0, memory, white};
-  for (const Channel& channel : channels) sum.deviance += channel.at(memory, white).deviance;
+  for (const Channel& channel : channels) {
+    if (!channel.runs.empty()) sum.deviance += channel.at(memory, white).deviance;
+  }
   return sum;
 }
 
@@ -167,10 +207,27 @@ Trial best_colour(const std::vector<Channel>& channels, const NoiseOptions& opti
 Channel clipped(const ChannelResiduals& all, double most) {
   Channel channel;
   for (std::size_t r = 0; r < all.residuals.size(); ++r) {
-    channel.runs.emplace_back(all.residuals[r].size(), all.setups[r].cols() + 1);
-    channel.runs.back() << all.setups[r], all.residuals[r].cwiseMax(-most).cwiseMin(most);
+    channel.setups.push_back(all.setups[r].cols());
+    const Eigen::MatrixXd told = all.slopes.empty() ? Eigen::MatrixXd(all.residuals[r].size(), 0) : all.slopes[r];
+    channel.runs.emplace_back(all.residuals[r].size(), all.setups[r].cols() + told.cols() + 1);
+    channel.runs.back() << all.setups[r], told, all.residuals[r].cwiseMax(-most).cwiseMin(most);
   }
   return channel;
+}
+
+// A channel beside the directions of the unknowns that its readings were fitted with.
+Channel channel_of(const std::vector<RunEquations>& runs, int channel, double most, const FittedUnknowns* fitted) {
+  if (fitted == nullptr) return clipped(residuals_of(runs, channel), most);
+  const FittedDirections directions = fitted_directions(runs, channel, *fitted);
+  Channel one = clipped(residuals_of(runs, channel, &directions.changes), most);
+  if (one.runs.empty()) return one;
+  const ChannelNoise& noise = fitted->noise.channels[static_cast<std::size_t>(channel)];
+  one.taken = directions.taken;
+  one.variance = noise.sigma * noise.sigma;
+  one.elsewhere = (1 - directions.share.array()).cwiseMax(0.0);
+  const Eigen::MatrixXd now = one.products(noise.memory, noise.white).sum;
+  one.balance = now.topRightCorner(one.elsewhere.size(), 1);
+  return one;
 }
 
 }  // namespace
@@ -188,16 +245,16 @@ NoiseModel rough_noise(const std::vector<RunEquations>& runs, const NoiseOptions
 namespace {
 
 // Of a channel whose noise does not remember: the residuals' mean square, allowing for unknowns and set-ups.
-void estimate_white(const std::vector<RunEquations>& runs, int channel, Eigen::Index total, const NoiseOptions& options,
-                    NoiseModel& noise) {
+void estimate_white(const std::vector<RunEquations>& runs, int channel, const NoiseOptions& options,
+                    const FittedUnknowns* fitted, NoiseModel& noise) {
   ChannelNoise& found = noise.channels[static_cast<std::size_t>(channel)];
   if (found.samples == 0) return;
   const ChannelResiduals all = residuals_of(runs, channel);
   const double most = options.clip * found.sigma;
-  const auto readings = static_cast<double>(found.samples);
   const bool both = noise.channels[kTracker].samples > 0 && noise.channels[kTrackerTilt].samples > 0;
   double squares = 0;
-  double degrees = readings * (1 - options.degrees_taken / static_cast<double>(std::max<Eigen::Index>(total, 1)));
+  auto degrees = static_cast<double>(found.samples);
+  if (fitted != nullptr) degrees -= fitted_directions(runs, channel, *fitted).taken;
   for (std::size_t r = 0; r < all.residuals.size(); ++r) {
     squares += all.residuals[r].cwiseMax(-most).cwiseMin(most).squaredNorm();
     degrees -= static_cast<double>(all.setups[r].cols()) / (both ? 2 : 1);
@@ -207,31 +264,28 @@ void estimate_white(const std::vector<RunEquations>& runs, int channel, Eigen::I
 
 }  // namespace
 
-NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options) {
+NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options,
+                          const FittedUnknowns* fitted) {
   NoiseModel noise = rough_noise(runs, options);
-  const Eigen::Index total =
-      std::accumulate(noise.channels.begin(), noise.channels.end(), Eigen::Index{0},
-                      [](Eigen::Index sum, const ChannelNoise& channel) { return sum + channel.samples; });
   // the drives are of one kind: their torques share a colour
   for (const std::vector<int>& group : {std::vector<int>{kRadial}, std::vector<int>{1, 2, 3, 4, 5, 6}}) {
     std::vector<Channel> channels;
     for (const int channel : group) {
       const ChannelNoise& rough = noise.channels[static_cast<std::size_t>(channel)];
-      channels.push_back(clipped(residuals_of(runs, channel), options.clip * rough.sigma));
-      channels.back().taken = options.degrees_taken * static_cast<double>(rough.samples) /
-                              static_cast<double>(std::max<Eigen::Index>(total, 1));
+      channels.push_back(channel_of(runs, channel, options.clip * rough.sigma, fitted));
     }
-    if (std::all_of(channels.begin(), channels.end(), [](const Channel& c) { return c.runs.empty(); })) continue;
+    const auto measured = [](const Channel& c) { return !c.runs.empty(); };
+    if (std::none_of(channels.begin(), channels.end(), measured)) continue;
     const Trial best = best_colour(channels, options);
     for (std::size_t i = 0; i < group.size(); ++i) {
       ChannelNoise& found = noise.channels[static_cast<std::size_t>(group[i])];
       found.memory = best.memory;
       found.white = best.white;
-      found.sigma =
-          std::max(std::sqrt(channels[i].at(best.memory, best.white).variance), least_sigma(group[i], options));
+      const double variance = measured(channels[i]) ? channels[i].at(best.memory, best.white).variance : 0;
+      found.sigma = std::max(std::sqrt(variance), least_sigma(group[i], options));
     }
   }
-  for (const int channel : {kTracker, kTrackerTilt}) estimate_white(runs, channel, total, options, noise);
+  for (const int channel : {kTracker, kTrackerTilt}) estimate_white(runs, channel, options, fitted, noise);
   return noise;
 }
 

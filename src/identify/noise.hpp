@@ -28,15 +28,24 @@ struct NoiseOptions {
   double least_sigma_um = 1e-3;            // what is less is rounding
   double least_sigma_Nm = 1e-5;
   double least_sigma_rad = 1e-9;
-  double degrees_taken = 0;  // unknowns that were fitted to these residuals, of all channels
+};
+
+/// The unknowns that were fitted to residuals, where the fit ended.
+struct FittedUnknowns {
+  Eigen::MatrixXd precision;  // information of all readings and of the priors, in scales
+  Eigen::VectorXd scales;     // SI
+  NoiseModel noise;           // that the readings were weighed with
 };
 
 /// Estimates the noise of each channel from the residuals of all runs, alike in all of them: sigma, memory and white
 /// part by restricted maximum likelihood [Patterson and Thompson 1971], which allows for the set-up that each run was
-/// fitted with; outliers cut back at `clip` robust standard deviations (median). A white part is taken where it makes
-/// the deviance smaller by the logarithm of the number of readings [Schwarz 1978]. The torques of all struts share
-/// memory and white part. Noise of a tracker does not remember.
-NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options = {});
+/// fitted with and, with `fitted`, for the unknowns (`runs` then need their slopes): a fit takes low frequencies out of
+/// the residuals, and noise would seem to remember less than it does; outliers cut back at `clip` robust standard
+/// deviations (median). A white part is taken where it makes the deviance smaller by the logarithm of the number of
+/// readings [Schwarz 1978]. The torques of all struts share memory and white part. Noise of a tracker does not
+/// remember.
+NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options = {},
+                          const FittedUnknowns* fitted = nullptr);
 
 /// Noise that does not remember, its sigma the robust standard deviation (median) of the residuals: to begin with.
 NoiseModel rough_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options = {});

@@ -101,6 +101,38 @@ TEST_CASE("whitening with a white part turns the covariance into the unit matrix
   CHECK(rows.isApprox(W, 1e-14));
 }
 
+TEST_CASE("unknowns that were fitted at low frequencies do not make noise forget") {
+  std::mt19937_64 random(45);
+  constexpr int kRuns = 30;
+  constexpr double kMemory = 0.8;
+  std::vector<RunEquations> runs = noisy_runs(0.5e-6, kMemory, kRuns, 120, random);
+  FittedUnknowns fitted;
+  fitted.scales = Eigen::VectorXd::Constant(2 * kRuns, 1e-6);
+  fitted.precision = Eigen::MatrixXd::Zero(2 * kRuns, 2 * kRuns);
+  for (int r = 0; r < kRuns; ++r) {  // the second harmonic of each run is unknown
+    RunEquations& run = runs[static_cast<std::size_t>(r)];
+    run.slopes = SlopeRows::Zero(run.samples, 2 * kRuns);
+    for (Eigen::Index i = 0; i < run.samples; ++i) {
+      const double angle = 4 * 3.14159265358979 * static_cast<double>(i) / static_cast<double>(run.samples);
+      run.slopes.row(i).segment<2>(2 * r) << std::cos(angle), std::sin(angle);
+    }
+    Eigen::MatrixXd both(run.samples, kSetup + 2);
+    both << run.setup_slopes, run.slopes.middleCols<2>(2 * r);
+    run.residual -= both * both.colPivHouseholderQr().solve(run.residual);
+  }
+  const double careless = estimate_noise(runs).channels[kRadial].memory;
+  fitted.noise.channels[kRadial] = {0.5e-6, kMemory, 120};
+  for (RunEquations run : runs) {
+    whiten(fitted.noise, run);
+    const SlopeRows slopes = run.slopes * fitted.scales.asDiagonal();
+    fitted.precision += slopes.transpose() * slopes;
+  }
+  const ChannelNoise found = estimate_noise(runs, {}, &fitted).channels[kRadial];
+  CHECK(careless < kMemory - 0.05);
+  CHECK(found.memory == Approx(kMemory).margin(0.03));
+  CHECK(found.sigma == Approx(0.5e-6).epsilon(0.05));
+}
+
 TEST_CASE("a few gross outliers do not make the noise large") {
   std::mt19937_64 random(42);
   std::vector<RunEquations> runs = noisy_runs(0.5e-6, 0.5, 20, 120, random);
