@@ -218,11 +218,11 @@ struct Dialect {
   /// The row of a word that is a code, named or not; null for other words and codes that the control does not know.
   const CodeRow* row_of(const Word& word) const;
   /// What a name means, whatever its case; null if nothing.
-  const NameMeaning* meaning(std::string_view name) const;
+  const NameMeaning* meaning(std::string_view text) const;
   /// "G54", "G54.1 P2" and so on, as programs and messages name a work system; 1 is the first.
   std::string name_of_system(int system) const;
   /// The work system of that name (upper case, blanks left out); 0: none.
-  int system_of_name(std::string_view name) const;
+  int system_of_name(std::string_view text) const;
 };
 
 /// The dialects that there are.

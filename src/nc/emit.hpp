@@ -112,7 +112,7 @@ class Emitter {
   void write_entries();
   void restore_modes(const Step& step);
   void restore_switches(const Switches& was, const Switches& is);
-  void write_words(std::string text);
+  void write_words(const std::string& text);
   void begin_change(const Step& step);
   void copy_source(std::uint64_t from, std::uint64_t to);
   void write_stamp();

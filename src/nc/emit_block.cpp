@@ -88,7 +88,7 @@ void PieceWriter::append_further(std::string& out, const Step& step, const Piece
   for (const Word* word : codes.after_motion()) append_code(out, step.block->at(word->span), spelling);
 }
 
-void PieceWriter::append_axis_word(std::string& out, const Piece& piece, Axis axis, const Spelling& spelling) const {
+void PieceWriter::append_axis_word(std::string& out, const Piece& piece, Axis axis, const Spelling& spelling) {
   const std::size_t begin = out.size();
   append_word(out, letter(axis), piece.value[axis], piece.digits[index(axis)], spelling);
   if (!piece.direct || !piece.endless.contains(axis)) return;

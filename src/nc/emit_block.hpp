@@ -24,7 +24,7 @@ class PieceWriter {
   std::string codes_before(const Step& step, const Piece& piece, const BlockCodes& codes, MotionMode standing,
                            bool is_last);
   std::string change_axis_words(const Step& step, const Piece& piece);
-  void append_axis_word(std::string& out, const Piece& piece, Axis axis, const Spelling& spelling) const;
+  static void append_axis_word(std::string& out, const Piece& piece, Axis axis, const Spelling& spelling);
   void place_words(const Step& step, const std::string& codes_before, const std::string& words);
   void change_feed_word(const Step& step, const Piece& piece);
   const CodeWriter& codes_;

@@ -129,7 +129,7 @@ void Emitter::write_entries() {
   entries_.clear();
 }
 
-void Emitter::write_words(std::string text) {
+void Emitter::write_words(const std::string& text) {
   if (text.empty()) return;
   write_entries();
   out_.write(text + newline_);

@@ -86,7 +86,7 @@ bool PiecePlanner::stays(const Step& step, std::span<const CorrectedPoint> point
 }
 
 // Its absolute words are counted from where it stands.
-bool PiecePlanner::counts_turns(const Step& step, Axis axis) const {
+bool PiecePlanner::counts_turns(const Step& step, Axis axis) {
   return step.named.contains(axis) && !step.after->incremental && step.after->rule_of(axis) != RotaryRule::linear;
 }
 

@@ -77,7 +77,7 @@ class PiecePlanner {
     double quantum;  // of what the control keeps, in the program's unit
   };
   Grid grid(const Step& step, Axis axis) const;
-  bool counts_turns(const Step& step, Axis axis) const;
+  static bool counts_turns(const Step& step, Axis axis);
   bool depends_on_start(const Step& step, Axis axis) const;
   double endless_word(const Step& step, Axis axis, double to, std::optional<double> from) const;
   Piece rounded_piece(const Step& step, const CorrectedPoint& point, AxisSet writable, AxisWords& at);

@@ -50,7 +50,7 @@ std::string FlowControl::label_of(const Block& block) {
 }
 
 // Loops and branches of a subprogram have labels of their own.
-std::string FlowControl::scoped(std::string label) const {
+std::string FlowControl::scoped(const std::string& label) const {
   return calls_.empty() ? label + '#' : calls_.back().name + '#' + label;
 }
 

@@ -67,7 +67,7 @@ class FlowControl : public Sequencer {
   };
 
   std::string label_of(const Block& block);
-  std::string scoped(std::string label) const;
+  std::string scoped(const std::string& label) const;
   Target& begin_loop(const Block& block, const std::string& label);
   const Target& need_target(const Block& block, const std::string& label, FlowWord a, FlowWord b) const;
   void skip_to(const Block& block, std::string label, std::string_view what);
@@ -83,7 +83,7 @@ class FlowControl : public Sequencer {
   bool condition(const Block& block);
   void note_call();
   void note_pass(Target& loop);
-  LinePlace place_of_line(const Block& block) const { return {block.offset, block.line}; }
+  static LinePlace place_of_line(const Block& block) { return {block.offset, block.line}; }
 
   const Dialect& dialect_;
   Interpreter& interpreter_;

@@ -96,7 +96,8 @@ std::array<double, 2> polar_end(const Execution& run, double x, double y) {
     run.refuse(word, codes::kOutOfRange, "the move begins at the origin, which has no angle",
                "give radius and angle as absolute words");
   }
-  double radius = std::hypot(x, y), angle = std::atan2(y, x);
+  double radius = std::hypot(x, y);
+  double angle = std::atan2(y, x);
   if (radius_word != nullptr) radius = run.length(*radius_word) + (control.modal.incremental ? radius : 0);
   if (angle_word != nullptr) angle = angle_word->value * kDeg + (control.modal.incremental ? angle : 0);
   return {radius * std::cos(angle), radius * std::sin(angle)};

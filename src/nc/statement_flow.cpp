@@ -147,7 +147,8 @@ const LinePlace* StatementFlow::find_label(const std::string& label, std::size_t
   File& file = *files_[file_];
   index_programs(file);
   index_labels(file);
-  std::size_t first = 0, end = std::string::npos;
+  std::size_t first = 0;
+  std::size_t end = std::string::npos;
   for (const auto& [name, place] : file.programs) {
     if (place.line <= line) {
       first = place.line;

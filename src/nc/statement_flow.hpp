@@ -29,8 +29,8 @@ class StatementFlow : public Sequencer {
   bool called() const override { return !calls_.empty(); }
   bool ended() const override { return ended_; }
   bool take(const Block& block) override;
-  void call_program(const Block& block, const ProgramCall& call) override;
-  bool end_program(const Block& block, const ProgramCall& call) override;
+  void call_program(const Block& block, const ProgramCall& program) override;
+  bool end_program(const Block& block, const ProgramCall& program) override;
 
  private:
   struct File {
