@@ -141,9 +141,9 @@ def part_of(name):
     unknown = {row["does"] for row, _ in rows} - MEANINGS.keys() - {"refused", "none"}
     if unknown:
         raise SystemExit(f"scripts/dialect_pages.py: MEANINGS has nothing for {', '.join(sorted(unknown))}")
-    before, after = table["execution"], []
-    at = before.index("motion")
-    before, after = before[:at], before[at + 1 :]
+    order = table["execution"]
+    at = order.index("motion")
+    before, after = order[:at], order[at + 1 :]
     lines = [BEGIN.format(name), "", "## Sources", "", sources_of(text)]
     settings = list(settings_of(text))
     if settings:

@@ -1,7 +1,6 @@
 #include <memory>
 
 #include "base/units.hpp"
-#include "cli/command.hpp"
 #include "cli/identified_output.hpp"
 
 namespace plumbline::cli {
@@ -66,13 +65,7 @@ void add_calibrate(CLI::App& app, Run& run) {
       "calibrate", "Find where the joints are and how long the struts, from circular tests or a tracker's poses");
   const auto arguments = std::make_shared<CalibrateArguments>();
   add_measurements(*command, *arguments);
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "the model with what was found: the same text, comments and all, but for the numbers")
-      ->type_name("MODEL2")
-      ->required();
-  command->add_option("--json", arguments->json, "write values, errors, correlations and the gap as JSON, too")
-      ->type_name("FILE");
+  add_identified_output(*command, arguments->output, arguments->json);
   add_unknowns(*command, *arguments);
   command->add_flag("--controller", arguments->job.controller,
                     "write the joints as new coordinates for the controller, not as what it has wrong");

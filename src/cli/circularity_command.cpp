@@ -12,9 +12,10 @@ struct CircularityArguments {
 };
 
 int circularity(const CircularityArguments& arguments) {
-  check_outputs(files_of_dataset(arguments.dataset), {arguments.json});
+  const measure::Dataset dataset = measure::read_dataset(arguments.dataset);
+  check_outputs(files_of(dataset, arguments.dataset), {arguments.json});
   JsonResult json(arguments.json);
-  const jobs::CircularityTable table = jobs::circularity_table(measure::read_dataset(arguments.dataset));
+  const jobs::CircularityTable table = jobs::circularity_table(dataset);
   json.give(jobs::circularity_text(table), jobs::circularity_json(table));
   return kDone;
 }

@@ -11,7 +11,6 @@
 #include "base/diagnostic.hpp"
 #include "cli/command.hpp"
 #include "cli/messages.hpp"
-#include "measure/dataset.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -71,12 +70,10 @@ void check_outputs(const std::vector<std::string>& inputs, const std::vector<std
   }
 }
 
-std::vector<std::string> files_of_dataset(const std::string& dataset) {
-  std::vector<std::string> files{dataset};
-  std::error_code missing;
-  if (!fs::is_regular_file(dataset, missing)) return files;  // a pipe is read once
-  const fs::path folder = fs::path(dataset).parent_path();
-  for (const measure::Run& run : measure::read_dataset(dataset).runs) files.push_back((folder / run.file).string());
+std::vector<std::string> files_of(const measure::Dataset& dataset, const std::string& path) {
+  std::vector<std::string> files{path};
+  const fs::path folder = fs::path(path).parent_path();
+  for (const measure::Run& run : dataset.runs) files.push_back((folder / run.file).string());
   return files;
 }
 

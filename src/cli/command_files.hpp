@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/files.hpp"
+#include "measure/dataset.hpp"
 
 namespace plumbline::cli {
 
@@ -14,8 +15,8 @@ namespace plumbline::cli {
 /// UsageError if two inputs are standard input.
 void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
-/// What is read of a dataset: its dataset.toml and the tables of its runs. Refuses as measure::read_dataset does.
-std::vector<std::string> files_of_dataset(const std::string& dataset);
+/// What was read of a dataset: `path`, its dataset.toml, and the tables of its runs.
+std::vector<std::string> files_of(const measure::Dataset& dataset, const std::string& path);
 
 /// A result in words on standard output, and as JSON in the file that --json names.
 class JsonResult {

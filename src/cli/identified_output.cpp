@@ -6,10 +6,18 @@
 #include <fmt/format.h>
 
 #include "base/files.hpp"
-#include "cli/command.hpp"
 #include "cli/command_files.hpp"
 
 namespace plumbline::cli {
+
+void add_identified_output(CLI::App& command, std::string& output, std::string& json) {
+  command
+      .add_option("-o,--output", output,
+                  "the model with what was found: the same text, comments and all, but for the numbers")
+      ->type_name("MODEL2")
+      ->required();
+  command.add_option("--json", json, "write values, errors, correlations and the gap as JSON, too")->type_name("FILE");
+}
 
 int write_identified(const std::vector<std::string>& inputs, const std::string& output, const std::string& json,
                      const std::function<jobs::IdentifiedModel()>& make) {

@@ -5,9 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "cli/command.hpp"
 #include "jobs/identify.hpp"
 
 namespace plumbline::cli {
+
+/// The options -o MODEL2, which is required, and --json FILE.
+void add_identified_output(CLI::App& command, std::string& output, std::string& json);
 
 /// Checks that `output` and `json` (may be empty) overwrite none of the inputs, makes the model, prints what was found,
 /// and writes both. A model that did not converge is not written. Returns the exit code.

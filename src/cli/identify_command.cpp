@@ -1,7 +1,6 @@
 #include <map>
 #include <memory>
 
-#include "cli/command.hpp"
 #include "cli/identified_output.hpp"
 
 namespace plumbline::cli {
@@ -28,13 +27,7 @@ void add_identify(CLI::App& app, Run& run) {
   command->add_option("-d,--dataset", arguments->dataset, "the measurements: a dataset.toml")
       ->type_name("DATASET")
       ->required();
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "the model with what was found: the same text, comments and all, but for the numbers")
-      ->type_name("MODEL2")
-      ->required();
-  command->add_option("--json", arguments->json, "write values, errors, correlations and the gap as JSON, too")
-      ->type_name("FILE");
+  add_identified_output(*command, arguments->output, arguments->json);
   const std::map<std::string, identify::Stages> stages{{"joint", identify::Stages::joint},
                                                        {"paper", identify::Stages::paper}};
   command

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
+#include "base/mean_square.hpp"
 #include "diagnose/verdict.hpp"
 #include "physics/generic_formula.hpp"
 
@@ -15,17 +16,9 @@ namespace {
 using identify::RunEquations;
 using measure::Run;
 
-struct Squares {
-  double sum = 0;
-  Eigen::Index count = 0;
-  void add(const Eigen::Ref<const Eigen::VectorXd>& e) {
-    sum += e.squaredNorm();
-    count += e.size();
-  }
-  std::optional<double> rms() const {
-    return count > 0 ? std::optional(std::sqrt(sum / static_cast<double>(count))) : std::nullopt;
-  }
-};
+std::optional<double> rms_if_any(const MeanSquare& of) {
+  return of.count > 0 ? std::optional(of.root()) : std::nullopt;
+}
 
 // Residuals of all runs with one force model, each run's set-up fitted.
 std::vector<RunEquations> residuals(const machine::MachineModel& machine, const std::vector<Run>& runs,
@@ -36,8 +29,8 @@ std::vector<RunEquations> residuals(const machine::MachineModel& machine, const 
 }
 
 Rms rms_of(const std::vector<RunEquations>& runs, const std::vector<bool>& out, bool held_out) {
-  Squares radial;
-  Squares torque;
+  MeanSquare radial;
+  MeanSquare torque;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (out[i] != held_out) continue;
     for (std::size_t c = 0; c < runs[i].channels.size(); ++c) {
@@ -46,7 +39,7 @@ Rms rms_of(const std::vector<RunEquations>& runs, const std::vector<bool>& out, 
           .add(runs[i].residual.segment(first, runs[i].samples));
     }
   }
-  return {radial.rms(), torque.rms()};
+  return {rms_if_any(radial), rms_if_any(torque)};
 }
 
 std::optional<Circularity> circularity_of(const machine::MachineModel& machine, const Run& run,

@@ -108,9 +108,9 @@ double deviance(const std::vector<std::vector<Band>>& channels, double memory, d
 std::vector<Ordinate> ordinates_of(const std::vector<RunEquations>& runs, int channel) {
   std::vector<Ordinate> all;
   for (const RunEquations& run : runs) {
-    const auto place = std::find(run.channels.begin(), run.channels.end(), channel);
-    if (place == run.channels.end()) continue;
-    const Eigen::VectorXd e = run.residual.segment((place - run.channels.begin()) * run.samples, run.samples);
+    const std::optional<Eigen::Index> first = run.first_row(channel);
+    if (!first) continue;
+    const Eigen::VectorXd e = run.residual.segment(*first, run.samples);
     const std::vector<Ordinate> more = periodogram(e, channel == kRadial ? 2 : 1);  // the ball takes the first
     all.insert(all.end(), more.begin(), more.end());
   }

@@ -6,10 +6,12 @@
 #include <numbers>
 #include <optional>
 
+#include "base/mean_square.hpp"
 #include "base/parallel.hpp"
 #include "base/units.hpp"
 #include "diagnose/held_out.hpp"
 #include "diagnose/states.hpp"
+#include "machine/limits.hpp"
 #include "measure/circularity.hpp"
 
 namespace plumbline::diagnose {
@@ -21,16 +23,6 @@ using measure::Run;
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-struct MeanSquare {
-  double sum = 0;
-  double count = 0;
-  void add(double value) {
-    sum += value * value;
-    count += 1;
-  }
-  double root() const { return count > 0 ? std::sqrt(sum / count) : 0; }
-};
-
 struct TwoSquares {
   MeanSquare radial, torque;
   void add(int channel, double value) { (channel == kRadial ? radial : torque).add(value); }
@@ -38,9 +30,9 @@ struct TwoSquares {
 };
 
 std::optional<Eigen::VectorXd> channel_of(const RunEquations& run, int channel) {
-  const auto place = std::find(run.channels.begin(), run.channels.end(), channel);
-  if (place == run.channels.end()) return std::nullopt;
-  return run.residual.segment((place - run.channels.begin()) * run.samples, run.samples);
+  const std::optional<Eigen::Index> first = run.first_row(channel);
+  if (!first) return std::nullopt;
+  return run.residual.segment(*first, run.samples);
 }
 
 double within_turn(double angle) { return angle - kTurn * std::floor(angle / kTurn); }
@@ -149,8 +141,7 @@ Contrast contrast_of(const std::string& by, const std::vector<Run>& runs, const 
 }
 
 double tilt_of(const machine::RotationOrder& order, const Run& run) {
-  const Eigen::Matrix3d R = machine::rotation<double>(order, run.tilt);
-  return std::acos(std::clamp(R(2, 2), -1.0, 1.0)) / kDeg;
+  return machine::tilt(machine::rotation<double>(order, run.tilt)) / kDeg;
 }
 
 class Groups {
@@ -291,9 +282,8 @@ Where where_of(const machine::RotationOrder& order, const std::vector<Run>& runs
                const WhereOptions& options) {
   Where where;
   for (int channel = 0; channel < identify::kChannels; ++channel) {
-    const bool measured = std::any_of(residuals.begin(), residuals.end(), [&](const RunEquations& run) {
-      return std::find(run.channels.begin(), run.channels.end(), channel) != run.channels.end();
-    });
+    const bool measured = std::any_of(residuals.begin(), residuals.end(),
+                                      [&](const RunEquations& run) { return run.first_row(channel).has_value(); });
     if (!measured) continue;
     where.channels.push_back(
         around_the_circle(runs, residuals, channel, noise.channels[static_cast<std::size_t>(channel)]));

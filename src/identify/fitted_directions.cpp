@@ -1,6 +1,5 @@
 #include "identify/fitted_directions.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
@@ -17,15 +16,14 @@ constexpr double kLeastSetupSlope = 1e-12;  // of the largest: a frame's shift t
 
 // The information of one channel of one run, its set-up out, in scales of the unknowns.
 Eigen::MatrixXd channel_information(const RunEquations& run, int channel, const FittedUnknowns& fitted) {
-  const auto place = std::find(run.channels.begin(), run.channels.end(), channel);
+  const std::optional<Eigen::Index> first = run.first_row(channel);
   const Eigen::Index unknowns = fitted.scales.size();
-  if (place == run.channels.end()) return Eigen::MatrixXd::Zero(unknowns, unknowns);
+  if (!first) return Eigen::MatrixXd::Zero(unknowns, unknowns);
   const ChannelNoise& noise = fitted.noise.channels[static_cast<std::size_t>(channel)];
-  const Eigen::Index first = (place - run.channels.begin()) * run.samples;
-  SlopeRows slopes = run.slopes.middleRows(first, run.samples) * fitted.scales.asDiagonal();
+  SlopeRows slopes = run.slopes.middleRows(*first, run.samples) * fitted.scales.asDiagonal();
   whiten(noise, slopes);
-  if (first < run.setup_slopes.rows()) {
-    Eigen::MatrixXd setup = run.setup_slopes.middleRows(first, run.samples);
+  if (*first < run.setup_slopes.rows()) {
+    Eigen::MatrixXd setup = run.setup_slopes.middleRows(*first, run.samples);
     whiten(noise, setup);
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(setup);
     qr.setThreshold(kLeastSetupSlope);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
+#include "base/mean_square.hpp"
 #include "identify/named_keys.hpp"
 
 namespace plumbline::identify {
@@ -44,24 +45,11 @@ Stage run_stage(std::string name, const machine::MachineModel& machine, const st
   return {std::move(name), std::move(found), std::move(known)};
 }
 
-// Squares summed, and how many.
-struct Pool {
-  double squares = 0;
-  Eigen::Index readings = 0;
-
-  template <class Rows>
-  void add(const Rows& rows) {
-    squares += rows.squaredNorm();
-    readings += rows.size();
-  }
-  double rms() const { return std::sqrt(squares / static_cast<double>(std::max<Eigen::Index>(readings, 1))); }
-};
-
 Misfit misfit_of(const machine::MachineModel& machine, const std::vector<measure::Run>& runs, const Tracked* tracked,
                  const physics::ForceModel& forces, const NoiseModel& noise) {
   Objective objective(machine.rotation, runs, Unknowns(forces), {}, tracked);
   objective.set_noise(noise);
-  std::array<Pool, kAllChannels> pools;
+  std::array<MeanSquare, kAllChannels> pools;
   double magnitudes = 0;
   for (const RunEquations& block : objective.equations(Eigen::VectorXd(0))) {
     Eigen::Index first = 0;
@@ -73,17 +61,17 @@ Misfit misfit_of(const machine::MachineModel& machine, const std::vector<measure
       if (torque) magnitudes += rows.cwiseAbs().sum();
     }
   }
-  const Pool& torques = pools[1];
+  const MeanSquare& torques = pools[1];
   Misfit misfit;
-  misfit.radial_rms = pools[kRadial].rms();
-  misfit.radial_readings = pools[kRadial].readings;
-  misfit.torque_rms = torques.rms();
-  misfit.torque_mean_abs = magnitudes / static_cast<double>(std::max<Eigen::Index>(torques.readings, 1));
-  misfit.torque_readings = torques.readings;
-  misfit.tracker_rms = pools[kTracker].rms();
-  misfit.tracker_readings = pools[kTracker].readings;
-  misfit.tilt_rms = pools[kTrackerTilt].rms();
-  misfit.tilt_readings = pools[kTrackerTilt].readings;
+  misfit.radial_rms = pools[kRadial].root();
+  misfit.radial_readings = pools[kRadial].count;
+  misfit.torque_rms = torques.root();
+  misfit.torque_mean_abs = magnitudes / static_cast<double>(std::max<Eigen::Index>(torques.count, 1));
+  misfit.torque_readings = torques.count;
+  misfit.tracker_rms = pools[kTracker].root();
+  misfit.tracker_readings = pools[kTracker].count;
+  misfit.tilt_rms = pools[kTrackerTilt].root();
+  misfit.tilt_readings = pools[kTrackerTilt].count;
   return misfit;
 }
 
@@ -119,9 +107,10 @@ Stage joint_stage(const machine::MachineModel& machine, const std::vector<measur
   Stage stage =
       run_stage(calibration ? "calibration" : "joint", machine,
                 tracked != nullptr && runs.empty() ? runs : only(runs, Readings::all), unknowns, options, tracked);
+  if (!calibration) return stage;
   for (std::string& statement :
        geometry_statements(machine.geometry, stage.fit.unknowns, stage.fit.covariance, options.observability.little)) {
-    if (calibration) stage.observability.statements.push_back(std::move(statement));
+    stage.observability.statements.push_back(std::move(statement));
   }
   return stage;
 }

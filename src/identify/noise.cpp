@@ -25,14 +25,13 @@ ChannelResiduals residuals_of(const std::vector<RunEquations>& runs, int channel
                               const Eigen::MatrixXd* directions = nullptr) {
   ChannelResiduals all;
   for (const RunEquations& run : runs) {
-    const auto place = std::find(run.channels.begin(), run.channels.end(), channel);
-    if (place == run.channels.end()) continue;
-    const Eigen::Index first = (place - run.channels.begin()) * run.samples;
-    all.residuals.emplace_back(run.residual.segment(first, run.samples));
-    all.setups.push_back(first < run.setup_slopes.rows()
-                             ? Eigen::MatrixXd(run.setup_slopes.middleRows(first, run.samples))
+    const std::optional<Eigen::Index> first = run.first_row(channel);
+    if (!first) continue;
+    all.residuals.emplace_back(run.residual.segment(*first, run.samples));
+    all.setups.push_back(*first < run.setup_slopes.rows()
+                             ? Eigen::MatrixXd(run.setup_slopes.middleRows(*first, run.samples))
                              : Eigen::MatrixXd(run.samples, 0));
-    if (directions != nullptr) all.slopes.emplace_back(run.slopes.middleRows(first, run.samples) * *directions);
+    if (directions != nullptr) all.slopes.emplace_back(run.slopes.middleRows(*first, run.samples) * *directions);
     all.samples += run.samples;
   }
   return all;
@@ -230,20 +229,6 @@ Channel channel_of(const std::vector<RunEquations>& runs, int channel, double mo
   return one;
 }
 
-}  // namespace
-
-NoiseModel rough_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options) {
-  NoiseModel noise;
-  for (int channel = 0; channel < kAllChannels; ++channel) {
-    const ChannelResiduals all = residuals_of(runs, channel);
-    noise.channels[static_cast<std::size_t>(channel)] = {std::max(robust_sigma(all), least_sigma(channel, options)), 0,
-                                                         all.samples};
-  }
-  return noise;
-}
-
-namespace {
-
 // Of a channel whose noise does not remember: the residuals' mean square, allowing for unknowns and set-ups.
 void estimate_white(const std::vector<RunEquations>& runs, int channel, const NoiseOptions& options,
                     const FittedUnknowns* fitted, NoiseModel& noise) {
@@ -263,6 +248,16 @@ void estimate_white(const std::vector<RunEquations>& runs, int channel, const No
 }
 
 }  // namespace
+
+NoiseModel rough_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options) {
+  NoiseModel noise;
+  for (int channel = 0; channel < kAllChannels; ++channel) {
+    const ChannelResiduals all = residuals_of(runs, channel);
+    noise.channels[static_cast<std::size_t>(channel)] = {std::max(robust_sigma(all), least_sigma(channel, options)), 0,
+                                                         all.samples};
+  }
+  return noise;
+}
 
 NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOptions& options,
                           const FittedUnknowns* fitted) {

@@ -1,10 +1,8 @@
 #include "identify/run_model.hpp"
 
+#include <algorithm>
 #include <array>
 
-#include <fmt/format.h>
-
-#include "base/diagnostic.hpp"
 #include "measure/simulation.hpp"
 
 namespace plumbline::identify {
@@ -15,12 +13,7 @@ using machine::kStruts;
 physics::TipError<double> standing(const physics::ForceModel& forces, const physics::Environment& environment,
                                    const physics::Motion<double>& motion, const measure::Run& run, std::size_t sample) {
   physics::TipError<double> error = physics::tip_error(forces, environment, motion);
-  if (!error.converged()) {
-    refuse("simulate-unreachable",
-           fmt::format("run {}: the machine cannot stand at {:.6g} deg of the circle: {}", run.id,
-                       run.angle[sample] / kDeg, physics::to_text(error.stopped_because)),
-           "check centre_mm, radius_mm and tilt_deg of the run, and that it belongs to this machine", run.place);
-  }
+  if (!error.converged()) measure::refuse_unreachable(run, sample, error.stopped_because);
   return error;
 }
 
@@ -30,6 +23,12 @@ std::string_view channel_name(int channel) {
   constexpr std::array<std::string_view, kAllChannels> kNames{"radial",  "torque1", "torque2", "torque3",     "torque4",
                                                               "torque5", "torque6", "tracker", "tracker_tilt"};
   return kNames.at(static_cast<std::size_t>(channel));
+}
+
+std::optional<Eigen::Index> RunEquations::first_row(int channel) const {
+  const auto place = std::find(channels.begin(), channels.end(), channel);
+  if (place == channels.end()) return std::nullopt;
+  return (place - channels.begin()) * samples;
 }
 
 SimulatedRun simulate_run(const machine::RotationOrder& order, const physics::ForceModel& forces,

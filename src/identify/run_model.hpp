@@ -2,6 +2,7 @@
 // set-up.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "identify/sensitivity.hpp"
@@ -50,6 +51,9 @@ struct RunEquations {
   SlopeRows slopes;              // of the simulated readings by the unknowns; empty if the run was simulated without
   Eigen::MatrixXd setup_slopes;  // of the first channels, those that a set-up moves: of a run samples x kSetup, of the
                                  // bar alone; empty if nothing that was measured has a set-up
+
+  /// The first of the `samples` rows of a channel; nothing if it was not measured.
+  std::optional<Eigen::Index> first_row(int channel) const;
 };
 
 RunEquations run_equations(const measure::Run& run, const SimulatedRun& simulated, const measure::Setup& setup);

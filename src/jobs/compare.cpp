@@ -71,10 +71,9 @@ nlohmann::ordered_json number(const std::optional<double>& value) {
 
 }  // namespace
 
-Comparison compare(const std::string& model, const std::string& dataset) {
+Comparison compare(const std::string& model, const measure::Dataset& measured) {
   const machine::MachineModel machine = machine::read_model(model);
   const physics::ForceModel forces(machine);
-  const measure::Dataset measured = measure::read_dataset(dataset);
   Comparison comparison;
   Pool radial;
   Pool torque;

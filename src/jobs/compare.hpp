@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "machine/geometry.hpp"
+#include "measure/dataset.hpp"
 
 namespace plumbline::jobs {
 
@@ -28,8 +29,8 @@ struct Comparison {
 };
 
 /// Simulates every run of a dataset and compares, the set-up (ball centre, bar length) fitted per run. Refuses what the
-/// readers of models and datasets, physics::ForceModel and measure::simulate_run refuse.
-Comparison compare(const std::string& model, const std::string& dataset);
+/// reader of models, physics::ForceModel and measure::simulate_run refuse.
+Comparison compare(const std::string& model, const measure::Dataset& measured);
 
 /// A line per run and the pooled figures.
 std::string compare_text(const Comparison& comparison);

@@ -162,22 +162,12 @@ std::string parameter_text(const NamedParameter& parameter) {
 
 // "circles    as measured 41.2 um, compensated with the model as given 9.0, with what was found 3.9 (means of 26)"
 std::string circularity_line(const Diagnosis& d) {
-  diagnose::Circularity sum;
-  int count = 0;
-  for (const diagnose::RunGap& run : d.runs) {
-    if (!run.circularity) continue;
-    sum.measured += run.circularity->measured;
-    sum.given += run.circularity->given;
-    sum.found += run.circularity->found;
-    ++count;
-  }
-  if (count == 0) return {};
-  const double unit = count * kUm;
+  const CircularityOfRuns all = circularity_of(d.runs);
+  if (all.runs == 0) return {};
   return fmt::format(
       "circles    as measured {:.1f} um, compensated with the model as given {:.1f}, with what was found {:.1f} (means "
-      "of "
-      "{})\n",
-      sum.measured / unit, sum.given / unit, sum.found / unit, count);
+      "of {})\n",
+      all.mean.measured / kUm, all.mean.given / kUm, all.mean.found / kUm, all.runs);
 }
 
 std::vector<std::string> notes_of(const Diagnosis& diagnosis) {
@@ -218,7 +208,7 @@ std::string diagnosis_json(const Diagnosis& d) {
         {{"name", e.name}, {"log_odds", rounded(e.log_odds)}, {"left_out_nats", left_out_json(e.left_out)}});
   }
   json["noise"] = noise_json(d.noise);
-  json["circularity_um"] = circularity_json(d.runs);
+  json["circularity_um"] = circularity_json(circularity_of(d.runs));
   json["where"] = where_json(d.where);
   json["runs"] = Json::array();
   for (const diagnose::RunGap& run : d.runs) json["runs"].push_back(run_json(run));

@@ -14,7 +14,6 @@
 namespace plumbline::jobs {
 namespace {
 
-constexpr double kUrad = 1e-6;
 constexpr int kPoseDecimals = 3;
 
 constexpr std::string_view kHeader =

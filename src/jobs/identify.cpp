@@ -16,15 +16,13 @@
 namespace plumbline::jobs {
 namespace {
 
-constexpr double kMicroradian = 1e-6;
-
 using identify::Fit;
 using identify::Identification;
 using identify::Stage;
 using identify::Unknown;
 using nlohmann::ordered_json;
 
-// "measurements (fnv1a ..., 26 runs)": of the dataset and the tables that it names.
+// Of the dataset and the tables that it names.
 std::uint64_t hash_of(const measure::Dataset& dataset, const std::string& path) {
   std::uint64_t hash = fnv1a(dataset.document.text);
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
@@ -32,6 +30,7 @@ std::uint64_t hash_of(const measure::Dataset& dataset, const std::string& path) 
   return hash;
 }
 
+// "measurements/dataset.toml (fnv1a ..., 26 runs)"
 std::string source_text(const std::string& path, std::uint64_t hash, std::size_t count, std::string_view what) {
   return fmt::format("{} (fnv1a {}, {} {})", path, to_hex(hash), count, what);
 }
@@ -110,7 +109,7 @@ std::string noise_text(const identify::NoiseModel& noise) {
     } else if (c == identify::kTracker) {
       text += fmt::format("noise of the tracker: {:.2f} um\n", channel.sigma / kUm);
     } else if (c == identify::kTrackerTilt) {
-      text += fmt::format("noise of the tracker's angles: {:.2f} urad\n", channel.sigma / kMicroradian);
+      text += fmt::format("noise of the tracker's angles: {:.2f} urad\n", channel.sigma / kUrad);
     } else {
       torques.push_back(fmt::format("{:.4f}", channel.sigma));
     }
@@ -171,7 +170,7 @@ ordered_json stage_json(const Stage& stage) {
                                                               : angle ? "sigma_urad"
                                                                       : "sigma_Nm",
                                                               noise.sigma / (length  ? kUm
-                                                                             : angle ? kMicroradian
+                                                                             : angle ? kUrad
                                                                                      : 1)},
                                                              {"memory", noise.memory},
                                                              {"white", noise.white}};
@@ -188,12 +187,8 @@ ordered_json gap_json(const identify::Misfit& misfit) {
       {"torque_mean_abs_Nm", torques ? ordered_json(misfit.torque_mean_abs) : ordered_json(nullptr)},
       {"tracker_rms_um", misfit.tracker_readings > 0 ? ordered_json(misfit.tracker_rms / kUm) : ordered_json(nullptr)},
       {"tracker_tilt_rms_urad",
-       misfit.tilt_readings > 0 ? ordered_json(misfit.tilt_rms / kMicroradian) : ordered_json(nullptr)}};
+       misfit.tilt_readings > 0 ? ordered_json(misfit.tilt_rms / kUrad) : ordered_json(nullptr)}};
 }
-
-}  // namespace
-
-namespace {
 
 // The model's text with what was found; with `controller` its joints instead of what the controller has wrong.
 std::string refitted(const machine::MachineModel& machine, const Identification& found, const std::string& verb,
@@ -266,8 +261,7 @@ std::string identification_text(const Identification& found) {
   }
   if (a.tracker_readings > 0) {
     text += fmt::format("tracker: rms {:.2f} -> {:.2f} um", a.tracker_rms / kUm, b.tracker_rms / kUm);
-    if (a.tilt_readings > 0)
-      text += fmt::format(", {:.2f} -> {:.2f} urad", a.tilt_rms / kMicroradian, b.tilt_rms / kMicroradian);
+    if (a.tilt_readings > 0) text += fmt::format(", {:.2f} -> {:.2f} urad", a.tilt_rms / kUrad, b.tilt_rms / kUrad);
     text += "\n";
   }
   return text;

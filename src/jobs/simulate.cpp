@@ -18,7 +18,6 @@
 namespace plumbline::jobs {
 namespace {
 
-constexpr double kUrad = 1e-6;
 constexpr double kSpeedOverSign = 100;  // a move without a speed counts as this many times v0
 
 constexpr std::string_view kHeader =

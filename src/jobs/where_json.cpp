@@ -76,24 +76,32 @@ Json where_json(const diagnose::Where& where) {
   return json;
 }
 
-Json circularity_json(const std::vector<diagnose::RunGap>& runs) {
-  diagnose::Circularity sum;
-  diagnose::Circularity most;
-  double count = 0;
+CircularityOfRuns circularity_of(const std::vector<diagnose::RunGap>& runs) {
+  CircularityOfRuns all;
+  diagnose::Circularity& sum = all.mean;
+  diagnose::Circularity& most = all.largest;
   for (const diagnose::RunGap& run : runs) {
     if (!run.circularity) continue;
     const diagnose::Circularity& of = *run.circularity;
-    count += 1;
+    ++all.runs;
     sum = {sum.measured + of.measured, sum.given + of.given, sum.found + of.found};
     most = {std::max(most.measured, of.measured), std::max(most.given, of.given), std::max(most.found, of.found)};
   }
-  if (count == 0) return nullptr;
-  const auto pair = [&](double total, double largest) {
-    return Json{{"mean", rounded(total / count / kUm)}, {"largest", rounded(largest / kUm)}};
+  const double count = std::max(all.runs, 1);
+  sum = {sum.measured / count, sum.given / count, sum.found / count};
+  return all;
+}
+
+Json circularity_json(const CircularityOfRuns& circularity) {
+  if (circularity.runs == 0) return nullptr;
+  const auto pair = [](double mean, double largest) {
+    return Json{{"mean", rounded(mean / kUm)}, {"largest", rounded(largest / kUm)}};
   };
-  return {{"measured", pair(sum.measured, most.measured)},
-          {"compensated_with_given", pair(sum.given, most.given)},
-          {"compensated_with_found", pair(sum.found, most.found)}};
+  const diagnose::Circularity& mean = circularity.mean;
+  const diagnose::Circularity& most = circularity.largest;
+  return {{"measured", pair(mean.measured, most.measured)},
+          {"compensated_with_given", pair(mean.given, most.given)},
+          {"compensated_with_found", pair(mean.found, most.found)}};
 }
 
 }  // namespace plumbline::jobs

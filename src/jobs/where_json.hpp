@@ -13,7 +13,14 @@ nlohmann::ordered_json rounded(double value);
 /// The key "where" of a diagnosis, in the units of files.
 nlohmann::ordered_json where_json(const diagnose::Where& where);
 
-/// Predicted circularity of all runs that have readings of the bar: means and largest, um; null if none has.
-nlohmann::ordered_json circularity_json(const std::vector<diagnose::RunGap>& runs);
+/// Predicted circularity of all runs that have readings of the bar, m.
+struct CircularityOfRuns {
+  diagnose::Circularity mean, largest;
+  int runs = 0;  // that have them
+};
+CircularityOfRuns circularity_of(const std::vector<diagnose::RunGap>& runs);
+
+/// The same in um; null if no run has readings of the bar.
+nlohmann::ordered_json circularity_json(const CircularityOfRuns& circularity);
 
 }  // namespace plumbline::jobs

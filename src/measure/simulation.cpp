@@ -27,6 +27,13 @@ Eigen::VectorXd RunSimulation::radial(const Vector3<double>& ball_W, double bar)
   return readings;
 }
 
+void refuse_unreachable(const Run& run, std::size_t sample, physics::ErrorStop stop) {
+  refuse("simulate-unreachable",
+         fmt::format("run {}: the machine cannot stand at {:.6g} deg of the circle: {}", run.id,
+                     run.angle[sample] / kDeg, physics::to_text(stop)),
+         "check centre_mm, radius_mm and tilt_deg of the run, and that it belongs to this machine", run.place);
+}
+
 RunSimulation simulate_run(const machine::MachineModel& machine, const physics::ForceModel& forces, const Run& run) {
   const physics::Environment environment = environment_of(forces, run);
   RunSimulation simulation;
@@ -35,12 +42,7 @@ RunSimulation simulate_run(const machine::MachineModel& machine, const physics::
     const physics::Motion<double> motion = circular_motion(machine.rotation, run, i);
     simulation.samples.push_back(simulate_sample(forces, forces.parameters.data(), environment, motion));
     const physics::ErrorStop stop = simulation.samples.back().stopped_because;
-    if (stop != physics::ErrorStop::converged) {
-      refuse("simulate-unreachable",
-             fmt::format("run {}: the machine cannot stand at {:.6g} deg of the circle: {}", run.id,
-                         run.angle[i] / kDeg, physics::to_text(stop)),
-             "check centre_mm, radius_mm and tilt_deg of the run, and that it belongs to this machine", run.place);
-    }
+    if (stop != physics::ErrorStop::converged) refuse_unreachable(run, i, stop);
   }
   return simulation;
 }

@@ -45,6 +45,9 @@ struct RunSimulation {
   Eigen::VectorXd radial(const Vector3<double>& ball_W, double bar) const;
 };
 
+/// Refuses with simulate-unreachable: the machine cannot stand at that sample of the run.
+[[noreturn]] void refuse_unreachable(const Run& run, std::size_t sample, physics::ErrorStop stop);
+
 /// All samples of a run with the model's own parameters. Refuses with simulate-unreachable a run that the machine
 /// cannot make.
 RunSimulation simulate_run(const machine::MachineModel& machine, const physics::ForceModel& forces, const Run& run);

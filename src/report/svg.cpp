@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "report/where_svg.hpp"
-
 namespace plumbline::report {
 namespace {
 
@@ -14,16 +12,7 @@ using diagnose::ChannelGap;
 using diagnose::Diagnosis;
 using diagnose::RunGap;
 
-constexpr int kCell = 26;  // px
-constexpr int kRow = 18;
 constexpr std::size_t kMostBars = 8;
-
-std::string cell(int x, int y, double value, double noise, const std::string& title) {
-  const double times = value > 0 ? value / noise : 0;
-  return fmt::format(
-      R"(<rect x="{}" y="{}" width="{}" height="{}" fill="{}" stroke="#fff"><title>{}: {:.2f} times the noise</title></rect>)",
-      x, y, kCell, kRow, heat(times), title, times);
-}
 
 std::string closed_line(const RunGap& run, const Eigen::VectorXd& residual, double scale, const char* style) {
   std::string points;
@@ -54,18 +43,34 @@ std::string escaped(const std::string& text) {
   return safe;
 }
 
+std::string heat(double times_noise) {
+  const double share = std::clamp(std::log10(std::max(times_noise, 1.0)), 0.0, 1.0);
+  const int other = static_cast<int>(std::lround(245 - 195 * share));
+  return fmt::format("rgb({},{},{})", 245 - static_cast<int>(std::lround(40 * share)), other, other);
+}
+
+std::string map_square(int x, int y, double times_noise, const std::string& title) {
+  return fmt::format(
+      R"(<rect x="{}" y="{}" width="{}" height="{}" fill="{}" stroke="#fff"><title>{}: {:.2f} times the noise</title></rect>)",
+      x, y, kMapCell, kMapRow, heat(times_noise), title, times_noise);
+}
+
+std::string short_name(int channel) {
+  return channel == identify::kRadial ? std::string("bar") : fmt::format("T{}", channel);
+}
+
 std::string gap_map(const Diagnosis& d) {
   constexpr int kLeft = 150;
   constexpr int kTop = 36;
-  const int second = kLeft + identify::kChannels * kCell + 30;
-  const int width = second + identify::kChannels * kCell + 10;
-  const int height = kTop + kRow * static_cast<int>(d.runs.size()) + 6;
+  const int second = kLeft + identify::kChannels * kMapCell + 30;
+  const int width = second + identify::kChannels * kMapCell + 10;
+  const int height = kTop + kMapRow * static_cast<int>(d.runs.size()) + 6;
   std::string svg = fmt::format(R"(<svg viewBox="0 0 {} {}" width="{}" role="img">)", width, height, width);
   svg += fmt::format(R"(<text x="{}" y="12">before</text><text x="{}" y="12">after</text>)", kLeft, second);
   for (const int left : {kLeft, second}) {
     for (int c = 0; c < identify::kChannels; ++c) {
-      svg += fmt::format(R"(<text x="{}" y="30" text-anchor="middle">{}</text>)", left + c * kCell + kCell / 2,
-                         c == 0 ? std::string("bar") : fmt::format("T{}", c));
+      svg += fmt::format(R"(<text x="{}" y="30" text-anchor="middle">{}</text>)", left + c * kMapCell + kMapCell / 2,
+                         short_name(c));
     }
   }
   int y = kTop;
@@ -74,11 +79,12 @@ std::string gap_map(const Diagnosis& d) {
                        run.held_out ? " (left out)" : "");
     for (const ChannelGap& gap : run.channels) {
       const double noise = d.noise.channels[static_cast<std::size_t>(gap.channel)].sigma;
+      const auto times = [noise](double rms) { return rms > 0 ? rms / noise : 0; };
       const std::string title = escaped(run.id) + ' ' + std::string(identify::channel_name(gap.channel));
-      svg += cell(kLeft + gap.channel * kCell, y, gap.before, noise, title);
-      svg += cell(second + gap.channel * kCell, y, gap.after, noise, title);
+      svg += map_square(kLeft + gap.channel * kMapCell, y, times(gap.before), title);
+      svg += map_square(second + gap.channel * kMapCell, y, times(gap.after), title);
     }
-    y += kRow;
+    y += kMapRow;
   }
   return svg + "</svg>";
 }

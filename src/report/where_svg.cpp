@@ -13,23 +13,12 @@ namespace {
 
 using diagnose::Diagnosis;
 
-constexpr int kMapCell = 26;  // px
-constexpr int kMapRow = 18;
-constexpr int kMapLeft = 60;
-
-std::string short_name(int channel) {
-  return channel == identify::kRadial ? std::string("bar") : fmt::format("T{}", channel);
-}
+constexpr int kMapLeft = 60;  // px
+constexpr int kArcDeg = 360 / diagnose::kArcs;
 
 double noise_of(const Diagnosis& d, int channel) { return d.noise.channels[static_cast<std::size_t>(channel)].sigma; }
 
 double times(double rms, double noise) { return noise > 0 ? rms / noise : 0; }
-
-std::string square(int x, int y, double times_noise, const std::string& title) {
-  return fmt::format(
-      R"(<rect x="{}" y="{}" width="{}" height="{}" fill="{}" stroke="#fff"><title>{}: {:.2f} times the noise</title></rect>)",
-      x, y, kMapCell, kMapRow, heat(times_noise), title, times_noise);
-}
 
 std::string text_at(double x, double y, const std::string& text, const char* anchor = "start") {
   return fmt::format(R"(<text x="{:.0f}" y="{:.0f}" text-anchor="{}">{}</text>)", x, y, anchor, text);
@@ -85,12 +74,6 @@ double longest(const std::vector<diagnose::Reversal>& all, bool length) {
 
 }  // namespace
 
-std::string heat(double times_noise) {
-  const double share = std::clamp(std::log10(std::max(times_noise, 1.0)), 0.0, 1.0);
-  const int other = static_cast<int>(std::lround(245 - 195 * share));
-  return fmt::format("rgb({},{},{})", 245 - static_cast<int>(std::lround(40 * share)), other, other);
-}
-
 std::string circle_map(const Diagnosis& d) {
   const int second = kMapLeft + diagnose::kWaves * kMapCell + 30;
   const int width = second + diagnose::kArcs * kMapCell + 10;
@@ -101,7 +84,7 @@ std::string circle_map(const Diagnosis& d) {
     svg += text_at(kMapLeft + k * kMapCell + kMapCell / 2.0, 30, std::to_string(k + 1), "middle");
   }
   for (int a = 0; a < diagnose::kArcs; ++a) {
-    svg += text_at(second + a * kMapCell + kMapCell / 2.0, 30, std::to_string(a * 360 / diagnose::kArcs), "middle");
+    svg += text_at(second + a * kMapCell + kMapCell / 2.0, 30, std::to_string(a * kArcDeg), "middle");
   }
   int y = 36;
   for (const diagnose::ChannelWhere& channel : d.where.channels) {
@@ -109,13 +92,13 @@ std::string circle_map(const Diagnosis& d) {
     svg += text_at(kMapLeft - 6, y + 13, name, "end");
     for (int k = 0; k < diagnose::kWaves; ++k) {
       const auto i = static_cast<std::size_t>(k);
-      svg += square(kMapLeft + k * kMapCell, y, times(channel.waves.at(i), channel.wave_noise.at(i)),
-                    fmt::format("{}, order {}", name, k + 1));
+      svg += map_square(kMapLeft + k * kMapCell, y, times(channel.waves.at(i), channel.wave_noise.at(i)),
+                        fmt::format("{}, order {}", name, k + 1));
     }
     for (int a = 0; a < diagnose::kArcs; ++a) {
-      svg += square(second + a * kMapCell, y,
-                    times(channel.arcs.at(static_cast<std::size_t>(a)), noise_of(d, channel.channel)),
-                    fmt::format("{}, {} to {} deg", name, a * 30, a * 30 + 30));
+      svg += map_square(second + a * kMapCell, y,
+                        times(channel.arcs.at(static_cast<std::size_t>(a)), noise_of(d, channel.channel)),
+                        fmt::format("{}, {} to {} deg", name, a * kArcDeg, (a + 1) * kArcDeg));
     }
     y += kMapRow;
   }

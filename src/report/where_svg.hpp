@@ -7,9 +7,6 @@
 
 namespace plumbline::report {
 
-/// Colour by the times that a figure is the noise: white for the noise and less, full red for ten times and more.
-std::string heat(double times_noise);
-
 /// Channel by order of the wave around the circle, and channel by twelfth of the circle: colour by rms over the noise.
 std::string circle_map(const diagnose::Diagnosis& diagnosis);
 

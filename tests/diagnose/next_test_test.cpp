@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "diagnose/usual_noise.hpp"
 #include "identify/plans.hpp"
 #include "measure/planned_run.hpp"
 
@@ -17,13 +18,6 @@ ForceModel model_with(const std::string& effect, const std::string& key, double 
   return forces;
 }
 
-identify::NoiseModel usual_noise() {
-  identify::NoiseModel noise;
-  for (identify::ChannelNoise& channel : noise.channels) channel = {0.05, 0, 1, 0};
-  noise.channels[identify::kRadial].sigma = 0.5e-6;
-  return noise;
-}
-
 // Few designs: quick.
 NextTestOptions few() {
   NextTestOptions options;
@@ -34,7 +28,7 @@ NextTestOptions few() {
 std::optional<NextTest> between(const ForceModel& one, const ForceModel& other, const NextTestOptions& options) {
   measure::Run like = testing::papers_plan(120)[0];
   measure::lay_samples(like, 120, true, true);
-  return next_test(testing::pm600_like(), one, other, like, usual_noise(), options);
+  return next_test(testing::pm600_like(), one, other, like, testing::usual_noise(), options);
 }
 
 TEST_CASE("no test separates a model from itself") {

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "diagnose/usual_noise.hpp"
 #include "identify/plans.hpp"
 
 namespace plumbline::diagnose {
@@ -21,10 +22,7 @@ std::vector<std::string> alternatives_to(const std::string& effect, const std::s
   const int unknown = shelf.unknowns.find(effect, key);
   REQUIRE(unknown >= 0);
   model.fit.values[unknown] = value;
-  identify::NoiseModel noise;
-  for (identify::ChannelNoise& channel : noise.channels) channel = {0.05, 0, 1, 0};
-  noise.channels[identify::kRadial].sigma = 0.5e-6;
-  model.problem = linearise(machine.rotation, runs, shelf, model.fit.values, noise);
+  model.problem = linearise(machine.rotation, runs, shelf, model.fit.values, testing::usual_noise());
   Found found;
   found.pick = {&shelf.candidate(effect), 0, {0}, {unknown}};
   model.found = {found};

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "diagnose/states.hpp"
+#include "diagnose/usual_noise.hpp"
 #include "identify/plans.hpp"
 
 namespace plumbline::diagnose {
@@ -34,16 +35,9 @@ RunEquations residual_of(const Run& run, const std::function<double(double)>& ra
   return equations;
 }
 
-identify::NoiseModel white_noise() {
-  identify::NoiseModel noise;
-  for (identify::ChannelNoise& channel : noise.channels) channel = {0.05, 0, 1, 0};
-  noise.channels[identify::kRadial].sigma = 0.5e-6;
-  return noise;
-}
-
 Where where(const std::vector<Run>& runs, const std::vector<RunEquations>& residuals) {
   const machine::MachineModel machine = testing::pm600_like();
-  return where_of(machine.rotation, runs, physics::ForceModel(machine), residuals, white_noise());
+  return where_of(machine.rotation, runs, physics::ForceModel(machine), residuals, testing::usual_noise());
 }
 
 const Contrast& by(const Where& where, const std::string& what) {

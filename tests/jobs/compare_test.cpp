@@ -17,13 +17,13 @@ TEST_CASE("a model agrees with what it simulated, whatever the set-up") {
   const jobs::DatasetSimulationSummary summary = jobs::simulate_dataset(model, plan, scratch.path("sim"));
   CHECK(summary.runs == 2);
   CHECK(summary.samples == 240);
-  const jobs::Comparison same = jobs::compare(model, scratch.path("sim/dataset.toml"));
+  const jobs::Comparison same = jobs::compare(model, measure::read_dataset(scratch.path("sim/dataset.toml")));
   CHECK(*same.radial_rms_um < 1e-3);  // the digits of the table
   CHECK(*same.torque_rms_Nm < 1e-5);
 
   // readings that are 5 um more all around are a bar that was 5 um shorter
   scratch.file("sim/a.csv", shifted(scratch.text("sim/a.csv"), 5));
-  const jobs::Comparison shifted_bar = jobs::compare(model, scratch.path("sim/dataset.toml"));
+  const jobs::Comparison shifted_bar = jobs::compare(model, measure::read_dataset(scratch.path("sim/dataset.toml")));
   CHECK(*shifted_bar.radial_rms_um < 1e-3);
   CHECK(shifted_bar.runs[0].bar_um == Approx(-5).margin(1e-3));
   CHECK(shifted_bar.runs[1].bar_um == Approx(0).margin(1e-3));
@@ -36,7 +36,7 @@ TEST_CASE("a comparison pools all samples and struts, and says so in JSON") {
   jobs::simulate_dataset(model, plan, scratch.path("sim"));
   // 0.2 N m on motor 1 of run a, every sample: rms 0.2 sqrt(1/6) there, sqrt(1/12) over both runs
   scratch.file("sim/a.csv", shifted(scratch.text("sim/a.csv"), 0.2, 2));
-  const jobs::Comparison found = jobs::compare(model, scratch.path("sim/dataset.toml"));
+  const jobs::Comparison found = jobs::compare(model, measure::read_dataset(scratch.path("sim/dataset.toml")));
   CHECK(*found.runs[0].torque_rms_Nm == Approx(0.2 / std::sqrt(6.0)).epsilon(1e-4));
   CHECK(*found.torque_rms_Nm == Approx(0.2 / std::sqrt(12.0)).epsilon(1e-4));
   CHECK(found.runs[0].torque_mean_abs_Nm[0] == Approx(0.2).epsilon(1e-4));
@@ -55,7 +55,7 @@ TEST_CASE("what was not measured is left out of a comparison") {
   for (int i = 0; i < 36; ++i) table += fmt::format("{},0\n", 10 * i);
   scratch.file("a.csv", table);
   const std::string dataset = scratch.file("dataset.toml", run_text("a", "ccw", "plumbline = \"dataset 1\"\n"));
-  const jobs::Comparison found = jobs::compare(source_file("models/pm600-like.toml"), dataset);
+  const jobs::Comparison found = jobs::compare(source_file("models/pm600-like.toml"), measure::read_dataset(dataset));
   CHECK(found.radial_rms_um.has_value());
   CHECK_FALSE(found.torque_rms_Nm.has_value());
   CHECK(nlohmann::json::parse(jobs::compare_json(found))["torque_rms_Nm"].is_null());

@@ -1,0 +1,27 @@
+// Root of the mean square of numbers that come one by one, or many at once.
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Core>
+
+namespace plumbline {
+
+struct MeanSquare {
+  double sum = 0;  // of squares
+  Eigen::Index count = 0;
+
+  void add(double value) {
+    sum += value * value;
+    ++count;
+  }
+  template <class Numbers>
+  void add(const Eigen::MatrixBase<Numbers>& values) {
+    sum += values.squaredNorm();
+    count += values.size();
+  }
+  /// Zero of no numbers.
+  double root() const { return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0; }
+};
+
+}  // namespace plumbline
