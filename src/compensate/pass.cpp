@@ -36,7 +36,6 @@ Pass::Pass(const InputFile& source, const nc::Dialect& dialect, const nc::Progra
            nc::Form form)
     : source_(source),
       dialect_(dialect),
-      program_settings_(program),
       model_(model),
       settings_(settings),
       program_(source, dialect, program),
@@ -111,7 +110,7 @@ void Pass::refuse_system_of_block(const nc::Step& step) const {
 }
 
 // A compensated program holds the corrections already; a second helping would double them.
-void Pass::refuse_stamped(const nc::Block& block) const {
+void Pass::refuse_stamped(const nc::Block& block) {
   for (const nc::Comment& comment : block.comments) {
     const std::string_view text = block.at(comment.span);
     const std::size_t name = text.find("plumbline ");

@@ -38,7 +38,7 @@ class Pass {
 
  private:
   void refuse_system_of_block(const nc::Step& step) const;
-  void refuse_stamped(const nc::Block& block) const;
+  static void refuse_stamped(const nc::Block& block);
   void note_whether_it_ends(const nc::Step& step);
   void warn_of_no_end();
   void take(const nc::Step& step);
@@ -74,7 +74,6 @@ class Pass {
 
   const InputFile& source_;
   const nc::Dialect& dialect_;
-  const nc::ProgramSettings& program_settings_;
   const machine::MachineModel& model_;
   const Settings& settings_;
   nc::Program program_;

@@ -161,7 +161,7 @@ class Describer {
     }
   }
 
-  Eigen::Index size_of(const Term& term) const { return term.part >= 0 || !is_per_strut(term.channel) ? 1 : kStruts; }
+  static Eigen::Index size_of(const Term& term) { return term.part >= 0 || !is_per_strut(term.channel) ? 1 : kStruts; }
 
   // The readings' change by one strut's (axis's) coefficient of a term, times cos or -sin of its wave.
   Eigen::VectorXd column(const RunAtHand& run, const Term& term, int part, bool sine) const {
@@ -348,7 +348,10 @@ class Describer {
       pulls.insert(pulls.end(), more.begin(), more.end());
     }
     double weight = 0;
-    std::vector<double> c, s, dc, ds;
+    std::vector<double> c;
+    std::vector<double> s;
+    std::vector<double> dc;
+    std::vector<double> ds;
     const double first = 10;  // cycles per metre: longer waves are products
     for (const Pull& p : pulls) {
       weight += 0.5 * p.weight;

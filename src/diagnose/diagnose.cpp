@@ -142,7 +142,8 @@ std::vector<Separation> separations_of(const Workbench& bench, const Model& mode
                                        const NextTestOptions& options) {
   std::vector<Separation> all;
   const auto like = std::max_element(bench.runs.begin(), bench.runs.end(), [](const Run& a, const Run& b) {
-    return a.has_radial() + a.has_torque() < b.has_radial() + b.has_torque();
+    const auto kinds = [](const Run& run) { return (run.has_radial() ? 1 : 0) + (run.has_torque() ? 1 : 0); };
+    return kinds(a) < kinds(b);
   });
   for (const std::string& name : diagnosis.confidence_set) {
     for (const Rival& rival : model.found.front().rivals) {

@@ -244,7 +244,7 @@ class Search {
     std::iota(all.begin(), all.end(), 0);
     const Score full = score(all);
     if (full.log_odds < score(pick.carriers).log_odds - options_.all_struts_nats) return pick;
-    const Pick wide = pick_of(bench_.shelf, *pick.candidate, full, values);
+    Pick wide = pick_of(bench_.shelf, *pick.candidate, full, values);
     start(wide.unknowns) = values(wide.unknowns);
     return wide;
   }

@@ -58,9 +58,17 @@ class Condensed : public ceres::CostFunction {
       J.topRows(size) = root.asDiagonal() * eigen.eigenvectors().transpose();
       J.row(size).setZero();
       r.head(size) = (eigen.eigenvectors().transpose() * normal.gradient).cwiseQuotient(root);
+      last_ = z;
+      left_ = r.head(size).squaredNorm() / misfit;  // Gauss-Newton's step ends where those vanish
     }
     r[size] = std::sqrt(std::max(0.0, misfit - r.head(size).squaredNorm()));
     return true;
+  }
+
+  /// By how much of the misfit Gauss-Newton's step would lower it, at the point whose derivatives were asked for last;
+  /// infinite at another one.
+  double left_at(const Eigen::VectorXd& z) const {
+    return z == last_ ? left_ : std::numeric_limits<double>::infinity();
   }
 
   Eigen::VectorXd values(const Eigen::VectorXd& z) const { return start_ + scales_.cwiseProduct(z); }
@@ -69,6 +77,23 @@ class Condensed : public ceres::CostFunction {
  private:
   Objective& objective_;
   Eigen::VectorXd start_, scales_, prior_;
+  mutable Eigen::VectorXd last_;
+  mutable double left_ = 0;
+};
+
+// Ends the iterations before the step that no longer matters, which Ceres would evaluate first.
+class WhereLittleIsLeft : public ceres::IterationCallback {
+ public:
+  WhereLittleIsLeft(const Condensed& cost, const Eigen::VectorXd& z, double tolerance)
+      : cost_(cost), z_(z), tolerance_(tolerance) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& /*summary*/) override {
+    return cost_.left_at(z_) <= tolerance_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const Condensed& cost_;
+  const Eigen::VectorXd& z_;
+  double tolerance_;
 };
 
 struct Round {
@@ -101,10 +126,14 @@ Round minimise(Objective& objective, const Eigen::VectorXd& from, const FitOptio
   solver.initial_trust_region_radius = 1e10;  // Gauss-Newton's step first: the model bends little
   solver.max_trust_region_radius = 1e16;
   solver.logging_type = ceres::SILENT;
+  WhereLittleIsLeft enough(cost, z, options.misfit_tolerance);
+  solver.callbacks.push_back(&enough);
+  solver.update_state_every_iteration = true;
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
-  return {cost.values(z), static_cast<int>(summary.iterations.size()), summary.termination_type == ceres::CONVERGENCE,
-          summary.message};
+  const bool converged =
+      summary.termination_type == ceres::CONVERGENCE || summary.termination_type == ceres::USER_SUCCESS;
+  return {cost.values(z), static_cast<int>(summary.iterations.size()), converged, summary.message};
 }
 
 // How much heavier or lighter readings become between two estimates of the noise, at low frequencies, where the model
@@ -235,6 +264,7 @@ Fit fit(const machine::RotationOrder& order, const std::vector<measure::Run>& ru
     start = rounds(coarse, start, options).values;
     objective.set_setups(coarse.setups());
     objective.set_noise(coarse.noise());
+    objective.simulate(start, true);
     objective.set_noise(estimate_noise(objective.equations(start), options.noise));
   }
   const Round found = rounds(objective, start, options);

@@ -23,7 +23,7 @@ struct Splice {
   std::string text;
 };
 
-std::string spliced(std::string text, std::vector<Splice> splices) {
+std::string spliced(const std::string& text, std::vector<Splice> splices) {
   std::stable_sort(splices.begin(), splices.end(),
                    [](const Splice& a, const Splice& b) { return a.span.offset < b.span.offset; });
   std::string result;

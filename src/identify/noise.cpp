@@ -24,6 +24,7 @@ struct ChannelResiduals {
 ChannelResiduals residuals_of(const std::vector<RunEquations>& runs, int channel,
                               const Eigen::MatrixXd* directions = nullptr) {
   ChannelResiduals all;
+  std::vector<const RunEquations*> with_slopes;
   for (const RunEquations& run : runs) {
     const std::optional<Eigen::Index> first = run.first_row(channel);
     if (!first) continue;
@@ -31,9 +32,14 @@ ChannelResiduals residuals_of(const std::vector<RunEquations>& runs, int channel
     all.setups.push_back(*first < run.setup_slopes.rows()
                              ? Eigen::MatrixXd(run.setup_slopes.middleRows(*first, run.samples))
                              : Eigen::MatrixXd(run.samples, 0));
-    if (directions != nullptr) all.slopes.emplace_back(run.slopes.middleRows(*first, run.samples) * *directions);
+    if (directions != nullptr) with_slopes.push_back(&run);
     all.samples += run.samples;
   }
+  all.slopes.resize(with_slopes.size());
+  for_each_index(with_slopes.size(), [&](std::size_t i) {
+    const RunEquations& run = *with_slopes[i];
+    all.slopes[i] = run.slopes.middleRows(*run.first_row(channel), run.samples) * *directions;
+  });
   return all;
 }
 
@@ -58,6 +64,7 @@ double least_sigma(int channel, const NoiseOptions& options) {
 // F = P + white,  P' = memory^2 P white / F + (1 - memory^2) (1 - white); weight = 1 / (sigma sqrt F)
 struct Filter {
   Eigen::VectorXd gain, weight;
+  double log_weights = 0;  // the sum of the weights' logarithms
 
   Filter(const ChannelNoise& noise, Eigen::Index samples) : gain(samples), weight(samples) {
     const double remembered = 1 - noise.white;
@@ -66,7 +73,16 @@ struct Filter {
       const double F = P + noise.white;
       gain[i] = noise.memory * P / F;
       weight[i] = 1 / (noise.sigma * std::sqrt(F));
-      P = noise.memory * noise.memory * P * noise.white / F + (1 - noise.memory * noise.memory) * remembered;
+      log_weights += std::log(weight[i]);
+      const double next =
+          noise.memory * noise.memory * P * noise.white / F + (1 - noise.memory * noise.memory) * remembered;
+      if (std::abs(next - P) <= std::numeric_limits<double>::epsilon() * P) {  // no longer changes: nor does the rest
+        gain.tail(samples - i).setConstant(gain[i]);
+        weight.tail(samples - i).setConstant(weight[i]);
+        log_weights += static_cast<double>(samples - i - 1) * std::log(weight[i]);
+        return;
+      }
+      P = next;
     }
   }
 };
@@ -82,7 +98,7 @@ struct Trial {
 // Residuals of a channel: of each run a matrix whose columns are its set-up, the directions that were fitted, the
 // residuals.
 struct Channel {
-  std::vector<Eigen::MatrixXd> runs;
+  std::vector<SlopeRows> runs;
   std::vector<Eigen::Index> setups;  // how many columns
   Eigen::VectorXd elsewhere;         // precision of each direction from other channels and priors
   Eigen::VectorXd balance;           // products of directions and residuals where the fit ended, in units of variance
@@ -100,9 +116,11 @@ struct Channel {
     const ChannelNoise unit{1, memory, 0, white};
     std::vector<Products> each(runs.size());
     for_each_index(runs.size(), [&](std::size_t r) {
-      Eigen::MatrixXd columns = runs[r];
+      SlopeRows columns = runs[r];
       whiten(unit, columns);
-      const Eigen::MatrixXd gram = columns.transpose() * columns;
+      Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
+      gram.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
+      gram.triangularView<Eigen::StrictlyUpper>() = gram.transpose();
       const Eigen::Index setup = setups[r];
       const Eigen::Index rest = gram.rows() - setup;
       each[r].sum = gram.bottomRightCorner(rest, rest);
@@ -112,7 +130,7 @@ struct Channel {
         each[r].sum -= taken_out.transpose() * taken_out;
         each[r].determinants = 2 * llt.matrixLLT().diagonal().array().log().sum();
       }
-      each[r].determinants -= 2 * Filter(unit, columns.rows()).weight.array().log().sum();
+      each[r].determinants -= 2 * Filter(unit, columns.rows()).log_weights;
       each[r].degrees = static_cast<double>(columns.rows() - setup);
     });
     Products all = each.front();
@@ -173,33 +191,67 @@ Trial best_memory(const std::vector<Channel>& channels, double most) {
   return a.deviance < b.deviance ? a : b;
 }
 
-// Memory and white part together: the best of a coarse grid, then steps each way that shrink where none helps.
-Trial best_colour(const std::vector<Channel>& channels, const NoiseOptions& options) {
-  const Trial simple = best_memory(channels, options.most_memory);
-  Trial best;
+// From one colour by steps each way that shrink where none helps; the white part is held where it has none to begin
+// with.
+Trial best_near(const std::vector<Channel>& channels, const NoiseOptions& options, Trial from, double step,
+                double least_step) {
+  Trial best = trial(channels, from.memory, from.white);
+  const bool beside_white = from.white > 0;
+  const double most = beside_white ? options.most_memory_beside_white : options.most_memory;
   const auto consider = [&](double memory, double white) {
-    if (std::abs(memory) > options.most_memory_beside_white || white < 0 || white > 0.98) return false;
+    if (std::abs(memory) > most || white < 0 || white > 0.98) return false;
     const Trial one = trial(channels, memory, white);
     if (one.deviance >= best.deviance) return false;
     best = one;
     return true;
   };
-  for (const double memory : {0.5, 0.75, 0.9, 0.97}) {
-    for (const double white : {0.2, 0.5, 0.8}) consider(memory, white);
-  }
-  for (double step = 0.1; step > 0.01;) {
+  while (step > least_step) {
     const Trial now = best;
     const double away = std::min(1.0, 4 * (1 - now.memory));  // near 1 the memory means more
-    const bool better = consider(now.memory + step * away, now.white) ||
-                        consider(now.memory - step * away, now.white) || consider(now.memory, now.white + step) ||
-                        consider(now.memory, now.white - step);
+    bool better = consider(now.memory + step * away, now.white) || consider(now.memory - step * away, now.white);
+    if (beside_white)
+      better = better || consider(now.memory, now.white + step) || consider(now.memory, now.white - step);
     if (!better) step /= 2;
+  }
+  return best;
+}
+
+// A channel without the directions that were fitted.
+Channel residuals_alone(const Channel& channel) {
+  Channel bare;
+  bare.setups = channel.setups;
+  for (std::size_t r = 0; r < channel.runs.size(); ++r) {
+    const SlopeRows& run = channel.runs[r];
+    bare.runs.emplace_back(run.rows(), channel.setups[r] + 1);
+    bare.runs.back() << run.leftCols(channel.setups[r]), run.rightCols(1);
+  }
+  return bare;
+}
+
+// Memory alone, or memory beside a white part if that is so much likelier. The residuals say where to look, and the
+// directions that were fitted, if any were, what is best there.
+Trial best_colour(const std::vector<Channel>& channels, const NoiseOptions& options) {
+  std::vector<Channel> bare;
+  for (const Channel& channel : channels) bare.push_back(residuals_alone(channel));
+  Trial simple = best_memory(bare, options.most_memory);
+  Trial beside;
+  for (const double memory : {0.5, 0.75, 0.9, 0.97}) {
+    for (const double white : {0.2, 0.5, 0.8}) {
+      const Trial one = trial(bare, memory, white);
+      if (one.deviance < beside.deviance) beside = one;
+    }
+  }
+  beside = best_near(bare, options, beside, 0.1, 0.01);
+  const auto fitted = [](const Channel& channel) { return channel.elsewhere.size() > 0; };
+  if (std::any_of(channels.begin(), channels.end(), fitted)) {
+    simple = best_near(channels, options, simple, 0.04, 0.003);
+    beside = best_near(channels, options, beside, 0.05, 0.01);
   }
   Eigen::Index readings = 0;
   for (const Channel& channel : channels) {
-    for (const Eigen::MatrixXd& run : channel.runs) readings += run.rows();
+    for (const SlopeRows& run : channel.runs) readings += run.rows();
   }
-  return best.deviance < simple.deviance - std::log(static_cast<double>(readings)) ? best : simple;
+  return beside.deviance < simple.deviance - std::log(static_cast<double>(readings)) ? beside : simple;
 }
 
 // Residuals of a channel with its set-ups, outliers cut back at `most`.

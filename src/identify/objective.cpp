@@ -59,8 +59,26 @@ Objective::Objective(machine::RotationOrder order, const std::vector<measure::Ru
   if (tracked_ != nullptr) frame_ = first_frame(*tracked_);
 }
 
-RunEquations Objective::fitted(std::size_t block, const physics::ForceModel& forces, const Sensitivity* sensitivity) {
-  return block < runs_.size() ? fitted_run(block, forces, sensitivity) : fitted_poses(forces, sensitivity);
+void Objective::simulate(const Eigen::VectorXd& values, bool derivatives) {
+  if (simulated_at_ && *simulated_at_ == values && (simulated_slopes_ || !derivatives)) return;
+  simulated_at_.reset();
+  simulated_runs_ = std::vector<SimulatedRun>(runs_.size());  // the old ones give their memory back first
+  const physics::ForceModel forces = unknowns_.at(values);
+  const Sensitivity sensitivity(forces, unknowns_);
+  const Sensitivity* const asked = derivatives ? &sensitivity : nullptr;
+  for_each_index(blocks(), [&](std::size_t i) {
+    if (i < runs_.size()) {
+      simulated_runs_[i] = simulate_run(order_, forces, runs_[i], asked);
+    } else {
+      simulated_poses_ = simulate_poses(order_, forces, *tracked_, asked);
+    }
+  });
+  simulated_at_ = values;
+  simulated_slopes_ = derivatives;
+}
+
+RunEquations Objective::fitted(std::size_t block, bool derivatives) {
+  return block < runs_.size() ? fitted_run(block, derivatives) : fitted_poses(derivatives);
 }
 
 // Moves a set-up until the readings that it moves fit best, outliers counting linearly. `equations_at` makes them for
@@ -83,46 +101,35 @@ bool Objective::fit_setup(const std::function<RunEquations()>& equations_at,
   return false;
 }
 
-RunEquations Objective::fitted_poses(const physics::ForceModel& forces, const Sensitivity* sensitivity) {
-  SimulatedPoses simulated = simulate_poses(order_, forces, *tracked_, sensitivity);
-  SlopeRows slopes;
-  slopes.swap(simulated.slopes);  // the frame is fitted without them
+RunEquations Objective::fitted_poses(bool derivatives) {
   int steps = 0;
-  fit_setup([&] { return tracker_equations(order_, *tracked_, simulated, frame_); },
+  fit_setup([&] { return tracker_equations(order_, *tracked_, simulated_poses_, frame_, false); },
             [&](const Eigen::VectorXd& step) { move_frame(frame_, step); }, steps);
-  simulated.slopes.swap(slopes);
-  return tracker_equations(order_, *tracked_, simulated, frame_);
+  return tracker_equations(order_, *tracked_, simulated_poses_, frame_, derivatives);
 }
 
-RunEquations Objective::fitted_run(std::size_t index, const physics::ForceModel& forces,
-                                   const Sensitivity* sensitivity) {
+RunEquations Objective::fitted_run(std::size_t index, bool derivatives) {
   const measure::Run& run = runs_[index];
+  const SimulatedRun& simulated = simulated_runs_[index];
   measure::Setup& setup = setups_[index];
-  SimulatedRun simulated = simulate_run(order_, forces, run, sensitivity);
-  SlopeRows slopes;
-  slopes.swap(simulated.slopes);  // the set-up is fitted without them
-  setup.converged = fit_setup([&] { return run_equations(run, simulated, setup); },
+  setup.converged = fit_setup([&] { return run_equations(run, simulated, setup, false); },
                               [&](const Eigen::VectorXd& step) { move_setup(setup, step); }, setup.iterations);
-  simulated.slopes.swap(slopes);
-  return run_equations(run, simulated, setup);
+  return run_equations(run, simulated, setup, derivatives);
 }
 
 std::vector<RunEquations> Objective::equations(const Eigen::VectorXd& values, bool derivatives) {
-  const physics::ForceModel forces = unknowns_.at(values);
-  const Sensitivity sensitivity(forces, unknowns_);
+  simulate(values, derivatives);
   std::vector<RunEquations> all(blocks());
-  for_each_index(blocks(), [&](std::size_t i) { all[i] = fitted(i, forces, derivatives ? &sensitivity : nullptr); });
+  for_each_index(blocks(), [&](std::size_t i) { all[i] = fitted(i, derivatives); });
   return all;
 }
 
 NormalEquations Objective::evaluate(const Eigen::VectorXd& values, bool derivatives) {
   if (known_at_ && *known_at_ == values) return known_;
-  const physics::ForceModel forces = unknowns_.at(values);
-  const Sensitivity sensitivity(forces, unknowns_);
+  simulate(values, derivatives);
   std::vector<NormalEquations> each(blocks());
   for_each_index(blocks(), [&](std::size_t i) {
-    each[i] =
-        normal_equations(fitted(i, forces, derivatives ? &sensitivity : nullptr), noise_, unknowns_, options_.huber);
+    each[i] = normal_equations(fitted(i, derivatives), noise_, unknowns_, options_.huber);
   });
   const auto size = static_cast<Eigen::Index>(unknowns_.size());
   NormalEquations sum{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};

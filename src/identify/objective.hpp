@@ -27,8 +27,9 @@ struct ObjectiveOptions {
 };
 
 /// The runs of a dataset, and poses that a tracker measured, beside a model with unknowns. Keeps the set-up of each run
-/// and the frame of the tracker, which every evaluation fits anew from where the last one left it. Runs are simulated
-/// on all processors; results do not depend on how many.
+/// and the frame of the tracker, which every evaluation fits anew from where the last one left it, and what was
+/// simulated last: with slopes 72 bytes for each sample and unknown. Runs are simulated on all processors; results do
+/// not depend on how many.
 class Objective {
  public:
   /// `runs` and `tracked` (if any) are kept by reference. Refuses with tracker-far as first_frame does.
@@ -45,6 +46,9 @@ class Objective {
   void set_setups(std::vector<measure::Setup> setups) { setups_ = std::move(setups); }
   const TrackerFrame& frame() const { return frame_; }
 
+  /// Simulates ahead what the next calls at `values` (SI) ask for. Refuses with simulate-unreachable.
+  void simulate(const Eigen::VectorXd& values, bool derivatives);
+
   /// The misfit at `values` (SI) and, if asked for, its derivatives. Refuses with simulate-unreachable.
   NormalEquations evaluate(const Eigen::VectorXd& values, bool derivatives);
 
@@ -54,9 +58,9 @@ class Objective {
 
  private:
   std::size_t blocks() const { return runs_.size() + (tracked_ != nullptr ? 1 : 0); }
-  RunEquations fitted(std::size_t block, const physics::ForceModel& forces, const Sensitivity* sensitivity);
-  RunEquations fitted_run(std::size_t run, const physics::ForceModel& forces, const Sensitivity* sensitivity);
-  RunEquations fitted_poses(const physics::ForceModel& forces, const Sensitivity* sensitivity);
+  RunEquations fitted(std::size_t block, bool derivatives);
+  RunEquations fitted_run(std::size_t index, bool derivatives);
+  RunEquations fitted_poses(bool derivatives);
   bool fit_setup(const std::function<RunEquations()>& equations_at,
                  const std::function<void(const Eigen::VectorXd&)>& move, int& steps) const;
 
@@ -68,6 +72,11 @@ class Objective {
   std::vector<measure::Setup> setups_;
   const Tracked* tracked_;
   TrackerFrame frame_;
+  // what was simulated last; other noise or set-ups do not change it
+  std::optional<Eigen::VectorXd> simulated_at_;
+  bool simulated_slopes_ = false;
+  std::vector<SimulatedRun> simulated_runs_;
+  SimulatedPoses simulated_poses_;
   // the last evaluation with derivatives: a fit asks for it again where it ends
   std::optional<Eigen::VectorXd> known_at_;
   NormalEquations known_;

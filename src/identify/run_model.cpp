@@ -56,14 +56,15 @@ SimulatedRun simulate_run(const machine::RotationOrder& order, const physics::Fo
   return simulated;
 }
 
-RunEquations run_equations(const measure::Run& run, const SimulatedRun& simulated, const measure::Setup& setup) {
+RunEquations run_equations(const measure::Run& run, const SimulatedRun& simulated, const measure::Setup& setup,
+                           bool sloped) {
   RunEquations equations;
   equations.samples = simulated.tip_W.cols();
   const Eigen::Index n = equations.samples;
   if (run.has_radial()) equations.channels.push_back(kRadial);
   for (int j = 0; run.has_torque() && j < kStruts; ++j) equations.channels.push_back(1 + j);
   equations.residual.resize(n * static_cast<Eigen::Index>(equations.channels.size()));
-  const bool sloped = simulated.slopes.size() > 0;
+  sloped = sloped && simulated.slopes.size() > 0;
   if (sloped) equations.slopes.resize(equations.residual.size(), simulated.slopes.cols());
 
   Eigen::Index row = 0;

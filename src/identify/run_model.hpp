@@ -56,7 +56,9 @@ struct RunEquations {
   std::optional<Eigen::Index> first_row(int channel) const;
 };
 
-RunEquations run_equations(const measure::Run& run, const SimulatedRun& simulated, const measure::Setup& setup);
+/// Without the slopes of the unknowns if they were not simulated, or are not asked for by `sloped`.
+RunEquations run_equations(const measure::Run& run, const SimulatedRun& simulated, const measure::Setup& setup,
+                           bool sloped = true);
 
 /// The ball where it ideally stands, the bar as long as stated.
 measure::Setup ideal_setup(const measure::Run& run);

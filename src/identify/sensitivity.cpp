@@ -54,8 +54,8 @@ void seed(PerStrut<Jet>& values) {
 struct Sensitivity::Point {
   using Outcome6 = Eigen::Matrix<double, kOutcomes, 6>;
 
-  Point(const physics::ForceModel& forces, const Jet* parameters, const physics::Environment& environment,
-        const physics::Motion<double>& motion, const physics::TipError<double>& error);
+  Point(const physics::ForceModel& model, const Jet* values, const physics::Environment& environment,
+        const physics::Motion<double>& commanded, const physics::TipError<double>& error);
 
   const physics::ForceModel& forces;
   const Jet* parameters;
@@ -184,7 +184,10 @@ Flow Sensitivity::Point::by_pose(const Pose<double>& standing) const {
 // The last steps of physics::strut_stretch_at, from the drive's tension on.
 Flow Sensitivity::Point::after_drive(Situation<Jet>& now) const {
   PerStrut<Jet> stretch = PerStrut<Jet>::Zero();
-  ask_length(forces, parameters, now, stretch);
+  physics::for_each_instance<Jet>(forces, parameters, [&]<class Effect>(physics::Values<Jet> p) {
+    if constexpr (physics::moves_own_strut_alone<Effect>) return;
+    if constexpr (requires { &Effect::template length<Jet>; }) Effect::length(p, now, stretch);
+  });
   Vector6<Jet> tip = Vector6<Jet>::Zero();
   ask_tip(forces, parameters, now, tip);
   now.torque = now.drive_tension.cwiseProduct(jets_of((forces.machine.lead / (2 * std::numbers::pi)).eval()));
@@ -231,8 +234,12 @@ Sensitivity::Sensitivity(const physics::ForceModel& forces, const Unknowns& unkn
       };
       const auto instance = std::find_if(forces.instances().begin(), forces.instances().end(), holds);
       PLUMBLINE_CHECK(instance != forces.instances().end());
-      add_seed(instance->effect, instance->first, static_cast<int>(u),
-               {term.parameter - instance->first, 0, term.weight});
+      const Seed seed{term.parameter - instance->first, 0, term.weight};
+      if (physics::effect_infos()[instance->effect].own_strut_alone) {
+        add_strut_seed(instance->effect, instance->first, static_cast<int>(u), seed);
+      } else {
+        add_seed(instance->effect, instance->first, static_cast<int>(u), seed);
+      }
     }
   }
 }
@@ -249,13 +256,37 @@ void Sensitivity::add_seed(std::size_t effect, int first, int unknown, Seed seed
   chunks.back().seeds.push_back(seed);
 }
 
+void Sensitivity::add_strut_seed(std::size_t effect, int first, int unknown, Seed seed) {
+  const auto strut = static_cast<std::size_t>(physics::effect_infos()[effect].strut_of(seed.offset));
+  std::vector<StrutChunk>& chunks = strut_chunks_[effect];
+  const auto place = [&]() -> std::optional<int> {
+    if (chunks.empty() || chunks.back().first != first) return std::nullopt;
+    const auto& taken = chunks.back().unknowns;
+    const auto slot =
+        std::find_if(taken.begin(), taken.end(), [&](const auto& of) { return of[strut] == unknown || of[strut] < 0; });
+    if (slot == taken.end()) return std::nullopt;
+    return static_cast<int>(slot - taken.begin());
+  };
+  std::optional<int> slot = place();
+  if (!slot) {
+    chunks.push_back({first, {}, {}});
+    for (auto& of : chunks.back().unknowns) of.fill(-1);
+    slot = 0;
+  }
+  seed.slot = *slot;
+  chunks.back().unknowns[static_cast<std::size_t>(*slot)][strut] = unknown;
+  chunks.back().seeds.push_back(seed);
+}
+
+// NOLINTBEGIN(bugprone-macro-parentheses): the name of a member takes none
 // Calls one hook with an empty sum, if the effect has it, and hands over what it added.
 #define PLUMBLINE_TRY(hook, Sum, use)                        \
   if constexpr (requires { &Effect::template hook<Jet>; }) { \
-    Sum sum = empty<Sum>();                                  \
+    auto sum = empty<Sum>();                                 \
     Effect::hook(p, point.at, sum);                          \
     use;                                                     \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 
 namespace {
 template <class Sum>
@@ -266,20 +297,47 @@ Sum empty() {
     return Sum{};
   }
 }
+
+// by += outcome * slopes, most unknowns being those of one strut: the other rows are zero.
+template <class Outcome>
+void add_product(Outcome& by, const Outcome& outcome, const Matrix6<double>& slopes) {
+  for (int j = 0; j < kStruts; ++j) {
+    if (!slopes.row(j).isZero(0)) by.noalias() += outcome.col(j) * slopes.row(j);
+  }
+}
+
 }  // namespace
+
+// An instance's parameters, with the derivatives that seeds give them.
+template <class Effect>
+auto Sensitivity::seeded(int first, const std::vector<Seed>& seeds) const {
+  constexpr auto kSize = [] {
+    std::size_t size = 0;
+    for (const auto& spec : Effect::parameters) size += static_cast<std::size_t>(spec.size());
+    return size;
+  }();
+  std::array<Jet, kSize> values;
+  std::copy_n(parameters_.begin() + first, kSize, values.begin());
+  for (const Seed& seed : seeds) values[static_cast<std::size_t>(seed.offset)].v[seed.slot] = seed.weight;
+  return values;
+}
+
+template <class Effect>
+void Sensitivity::add_strut_slopes(const StrutChunk& chunk, Point& point, Eigen::Ref<Slopes> slopes) const {
+  const auto values = seeded<Effect>(chunk.first, chunk.seeds);
+  PerStrut<Jet> length = PerStrut<Jet>::Zero();
+  Effect::length(physics::Values<Jet>(values.data()), point.at, length);
+  for (int k = 0; k < kSeeds; ++k) {
+    for (int j = 0; j < kStruts; ++j) {
+      const int unknown = chunk.unknowns[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)];
+      if (unknown >= 0) slopes.col(unknown) += point.by_stretch.col(j) * length[j].v[k];
+    }
+  }
+}
 
 template <class Effect>
 void Sensitivity::add_slopes(const Chunk& chunk, Point& point, Eigen::Ref<Slopes> slopes) const {
-  std::array<Jet, std::max<std::size_t>(1,
-                                        [] {
-                                          std::size_t size = 0;
-                                          for (const auto& spec : Effect::parameters)
-                                            size += static_cast<std::size_t>(spec.size());
-                                          return size;
-                                        }())>
-      values;
-  std::copy_n(parameters_.begin() + chunk.first, values.size(), values.begin());
-  for (const Seed& seed : chunk.seeds) values[static_cast<std::size_t>(seed.offset)].v[seed.slot] = seed.weight;
+  const auto values = seeded<Effect>(chunk.first, chunk.seeds);
   const physics::Values<Jet> p(values.data());
 
   Point::Outcome6 by = Point::Outcome6::Zero();
@@ -293,11 +351,11 @@ void Sensitivity::add_slopes(const Chunk& chunk, Point& point, Eigen::Ref<Slopes
     by += point.by_wrench.template leftCols<3>() * slopes_of<3>(wrench.force) +
           point.by_wrench.template rightCols<3>() * slopes_of<3>(wrench.moment);
   })
-  PLUMBLINE_TRY(nut_tension, PerStrut<Jet>, by += point.by_nut * slopes_of<6>(sum))
-  PLUMBLINE_TRY(drive_tension, PerStrut<Jet>, by += point.by_drive * slopes_of<6>(sum))
-  PLUMBLINE_TRY(length, PerStrut<Jet>, by += point.by_stretch * slopes_of<6>(sum))
-  PLUMBLINE_TRY(tip, Vector6<Jet>, by += point.by_tip * slopes_of<6>(sum))
-  PLUMBLINE_TRY(reading, PerStrut<Jet>, by += point.by_torque * slopes_of<6>(sum))
+  PLUMBLINE_TRY(nut_tension, PerStrut<Jet>, add_product(by, point.by_nut, slopes_of<6>(sum)))
+  PLUMBLINE_TRY(drive_tension, PerStrut<Jet>, add_product(by, point.by_drive, slopes_of<6>(sum)))
+  PLUMBLINE_TRY(length, PerStrut<Jet>, add_product(by, point.by_stretch, slopes_of<6>(sum)))
+  PLUMBLINE_TRY(tip, Vector6<Jet>, add_product(by, point.by_tip, slopes_of<6>(sum)))
+  PLUMBLINE_TRY(reading, PerStrut<Jet>, add_product(by, point.by_torque, slopes_of<6>(sum)))
   for (int k = 0; k < chunk.used; ++k) slopes.col(chunk.unknowns[static_cast<std::size_t>(k)]) += by.col(k);
 }
 #undef PLUMBLINE_TRY
@@ -307,7 +365,9 @@ void Sensitivity::at(const physics::Environment& environment, const physics::Mot
   Point point(forces_, parameters_.data(), environment, motion, error);
   slopes.setZero();
   physics::for_each_effect([&]<class Effect>(std::size_t i) {
-    if constexpr (!Effect::parameters.empty()) {
+    if constexpr (physics::moves_own_strut_alone<Effect>) {
+      for (const StrutChunk& chunk : strut_chunks_[i]) add_strut_slopes<Effect>(chunk, point, slopes);
+    } else if constexpr (!Effect::parameters.empty()) {
       for (const Chunk& chunk : chunks_[i]) add_slopes<Effect>(chunk, point, slopes);
     }
   });

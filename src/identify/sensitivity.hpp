@@ -47,16 +47,29 @@ class Sensitivity {
     std::array<int, kSeeds> unknowns{};
     int used = 0;
   };
+  // Up to six unknowns of each strut that work through one instance of an effect whose numbers move their own strut
+  // alone: the struts share the derivatives. No unknown: -1.
+  struct StrutChunk {
+    int first = 0;
+    std::vector<Seed> seeds;
+    std::array<std::array<int, machine::kStruts>, kSeeds> unknowns{};
+  };
   struct Point;
 
   void add_seed(std::size_t effect, int first, int unknown, Seed seed);
+  void add_strut_seed(std::size_t effect, int first, int unknown, Seed seed);
   template <class Effect>
   void add_slopes(const Chunk& chunk, Point& point, Eigen::Ref<Slopes> slopes) const;
+  template <class Effect>
+  void add_strut_slopes(const StrutChunk& chunk, Point& point, Eigen::Ref<Slopes> slopes) const;
+  template <class Effect>
+  auto seeded(int first, const std::vector<Seed>& seeds) const;
 
   const physics::ForceModel& forces_;
   Eigen::Index unknowns_ = 0;
   std::vector<Jet> parameters_;                               // of the model, without derivatives
   std::array<std::vector<Chunk>, physics::kEffects> chunks_;  // by effect
+  std::array<std::vector<StrutChunk>, physics::kEffects> strut_chunks_;
 };
 
 }  // namespace plumbline::identify

@@ -40,7 +40,7 @@ SimulatedPoses simulate_poses(const machine::RotationOrder& order, const physics
 }
 
 RunEquations tracker_equations(const machine::RotationOrder& order, const Tracked& tracked,
-                               const SimulatedPoses& simulated, const TrackerFrame& frame) {
+                               const SimulatedPoses& simulated, const TrackerFrame& frame, bool sloped) {
   const std::vector<measure::TrackedPose>& poses = tracked.table.poses;
   const bool tilt = tracked.table.has_tilt();
   RunEquations equations;
@@ -49,7 +49,7 @@ RunEquations tracker_equations(const machine::RotationOrder& order, const Tracke
   const Eigen::Index rows = equations.samples * (tilt ? 2 : 1);
   equations.residual.resize(rows);
   if (!tracked.frame_known) equations.setup_slopes.setZero(rows, kFrame);
-  const bool sloped = simulated.slopes.size() > 0;
+  sloped = sloped && simulated.slopes.size() > 0;
   if (sloped) equations.slopes.resize(rows, simulated.slopes.cols());
 
   for (std::size_t i = 0; i < poses.size(); ++i) {

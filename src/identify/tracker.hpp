@@ -36,9 +36,9 @@ SimulatedPoses simulate_poses(const machine::RotationOrder& order, const physics
 
 /// The equations of all poses: channel kTracker (x, y, z of each pose, m), then kTrackerTilt (rad) if angles were
 /// measured, in the tracker's frame. setup_slopes has all rows, by shift and turn of the frame (about its origin), and
-/// is empty if the frame is known.
+/// is empty if the frame is known. Slopes of the unknowns as run_equations has them.
 RunEquations tracker_equations(const machine::RotationOrder& order, const Tracked& tracked,
-                               const SimulatedPoses& simulated, const TrackerFrame& frame);
+                               const SimulatedPoses& simulated, const TrackerFrame& frame, bool sloped = true);
 
 /// The frame in which the measured positions lie nearest to the commanded ones [Kabsch 1976]; W if it is known. Refuses
 /// with tracker-far if some pose is further off than `most` (m): rows or units are mixed up.

@@ -26,7 +26,7 @@ std::string axis_text(Axis axis, const AxisShift& shift) {
 }
 
 std::string time_change_text(const DiffSummary& s) {
-  const std::string times = fmt::format("{} in A, {} in B", time_text(s.seconds_a), time_text(s.seconds_b));
+  std::string times = fmt::format("{} in A, {} in B", time_text(s.seconds_a), time_text(s.seconds_b));
   if (s.seconds_a <= 0) return times;
   return times + fmt::format(" ({:+.3f} %)", (s.seconds_b / s.seconds_a - 1) * 100);
 }

@@ -71,7 +71,7 @@ Places effect_numbers(Unknowns& unknowns, const std::string& name) {
     refuse("plan-unknown-effect", fmt::format("no effect is called {}", name), machine::suggestion(name, known));
   }
   if (unknowns.of_effect(name).empty()) unknowns.add_effect(name);
-  const Places places = unknowns.of_effect(name);
+  Places places = unknowns.of_effect(name);
   for (const std::size_t place : places) unknowns.set_free(place);
   return places;
 }

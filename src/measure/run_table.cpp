@@ -76,8 +76,8 @@ class TableReader {
     header_ = lines_.place();
     if (!lines_.next()) return;
     for (const CsvField& field : lines_.fields()) {
-      const auto known = std::find_if(kColumns.begin(), kColumns.end(),
-                                      [&](const ColumnSpec& spec) { return spec.name == field.text; });
+      const auto* const known = std::find_if(kColumns.begin(), kColumns.end(),
+                                             [&](const ColumnSpec& spec) { return spec.name == field.text; });
       if (known == kColumns.end()) refuse_unknown(field);
       const auto column = static_cast<Column>(known - kColumns.begin());
       if (has(run_, column)) {

@@ -124,14 +124,17 @@ int centre_by_point(const Execution& run, PlaneArc& arc, const PlaneAxes& axes, 
                "a circle that is not in the plane in force is not interpreted",
                fmt::format("choose the plane of the circle (G17, G18, G19), or write it in G1"));
   }
-  const double ax = between(axes.first) - arc.start[0], ay = between(axes.second) - arc.start[1];
-  const double bx = arc.end[0] - arc.start[0], by = arc.end[1] - arc.start[1];
+  const double ax = between(axes.first) - arc.start[0];
+  const double ay = between(axes.second) - arc.start[1];
+  const double bx = arc.end[0] - arc.start[0];
+  const double by = arc.end[1] - arc.start[1];
   const double cross = ax * by - ay * bx;
   if (std::abs(cross) < tolerance * tolerance) {
     run.refuse(run.motion_code(), codes::kArcEnds, "no circle goes through these three points",
                "they lie on a straight line, or two of them are the same");
   }
-  const double aa = (ax * ax + ay * ay) / 2, bb = (bx * bx + by * by) / 2;
+  const double aa = (ax * ax + ay * ay) / 2;
+  const double bb = (bx * bx + by * by) / 2;
   arc.centre = {arc.start[0] + (aa * by - bb * ay) / cross, arc.start[1] + (bb * ax - aa * bx) / cross};
   return cross > 0 ? 1 : -1;
 }

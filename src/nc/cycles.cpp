@@ -40,7 +40,7 @@ class CycleRun {
 
  private:
   void take_words();
-  double inherited(const char letter, double before, double value, bool needed) const;
+  double inherited(char letter, double before, double value, bool needed) const;
   void check_level() const;
   void check_distance_mode();
   void hole(bool first);
@@ -170,7 +170,7 @@ void CycleRun::hole(bool first) {
   hole.second = second_;
   hole.r = r_;
   hole.bottom = bottom_;
-  if (run_.motion->word_mask & letter_bit('P')) hole.dwell_s = cycle_.dwell_s;
+  if ((run_.motion->word_mask & letter_bit('P')) != 0) hole.dwell_s = cycle_.dwell_s;
   if (code_ == kBackBore) hole.ijk = {cycle_.ijk[0], cycle_.ijk[1], offset_level_};
   run_.holes.push_back(hole);
 }

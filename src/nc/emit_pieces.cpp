@@ -90,7 +90,7 @@ bool PiecePlanner::counts_turns(const Step& step, Axis axis) {
   return step.named.contains(axis) && !step.after->incremental && step.after->rule_of(axis) != RotaryRule::linear;
 }
 
-bool PiecePlanner::depends_on_start(const Step& step, Axis axis) const {
+bool PiecePlanner::depends_on_start(const Step& step, Axis axis) {
   const bool all = step.after->incremental || step.polar || step.motions.front().kind == MotionKind::arc;
   if (all || !step.named.contains(axis) || counts_turns(step, axis)) return true;
   const Word* const word = find_word(*step.block, letter(axis));

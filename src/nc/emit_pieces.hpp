@@ -78,7 +78,7 @@ class PiecePlanner {
   };
   Grid grid(const Step& step, Axis axis) const;
   static bool counts_turns(const Step& step, Axis axis);
-  bool depends_on_start(const Step& step, Axis axis) const;
+  static bool depends_on_start(const Step& step, Axis axis);
   double endless_word(const Step& step, Axis axis, double to, std::optional<double> from) const;
   Piece rounded_piece(const Step& step, const CorrectedPoint& point, AxisSet writable, AxisWords& at);
   void set_lengths(const Step& step, const AxisWords& start);

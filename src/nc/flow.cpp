@@ -59,7 +59,7 @@ bool FlowControl::take(const Block& block) {
   const FlowWord word = block.flow.word;
   const bool is_subprogram = word == FlowWord::program || word == FlowWord::sub || word == FlowWord::end_sub ||
                              word == FlowWord::call || word == FlowWord::give_back;
-  if (!is_subprogram) label = scoped(std::move(label));
+  if (!is_subprogram) label = scoped(label);
   if (skipping() && label != skip_) return false;
   if (seeks_subprogram_ && word != FlowWord::sub && word != FlowWord::program) return false;
   if (!defining_.empty() && word != FlowWord::end_sub) return false;

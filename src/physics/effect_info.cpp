@@ -17,11 +17,22 @@ int EffectInfo::offset_of(std::string_view key) const {
   return -1;
 }
 
+int EffectInfo::strut_of(int offset) const {
+  for (const ParameterSpec& spec : parameters) {
+    if (offset < spec.size()) return offset / spec.each;
+    offset -= spec.size();
+  }
+  return -1;
+}
+
 const std::array<EffectInfo, kEffects>& effect_infos() {
   static const std::array<EffectInfo, kEffects> infos = [] {
     std::array<EffectInfo, kEffects> table{};
     for_each_effect([&]<class Effect>(std::size_t i) {
-      table[i] = {Effect::name, {Effect::parameters.data(), Effect::parameters.size()}, i < kBaseEffects};
+      table[i] = {Effect::name,
+                  {Effect::parameters.data(), Effect::parameters.size()},
+                  i < kBaseEffects,
+                  moves_own_strut_alone<Effect>};
     });
     return table;
   }();

@@ -10,15 +10,25 @@
 
 namespace plumbline::physics {
 
+/// Whether the numbers of an effect, all of them given for each strut, move the length of their own strut and nothing
+/// else, whatever the loads: such an effect says so by `own_strut_alone`.
+template <class Effect>
+inline constexpr bool moves_own_strut_alone = requires {
+  Effect::own_strut_alone;
+};
+
 struct EffectInfo {
   std::string_view name;
   std::span<const ParameterSpec> parameters;
-  bool base;  // always there
+  bool base;             // always there
+  bool own_strut_alone;  // see moves_own_strut_alone
 
   /// How many numbers an instance has.
   int size() const;
   /// Where the numbers of a key begin; -1 if there is no such key.
   int offset_of(std::string_view key) const;
+  /// The strut that a number of an instance belongs to, of keys that have some for each strut.
+  int strut_of(int offset) const;
 };
 
 /// All effects, in the order of the list.

@@ -79,11 +79,11 @@ class RandomProgram {
     for (const Axis axis : kAllAxes) {
       if (away_.size() >= static_cast<std::size_t>(count) || !chance(0.5)) continue;
       const double by = uniform(-3, 3) / (is_rotary(axis) ? 1 : unit());
-      away_.push_back({axis, by});
+      away_.emplace_back(axis, by);
       words += fmt::format(" {}{:.3f}", letter(axis), by);
     }
     if (away_.empty()) {
-      away_.push_back({Axis::X, 2 / unit()});
+      away_.emplace_back(Axis::X, 2 / unit());
       words = fmt::format(" X{:.3f}", 2 / unit());
     }
     return words;

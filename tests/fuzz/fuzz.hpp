@@ -14,7 +14,8 @@
 #include "base/diagnostic.hpp"
 #include "base/files.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,  // NOLINT(readability-identifier-naming)
+                                      std::size_t size);
 
 /// What must hold of every input. Unlike an exception it is never taken for a refusal, and it stops libFuzzer.
 #define FUZZ_CHECK(condition)                                                             \

@@ -74,7 +74,9 @@ TEST_CASE("candidates keep the machine's limits, and follow from the seed alone"
   const machine::MachineModel machine = pm600_like();
   const std::vector<measure::Run> runs = candidate_runs(machine, {.payloads = {0, 20}, .most = 60, .seed = 3});
   REQUIRE(runs.size() == 60);
-  bool ccw = false, cw = false, loaded = false;
+  bool ccw = false;
+  bool cw = false;
+  bool loaded = false;
   for (const measure::Run& run : runs) {
     CHECK(measure::within_limits(machine, run));
     CHECK(run.samples() == 36);

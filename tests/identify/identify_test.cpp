@@ -13,7 +13,7 @@ using namespace plumbline::testing;
 namespace {
 
 std::string code_of(const std::vector<measure::Run>& runs, const IdentifyOptions& options,
-                    machine::MachineModel machine = pm600_like()) {
+                    const machine::MachineModel& machine = pm600_like()) {
   try {
     identify::identify(machine, runs, options);
   } catch (const Refusal& refusal) {

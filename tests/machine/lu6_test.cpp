@@ -65,7 +65,7 @@ TEST_CASE("each lane of a pack is solved as alone, singular ones beside sound on
   for (std::size_t lane = 0; lane < Pack::size(); ++lane) {
     lanes.push_back(random_matrix(random));
     if (lane == 0) lanes[0].col(5).setZero();
-    sides.push_back(random_matrix(random).col(0));
+    sides.emplace_back(random_matrix(random).col(0));
     for (int i = 0; i < 6; ++i) {
       r[i][lane] = sides[lane][i];
       for (int k = 0; k < 6; ++k) A(i, k)[lane] = lanes[lane](i, k);

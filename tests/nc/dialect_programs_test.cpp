@@ -43,7 +43,8 @@ struct Trace {
 double number_of(const std::string& text) { return parse_number(text).value(); }
 
 void read_setting(Trace& trace, std::istringstream& words, const Dialect& dialect) {
-  std::string name, value;
+  std::string name;
+  std::string value;
   words >> name >> value;
   if (name == "calculator-type") trace.settings.calculator_type = value == "on";
   if (name == "block-delete") trace.settings.block_delete = value == "on";

@@ -62,8 +62,7 @@ std::string rewrite(const std::string& text, const Rewriting& how) {
     emitter.finish();
     out.commit();
   }
-  const std::string result = read_text(folder / "out.ngc");
-  return result;
+  return read_text(folder / "out.ngc");
 }
 
 Rewriting lift(double z, int pieces = 1) {  // everything up by z mm

@@ -27,8 +27,10 @@ std::vector<Read> read_all(const std::string& text, std::size_t window) {
   std::vector<Read> all;
   Line line;
   while (lines.next(line)) {
+    // NOLINTBEGIN(readability-simplify-subscript-expr): behind the end, where [] may not look
     CHECK((line.text.data()[line.text.size()] == '\0' || line.text.data()[line.text.size()] == '\n' ||
            line.text.data()[line.text.size()] == '\r' || !line.whole));
+    // NOLINTEND(readability-simplify-subscript-expr)
     all.push_back({std::string(line.text), std::string(line.line_end), line.place.line, line.place.offset, line.whole});
   }
   return all;

@@ -44,11 +44,13 @@ void fill(Eigen::Matrix<double, Rows, Columns>& m, double x) {
 }
 
 // Calls check(name of the hook, a function that adds to a sum, an empty sum) for each hook of the effect.
+// NOLINTBEGIN(bugprone-macro-parentheses): the name of a member takes none
 #define HOOK(name, Sum)                                                                                \
   if constexpr (requires { &Effect::template name<double>; }) {                                        \
     check(                                                                                             \
         #name, [&](Sum& sum) { Effect::name(Values<double>(p.data()), at, sum); }, Sum{empty<Sum>()}); \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 template <class Sum>
 Sum empty() {
   Sum sum;
@@ -225,6 +227,41 @@ TEST_CASE("every effect has a hook that its parameters work through, and adds no
     }
     CHECK(most > 0);
   });
+}
+
+TEST_CASE("numbers that move their own strut alone do nothing else, whatever the loads") {
+  Random random(23);
+  int some = 0;
+  for_each_effect([&]<class Effect>(std::size_t i) {
+    if constexpr (moves_own_strut_alone<Effect>) {
+      ++some;
+      const EffectInfo& info = effect_infos()[i];
+      const std::vector<double> none = initial_values(info);
+      Stage stage(random, none, static_cast<Effect*>(nullptr));
+      for (int n = 0; n < info.size(); ++n) {
+        INFO(Effect::name << ", number " << n);
+        std::vector<double> p = none;
+        p[static_cast<std::size_t>(n)] = 1e-4;
+        std::vector<Numbers> found;
+        for (int twice = 0; twice < 2; ++twice) {
+          for_each_hook<Effect>(p, stage.at, [&](const std::string& hook, auto add, auto sum) {
+            REQUIRE(hook == "length");
+            add(sum);
+            found.push_back(numbers(sum));
+          });
+          stage.at.drive_tension *= 2;
+          stage.at.nut_tension *= 2;
+          stage.at.torque *= 2;
+        }
+        REQUIRE(found.size() == 2);
+        CHECK(found[0] == found[1]);
+        CHECK(found[0][info.strut_of(n)] != 0);
+        found[0][info.strut_of(n)] = 0;
+        CHECK(found[0].isZero(0));
+      }
+    }
+  });
+  CHECK(some > 0);
 }
 
 TEST_CASE("a fresh instance of any effect of the catalogue leaves the machine as it is") {

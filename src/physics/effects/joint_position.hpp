@@ -15,6 +15,7 @@ struct JointPosition {
       ParameterSpec{
           .key = "platform_um", .unit = machine::units::um, .count = 6, .lower = -5000, .upper = 5000, .each = 3}};
   enum { kBase = 0, kPlatform = 18 };
+  static constexpr bool own_strut_alone = true;
 
   // dL_j = u_j . dq_j - u_j . R dp_j
   template <class T>

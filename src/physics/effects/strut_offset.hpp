@@ -11,6 +11,7 @@ struct StrutOffset {
   static constexpr std::string_view name = "strut-offset";
   static constexpr std::array parameters{
       ParameterSpec{.key = "length_um", .unit = machine::units::um, .count = 6, .lower = -500, .upper = 500}};
+  static constexpr bool own_strut_alone = true;
 
   template <class T>
   static void length(Values<T> p, const Situation<T>&, machine::PerStrut<T>& sum) {
