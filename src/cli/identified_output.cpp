@@ -1,12 +1,10 @@
 #include "cli/identified_output.hpp"
 
-#include <cstdio>
-#include <optional>
-
 #include <fmt/format.h>
 
 #include "base/files.hpp"
 #include "cli/command_files.hpp"
+#include "cli/messages.hpp"
 
 namespace plumbline::cli {
 
@@ -23,18 +21,18 @@ int write_identified(const std::vector<std::string>& inputs, const std::string& 
                      const std::function<jobs::IdentifiedModel()>& make) {
   check_outputs(inputs, {output, json});
   OutputFile out(output);
-  std::optional<OutputFile> json_out;
-  if (!json.empty()) json_out.emplace(json);
+  JsonResult json_result(json);
   const jobs::IdentifiedModel identified = make();
-  const bool standard_taken = output == kStandardStream || json == kStandardStream;
-  fmt::print(standard_taken ? stderr : stdout, "{}", jobs::identification_text(identified.found));
-  if (json_out) {
-    json_out->write(jobs::identification_json(identified.found));
-    json_out->commit();
+  std::string words = jobs::identification_text(identified.found);
+  if (output == kStandardStream) {
+    say_note(words);
+    words.clear();
   }
+  json_result.give(words, jobs::identification_json(identified.found));
   if (!identified.found.converged()) {
-    fmt::print(stderr, "not converged: {} is not written\n", output);
-    return kFailed;
+    refuse("identify-not-converged", fmt::format("the fit did not converge: {} is not written", output),
+           "give fewer unknowns by --free, or priors for them in [uncertainty]; check that the dataset belongs to "
+           "this machine");
   }
   out.write(identified.text);
   out.commit();

@@ -14,7 +14,7 @@ namespace plumbline::cli {
 void add_identified_output(CLI::App& command, std::string& output, std::string& json);
 
 /// Checks that `output` and `json` (may be empty) overwrite none of the inputs, makes the model, prints what was found,
-/// and writes both. A model that did not converge is not written. Returns the exit code.
+/// and writes both. Refuses with identify-not-converged, the JSON written and the model not. Returns the exit code.
 int write_identified(const std::vector<std::string>& inputs, const std::string& output, const std::string& json,
                      const std::function<jobs::IdentifiedModel()>& make);
 

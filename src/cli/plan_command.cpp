@@ -1,10 +1,5 @@
-#include <cstdio>
 #include <memory>
-#include <optional>
 
-#include <fmt/format.h>
-
-#include "base/files.hpp"
 #include "base/units.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
@@ -42,15 +37,10 @@ jobs::PlanJob job_of(const PlanArguments& arguments) {
 int plan(const PlanArguments& arguments) {
   const jobs::PlanJob job = job_of(arguments);
   check_outputs({job.model, job.measured}, {arguments.json});
-  std::optional<OutputFile> json;
-  if (!arguments.json.empty()) json.emplace(arguments.json);
+  JsonResult json(arguments.json);
   const jobs::PlannedTests planned = jobs::plan_tests(job);
   if (!arguments.folder.empty()) jobs::write_plan(planned, arguments.folder);
-  fmt::print(arguments.json == kStandardStream ? stderr : stdout, "{}", jobs::plan_text(planned));
-  if (json) {
-    json->write(jobs::plan_json(planned));
-    json->commit();
-  }
+  json.give(jobs::plan_text(planned), jobs::plan_json(planned));
   return kDone;
 }
 
