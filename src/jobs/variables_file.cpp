@@ -34,7 +34,7 @@ Piece next_piece(std::string_view line, std::size_t from) {
 
 class VariablesReader {
  public:
-  VariablesReader(const std::string& path, const std::string& text) : path_(path), text_(text) {}
+  VariablesReader(std::string path, const std::string& text) : path_(std::move(path)), text_(text) {}
 
   void take_line(std::size_t begin, std::size_t end) {
     std::string_view line = std::string_view(text_).substr(begin, end - begin);
@@ -65,7 +65,7 @@ class VariablesReader {
     refuse(code, std::move(message), std::string(kForm), place_in(path_, text_, line + piece.begin, piece.size));
   }
 
-  const std::string& path_;
+  std::string path_;
   const std::string& text_;
   std::map<int, double> variables_;
 };
