@@ -124,9 +124,11 @@ double noncentrality(const Unknowns& unknowns, const Eigen::MatrixXd& informatio
 
 Criterion separating(const Unknowns& unknowns, std::vector<std::size_t> one, std::vector<std::size_t> other) {
   return [&unknowns, one = std::move(one), other = std::move(other)](const Eigen::MatrixXd& information) {
+    // NOLINTBEGIN(readability-suspicious-call-argument): each in the other's place
     return std::log(
         std::min(noncentrality(unknowns, information, one, other), noncentrality(unknowns, information, other, one)) +
         kFreeInformation);
+    // NOLINTEND(readability-suspicious-call-argument)
   };
 }
 

@@ -262,7 +262,7 @@ void Sensitivity::add_strut_seed(std::size_t effect, int first, int unknown, See
   const auto place = [&]() -> std::optional<int> {
     if (chunks.empty() || chunks.back().first != first) return std::nullopt;
     const auto& taken = chunks.back().unknowns;
-    const auto slot =
+    const auto* const slot =
         std::find_if(taken.begin(), taken.end(), [&](const auto& of) { return of[strut] == unknown || of[strut] < 0; });
     if (slot == taken.end()) return std::nullopt;
     return static_cast<int>(slot - taken.begin());
