@@ -220,7 +220,7 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
     }
     diagnosis.confidence_set = confidence_set_of(model, diagnosis.effects, options.verdict);
     const std::vector<Rival>& rivals = model.found.front().rivals;
-    if (!rivals.empty() && rivals.front().refitted) {
+    if (!rivals.empty()) {
       diagnosis.runner_up = rivals.front().pick.candidate->name;
       runner_up = shelf.unknowns.at(rivals.front().fit.values);
     }

@@ -153,9 +153,8 @@ class Search {
       rival.log_odds = r.score.log_odds;
       const bool near = r.score.log_odds > limit_ - 3 && static_cast<int>(all.size()) < options_.most_refits &&
                         r.score.log_odds > std::min(best - options_.near_nats, (1 - options_.near_share) * best);
-      // of what is in the model and its runner-up the gap is shown
-      const bool shown = place < picks_.size() && all.size() < 2 && r.score.log_odds > 0;
-      if (near || shown) {
+      rival.start = start;
+      if (near) {
         rival.fit = refit(bench_, with(rival.pick, place), start, noise_, options_.refit);
         rival.log_odds += 0.5 * (without_it.misfit - rival.fit.misfit - r.score.gain);
         rival.refitted = true;
@@ -205,7 +204,7 @@ class Search {
       const std::vector<Rival>& all = rivals(place);
       const Pick now = picks_[place];
       const Rival best = all.front();
-      if (!best.refitted || best.log_odds < limit_) continue;
+      if (!best.refitted) continue;
       const bool same = best.pick.candidate == now.candidate && best.pick.carriers == now.carriers;
       if (same) continue;
       const auto mine =
@@ -279,6 +278,11 @@ class Search {
         found.log_odds = mine->log_odds;
         found.left_out = mine->left_out;
         found.rivals.erase(mine);
+      }
+      if (!found.rivals.empty() &&
+          !found.rivals.front().refitted) {  // the gap is shown with the runner-up, however far
+        Rival& second = found.rivals.front();
+        second.fit = refit(bench_, with(second.pick, place), second.start, noise_, options_.refit);
       }
       model.found.push_back(std::move(found));
     }

@@ -27,9 +27,10 @@ struct SearchOptions {
 /// An effect in the place of one that was picked, and what the whole model with it is worth.
 struct Rival {
   Pick pick;
-  double log_odds = 0;  // against the model without that effect
-  Refit fit;            // of the whole model with it in that place
-  bool refitted = false;
+  double log_odds = 0;    // against the model without that effect
+  Eigen::VectorXd start;  // where the linear problem has all unknowns with it in that place
+  Refit fit;              // of the whole model; of the foremost ones, and of the first in the place of what was found
+  bool refitted = false;  // and log_odds tell of that fit
   std::optional<LeftOut> left_out;  // of those refitted in the place of an effect that was found
 };
 
