@@ -259,22 +259,18 @@ void Sensitivity::add_seed(std::size_t effect, int first, int unknown, Seed seed
 void Sensitivity::add_strut_seed(std::size_t effect, int first, int unknown, Seed seed) {
   const auto strut = static_cast<std::size_t>(physics::effect_infos()[effect].strut_of(seed.offset));
   std::vector<StrutChunk>& chunks = strut_chunks_[effect];
-  const auto place = [&]() -> std::optional<int> {
-    if (chunks.empty() || chunks.back().first != first) return std::nullopt;
-    const auto& taken = chunks.back().unknowns;
-    const auto* const slot =
-        std::find_if(taken.begin(), taken.end(), [&](const auto& of) { return of[strut] == unknown || of[strut] < 0; });
-    if (slot == taken.end()) return std::nullopt;
-    return static_cast<int>(slot - taken.begin());
+  const auto open = [&](const auto& of) { return of[strut] == unknown || of[strut] < 0; };
+  const auto fits = [&](const StrutChunk& c) {
+    return c.first == first && std::any_of(c.unknowns.begin(), c.unknowns.end(), open);
   };
-  std::optional<int> slot = place();
-  if (!slot) {
+  if (chunks.empty() || !fits(chunks.back())) {
     chunks.push_back({first, {}, {}});
     for (auto& of : chunks.back().unknowns) of.fill(-1);
-    slot = 0;
   }
-  seed.slot = *slot;
-  chunks.back().unknowns[static_cast<std::size_t>(*slot)][strut] = unknown;
+  auto& unknowns = chunks.back().unknowns;
+  auto* const slot = std::find_if(unknowns.begin(), unknowns.end(), open);
+  (*slot)[strut] = unknown;
+  seed.slot = static_cast<int>(slot - unknowns.begin());
   chunks.back().seeds.push_back(seed);
 }
 
