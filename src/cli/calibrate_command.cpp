@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "base/units.hpp"
+#include "cli/command_files.hpp"
 #include "cli/identified_output.hpp"
 
 namespace plumbline::cli {
@@ -20,7 +21,7 @@ int calibrate(const CalibrateArguments& arguments) {
   }
   job.options.geometry.joint_sigma = arguments.joint_um * kUm;
   job.options.geometry.offset_sigma = arguments.offset_um * kUm;
-  return write_identified({job.model, job.dataset, job.poses}, arguments.output, arguments.json,
+  return write_identified(inputs_of(job.dataset, {job.model, job.poses}), arguments.output, arguments.json,
                           [&] { return jobs::calibrate_model(job); });
 }
 

@@ -12,10 +12,9 @@ struct CircularityArguments {
 };
 
 int circularity(const CircularityArguments& arguments) {
-  const measure::Dataset dataset = measure::read_dataset(arguments.dataset);
-  check_outputs(files_of(dataset, arguments.dataset), {arguments.json});
+  check_outputs(inputs_of(arguments.dataset, {}), {arguments.json});
   JsonResult json(arguments.json);
-  const jobs::CircularityTable table = jobs::circularity_table(dataset);
+  const jobs::CircularityTable table = jobs::circularity_table(measure::read_dataset(arguments.dataset));
   json.give(jobs::circularity_text(table), jobs::circularity_json(table));
   return kDone;
 }

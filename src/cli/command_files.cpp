@@ -11,6 +11,7 @@
 #include "base/diagnostic.hpp"
 #include "cli/command.hpp"
 #include "cli/messages.hpp"
+#include "measure/dataset.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -70,11 +71,11 @@ void check_outputs(const std::vector<std::string>& inputs, const std::vector<std
   }
 }
 
-std::vector<std::string> files_of(const measure::Dataset& dataset, const std::string& path) {
-  std::vector<std::string> files{path};
-  const fs::path folder = fs::path(path).parent_path();
-  for (const measure::Run& run : dataset.runs) files.push_back((folder / run.file).string());
-  return files;
+std::vector<std::string> inputs_of(const std::string& dataset, std::vector<std::string> others) {
+  if (dataset.empty()) return others;
+  const std::vector<std::string> files = measure::files_of_dataset(dataset);
+  others.insert(others.end(), files.begin(), files.end());
+  return others;
 }
 
 JsonResult::JsonResult(const std::string& path) {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/files.hpp"
-#include "measure/dataset.hpp"
 
 namespace plumbline::cli {
 
@@ -15,8 +14,9 @@ namespace plumbline::cli {
 /// UsageError if two inputs are standard input.
 void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
-/// What was read of a dataset: `path`, its dataset.toml, and the tables of its runs.
-std::vector<std::string> files_of(const measure::Dataset& dataset, const std::string& path);
+/// What a command reads that reads a dataset (may be empty): its files, and others. Refuses as
+/// measure::files_of_dataset does.
+std::vector<std::string> inputs_of(const std::string& dataset, std::vector<std::string> others);
 
 /// A result in words on standard output, and as JSON in the file that --json names.
 class JsonResult {

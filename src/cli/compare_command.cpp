@@ -16,11 +16,9 @@ struct CompareArguments {
 };
 
 int compare(const CompareArguments& arguments) {
-  check_outputs({arguments.model, arguments.dataset}, {arguments.json});
-  const measure::Dataset dataset = measure::read_dataset(arguments.dataset);
-  check_outputs(files_of(dataset, arguments.dataset), {arguments.json});
+  check_outputs(inputs_of(arguments.dataset, {arguments.model}), {arguments.json});
   JsonResult json(arguments.json);
-  const jobs::Comparison comparison = jobs::compare(arguments.model, dataset);
+  const jobs::Comparison comparison = jobs::compare(arguments.model, measure::read_dataset(arguments.dataset));
   const bool is_bounded = std::isfinite(arguments.most_radial_um);
   if (is_bounded && !comparison.radial_rms_um) {
     refuse("compare-no-bar", "--max-radial-um bounds readings of the bar, and no run has any",

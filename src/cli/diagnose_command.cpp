@@ -52,7 +52,7 @@ int diagnose(const DiagnoseArguments& arguments) {
   const std::string model = (fs::path(arguments.folder) / "model.toml").string();
   const std::string page = (fs::path(arguments.folder) / "report.html").string();
   check_folder(arguments.folder);
-  check_outputs({arguments.job.model, arguments.job.dataset}, {json, model, page});
+  check_outputs(inputs_of(arguments.job.dataset, {arguments.job.model}), {json, model, page});
   const bool is_followed = isatty(STDERR_FILENO) != 0 && !says_json();
   const jobs::DiagnoseReport report = jobs::diagnose(arguments.job, [&](const std::string& step) {
     if (is_followed) say_note(step + "\n");

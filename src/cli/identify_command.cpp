@@ -1,6 +1,7 @@
 #include <map>
 #include <memory>
 
+#include "cli/command_files.hpp"
 #include "cli/identified_output.hpp"
 
 namespace plumbline::cli {
@@ -12,7 +13,7 @@ struct IdentifyArguments {
 };
 
 int identify_model(const IdentifyArguments& arguments) {
-  return write_identified({arguments.model, arguments.dataset}, arguments.output, arguments.json,
+  return write_identified(inputs_of(arguments.dataset, {arguments.model}), arguments.output, arguments.json,
                           [&] { return jobs::identify_model(arguments.model, arguments.dataset, arguments.options); });
 }
 

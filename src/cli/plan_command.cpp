@@ -36,7 +36,7 @@ jobs::PlanJob job_of(const PlanArguments& arguments) {
 
 int plan(const PlanArguments& arguments) {
   const jobs::PlanJob job = job_of(arguments);
-  check_outputs({job.model, job.measured}, {arguments.json});
+  check_outputs(inputs_of(job.measured, {job.model}), {arguments.json});
   JsonResult json(arguments.json);
   const jobs::PlannedTests planned = jobs::plan_tests(job);
   if (!arguments.folder.empty()) jobs::write_plan(planned, arguments.folder);

@@ -229,6 +229,20 @@ Dataset read_dataset(const std::string& path) {
   return parse_dataset(read_text(path), input_name(path), fs::path(path).parent_path().string());
 }
 
+std::vector<std::string> files_of_dataset(const std::string& path) {
+  std::vector<std::string> files{path};
+  std::error_code missing;
+  if (!fs::is_regular_file(path, missing)) return files;
+  const TomlDocument document = parse_toml(read_text(path), input_name(path));
+  check_top(document);
+  for (const TomlValue& run : run_list(document).items) {
+    const TomlEntry* const table = run.find("file");
+    if (table == nullptr || table->value.kind != Kind::text) continue;  // read_dataset refuses it
+    files.push_back((fs::path(path).parent_path() / table->value.text).string());
+  }
+  return files;
+}
+
 namespace {
 
 // Where the tables of a dataset will stand, in the order of its runs; each in a place of its own, which no file of the

@@ -78,6 +78,10 @@ Dataset read_dataset(const std::string& path);
 /// The same of a text; tables are looked for in `folder`.
 Dataset parse_dataset(std::string text, const std::string& file, const std::string& folder);
 
+/// What read_dataset would read: `path` and the tables of its runs; of a pipe, which is read once, `path` alone.
+/// Refuses a dataset.toml whose runs cannot be listed as read_dataset does.
+std::vector<std::string> files_of_dataset(const std::string& path);
+
 /// Writes the dataset's text, as it was read, as dataset.toml into a folder, made if need be, and the tables beside it.
 /// Refuses, before anything is written, with dataset-file-outside a table that would lie outside the folder, with
 /// file-overwrites-input what would overwrite the dataset that was read or a table of it, and with dataset-same-file

@@ -169,6 +169,15 @@ TEST_CASE("a table of readings is never overwritten") {
   const std::string before = scratch.text("plan/a.csv");
   CHECK(run(scratch, "compare -d plan/dataset.toml --json plan/a.csv " + kModel).code == 1);
   CHECK(run(scratch, "circularity -d plan/dataset.toml --json plan/a.csv").code == 1);
+  for (const std::string command :
+       {"identify -d plan/dataset.toml -o plan/a.csv ", "calibrate -d plan/dataset.toml -o plan/a.csv ",
+        "identify -d plan/dataset.toml -o found.toml --json plan/a.csv ",
+        "plan -d plan/dataset.toml --json plan/a.csv "}) {
+    INFO(command);
+    const Outcome outcome = run(scratch, command + kModel);
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.err, "[file-overwrites-input]"));
+  }
   CHECK(scratch.text("plan/a.csv") == before);
 }
 
