@@ -14,7 +14,7 @@
 namespace plumbline::jobs {
 namespace {
 
-constexpr std::size_t kShown = 20;
+constexpr std::size_t kFindingsShown = 20;
 using Json = nlohmann::ordered_json;
 
 class Checker {
@@ -106,7 +106,7 @@ CheckSummary check_file(const std::string& program, const Options& options, cons
 
 std::string check_text(const CheckSummary& summary) {
   std::string text;
-  const std::size_t shown = std::min(kShown, summary.findings.size());
+  const std::size_t shown = std::min(kFindingsShown, summary.findings.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const CheckFinding& finding = summary.findings[i];
     text += fmt::format("{}:{}: {}\n", finding.file, finding.line, message_of(finding.violation));

@@ -9,7 +9,7 @@
 namespace plumbline::jobs {
 namespace {
 
-constexpr std::size_t kShown = 20;
+constexpr std::size_t kOutOfLineShown = 20;
 using Json = nlohmann::ordered_json;
 
 std::string lines_text(std::size_t first, std::size_t last) {
@@ -46,7 +46,7 @@ std::string diff_text(const DiffSummary& s) {
                         s.time_change.line > 0 ? fmt::format(" (line {})", s.time_change.line) : ""));
   table.add("out of line",
             fmt::format("{} of A, {} of B", count_text(s.out_of_line_a, "move"), count_text(s.out_of_line_b)));
-  const std::size_t shown = std::min(kShown, s.out_of_line.size());
+  const std::size_t shown = std::min(kOutOfLineShown, s.out_of_line.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const OutOfLine& place = s.out_of_line[i];
     table.add("", fmt::format("A: {}, B: {}", lines_text(place.first_line_a, place.last_line_a),

@@ -1,13 +1,13 @@
 #include "jobs/error_table.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
 #include "base/units.hpp"
+#include "jobs/csv_columns.hpp"
 #include "machine/axis_words.hpp"
 #include "physics/error.hpp"
 
@@ -16,17 +16,12 @@ namespace {
 
 constexpr int kPoseDecimals = 3;
 
-constexpr std::string_view kHeader =
+constexpr std::string_view kErrorColumns =
     "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,"
     "length1_mm,length2_mm,length3_mm,length4_mm,length5_mm,length6_mm,"
     "nut_tension1_N,nut_tension2_N,nut_tension3_N,nut_tension4_N,nut_tension5_N,nut_tension6_N,"
     "stretch1_um,stretch2_um,stretch3_um,stretch4_um,stretch5_um,stretch6_um,"
     "dx_um,dy_um,dz_um,rx_urad,ry_urad,rz_urad\n";
-
-template <class Numbers>
-void append_columns(std::string& line, const Numbers& numbers, double unit, int decimals) {
-  for (const double number : numbers) fmt::format_to(std::back_inserter(line), ",{:.{}f}", number / unit, decimals);
-}
 
 void append_pose(std::string& line, const AxisWords& pose) {
   for (const Axis axis : kAllAxes) {
@@ -49,7 +44,7 @@ ErrorTableSummary write_error_table(const machine::MachineModel& model, std::spa
   physics::Environment at_rest = forces.environment();
   at_rest.friction = false;
   ErrorTableSummary summary;
-  std::string line(kHeader);
+  std::string line(kErrorColumns);
   out.write(line);
   for (const PoseRow& row : poses) {
     physics::Motion<double> motion;

@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view kSection = "\n## ";
 constexpr std::string_view kTitle = "\n# ";  // of the next file
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_end_lines(std::string_view text) {
   while (text.starts_with('\n')) text.remove_prefix(1);
   while (text.ends_with('\n')) text.remove_suffix(1);
   return text;
@@ -31,7 +31,7 @@ std::vector<CodePage> read_pages() {
     rest.remove_prefix(at + kSection.size());
     const std::size_t end = std::min({rest.find(kSection), rest.find(kTitle), rest.size()});
     const std::size_t line = std::min(rest.find('\n'), end);
-    pages.push_back({rest.substr(0, line), trimmed(rest.substr(line, end - line))});
+    pages.push_back({rest.substr(0, line), without_end_lines(rest.substr(line, end - line))});
   }
   std::sort(pages.begin(), pages.end(), [](const CodePage& a, const CodePage& b) { return a.code < b.code; });
   return pages;

@@ -15,7 +15,6 @@ namespace {
 
 constexpr int kActiveSystem = 5220;
 constexpr int kFirstRotation = 5230;
-constexpr int kPerSystem = 20;
 constexpr std::string_view kTolerance = "0.001";  // mm and deg
 
 // LinuxCNC. Parameters #5221... are in the machine's unit, which a program cannot ask for; so an origin is found as the
@@ -44,7 +43,7 @@ class LinuxCncGuard {
       wanted += fmt::format(" {}{}", letter(axis), to_decimal(offset.origin[axis]));
       conditions.push_back(differs(origin(axis, offset.rotation_deg), offset.origin[axis], !is_rotary(axis)));
     }
-    const int rotation = kFirstRotation + kPerSystem * static_cast<int>(system);
+    const int rotation = kFirstRotation + nc::kParametersPerRow * static_cast<int>(system);
     conditions.push_back(differs(fmt::format("#{}", rotation), offset.rotation_deg, false));
     if (offset.rotation_deg != 0) wanted += " R" + to_decimal(offset.rotation_deg);
     stop_if(fmt::format("offset{}", system + 1), conditions, "this program was made for " + wanted);

@@ -1,7 +1,6 @@
 #include "jobs/simulate.hpp"
 
 #include <cmath>
-#include <iterator>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include "base/number_text.hpp"
 #include "base/units.hpp"
 #include "compensate/guard.hpp"
+#include "jobs/csv_columns.hpp"
 #include "jobs/path_walk.hpp"
 #include "jobs/program_dialect.hpp"
 #include "machine/axis_words.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kSpeedOverSign = 100;  // a move without a speed counts as this many times v0
 
-constexpr std::string_view kHeader =
+constexpr std::string_view kSimulationColumns =
     "line,motion,time_s,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,dx_um,dy_um,dz_um,rx_urad,ry_urad,rz_urad,"
     "length1_mm,length2_mm,length3_mm,length4_mm,length5_mm,length6_mm,"
     "nut_tension1_N,nut_tension2_N,nut_tension3_N,nut_tension4_N,nut_tension5_N,nut_tension6_N,"
@@ -37,17 +37,12 @@ std::string_view name_of(nc::MotionKind kind) {
   }
 }
 
-template <class Numbers>
-void append_columns(std::string& line, const Numbers& numbers, double unit, int decimals) {
-  for (const double number : numbers) fmt::format_to(std::back_inserter(line), ",{:.{}f}", number / unit, decimals);
-}
-
 class Player {
  public:
   Player(const machine::MachineModel& model, bool friction, OutputFile& out)
       : model_(model), forces_(model), environment_(forces_.environment()), out_(out) {
     environment_.friction = friction;
-    out_.write(kHeader);
+    out_.write(kSimulationColumns);
   }
 
   void set_tool(const compensate::ToolInSpindle& tool) {

@@ -15,7 +15,6 @@ namespace {
 
 constexpr int kFirstWorkOffset = 5221;
 constexpr int kRotation = 9;  // behind the first of a work system
-constexpr int kPerSystem = 20;
 constexpr std::string_view kBlanks = " \t\r";
 constexpr std::string_view kForm = R"(write "#NUMBER VALUE", as in "#100 12.5")";
 
@@ -88,7 +87,7 @@ std::map<int, double> read_variables(const std::string& path) {
 std::array<std::optional<nc::WorkOffset>, nc::kWorkSystems> work_offsets_of(const std::map<int, double>& variables) {
   std::array<std::optional<nc::WorkOffset>, nc::kWorkSystems> systems;
   for (std::size_t i = 0; i < kSystemsOfVariables; ++i) {
-    const int first = kFirstWorkOffset + kPerSystem * static_cast<int>(i);
+    const int first = kFirstWorkOffset + nc::kParametersPerRow * static_cast<int>(i);
     nc::WorkOffset offset;
     bool is_whole = true;
     for (const Axis axis : kAllAxes) {

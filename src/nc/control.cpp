@@ -7,7 +7,6 @@ namespace {
 
 constexpr int kFirstHome = 5161;  // parameters of G28, twenty further G30 [LinuxCNC; RS274/NGC 3.2.1]
 constexpr int kG92 = 5211;
-constexpr int kParametersPerRow = 20;
 
 // Those of six parameters in a row that somebody gave.
 AxisSet given(const Parameters& parameters, int first, AxisWords& into) {

@@ -250,7 +250,7 @@ void CycleRun::wait() {
   add_motion(run_, motion);
 }
 
-void check(const Execution& run) {
+void check_cycle(const Execution& run) {
   const Control& control = run.control;
   if (const AxisSet rotary = run.axes & AxisSet::rotary(); !rotary.empty()) {
     for (const Axis axis : kAllAxes) {
@@ -277,7 +277,7 @@ void move_in_cycle(Execution& run) {
     run.refuse(*run.machine_word, codes::kMachineMove, "G53 needs G0 or G1",
                "write the motion code into the block of G53");
   }
-  check(run);
+  check_cycle(run);
   run.control.known = run.control.modal.incremental ? run.control.known : run.control.known | run.axes;
   run.step.role = BlockRole::cycle;
   run.step.cycle = works_spindle(run.motion->value) ? CycleForm::spindle : CycleForm::moves;

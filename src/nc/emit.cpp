@@ -13,7 +13,7 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr std::size_t kChunk = std::size_t{1} << 16U;
+constexpr std::size_t kCopyChunk = std::size_t{1} << 16U;
 constexpr std::string_view kSkipped = "block delete is on: this block was left out";
 constexpr std::string_view kAllStand = "every axis of this block stands there already";
 
@@ -63,7 +63,7 @@ std::string_view Emitter::line_end(const Step& step) const {
 void Emitter::copy_source(std::uint64_t from, std::uint64_t to) {
   std::string chunk;
   while (from < to) {
-    chunk.resize(std::min<std::uint64_t>(kChunk, to - from));
+    chunk.resize(std::min<std::uint64_t>(kCopyChunk, to - from));
     const std::size_t got = source_.read(from, chunk.data(), chunk.size());
     PLUMBLINE_CHECK(got > 0);
     out_.write(std::string_view(chunk).substr(0, got));

@@ -16,7 +16,7 @@ constexpr int kHomes = 5161, kHomesEnd = 5190;
 constexpr int kG92End = 5220;
 constexpr int kActiveSystem = 5220, kSystems = 5221, kSystemsEnd = 5401 - 11;
 constexpr int kTool = 5400, kToolOffset = 5401, kPosition = 5420, kPositionEnd = 5429;
-constexpr int kPerRow = 20, kRotation = 9;
+constexpr int kRotation = 9;
 
 // Variables of macro B [B-63174EN 13]
 constexpr int kClocks = 3001, kClocksEnd = 3002, kDate = 3011, kTime = 3012;
@@ -106,16 +106,16 @@ std::optional<double> Readings::table_value(int number) const {
     return at >= static_cast<int>(kAxes) || set.contains(kAllAxes[static_cast<std::size_t>(at)]);
   };
   if (number >= kHomes && number <= kHomesEnd) {
-    const Home& home = control_.homes[static_cast<std::size_t>((number - kHomes) / kPerRow)];
-    const int at = (number - kHomes) % kPerRow;
+    const Home& home = control_.homes[static_cast<std::size_t>((number - kHomes) / kParametersPerRow)];
+    const int at = (number - kHomes) % kParametersPerRow;
     return known(home.known, at) ? std::optional(of(home.machine, at)) : std::nullopt;
   }
   if (number == kG92InForce) return control_.frame.g92 == AxisWords{} ? 0 : 1;
   if (number < kG92End) return of(control_.suspended_g92, number - kG92InForce - 1);
   if (number == kActiveSystem) return control_.modal.work_system;
   if (number <= kSystemsEnd) {
-    const WorkSystem& row = control_.systems[static_cast<std::size_t>((number - kSystems) / kPerRow)];
-    const int at = (number - kSystems) % kPerRow;
+    const WorkSystem& row = control_.systems[static_cast<std::size_t>((number - kSystems) / kParametersPerRow)];
+    const int at = (number - kSystems) % kParametersPerRow;
     if (at == kRotation) return row.known.empty() ? std::nullopt : std::optional(row.rotation_deg);
     return known(row.known, at) ? std::optional(of(row.origin, at)) : std::nullopt;
   }
@@ -142,9 +142,9 @@ Value Readings::read_macro_variable(const Block& block, int number, Span span) c
   if (is_axis_from(kBlockEnd)) return position(block, axis_from(kBlockEnd), span);
   if (is_axis_from(kPositionNow)) return position(block, axis_from(kPositionNow), span);
   if (number >= kMacroSystems && number <= kMacroSystemsEnd &&
-      (number - kMacroSystems) % kPerRow < static_cast<int>(kAxes)) {
-    const auto at = static_cast<std::size_t>((number - kMacroSystems) / kPerRow);
-    const Axis axis = kAllAxes[static_cast<std::size_t>((number - kMacroSystems) % kPerRow)];
+      (number - kMacroSystems) % kParametersPerRow < static_cast<int>(kAxes)) {
+    const auto at = static_cast<std::size_t>((number - kMacroSystems) / kParametersPerRow);
+    const Axis axis = kAllAxes[static_cast<std::size_t>((number - kMacroSystems) % kParametersPerRow)];
     if (!control_.systems[at].known.contains(axis)) return unset(block, span);
     const double value = control_.systems[at].origin[axis];
     return {is_rotary(axis) ? value : value / control_.length_unit(), true};

@@ -105,7 +105,7 @@ void follow(Execution& run, const std::vector<NurbsPoint>& control_points, int o
   run.step.cycle = CycleForm::moves;
 }
 
-void check(const Execution& run) {
+void check_spline(const Execution& run) {
   need_offsets(run);
   if (run.control.modal.plane != Plane::xy) {
     run.refuse(run.motion_code(), codes::kOutOfRange, "splines lie in the XY plane", "write G17 before it");
@@ -132,7 +132,7 @@ Point offset(const Execution& run, char first, char second) {
 
 // G5: control points at I, J from the start and P, Q from the end. G5.1: one at I, J from the start.
 void move_spline(Execution& run) {
-  check(run);
+  check_spline(run);
   Control& control = run.control;
   const bool cubic = run.motion->action == Action::cubic_spline;
   const Point start{control.position[Axis::X], control.position[Axis::Y]};
@@ -166,7 +166,7 @@ void move_spline(Execution& run) {
 }
 
 void add_nurbs_point(Execution& run) {
-  check(run);
+  check_spline(run);
   Control& control = run.control;
   if (control.modal.incremental) {
     run.refuse(run.motion_code(), codes::kOutOfRange, "control points of G5.2 are absolute", "write G90 before it");
@@ -189,7 +189,7 @@ void add_nurbs_point(Execution& run) {
 }
 
 void move_nurbs(Execution& run) {
-  check(run);
+  check_spline(run);
   Control& control = run.control;
   if (static_cast<int>(control.nurbs.size()) < control.nurbs_order) {
     run.refuse(

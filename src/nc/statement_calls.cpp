@@ -12,12 +12,7 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr std::size_t kCallLevels = 10;
-
-Span span_of_statement(const Block& block) {
-  if (block.flow.word == FlowWord::none && !block.words.empty()) return block.words.front().span;
-  return block.flow.span;
-}
+constexpr std::size_t kProgramLevels = 10;
 
 }  // namespace
 
@@ -77,18 +72,18 @@ void StatementFlow::call_program(const Block& block, const ProgramCall& program)
 
 void StatementFlow::enter(const Block& block, Call call, bool own_variables) {
   used_ = true;
-  if (calls_.size() >= kCallLevels) {
-    refuse_at(block, span_of_statement(block), codes::kCallDepth,
-              fmt::format("subprograms call each other more than {} deep", kCallLevels),
-              "the control takes no more; does a subprogram call itself without an end?");
+  if (calls_.size() >= kProgramLevels) {
+    refuse_statement(block, codes::kCallDepth,
+                     fmt::format("subprograms call each other more than {} deep", kProgramLevels),
+                     "the control takes no more; does a subprogram call itself without an end?");
   }
   const LinePlace back = files_[file_]->lines.place();
   const auto found = find_program(call.name);
   if (!found) {
-    refuse_at(block, span_of_statement(block), codes::kFlowOpen,
-              fmt::format("subprogram {} is neither in this file nor beside it", call.name),
-              fmt::format("put it into a file of its name beside the program, as {}",
-                          subprogram_file_name(call.name, dialect_)));
+    refuse_statement(block, codes::kFlowOpen,
+                     fmt::format("subprogram {} is neither in this file nor beside it", call.name),
+                     fmt::format("put it into a file of its name beside the program, as {}",
+                                 subprogram_file_name(call.name, dialect_)));
   }
   call.file = file_;
   call.place = back;
@@ -129,8 +124,9 @@ void StatementFlow::jump_back(const Block& block, int number) {
   const std::size_t line = files_[file_]->lines.place().line;
   const LinePlace* const place = find_label(fmt::format("N{}", number), line, Direction::both);
   if (place == nullptr) {
-    refuse_at(block, span_of_statement(block), codes::kFlowLabel,
-              fmt::format("there is no N{} to return to in the program that called", number), "check the P of M99");
+    refuse_statement(block, codes::kFlowLabel,
+                     fmt::format("there is no N{} to return to in the program that called", number),
+                     "check the P of M99");
   }
   used_ = true;
   files_[file_]->lines.seek(*place);

@@ -11,18 +11,11 @@
 #include "nc/parser.hpp"
 
 namespace plumbline::nc {
-namespace {
 
-Span span_of_statement(const Block& block) {
-  if (block.flow.word == FlowWord::none && !block.words.empty()) return block.words.front().span;
-  return block.flow.span;
+void refuse_statement(const Block& block, std::string_view code, std::string message, std::string help) {
+  const bool is_word = block.flow.word == FlowWord::none && !block.words.empty();
+  refuse_at(block, is_word ? block.words.front().span : block.flow.span, code, std::move(message), std::move(help));
 }
-
-[[noreturn]] void refuse_statement(const Block& block, std::string_view code, std::string message, std::string help) {
-  refuse_at(block, span_of_statement(block), code, std::move(message), std::move(help));
-}
-
-}  // namespace
 
 StatementFlow::StatementFlow(const InputFile& program, const Dialect& dialect, Interpreter& interpreter)
     : dialect_(dialect), interpreter_(interpreter) {

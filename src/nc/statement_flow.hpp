@@ -18,6 +18,9 @@
 
 namespace plumbline::nc {
 
+/// Refuses with the code, at the statement of the block, or at its first word if it has none.
+[[noreturn]] void refuse_statement(const Block& block, std::string_view code, std::string message, std::string help);
+
 class StatementFlow : public Sequencer {
  public:
   /// All must outlive it.
