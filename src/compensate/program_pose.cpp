@@ -6,7 +6,7 @@ namespace plumbline::compensate {
 
 std::optional<ToolInSpindle> SpindleTool::change(const nc::Step& step) {
   const AxisWords& offset = step.frame->tool;
-  const int number = step.after->tool_in_spindle;
+  const int number = (step.moves_old_tool ? step.before : step.after)->tool_in_spindle;
   if (offset_ == offset && number == number_) return std::nullopt;
   offset_ = offset;
   number_ = number;

@@ -84,6 +84,7 @@ struct Step {
   bool skipped = false;          // block delete is on for it: nothing of it was executed
   bool executed_delete = false;  // block delete is off for it, and it moves or changes modal state
   bool changes_tool = false;     // M6, M61
+  bool moves_old_tool = false;   // its motion comes before that
   bool loses_position = false;   // M0, M6, user M code, G28...: some axis may stand elsewhere now
 };
 

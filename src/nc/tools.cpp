@@ -148,6 +148,7 @@ void select_tool(Execution& run, const Word& word) {
 void change_tool(Execution& run, const Chosen& chosen) {
   Control& control = run.control;
   run.step.changes_tool = true;
+  run.step.moves_old_tool = chosen.row->order == Order::after_motion && run.motion != nullptr;
   if (chosen.row->action == Action::set_tool) {
     control.modal.tool_in_spindle = tool_number(run, run.need('Q', "M61"), "the number of a tool");
     return;

@@ -73,6 +73,27 @@ TEST_CASE("a flat program for Okuma comes out for Okuma") {
   CHECK(holds(result.text, "G9$"));
 }
 
+TEST_CASE("a tool that Okuma's control changes behind a move is not carried along it") {
+  Job job = job_for("okuma");
+  job.program.feed_rule = nc::FeedRule::xyz_first;
+  job.program.tool_in_spindle = 1;
+  nc::Tool light;
+  light.number = 1;
+  light.mass_kg = 1;
+  nc::Tool heavy = light;
+  heavy.number = 2;
+  heavy.mass_kg = 9;
+  job.program.tools = nc::ToolTable({light, heavy});
+  const std::string before = "G15 H1\nT2\nG0 X0 Y0 Z20 A0 B0 C0\n";
+  const std::string together = run(before + "G1 X40 Y10 F500 M6\nM2\n", job).text;
+  const std::string apart = run(before + "G1 X40 Y10 F500\nM6\nM2\n", job).text;
+  CHECK(holds(together, " M6$"));
+  CHECK(std::regex_replace(together, std::regex(" M6\n"), "\n") ==
+        std::regex_replace(apart, std::regex("\nM6\n"), "\n"));
+  job.program.tool_in_spindle = 2;
+  CHECK(run(before + "G1 X40 Y10 F500\nM6\nM2\n", job).text != apart);
+}
+
 TEST_CASE("what Okuma's control does when the axes have arrived stands behind the last piece") {
   Job job = job_for("okuma");
   job.program.feed_rule = nc::FeedRule::xyz_first;
