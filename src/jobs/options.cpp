@@ -154,6 +154,10 @@ constexpr std::array kRows{
         "fanuc: a number without a point counts mm, inches and degrees (on) or increments of the control (off, the "
         "default)",
         OptionGroup::program, false, false, [](Options& o, Text t) { o.calculator_type = on_or_off(t); }},
+    OptionRow{"input-increment", "MM",
+              "fanuc, okuma: what a number without a point counts, mm and deg (default: fanuc 0.001, okuma 1)",
+              OptionGroup::program, false, false,
+              [](Options& o, Text t) { o.input_increment = number_in(t, 1e-5, 1, "mm, 0.00001 to 1"); }},
     OptionRow{
         "feed-rule", "xyz|all|unknown",
         "F of a block that moves X, Y, Z and turns is the speed of X, Y, Z alone, or of all axes with degrees as mm "
@@ -286,6 +290,7 @@ nc::ProgramSettings program_settings(const Options& options) {
   settings.keeps_position = options.keeps_position;
   settings.block_delete = options.block_delete;
   settings.calculator_type = options.calculator_type;
+  settings.input_increment = options.input_increment;
   settings.feed_rule = options.feed_rule;
   settings.rotary = options.rotary;
   settings.max_blocks = static_cast<std::uint64_t>(options.max_blocks);

@@ -25,6 +25,7 @@ struct Options {
   std::vector<std::pair<std::string, int>>
       work_offset_names;  // as they were given, and which system they were taken for
   std::optional<bool> calculator_type;
+  std::optional<double> input_increment;  // mm and deg
   std::optional<nc::FeedRule> feed_rule;
   nc::RotaryRules rotary{};
   std::string tools;  // path of the tool table; empty: none

@@ -44,6 +44,7 @@ std::string settings_line(const Options& options) {
                   c.method == compensate::Method::exact ? "exact" : "first order", c.friction ? "on" : "off",
                   to_decimal(c.step.angle_deg), to_decimal(c.step.length_mm), to_decimal(options.time_tolerance));
   if (options.calculator_type) line += fmt::format(", calculator type {}", *options.calculator_type ? "on" : "off");
+  if (options.input_increment) line += fmt::format(", input increment {} mm", to_decimal(*options.input_increment));
   if (options.feed_rule) line += fmt::format(", feed rule {}", name_of(*options.feed_rule));
   line += rotary_text(options.rotary);
   if (options.block_delete) line += fmt::format(", block delete {}", *options.block_delete ? "on" : "off");

@@ -175,6 +175,7 @@ struct Habits {
   bool no_work_system_at_start = false;
   bool always_point = false;                                       // numbers are written with a decimal point
   double increment_mm = 0, increment_inch = 0, increment_deg = 0;  // what a number without a point counts; 0: units
+  bool increment_of_rest_unknown = false;  // where another is set, of F and of values that are no literals
   double feed_per_revolution_increment = 0;
   bool machine_move_is_rapid = false;  // G53 goes as G0 whatever is in force
   bool h0_is_no_tool = false;

@@ -304,6 +304,7 @@ class TableReader {
     habits.increment_mm = number(from, "increment_mm", 0);
     habits.increment_inch = number(from, "increment_inch", 0);
     habits.increment_deg = number(from, "increment_deg", 0);
+    habits.increment_of_rest_unknown = flag(from, "increment_of_rest_unknown");
     habits.feed_per_revolution_increment = number(from, "feed_per_revolution_increment", 0);
     habits.machine_move_is_rapid = flag(from, "machine_move_is_rapid");
     habits.h0_is_no_tool = flag(from, "h0_is_no_tool");

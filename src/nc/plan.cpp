@@ -158,24 +158,6 @@ bool is_in_cycle(const Execution& run, const Block& block) {
   return motion != nullptr && motion->action == Action::cycle;
 }
 
-// What a number without a decimal point counts, where that is not a unit.
-void count_increments(const Execution& run, Word& word) {
-  const Habits& habits = run.dialect.habits;
-  if (word.point || word.expression != kLiteral || run.settings.calculator_type.value_or(false)) return;
-  constexpr std::uint32_t kLengths = letter_bit('X') | letter_bit('Y') | letter_bit('Z') | letter_bit('U') |
-                                     letter_bit('V') | letter_bit('W') | letter_bit('I') | letter_bit('J') |
-                                     letter_bit('K') | letter_bit('Q') | letter_bit('R');
-  constexpr std::uint32_t kAngles = letter_bit('A') | letter_bit('B') | letter_bit('C');
-  if ((letter_bit(word.letter) & kLengths) != 0) {
-    word.value *= run.control.modal.inches ? habits.increment_inch : habits.increment_mm;
-  } else if ((letter_bit(word.letter) & kAngles) != 0) {
-    word.value *= habits.increment_deg;
-  } else if (word.letter == 'F' && run.control.modal.feed_mode == FeedMode::per_revolution &&
-             habits.feed_per_revolution_increment > 0) {
-    word.value *= habits.feed_per_revolution_increment;
-  }
-}
-
 void refuse_twice(const Execution& run, const Word& word) {
   run.refuse(word, codes::kWordTwice, fmt::format("two {} words in one block", word.letter), "leave one of them");
 }
@@ -338,14 +320,6 @@ void check_words_used(const Execution& run) {
 int turn_of(const Chosen& chosen) { return chosen.row->step * 2 + (chosen.row->group == 1 ? 1 : 0); }
 
 }  // namespace
-
-void count_increments(const Execution& run, Block& block) {
-  const bool in_cycle = find_word(block, 'K') != nullptr && is_in_cycle(run, block);
-  for (Word& word : block.words) {
-    if (in_cycle && word.letter == 'K') continue;
-    if (word.letter != 'G' && word.letter != 'M' && word.letter != kNamedCode) count_increments(run, word);
-  }
-}
 
 void plan(Execution& run) {
   run.machine_word = nullptr;

@@ -35,6 +35,7 @@ struct ProgramSettings {
   std::optional<FeedRule> feed_rule;               // --feed-rule, in place of the dialect's
   RotaryRules rotary{};                            // --rotary, of A, B and C
   std::optional<bool> calculator_type;             // --calculator-type: a number without a point counts units
+  std::optional<double> input_increment;           // --input-increment: what it counts, mm and deg
   std::uint64_t max_blocks = 10'000'000;           // --max-blocks: lines that a program with jumps may execute
   std::optional<bool> block_delete;                // --block-delete on|off
   /// Expressions may read where the control stands (#5420..., #<_x>...): true for who only looks, since a rewritten

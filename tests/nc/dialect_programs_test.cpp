@@ -47,6 +47,7 @@ void read_setting(Trace& trace, std::istringstream& words, const Dialect& dialec
   std::string value;
   words >> name >> value;
   if (name == "calculator-type") trace.settings.calculator_type = value == "on";
+  if (name == "input-increment") trace.settings.input_increment = number_of(value);
   if (name == "block-delete") trace.settings.block_delete = value == "on";
   if (name != "work-offset") return;
   const std::size_t equals = value.find('=');
@@ -183,6 +184,30 @@ void compare_all(const std::string& name) {
 }
 
 }  // namespace
+
+TEST_CASE("what an Okuma control counts at another increment is refused where no source says it") {
+  struct Case {
+    const char* program;
+    std::size_t column;  // 0: interpreted
+  };
+  for (const Case& c : {Case{"G15 H1\nG1 X1000 F100\n", 10}, Case{"G15 H1\nVC1=5\nG1 X=VC1 F100.\n", 4},
+                        Case{"G15 H1\nG4 F2\n", 4}, Case{"G15 H1\nVC1=5\nG1 X1000 F100.\n", 0}}) {
+    INFO(c.program);
+    const ProgramFile text(c.program);
+    const InputFile file(text.path());
+    ProgramSettings settings = empty_tables();
+    settings.input_increment = 0.001;
+    std::size_t column = 0;
+    try {
+      Program program(file, dialect("okuma"), settings);
+      while (program.next() != nullptr) continue;
+    } catch (const Refusal& refusal) {
+      CHECK(refusal.diagnostic().code == "nc-value-unknown");
+      column = refusal.diagnostic().place.column;
+    }
+    CHECK(column == c.column);
+  }
+}
 
 // docs/corpus.md says why.
 TEST_CASE("programs of others for Fanuc and Okuma are interpreted, or refused for the right reason") {

@@ -1,0 +1,62 @@
+// What numbers without a decimal point count.
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "nc/codes.hpp"
+#include "nc/execution.hpp"
+#include "nc/expression.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr std::uint32_t kAngles = letter_bit('A') | letter_bit('B') | letter_bit('C');
+
+std::uint32_t letters_of_lengths(const Habits& habits) {
+  constexpr std::uint32_t kLengths = letter_bit('X') | letter_bit('Y') | letter_bit('Z') | letter_bit('U') |
+                                     letter_bit('V') | letter_bit('W') | letter_bit('I') | letter_bit('J') |
+                                     letter_bit('K') | letter_bit('R');
+  return habits.fanuc_cycles ? kLengths | letter_bit('Q') : kLengths;
+}
+
+void refuse_increment(const Execution& run, const Word& word) {
+  const std::string what = word.letter == 'F' ? "F" : "a value that is worked out";
+  run.refuse(word, codes::kValueUnknown,
+             fmt::format("what {} counts on a control whose numbers without a point count {} mm is not known", what,
+                         to_decimal(*run.settings.input_increment)),
+             word.letter == 'F' ? "write F with a decimal point" : "write the number itself");
+}
+
+// What a number without a decimal point counts, where that is not a unit.
+void count_increments(const Execution& run, Word& word) {
+  const Habits& habits = run.dialect.habits;
+  if (word.point || run.settings.calculator_type.value_or(false)) return;
+  const std::uint32_t letter = letter_bit(word.letter);
+  const bool is_length = (letter & letters_of_lengths(habits)) != 0;
+  const bool is_angle = (letter & kAngles) != 0;
+  const double ratio = run.settings.input_increment.value_or(habits.increment_mm) / habits.increment_mm;
+  const bool is_literal = word.expression == kLiteral;
+  if (ratio != 1 && habits.increment_of_rest_unknown) {
+    if (word.letter == 'F' || (!is_literal && (is_length || is_angle))) refuse_increment(run, word);
+  }
+  if (!is_literal) return;
+  if (is_length) {
+    word.value *= ratio * (run.control.modal.inches ? habits.increment_inch : habits.increment_mm);
+  } else if (is_angle) {
+    word.value *= ratio * habits.increment_deg;
+  } else if (word.letter == 'F' && run.control.modal.feed_mode == FeedMode::per_revolution &&
+             habits.feed_per_revolution_increment > 0) {
+    word.value *= habits.feed_per_revolution_increment;
+  }
+}
+
+}  // namespace
+
+void count_increments(const Execution& run, Block& block) {
+  const bool in_cycle = find_word(block, 'K') != nullptr && is_in_cycle(run, block);
+  for (Word& word : block.words) {
+    if (in_cycle && word.letter == 'K') continue;
+    if (word.letter != 'G' && word.letter != 'M' && word.letter != kNamedCode) count_increments(run, word);
+  }
+}
+
+}  // namespace plumbline::nc
