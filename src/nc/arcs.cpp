@@ -25,10 +25,6 @@ struct PlaneArc {
   std::array<double, 2> start{}, end{}, centre{};
 };
 
-double distance(const std::array<double, 2>& a, const std::array<double, 2>& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1]);
-}
-
 double by_unit(const Execution& run, double mm, double inch) { return run.control.modal.inches ? inch : mm; }
 
 char centre_letter(Axis axis) { return kCentreLetters[index(axis)]; }

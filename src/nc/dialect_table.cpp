@@ -1,7 +1,6 @@
 #include "nc/dialect_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -11,172 +10,15 @@
 #include "base/number_text.hpp"
 #include "base/toml.hpp"
 #include "nc/block_words.hpp"
+#include "nc/dialect_names.hpp"
 
 namespace plumbline::nc {
 namespace {
-
-using ActionName = std::pair<std::string_view, Action>;
-constexpr std::array kActions{
-    ActionName{"none", Action::none},
-    ActionName{"rapid", Action::rapid},
-    ActionName{"feed", Action::feed},
-    ActionName{"arc_cw", Action::arc_cw},
-    ActionName{"arc_ccw", Action::arc_ccw},
-    ActionName{"motion_off", Action::motion_off},
-    ActionName{"dwell", Action::dwell},
-    ActionName{"plane_xy", Action::plane_xy},
-    ActionName{"plane_zx", Action::plane_zx},
-    ActionName{"plane_yz", Action::plane_yz},
-    ActionName{"inches", Action::inches},
-    ActionName{"millimetres", Action::millimetres},
-    ActionName{"absolute", Action::absolute},
-    ActionName{"incremental", Action::incremental},
-    ActionName{"arc_centre_absolute", Action::arc_centre_absolute},
-    ActionName{"arc_centre_incremental", Action::arc_centre_incremental},
-    ActionName{"inverse_time", Action::inverse_time},
-    ActionName{"per_minute", Action::per_minute},
-    ActionName{"per_revolution", Action::per_revolution},
-    ActionName{"exact_path", Action::exact_path},
-    ActionName{"exact_stop", Action::exact_stop},
-    ActionName{"continuous", Action::continuous},
-    ActionName{"compensation_off", Action::compensation_off},
-    ActionName{"work_system", Action::work_system},
-    ActionName{"set_table", Action::set_table},
-    ActionName{"set_position", Action::set_position},
-    ActionName{"clear_position", Action::clear_position},
-    ActionName{"suspend_position", Action::suspend_position},
-    ActionName{"restore_position", Action::restore_position},
-    ActionName{"machine_coordinates", Action::machine_coordinates},
-    ActionName{"go_home", Action::go_home},
-    ActionName{"store_home", Action::store_home},
-    ActionName{"tool_length", Action::tool_length},
-    ActionName{"tool_length_by_words", Action::tool_length_by_words},
-    ActionName{"tool_length_added", Action::tool_length_added},
-    ActionName{"tool_length_off", Action::tool_length_off},
-    ActionName{"change_tool", Action::change_tool},
-    ActionName{"set_tool", Action::set_tool},
-    ActionName{"stop", Action::stop},
-    ActionName{"end", Action::end},
-    ActionName{"orient_spindle", Action::orient_spindle},
-    ActionName{"set_output", Action::set_output},
-    ActionName{"read_input", Action::read_input},
-    ActionName{"set_analog_output", Action::set_analog_output},
-    ActionName{"cycle", Action::cycle},
-    ActionName{"retract_to_start", Action::retract_to_start},
-    ActionName{"retract_to_r", Action::retract_to_r},
-    ActionName{"call_program", Action::call_program},
-    ActionName{"end_program", Action::end_program},
-    ActionName{"save_modes", Action::save_modes},
-    ActionName{"forget_modes", Action::forget_modes},
-    ActionName{"restore_modes", Action::restore_modes},
-    ActionName{"save_modes_of_call", Action::save_modes_of_call},
-    ActionName{"refused", Action::refused},
-    ActionName{"lose_position", Action::lose_position},
-    ActionName{"home_or_unit", Action::home_or_unit},
-    ActionName{"arc_through_point", Action::arc_through_point},
-    ActionName{"call_macro", Action::call_macro},
-    ActionName{"set_work_table", Action::set_work_table},
-    ActionName{"local_shift", Action::local_shift},
-    ActionName{"turn_on", Action::turn_on},
-    ActionName{"turn_off", Action::turn_off},
-    ActionName{"frame_new", Action::frame_new},
-    ActionName{"frame_added", Action::frame_added},
-    ActionName{"feed_group", Action::feed_group},
-    ActionName{"exact_stop_once", Action::exact_stop_once},
-    ActionName{"work_system_by_word", Action::work_system_by_word},
-    ActionName{"work_system_of_block", Action::work_system_of_block},
-    ActionName{"tool_edge", Action::tool_edge},
-    ActionName{"no_motion", Action::no_motion},
-    ActionName{"cubic_spline", Action::cubic_spline},
-    ActionName{"quadratic_spline", Action::quadratic_spline},
-    ActionName{"nurbs_point", Action::nurbs_point},
-    ActionName{"nurbs_end", Action::nurbs_end},
-    ActionName{"synchronised", Action::synchronised},
-    ActionName{"rigid_tap", Action::rigid_tap},
-    ActionName{"probe", Action::probe},
-    ActionName{"compensation_on", Action::compensation_on},
-    ActionName{"spindle", Action::spindle},
-    ActionName{"coolant", Action::coolant},
-    ActionName{"override", Action::override_switch},
-};
-
-constexpr std::array kStatements{
-    std::pair<std::string_view, Statements>{"o_words", Statements::o_words},
-    std::pair<std::string_view, Statements>{"macro_b", Statements::macro_b},
-    std::pair<std::string_view, Statements>{"user_task", Statements::user_task},
-    std::pair<std::string_view, Statements>{"high_level", Statements::high_level},
-};
-
-constexpr std::array kKeywords{
-    std::pair<std::string_view, FlowWord>{"if", FlowWord::begin_if},
-    std::pair<std::string_view, FlowWord>{"else", FlowWord::otherwise},
-    std::pair<std::string_view, FlowWord>{"end_if", FlowWord::end_if},
-    std::pair<std::string_view, FlowWord>{"go_to", FlowWord::go_to},
-    std::pair<std::string_view, FlowWord>{"call", FlowWord::call},
-    std::pair<std::string_view, FlowWord>{"return", FlowWord::give_back},
-    std::pair<std::string_view, FlowWord>{"while", FlowWord::begin_while},
-    std::pair<std::string_view, FlowWord>{"end_while", FlowWord::end_while},
-    std::pair<std::string_view, FlowWord>{"for", FlowWord::begin_for},
-    std::pair<std::string_view, FlowWord>{"end_for", FlowWord::end_for},
-    std::pair<std::string_view, FlowWord>{"loop", FlowWord::begin_loop},
-    std::pair<std::string_view, FlowWord>{"end_loop", FlowWord::end_loop},
-    std::pair<std::string_view, FlowWord>{"repeat", FlowWord::begin_repeat},
-    std::pair<std::string_view, FlowWord>{"until", FlowWord::until},
-    std::pair<std::string_view, FlowWord>{"define", FlowWord::define},
-    std::pair<std::string_view, FlowWord>{"subprogram", FlowWord::sub},
-};
-
-constexpr std::array kOperations{
-    std::pair<std::string_view, Operation>{"number", Operation::number},  // of no argument: pi, or 1 and 0
-    std::pair<std::string_view, Operation>{"vacant", Operation::vacant},
-    std::pair<std::string_view, Operation>{"absolute", Operation::absolute},
-    std::pair<std::string_view, Operation>{"arc_cosine", Operation::arc_cosine},
-    std::pair<std::string_view, Operation>{"arc_sine", Operation::arc_sine},
-    std::pair<std::string_view, Operation>{"arc_tangent", Operation::arc_tangent},
-    std::pair<std::string_view, Operation>{"arc_tangent_of_one", Operation::arc_tangent_of_one},
-    std::pair<std::string_view, Operation>{"cosine", Operation::cosine},
-    std::pair<std::string_view, Operation>{"exponential", Operation::exponential},
-    std::pair<std::string_view, Operation>{"truncate", Operation::truncate},
-    std::pair<std::string_view, Operation>{"round_away", Operation::round_away},
-    std::pair<std::string_view, Operation>{"logarithm", Operation::logarithm},
-    std::pair<std::string_view, Operation>{"round", Operation::round},
-    std::pair<std::string_view, Operation>{"sine", Operation::sine},
-    std::pair<std::string_view, Operation>{"square_root", Operation::square_root},
-    std::pair<std::string_view, Operation>{"square", Operation::square},
-    std::pair<std::string_view, Operation>{"tangent", Operation::tangent},
-    std::pair<std::string_view, Operation>{"power", Operation::power},
-    std::pair<std::string_view, Operation>{"logical_not", Operation::logical_not},
-    std::pair<std::string_view, Operation>{"remainder", Operation::remainder},
-    std::pair<std::string_view, Operation>{"whole_quotient", Operation::whole_quotient},
-    std::pair<std::string_view, Operation>{"equal", Operation::equal},
-    std::pair<std::string_view, Operation>{"not_equal", Operation::not_equal},
-    std::pair<std::string_view, Operation>{"greater", Operation::greater},
-    std::pair<std::string_view, Operation>{"greater_equal", Operation::greater_equal},
-    std::pair<std::string_view, Operation>{"less", Operation::less},
-    std::pair<std::string_view, Operation>{"less_equal", Operation::less_equal},
-    std::pair<std::string_view, Operation>{"logical_and", Operation::logical_and},
-    std::pair<std::string_view, Operation>{"logical_or", Operation::logical_or},
-    std::pair<std::string_view, Operation>{"exclusive_or", Operation::exclusive_or},
-};
-
-constexpr std::array kFeedRules{
-    std::pair<std::string_view, FeedRule>{"xyz_first", FeedRule::xyz_first},
-    std::pair<std::string_view, FeedRule>{"all_axes_as_mm", FeedRule::all_axes_as_mm},
-    std::pair<std::string_view, FeedRule>{"path_group", FeedRule::path_group},
-    std::pair<std::string_view, FeedRule>{"unknown", FeedRule::unknown},
-};
 
 std::uint32_t mask(std::string_view letters) {
   std::uint32_t bits = 0;
   for (const char c : letters) bits |= letter_bit(c);
   return bits;
-}
-
-template <class Names>
-auto named(const Names& names, std::string_view name) {
-  const auto at = std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == name; });
-  if (at == names.end()) throw InternalError(fmt::format("in a dialect table: nothing is called '{}'", name));
-  return at->second;
 }
 
 // One table being read; every complaint names it.
@@ -189,7 +31,7 @@ class TableReader {
     dialect.name = text(root_, "name");
     dialect.comment_open = text(root_, "comment_open");
     dialect.comment_close = text(root_, "comment_close");
-    dialect.feed_rule = named(kFeedRules, text(root_, "feed_rule"));
+    dialect.feed_rule = feed_rule_named(text(root_, "feed_rule"));
     dialect.feed_rate_min = number(root_, "feed_rate_min", 0);
     dialect.line_length = static_cast<std::size_t>(number(root_, "line_length", 0));
     const std::vector<TomlValue>& user_m_codes = list("user_m_codes");
@@ -264,7 +106,7 @@ class TableReader {
   }
 
   void read_syntax(const TomlValue& from, Syntax& syntax) const {
-    syntax.statements = named(kStatements, text(from, "statements"));
+    syntax.statements = statements_named(text(from, "statements"));
     syntax.names = flag(from, "names");
     syntax.percent_text = flag(from, "percent_text");
     syntax.open_assignment = flag(from, "open_assignment");
@@ -286,9 +128,9 @@ class TableReader {
       }
     };
     each("addresses", Kind::address, [&](const TomlValue& row) { return text(row, "letter").at(0); });
-    each("keywords", Kind::keyword, [&](const TomlValue& row) { return named(kKeywords, text(row, "does")); });
-    each("functions", Kind::function, [&](const TomlValue& row) { return named(kOperations, text(row, "does")); });
-    each("operations", Kind::operation, [&](const TomlValue& row) { return named(kOperations, text(row, "does")); });
+    each("keywords", Kind::keyword, [&](const TomlValue& row) { return keyword_named(text(row, "does")); });
+    each("functions", Kind::function, [&](const TomlValue& row) { return operation_named(text(row, "does")); });
+    each("operations", Kind::operation, [&](const TomlValue& row) { return operation_named(text(row, "does")); });
     each("variables", Kind::variable, [&](const TomlValue& row) {
       syntax.variables.push_back({text(row, "name"), static_cast<int>(number(row, "first", 0)),
                                   static_cast<int>(number(row, "last", 0)), static_cast<int>(number(row, "at", 0))});
@@ -364,7 +206,7 @@ class TableReader {
     if (row.code < 0) complain(fmt::format("'{}' is no code", code));
     row.group = static_cast<int>(number(from, "group", -1));
     row.meaning = text(from, "does");
-    row.action = named(kActions, row.meaning);
+    row.action = action_named(row.meaning);
     if (from.find("words") != nullptr) row.words = text(from, "words");
     row.word_mask = mask(row.words);
     row.step = step(text(from, "step"));

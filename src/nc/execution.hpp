@@ -106,6 +106,8 @@ void call_macro(Execution& run);                                     // macro_ca
 void move_in_cycle(Execution& run);  // cycles.cpp: G73 G74 G81..G89
 
 // What the moves share: moves.cpp
+/// Of two points of a plane.
+double distance(const std::array<double, 2>& a, const std::array<double, 2>& b);
 /// Ends of a move in the active work system from the axis words, absolute or incremental.
 AxisWords end_of_move(const Execution& run);
 /// X and Y that @ and ^ mean for a move that begins at x, y.

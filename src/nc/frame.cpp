@@ -5,31 +5,21 @@
 #include "base/units.hpp"
 
 namespace plumbline::nc {
-namespace {
 
-void turn_about_z(AxisWords& words, double degrees) {
-  if (degrees == 0) return;
+AxisWords turned_about_z(AxisWords words, double degrees) {
+  if (degrees == 0) return words;
   const double c = std::cos(degrees * kDeg);
   const double s = std::sin(degrees * kDeg);
   const double x = words[Axis::X];
   const double y = words[Axis::Y];
   words[Axis::X] = c * x - s * y;
   words[Axis::Y] = s * x + c * y;
+  return words;
 }
 
-}  // namespace
+AxisWords Frame::to_pose(const AxisWords& work) const { return turned_about_z(work + g92, rotation_deg) + origin; }
 
-AxisWords Frame::to_pose(const AxisWords& work) const {
-  AxisWords words = work + g92;
-  turn_about_z(words, rotation_deg);
-  return words + origin;
-}
-
-AxisWords Frame::from_pose(const AxisWords& pose) const {
-  AxisWords words = pose - origin;
-  turn_about_z(words, -rotation_deg);
-  return words - g92;
-}
+AxisWords Frame::from_pose(const AxisWords& pose) const { return turned_about_z(pose - origin, -rotation_deg) - g92; }
 
 AxisWords Frame::to_machine(const AxisWords& work) const { return to_pose(work) + tool; }
 

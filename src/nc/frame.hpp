@@ -24,4 +24,7 @@ struct Frame {
   Frame without_rotary_tool() const;
 };
 
+/// X and Y turned into each other; the other words as they are.
+AxisWords turned_about_z(AxisWords words, double degrees);
+
 }  // namespace plumbline::nc

@@ -9,12 +9,6 @@
 namespace plumbline::nc {
 namespace {
 
-AxisWords turned(AxisWords words, double degrees) {
-  Frame frame;
-  frame.rotation_deg = degrees;
-  return frame.to_pose(words);
-}
-
 int system_of_word(const Execution& run, const CodeRow& row, const Word& word) {
   return row.value + run.whole(word, 1, run.dialect.work_systems - row.value);
 }
@@ -62,7 +56,7 @@ void turn_about_point(Execution& run, const Word& code) {
   }
   const double degrees = run.need('R', "G68").value;
   control.local_before_turn = control.local;
-  control.local += centre - turned(centre, degrees);  // shift + R w = c + R (w - c)
+  control.local += centre - turned_about_z(centre, degrees);  // shift + R w = c + R (w - c)
   turn(run, degrees);
 }
 
@@ -87,7 +81,7 @@ void change_frame_by_name(Execution& run, const Chosen& chosen) {
     for (const Axis axis : kAllAxes) {
       if (run.axes.contains(axis)) step[axis] = run.value(axis);
     }
-    shift += turned(step, degrees);
+    shift += turned_about_z(step, degrees);
   }
   control.local = shift;
   turn(run, degrees);

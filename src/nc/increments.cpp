@@ -49,6 +49,16 @@ void count_increments(const Execution& run, Word& word) {
   }
 }
 
+// A cycle goes on or begins: K is its count then.
+bool is_in_cycle(const Execution& run, const Block& block) {
+  const CodeRow* motion = run.control.motion_row;
+  for (const Word& word : block.words) {
+    const CodeRow* const row = word.letter == 'G' ? run.dialect.row_of(word) : nullptr;
+    if (row != nullptr && row->group == 1) motion = row;
+  }
+  return motion != nullptr && motion->action == Action::cycle;
+}
+
 }  // namespace
 
 void count_increments(const Execution& run, Block& block) {

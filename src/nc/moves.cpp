@@ -78,6 +78,10 @@ double end_of_word(const Execution& run, const Word& word, Axis axis, double fro
 
 }  // namespace
 
+double distance(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
 // What is missing is that of where the move begins.
 std::array<double, 2> polar_end(const Execution& run, double x, double y) {
   const Word* const radius_word = run.words.find('@');

@@ -19,12 +19,6 @@ void need_position(const Execution& run, AxisSet axes) {
   }
 }
 
-AxisWords turned(const AxisWords& words, double degrees) {
-  Frame frame;
-  frame.rotation_deg = degrees;
-  return frame.to_pose(words);
-}
-
 int system_of(const Execution& run) {
   const Word& word = run.need('P', "G10");
   const int system = run.whole(word, 0, run.dialect.work_systems);
@@ -78,7 +72,7 @@ void set_origin_here(Execution& run) {
   for (const Axis axis : kAllAxes) {
     if (run.axes.contains(axis)) shift[axis] = now[axis] - run.value(axis);
   }
-  row.origin += turned(shift, row.rotation_deg);
+  row.origin += turned_about_z(shift, row.rotation_deg);
   row.known = row.known | run.axes;
   run.step.role = BlockRole::sets_offset;
   run.step.offset_rotation_deg = row.rotation_deg;

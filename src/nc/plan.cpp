@@ -148,16 +148,6 @@ void take_words_of_dwell(Execution& run) {
   });
 }
 
-// A cycle goes on or begins: K is its count then.
-bool is_in_cycle(const Execution& run, const Block& block) {
-  const CodeRow* motion = run.control.motion_row;
-  for (const Word& word : block.words) {
-    const CodeRow* const row = word.letter == 'G' ? run.dialect.row_of(word) : nullptr;
-    if (row != nullptr && row->group == 1) motion = row;
-  }
-  return motion != nullptr && motion->action == Action::cycle;
-}
-
 void refuse_twice(const Execution& run, const Word& word) {
   run.refuse(word, codes::kWordTwice, fmt::format("two {} words in one block", word.letter), "leave one of them");
 }

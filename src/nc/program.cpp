@@ -14,7 +14,7 @@
 namespace plumbline::nc {
 namespace {
 
-bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r") == std::string_view::npos; }
+bool holds_nothing(std::string_view text) { return text.find_first_not_of(" \t\r") == std::string_view::npos; }
 
 void place_block(Block& block, const Line& line, std::string_view file) {
   block.file = file;
@@ -98,7 +98,7 @@ const Step* Program::Parts::next() {
     parser.parse(block);
     if (block.kind == LineKind::percent && flow.called()) continue;  // around a subprogram in a file of its own
     if (block.kind == LineKind::percent) return percent();
-    begun = begun || !is_blank(block.text);
+    begun = begun || !holds_nothing(block.text);
     if (flow.used()) count_block();
     if (block.flow.word == FlowWord::none) return execute();
     if (const Step* const step = steer()) return step;

@@ -59,8 +59,6 @@ class Curve {
   int order_;
 };
 
-double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
-
 std::vector<Point> points_on(const Curve& curve, int pieces) {
   std::vector<Point> points;
   for (int i = 0; i <= pieces; ++i) points.push_back(curve.at(curve.end() * i / pieces));
