@@ -12,9 +12,8 @@ namespace plumbline::compensate {
 namespace {
 
 constexpr int kMostRounds = 8;          // of putting the fixed axes back where they stay
+constexpr double kHour = 3600;          // s
 constexpr double kFixedAxisDeg = 1e-8;  // to which they get there
-constexpr double kSlopeProbe = 1e-6;    // of the path's unit, to difference the orientation
-constexpr double kSpeedOverSign = 100;  // a move without a speed counts as this many times v0
 
 double tip_distance(const Pose<double>& a, const Pose<double>& b) { return (a.p_WT - b.p_WT).norm(); }
 
@@ -27,7 +26,7 @@ Corrector::Corrector(const machine::MachineModel& model, const Settings& setting
       environment_(physics_.environment()),
       radius_(machine::platform_radius(model.geometry)) {
   environment_.friction = settings.friction;
-  environment_.dynamic = false;  // a control shapes the speed itself
+  environment_.dynamic = settings.dynamic;
 }
 
 void Corrector::set_tool(const ToolInSpindle& tool) {
@@ -38,36 +37,19 @@ void Corrector::set_tool(const ToolInSpindle& tool) {
 
 Pose<double> Corrector::pose_of(const AxisWords& words) const { return machine::pose_of(model_.rotation, words); }
 
-// Velocity of the platform along the path, per unit of the path.
-Twist<double> Corrector::twist_of(const Target& target, const Pose<double>& pose) const {
-  Twist<double> twist;
-  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
-    twist.v_WT[static_cast<Eigen::Index>(index(axis))] = target.slope[axis] * kMm;
-  }
-  AxisWords ahead = target.pose;
-  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) ahead[axis] += kSlopeProbe * target.slope[axis];
-  if (ahead != target.pose) {
-    twist.w_WP = machine::displacement_between(pose, pose_of(ahead)).tail<3>() / kSlopeProbe;
-  }
-  return twist;
-}
-
 // The commanded motion; v0 grows with the feed, so that the correction turns smoothly where a strut turns around
 // [docs/physics.md, Friction].
 physics::Motion<double> Corrector::motion_of(const Target& target, physics::Environment& environment) const {
   physics::Motion<double> motion;
-  motion.pose = pose_of(target.pose);
-  if (!environment.friction) return motion;
-  motion.twist = twist_of(target, motion.pose);
-  const double size = std::hypot(motion.twist.v_WT.norm(), radius_ * motion.twist.w_WP.norm());
-  if (size == 0) {
-    environment.friction = false;
-    return motion;
+  if (environment.friction) {
+    motion = motion_at(model_.rotation, radius_, target, environment.sign_speed);
+    const double speed = std::hypot(motion.twist.v_WT.norm(), radius_ * motion.twist.w_WP.norm());
+    if (speed == 0) environment.friction = false;
+    environment.sign_speed = std::max(environment.sign_speed, settings_.sign_width_of_feed * speed);
+  } else {
+    motion.pose = pose_of(target.pose);
   }
-  const double speed = target.seconds ? size / *target.seconds : kSpeedOverSign * environment.sign_speed;
-  motion.twist.v_WT *= speed / size;
-  motion.twist.w_WP *= speed / size;
-  environment.sign_speed = std::max(environment.sign_speed, settings_.sign_width_of_feed * speed);
+  motion.time = settings_.time_s.value_or(0);
   return motion;
 }
 
@@ -167,6 +149,16 @@ std::optional<double> Corrector::error_per_kg_mm(const Target& target) const {
   const physics::TipError<double> with = physics::tip_error(physics_, environment, motion);
   if (!without.converged() || !with.converged()) return std::nullopt;
   return tip_distance(with.pose, without.pose) / kMm;
+}
+
+std::optional<double> Corrector::drift_per_hour_mm(const Target& target) const {
+  physics::Environment environment = environment_;
+  physics::Motion<double> motion = motion_of(target, environment);
+  const physics::TipError<double> now = physics::tip_error(physics_, environment, motion);
+  motion.time += kHour;
+  const physics::TipError<double> then = physics::tip_error(physics_, environment, motion);
+  if (!now.converged() || !then.converged()) return std::nullopt;
+  return tip_distance(then.pose, now.pose) / kMm;
 }
 
 }  // namespace plumbline::compensate

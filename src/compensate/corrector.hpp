@@ -5,6 +5,7 @@
 
 #include "base/axes.hpp"
 #include "compensate/settings.hpp"
+#include "compensate/target.hpp"
 #include "machine/model.hpp"
 #include "physics/error.hpp"
 
@@ -15,13 +16,6 @@ struct ToolInSpindle {
   double length = 0;  // m, from the gauge point along -Z of P
   double mass = 0;    // kg
   double along = 0;   // m, of the centre of mass from the gauge point along -Z of P
-};
-
-/// A point of a path, in W: mm and deg.
-struct Target {
-  AxisWords pose;
-  AxisWords slope;                // derivative of the pose along the path, in any unit of the path
-  std::optional<double> seconds;  // that one such unit takes; nothing: only the direction counts
 };
 
 struct Corrected {
@@ -54,6 +48,9 @@ class Corrector {
   /// How far each kg hung at the tool tip moves it, mm.
   std::optional<double> error_per_kg_mm(const Target& target) const;
 
+  /// How far the deformed tip drifts in an hour, mm.
+  std::optional<double> drift_per_hour_mm(const Target& target) const;
+
   const machine::Geometry& geometry() const { return physics_.machine.geometry; }
   Pose<double> pose_of(const AxisWords& words) const;
 
@@ -67,7 +64,6 @@ class Corrector {
   Corrected correct_once(const Target& target) const;
   Corrected correct_with_fixed_axes(const Target& target) const;
   physics::Motion<double> motion_of(const Target& target, physics::Environment& environment) const;
-  Twist<double> twist_of(const Target& target, const Pose<double>& pose) const;
 
   const machine::MachineModel& model_;
   const Settings& settings_;

@@ -122,7 +122,7 @@ void Pass::refuse_stamped(const nc::Block& block) {
 
 void Pass::set_touch_off() {
   if (!settings_.touch_off) return;
-  const std::optional<AxisWords> error = corrector_.error({*settings_.touch_off, {}, std::nullopt});
+  const std::optional<AxisWords> error = corrector_.error({*settings_.touch_off, {}, {}, std::nullopt});
   if (!error) {
     refuse("compensate-touch-off", "the machine cannot stand at the touch-off pose",
            "give the pose in W at which the work offset was probed: --touch-off X,Y,Z,A,B,C in mm and deg");
@@ -195,9 +195,8 @@ void Pass::pass(const nc::Step& step) {
   }
 }
 
-Target Pass::target_of(const nc::Step& step, const AxisWords& words, const AxisWords& slope,
-                       std::optional<double> seconds) const {
-  Target target = pose_.target(step, words, slope, seconds);
+Target Pass::target_of(const nc::Step& step, const path::CurvePoint& point, std::optional<double> seconds) const {
+  Target target = pose_.target(step, point, seconds);
   target.pose = target.pose + touch_off_error_;
   return target;
 }
@@ -229,7 +228,7 @@ void Pass::rapid_point(const nc::Step& step) {
   // Where it comes from decides which way friction acts; not known, it is left out.
   const bool start_known = motion.known_before.contains(writable());
   const AxisWords slope = start_known ? motion.to - motion.from : AxisWords{};
-  const Target target = target_of(step, motion.to, slope, std::nullopt);
+  const Target target = target_of(step, {motion.to, slope, {}}, std::nullopt);
   points_.assign(1, corrected_point(step, target, motion.to));
   if (!start_known) return;
   const AxisWords shift_before = emitter_.control().work_shift(*step.frame);
@@ -249,7 +248,7 @@ void Pass::check_chord(const nc::Step& step, const AxisWords& from, const AxisWo
   for (int i = 1; i < count; ++i) {
     AxisWords words;
     for (const Axis axis : kAllAxes) words[axis] = from[axis] + delta[axis] * i / count;
-    const Pose<double> pose = corrector_.pose_of(target_of(step, words, {}, std::nullopt).pose);
+    const Pose<double> pose = corrector_.pose_of(target_of(step, {words, {}, {}}, std::nullopt).pose);
     refuse_violations(machine::check_compensated(model_.limits, corrector_.geometry(), pose), *step.block,
                       step.block->file);
   }
@@ -260,8 +259,8 @@ path::Subdivision Pass::feed_points(const nc::Step& step, const path::Curve& cur
   points_.clear();
   for (int i = 1; i <= cut.pieces; ++i) {
     const double fraction = static_cast<double>(i) / cut.pieces;
-    const AxisWords words = curve.at(fraction);
-    points_.push_back(corrected_point(step, target_of(step, words, curve.slope(fraction), seconds), words));
+    const path::CurvePoint point = curve.point(fraction);
+    points_.push_back(corrected_point(step, target_of(step, point, seconds), point.at));
     points_.back().share = 1.0 / cut.pieces;
   }
   return cut;
@@ -275,7 +274,7 @@ void Pass::correct_feed(const nc::Step& step) {
   const std::optional<double> seconds = clock_seconds(motion, duration);
   const path::Subdivision cut = feed_points(step, curve, seconds);
   for (const nc::CorrectedPoint& point : points_) note_point(step, point);
-  note_end(step, target_of(step, curve.at(1), curve.slope(1), seconds));
+  note_end(step, target_of(step, curve.point(1), seconds));
   if (cut.widened) note_widened(step, curve, seconds);
   note_move(step, write_move(step, duration), seconds);
 }

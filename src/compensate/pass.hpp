@@ -41,6 +41,7 @@ class Pass {
   static void refuse_stamped(const nc::Block& block);
   void note_whether_it_ends(const nc::Step& step);
   void warn_of_no_end();
+  void warn_of_silent_effects();
   void take(const nc::Step& step);
   void process(const nc::Step& step);
   void process_cycle(const nc::Step& step);
@@ -62,8 +63,7 @@ class Pass {
   void correct_feed(const nc::Step& step);
   void rapid_point(const nc::Step& step);
   path::Subdivision feed_points(const nc::Step& step, const path::Curve& curve, std::optional<double> seconds);
-  Target target_of(const nc::Step& step, const AxisWords& words, const AxisWords& slope,
-                   std::optional<double> seconds) const;
+  Target target_of(const nc::Step& step, const path::CurvePoint& point, std::optional<double> seconds) const;
   nc::CorrectedPoint corrected_point(const nc::Step& step, const Target& target, const AxisWords& words);
   void check_chord(const nc::Step& step, const AxisWords& from, const AxisWords& to) const;
   void note_widened(const nc::Step& step, const path::Curve& curve, std::optional<double> seconds);

@@ -65,7 +65,8 @@ void Pass::process_synchronised(const nc::Step& step) {
   bool stays = emitter_.stands_true(step, writable());
   for (const nc::Motion& motion : step.motions) {
     has_position(step, motion.known_before & motion.known_after, true);
-    const nc::CorrectedPoint point = corrected_point(step, target_of(step, motion.to, {}, std::nullopt), motion.to);
+    const nc::CorrectedPoint point =
+        corrected_point(step, target_of(step, {motion.to, {}, {}}, std::nullopt), motion.to);
     stays = stays && emitter_.rounds_to_zero(step, point.shift, writable());
   }
   if (stays) return pass(step);
@@ -92,7 +93,7 @@ void Pass::hole_points(const nc::Step& step) {
   points_.clear();
   for (int i = 0; i <= pieces; ++i) {
     words[normal] = hole.r + (hole.bottom - hole.r) * i / pieces;
-    points_.push_back(corrected_point(step, target_of(step, words, {}, std::nullopt), words));
+    points_.push_back(corrected_point(step, target_of(step, {words, {}, {}}, std::nullopt), words));
   }
 }
 

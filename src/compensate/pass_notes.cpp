@@ -8,6 +8,7 @@
 #include "base/units.hpp"
 #include "compensate/figures.hpp"
 #include "compensate/pass.hpp"
+#include "physics/effect_info.hpp"
 
 namespace plumbline::compensate {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 constexpr std::uint64_t kReplayAll = 256;   // corrected moves at the begin
 constexpr std::uint64_t kReplayEvery = 16;  // behind them
 constexpr double kOffsetProbeMm = 1;
+constexpr double kLeastDriftMm = 1e-5;  // in an hour
 
 }  // namespace
 
@@ -27,7 +29,7 @@ void Pass::note_widened(const nc::Step& step, const path::Curve& curve, std::opt
   AxisWords begin = step.motions.front().from + emitter_.control().work_shift(*step.frame);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const double middle = (static_cast<double>(i) + 0.5) / count;
-    const Target target = target_of(step, curve.at(middle), curve.slope(middle), seconds);
+    const Target target = target_of(step, curve.point(middle), seconds);
     const AxisWords wanted = step.frame->from_pose(corrector_.correct(target).pose);
     const AxisWords end = points_[i].nominal + points_[i].shift;
     AxisWords off;
@@ -111,6 +113,29 @@ void Pass::warn_of_no_end() {
                                std::move(place), Severity::warning});
 }
 
+// What the model has and the correction leaves out, since nobody said that it may be counted on.
+void Pass::warn_of_silent_effects() {
+  for (const machine::EffectRow& row : model_.effects) {
+    const std::size_t effect = physics::effect_index(row.name);
+    if (settings_.dynamic || effect == physics::kEffects || !physics::effect_infos()[effect].dynamic) continue;
+    summary_.warnings.push_back(
+        {"compensate-dynamic", fmt::format("{} of the model is not in the correction", row.name),
+         "it hangs on how the control shapes the speed; --dynamic counts on the programmed feed", row.place,
+         Severity::warning});
+  }
+  const std::optional<double> drift = sample_ ? corrector_.drift_per_hour_mm(*sample_) : std::nullopt;
+  if (settings_.time_s || drift.value_or(0) < kLeastDriftMm) return;
+  summary_.warnings.push_back(
+      {"compensate-time",
+       fmt::format(
+           "the machine of the model drifts, by {:.2g} um an hour where the program begins to cut, and is taken "
+           "as it was when its measurements began",
+           *drift * kMm / kUm),
+       "say when the program runs: --at-time, in seconds from that moment",
+       {},
+       Severity::warning});
+}
+
 Summary Pass::summary() {
   for (const nc::InlinedFile& file : emitter_.inlined()) summary_.inlined_files.push_back({file.name, file.hash});
   summary_.unrolled = form_ == nc::Form::unrolled;
@@ -120,6 +145,7 @@ Summary Pass::summary() {
     summary_.rms_correction_mm = std::sqrt(sum_of_squares_ / static_cast<double>(summary_.points));
   summary_.assumed_at_zero = pose_.assumed();
   warn_of_no_end();
+  warn_of_silent_effects();
   for (const auto& [tool, place] : massless_tools_) {
     const std::optional<double> per_kg = sample_ ? corrector_.error_per_kg_mm(*sample_) : std::nullopt;
     summary_.warnings.push_back(

@@ -34,15 +34,14 @@ AxisSet ProgramPose::assumed(const nc::Step& step, AxisSet unknown) {
   return assumed;
 }
 
-Target ProgramPose::target(const nc::Step& step, const AxisWords& words, const AxisWords& slope,
-                           std::optional<double> seconds) const {
-  AxisWords work = words;
+Target ProgramPose::target(const nc::Step& step, const path::CurvePoint& point, std::optional<double> seconds) const {
+  AxisWords work = point.at;
   for (const Axis axis : kAllAxes) {
     if (assumed().contains(axis)) work[axis] = 0;
   }
-  nc::Frame turned;
-  turned.rotation_deg = step.frame->rotation_deg;
-  return {step.frame->to_pose(work), turned.to_pose(slope), seconds};
+  const double rotation = step.frame->rotation_deg;
+  return {step.frame->to_pose(work), nc::turned_about_z(point.slope, rotation),
+          nc::turned_about_z(point.bend, rotation), seconds};
 }
 
 }  // namespace plumbline::compensate

@@ -9,6 +9,7 @@
 #include "base/files.hpp"
 #include "compensate/corrector.hpp"
 #include "nc/program.hpp"
+#include "path/curve.hpp"
 
 namespace plumbline::compensate {
 
@@ -44,9 +45,8 @@ class ProgramPose {
   AxisSet assumed(const nc::Step& step, AxisSet unknown);
   /// All of them, as far as they were looked for.
   AxisSet assumed() const { return assumed_.value_or(AxisSet{}); }
-  /// A point of a move: words and their derivative in the work system of the step, mm and deg.
-  Target target(const nc::Step& step, const AxisWords& words, const AxisWords& slope,
-                std::optional<double> seconds) const;
+  /// A point of a move, in the work system of the step.
+  Target target(const nc::Step& step, const path::CurvePoint& point, std::optional<double> seconds) const;
 
  private:
   const InputFile& source_;

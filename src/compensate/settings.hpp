@@ -16,6 +16,9 @@ enum class Method {
 struct Settings {
   Method method = Method::exact;
   bool friction = true;
+  bool dynamic = false;  // inertia and the following error of the drives, as if the control held the feed everywhere
+  /// On the clock of the measurements, for effects that drift; not stated: 0.
+  std::optional<double> time_s;
   path::StepSettings step;
   /// The sign of a strut's speed is smoothed over this share of the feed, so that a compensated path has no steps.
   double sign_width_of_feed = 0.01;

@@ -217,6 +217,14 @@ constexpr std::array kRows{
         [](Options& o, Text t) {
           o.compensation.sign_width_of_feed = number_in(t, 0, 1, "a share of the feed, 0 to 1");
         }},
+    OptionRow{"dynamic", "",
+              "put inertia and the following error of the drives into the model, as if the control held the programmed "
+              "feed everywhere",
+              OptionGroup::step, false, false, [](Options& o, Text t) { o.compensation.dynamic = on_or_off(t); }},
+    OptionRow{"at-time", "SECONDS",
+              "when the program runs, on the clock of the measurements (time_s): for what drifts with time (default 0)",
+              OptionGroup::step, false, false,
+              [](Options& o, Text t) { o.compensation.time_s = number_in(t, 0, 1e7, "seconds, 0 to 10000000"); }},
     OptionRow{"first-order", "", "subtract the error instead of solving for it: leaves tens of um near singular poses",
               OptionGroup::compensation, false, false,
               [](Options& o, Text t) {

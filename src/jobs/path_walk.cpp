@@ -83,7 +83,7 @@ void PathWalk::walk_rapid(const nc::Step& step, const nc::Motion& motion) {
     for (const Axis axis : kAllAxes) {
       if (i < count) words[axis] = motion.from[axis] + delta[axis] * i / count;
     }
-    on_point({&step, &motion, pose_.target(step, words, {}, std::nullopt), time_s_});
+    on_point({&step, &motion, pose_.target(step, {words, {}, {}}, std::nullopt), time_s_});
   }
 }
 
@@ -96,7 +96,7 @@ void PathWalk::walk_feed(const nc::Step& step, const nc::Motion& motion) {
   for (int i = 1; i <= pieces; ++i) {
     const double fraction = static_cast<double>(i) / pieces;
     time_s_ = begin + fraction * seconds.value_or(0);
-    on_point({&step, &motion, pose_.target(step, curve.at(fraction), curve.slope(fraction), seconds), time_s_});
+    on_point({&step, &motion, pose_.target(step, curve.point(fraction), seconds), time_s_});
   }
 }
 

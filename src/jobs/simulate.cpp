@@ -18,8 +18,6 @@
 namespace plumbline::jobs {
 namespace {
 
-constexpr double kSpeedOverSign = 100;  // a move without a speed counts as this many times v0
-
 constexpr std::string_view kSimulationColumns =
     "line,motion,time_s,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,dx_um,dy_um,dz_um,rx_urad,ry_urad,rz_urad,"
     "length1_mm,length2_mm,length3_mm,length4_mm,length5_mm,length6_mm,"
@@ -39,9 +37,15 @@ std::string_view name_of(nc::MotionKind kind) {
 
 class Player {
  public:
-  Player(const machine::MachineModel& model, bool friction, OutputFile& out)
-      : model_(model), forces_(model), environment_(forces_.environment()), out_(out) {
-    environment_.friction = friction;
+  Player(const machine::MachineModel& model, const compensate::Settings& settings, OutputFile& out)
+      : model_(model),
+        settings_(settings),
+        forces_(model),
+        environment_(forces_.environment()),
+        radius_(machine::platform_radius(model.geometry)),
+        out_(out) {
+    environment_.friction = settings.friction;
+    environment_.dynamic = settings.dynamic;
     out_.write(kSimulationColumns);
   }
 
@@ -52,7 +56,9 @@ class Player {
   }
 
   void play(const PathPoint& point) {
-    const physics::Motion<double> motion = motion_of(point.target);
+    physics::Motion<double> motion =
+        compensate::motion_at(model_.rotation, radius_, point.target, environment_.sign_speed);
+    motion.time = settings_.time_s.value_or(0);
     const physics::TipError<double> error = physics::tip_error(forces_, environment_, motion);
     if (!error.converged()) {
       refuse("simulate-unreachable",
@@ -70,26 +76,6 @@ class Player {
   }
 
  private:
-  physics::Motion<double> motion_of(const compensate::Target& target) const {
-    physics::Motion<double> motion;
-    motion.pose = machine::pose_of(model_.rotation, target.pose);
-    Vector3<double> abc;
-    Vector3<double> rate;
-    for (int i = 0; i < 3; ++i) {
-      const auto linear = static_cast<std::size_t>(i);
-      motion.twist.v_WT[i] = target.slope.values[linear] * kMm;
-      abc[i] = target.pose.values[linear + 3] * kDeg;
-      rate[i] = target.slope.values[linear + 3] * kDeg;
-    }
-    motion.twist.w_WP = machine::angular_velocity<double>(model_.rotation, abc, rate);
-    const double size = std::hypot(motion.twist.v_WT.norm(), motion.twist.w_WP.norm());
-    if (size == 0) return motion;
-    const double factor = target.seconds ? 1 / *target.seconds : kSpeedOverSign * environment_.sign_speed / size;
-    motion.twist.v_WT *= factor;
-    motion.twist.w_WP *= factor;
-    return motion;
-  }
-
   void write_row(const PathPoint& point, const Pose<double>& pose, const physics::TipError<double>& error) {
     line_.clear();
     fmt::format_to(std::back_inserter(line_), "{},{},{:.6f}", point.step->block->line, name_of(point.motion->kind),
@@ -117,8 +103,10 @@ class Player {
   }
 
   const machine::MachineModel& model_;
+  const compensate::Settings& settings_;
   physics::ForceModel forces_;
   physics::Environment environment_;
+  double radius_;
   OutputFile& out_;
   std::string line_;
   SimulationSummary summary_;
@@ -135,7 +123,7 @@ SimulationSummary simulate_program(const std::string& program, const Options& op
   const nc::Dialect& dialect = dialect_of(options, source);
 
   PathWalk walk(source, dialect, settings, model, options.compensation.step);
-  Player player(model, options.compensation.friction, out);
+  Player player(model, options.compensation, out);
   walk.on_tool = [&](const compensate::ToolInSpindle& tool) { player.set_tool(tool); };
   walk.on_point = [&](const PathPoint& point) { player.play(point); };
   walk.run(progress);

@@ -43,6 +43,8 @@ std::string settings_line(const Options& options) {
       fmt::format("method {}, friction {}, step {} deg or {} mm, time tolerance {} of a block",
                   c.method == compensate::Method::exact ? "exact" : "first order", c.friction ? "on" : "off",
                   to_decimal(c.step.angle_deg), to_decimal(c.step.length_mm), to_decimal(options.time_tolerance));
+  if (c.dynamic) line += ", dynamic";
+  if (c.time_s) line += fmt::format(", at {} s", to_decimal(*c.time_s));
   if (options.calculator_type) line += fmt::format(", calculator type {}", *options.calculator_type ? "on" : "off");
   if (options.input_increment) line += fmt::format(", input increment {} mm", to_decimal(*options.input_increment));
   if (options.feed_rule) line += fmt::format(", feed rule {}", name_of(*options.feed_rule));

@@ -65,15 +65,19 @@ AxisWords Curve::at(double fraction) const {
   return words;
 }
 
-AxisWords Curve::slope(double fraction) const {
-  AxisWords words = delta_;
-  if (!is_arc_) return words;
+CurvePoint Curve::point(double fraction) const {
+  CurvePoint point{at(fraction), delta_, {}};
+  if (!is_arc_) return point;
   const double angle = start_angle_ + fraction * sweep_;
   const double radius = start_radius_ + fraction * (end_radius_ - start_radius_);
   const double growth = end_radius_ - start_radius_;
-  words[plane_.first] = growth * std::cos(angle) - radius * sweep_ * std::sin(angle);
-  words[plane_.second] = growth * std::sin(angle) + radius * sweep_ * std::cos(angle);
-  return words;
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  point.slope[plane_.first] = growth * c - radius * sweep_ * s;
+  point.slope[plane_.second] = growth * s + radius * sweep_ * c;
+  point.bend[plane_.first] = -sweep_ * (2 * growth * s + radius * sweep_ * c);
+  point.bend[plane_.second] = sweep_ * (2 * growth * c - radius * sweep_ * s);
+  return point;
 }
 
 }  // namespace plumbline::path

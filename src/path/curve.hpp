@@ -8,6 +8,11 @@
 
 namespace plumbline::path {
 
+/// A point of a curve: its place, and its first and second derivative by the fraction. Work system, mm and deg.
+struct CurvePoint {
+  AxisWords at, slope, bend;
+};
+
 /// A straight line or a helix; the rotary words (and the third axis of a helix) go linearly with the fraction, as the
 /// control moves them. A circle whose two radii differ is a spiral, its radius linear in the angle.
 class Curve {
@@ -16,8 +21,8 @@ class Curve {
 
   /// The position at `fraction`; exactly the motion's ends at 0 and 1. Work system, mm and deg.
   AxisWords at(double fraction) const;
-  /// Derivative of the position by the fraction.
-  AxisWords slope(double fraction) const;
+  /// The position with its derivatives.
+  CurvePoint point(double fraction) const;
 
   /// Length of the path of X, Y, Z in mm.
   double linear_mm() const { return linear_mm_; }

@@ -32,7 +32,8 @@ const std::array<EffectInfo, kEffects>& effect_infos() {
       table[i] = {Effect::name,
                   {Effect::parameters.data(), Effect::parameters.size()},
                   i < kBaseEffects,
-                  moves_own_strut_alone<Effect>};
+                  moves_own_strut_alone<Effect>,
+                  is_dynamic<Effect>};
     });
     return table;
   }();

@@ -17,11 +17,19 @@ inline constexpr bool moves_own_strut_alone = requires {
   Effect::own_strut_alone;
 };
 
+/// Whether an effect follows from accelerations or from the control's following, so that it hangs on how the control
+/// shapes the speed: such an effect says so by `dynamic`.
+template <class Effect>
+inline constexpr bool is_dynamic = requires {
+  Effect::dynamic;
+};
+
 struct EffectInfo {
   std::string_view name;
   std::span<const ParameterSpec> parameters;
   bool base;             // always there
   bool own_strut_alone;  // see moves_own_strut_alone
+  bool dynamic;          // see is_dynamic
 
   /// How many numbers an instance has.
   int size() const;

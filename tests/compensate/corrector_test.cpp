@@ -22,7 +22,7 @@ const machine::MachineModel& pm600() {
   return model;
 }
 
-Target at(AxisWords pose) { return {pose, {{1, 0.3, -0.2, 0.05, 0, 0.1}}, 0.06}; }
+Target at(AxisWords pose) { return {pose, {{1, 0.3, -0.2, 0.05, 0, 0.1}}, {}, 0.06}; }
 
 std::vector<Target> poses(int count) {
   std::mt19937_64 random(20260719);
@@ -38,6 +38,11 @@ std::vector<Target> poses(int count) {
 double distance(const AxisWords& a, const AxisWords& b) {
   const AxisWords d = a - b;
   return std::hypot(d[Axis::X], d[Axis::Y], d[Axis::Z]);
+}
+
+machine::MachineModel with(const std::string& row) {
+  static const std::string text = read_text(PLUMBLINE_SOURCE_DIR "/models/pm600-like.toml");
+  return machine::parse_model(text + "\n[[effect]]\n" + row, "model.toml");
 }
 
 }  // namespace
@@ -130,14 +135,87 @@ TEST_CASE("at rest friction is silent") {
   CHECK(Corrector(pm600(), settings).correct(target).pose == Corrector(pm600(), without).correct(target).pose);
 }
 
-TEST_CASE("a control's following error is not compensated") {
-  const std::string text = read_text(PLUMBLINE_SOURCE_DIR "/models/pm600-like.toml");
-  const auto with = [&](const std::string& row) {
-    return machine::parse_model(text + "\n[[effect]]\n" + row, "model.toml");
-  };
+TEST_CASE("a control's following error is compensated only where the control is said to hold the feed") {
   const Target target = at({{50, 20, -1008, 5, -5, 0}});
   const AxisWords plain = Corrector(pm600(), {}).correct(target).pose;
-  CHECK(Corrector(with("name = \"servo-lag\"\nlag_ms = 20\n"), {}).correct(target).pose == plain);
+  const machine::MachineModel late = with("name = \"servo-lag\"\nlag_ms = 20\n");
+  CHECK(Corrector(late, {}).correct(target).pose == plain);
+  Settings dynamic;
+  dynamic.dynamic = true;
+  CHECK(distance(Corrector(late, dynamic).correct(target).pose, plain) > 0.1);
   CHECK(distance(Corrector(with("name = \"backlash\"\nwidth_um = [9, 0, 0, 0, 0, 0]\n"), {}).correct(target).pose,
                  plain) > 1e-4);
+}
+
+TEST_CASE("drives that follow late are led along an arc by their lag and what it bends") {
+  Settings settings;
+  settings.dynamic = true;
+  const machine::MachineModel late = with("name = \"servo-lag\"\nlag_ms = 20\n");
+  const Corrector plain(pm600(), settings);
+  const Corrector leading(late, settings);
+  Target target = at({{50, 0, -1008, 0, 0, 0}});
+  target.slope = {{0, 50, 0, 0, 0, 0}};  // of a circle of 50 mm, per radian
+  target.bend = {{-50, 0, 0, 0, 0, 0}};
+  target.seconds = 2;  // for a radian
+  const AxisWords lead = leading.correct(target).pose - plain.correct(target).pose;
+  // struts that all lag alike put the tip behind by tau v - tau^2 a: 20 ms at 25 mm/s and 12.5 mm/s^2 inwards
+  CHECK(lead[Axis::Y] == Approx(0.5).epsilon(1e-3));
+  CHECK(lead[Axis::X] == Approx(4e-4 * 12.5).epsilon(0.05));
+  CHECK(leading.tip_distance_mm(target, leading.correct(target).pose).value() < 2e-2);
+}
+
+TEST_CASE("mass that is accelerated pulls outwards on an arc") {
+  Settings settings;
+  settings.dynamic = true;
+  const machine::MachineModel heavy = with("name = \"inertia\"\nmass_kg = 100\n");
+  Target target = at({{50, 0, -1008, 0, 0, 0}});
+  target.slope = {{0, 50, 0, 0, 0, 0}};
+  target.bend = {{-50, 0, 0, 0, 0, 0}};
+  target.seconds = 0.2;  // 250 mm/s: 1.25 m/s^2, 125 N
+  const AxisWords there = Corrector(heavy, settings).correct(target).pose;
+  const AxisWords plain = Corrector(pm600(), settings).correct(target).pose;
+  const machine::MachineModel pulled = with("name = \"counterbalance\"\nforce_N = [125, 0, 0]\n");
+  CHECK(distance(there, plain) > 1e-3);
+  CHECK(distance(there, Corrector(pulled, settings).correct(target).pose) < 1e-7);
+  target.bend = {};
+  CHECK(distance(Corrector(heavy, settings).correct(target).pose, Corrector(pm600(), settings).correct(target).pose) ==
+        Approx(0).margin(1e-9));
+  target.bend = {{-50, 0, 0, 0, 0, 0}};
+  settings.dynamic = false;
+  CHECK(distance(Corrector(heavy, settings).correct(target).pose, Corrector(pm600(), settings).correct(target).pose) ==
+        Approx(0).margin(1e-9));
+}
+
+TEST_CASE("a machine that warms up is corrected as it is at the stated time") {
+  const machine::MachineModel warming = with("name = \"thermal-drift\"\nrate_K_h = [1, 1, 1, 1, 1, 1]\n");
+  const Target target = at({{0, 0, -1008, 0, 0, 0}});
+  Settings settings;
+  const Settings cold;
+  const Corrector plain(pm600(), cold);
+  CHECK(distance(Corrector(warming, settings).correct(target).pose, plain.correct(target).pose) == 0);
+  CHECK(Corrector(warming, settings).drift_per_hour_mm(target).value() > 5e-3);
+  settings.time_s = 7200;
+  const AxisWords led = Corrector(warming, settings).correct(target).pose - plain.correct(target).pose;
+  CHECK(led[Axis::Z] == Approx(2 * Corrector(warming, settings).drift_per_hour_mm(target).value()).epsilon(1e-3));
+}
+
+TEST_CASE("the motion along a path has the acceleration of its turns and of its angles") {
+  const machine::MachineModel model = pm600();
+  Target target = at({{10, 20, -1000, 12, -7, 30}});
+  target.slope = {{1, -2, 3, 20, 15, -10}};
+  target.seconds = 0.5;
+  const auto at_fraction = [&](double f) {
+    Target moved = target;
+    for (const Axis axis : kAllAxes) moved.pose[axis] += f * target.slope[axis];
+    return compensate::motion_at(model.rotation, 0.2, moved, 1e-5);
+  };
+  const double h = 1e-4;
+  const physics::Motion<double> motion = at_fraction(0);
+  CHECK((motion.twist.v_WT - Vector3<double>(2, -4, 6) * 1e-3).norm() < 1e-15);
+  CHECK(motion.acceleration.v_WT.norm() == 0);
+  const Vector3<double> turning = machine::displacement_between(at_fraction(-h).pose, at_fraction(h).pose).tail<3>();
+  CHECK((motion.twist.w_WP - turning / (2 * h * 0.5)).norm() < 1e-6);
+  const Vector3<double> speeding = (at_fraction(h).twist.w_WP - at_fraction(-h).twist.w_WP) / (2 * h * 0.5);
+  CHECK(speeding.norm() > 1e-3);
+  CHECK((motion.acceleration.w_WP - speeding).norm() < 1e-6);
 }

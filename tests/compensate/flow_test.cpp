@@ -136,7 +136,7 @@ TEST_CASE("cycles that work the spindle keep their form, their hole shifted") {
     REQUIRE(before.size() == after.size());
     compensate::Corrector machine(job.model, job.settings);
     for (std::size_t i = 0; i < before.size(); ++i) {
-      const AxisWords stands = after[i].to_W + machine.error({after[i].to_W, {}, std::nullopt}).value();
+      const AxisWords stands = after[i].to_W + machine.error({after[i].to_W, {}, {}, std::nullopt}).value();
       CHECK(tip_distance(stands, before[i].to_W) <= job.settings.cycle_tolerance_mm);
       CHECK(tip_distance(after[i].to_W, before[i].to_W) > 1e-3);
     }

@@ -131,7 +131,7 @@ inline Played play(const std::string& original, const std::string& output, const
   compensate::Corrector machine(job.model, still);
   machine.set_tool(tool);
   const auto stands = [&](const AxisWords& commanded) {
-    return commanded + machine.error({commanded, {}, std::nullopt}).value();
+    return commanded + machine.error({commanded, {}, {}, std::nullopt}).value();
   };
   const std::vector<Move> before = moves_of(original, job.program, job.dialect);
   const std::vector<Move> after = moves_of(output, job.program, job.dialect);

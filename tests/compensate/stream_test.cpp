@@ -206,6 +206,26 @@ TEST_CASE("a tool without a mass is warned of, with the error per kg") {
   CHECK(play(text, run(text, job).text, job, {.length = 0.08}).at_points_um <= 0.15);
 }
 
+TEST_CASE("what the model has and the correction leaves out is warned of") {
+  const std::string text = read_text(PLUMBLINE_SOURCE_DIR "/models/pm600-like.toml");
+  Job job;
+  job.model = machine::parse_model(text +
+                                       "\n[[effect]]\nname = \"servo-lag\"\nlag_ms = 5\n"
+                                       "\n[[effect]]\nname = \"thermal-drift\"\nrate_K_h = [1, 1, 1, 1, 1, 1]\n",
+                                   "model.toml");
+  const std::string program = "G0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F100\nM2\n";
+  const auto codes = [&] {
+    std::vector<std::string> found;
+    for (const Diagnostic& warning : run(program, job).summary.warnings) found.push_back(warning.code);
+    return found;
+  };
+  CHECK(codes() == std::vector<std::string>{"compensate-dynamic", "compensate-time"});
+  job.settings.dynamic = true;
+  CHECK(codes() == std::vector<std::string>{"compensate-time"});
+  job.settings.time_s = 60;
+  CHECK(codes().empty());
+}
+
 TEST_CASE("a program without an end is warned of") {
   const auto codes = [](const std::string& text) {
     std::vector<std::string> found;

@@ -33,7 +33,7 @@ TEST_CASE("a line goes straight in all six words and ends where it was told") {
   CHECK(curve.arc_deg() == 0);
   CHECK(curve.at(0.5)[Axis::B] == Approx(-10));
   CHECK(curve.at(1)[Axis::C] == 0.1);  // not 0.1 give or take a bit
-  CHECK(curve.slope(0.3)[Axis::Y] == 4);
+  CHECK(curve.point(0.3).slope[Axis::Y] == 4);
 }
 
 TEST_CASE("a quarter circle keeps its radius, and rotary words go linearly with the angle") {
@@ -46,7 +46,8 @@ TEST_CASE("a quarter circle keeps its radius, and rotary words go linearly with 
     CHECK(at[Axis::A] == Approx(9 * f));
   }
   CHECK(curve.at(0.5)[Axis::X] == Approx(10 * std::sqrt(0.5)));
-  CHECK(curve.slope(0)[Axis::Y] == Approx(10 * M_PI / 2));
+  CHECK(curve.point(0).bend[Axis::X] == Approx(-10 * M_PI * M_PI / 4));
+  CHECK(curve.point(0).slope[Axis::Y] == Approx(10 * M_PI / 2));
 }
 
 TEST_CASE("the sense and the turns of an arc") {
@@ -82,11 +83,17 @@ TEST_CASE("arcs in G18 turn from Z to X and in G19 from Y to Z") {
   CHECK(yz.at(0.5)[Axis::Z] == Approx(10 * std::sqrt(0.5)));
 }
 
-TEST_CASE("the slope of an arc is the derivative of its position") {
+TEST_CASE("slope and bend of an arc are the derivatives of its position") {
   const path::Curve curve(arc({{10, 0, 0, 1, 2, 3}}, {{0, 10.001, 4, -5, 6, 7}}, nc::Plane::xy, {0, 0, 0}, 2));
   const double h = 1e-6;
   for (double f : {0.1, 0.5, 0.9}) {
     const AxisWords difference = curve.at(f + h) - curve.at(f - h);
-    for (const Axis axis : kAllAxes) CHECK(curve.slope(f)[axis] == Approx(difference[axis] / (2 * h)).epsilon(1e-7));
+    const path::CurvePoint point = curve.point(f);
+    const AxisWords turned = curve.point(f + h).slope - curve.point(f - h).slope;
+    for (const Axis axis : kAllAxes) {
+      CHECK(point.at[axis] == curve.at(f)[axis]);
+      CHECK(point.slope[axis] == Approx(difference[axis] / (2 * h)).epsilon(1e-7));
+      CHECK(point.bend[axis] == Approx(turned[axis] / (2 * h)).epsilon(1e-7).margin(1e-6));
+    }
   }
 }

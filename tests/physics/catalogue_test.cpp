@@ -1,5 +1,6 @@
 // The equation of each effect of the catalogue, written out once more from docs/effects.md and compared with what the
 // effect does to the whole calculation.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -7,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "machine/machines.hpp"
+#include "physics/effect_info.hpp"
 #include "physics/moments.hpp"
 #include "physics/strut_stretch.hpp"
 
@@ -285,8 +287,11 @@ TEST_CASE("heavier screws are those of a heavier model, and torque readings are 
 
 TEST_CASE("inertia and the servo effects are silent where a control shapes the speed itself, and at rest") {
   Random random(56);
+  const auto& infos = effect_infos();
+  CHECK(std::count_if(infos.begin(), infos.end(), [](const EffectInfo& info) { return info.dynamic; }) == 3);
   for (const std::string_view effect : {"inertia", "servo-lag", "servo-mismatch"}) {
     INFO(effect);
+    CHECK(infos[effect_index(effect)].dynamic);
     const Trial t(effect, random);
     for (const bool friction : {false, true}) {
       Environment silent = t.environment;

@@ -9,6 +9,7 @@ namespace plumbline::physics {
 /// Mass that has to be accelerated.
 struct Inertia {
   static constexpr std::string_view name = "inertia";
+  static constexpr bool dynamic = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "mass_kg", .unit = machine::units::kg, .lower = 0, .upper = 1000}};
 

@@ -9,6 +9,7 @@ namespace plumbline::physics {
 /// A control whose drives all follow late by the same time.
 struct ServoLag {
   static constexpr std::string_view name = "servo-lag";
+  static constexpr bool dynamic = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "lag_ms", .unit = machine::units::ms, .lower = 0, .upper = 60}};
 

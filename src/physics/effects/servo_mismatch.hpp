@@ -9,6 +9,7 @@ namespace plumbline::physics {
 /// Drives that follow late by different times. Lags that sum to zero tell it from servo-lag.
 struct ServoMismatch {
   static constexpr std::string_view name = "servo-mismatch";
+  static constexpr bool dynamic = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "lag_ms", .unit = machine::units::ms, .count = 6, .lower = -5, .upper = 5}};
 

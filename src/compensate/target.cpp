@@ -1,0 +1,49 @@
+#include "compensate/target.hpp"
+
+#include <cmath>
+
+#include "base/units.hpp"
+#include "machine/axis_words.hpp"
+
+namespace plumbline::compensate {
+namespace {
+
+constexpr double kSpeedOverSign = 100;  // a move without a speed counts as this many times v0
+constexpr double kTurnProbe = 1e-4;     // of the path's unit, to difference the angular velocity
+
+Vector3<double> linear(const AxisWords& words) {
+  return Vector3<double>(words[Axis::X], words[Axis::Y], words[Axis::Z]);
+}
+Vector3<double> rotary(const AxisWords& words) {
+  return Vector3<double>(words[Axis::A], words[Axis::B], words[Axis::C]);
+}
+
+}  // namespace
+
+physics::Motion<double> motion_at(const machine::RotationOrder& order, double radius, const Target& target,
+                                  double sign_speed) {
+  physics::Motion<double> motion;
+  motion.pose = machine::pose_of(order, target.pose);
+  motion.twist.v_WT = linear(target.slope) * kMm;
+  motion.acceleration.v_WT = linear(target.bend) * kMm;
+  const Vector3<double> abc = rotary(target.pose) * kDeg;
+  const Vector3<double> rate = rotary(target.slope) * kDeg;  // constant: A, B and C go linearly
+  if (!rate.isZero(0)) {
+    const Vector3<double> step = kTurnProbe * rate;
+    motion.twist.w_WP = machine::angular_velocity<double>(order, abc, rate);
+    motion.acceleration.w_WP = (machine::angular_velocity<double>(order, abc + step, rate) -
+                                machine::angular_velocity<double>(order, abc - step, rate)) /
+                               (2 * kTurnProbe);
+  }
+  const double size = std::hypot(motion.twist.v_WT.norm(), radius * motion.twist.w_WP.norm());
+  if (size == 0) return motion;
+  const double per_second = target.seconds ? 1 / *target.seconds : kSpeedOverSign * sign_speed / size;
+  motion.twist.v_WT *= per_second;
+  motion.twist.w_WP *= per_second;
+  const double per_second_2 = target.seconds ? per_second * per_second : 0;
+  motion.acceleration.v_WT *= per_second_2;
+  motion.acceleration.w_WP *= per_second_2;
+  return motion;
+}
+
+}  // namespace plumbline::compensate

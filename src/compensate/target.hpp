@@ -1,0 +1,26 @@
+// A point of a path, and the motion of the machine that goes through it.
+#pragma once
+
+#include <optional>
+
+#include "base/axes.hpp"
+#include "machine/orientation.hpp"
+#include "physics/motion.hpp"
+
+namespace plumbline::compensate {
+
+/// A point of a path, in W: mm and deg.
+struct Target {
+  AxisWords pose;
+  AxisWords slope;                // derivative of the pose along the path, in any unit of the path
+  AxisWords bend;                 // second derivative
+  std::optional<double> seconds;  // that one such unit takes; nothing: only the direction counts
+};
+
+/// How the machine moves there, at a steady feed: the pose, its velocity, and its acceleration. `radius` (m) turns a
+/// rotation into the speed of a joint. At rest where the path does not move; where only the direction counts, as fast
+/// as makes every sign of a speed one.
+physics::Motion<double> motion_at(const machine::RotationOrder& order, double radius, const Target& target,
+                                  double sign_speed);
+
+}  // namespace plumbline::compensate
