@@ -19,6 +19,14 @@ if(PLUMBLINE_TIDY)
   set(CMAKE_CXX_CLANG_TIDY ${CLANG_TIDY} --quiet --warnings-as-errors=*)
 endif()
 
+# time_limit(OUT SECONDS): what a test may take; with sanitizers ten times that.
+function(time_limit out seconds)
+  if(PLUMBLINE_SANITIZE)
+    math(EXPR seconds "10 * ${seconds}")
+  endif()
+  set(${out} ${seconds} PARENT_SCOPE)
+endfunction()
+
 # add_module(NAME SOURCES file... [USES module...] [LIBRARIES target...])
 # One static library per folder of src/. USES names the modules whose headers it may include (src/layers.txt).
 function(add_module name)
@@ -42,5 +50,6 @@ function(add_module_test name)
   target_include_directories(${name}_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   target_compile_definitions(${name}_test PRIVATE PLUMBLINE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                                                   PLUMBLINE_PROGRAM="$<TARGET_FILE_DIR:${name}_test>/plumbline")
-  catch_discover_tests(${name}_test TEST_PREFIX "${name}: " PROPERTIES TIMEOUT 600)
+  time_limit(limit 600)
+  catch_discover_tests(${name}_test TEST_PREFIX "${name}: " PROPERTIES TIMEOUT ${limit})
 endfunction()

@@ -11,12 +11,8 @@ namespace {
 constexpr double kSpeedOverSign = 100;  // a move without a speed counts as this many times v0
 constexpr double kTurnProbe = 1e-4;     // of the path's unit, to difference the angular velocity
 
-Vector3<double> linear(const AxisWords& words) {
-  return Vector3<double>(words[Axis::X], words[Axis::Y], words[Axis::Z]);
-}
-Vector3<double> rotary(const AxisWords& words) {
-  return Vector3<double>(words[Axis::A], words[Axis::B], words[Axis::C]);
-}
+Vector3<double> linear(const AxisWords& words) { return {words[Axis::X], words[Axis::Y], words[Axis::Z]}; }
+Vector3<double> rotary(const AxisWords& words) { return {words[Axis::A], words[Axis::B], words[Axis::C]}; }
 
 }  // namespace
 

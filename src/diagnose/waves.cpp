@@ -66,7 +66,10 @@ std::vector<Term> waves_of(const std::vector<Pull>& pulls, Channel channel, int 
                            const DescriptionOptions& options, double& tried) {
   constexpr double kTurn = 2 * std::numbers::pi;
   const std::size_t count = pulls.size();
-  std::vector<double> c(count), s(count), dc(count), ds(count);
+  std::vector<double> c(count);
+  std::vector<double> s(count);
+  std::vector<double> dc(count);
+  std::vector<double> ds(count);
   double weight = 0;
   for (std::size_t i = 0; i < count; ++i) {
     weight += 0.5 * pulls[i].weight;

@@ -11,6 +11,8 @@
 namespace plumbline::jobs {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr int kHarmonics = 8;
 
 bool differ_in_direction_alone(const measure::Run& a, const measure::Run& b) {
@@ -68,7 +70,6 @@ std::string circularity_text(const CircularityTable& table) {
 }
 
 std::string circularity_json(const CircularityTable& table) {
-  using Json = nlohmann::ordered_json;
   Json json{{"plumbline", "circularity 1"}, {"runs", Json::array()}, {"pairs", Json::array()}};
   for (const RunCircularity& run : table.runs) {
     Json waves = Json::array();
