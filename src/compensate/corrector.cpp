@@ -12,10 +12,16 @@ namespace plumbline::compensate {
 namespace {
 
 constexpr int kMostRounds = 8;          // of putting the fixed axes back where they stay
-constexpr double kHour = 3600;          // s
 constexpr double kFixedAxisDeg = 1e-8;  // to which they get there
+constexpr double kHour = 3600;          // s
 
 double tip_distance(const Pose<double>& a, const Pose<double>& b) { return (a.p_WT - b.p_WT).norm(); }
+
+// Between the tips of a machine deformed in two ways, mm.
+std::optional<double> tips_apart_mm(const physics::TipError<double>& a, const physics::TipError<double>& b) {
+  if (!a.converged() || !b.converged()) return std::nullopt;
+  return tip_distance(a.pose, b.pose) / kMm;
+}
 
 }  // namespace
 
@@ -146,9 +152,7 @@ std::optional<double> Corrector::error_per_kg_mm(const Target& target) const {
   const physics::Motion<double> motion = motion_of(target, environment);
   const physics::TipError<double> without = physics::tip_error(physics_, environment, motion);
   environment.payload_mass += 1;
-  const physics::TipError<double> with = physics::tip_error(physics_, environment, motion);
-  if (!without.converged() || !with.converged()) return std::nullopt;
-  return tip_distance(with.pose, without.pose) / kMm;
+  return tips_apart_mm(without, physics::tip_error(physics_, environment, motion));
 }
 
 std::optional<double> Corrector::drift_per_hour_mm(const Target& target) const {
@@ -156,9 +160,7 @@ std::optional<double> Corrector::drift_per_hour_mm(const Target& target) const {
   physics::Motion<double> motion = motion_of(target, environment);
   const physics::TipError<double> now = physics::tip_error(physics_, environment, motion);
   motion.time += kHour;
-  const physics::TipError<double> then = physics::tip_error(physics_, environment, motion);
-  if (!now.converged() || !then.converged()) return std::nullopt;
-  return tip_distance(then.pose, now.pose) / kMm;
+  return tips_apart_mm(now, physics::tip_error(physics_, environment, motion));
 }
 
 }  // namespace plumbline::compensate
