@@ -48,7 +48,7 @@ Pose<double> Corrector::pose_of(const AxisWords& words) const { return machine::
 physics::Motion<double> Corrector::motion_of(const Target& target, physics::Environment& environment) const {
   physics::Motion<double> motion;
   if (environment.friction) {
-    motion = motion_at(model_.rotation, radius_, target, environment.sign_speed);
+    motion = motion_at(model_.rotation, radius_, target, environment);
     const double speed = std::hypot(motion.twist.v_WT.norm(), radius_ * motion.twist.w_WP.norm());
     if (speed == 0) environment.friction = false;
     environment.sign_speed = std::max(environment.sign_speed, settings_.sign_width_of_feed * speed);

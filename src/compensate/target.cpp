@@ -14,31 +14,35 @@ constexpr double kTurnProbe = 1e-4;     // of the path's unit, to difference the
 Vector3<double> linear(const AxisWords& words) { return {words[Axis::X], words[Axis::Y], words[Axis::Z]}; }
 Vector3<double> rotary(const AxisWords& words) { return {words[Axis::A], words[Axis::B], words[Axis::C]}; }
 
+// How the angular velocity changes along the path, per unit of the path squared.
+Vector3<double> turning_of_the_axis(const machine::RotationOrder& order, const Vector3<double>& abc,
+                                    const Vector3<double>& rate) {
+  const Vector3<double> step = kTurnProbe * rate;
+  return (machine::angular_velocity<double>(order, abc + step, rate) -
+          machine::angular_velocity<double>(order, abc - step, rate)) /
+         (2 * kTurnProbe);
+}
+
 }  // namespace
 
 physics::Motion<double> motion_at(const machine::RotationOrder& order, double radius, const Target& target,
-                                  double sign_speed) {
+                                  const physics::Environment& environment) {
   physics::Motion<double> motion;
   motion.pose = machine::pose_of(order, target.pose);
   motion.twist.v_WT = linear(target.slope) * kMm;
-  motion.acceleration.v_WT = linear(target.bend) * kMm;
   const Vector3<double> abc = rotary(target.pose) * kDeg;
   const Vector3<double> rate = rotary(target.slope) * kDeg;  // constant: A, B and C go linearly
-  if (!rate.isZero(0)) {
-    const Vector3<double> step = kTurnProbe * rate;
-    motion.twist.w_WP = machine::angular_velocity<double>(order, abc, rate);
-    motion.acceleration.w_WP = (machine::angular_velocity<double>(order, abc + step, rate) -
-                                machine::angular_velocity<double>(order, abc - step, rate)) /
-                               (2 * kTurnProbe);
-  }
+  const bool turns = !rate.isZero(0);
+  if (turns) motion.twist.w_WP = machine::angular_velocity<double>(order, abc, rate);
   const double size = std::hypot(motion.twist.v_WT.norm(), radius * motion.twist.w_WP.norm());
   if (size == 0) return motion;
-  const double per_second = target.seconds ? 1 / *target.seconds : kSpeedOverSign * sign_speed / size;
+  const double per_second = target.seconds ? 1 / *target.seconds : kSpeedOverSign * environment.sign_speed / size;
   motion.twist.v_WT *= per_second;
   motion.twist.w_WP *= per_second;
-  const double per_second_2 = target.seconds ? per_second * per_second : 0;
-  motion.acceleration.v_WT *= per_second_2;
-  motion.acceleration.w_WP *= per_second_2;
+  if (!environment.dynamic || !target.seconds) return motion;
+  const double per_second_2 = per_second * per_second;
+  motion.acceleration.v_WT = linear(target.bend) * kMm * per_second_2;
+  if (turns) motion.acceleration.w_WP = turning_of_the_axis(order, abc, rate) * per_second_2;
   return motion;
 }
 

@@ -17,10 +17,10 @@ struct Target {
   std::optional<double> seconds;  // that one such unit takes; nothing: only the direction counts
 };
 
-/// How the machine moves there, at a steady feed: the pose, its velocity, and its acceleration. `radius` (m) turns a
-/// rotation into the speed of a joint. At rest where the path does not move; where only the direction counts, as fast
-/// as makes every sign of a speed one.
+/// How the machine moves there, at a steady feed: the pose, its velocity, and, where `environment` asks for what follows
+/// from accelerations, its acceleration. `radius` (m) turns a rotation into the speed of a joint. At rest where the path
+/// does not move; where only the direction counts, so fast that every sign of a speed is one.
 physics::Motion<double> motion_at(const machine::RotationOrder& order, double radius, const Target& target,
-                                  double sign_speed);
+                                  const physics::Environment& environment);
 
 }  // namespace plumbline::compensate

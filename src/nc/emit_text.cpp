@@ -91,7 +91,7 @@ void append_word(std::string& out, char letter, double value, int decimals, cons
   if (spelling.spaced && !out.empty() && !is_blank(out.back())) out += ' ';
   out += in_case(letter, spelling.lower_case);
   constexpr double kExact = 1e15;  // units of the last decimal that a double counts
-  while (decimals > 0 && std::abs(value) * std::pow(10.0, decimals) > kExact) --decimals;
+  while (decimals > 0 && std::abs(value) > kExact * from_ticks(1, decimals)) --decimals;
   const std::size_t begin = out.size();
   append_decimal(out, value, decimals);
   if (spelling.point && out.find('.', begin) == std::string::npos) out += '.';

@@ -204,10 +204,11 @@ TEST_CASE("the motion along a path has the acceleration of its turns and of its 
   Target target = at({{10, 20, -1000, 12, -7, 30}});
   target.slope = {{1, -2, 3, 20, 15, -10}};
   target.seconds = 0.5;
+  physics::Environment environment;
   const auto at_fraction = [&](double f) {
     Target moved = target;
     for (const Axis axis : kAllAxes) moved.pose[axis] += f * target.slope[axis];
-    return compensate::motion_at(model.rotation, 0.2, moved, 1e-5);
+    return compensate::motion_at(model.rotation, 0.2, moved, environment);
   };
   const double h = 1e-4;
   const physics::Motion<double> motion = at_fraction(0);
@@ -218,4 +219,7 @@ TEST_CASE("the motion along a path has the acceleration of its turns and of its 
   const Vector3<double> speeding = (at_fraction(h).twist.w_WP - at_fraction(-h).twist.w_WP) / (2 * h * 0.5);
   CHECK(speeding.norm() > 1e-3);
   CHECK((motion.acceleration.w_WP - speeding).norm() < 1e-6);
+  environment.dynamic = false;
+  CHECK(at_fraction(0).twist.w_WP == motion.twist.w_WP);
+  CHECK(at_fraction(0).acceleration.w_WP.isZero(0));
 }
