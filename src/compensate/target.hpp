@@ -17,9 +17,9 @@ struct Target {
   std::optional<double> seconds;  // that one such unit takes; nothing: only the direction counts
 };
 
-/// How the machine moves there, at a steady feed: the pose, its velocity, and, where `environment` asks for what follows
-/// from accelerations, its acceleration. `radius` (m) turns a rotation into the speed of a joint. At rest where the path
-/// does not move; where only the direction counts, so fast that every sign of a speed is one.
+/// How the machine moves there, at a steady feed: the pose, its velocity, and, where `environment` asks for what
+/// follows from accelerations, its acceleration. `radius` (m) turns a rotation into the speed of a joint. At rest where
+/// the path does not move; where only the direction counts, so fast that every sign of a speed is one.
 physics::Motion<double> motion_at(const machine::RotationOrder& order, double radius, const Target& target,
                                   const physics::Environment& environment);
 

@@ -56,8 +56,7 @@ class Player {
   }
 
   void play(const PathPoint& point) {
-    physics::Motion<double> motion =
-        compensate::motion_at(model_.rotation, radius_, point.target, environment_);
+    physics::Motion<double> motion = compensate::motion_at(model_.rotation, radius_, point.target, environment_);
     motion.time = settings_.time_s.value_or(0);
     const physics::TipError<double> error = physics::tip_error(forces_, environment_, motion);
     if (!error.converged()) {

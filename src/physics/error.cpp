@@ -16,4 +16,7 @@ std::string_view to_text(ErrorStop stop) {
   return "the machine gives way through a singularity";
 }
 
+template TipError<double> tip_error(const ForceModel&, const double*, const Environment&, const Motion<double>&,
+                                    const ErrorOptions&);
+
 }  // namespace plumbline::physics

@@ -74,6 +74,10 @@ TipError<T> tip_error(const ForceModel& model, const T* parameters, const Enviro
   }
 }
 
+// Instantiated once, in error.cpp.
+extern template TipError<double> tip_error(const ForceModel&, const double*, const Environment&, const Motion<double>&,
+                                           const ErrorOptions&);
+
 /// The same with the model's own parameters.
 inline TipError<double> tip_error(const ForceModel& model, const Environment& environment, const Motion<double>& motion,
                                   const ErrorOptions& options = {}) {

@@ -109,6 +109,13 @@ StrutStretch<T> strut_stretch(const ForceModel& model, const T* parameters, cons
   return strut_stretch_at(model, parameters, environment, motion, rates, motion.pose, struts);
 }
 
+// Instantiated once, in strut_stretch.cpp.
+extern template StrutStretch<double> strut_stretch_at(const ForceModel&, const double*, const Environment&,
+                                                      const Motion<double>&, const StrutRates<double>&,
+                                                      const Pose<double>&, const machine::StrutGeometry<double>&);
+extern template StrutStretch<double> strut_stretch(const ForceModel&, const double*, const Environment&,
+                                                   const Motion<double>&);
+
 /// The same with the model's own parameters.
 inline StrutStretch<double> strut_stretch(const ForceModel& model, const Environment& environment,
                                           const Motion<double>& motion) {

@@ -14,7 +14,7 @@ using namespace plumbline;
 
 namespace {
 
-jobs::Options options() {
+jobs::Options playback() {
   jobs::Options o;
   o.model = testing::source_file("models/pm600-like.toml");
   o.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
@@ -38,15 +38,15 @@ std::vector<std::vector<double>> simulate(const testing::Scratch& scratch, const
   return rows;
 }
 
-constexpr const char* kProgram = "G0 X0 Y0 Z0 A0 B0 C0\nG1 X50 Y-20 A10 B-5 F1000\nG2 X60 Y-10 I0 J10\n";
+constexpr const char* kArcProgram = "G0 X0 Y0 Z0 A0 B0 C0\nG1 X50 Y-20 A10 B-5 F1000\nG2 X60 Y-10 I0 J10\n";
 
 }  // namespace
 
 TEST_CASE("a simulation without friction has the errors and tensions of the table of the machine at rest") {
   const testing::Scratch scratch;
-  jobs::Options how = options();
+  jobs::Options how = playback();
   how.compensation.friction = false;
-  const auto rows = simulate(scratch, kProgram, how);
+  const auto rows = simulate(scratch, kArcProgram, how);
   REQUIRE(rows.size() > 60);
   const machine::MachineModel model = machine::read_model(how.model);
   jobs::PoseRow pose;
@@ -69,7 +69,7 @@ TEST_CASE("a simulation without friction has the errors and tensions of the tabl
 
 TEST_CASE("time goes on by the feed, and friction turns with the direction") {
   const testing::Scratch scratch;
-  const auto rows = simulate(scratch, "G0 X0 Y0 Z0 A0 B0 C0\nG1 Z10 F600\nG1 Z0\n", options());
+  const auto rows = simulate(scratch, "G0 X0 Y0 Z0 A0 B0 C0\nG1 Z10 F600\nG1 Z0\n", playback());
   CHECK(rows.back()[2] == Approx(2.0));
   const auto& up = rows[5];
   const auto& down = rows[15];
@@ -81,11 +81,11 @@ TEST_CASE("time goes on by the feed, and friction turns with the direction") {
 
 TEST_CASE("the tip of a compensated program goes where the source meant it to go") {
   const testing::Scratch scratch;
-  jobs::Options how = options();
+  jobs::Options how = playback();
   how.compensation.friction = false;
-  jobs::compensate_file(scratch.file("p.ngc", kProgram), scratch.path("c.ngc"), how);
+  jobs::compensate_file(scratch.file("p.ngc", kArcProgram), scratch.path("c.ngc"), how);
   how.compensation.step = {90, 1e4, 0};  // the blocks' ends alone
-  const auto wanted = simulate(scratch, kProgram, options());
+  const auto wanted = simulate(scratch, kArcProgram, playback());
   const auto got = simulate(scratch, scratch.text("c.ngc"), how);
   REQUIRE(got.size() == wanted.size());
   for (std::size_t row = 0; row < got.size(); ++row) {
@@ -100,11 +100,11 @@ TEST_CASE("a move that cannot be looked at is refused in the file that it stands
   const testing::Scratch scratch;
   const std::string sub = scratch.file("turn.ngc", "o<turn> sub\nG1 C90 F1000\no<turn> endsub\n");
   const Diagnostic unreachable =
-      testing::refusal_of([&] { simulate(scratch, "G0 X0 Y0 Z0 A0 B0 C0\no<turn> call\nM2\n", options()); });
+      testing::refusal_of([&] { simulate(scratch, "G0 X0 Y0 Z0 A0 B0 C0\no<turn> call\nM2\n", playback()); });
   CHECK(unreachable.code == "simulate-unreachable");
   CHECK(unreachable.place.file == sub);
   CHECK(unreachable.place.line == 2);
-  const Diagnostic unknown = testing::refusal_of([&] { simulate(scratch, "G0 X0\no<turn> call\nM2\n", options()); });
+  const Diagnostic unknown = testing::refusal_of([&] { simulate(scratch, "G0 X0\no<turn> call\nM2\n", playback()); });
   CHECK(unknown.code == "walk-position-unknown");
   CHECK(unknown.place.file == sub);
 }
