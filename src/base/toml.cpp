@@ -1,6 +1,7 @@
 #include "base/toml.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #define TOML_HEADER_ONLY 1
 #include <toml++/toml.h>
@@ -8,11 +9,47 @@
 namespace plumbline {
 namespace {
 
+std::size_t mark_size(std::string_view text) { return text.starts_with("\xEF\xBB\xBF") ? 3 : 0; }
+
+// Behind the text that begins with the quote at `at`; one of a single line ends with its line at the latest.
+std::size_t behind_quoted(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  const std::string triple(3, quote);
+  const bool many_lines = text.substr(at, 3) == triple;
+  for (at += many_lines ? 3 : 1; at < text.size(); ++at) {
+    if (text[at] == '\\' && quote == '"') {
+      ++at;
+    } else if (!many_lines && (text[at] == quote || text[at] == '\n')) {
+      return at + 1;
+    } else if (many_lines && text.substr(at, 3) == triple) {
+      return std::min(text.find_first_not_of(quote, at), text.size());  // quotes before the closing three are content
+    }
+  }
+  return text.size();
+}
+
+// The first byte outside quotes and comments that is not ASCII; TOML has no use for one there, and toml++ 3.3 does not
+// know of all of them whether they are blanks, which is undefined behaviour.
+std::optional<std::size_t> bare_non_ascii(std::string_view text) {
+  for (std::size_t at = mark_size(text); at < text.size();) {
+    if (text[at] == '"' || text[at] == '\'') {
+      at = behind_quoted(text, at);
+    } else if (text[at] == '#') {
+      at = std::min(text.find('\n', at), text.size());
+    } else if (static_cast<unsigned char>(text[at]) >= 0x80U) {
+      return at;
+    } else {
+      ++at;
+    }
+  }
+  return std::nullopt;
+}
+
 // toml++ counts lines and columns from 1, columns in code points; a Span counts bytes.
 class Offsets {
  public:
   explicit Offsets(std::string_view text) : text_(text) {
-    lines_.push_back(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);  // a byte order mark is no column
+    lines_.push_back(mark_size(text));  // a byte order mark is no column
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] == '\n') lines_.push_back(i + 1);
     }
@@ -134,6 +171,11 @@ std::string_view name_of(TomlValue::Kind kind) {
 
 TomlDocument parse_toml(std::string text, std::string file) {
   TomlDocument document{std::move(file), std::move(text), {}};
+  if (const std::optional<std::size_t> at = bare_non_ascii(document.text)) {
+    refuse("toml-syntax", "outside quotes and comments only ASCII characters may stand",
+           "put texts into quotes; a blank or a minus that looks like one may be another character",
+           document.place({*at, 1}));
+  }
   Offsets offsets(document.text);
   try {
     const toml::table table = toml::parse(document.text, document.file);

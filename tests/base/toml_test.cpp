@@ -2,7 +2,20 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/scratch.hpp"
+
 using namespace plumbline;
+
+namespace {
+
+// Line and column at which a text is refused.
+std::pair<std::size_t, std::size_t> place_of(const char* text) {
+  const Diagnostic refused = testing::refusal_of([&] { parse_toml(text, "m.toml"); });
+  CHECK(refused.code == "toml-syntax");
+  return {refused.place.line, refused.place.column};
+}
+
+}  // namespace
 
 TEST_CASE("each key and value knows its bytes") {
   const std::string text =
@@ -52,16 +65,22 @@ TEST_CASE("keys and values of one line are found in any order") {
   CHECK(cut(t.find("m")->value.find("q")->value.span) == "4");
 }
 
+TEST_CASE("characters that are not ASCII stand in quotes and comments, and are refused elsewhere") {
+  for (const char* text :
+       {"a = \"\xc3\xa4\"", "a = '\xc3\xa4\\' # \xc3\xa4", "a = \"\\\"\xc3\xa4\"", "\"\xc3\xa4\" = 1",
+        "a = \"\"\"\xc3\xa4\n\"\xc3\xa4\"\"\"\"\nb = 1", "a = \'\'\'\n\xc3\xa4\'\'\' # \xc3\xa4\n"}) {
+    INFO(text);
+    CHECK(parse_toml(text, "m.toml").root.entries.size() >= 1);
+  }
+  CHECK(place_of("a = [0, 35\xd0\xa8]\n") == std::pair<std::size_t, std::size_t>(1, 11));
+  CHECK(place_of("a = 1 # \xc3\xa4\nb =\xc2\xa0"
+                 "2\n") == std::pair<std::size_t, std::size_t>(2, 4));
+  CHECK(place_of("\xc3\xa4 = 1\n") == std::pair<std::size_t, std::size_t>(1, 1));
+  CHECK(place_of("a = \"\"\"x\"\"\" \xd4\xa4") == std::pair<std::size_t, std::size_t>(1, 13));
+  CHECK(place_of("a = \"open\n\xd4\xa4") == std::pair<std::size_t, std::size_t>(2, 1));
+}
+
 TEST_CASE("what is no TOML is refused where it stands") {
-  const auto place_of = [](const char* text) {
-    try {
-      parse_toml(text, "m.toml");
-    } catch (const Refusal& refusal) {
-      CHECK(refusal.diagnostic().code == "toml-syntax");
-      return std::pair(refusal.diagnostic().place.line, refusal.diagnostic().place.column);
-    }
-    return std::pair<std::size_t, std::size_t>(0, 0);
-  };
   CHECK(place_of("a = 1\na = 2\n").first == 2);
   CHECK(place_of("a = \n").first == 1);
   CHECK(place_of("[x\nb = 1").first == 1);

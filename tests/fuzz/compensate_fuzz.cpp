@@ -16,12 +16,17 @@ const machine::MachineModel& model() {
   return read;
 }
 
-// A helix of a million turns takes its time, and that is no finding.
+constexpr int kMostMotions = 2000;
+
+// A helix of a million turns or a hole of ten thousand pecks takes its time, and that is no finding.
 bool is_short(const InputFile& source, const nc::Dialect& dialect) {
   bool is_short = true;
+  int motions = 0;
   const bool whole = fuzz::is_taken([&] {
     nc::Program program(source, dialect, fuzz::everything_known());
     while (const nc::Step* step = program.next()) {
+      motions += static_cast<int>(step->motions.size());
+      is_short = is_short && motions < kMostMotions;
       for (const nc::Motion& motion : step->motions) {
         is_short = is_short && std::abs(motion.arc.turns) < 20;
         for (const Axis axis : kAllAxes) is_short = is_short && std::abs(motion.to[axis]) < 1e4;
