@@ -143,7 +143,8 @@ class Cases(unittest.TestCase):
                                          "standard_errors": {"width_um": [0.1, 0.1, 0]}}]}}
         self.assertEqual([inside for *_, inside in blind.intervals(result)], [True, False])
         result["answer"]["effects"][0]["departure"] = {"width_um": [2, 3, 0.5]}
-        self.assertEqual([inside for *_, inside in blind.intervals(result)], [False, True, False])
+        self.assertEqual([inside for *_, inside in blind.intervals(result)], [True, False])
+        self.assertEqual([inside for *_, inside in blind.intervals(result, "departure")], [False, True, False])
 
     def test_an_amplitude_has_no_sign_of_its_own(self):
         result = {"answer": {"effects": [{"name": "cyclic", "parameters": {"amplitude_um": [-1], "phase_deg": [30]}}]},
