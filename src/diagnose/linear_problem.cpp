@@ -34,6 +34,8 @@ class ColumnMaker {
     for (const Candidate& candidate : shelf_.candidates) {
       if (candidate.name == "screw-stribeck") {
         for (const Way& way : candidate.ways) all.col(way.carriers[0][0]) = stribeck(way);
+      } else if (candidate.name == "servo-lag") {
+        for (const Way& way : candidate.ways) all.col(way.carriers[0][0]) = lag(way);
       } else if (candidate.name == "cyclic") {
         for (const Carrier& carrier : candidate.ways[0].carriers) {
           all.col(carrier[0]) = cyclic(carrier[0], [](double x) { return std::sin(x); });
@@ -63,6 +65,17 @@ class ColumnMaker {
     for (int j = 0; j < machine::kStruts; ++j) {
       const auto fading = [&](const State& s) { return std::exp(-std::pow(s.speed[j] / way.setting, 2)); };
       sum += slope("screw-coulomb", "force_N", j).cwiseProduct(factors(fading));
+    }
+    return shelf_.columns[static_cast<std::size_t>(way.carriers[0][0])].scale * sum;
+  }
+
+  // an offset's column times -Ldot + tau Lddot, summed over the struts: a lag of tau, per unit. Small lags move the tip
+  // along its circle, where the bar does not see them.
+  Eigen::VectorXd lag(const Way& way) const {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(equations_.residual.size());
+    for (int j = 0; j < machine::kStruts; ++j) {
+      const auto behind = [&](const State& s) { return way.setting * s.acceleration[j] - s.speed[j]; };
+      sum += slope("strut-offset", "length_um", j).cwiseProduct(factors(behind));
     }
     return shelf_.columns[static_cast<std::size_t>(way.carriers[0][0])].scale * sum;
   }

@@ -224,6 +224,8 @@ Pick pick_of(const Shelf& shelf, const Candidate& candidate, const Score& score,
     } else if (candidate.name == "screw-stribeck") {
       set("force_N", -1, size);
       set("speed_mm_s", -1, way.setting);
+    } else if (candidate.name == "servo-lag") {
+      set("lag_ms", -1, std::sqrt(std::max(size, 0.0) * way.setting));  // what shows grows with its square
     } else {
       set(column.key, column.index, shelf.unknowns[static_cast<std::size_t>(column.unknown)].start + size);
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -91,6 +93,19 @@ class Search {
         noise_.channels[1].memory, noise_.channels[1].white));
   }
 
+  // Columns and sizes that make up what a number of a pick adds. What a lag adds goes with tau and its square, for
+  // which the columns of two lags do.
+  std::vector<std::pair<int, double>> parts_of(const Candidate& candidate, int u, const Eigen::VectorXd& values) const {
+    const identify::Unknown& unknown = bench_.shelf.unknowns[static_cast<std::size_t>(u)];
+    if (unknown.key == "phase_deg" || unknown.key == "speed_mm_s") return {};
+    const double size = (values[u] - unknown.start) / unknown.scale;
+    if (candidate.name != "servo-lag") return {{u, size}};
+    const Way& little = candidate.ways.front();
+    const Way& much = candidate.ways.back();
+    const double share = (values[u] - little.setting) / (much.setting - little.setting);
+    return {{little.carriers[0][0], (1 - share) * size}, {much.carriers[0][0], share * size}};
+  }
+
   // The linear problem as if the pick at `place` were not there: its numbers go back to where they change nothing.
   // Gram matrices alone.
   LinearProblem taken_back(std::size_t place, Eigen::VectorXd& values) const {
@@ -98,15 +113,12 @@ class Search {
     problem.gram = problem_.gram;
     for (const Block& block : problem_.blocks) problem.blocks.push_back({{}, block.gram});
     for (const int u : picks_[place].unknowns) {
-      const identify::Unknown& unknown = bench_.shelf.unknowns[static_cast<std::size_t>(u)];
-      if (u >= static_cast<int>(bench_.shelf.nuisances)) {
-        if (unknown.key != "phase_deg" && unknown.key != "speed_mm_s") {
-          const double size = (values[u] - unknown.start) / unknown.scale;
-          add_to_residual(problem.gram, u, size);
-          for (Block& block : problem.blocks) add_to_residual(block.gram, u, size);
-        }
-        values[u] = unknown.start;
+      if (u < static_cast<int>(bench_.shelf.nuisances)) continue;
+      for (const auto& [column, size] : parts_of(*picks_[place].candidate, u, values)) {
+        add_to_residual(problem.gram, column, size);
+        for (Block& block : problem.blocks) add_to_residual(block.gram, column, size);
       }
+      values[u] = bench_.shelf.unknowns[static_cast<std::size_t>(u)].start;
     }
     return problem;
   }

@@ -77,7 +77,9 @@ class Maker {
   void add_candidate(const EffectInfo& info) {
     Candidate candidate{std::string(info.name), is_second_row(info.name)};
     if (info.name == "screw-stribeck") {
-      add_stribeck(candidate);
+      add_bent(candidate, "force_N", options_.stribeck_speeds_mm_s, machine::units::mm_s.si);
+    } else if (info.name == "servo-lag") {
+      add_bent(candidate, "lag_ms", options_.lags_ms, machine::units::ms.si);
     } else if (info.name == "cyclic") {
       add_cyclic(candidate);
     } else {
@@ -96,14 +98,14 @@ class Maker {
     shelf_.candidates.push_back(candidate);
   }
 
-  void add_stribeck(Candidate& candidate) {
-    const double unit = machine::units::mm_s.si;
-    const int force = shelf_.unknowns.find("screw-stribeck", "force_N");
-    for (const double speed : options_.stribeck_speeds_mm_s) {
-      Column column = shelf_.columns[static_cast<std::size_t>(force)];
+  // An effect of one size that bends: a way for each setting, with a column of its own.
+  void add_bent(Candidate& candidate, const char* size, const std::vector<double>& settings, double unit) {
+    const int place = shelf_.unknowns.find(candidate.name, size);
+    for (const double setting : settings) {
+      Column column = shelf_.columns[static_cast<std::size_t>(place)];
       column.unknown = -1;
       Way way{{{add(column)}}};
-      way.setting = speed * unit;
+      way.setting = setting * unit;
       candidate.ways.push_back(way);
     }
   }

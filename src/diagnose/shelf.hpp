@@ -25,12 +25,12 @@ struct Column {
 /// Columns that belong together: a strut, a joint; an effect without parts has one carrier.
 using Carrier = std::vector<int>;
 
-/// One way in which an effect may act; an effect that bends has several (speeds of a Stribeck friction).
+/// One way in which an effect may act; an effect that bends has several (speeds of a Stribeck friction, lags).
 struct Way {
   std::vector<Carrier> carriers;  // each may act or not
   bool all_or_none = false;       // carriers act together
   bool sums_to_zero = false;      // the numbers of all columns
-  double setting = 0;             // what bends, SI: the speed
+  double setting = 0;             // what bends, SI: a Stribeck friction's speed, a lag
 };
 
 /// An effect that may be missing.
@@ -43,9 +43,11 @@ struct Candidate {
 struct ShelfOptions {
   std::vector<std::string> without;                                             // effects to be left out
   std::vector<double> stribeck_speeds_mm_s{1, 1.4, 1.9, 2.6, 3.6, 5, 7.2, 10};  // tried in the linear problem
+  std::vector<double> lags_ms{10, 20, 35, 55};
 };
 
-/// The columns that are made from others: of Stribeck friction at one speed, of a cyclic error's sine and cosine.
+/// The columns that are made from others: of Stribeck friction at one speed, of a cyclic error's sine and cosine, of a
+/// lag at one size.
 struct Shelf {
   identify::Unknowns unknowns;  // nuisances first, then all numbers of all candidates that are not among them
   std::size_t nuisances = 0;    // how many of the unknowns are
