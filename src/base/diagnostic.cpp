@@ -85,6 +85,7 @@ Place place_in(std::string_view file, std::string_view text, std::size_t offset,
   place.length = length;
   place.text = text.substr(begin, end - begin);
   if (!place.text.empty() && place.text.back() == '\r') place.text.pop_back();
+  place.column = std::min(place.column, place.text.size() + 1);
   return place;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -137,6 +138,32 @@ std::vector<double> parameter_errors(const Shelf& shelf, const physics::ForceMod
   return errors;
 }
 
+// A model that was fitted, and the standard errors of its parameters.
+struct Fitted {
+  physics::ForceModel forces;
+  std::vector<double> errors;
+};
+
+// The base model with the terms of a description, its nuisances refitted beside them; without them where that leaves
+// more than before: the terms come from a linear problem.
+Fitted described(const Workbench& bench, const Model& model, const std::vector<Term>& terms,
+                 const DiagnoseOptions& options) {
+  physics::ForceModel forces = bench.forces;
+  add_terms(forces, terms);
+  const Shelf shelf = make_shelf(bench.machine, forces, options.shelf);
+  try {
+    const Refit fit = refit({bench.machine, forces, bench.runs, shelf}, {}, model.base.fit.values, model.base.noise,
+                            options.search.refit);
+    if (fit.misfit < model.base.fit.misfit) {
+      const physics::ForceModel fitted = shelf.unknowns.at(fit.values);
+      return {fitted, parameter_errors(shelf, fitted, fit)};
+    }
+  } catch (const Refusal&) {  // with the terms as they are, the machine falls through a singularity
+  }
+  const physics::ForceModel base = bench.shelf.unknowns.at(model.base.fit.values);
+  return {base, parameter_errors(bench.shelf, base, model.base.fit)};
+}
+
 // What would separate the strongest effect from the others of the confidence set: rivals, refitted in its place.
 std::vector<Separation> separations_of(const Workbench& bench, const Model& model, const Diagnosis& diagnosis,
                                        const NextTestOptions& options) {
@@ -227,12 +254,11 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
     diagnosis.next = separations_of(bench, model, diagnosis, options.next_test);
   } else if (diagnosis.verdict == Verdict::unknown) {
     // described as it stands beside the base model: no effect of the catalogue is believed
-    diagnosis.forces = before;
-    diagnosis.errors = parameter_errors(shelf, before, model.base.fit);
     left = describe(bench, before, model.base.problem, taken_by(shelf, {}, model.base.fit.values), model.base.noise,
                     options.description);
-    add_terms(diagnosis.forces, left.terms);
-    diagnosis.errors.resize(diagnosis.forces.parameters.size(), 0);
+    Fitted with_terms = described(bench, model, left.terms, options);
+    diagnosis.forces = std::move(with_terms.forces);
+    diagnosis.errors = std::move(with_terms.errors);
   }
   if (left.gain >= options.verdict.remainder_gain && !left.terms.empty()) {
     diagnosis.remainder = {std::sqrt(left.gain), left.terms, formula_of(left.terms)};

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
 #include <Eigen/Cholesky>
 
 #include "base/check.hpp"
+#include "base/diagnostic.hpp"
 #include "base/parallel.hpp"
 #include "diagnose/bounded.hpp"
 
@@ -51,14 +53,18 @@ class Fitter {
 
   Refit run(const Eigen::VectorXd& start, const RefitOptions& options) {
     Eigen::VectorXd values = start(places_);
-    Point now = at(values);
+    Point now = tried(values);
+    if (!std::isfinite(now.misfit)) {
+      for (const int i : effects_) values[i] = unknowns_[static_cast<std::size_t>(i)].start;
+      now = at(values);
+    }
     Refit result;
     for (int i = 0; i < options.most_iterations && !result.converged; ++i) {
       Eigen::VectorXd step = step_from(now, values);
-      Point next = at(values + step);
+      Point next = tried(values + step);
       for (int half = 0; half < 5 && next.misfit > now.misfit + options.tolerance; ++half) {
         step *= 0.5;
-        next = at(values + step);
+        next = tried(values + step);
       }
       const double drop = now.misfit - next.misfit;
       result.converged = drop < options.tolerance;
@@ -108,6 +114,17 @@ class Fitter {
     const Eigen::VectorXd z = departure(values);
     point.misfit = point.gram(scales_.size(), scales_.size()) + z.dot(precision_.cwiseProduct(z));
     return point;
+  }
+
+  // Of infinite misfit where the machine falls through a singularity: the linear problem may ask for too much.
+  Point tried(const Eigen::VectorXd& values) {
+    try {
+      return at(values);
+    } catch (const Refusal&) {
+      Point nowhere;
+      nowhere.misfit = std::numeric_limits<double>::infinity();
+      return nowhere;
+    }
   }
 
   // Normal equations of data and priors.

@@ -84,5 +84,6 @@ TEST_CASE("what is no TOML is refused where it stands") {
   CHECK(place_of("a = 1\na = 2\n").first == 2);
   CHECK(place_of("a = \n").first == 1);
   CHECK(place_of("[x\nb = 1").first == 1);
+  CHECK(place_of("#\r") == std::pair<std::size_t, std::size_t>(1, 2));
   CHECK(place_of("x = 1\ny = 1e999") == std::pair<std::size_t, std::size_t>(2, 10));
 }

@@ -32,6 +32,16 @@ TEST_CASE("a hidden effect is named, and the gap on poses left out closes") {
   CHECK(out < 8);
 }
 
+TEST_CASE("what no effect explains is described, and the description closes the gap on poses left out") {
+  const Diagnosis d = diagnosed("open-09");
+  CHECK(d.verdict == Verdict::unknown);
+  CHECK(d.effects.empty());
+  REQUIRE(d.remainder.has_value());
+  CHECK(d.forces.find("generic", "length_um") >= 0);
+  CHECK(*d.fit.after.radial < 0.6 * *d.fit.before.radial);
+  CHECK(*d.held_out.after.radial < 0.6 * *d.held_out.before.radial);
+}
+
 TEST_CASE("a diagnosis is the same each time") {
   DiagnoseOptions options;
   options.search.threshold.draws = 2000;
