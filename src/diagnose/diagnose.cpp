@@ -103,10 +103,36 @@ std::vector<Pick> picks_of(const Model& model) {
   return picks;
 }
 
+// Nuisances that had to go further than [uncertainty] makes believable, a line each. Those that an effect stands for
+// are none any more.
+std::optional<Remainder> strained(const Shelf& shelf, const Model& model, const VerdictOptions& options) {
+  std::vector<bool> counts(shelf.nuisances, true);
+  for (const Pick& pick : picks_of(model)) {
+    for (const int place : pick.unknowns) {
+      if (place < static_cast<int>(shelf.nuisances)) counts[static_cast<std::size_t>(place)] = false;
+    }
+  }
+  Remainder remainder;
+  for (std::size_t i = 0; i < shelf.nuisances; ++i) {
+    const identify::Unknown& u = shelf.unknowns[i];
+    const double off = model.fit.values[static_cast<Eigen::Index>(i)] - u.start;
+    if (!counts[i] || std::abs(off) < options.nuisance_sigmas * u.sigma) continue;
+    remainder.snr = std::hypot(remainder.snr, off / u.sigma);
+    if (!remainder.text.empty()) remainder.text += '\n';
+    remainder.text += fmt::format("{} is {:.4g} {} off, {:.0f} times what [uncertainty] says of it", u.label,
+                                  off / u.unit.si, u.unit.name, std::abs(off / u.sigma));
+  }
+  return remainder.text.empty() ? std::nullopt : std::optional(std::move(remainder));
+}
+
+bool is_gap(const Description& left, const VerdictOptions& options) {
+  return left.gain >= options.remainder_gain && !left.terms.empty();
+}
+
 // Whether what the effects leave is too much for their names to be the whole story.
-Verdict verdict_of(const Model& model, const Description& left, const VerdictOptions& options) {
-  const bool gap = left.gain >= options.remainder_gain && !left.terms.empty();
-  if (model.found.empty()) return gap ? Verdict::unknown : Verdict::nothing_missing;
+Verdict verdict_of(const Model& model, const Description& left, bool is_strained, const VerdictOptions& options) {
+  const bool gap = is_gap(left, options);
+  if (model.found.empty()) return gap || is_strained ? Verdict::unknown : Verdict::nothing_missing;
   if (model.one_more) return Verdict::unknown;
   double explained = 0;
   for (const Found& found : model.found) explained += 2 * found.log_odds;
@@ -230,7 +256,8 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
   if (model.found.size() > 1) tell(fmt::format("resemblance of the two: {:.3f}", resemblance(bench, model, 0, 1)));
 
   Diagnosis diagnosis(with);
-  diagnosis.verdict = verdict_of(model, left, options.verdict);
+  diagnosis.remainder = strained(shelf, model, options.verdict);
+  diagnosis.verdict = verdict_of(model, left, diagnosis.remainder.has_value(), options.verdict);
   diagnosis.noise = model.noise;
   diagnosis.threshold = model.threshold;
   diagnosis.converged = model.fit.converged;
@@ -256,11 +283,12 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
     // described as it stands beside the base model: no effect of the catalogue is believed
     left = describe(bench, before, model.base.problem, taken_by(shelf, {}, model.base.fit.values), model.base.noise,
                     options.description);
+    if (!is_gap(left, options.verdict)) left.terms.clear();
     Fitted with_terms = described(bench, model, left.terms, options);
     diagnosis.forces = std::move(with_terms.forces);
     diagnosis.errors = std::move(with_terms.errors);
   }
-  if (left.gain >= options.verdict.remainder_gain && !left.terms.empty()) {
+  if (is_gap(left, options.verdict)) {
     diagnosis.remainder = {std::sqrt(left.gain), left.terms, formula_of(left.terms)};
   }
   fill_gaps(machine, runs, out, before, runner_up, options, diagnosis);

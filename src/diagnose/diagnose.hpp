@@ -22,6 +22,7 @@ struct VerdictOptions {
   double remainder_gain = 60;      // misfit that a description must take away to count as a gap
   double remainder_share = 0.04;   // of what the effects explain; a remainder above that and
   double remainder_most = 150;     // above that makes the verdict unknown
+  double nuisance_sigmas = 6;      // a nuisance further off than that is no nuisance
 };
 
 struct DiagnoseOptions {
