@@ -137,6 +137,15 @@ TEST_CASE("loops and subprograms of every dialect are written out") {
   CHECK_FALSE(holds(out, "FOR|IF|R1"));
 }
 
+TEST_CASE("a word whose variable is vacant gives way to the corrected one") {
+  const Job job = job_for("fanuc");
+  const std::string text = "G54 F500.\nG0 X0 Y0 Z20. A0 B0 C0\nG0 X#0 Y4.\nG1 X5. F#2\nM30\n";
+  const std::string out = run(text, job).text;
+  check(text, out, job);
+  INFO(out);
+  CHECK_FALSE(holds(out, "#"));
+}
+
 TEST_CASE("a work system of one block alone cannot hold for its pieces") {
   Job job = job_for("okuma");
   const std::string text = "G15 H1\nG0 X0 Y0 Z20 A0 B0 C0\nG16 H2 G1 X5 F100\nM2\n";
