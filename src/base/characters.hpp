@@ -1,6 +1,7 @@
-// Letters, digits and blanks of ASCII, whatever the locale says.
+// Letters, digits and blanks of ASCII, whatever the locale says; the byte order mark.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,12 @@ constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// Bytes at the begin of a file's text that are its byte order mark: 3 or 0.
+constexpr std::size_t byte_order_mark_size(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.starts_with(kMark) ? kMark.size() : 0;
+}
 
 /// \p text in capital letters.
 inline std::string upper(std::string_view text) {

@@ -2,16 +2,17 @@
 
 #include <algorithm>
 
+#include "base/characters.hpp"
+
 namespace plumbline {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kBlanks = " \t\r";
 
 }  // namespace
 
 CsvLines::CsvLines(std::string file, std::string_view text) : file_(std::move(file)), rest_(text) {
-  if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+  rest_.remove_prefix(byte_order_mark_size(rest_));
 }
 
 bool CsvLines::next() {

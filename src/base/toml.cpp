@@ -6,10 +6,10 @@
 #define TOML_HEADER_ONLY 1
 #include <toml++/toml.h>
 
+#include "base/characters.hpp"
+
 namespace plumbline {
 namespace {
-
-std::size_t mark_size(std::string_view text) { return text.starts_with("\xEF\xBB\xBF") ? 3 : 0; }
 
 // Behind the text that begins with the quote at `at`; one of a single line ends with its line at the latest.
 std::size_t behind_quoted(std::string_view text, std::size_t at) {
@@ -31,7 +31,7 @@ std::size_t behind_quoted(std::string_view text, std::size_t at) {
 // The first byte outside quotes and comments that is not ASCII; TOML has no use for one there, and toml++ 3.3 does not
 // know of all of them whether they are blanks, which is undefined behaviour.
 std::optional<std::size_t> bare_non_ascii(std::string_view text) {
-  for (std::size_t at = mark_size(text); at < text.size();) {
+  for (std::size_t at = byte_order_mark_size(text); at < text.size();) {
     if (text[at] == '"' || text[at] == '\'') {
       at = behind_quoted(text, at);
     } else if (text[at] == '#') {
@@ -49,7 +49,7 @@ std::optional<std::size_t> bare_non_ascii(std::string_view text) {
 class Offsets {
  public:
   explicit Offsets(std::string_view text) : text_(text) {
-    lines_.push_back(mark_size(text));  // a byte order mark is no column
+    lines_.push_back(byte_order_mark_size(text));  // a byte order mark is no column
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] == '\n') lines_.push_back(i + 1);
     }
@@ -146,7 +146,7 @@ const TomlEntry* TomlValue::find(std::string_view key) const {
 
 Place TomlDocument::place(Span span) const {
   Place place = place_in(file, text, span.offset, span.length);
-  const std::size_t room = place.text.size() + 1 > place.column ? place.text.size() + 1 - place.column : 1;
+  const std::size_t room = std::max<std::size_t>(place.text.size() + 1 - place.column, 1);
   place.length = std::clamp<std::size_t>(span.length, 1, room);
   return place;
 }

@@ -14,9 +14,9 @@ constexpr double kTurnProbe = 1e-4;     // of the path's unit, to difference the
 Vector3<double> linear(const AxisWords& words) { return {words[Axis::X], words[Axis::Y], words[Axis::Z]}; }
 Vector3<double> rotary(const AxisWords& words) { return {words[Axis::A], words[Axis::B], words[Axis::C]}; }
 
-// How the angular velocity changes along the path, per unit of the path squared.
-Vector3<double> turning_of_the_axis(const machine::RotationOrder& order, const Vector3<double>& abc,
-                                    const Vector3<double>& rate) {
+// Per unit of the path squared.
+Vector3<double> angular_acceleration(const machine::RotationOrder& order, const Vector3<double>& abc,
+                                     const Vector3<double>& rate) {
   const Vector3<double> step = kTurnProbe * rate;
   return (machine::angular_velocity<double>(order, abc + step, rate) -
           machine::angular_velocity<double>(order, abc - step, rate)) /
@@ -42,7 +42,7 @@ physics::Motion<double> motion_at(const machine::RotationOrder& order, double ra
   if (!environment.dynamic || !target.seconds) return motion;
   const double per_second_2 = per_second * per_second;
   motion.acceleration.v_WT = linear(target.bend) * kMm * per_second_2;
-  if (turns) motion.acceleration.w_WP = turning_of_the_axis(order, abc, rate) * per_second_2;
+  if (turns) motion.acceleration.w_WP = angular_acceleration(order, abc, rate) * per_second_2;
   return motion;
 }
 

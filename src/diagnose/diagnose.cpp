@@ -106,21 +106,16 @@ std::vector<Pick> picks_of(const Model& model) {
 // Nuisances that had to go further than [uncertainty] makes believable, a line each. Those that an effect stands for
 // are none any more.
 std::optional<Remainder> strained(const Shelf& shelf, const Model& model, const VerdictOptions& options) {
-  std::vector<bool> counts(shelf.nuisances, true);
-  for (const Pick& pick : picks_of(model)) {
-    for (const int place : pick.unknowns) {
-      if (place < static_cast<int>(shelf.nuisances)) counts[static_cast<std::size_t>(place)] = false;
-    }
-  }
+  const Taken taken = taken_by(shelf, picks_of(model), model.fit.values);
   Remainder remainder;
   for (std::size_t i = 0; i < shelf.nuisances; ++i) {
     const identify::Unknown& u = shelf.unknowns[i];
-    const double off = model.fit.values[static_cast<Eigen::Index>(i)] - u.start;
-    if (!counts[i] || std::abs(off) < options.nuisance_sigmas * u.sigma) continue;
-    remainder.snr = std::hypot(remainder.snr, off / u.sigma);
+    const double sigmas = taken.departure[static_cast<Eigen::Index>(i)];
+    if (std::abs(sigmas) < options.nuisance_sigmas) continue;
+    remainder.snr = std::hypot(remainder.snr, sigmas);
     if (!remainder.text.empty()) remainder.text += '\n';
     remainder.text += fmt::format("{} is {:.4g} {} off, {:.0f} times what [uncertainty] says of it", u.label,
-                                  off / u.unit.si, u.unit.name, std::abs(off / u.sigma));
+                                  sigmas * u.sigma / u.unit.si, u.unit.name, std::abs(sigmas));
   }
   return remainder.text.empty() ? std::nullopt : std::optional(std::move(remainder));
 }
@@ -170,10 +165,12 @@ struct Fitted {
   std::vector<double> errors;
 };
 
-// The base model with the terms of a description, its nuisances refitted beside them; without them where that leaves
-// more than before: the terms come from a linear problem.
-Fitted described(const Workbench& bench, const Model& model, const std::vector<Term>& terms,
-                 const DiagnoseOptions& options) {
+// The base model `before` with the terms of a description, its nuisances refitted beside them; without them where that
+// leaves more than before: the terms come from a linear problem.
+Fitted described(const Workbench& bench, const Model& model, const physics::ForceModel& before,
+                 const std::vector<Term>& terms, const DiagnoseOptions& options) {
+  Fitted base{before, parameter_errors(bench.shelf, before, model.base.fit)};
+  if (terms.empty()) return base;
   physics::ForceModel forces = bench.forces;
   add_terms(forces, terms);
   const Shelf shelf = make_shelf(bench.machine, forces, options.shelf);
@@ -186,8 +183,7 @@ Fitted described(const Workbench& bench, const Model& model, const std::vector<T
     }
   } catch (const Refusal&) {  // with the terms as they are, the machine falls through a singularity
   }
-  const physics::ForceModel base = bench.shelf.unknowns.at(model.base.fit.values);
-  return {base, parameter_errors(bench.shelf, base, model.base.fit)};
+  return base;
 }
 
 // What would separate the strongest effect from the others of the confidence set: rivals, refitted in its place.
@@ -284,7 +280,7 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
     left = describe(bench, before, model.base.problem, taken_by(shelf, {}, model.base.fit.values), model.base.noise,
                     options.description);
     if (!is_gap(left, options.verdict)) left.terms.clear();
-    Fitted with_terms = described(bench, model, left.terms, options);
+    Fitted with_terms = described(bench, model, before, left.terms, options);
     diagnosis.forces = std::move(with_terms.forces);
     diagnosis.errors = std::move(with_terms.errors);
   }

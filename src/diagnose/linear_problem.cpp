@@ -59,25 +59,27 @@ class ColumnMaker {
     return equations_.slopes.col(shelf_.unknowns.find(effect, key, index));
   }
 
-  // a Coulomb friction's column, each sample times exp(-(Ldot / v)^2), summed over the struts
-  Eigen::VectorXd stribeck(const Way& way) const {
+  // the columns of a key's six numbers, each sample times of(state, strut), summed over the struts
+  template <class F>
+  Eigen::VectorXd over_struts(const Way& way, std::string_view effect, std::string_view key, F&& of) const {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(equations_.residual.size());
     for (int j = 0; j < machine::kStruts; ++j) {
-      const auto fading = [&](const State& s) { return std::exp(-std::pow(s.speed[j] / way.setting, 2)); };
-      sum += slope("screw-coulomb", "force_N", j).cwiseProduct(factors(fading));
+      sum += slope(effect, key, j).cwiseProduct(factors([&](const State& s) { return of(s, j); }));
     }
     return shelf_.columns[static_cast<std::size_t>(way.carriers[0][0])].scale * sum;
   }
 
-  // an offset's column times -Ldot + tau Lddot, summed over the struts: a lag of tau, per unit. Small lags move the tip
-  // along its circle, where the bar does not see them.
+  // a Coulomb friction that fades with exp(-(Ldot / v)^2)
+  Eigen::VectorXd stribeck(const Way& way) const {
+    return over_struts(way, "screw-coulomb", "force_N",
+                       [&](const State& s, int j) { return std::exp(-std::pow(s.speed[j] / way.setting, 2)); });
+  }
+
+  // an offset of -Ldot + tau Lddot: a lag of tau, per unit. Small lags move the tip along its circle, where the bar
+  // does not see them.
   Eigen::VectorXd lag(const Way& way) const {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(equations_.residual.size());
-    for (int j = 0; j < machine::kStruts; ++j) {
-      const auto behind = [&](const State& s) { return way.setting * s.acceleration[j] - s.speed[j]; };
-      sum += slope("strut-offset", "length_um", j).cwiseProduct(factors(behind));
-    }
-    return shelf_.columns[static_cast<std::size_t>(way.carriers[0][0])].scale * sum;
+    return over_struts(way, "strut-offset", "length_um",
+                       [&](const State& s, int j) { return way.setting * s.acceleration[j] - s.speed[j]; });
   }
 
   // an offset's column times sin or cos of 2 pi L / lead

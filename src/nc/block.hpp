@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/characters.hpp"
+
 namespace plumbline::nc {
 
 /// Bytes [begin, end) of a block's text.
@@ -185,8 +187,7 @@ struct Block {
 
 /// Bytes at the begin of the block that are the file's byte order mark: 3 or 0.
 inline std::size_t byte_order_mark_size(const Block& block) {
-  constexpr std::string_view kMark = "\xEF\xBB\xBF";
-  return block.offset == 0 && block.text.starts_with(kMark) ? kMark.size() : 0;
+  return block.offset == 0 ? plumbline::byte_order_mark_size(block.text) : 0;
 }
 
 /// The first word of that letter (upper case); null if there is none.

@@ -24,9 +24,9 @@ bool is_short(const InputFile& source, const nc::Dialect& dialect) {
   int motions = 0;
   const bool whole = fuzz::is_taken([&] {
     nc::Program program(source, dialect, fuzz::everything_known());
-    while (const nc::Step* step = program.next()) {
+    while (const nc::Step* step = is_short ? program.next() : nullptr) {
       motions += static_cast<int>(step->motions.size());
-      is_short = is_short && motions < kMostMotions;
+      is_short = motions < kMostMotions;
       for (const nc::Motion& motion : step->motions) {
         is_short = is_short && std::abs(motion.arc.turns) < 20;
         for (const Axis axis : kAllAxes) is_short = is_short && std::abs(motion.to[axis]) < 1e4;
