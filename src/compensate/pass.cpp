@@ -69,6 +69,12 @@ bool Pass::run(const Progress& progress) {
 
 // Unrolled, lines that steer are left out, and what depends on parameters is written out.
 void Pass::take(const nc::Step& step) {
+  if (nc::dwells_first(step) && step.role == nc::BlockRole::plain && step.cycle == nc::CycleForm::none) {
+    note_dwell(step.motions.front());
+    nc::Step move = step;
+    move.motions = step.motions.subspan(1);
+    return take(move);
+  }
   take_tool(step);
   if (form_ == nc::Form::in_text_order) return process(step);
   if (step.flow && !step.motions.empty()) {
@@ -187,8 +193,7 @@ void Pass::pass(const nc::Step& step) {
   emitter_.copy(step);
   for (const nc::Motion& motion : step.motions) {
     if (motion.kind == nc::MotionKind::dwell) {
-      summary_.seconds_before += motion.dwell_s;
-      summary_.seconds_after += motion.dwell_s;
+      note_dwell(motion);
     } else {
       ++summary_.passed_moves;
     }

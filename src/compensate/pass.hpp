@@ -52,6 +52,7 @@ class Pass {
   void find_points(const nc::Step& step);
   nc::EmittedMove write_move(const nc::Step& step, std::optional<double> duration);
   void note_cycle(const nc::Step& step);
+  void note_dwell(const nc::Motion& dwell);
   void set_touch_off();
   void take_tool(const nc::Step& step);
   void warn_of_massless_tool(const nc::Step& step, int tool);

@@ -20,6 +20,11 @@ constexpr double kLeastDriftMm = 1e-5;  // in an hour
 
 }  // namespace
 
+void Pass::note_dwell(const nc::Motion& dwell) {
+  summary_.seconds_before += dwell.dwell_s;
+  summary_.seconds_after += dwell.dwell_s;
+}
+
 // What pieces longer than the steps cost: how far the middle of each lies from where it should be commanded.
 void Pass::note_widened(const nc::Step& step, const path::Curve& curve, std::optional<double> seconds) {
   const std::size_t line = step.block->line;

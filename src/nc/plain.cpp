@@ -191,7 +191,8 @@ std::span<const Step* const> PlainSteps::moves(const Step& step) {
   if (step.cycle == CycleForm::spindle) {
     for (const Hole& hole : step.holes) add_hole(step, hole);
   } else {
-    for (const Motion& motion : step.motions) add_move(step, motion);
+    const std::size_t waits = dwells_first(step) ? 1 : 0;  // which the rest of the block does
+    for (const Motion& motion : step.motions.subspan(waits)) add_move(step, motion);
   }
   add_words_behind(step);
   if (list_.empty()) return list_;
@@ -233,6 +234,10 @@ void PlainSteps::add_rest(const Step& step) {
   own.before = *step.before;
   own.after.motion = step.before->motion;
   own.step.changes_tool = step.changes_tool;
+  if (dwells_first(step)) {
+    own.motion = step.motions.front();
+    own.step.motions = {&own.motion, 1};
+  }
   parse(own, step);
   add(own);
 }
@@ -297,7 +302,10 @@ void PlainSteps::add_move(const Step& step, const Motion& motion) {
 
 // The way to above the hole, then a cycle of its own with every word stated, absolute.
 void PlainSteps::add_hole(const Step& step, const Hole& hole) {
-  for (std::size_t i = hole.approach_begin; i < hole.approach_end; ++i) add_move(step, step.motions[i]);
+  const std::size_t waits = dwells_first(step) ? 1 : 0;  // which the rest of the block does
+  for (std::size_t i = std::max(hole.approach_begin, waits); i < hole.approach_end; ++i) {
+    add_move(step, step.motions[i]);
+  }
   const PlaneAxes axes = axes_of(step.after->plane);
   const Motion& above = step.motions[hole.approach_end - 1];
   if (!step.after->retract_to_r && above.to[axes.third] < hole.clear) {

@@ -126,10 +126,16 @@ const Step* Program::Parts::execute() {
   return &step;
 }
 
-// Null: the O word is left out, for block delete or as part of what is skipped.
+// Null: the O word is part of what is skipped.
 const Step* Program::Parts::steer() {
   interpreter.pass(block);
-  if (block.block_delete && interpreter.deleted(block)) return nullptr;
+  if (block.block_delete && interpreter.deleted(block)) {
+    if (flow.skipping()) return nullptr;
+    Step& left_out = interpreter.step();
+    left_out.skipped = true;
+    left_out.jumped = flow.used();
+    return &left_out;
+  }
   if (!flow.take(block)) return nullptr;
   if (flow.ended()) behind_end = true;
   Step& step = interpreter.step();

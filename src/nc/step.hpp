@@ -88,4 +88,9 @@ struct Step {
   bool loses_position = false;   // M0, M6, user M code, G28...: some axis may stand elsewhere now
 };
 
+/// G4 P1 X5: the control waits, then moves; the wait is the first of the motions.
+inline bool dwells_first(const Step& step) {
+  return step.motions.size() > 1 && step.motions.front().kind == MotionKind::dwell;
+}
+
 }  // namespace plumbline::nc

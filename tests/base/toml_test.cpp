@@ -66,9 +66,9 @@ TEST_CASE("keys and values of one line are found in any order") {
 }
 
 TEST_CASE("characters that are not ASCII stand in quotes and comments, and are refused elsewhere") {
-  for (const char* text :
-       {"a = \"\xc3\xa4\"", "a = '\xc3\xa4\\' # \xc3\xa4", "a = \"\\\"\xc3\xa4\"", "\"\xc3\xa4\" = 1",
-        "a = \"\"\"\xc3\xa4\n\"\xc3\xa4\"\"\"\"\nb = 1", "a = \'\'\'\n\xc3\xa4\'\'\' # \xc3\xa4\n"}) {
+  for (const char* text : {"a = \"\xc3\xa4\"", "a = '\xc3\xa4\\' # \xc3\xa4", "a = \"\\\"\xc3\xa4\"",
+                           "\"\xc3\xa4\" = 1", "a = \"\"\"\xc3\xa4\n\"\xc3\xa4\"\"\"\"\nb = 1",
+                           "a = \'\'\'\n\xc3\xa4\'\'\' # \xc3\xa4\n", "a = \"\"\"x \\\n  \xc3\xa4\"\"\"\n"}) {
     INFO(text);
     CHECK(parse_toml(text, "m.toml").root.entries.size() >= 1);
   }
@@ -77,7 +77,8 @@ TEST_CASE("characters that are not ASCII stand in quotes and comments, and are r
                  "2\n") == std::pair<std::size_t, std::size_t>(2, 4));
   CHECK(place_of("\xc3\xa4 = 1\n") == std::pair<std::size_t, std::size_t>(1, 1));
   CHECK(place_of("a = \"\"\"x\"\"\" \xd4\xa4") == std::pair<std::size_t, std::size_t>(1, 13));
-  CHECK(place_of("a = \"open\n\xd4\xa4") == std::pair<std::size_t, std::size_t>(2, 1));
+  CHECK(place_of("a = \"open\n\xd4\xa4") == std::pair<std::size_t, std::size_t>(1, 10));
+  CHECK(place_of("a = \"\"\"\\\xc6\xad\"\"\"") == std::pair<std::size_t, std::size_t>(1, 9));
 }
 
 TEST_CASE("what is no TOML is refused where it stands") {

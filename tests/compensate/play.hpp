@@ -110,6 +110,21 @@ inline std::vector<Move> moves_of(const std::string& text, const nc::ProgramSett
   return moves;
 }
 
+/// Seconds of each wait.
+inline std::vector<double> dwells_of(const std::string& text, const Job& job) {
+  const Folder folder;
+  write_text(folder / "again.ngc", text);
+  const InputFile source(folder / "again.ngc");
+  nc::Program program(source, nc::dialect(job.dialect), job.program);
+  std::vector<double> dwells;
+  while (const nc::Step* step = program.next()) {
+    for (const nc::Motion& m : step->motions) {
+      if (m.kind == nc::MotionKind::dwell) dwells.push_back(m.dwell_s);
+    }
+  }
+  return dwells;
+}
+
 inline double tip_distance(const AxisWords& a, const AxisWords& b) {
   const AxisWords d = a - b;
   return std::hypot(d[Axis::X], d[Axis::Y], d[Axis::Z]);

@@ -149,6 +149,7 @@ class RandomProgram {
   std::string block() {
     if (flows_ && chance(0.2)) return flow();
     const double kind = uniform(0, 1);
+    if (kind < 0.03) return "G4 P0.1 G1" + some_axes(0.4, 0.2) + feed();
     if (kind < 0.45) return "G1" + some_axes(0.4, 0.2) + feed();
     if (kind < 0.55) return "G1" + some_axes(0.0, 0.4) + feed();
     if (kind < 0.63) return "G0" + some_axes(0.3, 0.1);

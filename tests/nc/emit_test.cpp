@@ -193,6 +193,9 @@ TEST_CASE("block delete: the choice is applied") {
   CHECK(rewrite("/G0 X5\nG0 X1\n/G0 X6\n", how) ==
         "(stamped)\n(block delete is on: this block was left out)\nG0 X1 Z0.01\n(block delete is on: this block was "
         "left out)\n");
+  CHECK(rewrite("G0 X1\n/ O9\n/O1 sub\n", how) ==
+        "(stamped)\nG0 X1 Z0.01\n(block delete is on: this block was left out)\n(block delete is on: this block was "
+        "left out)\n");
   how.program.block_delete = false;
   CHECK(rewrite("G0 X1\n/G0 X6\n/(note)\n", how) == "(stamped)\nG0 X1 Z0.01\nG0 X6\n/(note)\n");
 }
