@@ -57,7 +57,8 @@ BlockCodes CodeWriter::codes_of(const Block& block) const {
     const CodeRow* row = row_of(word);
     if (row == nullptr) continue;
     if (word.letter != 'M' && row->order != Order::after_motion) {
-      if (row->group == kMotionGroup) codes.motion = &word;
+      const bool gives_way = row->action == Action::motion_off && codes.motion != nullptr;  // G80 beside G3
+      if (row->group == kMotionGroup && !gives_way) codes.motion = &word;
       if (row->group == kFeedModeGroup) codes.feed_mode = &word;
       if (row->group == kPathControlGroup) codes.path_control = &word;
       if (row->group != kMotionGroup && row->takes_axes) codes.axis_taker = &word;

@@ -93,6 +93,17 @@ TEST_CASE("a dwell in the block of a move waits once, and the move is corrected"
   CHECK(play(arcs, run(arcs, job).text, job).at_points_um <= 0.15);
 }
 
+TEST_CASE("G80 gives way to the other motion code of its block") {
+  Job job;
+  job.settings.friction = false;
+  for (const char* const block : {"G3 I-2 G80", "G80 G3 I-2", "G80 G1 X5", "G0 X5 G80"}) {
+    const std::string text = std::string("G21 G90 G17 F600\nG0 X10 Y0 Z10 A0 B0 C0\n") + block + "\nM2\n";
+    const Result result = run(text, job);
+    INFO(result.text);
+    CHECK(play(text, result.text, job).at_points_um <= 0.15);
+  }
+}
+
 TEST_CASE("inch programs come out as well") {
   Job job;
   job.settings.friction = false;
