@@ -82,6 +82,7 @@ Json hidden_json(const Hidden& hidden, const Machine& is, const Machine& believe
   if (look_alikes) {
     effect["outside"] = hidden.beyond_all;
     effect["beyond_others"] = hidden.beyond_others;
+    effect["beyond_two"] = hidden.beyond_two;
     for (const auto& [name, left] : hidden.nearest) effect["nearest"].push_back({name, left});
   }
   effect["parameters"] = numbers_of(hidden.flaws, hidden.name);

@@ -76,7 +76,7 @@ void look_around(const Strength& strength, const Machine& machine, Hidden& hidde
   double own = hidden.snr;
   for (const auto& shelf : {first_shelf(), second_shelf()}) {
     for (const std::string& name : shelf) {
-      const double left = strength.beyond(trace, name);
+      const double left = strength.beyond(trace, {name});
       if (name == hidden.name) {
         own = left;
       } else {
@@ -88,6 +88,12 @@ void look_around(const Strength& strength, const Machine& machine, Hidden& hidde
             [](const auto& a, const auto& b) { return a.second < b.second; });
   hidden.beyond_others = hidden.nearest.front().second;
   hidden.beyond_all = std::min(own, hidden.beyond_others);
+  hidden.beyond_two = hidden.beyond_others;
+  for (const auto& [one, alone] : hidden.nearest) {
+    for (const auto& [other, more] : hidden.nearest) {
+      if (one < other) hidden.beyond_two = std::min(hidden.beyond_two, strength.beyond(trace, {one, other}));
+    }
+  }
   hidden.nearest.resize(4);
 }
 

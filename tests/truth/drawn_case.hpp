@@ -33,6 +33,7 @@ struct Hidden {
   double snr = 0;
   double beyond_all = 0;                                // what no effect of the catalogue imitates
   double beyond_others = 0;                             // what none but itself does
+  double beyond_two = 0;                                // what no two others do together
   std::vector<std::pair<std::string, double>> nearest;  // other effects and what they leave, best first
 };
 

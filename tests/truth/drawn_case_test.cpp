@@ -106,8 +106,20 @@ TEST_CASE("what is no more than a nuisance shows by its prior alone, however goo
   const truth::Column trace = strength.trace(model.machine, flaws);
   CHECK(trace.norm() > 500);
   CHECK(strength.snr(trace) == Approx(10).epsilon(0.02));
-  CHECK(strength.beyond(trace, "screw-coulomb") < 0.1);
+  CHECK(strength.beyond(trace, {"screw-coulomb"}) < 0.1);
   CHECK(strength.snr(3 * trace) == Approx(3 * strength.snr(trace)));
+}
+
+TEST_CASE("two effects may do together what neither does alone") {
+  const truth::Model model = truth::read_model(source_path("tests/truth/machines/pm.toml"));
+  const truth::Strength strength(model, truth::paper(40));
+  truth::Flaws flaws;
+  flaws.payload = 3;
+  const truth::Column trace = strength.trace(model.machine, flaws);
+  CHECK(strength.beyond(trace, {"payload"}) < 0.1);
+  CHECK(strength.beyond(trace, {"platform-mass"}) > 1);
+  CHECK(strength.beyond(trace, {"centre-of-mass"}) > 1);
+  CHECK(strength.beyond(trace, {"platform-mass", "centre-of-mass"}) < 0.1);
 }
 
 TEST_CASE("friction that remembers turns over some micrometres of travel after a reversal") {

@@ -119,32 +119,47 @@ Column Strength::trace(const Machine& machine, const Flaws& flaws) const {
 }
 
 // min over n of |s - J n|^2 + |n|^2 = s.(s - J (J^T J + 1)^-1 J^T s)
-Column Strength::left_by_nuisances(const Column& trace) const {
-  return trace - nuisances_ * normal_.solve(nuisances_.transpose() * trace);
+Eigen::MatrixXd Strength::left_by_nuisances(const Eigen::MatrixXd& columns) const {
+  return columns - nuisances_ * normal_.solve(nuisances_.transpose() * columns);
 }
 
-double Strength::snr(const Column& trace) const {
-  return std::sqrt(std::max(0.0, trace.dot(left_by_nuisances(trace))));
-}
+double Strength::snr(const Column& trace) const { return beyond(trace, {}); }
 
-const Eigen::MatrixXd& Strength::slopes_of(const std::string& effect) const {
-  Eigen::MatrixXd& slopes = effects_[effect];
-  if (slopes.size() > 0) return slopes;
+const Strength::Reach& Strength::reach_of(const std::string& effect) const {
+  Reach& reach = reaches_[effect];
+  if (reach.slopes.size() > 0) return reach;
   const std::vector<Flaws> ways = directions(effect);
-  slopes.resize(rows_, static_cast<Eigen::Index>(ways.size()));
+  reach.slopes.resize(rows_, static_cast<Eigen::Index>(ways.size()));
   for (std::size_t k = 0; k < ways.size(); ++k) {
-    slopes.col(static_cast<Eigen::Index>(k)) = slope({model_.machine, ways[k]});
+    reach.slopes.col(static_cast<Eigen::Index>(k)) = slope({model_.machine, ways[k]});
   }
-  return slopes;
+  reach.left = left_by_nuisances(reach.slopes);
+  return reach;
 }
 
-double Strength::beyond(const Column& trace, const std::string& effect) const {
-  const Eigen::MatrixXd& slopes = slopes_of(effect);
-  const Eigen::MatrixXd left = slopes - nuisances_ * normal_.solve(nuisances_.transpose() * slopes);
-  const Eigen::VectorXd seen = left.transpose() * trace;
-  const Eigen::MatrixXd normal = slopes.transpose() * left;
-  const Eigen::VectorXd by = normal.completeOrthogonalDecomposition().solve(seen);
-  return std::sqrt(std::max(0.0, trace.dot(left_by_nuisances(trace)) - seen.dot(by)));
+double Strength::beyond(const Column& trace, const std::vector<std::string>& effects) const {
+  std::vector<const Reach*> reaches;
+  Eigen::Index count = 0;
+  for (const std::string& effect : effects) {
+    reaches.push_back(&reach_of(effect));
+    count += reaches.back()->slopes.cols();
+  }
+  const Column left = left_by_nuisances(trace);
+  Eigen::VectorXd seen(count);
+  Eigen::MatrixXd normal(count, count);
+  Eigen::Index row = 0;
+  for (const Reach* one : reaches) {
+    const Eigen::Index rows = one->slopes.cols();
+    seen.segment(row, rows) = one->slopes.transpose() * left;
+    Eigen::Index col = 0;
+    for (const Reach* other : reaches) {
+      normal.block(row, col, rows, other->slopes.cols()) = one->slopes.transpose() * other->left;
+      col += other->slopes.cols();
+    }
+    row += rows;
+  }
+  const double taken = count == 0 ? 0 : seen.dot(normal.completeOrthogonalDecomposition().solve(seen));
+  return std::sqrt(std::max(0.0, trace.dot(left) - taken));
 }
 
 }  // namespace truth

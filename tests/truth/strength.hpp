@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include <Eigen/Cholesky>
 
@@ -30,8 +31,8 @@ class Strength {
   Column trace(const Machine& machine, const Flaws& flaws) const;
   /// sqrt(min over the nuisances of |trace - J n|^2 + |n / sigma|^2)
   double snr(const Column& trace) const;
-  /// The same, with an effect of the catalogue free besides, linear in its parameters.
-  double beyond(const Column& trace, const std::string& effect) const;
+  /// The same, with effects of the catalogue free besides, linear in their parameters.
+  double beyond(const Column& trace, const std::vector<std::string>& effects) const;
 
  private:
   struct Run {
@@ -40,10 +41,15 @@ class Strength {
     Eigen::MatrixX4d setup;  // what ball and bar change in the radial readings, orthonormal
   };
 
+  struct Reach {
+    Eigen::MatrixXd slopes;  // of the readings, by what the effect can do
+    Eigen::MatrixXd left;    // by the nuisances, of them
+  };
+
   Column slope(const Truth& changed) const;
   Column finished(const Column& raw) const;
-  const Eigen::MatrixXd& slopes_of(const std::string& effect) const;
-  Column left_by_nuisances(const Column& trace) const;
+  const Reach& reach_of(const std::string& effect) const;
+  Eigen::MatrixXd left_by_nuisances(const Eigen::MatrixXd& columns) const;
 
   Truth model_;
   Floor floor_;
@@ -51,7 +57,7 @@ class Strength {
   Eigen::Index rows_ = 0;
   Eigen::MatrixXd nuisances_;  // each times its sigma
   Eigen::LLT<Eigen::MatrixXd> normal_;
-  mutable std::map<std::string, Eigen::MatrixXd> effects_;
+  mutable std::map<std::string, Reach> reaches_;
 };
 
 }  // namespace truth
