@@ -20,6 +20,10 @@ struct MeanSquare {
     sum += values.squaredNorm();
     count += values.size();
   }
+  void add(const MeanSquare& other) {
+    sum += other.sum;
+    count += other.count;
+  }
   /// Zero of no numbers.
   double root() const { return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0; }
 };

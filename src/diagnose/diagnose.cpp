@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
-#include "base/mean_square.hpp"
+#include "diagnose/doubt.hpp"
 #include "diagnose/verdict.hpp"
 #include "physics/generic_formula.hpp"
 
@@ -30,17 +30,14 @@ std::vector<RunEquations> residuals(const machine::MachineModel& machine, const 
 }
 
 Rms rms_of(const std::vector<RunEquations>& runs, const std::vector<bool>& out, bool held_out) {
-  MeanSquare radial;
-  MeanSquare torque;
+  Left all;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (out[i] != held_out) continue;
-    for (std::size_t c = 0; c < runs[i].channels.size(); ++c) {
-      const auto first = static_cast<Eigen::Index>(c) * runs[i].samples;
-      (runs[i].channels[c] == identify::kRadial ? radial : torque)
-          .add(runs[i].residual.segment(first, runs[i].samples));
-    }
+    const Left left = left_of(runs[i]);
+    all.radial.add(left.radial);
+    all.torque.add(left.torque);
   }
-  return {rms_if_any(radial), rms_if_any(torque)};
+  return {rms_if_any(all.radial), rms_if_any(all.torque)};
 }
 
 std::optional<Circularity> circularity_of(const machine::MachineModel& machine, const Run& run,
@@ -120,19 +117,68 @@ std::optional<Remainder> strained(const Shelf& shelf, const Model& model, const 
   return remainder.text.empty() ? std::nullopt : std::optional(std::move(remainder));
 }
 
+std::optional<Remainder> remainder_of(const Recurs& recurs) {
+  Remainder remainder;
+  const auto add = [&](std::string_view what, const std::optional<Recurring>& of) {
+    if (!of) return;
+    remainder.snr = std::hypot(remainder.snr, of->sigmas);
+    if (!remainder.text.empty()) remainder.text += '\n';
+    remainder.text += fmt::format(
+        "what is left of {} is no noise: in runs at one pose that differ by {} alone it is {}, with a "
+        "correlation of {:.2f}",
+        what, of->by, of->correlation > 0 ? "alike" : "opposite", of->correlation);
+  };
+  add("the readings of the bar", recurs.radial);
+  add("the torques", recurs.torque);
+  return remainder.text.empty() ? std::nullopt : std::optional(std::move(remainder));
+}
+
+// What comes again was taken for noise.
+identify::NoiseModel without_what_recurs(identify::NoiseModel noise, const Recurs& recurs) {
+  for (int c = 0; c < identify::kChannels; ++c) {
+    const std::optional<Recurring>& of = c == identify::kRadial ? recurs.radial : recurs.torque;
+    if (of) noise.channels.at(static_cast<std::size_t>(c)).sigma *= std::sqrt(1 - std::abs(of->correlation));
+  }
+  return noise;
+}
+
 bool is_gap(const Description& left, const VerdictOptions& options) {
   return left.gain >= options.remainder_gain && !left.terms.empty();
 }
 
-// Whether what the effects leave is too much for their names to be the whole story.
-Verdict verdict_of(const Model& model, const Description& left, bool is_strained, const VerdictOptions& options) {
-  const bool gap = is_gap(left, options);
-  if (model.found.empty()) return gap || is_strained ? Verdict::unknown : Verdict::nothing_missing;
-  if (model.one_more) return Verdict::unknown;
+std::string names_of(const Model& model) {
+  std::string text;
+  for (const Found& found : model.found) text += (text.empty() ? "" : " and ") + found.pick.candidate->name;
+  return text;
+}
+
+// Why the effects found, which leave `after`, cannot be the whole story; empty if they can.
+std::string doubt_about(const Model& model, const Description& left, const std::vector<RunEquations>& after,
+                        const std::vector<bool>& out, const VerdictOptions& options) {
+  if (model.found.empty()) return {};
+  const std::string names = names_of(model);
+  if (model.one_more) return fmt::format("{} are not enough: one more effect would pass the threshold", names);
   double explained = 0;
   for (const Found& found : model.found) explained += 2 * found.log_odds;
-  const bool much = left.gain > options.remainder_most && left.gain > options.remainder_share * explained;
-  return gap && much ? Verdict::unknown : Verdict::named;
+  if (is_gap(left, options) && left.gain > std::max(options.remainder_most, options.remainder_share * explained)) {
+    return fmt::format("{} would leave too much: {:.0f} times the noise in all", names, std::sqrt(left.gain));
+  }
+  std::string doubt;
+  const auto look = [&](std::string_view what, MeanSquare Left::*kind) {
+    if (const std::optional<double> times = not_foretold(after, out, kind, options)) {
+      doubt = fmt::format("{} would explain the runs fitted, but {} of the runs held out are {:.1f} times as far off",
+                          names, what, *times);
+    }
+  };
+  look("the torques", &Left::torque);
+  look("the readings of the bar", &Left::radial);
+  return doubt;
+}
+
+Verdict verdict_of(const Model& model, const Diagnosis& so_far, const Description& left,
+                   const VerdictOptions& options) {
+  if (!model.found.empty()) return so_far.doubt.empty() ? Verdict::named : Verdict::unknown;
+  return is_gap(left, options) || so_far.remainder ? Verdict::unknown : Verdict::nothing_missing;
 }
 
 std::vector<Evidence> evidence_of(const Model& model) {
@@ -159,31 +205,63 @@ std::vector<double> parameter_errors(const Shelf& shelf, const physics::ForceMod
   return errors;
 }
 
+// The base model where what comes again counts as no noise.
+Footing footing_for(const Workbench& bench, const Model& model, const Recurs& recurs, const DiagnoseOptions& options) {
+  if (!recurs.radial && !recurs.torque) return model.base;
+  Footing footing = model.base;
+  footing.noise = without_what_recurs(model.base.noise, recurs);
+  footing.fit = refit(bench, {}, model.base.fit.values, footing.noise, options.search.refit);
+  footing.problem = linearise(bench.machine.rotation, bench.runs, bench.shelf, footing.fit.values, footing.noise);
+  return footing;
+}
+
 // A model that was fitted, and the standard errors of its parameters.
 struct Fitted {
   physics::ForceModel forces;
   std::vector<double> errors;
 };
 
-// The base model `before` with the terms of a description, its nuisances refitted beside them; without them where that
-// leaves more than before: the terms come from a linear problem.
-Fitted described(const Workbench& bench, const Model& model, const physics::ForceModel& before,
-                 const std::vector<Term>& terms, const DiagnoseOptions& options) {
-  Fitted base{before, parameter_errors(bench.shelf, before, model.base.fit)};
+// The base model with the terms of a description, its nuisances refitted beside them; without them where that leaves
+// more than before: the terms come from a linear problem.
+Fitted described(const Workbench& bench, const Footing& footing, const std::vector<Term>& terms,
+                 const DiagnoseOptions& options) {
+  const physics::ForceModel before = bench.shelf.unknowns.at(footing.fit.values);
+  Fitted base{before, parameter_errors(bench.shelf, before, footing.fit)};
   if (terms.empty()) return base;
   physics::ForceModel forces = bench.forces;
   add_terms(forces, terms);
   const Shelf shelf = make_shelf(bench.machine, forces, options.shelf);
   try {
-    const Refit fit = refit({bench.machine, forces, bench.runs, shelf}, {}, model.base.fit.values, model.base.noise,
-                            options.search.refit);
-    if (fit.misfit < model.base.fit.misfit) {
+    const Refit fit =
+        refit({bench.machine, forces, bench.runs, shelf}, {}, footing.fit.values, footing.noise, options.search.refit);
+    if (fit.misfit < footing.fit.misfit) {
       const physics::ForceModel fitted = shelf.unknowns.at(fit.values);
       return {fitted, parameter_errors(shelf, fitted, fit)};
     }
   } catch (const Refusal&) {  // with the terms as they are, the machine falls through a singularity
   }
   return base;
+}
+
+Description describe_base(const Workbench& bench, const Footing& footing, const DiagnoseOptions& options) {
+  return describe(bench, bench.shelf.unknowns.at(footing.fit.values), footing.problem,
+                  taken_by(bench.shelf, {}, footing.fit.values), footing.noise, options.description);
+}
+
+// How far off the runs held out are, in units of the noise, squared.
+double held_out_misfit(const machine::MachineModel& machine, const std::vector<Run>& runs, const std::vector<bool>& out,
+                       const physics::ForceModel& forces, const identify::NoiseModel& noise) {
+  std::vector<Run> held_out;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (out[i]) held_out.push_back(runs[i]);
+  }
+  double misfit = 0;
+  for (const RunEquations& run : residuals(machine, held_out, forces, noise)) {
+    const Left left = left_of(run);
+    misfit += left.radial.sum / std::pow(noise.channels[identify::kRadial].sigma, 2) +
+              left.torque.sum / std::pow(noise.channels[identify::kRadial + 1].sigma, 2);
+  }
+  return misfit;
 }
 
 // What would separate the strongest effect from the others of the confidence set: rivals, refitted in its place.
@@ -251,9 +329,14 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
 
   if (model.found.size() > 1) tell(fmt::format("resemblance of the two: {:.3f}", resemblance(bench, model, 0, 1)));
 
+  const std::vector<RunEquations> after = residuals(machine, runs, with, model.noise);
+  const Recurs recurs = recurring(contrasts_of(runs, after), options.verdict);
   Diagnosis diagnosis(with);
   diagnosis.remainder = strained(shelf, model, options.verdict);
-  diagnosis.verdict = verdict_of(model, left, diagnosis.remainder.has_value(), options.verdict);
+  if (!diagnosis.remainder) diagnosis.remainder = remainder_of(recurs);
+  diagnosis.doubt = doubt_about(model, left, after, out, options.verdict);
+  if (!diagnosis.doubt.empty()) tell("doubt: " + diagnosis.doubt);
+  diagnosis.verdict = verdict_of(model, diagnosis, left, options.verdict);
   diagnosis.noise = model.noise;
   diagnosis.threshold = model.threshold;
   diagnosis.converged = model.fit.converged;
@@ -277,10 +360,20 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
     diagnosis.next = separations_of(bench, model, diagnosis, options.next_test);
   } else if (diagnosis.verdict == Verdict::unknown) {
     // described as it stands beside the base model: no effect of the catalogue is believed
-    left = describe(bench, before, model.base.problem, taken_by(shelf, {}, model.base.fit.values), model.base.noise,
-                    options.description);
+    Footing footing = model.base;
+    left = describe_base(bench, footing, options);
+    if (!is_gap(left, options.verdict)) {
+      const auto of_base = residuals(machine, runs, before, model.noise);
+      footing = footing_for(bench, model, recurring(contrasts_of(runs, of_base), options.verdict), options);
+      left = describe_base(bench, footing, options);
+    }
     if (!is_gap(left, options.verdict)) left.terms.clear();
-    Fitted with_terms = described(bench, model, before, left.terms, options);
+    Fitted with_terms = described(bench, footing, left.terms, options);
+    if (held_out_misfit(machine, runs, out, with_terms.forces, model.noise) >
+        held_out_misfit(machine, runs, out, before, model.noise)) {
+      with_terms = described(bench, model.base, {}, options);
+      if (diagnosis.remainder) left.terms.clear();  // it says enough
+    }
     diagnosis.forces = std::move(with_terms.forces);
     diagnosis.errors = std::move(with_terms.errors);
   }

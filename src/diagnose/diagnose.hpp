@@ -18,11 +18,16 @@ namespace plumbline::diagnose {
 struct VerdictOptions {
   double within_nats = 6;  // an effect that is that much less likely than the best one is not ruled out
   double as_strong = 0.7;  // share of the strongest one's log odds from which a second effect may be the strongest
-  double same_signature = 0.9999;  // |cos| from which no data of the plan tell two effects apart
-  double remainder_gain = 60;      // misfit that a description must take away to count as a gap
-  double remainder_share = 0.04;   // of what the effects explain; a remainder above that and
-  double remainder_most = 150;     // above that makes the verdict unknown
-  double nuisance_sigmas = 6;      // a nuisance further off than that is no nuisance
+  double same_signature = 0.9999;    // |cos| from which no data of the plan tell two effects apart
+  double remainder_gain = 60;        // misfit that a description must take away to count as a gap
+  double remainder_share = 0.04;     // of what the effects explain; a remainder above that and
+  double remainder_most = 150;       // above that makes the verdict unknown
+  double nuisance_sigmas = 6;        // a nuisance further off than that is no nuisance
+  double held_out_times = 1.35;      // as far off as the runs fitted may those held out be, and that
+  double held_out_sigmas = 3;        // many standard deviations of single runs
+  double recurrence_sigmas = 5;      // of chi-square, from which what is left in runs at one pose is no noise
+  double least_recurring_um = 0.02;  // rms; less than that is rounding
+  double least_recurring_Nm = 1e-3;
 };
 
 struct DiagnoseOptions {
@@ -114,6 +119,7 @@ struct Diagnosis {
   std::vector<Evidence> evidence;  // all effects of the catalogue in the place of the strongest, best first
   std::string runner_up;           // empty: none
   double threshold = 0;            // nats
+  std::string doubt;               // unknown: why effects that were found are not believed; empty: none was found
   std::optional<Remainder> remainder;
   std::vector<Separation> next;  // for each other effect of the confidence set
   identify::NoiseModel noise;

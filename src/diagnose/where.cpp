@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <numbers>
 #include <optional>
@@ -37,15 +38,11 @@ std::optional<Eigen::VectorXd> channel_of(const RunEquations& run, int channel) 
 
 double within_turn(double angle) { return angle - kTurn * std::floor(angle / kTurn); }
 
-// rms of the wave of one order: sqrt(a^2 / 2), a its amplitude
-double wave_of(const Eigen::VectorXd& e, const std::vector<double>& angle, int order) {
-  double c = 0;
-  double s = 0;
-  for (Eigen::Index i = 0; i < e.size(); ++i) {
-    c += e[i] * std::cos(order * angle[static_cast<std::size_t>(i)]);
-    s += e[i] * std::sin(order * angle[static_cast<std::size_t>(i)]);
-  }
-  return std::sqrt(2 * (c * c + s * s)) / static_cast<double>(e.size());
+// Amplitude and phase of the wave of one order: a exp(i phase) / 2.
+std::complex<double> wave_of(const Eigen::VectorXd& e, const std::vector<double>& angle, int order) {
+  std::complex<double> sum = 0;
+  for (Eigen::Index i = 0; i < e.size(); ++i) sum += e[i] * std::polar(1.0, order * angle[static_cast<std::size_t>(i)]);
+  return sum / static_cast<double>(e.size());
 }
 
 ChannelWhere around_the_circle(const std::vector<Run>& runs, const std::vector<RunEquations>& residuals, int channel,
@@ -66,7 +63,7 @@ ChannelWhere around_the_circle(const std::vector<Run>& runs, const std::vector<R
     const auto n = static_cast<double>(e->size());
     for (int k = 0; k < kWaves; ++k) {
       const auto place = static_cast<std::size_t>(k);
-      waves.at(place).add(wave_of(*e, runs[r].angle, k + 1));
+      waves.at(place).add(std::numbers::sqrt2 * std::abs(wave_of(*e, runs[r].angle, k + 1)));
       floors.at(place).add(std::sqrt(2 / n * noise_power(noise, (k + 1) / n)));
     }
   }
@@ -113,11 +110,53 @@ bool differ_by(const std::string& by, const Run& a, const Run& b) {
   return !direction && !feed && !payload && a.start != b.start;
 }
 
+// Gathers what the waves of one channel and order have in common, pair by pair.
+struct CommonWave {
+  double common = 0;    // Re(a conj b)
+  double squares = 0;   // |a b|^2
+  double products = 0;  // |a b|
+
+  void add(std::complex<double> a, std::complex<double> b) {
+    common += (a * std::conj(b)).real();
+    squares += std::norm(a) * std::norm(b);
+    products += std::abs(a) * std::abs(b);
+  }
+};
+
+// The set-up takes the wave of order 1 of the bar.
+constexpr int first_order(int channel) { return channel == kRadial ? 2 : 1; }
+
+// On less than a circle waves of different orders are no different waves.
+bool goes_round(const Run& run) {
+  const auto [least, most] = std::minmax_element(run.angle.begin(), run.angle.end());
+  return run.samples() > 2 * kWaves && *most - *least > kTurn * 11 / 12;
+}
+
+using CommonWaves = std::array<std::array<CommonWave, kWaves>, identify::kChannels>;
+
+Recurrence recurrence_of(const CommonWaves& waves, int first_channel, int last_channel) {
+  Recurrence recurrence;
+  double common = 0;
+  double products = 0;
+  for (int channel = first_channel; channel <= last_channel; ++channel) {
+    for (const CommonWave& wave : waves.at(static_cast<std::size_t>(channel))) {
+      if (!(wave.squares > 0)) continue;
+      recurrence.chi2 += 2 * wave.common * wave.common / wave.squares;
+      ++recurrence.count;
+      common += wave.common;
+      products += wave.products;
+    }
+  }
+  if (products > 0) recurrence.correlation = common / products;
+  return recurrence;
+}
+
 Contrast contrast_of(const std::string& by, const std::vector<Run>& runs, const std::vector<int>& poses,
                      const std::vector<RunEquations>& residuals) {
   Contrast contrast{by};
   TwoSquares common;
   TwoSquares differs;
+  CommonWaves waves{};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     for (std::size_t k = i + 1; k < runs.size(); ++k) {
       if (poses[i] != poses[k] || runs[i].radius != runs[k].radius || !differ_by(by, runs[i], runs[k])) continue;
@@ -132,11 +171,19 @@ Contrast contrast_of(const std::string& by, const std::vector<Run>& runs, const 
           common.add(channel, ((*a)[s] + there) / std::numbers::sqrt2);
           differs.add(channel, ((*a)[s] - there) / std::numbers::sqrt2);
         }
+        if (!goes_round(runs[i]) || !goes_round(runs[k])) continue;
+        for (int order = first_order(channel); order <= kWaves; ++order) {
+          waves.at(static_cast<std::size_t>(channel))
+              .at(static_cast<std::size_t>(order - 1))
+              .add(wave_of(*a, runs[i].angle, order), wave_of(*b, runs[k].angle, order));
+        }
       }
     }
   }
   contrast.common = common.root();
   contrast.differs = differs.root();
+  contrast.radial = recurrence_of(waves, kRadial, kRadial);
+  contrast.torque = recurrence_of(waves, kRadial + 1, identify::kChannels - 1);
   return contrast;
 }
 
@@ -277,6 +324,16 @@ std::vector<Reversal> reversals_of(const std::vector<Run>& runs, const std::vect
 
 }  // namespace
 
+std::vector<Contrast> contrasts_of(const std::vector<Run>& runs, const std::vector<RunEquations>& residuals) {
+  const std::vector<int> poses = poses_of(runs);
+  std::vector<Contrast> contrasts;
+  for (const char* const by : {"direction", "feed", "payload", "time"}) {
+    Contrast contrast = contrast_of(by, runs, poses, residuals);
+    if (contrast.pairs > 0) contrasts.push_back(std::move(contrast));
+  }
+  return contrasts;
+}
+
 Where where_of(const machine::RotationOrder& order, const std::vector<Run>& runs, const physics::ForceModel& forces,
                const std::vector<RunEquations>& residuals, const identify::NoiseModel& noise,
                const WhereOptions& options) {
@@ -288,11 +345,7 @@ Where where_of(const machine::RotationOrder& order, const std::vector<Run>& runs
     where.channels.push_back(
         around_the_circle(runs, residuals, channel, noise.channels[static_cast<std::size_t>(channel)]));
   }
-  const std::vector<int> poses = poses_of(runs);
-  for (const char* const by : {"direction", "feed", "payload", "time"}) {
-    Contrast contrast = contrast_of(by, runs, poses, residuals);
-    if (contrast.pairs > 0) where.contrasts.push_back(std::move(contrast));
-  }
+  where.contrasts = contrasts_of(runs, residuals);
   where.groups = groups_of(order, runs, residuals, options);
   std::vector<std::vector<State>> states(runs.size());
   for_each_index(runs.size(), [&](std::size_t i) { states[i] = states_of(order, forces, runs[i]); });

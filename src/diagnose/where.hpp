@@ -29,6 +29,14 @@ struct Two {
   double torque = 0;
 };
 
+/// How the waves of two runs at one pose agree, over many pairs and orders. The noise of one run knows nothing of that
+/// of another: between their waves every phase is as likely as any other, whatever the noise is like.
+struct Recurrence {
+  double chi2 = 0;  // for each order and channel: the sum of Re(a conj b) over the pairs, squared, in units of its
+  int count = 0;    // variance where phases are drawn evenly; how many these are
+  double correlation = 0;  // sum of Re(a conj b) over the sum of |a b|, from -1 to 1
+};
+
 /// Pairs of runs at one pose that differ in one thing alone, compared at equal angles. Where nothing but noise is left,
 /// both are the noise's sigma.
 struct Contrast {
@@ -36,6 +44,7 @@ struct Contrast {
   int pairs = 0;
   Two common;   // rms of (a + b) / sqrt 2
   Two differs;  // rms of (a - b) / sqrt 2
+  Recurrence radial, torque;
 };
 
 /// Runs that have something in common.
@@ -70,6 +79,10 @@ struct WhereOptions {
   int start_groups = 3;                         // parts of the time from the first run to the last
   double reversal_window = 0.21;                // rad, half of it before a reversal, half behind
 };
+
+/// By direction, feed, payload and time, where there are such pairs. `residuals` are those of `runs`.
+std::vector<Contrast> contrasts_of(const std::vector<measure::Run>& runs,
+                                   const std::vector<identify::RunEquations>& residuals);
 
 /// `residuals` are those of `runs` (all of them) beside `forces`, the set-ups fitted.
 Where where_of(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,

@@ -196,6 +196,7 @@ std::string diagnosis_json(const Diagnosis& d) {
   json["gap"]["fit"] = gap_json(d.fit, second);
   json["gap"]["held_out"] = gap_json(d.held_out, second);
   if (second) json["runner_up"] = d.runner_up;
+  if (!d.doubt.empty()) json["doubt"] = d.doubt;
   if (d.remainder) {
     json["remainder"] = {{"snr", rounded(d.remainder->snr)}, {"description", d.remainder->text}};
   }
@@ -227,6 +228,7 @@ std::string diagnosis_text(const Diagnosis& d) {
   }
   if (d.confidence_set.size() > 1) text += fmt::format("not ruled out: {}\n", list_of(d.confidence_set));
   for (const diagnose::Separation& separation : d.next) text += test_text(separation);
+  if (!d.doubt.empty()) text += d.doubt + '\n';
   if (d.remainder) {
     text += fmt::format("not explained by the catalogue (a description, not a cause; strength {:.0f}):\n{}\n",
                         d.remainder->snr, d.remainder->text);

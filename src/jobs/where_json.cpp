@@ -63,7 +63,11 @@ Json where_json(const diagnose::Where& where) {
   for (const diagnose::ChannelWhere& channel : where.channels) json["channels"].push_back(channel_json(channel));
   for (const diagnose::Contrast& c : where.contrasts) {
     json["contrasts"].push_back(
-        {{"by", c.by}, {"pairs", c.pairs}, {"common_rms", two_json(c.common)}, {"differs_rms", two_json(c.differs)}});
+        {{"by", c.by},
+         {"pairs", c.pairs},
+         {"common_rms", two_json(c.common)},
+         {"differs_rms", two_json(c.differs)},
+         {"correlation", {{"radial", rounded(c.radial.correlation)}, {"torque", rounded(c.torque.correlation)}}}});
   }
   for (const diagnose::RunGroup& group : where.groups) {
     json["groups"].push_back({{"by", group.by},

@@ -190,6 +190,7 @@ std::string diagnosis_page(const Diagnosis& d, const std::string& title) {
             left_out_table(d);
   }
   if (!d.effects.empty()) html += "<h2>What was found</h2>" + effects(d);
+  if (!d.doubt.empty()) html += fmt::format("<h2>What was not believed</h2><p>{}.</p>", escaped(d.doubt));
   if (d.remainder) {
     html += fmt::format(
         "<h2>What the catalogue does not explain</h2><p>A description, not a cause; {:.0f} times the noise in "

@@ -108,10 +108,10 @@ std::string circle_map(const Diagnosis& d) {
 std::string contrast_table(const Diagnosis& d) {
   std::string html =
       "<table><tr><th>pairs of runs alike but for</th><th>pairs</th><th>bar: alike in both</th><th>torque</th><th>bar: "
-      "differs</th><th>torque</th></tr>";
+      "differs</th><th>torque</th><th>bar: correlation</th><th>torque</th></tr>";
   for (const diagnose::Contrast& c : d.where.contrasts) {
-    html += fmt::format("<tr><td>{}</td><td>{}</td>{}{}</tr>", escaped(c.by), c.pairs, two_cells(d, c.common),
-                        two_cells(d, c.differs));
+    html += fmt::format("<tr><td>{}</td><td>{}</td>{}{}<td>{:.2f}</td><td>{:.2f}</td></tr>", escaped(c.by), c.pairs,
+                        two_cells(d, c.common), two_cells(d, c.differs), c.radial.correlation, c.torque.correlation);
   }
   return html + "</table>";
 }
