@@ -24,8 +24,9 @@ struct MeanSquare {
     sum += other.sum;
     count += other.count;
   }
-  /// Zero of no numbers.
-  double root() const { return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0; }
+  /// Zero of no numbers, as is its root.
+  double mean() const { return count > 0 ? sum / static_cast<double>(count) : 0; }
+  double root() const { return std::sqrt(mean()); }
 };
 
 }  // namespace plumbline

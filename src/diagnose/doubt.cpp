@@ -3,18 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
+
 #include "base/units.hpp"
 
 namespace plumbline::diagnose {
-
-Left left_of(const identify::RunEquations& run) {
-  Left left;
-  for (std::size_t c = 0; c < run.channels.size(); ++c) {
-    const auto first = static_cast<Eigen::Index>(c) * run.samples;
-    (run.channels[c] == identify::kRadial ? left.radial : left.torque).add(run.residual.segment(first, run.samples));
-  }
-  return left;
-}
 
 std::optional<double> not_foretold(const std::vector<identify::RunEquations>& residuals, const std::vector<bool>& out,
                                    MeanSquare Left::*kind, const VerdictOptions& options) {
@@ -22,7 +15,7 @@ std::optional<double> not_foretold(const std::vector<identify::RunEquations>& re
   std::vector<double> held_out;
   for (std::size_t i = 0; i < residuals.size(); ++i) {
     const MeanSquare left = left_of(residuals[i]).*kind;
-    if (left.count > 0) (out[i] ? held_out : fitted).push_back(left.root() * left.root());
+    if (left.count > 0) (out[i] ? held_out : fitted).push_back(left.mean());
   }
   if (fitted.size() < 3 || held_out.empty()) return std::nullopt;
   const auto each = [](std::vector<double>& values) {
@@ -65,6 +58,73 @@ std::optional<Recurring> recurring(const std::vector<Contrast>& contrasts, Recur
 Recurs recurring(const std::vector<Contrast>& contrasts, const VerdictOptions& options) {
   return {recurring(contrasts, &Contrast::radial, &Two::radial, options.least_recurring_um * kUm, options),
           recurring(contrasts, &Contrast::torque, &Two::torque, options.least_recurring_Nm, options)};
+}
+
+std::optional<Remainder> remainder_of(const Recurs& recurs) {
+  Remainder remainder;
+  const auto add = [&](std::string_view what, const std::optional<Recurring>& of) {
+    if (!of) return;
+    remainder.snr = std::hypot(remainder.snr, of->sigmas);
+    if (!remainder.text.empty()) remainder.text += '\n';
+    remainder.text += fmt::format(
+        "what is left of {} is no noise: in runs at one pose that differ by {} alone it is {}, with a "
+        "correlation of {:.2f}",
+        what, of->by, of->correlation > 0 ? "alike" : "opposite", of->correlation);
+  };
+  add("the readings of the bar", recurs.radial);
+  add("the torques", recurs.torque);
+  return remainder.text.empty() ? std::nullopt : std::optional(std::move(remainder));
+}
+
+std::optional<Remainder> strained(const Shelf& shelf, const Taken& taken, const VerdictOptions& options) {
+  Remainder remainder;
+  for (std::size_t i = 0; i < shelf.nuisances; ++i) {
+    const identify::Unknown& u = shelf.unknowns[i];
+    const double sigmas = taken.departure[static_cast<Eigen::Index>(i)];
+    if (std::abs(sigmas) < options.nuisance_sigmas) continue;
+    remainder.snr = std::hypot(remainder.snr, sigmas);
+    if (!remainder.text.empty()) remainder.text += '\n';
+    remainder.text += fmt::format("{} is {:.4g} {} off, {:.0f} times what [uncertainty] says of it", u.label,
+                                  sigmas * u.sigma / u.unit.si, u.unit.name, std::abs(sigmas));
+  }
+  return remainder.text.empty() ? std::nullopt : std::optional(std::move(remainder));
+}
+
+bool is_gap(const Description& left, const VerdictOptions& options) {
+  return left.gain >= options.remainder_gain && !left.terms.empty();
+}
+
+namespace {
+
+std::string names_of(const Model& model) {
+  std::string text;
+  for (const Found& found : model.found) text += (text.empty() ? "" : " and ") + found.pick.candidate->name;
+  return text;
+}
+
+}  // namespace
+
+std::string doubt_about(const Model& model, const Description& left, const std::vector<identify::RunEquations>& after,
+                        const std::vector<bool>& out, const VerdictOptions& options) {
+  if (model.found.empty()) return {};
+  const std::string names = names_of(model);
+  if (model.one_more) return fmt::format("{} are not enough: one more effect would pass the threshold", names);
+  double explained = 0;
+  for (const Found& found : model.found) explained += 2 * found.log_odds;
+  if (is_gap(left, options) && left.gain > std::max(options.remainder_most, options.remainder_share * explained)) {
+    return fmt::format("{} would leave too much: {:.0f} times the noise in all", names, std::sqrt(left.gain));
+  }
+  struct Kind {
+    std::string_view what;
+    MeanSquare Left::*of;
+  };
+  for (const Kind& kind : {Kind{"the readings of the bar", &Left::radial}, Kind{"the torques", &Left::torque}}) {
+    if (const std::optional<double> times = not_foretold(after, out, kind.of, options)) {
+      return fmt::format("{} would explain the runs fitted, but {} of the runs held out are {:.1f} times as far off",
+                         names, kind.what, *times);
+    }
+  }
+  return {};
 }
 
 }  // namespace plumbline::diagnose

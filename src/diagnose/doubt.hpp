@@ -1,16 +1,10 @@
 // What speaks against a model that seems to explain the readings, however large the noise was taken to be.
 #pragma once
 
-#include "base/mean_square.hpp"
 #include "diagnose/diagnose.hpp"
+#include "diagnose/residuals.hpp"
 
 namespace plumbline::diagnose {
-
-/// What a model leaves of the readings of a run, or of many: of the bar, and of all motors. SI.
-struct Left {
-  MeanSquare radial, torque;
-};
-Left left_of(const identify::RunEquations& run);
 
 /// How many times as far off the runs held out are as those fitted; nothing if that is little, or if single runs among
 /// those fitted differ so much that chance may have done it.
@@ -20,7 +14,7 @@ std::optional<double> not_foretold(const std::vector<identify::RunEquations>& re
 /// What is left of readings of one kind comes again in other runs at the same pose.
 struct Recurring {
   double sigmas = 0;       // of chi-square, above what noise does
-  double correlation = 0;  // the largest, between runs that
+  double correlation = 0;  // where it shows most: between runs that
   std::string by;          // differ in this alone
 };
 
@@ -32,5 +26,18 @@ struct Recurs {
 /// Nothing if chance may have done it, if it is as small as the last digit of a reading, or if no two runs go all the
 /// way round at one pose.
 Recurs recurring(const std::vector<Contrast>& contrasts, const VerdictOptions& options);
+std::optional<Remainder> remainder_of(const Recurs& recurs);
+
+/// Nuisances that had to go further than [uncertainty] makes believable, a line each. Those that an effect stands for
+/// are none any more: they are not `taken`.
+std::optional<Remainder> strained(const Shelf& shelf, const Taken& taken, const VerdictOptions& options);
+
+/// Whether what is left is large enough to be more than noise.
+bool is_gap(const Description& left, const VerdictOptions& options);
+
+/// Why the effects found, which leave `after` of all runs, cannot be the whole story; empty if they can. `out`: runs
+/// held out.
+std::string doubt_about(const Model& model, const Description& left, const std::vector<identify::RunEquations>& after,
+                        const std::vector<bool>& out, const VerdictOptions& options);
 
 }  // namespace plumbline::diagnose

@@ -221,6 +221,17 @@ Refit refit(const Workbench& bench, const std::vector<Pick>& picks, const Eigen:
   return Fitter(bench, picks, noise).run(start, options);
 }
 
+std::vector<double> parameter_errors(const Shelf& shelf, const physics::ForceModel& forces, const Refit& fit) {
+  std::vector<double> errors(forces.parameters.size(), 0);
+  for (std::size_t u = 0; u < shelf.unknowns.size(); ++u) {
+    for (const identify::Unknown::Term& term : shelf.unknowns[u].terms) {
+      double& error = errors[static_cast<std::size_t>(term.parameter)];
+      error = std::hypot(error, term.weight * fit.errors[u]);
+    }
+  }
+  return errors;
+}
+
 Pick pick_of(const Shelf& shelf, const Candidate& candidate, const Score& score, Eigen::VectorXd& values) {
   Pick pick{&candidate, score.way, score.carriers, {}};
   const auto set = [&](std::string_view key, int index, double value) {

@@ -41,6 +41,9 @@ struct Refit {
 Refit refit(const Workbench& bench, const std::vector<Pick>& picks, const Eigen::VectorXd& start,
             const identify::NoiseModel& noise, const RefitOptions& options = {});
 
+/// Standard errors of a force model's parameters that the unknowns of the shelf stand for, SI; others zero.
+std::vector<double> parameter_errors(const Shelf& shelf, const physics::ForceModel& forces, const Refit& fit);
+
 /// A pick as its score has it; puts the sizes found into `values`.
 Pick pick_of(const Shelf& shelf, const Candidate& candidate, const Score& score, Eigen::VectorXd& values);
 

@@ -92,36 +92,39 @@ struct Move {
   AxisWords from_W, to_W;
 };
 
-inline std::vector<Move> moves_of(const std::string& text, const nc::ProgramSettings& settings,
-                                  const std::string& dialect = "linuxcnc") {
+/// Reads a program again; `take` is handed each step.
+template <class Take>
+void for_each_step(const std::string& text, const nc::ProgramSettings& settings, const std::string& dialect,
+                   const Take& take) {
   const Folder folder;
   write_text(folder / "again.ngc", text);
   const InputFile source(folder / "again.ngc");
   nc::Program program(source, nc::dialect(dialect), settings);
+  while (const nc::Step* step = program.next()) take(*step);
+}
+
+inline std::vector<Move> moves_of(const std::string& text, const nc::ProgramSettings& settings,
+                                  const std::string& dialect = "linuxcnc") {
   std::vector<Move> moves;
-  while (const nc::Step* step = program.next()) {
-    for (const nc::Motion& m : step->motions) {
+  for_each_step(text, settings, dialect, [&](const nc::Step& step) {
+    for (const nc::Motion& m : step.motions) {
       // A cycle goes through all its stations, also where it stands there already.
-      const bool stands = step->role == nc::BlockRole::cycle && m.from == m.to;
+      const bool stands = step.role == nc::BlockRole::cycle && m.from == m.to;
       if (m.kind != nc::MotionKind::dwell && !stands)
-        moves.push_back({m, *step->frame, step->frame->to_pose(m.from), step->frame->to_pose(m.to)});
+        moves.push_back({m, *step.frame, step.frame->to_pose(m.from), step.frame->to_pose(m.to)});
     }
-  }
+  });
   return moves;
 }
 
 /// Seconds of each wait.
 inline std::vector<double> dwells_of(const std::string& text, const Job& job) {
-  const Folder folder;
-  write_text(folder / "again.ngc", text);
-  const InputFile source(folder / "again.ngc");
-  nc::Program program(source, nc::dialect(job.dialect), job.program);
   std::vector<double> dwells;
-  while (const nc::Step* step = program.next()) {
-    for (const nc::Motion& m : step->motions) {
+  for_each_step(text, job.program, job.dialect, [&](const nc::Step& step) {
+    for (const nc::Motion& m : step.motions) {
       if (m.kind == nc::MotionKind::dwell) dwells.push_back(m.dwell_s);
     }
-  }
+  });
   return dwells;
 }
 

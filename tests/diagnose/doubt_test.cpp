@@ -65,7 +65,7 @@ TEST_CASE("noise does not come again, however long it remembers") {
   CHECK(false_alarms == 0);
 }
 
-TEST_CASE("waves that two runs at one pose share is no noise, though smaller than it") {
+TEST_CASE("waves that two runs at one pose share are no noise, though smaller than it") {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const std::optional<Recurring> even = recurring_with(seed, 0.7, 0.9 * kSigma, 0);
     REQUIRE(even);

@@ -1,0 +1,34 @@
+#include "diagnose/residuals.hpp"
+
+#include <cmath>
+
+namespace plumbline::diagnose {
+
+std::vector<identify::RunEquations> residuals(const machine::MachineModel& machine,
+                                              const std::vector<measure::Run>& runs, const physics::ForceModel& forces,
+                                              const identify::NoiseModel& noise) {
+  identify::Objective objective(machine.rotation, runs, identify::Unknowns(forces), {.huber = 0});
+  objective.set_noise(noise);
+  return objective.equations(Eigen::VectorXd(0));
+}
+
+Left left_of(const identify::RunEquations& run) {
+  Left left;
+  for (std::size_t c = 0; c < run.channels.size(); ++c) {
+    const auto first = static_cast<Eigen::Index>(c) * run.samples;
+    (run.channels[c] == identify::kRadial ? left.radial : left.torque).add(run.residual.segment(first, run.samples));
+  }
+  return left;
+}
+
+double held_out_misfit(const std::vector<identify::RunEquations>& residuals, const std::vector<bool>& out,
+                       const identify::NoiseModel& noise) {
+  Left left;
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    if (out[i]) left += left_of(residuals[i]);
+  }
+  return left.radial.sum / std::pow(noise.channels[identify::kRadial].sigma, 2) +
+         left.torque.sum / std::pow(noise.channels[identify::kRadial + 1].sigma, 2);
+}
+
+}  // namespace plumbline::diagnose

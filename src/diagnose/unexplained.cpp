@@ -1,0 +1,89 @@
+#include "diagnose/unexplained.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/diagnostic.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+// Adds the terms of a description as instances of the effect `generic`.
+void add_terms(physics::ForceModel& forces, const std::vector<Term>& terms) {
+  for (const Term& term : terms) {
+    const int first = forces.add("generic");
+    const std::vector<double> parameters = generic_parameters(term);
+    std::copy(parameters.begin(), parameters.end(), forces.parameters.begin() + first);
+  }
+}
+
+// What comes again was taken for noise.
+identify::NoiseModel without_what_recurs(identify::NoiseModel noise, const Recurs& recurs) {
+  for (int c = 0; c < identify::kChannels; ++c) {
+    const std::optional<Recurring>& of = c == identify::kRadial ? recurs.radial : recurs.torque;
+    if (of) noise.channels.at(static_cast<std::size_t>(c)).sigma *= std::sqrt(1 - std::abs(of->correlation));
+  }
+  return noise;
+}
+
+// The base model where what comes again counts as no noise; nothing if nothing does.
+std::optional<Footing> without_what_recurs(const Workbench& bench, const Footing& base, const Recurs& recurs,
+                                           const DiagnoseOptions& options) {
+  if (!recurs.radial && !recurs.torque) return std::nullopt;
+  Footing footing;
+  footing.noise = without_what_recurs(base.noise, recurs);
+  footing.fit = refit(bench, {}, base.fit.values, footing.noise, options.search.refit);
+  footing.problem = linearise(bench.machine.rotation, bench.runs, bench.shelf, footing.fit.values, footing.noise);
+  return footing;
+}
+
+// The base model with the terms of a description, its nuisances refitted beside them; without them where that leaves
+// more than before: the terms come from a linear problem.
+Fitted described(const Workbench& bench, const Footing& footing, const std::vector<Term>& terms,
+                 const DiagnoseOptions& options) {
+  const physics::ForceModel before = bench.shelf.unknowns.at(footing.fit.values);
+  Fitted base{before, parameter_errors(bench.shelf, before, footing.fit)};
+  if (terms.empty()) return base;
+  physics::ForceModel forces = bench.forces;
+  add_terms(forces, terms);
+  const Shelf shelf = make_shelf(bench.machine, forces, options.shelf);
+  try {
+    const Refit fit =
+        refit({bench.machine, forces, bench.runs, shelf}, {}, footing.fit.values, footing.noise, options.search.refit);
+    if (fit.misfit < footing.fit.misfit) {
+      const physics::ForceModel fitted = shelf.unknowns.at(fit.values);
+      return {fitted, parameter_errors(shelf, fitted, fit)};
+    }
+  } catch (const Refusal&) {  // with the terms as they are, the machine falls through a singularity
+  }
+  return base;
+}
+
+Description describe_base(const Workbench& bench, const Footing& footing, const DiagnoseOptions& options) {
+  return describe(bench, bench.shelf.unknowns.at(footing.fit.values), footing.problem,
+                  taken_by(bench.shelf, {}, footing.fit.values), footing.noise, options.description);
+}
+
+}  // namespace
+
+Unexplained unexplained(const Base& base, const std::vector<measure::Run>& runs, const std::vector<bool>& out,
+                        const DiagnoseOptions& options) {
+  const Workbench& bench = base.bench;
+  const Footing* footing = &base.footing;
+  Description left = describe_base(bench, *footing, options);
+  std::optional<Footing> quieter;
+  if (!is_gap(left, options.verdict)) {
+    quieter = without_what_recurs(bench, base.footing, base.recurs, options);
+    if (quieter) left = describe_base(bench, *(footing = &*quieter), options);
+  }
+  if (!is_gap(left, options.verdict)) left.terms.clear();
+  Fitted fitted = described(bench, *footing, left.terms, options);
+  auto of_fitted = residuals(bench.machine, runs, fitted.forces, base.noise);
+  if (held_out_misfit(of_fitted, out, base.noise) > held_out_misfit(base.left, out, base.noise)) {
+    return {std::move(left), described(bench, base.footing, {}, options), base.left, false};
+  }
+  return {std::move(left), std::move(fitted), std::move(of_fitted)};
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,36 @@
+// What no effect of the catalogue explains, beside the base model.
+#pragma once
+
+#include "diagnose/diagnose.hpp"
+#include "diagnose/doubt.hpp"
+
+namespace plumbline::diagnose {
+
+/// A model that was fitted, and the standard errors of its parameters, SI.
+struct Fitted {
+  physics::ForceModel forces;
+  std::vector<double> errors;
+};
+
+/// The base model, nuisances refitted to the runs of the bench.
+struct Base {
+  const Workbench& bench;
+  const Footing& footing;
+  const std::vector<identify::RunEquations>& left;  // of all runs
+  Recurs recurs;                                    // in them
+  const identify::NoiseModel& noise;                // that runs held out are measured by
+};
+
+struct Unexplained {
+  Description left;  // beside the base model; no terms: there are none to tell
+  Fitted fitted;     // with these terms where the runs held out bear them out, else the base model
+  std::vector<identify::RunEquations> residuals;  // of all runs
+  bool borne_out = true;
+};
+
+/// Describes what the base model leaves; where that is within the noise, again with what comes again taken for none.
+/// `out`: which of all `runs` are held out.
+Unexplained unexplained(const Base& base, const std::vector<measure::Run>& runs, const std::vector<bool>& out,
+                        const DiagnoseOptions& options);
+
+}  // namespace plumbline::diagnose
