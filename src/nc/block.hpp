@@ -108,7 +108,8 @@ struct Setting {
   std::uint32_t target = kLiteral;  // code of the parameter's number; kLiteral: a named parameter
   std::uint32_t name = 0;           // of a named one, in Block::names
   std::uint32_t value = 0;          // code of the value
-  Span span;
+  Span span;                        // of the parameter
+  Span whole;                       // with its value
 };
 
 /// What an O word asks for.

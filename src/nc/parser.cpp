@@ -129,6 +129,7 @@ void Parser::setting() {
               "set it as in #5 = 3, or write the letter that its value is for");
   }
   setting.value = syntax_->open_assignment ? open_value_code() : value_code();
+  setting.whole = {setting.span.begin, static_cast<std::uint32_t>(at_ - block_->text.data())};
   block_->settings.push_back(setting);
 }
 

@@ -318,6 +318,7 @@ void Parser::assigned_variable(Span name, const NameMeaning* meaning) {
               "a program that shows messages this way needs them written as comments");
   }
   setting.value = named_value_code();
+  setting.whole = {setting.span.begin, static_cast<std::uint32_t>(at_ - block_->text.data())};
   block_->settings.push_back(setting);
 }
 

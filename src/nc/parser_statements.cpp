@@ -192,7 +192,7 @@ void Parser::define_statement() {
                   "write a variable for each of its elements");
       }
       Setting setting;
-      setting.span = name;
+      setting.span = setting.whole = name;
       setting.name = static_cast<std::uint32_t>(block_->names.size());
       block_->names.push_back(name);
       setting.value = static_cast<std::uint32_t>(block_->code.size());
@@ -219,7 +219,7 @@ void Parser::subprogram_head() {
       take(lex_named_item);  // behind its type
       if (token_.kind != TokenKind::identifier) refuse_token("a name");
       Setting setting;
-      setting.span = span_of(token_);
+      setting.span = setting.whole = span_of(token_);
       setting.name = static_cast<std::uint32_t>(block_->names.size());
       block_->names.push_back(setting.span);
       setting.value = static_cast<std::uint32_t>(block_->code.size());

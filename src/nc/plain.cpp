@@ -70,11 +70,12 @@ const Step* PlainSteps::plain(const Step& step, bool keeps_settings) {
   if (has_label) editor_.replace(label, "");
   write_values(step, keeps_settings);
   if (!keeps_settings) {
-    for (const Setting& setting : block.settings) editor_.replace(setting.span, "");
+    for (const Setting& setting : block.settings) editor_.replace(setting.whole, "");
     defuse_comments(block);
   }
   Own& own = next_own(step);
   editor_.apply(own.text);
+  if (!is_blank(block.text.front())) own.text.erase(0, own.text.find_first_not_of(" \t"));
   own.step = step;
   if (step.cycle == CycleForm::none) own.step.polar = false;
   parse(own, step);

@@ -137,6 +137,16 @@ TEST_CASE("loops and subprograms of every dialect are written out") {
   CHECK_FALSE(holds(out, "FOR|IF|R1"));
 }
 
+TEST_CASE("variables that are set beside a move are not written out") {
+  const std::string loop =
+      "G54\nG0 X0 Y0 Z20 A0 B0 C0\nR1=1 R2=2\nFOR R3=0 TO 2\nR1=R1+R3*2 G1 X=R1 Y5 R2=R1 F500\nENDFOR\nM30\n";
+  const Job job = job_for("siemens");
+  const std::string out = run(loop, job).text;
+  check(loop, out, job);
+  INFO(out);
+  CHECK_FALSE(holds(out, "R[0-9]"));
+}
+
 TEST_CASE("a word whose variable is vacant gives way to the corrected one") {
   const Job job = job_for("fanuc");
   const std::string text = "G54 F500.\nG0 X0 Y0 Z20. A0 B0 C0\nG0 X#0 Y4.\nG1 X5. F#2\nM30\n";

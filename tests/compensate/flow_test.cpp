@@ -65,6 +65,15 @@ TEST_CASE("every kind of loop and call is unrolled") {
       "o1 endrepeat\nM2\n");
 }
 
+TEST_CASE("parameters that are set beside a move are not written out") {
+  for (const std::string block : {"#1=5 G1 X3 F100", "G1 #1=[#2 * 2]X#1 #<ab> = 4 F100", "G1 X#1 F100 #[1+1]=7#1=6"}) {
+    const std::string output =
+        check_unrolled(kStart + "#1=1\n#2=2\no1 repeat [2]\n" + block + "\nG1 Y#1\no1 endrepeat\n");
+    CHECK(output.find('=') == std::string::npos);
+    CHECK(output.find("\n ") == std::string::npos);
+  }
+}
+
 TEST_CASE("modes that come back are written as codes") {
   const std::string output = check_unrolled(kStart +
                                             "F300 S1000 M3\nM70\nG91 G20 G93 M8\nG1 X.1 F10\nM72\nG1 X9\n"

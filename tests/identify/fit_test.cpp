@@ -63,6 +63,19 @@ TEST_CASE("the truth lies within the standard errors when joints, masses and noi
   CHECK(sum / kSeeds < 1.2);
 }
 
+TEST_CASE("a fit that is stopped before its end says so") {
+  const machine::MachineModel machine = pm600_like();
+  const Unknowns unknowns = compliance_unknowns(physics::ForceModel(machine));
+  Eigen::VectorXd truth = unknowns.start();
+  truth[0] *= 1.5;
+  Random random(62);
+  const auto runs = measured(wider_plan(36), unknowns.at(truth), 0, 0, random);
+  CHECK(fit(machine.rotation, runs, unknowns).converged);
+  const Fit stopped = fit(machine.rotation, runs, unknowns, {.most_iterations = 0});
+  CHECK_FALSE(stopped.converged);
+  CHECK_FALSE(stopped.stopped_because.empty());
+}
+
 TEST_CASE("outliers hardly move the result") {
   const machine::MachineModel machine = pm600_like();
   const Unknowns unknowns = nuisances(machine, physics::ForceModel(machine));
