@@ -200,7 +200,7 @@ TEST_CASE("a machine that warms up is corrected as it is at the stated time") {
 }
 
 TEST_CASE("the motion along a path has the acceleration of its turns and of its angles") {
-  const machine::MachineModel model = pm600();
+  const machine::RotationOrder rotation = pm600().rotation;
   Target target = at({{10, 20, -1000, 12, -7, 30}});
   target.slope = {{1, -2, 3, 20, 15, -10}};
   target.seconds = 0.5;
@@ -208,7 +208,7 @@ TEST_CASE("the motion along a path has the acceleration of its turns and of its 
   const auto at_fraction = [&](double f) {
     Target moved = target;
     for (const Axis axis : kAllAxes) moved.pose[axis] += f * target.slope[axis];
-    return compensate::motion_at(model.rotation, 0.2, moved, environment);
+    return compensate::motion_at(rotation, 0.2, moved, environment);
   };
   const double h = 1e-4;
   const physics::Motion<double> motion = at_fraction(0);

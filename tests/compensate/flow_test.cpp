@@ -214,7 +214,7 @@ TEST_CASE("subprograms of files beside the program stand in the output, with the
   const Job job = without_friction();
   const auto compensate_with = [&](const nc::ProgramSettings& settings) {
     OutputFile out(folder / "out.ngc");
-    const compensate::Summary summary =
+    compensate::Summary summary =
         compensate::Stream(source, nc::dialect("linuxcnc"), settings, job.model, job.settings, job.emit, out).run();
     out.commit();
     return summary;

@@ -44,8 +44,8 @@ TEST_CASE("the truth lies within the standard errors when joints, masses and noi
   const machine::MachineModel machine = pm600_like();
   const Unknowns unknowns = nuisances(machine, physics::ForceModel(machine));
   double sum = 0;
-  constexpr int kSeeds = 3;
-  for (unsigned seed = 0; seed < kSeeds; ++seed) {
+  constexpr int kDrawn = 3;
+  for (unsigned seed = 0; seed < kDrawn; ++seed) {
     INFO("seed " << seed);
     Random random(700 + seed);
     const Eigen::VectorXd truth = drawn(unknowns, random);
@@ -59,8 +59,8 @@ TEST_CASE("the truth lies within the standard errors when joints, masses and noi
     CHECK(found.fitted_degrees < 55);
     sum += root_mean_z2(found, truth);
   }
-  CHECK(sum / kSeeds > 0.8);  // 55 unknowns, three times: 1 +- 0.06
-  CHECK(sum / kSeeds < 1.2);
+  CHECK(sum / kDrawn > 0.8);  // 55 unknowns, three times: 1 +- 0.06
+  CHECK(sum / kDrawn < 1.2);
 }
 
 TEST_CASE("a fit that is stopped before its end says so") {

@@ -1,7 +1,6 @@
 // The emitter alone: corrections made up here, so that every digit of the output can be foretold.
 #include "nc/emit.hpp"
 
-#include <filesystem>
 #include <functional>
 
 #include <catch2/catch.hpp>
@@ -14,7 +13,6 @@
 
 using namespace plumbline;
 using nc::CorrectedPoint;
-namespace fs = std::filesystem;
 
 namespace {
 
