@@ -23,11 +23,7 @@ std::optional<double> rms_if_any(const MeanSquare& of) {
 }
 
 Rms rms_of(const std::vector<RunEquations>& runs, const std::vector<bool>& out, bool held_out) {
-  Left all;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (out[i] != held_out) continue;
-    all += left_of(runs[i]);
-  }
+  const Left all = left_of(runs, out, held_out);
   return {rms_if_any(all.radial), rms_if_any(all.torque)};
 }
 

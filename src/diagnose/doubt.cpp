@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -60,20 +61,32 @@ Recurs recurring(const std::vector<Contrast>& contrasts, const VerdictOptions& o
           recurring(contrasts, &Contrast::torque, &Two::torque, options.least_recurring_Nm, options)};
 }
 
+namespace {
+
+void add_line(Remainder& remainder, double sigmas, const std::string& line) {
+  remainder.snr = std::hypot(remainder.snr, sigmas);
+  if (!remainder.text.empty()) remainder.text += '\n';
+  remainder.text += line;
+}
+
+std::optional<Remainder> if_any(Remainder remainder) {
+  return remainder.text.empty() ? std::nullopt : std::optional(std::move(remainder));
+}
+
+}  // namespace
+
 std::optional<Remainder> remainder_of(const Recurs& recurs) {
   Remainder remainder;
   const auto add = [&](std::string_view what, const std::optional<Recurring>& of) {
     if (!of) return;
-    remainder.snr = std::hypot(remainder.snr, of->sigmas);
-    if (!remainder.text.empty()) remainder.text += '\n';
-    remainder.text += fmt::format(
-        "what is left of {} is no noise: in runs at one pose that differ by {} alone it is {}, with a "
-        "correlation of {:.2f}",
-        what, of->by, of->correlation > 0 ? "alike" : "opposite", of->correlation);
+    add_line(remainder, of->sigmas,
+             fmt::format("what is left of {} is no noise: in runs at one pose that differ by {} alone it is {}, with a "
+                         "correlation of {:.2f}",
+                         what, of->by, of->correlation > 0 ? "alike" : "opposite", of->correlation));
   };
   add("the readings of the bar", recurs.radial);
   add("the torques", recurs.torque);
-  return remainder.text.empty() ? std::nullopt : std::optional(std::move(remainder));
+  return if_any(std::move(remainder));
 }
 
 std::optional<Remainder> strained(const Shelf& shelf, const Taken& taken, const VerdictOptions& options) {
@@ -82,12 +95,11 @@ std::optional<Remainder> strained(const Shelf& shelf, const Taken& taken, const 
     const identify::Unknown& u = shelf.unknowns[i];
     const double sigmas = taken.departure[static_cast<Eigen::Index>(i)];
     if (std::abs(sigmas) < options.nuisance_sigmas) continue;
-    remainder.snr = std::hypot(remainder.snr, sigmas);
-    if (!remainder.text.empty()) remainder.text += '\n';
-    remainder.text += fmt::format("{} is {:.4g} {} off, {:.0f} times what [uncertainty] says of it", u.label,
-                                  sigmas * u.sigma / u.unit.si, u.unit.name, std::abs(sigmas));
+    add_line(remainder, sigmas,
+             fmt::format("{} is {:.4g} {} off, {:.0f} times what [uncertainty] says of it", u.label,
+                         sigmas * u.sigma / u.unit.si, u.unit.name, std::abs(sigmas)));
   }
-  return remainder.text.empty() ? std::nullopt : std::optional(std::move(remainder));
+  return if_any(std::move(remainder));
 }
 
 bool is_gap(const Description& left, const VerdictOptions& options) {

@@ -21,12 +21,17 @@ Left left_of(const identify::RunEquations& run) {
   return left;
 }
 
+Left left_of(const std::vector<identify::RunEquations>& runs, const std::vector<bool>& out, bool held_out) {
+  Left left;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (out[i] == held_out) left += left_of(runs[i]);
+  }
+  return left;
+}
+
 double held_out_misfit(const std::vector<identify::RunEquations>& residuals, const std::vector<bool>& out,
                        const identify::NoiseModel& noise) {
-  Left left;
-  for (std::size_t i = 0; i < residuals.size(); ++i) {
-    if (out[i]) left += left_of(residuals[i]);
-  }
+  const Left left = left_of(residuals, out, true);
   return left.radial.sum / std::pow(noise.channels[identify::kRadial].sigma, 2) +
          left.torque.sum / std::pow(noise.channels[identify::kRadial + 1].sigma, 2);
 }

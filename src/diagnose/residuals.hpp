@@ -24,6 +24,8 @@ struct Left {
   }
 };
 Left left_of(const identify::RunEquations& run);
+/// Of the runs held out (`out`), or of the others.
+Left left_of(const std::vector<identify::RunEquations>& runs, const std::vector<bool>& out, bool held_out);
 
 /// How far off the runs held out (`out`) are, in units of the noise, squared.
 double held_out_misfit(const std::vector<identify::RunEquations>& residuals, const std::vector<bool>& out,
