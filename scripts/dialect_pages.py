@@ -138,7 +138,7 @@ def part_of(name):
     text = (ROOT / "grammar" / f"{name}.toml").read_text(encoding="utf-8")
     table = tomllib.loads(text)
     rows = list(rows_of(table))
-    unknown = {row["does"] for row, _ in rows} - MEANINGS.keys() - {"refused", "none"}
+    unknown = {row["does"] for row, _ in rows} - MEANINGS.keys() - {"refused"}
     if unknown:
         raise SystemExit(f"scripts/dialect_pages.py: MEANINGS has nothing for {', '.join(sorted(unknown))}")
     order = table["execution"]
@@ -153,7 +153,7 @@ def part_of(name):
     lines += [f"{', '.join(before)}, then the **motion**, then {', '.join(after)}.".replace("_", " ")]
     lines += ["", "## What is read", ""]
     lines += table_of("meaning", grouped((MEANINGS[r["does"]], c) for r, c in rows if r["does"] in MEANINGS))
-    refused = grouped((r.get("why", "is known, and not interpreted"), c) for r, c in rows if r["does"] not in MEANINGS)
+    refused = grouped((r["why"], c) for r, c in rows if r["does"] not in MEANINGS)
     if refused:
         lines += ["", "## What is refused", ""] + table_of("the code ...", refused)
     first, last = table["user_m_codes"]

@@ -18,7 +18,7 @@ enum class Order : std::uint8_t { before_motion, with_motion, after_motion };
 
 /// What the interpreter does at a code; the names that the tables use, word for word.
 enum class Action : std::uint8_t {
-  none,  // not interpreted yet: refused
+  refused,  // known, and not interpreted for the reason that its row states
   rapid,
   feed,
   arc_cw,
@@ -71,7 +71,6 @@ enum class Action : std::uint8_t {
   forget_modes,
   restore_modes,
   save_modes_of_call,
-  refused,               // known, and not interpreted for the reason that its row states
   lose_position,         // the axes go where only the machine knows
   home_or_unit,          // with a P word that; alone a statement of the unit: value 0 mm, 1 inches
   arc_through_point,     // CIP
@@ -112,16 +111,16 @@ struct CodeRow {
   std::string meaning;  // "feed", "plane_xy", ...: what the interpreter does at it
   std::string words;    // letters that belong to it
   Order order = Order::before_motion;
-  Action action = Action::none;  // the meaning, to switch on
-  int value = 0;                 // which one of several: of the work systems, of the homes
-  std::uint8_t step = 0;         // its turn inside a block
-  std::uint32_t word_mask = 0;   // the words, A is bit 0
-  bool takes_axes = false;       // the axis words of the block are its own
-  bool loses_position = false;   // the axes may stand elsewhere after it
-  bool harmless = false;         // may stand behind / without a choice
-  std::string name;              // of a code that is no letter and number
-  std::string why;               // refused: why
-  bool has_arguments = false;    // a name with ( ) behind it, which the interpreter does not look into
+  Action action = Action::refused;  // the meaning, to switch on
+  int value = 0;                    // which one of several: of the work systems, of the homes
+  std::uint8_t step = 0;            // its turn inside a block
+  std::uint32_t word_mask = 0;      // the words, A is bit 0
+  bool takes_axes = false;          // the axis words of the block are its own
+  bool loses_position = false;      // the axes may stand elsewhere after it
+  bool harmless = false;            // may stand behind / without a choice
+  std::string name;                 // of a code that is no letter and number
+  std::string why;                  // refused: why
+  bool has_arguments = false;       // a name with ( ) behind it, which the interpreter does not look into
 };
 
 /// How a program says where it goes on.

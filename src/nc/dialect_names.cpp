@@ -13,7 +13,7 @@ namespace {
 
 using ActionName = std::pair<std::string_view, Action>;
 constexpr std::array kActions{
-    ActionName{"none", Action::none},
+    ActionName{"refused", Action::refused},
     ActionName{"rapid", Action::rapid},
     ActionName{"feed", Action::feed},
     ActionName{"arc_cw", Action::arc_cw},
@@ -66,7 +66,6 @@ constexpr std::array kActions{
     ActionName{"forget_modes", Action::forget_modes},
     ActionName{"restore_modes", Action::restore_modes},
     ActionName{"save_modes_of_call", Action::save_modes_of_call},
-    ActionName{"refused", Action::refused},
     ActionName{"lose_position", Action::lose_position},
     ActionName{"home_or_unit", Action::home_or_unit},
     ActionName{"arc_through_point", Action::arc_through_point},

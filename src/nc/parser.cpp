@@ -107,7 +107,7 @@ void Parser::word(char letter) {
   const Span span = span_of(token_);
   see(letter, span);
   const std::uint32_t code = value_code();
-  const auto end = static_cast<std::uint32_t>(at_ - block_->text.data());
+  const auto end = here();
   block_->words.push_back({letter, 0, code, {span.begin, end}, 0, false, false, false, WordMode::modal});
 }
 
@@ -122,14 +122,14 @@ void Parser::setting() {
   } else {
     setting.target = value_code();
   }
-  setting.span.end = static_cast<std::uint32_t>(at_ - block_->text.data());
+  setting.span.end = here();
   take(lex_item);
   if (token_.kind != TokenKind::equals) {
     refuse_at(*block_, setting.span, codes::kAssignment, "a parameter stands here without a word or a value",
               "set it as in #5 = 3, or write the letter that its value is for");
   }
   setting.value = syntax_->open_assignment ? open_value_code() : value_code();
-  setting.whole = {setting.span.begin, static_cast<std::uint32_t>(at_ - block_->text.data())};
+  setting.whole = {setting.span.begin, here()};
   block_->settings.push_back(setting);
 }
 
@@ -196,7 +196,8 @@ void Parser::refuse_token(std::string_view expected) {
               "only comments may hold anything but ASCII characters");
   }
   if (c == '$') {
-    refuse_at(*block_, span, codes::kNotInterpreted, "$ words are not interpreted yet", "leave out the spindle number");
+    refuse_at(*block_, span, codes::kNotInterpreted,
+              "$ words, which choose one of several spindles, are not interpreted", "leave out the spindle number");
   }
   if (expected == "a value" && c != '.' && c != '<') {
     refuse_at(*block_, span, codes::kValueMissing, "a value is missing here",

@@ -94,6 +94,7 @@ class Parser {
 
   void take(void (*lex)(const char*, Token&));
   Span span_of(const Token& token) const;
+  std::uint32_t here() const { return static_cast<std::uint32_t>(at_ - block_->text.data()); }
   void push(Operation operation, Span span, double number = 0, std::uint32_t name = 0);
   void see(char letter, Span span);
   [[noreturn]] void refuse_token(std::string_view expected);

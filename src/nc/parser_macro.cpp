@@ -8,7 +8,7 @@ namespace plumbline::nc {
 // Block skip with a number: /2. The numbers are switches of the control, which here are one.
 void Parser::skip_level() {
   while (is_digit(*at_)) ++at_;
-  block_->slash.end = static_cast<std::uint32_t>(at_ - block_->text.data());
+  block_->slash.end = here();
 }
 
 // open value = real value , operations
@@ -80,7 +80,7 @@ void Parser::macro_condition() {
 
 void Parser::macro_label() {
   block_->flow.label = value_code();
-  block_->flow.span.end = static_cast<std::uint32_t>(at_ - block_->text.data());
+  block_->flow.span.end = here();
 }
 
 void Parser::end_of_statement() {

@@ -48,7 +48,7 @@ bool Parser::block_label() {
   } else if (token_.kind == TokenKind::colon && is_digit(*at_)) {
     block_->number = span_of(token_);
     while (is_digit(*at_)) ++at_;
-    block_->number.end = static_cast<std::uint32_t>(at_ - block_->text.data());
+    block_->number.end = here();
     take(lex_named_item);
   }
   const bool is_name = token_.kind == TokenKind::identifier || token_.kind == TokenKind::word;
@@ -187,7 +187,7 @@ void Parser::expect_equals(Span name) {
 // Codes that are names, and what may stand behind them in brackets.
 void Parser::code_by_name(Span span, int row) {
   if (dialect_->named_codes[static_cast<std::size_t>(row)].has_arguments) pass_arguments();
-  span.end = static_cast<std::uint32_t>(at_ - block_->text.data());
+  span.end = here();
   block_->words.push_back(
       {kNamedCode, static_cast<double>(row), kLiteral, span, 0, false, false, false, WordMode::modal});
 }
@@ -261,7 +261,7 @@ void Parser::assigned_word(char letter, Span span) {
       word.expression = kLiteral;
     }
   }
-  word.span = {span.begin, static_cast<std::uint32_t>(at_ - block_->text.data())};
+  word.span = {span.begin, here()};
   block_->words.push_back(word);
 }
 
@@ -311,14 +311,14 @@ void Parser::assigned_variable(Span name, const NameMeaning* meaning) {
     setting.name = static_cast<std::uint32_t>(block_->names.size());
     block_->names.push_back(name);
   }
-  setting.span.end = static_cast<std::uint32_t>(at_ - block_->text.data());
+  setting.span.end = here();
   expect_equals(setting.span);
   if (next_is(TokenKind::string)) {
     refuse_at(*block_, setting.span, codes::kNotInterpreted, "texts are not interpreted",
               "a program that shows messages this way needs them written as comments");
   }
   setting.value = named_value_code();
-  setting.whole = {setting.span.begin, static_cast<std::uint32_t>(at_ - block_->text.data())};
+  setting.whole = {setting.span.begin, here()};
   block_->settings.push_back(setting);
 }
 

@@ -99,11 +99,11 @@ void Parser::parameter() {
   if (token_.kind == TokenKind::name) {
     at_ = token_.end;
     const std::uint32_t which = name();
-    span.end = static_cast<std::uint32_t>(at_ - block_->text.data());
+    span.end = here();
     return push(Operation::name, span, 0, which);
   }
   real_value();
-  span.end = static_cast<std::uint32_t>(at_ - block_->text.data());
+  span.end = here();
   push(Operation::parameter, span);
 }
 

@@ -32,12 +32,9 @@ bool is_tool_length(Action action) {
 }
 
 [[noreturn]] void refuse_row(const Execution& run, const CodeRow& row, const Word& word) {
-  const std::string why = row.why.empty() ? std::string("is not interpreted yet") : row.why;
-  run.refuse(word, codes::kNotInterpreted, fmt::format("{} {}", text_of(run, word), why),
+  run.refuse(word, codes::kNotInterpreted, fmt::format("{} {}", text_of(run, word), row.why),
              "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system");
 }
-
-bool is_refused(const CodeRow& row) { return row.action == Action::none || row.action == Action::refused; }
 
 const CodeRow* g_row(const Execution& run, const Word& word) {
   const double times_ten = word.value * 10;
@@ -56,24 +53,18 @@ const CodeRow* g_row(const Execution& run, const Word& word) {
                "let the CAM system write the path of the tool's centre: an offset at the control would turn the "
                "corrections of the path into others");
   }
-  if (is_refused(*row)) refuse_row(run, *row, word);
+  if (row->action == Action::refused) refuse_row(run, *row, word);
   return row;
 }
 
 const CodeRow* m_row(const Execution& run, const Word& word) {
   const int code = whole_number(*run.block, word.span, word.value, "an M code");
   const CodeRow* row = code < 0 || code > 1000 ? nullptr : run.dialect.m_code(code * 10);
-  if (row != nullptr && !is_refused(*row)) return row;
-  if (row != nullptr && row->action == Action::refused && !run.settings.passed_m_codes.contains(code)) {
-    refuse_row(run, *row, word);
-  }
+  if (row != nullptr && row->action != Action::refused) return row;
+  if (row != nullptr && !run.settings.passed_m_codes.contains(code)) refuse_row(run, *row, word);
   const bool users = code >= run.dialect.first_user_m_code;
   if (run.settings.passed_m_codes.contains(code) || (users && run.settings.as_with_empty_tables)) {
     return &run.dialect.user_row;
-  }
-  if (row != nullptr) {
-    run.refuse(word, codes::kNotInterpreted, fmt::format("M{} is not interpreted yet", code),
-               "write the program out without it");
   }
   if (!users) {
     run.refuse(
@@ -174,7 +165,7 @@ void gather(Execution& run) {
         continue;
       case kNamedCode: {
         const CodeRow& row = run.dialect.named_codes[static_cast<std::size_t>(word.value)];
-        if (is_refused(row)) refuse_row(run, row, word);
+        if (row.action == Action::refused) refuse_row(run, row, word);
         choose(run, &row, word);
         continue;
       }
