@@ -40,6 +40,13 @@ class Scan {
       if (std::string_view("TtHhQq").find(c) == std::string_view::npos) continue;
       std::size_t at = i + 1;
       while (at < line.size() && (is_blank(line[at]) || line[at] == '+')) ++at;
+      if (at < line.size() && line[at] == '=') {
+        const std::size_t quote = line.find_first_not_of(" \t", at + 1);
+        if (quote < line.size() && (line[quote] == '"' || line[quote] == '\'')) {
+          i = take_quoted(line, quote);
+          continue;
+        }
+      }
       if (at < line.size() && (line[at] == '#' || line[at] == '[' || line[at] == '=')) has_expression_ = true;
       if (at < line.size() && is_digit(line[at])) take_number(line, at);
     }
@@ -47,7 +54,9 @@ class Scan {
 
   /// True if the text may call a program of this name.
   bool may_call(const std::string& name) const { return names_.contains(name); }
-  bool may_use(int number) const { return has_expression_ || numbers_.contains(number); }
+  bool may_use(const nc::Tool& tool) const {
+    return has_expression_ || numbers_.contains(tool.number) || tool_names_.contains(tool.name);
+  }
 
  private:
   // Names of two letters or more, and numbers behind letters that programs are called with: few in any program.
@@ -58,6 +67,18 @@ class Scan {
     const bool short_name = text.size() > 1 && !is_name_letter(text[1]);
     if (text.size() < 2 || (short_name && std::string_view("OoPpLl").find(text[0]) == std::string_view::npos)) return;
     names_.insert(plain_name(text));
+  }
+
+  // T="12", T="MILL10"; gives where it ends.
+  std::size_t take_quoted(std::string_view line, std::size_t quote) {
+    const std::size_t end = std::min(line.find(line[quote], quote + 1), line.size());
+    const std::string_view name = line.substr(quote + 1, end - quote - 1);
+    if (nc::is_tool_number(name)) {
+      take_number(name, 0);
+    } else if (!name.empty()) {
+      tool_names_.emplace(name);
+    }
+    return end;
   }
 
   void take_number(std::string_view line, std::size_t at) {
@@ -71,6 +92,7 @@ class Scan {
   bool has_expression_ = false;
   std::set<int> numbers_;
   std::set<std::string> names_;
+  std::set<std::string> tool_names_;
 };
 
 void take_file(Scan& scan, const InputFile& file) {
@@ -110,7 +132,7 @@ std::vector<nc::Tool> used_tools(const InputFile& program, const nc::ToolTable& 
   take_called_files(scan, program);
   std::vector<nc::Tool> used;
   for (const nc::Tool& tool : tools.all()) {
-    if (scan.may_use(tool.number) || tool.number == tool_in_spindle) used.push_back(tool);
+    if (scan.may_use(tool) || tool.number == tool_in_spindle) used.push_back(tool);
   }
   return used;
 }

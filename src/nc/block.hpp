@@ -43,6 +43,7 @@ struct Word {
   bool point = false;                   // a literal with a decimal point
   bool vacant = false;                  // an expression without a value
   WordMode mode = WordMode::modal;
+  bool named = false;  // T="MILL10": the tool table says which number that is
 };
 
 struct Comment {

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include "base/characters.hpp"
+#include "base/number_text.hpp"
 #include "nc/codes.hpp"
 #include "nc/parser.hpp"
+#include "nc/tool_table.hpp"
 
 namespace plumbline::nc {
 namespace {}  // namespace
@@ -265,21 +267,16 @@ void Parser::assigned_word(char letter, Span span) {
   block_->words.push_back(word);
 }
 
-// T="NAME": a number where the name is one.
+// T="12" is a number, T="MILL10" a name of the tool table.
 void Parser::tool_by_name(Span span) {
   take(lex_named_item);
   const std::string_view name(token_.begin + 1, static_cast<std::size_t>(token_.end - token_.begin) - 2);
-  const bool is_number = !name.empty() && name.size() < 9 && std::all_of(name.begin(), name.end(), is_digit);
   span.end = span_of(token_).end;
-  if (!is_number) {
-    refuse_at(*block_, span, codes::kToolUnknown,
-              fmt::format("the tool table knows numbers, and this names '{}'", name),
-              "call the tool by a number, T=\"12\" or T12, and give its length in the tool table (--tools)");
-  }
   see('T', span);
-  double number = 0;
-  for (const char c : name) number = number * 10 + (c - '0');
-  block_->words.push_back({'T', number, kLiteral, span, 0, false, false, false, WordMode::modal});
+  Word word{.letter = 'T', .span = span};
+  word.named = !is_tool_number(name);
+  if (!word.named) word.value = parse_number(name).value_or(0);
+  block_->words.push_back(word);
 }
 
 void Parser::refuse_reserved(Span span) const {

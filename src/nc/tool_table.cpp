@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/characters.hpp"
 #include "base/diagnostic.hpp"
 #include "base/files.hpp"
 #include "base/input_name.hpp"
@@ -18,9 +19,11 @@ namespace plumbline::nc {
 namespace {
 
 constexpr std::string_view kVersion = "tools 1";
-constexpr std::array<std::string_view, 5> kKeys{"number", "length_mm", "diameter_mm", "mass_kg", "centre_of_mass_mm"};
+constexpr std::array<std::string_view, 6> kKeys{"number",      "name",    "length_mm",
+                                                "diameter_mm", "mass_kg", "centre_of_mass_mm"};
 constexpr double kLongest = 2000;  // mm, kg: beyond it the unit is wrong
 constexpr double kLargestNumber = 1e6;
+constexpr std::size_t kDigitsOfNumber = 8;
 
 bool is_key(std::string_view key) { return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end(); }
 
@@ -69,6 +72,10 @@ class ToolReader {
         refuse_key("tools-unknown-key", entry, fmt::format("a tool has no key '{}'", entry.key),
                    fmt::format("its keys are {}", fmt::join(kKeys, ", ")));
       }
+      if (entry.key == "name") {
+        tool.name = name(entry);
+        continue;
+      }
       const double value = number(entry);
       if (entry.key == "number") {
         tool.number = tool_number(entry, value);
@@ -89,6 +96,24 @@ class ToolReader {
              "each [[tool]] needs number and length_mm", document_.place(row.span));
     }
     return tool;
+  }
+
+  std::string name(const TomlEntry& entry) {
+    const std::string& text = entry.value.text;
+    const Place place = document_.place(entry.value.span);
+    if (entry.value.kind != TomlValue::Kind::text || text.empty() || std::any_of(text.begin(), text.end(), [](char c) {
+          return static_cast<unsigned char>(c) < ' ' || c == '"' || c == '\'';
+        })) {
+      refuse("tools-value", "'name' is no name of a tool", "write what stands behind T=, as in name = \"MILL10\"",
+             place);
+    }
+    if (is_tool_number(text)) {
+      refuse("tools-value", fmt::format("T=\"{}\" calls a tool by its number", text), "write number alone", place);
+    }
+    if (!names_.insert(text).second) {
+      refuse("tools-twice", fmt::format("the name '{}' stands here twice", text), "leave one of them", place);
+    }
+    return text;
   }
 
   double number(const TomlEntry& entry) {
@@ -119,6 +144,7 @@ class ToolReader {
 
   const TomlDocument& document_;
   std::set<int> seen_;
+  std::set<std::string> names_;
 };
 
 }  // namespace
@@ -126,6 +152,15 @@ class ToolReader {
 const Tool* ToolTable::find(int number) const {
   const auto at = std::find_if(tools_.begin(), tools_.end(), [&](const Tool& tool) { return tool.number == number; });
   return at == tools_.end() ? nullptr : &*at;
+}
+
+const Tool* ToolTable::find(std::string_view name) const {
+  const auto at = std::find_if(tools_.begin(), tools_.end(), [&](const Tool& tool) { return tool.name == name; });
+  return name.empty() || at == tools_.end() ? nullptr : &*at;
+}
+
+bool is_tool_number(std::string_view name) {
+  return !name.empty() && name.size() <= kDigitsOfNumber && std::all_of(name.begin(), name.end(), is_digit);
 }
 
 ToolTable read_tool_table(const std::string& path) {

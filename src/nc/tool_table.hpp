@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plumbline::nc {
@@ -13,13 +14,18 @@ struct Tool {
   std::optional<double> diameter_mm;
   std::optional<double> mass_kg;
   std::optional<double> centre_of_mass_mm;  // from the gauge point towards the tip
+  std::string name;                         // as in T="MILL10"; empty: called by its number alone
 };
+
+/// True where a tool's name in a program, as in T="12", is its number.
+bool is_tool_number(std::string_view name);
 
 class ToolTable {
  public:
   ToolTable() = default;
   explicit ToolTable(std::vector<Tool> tools) : tools_(std::move(tools)) {}
   const Tool* find(int number) const;
+  const Tool* find(std::string_view name) const;  // letter for letter
   bool empty() const { return tools_.empty(); }
   const std::vector<Tool>& all() const { return tools_; }
 

@@ -8,6 +8,17 @@
 namespace plumbline::nc {
 namespace {
 
+// T="MILL10"; -1: a tool that no table holds, where tables count as empty.
+int tool_by_name(const Execution& run, const Word& word) {
+  const std::string_view text = run.block->at(word.span);
+  const std::size_t begin = text.find_first_of("\"'") + 1;
+  const std::string_view name = text.substr(begin, text.size() - begin - 1);
+  if (const Tool* const tool = run.settings.tools.find(name)) return tool->number;
+  if (run.settings.as_with_empty_tables) return -1;
+  run.refuse(word, codes::kToolUnknown, fmt::format("no tool of the table is named '{}'", name),
+             fmt::format("add name = \"{}\", letter for letter, to its [[tool]] in the tool table (--tools)", name));
+}
+
 // What the tool adds to the control's display; null where no table has it.
 std::optional<AxisWords> offset_of(const Execution& run, int number) {
   AxisWords offset;
@@ -142,7 +153,7 @@ void set_tool_row(Execution& run) {
 }
 
 void select_tool(Execution& run, const Word& word) {
-  run.control.selected_tool = tool_number(run, word, "the number of a tool");
+  run.control.selected_tool = word.named ? tool_by_name(run, word) : tool_number(run, word, "the number of a tool");
 }
 
 void change_tool(Execution& run, const Chosen& chosen) {

@@ -16,7 +16,7 @@ inline nc::ProgramSettings everything_known() {
   settings.work_offsets[1] = nc::WorkOffset{{{10, -5, -1000, 1, 0, 0.5}}, 30};
   settings.start.fill(0.0);
   nc::Tool long_one{1, 85, 16, 1.4, 22};
-  nc::Tool short_one{2, 40, {}, {}, {}};
+  nc::Tool short_one{2, 40, {}, {}, {}, "MILL8"};
   settings.tools = nc::ToolTable({long_one, short_one});
   settings.variables = {{100, 1.5}, {5161, 0}, {5162, 0}, {5163, 50}};
   settings.block_delete = true;

@@ -15,6 +15,7 @@ void check_tools(const std::string& path) {
   const nc::ToolTable table = nc::read_tool_table(path);
   for (const nc::Tool& tool : table.all()) {
     FUZZ_CHECK(table.find(tool.number) != nullptr);
+    FUZZ_CHECK(tool.name.empty() || table.find(tool.name) != nullptr);
     FUZZ_CHECK(std::isfinite(tool.length_mm));
     FUZZ_CHECK(!tool.mass_kg || std::isfinite(*tool.mass_kg));
     FUZZ_CHECK(!tool.centre_of_mass_mm || std::isfinite(*tool.centre_of_mass_mm));

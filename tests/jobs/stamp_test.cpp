@@ -76,6 +76,23 @@ TEST_CASE("the tools of a program are those whose numbers stand in it") {
   CHECK(numbers("G43 H[1+1]\n").size() == 4);
 }
 
+TEST_CASE("tools that a program calls by name are those that the table gives this name") {
+  const testing::Scratch scratch;
+  nc::Tool mill{1, 10, {}, {}, {}};
+  mill.name = "MILL10";
+  const nc::ToolTable table({mill, {2, 20, {}, {}, {}}});
+  const auto numbers = [&](const char* program) {
+    std::vector<int> found;
+    const InputFile file(scratch.file("p.mpf", program));
+    for (const nc::Tool& tool : jobs::used_tools(file, table, std::nullopt)) found.push_back(tool.number);
+    return found;
+  };
+  CHECK(numbers("T=\"MILL10\" D1\n") == std::vector{1});
+  CHECK(numbers("T = \"2\" D1\n") == std::vector{2});
+  CHECK(numbers("T=\"MILL8\"\nT=\"\n").empty());
+  CHECK(numbers("T=R1\n").size() == 2);
+}
+
 TEST_CASE("the tools of subprograms beside a program are its own") {
   const testing::Scratch scratch;
   const nc::ToolTable table({{1, 10, {}, {}, {}}, {2, 20, {}, {}, {}}, {3, 30, {}, {}, {}}, {12, 40, {}, {}, {}}});

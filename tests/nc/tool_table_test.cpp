@@ -22,6 +22,18 @@ TEST_CASE("a tool table gives length, diameter, mass and centre of mass") {
   CHECK(tools.find(5) == nullptr);
 }
 
+TEST_CASE("a tool may have a name") {
+  const ProgramFile file(
+      "plumbline = \"tools 1\"\n[[tool]]\nnumber = 3\nname = \"FR\xC3\x84SER 10\"\nlength_mm = 120.5\n"
+      "[[tool]]\nnumber = 4\nlength_mm = 80\n");
+  const ToolTable tools = read_tool_table(file.path());
+  REQUIRE(tools.find("FR\xC3\x84SER 10") != nullptr);
+  CHECK(tools.find("FR\xC3\x84SER 10")->number == 3);
+  CHECK(tools.find("fr\xC3\x84ser 10") == nullptr);
+  CHECK(tools.find("") == nullptr);
+  CHECK(tools.find(4)->name.empty());
+}
+
 TEST_CASE("an empty tool table is one") {
   CHECK(read_tool_table(ProgramFile("plumbline = \"tools 1\"\n").path()).empty());
 }
