@@ -43,7 +43,8 @@ struct Word {
   bool point = false;                   // a literal with a decimal point
   bool vacant = false;                  // an expression without a value
   WordMode mode = WordMode::modal;
-  bool named = false;  // T="MILL10": the tool table says which number that is
+  bool named = false;         // T="MILL10": the tool table says which number that is
+  bool machine_axis = false;  // X1=0: of the machine's axis of this name, not of the work's X
 };
 
 struct Comment {

@@ -157,6 +157,8 @@ struct Syntax {
   bool rounds_to_zero = false;    // FIX and FUP
   bool full_turn = false;         // ATAN gives 0 to 360
   bool relations_last = false;    // == binds weaker than AND
+  bool declared = false;          // a variable that has a name is declared before it is set (DEF)
+  bool settings_alone = false;    // such a variable is set in a block without words, and has two letters or more
   char open = '[';                // of expressions of a language with names
   double equal_within = 1e-4;     // EQ and NE
   int local_variables = 30;       // #1... of a subprogram

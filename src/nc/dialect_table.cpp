@@ -109,6 +109,8 @@ class TableReader {
     syntax.statements = statements_named(text(from, "statements"));
     syntax.names = flag(from, "names");
     syntax.percent_text = flag(from, "percent_text");
+    syntax.declared = flag(from, "declared");
+    syntax.settings_alone = flag(from, "settings_alone");
     syntax.open_assignment = flag(from, "open_assignment");
     syntax.repeated_ijk = flag(from, "repeated_ijk");
     syntax.rounds_to_zero = flag(from, "rounds_to_zero");

@@ -1,9 +1,11 @@
 #include "nc/interpreter.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/characters.hpp"
 #include "nc/codes.hpp"
 #include "nc/parser.hpp"
 
@@ -200,8 +202,25 @@ void Interpreter::set_parameter(const Block& block, const Setting& place, int nu
   }
 }
 
+// A misread address would be a word left out: what is set must be a variable beyond doubt.
+void Interpreter::check_variable(const Block& block, const Setting& place) {
+  const Syntax& syntax = run_.dialect.syntax;
+  const std::string_view name = block.at(block.names[place.name]);
+  if (syntax.declared && block.flow.word != FlowWord::define && control_.parameters.find(name) == nullptr) {
+    refuse_at(block, place.span, codes::kUnknownCode,
+              fmt::format("{} is neither declared nor a word of this control that is known here", name),
+              fmt::format("if it is a variable, declare it: DEF REAL {}", name));
+  }
+  const bool like_an_axis = std::all_of(name.begin() + 1, name.end(), is_digit);
+  if (!syntax.settings_alone || (block.words.empty() && !like_an_axis)) return;
+  refuse_at(block, place.span, codes::kUnknownCode,
+            fmt::format("{} is no word of this control that is known here", name),
+            "a variable needs a block of its own, and a name that begins with two letters");
+}
+
 void Interpreter::apply_settings(const Block& block) {
   for (std::size_t i = 0; i < block.settings.size(); ++i) {
+    if (setting_numbers_[i] == kNamed) check_variable(block, block.settings[i]);
     set_parameter(block, block.settings[i], setting_numbers_[i], setting_values_[i]);
   }
 }

@@ -54,6 +54,7 @@ class Interpreter {
   int setting_number(const Block& block, const Setting& setting);
   void evaluate_settings(const Block& block);
   void apply_settings(const Block& block);
+  void check_variable(const Block& block, const Setting& place);
   void set_parameter(const Block& block, const Setting& place, int number, Value value);
   void act(const Chosen& chosen);
   void act_on_position(const Chosen& chosen);

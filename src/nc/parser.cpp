@@ -195,6 +195,11 @@ void Parser::refuse_token(std::string_view expected) {
     refuse_at(*block_, span, codes::kNotAscii, fmt::format("{} outside a comment", shown(c)),
               "only comments may hold anything but ASCII characters");
   }
+  if (c == '$' && syntax_->names) {
+    refuse_at(*block_, span, codes::kNotInterpreted,
+              "names that begin with $ are variables of the control itself, which are not interpreted",
+              "they read or set what only this machine has; write the values themselves");
+  }
   if (c == '$') {
     refuse_at(*block_, span, codes::kNotInterpreted,
               "$ words, which choose one of several spindles, are not interpreted", "leave out the spindle number");

@@ -58,7 +58,8 @@ class Parser {
   void named_letter();
   void identifier();
   void code_by_name(Span span, int row);
-  void assigned_word(char letter, Span span);
+  void address(const NameMeaning& meaning, Span span);
+  void assigned_word(char letter, Span span, bool machine_axis = false);
   void assigned_variable(Span name, const NameMeaning* meaning);
   void tool_by_name(Span span);
   bool word_mode(WordMode& mode);

@@ -133,10 +133,7 @@ void Parser::named_word() {
   if (next_is(TokenKind::equals)) {
     const NameMeaning* const meaning = dialect_->meaning(block_->at(span));
     if (meaning != nullptr && meaning->kind == NameMeaning::Kind::code) return code_by_name(span, meaning->which);
-    if (meaning != nullptr && meaning->kind == NameMeaning::Kind::address) {
-      take(lex_named_item);
-      return assigned_word(static_cast<char>(meaning->which), span);
-    }
+    if (meaning != nullptr && meaning->kind == NameMeaning::Kind::address) return address(*meaning, span);
     return assigned_variable(span, meaning);
   }
   if (syntax_->statements == Statements::high_level && token_.letter == 'L') return call_by_name(span);
@@ -170,13 +167,17 @@ void Parser::identifier() {
   using Kind = NameMeaning::Kind;
   if (meaning != nullptr && meaning->kind == Kind::code) return code_by_name(span, meaning->which);
   if (meaning != nullptr && meaning->kind == Kind::keyword) return statement(static_cast<FlowWord>(meaning->which));
-  if (meaning != nullptr && meaning->kind == Kind::address) {
-    expect_equals(span);
-    return assigned_word(static_cast<char>(meaning->which), span);
-  }
+  if (meaning != nullptr && meaning->kind == Kind::address) return address(*meaning, span);
   const bool assigns = next_is(TokenKind::equals) || next_is(TokenKind::open);
   if (!assigns && syntax_->statements == Statements::high_level) return call_by_name(span);
   assigned_variable(span, meaning);
+}
+
+// CR=5; X1=0, whose axis is the machine's.
+void Parser::address(const NameMeaning& meaning, Span span) {
+  expect_equals(span);
+  const char letter = static_cast<char>(meaning.which);
+  assigned_word(letter, span, axis_of(letter).has_value());
 }
 
 void Parser::expect_equals(Span name) {
@@ -240,11 +241,12 @@ bool Parser::word_mode(WordMode& mode) {
 }
 
 // Behind "=".
-void Parser::assigned_word(char letter, Span span) {
+void Parser::assigned_word(char letter, Span span, bool machine_axis) {
   if (letter == 'T' && next_is(TokenKind::string)) return tool_by_name(span);
   see(letter, span);
   Word word;
   word.letter = letter;
+  word.machine_axis = machine_axis;
   word.expression = static_cast<std::uint32_t>(block_->code.size());
   if (word_mode(word.mode)) {
     named_value();

@@ -152,10 +152,20 @@ void take_word_mode(Execution& run, const Word& word) {
   if (rule == RotaryRule::linear) rule = RotaryRule::one_turn;
 }
 
+// G74 X1=0: a move of struts and carriages to marks of their own.
+void check_machine_axis(const Execution& run, const Word& word) {
+  const bool taken = std::any_of(run.chosen.begin(), run.chosen.end(),
+                                 [](const Chosen& chosen) { return chosen.row->action == Action::lose_position; });
+  if (taken) return;
+  run.refuse(word, codes::kNotInterpreted, fmt::format("{} moves an axis of the machine itself", text_of(run, word)),
+             "write X, Y and Z; axes of the machine stand in a block with G74 or G75");
+}
+
 void gather(Execution& run) {
   run.chosen.clear();
   run.has_word_modes = false;
   bool calls_macro = false;
+  const Word* machine_axis = nullptr;
   for (const Word& word : run.block->words) {
     if (calls_macro) continue;  // its words are arguments
     switch (word.letter) {
@@ -189,6 +199,7 @@ void gather(Execution& run) {
     }
     if (run.dialect.syntax.repeated_ijk && run.words.has(word.letter)) refuse_twice(run, word);
     if (word.mode != WordMode::modal) take_word_mode(run, word);
+    if (word.machine_axis) machine_axis = &word;
     if ((letter_bit(word.letter) & kUninterpretedLetters) != 0) {
       run.refuse(word, codes::kNotInterpreted, fmt::format("{} words are not interpreted", word.letter),
                  "the axes are X, Y, Z, A, B and C");
@@ -196,6 +207,7 @@ void gather(Execution& run) {
     run.words.add(word);
   }
   run.axes = run.words.axes();
+  if (machine_axis != nullptr) check_machine_axis(run, *machine_axis);
   if (run.words.polar()) plan_polar(run);
   if (run.chosen.size() > 1) {
     if (run.dialect.syntax.statements != Statements::o_words) take_words_of_dwell(run);
