@@ -205,6 +205,7 @@ void Interpreter::set_parameter(const Block& block, const Setting& place, int nu
 // A misread address would be a word left out: what is set must be a variable beyond doubt.
 void Interpreter::check_variable(const Block& block, const Setting& place) {
   const Syntax& syntax = run_.dialect.syntax;
+  if (!syntax.declared && !syntax.settings_alone) return;
   const std::string_view name = block.at(block.names[place.name]);
   if (syntax.declared && block.flow.word != FlowWord::define && control_.parameters.find(name) == nullptr) {
     refuse_at(block, place.span, codes::kUnknownCode,

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/check.hpp"
 #include "nc/codes.hpp"
 #include "nc/execution.hpp"
 #include "nc/expression.hpp"
@@ -125,7 +126,10 @@ void plan_polar(Execution& run) {
 }
 
 const Word& polar_word(const Execution& run) {
-  return run.words.has('@') ? *run.words.find('@') : *run.words.find('^');
+  const Word* const radius = run.words.find('@');
+  const Word* const word = radius != nullptr ? radius : run.words.find('^');
+  PLUMBLINE_CHECK(word != nullptr);
+  return *word;
 }
 
 // F and S of a dwell are its time, not a feed and a speed.
