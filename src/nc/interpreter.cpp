@@ -1,6 +1,8 @@
 #include "nc/interpreter.hpp"
 
 #include <algorithm>
+#include <span>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,6 +17,38 @@ namespace {
 constexpr int kNamed = -1;  // in place of the number of a named parameter
 
 bool may_be_unknown(char letter) { return letter == 'S'; }
+
+// Reads what nothing sets among the block's first settings: whether that gives the value before or behind stands in no
+// source but RS274/NGC's.
+class ReadingsOfBlock final : public ParameterReader {
+ public:
+  ReadingsOfBlock(Readings& readings, Parameters& parameters, std::span<const int> set)
+      : readings_(readings), parameters_(parameters), set_(set) {}
+  Value read(const Block& block, int number, Span span) override {
+    if (std::find(set_.begin(), set_.end(), number) != set_.end()) refuse_set(block, span);
+    return readings_.read(block, number, span);
+  }
+  Value read(const Block& block, std::string_view name, Span span) override {
+    const std::string plain(parameters_.plain(name));
+    for (std::size_t i = 0; i < set_.size(); ++i) {
+      if (set_[i] != kNamed) continue;
+      if (parameters_.plain(block.at(block.names[block.settings[i].name])) == plain) refuse_set(block, span);
+    }
+    return readings_.read(block, name, span);
+  }
+  bool exists(std::string_view name) override { return readings_.exists(name); }
+  ParameterLimits limits() const override { return readings_.limits(); }
+
+ private:
+  [[noreturn]] static void refuse_set(const Block& block, Span span) {
+    refuse_at(block, span, codes::kNotInterpreted,
+              fmt::format("{} is set and used in one block, and no source says which value that gives", block.at(span)),
+              "set it in a block of its own");
+  }
+  Readings& readings_;
+  Parameters& parameters_;
+  std::span<const int> set_;  // their numbers, kNamed of names
+};
 
 // Comments and coolant: whether they are executed makes no difference to motion.
 bool is_harmless(const Block& block, const Dialect& dialect) {
@@ -121,10 +155,11 @@ double Interpreter::value_of(const Block& block, std::uint32_t code, Span span) 
 
 void Interpreter::evaluate(Block& block) {
   if (block.code.empty()) return;
+  number_settings(block);
   bool vacant = false;
   for (Word& word : block.words) {
     if (word.expression == kLiteral) continue;
-    const Value value = evaluator_.run(block, word.expression, readings_);
+    const Value value = value_before(block, word.expression, block.settings.size());
     word.vacant = value.vacant;
     vacant = vacant || value.vacant;
     if (!value.known && !may_be_unknown(word.letter)) {
@@ -164,16 +199,27 @@ int Interpreter::setting_number(const Block& block, const Setting& setting) {
   return number;
 }
 
+void Interpreter::number_settings(const Block& block) {
+  setting_numbers_.clear();
+  for (const Setting& setting : block.settings) setting_numbers_.push_back(setting_number(block, setting));
+}
+
 void Interpreter::evaluate_settings(const Block& block) {
   setting_values_.clear();
-  setting_numbers_.clear();
-  for (const Setting& setting : block.settings) {
-    setting_numbers_.push_back(setting_number(block, setting));
-    setting_values_.push_back(evaluator_.run(block, setting.value, readings_));
+  for (std::size_t i = 0; i < block.settings.size(); ++i) {
+    setting_values_.push_back(value_before(block, block.settings[i].value, i));
   }
 }
 
+// In RS274/NGC all values of a block are found before any is set.
+Value Interpreter::value_before(const Block& block, std::uint32_t code, std::size_t settings) {
+  if (settings == 0 || run_.dialect.syntax.statements == Statements::o_words) return value(block, code);
+  ReadingsOfBlock readings(readings_, control_.parameters, {setting_numbers_.data(), settings});
+  return evaluator_.run(block, code, readings);
+}
+
 void Interpreter::assign(const Block& block) {
+  number_settings(block);
   evaluate_settings(block);
   apply_settings(block);
 }

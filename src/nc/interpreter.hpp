@@ -52,7 +52,9 @@ class Interpreter {
   void evaluate(Block& block);
   void leave_out_vacant_words(Block& block);
   int setting_number(const Block& block, const Setting& setting);
+  void number_settings(const Block& block);
   void evaluate_settings(const Block& block);
+  Value value_before(const Block& block, std::uint32_t code, std::size_t settings);
   void apply_settings(const Block& block);
   void check_variable(const Block& block, const Setting& place);
   void set_parameter(const Block& block, const Setting& place, int number, Value value);

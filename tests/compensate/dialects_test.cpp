@@ -139,7 +139,7 @@ TEST_CASE("loops and subprograms of every dialect are written out") {
 
 TEST_CASE("variables that are set beside a move are not written out") {
   const std::string loop =
-      "G54\nG0 X0 Y0 Z20 A0 B0 C0\nR1=1 R2=2\nFOR R3=0 TO 2\nR1=R1+R3*2 G1 X=R1 Y5 R2=R1 F500\nENDFOR\nM30\n";
+      "G54\nG0 X0 Y0 Z20 A0 B0 C0\nR1=1 R2=2\nFOR R3=0 TO 2\nR1=R3*2 G1 X=R2 Y5 R4=R2 F500\nR2=R2+R1\nENDFOR\nM30\n";
   const Job job = job_for("siemens");
   const std::string out = run(loop, job).text;
   check(loop, out, job);
