@@ -18,6 +18,7 @@ constexpr int kUserGroup = 10;
 constexpr std::uint32_t kUninterpretedLetters = letter_bit('U') | letter_bit('V') | letter_bit('W');
 constexpr std::uint32_t kAxisLetters =
     letter_bit('X') | letter_bit('Y') | letter_bit('Z') | letter_bit('A') | letter_bit('B') | letter_bit('C');
+constexpr double kLargestValue = 1e9;  // so that sums of them can be written with all that a double holds of them
 constexpr std::uint32_t kFreeLetters = letter_bit('F') | letter_bit('S') | letter_bit('T');  // need no code
 constexpr std::uint32_t kCentreBits = letter_bit('I') | letter_bit('J') | letter_bit('K');
 
@@ -156,6 +157,11 @@ void take_word_mode(Execution& run, const Word& word) {
   if (rule == RotaryRule::linear) rule = RotaryRule::one_turn;
 }
 
+[[noreturn]] void refuse_large(const Execution& run, const Word& word) {
+  run.refuse(word, codes::kOutOfRange, fmt::format("{} is worth {:.6g}", word.letter, word.value),
+             fmt::format("look for a slip or a missing point; words may be worth up to {:.0e}", kLargestValue));
+}
+
 // G74 X1=0: a move of struts and carriages to marks of their own.
 void check_machine_axis(const Execution& run, const Word& word) {
   const bool taken = std::any_of(run.chosen.begin(), run.chosen.end(),
@@ -204,6 +210,7 @@ void gather(Execution& run) {
     if (run.dialect.syntax.repeated_ijk && run.words.has(word.letter)) refuse_twice(run, word);
     if (word.mode != WordMode::modal) take_word_mode(run, word);
     if (word.machine_axis) machine_axis = &word;
+    if (!(std::abs(word.value) <= kLargestValue)) refuse_large(run, word);
     if ((letter_bit(word.letter) & kUninterpretedLetters) != 0) {
       run.refuse(word, codes::kNotInterpreted, fmt::format("{} words are not interpreted", word.letter),
                  "the axes are X, Y, Z, A, B and C");
