@@ -23,7 +23,7 @@ class BlockWords {
  public:
   /// Forgets the words of the block before.
   void clear() { letters_ = 0; }
-  /// G and M are not kept: there may be several.
+  /// G, M and codes that are names are not kept: there may be several.
   void add(const Word& word) {
     letters_ |= letter_bit(word.letter);
     words_[letter_place(word.letter)] = &word;
