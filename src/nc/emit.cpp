@@ -81,11 +81,10 @@ void Emitter::note_header(const Step& step) {
   tool_ = step.frame->tool;
   if (!in_header_) return;
   header_end_ = std::max<std::uint64_t>(header_end_, byte_order_mark_size(block));
-  const bool blank =
-      block.words.empty() && block.comments.empty() && block.settings.empty() && block.kind == LineKind::block;
-  const bool comment = block.words.empty() && !block.comments.empty() && block.settings.empty() && !block.block_delete;
-  const bool number = block.flow.word == FlowWord::program;
-  if (block.kind == LineKind::percent || comment || number) {
+  const bool text = block.words.empty() && block.settings.empty() && !block.block_delete;  // / is rewritten
+  const bool blank = text && block.comments.empty() && block.kind == LineKind::block;
+  const bool number = block.flow.word == FlowWord::program && !block.block_delete;
+  if (block.kind == LineKind::percent || (text && !block.comments.empty()) || number) {
     header_end_ = source_end_;
   } else if (!blank) {
     in_header_ = false;

@@ -194,6 +194,10 @@ TEST_CASE("block delete: the choice is applied") {
   CHECK(rewrite("G0 X1\n/ O9\n/O1 sub\n", how) ==
         "(stamped)\nG0 X1 Z0.01\n(block delete is on: this block was left out)\n(block delete is on: this block was "
         "left out)\n");
+  for (const char* const first : {"/ O9\n", "/\n"}) {
+    CHECK(rewrite(std::string(first) + "(note)\nG0 X1\n", how) ==
+          "(stamped)\n(block delete is on: this block was left out)\n(note)\nG0 X1 Z0.01\n");
+  }
   how.program.block_delete = false;
   CHECK(rewrite("G0 X1\n/G0 X6\n/(note)\n", how) == "(stamped)\nG0 X1 Z0.01\nG0 X6\n/(note)\n");
 }
