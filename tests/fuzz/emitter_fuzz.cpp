@@ -54,6 +54,14 @@ bool is_within_reach(const nc::Step& step) {
   });
 }
 
+// Refused before it comes to the emitter: nobody knows how a cutting move begins whose axes are not all known.
+bool cuts_blindly(const nc::Step& step) {
+  return std::any_of(step.motions.begin(), step.motions.end(), [](const nc::Motion& m) {
+    const bool cuts = m.kind == nc::MotionKind::feed || m.kind == nc::MotionKind::arc;
+    return cuts && (m.known_before != AxisSet::all() || m.known_after != AxisSet::all());
+  });
+}
+
 struct Rewritten {
   bool whole = false;           // the program was neither refused nor beyond what is rewritten
   std::vector<AxisWords> ends;  // where the moves of the output should end, in W
@@ -71,7 +79,7 @@ Rewritten rewrite(const InputFile& source, const nc::Dialect& dialect, Draw* dra
     emitter.record(log);
     out.keep_hash();
     while (const nc::Step* step = program.next()) {
-      if ((draw != nullptr && step->motions.size() > 1) || step->flow || step->jumped ||
+      if ((draw != nullptr && (step->motions.size() > 1 || cuts_blindly(*step))) || step->flow || step->jumped ||
           step->role == nc::BlockRole::cycle || step->polar || !is_within_reach(*step)) {
         refuse("fuzz", "not rewritten", "none");
       }
