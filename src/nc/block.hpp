@@ -47,6 +47,9 @@ struct Word {
   bool machine_axis = false;  // X1=0: of the machine's axis of this name, not of the work's X
 };
 
+/// G, M or a code that is a name: several may stand in a block, and none of them is a value.
+inline bool is_code(const Word& word) { return word.letter == 'G' || word.letter == 'M' || word.letter == kNamedCode; }
+
 struct Comment {
   Span span;  // with its delimiters
 };

@@ -23,7 +23,7 @@ class BlockWords {
  public:
   /// Forgets the words of the block before.
   void clear() { letters_ = 0; }
-  /// G, M and codes that are names are not kept: there may be several.
+  /// Codes are not kept: there may be several.
   void add(const Word& word) {
     letters_ |= letter_bit(word.letter);
     words_[letter_place(word.letter)] = &word;

@@ -65,7 +65,7 @@ void count_increments(const Execution& run, Block& block) {
   const bool in_cycle = find_word(block, 'K') != nullptr && is_in_cycle(run, block);
   for (Word& word : block.words) {
     if (in_cycle && word.letter == 'K') continue;
-    if (word.letter != 'G' && word.letter != 'M' && word.letter != kNamedCode) count_increments(run, word);
+    if (!is_code(word)) count_increments(run, word);
   }
 }
 

@@ -80,7 +80,7 @@ const Step& Interpreter::execute(Block& block) {
   if (block.block_delete && deleted(block)) {
     run_.step.skipped = true;
     for (const Word& word : block.words) {
-      if (word.letter != 'G' && word.letter != 'M' && word.letter != kNamedCode) run_.words.add(word);
+      if (!is_code(word)) run_.words.add(word);
     }
     run_.axes = run_.words.axes();
     finish();

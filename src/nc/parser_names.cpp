@@ -10,8 +10,6 @@
 #include "nc/tool_table.hpp"
 
 namespace plumbline::nc {
-namespace {}  // namespace
-
 // block = [ percent ] , [ "/" , [ digit ] ] , [ label ] , ( program name | items )
 void Parser::named_block() {
   if (syntax_->statements == Statements::user_task && block_->text.starts_with('$')) {

@@ -21,6 +21,14 @@ std::vector<std::string> stamp_of(const jobs::Options& options, const std::strin
   return jobs::stamp(options, program, model, tools, nc::dialect("linuxcnc"));
 }
 
+std::vector<int> used_numbers(const std::string& program, const nc::ToolTable& table,
+                              std::optional<int> spindle = std::nullopt) {
+  std::vector<int> found;
+  const InputFile file(program);
+  for (const nc::Tool& tool : jobs::used_tools(file, table, spindle)) found.push_back(tool.number);
+  return found;
+}
+
 bool has(const std::vector<std::string>& lines, const std::string& line) {
   return std::find(lines.begin(), lines.end(), line) != lines.end();
 }
@@ -63,10 +71,7 @@ TEST_CASE("the tools of a program are those whose numbers stand in it") {
   const testing::Scratch scratch;
   const nc::ToolTable table({{1, 10, {}, {}, {}}, {2, 20, {}, {}, {}}, {3, 30, {}, {}, {}}, {12, 40, {}, {}, {}}});
   const auto numbers = [&](const char* program, std::optional<int> spindle = {}) {
-    std::vector<int> found;
-    const InputFile file(scratch.file("p.ngc", program));
-    for (const nc::Tool& tool : jobs::used_tools(file, table, spindle)) found.push_back(tool.number);
-    return found;
+    return used_numbers(scratch.file("p.ngc", program), table, spindle);
   };
   CHECK(numbers("t 1 2 m6 (T1)\n; T2\nG43h03\n") == std::vector{3, 12});
   CHECK(numbers("G1X1\n").empty());
@@ -81,12 +86,7 @@ TEST_CASE("tools that a program calls by name are those that the table gives thi
   nc::Tool mill{1, 10, {}, {}, {}};
   mill.name = "MILL10";
   const nc::ToolTable table({mill, {2, 20, {}, {}, {}}});
-  const auto numbers = [&](const char* program) {
-    std::vector<int> found;
-    const InputFile file(scratch.file("p.mpf", program));
-    for (const nc::Tool& tool : jobs::used_tools(file, table, std::nullopt)) found.push_back(tool.number);
-    return found;
-  };
+  const auto numbers = [&](const char* program) { return used_numbers(scratch.file("p.mpf", program), table); };
   CHECK(numbers("T=\"MILL10\" D1\n") == std::vector{1});
   CHECK(numbers("T = \"2\" D1\n") == std::vector{2});
   CHECK(numbers("T=\"MILL8\"\nT=\"\n").empty());
@@ -100,10 +100,7 @@ TEST_CASE("the tools of subprograms beside a program are its own") {
   scratch.file("100.ngc", "o100 sub\nG43 H3\no100 endsub\n");
   scratch.file("other.ngc", "T12 M6\n");
   const auto numbers = [&](const char* name, const char* program) {
-    std::vector<int> found;
-    const InputFile file(scratch.file(name, program));
-    for (const nc::Tool& tool : jobs::used_tools(file, table, std::nullopt)) found.push_back(tool.number);
-    return found;
+    return used_numbers(scratch.file(name, program), table);
   };
   CHECK(numbers("p.ngc", "T1 M6\no<drill> call\n(other)\n") == std::vector{1, 2, 3});
   CHECK(numbers("p.nc", "M98 P0100\n") == std::vector{3});
