@@ -23,7 +23,7 @@ int check(const CheckArguments& arguments) {
   const jobs::CheckSummary summary = jobs::check_file(arguments.program, options, line.progress());
   line.clear();
   json.give(jobs::check_text(summary), jobs::check_json(summary));
-  return summary.violations == 0 ? kDone : kFailed;
+  return summary.violations == 0 ? kDone : kFound;
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ void add_check(CLI::App& app, Run& run) {
   CLI::App* const command =
       app.add_subcommand("check",
                          "Check a program, as it would be compensated, against the limits of the machine; exit "
-                         "code 1 if it breaks one");
+                         "code 3 if it breaks one");
   const auto arguments = std::make_shared<CheckArguments>();
   command->add_option("PROGRAM", arguments->program, "the NC program; - for standard input")
       ->type_name("FILE")

@@ -19,6 +19,7 @@ class UsageError : public std::runtime_error {
 inline constexpr int kDone = 0;
 inline constexpr int kFailed = 1;
 inline constexpr int kWrongUsage = 2;
+inline constexpr int kFound = 3;  // done, and what was looked for was found: limits broken, programs that differ
 
 /// What was asked for, once the command line has been read; returns the exit code.
 using Run = std::function<int()>;

@@ -25,7 +25,7 @@ int compare(const CompareArguments& arguments) {
            "leave it out, or measure radial_um", Place{.file = arguments.dataset});
   }
   json.give(jobs::compare_text(comparison), jobs::compare_json(comparison));
-  return comparison.radial_rms_um.value_or(0) <= arguments.most_radial_um ? kDone : kFailed;
+  return comparison.radial_rms_um.value_or(0) <= arguments.most_radial_um ? kDone : kFound;
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void add_compare(CLI::App& app, Run& run) {
   command->add_option("--json", arguments->json, "write the result as JSON, too")->type_name("FILE");
   command
       ->add_option("--max-radial-um", arguments->most_radial_um,
-                   "exit code 1 if the rms of all bar readings is above that")
+                   "exit code 3 if the rms of all bar readings is above that")
       ->type_name("UM")
       ->check(CLI::NonNegativeNumber);
   command->callback([arguments, &run] { run = [arguments] { return compare(*arguments); }; });

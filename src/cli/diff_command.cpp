@@ -27,8 +27,8 @@ int diff(const DiffArguments& arguments) {
   const jobs::DiffSummary summary = jobs::diff_files(arguments.a, arguments.b, options, line.progress());
   line.clear();
   json.give(jobs::diff_text(summary), jobs::diff_json(summary));
-  const bool fails = arguments.expect_equal && !summary.equal_within(arguments.tolerance_mm, arguments.tolerance_deg);
-  return fails ? kFailed : kDone;
+  const bool differs = arguments.expect_equal && !summary.equal_within(arguments.tolerance_mm, arguments.tolerance_deg);
+  return differs ? kFound : kDone;
 }
 
 void add_files(CLI::App& command, DiffArguments& arguments) {
@@ -40,7 +40,7 @@ void add_files(CLI::App& command, DiffArguments& arguments) {
       ->required();
   command.add_option("--json", arguments.json, "write the result as JSON, too")->type_name("FILE");
   command.add_flag("--expect-equal", arguments.expect_equal,
-                   "exit code 1 if an axis is off by more than the tolerance, or blocks are out of line");
+                   "exit code 3 if an axis is off by more than the tolerance, or blocks are out of line");
   command.add_option("--tolerance-mm", arguments.tolerance_mm, "of X, Y, Z (default 0.0001 mm)")
       ->type_name("MM")
       ->check(CLI::NonNegativeNumber);

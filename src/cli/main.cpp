@@ -1,4 +1,4 @@
-// plumbline: the command line. Exit codes: 0 done, 1 the work failed, 2 wrong usage.
+// plumbline: the command line. Exit codes: 0 done, 1 the work failed, 2 wrong usage, 3 done and something was found.
 #include <cstdio>
 #include <span>
 
@@ -10,6 +10,7 @@
 #include "base/diagnostic.hpp"
 #include "cli/command.hpp"
 #include "cli/messages.hpp"
+#include "cli/suggest.hpp"
 #include "jobs/version.hpp"
 
 namespace plumbline::cli {
@@ -24,7 +25,7 @@ void occupy_standard_streams() {
   }
 }
 
-int wrong_usage(const CLI::App& app, const char* message) {
+int wrong_usage(const CLI::App& app, const std::string& message) {
   const std::vector<CLI::App*> asked = const_cast<CLI::App&>(app).get_subcommands();
   const std::string command = asked.empty() ? "" : " " + asked.front()->get_name();
   if (says_json()) {
@@ -100,25 +101,28 @@ void describe(CLI::App& app) {
   app.get_formatter()->column_width(36);
   app.footer(
       "Lengths are in mm, angles in deg, masses in kg; - stands for standard input or output.\n"
-      "Exit codes: 0 done, 1 the work failed, 2 wrong usage.");
+      "Exit codes: 0 done, 1 the work failed, 2 wrong usage, 3 done and something was found (check, diff "
+      "--expect-equal,\n"
+      "compare --max-radial-um).");
 }
 
 int main_of(int argc, const char* const* argv) {
   CLI::App app;
   Run run;
+  const std::span arguments(argv, static_cast<std::size_t>(argc));
   describe(app);
   for (const auto add : {add_compensate, add_restore, add_error, add_explain, add_trace, add_check, add_simulate,
                          add_diagnose, add_diff, add_compare, add_circularity, add_identify, add_calibrate, add_plan})
     add(app, run);
   add_diagnostics(app);
-  say_as_json(asks_for_json({argv, static_cast<std::size_t>(argc)}));
+  say_as_json(asks_for_json(arguments));
   try {
     app.parse(argc, argv);
     refuse_empty_values(app);
     return run();
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    return wrong_usage(app, error.what());
+    return wrong_usage(app, what_is_unknown(app, arguments).value_or(error.what()));
   } catch (const UsageError& error) {
     return wrong_usage(app, error.what());
   } catch (const Refusal& refusal) {

@@ -75,14 +75,14 @@ TEST_CASE("standard input is called so in what is said about it, and one pose is
   CHECK(contains(header.err, "csv-no-rows"));
 }
 
-TEST_CASE("check exits with 1 where a limit is broken") {
+TEST_CASE("check exits with 3 where a limit is broken") {
   const Scratch scratch;
   scratch.file("p.ngc", kPart);
   const Outcome kept = run(scratch, "check p.ngc " + kModel + kOffset);
   CHECK(kept.code == 0);
   CHECK(contains(kept.out, "all kept"));
   const Outcome broken = run(scratch, "check p.ngc --json c.json --work-offset G54=290,0,-1008,0,0,0 " + kModel);
-  CHECK(broken.code == 1);
+  CHECK(broken.code == 3);
   CHECK(contains(broken.out, "p.ngc:5: X would be "));
   CHECK(json::parse(scratch.text("c.json")).at("violations") > 0);
   const Outcome as_json = run(scratch, "check p.ngc --json - " + kModel + kOffset);
@@ -117,7 +117,7 @@ TEST_CASE("diff tells programs apart and says so to scripts") {
   CHECK(contains(outcome.out, "shift of Z"));
   CHECK(contains(outcome.out, "0 moves of A, 0 of B"));
   CHECK(json::parse(scratch.text("d.json")).at("out_of_line_b") == 0);
-  CHECK(run(scratch, "diff a.ngc b.ngc --expect-equal").code == 1);
+  CHECK(run(scratch, "diff a.ngc b.ngc --expect-equal").code == 3);
   CHECK(run(scratch, "diff a.ngc b.ngc --expect-equal --tolerance-mm 1 --tolerance-deg 1").code == 0);
   CHECK(run(scratch, "diff - b.ngc --json - <a.ngc").out == scratch.text("d.json"));
 }

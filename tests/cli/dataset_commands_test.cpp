@@ -44,7 +44,7 @@ TEST_CASE("simulate, compare and circularity work on a dataset") {
   CHECK(contains(compared.out, "radial rms um"));
   CHECK(json::parse(scratch.text("c.json")).at("radial_rms_um").get<double>() < 0.001);
   const Outcome apart = run(scratch, "compare -d plan/dataset.toml --json - --max-radial-um 5 " + kModel);
-  CHECK(apart.code == 1);
+  CHECK(apart.code == 3);
   CHECK(json::parse(apart.out).at("runs").size() == 2);
 
   const Outcome figures = run(scratch, "circularity -d sim/dataset.toml --json f.json");

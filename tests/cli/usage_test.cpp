@@ -65,3 +65,23 @@ TEST_CASE("negative numbers and spaces are values, not options") {
   scratch.file("p.ngc", kPart);
   CHECK(run(scratch, "trace p.ngc --start -1,-2,-3,0,0,0 --work-offset ' G54 = -1, 2, 3, 0, 0, 0'").code == 0);
 }
+
+TEST_CASE("a misspelt command or option is answered with what was probably meant") {
+  const Scratch scratch;
+  scratch.file("p.ngc", kPart);
+  struct Case {
+    const char* arguments;
+    const char* answer;
+  };
+  for (const Case& c : {Case{"check p.ngc --modle x", "no option --modle: did you mean --model?"},
+                        Case{"check p.ngc --work-ofset=G54=0,0,0,0,0,0", "did you mean --work-offset?"},
+                        Case{"compensate p.ngc --ouput o.ngc", "did you mean --output?"},
+                        Case{"compensat p.ngc", "no command compensat: did you mean compensate?"},
+                        Case{"simualte p.ngc", "did you mean simulate?"}, Case{"--hlep", "did you mean --help?"},
+                        Case{"trace p.ngc --xyzzyxyzzy", "no option --xyzzyxyzzy"}}) {
+    INFO(c.arguments);
+    const Outcome outcome = run(scratch, c.arguments);
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, c.answer));
+  }
+}

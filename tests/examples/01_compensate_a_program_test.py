@@ -173,7 +173,7 @@ class WithProgram(unittest.TestCase):
 
     def test_diff_tells_them_apart(self):
         self.assertEqual(self.diff("crown.ngc"), 0)
-        self.assertEqual(self.diff("crown-compensated.ngc"), 1)
+        self.assertEqual(self.diff("crown-compensated.ngc"), 3)
 
     def test_is_not_compensated_twice(self):
         again = self.out / "again.ngc"
