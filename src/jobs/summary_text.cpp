@@ -62,9 +62,11 @@ void add_time(TextTable& table, const Summary& s) {
 
 void add_quality(TextTable& table, const Summary& s) {
   if (s.replayed > 0) {
-    table.add("left at the tip",
-              fmt::format("at most {:.3f} um{}, {} played on the model", s.residual_mm.value * kUmPerMm,
-                          at_line(s.residual_mm.line), count_text(s.replayed, "point")));
+    table.add(
+        "left at the tip",
+        fmt::format("at most {:.3f} um{} by rounding and subdivision alone, {} played on the model",
+                    s.residual_mm.value * kUmPerMm, at_line(s.residual_mm.line), count_text(s.replayed, "point")));
+    table.add("", "how far the machine itself is from its model comes on top: plumbline compare tells");
   }
   table.add("rounding",
             fmt::format("at most {:.3f} um{}", s.rounding_mm.value * kUmPerMm, at_line(s.rounding_mm.line)));

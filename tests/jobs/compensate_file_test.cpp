@@ -89,8 +89,9 @@ TEST_CASE("a summary has every figure, in words and as JSON") {
   const jobs::Options how = options();
   const compensate::Summary s = jobs::compensate_file(scratch.file("a.ngc", kProgram), scratch.path("b.ngc"), how);
   const std::string text = jobs::summary_text(s, how);
-  for (const char* const part : {"largest correction", "rms correction", "cutting time", "rounding", "work offset",
-                                 "first cutting block (line 3)", "--touch-off", "bytes before"}) {
+  for (const char* const part :
+       {"largest correction", "rms correction", "cutting time", "rounding", "work offset",
+        "by rounding and subdivision alone", "first cutting block (line 3)", "--touch-off", "bytes before"}) {
     INFO(text);
     CHECK(text.find(part) != std::string::npos);
   }
