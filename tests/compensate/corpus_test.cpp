@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "compensate/play.hpp"
+#include "support/skip.hpp"
 
 using namespace plumbline;
 namespace fs = std::filesystem;
@@ -68,10 +69,7 @@ TEST_CASE("a model without errors gives every program of the corpus back") {
       if (entry.path().extension() == ".ngc") programs.push_back(entry.path());
     }
   }
-  if (programs.empty()) {
-    WARN("no folder of programs: name one in PLUMBLINE_NC_CORPUS");
-    return;
-  }
+  if (programs.empty()) return testing::skip_without_corpus();
   const Job job = without_errors();
   int same = 0;
   for (const fs::path& program : programs) {

@@ -11,6 +11,7 @@
 
 #include "compensate/play.hpp"
 #include "nc/canon.hpp"
+#include "support/skip.hpp"
 
 using namespace plumbline;
 namespace fs = std::filesystem;
@@ -19,8 +20,6 @@ namespace {
 
 constexpr double kTolerance = 1e-4;  // of the program's unit: what four decimals hold
 const fs::path kPrograms = fs::path(PLUMBLINE_SOURCE_DIR) / "tests/nc/programs";
-
-bool has_rs274() { return std::system("command -v rs274 >/dev/null 2>&1") == 0; }
 
 // False: it complains.
 bool run_rs274(const Folder& folder, const std::string& program, const std::string& canon) {
@@ -89,10 +88,7 @@ std::vector<nc::Motion> traced(const std::string& path) {
 }  // namespace
 
 TEST_CASE("rs274 takes what comes out, and moves as it says") {
-  if (!has_rs274()) {
-    WARN("rs274 is not installed: the output is read by its writer only");
-    return;
-  }
+  if (!testing::has_rs274_or_skips()) return;
   const Job job = within_reach();
   int taken = 0;
   for (const fs::path& program : programs()) {

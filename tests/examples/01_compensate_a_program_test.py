@@ -4,6 +4,7 @@ Nothing here shares code with plumbline: words are read by a few regular express
 where LinuxCNC's interpreter is installed, it runs both programs."""
 
 import collections
+import functools
 import json
 import math
 import os
@@ -79,6 +80,19 @@ def run_in_linuxcnc(program):
         return (folder / "canon").read_text()
 
 
+def needs_rs274(test):
+    """Skips a test where LinuxCNC's interpreter is not installed, and says so where scripts/test looks for it."""
+
+    @functools.wraps(test)
+    def run(self):
+        if not shutil.which("rs274"):
+            print("\nthis part is skipped: LinuxCNC's interpreter is not installed (scripts/setup --dev --with-oracle)")
+            self.skipTest("no rs274")
+        test(self)
+
+    return run
+
+
 class Input(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -124,7 +138,7 @@ class Input(unittest.TestCase):
             self.assertTrue(limits["z_mm"][0] < words["Z"] + OFFSET_Z < limits["z_mm"][1], words)
         self.assertLess(15.0, limits["tilt_deg"])
 
-    @unittest.skipUnless(shutil.which("rs274"), "LinuxCNC's interpreter is not installed")
+    @needs_rs274
     def test_runs_in_the_interpreter_of_linuxcnc(self):
         canon = run_in_linuxcnc(self.bytes)
         made = collections.Counter(re.findall(r"\b(STRAIGHT_TRAVERSE|STRAIGHT_FEED|ARC_FEED)\(", canon))
@@ -182,7 +196,7 @@ class WithProgram(unittest.TestCase):
         self.assertEqual(subprocess.run(command, capture_output=True).returncode, 1)
         self.assertFalse(again.exists())
 
-    @unittest.skipUnless(shutil.which("rs274"), "LinuxCNC's interpreter is not installed")
+    @needs_rs274
     def test_result_runs_in_the_interpreter_of_linuxcnc(self):
         canon = run_in_linuxcnc(self.compensated.encode())
         self.assertGreater(canon.count("STRAIGHT_FEED("), 12000)

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "support/scratch.hpp"
+#include "support/skip.hpp"
 
 using namespace plumbline;
 
@@ -43,23 +44,17 @@ bool goes_on(const Control& control, const std::string& units = "") {
   return reached;
 }
 
-bool has_rs274() {
-  const bool has = std::system("command -v rs274 >/dev/null 2>&1") == 0;
-  if (!has) WARN("rs274 is not installed: no control has run the guard");
-  return has;
-}
-
 }  // namespace
 
 TEST_CASE("a guard goes on where the control is set as the program was made for, in mm and in inch") {
-  if (!has_rs274()) return;
+  if (!testing::has_rs274_or_skips()) return;
   CHECK(goes_on({}));
   CHECK(goes_on({}, "G20\n"));
   CHECK(goes_on({}, "G0 X3 Y4 Z5 A6 C7\n"));
 }
 
 TEST_CASE("a guard stops the control at each difference") {
-  if (!has_rs274()) return;
+  if (!testing::has_rs274_or_skips()) return;
   for (const char* const change :
        {"G10 L2 P1 Z-1008.002\n", "G10 L2 P1 A0.002\n", "G10 L2 P2 X1.502\n", "G10 L2 P2 Y1.998\n",
         "G10 L2 P2 R30.01\n", "G10 L2 P2 C5.002\n", "G55\n", "G92 X0.1\n", "G43 H1\n", "G0 B0.01\n"}) {

@@ -16,6 +16,7 @@
 #include "nc/programs.hpp"
 #include "nc/recognise.hpp"
 #include "nc/tool_table.hpp"
+#include "support/skip.hpp"
 
 using namespace plumbline;
 using namespace plumbline::nc;
@@ -211,10 +212,7 @@ TEST_CASE("what an Okuma control counts at another increment is refused where no
 
 // docs/corpus.md says why.
 TEST_CASE("programs of others for Fanuc and Okuma are interpreted, or refused for the right reason") {
-  if (corpus().empty()) {
-    WARN("no corpus: name its folder in PLUMBLINE_NC_CORPUS");
-    return;
-  }
+  if (corpus().empty()) return testing::skip_without_corpus();
   struct Case {
     const char* file;
     bool calculator_type;

@@ -17,6 +17,7 @@
 #include "nc/canon.hpp"
 #include "nc/programs.hpp"
 #include "nc/tool_table.hpp"
+#include "support/skip.hpp"
 
 using namespace plumbline;
 using namespace plumbline::nc;
@@ -49,8 +50,6 @@ void compare(const fs::path& program, const std::string& canon) {
   INFO(difference);
   CHECK(difference.empty());
 }
-
-bool has_rs274() { return std::system("command -v rs274 >/dev/null 2>&1") == 0; }
 
 // Runs rs274 beside the program, where it looks for subprograms, and with a home of its own; false: it complains.
 bool run_rs274(const fs::path& program, const fs::path& scratch, std::string& canon) {
@@ -120,10 +119,7 @@ TEST_CASE("programs mean what the canonical calls kept beside them say") {
 }
 
 TEST_CASE("programs mean what rs274 makes of them now") {
-  if (!has_rs274()) {
-    WARN("rs274 is not installed: compared with its kept output only");
-    return;
-  }
+  if (!testing::has_rs274_or_skips()) return;
   const ProgramFile unique("");
   const fs::path scratch = unique.path() + ".d";
   for (const fs::path& program : programs_in(folder("programs"))) compare(program, fresh_canon(program, scratch));
@@ -131,10 +127,7 @@ TEST_CASE("programs mean what rs274 makes of them now") {
 }
 
 TEST_CASE("programs of others mean what the canonical calls beside them say") {
-  if (corpus().empty()) {
-    WARN("no corpus: name its folder in PLUMBLINE_NC_CORPUS");
-    return;
-  }
+  if (corpus().empty()) return testing::skip_without_corpus();
   for (const char* name :
        {"arcspiral", "b-index", "abc_tangent", "daisy", "factorial", "flowsnake", "g20sub", "hole-circle"}) {
     const fs::path program = corpus() / "linuxcnc" / (std::string(name) + ".ngc");
@@ -144,10 +137,7 @@ TEST_CASE("programs of others mean what the canonical calls beside them say") {
 }
 
 TEST_CASE("programs that rs274 runs clean are traced as it runs them") {
-  if (!has_rs274()) {
-    WARN("rs274 is not installed: its samples are not compared");
-    return;
-  }
+  if (!testing::has_rs274_or_skips()) return;
   const ProgramFile unique("");
   const fs::path scratch = unique.path() + ".d";
   fs::create_directories(scratch);
@@ -177,7 +167,7 @@ TEST_CASE("programs that rs274 runs clean are traced as it runs them") {
 
 TEST_CASE("a five-axis program passes when its user code is let through, and not without") {
   const fs::path program = corpus() / "linuxcnc/impeller-7bl-xyzac.ngc";
-  if (corpus().empty() || !fs::exists(program)) return;
+  if (corpus().empty() || !fs::exists(program)) return testing::skip_without_corpus();
   ProgramSettings settings = at_zero();
   CHECK(refusal_of_file(program.string(), settings).value().code == "nc-user-code");
   settings.passed_m_codes = {428, 429};

@@ -25,7 +25,7 @@ def main():
     sources = files("src", "tests", suffixes={".cpp", ".hpp"})
     assert len(sources) >= 10, sources
     if CLANG_FORMAT is None:
-        print("clang-format is not installed: scripts/setup --dev")
+        print("this test is skipped: clang-format is not installed (scripts/setup --dev)")
         return 1 if failed else 77
     for source in sources:
         run = subprocess.run([CLANG_FORMAT, "--dry-run", "-Werror", source], capture_output=True, text=True)

@@ -83,7 +83,9 @@ class Setup(unittest.TestCase):
 
     def need_root(self):
         if os.geteuid() != 0:
-            self.skipTest("needs root: installs, as far as the script can tell")
+            reason = "needs root: installs, as far as the script can tell"
+            print(f"\nthis part is skipped: {reason}")
+            self.skipTest(reason)
 
     def test_lists_are_sorted_and_name_packages(self):
         for name in ("packages.txt", "packages-dev.txt"):
