@@ -1,5 +1,7 @@
 #include "nc/control.hpp"
 
+#include <cmath>
+
 #include "base/units.hpp"
 
 namespace plumbline::nc {
@@ -7,6 +9,7 @@ namespace {
 
 constexpr int kFirstHome = 5161;  // parameters of G28, twenty further G30 [LinuxCNC; RS274/NGC 3.2.1]
 constexpr int kG92 = 5211;
+constexpr double kNoShift = 1e-9;  // mm and deg
 
 // Those of six parameters in a row that somebody gave.
 AxisSet given(const Parameters& parameters, int first, AxisWords& into) {
@@ -74,7 +77,9 @@ void Control::change_frame(const Frame& next) {
   const bool same_plane = !turned || (frame.rotation_deg == next.rotation_deg && same(Axis::X) && same(Axis::Y));
   for (const Axis axis : kAllAxes) {
     const bool in_plane = axis == Axis::X || axis == Axis::Y;
-    if (!same(axis) || (in_plane && !same_plane)) position[axis] = moved[axis];
+    if (same(axis) && !(in_plane && !same_plane)) continue;
+    if (std::abs(position[axis] - moved[axis]) > kNoShift) shifted.insert(axis);
+    position[axis] = moved[axis];
   }
   // A turned X is made of both X and Y.
   if (!same_plane && !known.contains(AxisSet{Axis::X, Axis::Y})) known = known - AxisSet{Axis::X, Axis::Y};

@@ -52,6 +52,7 @@ struct Control {
   const CodeRow* motion_row = nullptr;  // of the motion mode in force
   Frame frame;
   AxisWords position;  // in the active work system
+  AxisSet shifted;     // by a change of offsets since their last absolute word
   AxisSet known;       // of position; where the origin is not known, of the machine's position
   std::array<WorkSystem, kWorkSystems> systems;
   Cycle cycle;

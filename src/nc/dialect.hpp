@@ -190,6 +190,10 @@ struct Habits {
   bool end_returns = false;       // M2, M30 in a subprogram end it alone
   bool turns_are_extra = false;   // the count of an arc's turns does not hold the begun one
   double dwell_p_s = 1;           // what P of G4 counts
+  bool dwell_alone = false;       // nothing else stands in a block with G4
+  bool increment_after_shift_unknown =
+      false;                              // G91 after TRANS, G55, D1: a setting decides whether it brings the shift
+  bool feed_beside_unit_unknown = false;  // G700 F10: which unit the F of that block counts in
 };
 
 struct Dialect {

@@ -162,6 +162,9 @@ class TableReader {
     habits.end_returns = flag(from, "end_returns");
     habits.turns_are_extra = flag(from, "turns_are_extra");
     habits.dwell_p_s = number(from, "dwell_p_s", 1);
+    habits.dwell_alone = flag(from, "dwell_alone");
+    habits.increment_after_shift_unknown = flag(from, "increment_after_shift_unknown");
+    habits.feed_beside_unit_unknown = flag(from, "feed_beside_unit_unknown");
   }
 
   void named_rows(Dialect& dialect) const {

@@ -173,6 +173,11 @@ void Interpreter::act_on_mode(const Chosen& chosen) {
 // The feed stays what it is in mm/min; F of a rotary move stays what was written [LinuxCNC, measured].
 void Interpreter::change_unit(bool inches) {
   if (control_.modal.inches == inches) return;
+  if (run_.dialect.habits.feed_beside_unit_unknown && run_.words.has('F')) {
+    run_.refuse(*run_.words.find('F'), codes::kNotInterpreted,
+                "no source says whether the F beside a change of units counts in the old unit or in the new one",
+                "write F in a block of its own after the change");
+  }
   control_.modal.inches = inches;
   control_.modal.feed = control_.feed_linear / control_.length_unit();
 }

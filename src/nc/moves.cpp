@@ -56,11 +56,28 @@ void check_within_turn(const Execution& run, const Word& word) {
              "on an axis whose words have a sign for the way round (--rotary), write 0 to 359.999, or use G91");
 }
 
+// Whether the first increment brings along what TRANS, G55 or a tool's length shifted is a setting of the control.
+void check_shift(const Execution& run, const Word& word, Axis axis) {
+  const Control& control = run.control;
+  if (!run.dialect.habits.increment_after_shift_unknown) return;
+  if (!control.shifted.contains(axis) || !control.known.contains(axis)) return;
+  run.refuse(
+      word, codes::kNotInterpreted,
+      fmt::format("whether this increment brings along the offset that changed before it depends on the settings "
+                  "of the control, and {} had no absolute word since",
+                  letter(axis)),
+      fmt::format("move {} once by an absolute word after the change, with G90 or {}=AC(..)", letter(axis),
+                  letter(axis)));
+}
+
 // The end that a word means for an axis that stands at `from`.
 double end_of_word(const Execution& run, const Word& word, Axis axis, double from) {
   const double value = run.value(axis);
   const bool incremental = run.control.modal.incremental && word.mode == WordMode::modal;
-  if (incremental || word.mode == WordMode::incremental) return from + value;
+  if (incremental || word.mode == WordMode::incremental) {
+    check_shift(run, word, axis);
+    return from + value;
+  }
   switch (word.mode) {
     case WordMode::shortest:
       return rotary_end(RotaryRule::shortest, value, false, from);
@@ -120,7 +137,9 @@ AxisWords end_of_move(const Execution& run) {
   return end;
 }
 
-AxisSet known_after_move(const Execution& run) {
+namespace {
+
+AxisSet absolute_words(const Execution& run) {
   AxisSet stated = run.control.modal.incremental ? AxisSet{} : run.axes;
   if (run.has_word_modes) {
     for (const Axis axis : kAllAxes) {
@@ -133,8 +152,24 @@ AxisSet known_after_move(const Execution& run) {
       }
     }
   }
-  return run.control.known | stated;
+  return stated;
 }
+
+// An increment behind it may bring along a shift that it has not followed yet.
+AxisSet shifted_after(const Execution& run, const Motion& motion) {
+  const AxisSet shifted = run.control.shifted;
+  if (motion.kind == MotionKind::dwell) return shifted;
+  if (!motion.in_machine_coordinates) return shifted - absolute_words(run);
+  AxisSet aside;
+  for (const Axis axis : kAllAxes) {
+    if (run.axes.contains(axis) && motion.machine[axis] != motion.to[axis]) aside.insert(axis);
+  }
+  return shifted | aside;
+}
+
+}  // namespace
+
+AxisSet known_after_move(const Execution& run) { return run.control.known | absolute_words(run); }
 
 void need_offsets(const Execution& run) {
   const AxisSet missing = AxisSet::all() - run.control.active().known;
@@ -184,6 +219,7 @@ void add_motion(Execution& run, const Motion& planned) {
   motion.from = control.position;
   motion.known_before = control.known;
   motion.machine = control.frame.to_machine(motion.to);
+  control.shifted = shifted_after(run, motion);
   control.position = motion.to;
   control.known = motion.known_after;
 }
