@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
+#include "jobs/program_text.hpp"
 #include "nc/recognise.hpp"
 
 namespace plumbline::jobs {
 
 const nc::Dialect& dialect_of(const Options& options, const InputFile& program) {
+  refuse_unless_program_text(program);
   const nc::Dialect& dialect = options.dialect.empty() ? *nc::recognise(program).dialect : nc::dialect(options.dialect);
   for (const auto& [name, system] : options.work_offset_names) {
     if (dialect.system_of_name(name) == system) continue;

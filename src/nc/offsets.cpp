@@ -1,6 +1,11 @@
 // Work offsets: G54 to G59.3, G10 L2 and L20, the G92 family.
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+
 #include <fmt/format.h>
 
+#include "nc/block_words.hpp"
 #include "nc/codes.hpp"
 #include "nc/execution.hpp"
 #include "nc/expression.hpp"
@@ -25,16 +30,27 @@ int system_of(const Execution& run) {
   return system == 0 ? run.control.modal.work_system : system;
 }
 
+// G10 L2 P3 X1 M68 E0 Q2: the Q is M68's.
+bool belongs_to_another(const Execution& run, char letter) {
+  return std::any_of(run.chosen.begin(), run.chosen.end(), [&](const Chosen& chosen) {
+    return chosen.row->action != Action::set_table && (chosen.row->word_mask & letter_bit(letter)) != 0;
+  });
+}
+
+void refuse_useless(const Execution& run, std::string_view code, std::initializer_list<char> letters) {
+  for (const char letter : letters) {
+    const Word* const word = run.words.find(letter);
+    if (word == nullptr || belongs_to_another(run, letter)) continue;
+    run.refuse(*word, codes::kWordUnused, fmt::format("{} has no use for {}", code, letter), "remove it");
+  }
+}
+
 // G10 L2: the origin in machine coordinates, absolute whatever G90 and G91 say.
 void set_origin(Execution& run) {
   Control& control = run.control;
   const int system = system_of(run);
   WorkSystem& row = control.systems[static_cast<std::size_t>(system - 1)];
-  for (const char letter : {'I', 'J', 'Q'}) {
-    if (const Word* word = run.words.find(letter)) {
-      run.refuse(*word, codes::kWordUnused, fmt::format("G10 L2 has no use for {}", letter), "remove it");
-    }
-  }
+  refuse_useless(run, "G10 L2", {'I', 'J', 'Q'});
   for (const Axis axis : kAllAxes) {
     if (!run.axes.contains(axis)) continue;
     row.origin[axis] = run.value(axis);
@@ -55,11 +71,7 @@ void set_origin_here(Execution& run) {
   Control& control = run.control;
   const int system = system_of(run);
   WorkSystem& row = control.systems[static_cast<std::size_t>(system - 1)];
-  for (const char letter : {'R', 'I', 'J', 'Q'}) {
-    if (const Word* word = run.words.find(letter)) {
-      run.refuse(*word, codes::kWordUnused, fmt::format("G10 L20 has no use for {}", letter), "remove it");
-    }
-  }
+  refuse_useless(run, "G10 L20", {'R', 'I', 'J', 'Q'});
   const bool turns = row.rotation_deg != 0 && !(run.axes & kTurningAxes).empty();
   need_position(run, turns ? run.axes | kTurningAxes : run.axes);
   if (turns && !row.known.contains(kTurningAxes - run.axes)) need_offsets(run);

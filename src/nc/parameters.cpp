@@ -53,7 +53,14 @@ void Parameters::enter_sharing() {
   scopes_.back().shared = true;
 }
 
+bool Parameters::was_local_elsewhere(std::string_view name) {
+  plain(name);
+  return left_.contains(plain_) ||
+         std::any_of(scopes_.begin(), scopes_.end(), [&](const Scope& scope) { return scope.names.contains(plain_); });
+}
+
 void Parameters::leave() {
+  for (const auto& [name, value] : scopes_.back().names) left_.insert(name);
   std::copy(scopes_.back().callers.begin(), scopes_.back().callers.end(), numbered_.begin() + 1);
   scopes_.pop_back();
 }

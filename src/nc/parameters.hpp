@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -34,6 +35,8 @@ class Parameters {
   /// Names are the same whatever their case and blanks [RS274/NGC 3.3.1]. Null: never set.
   const Value* find(std::string_view name);
   void set(std::string_view name, Value value);
+  /// True if a subprogram that has ended, or a caller, set a name of its own that is called so.
+  bool was_local_elsewhere(std::string_view name);
   /// Nobody gave it a value any more.
   void clear(int number) { numbered_[static_cast<std::size_t>(number)] = {}; }
   /// A subprogram begins: the names that do not begin with _ are its own; so are #1..#30 if `numbers` (then all zero).
@@ -71,6 +74,7 @@ class Parameters {
   }
   Names global_;
   std::vector<Scope> scopes_{Scope{}};
+  std::set<std::string, std::less<>> left_;  // names of subprograms that have ended
   std::string plain_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/characters.hpp"
 #include "base/check.hpp"
 #include "nc/codes.hpp"
 #include "nc/execution.hpp"
@@ -306,6 +307,12 @@ void check_machine_coordinates(const Execution& run) {
   }
 }
 
+// X-9.09e-13
+bool is_exponent(const Execution& run, const Word& word) {
+  const std::uint32_t at = word.span.begin;
+  return word.letter == 'E' && at > 0 && (is_digit(run.block->text[at - 1]) || run.block->text[at - 1] == '.');
+}
+
 void check_words_used(const Execution& run) {
   std::uint32_t taken = kFreeLetters | kAxisLetters;
   if (run.dialect.has_edges) taken |= letter_bit('D');
@@ -316,6 +323,10 @@ void check_words_used(const Execution& run) {
   if (left == 0) return;
   for (const Word& word : run.block->words) {
     if (is_code(word.letter) || (letter_bit(word.letter) & left) == 0) continue;
+    if (is_exponent(run, word)) {
+      run.refuse(word, codes::kWordUnused, "numbers have no exponent: the control reads E as a word of its own",
+                 "write the number out, X0.0000001 or X0, and have the post-processor write fixed decimals");
+    }
     run.refuse(word, codes::kWordUnused, fmt::format("no code of this block uses the {} word", word.letter),
                "remove it, or add the code that it belongs to");
   }

@@ -183,7 +183,14 @@ Value Readings::read(const Block& block, std::string_view name, Span span) {
   for (const Axis axis : kAllAxes) {
     if (kPositionNames[index(axis)] == plain) return position(block, axis, span);
   }
-  refuse_at(block, span, codes::kParameterUnset, fmt::format("nobody gave #<{}> a value", plain),
+  const std::string text(plain);
+  if (control_.parameters.was_local_elsewhere(text)) {
+    refuse_at(
+        block, span, codes::kParameterUnset,
+        fmt::format("#<{}> has no value here: each subprogram, and the program itself, has names of its own", text),
+        fmt::format("call it #<_{}> where it is set and where it is read: names with _ are seen everywhere", text));
+  }
+  refuse_at(block, span, codes::kParameterUnset, fmt::format("#<{}> has no value here", text),
             "set it in the program before it is read");
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,6 +23,7 @@ constexpr std::string_view kVersion = "tools 1";
 constexpr std::array<std::string_view, 6> kKeys{"number",      "name",    "length_mm",
                                                 "diameter_mm", "mass_kg", "centre_of_mass_mm"};
 constexpr double kLongest = 2000;  // mm, kg: beyond it the unit is wrong
+constexpr double kShortest = 1;    // mm, likewise
 constexpr double kLargestNumber = 1e6;
 constexpr std::size_t kDigitsOfNumber = 8;
 
@@ -81,7 +83,7 @@ class ToolReader {
         tool.number = tool_number(entry, value);
         has_number = true;
       } else if (entry.key == "length_mm") {
-        tool.length_mm = in_range(entry, value, -kLongest);
+        tool.length_mm = length(entry, value);
         has_length = true;
       } else if (entry.key == "diameter_mm") {
         tool.diameter_mm = in_range(entry, value, 0);
@@ -129,6 +131,14 @@ class ToolReader {
            document_.place(entry.value.span));
   }
 
+  double length(const TomlEntry& entry, double value) {
+    if (value == 0 || std::abs(value) >= kShortest) return in_range(entry, value, -kLongest);
+    refuse("tools-value", fmt::format("a tool of {} mm is shorter than any", value),
+           fmt::format("write millimetres: {:g} if these are metres; lengths count from the gauge point of the spindle",
+                       value * 1000),
+           document_.place(entry.value.span));
+  }
+
   int tool_number(const TomlEntry& entry, double value) {
     if (value < 1 || value > kLargestNumber || value != std::floor(value)) {
       refuse("tools-value", "the number of a tool is a whole number from 1", "write the T word's number",
@@ -147,6 +157,23 @@ class ToolReader {
   std::set<std::string> names_;
 };
 
+// T1 P1 Z+85.0 D+6.0 ;end mill  [LinuxCNC, tool table]
+void refuse_table_of_linuxcnc(std::string_view text, const std::string& file) {
+  std::size_t number = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::string_view line = text.substr(at, text.find('\n', at) - at);
+    at += line.size() + 1;
+    ++number;
+    const std::size_t word = std::min(line.find_first_not_of(" \t\r"), line.size());
+    if (word == line.size() || line[word] == ';') continue;
+    if (upper(line[word]) != 'T' || word + 1 == line.size() || !is_digit(line[word + 1])) return;
+    refuse("tools-linuxcnc", "this is LinuxCNC's tool table",
+           "write a tool table of plumbline's with the same numbers: each T as [[tool]] with number, length_mm (its Z) "
+           "and mass_kg",
+           Place{.file = file, .line = number, .column = word + 1, .length = 2, .text = std::string(line)});
+  }
+}
+
 }  // namespace
 
 const Tool* ToolTable::find(int number) const {
@@ -164,7 +191,9 @@ bool is_tool_number(std::string_view name) {
 }
 
 ToolTable read_tool_table(const std::string& path) {
-  const TomlDocument document = parse_toml(read_text(path), input_name(path));
+  std::string text = read_text(path);
+  refuse_table_of_linuxcnc(text, input_name(path));
+  const TomlDocument document = parse_toml(std::move(text), input_name(path));
   return ToolTable(ToolReader(document).read());
 }
 

@@ -1,0 +1,71 @@
+#include "jobs/program_text.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/characters.hpp"
+#include "base/diagnostic.hpp"
+
+namespace plumbline::jobs {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::size_t kLook = 4096;        // bytes at the begin
+constexpr std::size_t kControlShare = 20;  // no text: more than one in so many is a control character
+
+struct Signature {
+  std::string_view begins, is, help;
+};
+constexpr std::string_view kUnpack = "unpack it, and name the program that is in it";
+constexpr std::string_view kSaveAs = "save it as plain text (ASCII or UTF-8)";
+constexpr std::string_view kOther = "name the NC program: a text of G and M codes";
+constexpr Signature kSignatures[] = {
+    {"\x1F\x8B"sv, "packed with gzip", kUnpack},
+    {"PK\x03\x04"sv, "a zip archive", kUnpack},
+    {"7z\xBC\xAF"sv, "a 7-Zip archive", kUnpack},
+    {"\xFD"
+     "7zXZ"sv,
+     "packed with xz", kUnpack},
+    {"BZh"sv, "packed with bzip2", kUnpack},
+    {"\xFF\xFE"sv, "text in UTF-16", kSaveAs},
+    {"\xFE\xFF"sv, "text in UTF-16", kSaveAs},
+    {"%PDF"sv, "a PDF", kOther},
+    {"\x7F"
+     "ELF"sv,
+     "a program for computers", kOther},
+};
+
+[[noreturn]] void refuse_as(std::string_view code, const InputFile& program, std::string message,
+                            std::string_view help) {
+  refuse(code, std::move(message), std::string(help), Place{.file = program.name()});
+}
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\f' && !is_blank(c); }
+
+}  // namespace
+
+void refuse_unless_program_text(const InputFile& program) {
+  std::string begin(kLook, '\0');
+  begin.resize(program.read(0, begin.data(), begin.size()));
+  for (const Signature& kind : kSignatures) {
+    if (!begin.starts_with(kind.begins)) continue;
+    refuse_as("file-not-text", program, fmt::format("this is no NC program: it is {}", kind.is), kind.help);
+  }
+  const auto controls = static_cast<std::size_t>(std::count_if(begin.begin(), begin.end(), is_control));
+  if (controls * kControlShare > begin.size()) {
+    refuse_as("file-not-text", program, "this is no NC program: it is no text", kOther);
+  }
+  const std::string_view text = std::string_view(begin).substr(byte_order_mark_size(begin));
+  const bool blank = std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || is_blank(c); });
+  if (blank && program.size() <= kLook) {
+    refuse_as("file-empty", program, "the file is empty",
+              "name the program; if it should not be empty, fetch it again from where it came");
+  }
+}
+
+}  // namespace plumbline::jobs
