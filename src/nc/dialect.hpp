@@ -160,6 +160,7 @@ struct Syntax {
   bool declared = false;          // a variable that has a name is declared before it is set (DEF)
   bool settings_alone = false;    // such a variable is set in a block without words, and has two letters or more
   char open = '[';                // of expressions of a language with names
+  char goes_on = '\0';            // lines that begin with it belong to the block of the line before
   double equal_within = 1e-4;     // EQ and NE
   int local_variables = 30;       // #1... of a subprogram
   int last_variable = 5601;
@@ -176,7 +177,7 @@ struct Habits {
   bool no_work_system_at_start = false;
   bool always_point = false;                                       // numbers are written with a decimal point
   double increment_mm = 0, increment_inch = 0, increment_deg = 0;  // what a number without a point counts; 0: units
-  bool increment_of_rest_unknown = false;  // where another is set, of F and of values that are no literals
+  bool increment_of_rest_unknown = false;  // where another is set, of numbers with a point: refused
   double feed_per_revolution_increment = 0;
   bool machine_move_is_rapid = false;  // G53 goes as G0 whatever is in force
   bool h0_is_no_tool = false;
@@ -184,13 +185,14 @@ struct Habits {
   bool tool_length_at_change = false;  // M6 puts the length of the tool in force
   bool fanuc_cycles = false;           // over the hole first, then to R; K repeats; taps and bores feed to R alone
   double peck_gap_mm = 0.254;
-  bool call_with_moves = false;   // M98 may stand in a block that moves
-  int call_repeat_digits = 0;     // M98 P00030010: digits of the program's number
-  bool table_increments = false;  // G10 L2 under G91 adds
-  bool end_returns = false;       // M2, M30 in a subprogram end it alone
-  bool turns_are_extra = false;   // the count of an arc's turns does not hold the begun one
-  double dwell_p_s = 1;           // what P of G4 counts
-  bool dwell_alone = false;       // nothing else stands in a block with G4
+  bool call_with_moves = false;      // M98 may stand in a block that moves
+  int call_repeat_digits = 0;        // M98 P00030010: digits of the program's number
+  bool table_increments = false;     // G10 L2 under G91 adds
+  bool end_returns = false;          // M2, M30 in a subprogram end it alone
+  bool turns_are_extra = false;      // the count of an arc's turns does not hold the begun one
+  double dwell_p_s = 1;              // what P of G4 counts
+  bool dwell_alone = false;          // nothing else stands in a block with G4
+  bool dwell_moves_nothing = false;  // no axis word does
   bool increment_after_shift_unknown =
       false;                              // G91 after TRANS, G55, D1: a setting decides whether it brings the shift
   bool feed_beside_unit_unknown = false;  // G700 F10: which unit the F of that block counts in

@@ -117,6 +117,7 @@ class TableReader {
     syntax.full_turn = flag(from, "full_turn");
     syntax.relations_last = flag(from, "relations_last");
     if (from.find("open") != nullptr) syntax.open = text(from, "open").at(0);
+    if (from.find("goes_on") != nullptr) syntax.goes_on = text(from, "goes_on").at(0);
     if (from.find("reserved") != nullptr) syntax.reserved = text(from, "reserved");
     syntax.equal_within = number(from, "equal_within", syntax.equal_within);
     syntax.local_variables = static_cast<int>(number(from, "local_variables", syntax.local_variables));
@@ -162,6 +163,7 @@ class TableReader {
     habits.end_returns = flag(from, "end_returns");
     habits.turns_are_extra = flag(from, "turns_are_extra");
     habits.dwell_p_s = number(from, "dwell_p_s", 1);
+    habits.dwell_moves_nothing = flag(from, "dwell_moves_nothing");
     habits.dwell_alone = flag(from, "dwell_alone");
     habits.increment_after_shift_unknown = flag(from, "increment_after_shift_unknown");
     habits.feed_beside_unit_unknown = flag(from, "feed_beside_unit_unknown");

@@ -133,7 +133,7 @@ void Emitter::note_replaced(const Step& step, std::uint64_t begin) {
 }
 
 void Emitter::write_line(const Step& step, std::string_view text) {
-  if (text.size() > dialect_.line_length) {
+  if (longest_line(text) > dialect_.line_length) {
     refuse_block(*step.block, "emit-line-too-long",
                  fmt::format("the corrected block has {} characters, and {} takes {}", text.size(), dialect_.name,
                              dialect_.line_length),

@@ -26,11 +26,21 @@ double distance_mm(const AxisWords& a, const AxisWords& b) {
   return std::sqrt(d[Axis::X] * d[Axis::X] + d[Axis::Y] * d[Axis::Y] + d[Axis::Z] * d[Axis::Z]);
 }
 
+bool turns(const Motion& motion) {
+  return std::any_of(kAllAxes.begin(), kAllAxes.end(),
+                     [&](Axis axis) { return is_rotary(axis) && motion.to[axis] != motion.from[axis]; });
+}
+
 [[noreturn]] void refuse_feed_rule(const Step& step, const Dialect& dialect) {
+  const Motion& motion = step.motions.front();
+  const std::string what = !turns(motion)
+                               ? "nothing turns in this block, but its correction does, as much as it moves: "
+                           : distance_mm(motion.to, motion.from) > 0 ? "this block moves and turns: "
+                                                                     : "this block turns, and its correction moves: ";
   refuse_block(*step.block, "emit-feed-rule",
-               fmt::format("dialect {} does not say which speed F is in a block that mixes linear and rotary words",
-                           dialect.name),
-               "program such blocks in inverse time (G93), or set the dialect's feed rule");
+               fmt::format("{}dialect {} does not say which speed F is then", what, dialect.name),
+               "say how the control counts: --feed-rule xyz (F is the speed along X, Y, Z) or --feed-rule all (degrees "
+               "count as mm); or program the block in inverse time (G93)");
 }
 
 // Numbers that cannot be written with all their digits.
@@ -161,8 +171,11 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
   if (seconds && *seconds > 0) {
     set_lengths(step, start);
     choose_feeds(step, *seconds, control);
-  } else if (find_word(*step.block, 'F') != nullptr) {
-    control.feed = step.after->feed;
+  } else {
+    const bool cuts = motion.kind == MotionKind::feed || motion.kind == MotionKind::arc;
+    const AxisWords way = motion.to - motion.from;
+    if (cuts && !seconds && motion.feed > 0 && !feed_length(way, motion.feed_rule)) refuse_feed_rule(step, dialect_);
+    if (find_word(*step.block, 'F') != nullptr) control.feed = step.after->feed;
   }
   control.set_work_shift(*step.frame, left);
   return pieces_;

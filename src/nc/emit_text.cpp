@@ -12,6 +12,18 @@ namespace {
 
 char in_case(char c, bool lower) { return lower ? plumbline::lower(c) : c; }
 
+// A block that is rewritten stands on one line: lines that begin with a mark and go on with it are joined.
+void append_joined(std::string& out, std::string_view text) {
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    out += text.substr(0, end);
+    while (!out.empty() && is_blank(out.back())) out.pop_back();
+    out += ' ';
+    const std::size_t next = text.find_first_not_of(" \t", end + 2);
+    text.remove_prefix(std::min(next, text.size()));
+  }
+  out += text;
+}
+
 }  // namespace
 
 Spelling spelling_of(const Block& block, const Spelling& like) {
@@ -19,7 +31,9 @@ Spelling spelling_of(const Block& block, const Spelling& like) {
   const Span last = block.words.back().span;
   const bool lower_case = std::islower(static_cast<unsigned char>(block.text[last.begin])) != 0;
   if (block.words.size() == 1) return {lower_case, like.spaced, like.point};
-  return {lower_case, is_blank(block.text[last.begin - 1]), like.point};
+  const std::string_view before = block.text.substr(0, last.begin);
+  const bool first_of_line = before.find_last_of('\n') == before.size() - 2;
+  return {lower_case, first_of_line || is_blank(before.back()), like.point};
 }
 
 void BlockEditor::start(const Block& block, const Spelling& spelling) {
@@ -59,6 +73,10 @@ void BlockEditor::insert_after(std::uint32_t at, std::string_view word) {
 }
 
 void BlockEditor::apply(std::string& out) {
+  if (used_ == 0) {
+    out += block_->text;
+    return;
+  }
   const auto end = edits_.begin() + static_cast<std::ptrdiff_t>(used_);
   std::sort(edits_.begin(), end, [](const Edit& a, const Edit& b) {
     if (a.span.begin != b.span.begin) return a.span.begin < b.span.begin;
@@ -69,11 +87,11 @@ void BlockEditor::apply(std::string& out) {
   std::uint32_t at = 0;
   for (auto edit = edits_.begin(); edit != end; ++edit) {
     const std::uint32_t begin = std::max(edit->span.begin, at);  // two removals may claim the same blank
-    out += block_->text.substr(at, begin - at);
+    append_joined(out, block_->text.substr(at, begin - at));
     out += edit->text;
     at = std::max(at, edit->span.end);
   }
-  out += block_->text.substr(at);
+  append_joined(out, block_->text.substr(at));
 }
 
 std::string in_spelling(std::string_view code, const Spelling& spelling) {

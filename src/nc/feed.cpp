@@ -5,6 +5,10 @@
 namespace plumbline::nc {
 namespace {
 
+// Degrees that a millimetre may bring along where the rule is not known: whether F counts none of them or all as
+// millimetres, the time differs by 0.005 %.
+constexpr double kTurnsLittle = 0.01;
+
 double norm(double a, double b, double c) { return std::sqrt(a * a + b * b + c * c); }
 
 }  // namespace
@@ -20,7 +24,7 @@ std::optional<double> feed_length(double linear_mm, const AxisWords& delta, Feed
     case FeedRule::unknown:
       break;
   }
-  if (linear_mm > 0 && rotary_deg > 0) return std::nullopt;
+  if (linear_mm > 0 && rotary_deg > kTurnsLittle * linear_mm) return std::nullopt;
   return linear_mm > 0 ? linear_mm : rotary_deg;
 }
 

@@ -18,27 +18,25 @@ std::uint32_t letters_of_lengths(const Habits& habits) {
   return habits.fanuc_cycles ? kLengths | letter_bit('Q') : kLengths;
 }
 
-void refuse_increment(const Execution& run, const Word& word) {
-  const std::string what = word.letter == 'F' ? "F" : "a value that is worked out";
+[[noreturn]] void refuse_increment(const Execution& run, const Word& word) {
   run.refuse(word, codes::kValueUnknown,
-             fmt::format("what {} counts on a control whose numbers without a point count {} mm is not known", what,
+             fmt::format("where this control counts {} mm, it counts numbers with a point so as well, and how far it "
+                         "does is not known",
                          to_decimal(*run.settings.input_increment)),
-             word.letter == 'F' ? "write F with a decimal point" : "write the number itself");
+             "set the unit of the control to 1 mm, let the CAM system write for that, and leave out --input-increment");
 }
 
 // What a number without a decimal point counts, where that is not a unit.
 void count_increments(const Execution& run, Word& word) {
   const Habits& habits = run.dialect.habits;
-  if (word.point || run.settings.calculator_type.value_or(false)) return;
   const std::uint32_t letter = letter_bit(word.letter);
   const bool is_length = (letter & letters_of_lengths(habits)) != 0;
   const bool is_angle = (letter & kAngles) != 0;
   const double ratio = run.settings.input_increment.value_or(habits.increment_mm) / habits.increment_mm;
-  const bool is_literal = word.expression == kLiteral;
-  if (ratio != 1 && habits.increment_of_rest_unknown) {
-    if (word.letter == 'F' || (!is_literal && (is_length || is_angle))) refuse_increment(run, word);
+  if (ratio != 1 && habits.increment_of_rest_unknown && (word.letter == 'F' || is_length || is_angle)) {
+    refuse_increment(run, word);
   }
-  if (!is_literal) return;
+  if (word.point || run.settings.calculator_type.value_or(false) || word.expression != kLiteral) return;
   if (is_length) {
     word.value *= ratio * (run.control.modal.inches ? habits.increment_inch : habits.increment_mm);
   } else if (is_angle) {

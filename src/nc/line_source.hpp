@@ -18,17 +18,21 @@ struct LinePlace {
 };
 
 struct Line {
-  std::string_view text;      // followed by its line end, or by a NUL at the end of the file
+  std::string_view text;      // followed by its line end, or by a NUL at the end of the file; may be several lines
   std::string_view line_end;  // "\n", "\r\n" or ""
   LinePlace place;
   bool whole = true;  // false: longer than the window; this is a piece of it
 };
 
+/// Characters of the longest of the lines that `text` is made of.
+std::size_t longest_line(std::string_view text);
+
 class LineSource {
  public:
   static constexpr std::size_t kWindow = std::size_t{1} << 18U;
-  /// `file` must outlive it. A smaller window is for tests.
-  explicit LineSource(const InputFile& file, std::size_t window = kWindow);
+  /// `file` must outlive it. Lines that begin with `goes_on` belong to the line before them; 0: none do. A smaller
+  /// window is for tests.
+  explicit LineSource(const InputFile& file, char goes_on = '\0', std::size_t window = kWindow);
 
   /// The next line, valid until the call after it; false at the end of the file.
   bool next(Line& line);
@@ -39,7 +43,9 @@ class LineSource {
 
  private:
   void fill();
+  bool goes_on(std::size_t next);
   const InputFile& file_;
+  char goes_on_;
   std::vector<char> window_;
   std::size_t begin_ = 0;  // of what is not yet handed out, in the window
   std::size_t end_ = 0;    // of what was read

@@ -89,13 +89,13 @@ class AxisSearch {
 
  private:
   void scan(const InputFile& file, bool whole) {
-    LineSource lines(file);
+    LineSource lines(file, dialect_.syntax.goes_on);
     Parser parser(dialect_);
     Block block;
     Line line;
     while (axes_ != AxisSet::all() && lines.next(line)) {
       // Executing the program refuses such a line; parsing one of 200,000 brackets would take as deep a stack.
-      if (!line.whole || line.text.size() > dialect_.line_length) continue;
+      if (!line.whole || longest_line(line.text) > dialect_.line_length) continue;
       block.file = file.name();
       block.text = line.text;
       block.line = line.place.line;

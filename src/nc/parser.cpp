@@ -19,9 +19,15 @@ void refuse_at(const Block& block, Span span, std::string_view code, std::string
   Place place;
   place.file = block.file;
   place.line = block.line;
-  place.column = std::size_t{span.begin} + 1;
-  place.length = std::max<std::size_t>(span.end - span.begin, 1);
   place.text = block.text;
+  place.column = std::size_t{span.begin} + 1;
+  for (std::size_t end = place.text.find('\n'); end < place.column - 1; end = place.text.find('\n')) {
+    place.text.erase(0, end + 1);  // one of the lines that go on with the block
+    place.column -= end + 1;
+    ++place.line;
+  }
+  place.text.erase(std::min(place.text.find('\n'), place.text.size()));
+  place.length = std::max<std::size_t>(span.end - span.begin, 1);
   refuse(code, std::move(message), std::move(help), std::move(place));
 }
 
@@ -140,9 +146,18 @@ std::uint32_t Parser::value_code() {
   return begin;
 }
 
-void Parser::take(void (*lex)(const char*, Token&)) {
-  lex(at_, token_);
+void Parser::take(Lexer lex) {
+  look(lex, token_);
   at_ = token_.end;
+}
+
+// A line that begins with $ is more of the same block.
+void Parser::look(Lexer lex, Token& token) const {
+  lex(at_, token);
+  const char* const end = block_->text.data() + block_->text.size();
+  while (syntax_->goes_on != '\0' && token.kind == TokenKind::end && token.begin < end && *token.begin == '\n') {
+    lex(token.begin + 2, token);
+  }
 }
 
 // Blanks that a token runs over may belong to the line end: a lone CR is a blank.

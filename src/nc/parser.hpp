@@ -51,6 +51,8 @@ class Parser {
 
   // Languages with names: parser_names.cpp, parser_statements.cpp
   void named_block();
+  void header();
+  [[noreturn]] void refuse_goes_on(std::uint32_t at) const;
   bool block_label();
   void program_name(Span span);
   void named_items();
@@ -93,7 +95,9 @@ class Parser {
   void define_statement();
   void end_of_statement();
 
-  void take(void (*lex)(const char*, Token&));
+  using Lexer = void (*)(const char*, Token&);
+  void take(Lexer lex);
+  void look(Lexer lex, Token& token) const;
   Span span_of(const Token& token) const;
   std::uint32_t here() const { return static_cast<std::uint32_t>(at_ - block_->text.data()); }
   void push(Operation operation, Span span, double number = 0, std::uint32_t name = 0);

@@ -16,7 +16,7 @@ std::uint32_t Parser::named_value_code() {
 // value = term , { operation , term }; at_ is behind it on return
 void Parser::named_value() {
   named_term();
-  lex_named_operation(at_, token_);
+  look(lex_named_operation, token_);
   named_operations(0);
 }
 
@@ -73,7 +73,7 @@ void Parser::named_operations(int least_precedence) {
     const Span span = span_of(token_);
     at_ = token_.end;
     named_term();
-    lex_named_operation(at_, token_);
+    look(lex_named_operation, token_);
     named_operations(named_precedence(operation) + 1);
     push(operation, span);
   }

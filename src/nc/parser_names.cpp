@@ -12,9 +12,11 @@
 namespace plumbline::nc {
 // block = [ percent ] , [ "/" , [ digit ] ] , [ label ] , ( program name | items )
 void Parser::named_block() {
-  if (syntax_->statements == Statements::user_task && block_->text.starts_with('$')) {
-    block_->kind = LineKind::percent;  // $NAME.MIN%
-    return;
+  if (syntax_->goes_on != '\0' && block_->text.starts_with(syntax_->goes_on)) return header();
+  const std::size_t next = syntax_->goes_on == '\0' ? std::string_view::npos : block_->text.find('\n');
+  const std::size_t first = block_->text.find_first_not_of(" \t\r");
+  if (next != std::string_view::npos && (first == next || block_->text[first] == '(')) {
+    refuse_goes_on(static_cast<std::uint32_t>(next + 1));
   }
   take(lex_named_item);
   if (token_.kind == TokenKind::percent) {
@@ -30,6 +32,22 @@ void Parser::named_block() {
     take(lex_named_item);
   }
   if (block_label()) named_items();
+}
+
+// $NAME.MIN%
+void Parser::header() {
+  const std::size_t last = block_->text.find_last_not_of(" \t\r");
+  if (block_->text[last] == '%') {
+    block_->kind = LineKind::percent;
+    return;
+  }
+  refuse_goes_on(0);
+}
+
+void Parser::refuse_goes_on(std::uint32_t at) const {
+  refuse_at(*block_, {at, at + 1}, codes::kBadCharacter,
+            fmt::format("{} goes on with the block of the line before, and there is none", syntax_->goes_on),
+            fmt::format("take the {} away, or end the head of the program with %", syntax_->goes_on));
 }
 
 // False: the line is the name of a program.
@@ -74,7 +92,7 @@ void Parser::program_name(Span span) {
 
 bool Parser::next_is(TokenKind kind) {
   Token next;
-  lex_named_item(at_, next);
+  look(lex_named_item, next);
   return next.kind == kind;
 }
 
@@ -117,8 +135,8 @@ void Parser::named_items() {
 
 void Parser::pass_comment() {
   const Span open = span_of(token_);
-  const std::size_t close = block_->text.find(')', open.begin);
-  if (close == std::string_view::npos) {
+  const std::size_t close = block_->text.find_first_of(")\n", open.begin);
+  if (close == std::string_view::npos || block_->text[close] == '\n') {
     refuse_at(*block_, open, codes::kCommentOpen, "the comment ( is not closed", "add the missing )");
   }
   block_->comments.push_back({{open.begin, static_cast<std::uint32_t>(close + 1)}});
@@ -154,7 +172,7 @@ void Parser::named_letter() {
     take(lex_named_item);
     return assigned_word(letter, span);
   }
-  lex_named_item(at_, token_);
+  look(lex_named_item, token_);
   refuse_token("a value");
 }
 
@@ -219,7 +237,7 @@ void Parser::pass_arguments() {
 bool Parser::word_mode(WordMode& mode) {
   if (syntax_->statements != Statements::high_level) return false;
   Token next;
-  lex_named_value(at_, next);
+  look(lex_named_value, next);
   if (next.kind != TokenKind::identifier) return false;
   const std::string name = upper({next.begin, next.end});
   constexpr std::pair<std::string_view, WordMode> kModes[] = {{"AC", WordMode::absolute},

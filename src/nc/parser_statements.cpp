@@ -59,7 +59,7 @@ void Parser::named_jump(bool conditional) {
   if (conditional) {
     flow.values.push_back(named_value_code());
     Token next;
-    lex_named_item(at_, next);
+    look(lex_named_item, next);
     const bool is_name = next.kind == TokenKind::identifier;
     const std::string_view name(next.begin, static_cast<std::size_t>(next.end - next.begin));
     const NameMeaning* const meaning = is_name ? dialect_->meaning(name) : nullptr;
@@ -145,7 +145,7 @@ void Parser::call_by_name(Span name) {
     }
   }
   Token next;
-  lex_named_item(at_, next);
+  look(lex_named_item, next);
   if (next.kind == TokenKind::word && next.letter == 'P') {
     at_ = next.end;
     flow.count = static_cast<std::uint32_t>(block_->code.size());

@@ -14,8 +14,7 @@ namespace plumbline::nc {
 namespace {
 
 constexpr double kCodeTolerance = 1e-3;  // of ten times a G code [LinuxCNC, measured]
-constexpr int kGroupsPerLetter = 20;
-constexpr int kUserGroup = 10;
+constexpr int kUserGroup = 63;
 constexpr std::uint32_t kUninterpretedLetters = letter_bit('U') | letter_bit('V') | letter_bit('W');
 constexpr std::uint32_t kAxisLetters =
     letter_bit('X') | letter_bit('Y') | letter_bit('Z') | letter_bit('A') | letter_bit('B') | letter_bit('C');
@@ -98,20 +97,21 @@ void keep_last_of_groups(Execution& run) {
 // Two codes of one modal group cannot both act.
 void check_groups(Execution& run) {
   if (run.dialect.habits.last_of_group) return keep_last_of_groups(run);
-  std::uint64_t seen = 0;
+  std::uint64_t seen_g = 0;
+  std::uint64_t seen_m = 0;
   for (const Chosen& chosen : run.chosen) {
     if (!is_code(chosen.word->letter)) continue;
     if (chosen.row->group < 0 || chosen.row->action == Action::motion_off)
       continue;  // gives way to another motion [LinuxCNC, measured]
     const int group = chosen.row == &run.dialect.user_row ? kUserGroup : chosen.row->group;
-    const int bit = group + (chosen.word->letter == 'M' ? kGroupsPerLetter : 0);
-    if ((seen >> static_cast<unsigned>(bit) & 1U) != 0) {
+    std::uint64_t& seen = chosen.word->letter == 'M' ? seen_m : seen_g;
+    if ((seen >> static_cast<unsigned>(group) & 1U) != 0) {
       run.refuse(
           *chosen.word, codes::kSameGroup,
           fmt::format("{} contradicts another code of its modal group in this block", text_of(run, *chosen.word)),
           "put them into blocks of their own");
     }
-    seen |= std::uint64_t{1} << static_cast<unsigned>(bit);
+    seen |= std::uint64_t{1} << static_cast<unsigned>(group);
   }
 }
 
@@ -344,6 +344,15 @@ void check_dwell_alone(const Execution& run) {
   }
 }
 
+void check_dwell_moves_nothing(const Execution& run) {
+  if (!run.dialect.habits.dwell_moves_nothing || run.chosen_row(Action::dwell) == nullptr || run.axes.empty()) return;
+  const Word& word = first_axis_word(run);
+  run.refuse(word, codes::kNotInterpreted,
+             fmt::format("{} stands beside a dwell, and what the control does with it then was found in no source",
+                         text_of(run, word)),
+             "put the dwell and the move into blocks of their own");
+}
+
 int turn_of(const Chosen& chosen) { return chosen.row->step * 2 + (chosen.row->group == 1 ? 1 : 0); }
 
 }  // namespace
@@ -356,6 +365,7 @@ void plan(Execution& run) {
     return;
   }
   check_dwell_alone(run);
+  check_dwell_moves_nothing(run);
   find_motion(run);
   check_words_used(run);
   if (run.machine_word != nullptr && (run.motion != nullptr || !run.dialect.habits.machine_move_is_rapid)) {

@@ -25,7 +25,7 @@ void place_block(Block& block, const Line& line, std::string_view file) {
 }
 
 void check_length(const Block& block, const Line& line, const Dialect& dialect) {
-  const std::size_t length = block.text.size() + (block.line_end.size() > 1 ? 1 : 0);  // a CR counts
+  const std::size_t length = longest_line(block.text) + (block.line_end.size() > 1 ? 1 : 0);  // a CR counts
   if (line.whole && length <= dialect.line_length) return;
   Place place;
   place.file = block.file;

@@ -42,7 +42,8 @@ void StatementFlow::open_beside(const std::string& name) {
   if (path.empty()) return;
   auto opened = std::make_unique<InputFile>(path.string());
   const InputFile& file = *opened;
-  files_.push_back(std::make_unique<File>(File{std::move(opened), &file, LineSource(file), false, {}, false, {}}));
+  files_.push_back(std::make_unique<File>(
+      File{std::move(opened), &file, LineSource(file, dialect_.syntax.goes_on), false, {}, false, {}}));
 }
 
 // CALL OSUB, SUB(1,2): what the arguments are worth is found before the subprogram has variables of its own.

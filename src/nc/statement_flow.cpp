@@ -19,7 +19,8 @@ void refuse_statement(const Block& block, std::string_view code, std::string mes
 
 StatementFlow::StatementFlow(const InputFile& program, const Dialect& dialect, Interpreter& interpreter)
     : dialect_(dialect), interpreter_(interpreter) {
-  files_.push_back(std::make_unique<File>(File{nullptr, &program, LineSource(program), false, {}, false, {}}));
+  files_.push_back(std::make_unique<File>(
+      File{nullptr, &program, LineSource(program, dialect.syntax.goes_on), false, {}, false, {}}));
 }
 
 bool StatementFlow::next(Line& line) {
@@ -117,7 +118,7 @@ void StatementFlow::head(const Block& block) {
 
 void StatementFlow::index_programs(File& file) const {
   if (std::exchange(file.has_index, true)) return;
-  LineSource lines(*file.file);
+  LineSource lines(*file.file, dialect_.syntax.goes_on);
   for (Line line; lines.next(line);) {
     LineHead head = head_of(line.text, dialect_);
     if (!head.program.empty()) file.programs.emplace_back(std::move(head.program), line.place);
@@ -126,7 +127,7 @@ void StatementFlow::index_programs(File& file) const {
 
 void StatementFlow::index_labels(File& file) const {
   if (std::exchange(file.has_labels, true)) return;
-  LineSource lines(*file.file);
+  LineSource lines(*file.file, dialect_.syntax.goes_on);
   for (Line line; lines.next(line);) {
     LineHead head = head_of(line.text, dialect_);
     if (!head.number.empty()) file.labels[head.number].push_back(line.place);

@@ -73,6 +73,36 @@ TEST_CASE("a flat program for Okuma comes out for Okuma") {
   CHECK(holds(result.text, "G9$"));
 }
 
+TEST_CASE("a program for Okuma in which nothing turns needs no feed rule, though its correction turns a little") {
+  const std::string head = "$FLAT.MIN%\nO42\nG15 H1\nG0 X0 Y0 Z20 A5 B-3 C0\n";
+  const Job job = job_for("okuma");
+  for (const char* const cuts :
+       {"G1 X40 Y10 Z0 F500\nX-40\n", "G1 Z0 F100\nG2 X20 Y20 I20 F800\nG1 Y60\n", "G91 G1 X0.5 Y2 F300\nX3\nZ-2\n"}) {
+    const std::string text = head + cuts + "M2\n";
+    const Result result = run(text, job);
+    check(text, result.text, job);
+    CHECK(result.summary.changed_blocks > 0);
+  }
+  for (const char* const turns : {"G1 X1 A8 F500\n", "G1 A8 F500\n", "G1 B-3.5 X0.001 F500\n"}) {
+    CHECK(code_of(head + turns + "M2\n", job) == "emit-feed-rule");
+  }
+}
+
+TEST_CASE("a block of several lines is joined where it changes, and stays as it is where it does not") {
+  const Job job = job_for("okuma");
+  const std::string text =
+      "$A.MIN%\nG15 H1\nG90\n$ G94\nG0 X0 Y0 Z20\n$ A0 B0 C0\nN7 G1 X40\n$Y10 F500 (CUT)\nG3 X20\n$  Y30\n$ R-22 "
+      "M8\nM5\n$ "
+      "M9\nM2\n";
+  const Result result = run(text, job);
+  INFO(result.text);
+  check(text, result.text, job);
+  CHECK(holds(result.text, "^G90\n\\$ G94$"));
+  CHECK(holds(result.text, "^M5\n\\$ M9$"));
+  CHECK(holds(result.text, "^N7 G1 X[0-9.]+ Y[0-9.]+ .*F500 \\(CUT\\)$"));
+  CHECK_FALSE(holds(result.text, "^\\$ *[YR]"));
+}
+
 TEST_CASE("a tool that Okuma's control changes behind a move is not carried along it") {
   Job job = job_for("okuma");
   job.program.feed_rule = nc::FeedRule::xyz_first;

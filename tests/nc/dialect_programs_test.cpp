@@ -186,13 +186,14 @@ void compare_all(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("what an Okuma control counts at another increment is refused where no source says it") {
+TEST_CASE("an Okuma control whose unit is not 1 mm is refused: it may count numbers with a point in it, too") {
   struct Case {
     const char* program;
     std::size_t column;  // 0: interpreted
   };
-  for (const Case& c : {Case{"G15 H1\nG1 X1000 F100\n", 10}, Case{"G15 H1\nVC1=5\nG1 X=VC1 F100.\n", 4},
-                        Case{"G15 H1\nG4 F2\n", 4}, Case{"G15 H1\nVC1=5\nG1 X1000 F100.\n", 0}}) {
+  for (const Case& c :
+       {Case{"G15 H1\nG1 X1000 F100\n", 4}, Case{"G15 H1\nG0 X20. Y5\n", 4}, Case{"G15 H1\nVC1=5\nG0 A=VC1\n", 4},
+        Case{"G15 H1\nG4 F2.\n", 4}, Case{"G15 H1\nVC1=5\nS100 M3\n", 0}}) {
     INFO(c.program);
     const ProgramFile text(c.program);
     const InputFile file(text.path());

@@ -20,10 +20,10 @@ struct Read {
   bool whole;
 };
 
-std::vector<Read> read_all(const std::string& text, std::size_t window) {
+std::vector<Read> read_all(const std::string& text, std::size_t window, char goes_on = '\0') {
   const ProgramFile program(text);
   const InputFile file(program.path());
-  LineSource lines(file, window);
+  LineSource lines(file, goes_on, window);
   std::vector<Read> all;
   Line line;
   while (lines.next(line)) {
@@ -89,6 +89,28 @@ TEST_CASE("reading goes on at any line seen before") {
   CHECK(line.place.offset == 4);
   REQUIRE(lines.next(line));
   CHECK(line.text == "three");
+}
+
+TEST_CASE("lines that begin with a mark come with the one before, whatever the window") {
+  const std::string text = "$A.MIN%\n$G0\nG1 X1\r\n$Y2\n$Z3\n\n$B.MIN%\nG0 X4\n$Y5";
+  for (const std::size_t window : {44U, 50U, 64U, 100000U}) {
+    INFO(window);
+    const std::vector<Read> lines = read_all(text, window, '$');
+    REQUIRE(lines.size() == 6);
+    CHECK(lines[1].text == "$G0");  // a head has nothing to go on
+    CHECK(lines[2].text == "G1 X1\r\n$Y2\n$Z3");
+    CHECK(lines[2].line == 3);
+    CHECK(lines[3].text.empty());
+    CHECK(lines[3].line == 6);
+    CHECK(lines[4].text == "$B.MIN%");
+    CHECK(lines[5].text == "G0 X4\n$Y5");
+    CHECK(lines[5].line == 8);
+    std::string together;
+    for (const Read& line : lines) together += line.text + line.line_end;
+    CHECK(together == text);
+  }
+  CHECK(read_all(text, 64).size() == 9);
+  CHECK(longest_line("ab\n$cde\nf") == 4);
 }
 
 TEST_CASE("an empty file has no lines") { CHECK(read_all("", 16).empty()); }
