@@ -22,8 +22,10 @@ void Pass::process_cycle(const nc::Step& step) {
   const nc::Step& plain = *plain_.plain(step, true);
   const std::span<const nc::Step* const> moves = plain_.moves(plain);
   // A cycle that goes on with the words of the one before it, which was written out.
-  const bool goes_on = step.before->motion == nc::MotionMode::cycle && emitter_.changed() &&
-                       emitter_.control().motion != nc::MotionMode::cycle;
+  const bool ended = step.call != nullptr ? step.after->modal_call && !emitter_.control().modal_call
+                                          : step.before->motion == nc::MotionMode::cycle &&
+                                                emitter_.control().motion != nc::MotionMode::cycle;
+  const bool goes_on = emitter_.changed() && ended;
   const bool point_by_point = step.ends_nurbs && form_ == nc::Form::unrolled;  // its points were left out
   if (!goes_on && !point_by_point && cycle_stays(step, moves)) {
     emitter_.copy(step);

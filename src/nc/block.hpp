@@ -50,6 +50,14 @@ struct Word {
 /// G, M or a code that is a name: several may stand in a block, and none of them is a value.
 inline bool is_code(const Word& word) { return word.letter == 'G' || word.letter == 'M' || word.letter == kNamedCode; }
 
+/// A value in the brackets of a code that is a name, as in CYCLE81(10,,2).
+struct Argument {
+  std::uint32_t expression = kLiteral;  // where its code begins in Block::code; kLiteral: left out, or a text
+  double value = 0;                     // once the interpreter evaluated it
+  bool plain = true;                    // a number, or nothing
+  Span span;
+};
+
 struct Comment {
   Span span;  // with its delimiters
 };
@@ -182,10 +190,11 @@ struct Block {
   Span number;                // the N word; begin == end: none
   std::vector<Comment> comments;
   std::vector<Setting> settings;
-  std::vector<Instruction> code;  // of all expressions of the block, one behind the other
-  Flow flow;                      // of a line that steers
-  std::vector<Span> left_out;     // words whose value is that of a vacant variable
-  std::vector<Span> names;        // of named parameters, without # < and >
+  std::vector<Instruction> code;    // of all expressions of the block, one behind the other
+  Flow flow;                        // of a line that steers
+  std::vector<Argument> arguments;  // of the one code that has such
+  std::vector<Span> left_out;       // words whose value is that of a vacant variable
+  std::vector<Span> names;          // of named parameters, without # < and >
 
   std::string_view at(Span span) const { return text.substr(span.begin, span.end - span.begin); }
   bool has_number() const { return number.end > number.begin; }

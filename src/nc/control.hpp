@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "nc/dialect.hpp"
@@ -45,6 +46,18 @@ struct NurbsPoint {
   double x = 0, y = 0, weight = 1;
 };
 
+struct CallArgument {
+  std::string text;  // as written
+  std::optional<double> value;
+};
+
+/// A cycle that is called with values in brackets.
+struct CycleCall {
+  const CodeRow* row = nullptr;  // null: none
+  std::vector<CallArgument> arguments;
+  bool by_variables = false;  // some value is no plain number
+};
+
 struct Control {
   Control(const Dialect& dialect, const ProgramSettings& settings);
 
@@ -56,6 +69,8 @@ struct Control {
   AxisSet known;       // of position; where the origin is not known, of the machine's position
   std::array<WorkSystem, kWorkSystems> systems;
   Cycle cycle;
+  CycleCall modal_call;                             // after each move
+  CycleCall call;                                   // of the block
   std::optional<std::array<double, 2>> spline_end;  // P and Q of the G5 before, mm
   std::vector<NurbsPoint> nurbs;                    // begun by G5.2
   int nurbs_order = 3;

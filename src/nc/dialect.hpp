@@ -72,6 +72,9 @@ enum class Action : std::uint8_t {
   restore_modes,
   save_modes_of_call,
   lose_position,         // the axes go where only the machine knows
+  modal_call,            // MCALL
+  called_cycle,          // CYCLE81(10,0,2,-15): the values stand in brackets
+  end_swivel,            // CYCLE800(): the planes that a swivel cycle turned
   home_or_unit,          // with a P word that; alone a statement of the unit: value 0 mm, 1 inches
   arc_through_point,     // CIP
   call_macro,            // G65
@@ -120,6 +123,8 @@ struct CodeRow {
   bool harmless = false;            // may stand behind / without a choice
   std::string name;                 // of a code that is no letter and number
   std::string why;                  // refused: why
+  std::string levels;               // which of these are heights of the work, digits that count from 0
+  bool has_values = false;          // a name with values in ( ) behind it
   bool has_arguments = false;       // a name with ( ) behind it, which the interpreter does not look into
 };
 

@@ -226,7 +226,9 @@ class TableReader {
     row.loses_position = flag(from, "loses_position");
     row.harmless = flag(from, "harmless");
     row.has_arguments = flag(from, "arguments");
-    if (row.action == Action::refused) row.why = text(from, "why");
+    row.has_values = flag(from, "values");
+    if (from.find("levels") != nullptr) row.levels = text(from, "levels");
+    if (row.action == Action::refused || from.find("why") != nullptr) row.why = text(from, "why");
     return row;
   }
 

@@ -176,7 +176,8 @@ void Emitter::copy(const Step& step) {
   }
   const bool offset_words = step.role == BlockRole::sets_offset && shifts_words(step, offset_shift(step, control_));
   const bool motion_missing = changed_ && !step.motions.empty() && codes.motion == nullptr &&
-                              control_.motion != step.after->motion && step.role == BlockRole::plain &&
+                              control_.motion != step.after->motion &&
+                              (step.role == BlockRole::plain || (step.call != nullptr && !step.named.empty())) &&
                               step.motions.front().kind != MotionKind::dwell;
   if (offset_words || unrolls()) begin_change(step);
   if (changed_) {
@@ -314,6 +315,7 @@ void Emitter::begin_group(const Step& step) {
   begin_change(step);
   grouping_ = true;
   group_begin_ = out_.size();
+  end_modal_call(step);
 }
 
 void Emitter::end_group(const Step& step) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/files.hpp"
+#include "nc/control.hpp"
 #include "nc/dialect.hpp"
 #include "nc/emit_block.hpp"
 #include "nc/emit_codes.hpp"
@@ -124,6 +125,8 @@ class Emitter {
   void refuse_if_shared(const Step& step) const;
   void refuse_if_turned(const Step& step) const;
   void copy_with_choice_applied(const Step& step);
+  void end_modal_call(const Step& step);
+  EmittedMove called_hole(const Step& step, const AxisWords& shift);
   std::string_view line_end(const Step& step) const;
 
   const InputFile& source_;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/check.hpp"
+#include "nc/block_words.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -29,6 +30,10 @@ CodeWriter::CodeWriter(const Dialect& dialect)
       dwell_(text_of("dwell")),
       distance_{text_of("absolute"), text_of("incremental")} {
   if (path_control_.front().empty()) path_control_.front() = path_control_.back();
+  for (const CodeRow& row : dialect.g_codes) {
+    if (row.action != Action::dwell) continue;
+    dwell_letter_ = row.words.find('P') != std::string::npos ? 'P' : row.words.front();
+  }
 }
 
 std::string CodeWriter::text_of(std::string_view meaning, std::optional<int> value) const {
@@ -48,10 +53,23 @@ bool CodeWriter::is_motion(const Word& word) const {
   return row != nullptr && row->group == kMotionGroup;
 }
 
+std::string_view CodeWriter::name_of(Action action) const {
+  for (const CodeRow& row : dialect_.named_codes) {
+    if (row.action == action) return row.name;
+  }
+  return {};
+}
+
+bool CodeWriter::is_call(const Word& word) const {
+  const CodeRow* const row = row_of(word);
+  return row != nullptr && row->action == Action::called_cycle;
+}
+
 const CodeRow* CodeWriter::row_of(const Word& word) const { return dialect_.row_of(word); }
 
 BlockCodes CodeWriter::codes_of(const Block& block) const {
   BlockCodes codes;
+  bool dwells = false;
   for (const Word& word : block.words) {
     if (word.letter == 'F') codes.feed = &word;
     const CodeRow* row = row_of(word);
@@ -65,7 +83,9 @@ BlockCodes CodeWriter::codes_of(const Block& block) const {
     } else if (row->order == Order::after_motion) {
       codes.add_after_motion(word);
     }
+    if (row->action == Action::dwell && (row->word_mask & letter_bit('F')) != 0) dwells = true;
   }
+  if (dwells) codes.feed = nullptr;  // its F is a time
   return codes;
 }
 

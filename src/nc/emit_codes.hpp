@@ -41,6 +41,12 @@ class CodeWriter {
   std::string_view feed_mode(FeedMode mode) const { return feed_mode_[static_cast<std::size_t>(mode)]; }
   std::string_view path_control(PathControl control) const { return path_control_[static_cast<std::size_t>(control)]; }
   std::string_view dwell() const { return dwell_; }
+  /// Of the word that holds the seconds of a dwell.
+  char dwell_letter() const { return dwell_letter_; }
+  /// The name of the code that does this.
+  std::string_view name_of(Action action) const;
+  /// True of a code that calls a cycle with values in brackets.
+  bool is_call(const Word& word) const;
   std::string_view distance(bool incremental) const { return distance_[incremental ? 1 : 0]; }
   std::string cycle(int value) const { return text_of("cycle", value); }
   /// The code that means this; of several the one with that value.
@@ -57,6 +63,7 @@ class CodeWriter {
   std::array<std::string, 3> feed_mode_;
   std::array<std::string, 3> path_control_;
   std::string dwell_;
+  char dwell_letter_ = 'P';
   std::array<std::string, 2> distance_;
 };
 

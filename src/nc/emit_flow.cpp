@@ -182,6 +182,7 @@ void Emitter::restore_switches(const Switches& was, const Switches& is) {
 }
 
 EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
+  if (step.call != nullptr) return called_hole(step, shift);
   note_header(step);
   begin_change(step);
   restore_feed_state(step, false);

@@ -28,6 +28,7 @@ void OutputState::adopt(const Modal& modal) {
 
 void OutputState::follow(const Step& step, bool has_motion_word, bool has_feed_mode_word, bool has_feed_word) {
   if (has_motion_word) motion = step.after->motion;
+  if (step.calls_modally) modal_call = step.after->modal_call;
   if (has_feed_mode_word) {
     if (feed_mode != step.after->feed_mode) feed = 0;  // a control drops the F of the other mode
     feed_mode = step.after->feed_mode;

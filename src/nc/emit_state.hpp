@@ -11,6 +11,7 @@ namespace plumbline::nc {
 struct OutputState {
   AxisWords shift;  // control's position minus the original's, in W: mm and deg
   MotionMode motion = MotionMode::none;
+  bool modal_call = false;  // a cycle is called after each move
   FeedMode feed_mode = FeedMode::per_minute;
   double feed = 0;  // in the program's unit; 0: none in force
 

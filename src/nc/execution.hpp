@@ -66,6 +66,8 @@ struct Execution {
 // How the block is read: plan.cpp
 /// Finds the rows of all codes, their order, the motion; refuses what does not go together.
 void plan(Execution& run);
+/// Refuses what stands beside a code that stands alone in its block: alone.cpp
+void check_alone(const Execution& run);
 /// Gives words without a decimal point the value that they have where the control counts its increments.
 void count_increments(const Execution& run, Block& block);
 
@@ -103,7 +105,11 @@ void set_feed_group(Execution& run, const Chosen& chosen);           // FGROUP
 void choose_edge(Execution& run, const Word& word);                  // tools.cpp: D
 void call_macro(Execution& run);                                     // macro_call.cpp: G65
 
-void move_in_cycle(Execution& run);  // cycles.cpp: G73 G74 G81..G89
+void set_modal_call(Execution& run);                    // cycle_calls.cpp: MCALL
+void call_cycle(Execution& run, const CodeRow& row);    // CYCLE81(10,0,2,-15)
+void drill_after_move(Execution& run);                  // where MCALL is in force
+void end_swivel(Execution& run, const Chosen& chosen);  // CYCLE800()
+void move_in_cycle(Execution& run);                     // cycles.cpp: G73 G74 G81..G89
 
 // What the moves share: moves.cpp
 /// Of two points of a plane.

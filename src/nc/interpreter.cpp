@@ -170,6 +170,10 @@ void Interpreter::evaluate(Block& block) {
     word.unknown = !value.known;
   }
   if (vacant) leave_out_vacant_words(block);
+  for (Argument& argument : block.arguments) {
+    if (argument.expression == kLiteral) continue;
+    argument.value = value_of(block, argument.expression, argument.span);
+  }
   evaluate_settings(block);
 }
 
@@ -239,6 +243,12 @@ void Interpreter::set_variable(const Block& block, std::size_t setting, Value va
 }
 
 void Interpreter::set_parameter(const Block& block, const Setting& place, int number, Value value) {
+  if (control_.modal_call.by_variables) {
+    refuse_at(block, place.span, codes::kNotInterpreted,
+              "a variable is set while a cycle with variables in its brackets is called after each move, and no source "
+              "says whether the call takes the new value",
+              "end the call with MCALL before, and call it anew after");
+  }
   if (number == kNamed) {
     control_.parameters.set(block.at(block.names[place.name]), value);
   } else if (value.vacant) {
@@ -317,6 +327,7 @@ void Interpreter::move() {
   } else {
     move_straight(run_);
   }
+  drill_after_move(run_);
 }
 
 }  // namespace plumbline::nc

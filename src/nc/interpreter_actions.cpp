@@ -126,6 +126,12 @@ void Interpreter::act_on_position(const Chosen& chosen) {
       return set_feed_group(run_, chosen);
     case Action::tool_edge:
       return choose_edge(run_, *chosen.word);
+    case Action::modal_call:
+      return set_modal_call(run_);
+    case Action::called_cycle:
+      return call_cycle(run_, *chosen.row);
+    case Action::end_swivel:
+      return end_swivel(run_, chosen);
     case Action::home_or_unit:
       return home_or_unit(run_, chosen);
     case Action::lose_position:

@@ -33,6 +33,7 @@ struct Modal {
   bool incremental = false;          // G91
   bool arc_centre_absolute = false;  // G90.1
   bool retract_to_r = true;          // G99: cycles end at their R, not where they began
+  bool modal_call = false;           // a cycle is called after each move
   int work_system = 1;               // 1..9: G54..G59.3
   double feed = 0;                   // the F in force, in the program's own unit; 0: none. Not used under G93
   int tool_in_spindle = -1;          // after M6 or M61; -1: not known

@@ -43,6 +43,7 @@ void Parser::parse(Block& block) {
   block.code.clear();
   block.names.clear();
   block.left_out.clear();
+  block.arguments.clear();
   block.flow.word = FlowWord::none;
   seen_ = 0;
   at_ = block.text.data() + byte_order_mark_size(block);

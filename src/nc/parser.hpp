@@ -67,6 +67,7 @@ class Parser {
   bool word_mode(WordMode& mode);
   void pass_comment();
   void pass_arguments();
+  void value_arguments(Span name);
   void expect_equals(Span name);
   bool next_is(TokenKind kind);
   void expect(TokenKind kind, std::string_view what);

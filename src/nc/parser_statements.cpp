@@ -123,6 +123,12 @@ void Parser::call_statement() {
 // call = name , [ "(" , [ value , { "," , value } ] , ")" ] , [ "P" , number ]
 void Parser::call_by_name(Span name) {
   Flow& flow = block_->flow;
+  const CodeRow* const before = block_->words.empty() ? nullptr : dialect_->row_of(block_->words.back());
+  if (before != nullptr && before->action == Action::modal_call) {
+    refuse_at(*block_, name, codes::kNotInterpreted,
+              fmt::format("{} of a program of one's own is not interpreted", before->name),
+              "call the program by its name in each of the blocks behind the moves");
+  }
   if (!block_->words.empty() || !block_->settings.empty()) {
     refuse_at(*block_, name, codes::kUnknownCode, fmt::format("{} is no word of this control", block_->at(name)),
               "look for a slip; the name of a subprogram stands alone in its block");

@@ -39,6 +39,8 @@ bool is_plain(const Step& step, bool keeps_settings) {
   for (const Comment& comment : block.comments) {
     if (!keeps_settings && shows_parameters(block.at(comment.span))) return false;
   }
+  const auto plain = [](const Argument& argument) { return argument.plain; };
+  if (!keeps_settings && !std::all_of(block.arguments.begin(), block.arguments.end(), plain)) return false;
   return std::all_of(block.words.begin(), block.words.end(),
                      [](const Word& word) { return word.expression == kLiteral; });
 }
@@ -112,6 +114,12 @@ std::string PlainSteps::with_value(std::string_view text, const Word& word) cons
 void PlainSteps::write_values(const Step& step, bool keeps_settings) {
   bool end_written = false;
   for (const Span& span : step.block->left_out) editor_.replace(span, "");
+  for (const Argument& argument : step.block->arguments) {
+    if (argument.plain || keeps_settings) continue;
+    std::string text;
+    append_decimal(text, argument.value, kMostDecimals);
+    editor_.replace(argument.span, text);
+  }
   for (const Word& word : step.block->words) {
     if (is_polar(word) && step.cycle == CycleForm::none) {
       write_polar_end(step, end_written, word.span);
@@ -190,7 +198,7 @@ std::span<const Step* const> PlainSteps::moves(const Step& step) {
   spelling_ = spelling_of(*step.block, spelling_);
   add_rest(step);
   if (step.cycle == CycleForm::spindle) {
-    for (const Hole& hole : step.holes) add_hole(step, hole);
+    for (const Hole& hole : step.holes) step.call != nullptr ? add_called_hole(step, hole) : add_hole(step, hole);
   } else {
     const std::size_t waits = dwells_first(step) ? 1 : 0;  // which the rest of the block does
     for (const Motion& motion : step.motions.subspan(waits)) add_move(step, motion);
@@ -217,7 +225,7 @@ void PlainSteps::add_rest(const Step& step) {
     const bool waits = std::any_of(behind.begin(), behind.end(), [&](const Word* other) { return other == &word; });
     const bool of_cycle = of_motion.find(word.letter) != std::string_view::npos
                               ? !codes_.other_code_takes(block, word.letter)
-                              : codes_.is_motion(word);
+                              : codes_.is_motion(word) || codes_.is_call(word);
     if (waits || of_cycle) {
       editor_.replace(word.span, "");
     } else {
@@ -256,9 +264,10 @@ void PlainSteps::add_words_behind(const Step& step) {
 
 // P counts whole milliseconds on some controls, which take no point in it.
 void PlainSteps::append_dwell(std::string& text, double seconds) const {
-  const double per_count = dialect_.habits.dwell_p_s;
+  const char letter = codes_.dwell_letter();
+  const double per_count = letter == 'P' ? dialect_.habits.dwell_p_s : 1;
   const bool whole = per_count != 1;
-  append_word(text, 'P', seconds / per_count, whole ? 0 : kMostDecimals,
+  append_word(text, letter, seconds / per_count, whole ? 0 : kMostDecimals,
               {spelling_.lower_case, spelling_.spaced, spelling_.point && !whole});
 }
 

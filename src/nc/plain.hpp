@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "nc/control.hpp"
 #include "nc/emit_codes.hpp"
 #include "nc/emit_text.hpp"
 #include "nc/parser.hpp"
@@ -54,6 +55,7 @@ class PlainSteps {
   void add_words_behind(const Step& step);
   void add_move(const Step& step, const Motion& motion);
   void add_hole(const Step& step, const Hole& hole);
+  void add_called_hole(const Step& step, const Hole& hole);
   Span label_of(const Block& block) const;
   void append_dwell(std::string& text, double seconds) const;
   void append_axis(std::string& text, const Step& step, char letter, double mm) const;

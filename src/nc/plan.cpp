@@ -332,18 +332,6 @@ void check_words_used(const Execution& run) {
   }
 }
 
-// What the control does with other words beside G4 is in no source.
-void check_dwell_alone(const Execution& run) {
-  const CodeRow* const dwell = run.dialect.habits.dwell_alone ? run.chosen_row(Action::dwell) : nullptr;
-  if (dwell == nullptr) return;
-  for (const Word& word : run.block->words) {
-    if (run.dialect.row_of(word) == dwell || (!is_code(word.letter) && (letter_bit(word.letter) & dwell->word_mask)))
-      continue;
-    run.refuse(word, codes::kNotInterpreted, "a dwell stands alone in its block on this control",
-               "put the other words into a block of their own");
-  }
-}
-
 void check_dwell_moves_nothing(const Execution& run) {
   if (!run.dialect.habits.dwell_moves_nothing || run.chosen_row(Action::dwell) == nullptr || run.axes.empty()) return;
   const Word& word = first_axis_word(run);
@@ -364,8 +352,8 @@ void plan(Execution& run) {
     run.motion = nullptr;
     return;
   }
-  check_dwell_alone(run);
   check_dwell_moves_nothing(run);
+  check_alone(run);
   find_motion(run);
   check_words_used(run);
   if (run.machine_word != nullptr && (run.motion != nullptr || !run.dialect.habits.machine_move_is_rapid)) {

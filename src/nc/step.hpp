@@ -51,6 +51,8 @@ struct Hole {
   std::optional<std::array<double, 3>> ijk;  // G87: I and J beside the hole, K the level
 };
 
+struct CycleCall;
+
 /// M98 and G65 call a program, M99 ends it.
 struct ProgramCall {
   bool calls = false, ends = false;
@@ -77,6 +79,8 @@ struct Step {
   bool saves_modes = false;        // M70 to M73: modes are kept or come back
   CycleForm cycle = CycleForm::none;
   std::span<const Hole> holes = {};  // of a cycle
+  const CycleCall* call = nullptr;   // that made its hole
+  bool calls_modally = false;        // MCALL: a call after each move begins or ends
   bool nurbs_point = false;          // G5.2: its curve is moved along at the G5.3 behind it
   bool ends_nurbs = false;
   bool polar = false;            // its end is given by @ and ^

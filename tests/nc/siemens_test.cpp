@@ -120,3 +120,50 @@ TEST_CASE("G97 and G973 leave a feed per revolution in force, G971 one per minut
                  {"G54 G0 X0\nG94 G97 G1 X10 F200\n", 2, 5, "nc-same-group"},
                  {"G54 G0 X0\nG93 G971 G1 X10 F200\n", 2, 5, "nc-same-group"}});
 }
+
+TEST_CASE("calls of cycles that no source covers are refused") {
+  const std::string begin = "G54 G0 X0 Y0 Z50\nF100\n";
+  struct Case {
+    const char* line;
+    std::size_t column = 1;
+    const char* code = "nc-not-interpreted";
+  };
+  for (const Case& c :
+       {Case{"CYCLE81(10,0,2)"}, Case{"CYCLE81(10,0,2,-5,7)"}, Case{"CYCLE81(10,0,2,-5,,0,0,20)"},
+        Case{"CYCLE82(10,0,2,-5,,1,1)"}, Case{"CYCLE82(10,0,2,-5,,1,0,2)"}, Case{"CYCLE82(10,0,2,-5,,1,0,0,1)"},
+        Case{"CYCLE82(10,0,2,-5,,1,0,0,0,1)"}, Case{"CYCLE83(10,0,2,-5,,-2,,0,0,0,1,1,1)"},
+        Case{"CYCLE84(10,0,2,-5,,0,3)"}, Case{"CYCLE84(10,0,2,-5,,0,3,,20,0,400,400,,2)"},
+        Case{"CYCLE81(10,0,2,5)", 1, "nc-out-of-range"}, Case{"CYCLE81(-1,0,2,-5)", 1, "nc-out-of-range"},
+        Case{"G0 X1 CYCLE81(10,0,2,-5)"}, Case{"MCALL CYCLE81(10,0,2,-5) X1", 26}, Case{"F100 MCALL"},
+        Case{"MCALL L100", 7}, Case{"MCALL BOHREN(1,2)", 7}, Case{"CYCLE81(10,0,2,-5", 1, "nc-bracket-open"},
+        Case{"CYCLE81(10,0,2,-5) CYCLE82(10,0,2,-5)", 20, "nc-flow-control"}}) {
+    const Outcome ran = outcome_of(begin + c.line + "\n");
+    INFO(c.line);
+    CHECK(ran.code == c.code);
+    CHECK(ran.line == 3);
+    CHECK(ran.column == c.column);
+  }
+  check_refused({{"G54 G0 X0 Y0 Z9\nMCALL CYCLE81(9,0,2,-5)\nF100 G2 X2 I1\n", 3, 6},
+                 {"G54 G0 X0 Y0 Z9 F1\nMCALL CYCLE81(9,0,2,-5)\nSUPA G0 Z0\n", 3, 6},
+                 {"G54 G0 X0 Y0 Z9 F1\nMCALL CYCLE81(9,0,2,-5)\nCYCLE82(9,0,2,-5)\n", 3, 1},
+                 {"G54 G0 X0 Y0 Z9 F1 R1=2\nMCALL CYCLE81(9,0,R1,-5)\nR1=3\n", 3, 1},
+                 {"G54 G0 X0 Y0 Z9\nG93\nCYCLE81(9,0,2,-5)\n", 3, 1},
+                 {"G54 G0 X0 Y0 Z9\nCYCLE81(9,0,2,-5)\n", 2, 1, "nc-feed-missing"}});
+}
+
+TEST_CASE("swivel cycles that turn nothing leave the axes where nobody knows, others are refused") {
+  for (const char* const line :
+       {"CYCLE800()", "CYCLE800", "CYCLE800(0,\"\",0,27,0,0,0,0,0,0,0,0,0,1)",
+        "N7 CYCLE800(1,\"TC1\",100000,57,0,0,0,0,0,0,0,0,0,-1,100,1) ; off", "CYCLE800(4,\"0\",,)"}) {
+    const ProgramFile program(fmt::format("G54 G0 X0 Y0 Z9 A0 B0 C0\n{}\nG0 X1\n", line));
+    const InputFile file(program.path());
+    Program blocks(file, dialect("siemens"), at_zero());
+    INFO(line);
+    CHECK(blocks.next()->known == AxisSet::all());
+    CHECK(blocks.next()->known.empty());
+    CHECK(blocks.next()->known == AxisSet{Axis::X});
+  }
+  check_refused({{"CYCLE800(1,\"TC1\",0,57,0,0,0,0,30,0,0,0,0,-1,100,1)\n", 1, 31},
+                 {"N1 CYCLE800(0,\"\",0,27,5,0,0,0,0,0,0,0,0,1)\n", 1, 23},
+                 {"R1=5\nCYCLE800(0,,0,27,0,0,0,0,0,R1*2)\n", 2, 28}});
+}

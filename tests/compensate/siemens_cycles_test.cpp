@@ -1,0 +1,88 @@
+// Cycles that a SINUMERIK program calls by name: written out, or called hole by hole with their levels shifted.
+#include <catch2/catch.hpp>
+
+#include "compensate/play.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+Job siemens_job() {
+  Job job;
+  job.dialect = "siemens";
+  job.settings.friction = false;
+  return job;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+const std::string kDrillStart = "G54 G17 G710 G90 G94 F300\nS800 M3\nG0 X0 Y0 Z20 A0 B0 C0\n";
+
+}  // namespace
+
+TEST_CASE("drilling cycles of a SINUMERIK become moves, and what calls them after each move ends before") {
+  const Job job = siemens_job();
+  Job still = job;
+  still.model.gravity.setZero();
+  for (const std::string part :
+       {"MCALL CYCLE81(10,0,2,-8)\nX10 Y5\nX20\nMCALL\nG1 X0 F400\n",
+        "R1=2\nMCALL CYCLE82(R1*5,0,R1,,7,0.5)\nN50 G1 X10 Y5 F500 ; first\nG91 X3\nMCALL\nG90 Y1\n",
+        "X5 Y5\nN9 CYCLE89(12,0,1,-4,,1)\nMCALL CYCLE81(9,0,1,-2)\nG0 X7\nMCALL CYCLE81(9,0,1,-3)\nX8\nMCALL\n",
+        "DEF INT HOLE\nMCALL CYCLE81(10,0,2,-8)\nFOR HOLE=1 TO 3\nX=HOLE*4 Y=HOLE\nENDFOR\nMCALL\nG1 X1\n"}) {
+    const std::string whole = kDrillStart + part + "G0 Z30\nM30\n";
+    INFO(whole);
+    const Result result = run(whole, job);
+    INFO(result.text);
+    const Played played = play(whole, result.text, job);
+    CHECK(played.at_points_um <= 0.15);
+    CHECK(played.time_change <= 1e-3);
+    CHECK(count_of(result.text, "\nMCALL\n") >= count_of(result.text, "\nMCALL CYCLE"));
+    CHECK(run(whole, still).text == whole);
+  }
+}
+
+TEST_CASE("cycles that peck or work the spindle are called hole by hole, with their levels shifted") {
+  Job job = siemens_job();
+  for (const std::string part : {"MCALL CYCLE84(10,0,2,-8,,0,3,,1.25,0,400,400)\nX10 Y5\nX20\nMCALL\nG1 X0 F400\n",
+                                 "X5 Y5\nCYCLE83(10,0,2,-9,,-4,,0,0,0,1,1)\nG91 X2\nCYCLE85(10,0,2,,6,,200,300)\nG90\n",
+                                 "R2=-7\nMCALL CYCLE840(10,0,2,R2,,,0,,0,,1)\nG1 X10 Y5 F500\nMCALL "
+                                 "CYCLE86(10,0,2,R2,,1,3,-1,0,1,0)\nX5\nMCALL\n"}) {
+    const std::string whole = kDrillStart + part + "G0 X1 Y1 Z30\nM30\n";
+    INFO(whole);
+    const Result result = run(whole, job);
+    INFO(result.text);
+    compensate::Corrector machine(job.model, job.settings);
+    // Of each hole both its top and its bottom, in the same order.
+    const auto bottoms = [&](const std::string& text) {
+      std::vector<Move> kept;
+      for (const Move& move : moves_of(text, job.program, "siemens")) {
+        if (move.motion.kind == nc::MotionKind::feed && move.motion.to[Axis::Z] < 0) kept.push_back(move);
+      }
+      return kept;
+    };
+    const std::vector<Move> before = bottoms(whole);
+    const std::vector<Move> after = bottoms(result.text);
+    REQUIRE(before.size() >= 2);
+    REQUIRE(before.size() == after.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const AxisWords stands = after[i].to_W + machine.error({after[i].to_W, {}, {}, std::nullopt}).value();
+      CHECK(tip_distance(stands, before[i].to_W) <= job.settings.cycle_tolerance_mm);
+      CHECK(tip_distance(after[i].to_W, before[i].to_W) > 1e-3);
+    }
+  }
+  job.settings.cycle_tolerance_mm = 1e-5;
+  CHECK(code_of(kDrillStart + "CYCLE83(10,0,2,-90,,-4,,0,0,0,1,1)\n", job) == "compensate-cycle");
+}
+
+TEST_CASE("the F of a dwell is no feed that the output would count on") {
+  const Job job = siemens_job();
+  const std::string text = kDrillStart + "G1 X20 A5 F500\nG4 F2\nG1 X30\nG4 F=1+1\nX40 Y9 A0\nG4 S800\nX1\nM30\n";
+  const Result result = run(text, job);
+  INFO(result.text);
+  CHECK(count_of(result.text, "G4 F2\n") == 1);
+  CHECK(play(text, result.text, job).time_change <= 1e-3);
+}
