@@ -2,6 +2,7 @@
 // Blanks mean nothing outside comments [RS274/NGC 3.3.1], so each rule lets them stand between its characters.
 #include <charconv>
 
+#include "base/characters.hpp"
 #include "nc/block.hpp"
 #include "nc/lexer.hpp"
 
@@ -72,13 +73,13 @@ void read_number(Token& token, const char* begin, const char* end) {
 
 void keep_word(Token& token, const char* begin, const char* end) {
   keep(token, TokenKind::word, begin, end);
-  token.letter = static_cast<char>(*begin & ~0x20);
+  token.letter = upper(*begin);
   read_number(token, begin + 1, end);
 }
 
 void keep_letter(Token& token, const char* begin, const char* end) {
   keep(token, TokenKind::letter, begin, end);
-  token.letter = static_cast<char>(*begin & ~0x20);
+  token.letter = upper(*begin);
 }
 
 void keep_operation(Token& token, TokenKind kind, Operation operation, const char* begin, const char* end) {
@@ -97,7 +98,7 @@ void keep_operation(Token& token, TokenKind kind, Operation operation, const cha
   blank    = [ \t\r];
   w        = blank*;
   digit    = [0-9];
-  letter   = [A-Za-z@^];  // @ and ^ are polar words
+  letter   = [A-Za-z@^$];  // @ and ^ are polar words, $ chooses a spindle
   unsigned = digit (w digit)* (w "." (w digit)*)? | "." (w digit)+;
   number   = [+-]? w unsigned;
 */

@@ -59,6 +59,7 @@ MEANINGS = {
     "nurbs_end": "end of a NURBS",
     "nurbs_point": "point of a NURBS",
     "no_motion": "read, moves nothing, goes through as it stands",
+    "surface_speed": "speed of the surface, or of the spindle",
     "orient_spindle": "spindle orientation",
     "override": "overrides on and off",
     "per_minute": "feed per minute",

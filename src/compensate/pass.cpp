@@ -9,6 +9,7 @@
 #include "base/units.hpp"
 #include "compensate/figures.hpp"
 #include "compensate/guard.hpp"
+#include "compensate/stamp_mark.hpp"
 #include "path/curve.hpp"
 #include "path/duration.hpp"
 #include "path/subdivide.hpp"
@@ -18,8 +19,8 @@ namespace {
 
 constexpr double kChordStepMm = 10;  // at which the limits are checked along a rapid
 constexpr double kChordStepDeg = 1;
+constexpr int kManyPieces = 10'000;
 constexpr double kNoWay = 1e-7;  // mm and deg
-constexpr std::string_view kStampMark = " compensated this program";
 
 bool is_feed(nc::MotionKind kind) { return kind == nc::MotionKind::feed || kind == nc::MotionKind::arc; }
 
@@ -50,10 +51,11 @@ Pass::Pass(const InputFile& source, const nc::Dialect& dialect, const nc::Progra
 
 bool Pass::run(const Progress& progress) {
   set_touch_off();
+  compensate::refuse_stamped(source_);
   bool jumps = false;
   while (const nc::Step* step = program_.next()) {
     ++summary_.blocks;
-    refuse_stamped(*step->block);
+    refuse_stamped(step->block->file);
     note_whether_it_ends(*step);
     if (!jumps && step->jumped && form_ == nc::Form::in_text_order) {
       jumps = true;
@@ -65,6 +67,13 @@ bool Pass::run(const Progress& progress) {
   }
   emitter_.finish();
   return true;
+}
+
+// Subprograms of files of their own are compensated with the program, once.
+void Pass::refuse_stamped(std::string_view file) {
+  if (file == source_.name() || files_.contains(file)) return;
+  files_.emplace(file);
+  compensate::refuse_stamped(InputFile(std::string(file)));
 }
 
 // Unrolled, lines that steer are left out, and what depends on parameters is written out.
@@ -112,17 +121,6 @@ void Pass::refuse_system_of_block(const nc::Step& step) const {
     refuse("compensate-work-system", "this block moves in a work system that is in force for it alone",
            "choose the work system before it and the other one behind it, as with G15 H",
            place_of(*step.block, step.block->file));
-  }
-}
-
-// A compensated program holds the corrections already; a second helping would double them.
-void Pass::refuse_stamped(const nc::Block& block) {
-  for (const nc::Comment& comment : block.comments) {
-    const std::string_view text = block.at(comment.span);
-    const std::size_t name = text.find("plumbline ");
-    if (name == std::string_view::npos || text.find(kStampMark, name) == std::string_view::npos) continue;
-    refuse("compensate-stamped", "this program was compensated already", "compensate the original program instead",
-           place_of(block, block.file));
   }
 }
 
@@ -260,7 +258,13 @@ void Pass::check_chord(const nc::Step& step, const AxisWords& from, const AxisWo
 }
 
 path::Subdivision Pass::feed_points(const nc::Step& step, const path::Curve& curve, std::optional<double> seconds) {
-  const path::Subdivision cut = path::subdivide(curve, seconds, settings_.step);
+  const path::Subdivision cut =
+      path::subdivide(curve, seconds, settings_.step, place_of(*step.block, step.block->file));
+  if (cut.pieces > kManyPieces) {  // a slip is seen at its end, before all of them are corrected
+    const Target end = target_of(step, curve.point(1), seconds);
+    refuse_violations(machine::check_programmed(model_.limits, corrector_.pose_of(end.pose)), *step.block,
+                      step.block->file);
+  }
   points_.clear();
   for (int i = 1; i <= cut.pieces; ++i) {
     const double fraction = static_cast<double>(i) / cut.pieces;

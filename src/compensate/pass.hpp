@@ -3,7 +3,10 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/files.hpp"
@@ -38,7 +41,7 @@ class Pass {
 
  private:
   void refuse_system_of_block(const nc::Step& step) const;
-  static void refuse_stamped(const nc::Block& block);
+  void refuse_stamped(std::string_view file);
   void note_whether_it_ends(const nc::Step& step);
   void warn_of_no_end();
   void warn_of_silent_effects();
@@ -88,10 +91,11 @@ class Pass {
   Summary summary_;
   AxisWords touch_off_error_;
   std::vector<nc::CorrectedPoint> points_;
-  bool ended_ = false;                   // the last thing that was executed ends a program
-  std::size_t last_line_ = 0;            // that holds a word
-  std::map<int, Place> massless_tools_;  // and where each came into the spindle
-  std::optional<Target> sample_;         // where the error per kg of a tool is worked out
+  bool ended_ = false;                        // the last thing that was executed ends a program
+  std::size_t last_line_ = 0;                 // that holds a word
+  std::set<std::string, std::less<>> files_;  // of subprograms, looked through
+  std::map<int, Place> massless_tools_;       // and where each came into the spindle
+  std::optional<Target> sample_;              // where the error per kg of a tool is worked out
   double sum_of_squares_ = 0;
   std::uint64_t corrected_moves_ = 0;
 };

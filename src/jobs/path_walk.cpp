@@ -91,7 +91,8 @@ void PathWalk::walk_feed(const nc::Step& step, const nc::Motion& motion) {
   const path::Curve curve(motion);
   std::optional<double> seconds = path::duration(motion, curve, dialect_);
   if (motion.feed_mode == nc::FeedMode::per_revolution) seconds.reset();  // the spindle's to say
-  const int pieces = path::subdivide(curve, seconds, steps_).pieces;
+  const int pieces =
+      path::subdivide(curve, seconds, steps_, compensate::place_of(*step.block, step.block->file)).pieces;
   const double begin = time_s_;
   for (int i = 1; i <= pieces; ++i) {
     const double fraction = static_cast<double>(i) / pieces;

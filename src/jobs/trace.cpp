@@ -94,6 +94,10 @@ void append_trace_line(std::string& out, const Motion& motion) {
   out += ", \"feed\": ";
   append_number(out, motion.feed);
   fmt::format_to(std::back_inserter(out), R"(, "feed_mode": "{}")", name_of(motion.feed_mode));
+  if (motion.kind == MotionKind::dwell) {
+    out += ", \"seconds\": ";
+    append_number(out, motion.dwell_s);
+  }
   if (motion.kind == MotionKind::arc) {
     fmt::format_to(std::back_inserter(out), R"(, "plane": "{}", "centre": )", name_of(motion.arc.plane));
     append_numbers(out, motion.arc.centre_mm);

@@ -64,10 +64,11 @@ struct Comment {
 
 enum class Operation : std::uint8_t {
   end,
-  number,     // pushes Instruction::number
-  parameter,  // replaces the number on top by the value of the parameter that has this number
-  name,       // pushes the value of the parameter names[Instruction::name]
-  exists,     // pushes 1 if that parameter has a value, else 0
+  number,         // pushes Instruction::number
+  parameter,      // replaces the number on top by the value of the parameter that has this number
+  name,           // pushes the value of the parameter names[Instruction::name]
+  exists,         // pushes 1 if that parameter has a value, else 0
+  exists_number,  // replaces the number on top by 1 if a parameter may have it, else by 0
   negate,
   absolute,
   arc_cosine,

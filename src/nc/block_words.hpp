@@ -10,9 +10,10 @@
 
 namespace plumbline::nc {
 
-inline constexpr std::size_t kLetters = 31;  // A to Z, @ and ^, and 1 2 3 for the point between of a circle (I1 J1 K1)
+inline constexpr std::size_t kLetters = 32;  // A to Z, @ ^ $, and 1 2 3 for the point between of a circle (I1 J1 K1)
 constexpr std::size_t letter_place(char letter) {
   if (letter >= 'A' && letter <= 'Z') return static_cast<std::size_t>(letter - 'A');
+  if (letter == '$') return 31;
   return letter == '@' ? 26 : letter == '^' ? 27 : static_cast<std::size_t>(letter - '1') + 28;
 }
 inline constexpr std::array kCentreLetters{'I', 'J', 'K'};  // of X, Y, Z

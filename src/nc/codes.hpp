@@ -55,6 +55,7 @@ inline constexpr std::string_view kArcRadius = "nc-arc-radius";
 inline constexpr std::string_view kArcEnds = "nc-arc-ends";
 inline constexpr std::string_view kArcTurns = "nc-arc-turns";
 inline constexpr std::string_view kMachineMove = "nc-machine-move";
+inline constexpr std::string_view kSpindleStands = "nc-spindle-stands";
 
 // What the program needs and nobody gave
 inline constexpr std::string_view kWorkOffsetUnknown = "nc-work-offset-unknown";
@@ -93,6 +94,7 @@ inline constexpr std::array kAll{kLineTooLong,       kNulByte,
                                  kToolUnknown,       kUnknownDialect,
                                  kFlowLabel,         kFlowOpen,
                                  kModesNotSaved,     kCallDepth,
-                                 kTooManyBlocks,     kDialectAmbiguous};
+                                 kTooManyBlocks,     kDialectAmbiguous,
+                                 kSpindleStands};
 
 }  // namespace plumbline::nc::codes

@@ -51,7 +51,7 @@ Control::Control(const Dialect& dialect, const ProgramSettings& settings)
   parameters.set("_value", {});
   parameters.set("_value_returned", {});
   parameters.set("_task", {settings.as_with_empty_tables ? 0.0 : 1.0, true});  // 0: rs274 and previews
-  given(parameters, kG92, suspended_g92);
+  g92_known = given(parameters, kG92, suspended_g92) == AxisSet::all() || settings.as_with_empty_tables;
   if (parameters.has(kG92InForce) && parameters.get(kG92InForce).number != 0) frame.g92 = suspended_g92;
   frame.origin = active().origin;
   frame.rotation_deg = active().rotation_deg;

@@ -33,6 +33,7 @@ struct Home {
 struct Cycle {
   bool begun = false;        // false: another motion came between
   bool incremental = false;  // how its R and depth were given
+  double unit_mm = 1;        // in which
   double start = 0;          // along the normal of the plane, where the first of these cycles began
   double r = 0;
   double bottom = 0;
@@ -58,6 +59,13 @@ struct CycleCall {
   bool by_variables = false;  // some value is no plain number
 };
 
+/// A row of the control's tool table, as far as it is known.
+struct ToolRow {
+  AxisWords offset;
+  std::optional<double> diameter_mm;
+  std::array<std::optional<double>, 3> details{};  // front and back angle, orientation
+};
+
 struct Control {
   Control(const Dialect& dialect, const ProgramSettings& settings);
 
@@ -75,17 +83,20 @@ struct Control {
   std::vector<NurbsPoint> nurbs;                    // begun by G5.2
   int nurbs_order = 3;
   AxisWords suspended_g92;                 // what G92.3 brings back
+  bool g92_known = false;                  // that: the control keeps it from program to program
   AxisWords local;                         // G52, TRANS: added to the origin of the work system
   AxisWords local_before_turn;             // G68 changes it, G69 brings it back
   double turn_deg = 0;                     // G68, ROT: about Z
   FeedRule feed_rule = FeedRule::unknown;  // the dialect's, or as FGROUP says
   std::array<Home, 2> homes;               // G28, G30
-  std::map<int, AxisWords> tools;          // tool table rows that the program wrote (G10 L1)
+  std::map<int, ToolRow> tools;            // tool table rows that the program wrote (G10 L1, L10, L11)
   int selected_tool = -1;                  // T; -1: none yet
   int edge = 1;                            // D
   double spindle_speed = 0;
-  double feed_rotary = 0;  // the F in force as deg/min: it does not follow a change of units
-  double feed_linear = 0;  // the F in force as mm/min (mm/rev under G95)
+  bool surface_speed = false;  // G96
+  bool motion_off = false;     // G80 was executed, and no motion code since
+  bool nurbs_ended = false;    // the same of G5.3
+  double feed_linear = 0;      // the F in force as mm/min (mm/rev under G95)
   Parameters parameters;
   bool tool_in_inches = false;  // the unit in force when the tool's offset was taken
   bool ended = false;           // M2, M30

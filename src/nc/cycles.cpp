@@ -1,6 +1,7 @@
 // Canned cycles: G73, G74 and G81 to G89 in any plane, as LinuxCNC makes them [measured].
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,7 +11,8 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr double kMostPecks = 1e6;
+constexpr double kWrittenDigits = 1e10;  // decimals that a length may have been written with
+constexpr double kNoise = 1e-13;         // and the rounding of a conversion
 
 enum Code {
   kChipBreaking = 73,
@@ -39,16 +41,21 @@ class CycleRun {
   void make();
 
  private:
+  void take_unit();
   void take_words();
   double inherited(char letter, double before, double value, bool needed) const;
   void check_level() const;
+  void check_spindle() const;
+  void check_tapped_plane() const;
   void check_distance_mode();
   void hole(bool first);
   void at_hole();
+  double in_unit(double mm) const;
   void pecks();
   void back_bore();
   void go(MotionKind kind, double first, double second, double level);
   void along(MotionKind kind, double level) { go(kind, first_, second_, level); }
+  void along_tap(double level);
   void wait();
 
   Execution& run_;
@@ -60,12 +67,29 @@ class CycleRun {
   bool as_fanuc_ = false;
   double first_ = 0, second_ = 0, first_step_ = 0, second_step_ = 0;
   double r_ = 0, bottom_ = 0, clear_ = 0, level_ = 0, offset_level_ = 0;
+  double start_ = 0;  // where the first of these cycles began
+  double unit_ = 1;   // mm
 };
 
 double CycleRun::inherited(const char letter, double before, double value, bool needed) const {
   if (run_.words.has(letter)) return value;
   if (needed && !goes_on_) run_.need(letter, fmt::format("G{}", code_));
   return before;
+}
+
+// What a cycle inherits is kept as numbers: after G20 the R of 5 mm is one of 5 inches [LinuxCNC, measured].
+void CycleRun::take_unit() {
+  const double ratio = unit_ / std::exchange(cycle_.unit_mm, unit_);
+  if (ratio == 1 || !(goes_on_ || cycle_.begun)) return;
+  if (as_fanuc_) {
+    run_.refuse(run_.motion_code(), codes::kNotInterpreted,
+                "what the cycle inherits after a change of units depends on the control",
+                "write G80 before the change (G20, G21), and the cycle anew");
+  }
+  for (double* value :
+       {&cycle_.start, &cycle_.r, &cycle_.bottom, &cycle_.peck, &cycle_.ijk[0], &cycle_.ijk[1], &cycle_.ijk[2]}) {
+    *value *= ratio;
+  }
 }
 
 void CycleRun::take_words() {
@@ -104,22 +128,44 @@ void CycleRun::check_level() const {
                 fmt::format("R lies below {}, the bottom of the hole", letter(axes_.third)),
                 "a hole goes down from R along the normal of the plane");
   }
-  if (cycle_.peck > 0 && (r_ - bottom_) / cycle_.peck > kMostPecks) {
-    run_.refuse(run_.motion_code(), codes::kOutOfRange, "the hole takes more than a million pecks", "check Q");
-  }
+  const bool pecks = code_ == kChipBreaking || code_ == kPeck;
+  if (pecks) check_motions(run_, (r_ - bottom_) / cycle_.peck);
+}
+
+// The control stops in the middle of the cycle [LinuxCNC, measured].
+void CycleRun::check_spindle() const {
+  const int spindle = control_.modal.switches.spindle;
+  const bool taps = code_ == kTapping || code_ == kLeftTapping;
+  const int needed = code_ == kTapping ? kClockwise : kCounterClockwise;
+  if (!works_spindle(code_) || (taps ? spindle == needed : spindle != kSpindleStands)) return;
+  const std::string_view way = taps && spindle != kSpindleStands ? "turns the other way" : "stands";
+  run_.refuse(run_.motion_code(), codes::kSpindleStands,
+              fmt::format("the spindle {}, and the control refuses G{} then", way, code_),
+              fmt::format("write S and M{} before it; M6 and M19 stop the spindle", taps ? needed : kClockwise));
+}
+
+// There the control takes the axes of the plane for others, one place on, and taps somewhere else [LinuxCNC, measured].
+void CycleRun::check_tapped_plane() const {
+  const bool taps = code_ == kTapping || code_ == kLeftTapping;
+  if (!taps || control_.modal.plane == Plane::xy || run_.settings.as_with_empty_tables) return;
+  run_.refuse(run_.motion_code(), codes::kNotInterpreted,
+              fmt::format("in G18 and G19 the control mixes up the axes of G{} and taps beside the hole", code_),
+              "tap along Z, with G17 in force");
 }
 
 void CycleRun::make() {
   code_ = run_.motion->value;
+  unit_ = control_.length_unit();
   as_fanuc_ = run_.dialect.habits.fanuc_cycles;
   goes_on_ = control_.motion_row == run_.motion;
   if (as_fanuc_) goes_on_ = cycle_.begun;  // until G80 or a move of another kind [Haas 96-8000, p. 185]
   if (as_fanuc_) check_distance_mode();
+  take_unit();
   take_words();
   level_ = control_.position[axes_.third];
   if (!cycle_.begun) cycle_.start = level_;
   cycle_.begun = true;
-  double start = cycle_.start;
+  double start = start_ = cycle_.start;
   first_ = control_.position[axes_.first];
   second_ = control_.position[axes_.second];
   r_ = cycle_.r;
@@ -139,6 +185,8 @@ void CycleRun::make() {
     second_ = word(axes_.second, second_);
   }
   check_level();
+  if (!as_fanuc_) check_spindle();
+  if (!as_fanuc_) check_tapped_plane();
   if (start < r_ && !as_fanuc_) {
     go(MotionKind::rapid, control_.position[axes_.first], control_.position[axes_.second], r_);
     start = level_ = r_;
@@ -147,10 +195,12 @@ void CycleRun::make() {
   const Word* count = run_.words.find('L');
   if (as_fanuc_ && count == nullptr) count = run_.words.find('K');
   const int holes = count == nullptr ? 1 : run_.whole(*count, as_fanuc_ ? 0 : 1, kNoLimit);
+  check_motions(run_, holes);
   for (int i = 0; i < holes; ++i) hole(i == 0);
 }
 
 void CycleRun::hole(bool first) {
+  check_motions(run_, 1);
   first_ += first_step_;
   second_ += second_step_;
   if (run_.words.polar() && (first || control_.modal.incremental)) {
@@ -181,8 +231,17 @@ void CycleRun::hole(bool first) {
 void CycleRun::at_hole() {
   if (code_ == kChipBreaking || code_ == kPeck) return pecks();
   if (code_ == kBackBore) return back_bore();
-  along(MotionKind::feed, bottom_);
   const bool taps = code_ == kTapping || code_ == kLeftTapping;
+  if (taps && !as_fanuc_ && control_.modal.plane != Plane::xy) {
+    along_tap(bottom_);
+    wait();
+    along_tap(clear_);
+    control_.position[axes_.first] = first_;
+    control_.position[axes_.second] = second_;
+    control_.position[axes_.third] = clear_;
+    return;
+  }
+  along(MotionKind::feed, bottom_);
   if (code_ != kDrill && code_ != kBore) wait();
   if (code_ == kBore) along(MotionKind::feed, r_);
   if (code_ == kBoreByHand) {
@@ -206,14 +265,41 @@ void CycleRun::check_distance_mode() {
   cycle_.incremental = control_.modal.incremental;
 }
 
+// A length in the program's unit, as the control counts pecks: in mm the last of them could fall short of the bottom by
+// a rounding, and one more be made.
+double CycleRun::in_unit(double mm) const {
+  const double value = mm / unit_;
+  const double written = std::round(value * kWrittenDigits) / kWrittenDigits;
+  return std::abs(value - written) < kNoise ? written : value;
+}
+
 void CycleRun::pecks() {
-  for (double depth = r_ - cycle_.peck; depth > bottom_; depth -= cycle_.peck) {
+  const bool increments = control_.modal.incremental;
+  const double step = in_unit(cycle_.peck);
+  const double r = in_unit(cycle_.r) + (increments ? in_unit(start_) : 0);
+  const double bottom = in_unit(cycle_.bottom) + (increments ? r : 0);
+  for (double at = r - step; at > bottom; at -= step) {
+    const double depth = at * unit_;
     along(MotionKind::feed, depth);
     if (code_ == kPeck) along(MotionKind::rapid, r_);
     along(MotionKind::rapid, depth + run_.dialect.habits.peck_gap_mm);
   }
   along(MotionKind::feed, bottom_);
   along(MotionKind::rapid, clear_);
+}
+
+// The axes of the plane, one place on.
+void CycleRun::along_tap(double level) {
+  Motion motion;
+  motion.kind = MotionKind::feed;
+  motion.to = control_.position;
+  const bool zx = control_.modal.plane == Plane::zx;
+  motion.to[axes_.first] = zx ? second_ : level;
+  motion.to[axes_.second] = zx ? level : first_;
+  motion.to[axes_.third] = zx ? first_ : second_;
+  motion.known_after = control_.known;
+  motion.feed = feed_of_move(run_, true);
+  add_motion(run_, motion);
 }
 
 // Down beside the hole, up into it from below.
@@ -244,7 +330,7 @@ void CycleRun::go(MotionKind kind, double first, double second, double level) {
 
 void CycleRun::wait() {
   const bool taps = code_ == kTapping || code_ == kLeftTapping;
-  if (taps && cycle_.dwell_s <= 0) return;
+  if (as_fanuc_ && taps && cycle_.dwell_s <= 0) return;
   Motion motion;
   motion.kind = MotionKind::dwell;
   motion.to = control_.position;

@@ -90,6 +90,7 @@ enum class Action : std::uint8_t {
   work_system_of_block,  // G16 H3: of this block alone
   tool_edge,             // D
   no_motion,             // changes nothing that motion depends on
+  surface_speed,         // G96: S is the speed of the surface; value 1: on
   cubic_spline,          // G5
   quadratic_spline,      // G5.1
   nurbs_point,           // G5.2
@@ -216,8 +217,9 @@ struct Dialect {
   std::vector<CodeRow> g_codes;           // by code
   std::vector<CodeRow> m_codes;
   FeedRule feed_rule = FeedRule::unknown;
-  double feed_rate_min = 0;       // units/min under which length x F is lifted in inverse time mode
-  std::size_t line_length = 255;  // characters, the line end not counted
+  bool feed_before_units = false;  // F counts in the units that were in force before its block
+  double feed_rate_min = 0;        // units/min under which length x F is lifted in inverse time mode
+  std::size_t line_length = 255;   // characters, the line end not counted
   std::string comment_open = "(";
   std::string comment_close = ")";
   int first_user_m_code = 0, last_user_m_code = -1;  // codes of the machine's builder

@@ -85,6 +85,7 @@ constexpr std::array kActions{
     ActionName{"work_system_of_block", Action::work_system_of_block},
     ActionName{"tool_edge", Action::tool_edge},
     ActionName{"no_motion", Action::no_motion},
+    ActionName{"surface_speed", Action::surface_speed},
     ActionName{"cubic_spline", Action::cubic_spline},
     ActionName{"quadratic_spline", Action::quadratic_spline},
     ActionName{"nurbs_point", Action::nurbs_point},

@@ -39,7 +39,10 @@ class TableReader {
     dialect.first_user_m_code = static_cast<int>(user_m_codes[0].number);
     dialect.last_user_m_code = static_cast<int>(user_m_codes[1].number);
     dialect.feed_row = turn("F", Action::feed_word);
+    dialect.feed_before_units = has_turn("units") && dialect.feed_row.step < turn("units", Action::no_motion).step;
     dialect.speed_row = turn("S", Action::speed_word);
+    dialect.speed_row.words = "$";
+    dialect.speed_row.word_mask = mask(dialect.speed_row.words);
     dialect.tool_row = turn("T", Action::tool_word);
     dialect.user_row = turn("user", Action::user_code);
     dialect.user_row.words = "PQ";

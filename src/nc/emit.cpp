@@ -8,6 +8,7 @@
 #include "base/check.hpp"
 #include "base/number_text.hpp"
 #include "base/units.hpp"
+#include "nc/feed.hpp"
 #include "nc/parser.hpp"
 
 namespace plumbline::nc {
@@ -31,6 +32,14 @@ std::string_view without_mark(const Block& block, std::string_view text) {
 
 // What is left of a block that held nothing but words of endless axes that stand.
 bool is_blank_line(std::string_view line) { return line.find_first_not_of(" \t") == std::string_view::npos; }
+
+// A feed of axes that turn, and of nothing else: its F counts degrees.
+bool turns_alone(const Motion& motion) {
+  if (motion.kind != MotionKind::feed || motion.feed_mode != FeedMode::per_minute) return false;
+  const AxisWords delta = motion.to - motion.from;
+  const double linear = std::hypot(delta[Axis::X], delta[Axis::Y], delta[Axis::Z]);
+  return linear == 0 && delta != AxisWords{} && feed_length_is_angle(linear, motion.feed_rule);
+}
 
 // What the control is off, in the words of a block that sets an offset: G10 L20 may name a system that is turned
 // otherwise than the active one.
@@ -151,13 +160,15 @@ void Emitter::restore_feed_state(const Step& step, bool has_feed_word) {
   if (control_.feed_mode != step.before->feed_mode && (cuts || step.loses_position)) {
     line_ += codes_.feed_mode(step.before->feed_mode);
     control_.feed_mode = step.before->feed_mode;
-    control_.feed = 0;
+    control_.drop_feed();
   }
+  const bool turns = std::any_of(step.motions.begin(), step.motions.end(), turns_alone);
+  const double feed = turns ? step.before->feed_rotary : step.before->feed;
   const bool needs_feed = (cuts && !has_feed_word) || step.loses_position;
-  if (needs_feed && control_.feed_mode != FeedMode::inverse_time && step.before->feed > 0 &&
-      control_.feed != step.before->feed) {
-    append_word(line_, 'F', step.before->feed, kMostDecimals, {false, false, spelling_.point});
-    control_.feed = step.before->feed;
+  if (needs_feed && control_.feed_mode != FeedMode::inverse_time && feed > 0 &&
+      (turns ? control_.feed_rotary : control_.feed) != feed) {
+    append_word(line_, 'F', feed, kMostDecimals, {false, false, spelling_.point});
+    control_.set_feed(feed);
   }
   if (line_.empty()) return;
   line_ += line_end(step);

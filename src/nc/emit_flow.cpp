@@ -147,12 +147,13 @@ void Emitter::restore_modes(const Step& step) {
   if (is.feed_mode != control_.feed_mode) {
     modes.code(codes_.feed_mode(is.feed_mode));
     control_.feed_mode = is.feed_mode;
-    control_.feed = 0;
+    control_.drop_feed();
   }
+  control_.change_unit(was, is);
   write_words(modes.take());
   if (is.feed > 0 && is.feed_mode != FeedMode::inverse_time && is.feed != control_.feed) {
     modes.word('F', is.feed);
-    control_.feed = is.feed;
+    control_.set_feed(is.feed);
   }
   if (is.switches.speed != was.switches.speed) modes.word('S', is.switches.speed);
   if (is.switches.spindle != was.switches.spindle) modes.code(codes_.text_of("spindle", is.switches.spindle));

@@ -17,6 +17,7 @@ constexpr double kAlikeSpeeds = 0.02;  // pieces of a block whose speeds differ 
 constexpr double kLargestWord = 1e6;   // with nine decimals this still is exact in a double
 constexpr double kArcStart = 1e-7;     // mm
 constexpr double kSamePlace = 1e-9;    // deg
+constexpr double kSameFeed = 1e-12;    // relative
 constexpr double kLeastFeed = 1e-6;
 constexpr double kLargestFeed = 1e12;
 constexpr double kMoves = 0.25;  // of a quantum: less than this is the noise of adding and taking away offsets
@@ -175,7 +176,11 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
     const bool cuts = motion.kind == MotionKind::feed || motion.kind == MotionKind::arc;
     const AxisWords way = motion.to - motion.from;
     if (cuts && !seconds && motion.feed > 0 && !feed_length(way, motion.feed_rule)) refuse_feed_rule(step, dialect_);
-    if (find_word(*step.block, 'F') != nullptr) control.feed = step.after->feed;
+    control.change_unit(*step.before, *step.after);
+    if (find_word(*step.block, 'F') != nullptr) {
+      control.feed = step.after->feed;
+      control.feed_rotary = step.after->feed_rotary;
+    }
   }
   control.set_work_shift(*step.frame, left);
   return pieces_;
@@ -225,18 +230,37 @@ void PiecePlanner::set_lengths(const Step& step, const AxisWords& start) {
     const double linear = distance_mm(delta, {});
     const std::optional<double> length = feed_length(linear, delta, step.motions.front().feed_rule);
     if (!length) refuse_feed_rule(step, dialect_);
-    const bool in_degrees = feed_length_is_angle(linear, step.motions.front().feed_rule);
-    pieces_[i].length = in_degrees ? *length : *length / step.motions.front().mm_per_unit;
+    pieces_[i].in_degrees = feed_length_is_angle(linear, step.motions.front().feed_rule);
+    pieces_[i].length = pieces_[i].in_degrees ? *length : *length / step.motions.front().mm_per_unit;
     at = ends_[i];
   }
 }
 
 void PiecePlanner::choose_feeds(const Step& step, double seconds, OutputState& control) {
+  control.change_unit(*step.before, *step.after);
   if (step.after->feed_mode == FeedMode::inverse_time) {
     choose_inverse_times(step, seconds, control);
   } else {
     choose_rates(step, seconds, control);
   }
+}
+
+// Degrees a minute do not follow a change of units; lengths a minute do.
+double PiecePlanner::feed_in_force(const Piece& piece, const OutputState& control) const {
+  return piece.in_degrees ? control.feed_rotary : control.feed;
+}
+
+// Where the control reads F before the units of its own block, it counts in those that were in force before it.
+void PiecePlanner::state_feed(const Step& step, Piece& piece, double feed, OutputState& control) const {
+  const bool of_block = &piece == &pieces_.front() && dialect_.feed_before_units;
+  const bool changes = of_block && step.before->inches != step.after->inches;
+  const double ratio = !changes ? 1 : step.after->inches ? kMmPerInch : 1 / kMmPerInch;
+  const double written = piece.in_degrees ? feed : feed * ratio;
+  const Word* const word = find_word(*step.block, 'F');
+  const bool as_written = word != nullptr && !differs(word->value, written, kSameFeed);
+  piece.feed = as_written ? word->value : changes ? rounded_feed(step, written) : feed;
+  control.feed = *piece.feed / ratio;
+  control.feed_rotary = *piece.feed;
 }
 
 // The F of each piece under G94 and G95: the program's where that keeps the time of the block; one other F for all
@@ -246,25 +270,25 @@ void PiecePlanner::choose_rates(const Step& step, double seconds, OutputState& c
   const double time = seconds / unit;
   double total = 0;
   for (const Piece& piece : pieces_) total += piece.length;
-  const bool keeps = !differs(total / step.after->feed, time, settings_.time_tolerance);
+  const bool turns = std::all_of(pieces_.begin(), pieces_.end(), [](const Piece& piece) { return piece.in_degrees; });
+  const double programmed = turns ? step.after->feed_rotary : step.after->feed;
+  const bool keeps = !differs(total / programmed, time, settings_.time_tolerance);
   const double mean = total / time;
   const bool alike = std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
     return !differs(piece.length, piece.share * total, kAlikeSpeeds);
   });
   pieces_.front().restates_mode = control.feed_mode != step.after->feed_mode;
-  if (pieces_.front().restates_mode) control.feed = 0;
+  if (pieces_.front().restates_mode) control.drop_feed();
   control.feed_mode = step.after->feed_mode;
   double spent = 0;
   for (Piece& piece : pieces_) {
-    double feed = step.after->feed;
+    double feed = programmed;
     if (!keeps && piece.length > 0) feed = rounded_feed(step, alike ? mean : piece.length / (piece.share * time));
     const bool stated = &piece == &pieces_.front() && find_word(*step.block, 'F') != nullptr;
     const double allowed = keeps ? 0 : settings_.time_tolerance / 4;
-    if (stated || control.feed <= 0 || differs(feed, control.feed, allowed)) {
-      piece.feed = feed;
-      control.feed = feed;
-    }
-    spent += piece.length / control.feed;
+    const double in_force = feed_in_force(piece, control);
+    if (stated || in_force <= 0 || differs(feed, in_force, allowed)) state_feed(step, piece, feed, control);
+    spent += piece.length / feed_in_force(piece, control);
   }
   seconds_ = spent * unit;
 }
@@ -283,10 +307,11 @@ void PiecePlanner::choose_inverse_times(const Step& step, double seconds, Output
     const bool whole = pieces_.size() == 1 && !piece.leaves_inverse_time;
     const double feed = rounded_feed(step, piece.leaves_inverse_time ? rate : 1 / minutes);
     const bool keep = whole && !differs(step.motions.front().feed, feed, settings_.time_tolerance);
-    if (!keep) piece.feed = feed;
+    if (!keep && piece.leaves_inverse_time) state_feed(step, piece, feed, control);
+    if (!keep && !piece.leaves_inverse_time) piece.feed = feed;
     spent += piece.leaves_inverse_time ? piece.length / feed : 1 / (keep ? step.motions.front().feed : feed);
   }
-  control.feed = 0;
+  control.drop_feed();
   seconds_ = spent * kMinute;
 }
 

@@ -41,6 +41,7 @@ struct Piece {
   bool direct = false;              // their words are written as A=DC(5)
   double share = 0;
   double length = 0;                 // that the feed is the speed along, in the program's unit or deg
+  bool in_degrees = false;           // it is deg
   std::optional<double> feed;        // F to be written
   bool leaves_inverse_time = false;  // under G94 although the original is under G93
   bool restates_mode = false;        // its feed mode differs from the one before it
@@ -83,6 +84,8 @@ class PiecePlanner {
   Piece rounded_piece(const Step& step, const CorrectedPoint& point, AxisSet writable, AxisWords& at);
   void set_lengths(const Step& step, const AxisWords& start);
   void choose_feeds(const Step& step, double seconds, OutputState& control);
+  double feed_in_force(const Piece& piece, const OutputState& control) const;
+  void state_feed(const Step& step, Piece& piece, double feed, OutputState& control) const;
   void choose_rates(const Step& step, double seconds, OutputState& control);
   void choose_inverse_times(const Step& step, double seconds, OutputState& control);
 

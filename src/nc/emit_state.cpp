@@ -1,5 +1,7 @@
 #include "nc/emit_state.hpp"
 
+#include "base/units.hpp"
+
 namespace plumbline::nc {
 namespace {
 
@@ -24,16 +26,26 @@ void OutputState::adopt(const Modal& modal) {
   motion = modal.motion;
   feed_mode = modal.feed_mode;
   feed = modal.feed;
+  feed_rotary = modal.feed_rotary;
+}
+
+void OutputState::change_unit(const Modal& before, const Modal& after) {
+  if (before.inches == after.inches) return;
+  feed = after.inches ? feed / kMmPerInch : feed * kMmPerInch;
 }
 
 void OutputState::follow(const Step& step, bool has_motion_word, bool has_feed_mode_word, bool has_feed_word) {
   if (has_motion_word) motion = step.after->motion;
   if (step.calls_modally) modal_call = step.after->modal_call;
   if (has_feed_mode_word) {
-    if (feed_mode != step.after->feed_mode) feed = 0;  // a control drops the F of the other mode
+    if (feed_mode != step.after->feed_mode) drop_feed();  // a control drops the F of the other mode
     feed_mode = step.after->feed_mode;
   }
-  if (has_feed_word || step.after->feed == 0) feed = step.after->feed;
+  change_unit(*step.before, *step.after);
+  if (has_feed_word || step.after->feed == 0) {
+    feed = step.after->feed;
+    feed_rotary = step.after->feed_rotary;
+  }
   if (step.motions.empty()) return;
   if (step.role == BlockRole::machine_move) {
     for (const Axis axis : kAllAxes) {

@@ -84,14 +84,15 @@ void home_or_unit(Execution& run, const Chosen& chosen);     // G20 of the OSP
 void set_tool_length(Execution& run, const Chosen& chosen);  // tools.cpp: G43 G43.1 G43.2 G49
 /// Refuses at `word` when the length unit has changed under the tool length in force.
 void check_tool_unit(const Execution& run, const Word& word);
-void set_tool_row(Execution& run);                        // G10 L1
-void select_tool(Execution& run, const Word& word);       // T
-void change_tool(Execution& run, const Chosen& chosen);   // M6 M61
-void dwell(Execution& run, const Word& code);             // machine_codes.cpp: G4
-void call_program(Execution& run, const Chosen& chosen);  // M98 M99
-void machine_code(Execution& run, const Chosen& chosen);  // M0 M1 M60, outputs, inputs, spindle, user codes
-void move_straight(Execution& run);                       // straight.cpp
-void move_arc(Execution& run);                            // arcs.cpp
+void set_tool_row(Execution& run);                                   // tool_rows.cpp: G10 L1
+void set_tool_row_here(Execution& run, bool in_probe_table_system);  // G10 L10 L11
+void select_tool(Execution& run, const Word& word);                  // T
+void change_tool(Execution& run, const Chosen& chosen);              // M6 M61
+void dwell(Execution& run, const Word& code);                        // machine_codes.cpp: G4
+void call_program(Execution& run, const Chosen& chosen);             // M98 M99
+void machine_code(Execution& run, const Chosen& chosen);             // M0 M1 M60, outputs, inputs, spindle, user codes
+void move_straight(Execution& run);                                  // straight.cpp
+void move_arc(Execution& run);                                       // arcs.cpp
 
 void move_spline(Execution& run);                                    // splines.cpp: G5 G5.1
 void add_nurbs_point(Execution& run);                                // G5.2
@@ -120,10 +121,14 @@ AxisWords end_of_move(const Execution& run);
 std::array<double, 2> polar_end(const Execution& run, double x, double y);
 /// Which axes are known there.
 AxisSet known_after_move(const Execution& run);
+/// Refuses where one of these axes stands, which an offset will depend on, is not known.
+void need_position(const Execution& run, AxisSet axes);
 /// Every offset of the active work system must have been given.
 void need_offsets(const Execution& run);
 /// The feed of a move in the unit that Motion states; refuses when there is none.
 double feed_of_move(const Execution& run, bool linear);
+/// Refuses a block that makes more moves than a program may execute (--max-blocks), or than one block may.
+void check_motions(const Execution& run, double count);
 /// Adds the move and puts the control at its end.
 void add_motion(Execution& run, const Motion& planned);
 /// From here on the axes may stand anywhere.

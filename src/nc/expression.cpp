@@ -24,6 +24,13 @@ bool is_binary(Operation operation) {
 
 double truth(bool value) { return value ? 1 : 0; }
 
+// Every number that a parameter may have is one's [LinuxCNC, measured].
+Value number_exists(const Block& block, Span span, Value value, ParameterLimits limits) {
+  if (!value.known) return {0, false};
+  const int number = whole_number(block, span, value.number, "the number of a parameter");
+  return {truth(number >= limits.first && number <= limits.last), true};
+}
+
 double modulo(double a, double b) {
   const double rest = std::fmod(a, b);
   return rest < 0 ? rest + std::abs(b) : rest;
@@ -139,7 +146,10 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
         stack_.push_back(parameters.read(block, block.at(block.names[step->name]), step->span));
         continue;
       case Operation::exists:
-        stack_.push_back({truth(parameters.exists(block.at(block.names[step->name]))), true});
+        stack_.push_back(parameters.exists(block.at(block.names[step->name])));
+        continue;
+      case Operation::exists_number:
+        stack_.back() = number_exists(block, step->span, stack_.back(), parameters.limits());
         continue;
       case Operation::parameter:
         stack_.back() =

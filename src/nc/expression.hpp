@@ -21,7 +21,8 @@ class ParameterReader {
   virtual ~ParameterReader() = default;
   virtual Value read(const Block& block, int number, Span span) = 0;
   virtual Value read(const Block& block, std::string_view name, Span span) = 0;
-  virtual bool exists(std::string_view name) = 0;
+  /// 1 or 0; not known where only the machine knows.
+  virtual Value exists(std::string_view name) = 0;
   virtual ParameterLimits limits() const { return {}; }
 };
 

@@ -10,14 +10,14 @@ void set_feed(Execution& run, const Word& word) {
   if (control.modal.feed_mode == FeedMode::inverse_time) return;  // it belongs to this block's move alone
   control.modal.feed = word.value;
   control.feed_linear = run.length(word);
-  control.feed_rotary = word.value;
+  control.modal.feed_rotary = word.value;
 }
 
 // The F before it is dropped, even if the mode stays [LinuxCNC, measured].
 void set_feed_mode(Execution& run, FeedMode mode) {
   Control& control = run.control;
   control.modal.feed_mode = mode;
-  control.modal.feed = control.feed_linear = control.feed_rotary = 0;
+  control.modal.feed = control.feed_linear = control.modal.feed_rotary = 0;
 }
 
 }  // namespace plumbline::nc

@@ -31,15 +31,20 @@ FlowControl::FlowControl(const InputFile& program, const Dialect& dialect, Inter
 
 bool FlowControl::next(Line& line) {
   if (files_[file_]->lines.next(line)) return true;
-  if (skipping()) {
-    refuse(codes::kFlowOpen, fmt::format("the file ends before {} was found", skip_what_),
-           "add it, or put the subprogram into a file of its name beside the program", skip_from_);
-  }
+  end_of_text();
   if (!called()) return false;
   Place place;
   place.file = file();
   refuse(codes::kFlowOpen, fmt::format("the file ends inside subprogram {}", calls_.back().name),
          "end it with O<name> ENDSUB, or with M99 if M98 calls it", std::move(place));
+}
+
+void FlowControl::end_of_text() {
+  if (!skipping()) return;
+  refuse(codes::kFlowOpen, fmt::format("the file ends before {} was found", skip_what_),
+         "add it, or put the subprogram into a file of its name beside the program; the control reads nothing behind "
+         "the % that ends a program, and no % around a file that a program with % calls",
+         skip_from_);
 }
 
 std::string FlowControl::label_of(const Block& block) {
@@ -49,14 +54,26 @@ std::string FlowControl::label_of(const Block& block) {
       whole_number(block, flow.span, interpreter_.value_of(block, flow.label, flow.span), "the label of an O word"));
 }
 
+// The label of a line that is left out may depend on what only the subprogram around it sets: it is no other one's
+// then.
+std::string FlowControl::label_of_skipped(const Block& block) {
+  try {
+    return label_of(block);
+  } catch (const Refusal& refusal) {
+    if (refusal.diagnostic().code != codes::kParameterUnset) throw;
+    return {};
+  }
+}
+
 // Loops and branches of a subprogram have labels of their own.
 std::string FlowControl::scoped(const std::string& label) const {
   return calls_.empty() ? label + '#' : calls_.back().name + '#' + label;
 }
 
 bool FlowControl::take(const Block& block) {
-  std::string label = label_of(block);
   const FlowWord word = block.flow.word;
+  const bool ends = word == FlowWord::end_sub && !skipping() && called();  // of any label [LinuxCNC, measured]
+  std::string label = ends ? calls_.back().name : skipping() ? label_of_skipped(block) : label_of(block);
   const bool is_subprogram = word == FlowWord::program || word == FlowWord::sub || word == FlowWord::end_sub ||
                              word == FlowWord::call || word == FlowWord::give_back;
   if (!is_subprogram) label = scoped(label);
@@ -69,7 +86,7 @@ bool FlowControl::take(const Block& block) {
       return define(block, label);
     case FlowWord::end_sub:
     case FlowWord::give_back:
-      give_back(block, label);
+      give_back(block);
       return true;
     case FlowWord::call:
       enter(block, {label, file_, files_[file_]->lines.place()});
@@ -172,17 +189,16 @@ bool FlowControl::end_program(const Block& block, const ProgramCall& /*call*/) {
   return true;
 }
 
-// ENDSUB and RETURN, with a value or without.
-void FlowControl::give_back(const Block& block, const std::string& label) {
+// ENDSUB and RETURN, with a value or without; either may bear any label [LinuxCNC, measured].
+void FlowControl::give_back(const Block& block) {
   if (!defining_.empty()) {
     defining_.clear();
     skip_.clear();
     return;
   }
-  const bool ends = block.flow.word == FlowWord::end_sub;  // RETURN may bear any label [LinuxCNC, measured]
-  if (!called() || calls_.back().by_number || (ends && calls_.back().name != label)) {
-    refuse_flow(block, codes::kFlowLabel, "no subprogram of this name is being executed",
-                "check the label; a subprogram that M98 calls ends with M99");
+  if (!called() || calls_.back().by_number) {
+    refuse_flow(block, codes::kFlowLabel, "no subprogram is being executed that this could end",
+                "a subprogram that M98 calls ends with M99");
   }
   interpreter_.control().parameters.set("_value_returned", {block.flow.values.empty() ? 0.0 : 1.0, true});
   if (!block.flow.values.empty()) {

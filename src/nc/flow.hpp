@@ -27,6 +27,7 @@ class FlowControl : public Sequencer {
   /// The next line to be read, of whichever file; false where the program ends. Refuses when something that was looked
   /// for, or that must end, did not appear before the end of its file.
   bool next(Line& line) override;
+  void end_of_text() override;
   const std::string& file() const override { return files_[file_]->file->name(); }
 
   /// True while lines are left out: all but the O words.
@@ -67,6 +68,7 @@ class FlowControl : public Sequencer {
   };
 
   std::string label_of(const Block& block);
+  std::string label_of_skipped(const Block& block);
   std::string scoped(const std::string& label) const;
   Target& begin_loop(const Block& block, const std::string& label);
   const Target& need_target(const Block& block, const std::string& label, FlowWord a, FlowWord b) const;
@@ -75,7 +77,7 @@ class FlowControl : public Sequencer {
   bool define(const Block& block, const std::string& label);
   void enter(const Block& block, Call call);
   void go_to_subprogram(const Block& block, const std::string& name);
-  void give_back(const Block& block, const std::string& label);
+  void give_back(const Block& block);
   void leave(const Block& block);
   void steer(const Block& block, const std::string& label);
   void branch(const Block& block, const std::string& label);

@@ -96,6 +96,7 @@ void set_shift_of_g92(Execution& run, const Word& code) {
     if (run.axes.contains(axis)) next.g92[axis] = run.value(axis);
   }
   control.suspended_g92 = next.g92;
+  control.g92_known = true;
   control.change_frame(next);
 }
 

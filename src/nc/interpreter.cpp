@@ -36,7 +36,7 @@ class ReadingsOfBlock final : public ParameterReader {
     }
     return readings_.read(block, name, span);
   }
-  bool exists(std::string_view name) override { return readings_.exists(name); }
+  Value exists(std::string_view name) override { return readings_.exists(name); }
   ParameterLimits limits() const override { return readings_.limits(); }
 
  private:
@@ -298,10 +298,11 @@ bool Interpreter::moves_specially(Action action) {
   if (action == Action::nurbs_end) move_nurbs(run_);
   if (spindle_leads) move_synchronised(run_);
   if (action == Action::probe) move_probe(run_);
-  // A spline is in force for its own block alone [LinuxCNC, measured].
-  const bool lasts = !spline && action != Action::nurbs_end;
-  control_.motion_row = lasts ? run_.motion : nullptr;
-  control_.modal.motion = lasts ? MotionMode::special : MotionMode::none;
+  if (spline) return true;  // in force for its own block alone; the motion before goes on [LinuxCNC, measured]
+  control_.nurbs_ended = action == Action::nurbs_end;
+  control_.motion_off = false;
+  control_.motion_row = control_.nurbs_ended ? nullptr : run_.motion;
+  control_.modal.motion = control_.nurbs_ended ? MotionMode::none : MotionMode::special;
   return true;
 }
 

@@ -152,6 +152,11 @@ void Interpreter::act_on_mode(const Chosen& chosen) {
       control_.spline_end.reset();
       modal.motion = MotionMode::none;
       control_.motion_row = nullptr;
+      control_.motion_off = true;
+      control_.nurbs_ended = false;
+      return;
+    case Action::surface_speed:
+      control_.surface_speed = chosen.row->value == 1;
       return;
     case Action::inches:
       return change_unit(true);

@@ -13,7 +13,8 @@ namespace {
 constexpr int kInputResult = 5399;  // parameter that M66 sets
 constexpr int kWaitModes = 4;
 
-void orient_spindle(const Execution& run) {
+void orient_spindle(Execution& run) {
+  run.control.modal.switches.spindle = kSpindleStands;
   const Word* const angle = run.words.find('R');
   if (angle != nullptr && (angle->value < 0 || angle->value > kFullTurn)) {
     run.refuse(*angle, codes::kOutOfRange, "the spindle's angle is out of range", "write R0 to R360");

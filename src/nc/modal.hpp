@@ -14,9 +14,12 @@ namespace plumbline::nc {
 enum class MotionMode : std::uint8_t { none, rapid, feed, arc_cw, arc_ccw, cycle, special };
 enum class PathControl : std::uint8_t { exact_path, exact_stop, continuous };  // G61, G61.1, G64
 
+// What the spindle does, as the rows of its codes say.
+inline constexpr int kClockwise = 3, kCounterClockwise = 4, kSpindleStands = 5;
+
 /// What is switched on or off and moves nothing: M3 to M5, M7 to M9, M48 to M53, G64 P Q, S. M70 and M73 keep it.
 struct Switches {
-  int spindle = 5;  // M3, M4, M5
+  int spindle = kSpindleStands;
   bool mist = false, flood = false;
   bool feed_override = true, speed_override = true, adaptive_feed = false, feed_stop = true;
   double path_tolerance = 0, naive_tolerance = 0;  // in the program's unit
@@ -36,6 +39,7 @@ struct Modal {
   bool modal_call = false;           // a cycle is called after each move
   int work_system = 1;               // 1..9: G54..G59.3
   double feed = 0;                   // the F in force, in the program's own unit; 0: none. Not used under G93
+  double feed_rotary = 0;            // the same as deg/min: it does not follow a change of units
   int tool_in_spindle = -1;          // after M6 or M61; -1: not known
   int tool_of_offset = -1;           // whose length G43 put in force; -1: none, or not a tool of the table
   RotaryRules rotary{};              // how absolute words of A, B and C count

@@ -45,6 +45,8 @@ const Word& Execution::motion_code() const { return motion_word != nullptr ? *mo
 
 namespace {
 
+constexpr double kMostMotionsOfBlock = 100'000;  // all of a block are kept at once
+
 std::string without_blanks(std::string text) {
   text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
   return text;
@@ -203,10 +205,17 @@ double feed_of_move(const Execution& run, bool linear) {
     run.refuse(run.motion_code(), codes::kFeedMissing, "a feed per revolution (G95) needs a turning spindle",
                "write S and M3 before this move");
   }
-  const double feed = linear || per_revolution ? control.feed_linear : control.feed_rotary;
+  const double feed = linear || per_revolution ? control.feed_linear : control.modal.feed_rotary;
   if (feed > 0) return feed;
   run.refuse(word != nullptr ? *word : run.motion_code(), codes::kFeedMissing, "no feed is in force for this move",
              "write F; G93, G94 and G95 drop the F before them");
+}
+
+void check_motions(const Execution& run, double count) {
+  const double allowed = std::min(kMostMotionsOfBlock, static_cast<double>(run.settings.max_blocks));
+  if (static_cast<double>(run.motions.size()) + count <= allowed) return;
+  run.refuse(run.motion_code(), codes::kTooManyBlocks, fmt::format("this block makes more than {:.0f} moves", allowed),
+             "look for a slip in L, K, P or Q; --max-blocks may be lower than what the program needs");
 }
 
 void add_motion(Execution& run, const Motion& planned) {

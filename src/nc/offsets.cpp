@@ -13,17 +13,6 @@
 namespace plumbline::nc {
 namespace {
 
-// What G92 and G10 L20 read: where the named axes stand.
-void need_position(const Execution& run, AxisSet axes) {
-  for (const Axis axis : kAllAxes) {
-    if (!axes.contains(axis) || run.control.known.contains(axis)) continue;
-    const Word* const word = run.words.find(axis);
-    run.refuse(word != nullptr ? *word : run.block->words.front(), codes::kPositionUnknown,
-               fmt::format("the offset would depend on where {} stands, which is not known", letter(axis)),
-               "move the axis to a programmed position first, or say where the axes start: --start");
-  }
-}
-
 int system_of(const Execution& run) {
   const Word& word = run.need('P', "G10");
   const int system = run.whole(word, 0, run.dialect.work_systems);
@@ -97,6 +86,17 @@ void set_origin_here(Execution& run) {
 
 }  // namespace
 
+// What G92 and G10 L20 read: where the named axes stand.
+void need_position(const Execution& run, AxisSet axes) {
+  for (const Axis axis : kAllAxes) {
+    if (!axes.contains(axis) || run.control.known.contains(axis)) continue;
+    const Word* const word = run.words.find(axis);
+    run.refuse(word != nullptr ? *word : run.block->words.front(), codes::kPositionUnknown,
+               fmt::format("the offset would depend on where {} stands, which is not known", letter(axis)),
+               "move the axis to a programmed position first, or say where the axes start: --start");
+  }
+}
+
 void choose_work_system(Execution& run, int system) {
   run.control.modal.work_system = system;
   run.control.use_active_system();
@@ -112,13 +112,14 @@ void set_table(Execution& run) {
       return set_origin(run);
     case 20:
       return set_origin_here(run);
-    case 0:
     case 10:
     case 11:
-      run.refuse(word, codes::kNotInterpreted, fmt::format("G10 L{} is not interpreted", table),
-                 "what it does depends on the control's tool table; write the length with G10 L1");
+      return set_tool_row_here(run, table == 11);
+    case 0:
+      run.refuse(word, codes::kNotInterpreted, "G10 L0 reads the control's tool table anew, which is not interpreted",
+                 "leave it out where the table did not change, or write the lengths with G10 L1");
     default:
-      run.refuse(word, codes::kOutOfRange, fmt::format("there is no G10 L{}", table), "write L1, L2 or L20");
+      run.refuse(word, codes::kOutOfRange, fmt::format("there is no G10 L{}", table), "write L1, L2, L10, L11 or L20");
   }
 }
 
@@ -135,15 +136,25 @@ void set_position(Execution& run) {
     control.position[axis] = run.value(axis);
   }
   control.suspended_g92 = control.frame.g92;
+  control.g92_known = true;
   run.step.role = BlockRole::sets_offset;
   run.step.offset_rotation_deg = control.frame.rotation_deg;
 }
 
 void clear_position(Execution& run, Action action) {
   Control& control = run.control;
+  const bool restores = action == Action::restore_position;
+  if (restores && !control.g92_known) {
+    run.refuse(run.block->words.front(), codes::kWorkOffsetUnknown,
+               "the control keeps the offset of G92 from programs before, and nobody gave it",
+               "write G92 in this program, or give the control's #5211 to #5216: --variables FILE");
+  }
   Frame next = control.frame;
-  next.g92 = action == Action::restore_position ? control.suspended_g92 : AxisWords{};
-  if (action == Action::clear_position) control.suspended_g92 = AxisWords{};
+  next.g92 = restores ? control.suspended_g92 : AxisWords{};
+  if (action == Action::clear_position) {
+    control.suspended_g92 = AxisWords{};
+    control.g92_known = true;
+  }
   control.change_frame(next);
 }
 

@@ -47,6 +47,8 @@ class Parameters {
   void enter_sharing();
   /// It ends: those of its caller are back.
   void leave();
+  /// Subprograms that are being executed.
+  std::size_t depth() const { return scopes_.size() - 1; }
   /// The name as it is looked up; valid until the next call.
   std::string_view plain(std::string_view name);
 

@@ -174,8 +174,16 @@ void Parser::push(Operation operation, Span span, double number, std::uint32_t n
   block_->code.push_back({operation, name, number, span});
 }
 
+// Several spindles are LinuxCNC's alone; other controls write $ for things of their own.
+void Parser::check_spindle_word(Span span) const {
+  if (syntax_->statements == Statements::o_words) return;
+  refuse_at(*block_, span, codes::kNotInterpreted, "$ words, which choose one of several spindles, are not interpreted",
+            "leave out the spindle number");
+}
+
 void Parser::see(char letter, Span span) {
   if (letter == 'G' || letter == 'M') return;
+  if (letter == '$') check_spindle_word(span);
   const std::uint32_t bit = letter_bit(letter);
   if (letter == 'O') {
     refuse_at(*block_, span, codes::kFlowControl, "an O word inside a block",
@@ -215,10 +223,6 @@ void Parser::refuse_token(std::string_view expected) {
     refuse_at(*block_, span, codes::kNotInterpreted,
               "names that begin with $ are variables of the control itself, which are not interpreted",
               "they read or set what only this machine has; write the values themselves");
-  }
-  if (c == '$') {
-    refuse_at(*block_, span, codes::kNotInterpreted,
-              "$ words, which choose one of several spindles, are not interpreted", "leave out the spindle number");
   }
   if (expected == "a value" && c != '.' && c != '<') {
     refuse_at(*block_, span, codes::kValueMissing, "a value is missing here",

@@ -27,6 +27,7 @@ class Parser {
   void flow();
   void flow_label();
   void flow_values(FlowWord word);
+  void next_value(FlowWord word);
   void items();
   void word(char letter);
   void literal_word();
@@ -103,6 +104,7 @@ class Parser {
   std::uint32_t here() const { return static_cast<std::uint32_t>(at_ - block_->text.data()); }
   void push(Operation operation, Span span, double number = 0, std::uint32_t name = 0);
   void see(char letter, Span span);
+  void check_spindle_word(Span span) const;
   [[noreturn]] void refuse_token(std::string_view expected);
   static std::string shown(char c);
 

@@ -60,10 +60,23 @@ void Parser::flow_label() {
   flow.name = block_->names.back();
 }
 
+// Comments may stand between the arguments of a call.
+void Parser::next_value(FlowWord word) {
+  lex_flow(at_, token_);
+  while (word == FlowWord::call && token_.kind == TokenKind::end) {
+    Token comment;
+    lex_item(at_, comment);
+    if (comment.kind != TokenKind::comment) return;
+    block_->comments.push_back({span_of(comment)});
+    at_ = comment.end;
+    lex_flow(at_, token_);
+  }
+}
+
 void Parser::flow_values(FlowWord word) {
   Flow& flow = block_->flow;
   if (may_have_value(word)) {
-    for (lex_flow(at_, token_); token_.kind == TokenKind::open; lex_flow(at_, token_)) {
+    for (next_value(word); token_.kind == TokenKind::open; next_value(word)) {
       flow.values.push_back(value_code());
       if (word != FlowWord::call) break;
     }

@@ -134,16 +134,23 @@ void Parser::function() {
   push(operation, span);
 }
 
-// exists = "EXISTS" , "[" , "#" , name , "]"
+// exists = "EXISTS" , "[" , "#" , ( name | real value ) , "]"
 void Parser::exists() {
   Span span = span_of(token_);
   const auto expect = [&](void (*lex)(const char*, Token&), TokenKind kind) {
     take(lex);
     if (token_.kind == kind) return;
-    refuse_at(*block_, span, codes::kFunction, "EXISTS asks for a named parameter", "write EXISTS[#<name>]");
+    refuse_at(*block_, span, codes::kFunction, "EXISTS asks for a parameter", "write EXISTS[#<name>] or EXISTS[#5]");
   };
   expect(lex_value, TokenKind::open);
   expect(lex_value, TokenKind::hash);
+  Token next;
+  lex_value(at_, next);
+  if (next.kind != TokenKind::name && syntax_->statements == Statements::o_words) {
+    real_value();
+    expect(lex_operation, TokenKind::close);
+    return push(Operation::exists_number, span);
+  }
   expect(lex_value, TokenKind::name);
   const std::uint32_t which = name();
   expect(lex_operation, TokenKind::close);

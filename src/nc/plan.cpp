@@ -172,6 +172,15 @@ void check_machine_axis(const Execution& run, const Word& word) {
              "write X, Y and Z; axes of the machine stand in a block with G74 or G75");
 }
 
+// Spindle 0 is the only one that is followed here; -1 is all of them.
+void check_spindle(const Execution& run, const Word& word) {
+  const bool moves = run.motion != nullptr && run.motion->takes_axes;
+  if (word.value == 0 || (word.value == -1 && !moves)) return;
+  run.refuse(word, codes::kNotInterpreted,
+             fmt::format("{} is a spindle that is not interpreted", run.block->at(word.span)),
+             "programs that turn several spindles are not read; the first one is $0");
+}
+
 void gather(Execution& run) {
   run.chosen.clear();
   run.has_word_modes = false;
@@ -356,6 +365,7 @@ void plan(Execution& run) {
   check_alone(run);
   find_motion(run);
   check_words_used(run);
+  if (const Word* spindle = run.words.find('$')) check_spindle(run, *spindle);
   if (run.machine_word != nullptr && (run.motion != nullptr || !run.dialect.habits.machine_move_is_rapid)) {
     check_machine_coordinates(run);
   }

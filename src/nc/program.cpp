@@ -1,6 +1,7 @@
 #include "nc/program.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -46,6 +47,11 @@ bool begins_with_flow(std::string_view text) {
   return at != std::string_view::npos && (text[at] == 'O' || text[at] == 'o');
 }
 
+bool ends_text(std::string_view text) {
+  const std::size_t at = text.find_first_not_of(" \t\r");
+  return at != std::string_view::npos && text[at] == '%' && holds_nothing(text.substr(at + 1));
+}
+
 std::unique_ptr<Sequencer> sequencer_of(const Dialect& dialect, const InputFile& file, Interpreter& interpreter) {
   if (dialect.syntax.statements == Statements::o_words)
     return std::make_unique<FlowControl>(file, dialect, interpreter);
@@ -81,7 +87,8 @@ struct Program::Parts {
   const Step* next();
   const Step* execute();
   const Step* steer();
-  void count_block();
+  void count(std::uint64_t blocks);
+  void count_moves(const Step& step);
   const Step* ignore();
   const Step* percent();
 };
@@ -93,13 +100,15 @@ const Step* Program::Parts::next() {
     if (!flow.next(line)) return nullptr;
     place_block(block, line, flow.file());
     if (behind_end) return ignore();
+    if (flow.skipping() && in_percents && ends_text(line.text)) flow.end_of_text();
     if (flow.skipping() && !begins_with_flow(line.text)) continue;
     check_length(block, line, dialect);
     parser.parse(block);
-    if (block.kind == LineKind::percent && flow.called()) continue;  // around a subprogram in a file of its own
+    const bool around_file = flow.called() && dialect.syntax.statements != Statements::o_words;
+    if (block.kind == LineKind::percent && around_file) continue;  // of a subprogram
     if (block.kind == LineKind::percent) return percent();
     begun = begun || !holds_nothing(block.text);
-    if (flow.used()) count_block();
+    if (flow.used()) count(1);
     if (block.flow.word == FlowWord::none) return execute();
     if (const Step* const step = steer()) return step;
   }
@@ -108,6 +117,7 @@ const Step* Program::Parts::next() {
 const Step* Program::Parts::execute() {
   interpreter.execute(block);
   Step& step = interpreter.step();
+  count_moves(step);
   step.jumped = flow.used();
   behind_end = interpreter.ended();
   const ProgramCall& call = interpreter.program_call();
@@ -145,11 +155,21 @@ const Step* Program::Parts::steer() {
   return &step;
 }
 
-void Program::Parts::count_block() {
-  if (++executed <= settings.max_blocks) return;
+// What a few letters spell: the moves of repeated cycles, the turns of arcs.
+void Program::Parts::count_moves(const Step& step) {
+  if (!step.holes.empty()) count(step.motions.size() - 1);
+  for (const Motion& motion : step.motions) {
+    const int turns = std::abs(motion.arc.turns);
+    if (turns > 1) count(static_cast<std::uint64_t>(turns - 1));
+  }
+}
+
+void Program::Parts::count(std::uint64_t blocks) {
+  executed += blocks;
+  if (executed <= settings.max_blocks) return;
   const Span whole{0, static_cast<std::uint32_t>(block.text.size())};
   refuse_at(block, whole, codes::kTooManyBlocks,
-            fmt::format("the program executes more than {} lines", settings.max_blocks),
+            fmt::format("the program executes more than {} blocks", settings.max_blocks),
             "look for a loop that does not end, or allow more with --max-blocks");
 }
 

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include "nc/codes.hpp"
+#include "nc/named_readings.hpp"
 #include "nc/parser.hpp"
+#include "nc/tool_rows.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -15,7 +17,7 @@ namespace {
 constexpr int kHomes = 5161, kHomesEnd = 5190;
 constexpr int kG92End = 5220;
 constexpr int kActiveSystem = 5220, kSystems = 5221, kSystemsEnd = 5401 - 11;
-constexpr int kTool = 5400, kToolOffset = 5401, kPosition = 5420, kPositionEnd = 5429;
+constexpr int kTool = 5400, kToolEnd = 5413, kPosition = 5420, kPositionEnd = 5429;
 constexpr int kRotation = 9;
 
 // Variables of macro B [B-63174EN 13]
@@ -23,36 +25,6 @@ constexpr int kClocks = 3001, kClocksEnd = 3002, kDate = 3011, kTime = 3012;
 constexpr int kSingleBlock = 3003, kFeedHold = 3004;  // whether stops act: no matter for the path
 constexpr int kBlockEnd = 5001, kPositionNow = 5041, kMacroSystems = 5221, kMacroSystemsEnd = 5340;
 bool is_common(int number) { return (number >= 100 && number <= 199) || (number >= 500 && number <= 999); }
-
-struct Name {
-  std::string_view name;
-  double (*value)(const Control&);
-};
-
-constexpr std::array kNames{
-    Name{"_vmajor", [](const Control&) { return 2.9; }},
-    Name{"_vminor", [](const Control&) { return 0.0; }},
-    Name{"_metric", [](const Control& c) { return c.modal.inches ? 0.0 : 1.0; }},
-    Name{"_imperial", [](const Control& c) { return c.modal.inches ? 1.0 : 0.0; }},
-    Name{"_absolute", [](const Control& c) { return c.modal.incremental ? 0.0 : 1.0; }},
-    Name{"_incremental", [](const Control& c) { return c.modal.incremental ? 1.0 : 0.0; }},
-    Name{"_inverse_time", [](const Control& c) { return c.modal.feed_mode == FeedMode::inverse_time ? 1.0 : 0.0; }},
-    Name{"_units_per_minute", [](const Control& c) { return c.modal.feed_mode == FeedMode::per_minute ? 1.0 : 0.0; }},
-    Name{"_units_per_rev", [](const Control& c) { return c.modal.feed_mode == FeedMode::per_revolution ? 1.0 : 0.0; }},
-    Name{"_ijk_absolute_mode", [](const Control& c) { return c.modal.arc_centre_absolute ? 1.0 : 0.0; }},
-    Name{"_ccomp", [](const Control&) { return 400.0; }},
-    Name{"_tool_offset", [](const Control& c) { return c.frame.tool == AxisWords{} ? 0.0 : 1.0; }},
-    Name{"_plane", [](const Control& c) { return 170.0 + 10.0 * static_cast<double>(c.modal.plane); }},
-    Name{"_coord_system",
-         [](const Control& c) {
-           return c.modal.work_system <= 6 ? 530.0 + 10 * c.modal.work_system : 584.0 + c.modal.work_system;
-         }},
-    Name{"_feed", [](const Control& c) { return c.modal.feed; }},
-    Name{"_rpm", [](const Control& c) { return c.spindle_speed; }},
-    Name{"_current_tool", [](const Control& c) { return static_cast<double>(c.modal.tool_in_spindle); }},
-    Name{"_selected_tool", [](const Control& c) { return static_cast<double>(c.selected_tool); }},
-};
-constexpr std::array<std::string_view, kAxes> kPositionNames{"_x", "_y", "_z", "_a", "_b", "_c"};
 
 }  // namespace
 
@@ -72,17 +44,15 @@ bool Readings::is_read_only(int number) const {
 
 bool Readings::is_read_only(std::string_view name) {
   if (dialect_.syntax.names) return false;
-  const std::string_view plain = control_.parameters.plain(name);
-  for (const Name& known : kNames) {
-    if (known.name == plain) return true;
-  }
-  for (const std::string_view known : kPositionNames) {
-    if (known == plain) return true;
-  }
-  return false;
+  return is_predefined(control_.parameters.plain(name));
 }
 
-bool Readings::exists(std::string_view name) { return is_read_only(name) || control_.parameters.find(name) != nullptr; }
+// Names that begin with _ are kept from program to program, and those of the INI file and of HAL are the machine's.
+Value Readings::exists(std::string_view name) {
+  if (is_read_only(name) || control_.parameters.find(name) != nullptr) return {1, true};
+  const bool global = control_.parameters.plain(name).starts_with('_');
+  return {0, !global || settings_.as_with_empty_tables};
+}
 
 Value Readings::position(const Block& block, Axis axis, Span span) const {
   if (!settings_.as_with_empty_tables && !settings_.position_may_be_read) {
@@ -94,6 +64,20 @@ Value Readings::position(const Block& block, Axis axis, Span span) const {
               "move the axis to a programmed position first, or say where the axes start: --start");
   }
   const double value = control_.position[axis];
+  return {is_rotary(axis) ? value : value / control_.length_unit(), true};
+}
+
+// What the control's display shows: all offsets, the rotation and the tool's length in it.
+Value Readings::machine_position(const Block& block, Axis axis, Span span) const {
+  const AxisWords& tool = control_.frame.tool;
+  if (tool != AxisWords{} && control_.tool_in_inches != control_.modal.inches) {
+    refuse_at(block, span, codes::kNotInterpreted, "the control takes the tool length in force for one in the new unit",
+              "write G49 before the change of units (G20, G21) and G43 after it");
+  }
+  const bool turned = control_.frame.rotation_deg != 0 && kTurningAxes.contains(axis);
+  if (turned) position(block, axis == Axis::X ? Axis::Y : Axis::X, span);
+  position(block, axis, span);
+  const double value = control_.frame.to_machine(control_.position)[axis];
   return {is_rotary(axis) ? value : value / control_.length_unit(), true};
 }
 
@@ -110,6 +94,7 @@ std::optional<double> Readings::table_value(int number) const {
     const int at = (number - kHomes) % kParametersPerRow;
     return known(home.known, at) ? std::optional(of(home.machine, at)) : std::nullopt;
   }
+  if (number < kG92End && !control_.g92_known) return std::nullopt;
   if (number == kG92InForce) return control_.frame.g92 == AxisWords{} ? 0 : 1;
   if (number < kG92End) return of(control_.suspended_g92, number - kG92InForce - 1);
   if (number == kActiveSystem) return control_.modal.work_system;
@@ -119,9 +104,7 @@ std::optional<double> Readings::table_value(int number) const {
     if (at == kRotation) return row.known.empty() ? std::nullopt : std::optional(row.rotation_deg);
     return known(row.known, at) ? std::optional(of(row.origin, at)) : std::nullopt;
   }
-  if (number == kTool) return control_.modal.tool_in_spindle;
-  if (number < kToolOffset + 9) return of(control_.frame.tool, number - kToolOffset);
-  return 0;
+  return number <= kToolEnd ? tool_parameter(control_, settings_, number) : std::optional(0.0);
 }
 
 Value Readings::unset(const Block& block, Span span) const {
@@ -168,6 +151,16 @@ Value Readings::read(const Block& block, int number, Span span) {
     return control_.parameters.get(number);
   }
   if (settings_.as_with_empty_tables) return {0, true};
+  const bool of_tool = number >= kTool && number <= kToolEnd;
+  if (of_tool && control_.modal.tool_in_spindle < 0) {
+    refuse_at(block, span, codes::kToolUnknown, "which tool is in the spindle is not known",
+              "put T and M6 before it, or say which it is: --tool-in-spindle");
+  }
+  if (of_tool) {
+    refuse_at(block, span, codes::kToolUnknown,
+              fmt::format("nobody gave #{} of tool {}", number, control_.modal.tool_in_spindle),
+              "add the tool and its diameter_mm to a tool table (--tools), or set it with G10 L1");
+  }
   refuse_at(block, span, codes::kParameterUnset, fmt::format("nobody gave #{} a value", number),
             "set it in the program before, or give the control's variables: --variables FILE");
 }
@@ -176,21 +169,20 @@ Value Readings::read(const Block& block, std::string_view name, Span span) {
   if (const Value* value = control_.parameters.find(name)) return *value;
   if (dialect_.syntax.statements == Statements::user_task) return {0, true, true};  // EMPTY
   if (dialect_.syntax.names) return unset(block, span);
-  const std::string_view plain = control_.parameters.plain(name);
-  for (const Name& known : kNames) {
-    if (known.name == plain) return {known.value(control_), true};
-  }
-  for (const Axis axis : kAllAxes) {
-    if (kPositionNames[index(axis)] == plain) return position(block, axis, span);
-  }
-  const std::string text(plain);
-  if (control_.parameters.was_local_elsewhere(text)) {
+  const std::string plain(control_.parameters.plain(name));
+  if (const std::optional<Axis> axis = position_named(plain)) return position(block, *axis, span);
+  if (const std::optional<Axis> axis = machine_position_named(plain)) return machine_position(block, *axis, span);
+  if (plain == "_current_tool") return read(block, kTool, span);
+  if (const std::optional<Value> value = predefined(control_, settings_, plain)) return *value;
+  if (plain == "_line") return {static_cast<double>(block.line), settings_.as_with_empty_tables};  // of the text
+  if (plain == "_call_level") return {static_cast<double>(control_.parameters.depth()), true};
+  if (control_.parameters.was_local_elsewhere(plain)) {
     refuse_at(
         block, span, codes::kParameterUnset,
-        fmt::format("#<{}> has no value here: each subprogram, and the program itself, has names of its own", text),
-        fmt::format("call it #<_{}> where it is set and where it is read: names with _ are seen everywhere", text));
+        fmt::format("#<{}> has no value here: each subprogram, and the program itself, has names of its own", plain),
+        fmt::format("call it #<_{}> where it is set and where it is read: names with _ are seen everywhere", plain));
   }
-  refuse_at(block, span, codes::kParameterUnset, fmt::format("#<{}> has no value here", text),
+  refuse_at(block, span, codes::kParameterUnset, fmt::format("#<{}> has no value here", plain),
             "set it in the program before it is read");
 }
 

@@ -12,7 +12,7 @@ class Readings : public ParameterReader {
       : control_(control), settings_(settings), dialect_(dialect) {}
   Value read(const Block& block, int number, Span span) override;
   Value read(const Block& block, std::string_view name, Span span) override;
-  bool exists(std::string_view name) override;
+  Value exists(std::string_view name) override;
   ParameterLimits limits() const override;
   /// True for parameters that a program may read but not set.
   bool is_read_only(int number) const;
@@ -20,6 +20,7 @@ class Readings : public ParameterReader {
 
  private:
   Value position(const Block& block, Axis axis, Span span) const;
+  Value machine_position(const Block& block, Axis axis, Span span) const;
   std::optional<double> table_value(int number) const;
   Value read_macro_variable(const Block& block, int number, Span span) const;
   Value unset(const Block& block, Span span) const;

@@ -6,13 +6,7 @@
 namespace plumbline::nc {
 
 SavedModes save_modes(const Control& control, bool of_call) {
-  return {true,
-          of_call,
-          control.modal,
-          control.feed_linear,
-          control.feed_rotary,
-          control.spindle_speed,
-          control.frame.tool};
+  return {true, of_call, control.modal, control.feed_linear, control.spindle_speed, control.frame.tool};
 }
 
 void restore_modes(Execution& run, const SavedModes& saved, const Block& block) {
@@ -27,8 +21,8 @@ void restore_modes(Execution& run, const SavedModes& saved, const Block& block) 
   modal.arc_centre_absolute = saved.modal.arc_centre_absolute;
   modal.retract_to_r = saved.modal.retract_to_r;
   modal.feed = saved.modal.feed;
+  modal.feed_rotary = saved.modal.feed_rotary;
   control.feed_linear = saved.feed_linear;
-  control.feed_rotary = saved.feed_rotary;
   control.spindle_speed = saved.spindle_speed;
   modal.switches = saved.modal.switches;
   if (modal.work_system != saved.modal.work_system) {

@@ -9,7 +9,7 @@ struct SavedModes {
   bool valid = false;
   bool of_call = false;  // M73: come back at the end of the subprogram
   Modal modal;
-  double feed_linear = 0, feed_rotary = 0, spindle_speed = 0;
+  double feed_linear = 0, spindle_speed = 0;
   AxisWords tool;  // length in force
 };
 

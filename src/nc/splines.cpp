@@ -16,6 +16,7 @@ namespace {
 constexpr int kPiecesPerPoint = 15;    // of the control polygon, at least [LinuxCNC takes as many]
 constexpr double kChordMm = 1e-4;      // that the middle of a piece may lie off the curve
 constexpr int kMostPieces = 1 << 16U;  // of one curve
+constexpr int kLeastOrder = 3;
 constexpr int kMostOrder = 10;
 
 using Point = std::array<double, 2>;
@@ -169,26 +170,39 @@ void add_nurbs_point(Execution& run) {
   if (control.modal.incremental) {
     run.refuse(run.motion_code(), codes::kOutOfRange, "control points of G5.2 are absolute", "write G90 before it");
   }
-  const Word& weight = run.need('P', "G5.2");
-  if (weight.value <= 0) {
-    run.refuse(weight, codes::kOutOfRange, "the weight of a control point is not positive", "write P greater than 0");
+  if (control.motion_row != run.motion) control.nurbs.clear();  // another motion came between
+  const bool begins = control.nurbs.empty();
+  const bool of_start = begins && run.axes.empty();  // its P is the weight of where the curve starts
+  const Word* const weight = of_start ? run.words.find('P') : &run.need('P', "G5.2");
+  if (weight != nullptr && weight->value <= 0) {
+    run.refuse(*weight, codes::kOutOfRange, "the weight of a control point is not positive", "write P greater than 0");
   }
-  if (!run.axes.contains(AxisSet{Axis::X, Axis::Y})) {
-    run.refuse(run.motion_code(), codes::kAxesMissing, "a control point needs X and Y", "add them");
+  if (!of_start && !run.axes.contains(AxisSet{Axis::X, Axis::Y})) {
+    run.refuse(run.motion_code(), codes::kAxesMissing, "a control point needs X and Y",
+               "add them; the first point alone may do without both");
   }
-  if (control.nurbs.empty()) {
-    control.nurbs.push_back({control.position[Axis::X], control.position[Axis::Y], 1});
-    control.nurbs_order = 3;
+  if (begins) {
+    const double of_first = of_start && weight != nullptr ? weight->value : 1;
+    control.nurbs.push_back({control.position[Axis::X], control.position[Axis::Y], of_first});
+    control.nurbs_order = kLeastOrder;
   }
-  if (const Word* order = run.words.find('L')) control.nurbs_order = run.whole(*order, 2, kMostOrder);
-  const AxisWords words = end_of_move(run);
-  control.nurbs.push_back({words[Axis::X], words[Axis::Y], weight.value});
+  // L counts from 4 on, and a lower one does not take it back [LinuxCNC, measured].
+  const Word* const order = run.words.find('L');
+  const int asked = order != nullptr ? run.whole(*order, 1, kMostOrder) : kLeastOrder;
+  if (asked > kLeastOrder) control.nurbs_order = asked;
   run.step.nurbs_point = true;
+  if (of_start) return;
+  const AxisWords words = end_of_move(run);
+  control.nurbs.push_back({words[Axis::X], words[Axis::Y], weight->value});
 }
 
 void move_nurbs(Execution& run) {
   check_spline(run);
   Control& control = run.control;
+  if (control.motion_row == nullptr || control.motion_row->action != Action::nurbs_point) {
+    run.refuse(run.motion_code(), codes::kOutOfRange, "this ends a curve that was not begun",
+               "write its control points with G5.2 before it, and no other motion between them");
+  }
   if (static_cast<int>(control.nurbs.size()) < control.nurbs_order) {
     run.refuse(
         run.motion_code(), codes::kOutOfRange,

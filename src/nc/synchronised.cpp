@@ -12,7 +12,7 @@ void move_synchronised(Execution& run) {
   need_offsets(run);
   const Word& pitch = run.need('K', taps ? "G33.1" : "G33");
   const int spindle = control.modal.switches.spindle;
-  if (spindle == 5 || control.spindle_speed == 0) {
+  if (spindle == kSpindleStands || control.spindle_speed == 0) {
     run.refuse(run.motion_code(), codes::kFeedMissing, "the spindle leads this move and does not turn",
                "write S and M3 before it");
   }

@@ -1,9 +1,10 @@
-// Tools: T, M6, M61, and their lengths: G43, G43.1, G43.2, G49, G10 L1.
+// Tools: T, M6, M61, and their lengths: G43, G43.1, G43.2, G49.
 #include <fmt/format.h>
 
 #include "nc/codes.hpp"
 #include "nc/execution.hpp"
 #include "nc/expression.hpp"
+#include "nc/tool_rows.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -17,18 +18,6 @@ int tool_by_name(const Execution& run, const Word& word) {
   if (run.settings.as_with_empty_tables) return -1;
   run.refuse(word, codes::kToolUnknown, fmt::format("no tool of the table is named '{}'", name),
              fmt::format("add name = \"{}\", letter for letter, to its [[tool]] in the tool table (--tools)", name));
-}
-
-// What the tool adds to the control's display; null where no table has it.
-std::optional<AxisWords> offset_of(const Execution& run, int number) {
-  AxisWords offset;
-  if (number == 0) return offset;
-  const auto written = run.control.tools.find(number);
-  if (written != run.control.tools.end()) return written->second;
-  const Tool* const tool = run.settings.tools.find(number);
-  if (tool == nullptr && !run.settings.as_with_empty_tables) return std::nullopt;
-  if (tool != nullptr) offset[Axis::Z] = tool->length_mm;
-  return offset;
 }
 
 int tool_number(const Execution& run, const Word& word, std::string_view what) {
@@ -50,12 +39,9 @@ int tool_of_block(const Execution& run, const Chosen& chosen) {
              "name it with H, or put T and M6 before it");
 }
 
-AxisWords needed_offset(const Execution& run, const Chosen& chosen, int number) {
-  if (const std::optional<AxisWords> offset = offset_of(run, number)) return *offset;
+const Word& word_of_length(const Execution& run, const Chosen& chosen) {
   const Word* const word = run.words.find('H');
-  run.refuse(word != nullptr ? *word : *chosen.word, codes::kToolUnknown,
-             fmt::format("the length of tool {} is not known", number),
-             fmt::format("add a [[tool]] with number = {} to a tool table and name it with --tools", number));
+  return word != nullptr ? *word : *chosen.word;
 }
 
 void take_offset(Execution& run, const AxisWords& offset) {
@@ -69,7 +55,7 @@ void take_offset(Execution& run, const AxisWords& offset) {
 void take_edge(Execution& run, const Word& word, int number) {
   const std::optional<AxisWords> offset =
       number < 0 ? (run.settings.as_with_empty_tables ? std::optional(AxisWords{}) : std::nullopt)
-                 : offset_of(run, number);
+                 : offset_of_tool(run.control, run.settings, number);
   if (!offset) {
     run.refuse(word, codes::kToolUnknown,
                number < 0 ? std::string("which tool is in the spindle is not known")
@@ -102,13 +88,13 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
   switch (chosen.row->action) {
     case Action::tool_length: {
       const int number = tool_of_block(run, chosen);
-      offset = needed_offset(run, chosen, number);
+      offset = needed_offset(run, word_of_length(run, chosen), number);
       if (chosen.row->value < 0) offset = AxisWords{} - offset;  // G44
       if (run.settings.tools.find(number) != nullptr) control.modal.tool_of_offset = number;
       break;
     }
     case Action::tool_length_added:
-      offset += needed_offset(run, chosen, tool_of_block(run, chosen));
+      offset += needed_offset(run, word_of_length(run, chosen), tool_of_block(run, chosen));
       break;
     case Action::tool_length_by_words:
       for (const Axis axis : kAllAxes) {
@@ -140,18 +126,6 @@ void choose_edge(Execution& run, const Word& word) {
   take_edge(run, word, number);
 }
 
-void set_tool_row(Execution& run) {
-  const int number = run.whole(run.need('P', "G10 L1"), 1, kNoLimit);
-  if (run.axes.empty() && !run.words.has('R') && !run.words.has('I') && !run.words.has('J') && !run.words.has('Q')) {
-    run.refuse(codes::kAxesMissing, "G10 L1 sets nothing", "add the words of the tool's offset");
-  }
-  AxisWords offset = offset_of(run, number).value_or(AxisWords{});
-  for (const Axis axis : kAllAxes) {
-    if (run.axes.contains(axis)) offset[axis] = run.value(axis);
-  }
-  run.control.tools[number] = offset;
-}
-
 void select_tool(Execution& run, const Word& word) {
   run.control.selected_tool = word.named ? tool_by_name(run, word) : tool_number(run, word, "the number of a tool");
 }
@@ -165,6 +139,8 @@ void change_tool(Execution& run, const Chosen& chosen) {
     return;
   }
   control.modal.tool_in_spindle = control.selected_tool;
+  if (run.dialect.syntax.statements == Statements::o_words)
+    control.modal.switches.spindle = kSpindleStands;  // [LinuxCNC, measured]
   if (run.dialect.habits.tool_length_at_change && control.edge != 0) {
     take_edge(run, *chosen.word, control.modal.tool_in_spindle);
   }

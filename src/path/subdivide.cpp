@@ -10,8 +10,8 @@
 namespace plumbline::path {
 namespace {
 
-constexpr double kMostPieces = 1e7;
-constexpr double kSlack = 1e-9;  // 1 mm at a step of 1 mm is one piece, whatever the last bit says
+constexpr double kMostPieces = 2e5;  // all of a move are kept at once
+constexpr double kSlack = 1e-9;      // 1 mm at a step of 1 mm is one piece, whatever the last bit says
 
 double steps(double amount, double step) { return step > 0 ? std::abs(amount) / step : 0; }
 
@@ -22,7 +22,8 @@ double turn_deg(const AxisWords& delta) {
 
 }  // namespace
 
-Subdivision subdivide(const Curve& curve, std::optional<double> seconds, const StepSettings& settings) {
+Subdivision subdivide(const Curve& curve, std::optional<double> seconds, const StepSettings& settings,
+                      const Place& place) {
   const double wanted =
       std::max({1.0, steps(curve.arc_deg(), settings.angle_deg), steps(turn_deg(curve.delta()), settings.angle_deg),
                 steps(curve.linear_mm(), settings.length_mm)});
@@ -31,7 +32,7 @@ Subdivision subdivide(const Curve& curve, std::optional<double> seconds, const S
     allowed = std::max(1.0, std::floor(*seconds / settings.least_time_s + kSlack));
   if (std::min(wanted, allowed) >= kMostPieces) {
     refuse("path-too-many-pieces", fmt::format("a single move would be cut into {:.3g} pieces", wanted),
-           "check its end, or give a larger --step-length or --step-angle");
+           "check its end, or give a larger --step-length or --step-angle", place);
   }
   const double pieces = std::ceil(wanted * (1 - kSlack));
   return {static_cast<int>(std::min(pieces, allowed)), pieces > allowed};

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "base/diagnostic.hpp"
 #include "path/curve.hpp"
 
 namespace plumbline::path {
@@ -20,7 +21,8 @@ struct Subdivision {
 };
 
 /// Pieces of equal length for a move that takes `seconds` (nothing: not known, no least time). A rapid is never cut:
-/// do not ask. Refuses with path-too-many-pieces where one move would take more than ten million.
-Subdivision subdivide(const Curve& curve, std::optional<double> seconds, const StepSettings& settings);
+/// do not ask. Refuses with path-too-many-pieces, and the place of the move, where one would take more than 200,000.
+Subdivision subdivide(const Curve& curve, std::optional<double> seconds, const StepSettings& settings,
+                      const Place& place = {});
 
 }  // namespace plumbline::path

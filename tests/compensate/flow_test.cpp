@@ -133,9 +133,10 @@ TEST_CASE("polar words become X and Y where the block must change") {
 
 TEST_CASE("cycles that work the spindle keep their form, their hole shifted") {
   Job job = without_friction();
-  for (const std::string text : {"S300 M3\nG84 X10 Y5 Z-8 R2 F200\nX20\nG80\n",
-                                 "G98 G86 X10 Y5 Z-8 R2 P1 F200\nX20\nG80\n", "G91 G84 X3 Y1 Z-6 R-2 L2 F150\nG90\n",
-                                 "G87 X9 Y9 Z-3 R1 I1 J1 K-1 F99\n", "G99 G74 X10 Y5 Z-8 R2 F200 P.5\n"}) {
+  for (const std::string text :
+       {"S300 M3\nG84 X10 Y5 Z-8 R2 F200\nX20\nG80\n", "S300 M3 G98 G86 X10 Y5 Z-8 R2 P1 F200\nX20\nG80\n",
+        "S300 M3 G91 G84 X3 Y1 Z-6 R-2 L2 F150\nG90\n", "S300 M4 G87 X9 Y9 Z-3 R1 I1 J1 K-1 F99\n",
+        "S300 M4 G99 G74 X10 Y5 Z-8 R2 F200 P.5\n"}) {
     const std::string whole = kStart + text + "G0 X1 Y1 Z9\nM2\n";
     INFO(whole);
     const Result result = run(whole, job);
@@ -152,7 +153,7 @@ TEST_CASE("cycles that work the spindle keep their form, their hole shifted") {
     CHECK(run(whole, without_gravity()).text == whole);
   }
   job.settings.cycle_tolerance_mm = 1e-5;
-  CHECK(code_of(kStart + "G84 X10 Y5 Z-80 R2 F200\n", job) == "compensate-cycle");
+  CHECK(code_of(kStart + "S300 M3 G84 X10 Y5 Z-80 R2 F200\n", job) == "compensate-cycle");
 }
 
 TEST_CASE("splines become straight moves, each corrected") {

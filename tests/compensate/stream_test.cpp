@@ -1,7 +1,12 @@
 #include "compensate/stream.hpp"
 
+#include <string>
+#include <vector>
+
 #include <catch2/catch.hpp>
 
+#include "base/characters.hpp"
+#include "base/files.hpp"
 #include "compensate/play.hpp"
 #include "compensate/random_program.hpp"
 
@@ -114,6 +119,37 @@ TEST_CASE("inch programs come out as well") {
   CHECK(played.time_change <= 1e-3);
 }
 
+TEST_CASE("F in a block that changes the units counts in those before it") {
+  Job job;
+  job.settings.friction = false;
+  const std::string start = "G20 G17 G90 G94\nG0 X0 Y0 Z.5 A0 B0 C0\n";
+  for (const std::string& moves :
+       {std::string("G1 X.1 F10\nG21 X20 F500\nX30\n"), std::string("G21 G1 X20 F20\nG20 X1.2 F300\nX1.3 F12\n"),
+        std::string("G93 G1 X.1 F60\nG94 G21 X20 F20\nG93 X30 F12\nG20 X1.2 F30\n"),
+        std::string("G1 X.1 F10\nG21 G3 X20 Y3 R15 F30\nG20 G2 X1 Y1 R2 F200\n"),
+        std::string("G94 G21 G1 A5 F100\nA6\nG20 A7\nA8 F50\nG21 G1 Y3\nG20 G1 A9\nX.5\n"),
+        std::string("G1 X.1 F10\nG21\nF600\nX20\nG20 G91 G1 Y.1\nG90 A1\nF20 X.9\n")}) {
+    const std::string text = start + moves + "M2\n";
+    const Result result = run(text, job);
+    INFO(text << result.text);
+    const Played played = play(text, result.text, job);
+    CHECK(played.at_points_um <= 0.15);
+    CHECK(played.time_change <= 1e-3);
+  }
+}
+
+TEST_CASE("a word F that keeps the time of its block stays as it was written") {
+  Job job;
+  job.model.gravity.setZero();
+  job.settings.friction = false;
+  const std::string text = "G20 G94\nG0 X0 Y0 Z0 A0 B0 C0\nG1 X.1 F10\nG21 X20 F500\nG20 X1.2 F12345.678\nM2\n";
+  CHECK(run(text, job).text == text);
+  job.model.gravity = Job().model.gravity;
+  const std::string output = run(text, job).text;
+  CHECK(output.find(" F500") != std::string::npos);
+  CHECK(output.find(" F12345.678") != std::string::npos);
+}
+
 TEST_CASE("offsets with a rotation, G92 and a second system hold") {
   Job job;
   job.settings.friction = false;
@@ -188,6 +224,61 @@ TEST_CASE("limits are refused by block, axis or strut, and by how much") {
 TEST_CASE("a compensated program is refused") {
   const std::string once = run(kFiveMoves, {}).text;
   CHECK(code_of(once, {}) == "compensate-stamped");
+}
+
+TEST_CASE("the mark of a compensated program counts in whatever case and wherever it stands") {
+  std::string once = run(kFiveMoves, {}).text;
+  std::string loud = once;
+  for (char& c : loud) c = upper(c);
+  CHECK(code_of(loud, {}) == "compensate-stamped");
+  std::string quiet = once;
+  for (char& c : quiet) c = lower(c);
+  CHECK(code_of(quiet, {}) == "compensate-stamped");
+  std::string narrow = once;
+  std::erase(narrow, ' ');
+  CHECK(code_of(narrow, {}) == "compensate-stamped");
+  const std::string mark = "(PLUMBLINE 0.1.0 COMPENSATED THIS PROGRAM)\n";
+  CHECK(code_of("G0 X0 Y0 Z0 A0 B0 C0\nM2\n" + mark, {}) == "compensate-stamped");
+  CHECK(code_of("o1 if [0]\n" + mark + "o1 endif\nG0 X0 Y0 Z0 A0 B0 C0\nM2\n", {}) == "compensate-stamped");
+  CHECK(code_of("(plumbline compensates this program)\nG0 X0 Y0 Z0 A0 B0 C0\nM2\n", {}).empty());
+}
+
+TEST_CASE("a compensated file of a subprogram is refused in every dialect") {
+  struct Example {
+    std::string dialect, file, program, subprogram;
+  };
+  const std::vector<Example> examples{
+      {"linuxcnc", "side.ngc", "G21 G90\nG0 X0 Y0 Z5 A0 B0 C0\no<side> call\nM2\n",
+       "(PLUMBLINE 0.1.0 COMPENSATED THIS PROGRAM)\no<side> sub\nG1 X1 F500\no<side> endsub\n"},
+      {"linuxcnc", "200.ngc", "G21 G90\nG0 X0 Y0 Z5 A0 B0 C0\nM98 P200\nM2\n",
+       "O200\nG1 X1 F500\n(Plumbline 0.1.0 Compensated This Program)\nM99\n"},
+      {"fanuc", "O2000", "O0001\nG21 G90\nG54 G0 X0. Y0. Z5. A0. B0. C0.\nM98 P2000\nM30\n",
+       "O2000\n(PLUMBLINE 0.1.0 COMPENSATED THIS PROGRAM)\nG1 X1. F500.\nM99\n"},
+      {"okuma", "OSIDE.SUB", "O1\nG15 H1\nG0 X0 Y0 Z5 A0 B0 C0\nCALL OSIDE\nM2\n",
+       "(plumbline 0.1.0 COMPENSATED this program)\nOSIDE\nG1 X1 F500\nRTS\n"},
+      {"siemens", "SIDE.SPF", "G54 G90 G0 X0 Y0 Z5 A0 B0 C0\nSIDE\nM30\n",
+       "; PLUMBLINE 0.1.0 COMPENSATED THIS PROGRAM\nG1 X1 F500\nM17\n"},
+  };
+  for (const Example& example : examples) {
+    const Folder folder;
+    write_text(folder / example.file, example.subprogram);
+    write_text(folder / "in", example.program);
+    INFO(example.dialect << " " << example.file);
+    const InputFile source(folder / "in");
+    const Job job;
+    OutputFile out(folder / "out");
+    std::string code;
+    std::string file;
+    try {
+      compensate::Stream(source, nc::dialect(example.dialect), job.program, job.model, job.settings, job.emit, out)
+          .run();
+    } catch (const Refusal& refusal) {
+      code = refusal.diagnostic().code;
+      file = refusal.diagnostic().place.file;
+    }
+    CHECK(code == "compensate-stamped");
+    CHECK(file == folder / example.file);
+  }
 }
 
 TEST_CASE("offsets that nobody gave are refused") {

@@ -36,7 +36,7 @@ TEST_CASE("a trace has one object a line, with the keys that others rely on") {
         "\"feed\": 2.5, \"feed_mode\": \"G93\", \"plane\": \"G18\", \"centre\": [-5, 0, 5.5], \"turns\": 2}\n");
   CHECK(trace_of("G4 P1\nG1 X0.123456789 F100\nM2\n") ==
         "{\"line\": 1, \"motion\": \"dwell\", \"to\": [0, 0, 0, 0, 0, 0], \"machine\": [0, 0, 0, 0, 0, 0], "
-        "\"feed\": 0, \"feed_mode\": \"G94\"}\n"
+        "\"feed\": 0, \"feed_mode\": \"G94\", \"seconds\": 1}\n"
         "{\"line\": 2, \"motion\": \"feed\", \"to\": [0.123456789, 0, 0, 0, 0, 0], "
         "\"machine\": [0.123456789, 0, 0, 0, 0, 0], \"feed\": 100, \"feed_mode\": \"G94\"}\n");
 }

@@ -175,7 +175,8 @@ std::vector<CanonMotion> read_canon(const std::string& path) {
   std::ifstream in(path);
   if (!in) throw std::runtime_error("cannot read " + path);
   CanonReader reader;
-  const std::regex call(R"(^\s*\d+\s+N\S+\s+([A-Z_0-9]+)(\(.*\))\s*$)");
+  // No blank stands behind a line number of five digits or more.
+  const std::regex call(R"(^\s*\d+\s+N[0-9.]*\s*([A-Z][A-Z_0-9]*)(\(.*\))\s*$)");
   for (std::string line; std::getline(in, line);) {
     std::smatch match;
     if (std::regex_match(line, match, call)) reader.call(match[1], match[2]);
