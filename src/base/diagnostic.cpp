@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/printable.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -19,14 +21,6 @@ std::string_view name_of(Severity severity) {
       break;
   }
   return "error";
-}
-
-// What comes from a file may hold tabs and control characters: blanks keep carets and terminals in order.
-std::string printable(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-  }
-  return text;
 }
 
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }  // UTF-8
@@ -45,7 +39,7 @@ std::string excerpt(const Place& place) {
   std::size_t end = std::min(first + kShownWidth, place.text.size());
   while (end < place.text.size() && continues_character(place.text[end])) ++end;
 
-  const std::string shown = printable(place.text.substr(first, end - first));
+  const std::string shown = blanked(place.text.substr(first, end - first));
   const std::string_view before = std::string_view(shown).substr(0, column - 1 - first);
   const std::string_view marked = std::string_view(shown).substr(before.size(), place.length);
   const std::string number = fmt::format("{:>5}", place.line);
@@ -58,14 +52,14 @@ std::string excerpt(const Place& place) {
 
 std::string to_text(const Diagnostic& d) {
   std::string out;
-  if (!d.place.file.empty()) out += d.place.file + ":";
+  if (!d.place.file.empty()) out += printable(d.place.file) + ":";
   if (d.place.line > 0) out += fmt::format("{}:", d.place.line);
   if (d.place.line > 0 && d.place.column > 0) out += fmt::format("{}:", d.place.column);
   if (!out.empty()) out += ' ';
   out += fmt::format("{}: {}", name_of(d.severity), printable(d.message));
   out += d.code.empty() ? "\n" : fmt::format(" [{}]\n", d.code);
   if (d.place.line > 0 && d.place.column > 0) out += excerpt(d.place);
-  if (!d.help.empty()) out += fmt::format("help: {}\n", d.help);
+  if (!d.help.empty()) out += fmt::format("help: {}\n", printable_lines(d.help));
   return out;
 }
 

@@ -3,6 +3,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
 
 #include "base/check.hpp"
 
@@ -28,6 +31,12 @@ std::int64_t to_ticks(double value, int decimals) {
 double from_ticks(std::int64_t ticks, int decimals) { return static_cast<double>(ticks) / power_of_ten(decimals); }
 
 void append_decimal(std::string& out, double value, int decimals, int least) {
+  // A number has no more digits than a double: those that would be beyond are noise.
+  while (decimals > 0 && std::abs(value) * power_of_ten(decimals) >= kLargestExact - 1) --decimals;
+  if (std::abs(value) >= kLargestExact - 1) {
+    fmt::format_to(std::back_inserter(out), "{:.0f}", value);
+    return;
+  }
   std::int64_t ticks = to_ticks(value, decimals);
   if (ticks < 0) {
     out += '-';

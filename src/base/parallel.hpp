@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -14,9 +15,10 @@ namespace plumbline {
 /// How many threads a library uses when nobody says otherwise.
 inline unsigned processors() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-/// Calls work(i) for each i below `count`, on up to `threads` threads, in no order. What depends on the order (sums) is
-/// for the caller to do afterwards, item by item, so that results do not depend on the number of threads. The first
-/// exception that a call throws is thrown again here; calls that have not begun by then are left out.
+/// Calls work(i) for each i below `count`, on up to `threads` threads, fewer where the system has no more, in no order.
+/// What depends on the order (sums) is for the caller to do afterwards, item by item, so that results do not depend on
+/// the number of threads. The first exception that a call throws is thrown again here; calls that have not begun by
+/// then are left out.
 template <class Work>
 void for_each_index(std::size_t count, Work&& work, unsigned threads = processors()) {
   std::atomic<std::size_t> next = 0;
@@ -35,7 +37,10 @@ void for_each_index(std::size_t count, Work&& work, unsigned threads = processor
   };
   {
     std::vector<std::jthread> others;
-    for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t) others.emplace_back(run);
+    try {
+      for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t) others.emplace_back(run);
+    } catch (const std::system_error&) {  // no more of them: those that there are do it
+    }
     run();
   }
   if (failure) std::rethrow_exception(failure);

@@ -51,7 +51,7 @@ struct TomlDocument {
 /// "text", "number" and so on, as messages name them.
 std::string_view name_of(TomlValue::Kind kind);
 
-/// Refuses with toml-syntax, at the byte that TOML does not allow.
+/// Refuses with toml-syntax, at the byte that TOML does not allow, and with toml-too-deep.
 TomlDocument parse_toml(std::string text, std::string file);
 
 }  // namespace plumbline

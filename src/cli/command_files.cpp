@@ -83,10 +83,16 @@ JsonResult::JsonResult(const std::string& path) {
 }
 
 void JsonResult::give(const std::string& words, const std::string& json) {
-  if (!file_ || file_->name() != kStandardStream) print_result(words);
+  OutputSet alone;
+  add_to(alone, json);
+  if (!takes_standard_output()) print_result(words);
+  alone.commit();
+}
+
+void JsonResult::add_to(OutputSet& set, const std::string& json) {
   if (!file_) return;
   file_->write(json);
-  file_->commit();
+  set.add(*file_);
 }
 
 }  // namespace plumbline::cli

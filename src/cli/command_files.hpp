@@ -26,6 +26,9 @@ class JsonResult {
 
   /// Words are left out where standard output takes the JSON.
   void give(const std::string& words, const std::string& json);
+  /// The JSON alone, to appear with other files.
+  void add_to(OutputSet& set, const std::string& json);
+  bool takes_standard_output() const { return file_ && file_->name() == kStandardStream; }
 
  private:
   std::optional<OutputFile> file_;

@@ -1,5 +1,4 @@
 #include <memory>
-#include <optional>
 
 #include "base/files.hpp"
 #include "cli/command.hpp"
@@ -8,6 +7,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
 #include "jobs/compensate_file.hpp"
+#include "jobs/compensated_files.hpp"
 #include "jobs/summary_text.hpp"
 
 namespace plumbline::cli {
@@ -26,16 +26,10 @@ int compensate(const CompensateArguments& arguments) {
   if (options.undo && arguments.output == kStandardStream) {
     throw UsageError("--undo writes a file beside the output: name one with -o");
   }
-  std::optional<OutputFile> json;
-  if (!arguments.json.empty()) json.emplace(arguments.json);
   ProgressLine line;
   const compensate::Summary summary =
-      jobs::compensate_file(arguments.program, arguments.output, options, line.progress());
+      jobs::compensate_file(arguments.program, arguments.output, options, line.progress(), arguments.json);
   line.clear();
-  if (json) {
-    json->write(jobs::summary_json(summary, options));
-    json->commit();
-  }
   for (const Diagnostic& warning : summary.warnings) say(warning);
   say_note(jobs::summary_text(summary, options));
   return kDone;

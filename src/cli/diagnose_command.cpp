@@ -1,7 +1,10 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <list>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -41,10 +44,18 @@ void check_folder(const std::string& folder) {
   if (access(there.c_str(), W_OK) != 0) refuse_folder(folder, std::strerror(errno));
 }
 
-void make_folder(const std::string& folder) {
-  std::error_code problem;
-  fs::create_directories(folder, problem);
-  if (problem) refuse_folder(folder, problem.message());
+// The model last: who has it has what it rests on.
+void write_folder(const std::string& folder, const std::vector<std::pair<std::string, std::string>>& texts) {
+  NewFolder made(folder);
+  OutputSet files;
+  std::list<OutputFile> outputs;
+  for (const auto& [path, text] : texts) {
+    outputs.emplace_back(path).write(text);
+    files.add(outputs.back());
+  }
+  files.clear_last_first();
+  files.commit();
+  made.keep();
 }
 
 int diagnose(const DiagnoseArguments& arguments) {
@@ -57,10 +68,9 @@ int diagnose(const DiagnoseArguments& arguments) {
   const jobs::DiagnoseReport report = jobs::diagnose(arguments.job, [&](const std::string& step) {
     if (is_followed) say_note(step + "\n");
   });
-  make_folder(arguments.folder);
-  write_text(json, report.json);
-  write_text(model, report.model_toml);
-  write_text(page, report::diagnosis_page(report.diagnosis, "Diagnosis of " + report.machine));
+  write_folder(arguments.folder, {{json, report.json},
+                                  {page, report::diagnosis_page(report.diagnosis, "Diagnosis of " + report.machine)},
+                                  {model, report.model_toml}});
   print_result(arguments.json ? report.json : report.text);
   if (report.diagnosis.converged) return kDone;
   say({"diagnose-not-converged",

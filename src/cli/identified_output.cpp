@@ -28,14 +28,19 @@ int write_identified(const std::vector<std::string>& inputs, const std::string& 
     say_note(words);
     words.clear();
   }
-  json_result.give(words, jobs::identification_json(identified.found));
+  const std::string numbers = jobs::identification_json(identified.found);
   if (!identified.found.converged()) {
+    json_result.give(words, numbers);
     refuse("identify-not-converged", fmt::format("the fit did not converge: {} is not written", output),
            "give fewer unknowns by --free, or priors for them in [uncertainty]; check that the dataset belongs to "
            "this machine");
   }
+  OutputSet files;
+  json_result.add_to(files, numbers);
   out.write(identified.text);
-  out.commit();
+  files.add(out);
+  files.commit();
+  if (!json_result.takes_standard_output()) print_result(words);
   return kDone;
 }
 

@@ -1,6 +1,10 @@
 // plumbline: the command line. Exit codes: 0 done, 1 the work failed, 2 wrong usage, 3 done and something was found.
 #include <cstdio>
+#include <new>
 #include <span>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -8,6 +12,7 @@
 
 #include "base/check.hpp"
 #include "base/diagnostic.hpp"
+#include "base/ending_signals.hpp"
 #include "cli/command.hpp"
 #include "cli/messages.hpp"
 #include "cli/suggest.hpp"
@@ -32,7 +37,7 @@ int wrong_usage(const CLI::App& app, const std::string& message) {
     say({"usage-wrong", message, fmt::format("plumbline{} --help says more", command), {}, Severity::error});
     return kWrongUsage;
   }
-  fmt::print(stderr, "plumbline{}: {}\nplumbline{} --help says more\n", command, message, command);
+  put_message(fmt::format("plumbline{}: {}\nplumbline{} --help says more\n", command, message, command));
   return kWrongUsage;
 }
 
@@ -42,7 +47,7 @@ int broken(const char* what) {
   if (says_json()) {
     say({"internal-error", message, kHelp, {}, Severity::error});
   } else {
-    fmt::print(stderr, "plumbline: {}\n{}\n", message, kHelp);
+    put_message(fmt::format("plumbline: {}\n{}\n", message, kHelp));
   }
   return kFailed;
 }
@@ -50,7 +55,7 @@ int broken(const char* what) {
 int refused(const Diagnostic& diagnostic) {
   say(diagnostic);
   if (!says_json() && diagnostic.code != "explain-unknown-code")
-    fmt::print(stderr, "plumbline explain {} says more\n", diagnostic.code);
+    put_message(fmt::format("plumbline explain {} says more\n", diagnostic.code));
   return kFailed;
 }
 
@@ -106,6 +111,44 @@ void describe(CLI::App& app) {
       "compare --max-radial-um).");
 }
 
+// The help and the version are results, too: they may not fit where standard output goes.
+int answer(const CLI::App& app, const CLI::ParseError& asked) {
+  std::ostringstream text;
+  std::ostringstream none;
+  const int code = app.exit(asked, text, none);
+  print_result(text.str());
+  return code;
+}
+
+int parse_and_run(CLI::App& app, Run& run, std::span<const char* const> arguments) {
+  try {
+    app.parse(static_cast<int>(arguments.size()), arguments.data());
+    refuse_empty_values(app);
+    return run();
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return answer(app, error);  // --help, --version
+    return wrong_usage(app, what_is_unknown(app, arguments).value_or(error.what()));
+  } catch (const UsageError& error) {
+    return wrong_usage(app, error.what());
+  }
+}
+
+int out_of_memory() {
+  return refused({"out-of-memory",
+                  "there is not enough memory for this",
+                  "give it less at once: a shorter program, fewer runs or samples; or let it have more (ulimit -v)",
+                  {},
+                  Severity::error});
+}
+
+int out_of_resources(const std::system_error& error) {
+  return refused({"system-refused",
+                  fmt::format("the system does not let it go on: {}", error.what()),
+                  "look at the limits of processes, threads and open files (ulimit -a)",
+                  {},
+                  Severity::error});
+}
+
 int main_of(int argc, const char* const* argv) {
   CLI::App app;
   Run run;
@@ -117,16 +160,15 @@ int main_of(int argc, const char* const* argv) {
   add_diagnostics(app);
   say_as_json(asks_for_json(arguments));
   try {
-    app.parse(argc, argv);
-    refuse_empty_values(app);
-    return run();
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    return wrong_usage(app, what_is_unknown(app, arguments).value_or(error.what()));
-  } catch (const UsageError& error) {
-    return wrong_usage(app, error.what());
+    return parse_and_run(app, run, arguments);
   } catch (const Refusal& refusal) {
     return refused(refusal.diagnostic());
+  } catch (const std::bad_alloc&) {
+    return out_of_memory();
+  } catch (const std::length_error&) {  // more than any memory
+    return out_of_memory();
+  } catch (const std::system_error& error) {
+    return out_of_resources(error);
   } catch (const std::exception& error) {
     return broken(error.what());
   }
@@ -138,6 +180,7 @@ int main_of(int argc, const char* const* argv) {
 int main(int argc, char** argv) {
   try {
     plumbline::cli::occupy_standard_streams();
+    plumbline::remove_names_on_signals();
     return plumbline::cli::main_of(argc, argv);
   } catch (...) {  // while saying what is wrong: standard error is gone
     return plumbline::cli::kFailed;

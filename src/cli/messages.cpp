@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/printable.hpp"
 #include "jobs/diagnostic_json.hpp"
 
 namespace plumbline::cli {
@@ -19,13 +20,18 @@ bool as_json = false;  // set once, from the command line
 void say_as_json(bool json) { as_json = json; }
 bool says_json() { return as_json; }
 
+void put_message(std::string_view text) {
+  const std::string shown = printable_lines(text);
+  [[maybe_unused]] const std::size_t put = std::fwrite(shown.data(), 1, shown.size(), stderr);
+}
+
 void say(const Diagnostic& diagnostic) {
-  fmt::print(stderr, "{}", as_json ? jobs::diagnostic_json(diagnostic) + "\n" : to_text(diagnostic));
+  put_message(as_json ? jobs::diagnostic_json(diagnostic) + "\n" : to_text(diagnostic));
 }
 
 void say_note(std::string_view text) {
   if (!as_json) {
-    fmt::print(stderr, "{}", text);
+    put_message(text);
     return;
   }
   while (text.ends_with('\n')) text.remove_suffix(1);
@@ -35,7 +41,8 @@ void say_note(std::string_view text) {
   say(note);
 }
 
-void print_result(std::string_view text) {
+void print_result(std::string_view result) {
+  const std::string text = printable_lines(result);
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
   Place place;
   place.file = "<stdout>";

@@ -30,13 +30,14 @@ void ProgressLine::show(std::uint64_t done, std::uint64_t total) {
   if (total == 0 || now < next_) return;
   next_ = now + kEvery;
   is_shown_ = true;
-  fmt::print(stderr, "\r{:3.0f} %", 100.0 * static_cast<double>(done) / static_cast<double>(total));
+  std::fputs(fmt::format("\r{:3.0f} %", 100.0 * static_cast<double>(done) / static_cast<double>(total)).c_str(),
+             stderr);
   std::fflush(stderr);
 }
 
 void ProgressLine::clear() {
   if (!is_shown_) return;
-  fmt::print(stderr, "\r      \r");
+  std::fputs("\r      \r", stderr);
   is_shown_ = false;
 }
 

@@ -3,7 +3,7 @@
 #include "base/files.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
-#include "jobs/compensate_file.hpp"
+#include "jobs/compensated_files.hpp"
 #include "nc/undo.hpp"
 
 namespace plumbline::cli {
@@ -16,10 +16,11 @@ struct RestoreArguments {
 int restore(const RestoreArguments& arguments) {
   const std::string undo = arguments.undo.empty() ? jobs::undo_name(arguments.program) : arguments.undo;
   check_outputs({arguments.program, undo}, {arguments.output});
-  const InputFile program(arguments.program);
-  const InputFile log(undo);
   OutputFile out(arguments.output);
+  const auto [program, log] = jobs::open_pair(arguments.program, undo);
   nc::restore(program, log, out);
+  program.check_unchanged();
+  log.check_unchanged();
   out.commit();
   return kDone;
 }

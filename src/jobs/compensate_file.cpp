@@ -1,18 +1,17 @@
 #include "jobs/compensate_file.hpp"
 
-#include <optional>
-
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
 #include "base/files.hpp"
 #include "compensate/stream.hpp"
+#include "jobs/compensated_files.hpp"
 #include "jobs/guard_block.hpp"
 #include "jobs/program_dialect.hpp"
 #include "jobs/stamp.hpp"
+#include "jobs/summary_text.hpp"
 #include "jobs/used_tools.hpp"
 #include "machine/model_file.hpp"
-#include "nc/undo.hpp"
 
 namespace plumbline::jobs {
 namespace {
@@ -28,12 +27,6 @@ nc::EmitSettings emit_settings(const machine::ControlSettings& control, const Op
   return emit;
 }
 
-struct Undo {
-  explicit Undo(const std::string& output) : file(undo_name(output)), log(file) {}
-  OutputFile file;
-  nc::UndoLog log;
-};
-
 // Which files are called shows only when the program has run.
 void refuse_overwriting_subprogram(const compensate::Summary& summary, const std::string& output) {
   for (const compensate::Summary::InlinedFile& file : summary.inlined_files) {
@@ -45,10 +38,8 @@ void refuse_overwriting_subprogram(const compensate::Summary& summary, const std
 
 }  // namespace
 
-std::string undo_name(const std::string& output) { return output + ".undo"; }
-
 compensate::Summary compensate_file(const std::string& program, const std::string& output, const Options& options,
-                                    const Progress& progress) {
+                                    const Progress& progress, const std::string& json) {
   const machine::MachineModel model = machine::read_model(options.model);
   const nc::ProgramSettings settings = program_settings(options);
   const InputFile source(program);
@@ -63,22 +54,14 @@ compensate::Summary compensate_file(const std::string& program, const std::strin
   compensate::Settings compensation = options.compensation;
   compensation.step.least_time_s = model.control.block_time;
 
-  OutputFile out(output);
-  compensate::Stream stream(source, dialect, settings, model, compensation, std::move(emit), out);
-  std::optional<Undo> undo;
-  if (options.undo) {
-    undo.emplace(output);
-    out.keep_hash();
-    stream.record(undo->log);
-  }
+  CompensatedFiles files(output, options.undo, json);
+  compensate::Stream stream(source, dialect, settings, model, compensation, std::move(emit), files.program());
+  if (nc::UndoLog* const log = files.undo_log()) stream.record(*log);
   compensate::Summary summary = stream.run(progress);
   refuse_overwriting_subprogram(summary, output);
-  summary.bytes_after = out.size();
-  if (undo) {
-    undo->log.finish(source, out.size(), out.hash());
-    undo->file.commit();
-  }
-  out.commit();
+  summary.bytes_after = files.program().size();
+  summary.hash_after = files.program().hash();
+  files.commit(source, summary_json(summary, options));
   return summary;
 }
 

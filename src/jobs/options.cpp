@@ -1,6 +1,8 @@
 #include "jobs/options.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -10,6 +12,8 @@
 
 namespace plumbline::jobs {
 namespace {
+
+constexpr double kLargestWord = 1e6;  // of an axis, mm and deg
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -85,9 +89,18 @@ void add_m_codes(std::set<int>& codes, std::string_view text) {
   });
 }
 
+// What no machine is large enough for is a slip of units.
+template <class Values>
+void refuse_absurd(const Values& values) {
+  if (std::any_of(values.begin(), values.end(), [](double x) { return std::abs(x) > kLargestWord; })) {
+    throw OptionError(fmt::format("expected numbers of {:.0f} at most, in mm and deg", kLargestWord));
+  }
+}
+
 std::array<double, kAxes> pose_in(std::string_view text) {
   const auto values = six_numbers(text);
   if (!values) throw OptionError("expected six numbers X,Y,Z,A,B,C in mm and deg");
+  refuse_absurd(*values);
   return *values;
 }
 
@@ -111,6 +124,7 @@ void set_work_offset(Options& options, std::string_view text) {
   if (equals == std::string_view::npos || system == 0) throw OptionError(std::string(kExpected));
   const auto values = six_numbers(text.substr(equals + 1));
   if (!values) throw OptionError(std::string(kExpected));
+  refuse_absurd(*values);
   options.work_offsets[static_cast<std::size_t>(system - 1)] = nc::WorkOffset{{*values}, 0};
   options.work_offset_names.emplace_back(name, system);
 }
@@ -119,6 +133,7 @@ void set_start(Options& options, std::string_view text) {
   constexpr std::string_view kExpected =
       "expected six numbers X,Y,Z,A,B,C in mm and deg, or those of some axes as in A=0,B=0,C=0";
   if (const auto values = six_numbers(text)) {
+    refuse_absurd(*values);
     for (std::size_t i = 0; i < kAxes; ++i) options.start[i] = (*values)[i];
     return;
   }
@@ -129,6 +144,7 @@ void set_start(Options& options, std::string_view text) {
     if (!value.empty() && value.front() == '=') value.remove_prefix(1);
     const std::optional<double> number = parse_number(trimmed(value));
     if (!number) throw OptionError(std::string(kExpected));
+    refuse_absurd(std::array{*number});
     options.start[index(*axis)] = *number;
   });
 }

@@ -178,6 +178,7 @@ std::string summary_json(const Summary& s, const Options& options) {
       {"assumed_at_zero", assumed},
       {"bytes_before", s.bytes_before},
       {"bytes_after", s.bytes_after},
+      {"hash_after", to_hex(s.hash_after)},
       {"settings_file", options.settings_file.empty() ? Json() : Json(options.settings_file)},
       {"warnings", warnings_json(s.warnings)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

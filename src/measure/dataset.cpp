@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <list>
 #include <set>
 
 #include <fmt/format.h>
@@ -194,7 +195,17 @@ const TomlValue& run_list(const TomlDocument& document) {
   return runs->value;
 }
 
+// A dataset may come from anywhere: it does not say which other files are opened and shown in messages.
+bool stays_inside(const fs::path& file) {
+  const fs::path path = file.lexically_normal();
+  return path.is_relative() && *path.begin() != "..";
+}
+
 void read_table(const RunReader& reader, const std::string& folder, Run& run) {
+  if (!stays_inside(run.file)) {
+    refuse("dataset-file-outside", fmt::format("the table {} lies outside of the dataset's folder", run.file),
+           "put it into that folder, and name it relative to it", reader.place_of("file"));
+  }
   const fs::path path = fs::path(folder) / run.file;
   std::error_code ignored;  // a name too long for a file is none
   if (!fs::is_regular_file(path, ignored)) {
@@ -256,7 +267,7 @@ std::vector<fs::path> table_targets(const Dataset& dataset, const fs::path& fold
   std::vector<fs::path> targets;
   for (const Run& run : dataset.runs) {
     const fs::path relative = fs::path(run.file).lexically_normal();
-    if (relative.is_absolute() || *relative.begin() == "..") {
+    if (!stays_inside(relative)) {
       refuse("dataset-file-outside",
              fmt::format("the table {} would be written outside of {}", run.file, folder.string()),
              "name the tables of a dataset relative to its folder, inside it", {folder.string()});
@@ -277,21 +288,32 @@ std::vector<fs::path> table_targets(const Dataset& dataset, const fs::path& fold
 
 }  // namespace
 
+// dataset.toml last: it names the tables.
 void write_dataset(const Dataset& dataset, const std::string& folder) {
   const fs::path into(folder);
-  std::error_code error;
-  fs::create_directories(into, error);
   const fs::path source = fs::path(dataset.document.file).parent_path();
+  std::error_code error;
   if (!dataset.document.file.empty() && fs::equivalent(into, source.empty() ? fs::path(".") : source, error)) {
     refuse("file-overwrites-input", "the dataset would overwrite the one that is read",
            "name another folder for the output", {folder});
   }
   const std::vector<fs::path> targets = table_targets(dataset, into);
+  std::list<NewFolder> folders;
+  std::list<OutputFile> outputs;
+  OutputSet files;
+  folders.emplace_front(into.string());
+  const auto write = [&](const fs::path& path, const std::string& text) {
+    outputs.emplace_back(path.string()).write(text);
+    files.add(outputs.back());
+  };
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    fs::create_directories(targets[i].parent_path(), error);
-    write_text(targets[i].string(), run_table_text(dataset.runs[i]));
+    folders.emplace_front(targets[i].parent_path().string());
+    write(targets[i], run_table_text(dataset.runs[i]));
   }
-  write_text((into / kDatasetName).string(), dataset.document.text);
+  write(into / kDatasetName, dataset.document.text);
+  files.clear_last_first();
+  files.commit();
+  for (NewFolder& made : folders) made.keep();
 }
 
 }  // namespace plumbline::measure

@@ -71,8 +71,8 @@ struct Dataset {
 
 /// Reads a dataset.toml and the tables of its runs. Refuses with toml-syntax, dataset-marker, dataset-unknown-key,
 /// dataset-missing-key, dataset-wrong-type, dataset-wrong-size, dataset-out-of-range, dataset-direction, dataset-bar,
-/// dataset-same-id, dataset-no-runs or dataset-file-missing at the value, with what run_table.hpp lists at the row and
-/// column, and as read_text does.
+/// dataset-same-id, dataset-no-runs, dataset-file-outside or dataset-file-missing at the value, with what run_table.hpp
+/// lists at the row and column, and as read_text does.
 Dataset read_dataset(const std::string& path);
 
 /// The same of a text; tables are looked for in `folder`.

@@ -36,6 +36,9 @@ class FlowControl : public Sequencer {
   bool used() const override { return used_; }
   /// True inside a subprogram.
   bool called() const override { return !calls_.empty(); }
+  void check_files() const override {
+    for (const auto& one : files_) one->file->check_unchanged();
+  }
 
   /// An O word; false: it belongs to what is left out.
   bool take(const Block& block) override;

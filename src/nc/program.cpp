@@ -202,6 +202,10 @@ Program::Program(const InputFile& file, const Dialect& dialect, ProgramSettings 
 
 Program::~Program() = default;
 
-const Step* Program::next() { return parts_->next(); }
+const Step* Program::next() {
+  const Step* const step = parts_->next();
+  if (step == nullptr) parts_->flow.check_files();
+  return step;
+}
 
 }  // namespace plumbline::nc

@@ -57,7 +57,8 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   /// Executes the next block; null at the end. As long as nothing jumped (Step::jumped) the texts of all blocks, with
-  /// their line ends, put one after the other are the file. Refuses with nc-... and the place of what it cannot take.
+  /// their line ends, put one after the other are the file. Refuses with nc-... and the place of what it cannot take,
+  /// and at the end with file-changed where a file was written to meanwhile.
   const Step* next();
 
  private:

@@ -27,6 +27,8 @@ class Sequencer {
   virtual bool used() const = 0;
   /// True inside a subprogram.
   virtual bool called() const = 0;
+  /// Refuses with file-changed where a file that was read changed meanwhile.
+  virtual void check_files() const = 0;
   /// True once the program ran into the next one of its file.
   virtual bool ended() const { return false; }
 

@@ -30,6 +30,9 @@ class StatementFlow : public Sequencer {
   const std::string& file() const override { return files_[file_]->file->name(); }
   bool used() const override { return used_; }
   bool called() const override { return !calls_.empty(); }
+  void check_files() const override {
+    for (const auto& one : files_) one->file->check_unchanged();
+  }
   bool ended() const override { return ended_; }
   bool take(const Block& block) override;
   void call_program(const Block& block, const ProgramCall& program) override;

@@ -25,6 +25,11 @@ std::string filled(std::string_view pattern, const std::string& name) {
   return out;
 }
 
+// In the program's folder or below: a name is text of the program, and no program says what else is read.
+bool stays_inside(const fs::path& name) {
+  return name.is_relative() && std::find(name.begin(), name.end(), "..") == name.end();
+}
+
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::error_code ignored;
   std::vector<fs::path> files;
@@ -40,7 +45,8 @@ fs::path subprogram_file(const std::string& program, const std::string& name, co
   const std::vector<std::string>& patterns = dialect.syntax.subprogram_files;
   if (dialect.syntax.statements == Statements::o_words) {  // the case of letters counts
     for (const std::string& pattern : patterns) {
-      if (fs::path path = folder / filled(pattern, name); is_file(path)) return path;
+      const fs::path file = filled(pattern, name);
+      if (fs::path path = folder / file; stays_inside(file) && is_file(path)) return path;
     }
     return {};
   }

@@ -39,42 +39,62 @@ bool for_bytes(const InputFile& file, std::uint64_t from, std::uint64_t to, Take
   return true;
 }
 
+// What one program's part of an undo file says at its end.
+struct Part {
+  std::uint64_t begin = 0;  // in the undo file
+  std::uint64_t end = 0;
+  std::uint64_t original_size = 0, output_size = 0, original_hash = 0, output_hash = 0;
+};
+
+// A span of the output and, behind `at` in the undo file, what it stands for.
+struct Replaced {
+  std::uint64_t offset = 0, size = 0, original_size = 0, at = 0;
+};
+
 // Reads an undo file from its begin to its end.
 class UndoReader {
  public:
-  explicit UndoReader(const InputFile& file) : file_(file) {
+  explicit UndoReader(const InputFile& file, std::uint64_t begin = 0) : file_(file), at_(begin) {
+    part_.begin = begin;
     if (line() + "\n" != kHeader) refuse_format();
   }
 
-  struct Entry {
-    bool is_end = false;
-    std::array<std::uint64_t, 4> numbers{};  // replaced: offset, size, original size. end: sizes, hashes
-  };
-
-  Entry next() {
+  // The next span of this part; nothing at its end. Spans come one after the other, and all that is written in the end
+  // is as much as the part says: no file can make it more than the output and the undo file hold.
+  std::optional<Replaced> next() {
     const std::string text = line();
-    Entry entry;
-    entry.is_end = text.starts_with(kEnd);
-    if (!entry.is_end && !text.starts_with(kReplaced)) refuse_format();
-    std::string_view rest = std::string_view(text).substr(entry.is_end ? kEnd.size() : kReplaced.size());
-    const std::size_t count = entry.is_end ? 4 : 3;
-    for (std::size_t i = 0; i < count; ++i) entry.numbers[i] = number(rest, entry.is_end && i >= 2 ? 16 : 10);
-    if (!rest.empty()) refuse_format();
-    return entry;
+    if (text.starts_with(kEnd)) {
+      finish(std::string_view(text).substr(kEnd.size()));
+      return std::nullopt;
+    }
+    if (!text.starts_with(kReplaced)) refuse_format();
+    const auto numbers = numbers_of<3>(std::string_view(text).substr(kReplaced.size()), 3);
+    const Replaced span{numbers[0], numbers[1], numbers[2], at_};
+    const std::uint64_t left = file_.size() - std::min(at_, file_.size());
+    if (span.offset < covered_ || span.size > kMost - span.offset || span.original_size >= left) refuse_format();
+    written_ += span.offset - covered_ + span.original_size;
+    covered_ = span.offset + span.size;
+    at_ += span.original_size + 1;
+    return span;
   }
 
-  // The bytes behind the last entry go to `take`, the line end behind them is skipped.
-  template <class Take>
-  void bytes(std::uint64_t size, Take&& take) {
-    if (size >= file_.size() || !for_bytes(file_, at_, at_ + size, take)) refuse_format();
-    at_ += size + 1;
-  }
+  // Once next() gave nothing.
+  const Part& part() const { return part_; }
 
   [[noreturn]] void refuse_format() const {
     refuse_undo(file_, "undo-format", "is no undo file of plumbline, or is cut short");
   }
 
  private:
+  static constexpr std::uint64_t kMost = std::uint64_t{1} << 62U;  // bytes; no sum of a few overflows
+
+  void finish(std::string_view text) {
+    const auto numbers = numbers_of<4>(text, 2);
+    part_ = {part_.begin, at_, numbers[0], numbers[1], numbers[2], numbers[3]};
+    const bool holds = covered_ <= part_.output_size && part_.output_size <= kMost;
+    if (!holds || written_ + (part_.output_size - covered_) != part_.original_size) refuse_format();
+  }
+
   std::string line() {
     std::array<char, kLongestLine> text;
     const std::string_view read(text.data(), file_.read(at_, text.data(), text.size()));
@@ -84,18 +104,44 @@ class UndoReader {
     return std::string(read.substr(0, end));
   }
 
-  std::uint64_t number(std::string_view& rest, int base) const {
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value, base);
-    if (error != std::errc()) refuse_format();
-    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-    if (rest.starts_with(' ')) rest.remove_prefix(1);
-    return value;
+  // Numbers between blanks, those behind the first `decimals` hexadecimal.
+  template <std::size_t kCount>
+  std::array<std::uint64_t, kCount> numbers_of(std::string_view rest, std::size_t decimals) const {
+    std::array<std::uint64_t, kCount> numbers{};
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const auto [end, error] =
+          std::from_chars(rest.data(), rest.data() + rest.size(), numbers[i], i < decimals ? 10 : 16);
+      if (error != std::errc()) refuse_format();
+      rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+      if (rest.starts_with(' ')) rest.remove_prefix(1);
+    }
+    if (!rest.empty()) refuse_format();
+    return numbers;
   }
 
   const InputFile& file_;
   std::uint64_t at_ = 0;
+  std::uint64_t covered_ = 0;  // of the output
+  std::uint64_t written_ = 0;  // of the original, so far
+  Part part_;
 };
+
+// The part that was written with this program, if any; all parts are looked through.
+std::optional<Part> part_of(const InputFile& rewritten, const InputFile& undo) {
+  std::optional<Part> found;
+  std::optional<std::uint64_t> hash;
+  for (std::uint64_t at = 0; at == 0 || at < undo.size();) {
+    UndoReader reader(undo, at);
+    while (reader.next()) {
+    }
+    const Part& part = reader.part();
+    at = part.end;
+    if (found || part.output_size != rewritten.size()) continue;
+    if (!hash) hash = hash_of(rewritten);
+    if (part.output_hash == *hash) found = part;
+  }
+  return found;
+}
 
 }  // namespace
 
@@ -148,31 +194,35 @@ std::uint64_t hash_of(const InputFile& file) {
   return hash;
 }
 
+bool copy_undo(const InputFile& rewritten, const InputFile& undo, OutputFile& into) {
+  const std::optional<Part> part = part_of(rewritten, undo);
+  if (!part) return false;
+  return for_bytes(undo, part->begin, part->end, [&](std::string_view bytes) { into.write(bytes); });
+}
+
 void restore(const InputFile& rewritten, const InputFile& undo, OutputFile& out) {
-  UndoReader reader(undo);
+  const auto refuse_mismatch = [&] {
+    refuse_undo(undo, "undo-mismatch", fmt::format("does not fit {}", rewritten.name()));
+  };
+  const std::optional<Part> part = part_of(rewritten, undo);
+  if (!part) refuse_mismatch();
   std::uint64_t at = 0;
   std::uint64_t hash = fnv1a({});
   const auto emit = [&](std::string_view bytes) {
     hash = fnv1a(bytes, hash);
     out.write(bytes);
   };
-  const auto keep = [&](std::uint64_t to) {
-    if (to < at || !for_bytes(rewritten, at, to, emit)) {
-      refuse_undo(undo, "undo-mismatch", fmt::format("does not fit {}", rewritten.name()));
-    }
+  const auto copy = [&](const InputFile& file, std::uint64_t from, std::uint64_t to) {
+    if (!for_bytes(file, from, to, emit)) refuse_mismatch();
   };
-  UndoReader::Entry entry = reader.next();
-  for (; !entry.is_end; entry = reader.next()) {
-    keep(entry.numbers[0]);
-    at = entry.numbers[0] + entry.numbers[1];
-    reader.bytes(entry.numbers[2], emit);
+  UndoReader reader(undo, part->begin);
+  while (const std::optional<Replaced> span = reader.next()) {
+    copy(rewritten, at, span->offset);
+    copy(undo, span->at, span->at + span->original_size);
+    at = span->offset + span->size;
   }
-  keep(rewritten.size());
-  const auto [original_size, output_size, original_hash, output_hash] = entry.numbers;
-  if (rewritten.size() != output_size || hash_of(rewritten) != output_hash || out.size() != original_size ||
-      hash != original_hash) {
-    refuse_undo(undo, "undo-mismatch", fmt::format("does not fit {}", rewritten.name()));
-  }
+  copy(rewritten, at, rewritten.size());
+  if (out.size() != part->original_size || hash != part->original_hash) refuse_mismatch();
 }
 
 }  // namespace plumbline::nc

@@ -33,9 +33,15 @@ class UndoLog {
   bool all_ = false;
 };
 
-/// Writes the original that `rewritten` was made from. Refuses with undo-format where the undo file is none or is cut
-/// short, undo-mismatch where it belongs to another program, or the program was changed since.
+/// Writes the original that `rewritten` was made from. Undo files may hold one part behind the other; the one that fits
+/// counts. Refuses with undo-format where the undo file is none or is cut short, undo-mismatch where it belongs to
+/// another program, or the program was changed since; before anything is written, but where the undo file itself was
+/// changed.
 void restore(const InputFile& rewritten, const InputFile& undo, OutputFile& out);
+
+/// Appends to `into`, an undo file that is finished, the part of `undo` that fits `rewritten`: it serves both then.
+/// False if none fits. Refuses with undo-format.
+bool copy_undo(const InputFile& rewritten, const InputFile& undo, OutputFile& into);
 
 /// fnv1a of a whole file.
 std::uint64_t hash_of(const InputFile& file);

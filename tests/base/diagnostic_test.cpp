@@ -54,7 +54,7 @@ TEST_CASE("the caret stands below its character behind letters of several bytes,
 }
 
 TEST_CASE("a message cannot command the terminal") {
-  CHECK(to_text({"", "no word \x1b[31m", "", {}, Severity::error}) == "error: no word  [31m\n");
+  CHECK(to_text({"", "no word \x1b[31m", "", {}, Severity::error}) == "error: no word \\x1b[31m\n");
 }
 
 TEST_CASE("a refusal carries its diagnostic") {

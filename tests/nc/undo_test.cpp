@@ -74,5 +74,5 @@ TEST_CASE("an undo file that is none, or cut short, is refused") {
     CHECK(code_of(folder).starts_with("undo-"));
   }
   write_text(folder / "undo", "plumbline undo 1\nreplaced 99999999999 3 2\nab\n");
-  CHECK(code_of(folder) == "undo-mismatch");
+  CHECK(code_of(folder) == "undo-format");
 }

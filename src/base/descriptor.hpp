@@ -1,0 +1,37 @@
+// An open file by its number, and what is done with the number alone.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+namespace plumbline {
+
+/// An open file by its number, closed when this goes.
+class Descriptor {
+ public:
+  Descriptor() = default;
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(other.release()) {}
+  Descriptor& operator=(Descriptor&& other) noexcept;
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor();
+
+  bool is_open() const { return number_ >= 0; }
+  int number() const { return number_; }
+  /// Hands the number over to the caller, who closes it.
+  int release() { return std::exchange(number_, -1); }
+  /// Closes it now; false if the system could not keep what was written.
+  bool close();
+
+ private:
+  int number_ = -1;
+};
+
+/// Writes all of it, interrupted or not; false with errno if that failed.
+bool write_all(int descriptor, const char* bytes, std::size_t count);
+
+/// Copies one open file to another, from where each stands to the end of the first; false with errno if that failed.
+bool copy_all(int from, int to);
+
+}  // namespace plumbline

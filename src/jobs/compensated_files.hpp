@@ -1,0 +1,44 @@
+// What a compensation writes: the program, its undo file and its summary, which appear as one.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/files.hpp"
+#include "nc/undo.hpp"
+
+namespace plumbline::jobs {
+
+class CompensatedFiles {
+ public:
+  /// Opens all of them, so that one that cannot be written shows before the work. `json` empty: no summary is wanted.
+  CompensatedFiles(const std::string& output, bool with_undo, const std::string& json);
+
+  OutputFile& program() { return program_; }
+  /// Null: none is wanted.
+  nc::UndoLog* undo_log() { return undo_ ? &undo_->log : nullptr; }
+  /// All appear, the program last. At every moment, whatever becomes of this process, the undo file that stands beside
+  /// the program serves it: between the two steps it serves the program that stood there before as well.
+  void commit(const InputFile& original, const std::string& summary);
+
+ private:
+  struct Undo {
+    explicit Undo(const std::string& name) : file(name), log(file) {}
+    OutputFile file;
+    nc::UndoLog log;
+  };
+  bool join_old_undo(OutputFile& both) const;
+
+  OutputFile program_;
+  std::optional<Undo> undo_;
+  std::optional<OutputFile> json_;
+};
+
+/// Where --undo puts what the output replaced: beside it.
+std::string undo_name(const std::string& output);
+
+/// A program and its undo file, opened while nobody replaces them. Refuses as InputFile does.
+std::pair<InputFile, InputFile> open_pair(const std::string& program, const std::string& undo);
+
+}  // namespace plumbline::jobs
