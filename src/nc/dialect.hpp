@@ -108,6 +108,9 @@ enum class Action : std::uint8_t {
   user_code,  // a code of the machine's builder
 };
 
+inline constexpr int kMotionGroup = 1;  // as the tables of all dialects number them
+inline constexpr int kFeedModeGroup = 5;
+
 /// A row of the table of G or M codes.
 struct CodeRow {
   int code = 0;         // times ten: G5.1 is 51
@@ -123,10 +126,14 @@ struct CodeRow {
   bool loses_position = false;      // the axes may stand elsewhere after it
   bool harmless = false;            // may stand behind / without a choice
   std::string name;                 // of a code that is no letter and number
-  std::string why;                  // refused: why
+  std::string why;                  // refused, alone or with other values than those of `only`: why
+  char only_letter = 0;             // 0: any value; else the word whose value must be one of these
+  std::vector<double> only;
+  bool alone = false;                      // no move stands beside it
+  FeedRule feed_rule = FeedRule::unknown;  // of a tool length: with it in force; unknown: the dialect's
+  bool has_arguments = false;              // a name with ( ) behind it, which the interpreter does not look into
   std::string levels;               // which of these are heights of the work, digits that count from 0
   bool has_values = false;          // a name with values in ( ) behind it
-  bool has_arguments = false;       // a name with ( ) behind it, which the interpreter does not look into
 };
 
 /// How a program says where it goes on.
@@ -157,6 +164,7 @@ struct Syntax {
   Statements statements = Statements::o_words;
   bool names = false;             // words, values and codes may be names
   bool semicolon_comment = true;  // else the comment stands in ( ), and ; does as well where both are known
+  bool semicolon_ends = false;    // ; is the end of a block: nothing but comments in ( ) stands behind it
   bool percent_text = false;      // behind the first % there may be text
   bool open_assignment = false;   // what is assigned needs no brackets
   bool repeated_ijk = false;      // I, J and K may stand more than once (arguments of a macro)
@@ -185,12 +193,18 @@ struct Habits {
   double increment_mm = 0, increment_inch = 0, increment_deg = 0;  // what a number without a point counts; 0: units
   bool increment_of_rest_unknown = false;  // where another is set, of numbers with a point: refused
   double feed_per_revolution_increment = 0;
-  bool machine_move_is_rapid = false;  // G53 goes as G0 whatever is in force
+  double inverse_time_increment = 0;         // of F under G93; 0: units
+  bool inverse_time_by_radius = false;       // F of an arc under G93 is feed over radius, not 1 over the time
+  bool feed_inch_increment_unknown = false;  // what F without a point counts under G20
+  bool machine_move_is_rapid = false;        // G53 goes as G0 whatever is in force
   bool h0_is_no_tool = false;
-  bool tool_length_moves = false;      // whether G43 without Z moves depends on the control's parameters
-  bool tool_length_at_change = false;  // M6 puts the length of the tool in force
-  bool fanuc_cycles = false;           // over the hole first, then to R; K repeats; taps and bores feed to R alone
+  bool tool_length_moves = false;               // whether G43 without Z moves depends on the control's parameters
+  bool tool_length_increments_unknown = false;  // G43 beside an increment of Z
+  bool unit_change_stands_alone = false;        // in which unit the words beside G20, G21 count is not known
+  bool tool_length_at_change = false;           // M6 puts the length of the tool in force
+  bool fanuc_cycles = false;  // over the hole first, then to R; K repeats; taps and bores feed to R alone
   double peck_gap_mm = 0.254;
+  int most_m_codes = 0;              // that a block may hold; 0: any
   bool call_with_moves = false;      // M98 may stand in a block that moves
   int call_repeat_digits = 0;        // M98 P00030010: digits of the program's number
   bool table_increments = false;     // G10 L2 under G91 adds

@@ -161,6 +161,7 @@ constexpr std::array kOperations{
 constexpr std::array kFeedRules{
     std::pair<std::string_view, FeedRule>{"xyz_first", FeedRule::xyz_first},
     std::pair<std::string_view, FeedRule>{"all_axes_as_mm", FeedRule::all_axes_as_mm},
+    std::pair<std::string_view, FeedRule>{"tool_tip", FeedRule::tool_tip},
     std::pair<std::string_view, FeedRule>{"path_group", FeedRule::path_group},
     std::pair<std::string_view, FeedRule>{"unknown", FeedRule::unknown},
 };

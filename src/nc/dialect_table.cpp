@@ -111,6 +111,7 @@ class TableReader {
   void read_syntax(const TomlValue& from, Syntax& syntax) const {
     syntax.statements = statements_named(text(from, "statements"));
     syntax.names = flag(from, "names");
+    syntax.semicolon_ends = flag(from, "semicolon_ends");
     syntax.percent_text = flag(from, "percent_text");
     syntax.declared = flag(from, "declared");
     syntax.settings_alone = flag(from, "settings_alone");
@@ -153,13 +154,19 @@ class TableReader {
     habits.increment_inch = number(from, "increment_inch", 0);
     habits.increment_deg = number(from, "increment_deg", 0);
     habits.increment_of_rest_unknown = flag(from, "increment_of_rest_unknown");
+    habits.inverse_time_increment = number(from, "inverse_time_increment", 0);
+    habits.inverse_time_by_radius = flag(from, "inverse_time_by_radius");
+    habits.feed_inch_increment_unknown = flag(from, "feed_inch_increment_unknown");
     habits.feed_per_revolution_increment = number(from, "feed_per_revolution_increment", 0);
     habits.machine_move_is_rapid = flag(from, "machine_move_is_rapid");
     habits.h0_is_no_tool = flag(from, "h0_is_no_tool");
     habits.tool_length_moves = flag(from, "tool_length_moves");
+    habits.tool_length_increments_unknown = flag(from, "tool_length_increments_unknown");
+    habits.unit_change_stands_alone = flag(from, "unit_change_stands_alone");
     habits.tool_length_at_change = flag(from, "tool_length_at_change");
     habits.fanuc_cycles = flag(from, "fanuc_cycles");
     habits.peck_gap_mm = number(from, "peck_gap_mm", habits.peck_gap_mm);
+    habits.most_m_codes = static_cast<int>(number(from, "most_m_codes", 0));
     habits.call_with_moves = flag(from, "call_with_moves");
     habits.call_repeat_digits = static_cast<int>(number(from, "call_repeat_digits", 0));
     habits.table_increments = flag(from, "table_increments");
@@ -229,9 +236,17 @@ class TableReader {
     row.loses_position = flag(from, "loses_position");
     row.harmless = flag(from, "harmless");
     row.has_arguments = flag(from, "arguments");
+    row.alone = flag(from, "alone");
+    if (from.find("feed_rule") != nullptr) row.feed_rule = feed_rule_named(text(from, "feed_rule"));
+    if (const TomlValue* const only = value(from, "only", TomlValue::Kind::array)) {
+      for (const TomlValue& word : only->items) {
+        row.only_letter = word.text.at(0);
+        row.only.push_back(parse_number(word.text.substr(1)).value());
+      }
+    }
     row.has_values = flag(from, "values");
     if (from.find("levels") != nullptr) row.levels = text(from, "levels");
-    if (row.action == Action::refused || from.find("why") != nullptr) row.why = text(from, "why");
+    if (row.action == Action::refused || !row.only.empty() || from.find("why") != nullptr) row.why = text(from, "why");
     return row;
   }
 

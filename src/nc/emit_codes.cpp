@@ -10,10 +10,9 @@
 namespace plumbline::nc {
 namespace {
 
-// Modal groups as RS274/NGC numbers them; the tables of all dialects do alike.
-constexpr int kMotionGroup = 1;
-constexpr int kFeedModeGroup = 5;
-constexpr int kPathControlGroup = 13;
+bool is_path_control(Action action) {
+  return action == Action::exact_path || action == Action::exact_stop || action == Action::continuous;
+}
 
 }  // namespace
 
@@ -78,7 +77,7 @@ BlockCodes CodeWriter::codes_of(const Block& block) const {
       const bool gives_way = row->action == Action::motion_off && codes.motion != nullptr;  // G80 beside G3
       if (row->group == kMotionGroup && !gives_way) codes.motion = &word;
       if (row->group == kFeedModeGroup) codes.feed_mode = &word;
-      if (row->group == kPathControlGroup) codes.path_control = &word;
+      if (is_path_control(row->action)) codes.path_control = &word;
       if (row->group != kMotionGroup && row->takes_axes) codes.axis_taker = &word;
     } else if (row->order == Order::after_motion) {
       codes.add_after_motion(word);

@@ -44,6 +44,22 @@ bool turns(const Motion& motion) {
                "count as mm); or program the block in inverse time (G93)");
 }
 
+[[noreturn]] void refuse_turn_alone(const Step& step) {
+  refuse_block(
+      *step.block, "emit-feed-rule",
+      "F is the speed of the tool's tip here, and A, B, C turn where the tip stands still: how long that takes "
+      "no program says, and beside the micrometres of the correction F would mean another time",
+      "program the block in inverse time (G93), or say which speed F is on this control: --feed-rule xyz or "
+      "all");
+}
+
+bool turns_alone(const Motion& motion) {
+  const AxisWords delta = motion.to - motion.from;
+  return motion.feed_rule == FeedRule::tool_tip && motion.feed_mode != FeedMode::inverse_time && motion.feed > 0 &&
+         motion.kind == MotionKind::feed && distance_mm(delta, {}) == 0 &&
+         std::abs(delta[Axis::A]) + std::abs(delta[Axis::B]) + std::abs(delta[Axis::C]) > kSamePlace;
+}
+
 // Numbers that cannot be written with all their digits.
 void check_word(const Step& step, double value) {
   if (std::abs(value) < kLargestWord) return;
@@ -172,10 +188,12 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
   if (seconds && *seconds > 0) {
     set_lengths(step, start);
     choose_feeds(step, *seconds, control);
+  } else if (turns_alone(motion)) {
+    refuse_turn_alone(step);
   } else {
     const bool cuts = motion.kind == MotionKind::feed || motion.kind == MotionKind::arc;
     const AxisWords way = motion.to - motion.from;
-    if (cuts && !seconds && motion.feed > 0 && !feed_length(way, motion.feed_rule)) refuse_feed_rule(step, dialect_);
+    if (cuts && !seconds && motion.feed > 0 && !feed_length(distance_mm(way, {}), way, motion.feed_rule, motion.mm_per_unit)) refuse_feed_rule(step, dialect_);
     control.change_unit(*step.before, *step.after);
     if (find_word(*step.block, 'F') != nullptr) {
       control.feed = step.after->feed;
@@ -228,10 +246,13 @@ void PiecePlanner::set_lengths(const Step& step, const AxisWords& start) {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const AxisWords delta = ends_[i] - at;
     const double linear = distance_mm(delta, {});
-    const std::optional<double> length = feed_length(linear, delta, step.motions.front().feed_rule);
-    if (!length) refuse_feed_rule(step, dialect_);
-    pieces_[i].in_degrees = feed_length_is_angle(linear, step.motions.front().feed_rule);
-    pieces_[i].length = pieces_[i].in_degrees ? *length : *length / step.motions.front().mm_per_unit;
+    const Motion& motion = step.motions.front();
+    const std::optional<double> length = feed_length(linear, delta, motion.feed_rule, motion.mm_per_unit);
+    if (!length && motion.feed_rule == FeedRule::tool_tip && motion.feed_mode != FeedMode::inverse_time)
+      refuse_turn_alone(step);
+    if (!length && motion.feed_rule != FeedRule::tool_tip) refuse_feed_rule(step, dialect_);
+    pieces_[i].in_degrees = feed_length_is_angle(linear);
+    pieces_[i].length = pieces_[i].in_degrees ? length.value_or(0) : *length / motion.mm_per_unit;
     at = ends_[i];
   }
 }

@@ -68,6 +68,10 @@ struct Execution {
 void plan(Execution& run);
 /// Refuses what stands beside a code that stands alone in its block: alone.cpp
 void check_alone(const Execution& run);
+/// Refuses what no source covers for a code beside the others of its block, or in the modes in force: contexts.cpp
+void check_contexts(const Execution& run);
+void check_cycle_beside_motion(const Execution& run);
+void check_words_before_call(const Execution& run);
 /// Gives words without a decimal point the value that they have where the control counts its increments.
 void count_increments(const Execution& run, Block& block);
 

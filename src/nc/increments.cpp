@@ -26,8 +26,35 @@ std::uint32_t letters_of_lengths(const Habits& habits) {
              "set the unit of the control to 1 mm, let the CAM system write for that, and leave out --input-increment");
 }
 
+// That of the block itself counts: the mode acts before F.
+FeedMode feed_mode_of(const Execution& run, const Block& block) {
+  FeedMode mode = run.control.modal.feed_mode;
+  for (const Word& word : block.words) {
+    const CodeRow* const row = word.letter == 'G' ? run.dialect.row_of(word) : nullptr;
+    if (row == nullptr) continue;
+    if (row->action == Action::inverse_time) mode = FeedMode::inverse_time;
+    if (row->action == Action::per_minute) mode = FeedMode::per_minute;
+    if (row->action == Action::per_revolution) mode = FeedMode::per_revolution;
+  }
+  return mode;
+}
+
+void count_feed(const Execution& run, FeedMode mode, Word& word) {
+  const Habits& habits = run.dialect.habits;
+  if (mode == FeedMode::inverse_time) {
+    if (habits.inverse_time_increment > 0) word.value *= habits.inverse_time_increment;
+    return;
+  }
+  if (habits.feed_inch_increment_unknown && run.control.modal.inches && word.value != 0) {
+    run.refuse(word, codes::kValueUnknown, "what F without a decimal point counts in inches is not known",
+               "write F with a decimal point, or say --calculator-type on");
+  }
+  const bool turns = mode == FeedMode::per_revolution && habits.feed_per_revolution_increment > 0;
+  if (turns) word.value *= habits.feed_per_revolution_increment;
+}
+
 // What a number without a decimal point counts, where that is not a unit.
-void count_increments(const Execution& run, Word& word) {
+void count_increments(const Execution& run, FeedMode mode, Word& word) {
   const Habits& habits = run.dialect.habits;
   const std::uint32_t letter = letter_bit(word.letter);
   const bool is_length = (letter & letters_of_lengths(habits)) != 0;
@@ -41,9 +68,8 @@ void count_increments(const Execution& run, Word& word) {
     word.value *= ratio * (run.control.modal.inches ? habits.increment_inch : habits.increment_mm);
   } else if (is_angle) {
     word.value *= ratio * habits.increment_deg;
-  } else if (word.letter == 'F' && run.control.modal.feed_mode == FeedMode::per_revolution &&
-             habits.feed_per_revolution_increment > 0) {
-    word.value *= habits.feed_per_revolution_increment;
+  } else if (word.letter == 'F') {
+    count_feed(run, mode, word);
   }
 }
 
@@ -61,9 +87,10 @@ bool is_in_cycle(const Execution& run, const Block& block) {
 
 void count_increments(const Execution& run, Block& block) {
   const bool in_cycle = find_word(block, 'K') != nullptr && is_in_cycle(run, block);
+  const FeedMode mode = feed_mode_of(run, block);
   for (Word& word : block.words) {
     if (in_cycle && word.letter == 'K') continue;
-    if (!is_code(word)) count_increments(run, word);
+    if (!is_code(word)) count_increments(run, mode, word);
   }
 }
 

@@ -318,7 +318,11 @@ void Interpreter::set_motion_mode(const CodeRow& row) {
 void Interpreter::move() {
   const Action action = run_.motion->action;
   if (action == Action::cycle) return move_in_cycle(run_);
-  if (run_.machine_word != nullptr && run_.dialect.habits.machine_move_is_rapid) return move_straight(run_);
+  if (run_.machine_word != nullptr && run_.dialect.habits.machine_move_is_rapid) {
+    move_straight(run_);
+    if (run_.motion_word != nullptr) set_motion_mode(*run_.motion);  // G53 G0: G0 is the mode from here on
+    return;
+  }
   control_.cycle.begun = false;
   if (moves_specially(action)) return;
   control_.spline_end.reset();

@@ -1,4 +1,5 @@
 // Which code does what.
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -42,6 +43,13 @@ bool set_mode(Modal& modal, Action action) {
     default:
       return false;
   }
+}
+
+// G0 G80 G91 G28 Z0: the mode is G0, whichever stands first.
+bool sets_motion(const Execution& run) {
+  return std::any_of(run.chosen.begin(), run.chosen.end(), [](const Chosen& code) {
+    return code.row->group == kMotionGroup && code.row->action != Action::motion_off && code.word->letter != 'M';
+  });
 }
 
 }  // namespace
@@ -147,7 +155,7 @@ void Interpreter::act_on_mode(const Chosen& chosen) {
   if (set_mode(modal, chosen.row->action)) return;
   switch (chosen.row->action) {
     case Action::motion_off:
-      if (run_.motion != nullptr) return;
+      if (run_.motion != nullptr || sets_motion(run_)) return;
       control_.cycle.begun = false;
       control_.spline_end.reset();
       modal.motion = MotionMode::none;
@@ -191,6 +199,8 @@ void Interpreter::change_unit(bool inches) {
   }
   control_.modal.inches = inches;
   control_.modal.feed = control_.feed_linear / control_.length_unit();
+  if (!run_.dialect.habits.unit_change_stands_alone) return;
+  control_.modal.feed = control_.feed_linear = control_.feed_rotary = 0;  // what F is worth then stands in no source
 }
 
 }  // namespace plumbline::nc

@@ -208,7 +208,7 @@ double feed_of_move(const Execution& run, bool linear) {
   const double feed = linear || per_revolution ? control.feed_linear : control.modal.feed_rotary;
   if (feed > 0) return feed;
   run.refuse(word != nullptr ? *word : run.motion_code(), codes::kFeedMissing, "no feed is in force for this move",
-             "write F; G93, G94 and G95 drop the F before them");
+             "write F; G93, G94 and G95 drop the F before them, a change of units on some controls as well");
 }
 
 void check_motions(const Execution& run, double count) {

@@ -30,6 +30,7 @@ class Parser {
   void next_value(FlowWord word);
   void items();
   void word(char letter);
+  void comment(Span span);
   void literal_word();
   void setting();
   std::uint32_t value_code();

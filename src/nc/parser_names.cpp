@@ -116,7 +116,7 @@ void Parser::named_items() {
         identifier();
         break;
       case TokenKind::comment:
-        block_->comments.push_back({span_of(token_)});
+        comment(span_of(token_));
         break;
       case TokenKind::parenthesis:
         if (syntax_->open == '(') refuse_token("a word");

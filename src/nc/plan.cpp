@@ -86,17 +86,22 @@ bool is_code(char letter) { return letter == 'G' || letter == 'M' || letter == k
 void keep_last_of_groups(Execution& run) {
   for (std::size_t i = 0; i < run.chosen.size(); ++i) {
     const Chosen& code = run.chosen[i];
-    if (code.word->letter != 'G' || code.row->group == 0) continue;
-    const bool last = std::none_of(
-        run.chosen.begin() + static_cast<std::ptrdiff_t>(i) + 1, run.chosen.end(),
-        [&](const Chosen& later) { return later.word->letter == 'G' && later.row->group == code.row->group; });
+    if (code.word->letter != 'G' || code.row->group == 0 || code.row->action == Action::motion_off) continue;
+    const bool last = std::none_of(run.chosen.begin() + static_cast<std::ptrdiff_t>(i) + 1, run.chosen.end(),
+                                   [&](const Chosen& later) {
+                                     return later.word->letter == 'G' && later.row->group == code.row->group &&
+                                            later.row->action != Action::motion_off;
+                                   });
     if (!last) run.chosen.erase(run.chosen.begin() + static_cast<std::ptrdiff_t>(i--));
   }
 }
 
 // Two codes of one modal group cannot both act.
 void check_groups(Execution& run) {
-  if (run.dialect.habits.last_of_group) return keep_last_of_groups(run);
+  if (run.dialect.habits.last_of_group) {
+    check_cycle_beside_motion(run);
+    return keep_last_of_groups(run);
+  }
   std::uint64_t seen_g = 0;
   std::uint64_t seen_m = 0;
   for (const Chosen& chosen : run.chosen) {
@@ -308,6 +313,11 @@ void find_motion(Execution& run) {
 }
 
 void check_machine_coordinates(const Execution& run) {
+  const CodeRow* const stated = run.motion_word == nullptr ? nullptr : run.dialect.row_of(*run.motion_word);
+  if (run.dialect.habits.machine_move_is_rapid && stated != nullptr && stated->action != Action::rapid) {
+    run.refuse(*run.motion_word, codes::kMachineMove, "G53 moves at rapid, and this asks for a feed",
+               "write G0 into the block of G53");
+  }
   const bool straight =
       run.motion != nullptr && (run.motion->action == Action::rapid || run.motion->action == Action::feed);
   if (!straight) {
@@ -358,6 +368,7 @@ void plan(Execution& run) {
   run.machine_word = nullptr;
   gather(run);
   if (!run.chosen.empty() && run.chosen.back().row->action == Action::call_macro) {
+    check_words_before_call(run);
     run.motion = nullptr;
     return;
   }
@@ -366,6 +377,7 @@ void plan(Execution& run) {
   find_motion(run);
   check_words_used(run);
   if (const Word* spindle = run.words.find('$')) check_spindle(run, *spindle);
+  check_contexts(run);
   if (run.machine_word != nullptr && (run.motion != nullptr || !run.dialect.habits.machine_move_is_rapid)) {
     check_machine_coordinates(run);
   }

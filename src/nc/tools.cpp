@@ -85,6 +85,8 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
   check_tool_unit(run, *chosen.word);
   AxisWords offset = control.frame.tool;
   control.modal.tool_of_offset = -1;
+  const bool has_rule = chosen.row->feed_rule != FeedRule::unknown;
+  control.feed_rule = run.settings.feed_rule.value_or(has_rule ? chosen.row->feed_rule : run.dialect.feed_rule);
   switch (chosen.row->action) {
     case Action::tool_length: {
       const int number = tool_of_block(run, chosen);
