@@ -41,7 +41,7 @@ Pass::Pass(const InputFile& source, const nc::Dialect& dialect, const nc::Progra
       settings_(settings),
       program_(source, dialect, program),
       form_(form),
-      plain_(dialect),
+      plain_(dialect, emit.increment_ratio),
       emitter_(source, dialect, std::move(emit), out, form),
       corrector_(model, settings),
       spindle_(program.tools, model.reference_tool_mass),

@@ -98,6 +98,9 @@ enum class Operation : std::uint8_t {
   logical_and,
   logical_or,
   exclusive_or,
+  bit_and,  // of whole numbers, bit by bit
+  bit_or,
+  bit_exclusive_or,
   whole_quotient,    // DIV
   remainder,         // with the sign of the dividend
   truncate,          // towards zero

@@ -169,6 +169,7 @@ struct Syntax {
   bool open_assignment = false;   // what is assigned needs no brackets
   bool repeated_ijk = false;      // I, J and K may stand more than once (arguments of a macro)
   bool rounds_to_zero = false;    // FIX and FUP
+  bool bitwise = false;           // AND, OR, XOR work on the bits of whole numbers and bind like * and +
   bool full_turn = false;         // ATAN gives 0 to 360
   bool relations_last = false;    // == binds weaker than AND
   bool declared = false;          // a variable that has a name is declared before it is set (DEF)
@@ -186,13 +187,18 @@ struct Syntax {
 
 /// How the control executes what it has read, where controls differ.
 struct Habits {
-  bool last_of_group = false;       // of two codes of a group the last one counts
-  bool group_0_takes_axes = false;  // G0 G91 G28 Z0: the words are G28's, and G0 is the mode from here on
+  bool last_of_group = false;             // of two codes of a group the last one counts
+  bool bare_motion_code_is_mode = false;  // G1 F500 alone moves nothing
+  bool group_0_takes_axes = false;        // G0 G91 G28 Z0: the words are G28's, and G0 is the mode from here on
   bool no_work_system_at_start = false;
   bool always_point = false;                                       // numbers are written with a decimal point
   double increment_mm = 0, increment_inch = 0, increment_deg = 0;  // what a number without a point counts; 0: units
   bool increment_of_rest_unknown = false;  // where another is set, of numbers with a point: refused
   double feed_per_revolution_increment = 0;
+  bool keeps_increment = false;              // of a number no more than these are kept
+  std::string whole_words;                   // letters whose values are whole numbers, and written without a point
+  int most_digits = 0;                       // of a number; 0: any
+  bool m_beside_cut_unknown = false;         // when codes of the builder act beside a move
   double inverse_time_increment = 0;         // of F under G93; 0: units
   bool inverse_time_by_radius = false;       // F of an arc under G93 is feed over radius, not 1 over the time
   bool feed_inch_increment_unknown = false;  // what F without a point counts under G20
@@ -204,15 +210,16 @@ struct Habits {
   bool tool_length_at_change = false;           // M6 puts the length of the tool in force
   bool fanuc_cycles = false;  // over the hole first, then to R; K repeats; taps and bores feed to R alone
   double peck_gap_mm = 0.254;
-  int most_m_codes = 0;              // that a block may hold; 0: any
-  bool call_with_moves = false;      // M98 may stand in a block that moves
-  int call_repeat_digits = 0;        // M98 P00030010: digits of the program's number
-  bool table_increments = false;     // G10 L2 under G91 adds
-  bool end_returns = false;          // M2, M30 in a subprogram end it alone
-  bool turns_are_extra = false;      // the count of an arc's turns does not hold the begun one
-  double dwell_p_s = 1;              // what P of G4 counts
-  bool dwell_alone = false;          // nothing else stands in a block with G4
-  bool dwell_moves_nothing = false;  // no axis word does
+  bool passed_code_keeps_position = false;  // who passes it says so
+  int most_m_codes = 0;                     // that a block may hold; 0: any
+  bool call_with_moves = false;             // M98 may stand in a block that moves
+  int call_repeat_digits = 0;               // M98 P00030010: digits of the program's number
+  bool table_increments = false;            // G10 L2 under G91 adds
+  bool end_returns = false;                 // M2, M30 in a subprogram end it alone
+  bool turns_are_extra = false;             // the count of an arc's turns does not hold the begun one
+  double dwell_p_s = 1;                     // what P of G4 counts
+  bool dwell_alone = false;                 // nothing else stands in a block with G4
+  bool dwell_moves_nothing = false;         // no axis word does
   bool increment_after_shift_unknown =
       false;                              // G91 after TRANS, G55, D1: a setting decides whether it brings the shift
   bool feed_beside_unit_unknown = false;  // G700 F10: which unit the F of that block counts in

@@ -118,6 +118,7 @@ class TableReader {
     syntax.open_assignment = flag(from, "open_assignment");
     syntax.repeated_ijk = flag(from, "repeated_ijk");
     syntax.rounds_to_zero = flag(from, "rounds_to_zero");
+    syntax.bitwise = flag(from, "bitwise");
     syntax.full_turn = flag(from, "full_turn");
     syntax.relations_last = flag(from, "relations_last");
     if (from.find("open") != nullptr) syntax.open = text(from, "open").at(0);
@@ -147,6 +148,7 @@ class TableReader {
 
   void read_habits(const TomlValue& from, Habits& habits) const {
     habits.last_of_group = flag(from, "last_of_group");
+    habits.bare_motion_code_is_mode = flag(from, "bare_motion_code_is_mode");
     habits.group_0_takes_axes = flag(from, "group_0_takes_axes");
     habits.no_work_system_at_start = flag(from, "no_work_system_at_start");
     habits.always_point = flag(from, "always_point");
@@ -154,6 +156,10 @@ class TableReader {
     habits.increment_inch = number(from, "increment_inch", 0);
     habits.increment_deg = number(from, "increment_deg", 0);
     habits.increment_of_rest_unknown = flag(from, "increment_of_rest_unknown");
+    habits.keeps_increment = flag(from, "keeps_increment");
+    if (from.find("whole_words") != nullptr) habits.whole_words = text(from, "whole_words");
+    habits.most_digits = static_cast<int>(number(from, "most_digits", 0));
+    habits.m_beside_cut_unknown = flag(from, "m_beside_cut_unknown");
     habits.inverse_time_increment = number(from, "inverse_time_increment", 0);
     habits.inverse_time_by_radius = flag(from, "inverse_time_by_radius");
     habits.feed_inch_increment_unknown = flag(from, "feed_inch_increment_unknown");
@@ -166,6 +172,7 @@ class TableReader {
     habits.tool_length_at_change = flag(from, "tool_length_at_change");
     habits.fanuc_cycles = flag(from, "fanuc_cycles");
     habits.peck_gap_mm = number(from, "peck_gap_mm", habits.peck_gap_mm);
+    habits.passed_code_keeps_position = flag(from, "passed_code_keeps_position");
     habits.most_m_codes = static_cast<int>(number(from, "most_m_codes", 0));
     habits.call_with_moves = flag(from, "call_with_moves");
     habits.call_repeat_digits = static_cast<int>(number(from, "call_repeat_digits", 0));

@@ -182,13 +182,21 @@ void Emitter::restore_switches(const Switches& was, const Switches& is) {
   override_switch(was.feed_stop, is.feed_stop, 53);
 }
 
+// How far the level is off that cycles go back to: where the first of them began.
+void Emitter::note_cycle_level(const Step& step) {
+  const Axis normal = axes_of(step.after->plane).third;
+  if (control_.motion != MotionMode::cycle) cycle_level_shift_ = control_.work_shift(*step.frame)[normal];
+}
+
 EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
   if (step.call != nullptr) return called_hole(step, shift);
   note_header(step);
   begin_change(step);
-  restore_feed_state(step, false);
+  restore_feed_state(step, find_word(*step.block, 'F') != nullptr);
   const PlaneAxes axes = axes_of(step.after->plane);
+  note_cycle_level(step);
   AxisWords left = control_.work_shift(*step.frame);
+  if (!step.after->retract_to_r) left[axes.third] = cycle_level_shift_;
   editor_.start(*step.block, spelling_);
   for (const Word& word : step.block->words) {
     std::optional<Axis> axis = axis_of(word.letter);
@@ -200,7 +208,8 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
     const bool in_plane = word.letter == letter(axes.first) || word.letter == letter(axes.second);
     if (goes_back_there || in_plane) left[*axis] = (value - word.value) * per_unit;
     std::string text;
-    append_word(text, word.letter, value, kMostDecimals, {spelling_.lower_case, false, spelling_.point});
+    append_word(text, word.letter, value, kMostDecimals,
+                {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
     editor_.replace(word.span, text);
   }
   line_.clear();
@@ -209,6 +218,7 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
   out_.write(unrolls() ? newline_ : step.block->line_end);
   control_.set_work_shift(*step.frame, left);
   control_.motion = MotionMode::cycle;
+  if (find_word(*step.block, 'F') != nullptr) control_.feed = step.after->feed;
   return {true, 1, std::nullopt, 0};
 }
 

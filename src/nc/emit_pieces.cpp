@@ -9,6 +9,7 @@
 #include "base/units.hpp"
 #include "nc/emit_text.hpp"
 #include "nc/feed.hpp"
+#include "nc/kept.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -87,9 +88,10 @@ PiecePlanner::Grid PiecePlanner::grid(const Step& step, Axis axis) const {
   const bool inches = step.after->inches && !is_rotary(axis);
   const double per_unit = inches ? kMmPerInch : 1.0;
   const int least = is_rotary(axis) ? settings_.digits_deg : (inches ? settings_.digits_inch : settings_.digits_mm);
-  const int digits = std::clamp(std::max(least, written), 0, kMostDecimals);
+  const Kept kept = kept_of(dialect_.habits, is_rotary(axis), inches, settings_.increment_ratio);
+  const int digits = std::clamp(std::max(least, written), 0, kept.decimals);
   const double increment = (is_rotary(axis) ? settings_.increment_deg : settings_.increment_mm) / per_unit;
-  return {per_unit, digits, std::max(increment, from_ticks(1, digits))};
+  return {per_unit, digits, std::max({increment, from_ticks(1, digits), kept.quantum})};
 }
 
 bool PiecePlanner::stays(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
@@ -204,6 +206,15 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
   return pieces_;
 }
 
+void PiecePlanner::check_digits(const Step& step, double value, int decimals) const {
+  const int most = dialect_.habits.most_digits;
+  if (most == 0 || std::abs(value) < std::pow(10, most - decimals)) return;
+  refuse_block(
+      *step.block, "emit-out-of-range",
+      fmt::format("this block would need the number {:.3f}, and {} takes {} digits", value, dialect_.name, most),
+      "check the words and offsets of the block: no machine goes there");
+}
+
 // Rounds one point, tells which axes move to it, and moves `at` there.
 Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point, AxisSet writable, AxisWords& at) {
   Piece piece;
@@ -223,6 +234,7 @@ Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point,
     check_word(step, wanted);
     const double kept = std::round(wanted / g.quantum) * g.quantum;
     const double value = from_ticks(to_ticks(kept, g.digits), g.digits);
+    check_digits(step, value, g.digits);
     double end = step.after->incremental ? at[axis] + value * g.per_unit : value * g.per_unit;
     const bool endless = !step.after->incremental && step.after->rule_of(axis) != RotaryRule::linear;
     // Downwards to 0 would be -0, which is not the same to every control: the last step is left out.
@@ -314,6 +326,21 @@ void PiecePlanner::choose_rates(const Step& step, double seconds, OutputState& c
   seconds_ = spent * unit;
 }
 
+// F under G93, as the control keeps it.
+double PiecePlanner::inverse_time(const Step& step, double per_minute) const {
+  const double least = dialect_.habits.inverse_time_increment;
+  if (least <= 0) return rounded_feed(step, per_minute);
+  const double largest = std::pow(10, dialect_.habits.most_digits - 1) * least - least;  // 9999.999 of 0.001
+  const double kept = std::round(per_minute / least) * least;
+  if (kept <= largest && std::abs(kept - per_minute) <= settings_.time_tolerance * 10 * per_minute) return kept;
+  refuse_block(
+      *step.block, "emit-feed-range",
+      fmt::format("a piece of this block would need F{:.6g}, and F under G93 goes from {} to {} in steps of {}",
+                  per_minute, to_decimal(least), to_decimal(largest, 3), to_decimal(least)),
+      kept > largest ? "let pieces be longer: --step-length, --step-angle, or block_time_ms in the model"
+                     : "let pieces be shorter: --step-length, --step-angle");
+}
+
 // G93: each piece its share of the time; where the control would lift length x F to its least rate, that piece goes
 // under G94 with the rate itself.
 void PiecePlanner::choose_inverse_times(const Step& step, double seconds, OutputState& control) {
@@ -326,7 +353,7 @@ void PiecePlanner::choose_inverse_times(const Step& step, double seconds, Output
     piece.restates_mode = mode != control.feed_mode;
     control.feed_mode = mode;
     const bool whole = pieces_.size() == 1 && !piece.leaves_inverse_time;
-    const double feed = rounded_feed(step, piece.leaves_inverse_time ? rate : 1 / minutes);
+    const double feed = piece.leaves_inverse_time ? rounded_feed(step, rate) : inverse_time(step, 1 / minutes);
     const bool keep = whole && !differs(step.motions.front().feed, feed, settings_.time_tolerance);
     if (!keep && piece.leaves_inverse_time) state_feed(step, piece, feed, control);
     if (!keep && !piece.leaves_inverse_time) piece.feed = feed;

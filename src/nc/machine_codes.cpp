@@ -148,8 +148,12 @@ void machine_code(Execution& run, const Chosen& chosen) {
     case Action::end:
       run.control.ended = true;
       return;
-    case Action::stop:
     case Action::user_code:
+      if (run.dialect.habits.passed_code_keeps_position &&
+          run.settings.passed_m_codes.contains(static_cast<int>(std::lround(chosen.word->value))))
+        return;
+      [[fallthrough]];
+    case Action::stop:
       return lose_unless_kept(run, static_cast<int>(std::lround(chosen.word->value)));
     default:
       return;

@@ -31,6 +31,7 @@ class Parser {
   void items();
   void word(char letter);
   void comment(Span span);
+  bool compares_ = false;  // the expression being read has compared already
   void literal_word();
   void setting();
   std::uint32_t value_code();

@@ -277,6 +277,11 @@ AxisTakers axis_takers(Execution& run) {
   return takers;
 }
 
+// G2 I5, or a cycle.
+bool goes_without_axes(const Execution& run) {
+  return run.motion->action == Action::cycle || (is_arc(run.motion) && (run.words.letters() & kCentreBits) != 0);
+}
+
 // An explicit motion, or the one in force if there are words for it that nobody else takes.
 void find_motion(Execution& run) {
   const AxisTakers takers = axis_takers(run);
@@ -299,6 +304,8 @@ void find_motion(Execution& run) {
     }
     run.motion = takers.motion->row;
     run.motion_word = takers.motion->word;
+    if (run.dialect.habits.bare_motion_code_is_mode && run.axes.empty() && !goes_without_axes(run))
+      run.motion = nullptr;
     return;
   }
   if (takers.other != nullptr || takers.tool_length) return;
