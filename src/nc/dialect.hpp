@@ -132,8 +132,8 @@ struct CodeRow {
   bool alone = false;                      // no move stands beside it
   FeedRule feed_rule = FeedRule::unknown;  // of a tool length: with it in force; unknown: the dialect's
   bool has_arguments = false;              // a name with ( ) behind it, which the interpreter does not look into
-  std::string levels;               // which of these are heights of the work, digits that count from 0
-  bool has_values = false;          // a name with values in ( ) behind it
+  std::string levels;                      // which of these are heights of the work, digits that count from 0
+  bool has_values = false;                 // a name with values in ( ) behind it
 };
 
 /// How a program says where it goes on.

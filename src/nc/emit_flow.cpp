@@ -218,7 +218,7 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
   out_.write(unrolls() ? newline_ : step.block->line_end);
   control_.set_work_shift(*step.frame, left);
   control_.motion = MotionMode::cycle;
-  if (find_word(*step.block, 'F') != nullptr) control_.feed = step.after->feed;
+  if (find_word(*step.block, 'F') != nullptr) control_.set_feed(step.after->feed);
   return {true, 1, std::nullopt, 0};
 }
 

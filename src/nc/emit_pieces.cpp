@@ -54,7 +54,7 @@ bool turns(const Motion& motion) {
       "all");
 }
 
-bool turns_alone(const Motion& motion) {
+bool tip_stands(const Motion& motion) {
   const AxisWords delta = motion.to - motion.from;
   return motion.feed_rule == FeedRule::tool_tip && motion.feed_mode != FeedMode::inverse_time && motion.feed > 0 &&
          motion.kind == MotionKind::feed && distance_mm(delta, {}) == 0 &&
@@ -190,12 +190,14 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
   if (seconds && *seconds > 0) {
     set_lengths(step, start);
     choose_feeds(step, *seconds, control);
-  } else if (turns_alone(motion)) {
+  } else if (tip_stands(motion)) {
     refuse_turn_alone(step);
   } else {
     const bool cuts = motion.kind == MotionKind::feed || motion.kind == MotionKind::arc;
     const AxisWords way = motion.to - motion.from;
-    if (cuts && !seconds && motion.feed > 0 && !feed_length(distance_mm(way, {}), way, motion.feed_rule, motion.mm_per_unit)) refuse_feed_rule(step, dialect_);
+    if (cuts && !seconds && motion.feed > 0 &&
+        !feed_length(distance_mm(way, {}), way, motion.feed_rule, motion.mm_per_unit))
+      refuse_feed_rule(step, dialect_);
     control.change_unit(*step.before, *step.after);
     if (find_word(*step.block, 'F') != nullptr) {
       control.feed = step.after->feed;

@@ -200,7 +200,8 @@ void Interpreter::change_unit(bool inches) {
   control_.modal.inches = inches;
   control_.modal.feed = control_.feed_linear / control_.length_unit();
   if (!run_.dialect.habits.unit_change_stands_alone) return;
-  control_.modal.feed = control_.feed_linear = control_.feed_rotary = 0;  // what F is worth then stands in no source
+  control_.modal.feed = control_.feed_linear = control_.modal.feed_rotary =
+      0;  // what F is worth then stands in no source
 }
 
 }  // namespace plumbline::nc

@@ -17,11 +17,12 @@ Job job_for(const std::string& dialect) {
   return job;
 }
 
-void check(const std::string& text, const std::string& output, const Job& job) {
+// What a control keeps of mm and deg is not among the tip's errors that a correction can take away.
+void check(const std::string& text, const std::string& output, const Job& job, double kept_um = 0) {
   INFO(output);
   const Played played = play(text, output, job);
-  CHECK(played.at_points_um <= 0.15);
-  CHECK(played.between_points_um <= 0.5);
+  CHECK(played.at_points_um <= 0.15 + kept_um);
+  CHECK(played.between_points_um <= 0.5 + kept_um);
   CHECK(played.time_change <= 2e-3);
 }
 
@@ -53,7 +54,7 @@ TEST_CASE("a program for Fanuc comes out for Fanuc") {
   Job job = job_for("fanuc");
   job.program.feed_rule = nc::FeedRule::xyz_first;
   const Result result = run(kFanuc, job);
-  check(kFanuc, result.text, job);
+  check(kFanuc, result.text, job, 1.5);  // thousandths of mm and deg
   CHECK(result.summary.changed_blocks > 5);
   INFO(result.text);
   CHECK_FALSE(holds(result.text, "[XYZABCF]-?[0-9]+( |$|[A-Z])"));  // each number that was written has its point
@@ -204,7 +205,7 @@ TEST_CASE("a dwell of a cycle counts what the control counts") {
   const std::string out = run(text, job).text;
   INFO(out);
   CHECK(holds(out, "^G4 P500$"));
-  CHECK(holds(out, "^G84 .* P250$"));
+  CHECK(holds(out, "^G84 X.* P250 F100\\."));
 }
 
 TEST_CASE("a program that is written out repeats no label") {

@@ -165,6 +165,7 @@ TEST_CASE("M5, M9 and M19 stand behind the last piece, codes of the builder besi
   CHECK(count(out, "M5|M19|M9") == 3);
   CHECK(code_of(kHead + "G1 X40. F500. M88\nM30\n", job) == "emit-m-code");
   CHECK(code_of(kHead + "M51\nG1 X40. F500.\nX10. M51\nM30\n", job) == "emit-m-code");
+  job.program.keeps_position = {6};
   CHECK(code_of(kHead + "G1 X40. F500. T1 M6\nM30\n", job) == "emit-m-code");
   CHECK(code_of(kHead + "G1 X.2 F500. M88\nM30\n", job).empty());  // one block in its place
 }
