@@ -170,7 +170,7 @@ void CycleRun::make() {
   second_ = control_.position[axes_.second];
   r_ = cycle_.r;
   bottom_ = cycle_.bottom;
-  offset_level_ = cycle_.ijk[2];
+  offset_level_ = cycle_.ijk[index(axes_.third)];  // J in G18, I in G19 [LinuxCNC, measured]
   const auto word = [&](Axis axis, double missing) {
     return run_.words.find(axis) != nullptr ? run_.value(axis) : missing;
   };
@@ -224,7 +224,10 @@ void CycleRun::hole(bool first) {
   hole.r = r_;
   hole.bottom = bottom_;
   if ((run_.motion->word_mask & letter_bit('P')) != 0) hole.dwell_s = cycle_.dwell_s;
-  if (code_ == kBackBore) hole.ijk = {cycle_.ijk[0], cycle_.ijk[1], offset_level_};
+  if (code_ == kBackBore) {
+    hole.ijk = cycle_.ijk;
+    (*hole.ijk)[index(axes_.third)] = offset_level_;
+  }
   run_.holes.push_back(hole);
 }
 
