@@ -48,8 +48,9 @@ std::string without_steering(std::string_view text, const Replace& replace) {
   return out;
 }
 
+// JSON has the same escapes for characters from DEL on, and has escaped those below itself.
 void escape(std::string& out, const Character& c) {
-  out += c.code < 0x100 ? fmt::format("\\x{:02x}", c.code) : fmt::format("\\u{:04x}", c.code);
+  out += !c.is_utf8 || c.code < 0x20 ? fmt::format("\\x{:02x}", c.code) : fmt::format("\\u{:04x}", c.code);
 }
 
 }  // namespace

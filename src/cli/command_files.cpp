@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/diagnostic.hpp"
+#include "base/printable.hpp"
 #include "cli/command.hpp"
 #include "cli/messages.hpp"
 #include "measure/dataset.hpp"
@@ -91,7 +92,7 @@ void JsonResult::give(const std::string& words, const std::string& json) {
 
 void JsonResult::add_to(OutputSet& set, const std::string& json) {
   if (!file_) return;
-  file_->write(json);
+  file_->write(takes_standard_output() ? printable_lines(json) : json);
   set.add(*file_);
 }
 

@@ -9,14 +9,15 @@ using namespace plumbline;
 TEST_CASE("what steers a terminal is shown, all else stays") {
   CHECK(printable("part 1.ngc") == "part 1.ngc");
   CHECK(printable("\x1b[31mred\x07") == "\\x1b[31mred\\x07");
-  CHECK(printable("two\nlines\t\x7f") == "two\\x0alines\\x09\\x7f");
+  CHECK(printable("two\nlines\t\x7f") == "two\\x0alines\\x09\\u007f");
   CHECK(printable_lines("two\nlines\t\x1b") == "two\nlines\t\\x1b");
   CHECK(printable("Fr\xc3\xa4sen \xe2\x82\xac \xf0\x9f\x94\xa9") == "Fr\xc3\xa4sen \xe2\x82\xac \xf0\x9f\x94\xa9");
   CHECK(printable("\xc2\x9b"
-                  "31m") == "\\x9b31m");                      // CSI as one character
+                  "31m") == "\\u009b31m");                    // CSI as one character
   CHECK(printable("\x9b \xff \xc3") == "\\x9b \\xff \\xc3");  // bytes that are no UTF-8
   CHECK(printable("a\xe2\x80\xae"
                   "b") == "a\\u202eb");
+  CHECK(printable_lines("{\"id\": \"\\u001b\xc2\x9b\x7f\"}\n") == "{\"id\": \"\\u001b\\u009b\\u007f\"}\n");  // JSON
   CHECK(blanked("a\x1b\xc2\x9b\xff!") == "a    !");
 }
 
