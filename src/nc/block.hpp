@@ -98,9 +98,6 @@ enum class Operation : std::uint8_t {
   logical_and,
   logical_or,
   exclusive_or,
-  bit_and,  // of whole numbers, bit by bit
-  bit_or,
-  bit_exclusive_or,
   whole_quotient,    // DIV
   remainder,         // with the sign of the dividend
   truncate,          // towards zero
@@ -109,7 +106,8 @@ enum class Operation : std::uint8_t {
   arc_tangent_of_one,
   square,
   logical_not,
-  vacant,  // pushes the value of a variable that nobody set
+  check_truths,  // refuses two values that are not 0 or 1
+  vacant,        // pushes the value of a variable that nobody set
 };
 
 /// One step of an expression's code, in postfix order; Operation::end closes it.
