@@ -9,7 +9,7 @@ namespace {
 
 struct CalibrateArguments {
   jobs::CalibrateJob job;
-  std::string output, json;
+  IdentifiedOutput output;
   double joint_um = 1000;
   double offset_um = 1000;
 };
@@ -21,7 +21,7 @@ int calibrate(const CalibrateArguments& arguments) {
   }
   job.options.geometry.joint_sigma = arguments.joint_um * kUm;
   job.options.geometry.offset_sigma = arguments.offset_um * kUm;
-  return write_identified(inputs_of(job.dataset, {job.model, job.poses}), arguments.output, arguments.json,
+  return write_identified(inputs_of(job.dataset, {job.model, job.poses}), arguments.output,
                           [&] { return jobs::calibrate_model(job); });
 }
 
@@ -66,7 +66,7 @@ void add_calibrate(CLI::App& app, Run& run) {
       "calibrate", "Find where the joints are and how long the struts, from circular tests or a tracker's poses");
   const auto arguments = std::make_shared<CalibrateArguments>();
   add_measurements(*command, *arguments);
-  add_identified_output(*command, arguments->output, arguments->json);
+  add_identified_output(*command, arguments->output);
   add_unknowns(*command, *arguments);
   command->add_flag("--controller", arguments->job.controller,
                     "write the joints as new coordinates for the controller, not as what it has wrong");

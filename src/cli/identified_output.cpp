@@ -8,32 +8,61 @@
 
 namespace plumbline::cli {
 
-void add_identified_output(CLI::App& command, std::string& output, std::string& json) {
+void add_identified_output(CLI::App& command, IdentifiedOutput& output) {
   command
-      .add_option("-o,--output", output,
+      .add_option("-o,--output", output.model,
                   "the model with what was found: the same text, comments and all, but for the numbers")
       ->type_name("MODEL2")
       ->required();
-  command.add_option("--json", json, "write values, errors, correlations and the gap as JSON, too")->type_name("FILE");
+  command.add_option("--json", output.json, "write values, errors, correlations and the gap as JSON, too")
+      ->type_name("FILE");
+  command.add_flag("--force", output.force,
+                   "write the model even where something speaks against it: numbers beyond six sigma of [uncertainty], "
+                   "or circles that it foretells worse than the model as given");
 }
 
-int write_identified(const std::vector<std::string>& inputs, const std::string& output, const std::string& json,
+namespace {
+
+// Errors refuse the model, a warning lets it pass.
+void object(const std::string& objection, const IdentifiedOutput& output) {
+  Diagnostic diagnostic{
+      "identify-not-plausible", objection + fmt::format(": {} is not written", output.model),
+      "something else is missing in the model, or a channel has another unit or sign than it says: run plumbline "
+      "diagnose "
+      "on the same data. If [uncertainty] is too narrow, widen it; --force writes the model all the same"};
+  if (!output.force) throw Refusal(diagnostic);
+  diagnostic.severity = Severity::warning;
+  diagnostic.message = objection;
+  diagnostic.help =
+      "--force: the model is written all the same. Do not cut with it before plumbline compare says that "
+      "it fits circles that were not used here";
+  say(diagnostic);
+}
+
+}  // namespace
+
+int write_identified(const std::vector<std::string>& inputs, const IdentifiedOutput& output,
                      const std::function<jobs::IdentifiedModel()>& make) {
-  check_outputs(inputs, {output, json});
-  OutputFile out(output);
-  JsonResult json_result(json);
+  check_outputs(inputs, {output.model, output.json});
+  OutputFile out(output.model);
+  JsonResult json_result(output.json);
   const jobs::IdentifiedModel identified = make();
   std::string words = jobs::identification_text(identified.found);
-  if (output == kStandardStream) {
+  if (!identified.thinning.empty()) words += identified.thinning + '\n';
+  if (output.model == kStandardStream) {
     say_note(words);
     words.clear();
   }
   const std::string numbers = jobs::identification_json(identified.found);
   if (!identified.found.converged()) {
     json_result.give(words, numbers);
-    refuse("identify-not-converged", fmt::format("the fit did not converge: {} is not written", output),
+    refuse("identify-not-converged", fmt::format("the fit did not converge: {} is not written", output.model),
            "give fewer unknowns by --free, or priors for them in [uncertainty]; check that the dataset belongs to "
            "this machine");
+  }
+  if (!identified.objection.empty()) {
+    if (!output.force) json_result.give(words, numbers);
+    object(identified.objection, output);
   }
   OutputSet files;
   json_result.add_to(files, numbers);

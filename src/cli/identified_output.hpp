@@ -10,12 +10,19 @@
 
 namespace plumbline::cli {
 
-/// The options -o MODEL2, which is required, and --json FILE.
-void add_identified_output(CLI::App& command, std::string& output, std::string& json);
+/// Where the results go, and whether a model is written against which something speaks.
+struct IdentifiedOutput {
+  std::string model, json;
+  bool force = false;
+};
 
-/// Checks that `output` and `json` (may be empty) overwrite none of the inputs, makes the model, prints what was found,
-/// and writes both. Refuses with identify-not-converged, the JSON written and the model not. Returns the exit code.
-int write_identified(const std::vector<std::string>& inputs, const std::string& output, const std::string& json,
+/// The options -o MODEL2, which is required, --json FILE and --force.
+void add_identified_output(CLI::App& command, IdentifiedOutput& output);
+
+/// Checks that the outputs overwrite none of the inputs, makes the model, prints what was found, and writes both.
+/// Refuses with identify-not-converged, and with identify-not-plausible unless it is forced: the JSON written and the
+/// model not. Returns the exit code.
+int write_identified(const std::vector<std::string>& inputs, const IdentifiedOutput& output,
                      const std::function<jobs::IdentifiedModel()>& make);
 
 }  // namespace plumbline::cli

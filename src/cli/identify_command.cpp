@@ -8,12 +8,13 @@ namespace plumbline::cli {
 namespace {
 
 struct IdentifyArguments {
-  std::string model, dataset, output, json;
+  std::string model, dataset;
+  IdentifiedOutput output;
   identify::IdentifyOptions options;
 };
 
 int identify_model(const IdentifyArguments& arguments) {
-  return write_identified(inputs_of(arguments.dataset, {arguments.model}), arguments.output, arguments.json,
+  return write_identified(inputs_of(arguments.dataset, {arguments.model}), arguments.output,
                           [&] { return jobs::identify_model(arguments.model, arguments.dataset, arguments.options); });
 }
 
@@ -28,7 +29,7 @@ void add_identify(CLI::App& app, Run& run) {
   command->add_option("-d,--dataset", arguments->dataset, "the measurements: a dataset.toml")
       ->type_name("DATASET")
       ->required();
-  add_identified_output(*command, arguments->output, arguments->json);
+  add_identified_output(*command, arguments->output);
   const std::map<std::string, identify::Stages> stages{{"joint", identify::Stages::joint},
                                                        {"paper", identify::Stages::paper}};
   command

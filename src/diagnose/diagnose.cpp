@@ -8,6 +8,7 @@
 
 #include "base/diagnostic.hpp"
 #include "diagnose/doubt.hpp"
+#include "diagnose/noise_spectrum.hpp"
 #include "diagnose/unexplained.hpp"
 #include "diagnose/verdict.hpp"
 #include "physics/generic_formula.hpp"
@@ -41,13 +42,16 @@ struct Leaves {
   std::vector<RunEquations> base, second, after;
 };
 
+Gap gap_of(const Leaves& leaves, const std::vector<bool>& out, bool held_out) {
+  const std::vector<RunEquations>& second = leaves.second.empty() ? leaves.base : leaves.second;
+  return {rms_of(leaves.base, out, held_out), rms_of(second, out, held_out), rms_of(leaves.after, out, held_out)};
+}
+
 void fill_gaps(const machine::MachineModel& machine, const std::vector<Run>& runs, const std::vector<bool>& out,
                const Leaves& leaves, const CompensatedOptions& options, Diagnosis& diagnosis) {
   const auto& [base, second, after] = leaves;
-  for (const bool held_out : {false, true}) {
-    Gap& gap = held_out ? diagnosis.held_out : diagnosis.fit;
-    gap = {rms_of(base, out, held_out), rms_of(second, out, held_out), rms_of(after, out, held_out)};
-  }
+  diagnosis.fit = gap_of(leaves, out, false);
+  diagnosis.held_out = gap_of(leaves, out, true);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     RunGap run{runs[i].id, out[i]};
     for (std::size_t c = 0; c < base[i].channels.size(); ++c) {
@@ -117,6 +121,45 @@ std::vector<Separation> separations_of(const Workbench& bench, const Model& mode
   return all;
 }
 
+// Why what was learnt is not to be believed, be it named or not; empty: nothing speaks against it.
+std::string withheld(const Diagnosis& diagnosis, const Shelf& shelf, const Taken& taken, const Recurs& recurs,
+                     const std::vector<RunEquations>& given, const Leaves& leaves, const std::vector<bool>& out,
+                     const VerdictOptions& options) {
+  if (const std::optional<Remainder> off = strained(shelf, taken, options)) return off->text;
+  const double together = strain_of_all(shelf, taken);
+  if (together > options.nuisances_together) {
+    return fmt::format(
+        "all that [uncertainty] lists would be further off together than it says, the sum of squares by {:.0f} of its "
+        "standard deviations",
+        together);
+  }
+  const Rms before = rms_of(given, out, true);
+  const Rms after = rms_of(leaves.after, out, true);
+  if (before.radial && *after.radial > *before.radial)
+    return "the model as given is nearer to the bar's readings held out";
+  if (before.torque && *after.torque > *before.torque * options.held_out_rise) {
+    return "the model as given is nearer to the torques held out";
+  }
+  if (diagnosis.verdict == Verdict::named) return {};
+  const Gap whole{rms_of(given, out, false), {}, rms_of(leaves.after, out, false)};
+  return open_gap(recurs, whole, options.open_share, options).value_or("");
+}
+
+// Nothing is learnt from readings that no machine makes so.
+Diagnosis undiagnosed(const machine::MachineModel& machine, const std::vector<Run>& runs, std::string flaw,
+                      const std::vector<RunEquations>& given, const DiagnoseOptions& options) {
+  Diagnosis diagnosis{physics::ForceModel(machine)};
+  diagnosis.verdict = Verdict::unknown;
+  diagnosis.withheld = flaw;
+  diagnosis.doubt = std::move(flaw);
+  diagnosis.noise = noise_of(given);
+  diagnosis.errors.assign(diagnosis.forces.parameters.size(), 0);
+  diagnosis.where = where_of(machine.rotation, runs, diagnosis.forces, given, diagnosis.noise, options.where);
+  fill_gaps(machine, runs, std::vector<bool>(runs.size(), false), {given, given, given}, options.compensated,
+            diagnosis);
+  return diagnosis;
+}
+
 void check_measured(const std::vector<Run>& runs) {
   const bool any = std::any_of(runs.begin(), runs.end(), [](const Run& r) { return r.has_radial() || r.has_torque(); });
   if (!any) {
@@ -144,6 +187,10 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
   check_measured(runs);
   const physics::ForceModel forces(machine);
   const Shelf shelf = make_shelf(machine, forces, options.shelf);
+  const std::vector<RunEquations> given = residuals(machine, runs, forces, {});
+  if (std::string flaw = channel_flaw(runs, given, options.channels); !flaw.empty()) {
+    return undiagnosed(machine, runs, std::move(flaw), given, options);
+  }
   std::vector<std::string> steps;
   const Say tell = [&](const std::string& text) {
     steps.push_back(text);
@@ -170,14 +217,20 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
   diagnosis.noise = model.noise;
   diagnosis.where = where_of(machine.rotation, runs, before, leaves.base, model.noise, options.where);
   diagnosis.remainder = strained(shelf, taken_by(shelf, picks_of(model), model.fit.values), options.verdict);
-  if (!diagnosis.remainder) {
-    diagnosis.remainder = remainder_of(recurring(contrasts_of(runs, leaves.after), options.verdict));
+  const Recurs recurs = recurring(contrasts_of(runs, leaves.after), options.verdict);
+  if (!diagnosis.remainder) diagnosis.remainder = remainder_of(recurs);
+  diagnosis.doubt = bound_doubt(shelf, model, options.verdict);
+  if (diagnosis.doubt.empty()) {
+    diagnosis.doubt = gap_doubt(model, gap_of(leaves, out, false), gap_of(leaves, out, true), recurs, options.verdict);
   }
-  diagnosis.doubt = doubt_about(model, left, leaves.after, out, options.verdict);
+  if (diagnosis.doubt.empty()) diagnosis.doubt = doubt_about(model, left, leaves.after, out, options.verdict);
   if (!diagnosis.doubt.empty()) tell("doubt: " + diagnosis.doubt);
   diagnosis.verdict = verdict_of(model, diagnosis, left, options.verdict);
   diagnosis.threshold = model.threshold;
   diagnosis.converged = model.fit.converged;
+  diagnosis.visible = visible_effects(left_of(model.base.problem, taken_by(shelf, {}, model.base.problem.values)),
+                                      shelf, model.threshold, options.search.scoring);
+  Taken taken = taken_by(shelf, picks_of(model), model.fit.values);
   diagnosis.evidence = evidence_of(model);
   diagnosis.errors = parameter_errors(shelf, with, model.fit);
   if (diagnosis.verdict == Verdict::named) {
@@ -203,6 +256,7 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
     if (!beside.borne_out && diagnosis.remainder) left.terms.clear();  // it says enough
     diagnosis.forces = std::move(beside.fitted.forces);
     diagnosis.errors = std::move(beside.fitted.errors);
+    taken = taken_by(shelf, {}, model.base.fit.values);
     leaves.after = std::move(beside.residuals);
   }
   if (is_gap(left, options.verdict)) {
@@ -210,6 +264,12 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
   }
   if (leaves.second.empty()) leaves.second = leaves.base;
   fill_gaps(machine, runs, out, leaves, options.compensated, diagnosis);
+  diagnosis.withheld = withheld(diagnosis, shelf, taken, recurring(contrasts_of(runs, leaves.after), options.verdict),
+                                given, leaves, out, options.verdict);
+  if (!diagnosis.withheld.empty()) {
+    diagnosis.forces = forces;
+    diagnosis.errors.assign(forces.parameters.size(), 0);
+  }
   diagnosis.steps = std::move(steps);
   return diagnosis;
 }

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/channels.hpp"
 #include "diagnose/compensated.hpp"
 #include "diagnose/description.hpp"
 #include "diagnose/held_out.hpp"
 #include "diagnose/next_test.hpp"
 #include "diagnose/search.hpp"
+#include "diagnose/visible.hpp"
 #include "diagnose/where.hpp"
 
 namespace plumbline::diagnose {
@@ -26,6 +28,12 @@ struct VerdictOptions {
   double held_out_times = 1.35;      // as far off as the runs fitted may those held out be, and that
   double held_out_sigmas = 3;        // many standard deviations of single runs
   double recurrence_sigmas = 5;      // of chi-square, from which what is left in runs at one pose is no noise
+  double held_out_rise = 1.03;       // times as far off as without an effect may runs held out be with it
+  double at_bound = 0.999;           // of its bound, from which a number stands at it
+  double bound_sigmas = 3;           // if it is that many of its standard errors, or all numbers of the effect do
+  double open_share = 0.5;           // of what was left before; with more, what comes again is a gap that stays open,
+  double open_correlation = 0.5;     // if it is more than half of what is left
+  double nuisances_together = 5;     // standard deviations of chi-square
   double least_recurring_um = 0.02;  // rms; less than that is rounding
   double least_recurring_Nm = 1e-3;
 };
@@ -38,6 +46,7 @@ struct DiagnoseOptions {
   VerdictOptions verdict;
   NextTestOptions next_test;
   WhereOptions where;
+  ChannelOptions channels;
   CompensatedOptions compensated;
 };
 
@@ -126,7 +135,9 @@ struct Diagnosis {
   Where where;  // with the base model, nuisances refitted, all runs
   std::vector<RunGap> runs;
   Gap fit, held_out;
-  physics::ForceModel forces;  // with what was found and the nuisances refitted
+  std::vector<Visible> visible;  // what the fitted runs could have shown
+  std::string withheld;  // why the model stays as given: what was learnt is not to be believed; empty: it was learnt
+  physics::ForceModel forces;  // with what was found and the nuisances refitted, or as given
   std::vector<double> errors;  // of its parameters, SI
   bool converged = true;
   std::vector<std::string> steps;  // what was done, in words

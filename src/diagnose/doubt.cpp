@@ -102,6 +102,30 @@ std::optional<Remainder> strained(const Shelf& shelf, const Taken& taken, const 
   return if_any(std::move(remainder));
 }
 
+std::optional<std::string> open_gap(const Recurs& recurs, const Gap& gap, double share, const VerdictOptions& options) {
+  const auto open = [&](const std::optional<Recurring>& of, const std::optional<double>& before,
+                        const std::optional<double>& after) {
+    return of && before && after && std::abs(of->correlation) > options.open_correlation && *after > share * *before;
+  };
+  if (open(recurs.radial, gap.before.radial, gap.after.radial)) {
+    return fmt::format("the gap of the bar's readings stays open, {:.3g} um of {:.3g}, and is no noise",
+                       *gap.after.radial / kUm, *gap.before.radial / kUm);
+  }
+  if (open(recurs.torque, gap.before.torque, gap.after.torque)) {
+    return fmt::format(
+        "the gap of the torques stays open, {:.3g} N m of {:.3g}, and is no noise: check unit and sign of each torque",
+        *gap.after.torque, *gap.before.torque);
+  }
+  return std::nullopt;
+}
+
+double strain_of_all(const Shelf& shelf, const Taken& taken) {
+  const Eigen::VectorXd nuisances = taken.departure.head(static_cast<Eigen::Index>(shelf.nuisances));
+  if (nuisances.size() == 0) return 0;
+  const auto count = static_cast<double>(nuisances.size());
+  return (nuisances.squaredNorm() - count) / std::sqrt(2 * count);
+}
+
 bool is_gap(const Description& left, const VerdictOptions& options) {
   return left.gain >= options.remainder_gain && !left.terms.empty();
 }
@@ -115,6 +139,63 @@ std::string names_of(const Model& model) {
 }
 
 }  // namespace
+
+namespace {
+
+bool is_shape(const identify::Unknown& unknown) { return unknown.key == "phase_deg" || unknown.key == "speed_mm_s"; }
+
+// What of a measurement to look at when an effect would have to be larger than it can be.
+std::string_view suspect_of(std::string_view effect) {
+  return effect == "torque-scale" ? "check unit and sign of each torque"
+                                  : "check units and signs of the channels, and what the dataset says of its runs";
+}
+
+}  // namespace
+
+std::string bound_doubt(const Shelf& shelf, const Model& model, const VerdictOptions& options) {
+  for (const Found& found : model.found) {
+    int fitted = 0;
+    int at = 0;
+    bool sure = false;
+    const identify::Unknown* one = nullptr;
+    for (const int place : found.pick.unknowns) {
+      const identify::Unknown& u = shelf.unknowns[static_cast<std::size_t>(place)];
+      const double value = model.fit.values[place];
+      if (is_shape(u)) continue;
+      ++fitted;
+      const bool above = u.upper > 0 && value >= options.at_bound * u.upper;
+      const bool below = u.lower < 0 && value <= options.at_bound * u.lower;
+      if (!above && !below) continue;
+      ++at;
+      one = &u;
+      sure = sure || std::abs(value) > options.bound_sigmas * model.fit.errors[static_cast<std::size_t>(place)];
+    }
+    if (one == nullptr || !(sure || at == fitted)) continue;
+    return fmt::format("{} would stand at its bound of {:.4g} {}, as far as it can be at all: {}",
+                       found.pick.candidate->name, one->upper / one->unit.si, one->unit.name,
+                       suspect_of(found.pick.candidate->name));
+  }
+  return {};
+}
+
+std::string gap_doubt(const Model& model, const Gap& fit, const Gap& held_out, const Recurs& recurs,
+                      const VerdictOptions& options) {
+  if (model.found.empty()) return {};
+  const auto rises = [&](const std::optional<double>& before, const std::optional<double>& after) {
+    return before && after && *after > options.held_out_rise * *before;
+  };
+  const std::string names = names_of(model);
+  if (rises(held_out.before.radial, held_out.after.radial)) {
+    return fmt::format("with {} the bar's readings of the runs held out would be further off, {:.3g} um for {:.3g}",
+                       names, *held_out.after.radial / kUm, *held_out.before.radial / kUm);
+  }
+  if (rises(held_out.before.torque, held_out.after.torque)) {
+    return fmt::format("with {} the torques of the runs held out would be further off, {:.3g} N m for {:.3g}", names,
+                       *held_out.after.torque, *held_out.before.torque);
+  }
+  const std::optional<std::string> open = open_gap(recurs, fit, options.open_share, options);
+  return open ? fmt::format("with {} {}", names, *open) : std::string();
+}
 
 std::string doubt_about(const Model& model, const Description& left, const std::vector<identify::RunEquations>& after,
                         const std::vector<bool>& out, const VerdictOptions& options) {

@@ -28,12 +28,26 @@ struct Recurs {
 Recurs recurring(const std::vector<Contrast>& contrasts, const VerdictOptions& options);
 std::optional<Remainder> remainder_of(const Recurs& recurs);
 
+/// A gap that is no noise and that stays open: of one kind of readings, after more than `share` of before, and
+/// `recurs`.
+std::optional<std::string> open_gap(const Recurs& recurs, const Gap& gap, double share, const VerdictOptions& options);
+
+/// Chi-square of all nuisances together, less what it should be, in its standard deviations.
+double strain_of_all(const Shelf& shelf, const Taken& taken);
+
 /// Nuisances that had to go further than [uncertainty] makes believable, a line each. Those that an effect stands for
 /// are none any more: they are not `taken`.
 std::optional<Remainder> strained(const Shelf& shelf, const Taken& taken, const VerdictOptions& options);
 
 /// Whether what is left is large enough to be more than noise.
 bool is_gap(const Description& left, const VerdictOptions& options);
+
+/// Why effects that were found are not to be named: a number of theirs stands at its bound; empty: none does.
+std::string bound_doubt(const Shelf& shelf, const Model& model, const VerdictOptions& options);
+
+/// The same: runs held out are further off with them than without, or a gap stays open.
+std::string gap_doubt(const Model& model, const Gap& fit, const Gap& held_out, const Recurs& recurs,
+                      const VerdictOptions& options);
 
 /// Why the effects found, which leave `after` of all runs, cannot be the whole story; empty if they can. `out`: runs
 /// held out.

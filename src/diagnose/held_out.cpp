@@ -8,26 +8,10 @@
 namespace plumbline::diagnose {
 namespace {
 
-constexpr double kSamePlace = 1e-6;  // m, rad
 constexpr double kUsualRadial = 0.5e-6;
 constexpr double kUsualTorque = 0.05;
 
 }  // namespace
-
-std::vector<int> poses_of(const std::vector<measure::Run>& runs) {
-  std::vector<int> poses;
-  int count = 0;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    int pose = -1;
-    for (std::size_t k = 0; k < i && pose < 0; ++k) {
-      const bool same = (runs[i].centre_W - runs[k].centre_W).norm() < kSamePlace &&
-                        (runs[i].tilt - runs[k].tilt).norm() < kSamePlace;
-      if (same) pose = poses[k];
-    }
-    poses.push_back(pose < 0 ? count++ : pose);
-  }
-  return poses;
-}
 
 std::vector<bool> held_out(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
                            const Shelf& shelf, const HeldOutOptions& options) {

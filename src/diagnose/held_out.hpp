@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "diagnose/shelf.hpp"
+#include "identify/plausible.hpp"
 #include "measure/dataset.hpp"
 
 namespace plumbline::diagnose {
@@ -18,7 +19,6 @@ struct HeldOutOptions {
 std::vector<bool> held_out(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
                            const Shelf& shelf, const HeldOutOptions& options = {});
 
-/// Runs at one pose have the same number, counted from 0.
-std::vector<int> poses_of(const std::vector<measure::Run>& runs);
+using identify::poses_of;
 
 }  // namespace plumbline::diagnose

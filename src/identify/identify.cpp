@@ -42,7 +42,11 @@ Stage run_stage(std::string name, const machine::MachineModel& machine, const st
   }
   Fit found = fit(machine.rotation, runs, unknowns, options.fit, tracked);
   Observability known = observability(found, runs, options.observability);
-  return {std::move(name), std::move(found), std::move(known)};
+  // poses of a tracker hold a fit as well, so that none of the circles can be left out to first order
+  Plausibility plausible = plausibility(machine.rotation, tracked == nullptr ? runs : std::vector<measure::Run>{},
+                                        found, options.fit, options.plausible);
+  std::string against = objection(found, plausible, options.plausible);
+  return {std::move(name), std::move(found), std::move(known), std::move(plausible), std::move(against)};
 }
 
 Misfit misfit_of(const machine::MachineModel& machine, const std::vector<measure::Run>& runs, const Tracked* tracked,
@@ -79,6 +83,13 @@ Misfit misfit_of(const machine::MachineModel& machine, const std::vector<measure
 
 bool Identification::converged() const {
   return std::all_of(stages.begin(), stages.end(), [](const Stage& stage) { return stage.fit.converged; });
+}
+
+std::string Identification::objection() const {
+  for (const Stage& stage : stages) {
+    if (!stage.objection.empty()) return stage.objection;
+  }
+  return {};
 }
 
 Unknowns torque_unknowns(const physics::ForceModel& forces) {

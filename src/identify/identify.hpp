@@ -6,6 +6,7 @@
 
 #include "identify/geometry.hpp"
 #include "identify/observability.hpp"
+#include "identify/plausible.hpp"
 #include "measure/dataset.hpp"
 
 namespace plumbline::identify {
@@ -24,6 +25,7 @@ struct IdentifyOptions {
   GeometryOptions geometry;
   FitOptions fit;
   ObservabilityOptions observability;
+  PlausibleOptions plausible;
 };
 
 /// How far a model is from the measurements: rms and means over all samples of all runs.
@@ -44,6 +46,8 @@ struct Stage {
   std::string name;  // "joint", "torques", "bar readings"
   Fit fit;
   Observability observability;
+  Plausibility plausible;
+  std::string objection;  // why it is not to be believed; empty: nothing speaks against it
 };
 
 struct Identification {
@@ -53,6 +57,8 @@ struct Identification {
 
   /// Whether all fits converged.
   bool converged() const;
+  /// The first objection of a stage; empty: none.
+  std::string objection() const;
 };
 
 /// `tracked`: poses that a tracker measured, for all stages but the paper's; `runs` may then be empty.

@@ -7,9 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "base/units.hpp"
+#include "diagnose/verdict.hpp"
 #include "identify/model_text.hpp"
 #include "jobs/where_json.hpp"
 #include "machine/model_file.hpp"
+#include "measure/thinning.hpp"
 #include "physics/generic_formula.hpp"
 
 namespace plumbline::jobs {
@@ -170,8 +172,41 @@ std::string circularity_line(const Diagnosis& d) {
       all.mean.measured / kUm, all.mean.given / kUm, all.mean.found / kUm, all.runs);
 }
 
+// "backlash 3.2 um": the smallest size that would have been named.
+std::string smallest_text(const diagnose::Visible& visible) {
+  return fmt::format("{} {:.2g}{}{}", visible.name, visible.smallest, visible.unit.empty() ? "" : " ", visible.unit);
+}
+
+std::string could_show_text(const std::vector<diagnose::Visible>& visible) {
+  std::vector<std::string> never;
+  std::vector<std::string> from;
+  for (const diagnose::Visible& one : visible) {
+    if (one.shows) {
+      from.push_back(smallest_text(one));
+    } else {
+      never.push_back(one.name);
+    }
+  }
+  std::string text;
+  if (!never.empty()) text += fmt::format("these runs could not have shown, at any size: {}\n", list_of(never));
+  if (!from.empty()) text += fmt::format("they would have shown, from this size on: {}\n", list_of(from));
+  return text;
+}
+
+Json could_show_json(const std::vector<diagnose::Visible>& visible) {
+  Json list = Json::array();
+  for (const diagnose::Visible& one : visible) {
+    Json json{{"name", one.name}, {"shows", one.shows}, {"key", nullptr}, {"smallest", nullptr}};
+    if (!one.key.empty()) json["key"] = one.key;
+    if (one.shows) json["smallest"] = rounded(one.smallest);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 std::vector<std::string> notes_of(const Diagnosis& diagnosis) {
-  std::vector<std::string> notes{fmt::format("diagnosis: {}", to_text(diagnosis.verdict))};
+  std::vector<std::string> notes{fmt::format("diagnosis: {}", headline(diagnosis))};
+  if (!diagnosis.withheld.empty()) notes.push_back("the numbers are those given: " + diagnosis.withheld);
   for (const NamedEffect& effect : diagnosis.effects) {
     notes.push_back(effect.alternatives.empty() ? effect.name
                                                 : fmt::format("{}, which these data do not tell from {}", effect.name,
@@ -185,10 +220,17 @@ std::vector<std::string> notes_of(const Diagnosis& diagnosis) {
 
 }  // namespace
 
+std::string headline(const Diagnosis& d) {
+  if (d.verdict == diagnose::Verdict::unknown) return "unknown: there is a gap, and no effect of the catalogue is it";
+  if (d.verdict == diagnose::Verdict::nothing_missing) return "nothing-missing, as far as these runs can show";
+  return "named: " + diagnose::names_text(d);
+}
+
 std::string diagnosis_json(const Diagnosis& d) {
   Json json;
   json["plumbline"] = "diagnosis 1";
   json["verdict"] = to_text(d.verdict);
+  json["headline"] = headline(d);
   json["effects"] = Json::array();
   for (const NamedEffect& effect : d.effects) json["effects"].push_back(effect_json(effect));
   json["confidence_set"] = d.confidence_set;
@@ -197,6 +239,8 @@ std::string diagnosis_json(const Diagnosis& d) {
   json["gap"]["held_out"] = gap_json(d.held_out, second);
   if (second) json["runner_up"] = d.runner_up;
   if (!d.doubt.empty()) json["doubt"] = d.doubt;
+  json["model_withheld"] = d.withheld.empty() ? Json() : Json(d.withheld);
+  json["could_show"] = could_show_json(d.visible);
   if (d.remainder) {
     json["remainder"] = {{"snr", rounded(d.remainder->snr)}, {"description", d.remainder->text}};
   }
@@ -218,7 +262,7 @@ std::string diagnosis_json(const Diagnosis& d) {
 }
 
 std::string diagnosis_text(const Diagnosis& d) {
-  std::string text = fmt::format("{}\n", to_text(d.verdict));
+  std::string text = headline(d) + '\n';
   for (const NamedEffect& effect : d.effects) {
     text += fmt::format("  {} ({:.0f} nats, threshold {:.1f})\n", effect.name, effect.log_odds, d.threshold);
     if (!effect.alternatives.empty()) {
@@ -226,6 +270,7 @@ std::string diagnosis_text(const Diagnosis& d) {
     }
     for (const NamedParameter& parameter : effect.parameters) text += parameter_text(parameter);
   }
+  if (d.verdict == diagnose::Verdict::nothing_missing) text += could_show_text(d.visible);
   if (d.confidence_set.size() > 1) text += fmt::format("not ruled out: {}\n", list_of(d.confidence_set));
   for (const diagnose::Separation& separation : d.next) text += test_text(separation);
   if (!d.doubt.empty()) text += d.doubt + '\n';
@@ -236,6 +281,7 @@ std::string diagnosis_text(const Diagnosis& d) {
   text += rms_line("fitted", d.fit, d.noise);
   if (d.held_out.before.radial || d.held_out.before.torque) text += rms_line("held out", d.held_out, d.noise);
   text += circularity_line(d);
+  if (!d.withheld.empty()) text += fmt::format("the model stays as it was given: {}\n", d.withheld);
   return text;
 }
 
@@ -245,12 +291,17 @@ DiagnoseReport diagnose(const DiagnoseJob& job, const diagnose::Say& say) {
   diagnose::DiagnoseOptions options;
   options.shelf.without = job.without;
   options.search.threshold.seed = job.seed;
-  Diagnosis diagnosis = diagnose::diagnose(machine, dataset.runs, options, say);
+  const measure::Thinned thinned = measure::thinned(dataset.runs);
+  Diagnosis diagnosis = diagnose::diagnose(machine, thinned.runs, options, say);
   std::string json = diagnosis_json(diagnosis);
   std::string text = diagnosis_text(diagnosis);
   std::string model = identify::model_text(
-      machine, {diagnosis.forces, diagnosis.errors, "with what diagnose found", notes_of(diagnosis)});
-  return {std::move(diagnosis), machine.name, std::move(json), std::move(model), std::move(text)};
+      machine,
+      {diagnosis.forces, diagnosis.errors,
+       diagnosis.withheld.empty() ? "with what diagnose found" : "as it was given to diagnose", notes_of(diagnosis)});
+  std::string thinning = thinned.text();
+  if (!thinning.empty()) text += thinning + '\n';
+  return {std::move(diagnosis), machine.name, std::move(json), std::move(model), std::move(text), std::move(thinning)};
 }
 
 }  // namespace plumbline::jobs

@@ -22,11 +22,14 @@ struct DiagnoseReport {
   std::string json;        // diagnosis.json, docs/formats.md
   std::string model_toml;  // the model with what was found
   std::string text;        // for people
+  std::string thinning;    // how long records were made short; empty: none was
 };
 
 /// Refuses as read_model, read_dataset and diagnose::diagnose do.
 DiagnoseReport diagnose(const DiagnoseJob& job, const diagnose::Say& say = {});
 
+/// The verdict in a few words, the whole confidence set where it has several names: "named: one of backlash, cyclic".
+std::string headline(const diagnose::Diagnosis& diagnosis);
 std::string diagnosis_json(const diagnose::Diagnosis& diagnosis);
 std::string diagnosis_text(const diagnose::Diagnosis& diagnosis);
 

@@ -9,9 +9,11 @@
 
 #include "base/files.hpp"
 #include "base/hash.hpp"
+#include "diagnose/doubt.hpp"
 #include "identify/model_text.hpp"
 #include "jobs/version.hpp"
 #include "machine/model_file.hpp"
+#include "measure/thinning.hpp"
 
 namespace plumbline::jobs {
 namespace {
@@ -147,6 +149,12 @@ ordered_json unknowns_json(const Fit& fit) {
   return all;
 }
 
+// Poses left out in turn; null: there were too few, or nothing of that kind was read.
+ordered_json foretold_json(const identify::Foretold& foretold, double unit) {
+  if (foretold.readings == 0) return nullptr;
+  return {{"before", foretold.before / unit}, {"after", foretold.after / unit}};
+}
+
 ordered_json stage_json(const Stage& stage) {
   const Fit& fit = stage.fit;
   ordered_json json{{"name", stage.name},       {"converged", fit.converged}, {"iterations", fit.iterations},
@@ -161,6 +169,13 @@ ordered_json stage_json(const Stage& stage) {
   const Eigen::VectorXd& singular = stage.observability.singular_values;
   json["singular_values"] = std::vector<double>(singular.begin(), singular.end());
   json["cannot_tell"] = stage.observability.statements;
+  json["objection"] = stage.objection.empty() ? ordered_json() : ordered_json(stage.objection);
+  json["strained"] = ordered_json::array();
+  for (const identify::Strain& strain : stage.plausible.strained) {
+    json["strained"].push_back({{"label", fit.unknowns[strain.unknown].label}, {"sigmas", strain.sigmas}});
+  }
+  json["left_out"] = {{"radial_rms_um", foretold_json(stage.plausible.radial, kUm)},
+                      {"torque_rms_Nm", foretold_json(stage.plausible.torque, 1)}};
   for (int c = 0; c < identify::kAllChannels; ++c) {
     const identify::ChannelNoise& noise = fit.noise.channels[static_cast<std::size_t>(c)];
     if (noise.samples == 0) continue;
@@ -215,13 +230,37 @@ std::string refitted(const machine::MachineModel& machine, const Identification&
                 notes_of(found, verb == "refitted" ? "Identified" : "Calibrated", from), joints});
 }
 
+constexpr double kOpen = 1.0 / 3;  // of what was left before; with more, a gap that is no noise is open
+
+// A gap that is no noise, and that the fit did not close.
+std::string open_gap(const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
+                     const Identification& found) {
+  if (runs.empty()) return {};
+  const auto rms = [](const identify::Misfit& of) {
+    return diagnose::Rms{of.radial_readings > 0 ? std::optional(of.radial_rms) : std::nullopt,
+                         of.torque_readings > 0 ? std::optional(of.torque_rms) : std::nullopt};
+  };
+  const auto left = diagnose::residuals(machine, runs, found.forces, found.stages.back().fit.noise);
+  return diagnose::open_gap(diagnose::recurring(diagnose::contrasts_of(runs, left), {}),
+                            {rms(found.before), {}, rms(found.after)}, kOpen, {})
+      .value_or("");
+}
+
+std::string objection_to(const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
+                         const Identification& found) {
+  const std::string objection = found.objection();
+  return objection.empty() ? open_gap(machine, runs, found) : objection;
+}
+
 }  // namespace
 
 IdentifiedModel identify_model(const std::string& model, const std::string& dataset,
                                const identify::IdentifyOptions& options) {
   const machine::MachineModel machine = machine::read_model(model);
   const measure::Dataset measured = measure::read_dataset(dataset);
-  IdentifiedModel result{identify::identify(machine, measured.runs, options), {}};
+  const measure::Thinned thinned = measure::thinned(measured.runs);
+  IdentifiedModel result{identify::identify(machine, thinned.runs, options), {}, thinned.text(), {}};
+  result.objection = objection_to(machine, thinned.runs, result.found);
   result.text = refitted(machine, result.found, "refitted",
                          source_text(dataset, hash_of(measured, dataset), measured.runs.size(), "runs"));
   return result;
@@ -241,7 +280,10 @@ IdentifiedModel calibrate_model(CalibrateJob job) {
     sources.push_back(source_text(job.poses, fnv1a(tracked->table.text), tracked->table.poses.size(), "poses"));
   }
   job.options.stages = identify::Stages::geometry;
-  IdentifiedModel result{identify::identify(machine, measured.runs, job.options, tracked ? &*tracked : nullptr), {}};
+  const measure::Thinned thinned = measure::thinned(measured.runs);
+  IdentifiedModel result{
+      identify::identify(machine, thinned.runs, job.options, tracked ? &*tracked : nullptr), {}, thinned.text(), {}};
+  result.objection = objection_to(machine, thinned.runs, result.found);
   result.text =
       refitted(machine, result.found, "calibrated", fmt::format("{}", fmt::join(sources, " and ")), job.controller);
   return result;

@@ -10,7 +10,9 @@ namespace plumbline::jobs {
 
 struct IdentifiedModel {
   identify::Identification found;
-  std::string text;  // of the new model file
+  std::string text;       // of the new model file
+  std::string thinning;   // how long records were made short; empty: none was
+  std::string objection;  // why the model is not to be believed; empty: nothing speaks against it
 };
 
 /// Reads both, identifies, and writes the new model's text; nothing is written to files. Refuses what the readers of

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/units.hpp"
+#include "diagnose/verdict.hpp"
 #include "report/svg.hpp"
 #include "report/where_svg.hpp"
 
@@ -29,15 +30,13 @@ constexpr const char* kStyle =
 std::string verdict_text(const Diagnosis& d) {
   switch (d.verdict) {
     case diagnose::Verdict::nothing_missing:
-      return "Nothing is missing: what model and measurements differ by is noise.";
+      return "Nothing is missing that these runs could show: what model and measurements differ by is noise.";
     case diagnose::Verdict::unknown:
       return "There is a gap, and no effect of the catalogue explains it.";
     case diagnose::Verdict::named:
       break;
   }
-  std::vector<std::string> names;
-  for (const NamedEffect& effect : d.effects) names.push_back(effect.name);
-  return fmt::format("The model misses: {}.", escaped(fmt::format("{}", fmt::join(names, ", "))));
+  return fmt::format("The model misses: {}.", escaped(diagnose::names_text(d)));
 }
 
 std::string figure(const std::optional<double>& value, double unit, int decimals) {
@@ -167,6 +166,20 @@ std::string next_tests(const Diagnosis& d) {
   return html;
 }
 
+std::string could_show(const Diagnosis& d) {
+  std::string never;
+  std::string from;
+  for (const diagnose::Visible& one : d.visible) {
+    std::string& list = one.shows ? from : never;
+    list += fmt::format("{}{}", list.empty() ? "" : ", ", escaped(one.name));
+    if (one.shows) list += fmt::format(" {:.2g} {}", one.smallest, escaped(one.unit));
+  }
+  std::string html;
+  if (!never.empty()) html += fmt::format("<p>These runs could not have shown, at any size: {}.</p>", never);
+  if (!from.empty()) html += fmt::format("<p>They would have shown, from this size on: {}.</p>", from);
+  return html;
+}
+
 }  // namespace
 
 std::string diagnosis_page(const Diagnosis& d, const std::string& title) {
@@ -174,6 +187,8 @@ std::string diagnosis_page(const Diagnosis& d, const std::string& title) {
       "<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport content=\"width=device-width\">"
       "<title>{0}</title><style>{1}</style><h1>{0}</h1><p class=verdict>{2}</p>",
       escaped(title), kStyle, verdict_text(d));
+  if (!d.withheld.empty()) html += fmt::format("<p>The model stays as it was given: {}.</p>", escaped(d.withheld));
+  if (d.verdict == diagnose::Verdict::nothing_missing) html += could_show(d);
   if (d.confidence_set.size() > 1) {
     html += fmt::format("<p>Not ruled out: {}.</p>", escaped(fmt::format("{}", fmt::join(d.confidence_set, ", "))));
   }

@@ -1,4 +1,6 @@
 // The commands that work on measurements.
+#include <filesystem>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -78,6 +80,30 @@ TEST_CASE("identify writes a model that fits, and says what it learnt") {
   CHECK(unknown.code == 1);
   CHECK(contains(unknown.err, "did you mean backlash.width_um?"));
   CHECK(run(scratch, "identify -d sim/dataset.toml -o sim/dataset.toml " + kModel).code == 1);
+}
+
+TEST_CASE("identify refuses numbers that cannot be, and writes them when it is forced") {
+  const Scratch scratch;
+  scratch.file("plan/dataset.toml", plan_text(scratch));
+  for (const auto& [is, would_be] : {std::pair{"centre_of_mass_mm = [0, 0, ", "centre_of_mass_mm = [40, 0, "},
+                                     std::pair{"coulomb_friction_N = [110", "coulomb_friction_N = [210"},
+                                     std::pair{"compliance_um_N = 0.00782", "compliance_um_N = 0.03"}}) {
+    std::string other = plumbline::read_text(source_file("models/pm600-like.toml"));
+    other.replace(other.find(is), std::string(is).size(), would_be);
+    scratch.file("other.toml", other);
+    REQUIRE(run(scratch, "simulate -d plan/dataset.toml -o sim -m other.toml").code == 0);
+    const Outcome refused = run(scratch, "identify -d sim/dataset.toml -o no.toml --json no.json " + kModel);
+    INFO(refused.err);
+    CHECK(refused.code == 1);
+    CHECK(contains(refused.err, "[identify-not-plausible]"));
+    CHECK(contains(refused.err, "plumbline diagnose"));
+    CHECK_FALSE(std::filesystem::exists(scratch.path("no.toml")));
+    CHECK(json::parse(scratch.text("no.json")).at("stages")[0].at("objection").is_string());
+    const Outcome forced = run(scratch, "identify --force -d sim/dataset.toml -o forced.toml " + kModel);
+    CHECK(forced.code == 0);
+    CHECK(contains(forced.err, "warning"));
+    CHECK(contains(scratch.text("forced.toml"), "# Identified by plumbline"));
+  }
 }
 
 TEST_CASE("calibrate finds joints from a tracker's poses, and can write them for the controller") {

@@ -59,9 +59,49 @@ TEST_CASE("what was not measured, or is no number, is null") {
 
 TEST_CASE("a diagnosis in words names the effect, its numbers, and what else it may be") {
   const std::string text = jobs::diagnosis_text(testing::small_diagnosis());
-  CHECK(text.starts_with("named\n  backlash (50 nats, threshold 9.5)\n    these data do not tell it from cyclic\n"));
+  CHECK(
+      text.starts_with("named: one of backlash, cyclic\n  backlash (50 nats, threshold 9.5)\n    these data do not "
+                       "tell it from cyclic\n"));
   CHECK(text.find("width_um = 4.1 +- 0.1, 0\n") != std::string::npos);
   CHECK(text.find("not ruled out: backlash, cyclic\n") != std::string::npos);
   CHECK(text.find("held out   bar 3.00 -> 0.70 um (noise 0.50), torque 0.060 -> 0.050 N m (noise 0.050)\n") !=
         std::string::npos);
+}
+
+TEST_CASE("the headline gives the whole set, in words and as JSON") {
+  diagnose::Diagnosis d = testing::small_diagnosis();
+  CHECK(Json::parse(jobs::diagnosis_json(d))["headline"] == "named: one of backlash, cyclic");
+  d.confidence_set = {"backlash"};
+  CHECK(jobs::headline(d) == "named: backlash");
+  d.effects.push_back({"level", {}, {}, 20});
+  CHECK(jobs::headline(d) == "named: backlash; and level");
+  d.confidence_set = {"backlash", "cyclic"};
+  CHECK(jobs::headline(d) == "named: one of backlash, cyclic; and level");
+  d.confidence_set = {"backlash", "level", "cyclic"};
+  CHECK(jobs::headline(d) == "named: two of backlash, level, cyclic");
+  d.verdict = diagnose::Verdict::unknown;
+  CHECK(jobs::headline(d).starts_with("unknown: "));
+}
+
+TEST_CASE("where nothing is missing, it is said what the runs could not have shown") {
+  diagnose::Diagnosis d = testing::small_diagnosis();
+  d.verdict = diagnose::Verdict::nothing_missing;
+  d.effects.clear();
+  d.confidence_set.clear();
+  d.visible = {{"backlash", "width_um", "um", 3.21, true}, {"thermal-drift", "", "", 0, false}};
+  const std::string text = jobs::diagnosis_text(d);
+  CHECK(text.starts_with("nothing-missing, as far as these runs can show\n"));
+  CHECK(text.find("could not have shown, at any size: thermal-drift\n") != std::string::npos);
+  CHECK(text.find("from this size on: backlash 3.2 um\n") != std::string::npos);
+  const Json shown = Json::parse(jobs::diagnosis_json(d))["could_show"];
+  CHECK(shown[0] == Json({{"name", "backlash"}, {"shows", true}, {"key", "width_um"}, {"smallest", 3.21}}));
+  CHECK(shown[1]["smallest"].is_null());
+}
+
+TEST_CASE("a model that stays as given says why") {
+  diagnose::Diagnosis d = testing::small_diagnosis();
+  CHECK(Json::parse(jobs::diagnosis_json(d))["model_withheld"].is_null());
+  d.withheld = "the gap stays open";
+  CHECK(Json::parse(jobs::diagnosis_json(d))["model_withheld"] == "the gap stays open");
+  CHECK(jobs::diagnosis_text(d).find("the model stays as it was given: the gap stays open\n") != std::string::npos);
 }

@@ -140,8 +140,10 @@ MeasuredRun measured_with_noise(const DrawnCase& drawn, const PlannedRun& planne
 
 }  // namespace
 
-DrawnCase draw_case(const CaseOptions& options) {
-  Random random(options.seed);
+namespace {
+
+// The machine and what is hidden in it, not measured yet.
+DrawnCase hide(const CaseOptions& options, Random& random) {
   DrawnCase drawn;
   drawn.options = options;
   drawn.model = read_model(options.machine);
@@ -155,6 +157,19 @@ DrawnCase draw_case(const CaseOptions& options) {
     }
     drawn.truth.flaws = together(drawn.hidden);
   }
+  return drawn;
+}
+
+}  // namespace
+
+Truth draw_truth(const CaseOptions& options) {
+  Random random(options.seed);
+  return hide(options, random).truth;
+}
+
+DrawnCase draw_case(const CaseOptions& options) {
+  Random random(options.seed);
+  DrawnCase drawn = hide(options, random);
   for (const PlannedRun& run : plan_of(options.plan, options.samples)) {
     drawn.data.push_back(measured_with_noise(drawn, run, random));
   }

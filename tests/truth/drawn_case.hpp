@@ -53,6 +53,9 @@ struct DrawnCase {
 /// Everything follows from the options. Throws std::runtime_error for what cannot be.
 DrawnCase draw_case(const CaseOptions& options);
 
+/// The machine of draw_case alone: what it is, and what is hidden in it.
+Truth draw_truth(const CaseOptions& options);
+
 /// Writes folder/base.toml, folder/data/, folder/holdout/ and folder/answer.json.
 void write_case(const DrawnCase& drawn, const std::string& folder);
 

@@ -1,0 +1,51 @@
+// What speaks against a fit that converged: unknowns further off than anybody thought possible, and circles that it
+// foretells worse than the model it began with.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identify/fit.hpp"
+
+namespace plumbline::identify {
+
+struct PlausibleOptions {
+  double most_sigmas = 6;       // that one unknown may be off from what was known of it
+  double most_sigmas_all = 5;   // standard deviations of chi-square that all of them together may be
+  double worse_times = 1.1;     // as far off as the base model may the fit be on circles that it did not see
+  double least_radial = 2e-8;   // m; less than that is rounding
+  double least_torque = 1e-3;   // N m
+  std::size_t least_poses = 3;  // with fewer no pose can be spared
+};
+
+/// An unknown with a prior, and how many of its sigmas the fit moved it.
+struct Strain {
+  std::size_t unknown = 0;
+  double sigmas = 0;
+};
+
+/// Rms of readings of one kind that a fit to all other poses leaves, the set-ups fitted, and what the start leaves.
+struct Foretold {
+  double before = 0, after = 0;  // m or N m
+  Eigen::Index readings = 0;
+
+  bool worse(double times, double least) const { return readings > 0 && after > times * before + least; }
+};
+
+struct Plausibility {
+  std::vector<Strain> strained;  // beyond most_sigmas, the furthest first
+  double all_sigmas = 0;         // chi-square of all priors less what it should be, in its standard deviations
+  Foretold radial, torque;       // poses left out in turn; no readings: too few poses
+};
+
+/// Each pose is left out in turn, to first order about the fit: no second fit is made.
+Plausibility plausibility(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Fit& fit,
+                          const FitOptions& fitted_with, const PlausibleOptions& options = {});
+
+/// The same number for runs at one pose (centre and tilt), from 0 in the order in which poses come first.
+std::vector<int> poses_of(const std::vector<measure::Run>& runs);
+
+/// Why a fit is not to be believed, in words; empty: nothing speaks against it.
+std::string objection(const Fit& fit, const Plausibility& plausible, const PlausibleOptions& options = {});
+
+}  // namespace plumbline::identify

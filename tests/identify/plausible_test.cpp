@@ -1,0 +1,109 @@
+#include "identify/plausible.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "base/mean_square.hpp"
+#include "identify/identify.hpp"
+#include "identify/plans.hpp"
+
+using namespace plumbline;
+using namespace plumbline::identify;
+using namespace plumbline::testing;
+
+namespace {
+
+// A machine with an effect that its model lacks, all numbers of the key alike.
+physics::ForceModel with(const char* effect, const char* key, int numbers, double value) {
+  physics::ForceModel forces(pm600_like());
+  const int first = forces.add(effect) + physics::effect_infos()[physics::effect_index(effect)].offset_of(key);
+  for (int i = 0; i < numbers; ++i) forces.parameters[static_cast<std::size_t>(first + i)] = value;
+  return forces;
+}
+
+std::string objection_to(const physics::ForceModel& forces, unsigned seed) {
+  Random random(seed);
+  return identify::identify(pm600_like(), measured(wider_plan(), forces, 0.5e-6, 0.05, random)).objection();
+}
+
+}  // namespace
+
+TEST_CASE("nothing speaks against a machine that is as [uncertainty] says") {
+  const machine::MachineModel machine = pm600_like();
+  const Unknowns unknowns = nuisances(machine, physics::ForceModel(machine));
+  for (unsigned seed = 1; seed < 5; ++seed) {
+    Random random(seed);
+    const physics::ForceModel forces = unknowns.at(drawn(unknowns, random));
+    const auto runs = measured(wider_plan(), forces, 0.5e-6, 0.05, random);
+    CHECK(identify::identify(machine, runs).objection() == "");
+  }
+}
+
+TEST_CASE("nothing speaks against a model that was right before") {
+  CHECK(objection_to(physics::ForceModel(pm600_like()), 11) == "");
+}
+
+TEST_CASE("numbers beyond six sigma are an objection that names them, how far, and what was believed") {
+  const std::string mass = objection_to(with("centre-of-mass", "offset_mm", 1, 30e-3), 21);
+  CHECK(mass.find("centre of mass x is 2") != std::string::npos);
+  CHECK(mass.find("times what [uncertainty] says of it") != std::string::npos);
+  const std::string friction = objection_to(with("screw-coulomb", "force_N", 2, 90), 22);
+  CHECK(friction.find("friction strut 1 is 9") != std::string::npos);
+  CHECK(friction.find("friction strut 2 is ") != std::string::npos);
+  CHECK(objection_to(with("level", "tilt_mrad", 2, 3e-3), 23).find("level tilt_mrad") != std::string::npos);
+}
+
+TEST_CASE(
+    "many numbers that are all further off than they should be are an objection, though none is beyond six sigma") {
+  const machine::MachineModel machine = pm600_like();
+  const Unknowns unknowns = nuisances(machine, physics::ForceModel(machine));
+  Random random(31);
+  Eigen::VectorXd far = unknowns.start();
+  far += 2.6 * (drawn(unknowns, random) - far);
+  const auto runs = measured(wider_plan(), unknowns.at(far), 0.05e-6, 0.005, random);
+  Fit found = fit(machine.rotation, runs, unknowns);
+  PlausibleOptions options;
+  options.most_sigmas = 20;
+  options.most_sigmas_all = 0.5;
+  const Plausibility plausible = plausibility(machine.rotation, runs, found, {}, options);
+  CHECK(plausible.strained.empty());
+  CHECK(plausible.all_sigmas > 0.5);
+  CHECK(objection(found, plausible, options).find("together") != std::string::npos);
+}
+
+TEST_CASE("what a pose left out is foretold to be is what a fit without it foretells") {
+  const machine::MachineModel machine = pm600_like();
+  const Unknowns unknowns = nuisances(machine, physics::ForceModel(machine));
+  Random random(41);
+  const physics::ForceModel forces = unknowns.at(drawn(unknowns, random));
+  const auto runs = measured(wider_plan(), forces, 0.5e-6, 0.05, random);
+  FitOptions options;
+  options.objective.huber = 0;
+  const Fit whole = fit(machine.rotation, runs, unknowns, options);
+  const Plausibility plausible = plausibility(machine.rotation, runs, whole, options);
+
+  options.known_noise = whole.noise;
+  MeanSquare radial;
+  for (std::size_t pose = 0; pose < 4; ++pose) {
+    std::vector<measure::Run> others;
+    std::vector<measure::Run> out;
+    for (std::size_t i = 0; i < runs.size(); ++i) (i % 4 == pose ? out : others).push_back(runs[i]);
+    const Fit found = fit(machine.rotation, others, unknowns, options);
+    Objective objective(machine.rotation, out, Unknowns(found.forces()), options.objective);
+    objective.set_noise(whole.noise);
+    for (const RunEquations& run : objective.equations(Eigen::VectorXd(0))) radial.add(run.residual.head(run.samples));
+  }
+  CHECK(plausible.radial.readings == 8 * 90);
+  CHECK(plausible.radial.after == Approx(radial.root()).epsilon(0.01));
+  CHECK(plausible.radial.before > plausible.radial.after);
+}
+
+TEST_CASE("with two poses none is left out") {
+  const machine::MachineModel machine = pm600_like();
+  Random random(51);
+  const auto runs = measured(papers_plan(), physics::ForceModel(machine), 0.5e-6, 0.05, random);
+  const Unknowns unknowns = nuisances(machine, physics::ForceModel(machine));
+  CHECK(plausibility(machine.rotation, runs, fit(machine.rotation, runs, unknowns), {}).radial.readings == 0);
+}

@@ -1,0 +1,51 @@
+// plumbline_play_case: runs programs on the machine of a drawn case, and says how far its tip is from the path meant.
+#include <cstdio>
+#include <exception>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "truth/case_options.hpp"
+#include "truth/played.hpp"
+
+namespace {
+
+int play(int argc, char** argv) {
+  CLI::App app("Plays programs, as plumbline trace lists them, on the machine that a case was drawn from.");
+  truth::CaseOptions options;
+  std::string meant;
+  std::vector<std::string> programs;
+  double step = 0.25;
+  truth::add_case_options(app, options);
+  options.look_alikes = false;
+  app.add_option("--meant", meant, "trace of the program whose path is meant")->required();
+  app.add_option("--step", step, "s from one look at the tip to the next")->capture_default_str();
+  app.add_option("programs", programs, "traces of programs to run")->required();
+  CLI11_PARSE(app, argc, argv);
+  truth::check_case_options(options);
+  const truth::Truth machine = truth::draw_truth(options);
+  const truth::Program path = truth::read_program(meant);
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  for (const std::string& program : programs) {
+    const truth::Played played = truth::play(machine, path, truth::read_program(program), options.law, step);
+    results.push_back({{"rms_um", 1e6 * played.rms},
+                       {"most_um", 1e6 * played.most},
+                       {"probed_rms_um", 1e6 * played.probed_rms},
+                       {"probed_most_um", 1e6 * played.probed_most},
+                       {"samples", played.samples}});
+  }
+  fmt::print("{}\n", results.dump(1));
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return play(argc, argv);
+  } catch (const std::exception& problem) {
+    std::fputs(problem.what(), stderr);
+    std::fputc('\n', stderr);
+    return 1;
+  }
+}

@@ -1,0 +1,90 @@
+#include "truth/played.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Cholesky>
+
+namespace truth {
+namespace {
+
+constexpr double kPiece = 0.005;  // s, over which the path is differenced
+constexpr double kFastest = 0.2;  // m/s; what is faster is a rapid that was left out
+constexpr double kWindow = 0.3;   // s, in which the tip may be late or early
+constexpr double kCoarse = 0.01;  // s
+constexpr double kFine = 1e-6;    // s
+
+bool jumps(const Program& program, double t) {
+  return (program.path(t + 2 * kPiece).x - program.path(t - 2 * kPiece).x).norm() > kFastest * 4 * kPiece;
+}
+
+// When the path that was meant is nearest to a place, about a time.
+double nearest(const Program& meant, const Vec& place, double about) {
+  const auto off = [&](double t) { return (meant.path(t).x - place).squaredNorm(); };
+  double best = about;
+  for (double t = about - kWindow; t <= about + kWindow; t += kCoarse) {
+    if (off(t) < off(best)) best = t;
+  }
+  double low = best - kCoarse;
+  double high = best + kCoarse;
+  while (high - low > kFine) {
+    const double third = (high - low) / 3;
+    if (off(low + third) < off(high - third)) {
+      high -= third;
+    } else {
+      low += third;
+    }
+  }
+  return (low + high) / 2;
+}
+
+struct Miss {
+  Vec off;      // across the path
+  Vec forward;  // along it, of unit length
+};
+
+}  // namespace
+
+Played play(const Truth& truth, const Program& meant, const Program& run, FrictionLaw law, double step) {
+  Follower follower(truth.machine, run.path, kPiece, law);
+  std::vector<Miss> misses;
+  double late = 0;  // of the path that was meant against the one that is run
+  for (double t = step; t < run.seconds - step; t += step) {
+    const Moment moment = follower.at(t, 0, 0);
+    if (jumps(run, t)) continue;
+    const Vec tip = tip_ball(truth, settled(truth, moment).at, moment);
+    const double then = nearest(meant, tip, t + late);
+    if (jumps(meant, then)) continue;
+    late = then - t;
+    const Vec way = meant.path(then + kPiece).x - meant.path(then - kPiece).x;
+    if (way.norm() < 1e-7) continue;
+    const Vec forward = way.normalized();
+    const Vec off = tip - meant.path(then).x;
+    misses.push_back({off - forward.dot(off) * forward, forward});
+  }
+  // the shift that leaves the least across the path: sum (1 - f f^T) shift = sum off
+  Eigen::Matrix3d across = 1e-12 * Eigen::Matrix3d::Identity();
+  Vec sum = Vec::Zero();
+  for (const Miss& miss : misses) {
+    across += Eigen::Matrix3d::Identity() - miss.forward * miss.forward.transpose();
+    sum += miss.off;
+  }
+  const Vec shift = across.ldlt().solve(sum);
+  Played played;
+  for (const Miss& miss : misses) {
+    const double off = miss.off.norm();
+    const double probed = (miss.off - shift + miss.forward.dot(shift) * miss.forward).norm();
+    played.rms += off * off;
+    played.probed_rms += probed * probed;
+    played.most = std::max(played.most, off);
+    played.probed_most = std::max(played.probed_most, probed);
+  }
+  played.samples = static_cast<int>(misses.size());
+  const double count = std::max<double>(played.samples, 1);
+  played.rms = std::sqrt(played.rms / count);
+  played.probed_rms = std::sqrt(played.probed_rms / count);
+  return played;
+}
+
+}  // namespace truth

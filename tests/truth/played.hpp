@@ -1,0 +1,20 @@
+// A program run on a machine that is not as its model: how far the tip is from the path that was meant.
+#pragma once
+
+#include "truth/program.hpp"
+
+namespace truth {
+
+struct Played {
+  double rms = 0;         // m, across the path that was meant
+  double most = 0;        // m
+  double probed_rms = 0;  // the same with the zero probed on the machine: the best constant shift taken out
+  double probed_most = 0;
+  int samples = 0;
+};
+
+/// Plays `run` on a machine and looks every `step` seconds where its tip is beside the path of `meant`. What a tip is
+/// late or early along its path does not count: it cuts nothing wrong.
+Played play(const Truth& truth, const Program& meant, const Program& run, FrictionLaw law, double step);
+
+}  // namespace truth
