@@ -257,6 +257,8 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
     diagnosis.forces = std::move(beside.fitted.forces);
     diagnosis.errors = std::move(beside.fitted.errors);
     taken = taken_by(shelf, {}, model.base.fit.values);
+    // with terms that the runs held out bear out, nuisances are others than those of the base model alone
+    if (beside.borne_out && !left.terms.empty()) taken.departure.setZero();
     leaves.after = std::move(beside.residuals);
   }
   if (is_gap(left, options.verdict)) {

@@ -24,7 +24,7 @@ TEST_CASE("a page says what was found, with its numbers in the units of files") 
   const std::string page = report::diagnosis_page(testing::small_diagnosis(), "Diagnosis of <mine>");
   CHECK(page.starts_with("<!doctype html>"));
   CHECK(contains(page, "<title>Diagnosis of &lt;mine&gt;</title>"));
-  CHECK(contains(page, "The model misses: backlash."));
+  CHECK(contains(page, "The model misses: one of backlash, cyclic."));
   CHECK(contains(page, "<td>fitted runs</td><td>3.10</td><td>0.60</td><td>0.060</td><td>0.050</td>"));
   CHECK(contains(page, "bar 0.50 um, torque 0.050 N m"));
   CHECK(contains(page, "<td>width_um 1</td><td>4.1</td><td>0.1</td>"));
