@@ -121,7 +121,13 @@ const TomlEntry* TomlValue::find(std::string_view key) const {
 }
 
 Place TomlDocument::place(Span span) const {
-  Place place = place_in(file, text, span.offset, span.length);
+  // Every value of a model gets its place: lines are looked up, not counted anew for each.
+  const auto after = std::upper_bound(lines.begin(), lines.end(), span.offset);
+  const std::size_t line = after == lines.begin() ? 0 : static_cast<std::size_t>(after - lines.begin()) - 1;
+  const std::size_t begin = lines.empty() ? 0 : lines[line];
+  const std::size_t end = after == lines.end() ? text.size() : *after;
+  Place place = place_in(file, std::string_view(text).substr(begin, end - begin), span.offset - begin, span.length);
+  place.line += line;
   const std::size_t room = std::max<std::size_t>(place.text.size() + 1 - place.column, 1);
   place.length = std::clamp<std::size_t>(span.length, 1, room);
   return place;
@@ -147,6 +153,10 @@ std::string_view name_of(TomlValue::Kind kind) {
 
 TomlDocument parse_toml(std::string text, std::string file) {
   TomlDocument document{std::move(file), std::move(text), {}};
+  document.lines.push_back(0);
+  for (std::size_t i = 0; i < document.text.size(); ++i) {
+    if (document.text[i] == '\n') document.lines.push_back(i + 1);
+  }
   if (const auto at = too_deep(document.text, kDeepest)) {
     refuse("toml-too-deep", fmt::format("tables lie more than {} deep in each other", kDeepest),
            "no file that plumbline reads needs more than four", document.place({*at, 1}));

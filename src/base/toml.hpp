@@ -43,6 +43,7 @@ struct TomlDocument {
   std::string file;
   std::string text;
   TomlValue root;
+  std::vector<std::size_t> lines = {};  // where each begins in the text
 
   /// Where a piece of this text stands; what crosses a line's end is cut there.
   Place place(Span span) const;

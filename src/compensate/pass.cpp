@@ -41,7 +41,7 @@ Pass::Pass(const InputFile& source, const nc::Dialect& dialect, const nc::Progra
       settings_(settings),
       program_(source, dialect, program),
       form_(form),
-      plain_(dialect),
+      plain_(dialect, emit.increment_ratio),
       emitter_(source, dialect, std::move(emit), out, form),
       corrector_(model, settings),
       spindle_(program.tools, model.reference_tool_mass),
@@ -114,7 +114,7 @@ void Pass::process(const nc::Step& step) {
 
 // G16: only the first of the pieces of such a block would be in its work system.
 void Pass::refuse_system_of_block(const nc::Step& step) const {
-  if (step.motions.empty() || step.role == nc::BlockRole::machine_move) return;
+  if (step.motions.empty()) return;
   for (const nc::Word& word : step.block->words) {
     const nc::CodeRow* const row = dialect_.row_of(word);
     if (row == nullptr || row->action != nc::Action::work_system_of_block) continue;

@@ -65,7 +65,9 @@ class Pass {
   void pass(const nc::Step& step);
   void correct_rapid(const nc::Step& step);
   void correct_feed(const nc::Step& step);
+  void refuse_unless_in_place(const nc::Step& step, bool goes_on) const;
   void rapid_point(const nc::Step& step);
+  void check_way_to_hole(const nc::Step& step, const AxisWords& shift) const;
   path::Subdivision feed_points(const nc::Step& step, const path::Curve& curve, std::optional<double> seconds);
   Target target_of(const nc::Step& step, const path::CurvePoint& point, std::optional<double> seconds) const;
   nc::CorrectedPoint corrected_point(const nc::Step& step, const Target& target, const AxisWords& words);

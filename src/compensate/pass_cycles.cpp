@@ -36,6 +36,7 @@ void Pass::process_cycle(const nc::Step& step) {
     must_unroll_ = true;  // the blocks of its points are behind us
     return;
   }
+  refuse_unless_in_place(step, goes_on);
   emitter_.begin_group(step);
   for (const nc::Step* const move : moves) {
     if (move->cycle != nc::CycleForm::none) {
@@ -62,6 +63,21 @@ bool Pass::cycle_stays(const nc::Step& step, std::span<const nc::Step* const> mo
   });
 }
 
+// A rigid tap ends at any other motion: its blocks stay as they are, their holes shifted.
+void Pass::refuse_unless_in_place(const nc::Step& step, bool goes_on) const {
+  if (step.cycle != nc::CycleForm::spindle || !dialect_.habits.fanuc_cycles) return;
+  const Place place = place_of(*step.block, step.block->file);
+  if (goes_on) {
+    refuse("compensate-cycle", "this cycle goes on from one that is written out as moves",
+           "write G80 before it, and state all of its words", place);
+  }
+  if (nc::PlainSteps::is_one_hole(step)) return;
+  refuse("compensate-cycle",
+         "a cycle that works the spindle is shifted hole by hole, and this block makes several, or counts from the one "
+         "before it (G91, K, L)",
+         "write each hole into a block of its own, with G90", place);
+}
+
 // The spindle leads: such a block cannot be divided, and its K would have to follow the corrections.
 void Pass::process_synchronised(const nc::Step& step) {
   bool stays = emitter_.stands_true(step, writable());
@@ -86,7 +102,7 @@ void Pass::find_points(const nc::Step& step) {
 // Corrections from where the hole begins to its bottom. The tool goes down and up: without friction.
 void Pass::hole_points(const nc::Step& step) {
   const nc::Hole& hole = step.holes.front();
-  const nc::Motion& motion = step.motions.front();
+  const nc::Motion& motion = step.motions[hole.begin];
   has_position(step, motion.known_before & motion.known_after, true);
   const Axis normal = nc::axes_of(step.after->plane).third;
   const double depth = std::abs(hole.r - hole.bottom);
@@ -116,9 +132,18 @@ void Pass::process_hole(const nc::Step& step) {
                     varies),
         "allow more with --cycle-tolerance, or drill a shorter hole", place_of(*step.block, step.block->file));
   }
+  check_way_to_hole(step, mean);
   nc::EmittedMove move = emitter_.hole(step, mean);
   note_move(step, move, std::nullopt);
   note_cycle(step);
+}
+
+// The rapids over the hole and down to it, where they are part of its block.
+void Pass::check_way_to_hole(const nc::Step& step, const AxisWords& shift) const {
+  for (std::size_t i = 0; i < step.holes.front().begin; ++i) {
+    const nc::Motion& motion = step.motions[i];
+    if (motion.known_before.contains(writable())) check_chord(step, motion.from + shift, motion.to + shift);
+  }
 }
 
 // Times that the rewriting keeps.

@@ -52,8 +52,8 @@ struct Summary {
   std::uint64_t bytes_before = 0;
   std::uint64_t bytes_after = 0;
   std::uint64_t hash_after = 0;  // fnv1a of the output
-  bool identical = true;  // nothing had to change
-  bool unrolled = false;  // written as a program without loops, subprograms and parameters
+  bool identical = true;         // nothing had to change
+  bool unrolled = false;         // written as a program without loops, subprograms and parameters
   struct InlinedFile {
     std::string name;
     std::uint64_t hash = 0;

@@ -98,6 +98,9 @@ enum class Operation : std::uint8_t {
   logical_and,
   logical_or,
   exclusive_or,
+  bit_and,  // of whole numbers, bit by bit
+  bit_or,
+  bit_exclusive_or,
   whole_quotient,    // DIV
   remainder,         // with the sign of the dividend
   truncate,          // towards zero
@@ -106,8 +109,7 @@ enum class Operation : std::uint8_t {
   arc_tangent_of_one,
   square,
   logical_not,
-  check_truths,  // refuses two values that are not 0 or 1
-  vacant,        // pushes the value of a variable that nobody set
+  vacant,  // pushes the value of a variable that nobody set
 };
 
 /// One step of an expression's code, in postfix order; Operation::end closes it.

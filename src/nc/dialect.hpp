@@ -90,28 +90,26 @@ enum class Action : std::uint8_t {
   work_system_of_block,  // G16 H3: of this block alone
   tool_edge,             // D
   no_motion,             // changes nothing that motion depends on
-  no_next_tool,          // the tool change to come puts a tool back and takes none
-  tool_tip_on,           // with H a tool's length; axis words go to a point
-  tool_tip_off,
-  return_level,      // G71: where cycles go back to under M53
-  no_hole,           // NCYL: to above the hole, and no further
-  surface_speed,     // G96: S is the speed of the surface; value 1: on
-  cubic_spline,      // G5
-  quadratic_spline,  // G5.1
-  nurbs_point,       // G5.2
-  nurbs_end,         // G5.3
-  synchronised,      // G33
-  rigid_tap,         // G33.1
-  probe,             // G38.2 to G38.5
-  compensation_on,   // G41, G42: refused
-  spindle,           // M3, M4, M5
-  coolant,           // M7, M8, M9
-  override_switch,   // M48 to M53
+  surface_speed,         // G96: S is the speed of the surface; value 1: on
+  cubic_spline,          // G5
+  quadratic_spline,      // G5.1
+  nurbs_point,           // G5.2
+  nurbs_end,             // G5.3
+  synchronised,          // G33
+  rigid_tap,             // G33.1
+  probe,                 // G38.2 to G38.5
+  compensation_on,       // G41, G42: refused
+  spindle,               // M3, M4, M5
+  coolant,               // M7, M8, M9
+  override_switch,       // M48 to M53
   feed_word,
   speed_word,
   tool_word,  // F, S and T, which take their turn among the codes
   user_code,  // a code of the machine's builder
 };
+
+inline constexpr int kMotionGroup = 1;  // as the tables of all dialects number them
+inline constexpr int kFeedModeGroup = 5;
 
 /// A row of the table of G or M codes.
 struct CodeRow {
@@ -128,10 +126,14 @@ struct CodeRow {
   bool loses_position = false;      // the axes may stand elsewhere after it
   bool harmless = false;            // may stand behind / without a choice
   std::string name;                 // of a code that is no letter and number
-  std::string why;                  // refused: why
-  std::string levels;               // which of these are heights of the work, digits that count from 0
-  bool has_values = false;          // a name with values in ( ) behind it
-  bool has_arguments = false;       // a name with ( ) behind it, which the interpreter does not look into
+  std::string why;                  // refused, alone or with other values than those of `only`: why
+  char only_letter = 0;             // 0: any value; else the word whose value must be one of these
+  std::vector<double> only;
+  bool alone = false;                      // no move stands beside it
+  FeedRule feed_rule = FeedRule::unknown;  // of a tool length: with it in force; unknown: the dialect's
+  bool has_arguments = false;              // a name with ( ) behind it, which the interpreter does not look into
+  std::string levels;                      // which of these are heights of the work, digits that count from 0
+  bool has_values = false;                 // a name with values in ( ) behind it
 };
 
 /// How a program says where it goes on.
@@ -161,11 +163,13 @@ struct NumberedVariables {
 struct Syntax {
   Statements statements = Statements::o_words;
   bool names = false;             // words, values and codes may be names
-  bool semicolon_comment = true;  // else ; ends the block, and anything but a comment in ( ) behind it is refused
+  bool semicolon_comment = true;  // else the comment stands in ( ), and ; does as well where both are known
+  bool semicolon_ends = false;    // ; is the end of a block: nothing but comments in ( ) stands behind it
   bool percent_text = false;      // behind the first % there may be text
   bool open_assignment = false;   // what is assigned needs no brackets
   bool repeated_ijk = false;      // I, J and K may stand more than once (arguments of a macro)
   bool rounds_to_zero = false;    // FIX and FUP
+  bool bitwise = false;           // AND, OR, XOR work on the bits of whole numbers and bind like * and +
   bool full_turn = false;         // ATAN gives 0 to 360
   bool relations_last = false;    // == binds weaker than AND
   bool declared = false;          // a variable that has a name is declared before it is set (DEF)
@@ -175,8 +179,6 @@ struct Syntax {
   double equal_within = 1e-4;     // EQ and NE
   int local_variables = 30;       // #1... of a subprogram
   int last_variable = 5601;
-  bool draws = false;                                     // DEF WORK ... END: the blank that the control draws
-  bool truths_only = false;                               // AND, OR: whether they join truths or bits is not known
   std::string reserved;                                   // names of the control's own variables begin with this
   std::unordered_map<std::string, NameMeaning> meanings;  // upper case
   std::vector<NumberedVariables> variables;
@@ -185,33 +187,39 @@ struct Syntax {
 
 /// How the control executes what it has read, where controls differ.
 struct Habits {
-  bool last_of_group = false;       // of two codes of a group the last one counts
-  bool group_0_takes_axes = false;  // G0 G91 G28 Z0: the words are G28's, and G0 is the mode from here on
+  bool last_of_group = false;             // of two codes of a group the last one counts
+  bool bare_motion_code_is_mode = false;  // G1 F500 alone moves nothing
+  bool group_0_takes_axes = false;        // G0 G91 G28 Z0: the words are G28's, and G0 is the mode from here on
   bool no_work_system_at_start = false;
   bool always_point = false;                                       // numbers are written with a decimal point
   double increment_mm = 0, increment_inch = 0, increment_deg = 0;  // what a number without a point counts; 0: units
   bool increment_of_rest_unknown = false;  // where another is set, of numbers with a point: refused
   double feed_per_revolution_increment = 0;
-  bool machine_move_is_rapid = false;  // G53 goes as G0 whatever is in force
+  bool keeps_increment = false;              // of a number no more than these are kept
+  std::string whole_words;                   // letters whose values are whole numbers, and written without a point
+  int most_digits = 0;                       // of a number; 0: any
+  bool m_beside_cut_unknown = false;         // when codes of the builder act beside a move
+  double inverse_time_increment = 0;         // of F under G93; 0: units
+  bool inverse_time_by_radius = false;       // F of an arc under G93 is feed over radius, not 1 over the time
+  bool feed_inch_increment_unknown = false;  // what F without a point counts under G20
+  bool machine_move_is_rapid = false;        // G53 goes as G0 whatever is in force
   bool h0_is_no_tool = false;
-  bool tool_length_moves = false;      // whether G43 without Z moves depends on the control's parameters
-  bool tool_length_at_change = false;  // M6 puts the length of the tool in force
-  bool fanuc_cycles = false;           // over the hole first, then to R; K repeats; taps and bores feed to R alone
+  bool tool_length_moves = false;               // whether G43 without Z moves depends on the control's parameters
+  bool tool_length_increments_unknown = false;  // G43 beside an increment of Z
+  bool unit_change_stands_alone = false;        // in which unit the words beside G20, G21 count is not known
+  bool tool_length_at_change = false;           // M6 puts the length of the tool in force
+  bool fanuc_cycles = false;  // over the hole first, then to R; K repeats; taps and bores feed to R alone
   double peck_gap_mm = 0.254;
-  bool call_with_moves = false;          // M98 may stand in a block that moves
-  int call_repeat_digits = 0;            // M98 P00030010: digits of the program's number
-  bool table_increments = false;         // G10 L2 under G91 adds
-  bool end_returns = false;              // M2, M30 in a subprogram end it alone
-  bool turns_are_extra = false;          // the count of an arc's turns does not hold the begun one
-  double dwell_p_s = 1;                  // what P of G4 counts
-  bool dwell_alone = false;              // nothing else stands in a block with G4
-  bool dwell_moves_nothing = false;      // no axis word does
-  bool dwell_per_minute_only = false;    // G4 under G95 or G93: what F counts then is not known
-  bool h0_is_machine = false;            // G15 H0, G16 H0: machine coordinates
-  double travel_limit_mm = 0;            // a rapid to this or more goes to the end of the axis' travel; 0: none does
-  bool return_levels = false;            // cycles go back to the level of G71 or to R, as M53 and M54 say
-  bool cycle_off_stops_spindle = false;  // G80
-  bool radius_positive = false;          // R of an arc: what less than 0 asks for is not known
+  bool passed_code_keeps_position = false;  // who passes it says so
+  int most_m_codes = 0;                     // that a block may hold; 0: any
+  bool call_with_moves = false;             // M98 may stand in a block that moves
+  int call_repeat_digits = 0;               // M98 P00030010: digits of the program's number
+  bool table_increments = false;            // G10 L2 under G91 adds
+  bool end_returns = false;                 // M2, M30 in a subprogram end it alone
+  bool turns_are_extra = false;             // the count of an arc's turns does not hold the begun one
+  double dwell_p_s = 1;                     // what P of G4 counts
+  bool dwell_alone = false;                 // nothing else stands in a block with G4
+  bool dwell_moves_nothing = false;         // no axis word does
   bool increment_after_shift_unknown =
       false;                              // G91 after TRANS, G55, D1: a setting decides whether it brings the shift
   bool feed_beside_unit_unknown = false;  // G700 F10: which unit the F of that block counts in

@@ -86,11 +86,6 @@ constexpr std::array kActions{
     ActionName{"tool_edge", Action::tool_edge},
     ActionName{"no_motion", Action::no_motion},
     ActionName{"surface_speed", Action::surface_speed},
-    ActionName{"no_next_tool", Action::no_next_tool},
-    ActionName{"tool_tip_on", Action::tool_tip_on},
-    ActionName{"tool_tip_off", Action::tool_tip_off},
-    ActionName{"return_level", Action::return_level},
-    ActionName{"no_hole", Action::no_hole},
     ActionName{"cubic_spline", Action::cubic_spline},
     ActionName{"quadratic_spline", Action::quadratic_spline},
     ActionName{"nurbs_point", Action::nurbs_point},
@@ -166,6 +161,7 @@ constexpr std::array kOperations{
 constexpr std::array kFeedRules{
     std::pair<std::string_view, FeedRule>{"xyz_first", FeedRule::xyz_first},
     std::pair<std::string_view, FeedRule>{"all_axes_as_mm", FeedRule::all_axes_as_mm},
+    std::pair<std::string_view, FeedRule>{"tool_tip", FeedRule::tool_tip},
     std::pair<std::string_view, FeedRule>{"path_group", FeedRule::path_group},
     std::pair<std::string_view, FeedRule>{"unknown", FeedRule::unknown},
 };

@@ -111,18 +111,17 @@ class TableReader {
   void read_syntax(const TomlValue& from, Syntax& syntax) const {
     syntax.statements = statements_named(text(from, "statements"));
     syntax.names = flag(from, "names");
+    syntax.semicolon_ends = flag(from, "semicolon_ends");
     syntax.percent_text = flag(from, "percent_text");
     syntax.declared = flag(from, "declared");
     syntax.settings_alone = flag(from, "settings_alone");
     syntax.open_assignment = flag(from, "open_assignment");
     syntax.repeated_ijk = flag(from, "repeated_ijk");
     syntax.rounds_to_zero = flag(from, "rounds_to_zero");
+    syntax.bitwise = flag(from, "bitwise");
     syntax.full_turn = flag(from, "full_turn");
     syntax.relations_last = flag(from, "relations_last");
     if (from.find("open") != nullptr) syntax.open = text(from, "open").at(0);
-    if (from.find("semicolon_comment") != nullptr) syntax.semicolon_comment = flag(from, "semicolon_comment");
-    syntax.draws = flag(from, "draws");
-    syntax.truths_only = flag(from, "truths_only");
     if (from.find("goes_on") != nullptr) syntax.goes_on = text(from, "goes_on").at(0);
     if (from.find("reserved") != nullptr) syntax.reserved = text(from, "reserved");
     syntax.equal_within = number(from, "equal_within", syntax.equal_within);
@@ -149,6 +148,7 @@ class TableReader {
 
   void read_habits(const TomlValue& from, Habits& habits) const {
     habits.last_of_group = flag(from, "last_of_group");
+    habits.bare_motion_code_is_mode = flag(from, "bare_motion_code_is_mode");
     habits.group_0_takes_axes = flag(from, "group_0_takes_axes");
     habits.no_work_system_at_start = flag(from, "no_work_system_at_start");
     habits.always_point = flag(from, "always_point");
@@ -156,25 +156,30 @@ class TableReader {
     habits.increment_inch = number(from, "increment_inch", 0);
     habits.increment_deg = number(from, "increment_deg", 0);
     habits.increment_of_rest_unknown = flag(from, "increment_of_rest_unknown");
+    habits.keeps_increment = flag(from, "keeps_increment");
+    if (from.find("whole_words") != nullptr) habits.whole_words = text(from, "whole_words");
+    habits.most_digits = static_cast<int>(number(from, "most_digits", 0));
+    habits.m_beside_cut_unknown = flag(from, "m_beside_cut_unknown");
+    habits.inverse_time_increment = number(from, "inverse_time_increment", 0);
+    habits.inverse_time_by_radius = flag(from, "inverse_time_by_radius");
+    habits.feed_inch_increment_unknown = flag(from, "feed_inch_increment_unknown");
     habits.feed_per_revolution_increment = number(from, "feed_per_revolution_increment", 0);
     habits.machine_move_is_rapid = flag(from, "machine_move_is_rapid");
     habits.h0_is_no_tool = flag(from, "h0_is_no_tool");
     habits.tool_length_moves = flag(from, "tool_length_moves");
+    habits.tool_length_increments_unknown = flag(from, "tool_length_increments_unknown");
+    habits.unit_change_stands_alone = flag(from, "unit_change_stands_alone");
     habits.tool_length_at_change = flag(from, "tool_length_at_change");
     habits.fanuc_cycles = flag(from, "fanuc_cycles");
     habits.peck_gap_mm = number(from, "peck_gap_mm", habits.peck_gap_mm);
+    habits.passed_code_keeps_position = flag(from, "passed_code_keeps_position");
+    habits.most_m_codes = static_cast<int>(number(from, "most_m_codes", 0));
     habits.call_with_moves = flag(from, "call_with_moves");
     habits.call_repeat_digits = static_cast<int>(number(from, "call_repeat_digits", 0));
     habits.table_increments = flag(from, "table_increments");
     habits.end_returns = flag(from, "end_returns");
     habits.turns_are_extra = flag(from, "turns_are_extra");
     habits.dwell_p_s = number(from, "dwell_p_s", 1);
-    habits.dwell_per_minute_only = flag(from, "dwell_per_minute_only");
-    habits.h0_is_machine = flag(from, "h0_is_machine");
-    habits.travel_limit_mm = number(from, "travel_limit_mm", 0);
-    habits.return_levels = flag(from, "return_levels");
-    habits.cycle_off_stops_spindle = flag(from, "cycle_off_stops_spindle");
-    habits.radius_positive = flag(from, "radius_positive");
     habits.dwell_moves_nothing = flag(from, "dwell_moves_nothing");
     habits.dwell_alone = flag(from, "dwell_alone");
     habits.increment_after_shift_unknown = flag(from, "increment_after_shift_unknown");
@@ -238,9 +243,17 @@ class TableReader {
     row.loses_position = flag(from, "loses_position");
     row.harmless = flag(from, "harmless");
     row.has_arguments = flag(from, "arguments");
+    row.alone = flag(from, "alone");
+    if (from.find("feed_rule") != nullptr) row.feed_rule = feed_rule_named(text(from, "feed_rule"));
+    if (const TomlValue* const only = value(from, "only", TomlValue::Kind::array)) {
+      for (const TomlValue& word : only->items) {
+        row.only_letter = word.text.at(0);
+        row.only.push_back(parse_number(word.text.substr(1)).value());
+      }
+    }
     row.has_values = flag(from, "values");
     if (from.find("levels") != nullptr) row.levels = text(from, "levels");
-    if (row.action == Action::refused || from.find("why") != nullptr) row.why = text(from, "why");
+    if (row.action == Action::refused || !row.only.empty() || from.find("why") != nullptr) row.why = text(from, "why");
     return row;
   }
 

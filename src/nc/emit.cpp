@@ -38,7 +38,7 @@ bool turns_alone(const Motion& motion) {
   if (motion.kind != MotionKind::feed || motion.feed_mode != FeedMode::per_minute) return false;
   const AxisWords delta = motion.to - motion.from;
   const double linear = std::hypot(delta[Axis::X], delta[Axis::Y], delta[Axis::Z]);
-  return linear == 0 && delta != AxisWords{} && feed_length_is_angle(linear, motion.feed_rule);
+  return linear == 0 && delta != AxisWords{} && feed_length_is_angle(linear);
 }
 
 // What the control is off, in the words of a block that sets an offset: G10 L20 may name a system that is turned
@@ -62,6 +62,7 @@ Emitter::Emitter(const InputFile& source, const Dialect& dialect, EmitSettings s
       form_(form),
       changed_(form == Form::unrolled) {
   spelling_.point = dialect_.habits.always_point;
+  spelling_.most_digits = dialect_.habits.most_digits;
 }
 
 std::string_view Emitter::line_end(const Step& step) const {
@@ -167,7 +168,7 @@ void Emitter::restore_feed_state(const Step& step, bool has_feed_word) {
   const bool needs_feed = (cuts && !has_feed_word) || step.loses_position;
   if (needs_feed && control_.feed_mode != FeedMode::inverse_time && feed > 0 &&
       (turns ? control_.feed_rotary : control_.feed) != feed) {
-    append_word(line_, 'F', feed, kMostDecimals, {false, false, spelling_.point});
+    append_word(line_, 'F', feed, kMostDecimals, {false, false, spelling_.point, spelling_.most_digits});
     control_.set_feed(feed);
   }
   if (line_.empty()) return;
@@ -181,6 +182,7 @@ void Emitter::copy(const Step& step) {
   const BlockCodes codes = codes_.codes_of(block);
   if (step.role == BlockRole::stores_position) refuse_if_shifted(step);
   if (changed_) refuse_if_turned(step);
+  if (step.cycle != CycleForm::none) note_cycle_level(step);
   if (step.skipped || step.executed_delete) {
     copy_with_choice_applied(step);
     return;
@@ -246,6 +248,22 @@ void Emitter::refuse_if_shared(const Step& step) const {
             "put the two into blocks of their own");
 }
 
+// With several pieces in its place the block's M code acts beside the first, or behind the last; its builder decides.
+void Emitter::refuse_builders_codes(const Step& step) const {
+  if (!dialect_.habits.m_beside_cut_unknown) return;
+  for (const Word& word : step.block->words) {
+    if (word.letter != 'M') continue;
+    const CodeRow* const row = dialect_.row_of(word);
+    if (row != nullptr && row->action != Action::change_tool && row->action != Action::refused) continue;
+    refuse_at(
+        *step.block, word.span, "emit-m-code",
+        fmt::format("whether {} acts before the move of its block or behind it is the machine builder's choice, and "
+                    "the corrected move has several blocks",
+                    step.block->at(word.span)),
+        "put it into a block of its own, before or behind the move");
+  }
+}
+
 // The control works the offset out from where it stands; its words grow by what it is off, so that the offset is the
 // one that the original gives.
 void Emitter::add_offset_shifts(const Step& step) {
@@ -255,8 +273,8 @@ void Emitter::add_offset_shifts(const Step& step) {
     if (!axis || std::abs(shift[*axis]) <= 1e-9) continue;
     const double per_unit = step.after->inches && !is_rotary(*axis) ? kMmPerInch : 1;
     std::string text;
-    append_word(text, word.letter, word.value + shift[*axis] / per_unit, kMostDecimals,
-                {spelling_.lower_case, false, spelling_.point});
+    append_word(text, word.letter, planner_.rounded(step, *axis, word.value + shift[*axis] / per_unit), kMostDecimals,
+                {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
     editor_.replace(word.span, text);
   }
 }
@@ -304,6 +322,7 @@ EmittedMove Emitter::move(const Step& step, std::span<const CorrectedPoint> poin
   begin_change(step);
   const std::uint64_t begin = out_.size();
   const std::span<Piece> pieces = planner_.plan(step, points, writable, seconds, control_);
+  if (pieces.size() > 1) refuse_builders_codes(step);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const bool is_last = i + 1 == pieces.size();
     line_.clear();

@@ -114,6 +114,7 @@ class Emitter {
   void restore_modes(const Step& step);
   void restore_switches(const Switches& was, const Switches& is);
   void write_words(const std::string& text);
+  void note_cycle_level(const Step& step);
   void begin_change(const Step& step);
   void copy_source(std::uint64_t from, std::uint64_t to);
   void write_stamp();
@@ -124,6 +125,7 @@ class Emitter {
   void refuse_if_shifted(const Step& step) const;
   void refuse_if_shared(const Step& step) const;
   void refuse_if_turned(const Step& step) const;
+  void refuse_builders_codes(const Step& step) const;
   void copy_with_choice_applied(const Step& step);
   void end_modal_call(const Step& step);
   EmittedMove called_hole(const Step& step, const AxisWords& shift);
@@ -142,6 +144,7 @@ class Emitter {
   bool only_looks_ = false;
   bool grouping_ = false;
   std::uint64_t group_begin_ = 0;
+  double cycle_level_shift_ = 0;  // mm
   int percents_ = 0;
   AxisWords tool_;  // length that the output has in force
   std::vector<Pending> entries_;

@@ -115,7 +115,7 @@ std::string PieceWriter::change_axis_words(const Step& step, const Piece& piece)
     }
     if (word->mode == WordMode::modal && std::abs(word->value - piece.value[axis]) < 1e-12) continue;
     std::string text;
-    append_axis_word(text, piece, axis, {plain.lower_case, false, plain.point});
+    append_axis_word(text, piece, axis, {plain.lower_case, false, plain.point, plain.most_digits});
     editor_.replace(word->span, text);
   }
   return added;
@@ -151,7 +151,9 @@ void PieceWriter::change_feed_word(const Step& step, const Piece& piece) {
   const Word* word = find_word(*step.block, 'F');
   if (word != nullptr && word->value == *piece.feed) return;
   std::string text;
-  append_word(text, 'F', *piece.feed, kMostDecimals, {editor_.spelling().lower_case, false, editor_.spelling().point});
+  Spelling plain = editor_.spelling();
+  plain.spaced = false;
+  append_word(text, 'F', *piece.feed, kMostDecimals, plain);
   if (word != nullptr) {
     editor_.replace(word->span, text);
     return;

@@ -10,10 +10,9 @@
 namespace plumbline::nc {
 namespace {
 
-// Modal groups as RS274/NGC numbers them; the tables of all dialects do alike.
-constexpr int kMotionGroup = 1;
-constexpr int kFeedModeGroup = 5;
-constexpr int kPathControlGroup = 13;
+bool is_path_control(Action action) {
+  return action == Action::exact_path || action == Action::exact_stop || action == Action::continuous;
+}
 
 }  // namespace
 
@@ -50,7 +49,7 @@ std::string CodeWriter::text_of(std::string_view meaning, std::optional<int> val
 
 bool CodeWriter::is_motion(const Word& word) const {
   const CodeRow* row = word.letter != 'M' ? row_of(word) : nullptr;
-  return row != nullptr && (row->group == kMotionGroup || row->action == Action::no_hole);
+  return row != nullptr && row->group == kMotionGroup;
 }
 
 std::string_view CodeWriter::name_of(Action action) const {
@@ -78,15 +77,14 @@ BlockCodes CodeWriter::codes_of(const Block& block) const {
       const bool gives_way = row->action == Action::motion_off && codes.motion != nullptr;  // G80 beside G3
       if (row->group == kMotionGroup && !gives_way) codes.motion = &word;
       if (row->group == kFeedModeGroup) codes.feed_mode = &word;
-      if (row->group == kPathControlGroup) codes.path_control = &word;
+      if (is_path_control(row->action)) codes.path_control = &word;
       if (row->group != kMotionGroup && row->takes_axes) codes.axis_taker = &word;
     } else if (row->order == Order::after_motion) {
       codes.add_after_motion(word);
     }
     if (row->action == Action::dwell && (row->word_mask & letter_bit('F')) != 0) dwells = true;
   }
-  if (dwells) codes.feed = nullptr;                                                 // its F is a time
-  if (codes.feed != nullptr && other_code_takes(block, 'F')) codes.feed = nullptr;  // the time of a dwell
+  if (dwells) codes.feed = nullptr;  // its F is a time
   return codes;
 }
 

@@ -28,7 +28,7 @@ struct BlockCodes {
   void add_after_motion(const Word& word);
 
  private:
-  std::array<const Word*, 4> after_{};
+  std::array<const Word*, 16> after_{};
   std::size_t after_count_ = 0;
 };
 

@@ -182,17 +182,25 @@ void Emitter::restore_switches(const Switches& was, const Switches& is) {
   override_switch(was.feed_stop, is.feed_stop, 53);
 }
 
+// How far the level is off that cycles go back to: where the first of them began.
+void Emitter::note_cycle_level(const Step& step) {
+  const Axis normal = axes_of(step.after->plane).third;
+  if (control_.motion != MotionMode::cycle) cycle_level_shift_ = control_.work_shift(*step.frame)[normal];
+}
+
 EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
   if (step.call != nullptr) return called_hole(step, shift);
   note_header(step);
   begin_change(step);
-  restore_feed_state(step, false);
+  restore_feed_state(step, find_word(*step.block, 'F') != nullptr);
   const PlaneAxes axes = axes_of(step.after->plane);
+  note_cycle_level(step);
   AxisWords left = control_.work_shift(*step.frame);
+  if (!step.after->retract_to_r) left[axes.third] = cycle_level_shift_;
   editor_.start(*step.block, spelling_);
   for (const Word& word : step.block->words) {
     std::optional<Axis> axis = axis_of(word.letter);
-    if (word.letter == 'R' || word.letter == 'K') axis = axes.third;
+    if (word.letter == 'R' || word.letter == kCentreLetters[index(axes.third)]) axis = axes.third;
     if (!axis) continue;
     const double per_unit = step.after->inches ? kMmPerInch : 1;
     const double value = planner_.rounded(step, *axis, word.value + shift[*axis] / per_unit);
@@ -200,16 +208,17 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
     const bool in_plane = word.letter == letter(axes.first) || word.letter == letter(axes.second);
     if (goes_back_there || in_plane) left[*axis] = (value - word.value) * per_unit;
     std::string text;
-    append_word(text, word.letter, value, kMostDecimals, {spelling_.lower_case, false, spelling_.point});
+    append_word(text, word.letter, value, kMostDecimals,
+                {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
     editor_.replace(word.span, text);
   }
-  if (dialect_.habits.return_levels && !step.after->retract_to_r) left[axes.third] = 0;  // the level of G71, as it is
   line_.clear();
   editor_.apply(line_);
   write_line(step, line_);
   out_.write(unrolls() ? newline_ : step.block->line_end);
   control_.set_work_shift(*step.frame, left);
   control_.motion = MotionMode::cycle;
+  if (find_word(*step.block, 'F') != nullptr) control_.set_feed(step.after->feed);
   return {true, 1, std::nullopt, 0};
 }
 

@@ -9,6 +9,7 @@
 #include "base/units.hpp"
 #include "nc/emit_text.hpp"
 #include "nc/feed.hpp"
+#include "nc/kept.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -44,6 +45,22 @@ bool turns(const Motion& motion) {
                "count as mm); or program the block in inverse time (G93)");
 }
 
+[[noreturn]] void refuse_turn_alone(const Step& step) {
+  refuse_block(
+      *step.block, "emit-feed-rule",
+      "F is the speed of the tool's tip here, and A, B, C turn where the tip stands still: how long that takes "
+      "no program says, and beside the micrometres of the correction F would mean another time",
+      "program the block in inverse time (G93), or say which speed F is on this control: --feed-rule xyz or "
+      "all");
+}
+
+bool tip_stands(const Motion& motion) {
+  const AxisWords delta = motion.to - motion.from;
+  return motion.feed_rule == FeedRule::tool_tip && motion.feed_mode != FeedMode::inverse_time && motion.feed > 0 &&
+         motion.kind == MotionKind::feed && distance_mm(delta, {}) == 0 &&
+         std::abs(delta[Axis::A]) + std::abs(delta[Axis::B]) + std::abs(delta[Axis::C]) > kSamePlace;
+}
+
 // Numbers that cannot be written with all their digits.
 void check_word(const Step& step, double value) {
   if (std::abs(value) < kLargestWord) return;
@@ -71,9 +88,10 @@ PiecePlanner::Grid PiecePlanner::grid(const Step& step, Axis axis) const {
   const bool inches = step.after->inches && !is_rotary(axis);
   const double per_unit = inches ? kMmPerInch : 1.0;
   const int least = is_rotary(axis) ? settings_.digits_deg : (inches ? settings_.digits_inch : settings_.digits_mm);
-  const int digits = std::clamp(std::max(least, written), 0, kMostDecimals);
+  const Kept kept = kept_of(dialect_.habits, is_rotary(axis), inches, settings_.increment_ratio);
+  const int digits = std::clamp(std::max(least, written), 0, kept.decimals);
   const double increment = (is_rotary(axis) ? settings_.increment_deg : settings_.increment_mm) / per_unit;
-  return {per_unit, digits, std::max(increment, from_ticks(1, digits))};
+  return {per_unit, digits, std::max({increment, from_ticks(1, digits), kept.quantum})};
 }
 
 bool PiecePlanner::stays(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
@@ -172,10 +190,14 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
   if (seconds && *seconds > 0) {
     set_lengths(step, start);
     choose_feeds(step, *seconds, control);
+  } else if (tip_stands(motion)) {
+    refuse_turn_alone(step);
   } else {
     const bool cuts = motion.kind == MotionKind::feed || motion.kind == MotionKind::arc;
     const AxisWords way = motion.to - motion.from;
-    if (cuts && !seconds && motion.feed > 0 && !feed_length(way, motion.feed_rule)) refuse_feed_rule(step, dialect_);
+    if (cuts && !seconds && motion.feed > 0 &&
+        !feed_length(distance_mm(way, {}), way, motion.feed_rule, motion.mm_per_unit))
+      refuse_feed_rule(step, dialect_);
     control.change_unit(*step.before, *step.after);
     if (find_word(*step.block, 'F') != nullptr) {
       control.feed = step.after->feed;
@@ -184,6 +206,15 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
   }
   control.set_work_shift(*step.frame, left);
   return pieces_;
+}
+
+void PiecePlanner::check_digits(const Step& step, double value, int decimals) const {
+  const int most = dialect_.habits.most_digits;
+  if (most == 0 || std::abs(value) < std::pow(10, most - decimals)) return;
+  refuse_block(
+      *step.block, "emit-out-of-range",
+      fmt::format("this block would need the number {:.3f}, and {} takes {} digits", value, dialect_.name, most),
+      "check the words and offsets of the block: no machine goes there");
 }
 
 // Rounds one point, tells which axes move to it, and moves `at` there.
@@ -205,6 +236,7 @@ Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point,
     check_word(step, wanted);
     const double kept = std::round(wanted / g.quantum) * g.quantum;
     const double value = from_ticks(to_ticks(kept, g.digits), g.digits);
+    check_digits(step, value, g.digits);
     double end = step.after->incremental ? at[axis] + value * g.per_unit : value * g.per_unit;
     const bool endless = !step.after->incremental && step.after->rule_of(axis) != RotaryRule::linear;
     // Downwards to 0 would be -0, which is not the same to every control: the last step is left out.
@@ -228,10 +260,13 @@ void PiecePlanner::set_lengths(const Step& step, const AxisWords& start) {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const AxisWords delta = ends_[i] - at;
     const double linear = distance_mm(delta, {});
-    const std::optional<double> length = feed_length(linear, delta, step.motions.front().feed_rule);
-    if (!length) refuse_feed_rule(step, dialect_);
-    pieces_[i].in_degrees = feed_length_is_angle(linear, step.motions.front().feed_rule);
-    pieces_[i].length = pieces_[i].in_degrees ? *length : *length / step.motions.front().mm_per_unit;
+    const Motion& motion = step.motions.front();
+    const std::optional<double> length = feed_length(linear, delta, motion.feed_rule, motion.mm_per_unit);
+    if (!length && motion.feed_rule == FeedRule::tool_tip && motion.feed_mode != FeedMode::inverse_time)
+      refuse_turn_alone(step);
+    if (!length && motion.feed_rule != FeedRule::tool_tip) refuse_feed_rule(step, dialect_);
+    pieces_[i].in_degrees = feed_length_is_angle(linear);
+    pieces_[i].length = pieces_[i].in_degrees ? length.value_or(0) : *length / motion.mm_per_unit;
     at = ends_[i];
   }
 }
@@ -293,6 +328,21 @@ void PiecePlanner::choose_rates(const Step& step, double seconds, OutputState& c
   seconds_ = spent * unit;
 }
 
+// F under G93, as the control keeps it.
+double PiecePlanner::inverse_time(const Step& step, double per_minute) const {
+  const double least = dialect_.habits.inverse_time_increment;
+  if (least <= 0) return rounded_feed(step, per_minute);
+  const double largest = std::pow(10, dialect_.habits.most_digits - 1) * least - least;  // 9999.999 of 0.001
+  const double kept = std::round(per_minute / least) * least;
+  if (kept <= largest && std::abs(kept - per_minute) <= settings_.time_tolerance * 10 * per_minute) return kept;
+  refuse_block(
+      *step.block, "emit-feed-range",
+      fmt::format("a piece of this block would need F{:.6g}, and F under G93 goes from {} to {} in steps of {}",
+                  per_minute, to_decimal(least), to_decimal(largest, 3), to_decimal(least)),
+      kept > largest ? "let pieces be longer: --step-length, --step-angle, or block_time_ms in the model"
+                     : "let pieces be shorter: --step-length, --step-angle");
+}
+
 // G93: each piece its share of the time; where the control would lift length x F to its least rate, that piece goes
 // under G94 with the rate itself.
 void PiecePlanner::choose_inverse_times(const Step& step, double seconds, OutputState& control) {
@@ -305,7 +355,7 @@ void PiecePlanner::choose_inverse_times(const Step& step, double seconds, Output
     piece.restates_mode = mode != control.feed_mode;
     control.feed_mode = mode;
     const bool whole = pieces_.size() == 1 && !piece.leaves_inverse_time;
-    const double feed = rounded_feed(step, piece.leaves_inverse_time ? rate : 1 / minutes);
+    const double feed = piece.leaves_inverse_time ? rounded_feed(step, rate) : inverse_time(step, 1 / minutes);
     const bool keep = whole && !differs(step.motions.front().feed, feed, settings_.time_tolerance);
     if (!keep && piece.leaves_inverse_time) state_feed(step, piece, feed, control);
     if (!keep && !piece.leaves_inverse_time) piece.feed = feed;

@@ -20,6 +20,7 @@ struct EmitSettings {
   int digits_inch = 6;
   double increment_mm = 0;  // what the control resolves; 0: whatever is written
   double increment_deg = 0;
+  double increment_ratio = 1;           // --input-increment over the dialect's own
   double time_tolerance = 1e-3;         // F is written only where a block's time would change by more than this share
   std::vector<std::string> stamp;       // texts of the comments that mark the output
   std::vector<std::string> guard = {};  // whole lines behind the stamp
@@ -82,6 +83,8 @@ class PiecePlanner {
   static bool depends_on_start(const Step& step, Axis axis);
   double endless_word(const Step& step, Axis axis, double to, std::optional<double> from) const;
   Piece rounded_piece(const Step& step, const CorrectedPoint& point, AxisSet writable, AxisWords& at);
+  void check_digits(const Step& step, double value, int decimals) const;
+  double inverse_time(const Step& step, double per_minute) const;
   void set_lengths(const Step& step, const AxisWords& start);
   void choose_feeds(const Step& step, double seconds, OutputState& control);
   double feed_in_force(const Piece& piece, const OutputState& control) const;

@@ -30,10 +30,10 @@ Spelling spelling_of(const Block& block, const Spelling& like) {
   if (block.words.empty()) return like;
   const Span last = block.words.back().span;
   const bool lower_case = std::islower(static_cast<unsigned char>(block.text[last.begin])) != 0;
-  if (block.words.size() == 1) return {lower_case, like.spaced, like.point};
+  if (block.words.size() == 1) return {lower_case, like.spaced, like.point, like.most_digits};
   const std::string_view before = block.text.substr(0, last.begin);
   const bool first_of_line = before.find_last_of('\n') == before.size() - 2;
-  return {lower_case, first_of_line || is_blank(before.back()), like.point};
+  return {lower_case, first_of_line || is_blank(before.back()), like.point, like.most_digits};
 }
 
 void BlockEditor::start(const Block& block, const Spelling& spelling) {
@@ -110,6 +110,11 @@ void append_word(std::string& out, char letter, double value, int decimals, cons
   out += in_case(letter, spelling.lower_case);
   constexpr double kExact = 1e15;  // units of the last decimal that a double counts
   while (decimals > 0 && std::abs(value) > kExact * from_ticks(1, decimals)) --decimals;
+  if (spelling.most_digits > 0) {
+    int before = 1;
+    for (double rest = std::abs(value); rest >= 10; rest /= 10) ++before;
+    decimals = std::clamp(spelling.most_digits - before, 0, decimals);
+  }
   const std::size_t begin = out.size();
   append_decimal(out, value, decimals);
   if (spelling.point && out.find('.', begin) == std::string::npos) out += '.';

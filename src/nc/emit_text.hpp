@@ -13,7 +13,8 @@ namespace plumbline::nc {
 struct Spelling {
   bool lower_case = false;
   bool spaced = false;
-  bool point = false;  // numbers have a decimal point even where they are whole
+  bool point = false;   // numbers have a decimal point even where they are whole
+  int most_digits = 0;  // of a number; 0: any
 };
 /// Of a block with one word, which shows no spacing: the spacing of `like`.
 Spelling spelling_of(const Block& block, const Spelling& like);

@@ -85,6 +85,25 @@ double of_two(Operation operation, double a, double b, double equal_within) {
   return 0;
 }
 
+// A whole number as the control holds it for AND, OR and XOR.
+std::int64_t bits_of(const Block& block, Span span, const Value& value) {
+  const int number = value.known ? whole_number(block, span, value.number, "what AND, OR and XOR work on") : 0;
+  if (number >= 0) return number;
+  refuse_at(block, span, codes::kNegative, "AND, OR and XOR of a negative number are not interpreted",
+            "which bits it has depends on the control; keep to 0 and more");
+}
+
+double of_bits(const Block& block, const Instruction& step, const Value& a, const Value& b) {
+  const std::int64_t left = bits_of(block, step.span, a);
+  const std::int64_t right = bits_of(block, step.span, b);
+  const bool both = step.operation == Operation::bit_and;
+  return static_cast<double>(both ? left & right : step.operation == Operation::bit_or ? left | right : left ^ right);
+}
+
+bool is_of_bits(Operation operation) {
+  return operation >= Operation::bit_and && operation <= Operation::bit_exclusive_or;
+}
+
 double of_one(Operation operation, double a) {
   switch (operation) {
     case Operation::negate:
@@ -132,18 +151,6 @@ double of_one(Operation operation, double a) {
 
 }  // namespace
 
-// AND and OR give the same for 0 and 1, whether they join truths or bits.
-void Evaluator::check_truths(const Block& block, const Instruction& step) const {
-  for (std::size_t i = stack_.size() - 2; i < stack_.size(); ++i) {
-    const Value& value = stack_[i];
-    if (!value.known || value.number == 0 || value.number == 1) continue;
-    refuse_at(block, step.span, codes::kNotInterpreted,
-              fmt::format("{} joins {:.6g}: whether the control joins truths or bits was found in no source",
-                          block.at(step.span), value.number),
-              "join conditions, which are 0 or 1, as in [VC1 EQ 3] AND [VC2 LT 4]");
-  }
-}
-
 Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& parameters) {
   stack_.clear();
   for (const Instruction* step = &block.code[code]; step->operation != Operation::end; ++step) {
@@ -167,9 +174,6 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
         stack_.back() =
             parameters.read(block, parameter_number(block, step->span, stack_.back(), parameters.limits()), step->span);
         continue;
-      case Operation::check_truths:
-        check_truths(block, *step);
-        continue;
       default:
         break;
     }
@@ -179,7 +183,8 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
       stack_.pop_back();
       const Value a = stack_.back();
       result.known = a.known && b.known;
-      result.number = of_two(step->operation, a.number, b.number, equal_within_);
+      result.number = is_of_bits(step->operation) ? of_bits(block, *step, a, b)
+                                                  : of_two(step->operation, a.number, b.number, equal_within_);
       // To be vacant is not to be zero, for EQ and NE alone [B-63174EN, 13.1].
       if (a.vacant != b.vacant && step->operation == Operation::equal) result.number = 0;
       if (a.vacant != b.vacant && step->operation == Operation::not_equal) result.number = 1;

@@ -36,7 +36,6 @@ class Evaluator {
 
  private:
   double equal_within_;
-  void check_truths(const Block& block, const Instruction& step) const;
   std::vector<Value> stack_;
 };
 

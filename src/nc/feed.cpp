@@ -13,27 +13,23 @@ double norm(double a, double b, double c) { return std::sqrt(a * a + b * b + c *
 
 }  // namespace
 
-std::optional<double> feed_length(double linear_mm, const AxisWords& delta, FeedRule rule) {
+std::optional<double> feed_length(double linear_mm, const AxisWords& delta, FeedRule rule, double mm_per_unit) {
   const double rotary_deg = norm(delta[Axis::A], delta[Axis::B], delta[Axis::C]);
   switch (rule) {
     case FeedRule::xyz_first:
     case FeedRule::path_group:
       return linear_mm > 0 ? linear_mm : rotary_deg;
     case FeedRule::all_axes_as_mm:
-      return std::hypot(linear_mm, rotary_deg);
+      // A degree counts as the program's unit, a mm or an inch: alone it is deg/min either way [B-63174EN 4.2].
+      return linear_mm > 0 ? std::hypot(linear_mm, rotary_deg * mm_per_unit) : rotary_deg;
+    case FeedRule::tool_tip:
+      if (linear_mm == 0 && rotary_deg > 0) return std::nullopt;
+      return linear_mm;
     case FeedRule::unknown:
       break;
   }
   if (linear_mm > 0 && rotary_deg > kTurnsLittle * linear_mm) return std::nullopt;
   return linear_mm > 0 ? linear_mm : rotary_deg;
-}
-
-std::optional<double> feed_length(const AxisWords& delta, FeedRule rule) {
-  return feed_length(norm(delta[Axis::X], delta[Axis::Y], delta[Axis::Z]), delta, rule);
-}
-
-bool feed_length_is_angle(double linear_mm, FeedRule rule) {
-  return linear_mm == 0 && rule != FeedRule::all_axes_as_mm;
 }
 
 }  // namespace plumbline::nc

@@ -9,14 +9,12 @@
 namespace plumbline::nc {
 
 /// Length that the control divides by the feed for a move whose X, Y, Z path has length `linear_mm` and whose rotary
-/// axes turn by `delta` (deg). In mm, or in deg where the rule takes a purely rotary move so. Nothing where the rule is
-/// not known and the move turns so much beside its way in X, Y, Z that every rule would count another length.
-std::optional<double> feed_length(double linear_mm, const AxisWords& delta, FeedRule rule);
-
-/// The same for a straight move by `delta`.
-std::optional<double> feed_length(const AxisWords& delta, FeedRule rule);
+/// axes turn by `delta` (deg). In mm; in deg where X, Y and Z stand still. `mm_per_unit`: 25.4 under G20, where a
+/// degree may count as an inch. Nothing where the rule is not known and the move turns so much beside its way in
+/// X, Y, Z that every rule would count another length, or where it says nothing of a turn alone.
+std::optional<double> feed_length(double linear_mm, const AxisWords& delta, FeedRule rule, double mm_per_unit);
 
 /// True where the length counts in degrees: the F of such a block does not change with the length unit.
-bool feed_length_is_angle(double linear_mm, FeedRule rule);
+inline bool feed_length_is_angle(double linear_mm) { return linear_mm == 0; }
 
 }  // namespace plumbline::nc

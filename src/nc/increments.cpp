@@ -1,10 +1,13 @@
 // What numbers without a decimal point count.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
 #include "nc/codes.hpp"
 #include "nc/execution.hpp"
 #include "nc/expression.hpp"
+#include "nc/kept.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -26,8 +29,42 @@ std::uint32_t letters_of_lengths(const Habits& habits) {
              "set the unit of the control to 1 mm, let the CAM system write for that, and leave out --input-increment");
 }
 
+// That of the block itself counts: the mode acts before F.
+FeedMode feed_mode_of(const Execution& run, const Block& block) {
+  FeedMode mode = run.control.modal.feed_mode;
+  for (const Word& word : block.words) {
+    const CodeRow* const row = word.letter == 'G' ? run.dialect.row_of(word) : nullptr;
+    if (row == nullptr) continue;
+    if (row->action == Action::inverse_time) mode = FeedMode::inverse_time;
+    if (row->action == Action::per_minute) mode = FeedMode::per_minute;
+    if (row->action == Action::per_revolution) mode = FeedMode::per_revolution;
+  }
+  return mode;
+}
+
+void count_feed(const Execution& run, FeedMode mode, Word& word) {
+  const Habits& habits = run.dialect.habits;
+  if (mode == FeedMode::inverse_time) {
+    if (habits.inverse_time_increment > 0) word.value *= habits.inverse_time_increment;
+    return;
+  }
+  if (habits.feed_inch_increment_unknown && run.control.modal.inches && word.value != 0) {
+    run.refuse(word, codes::kValueUnknown, "what F without a decimal point counts in inches is not known",
+               "write F with a decimal point, or say --calculator-type on");
+  }
+  const bool turns = mode == FeedMode::per_revolution && habits.feed_per_revolution_increment > 0;
+  if (turns) word.value *= habits.feed_per_revolution_increment;
+}
+
+// Degrees of a turn, seconds of a dwell: thousandths in inches, too.
+void count_angle(const Execution& run, Word& word) {
+  if (word.point || word.expression != kLiteral || run.settings.calculator_type.value_or(false)) return;
+  const Habits& habits = run.dialect.habits;
+  word.value *= run.settings.input_increment.value_or(habits.increment_mm) / habits.increment_mm * habits.increment_deg;
+}
+
 // What a number without a decimal point counts, where that is not a unit.
-void count_increments(const Execution& run, Word& word) {
+void count_increments(const Execution& run, FeedMode mode, Word& word) {
   const Habits& habits = run.dialect.habits;
   const std::uint32_t letter = letter_bit(word.letter);
   const bool is_length = (letter & letters_of_lengths(habits)) != 0;
@@ -41,10 +78,26 @@ void count_increments(const Execution& run, Word& word) {
     word.value *= ratio * (run.control.modal.inches ? habits.increment_inch : habits.increment_mm);
   } else if (is_angle) {
     word.value *= ratio * habits.increment_deg;
-  } else if (word.letter == 'F' && run.control.modal.feed_mode == FeedMode::per_revolution &&
-             habits.feed_per_revolution_increment > 0) {
-    word.value *= habits.feed_per_revolution_increment;
+  } else if (word.letter == 'F') {
+    count_feed(run, mode, word);
   }
+}
+
+// More decimals than the control keeps; what an increment made of them adds up to differs between series.
+void keep_increment(const Execution& run, Word& word) {
+  const std::optional<Axis> axis = axis_of(word.letter);
+  const Habits& habits = run.dialect.habits;
+  if (!axis || !habits.keeps_increment) return;
+  const double ratio = run.settings.input_increment.value_or(habits.increment_mm) / habits.increment_mm;
+  const Kept kept = kept_of(habits, is_rotary(*axis), run.control.modal.inches, ratio);
+  word.value = kept_value(word.value, kept, word.expression == kLiteral);
+}
+
+bool has_code(const Execution& run, const Block& block, Action action) {
+  return std::any_of(block.words.begin(), block.words.end(), [&](const Word& word) {
+    const CodeRow* const row = word.letter == 'G' ? run.dialect.row_of(word) : nullptr;
+    return row != nullptr && row->action == action;
+  });
 }
 
 // A cycle goes on or begins: K is its count then.
@@ -60,10 +113,19 @@ bool is_in_cycle(const Execution& run, const Block& block) {
 }  // namespace
 
 void count_increments(const Execution& run, Block& block) {
-  const bool in_cycle = find_word(block, 'K') != nullptr && is_in_cycle(run, block);
+  const bool has_count = find_word(block, 'K') != nullptr || find_word(block, 'Q') != nullptr;
+  const bool in_cycle = has_count && is_in_cycle(run, block);
+  const bool turns = find_word(block, 'R') != nullptr && has_code(run, block, Action::turn_on);
+  const bool waits = find_word(block, 'X') != nullptr && has_code(run, block, Action::dwell);
+  const FeedMode mode = feed_mode_of(run, block);
   for (Word& word : block.words) {
-    if (in_cycle && word.letter == 'K') continue;
-    if (!is_code(word)) count_increments(run, word);
+    if (is_code(word) || (in_cycle && word.letter == 'K') || (!in_cycle && word.letter == 'Q')) continue;
+    if ((turns && word.letter == 'R') || (waits && word.letter == 'X')) {  // degrees, seconds
+      count_angle(run, word);
+      continue;
+    }
+    count_increments(run, mode, word);
+    if (!waits) keep_increment(run, word);
   }
 }
 

@@ -1,4 +1,5 @@
 // Which code does what.
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -42,6 +43,13 @@ bool set_mode(Modal& modal, Action action) {
     default:
       return false;
   }
+}
+
+// G0 G80 G91 G28 Z0: the mode is G0, whichever stands first.
+bool sets_motion(const Execution& run) {
+  return std::any_of(run.chosen.begin(), run.chosen.end(), [](const Chosen& code) {
+    return code.row->group == kMotionGroup && code.row->action != Action::motion_off && code.word->letter != 'M';
+  });
 }
 
 }  // namespace
@@ -108,14 +116,6 @@ void Interpreter::act_on_position(const Chosen& chosen) {
     case Action::tool_length_added:
     case Action::tool_length_off:
       return set_tool_length(run_, chosen);
-    case Action::no_next_tool:
-      control_.selected_tool = 0;
-      return;
-    case Action::tool_tip_on:
-    case Action::tool_tip_off:
-      return set_tool_tip(run_, chosen);
-    case Action::return_level:
-      return set_return_level(run_, *chosen.word);
     case Action::change_tool:
     case Action::set_tool:
       return change_tool(run_, chosen);
@@ -155,8 +155,7 @@ void Interpreter::act_on_mode(const Chosen& chosen) {
   if (set_mode(modal, chosen.row->action)) return;
   switch (chosen.row->action) {
     case Action::motion_off:
-      if (run_.dialect.habits.cycle_off_stops_spindle) modal.switches.spindle = 5;
-      if (run_.motion != nullptr) return;
+      if (run_.motion != nullptr || sets_motion(run_)) return;
       control_.cycle.begun = false;
       control_.spline_end.reset();
       modal.motion = MotionMode::none;
@@ -200,6 +199,9 @@ void Interpreter::change_unit(bool inches) {
   }
   control_.modal.inches = inches;
   control_.modal.feed = control_.feed_linear / control_.length_unit();
+  if (!run_.dialect.habits.unit_change_stands_alone) return;
+  control_.modal.feed = control_.feed_linear = control_.modal.feed_rotary =
+      0;  // what F is worth then stands in no source
 }
 
 }  // namespace plumbline::nc

@@ -87,7 +87,7 @@ void Parser::items() {
         word(token_.letter);
         break;
       case TokenKind::comment:
-        block_->comments.push_back({span_of(token_)});
+        comment(span_of(token_));
         break;
       case TokenKind::hash:
         setting();
@@ -100,6 +100,24 @@ void Parser::items() {
     }
     take(lex_item);
   }
+}
+
+// A control to which ; is the end of the block would execute what stands behind it.
+void Parser::comment(Span span) {
+  block_->comments.push_back({span});
+  if (!syntax_->semicolon_ends || block_->at(span).front() != ';') return;
+  const std::string_view text = block_->text;
+  std::size_t at = span.begin + 1;
+  while (true) {
+    at = text.find_first_not_of(" \t\r;", at);
+    if (at == std::string_view::npos || at >= span.end) return;
+    const std::size_t close = text[at] == '(' ? text.find(')', at) : std::string_view::npos;
+    if (close == std::string_view::npos) break;
+    at = close + 1;
+  }
+  refuse_at(*block_, {static_cast<std::uint32_t>(at), span.end}, codes::kNotInterpreted,
+            "; ends the block on this control, and what stands behind it is a block of its own",
+            "put it on a line of its own, or, if it is a comment, into ( )");
 }
 
 // word = letter , real value

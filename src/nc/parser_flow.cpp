@@ -33,7 +33,7 @@ void Parser::flow() {
     flow_values(flow.word);
   }
   take(lex_item);
-  for (; token_.kind == TokenKind::comment; take(lex_item)) block_->comments.push_back({span_of(token_)});
+  for (; token_.kind == TokenKind::comment; take(lex_item)) comment(span_of(token_));
   if (token_.kind == TokenKind::end && token_.begin >= block_->text.data() + block_->text.size()) return;
   refuse_at(*block_, span_of(token_), codes::kFlowControl, "nothing but a comment stands behind an O word",
             "write SUB, CALL, IF, WHILE or another keyword behind the label, and words into a block of their own");

@@ -89,7 +89,7 @@ void Parser::end_of_statement() {
     if (token_.kind == TokenKind::parenthesis) {
       pass_comment();
     } else {
-      block_->comments.push_back({span_of(token_)});
+      comment(span_of(token_));
     }
   }
   if (token_.kind == TokenKind::end && token_.begin >= block_->text.data() + block_->text.size()) return;

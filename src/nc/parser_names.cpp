@@ -18,7 +18,6 @@ void Parser::named_block() {
   if (next != std::string_view::npos && (first == next || block_->text[first] == '(')) {
     refuse_goes_on(static_cast<std::uint32_t>(next + 1));
   }
-  if (syntax_->draws && draws()) return;
   take(lex_named_item);
   if (token_.kind == TokenKind::percent) {
     if (syntax_->statements != Statements::high_level || *at_ != '_') return percent();
@@ -51,31 +50,6 @@ void Parser::refuse_goes_on(std::uint32_t at) const {
             fmt::format("take the {} away, or end the head of the program with %", syntax_->goes_on));
 }
 
-// DEF WORK ... END: the shape that the control draws.
-bool Parser::draws() {
-  std::string words;
-  for (const char c : block_->text.substr(0, block_->text.find('('))) {
-    if (!is_blank(c)) words += upper(c);
-  }
-  const bool within = drawing_;
-  drawing_ = within ? words != "END" : words == "DEFWORK";
-  if (!within && !drawing_) return false;
-  block_->kind = LineKind::ignored;
-  return true;
-}
-
-// ; ends the block for controls of this kind, and what stands behind it would be another one.
-void Parser::check_semicolon() {
-  const Span span = span_of(token_);
-  if (*token_.begin != ';' || syntax_->semicolon_comment) return;
-  const std::string_view rest = block_->at(span).substr(1);
-  const std::size_t first = rest.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos || rest[first] == '(' || rest[first] == ';') return;
-  refuse_at(*block_, {span.begin, span.begin + 1}, codes::kBadCharacter,
-            "behind ; stands what may be a block of its own to this control, or a comment",
-            "put it on a line of its own, or write comments in ( )");
-}
-
 // False: the line is the name of a program.
 bool Parser::block_label() {
   const bool user_task = syntax_->statements == Statements::user_task;
@@ -86,7 +60,7 @@ bool Parser::block_label() {
       refuse_at(*block_, block_->number, codes::kLineNumber, "N without a line number", "write digits behind the N");
     }
     take(lex_named_item);
-  } else if (user_task && token_.kind == TokenKind::identifier && first() == 'N' && !is_code_of_motion()) {
+  } else if (user_task && token_.kind == TokenKind::identifier && first() == 'N') {
     block_->number = span_of(token_);
     take(lex_named_item);
   } else if (token_.kind == TokenKind::colon && is_digit(*at_)) {
@@ -109,13 +83,6 @@ bool Parser::block_label() {
     take(lex_named_item);
   }
   return true;
-}
-
-// NCYL is a code, whatever else begins with N a label.
-bool Parser::is_code_of_motion() const {
-  const NameMeaning* const meaning = dialect_->meaning(block_->at(span_of(token_)));
-  return meaning != nullptr && meaning->kind == NameMeaning::Kind::code &&
-         dialect_->named_codes[static_cast<std::size_t>(meaning->which)].action == Action::no_hole;
 }
 
 void Parser::program_name(Span span) {
@@ -149,8 +116,7 @@ void Parser::named_items() {
         identifier();
         break;
       case TokenKind::comment:
-        check_semicolon();
-        block_->comments.push_back({span_of(token_)});
+        comment(span_of(token_));
         break;
       case TokenKind::parenthesis:
         if (syntax_->open == '(') refuse_token("a word");

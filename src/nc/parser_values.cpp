@@ -1,5 +1,6 @@
 // The productions of values: expressions, parameters, functions.
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,9 +19,12 @@ int precedence(Operation operation) {
     case Operation::divide:
     case Operation::modulo:
     case Operation::remainder:
+    case Operation::bit_and:  // as multiplication, and the others as addition [B-63174EN 13.3]
       return 4;
     case Operation::plus:
     case Operation::minus:
+    case Operation::bit_or:
+    case Operation::bit_exclusive_or:
       return 3;
     case Operation::logical_and:
     case Operation::logical_or:
@@ -29,6 +33,14 @@ int precedence(Operation operation) {
     default:
       return 2;
   }
+}
+
+bool is_relation(Operation operation) { return operation >= Operation::equal && operation <= Operation::less_equal; }
+
+Operation of_bits(Operation operation) {
+  if (operation == Operation::logical_and) return Operation::bit_and;
+  if (operation == Operation::logical_or) return Operation::bit_or;
+  return operation == Operation::exclusive_or ? Operation::bit_exclusive_or : operation;
 }
 
 }  // namespace
@@ -64,9 +76,11 @@ void Parser::signed_value() {
 // expression = "[" , real value , { operation , real value } , "]"
 void Parser::expression() {
   const Span open = span_of(token_);
+  const bool outside = std::exchange(compares_, false);
   real_value();
   lex_operation(at_, token_);
   operations(1);
+  compares_ = outside;
   if (token_.kind == TokenKind::end) {
     refuse_at(*block_, open, codes::kBracketOpen, "the bracket [ is not closed", "add the missing ]");
   }
@@ -81,7 +95,15 @@ void Parser::expression() {
 void Parser::operations(int least_precedence) {
   while (token_.kind == TokenKind::operation) {
     auto operation = static_cast<Operation>(token_.operation);
+    if (syntax_->bitwise) operation = of_bits(operation);
     if (precedence(operation) < least_precedence) return;
+    if (syntax_->bitwise && is_relation(operation)) {
+      if (compares_) {
+        refuse_at(*block_, span_of(token_), codes::kOperator, "a second comparison without brackets around each",
+                  "write it as in [[#1 EQ 1] AND [#2 EQ 2]]");
+      }
+      compares_ = true;
+    }
     if (operation == Operation::modulo && syntax_->rounds_to_zero) operation = Operation::remainder;
     const Span span = span_of(token_);
     at_ = token_.end;

@@ -9,6 +9,7 @@
 #include "base/check.hpp"
 #include "base/number_text.hpp"
 #include "base/units.hpp"
+#include "nc/kept.hpp"
 #include "nc/line_head.hpp"
 
 namespace plumbline::nc {
@@ -100,9 +101,15 @@ const Step* PlainSteps::plain(const Step& step, bool keeps_settings) {
 
 // A word with its value in place of an expression, as the language spells it: X5, CR=5, X=IC(5).
 std::string PlainSteps::with_value(std::string_view text, const Word& word) const {
-  const Spelling spelling{spelling_.lower_case, false, spelling_.point};
+  const Spelling spelling{spelling_.lower_case, false, spelling_.point, spelling_.most_digits};
   std::string value;
-  append_word(value, word.letter, word.value, kMostDecimals, spelling);
+  const bool whole = dialect_.habits.whole_words.find(word.letter) != std::string::npos;
+  const bool has_parts = word.letter == 'G' && std::abs(word.value - std::round(word.value)) > kStands;  // G54.1
+  if (whole && !has_parts) {
+    append_word(value, word.letter, std::round(word.value), 0, {spelling_.lower_case, false, false, 0});
+  } else {
+    append_word(value, word.letter, word.value, kMostDecimals, spelling);
+  }
   const std::size_t equals = text.find('=');
   if (word.letter == kNamedCode) return std::string(text);
   if (equals == std::string_view::npos) return value;
@@ -141,7 +148,7 @@ void PlainSteps::write_polar_end(const Step& step, bool& written, Span span) {
       const double value = motion.to[axis] - (step.after->incremental ? motion.from[axis] : 0);
       if (spelling_.spaced && !text.empty()) text += ' ';
       append_word(text, letter(axis), value / unit_of(step, axis), kMostDecimals,
-                  {spelling_.lower_case, false, spelling_.point});
+                  {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
     }
   }
   editor_.replace(span, text);
@@ -196,6 +203,10 @@ std::span<const Step* const> PlainSteps::moves(const Step& step) {
   number_.clear();
   mode_ = step.before->motion;
   spelling_ = spelling_of(*step.block, spelling_);
+  if (step.cycle == CycleForm::spindle && dialect_.habits.fanuc_cycles && is_one_hole(step)) {
+    add_hole_in_place(step);
+    return list_;
+  }
   add_rest(step);
   if (step.cycle == CycleForm::spindle) {
     for (const Hole& hole : step.holes) step.call != nullptr ? add_called_hole(step, hole) : add_hole(step, hole);
@@ -268,11 +279,17 @@ void PlainSteps::append_dwell(std::string& text, double seconds) const {
   const double per_count = letter == 'P' ? dialect_.habits.dwell_p_s : 1;
   const bool whole = per_count != 1;
   append_word(text, letter, seconds / per_count, whole ? 0 : kMostDecimals,
-              {spelling_.lower_case, spelling_.spaced, spelling_.point && !whole});
+              {spelling_.lower_case, spelling_.spaced, spelling_.point && !whole, spelling_.most_digits});
 }
 
+// Of R and Q as of Z.
 void PlainSteps::append_axis(std::string& text, const Step& step, char letter, double mm) const {
-  append_word(text, letter, mm / (step.after->inches ? kMmPerInch : 1), kMostDecimals, spelling_);
+  append_word(text, letter, kept(step, Axis::Z, mm / (step.after->inches ? kMmPerInch : 1)), kMostDecimals, spelling_);
+}
+
+// A word of the program's unit as the control keeps it.
+double PlainSteps::kept(const Step& step, Axis axis, double value) const {
+  return kept_value(value, kept_of(dialect_.habits, is_rotary(axis), step.after->inches, increment_ratio_), false);
 }
 
 void PlainSteps::add_move(const Step& step, const Motion& motion) {
@@ -296,7 +313,7 @@ void PlainSteps::add_move(const Step& step, const Motion& motion) {
     for (const Axis axis : kAllAxes) {
       if (!moved.contains(axis)) continue;
       const double value = motion.to[axis] - (step.after->incremental ? motion.from[axis] : 0);
-      append_word(own.text, letter(axis), value / unit_of(step, axis), kMostDecimals, spelling_);
+      append_word(own.text, letter(axis), kept(step, axis, value / unit_of(step, axis)), kMostDecimals, spelling_);
     }
     const bool needs_feed = motion.kind == MotionKind::feed && motion.feed_mode == FeedMode::inverse_time;
     if (needs_feed) append_word(own.text, 'F', motion.feed, kMostDecimals, spelling_);
@@ -333,16 +350,13 @@ void PlainSteps::add_hole(const Step& step, const Hole& hole) {
   append_axis(own.text, step, letter(axes.second), hole.second);
   append_axis(own.text, step, letter(axes.third), hole.bottom);
   append_axis(own.text, step, 'R', hole.r);
-  if (hole.dwell_s && dialect_.habits.return_levels) {
-    append_word(own.text, 'P', *hole.dwell_s, kMostDecimals, spelling_);  // as it was: what it counts is a setting
-  } else if (hole.dwell_s) {
-    append_dwell(own.text, *hole.dwell_s);
-  }
+  if (hole.dwell_s) append_dwell(own.text, *hole.dwell_s);
   if (hole.ijk) {
     for (std::size_t i = 0; i < 3; ++i) append_axis(own.text, step, "IJK"[i], (*hole.ijk)[i]);
   }
   own.before.motion = mode_;
   own.hole = hole;
+  own.hole.begin = 0;
   own.step.motions = step.motions.subspan(hole.begin, hole.end - hole.begin);
   own.step.holes = {&own.hole, 1};
   own.step.role = BlockRole::cycle;
@@ -361,6 +375,52 @@ void PlainSteps::add_hole(const Step& step, const Hole& hole) {
   back.before.motion = back.after.motion = mode_;
   parse(back, step);
   add(back);
+}
+
+// The block itself, its hole stated as position: a rigid tap ends at any other motion, and a move between M29 and G84
+// is an alarm [B-62764EN 13.2], so that nothing may stand between its blocks.
+void PlainSteps::add_hole_in_place(const Step& step) {
+  const Block& block = *step.block;
+  const Hole& hole = step.holes.front();
+  const PlaneAxes axes = axes_of(step.after->plane);
+  editor_.start(block, spelling_);
+  if (step.executed_delete) editor_.replace(block.slash, "");
+  std::string missing;
+  const auto state = [&](char letter, double mm) {
+    std::string text;
+    const Word* const word = find_word(block, letter);
+    if (word == nullptr && spelling_.spaced && !missing.empty()) text += ' ';
+    append_word(text, letter, kept(step, Axis::Z, mm / (step.after->inches ? kMmPerInch : 1)), kMostDecimals,
+                {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
+    if (word != nullptr) return editor_.replace(word->span, text);
+    missing += text;
+  };
+  state(letter(axes.first), hole.first);
+  state(letter(axes.second), hole.second);
+  state(letter(axes.third), hole.bottom);
+  state('R', hole.r);
+  if (!missing.empty()) editor_.insert_after(block.words.back().span.end, missing);
+  Own& own = next_own(step);
+  editor_.apply(own.text);
+  own.before = *step.before;
+  own.hole = hole;
+  own.step.motions = step.motions;
+  own.step.holes = {&own.hole, 1};
+  own.step.role = BlockRole::cycle;
+  own.step.cycle = CycleForm::spindle;
+  own.step.loses_position = step.loses_position;
+  own.step.changes_tool = step.changes_tool;
+  own.step.named = AxisSet::linear();
+  own.after.motion = mode_ = MotionMode::cycle;
+  parse(own, step);
+  for (Word& word : own.block.words) word.decimals = 0;
+  add(own);
+  own.block.line_end = block.line_end;
+}
+
+bool PlainSteps::is_one_hole(const Step& step) {
+  const bool counts = find_word(*step.block, 'K') != nullptr || find_word(*step.block, 'L') != nullptr;
+  return step.holes.size() == 1 && !counts && !dwells_first(step) && !step.after->incremental;
 }
 
 }  // namespace plumbline::nc

@@ -20,8 +20,10 @@ namespace plumbline::nc {
 class PlainSteps {
  public:
   /// The dialect must outlive it.
-  explicit PlainSteps(const Dialect& dialect) : dialect_(dialect), codes_(dialect), parser_(dialect) {
+  explicit PlainSteps(const Dialect& dialect, double increment_ratio = 1)
+      : increment_ratio_(increment_ratio), dialect_(dialect), codes_(dialect), parser_(dialect) {
     spelling_.point = dialect.habits.always_point;
+    spelling_.most_digits = dialect.habits.most_digits;
   }
 
   /// The step with a block that holds values where the original has expressions, and X and Y in place of @ and ^.
@@ -34,6 +36,9 @@ class PlainSteps {
   /// G4, and the words that act behind the motion. Cycles that work the spindle keep one block a hole, with every word
   /// of it (Step::holes holds one entry). `step` is one of plain(). Holds until the next call of either.
   std::span<const Step* const> moves(const Step& step);
+
+  /// True of a block of a cycle that makes one hole, and says where it is as a position.
+  static bool is_one_hole(const Step& step);
 
  private:
   struct Own {
@@ -56,10 +61,15 @@ class PlainSteps {
   void add_move(const Step& step, const Motion& motion);
   void add_hole(const Step& step, const Hole& hole);
   void add_called_hole(const Step& step, const Hole& hole);
+  void add_hole_in_place(const Step& step);
+
   Span label_of(const Block& block) const;
   void append_dwell(std::string& text, double seconds) const;
   void append_axis(std::string& text, const Step& step, char letter, double mm) const;
 
+  double kept(const Step& step, Axis axis, double value) const;
+
+  double increment_ratio_;  // EmitSettings
   const Dialect& dialect_;
   CodeWriter codes_;
   Parser parser_;

@@ -86,17 +86,22 @@ bool is_code(char letter) { return letter == 'G' || letter == 'M' || letter == k
 void keep_last_of_groups(Execution& run) {
   for (std::size_t i = 0; i < run.chosen.size(); ++i) {
     const Chosen& code = run.chosen[i];
-    if (code.word->letter != 'G' || code.row->group == 0) continue;
-    const bool last = std::none_of(
-        run.chosen.begin() + static_cast<std::ptrdiff_t>(i) + 1, run.chosen.end(),
-        [&](const Chosen& later) { return later.word->letter == 'G' && later.row->group == code.row->group; });
+    if (code.word->letter != 'G' || code.row->group == 0 || code.row->action == Action::motion_off) continue;
+    const bool last = std::none_of(run.chosen.begin() + static_cast<std::ptrdiff_t>(i) + 1, run.chosen.end(),
+                                   [&](const Chosen& later) {
+                                     return later.word->letter == 'G' && later.row->group == code.row->group &&
+                                            later.row->action != Action::motion_off;
+                                   });
     if (!last) run.chosen.erase(run.chosen.begin() + static_cast<std::ptrdiff_t>(i--));
   }
 }
 
 // Two codes of one modal group cannot both act.
 void check_groups(Execution& run) {
-  if (run.dialect.habits.last_of_group) return keep_last_of_groups(run);
+  if (run.dialect.habits.last_of_group) {
+    check_cycle_beside_motion(run);
+    return keep_last_of_groups(run);
+  }
   std::uint64_t seen_g = 0;
   std::uint64_t seen_m = 0;
   for (const Chosen& chosen : run.chosen) {
@@ -134,11 +139,10 @@ const Word& polar_word(const Execution& run) {
   return *word;
 }
 
-// F and S of a dwell are its time, not a feed and a speed; G131 has an F of its own.
+// F and S of a dwell are its time, not a feed and a speed.
 void take_words_of_dwell(Execution& run) {
-  const auto dwell = std::find_if(run.chosen.begin(), run.chosen.end(), [](const Chosen& chosen) {
-    return chosen.row->action == Action::dwell || chosen.row->action == Action::no_motion;
-  });
+  const auto dwell = std::find_if(run.chosen.begin(), run.chosen.end(),
+                                  [](const Chosen& chosen) { return chosen.row->action == Action::dwell; });
   if (dwell == run.chosen.end()) return;
   const std::uint32_t taken = dwell->row->word_mask;
   std::erase_if(run.chosen, [&](const Chosen& chosen) {
@@ -273,6 +277,11 @@ AxisTakers axis_takers(Execution& run) {
   return takers;
 }
 
+// G2 I5, or a cycle.
+bool goes_without_axes(const Execution& run) {
+  return run.motion->action == Action::cycle || (is_arc(run.motion) && (run.words.letters() & kCentreBits) != 0);
+}
+
 // An explicit motion, or the one in force if there are words for it that nobody else takes.
 void find_motion(Execution& run) {
   const AxisTakers takers = axis_takers(run);
@@ -295,6 +304,8 @@ void find_motion(Execution& run) {
     }
     run.motion = takers.motion->row;
     run.motion_word = takers.motion->word;
+    if (run.dialect.habits.bare_motion_code_is_mode && run.axes.empty() && !goes_without_axes(run))
+      run.motion = nullptr;
     return;
   }
   if (takers.other != nullptr || takers.tool_length) return;
@@ -309,6 +320,11 @@ void find_motion(Execution& run) {
 }
 
 void check_machine_coordinates(const Execution& run) {
+  const CodeRow* const stated = run.motion_word == nullptr ? nullptr : run.dialect.row_of(*run.motion_word);
+  if (run.dialect.habits.machine_move_is_rapid && stated != nullptr && stated->action != Action::rapid) {
+    run.refuse(*run.motion_word, codes::kMachineMove, "G53 moves at rapid, and this asks for a feed",
+               "write G0 into the block of G53");
+  }
   const bool straight =
       run.motion != nullptr && (run.motion->action == Action::rapid || run.motion->action == Action::feed);
   if (!straight) {
@@ -359,6 +375,7 @@ void plan(Execution& run) {
   run.machine_word = nullptr;
   gather(run);
   if (!run.chosen.empty() && run.chosen.back().row->action == Action::call_macro) {
+    check_words_before_call(run);
     run.motion = nullptr;
     return;
   }
@@ -367,6 +384,7 @@ void plan(Execution& run) {
   find_motion(run);
   check_words_used(run);
   if (const Word* spindle = run.words.find('$')) check_spindle(run, *spindle);
+  check_contexts(run);
   if (run.machine_word != nullptr && (run.motion != nullptr || !run.dialect.habits.machine_move_is_rapid)) {
     check_machine_coordinates(run);
   }

@@ -19,10 +19,13 @@ constexpr std::size_t kLook = std::size_t{1} << 16U;
 bool begins_name(char c) { return is_letter(c) || c == '_'; }
 
 // A mark at one place of a line: a blank stands for any blanks or none, 0 for a number, ~ for the end of a word, $ for
-// the end of the line.
+// the end of the line, ! before a letter for anything but that letter.
 bool matches_at(std::string_view mark, std::string_view line, std::size_t at) {
-  for (const char wanted : mark) {
-    if (wanted == ' ') {
+  for (std::size_t i = 0; i < mark.size(); ++i) {
+    const char wanted = mark[i];
+    if (wanted == '!') {
+      if (at < line.size() && line[at] == mark[++i]) return false;
+    } else if (wanted == ' ') {
       while (at < line.size() && is_blank(line[at])) ++at;
     } else if (wanted == '0') {
       if (at >= line.size() || !is_digit(line[at])) return false;

@@ -48,7 +48,7 @@ struct Hole {
   double first = 0, second = 0;
   double r = 0, bottom = 0, clear = 0;       // where it begins to feed, its end, where it goes back to
   std::optional<double> dwell_s;             // P
-  std::optional<std::array<double, 3>> ijk;  // G87: I and J beside the hole, K the level
+  std::optional<std::array<double, 3>> ijk;  // G87: two of them beside the hole, that of the normal the level
 };
 
 struct CycleCall;

@@ -1,6 +1,7 @@
 #include "path/duration.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/units.hpp"
 #include "nc/feed.hpp"
@@ -10,11 +11,15 @@ namespace plumbline::path {
 std::optional<double> duration(const nc::Motion& motion, const Curve& curve, const nc::Dialect& dialect) {
   const bool cuts = motion.kind == nc::MotionKind::feed || motion.kind == nc::MotionKind::arc;
   if (!cuts || motion.feed <= 0) return std::nullopt;
-  const std::optional<double> length = nc::feed_length(curve.linear_mm(), curve.delta(), motion.feed_rule);
+  const std::optional<double> length =
+      nc::feed_length(curve.linear_mm(), curve.delta(), motion.feed_rule, motion.mm_per_unit);
   if (motion.feed_mode == nc::FeedMode::inverse_time) {
+    // F is the feed over the radius: an arc of the angle a takes a / F [B-62764EN 5].
+    if (dialect.habits.inverse_time_by_radius && motion.kind == nc::MotionKind::arc)
+      return std::abs(curve.arc_deg()) * kDeg / motion.feed * kMinute;
     if (length.value_or(0) <= 0) return kMinute / motion.feed;
     // RS274/NGC: the rate is length x F, and never less than the control's least.
-    const bool in_degrees = nc::feed_length_is_angle(curve.linear_mm(), motion.feed_rule);
+    const bool in_degrees = nc::feed_length_is_angle(curve.linear_mm());
     const double least = dialect.feed_rate_min * (in_degrees ? 1 : motion.mm_per_unit);
     const double rate = std::max(*length * motion.feed, least);
     return *length / rate * kMinute;

@@ -88,3 +88,24 @@ TEST_CASE("what is no TOML is refused where it stands") {
   CHECK(place_of("#\r") == std::pair<std::size_t, std::size_t>(1, 2));
   CHECK(place_of("x = 1\ny = 1e999") == std::pair<std::size_t, std::size_t>(2, 10));
 }
+
+TEST_CASE("a place is that which counting lines from the begin gives") {
+  std::string text = "a = 1\r\n\n";
+  for (int i = 0; i < 50; ++i) text += "[[row]]\nname = \"x\"\r\nvalues = [\n1,\n2]\n";
+  const TomlDocument document = parse_toml(text, "m.toml");
+  const auto check = [&](Span span) {
+    const Place place = document.place(span);
+    const Place counted = place_in("m.toml", text, span.offset, span.length);
+    CHECK(place.line == counted.line);
+    CHECK(place.column == counted.column);
+    CHECK(place.text == counted.text);
+  };
+  for (const TomlValue& row : document.root.find("row")->value.items) {
+    for (const TomlEntry& entry : row.entries) {
+      check(entry.key_span);
+      check(entry.value.span);
+    }
+  }
+  check({text.size(), 1});
+  check({0, 1});
+}

@@ -17,11 +17,12 @@ Job job_for(const std::string& dialect) {
   return job;
 }
 
-void check(const std::string& text, const std::string& output, const Job& job) {
+// What a control keeps of mm and deg is not among the tip's errors that a correction can take away.
+void check(const std::string& text, const std::string& output, const Job& job, double kept_um = 0) {
   INFO(output);
   const Played played = play(text, output, job);
-  CHECK(played.at_points_um <= 0.15);
-  CHECK(played.between_points_um <= 0.5);
+  CHECK(played.at_points_um <= 0.15 + kept_um);
+  CHECK(played.between_points_um <= 0.5 + kept_um);
   CHECK(played.time_change <= 2e-3);
 }
 
@@ -53,7 +54,7 @@ TEST_CASE("a program for Fanuc comes out for Fanuc") {
   Job job = job_for("fanuc");
   job.program.feed_rule = nc::FeedRule::xyz_first;
   const Result result = run(kFanuc, job);
-  check(kFanuc, result.text, job);
+  check(kFanuc, result.text, job, 1.5);  // thousandths of mm and deg
   CHECK(result.summary.changed_blocks > 5);
   INFO(result.text);
   CHECK_FALSE(holds(result.text, "[XYZABCF]-?[0-9]+( |$|[A-Z])"));  // each number that was written has its point
@@ -91,7 +92,7 @@ TEST_CASE("a program for Okuma in which nothing turns needs no feed rule, though
 TEST_CASE("a block of several lines is joined where it changes, and stays as it is where it does not") {
   const Job job = job_for("okuma");
   const std::string text =
-      "$A.MIN%\nG15 H1\nG90\n$ G94\nG0 X0 Y0 Z20\n$ A0 B0 C0\nN7 G1 X40\n$Y10 F500 (CUT)\nG3 X20\n$  Y30\n$ R22 "
+      "$A.MIN%\nG15 H1\nG90\n$ G94\nG0 X0 Y0 Z20\n$ A0 B0 C0\nN7 G1 X40\n$Y10 F500 (CUT)\nG3 X20\n$  Y30\n$ R-22 "
       "M8\nM5\n$ "
       "M9\nM2\n";
   const Result result = run(text, job);
@@ -204,7 +205,7 @@ TEST_CASE("a dwell of a cycle counts what the control counts") {
   const std::string out = run(text, job).text;
   INFO(out);
   CHECK(holds(out, "^G4 P500$"));
-  CHECK(holds(out, "^G84 .* P250$"));
+  CHECK(holds(out, "^G84 X.* P250 F100\\."));
 }
 
 TEST_CASE("a program that is written out repeats no label") {

@@ -113,9 +113,28 @@ TEST_CASE("a dataset is written as it was read, and never over itself") {
   CHECK(again.runs[0].angle == dataset.runs[0].angle);
   CHECK(refusal_of([&] { write_dataset(dataset, scratch.path("")); }).code == "file-overwrites-input");
 
-  const Dataset outside =
-      parse_dataset(replaced(text, "run.csv", "../run.csv"), scratch.path("x/dataset.toml"), scratch.path("out"));
+  Dataset outside = dataset;
+  outside.runs[0].file = "../run.csv";
   CHECK(refusal_of([&] { write_dataset(outside, scratch.path("out")); }).code == "dataset-file-outside");
+}
+
+TEST_CASE("a dataset reads no table outside of its folder") {
+  const Scratch scratch;
+  std::filesystem::create_directories(scratch.path("in/sub"));
+  scratch.file("secret.csv", "name:password\n");
+  scratch.file("in/sub/run.csv", table_text());
+  for (const std::string& file : {std::string("../secret.csv"), scratch.path("secret.csv"), std::string("/etc/passwd"),
+                                  std::string("sub/../../secret.csv"), std::string("../none.csv")}) {
+    const std::string path = scratch.file("in/dataset.toml", replaced(dataset_text(), "run.csv", file));
+    const Diagnostic d = refusal_of([&] { read_dataset(path); });
+    INFO(to_text(d));
+    CHECK(d.code == "dataset-file-outside");
+    CHECK(d.place.file == path);
+  }
+  for (const char* const file : {"sub/run.csv", "./sub/run.csv", "sub/../sub/run.csv"}) {
+    const std::string path = scratch.file("in/dataset.toml", replaced(dataset_text(), "run.csv", file));
+    CHECK(read_dataset(path).runs.size() == 1);
+  }
 }
 
 TEST_CASE("no table is written over another one, and nothing is written before that is clear") {
@@ -127,7 +146,7 @@ TEST_CASE("no table is written over another one, and nothing is written before t
   std::string second = replaced(text.substr(text.find("[[run]]")), "\"a\"", "\"b\"");
   const Dataset shared = read_dataset(scratch.file("shared.toml", text + second));
   CHECK(refusal_of([&] { write_dataset(shared, scratch.path("out")); }).code == "dataset-same-file");
-  CHECK(std::filesystem::is_empty(scratch.path("out")));
+  CHECK_FALSE(scratch.has("out"));
   const Dataset beside = read_dataset(scratch.file("beside.toml", text + replaced(second, "run.csv", "sub/run.csv")));
   const Diagnostic d = refusal_of([&] { write_dataset(beside, scratch.path("sub")); });
   CHECK(d.code == "file-overwrites-input");

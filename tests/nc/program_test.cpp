@@ -142,3 +142,30 @@ TEST_CASE("steps tell what they are") {
   CHECK(steps.next()->block->kind == LineKind::ignored);
   CHECK(steps.next() == nullptr);
 }
+
+TEST_CASE("the control reads nothing behind the second %") {
+  const std::string subprogram = "o100 sub\nG1 X5\no100 endsub\n";
+  CHECK(code_of("%\nF100\no100 call\nM2\n%\n" + subprogram) == "nc-flow-open");
+  CHECK(code_of("%\nF100\nM98 P100\nM2\n%\nO100\nG1 X5\nM99\n%\n") == "nc-flow-open");
+  CHECK(code_of("%\nF100\no1 if [0]\nG1 X5\n%\no1 endif\nM2\n") == "nc-flow-open");
+  CHECK(code_of("%\nF100\no100 call\nM2\n" + subprogram + "%\n").empty());
+  CHECK(motions_of("F100\no100 call\nM2\n%\n" + subprogram).size() == 1);  // without the first it is no end
+}
+
+TEST_CASE("a % inside a subprogram ends the program, or is refused as the control does") {
+  const std::string subprogram = "F100\no100 call\nG1 X9\nM2\no100 sub\nG1 X5\n%\no100 endsub\n";
+  CHECK(motions_of("%\n" + subprogram).size() == 1);
+  CHECK(code_of(subprogram) == "nc-bad-character");
+}
+
+TEST_CASE("what a few letters spell counts for --max-blocks") {
+  ProgramSettings settings = empty_tables();
+  settings.max_blocks = 1000;
+  CHECK(code_of("F100\nG81 X1 Y1 Z-1 R1 L400\nM2\n", settings) == "nc-too-many-blocks");
+  CHECK(code_of("F100\nG81 X1 Y1 Z-1 R1 L300\nM2\n", settings).empty());
+  CHECK(code_of("F100\nG2 I1 P2000\nM2\n", settings) == "nc-too-many-blocks");
+  CHECK(code_of("F100\nG2 I1 P400\nG3 I1 P400\nM2\n", settings).empty());
+  CHECK(code_of("F100\nG2 I1 P400\nG3 I1 P400\nG81 Z-1 R1 L100\nM2\n", settings) == "nc-too-many-blocks");
+  CHECK(code_of("F100\nG83 Z-1 R1 Q.005\nM2\n", settings) == "nc-too-many-blocks");
+  CHECK(code_of("F100\nG2 I1 P1000000000\nM2\n") == "nc-too-many-blocks");
+}

@@ -49,6 +49,14 @@ TEST_CASE("what all dialects have is read as LinuxCNC's, unless the program begi
   CHECK(dialect_of("O1234\nG15 H1\n") == "okuma");
 }
 
+TEST_CASE("an NE behind a bracket is no label") {
+  CHECK(dialect_of("#3=2\no527 if [[#3+1] NE 3]\nG0 X1\no527 endif\n") == "linuxcnc");
+  CHECK(dialect_of("#1=[[2*3] ne #<depth>]\nG0 X1\n") == "linuxcnc");
+  CHECK(dialect_of("#<a>=1\nG0 X[[1]NE[2]]\n") == "linuxcnc");
+  CHECK(dialect_of("IF [VC1 EQ 2] NLAB\n") == "okuma");
+  CHECK(dialect_of("IF[VC1 EQ 2]N10\n") == "okuma");
+}
+
 TEST_CASE("comments show nothing") {
   CHECK(dialect_of("(TRAORI)\nG0 X1. ; CALL O1000\n") == "linuxcnc");
   CHECK(dialect_of("(POST: G54.1 P2 AND #<name>)\nG0 X1.\n") == "linuxcnc");

@@ -76,3 +76,46 @@ TEST_CASE("an undo file that is none, or cut short, is refused") {
   write_text(folder / "undo", "plumbline undo 1\nreplaced 99999999999 3 2\nab\n");
   CHECK(code_of(folder) == "undo-format");
 }
+
+TEST_CASE("parts of several programs stand behind each other, and each finds its own") {
+  const Folder folder;
+  write_case(folder);
+  const std::string first = read_text(folder / "undo");
+  write_text(folder / "original2", "G0 X9\nM2\n");
+  write_text(folder / "output2", "G0 X9.5\nM2\n");
+  {
+    OutputFile file(folder / "undo2");
+    nc::UndoLog log(file);
+    log.replaced(0, 8, "G0 X9\n");
+    log.finish(InputFile(folder / "original2"), 11, fnv1a("G0 X9.5\nM2\n"));
+    file.commit();
+  }
+  const std::string second = read_text(folder / "undo2");
+  for (const std::string& both : {first + second, second + first}) {
+    write_text(folder / "undo", both);
+    CHECK(restored(folder) == read_text(folder / "original"));
+    OutputFile part(folder / "part");
+    CHECK(nc::copy_undo(InputFile(folder / "output2"), InputFile(folder / "undo"), part));
+    part.commit();
+    CHECK(read_text(folder / "part") == second);
+  }
+  OutputFile none(folder / "none");
+  CHECK_FALSE(nc::copy_undo(InputFile(folder / "original"), InputFile(folder / "undo"), none));
+  CHECK(none.size() == 0);
+  write_text(folder / "undo", first + "something else\n");
+  fs::remove(folder / "back");
+  CHECK(code_of(folder) == "undo-format");
+}
+
+TEST_CASE("spans that overlap, lie beyond the output or write another size are refused before anything is written") {
+  const Folder folder;
+  write_case(folder);
+  const std::string size = std::to_string(fs::file_size(folder / "output"));
+  for (const std::string& spans :
+       {"replaced 10 5 0\n\nreplaced 12 5 0\n\nend 10 " + size, "replaced 10 18446744073709551610 0\n\nend 40 " + size,
+        "replaced 0 999 0\n\nend 0 " + size, "replaced 0 8 0\n\nend 20000000000 " + size}) {
+    INFO(spans);
+    write_text(folder / "undo", "plumbline undo 1\n" + spans + " 0000000000000000 0000000000000000\n");
+    CHECK(code_of(folder) == "undo-format");
+  }
+}

@@ -1,0 +1,30 @@
+#include "nc/kept.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number_text.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr double kWholeTicks = 1e-6;  // of a tick, so that 0.123 is not cut to 0.122
+
+}  // namespace
+
+Kept kept_of(const Habits& habits, bool angle, bool inches, double ratio) {
+  if (!habits.keeps_increment) return {0, kMostDecimals};
+  const double quantum = ratio * (angle ? habits.increment_deg : inches ? habits.increment_inch : habits.increment_mm);
+  const int decimals = static_cast<int>(std::ceil(-std::log10(quantum) - kWholeTicks));
+  return {quantum, std::clamp(decimals, 0, kMostDecimals)};
+}
+
+double kept_value(double value, const Kept& kept, bool is_literal) {
+  if (kept.quantum <= 0) return value;
+  const double ticks = value / kept.quantum;
+  const double whole = std::round(ticks);
+  const double cut = std::abs(ticks - whole) < kWholeTicks || !is_literal ? whole : std::trunc(ticks);
+  return from_ticks(to_ticks(cut * kept.quantum, kept.decimals), kept.decimals);
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,19 @@
+// What a control keeps of the numbers that it is given: no more than its increment system has decimals.
+#pragma once
+
+#include "nc/dialect.hpp"
+
+namespace plumbline::nc {
+
+struct Kept {
+  double quantum = 0;  // in the program's unit; 0: whatever is written
+  int decimals = 0;
+};
+
+/// Of a length or an angle. `ratio`: --input-increment over the dialect's own.
+Kept kept_of(const Habits& habits, bool angle, bool inches, double ratio);
+
+/// The value as the control keeps it: a number that stands in the program is cut off, one that is worked out rounded.
+double kept_value(double value, const Kept& kept, bool is_literal);
+
+}  // namespace plumbline::nc

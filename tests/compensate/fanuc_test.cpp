@@ -1,0 +1,208 @@
+// What a Fanuc control keeps, takes and refuses, in what is written for it.
+#include <regex>
+
+#include <catch2/catch.hpp>
+
+#include "compensate/play.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+Job fanuc() {
+  Job job;
+  job.dialect = "fanuc";
+  job.settings.friction = false;
+  job.program.tool_in_spindle = 1;
+  nc::Tool tool;
+  tool.number = 1;
+  tool.length_mm = 100;
+  tool.mass_kg = 1;
+  job.program.tools = nc::ToolTable({tool});
+  return job;
+}
+
+bool has(const std::string& text, const std::string& pattern) {
+  return std::regex_search(text, std::regex(pattern, std::regex::multiline));
+}
+
+int count(const std::string& text, const std::string& pattern) {
+  const std::regex what(pattern, std::regex::multiline);
+  return static_cast<int>(std::distance(std::sregex_iterator(text.begin(), text.end(), what), {}));
+}
+
+const std::string kHead = "O0001\nG21 G17 G90 G54 G94\nG0 X0. Y0. Z50. A0. B0. C0.\n";
+
+AxisWords end_of(const std::string& text, const Job& job) {
+  return moves_of(text, job.program, job.dialect).back().motion.to;
+}
+
+}  // namespace
+
+TEST_CASE("a rigid tap keeps its words, its blocks and its mode at every hole") {
+  const Job job = fanuc();
+  const std::string text =
+      kHead + "M29 S500\nG99 G84 X0. Y0. Z-10. R2. Q2. F500.\nX20.\nG98 Y20. (last)\nG80\nG0 Z60.\nM30\n";
+  const std::string out = run(text, job).text;
+  INFO(out);
+  CHECK(has(out,
+            "^M29 S500\nG99 G84 X-?[0-9.]+ Y-?[0-9.]+ Z-9\\.9[0-9]+ R2\\.0[0-9]* Q2\\. F500\\.\n"
+            "X[-0-9. YZR]+\nG98 Y[-0-9. XZR]+ \\(last\\)\nG80$"));
+}
+
+TEST_CASE("left-hand taps and bores that work the spindle stay one block a hole, other words in it") {
+  const Job job = fanuc();
+  for (const char* const cycle : {"G74", "G86", "G84"}) {
+    const std::string text =
+        kHead + "N5 G98 " + std::string(cycle) + " X5. Y5. Z-8. R1. P500 F200. M8\nN6 X25. M9\nG80\nG0 Z60.\nM30\n";
+    const std::string out = run(text, job).text;
+    INFO(out);
+    CHECK(has(out, "^N5 G98 " + std::string(cycle) +
+                       " X[-0-9.]+ Y[-0-9.]+ Z[-0-9.]+ R[-0-9.]+ P500 F200\\. M8\nN6 X[-0-9.]+ M9 "));
+    CHECK(count(out, cycle) == 1);
+  }
+}
+
+TEST_CASE("taps that cannot be shifted hole by hole are refused") {
+  const Job job = fanuc();
+  std::size_t line = 0;
+  CHECK(code_of(kHead + "M29 S500\nG91 G84 X5. Y5. Z-8. R-40. F500.\nG80\nM30\n", job, &line) == "compensate-cycle");
+  CHECK(line == 5);
+  CHECK(code_of(kHead + "M29 S500\nG99 G84 X5. Y5. Z-8. R2. F500. K3\nG80\nM30\n", job) == "compensate-cycle");
+  CHECK(code_of(kHead + "G99 G81 X5. Y5. Z-8. R2. F500.\nX10.\nG84 X20. F200.\nG80\nM30\n", job) == "compensate-cycle");
+}
+
+TEST_CASE("no word has more decimals than the control keeps, and increments end where the block does") {
+  const Job job = fanuc();
+  for (const char* const moves :
+       {"G91 G1 X299.7 Y100.3 A5. F3000.\nG90\n", "G91 G1 X-33.333 Y66.667 Z-10.001 B-3.333 F800.\nX-1.\nG90\n",
+        "G91 G2 X20. Y20. I20. J0. F500.\nG1 Z-3.\nG90\n", "G1 X1.0001 Y2.12345 F100.\n"}) {
+    const std::string text = kHead + "G0 X-90. Y-50.\n" + moves + "G0 X0. Y0. Z50. A0. B0.\nM30\n";
+    const Result result = run(text, job);
+    INFO(result.text);
+    CHECK_FALSE(has(result.text, "^[^(\n]*[XYZABCIJKR]-?[0-9]*\\.[0-9]{4}.*(?!\\))$"));
+    const Played played = play(text, result.text, job);
+    CHECK(played.at_points_um <= 9);  // half a thousandth of mm and deg, on a platform of half a metre
+    CHECK(result.summary.rounding_mm.value <= 0.0009);
+  }
+}
+
+TEST_CASE("a finer or coarser increment system keeps other decimals") {
+  const std::string text = kHead + "G91 G1 X20. Y10. A1. F900.\nM30\n";
+  Job job = fanuc();
+  job.program.input_increment = 1e-4;
+  job.emit.increment_ratio = 0.1;
+  const std::string fine = run(text, job).text;
+  INFO(fine);
+  CHECK(has(fine, "[XYZ]-?[0-9]*\\.[0-9]{4}( |$)"));
+  CHECK_FALSE(has(fine, "[XYZABC]-?[0-9]*\\.[0-9]{5}"));
+  job.program.input_increment = 0.01;
+  job.emit.increment_ratio = 10;
+  const std::string coarse = run(text, job).text;
+  INFO(coarse);
+  CHECK_FALSE(has(coarse, "[XYZABC]-?[0-9]*\\.[0-9]{3}"));
+}
+
+TEST_CASE("in inches four decimals are kept, of cycles written out and of offsets alike") {
+  Job job = fanuc();
+  const std::string text =
+      "O0001\nG21 G17 G90 G54 G94\nG0 X0. Y0. Z50. A0. B0. C0.\nG20\nG1 X1. Y.5 F100.\n"
+      "G83 X.5 Y.25 Z-.4 R.1 Q.15 F20.\nX1.\nG80\nG92 X0 Y0\nG1 X.3 F10.\nM30\n";
+  const std::string out = run(text, job).text;
+  INFO(out);
+  CHECK(has(out, "[XYZ]-?[0-9]*\\.[0-9]{4}( |$)"));
+  CHECK_FALSE(has(out, "^[^(\n]*[XYZR]-?[0-9]*\\.[0-9]{5}"));
+}
+
+TEST_CASE("whole numbers have no point, and no number more than eight digits") {
+  const Job job = fanuc();
+  const std::string text = kHead + "#2=1000\n#3=3\n#5=1.5\nG#5 X5. F[100/3]\nM98 P7\nM30\n";
+  CHECK(code_of(text, job) == "nc-unknown-code");
+  const std::string called = kHead +
+                             "#2=1000\n#3=3\n#5=54\nM98 P7\nM30\nO7\nG#5 S#2 M#3\nG1 X20. Y#3 F[100/3]\n"
+                             "G82 X5. Z-3. R2. P[#2/2]\nG80\nG04 P#2\nG1 X0. F[393.7007874/100]\nM99\n";
+  const std::string out = run(called, job).text;
+  INFO(out);
+  CHECK(has(out, "^G54 S1000 M3$"));
+  CHECK(has(out, "^G0?4 P500$"));
+  CHECK(has(out, "^G0?4 P1000$"));
+  CHECK_FALSE(has(out, "[GMTSHPDNOL][0-9]+\\.( |$)"));
+  CHECK_FALSE(has(out, "^[^(\n]*[0-9]{1,8}\\.[0-9]{8}"));
+  CHECK(has(out, "F3\\.9370079$|F3\\.93701"));
+}
+
+TEST_CASE("under G43.4 a block that turns alone is refused unless its time is known") {
+  Job job = fanuc();
+  const std::string start = kHead + "G43.4 H1 Z50.\n";
+  std::size_t line = 0;
+  CHECK(code_of(start + "G1 A5. B3. F500.\nM30\n", job, &line) == "emit-feed-rule");
+  CHECK(line == 5);
+  CHECK(code_of(start + "G1 X5. F500.\nC-8.\nM30\n", job) == "emit-feed-rule");
+  CHECK(code_of(start + "G95 S100 M3\nG1 B-4. F.1\nM30\n", job) == "emit-feed-rule");
+  CHECK(code_of(start + "G93 G1 A5. F10.\nM30\n", job).empty());
+  CHECK(code_of(start + "G1 X30. A5. F500.\nM30\n", job).empty());
+  CHECK(code_of(start + "G49\nG43 H1\nG0 Z50.\nG1 A5. F500.\nM30\n", job).empty());
+  job.program.feed_rule = nc::FeedRule::xyz_first;
+  CHECK(code_of(start + "G1 A5. B3. F500.\nM30\n", job).empty());
+}
+
+TEST_CASE("the speed of the tip is kept where it moves and turns under G43.4") {
+  Job job = fanuc();
+  const std::string text = kHead + "G43.4 H1 Z50.\nG1 X40. A8. F500.\nX40.5 B-5.\nG3 X0.5 Y0. I-20. J0. A0.\nM30\n";
+  const Result result = run(text, job);
+  INFO(result.text);
+  CHECK(play(text, result.text, job).time_change <= 2e-3);
+}
+
+TEST_CASE("M5, M9 and M19 stand behind the last piece, codes of the builder beside a cut are refused") {
+  Job job = fanuc();
+  job.program.passed_m_codes = {88, 51};
+  const std::string out = run(kHead + "G1 X40. Y10. Z0. F500. M3 M8\nX0. Y0. M5 M9\nX5. M19\nM30\n", job).text;
+  INFO(out);
+  CHECK(has(out, "^G1 X[0-9.]+ Y[0-9.]+ Z[0-9.]+ .*M3 M8"));
+  CHECK(has(out, "^X[-0-9.]+ .*M5 M9$"));
+  CHECK(has(out, "^X[-0-9.]+ .*M19$"));
+  CHECK(count(out, "M5|M19|M9") == 3);
+  CHECK(code_of(kHead + "G1 X40. F500. M88\nM30\n", job) == "emit-m-code");
+  CHECK(code_of(kHead + "M51\nG1 X40. F500.\nX10. M51\nM30\n", job) == "emit-m-code");
+  job.program.keeps_position = {6};
+  CHECK(code_of(kHead + "G1 X40. F500. T1 M6\nM30\n", job) == "emit-m-code");
+  CHECK(code_of(kHead + "G1 X.2 F500. M88\nM30\n", job).empty());  // one block in its place
+}
+
+TEST_CASE("F of an arc under G93 is feed over radius") {
+  Job job = fanuc();
+  for (const auto& [arc, minutes] : {std::pair<std::string, double>{"G3 X-10. Y0. I-10. J0. F2.", std::acos(-1.0) / 2},
+                                     {"G2 I-5. J0. F10.", 2 * std::acos(-1.0) / 10},
+                                     {"G3 X0. Y10. R10. Z-5. F4.", std::acos(-1.0) / 2 / 4},
+                                     {"G1 X0. F2.", 0.5}}) {
+    const std::string text = "O0001\nG21 G17 G90 G54\nG0 X10. Y0. Z0. A0. B0. C0.\nG93 " + arc + "\nM30\n";
+    const Result result = run(text, job);
+    INFO(text);
+    CHECK(result.summary.seconds_before == Approx(minutes * 60));
+    CHECK(result.summary.seconds_after == Approx(minutes * 60).epsilon(2e-3));
+  }
+}
+
+TEST_CASE("in inches a degree counts as an inch, and a turn alone in degrees a minute") {
+  Job job = fanuc();
+  for (const auto& [move, minutes] : {std::pair<std::string, double>{"G1 A5. F10.", 0.5},
+                                      {"G1 X3. A4. F10.", 0.5},
+                                      {"G1 X.3 B-.4 F1.", 0.5},
+                                      {"G1 X1. F2.", 0.5}}) {
+    const std::string text = kHead + "G20\n" + move + "\nM30\n";
+    const Result result = run(text, job);
+    INFO(result.text);
+    CHECK(result.summary.seconds_before == Approx(minutes * 60));
+    const Played played = play(text, result.text, job);
+    CHECK(played.time_change <= 2e-3);
+  }
+}
+
+TEST_CASE("increments that were cut into pieces end where the program said") {
+  const Job job = fanuc();
+  const std::string text = kHead + "G91 G1 X99.7 Y33.3 A1. F3000.\nX-99.7 Y-33.3 A-1.\nG90 G53 G0 Z0.\nM30\n";
+  const AxisWords original = end_of(text, job);
+  const AxisWords end = end_of(run(text, job).text, job);
+  for (const Axis axis : {Axis::X, Axis::Y}) CHECK(std::abs(end[axis] - original[axis]) <= 0.05);
+}
