@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/descriptor.hpp"
 
@@ -19,17 +20,26 @@ inline constexpr std::string_view kStandardStream = "-";
 class InputFile {
  public:
   explicit InputFile(const std::string& path);
+  virtual ~InputFile() = default;
+  InputFile(InputFile&&) = delete;
 
   /// As the user wrote it; "<stdin>" for standard input.
   const std::string& name() const { return name_; }
   std::uint64_t size() const { return size_; }
   /// Reads up to `count` bytes at `offset`; returns how many there were.
-  std::size_t read(std::uint64_t offset, char* into, std::size_t count) const;
+  virtual std::size_t read(std::uint64_t offset, char* into, std::size_t count) const;
   /// True if `path` names this very file, links followed.
   bool is_same_as(const std::string& path) const;
   /// To be called when all was read that is used. Refuses with file-changed if it was written to, cut or replaced since
   /// it was opened: what was read may then be part of both.
   void check_unchanged() const;
+
+ protected:
+  struct Unopened {
+    std::string name;
+  };
+  /// For who gives bytes of its own.
+  explicit InputFile(Unopened file) : name_(std::move(file.name)) {}
 
  private:
   // What tells that a file was written to.

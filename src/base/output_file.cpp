@@ -57,14 +57,24 @@ void OutputFile::flush() {
 void OutputFile::copy_to(OutputFile& other) {
   flush();
   std::vector<char> chunk(kBufferedOutput);
-  for (off_t at = 0;;) {
-    const ssize_t got = pread(descriptor_.number(), chunk.data(), chunk.size(), at);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) refuse_write(errno);
+  for (std::uint64_t at = 0;;) {
+    const std::size_t got = read(at, chunk.data(), chunk.size());
     if (got == 0) return;
-    other.write({chunk.data(), static_cast<std::size_t>(got)});
+    other.write({chunk.data(), got});
     at += got;
   }
+}
+
+std::size_t OutputFile::read(std::uint64_t offset, char* into, std::size_t count) const {
+  std::size_t got = 0;
+  while (got < count) {
+    const ssize_t n = pread(descriptor_.number(), into + got, count - got, static_cast<off_t>(offset + got));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) refuse_write(errno);
+    if (n == 0) break;
+    got += static_cast<std::size_t>(n);
+  }
+  return got;
 }
 
 void OutputFile::restart() {

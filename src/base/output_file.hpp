@@ -1,6 +1,7 @@
 // Output that appears whole or not at all.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -39,9 +40,14 @@ class OutputFile {
   void restart();
   void commit();
 
+  /// Hands the system all that was written so far.
+  void flush();
+  /// Reads back up to `count` bytes at `offset` of what was flushed; returns how many there were. May be called by
+  /// another thread than the one that writes.
+  std::size_t read(std::uint64_t offset, char* into, std::size_t count) const;
+
  private:
   friend class OutputSet;
-  void flush();
   void finish();
   void send();
   [[noreturn]] void refuse_write(int error, std::string_view also = {}) const;

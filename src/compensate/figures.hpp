@@ -21,6 +21,18 @@ inline double largest_turn_deg(const AxisWords& d) {
   return std::max({std::abs(d[Axis::A]), std::abs(d[Axis::B]), std::abs(d[Axis::C])});
 }
 
+inline bool is_cut(nc::MotionKind kind) { return kind == nc::MotionKind::feed || kind == nc::MotionKind::arc; }
+
+/// True of a move, as far as it is known, to where the axes stand already.
+inline bool stands(const nc::Motion& motion) {
+  if (motion.kind == nc::MotionKind::dwell || motion.kind == nc::MotionKind::arc) return false;
+  if (!motion.known_before.contains(motion.known_after)) return false;
+  constexpr double kStands = 1e-9;  // mm and deg
+  return std::all_of(kAllAxes.begin(), kAllAxes.end(), [&](Axis axis) {
+    return !motion.known_after.contains(axis) || std::abs(motion.to[axis] - motion.from[axis]) <= kStands;
+  });
+}
+
 /// "X, Y"
 inline std::string axis_list(AxisSet axes) {
   std::string list;

@@ -22,8 +22,6 @@ constexpr double kChordStepDeg = 1;
 constexpr int kManyPieces = 10'000;
 constexpr double kNoWay = 1e-7;  // mm and deg
 
-bool is_feed(nc::MotionKind kind) { return kind == nc::MotionKind::feed || kind == nc::MotionKind::arc; }
-
 // To where the tool stands already, but for the last digits of an expression: no F could keep its time.
 bool is_no_way(const nc::Motion& motion, const path::Curve& curve) {
   return motion.feed_mode != nc::FeedMode::inverse_time && curve.linear_mm() < kNoWay &&
@@ -33,19 +31,22 @@ bool is_no_way(const nc::Motion& motion, const path::Curve& curve) {
 }  // namespace
 
 Pass::Pass(const InputFile& source, const nc::Dialect& dialect, const nc::ProgramSettings& program,
-           const machine::MachineModel& model, const Settings& settings, nc::EmitSettings emit, OutputFile& out,
+           const machine::MachineModel& model, const Settings& settings, const nc::EmitSettings& emit, OutputFile& out,
            nc::Form form)
     : source_(source),
       dialect_(dialect),
       model_(model),
       settings_(settings),
+      out_(out),
       program_(source, dialect, program),
       form_(form),
       plain_(dialect, emit.increment_ratio),
-      emitter_(source, dialect, std::move(emit), out, form),
+      emitter_(source, dialect, emit, out, form),
       corrector_(model, settings),
+      intention_(source, dialect, emit),
       spindle_(program.tools, model.reference_tool_mass),
       pose_(source, dialect) {
+  if (settings.read_back) read_back_.emplace(source, dialect, program, emit, out, form == nc::Form::unrolled);
   pose_.on_assumed = [this](AxisSet axes) { corrector_.fix_axes(axes); };
 }
 
@@ -61,11 +62,14 @@ bool Pass::run(const Progress& progress) {
       jumps = true;
       emitter_.only_look();
     }
+    intention_.begin(*step);
     take(*step);
     if (must_unroll_ || (jumps && emitter_.changed())) return false;
+    note_intended();
     if (progress && summary_.blocks % kProgressEvery == 0) progress(step->block->offset, source_.size());
   }
   emitter_.finish();
+  if (read_back_ && emitter_.changed()) summary_.read_back = read_back_->finish(intention_, emitter_.guard_span());
   return true;
 }
 
@@ -76,11 +80,24 @@ void Pass::refuse_stamped(std::string_view file) {
   compensate::refuse_stamped(InputFile(std::string(file)));
 }
 
+// As long as nothing changed the output is the original, and what it means is not kept.
+void Pass::note_intended() {
+  if (!emitter_.changed() || !read_back_) {
+    ++unchanged_blocks_;
+    return intention_.start_batch();
+  }
+  intention_.end(out_.size());
+  intention_.batch().unchanged_blocks += std::exchange(unchanged_blocks_, 0);
+  read_back_->offer(intention_, emitter_.guard_span());
+}
+
 // Unrolled, lines that steer are left out, and what depends on parameters is written out.
 void Pass::take(const nc::Step& step) {
   if (nc::dwells_first(step) && step.role == nc::BlockRole::plain && step.cycle == nc::CycleForm::none) {
     note_dwell(step.motions.front());
     nc::Step move = step;
+    move.motions = step.motions.first(1);
+    intention_.keep(move, true);
     move.motions = step.motions.subspan(1);
     return take(move);
   }
@@ -156,7 +173,7 @@ void Pass::warn_of_massless_tool(const nc::Step& step, int tool) {
 bool Pass::is_corrected(const nc::Step& step) {
   if (step.role != nc::BlockRole::plain || step.motions.size() != 1) return false;
   const nc::Motion& motion = step.motions.front();
-  const bool cuts = is_feed(motion.kind);
+  const bool cuts = is_cut(motion.kind);
   if (motion.in_machine_coordinates || (!cuts && motion.kind != nc::MotionKind::rapid)) return false;
   return has_position(step, cuts ? motion.known_after & motion.known_before : motion.known_after, cuts);
 }
@@ -187,8 +204,13 @@ bool Pass::has_position(const nc::Step& step, AxisSet known, bool needed) {
          place());
 }
 
-void Pass::pass(const nc::Step& step) {
+void Pass::copy(const nc::Step& step, bool counts, std::optional<double> seconds) {
   emitter_.copy(step);
+  intention_.keep(step, counts, seconds);
+}
+
+void Pass::pass(const nc::Step& step) {
+  copy(step, step.motions.size() == 1 && step.motions.front().kind == nc::MotionKind::dwell);
   for (const nc::Motion& motion : step.motions) {
     if (motion.kind == nc::MotionKind::dwell) {
       note_dwell(motion);
@@ -290,10 +312,17 @@ void Pass::correct_feed(const nc::Step& step) {
 
 // In text order a block with @ and ^ gets X and Y only where it must change.
 nc::EmittedMove Pass::write_move(const nc::Step& step, std::optional<double> duration) {
-  if (!step.polar || emitter_.stays(step, points_, writable())) {
-    return emitter_.move(step, points_, writable(), duration);
-  }
   nc::EmittedMove move;
+  if (!step.polar || emitter_.stays(step, points_, writable())) {
+    move = emitter_.move(step, points_, writable(), duration);
+    if (move.changed) {
+      intention_.divide(step, points_, writable(), duration);
+    } else {
+      intention_.keep(step, true, duration);
+    }
+    return move;
+  }
+  intention_.divide(step, points_, writable(), duration);
   emitter_.begin_group(step);
   move = emitter_.move(*plain_.plain(step, true), points_, writable(), duration);
   emitter_.end_group(step);

@@ -12,7 +12,9 @@
 #include "base/files.hpp"
 #include "base/progress.hpp"
 #include "compensate/corrector.hpp"
+#include "compensate/intention.hpp"
 #include "compensate/program_pose.hpp"
+#include "compensate/read_back.hpp"
 #include "compensate/settings.hpp"
 #include "compensate/summary.hpp"
 #include "machine/model.hpp"
@@ -28,11 +30,16 @@ class Pass {
  public:
   /// All references must outlive it.
   Pass(const InputFile& source, const nc::Dialect& dialect, const nc::ProgramSettings& program,
-       const machine::MachineModel& model, const Settings& settings, nc::EmitSettings emit, OutputFile& out,
+       const machine::MachineModel& model, const Settings& settings, const nc::EmitSettings& emit, OutputFile& out,
        nc::Form form);
 
   /// Notes what the output replaces; to be called before run(). `log` must outlive the stream.
   void record(nc::UndoLog& log) { emitter_.record(log); }
+
+  /// Shows what the output is meant to do; to be called before run().
+  void show(const ReadBack::Observer& observer) {
+    if (read_back_) read_back_->show(observer);
+  }
 
   /// Reads the program to its end, and writes it. False, and what was written is of no use: it is to be written in text
   /// order, but jumps, and something in it must change. Refuses as Stream does.
@@ -45,6 +52,7 @@ class Pass {
   void note_whether_it_ends(const nc::Step& step);
   void warn_of_no_end();
   void warn_of_silent_effects();
+  void note_intended();
   void take(const nc::Step& step);
   void process(const nc::Step& step);
   void process_cycle(const nc::Step& step);
@@ -54,6 +62,7 @@ class Pass {
   void hole_points(const nc::Step& step);
   void find_points(const nc::Step& step);
   nc::EmittedMove write_move(const nc::Step& step, std::optional<double> duration);
+  void copy(const nc::Step& step, bool counts, std::optional<double> seconds = std::nullopt);
   void note_cycle(const nc::Step& step);
   void note_dwell(const nc::Motion& dwell);
   void set_touch_off();
@@ -82,12 +91,16 @@ class Pass {
   const nc::Dialect& dialect_;
   const machine::MachineModel& model_;
   const Settings& settings_;
+  OutputFile& out_;
   nc::Program program_;
   nc::Form form_;
   bool must_unroll_ = false;  // something changes that cannot be put in the place of its block
   nc::PlainSteps plain_;
   nc::Emitter emitter_;
   Corrector corrector_;
+  Intention intention_;
+  std::optional<ReadBack> read_back_;
+  std::uint64_t unchanged_blocks_ = 0;  // before the first that changed
   SpindleTool spindle_;
   ProgramPose pose_;
   Summary summary_;

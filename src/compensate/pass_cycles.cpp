@@ -28,7 +28,7 @@ void Pass::process_cycle(const nc::Step& step) {
   const bool goes_on = emitter_.changed() && ended;
   const bool point_by_point = step.ends_nurbs && form_ == nc::Form::unrolled;  // its points were left out
   if (!goes_on && !point_by_point && cycle_stays(step, moves)) {
-    emitter_.copy(step);
+    copy(step, true);
     note_cycle(step);
     return;
   }
@@ -133,7 +133,8 @@ void Pass::process_hole(const nc::Step& step) {
         "allow more with --cycle-tolerance, or drill a shorter hole", place_of(*step.block, step.block->file));
   }
   check_way_to_hole(step, mean);
-  nc::EmittedMove move = emitter_.hole(step, mean);
+  const nc::EmittedMove move = emitter_.hole(step, mean);
+  intention_.shift(step, mean);
   note_move(step, move, std::nullopt);
   note_cycle(step);
 }

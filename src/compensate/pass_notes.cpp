@@ -148,6 +148,12 @@ Summary Pass::summary() {
   summary_.bytes_before = source_.size();
   if (summary_.points > 0)
     summary_.rms_correction_mm = std::sqrt(sum_of_squares_ / static_cast<double>(summary_.points));
+  if (summary_.read_back) {
+    summary_.points = summary_.read_back->points;
+    summary_.seconds_after = summary_.read_back->seconds;
+    summary_.time_change = summary_.read_back->time_change;
+    summary_.rounding_mm = summary_.read_back->rounding_mm;
+  }
   summary_.assumed_at_zero = pose_.assumed();
   warn_of_no_end();
   warn_of_silent_effects();

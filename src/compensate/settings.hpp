@@ -26,6 +26,8 @@ struct Settings {
   double cycle_tolerance_mm = 0.005;
   /// Where the work offset was probed on the sagging machine: pose in W, mm and deg. Its error is added to the offset.
   std::optional<AxisWords> touch_off;
+  /// The output is read again as it is written, and held against what was meant.
+  bool read_back = true;
 };
 
 }  // namespace plumbline::compensate

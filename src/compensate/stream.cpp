@@ -26,11 +26,13 @@ Summary Stream::run(const Progress& progress) {
   {
     Pass pass = pass_in(nc::Form::in_text_order);
     if (undo_ != nullptr) pass.record(*undo_);
+    if (observer_) pass.show(observer_);
     if (pass.run(progress)) return pass.summary();
   }
   out_.restart();
   if (undo_ != nullptr) undo_->replaced_all();
   Pass pass = pass_in(nc::Form::unrolled);
+  if (observer_) pass.show(observer_);
   const bool done = pass.run(progress);
   PLUMBLINE_CHECK(done);
   return pass.summary();

@@ -3,6 +3,7 @@
 
 #include "base/files.hpp"
 #include "base/progress.hpp"
+#include "compensate/read_back.hpp"
 #include "compensate/settings.hpp"
 #include "compensate/summary.hpp"
 #include "machine/model.hpp"
@@ -22,6 +23,9 @@ class Stream {
   /// Notes what the output replaces; to be called before run(). `log` must outlive the stream.
   void record(nc::UndoLog& log) { undo_ = &log; }
 
+  /// What the output is meant to do is shown to `observer`, from the begin again where the output is written anew.
+  void show(ReadBack::Observer observer) { observer_ = std::move(observer); }
+
   /// Compensates the whole program into `out`, which is left for the caller to commit. Refuses with nc-..., limit-...,
   /// emit-... or compensate-... and the place.
   Summary run(const Progress& progress = {});
@@ -35,6 +39,7 @@ class Stream {
   const nc::EmitSettings emit_;
   OutputFile& out_;
   nc::UndoLog* undo_ = nullptr;
+  ReadBack::Observer observer_;
 };
 
 }  // namespace plumbline::compensate

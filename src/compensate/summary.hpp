@@ -26,6 +26,17 @@ struct Worst {
   }
 };
 
+/// What the output says when it is read again.
+struct ReadBackFigures {
+  std::uint64_t blocks = 0;         // of the original that were held against it
+  std::uint64_t output_blocks = 0;  // that were read
+  std::uint64_t guard_lines = 0;    // which only the machine can decide, and were not
+  std::uint64_t points = 0;         // ends of corrected moves and of their pieces
+  double seconds = 0;               // of moves and dwells whose time the program sets
+  Worst time_change;                // of any block, as a share of its time
+  Worst rounding_mm;                // of a point against what was asked
+};
+
 struct Summary {
   std::uint64_t blocks = 0;  // of the program
   std::uint64_t moves = 0;   // that were corrected or found to need no correction
@@ -58,7 +69,8 @@ struct Summary {
     std::string name;
     std::uint64_t hash = 0;
   };
-  std::vector<InlinedFile> inlined_files;  // of subprograms that stand in the output now
+  std::vector<InlinedFile> inlined_files;    // of subprograms that stand in the output now
+  std::optional<ReadBackFigures> read_back;  // nothing: it was not, or the output is the input
   std::vector<Diagnostic> warnings;
 };
 

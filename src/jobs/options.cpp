@@ -261,6 +261,9 @@ constexpr std::array kRows{
     OptionRow{"guard", "",
               "put a block at the start that stops the control when its offsets differ from those given here",
               OptionGroup::compensation, false, false, [](Options& o, Text t) { o.guard = on_or_off(t); }},
+    OptionRow{"no-read-back", "", "do not read the output again and hold it against what was meant",
+              OptionGroup::compensation, false, false,
+              [](Options& o, Text t) { o.compensation.read_back = !on_or_off(t); }},
     OptionRow{"undo", "", "write OUTPUT.undo too, from which restore gives the original back",
               OptionGroup::compensation, false, false, [](Options& o, Text t) { o.undo = on_or_off(t); }},
 };

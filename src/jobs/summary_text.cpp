@@ -96,6 +96,16 @@ void add_offsets(TextTable& table, const Summary& s, const Options& options) {
   }
 }
 
+void add_read_back(TextTable& table, const Summary& s) {
+  if (!s.read_back) return;
+  table.add("read back", fmt::format("{}, {} of the output: all as meant", count_text(s.read_back->blocks, "block"),
+                                     count_text(s.read_back->output_blocks)));
+  if (s.read_back->guard_lines > 0) {
+    table.add("", fmt::format("{} of the guard left out: only the machine decides there",
+                              count_text(s.read_back->guard_lines, "line")));
+  }
+}
+
 void add_files(TextTable& table, const Summary& s, const Options& options) {
   const double growth =
       s.bytes_before > 0 ? static_cast<double>(s.bytes_after) / static_cast<double>(s.bytes_before) : 1;
@@ -113,6 +123,13 @@ Json axis_values(const AxisWords& words) {
     json[std::string(1, lower) + (is_rotary(axis) ? "_deg" : "_mm")] = words[axis];
   }
   return json;
+}
+
+Json read_back_json(const Summary& s) {
+  if (!s.read_back) return {};
+  return {{"blocks", s.read_back->blocks},
+          {"output_blocks", s.read_back->output_blocks},
+          {"guard_lines", s.read_back->guard_lines}};
 }
 
 Json warnings_json(const std::vector<Diagnostic>& warnings) {
@@ -134,6 +151,7 @@ std::string summary_text(const Summary& summary, const Options& options) {
     add_quality(table, summary);
     add_offsets(table, summary, options);
   }
+  add_read_back(table, summary);
   add_files(table, summary, options);
   const std::string same = summary.identical ? "nothing had to change: the output is the input\n" : "";
   return same + table.text();
@@ -176,6 +194,7 @@ std::string summary_json(const Summary& s, const Options& options) {
       {"zero_error", s.zero_error ? axis_values(*s.zero_error) : Json()},
       {"zero_error_line", s.zero_error ? Json(s.zero_error_line) : Json()},
       {"assumed_at_zero", assumed},
+      {"read_back", read_back_json(s)},
       {"bytes_before", s.bytes_before},
       {"bytes_after", s.bytes_after},
       {"hash_after", to_hex(s.hash_after)},

@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::size_t kCopyChunk = std::size_t{1} << 16U;
 constexpr std::string_view kSkipped = "block delete is on: this block was left out";
-constexpr std::string_view kAllStand = "every axis of this block stands there already";
 
 // Only the words that tell where the control stands: their values grow by what the control is off.
 bool shifts_words(const Step& step, const AxisWords& shift) {
@@ -108,7 +107,9 @@ void Emitter::write_stamp() {
                                                                                        dialect_.comment_close.size());
     out_.write(dialect_.comment_open + line.substr(0, room) + dialect_.comment_close + newline_);
   }
+  guard_span_.first = out_.size();
   for (const std::string& line : settings_.guard) out_.write(line + newline_);
+  guard_span_.second = out_.size();
 }
 
 // Nothing was written as long as nothing had to change; now the text up to this block goes out, the stamp in it.

@@ -4,6 +4,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/files.hpp"
@@ -31,6 +33,9 @@ enum class Form : std::uint8_t {
   in_text_order,  // the source with its changed blocks replaced: the steps come in the order of the text
   unrolled,       // every block as it is executed, without parameters: no line of it steers
 };
+
+/// The comment that stands for a block in which every axis stands already.
+inline constexpr std::string_view kAllStand = "every axis of this block stands there already";
 
 /// A file of subprograms that stands in the output now.
 struct InlinedFile {
@@ -89,6 +94,8 @@ class Emitter {
   void finish();
 
   bool changed() const { return changed_; }
+  /// Where the lines of the guard stand in the output; empty as long as they were not written.
+  std::pair<std::uint64_t, std::uint64_t> guard_span() const { return guard_span_; }
   const OutputState& control() const { return control_; }
   const std::vector<InlinedFile>& inlined() const { return inlined_; }
 
@@ -145,6 +152,7 @@ class Emitter {
   bool grouping_ = false;
   std::uint64_t group_begin_ = 0;
   double cycle_level_shift_ = 0;  // mm
+  std::pair<std::uint64_t, std::uint64_t> guard_span_;
   int percents_ = 0;
   AxisWords tool_;  // length that the output has in force
   std::vector<Pending> entries_;

@@ -66,7 +66,7 @@ const Step* PlainSteps::plain(const Step& step, bool keeps_settings) {
   const Span label = keeps_settings ? Span{} : label_of(block);
   const bool has_label = label.end > label.begin;
   if (step.skipped || (is_plain(step, keeps_settings) && !has_label)) return &step;
-  const bool vanishes = !block.settings.empty() || (has_label && block.comments.empty());
+  const bool vanishes = (!block.settings.empty() || has_label) && block.comments.empty();
   if (!keeps_settings && block.words.empty() && vanishes) return nullptr;
   spelling_ = spelling_of(block, spelling_);
   editor_.start(block, spelling_);

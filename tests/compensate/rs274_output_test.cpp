@@ -68,7 +68,9 @@ bool compensated(const fs::path& program, const std::string& output, const Job& 
     changed = !summary.identical;
     out.commit();
     return true;
-  } catch (const Refusal&) {
+  } catch (const Refusal& refusal) {
+    INFO(program << ": " << refusal.what());
+    CHECK(refusal.diagnostic().code != "compensate-read-back");
     return false;
   }
 }

@@ -1,0 +1,214 @@
+#include "compensate/intention.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.hpp"
+#include "base/number_text.hpp"
+#include "base/units.hpp"
+#include "compensate/block_effects.hpp"
+#include "compensate/figures.hpp"
+#include "path/curve.hpp"
+#include "path/duration.hpp"
+
+namespace plumbline::compensate {
+namespace {
+
+constexpr double kSameHeight = 1e-9;  // mm
+constexpr double kSameEnd = 1e-8;     // of a move of the original and of what was made of it
+constexpr double kNoRounding = 1e-7;  // mm and deg: what nine decimals and the offsets leave of a position
+
+double largest(const AxisWords& a, const AxisWords& b, AxisSet axes) {
+  double most = 0;
+  for (const Axis axis : kAllAxes) {
+    if (axes.contains(axis)) most = std::max(most, std::abs(a[axis] - b[axis]));
+  }
+  return most;
+}
+
+// Whether a word of the block says where the axis ends, wherever it began.
+bool is_stated(const nc::Step& step, Axis axis) {
+  if (!step.named.contains(axis)) return false;
+  const nc::Word* const word = nc::find_word(*step.block, letter(axis));
+  if (word != nullptr && word->mode != nc::WordMode::modal) return word->mode != nc::WordMode::incremental;
+  return !step.after->incremental;
+}
+
+bool same(const IntendedState& state, const nc::Step& step) {
+  const nc::Modal& a = state.modal;
+  const nc::Modal& b = *step.after;
+  return a.plane == b.plane && a.path_control == b.path_control && a.inches == b.inches &&
+         a.incremental == b.incremental && a.arc_centre_absolute == b.arc_centre_absolute &&
+         a.retract_to_r == b.retract_to_r && a.work_system == b.work_system && a.tool_in_spindle == b.tool_in_spindle &&
+         a.tool_of_offset == b.tool_of_offset && a.rotary == b.rotary && a.switches == b.switches &&
+         state.frame.origin == step.frame->origin && state.frame.rotation_deg == step.frame->rotation_deg &&
+         state.frame.g92 == step.frame->g92 && state.frame.tool == step.frame->tool;
+}
+
+}  // namespace
+
+void Intention::begin(const nc::Step& original) {
+  original_ = &original;
+  const nc::Block& source = *original.block;
+  IntendedBlock block;
+  block.line = source.line;
+  block.offset = source.offset;
+  if (source.file != source_.name()) block.file = source.file;
+  block.steers = original.flow || original.saves_modes;
+  block.spindle_cycle = original.cycle == nc::CycleForm::spindle;
+  block.left_out = original.skipped;
+  block.number = source.at(source.number);
+  block.first_move = batch_.moves.size();
+  block.first_effect = batch_.effects.size();
+  if (!original.skipped) append_effects(original, dialect_, batch_.effects);
+  block.effects = batch_.effects.size() - block.first_effect;
+  batch_.blocks.push_back(std::move(block));
+}
+
+// What the control keeps of a word of this block, half of it: nothing nearer can be written.
+AxisWords Intention::tolerance_of(const nc::Step& step) const {
+  AxisWords tolerance;
+  for (const Axis axis : kAllAxes) {
+    const nc::Word* const word = nc::find_word(*step.block, letter(axis));
+    const int written = word != nullptr ? word->decimals : 0;
+    const bool inches = step.after->inches && !is_rotary(axis);
+    const int least = is_rotary(axis) ? emit_.digits_deg : inches ? emit_.digits_inch : emit_.digits_mm;
+    const double digit = from_ticks(1, std::clamp(std::max(least, written), 0, kMostDecimals));
+    const double unit = inches ? kMmPerInch : 1;
+    const double increment = (is_rotary(axis) ? emit_.increment_deg : emit_.increment_mm) / unit;
+    const double kept = increment > digit ? increment + digit : digit;
+    tolerance[axis] = kept * unit / 2 + kNoRounding;
+  }
+  return tolerance;
+}
+
+IntendedMove& Intention::add(const nc::Motion& motion, IntendedMove::Form form) {
+  IntendedMove move;
+  move.form = form;
+  move.motion = motion;
+  move.first_point = batch_.points.size();
+  batch_.moves.push_back(move);
+  return batch_.moves.back();
+}
+
+AxisWords Intention::work_shift(const nc::Frame& frame) const { return nc::turned_about_z(away_, -frame.rotation_deg); }
+
+// Where the control stands behind a move that goes through as it stands: axes that the block states are where the
+// original has them.
+void Intention::move_away(const nc::Step& step, const nc::Motion& motion, bool last) {
+  const bool goes_home = motion.in_machine_coordinates && last;
+  if (goes_home) {
+    for (const Axis axis : kAllAxes) {
+      if (step.named.empty() || step.named.contains(axis)) away_[axis] = 0;
+    }
+    return;
+  }
+  AxisWords work = work_shift(*step.frame);
+  for (const Axis axis : kAllAxes) {
+    if (is_stated(step, axis)) work[axis] = 0;
+  }
+  away_ = nc::turned_about_z(work, step.frame->rotation_deg);
+}
+
+void Intention::keep(const nc::Step& step, bool counts, std::optional<double> seconds) {
+  for (std::size_t i = 0; i < step.motions.size(); ++i) {
+    const nc::Motion& motion = step.motions[i];
+    if (motion.kind != nc::MotionKind::dwell) move_away(step, motion, i + 1 == step.motions.size());
+    IntendedMove& move = add(motion, IntendedMove::Form::kept);
+    move.points = 1;
+    move.tolerance = tolerance_of(step);
+    move.counts = counts && !motion.in_machine_coordinates;
+    if (seconds) {
+      move.seconds = seconds;
+    } else if (is_cut(motion.kind)) {
+      move.seconds = path::duration(motion, path::Curve(motion), dialect_);
+    }
+    batch_.points.push_back(motion.machine + away_);
+  }
+}
+
+void Intention::divide(const nc::Step& step, std::span<const nc::CorrectedPoint> points, AxisSet writable,
+                       std::optional<double> seconds) {
+  const nc::Motion& motion = step.motions.front();
+  IntendedMove& move = add(motion, IntendedMove::Form::pieces);
+  move.points = points.size();
+  move.loose = AxisSet::all() - writable;
+  move.tolerance = tolerance_of(step);
+  move.seconds = seconds;
+  move.corrected = true;
+  for (const nc::CorrectedPoint& point : points) {
+    batch_.points.push_back(step.frame->to_machine(point.nominal + point.shift));
+  }
+  for (const Axis axis : kAllAxes) {
+    const bool moves = motion.known_after.contains(axis) && writable.contains(axis);
+    away_[axis] = moves ? batch_.points.back()[axis] - motion.machine[axis] : 0;
+  }
+}
+
+// X and Y of the hole are shifted; along it R and the bottom are, and the height above that it goes back to is where
+// the control stood.
+void Intention::shift(const nc::Step& hole, const AxisWords& by) {
+  const nc::PlaneAxes axes = nc::axes_of(hole.after->plane);
+  const nc::Hole& at = hole.holes.front();
+  AxisWords left = away_;
+  for (const nc::Motion& motion : original_->motions.subspan(at.approach_end, at.end - at.approach_end)) {
+    IntendedMove& move = add(motion, IntendedMove::Form::kept);
+    move.points = 1;
+    move.corrected = true;
+    move.tolerance = tolerance_of(hole);
+    if (is_cut(motion.kind)) move.seconds = path::duration(motion, path::Curve(motion), dialect_);
+    AxisWords work = work_shift(*hole.frame);
+    work[axes.first] = by[axes.first];
+    work[axes.second] = by[axes.second];
+    const double end = motion.to[axes.third];
+    const bool shifted = hole.after->retract_to_r || std::abs(end - at.clear) > kSameHeight;
+    AxisWords there = work;
+    if (shifted) there[axes.third] = by[axes.third];
+    const AxisWords away = nc::turned_about_z(there, hole.frame->rotation_deg);
+    batch_.points.push_back(motion.machine + away);
+    left = away;
+  }
+  away_ = left;
+}
+
+// Moves in which nothing moves need not be said.
+void Intention::check_all_said() const {
+  const IntendedBlock& block = batch_.blocks.back();
+  std::size_t said = block.first_move;
+  for (const nc::Motion& motion : original_->motions) {
+    const auto is_it = [&](const IntendedMove& move) {
+      return move.motion.kind == motion.kind && largest(move.motion.to, motion.to, motion.known_after) <= kSameEnd &&
+             std::abs(move.motion.dwell_s - motion.dwell_s) <= kSameEnd;
+    };
+    // A cycle that goes back to where it began is entered from there.
+    const bool enters = original_->cycle == nc::CycleForm::spindle;
+    while (enters && !stands(motion) && said < batch_.moves.size() && !is_it(batch_.moves[said]) &&
+           batch_.moves[said].motion.kind == nc::MotionKind::rapid) {
+      ++said;
+    }
+    if (said < batch_.moves.size() && is_it(batch_.moves[said])) {
+      ++said;
+    } else {
+      PLUMBLINE_CHECK(stands(motion));
+    }
+  }
+}
+
+void Intention::note_state(const nc::Step& step) {
+  if (!has_state_ || !same(state_, step)) {
+    state_ = {*step.after, *step.frame};
+    batch_.states.push_back(state_);
+    has_state_ = true;
+  }
+  batch_.blocks.back().state = batch_.states.size() - 1;
+}
+
+void Intention::end(std::uint64_t output_end) {
+  IntendedBlock& block = batch_.blocks.back();
+  block.output_end = output_end;
+  block.moves = batch_.moves.size() - block.first_move;
+  check_all_said();
+  note_state(*original_);
+}
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,61 @@
+// Notes what each block of a program is meant to do in the output, as the program is compensated.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/files.hpp"
+#include "compensate/intended.hpp"
+#include "nc/dialect.hpp"
+#include "nc/emit_pieces.hpp"
+#include "nc/step.hpp"
+
+namespace plumbline::compensate {
+
+/// Between begin() and end() of a block each of its moves is said once, in order. Where the control stands away from
+/// the original is followed here from corrections alone.
+class Intention {
+ public:
+  /// All must outlive it.
+  Intention(const InputFile& source, const nc::Dialect& dialect, const nc::EmitSettings& emit)
+      : source_(source), dialect_(dialect), emit_(emit) {}
+
+  void begin(const nc::Step& original);
+  /// The moves of `step` go through as they stand; `counts`: their time is part of the summary.
+  void keep(const nc::Step& step, bool counts, std::optional<double> seconds = std::nullopt);
+  /// One move goes through `points`, whose words only `writable` axes may get.
+  void divide(const nc::Step& step, std::span<const nc::CorrectedPoint> points, AxisSet writable,
+              std::optional<double> seconds);
+  /// A hole of a cycle that stays one, shifted.
+  void shift(const nc::Step& hole, const AxisWords& by);
+  /// Of the block since begin(). Refuses to go on (InternalError) if a move of the original was not said.
+  void end(std::uint64_t output_end);
+
+  IntendedBatch& batch() { return batch_; }
+  /// A batch was handed over: the next begins empty.
+  void start_batch() {
+    batch_.clear();
+    has_state_ = false;
+  }
+
+ private:
+  AxisWords tolerance_of(const nc::Step& step) const;
+  IntendedMove& add(const nc::Motion& motion, IntendedMove::Form form);
+  AxisWords work_shift(const nc::Frame& frame) const;
+  void move_away(const nc::Step& step, const nc::Motion& motion, bool last);
+  void check_all_said() const;
+  void note_state(const nc::Step& step);
+
+  const InputFile& source_;
+  const nc::Dialect& dialect_;
+  const nc::EmitSettings& emit_;
+  IntendedBatch batch_;
+  const nc::Step* original_ = nullptr;
+  AxisWords away_;  // the control's position minus the original's, in W
+  IntendedState state_;
+  bool has_state_ = false;
+};
+
+}  // namespace plumbline::compensate
