@@ -45,6 +45,8 @@ bool shows_otherwise(nc::Action action) {
     case nc::Action::go_home:
     case nc::Action::home_or_unit:
     case nc::Action::cycle:
+    case nc::Action::called_cycle:
+    case nc::Action::modal_call:
     case nc::Action::retract_to_start:
     case nc::Action::retract_to_r:
     case nc::Action::call_program:

@@ -54,7 +54,7 @@ void Intention::begin(const nc::Step& original) {
   block.line = source.line;
   block.offset = source.offset;
   if (source.file != source_.name()) block.file = source.file;
-  block.steers = original.flow || original.saves_modes;
+  block.steers = unrolled_ && (original.flow || original.saves_modes);
   block.spindle_cycle = original.cycle == nc::CycleForm::spindle;
   block.left_out = original.skipped;
   block.number = source.at(source.number);

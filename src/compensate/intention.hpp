@@ -19,8 +19,8 @@ namespace plumbline::compensate {
 class Intention {
  public:
   /// All must outlive it.
-  Intention(const InputFile& source, const nc::Dialect& dialect, const nc::EmitSettings& emit)
-      : source_(source), dialect_(dialect), emit_(emit) {}
+  Intention(const InputFile& source, const nc::Dialect& dialect, const nc::EmitSettings& emit, bool unrolled)
+      : source_(source), dialect_(dialect), emit_(emit), unrolled_(unrolled) {}
 
   void begin(const nc::Step& original);
   /// The moves of `step` go through as they stand; `counts`: their time is part of the summary.
@@ -51,6 +51,7 @@ class Intention {
   const InputFile& source_;
   const nc::Dialect& dialect_;
   const nc::EmitSettings& emit_;
+  const bool unrolled_;
   IntendedBatch batch_;
   const nc::Step* original_ = nullptr;
   AxisWords away_;  // the control's position minus the original's, in W

@@ -86,7 +86,7 @@ void OutputCheck::take(const IntendedBatch& batch) {
 // Blocks before the first that changed are in the output as they stand: what they mean is read from the original.
 void OutputCheck::take_unchanged(std::uint64_t blocks) {
   nc::Program original(source_, dialect_, settings_);
-  Intention intention(source_, dialect_, emit_);
+  Intention intention(source_, dialect_, emit_, false);
   for (std::uint64_t i = 0; i < blocks; ++i) {
     const nc::Step* const step = original.next();
     PLUMBLINE_CHECK(step != nullptr);

@@ -43,7 +43,7 @@ Pass::Pass(const InputFile& source, const nc::Dialect& dialect, const nc::Progra
       plain_(dialect, emit.increment_ratio),
       emitter_(source, dialect, emit, out, form),
       corrector_(model, settings),
-      intention_(source, dialect, emit),
+      intention_(source, dialect, emit, form == nc::Form::unrolled),
       spindle_(program.tools, model.reference_tool_mass),
       pose_(source, dialect) {
   if (settings.read_back) read_back_.emplace(source, dialect, program, emit, out, form == nc::Form::unrolled);

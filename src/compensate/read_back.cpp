@@ -12,13 +12,28 @@ constexpr std::size_t kWaiting = 8;  // batches that may wait to be read
 }  // namespace
 
 void GrowingOutput::grow(std::uint64_t size, std::pair<std::uint64_t, std::uint64_t> guard) {
-  guard_begin_ = guard.first;
-  guard_end_ = guard.second;
-  size_ = size;
+  {
+    const std::scoped_lock lock(guard_);
+    guard_begin_ = guard.first;
+    guard_end_ = guard.second;
+    size_ = size;
+  }
+  changed_.notify_all();
+}
+
+void GrowingOutput::end() {
+  {
+    const std::scoped_lock lock(guard_);
+    ended_ = true;
+  }
+  changed_.notify_all();
 }
 
 std::size_t GrowingOutput::read(std::uint64_t offset, char* into, std::size_t count) const {
+  std::unique_lock lock(guard_);
+  changed_.wait(lock, [&] { return offset < size_ || ended_; });
   const std::uint64_t size = size_;
+  lock.unlock();
   if (offset >= size) return 0;
   const std::size_t got =
       out_.read(offset, into, static_cast<std::size_t>(std::min<std::uint64_t>(count, size - offset)));
@@ -40,6 +55,7 @@ ReadBack::~ReadBack() {
     stops_ = true;
   }
   changed_.notify_all();
+  text_.end();
   if (thread_.joinable()) thread_.join();
 }
 
@@ -48,7 +64,7 @@ void ReadBack::offer(Intention& intention, Span guard) {
   if (batch.blocks.size() >= kBlocks || batch.points.size() >= kPoints) hand_over(intention, guard);
 }
 
-// The text goes out before what it shall mean: the reader never waits for bytes.
+// The text goes out before what it shall mean: who waits for more of it finds no batch waiting.
 void ReadBack::hand_over(Intention& intention, Span guard) {
   if (observer_) observer_(intention.batch());
   out_.flush();
@@ -72,6 +88,7 @@ void ReadBack::hand_over(Intention& intention, Span guard) {
 ReadBackFigures ReadBack::finish(Intention& intention, Span guard) {
   intention.batch().last = true;
   hand_over(intention, guard);
+  text_.end();
   thread_.join();
   if (failure_) std::rethrow_exception(failure_);
   return check_.figures();

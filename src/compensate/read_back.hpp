@@ -1,7 +1,6 @@
 // Reads the output while it is written, and holds it against what was meant.
 #pragma once
 
-#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -20,20 +19,25 @@
 
 namespace plumbline::compensate {
 
-/// What was written of an output so far, up to the end of a line. The lines of its guard are blank: whether the control
-/// stops there is decided on the machine.
+/// What was written of an output so far, up to the end of a line; who asks for more waits. The lines of its guard are
+/// blank: whether the control stops there is decided on the machine.
 class GrowingOutput final : public InputFile {
  public:
   explicit GrowingOutput(const OutputFile& out) : InputFile(Unopened{out.name()}), out_(out) {}
 
   /// From now on `size` bytes may be read, `guard` of which are the guard.
   void grow(std::uint64_t size, std::pair<std::uint64_t, std::uint64_t> guard);
+  /// There will be no more.
+  void end();
   std::size_t read(std::uint64_t offset, char* into, std::size_t count) const override;
 
  private:
   const OutputFile& out_;
-  std::atomic<std::uint64_t> size_ = 0;
-  std::atomic<std::uint64_t> guard_begin_ = 0, guard_end_ = 0;
+  mutable std::mutex guard_;
+  mutable std::condition_variable changed_;
+  std::uint64_t size_ = 0;
+  std::uint64_t guard_begin_ = 0, guard_end_ = 0;
+  bool ended_ = false;
 };
 
 class ReadBack {
