@@ -21,7 +21,8 @@ class InputFile {
  public:
   explicit InputFile(const std::string& path);
   virtual ~InputFile() = default;
-  InputFile(InputFile&&) = delete;
+  InputFile(InputFile&&) = default;
+  InputFile& operator=(InputFile&&) = default;
 
   /// As the user wrote it; "<stdin>" for standard input.
   const std::string& name() const { return name_; }
@@ -32,7 +33,7 @@ class InputFile {
   bool is_same_as(const std::string& path) const;
   /// To be called when all was read that is used. Refuses with file-changed if it was written to, cut or replaced since
   /// it was opened: what was read may then be part of both.
-  void check_unchanged() const;
+  virtual void check_unchanged() const;
 
  protected:
   struct Unopened {
