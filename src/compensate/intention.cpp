@@ -8,6 +8,7 @@
 #include "base/units.hpp"
 #include "compensate/block_effects.hpp"
 #include "compensate/figures.hpp"
+#include "nc/kept.hpp"
 #include "path/curve.hpp"
 #include "path/duration.hpp"
 
@@ -73,10 +74,12 @@ AxisWords Intention::tolerance_of(const nc::Step& step) const {
     const int written = word != nullptr ? word->decimals : 0;
     const bool inches = step.after->inches && !is_rotary(axis);
     const int least = is_rotary(axis) ? emit_.digits_deg : inches ? emit_.digits_inch : emit_.digits_mm;
-    const double digit = from_ticks(1, std::clamp(std::max(least, written), 0, kMostDecimals));
+    const nc::Kept control = nc::kept_of(dialect_.habits, is_rotary(axis), inches, emit_.increment_ratio);
+    const double digit = from_ticks(1, std::clamp(std::max(least, written), 0, control.decimals));
     const double unit = inches ? kMmPerInch : 1;
-    const double increment = (is_rotary(axis) ? emit_.increment_deg : emit_.increment_mm) / unit;
-    const double kept = increment > digit ? increment + digit : digit;
+    const double increment =
+        std::max((is_rotary(axis) ? emit_.increment_deg : emit_.increment_mm) / unit, control.quantum);
+    const double kept = increment > digit * 1.000001 ? increment + digit : digit;
     tolerance[axis] = kept * unit / 2 + kNoRounding;
   }
   return tolerance;
@@ -111,6 +114,10 @@ void Intention::move_away(const nc::Step& step, const nc::Motion& motion, bool l
 }
 
 void Intention::keep(const nc::Step& step, bool counts, std::optional<double> seconds) {
+  if (step.cycle != nc::CycleForm::none && !goes_on_) {
+    level_away_ = work_shift(*step.frame)[nc::axes_of(step.after->plane).third];
+  }
+  goes_on_ = step.cycle != nc::CycleForm::none || (goes_on_ && step.motions.empty());
   for (std::size_t i = 0; i < step.motions.size(); ++i) {
     const nc::Motion& motion = step.motions[i];
     if (motion.kind != nc::MotionKind::dwell) move_away(step, motion, i + 1 == step.motions.size());
@@ -129,6 +136,7 @@ void Intention::keep(const nc::Step& step, bool counts, std::optional<double> se
 
 void Intention::divide(const nc::Step& step, std::span<const nc::CorrectedPoint> points, AxisSet writable,
                        std::optional<double> seconds) {
+  goes_on_ = false;
   const nc::Motion& motion = step.motions.front();
   IntendedMove& move = add(motion, IntendedMove::Form::pieces);
   move.points = points.size();
@@ -145,30 +153,35 @@ void Intention::divide(const nc::Step& step, std::span<const nc::CorrectedPoint>
   }
 }
 
-// X and Y of the hole are shifted; along it R and the bottom are, and the height above that it goes back to is where
-// the control stood.
+// X and Y of the hole are shifted, and from R on the heights are; the height that it goes back to above R is that at
+// which the first of the cycles began.
 void Intention::shift(const nc::Step& hole, const AxisWords& by) {
   const nc::PlaneAxes axes = nc::axes_of(hole.after->plane);
   const nc::Hole& at = hole.holes.front();
-  AxisWords left = away_;
-  for (const nc::Motion& motion : original_->motions.subspan(at.approach_end, at.end - at.approach_end)) {
+  AxisWords work = work_shift(*hole.frame);
+  if (!goes_on_) level_away_ = work[axes.third];
+  goes_on_ = true;
+  const bool in_place = hole.motions.size() == original_->motions.size();  // the way to the hole is part of its block
+  for (std::size_t i = in_place ? 0 : at.approach_end; i < at.end; ++i) {
+    const nc::Motion& motion = original_->motions[i];
+    work[axes.first] = by[axes.first];
+    work[axes.second] = by[axes.second];
+    const double end = motion.to[axes.third];
+    const bool back = !hole.after->retract_to_r && i >= at.begin && std::abs(end - at.clear) <= kSameHeight;
+    if (back) {
+      work[axes.third] = level_away_;
+    } else if (i >= at.approach_end) {
+      work[axes.third] = by[axes.third];
+    }
     IntendedMove& move = add(motion, IntendedMove::Form::kept);
     move.points = 1;
     move.corrected = true;
     move.tolerance = tolerance_of(hole);
     if (is_cut(motion.kind)) move.seconds = path::duration(motion, path::Curve(motion), dialect_);
-    AxisWords work = work_shift(*hole.frame);
-    work[axes.first] = by[axes.first];
-    work[axes.second] = by[axes.second];
-    const double end = motion.to[axes.third];
-    const bool shifted = hole.after->retract_to_r || std::abs(end - at.clear) > kSameHeight;
-    AxisWords there = work;
-    if (shifted) there[axes.third] = by[axes.third];
-    const AxisWords away = nc::turned_about_z(there, hole.frame->rotation_deg);
+    const AxisWords away = nc::turned_about_z(work, hole.frame->rotation_deg);
     batch_.points.push_back(motion.machine + away);
-    left = away;
+    away_ = away;
   }
-  away_ = left;
 }
 
 // Moves in which nothing moves need not be said.

@@ -54,7 +54,9 @@ class Intention {
   const bool unrolled_;
   IntendedBatch batch_;
   const nc::Step* original_ = nullptr;
-  AxisWords away_;  // the control's position minus the original's, in W
+  double level_away_ = 0;  // of the height that cycles go back to
+  bool goes_on_ = false;   // the cycle before
+  AxisWords away_;         // the control's position minus the original's, in W
   IntendedState state_;
   bool has_state_ = false;
 };
