@@ -121,8 +121,10 @@ def table_of(head, groups):
     return lines + [f"| {key} | {', '.join(codes)} |" for key, codes in groups.items()]
 
 
-def sources_of(text):
-    """The comment that the table begins with."""
+def sources_of(text, table):
+    """What the tags stand for, or the comment that the table begins with."""
+    if "sources" in table:
+        return "\n".join(["| tag | source |", "|---|---|"] + [f"| {k} | {v} |" for k, v in table["sources"].items()])
     lines = []
     for line in text.splitlines():
         if not line.startswith("#"):
@@ -148,7 +150,7 @@ def part_of(name):
     order = table["execution"]
     at = order.index("motion")
     before, after = order[:at], order[at + 1 :]
-    lines = [BEGIN.format(name), "", "## Sources", "", sources_of(text)]
+    lines = [BEGIN.format(name), "", "## Sources", "", sources_of(text, table)]
     settings = list(settings_of(text))
     if settings:
         lines += ["", "## What no source said", "", "| in the table | taken for granted |", "|---|---|"]

@@ -103,10 +103,12 @@ void Pass::take(const nc::Step& step) {
   }
   take_tool(step);
   if (form_ == nc::Form::in_text_order) return process(step);
-  if (step.flow && !step.motions.empty()) {
-    refuse("compensate-flow", "this block moves and calls a program, which cannot be told apart in the output",
-           "put the call into a block of its own", place_of(*step.block, step.block->file));
+  if (step.flow && step.alarms) {
+    refuse("compensate-flow", "the program stops here with an alarm, on a condition that the output does not hold",
+           "look at the condition: with the offsets and variables given here it holds",
+           place_of(*step.block, step.block->file));
   }
+  if (step.flow && !step.motions.empty()) process(*plain_.without_call(step));
   if (step.flow || step.saves_modes) return emitter_.steer(step);
   const nc::Step* const plain = plain_.plain(step, false);
   if (plain == nullptr) return;

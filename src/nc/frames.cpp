@@ -111,6 +111,28 @@ void set_local_shift(Execution& run, const Word& code) {
   control.use_active_system();
 }
 
+// G10 L10 P1 R100.: the length of offset 1; L11 its wear, L12 and L13 of the radius, which moves nothing without G41.
+void set_tool_table(Execution& run, const Word& table, int which) {
+  const int number = run.whole(run.need('P', "G10"), 1, kNoLimit);
+  const Word& value = run.need('R', "G10");
+  if (which >= 12) return;
+  Control& control = run.control;
+  const auto written = control.tools.find(number);
+  const bool has_length = written != control.tools.end();
+  const bool adds = which == 11 || control.modal.incremental;
+  if (control.frame.tool != AxisWords{} || (adds && !has_length && value.value != 0) ||
+      (has_length && which == 11 && value.value != 0)) {
+    run.refuse(table, codes::kNotInterpreted,
+               control.frame.tool != AxisWords{} ? "a change of tool lengths while one is in force is not interpreted"
+                                                 : "a wear, or an increment of a length, is not interpreted",
+               "write the whole length with G10 L10 under G90, with G49 before");
+  }
+  if (which == 11) return;
+  ToolRow row;
+  row.offset[Axis::Z] = run.length(value);
+  control.tools[number] = row;
+}
+
 }  // namespace
 
 void choose_work_system(Execution& run, const Chosen& chosen) {
@@ -124,6 +146,7 @@ void choose_work_system(Execution& run, const Chosen& chosen) {
 void set_work_table(Execution& run) {
   const Word& table = run.need('L', "G10");
   const int which = run.whole(table, 0, kNoLimit);
+  if (which >= 10 && which <= 13) return set_tool_table(run, table, which);
   if (which != 2 && which != 20) {
     run.refuse(table, codes::kNotInterpreted, fmt::format("G10 L{} is not interpreted", which),
                "it changes tool offsets or parameters of the control; set them before the program runs");

@@ -71,6 +71,11 @@ class HeadReader {
   }
 
   void macro() {
+    if (next_is('<')) {  // <PART-1> in place of O1234
+      const std::size_t close = line_.find('>', at_);
+      if (close != std::string_view::npos) head_.program = upper_without_blanks(line_.substr(at_, close + 1 - at_));
+      return;
+    }
     if (next_is('O')) {
       ++at_;
       blanks();

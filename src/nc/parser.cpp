@@ -64,6 +64,8 @@ void Parser::parse(Block& block) {
     }
     take(lex_item);
   }
+  const bool named = syntax_->statements == Statements::macro_b && *token_.begin == '<';
+  if (named && token_.kind != TokenKind::end && program_name()) return;
   if (token_.letter == 'O' && (token_.kind == TokenKind::word || token_.kind == TokenKind::letter)) return flow();
   if (token_.kind == TokenKind::letter && syntax_->statements == Statements::macro_b && macro_statement()) return;
   items();

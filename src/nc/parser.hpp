@@ -46,6 +46,7 @@ class Parser {
 
   // Macro B: parser_macro.cpp
   void skip_level();
+  bool program_name();
   bool macro_statement();
   void macro_condition();
   void macro_label();

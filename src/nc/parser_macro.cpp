@@ -11,6 +11,19 @@ void Parser::skip_level() {
   block_->slash.end = here();
 }
 
+// <PART-1>: the name of a program, where O1234 may stand.
+bool Parser::program_name() {
+  const Span open = span_of(token_);
+  const std::size_t close = block_->text.find('>', open.begin);
+  if (close == std::string_view::npos) return false;
+  block_->flow = Flow{};
+  block_->flow.word = FlowWord::program;
+  block_->flow.span = {open.begin, static_cast<std::uint32_t>(close + 1)};
+  at_ = block_->text.data() + close + 1;
+  end_of_statement();
+  return true;
+}
+
 // open value = real value , operations
 std::uint32_t Parser::open_value_code() {
   const auto begin = static_cast<std::uint32_t>(block_->code.size());

@@ -63,6 +63,7 @@ Span PlainSteps::label_of(const Block& block) const {
 const Step* PlainSteps::plain(const Step& step, bool keeps_settings) {
   used_ = 0;
   const Block& block = *step.block;
+  if (step.alarms) return &step;
   const Span label = keeps_settings ? Span{} : label_of(block);
   const bool has_label = label.end > label.begin;
   if (step.skipped || (is_plain(step, keeps_settings) && !has_label)) return &step;
@@ -421,6 +422,27 @@ void PlainSteps::add_hole_in_place(const Step& step) {
 bool PlainSteps::is_one_hole(const Step& step) {
   const bool counts = find_word(*step.block, 'K') != nullptr || find_word(*step.block, 'L') != nullptr;
   return step.holes.size() == 1 && !counts && !dwells_first(step) && !step.after->incremental;
+}
+
+const Step* PlainSteps::without_call(const Step& step) {
+  const Block& block = *step.block;
+  used_ = 0;
+  spelling_ = spelling_of(block, spelling_);
+  editor_.start(block, spelling_);
+  write_values(step, false);
+  for (const Word& word : block.words) {
+    const CodeRow* const row = dialect_.row_of(word);
+    const bool calls = row != nullptr && (row->action == Action::call_program || row->action == Action::end_program);
+    const bool of_call = (word.letter == 'P' || word.letter == 'L') && word.expression == kLiteral;
+    if (calls || of_call) editor_.replace(word.span, "");
+  }
+  Own& own = next_own(step);
+  editor_.apply(own.text);
+  own.step = step;
+  own.step.flow = false;
+  own.step.entry = {};
+  parse(own, step);
+  return &own.step;
 }
 
 }  // namespace plumbline::nc

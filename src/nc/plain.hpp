@@ -32,6 +32,9 @@ class PlainSteps {
   /// knows (emit-value-unknown).
   const Step* plain(const Step& step, bool keeps_settings);
 
+  /// What moves in a block that calls a program as well, or ends one. Holds until the next call.
+  const Step* without_call(const Step& step);
+
   /// A cycle as blocks of one motion each, in order: what else its block holds, its moves and dwells with G0, G1 and
   /// G4, and the words that act behind the motion. Cycles that work the spindle keep one block a hole, with every word
   /// of it (Step::holes holds one entry). `step` is one of plain(). Holds until the next call of either.

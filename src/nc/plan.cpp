@@ -339,9 +339,16 @@ bool is_exponent(const Execution& run, const Word& word) {
   return word.letter == 'E' && at > 0 && (is_digit(run.block->text[at - 1]) || run.block->text[at - 1] == '.');
 }
 
+// D0 H0 of a header: no offset is in force that they could change.
+std::uint32_t numbers_without_offset(const Execution& run) {
+  const bool ends = run.chosen_row(Action::tool_length_off) != nullptr;
+  return letter_bit('D') | (ends || run.control.frame.tool == AxisWords{} ? letter_bit('H') : 0);
+}
+
 void check_words_used(const Execution& run) {
   std::uint32_t taken = kFreeLetters | kAxisLetters;
   if (run.dialect.has_edges) taken |= letter_bit('D');
+  if (run.dialect.habits.offset_numbers_last) taken |= numbers_without_offset(run);
   if (run.motion != nullptr && run.machine_word == nullptr) taken |= letter_bit('@') | letter_bit('^');
   if (run.motion != nullptr) taken |= run.motion->word_mask;
   for (const Chosen& chosen : run.chosen) taken |= chosen.row->word_mask;

@@ -147,6 +147,7 @@ const Step* Program::Parts::steer() {
     return &left_out;
   }
   if (!flow.take(block)) return nullptr;
+  behind_end = behind_end || interpreter.ended();
   if (flow.ended()) behind_end = true;
   Step& step = interpreter.step();
   step.flow = (block.flow.word != FlowWord::program && block.flow.word != FlowWord::define) || flow.used();

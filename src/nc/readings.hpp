@@ -6,6 +6,8 @@
 
 namespace plumbline::nc {
 
+inline constexpr int kAlarm = 3000;  // macro B: what is set there stops the control with an alarm
+
 class Readings : public ParameterReader {
  public:
   Readings(Control& control, const ProgramSettings& settings, const Dialect& dialect)

@@ -32,6 +32,7 @@ int tool_of_block(const Execution& run, const Chosen& chosen) {
   if (named > 0 || (word != nullptr && run.dialect.habits.h0_is_no_tool))
     return named;  // H0 is the tool in the spindle [LinuxCNC, measured]
   if (word == nullptr && chosen.row->action == Action::tool_length_added) run.need('H', "G43.2");
+  if (word == nullptr && run.dialect.habits.offset_numbers_last) run.need('H', run.block->at(chosen.word->span));
   const int number = run.control.modal.tool_in_spindle;
   if (number >= 0) return number;
   if (run.settings.as_with_empty_tables) return 0;

@@ -193,9 +193,16 @@ TEST_CASE("a work system of one block alone cannot hold for its pieces") {
   CHECK(code_of(text, job) == "compensate-work-system");
 }
 
-TEST_CASE("a block that moves and calls is refused") {
-  const std::string text = "O7\nG0 X0 Y0 Z20. A0 B0 C0\nG1 F500 X5. M98 P8\nM30\nO8\nX6.\nM99\n";
-  CHECK(code_of(text, job_for("fanuc")) == "compensate-flow");
+TEST_CASE("a block that moves and calls moves first, and what is called stands behind it") {
+  const Job job = job_for("fanuc");
+  const std::string text =
+      "<PART-1>\nG0 X0 Y0 Z20. A0 B0 C0 D0 H0\nG1 F500 X5. M98 P8\nY2. M98 P8 L2 M8\nM30\nO8\nX6.\nX4. M99\n";
+  const std::string out = run(text, job).text;
+  INFO(out);
+  check(text, out, job, 1.5);
+  CHECK(holds(out, "^<PART-1>$"));
+  CHECK_FALSE(holds(out, "M98|M99|P8"));
+  CHECK(holds(out, "M8"));
 }
 
 TEST_CASE("a dwell of a cycle counts what the control counts") {

@@ -1,2 +1,2 @@
 (expect: nc-parameter-read-only 2 1 dialect: fanuc)
-#3000=1
+#5041=1
