@@ -23,7 +23,7 @@ int compensate(const CompensateArguments& arguments) {
   require_model(options);
   check_outputs(files_read(arguments.program, options),
                 {arguments.output, arguments.json, options.undo ? jobs::undo_name(arguments.output) : std::string()});
-  if (options.undo && arguments.output == kStandardStream) {
+  if (options.undo && output_target(arguments.output).kind != OutputTarget::Kind::file) {
     throw UsageError("--undo writes a file beside the output: name one with -o");
   }
   ProgressLine line;

@@ -135,6 +135,7 @@ TEST_CASE("streams that are files are written to, never replaced") {
   CHECK(run(scratch, compensation("p.ngc -o /dev/fd/3") + "3>third").code == 0);
   CHECK(scratch.text("third") == scratch.text("out.ngc"));
   CHECK(contains(run(scratch, compensation("p.ngc -o /dev/fd/3")).err, "is no open file"));
+  CHECK(run(scratch, compensation("p.ngc -o /dev/stdout --undo")).code == 2);  // beside what?
 }
 
 TEST_CASE("a full standard error loses messages, no work; a full standard output is a failure") {
