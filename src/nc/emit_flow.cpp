@@ -8,6 +8,7 @@
 
 #include "base/number_text.hpp"
 #include "base/units.hpp"
+#include "nc/block_words.hpp"
 #include "nc/emit.hpp"
 
 namespace plumbline::nc {
