@@ -14,7 +14,10 @@ using namespace plumbline;
 namespace {
 
 // The tables gone through so far; LinuxCNC's own program is at hand, and the tests run it.
-const std::vector<std::string> kSourced = {"fanuc"};
+const std::vector<std::string> kSourced = {
+    "fanuc",
+    "siemens",
+};
 
 std::set<std::string> sources_of(const TomlValue& root) {
   const TomlEntry* const entry = root.find("sources");
