@@ -1,5 +1,8 @@
 // Codes that stand alone in their block: a dwell where the control says so, calls of cycles.
 #include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
 
 #include "nc/codes.hpp"
 #include "nc/execution.hpp"
@@ -36,6 +39,18 @@ void check_call_alone(const Execution& run) {
 }
 
 }  // namespace
+
+void check_extended(const Execution& run, const CodeRow& row, const Word& word) {
+  const std::string_view text = run.block->at(word.span);
+  if (text.find('=') == std::string_view::npos) return;
+  const std::vector<CodeRow>& rows = run.dialect.m_codes;
+  const bool of_spindle = std::any_of(rows.begin(), rows.end(), [&](const CodeRow& other) {
+    return other.action == Action::spindle && other.step == row.step;
+  });
+  if (of_spindle) return;
+  run.refuse(word, codes::kNotInterpreted, fmt::format("{} is a code of the machine's builder", text),
+             "of M1=.. the codes of the spindle are known: M1=3, M1=4, M1=5 and their like");
+}
 
 void check_alone(const Execution& run) {
   check_dwell_alone(run);

@@ -157,11 +157,22 @@ enum class FlowWord : std::uint8_t {
   end_loop,
   begin_repeat,
   until,
-  define,  // DEF: the settings of the block declare variables
+  choose,          // CASE
+  repeat_section,  // REPEAT LABEL P=3
+  repeat_line,     // REPEATB LABEL P=3
+  external_call,   // EXTCALL
+  define,          // DEF: the settings of the block declare variables
 };
 
 /// Where a jump looks for its label.
 enum class Direction : std::uint8_t { both, forward, backward };
+
+/// Where CASE goes on for one value; a label of a part that is repeated.
+struct Choice {
+  std::uint32_t value = kLiteral;  // code of the value; kLiteral: for all others
+  Span label;
+  Direction direction = Direction::both;
+};
 
 /// What steers the program: the O word of a line, or its IF, GOTO, CALL..., and what stands behind it.
 struct Flow {
@@ -171,6 +182,7 @@ struct Flow {
   std::uint32_t label = kLiteral;     // code of a numbered one
   std::vector<std::uint32_t> values;  // code of a condition, a count, a value to return, or of the arguments
   Direction direction = Direction::both;
+  std::vector<Choice> choices;
   std::uint32_t count = kLiteral;  // code of how often a subprogram is called
 };
 

@@ -85,6 +85,7 @@ struct Control {
   AxisWords suspended_g92;                 // what G92.3 brings back
   bool g92_known = false;                  // that: the control keeps it from program to program
   AxisWords local;                         // G52, TRANS: added to the origin of the work system
+  bool local_added = false;                // by ATRANS
   AxisWords local_before_turn;             // G68 changes it, G69 brings it back
   double turn_deg = 0;                     // G68, ROT: about Z
   FeedRule feed_rule = FeedRule::unknown;  // the dialect's, or as FGROUP says

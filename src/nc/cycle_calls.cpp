@@ -305,7 +305,7 @@ void call_cycle(Execution& run, const CodeRow& row) {
 }
 
 void drill_after_move(Execution& run) {
-  if (run.control.modal_call.row == nullptr) return;
+  if (run.control.modal_call.row == nullptr || run.axes.empty()) return;
   const bool straight = run.motion->action == Action::rapid || run.motion->action == Action::feed;
   if (!straight || run.machine_word != nullptr) {
     run.refuse(run.motion_code(), codes::kNotInterpreted,

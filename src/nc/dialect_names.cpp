@@ -121,6 +121,9 @@ constexpr std::array kKeywords{
     std::pair<std::string_view, FlowWord>{"end_loop", FlowWord::end_loop},
     std::pair<std::string_view, FlowWord>{"repeat", FlowWord::begin_repeat},
     std::pair<std::string_view, FlowWord>{"until", FlowWord::until},
+    std::pair<std::string_view, FlowWord>{"case", FlowWord::choose},
+    std::pair<std::string_view, FlowWord>{"repeat_line", FlowWord::repeat_line},
+    std::pair<std::string_view, FlowWord>{"external_call", FlowWord::external_call},
     std::pair<std::string_view, FlowWord>{"define", FlowWord::define},
     std::pair<std::string_view, FlowWord>{"subprogram", FlowWord::sub},
 };

@@ -166,6 +166,7 @@ class TableReader {
     habits.feed_per_revolution_increment = number(from, "feed_per_revolution_increment", 0);
     habits.machine_move_is_rapid = flag(from, "machine_move_is_rapid");
     habits.offset_numbers_last = flag(from, "offset_numbers_last");
+    habits.machine_move_tool_unknown = flag(from, "machine_move_tool_unknown");
     habits.h0_is_no_tool = flag(from, "h0_is_no_tool");
     habits.tool_length_moves = flag(from, "tool_length_moves");
     habits.tool_length_increments_unknown = flag(from, "tool_length_increments_unknown");

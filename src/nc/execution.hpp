@@ -72,6 +72,8 @@ void check_alone(const Execution& run);
 void check_contexts(const Execution& run);
 void check_cycle_beside_motion(const Execution& run);
 void check_words_before_call(const Execution& run);
+/// Refuses M1=8: only of the spindle's codes it is known which one that is.
+void check_extended(const Execution& run, const CodeRow& row, const Word& word);
 /// Gives words without a decimal point the value that they have where the control counts its increments.
 void count_increments(const Execution& run, Block& block);
 

@@ -82,6 +82,7 @@ void change_frame_by_name(Execution& run, const Chosen& chosen) {
       if (run.axes.contains(axis)) step[axis] = run.value(axis);
     }
     shift += turned_about_z(step, degrees);
+    control.local_added = adds;
   }
   control.local = shift;
   turn(run, degrees);
@@ -102,8 +103,18 @@ void set_shift_of_g92(Execution& run, const Word& code) {
 
 void set_local_shift(Execution& run, const Word& code) {
   Control& control = run.control;
+  const std::string_view name = run.block->at(code.span);
   if (control.turn_deg != 0) {
-    run.refuse(code, codes::kNotInterpreted, "G52 in a turned system is not interpreted", "write G69 before it");
+    run.refuse(code, codes::kNotInterpreted, fmt::format("{} in a turned system is not interpreted", name),
+               "end the turn before it");
+  }
+  // G58 keeps what ATRANS added; without axes it is a work system of smaller controls.
+  if (run.dialect.syntax.names && (run.axes.empty() || control.local_added)) {
+    run.refuse(code, codes::kNotInterpreted,
+               run.axes.empty()
+                   ? fmt::format("{} without axis words means different things on different controls", name)
+                   : fmt::format("{} after ATRANS keeps what that added, which is not interpreted", name),
+               "write TRANS with all its axes");
   }
   for (const Axis axis : kAllAxes) {
     if (run.axes.contains(axis)) control.local[axis] = run.value(axis);

@@ -266,6 +266,14 @@ void Interpreter::check_variable(const Block& block, const Setting& place) {
   if (!syntax.declared && !syntax.settings_alone) return;
   const std::string_view name = block.at(block.names[place.name]);
   if (syntax.declared && block.flow.word != FlowWord::define && control_.parameters.find(name) == nullptr) {
+    constexpr std::string_view kExtended = "MSTHD";
+    const bool extended = kExtended.find(upper(name.front())) != std::string_view::npos &&
+                          std::all_of(name.begin() + 1, name.end(), is_digit);
+    if (extended) {
+      refuse_at(block, place.span, codes::kNotInterpreted,
+                fmt::format("{}= speaks to a spindle or a tool holder of its own, which is not interpreted", name),
+                "of spindles the first is known: S1= and M1=, or S and M alone");
+    }
     refuse_at(block, place.span, codes::kUnknownCode,
               fmt::format("{} is neither declared nor a word of this control that is known here", name),
               fmt::format("if it is a variable, declare it: DEF REAL {}", name));

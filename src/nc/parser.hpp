@@ -72,6 +72,10 @@ class Parser {
   void pass_comment();
   void pass_arguments();
   void value_arguments(Span name);
+  std::string keyword();
+  void case_statement();
+  void repeat_statement(bool block_alone);
+  void external_call();
   void expect_equals(Span name);
   bool next_is(TokenKind kind);
   void expect(TokenKind kind, std::string_view what);

@@ -29,6 +29,16 @@ void Parser::statement(FlowWord word) {
     case FlowWord::begin_for:
       for_statement();
       break;
+    case FlowWord::choose:
+      case_statement();
+      break;
+    case FlowWord::begin_repeat:
+    case FlowWord::repeat_line:
+      repeat_statement(word == FlowWord::repeat_line);
+      break;
+    case FlowWord::external_call:
+      external_call();
+      break;
     case FlowWord::define:
       return define_statement();
     case FlowWord::sub:

@@ -206,6 +206,7 @@ void gather(Execution& run) {
       }
       case 'M':
         choose(run, m_row(run, word), word);
+        check_extended(run, *run.chosen.back().row, word);
         continue;
       case 'F':
         choose(run, &run.dialect.feed_row, word);

@@ -134,6 +134,7 @@ void StatementFlow::jump_back(const Block& block, int number) {
 }
 
 void StatementFlow::leave(const Block& block) {
+  while (!sections_.empty() && sections_.back().level == calls_.size()) sections_.pop_back();
   Call& call = calls_.back();
   if (call.remaining > 0) {
     --call.remaining;

@@ -25,7 +25,8 @@ StatementFlow::StatementFlow(const InputFile& program, const Dialect& dialect, I
 
 bool StatementFlow::next(Line& line) {
   if (skip_) skip(*std::exchange(skip_, std::nullopt));
-  if (files_[file_]->lines.next(line)) {
+  while (files_[file_]->lines.next(line)) {
+    if (leaves_section(line)) continue;
     if (!begun_) {
       const LineHead head = head_of(line.text, dialect_);
       begun_ = !head.empty && head.program.empty();
@@ -53,6 +54,13 @@ bool StatementFlow::take(const Block& block) {
       } else {
         jump(block, fmt::format("N{}", number_of(block, block.flow.label, "the number to go on at")), Direction::both);
       }
+      return true;
+    case FlowWord::choose:
+      choose(block);
+      return true;
+    case FlowWord::repeat_section:
+    case FlowWord::repeat_line:
+      repeat(block);
       return true;
     case FlowWord::if_then:
       used_ = true;
@@ -178,6 +186,7 @@ void StatementFlow::jump(const Block& block, const std::string& label, Direction
                      direction == Direction::both ? "add it to this program, or check its name"
                                                   : "it is looked for in one direction alone: check that as well");
   }
+  check_jump_in_section(block, *place);
   files_[file_]->lines.seek(*place);
 }
 

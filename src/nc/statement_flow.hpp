@@ -74,6 +74,20 @@ class StatementFlow : public Sequencer {
     std::vector<Value> arguments;  // by position, for its head
   };
 
+  struct Section {  // a part of a program that is repeated
+    LinePlace begin, back;
+    std::size_t end = 0;  // the first line behind it
+    int remaining = 0;
+    std::size_t level = 0;  // of calls
+    std::size_t from = 0;   // the line that repeats it
+    std::uint64_t pass = 1;
+  };
+
+  void choose(const Block& block);
+  void repeat(const Block& block);
+  void go_through_section();
+  bool leaves_section(const Line& line);
+  void check_jump_in_section(const Block& block, const LinePlace& to) const;
   void note_call();
   void note_pass(Loop& loop);
   void head(const Block& block);
@@ -104,6 +118,7 @@ class StatementFlow : public Sequencer {
   std::vector<Call> calls_;
   std::vector<Loop> main_loops_;
   std::optional<Skip> skip_;
+  std::vector<Section> sections_;
   bool begun_ = false;  // words were read since the program or subprogram began
   bool again_ = false;  // FOR is reached from its end
   bool used_ = false;

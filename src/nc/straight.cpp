@@ -72,6 +72,8 @@ void move_straight(Execution& run) {
     motion.feed = feed_of_move(run, linear);
   }
   add_motion(run, motion);
+  const bool tip_unknown = run.machine_word != nullptr && run.dialect.habits.machine_move_tool_unknown;
+  if (tip_unknown && control.frame.tool != AxisWords{}) lose_position(run, run.axes & AxisSet::linear());
 }
 
 }  // namespace plumbline::nc

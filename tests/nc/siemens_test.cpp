@@ -147,8 +147,14 @@ TEST_CASE("calls of cycles that no source covers are refused") {
                  {"G54 G0 X0 Y0 Z9 F1\nMCALL CYCLE81(9,0,2,-5)\nSUPA G0 Z0\n", 3, 6},
                  {"G54 G0 X0 Y0 Z9 F1\nMCALL CYCLE81(9,0,2,-5)\nCYCLE82(9,0,2,-5)\n", 3, 1},
                  {"G54 G0 X0 Y0 Z9 F1 R1=2\nMCALL CYCLE81(9,0,R1,-5)\nR1=3\n", 3, 1},
-                 {"G54 G0 X0 Y0 Z9\nG93\nCYCLE81(9,0,2,-5)\n", 3, 1},
+                 {"G54 G0 X0 Y0 Z9\nG93 F1\nCYCLE81(9,0,2,-5)\n", 3, 1},
                  {"G54 G0 X0 Y0 Z9\nCYCLE81(9,0,2,-5)\n", 2, 1, "nc-feed-missing"}});
+}
+
+TEST_CASE("a block without axis words makes no hole") {
+  const Outcome ran = outcome_of("G54 G0 X0 Y0 Z9\nMCALL CYCLE81(9,0,2,-5)\nG1 F100\nS900 M3\nG90\nX1\nMCALL\n");
+  CHECK(ran.code.empty());
+  CHECK(ran.motions.size() == 6);  // G0, G1 alone, and of the hole: there, to R, down and back
 }
 
 TEST_CASE("swivel cycles that turn nothing leave the axes where nobody knows, others are refused") {
@@ -166,4 +172,113 @@ TEST_CASE("swivel cycles that turn nothing leave the axes where nobody knows, ot
   check_refused({{"CYCLE800(1,\"TC1\",0,57,0,0,0,0,30,0,0,0,0,-1,100,1)\n", 1, 31},
                  {"N1 CYCLE800(0,\"\",0,27,5,0,0,0,0,0,0,0,0,1)\n", 1, 23},
                  {"R1=5\nCYCLE800(0,,0,27,0,0,0,0,0,R1*2)\n", 2, 28}});
+}
+
+TEST_CASE("CASE goes on at the label of its value, or where DEFAULT says") {
+  const auto ends_at = [](int value) {
+    const Outcome ran =
+        outcome_of(fmt::format("G54 G0 X0\nR1={}\nCASE R1 OF 1 GOTOF ONE 2 GOTOF TWO -3 GOTOF TWO DEFAULT GOTOF REST ; "
+                               "which\nX9\nREST: X8\nM30\n"
+                               "ONE: X1\nM30\nTWO: X2\nM30\n",
+                               value));
+    INFO(ran.code << " " << ran.line);
+    return ran.motions.empty() ? -1.0 : ran.motions.back().to[Axis::X];
+  };
+  CHECK(ends_at(1) == 1);
+  CHECK(ends_at(2) == 2);
+  CHECK(ends_at(-3) == 2);
+  CHECK(ends_at(7) == 8);
+  CHECK(outcome_of("G54 G0 X0\nCASE 5 OF 1 GOTOB BACK\nX3\n").motions.back().to[Axis::X] == 3);
+  CHECK(outcome_of("R1=0\nAGAIN: G54 G0 X=R1\nR1=R1+1\nCASE R1 OF 1 GOTOB AGAIN 2 GOTOB AGAIN\n").motions.size() == 3);
+  check_refused({{"CASE 1 IS 1 GOTOF ONE\n", 1, 1, "nc-flow-control"},
+                 {"CASE 1 OF 1 X5\n", 1, 1, "nc-flow-control"},
+                 {"G54 G0 X0\nCASE 1 OF 1 GOTOF NOWHERE\n", 2, 1, "nc-flow-label"}});
+}
+
+TEST_CASE("parts of a program are repeated by their labels") {
+  const auto path = [](const std::string& text) {
+    std::string ends;
+    const Outcome ran = outcome_of("G54 G0\n" + text);
+    INFO(text << ran.code << " " << ran.line);
+    CHECK(ran.code.empty());
+    for (const Motion& motion : ran.motions) ends += fmt::format("{} ", motion.to[Axis::X]);
+    return ends.substr(2);  // G0 alone
+  };
+  CHECK(path("X1\nPART: X2\nX3\nREPEAT PART\nX4\n") == "1 2 3 2 3 4 ");
+  CHECK(path("PART: X2\nX3\nREPEAT PART P=2\nX4\n") == "2 3 2 3 2 3 4 ");
+  CHECK(path("PART: X2\nX3\nENDLABEL:\nX5\nREPEAT PART P1\nX4\n") == "2 3 5 2 3 4 ");
+  CHECK(path("ONE: X2\nX3\nTWO: X4\nX5\nREPEAT ONE TWO P=2\nX6\n") == "2 3 4 5 2 3 4 2 3 4 6 ");
+  CHECK(path("HOLE: G91 X1\nG90 Y1\nREPEATB HOLE P=3\nG90 X9\n") == "1 1 2 3 4 9 ");
+  CHECK(path("PART: X2\nREPEAT PART P=0\nX4\n") == "2 4 ");
+  CHECK(path("OUT: X1\nIN: X2\nREPEATB IN\nX3\nREPEAT OUT\nX9\n") == "1 2 2 3 1 2 2 3 9 ");
+  CHECK(path("PART: X2\nKURZ\nREPEAT PART\nM30\n%_N_KURZ_SPF\nX7\nX8\nM17\n") == "2 7 8 2 7 8 ");
+  check_refused({{"G54 G0\nX1\nREPEAT PART P=3\nPART: X2\n", 3, 1, "nc-flow-label"},
+                 {"G54 G0\nPART: X1\nR1=R1+1\nIF R1==2 GOTOF OUT\nREPEAT PART P=3\nOUT: X2\n", 4, 1},
+                 {"G54 G0\nTWO: X1\nONE: X2\nREPEAT ONE TWO\n", 4, 1, "nc-flow-label"},
+                 {"REPEATB P=3\n", 1, 1, "nc-flow-control"},
+                 {"AA: G54 G0\nREPEAT AB BC CD\n", 2, 1, "nc-flow-control"}});
+}
+
+TEST_CASE("programs called by EXTCALL are looked for beside the program, by their name alone") {
+  for (const char* const call :
+       {"EXTCALL(\"KURZ\")", "EXTCALL \"KURZ.SPF\"", "N5 EXTCALL (\"//srv/nc\\part/kurz.spf\") ; it"}) {
+    const Outcome ran = outcome_of(fmt::format("G54 G0 X1\n{}\nX3\nM30\n%_N_KURZ_SPF\nX7\nRET\n", call));
+    INFO(call << " " << ran.code << " " << ran.line);
+    REQUIRE(ran.motions.size() == 3);
+    CHECK(ran.motions[1].to[Axis::X] == 7);
+  }
+  check_refused({{"EXTCALL(NAME)\n", 1, 1},
+                 {"EXTCALL(\"\")\n", 1, 1, "nc-flow-control"},
+                 {"G54 G0 X1\nEXTCALL(\"NOWHERE\")\n", 2, 1, "nc-flow-open"}});
+}
+
+TEST_CASE("G58 shifts the axes that it names") {
+  const auto display = [](const char* text) {
+    const Outcome ran = outcome_of(text);
+    INFO(text << ran.code << " " << ran.line);
+    REQUIRE_FALSE(ran.motions.empty());
+    return ran.motions.back().machine;
+  };
+  CHECK(display("G54 G0 X0 Y0\nG58 X10\nX1 Y2\n") == AxisWords{{11, 2, 0, 0, 0, 0}});
+  CHECK(display("G54 G0\nTRANS X5 Y6\nG58 Y1\nX1 Y2\n") == AxisWords{{6, 3, 0, 0, 0, 0}});
+  CHECK(display("G54 G0\nG58 X5\nTRANS Z3\nX1 Z2\n") == AxisWords{{1, 0, 5, 0, 0, 0}});
+  check_refused({{"G54 G0 X0\nG58\n", 2, 1},
+                 {"G54 G0 X0\nATRANS X1\nG58 X2\n", 3, 1},
+                 {"G54 G0 X0\nROT RPL=30\nG58 X2\n", 3, 1},
+                 {"G54 G0 X0\nG59 X2\n", 2, 1}});
+}
+
+TEST_CASE("spindles by number: the first is the spindle, others and other codes are refused") {
+  for (const char* const line : {"S1=900 M1=3", "M1=4 S500", "M1=19", "N3 M1=41"}) {
+    INFO(line);
+    CHECK(outcome_of(fmt::format("G54 G0 X0\n{}\nG1 X1 F100\nM1=5\nM30\n", line)).code.empty());
+  }
+  CHECK(outcome_of("G54 G0 X0\nS1=900 M1=3\nG95 G1 X1 F0.1\n").motions.back().feed_mode == FeedMode::per_revolution);
+  check_refused({{"M2=3\n", 1, 1},
+                 {"G54 G0 X0 S2=900\n", 1, 11},
+                 {"M1=8\n", 1, 1},
+                 {"T2=5\n", 1, 1},
+                 {"M1=30\n", 1, 1},
+                 {"G0 POS[X]=10\n", 1, 4},
+                 {"POSA[Z]=5 FA[Z]=100\n", 1, 1}});
+}
+
+TEST_CASE("where G53 puts the tip while a tool's length is in force is not known") {
+  const auto known_after = [](const std::string& text) {
+    const ProgramFile program(text);
+    const InputFile file(program.path());
+    ProgramSettings settings = with_offsets();
+    settings.as_with_empty_tables = false;
+    settings.keeps_position = {6};
+    for (auto& start : settings.start) start = 0;
+    AxisSet known;
+    Program blocks(file, dialect("siemens"), settings);
+    while (const Step* step = blocks.next()) known = step->known;
+    return known;
+  };
+  const std::string tool = "T1 M6\nG54 G0 X0 Y0 Z50 A0 B0 C0\n";
+  CHECK(known_after(tool + "SUPA G0 Z500\n") == AxisSet::all() - AxisSet{Axis::Z});
+  CHECK(known_after(tool + "G153 G0 X1 Y1\n") == AxisSet::all() - AxisSet{Axis::X, Axis::Y});
+  CHECK(known_after(tool + "SUPA G0 Z500 D0\n") == AxisSet::all());
+  CHECK(known_after(tool + "G53 G0 Z500\nG0 Z9\n") == AxisSet::all());
 }
