@@ -132,6 +132,7 @@ struct CodeRow {
   bool alone = false;                      // no move stands beside it
   FeedRule feed_rule = FeedRule::unknown;  // of a tool length: with it in force; unknown: the dialect's
   bool has_arguments = false;              // a name with ( ) behind it, which the interpreter does not look into
+  bool order_unknown = false;              // whether it acts before the move of its block or after it
   std::string levels;                      // which of these are heights of the work, digits that count from 0
   bool has_values = false;                 // a name with values in ( ) behind it
 };
@@ -195,9 +196,10 @@ struct Habits {
   double increment_mm = 0, increment_inch = 0, increment_deg = 0;  // what a number without a point counts; 0: units
   bool increment_of_rest_unknown = false;  // where another is set, of numbers with a point: refused
   double feed_per_revolution_increment = 0;
-  bool keeps_increment = false;              // of a number no more than these are kept
-  std::string whole_words;                   // letters whose values are whole numbers, and written without a point
-  int most_digits = 0;                       // of a number; 0: any
+  bool keeps_increment = false;  // of a number no more than these are kept
+  std::string whole_words;       // letters whose values are whole numbers, and written without a point
+  double increment_word_mm = 0, increment_word_inch = 0, increment_word_deg = 0;  // kept of a word under G91; 0: all
+  int most_digits = 0;                                                            // of a number; 0: any
   bool m_beside_cut_unknown = false;         // when codes of the builder act beside a move
   double inverse_time_increment = 0;         // of F under G93; 0: units
   bool inverse_time_by_radius = false;       // F of an arc under G93 is feed over radius, not 1 over the time

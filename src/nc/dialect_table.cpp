@@ -166,6 +166,9 @@ class TableReader {
     habits.feed_per_revolution_increment = number(from, "feed_per_revolution_increment", 0);
     habits.machine_move_is_rapid = flag(from, "machine_move_is_rapid");
     habits.offset_numbers_last = flag(from, "offset_numbers_last");
+    habits.increment_word_mm = number(from, "increment_word_mm", 0);
+    habits.increment_word_inch = number(from, "increment_word_inch", 0);
+    habits.increment_word_deg = number(from, "increment_word_deg", 0);
     habits.machine_move_tool_unknown = flag(from, "machine_move_tool_unknown");
     habits.h0_is_no_tool = flag(from, "h0_is_no_tool");
     habits.tool_length_moves = flag(from, "tool_length_moves");
@@ -253,6 +256,7 @@ class TableReader {
         row.only.push_back(parse_number(word.text.substr(1)).value());
       }
     }
+    row.order_unknown = flag(from, "order_unknown");
     row.has_values = flag(from, "values");
     if (from.find("levels") != nullptr) row.levels = text(from, "levels");
     if (row.action == Action::refused || !row.only.empty() || from.find("why") != nullptr) row.why = text(from, "why");

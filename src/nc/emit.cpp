@@ -255,7 +255,8 @@ void Emitter::refuse_builders_codes(const Step& step) const {
   for (const Word& word : step.block->words) {
     if (word.letter != 'M') continue;
     const CodeRow* const row = dialect_.row_of(word);
-    if (row != nullptr && row->action != Action::change_tool && row->action != Action::refused) continue;
+    const bool known = row != nullptr && row->action != Action::change_tool && row->action != Action::refused;
+    if (known && !row->order_unknown) continue;
     refuse_at(
         *step.block, word.span, "emit-m-code",
         fmt::format("whether {} acts before the move of its block or behind it is the machine builder's choice, and "

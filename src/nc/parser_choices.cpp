@@ -1,4 +1,5 @@
-// The productions of CASE, of parts of a program that are repeated by their labels, and of EXTCALL.
+// The productions of CASE, of parts of a program that are repeated by their labels, of EXTCALL, and of values in
+// brackets.
 #include <fmt/format.h>
 
 #include "base/characters.hpp"
@@ -72,6 +73,38 @@ void Parser::repeat_statement(bool block_alone) {
     at_ = next.end;
     expect_equals(span_of(next));
     flow.count = named_value_code();
+  }
+}
+
+// arguments = "(" , [ value | text ] , { "," , [ value | text ] } , ")"
+void Parser::value_arguments(Span name) {
+  if (!next_is(TokenKind::parenthesis)) return;
+  take(lex_named_item);
+  if (!block_->arguments.empty()) {
+    refuse_at(*block_, name, codes::kFlowControl, "two codes with values in brackets stand in one block",
+              "put them into blocks of their own");
+  }
+  do {
+    Token next;
+    lex_named_operation(at_, next);
+    Argument argument;
+    const std::uint32_t begin = here();
+    if (next.kind != TokenKind::comma && next.kind != TokenKind::closing_parenthesis) {
+      if (next_is(TokenKind::string)) {
+        take(lex_named_item);
+      } else {
+        argument.expression = named_value_code();
+        const Instruction* const code = &block_->code[argument.expression];
+        const bool negative = code[1].operation == Operation::negate;
+        argument.plain = code->operation == Operation::number && code[negative ? 2 : 1].operation == Operation::end;
+      }
+    }
+    argument.span = {begin, here()};
+    block_->arguments.push_back(argument);
+    take(lex_named_operation);
+  } while (token_.kind == TokenKind::comma);
+  if (token_.kind != TokenKind::closing_parenthesis) {
+    refuse_at(*block_, name, codes::kBracketOpen, "the bracket ( is not closed", "add the missing )");
   }
 }
 

@@ -212,38 +212,6 @@ void Parser::code_by_name(Span span, int row) {
       {kNamedCode, static_cast<double>(row), kLiteral, span, 0, false, false, false, WordMode::modal});
 }
 
-// arguments = "(" , [ value | text ] , { "," , [ value | text ] } , ")"
-void Parser::value_arguments(Span name) {
-  if (!next_is(TokenKind::parenthesis)) return;
-  take(lex_named_item);
-  if (!block_->arguments.empty()) {
-    refuse_at(*block_, name, codes::kFlowControl, "two codes with values in brackets stand in one block",
-              "put them into blocks of their own");
-  }
-  do {
-    Token next;
-    lex_named_operation(at_, next);
-    Argument argument;
-    const std::uint32_t begin = here();
-    if (next.kind != TokenKind::comma && next.kind != TokenKind::closing_parenthesis) {
-      if (next_is(TokenKind::string)) {
-        take(lex_named_item);
-      } else {
-        argument.expression = named_value_code();
-        const Instruction* const code = &block_->code[argument.expression];
-        const bool negative = code[1].operation == Operation::negate;
-        argument.plain = code->operation == Operation::number && code[negative ? 2 : 1].operation == Operation::end;
-      }
-    }
-    argument.span = {begin, here()};
-    block_->arguments.push_back(argument);
-    take(lex_named_operation);
-  } while (token_.kind == TokenKind::comma);
-  if (token_.kind != TokenKind::closing_parenthesis) {
-    refuse_at(*block_, name, codes::kBracketOpen, "the bracket ( is not closed", "add the missing )");
-  }
-}
-
 void Parser::pass_arguments() {
   for (const char open : {'[', '('}) {
     if (!next_is(open == '[' ? TokenKind::open : TokenKind::parenthesis)) continue;
