@@ -74,7 +74,8 @@ AxisWords Intention::tolerance_of(const nc::Step& step) const {
     const int written = word != nullptr ? word->decimals : 0;
     const bool inches = step.after->inches && !is_rotary(axis);
     const int least = is_rotary(axis) ? emit_.digits_deg : inches ? emit_.digits_inch : emit_.digits_mm;
-    const nc::Kept control = nc::kept_of(dialect_.habits, is_rotary(axis), inches, emit_.increment_ratio);
+    const nc::Kept control =
+        nc::kept_of_axis_word(dialect_.habits, is_rotary(axis), inches, emit_.increment_ratio, step.after->incremental);
     const double digit = from_ticks(1, std::clamp(std::max(least, written), 0, control.decimals));
     const double unit = inches ? kMmPerInch : 1;
     const double increment =

@@ -206,7 +206,7 @@ struct Habits {
   bool feed_inch_increment_unknown = false;  // what F without a point counts under G20
   bool machine_move_is_rapid = false;        // G53 goes as G0 whatever is in force
   bool offset_numbers_last = false;  // D and H stay in force without a code that uses them: G43 needs an H of its own
-  bool machine_move_tool_unknown = false;    // whether G53 counts to the tip while a length is in force
+  bool machine_move_tool_unknown = false;  // whether G53 counts to the tip while a length is in force
   bool h0_is_no_tool = false;
   bool tool_length_moves = false;               // whether G43 without Z moves depends on the control's parameters
   bool tool_length_increments_unknown = false;  // G43 beside an increment of Z

@@ -249,6 +249,14 @@ void Emitter::refuse_if_shared(const Step& step) const {
             "put the two into blocks of their own");
 }
 
+// The words that a correction adds would stand beside a change of units, where nobody knows in which they count.
+void Emitter::refuse_beside_unit(const Step& step) const {
+  if (!dialect_.habits.unit_change_stands_alone || step.before->inches == step.after->inches) return;
+  refuse_block(*step.block, "emit-shared-words",
+               "this block changes the unit and moves, and the move must be corrected",
+               "put the change of units into a block of its own");
+}
+
 // With several pieces in its place the block's M code acts beside the first, or behind the last; its builder decides.
 void Emitter::refuse_builders_codes(const Step& step) const {
   if (!dialect_.habits.m_beside_cut_unknown) return;
@@ -320,6 +328,7 @@ EmittedMove Emitter::move(const Step& step, std::span<const CorrectedPoint> poin
     return {false, 1, seconds, 0};
   }
   refuse_if_shared(step);
+  refuse_beside_unit(step);
   note_header(step);
   begin_change(step);
   const std::uint64_t begin = out_.size();

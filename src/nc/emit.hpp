@@ -131,6 +131,7 @@ class Emitter {
   void add_offset_shifts(const Step& step);
   void refuse_if_shifted(const Step& step) const;
   void refuse_if_shared(const Step& step) const;
+  void refuse_beside_unit(const Step& step) const;
   void refuse_if_turned(const Step& step) const;
   void refuse_builders_codes(const Step& step) const;
   void copy_with_choice_applied(const Step& step);

@@ -89,12 +89,8 @@ PiecePlanner::Grid PiecePlanner::grid(const Step& step, Axis axis) const {
   const double per_unit = inches ? kMmPerInch : 1.0;
   const int least = is_rotary(axis) ? settings_.digits_deg : (inches ? settings_.digits_inch : settings_.digits_mm);
   const Habits& habits = dialect_.habits;
-  Kept kept = kept_of(habits, is_rotary(axis), inches, settings_.increment_ratio);
-  if (step.after->incremental && habits.increment_word_mm > 0) {  // what is rounded away would add up
-    kept.quantum =
-        is_rotary(axis) ? habits.increment_word_deg : (inches ? habits.increment_word_inch : habits.increment_word_mm);
-    kept.decimals = static_cast<int>(std::lround(-std::log10(kept.quantum)));
-  }
+  const Kept kept =
+      kept_of_axis_word(habits, is_rotary(axis), inches, settings_.increment_ratio, step.after->incremental);
   const int digits = std::clamp(std::max(least, written), 0, kept.decimals);
   const double increment = (is_rotary(axis) ? settings_.increment_deg : settings_.increment_mm) / per_unit;
   return {per_unit, digits, std::max({increment, from_ticks(1, digits), kept.quantum})};

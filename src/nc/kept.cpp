@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kWholeTicks = 1e-6;  // of a tick, so that 0.123 is not cut to 0.122
 
+constexpr double kLargestKept = 1e9;  // beyond it a word is refused
+
 }  // namespace
 
 Kept kept_of(const Habits& habits, bool angle, bool inches, double ratio) {
@@ -19,8 +21,16 @@ Kept kept_of(const Habits& habits, bool angle, bool inches, double ratio) {
   return {quantum, std::clamp(decimals, 0, kMostDecimals)};
 }
 
+Kept kept_of_axis_word(const Habits& habits, bool angle, bool inches, double ratio, bool incremental) {
+  if (!incremental || habits.increment_word_mm <= 0) return kept_of(habits, angle, inches, ratio);
+  const double quantum = angle    ? habits.increment_word_deg
+                         : inches ? habits.increment_word_inch
+                                  : habits.increment_word_mm;
+  return {quantum, static_cast<int>(std::lround(-std::log10(quantum)))};
+}
+
 double kept_value(double value, const Kept& kept, bool is_literal) {
-  if (kept.quantum <= 0) return value;
+  if (kept.quantum <= 0 || std::abs(value) > kLargestKept) return value;
   const double ticks = value / kept.quantum;
   const double whole = std::round(ticks);
   const double cut = std::abs(ticks - whole) < kWholeTicks || !is_literal ? whole : std::trunc(ticks);

@@ -13,6 +13,9 @@ struct Kept {
 /// Of a length or an angle. `ratio`: --input-increment over the dialect's own.
 Kept kept_of(const Habits& habits, bool angle, bool inches, double ratio);
 
+/// Of a word of an axis; `incremental`: under G91, where what is rounded away would add up.
+Kept kept_of_axis_word(const Habits& habits, bool angle, bool inches, double ratio, bool incremental);
+
 /// The value as the control keeps it: a number that stands in the program is cut off, one that is worked out rounded.
 double kept_value(double value, const Kept& kept, bool is_literal);
 

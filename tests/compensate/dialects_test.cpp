@@ -153,7 +153,7 @@ TEST_CASE("loops and subprograms of every dialect are written out") {
   const std::string macro =
       "O7\n" + head +
       "#1=0\nWHILE [#1 LT 3] DO 1\nG1 X[#1*10.] Y#5 F500\n#1=#1+1\nEND 1\nG65 P8 X25.\nM30\nO8\nG1 X#24 Y#25\nM99\n";
-  check(macro, run(macro, fanuc).text, fanuc);
+  check(macro, run(macro, fanuc).text, fanuc, 1.5);
   Job okuma = job_for("okuma");
   okuma.program.feed_rule = nc::FeedRule::xyz_first;
   const std::string task =
@@ -182,7 +182,7 @@ TEST_CASE("a word whose variable is vacant gives way to the corrected one") {
   const Job job = job_for("fanuc");
   const std::string text = "G54 F500.\nG0 X0 Y0 Z20. A0 B0 C0\nG0 X#0 Y4.\nG1 X5. F#2\nM30\n";
   const std::string out = run(text, job).text;
-  check(text, out, job);
+  check(text, out, job, 1.5);
   INFO(out);
   CHECK_FALSE(holds(out, "#"));
 }

@@ -33,7 +33,8 @@ void check_block(const nc::Block& block) {
     FUZZ_CHECK(word.span.begin >= at);
     FUZZ_CHECK(word.span.end > word.span.begin);
     at = word.span.end;
-    FUZZ_CHECK((word.letter >= 'A' && word.letter <= 'Z') || word.letter == '@' || word.letter == '^');
+    FUZZ_CHECK((word.letter >= 'A' && word.letter <= 'Z') || word.letter == '@' || word.letter == '^' ||
+               word.letter == '$');
     check_code(block, word.expression);
   }
   for (const nc::Comment& comment : block.comments) check_span(block, comment.span);

@@ -17,11 +17,11 @@ std::string trace_of(std::string_view program) {
       (fs::temp_directory_path() / ("plumbline-trace-" + std::to_string(getpid()) + ".ngc")).string();
   write_text(path, program);
   const InputFile file(path);
-  fs::remove(path);
   nc::ProgramSettings settings;
   settings.as_with_empty_tables = true;
   std::string text;
   trace(file, nc::dialect("linuxcnc"), settings, [&](std::string_view piece) { text += piece; });
+  fs::remove(path);
   return text;
 }
 
