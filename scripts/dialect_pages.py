@@ -18,6 +18,11 @@ END = "<!-- end of that -->"
 MEANINGS = {
     "absolute": "absolute words",
     "incremental": "incremental words",
+    "no_hole": "to above the hole, and no further",
+    "no_next_tool": "the tool change to come takes no tool",
+    "return_level": "level that cycles go back to",
+    "tool_tip_off": "tool-tip mode off: the tool's length is stated anew",
+    "tool_tip_on": "tool-tip mode, with H the tool's length",
     "arc_centre_absolute": "absolute centres of arcs",
     "arc_centre_incremental": "centres of arcs from their start",
     "arc_ccw": "arc, counterclockwise",
@@ -159,6 +164,9 @@ def part_of(name):
     lines += [f"{', '.join(before)}, then the **motion**, then {', '.join(after)}.".replace("_", " ")]
     lines += ["", "## What is read", ""]
     lines += table_of("meaning", grouped((MEANINGS[r["does"]], c) for r, c in rows if r["does"] in MEANINGS))
+    told = grouped((r["source"], c) for r, c in rows if "source" in r)
+    if told:
+        lines += ["", "## Where it says so", ""] + table_of("source", told)
     refused = grouped((r["why"], c) for r, c in rows if r["does"] not in MEANINGS)
     if refused:
         lines += ["", "## What is refused", ""] + table_of("the code ...", refused)

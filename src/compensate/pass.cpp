@@ -133,7 +133,7 @@ void Pass::process(const nc::Step& step) {
 
 // G16: only the first of the pieces of such a block would be in its work system.
 void Pass::refuse_system_of_block(const nc::Step& step) const {
-  if (step.motions.empty()) return;
+  if (step.motions.empty() || step.role == nc::BlockRole::machine_move) return;
   for (const nc::Word& word : step.block->words) {
     const nc::CodeRow* const row = dialect_.row_of(word);
     if (row == nullptr || row->action != nc::Action::work_system_of_block) continue;

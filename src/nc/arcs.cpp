@@ -58,6 +58,10 @@ void check_words(const Execution& run, const PlaneAxes& axes) {
 void centre_by_radius(const Execution& run, PlaneArc& arc, bool clockwise) {
   const Word& word = *run.words.find('R');
   const double radius = run.length(word);
+  if (radius < 0 && run.dialect.habits.radius_positive) {
+    run.refuse(word, codes::kNotInterpreted, "which arc a radius below 0 asks for was found in no source",
+               "give the centre (I, J, K)");
+  }
   const double half = distance(arc.start, arc.end) / 2;
   if (half == 0) {
     run.refuse(word, codes::kArcEnds, "an arc by its radius cannot end where it begins",

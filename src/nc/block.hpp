@@ -109,7 +109,8 @@ enum class Operation : std::uint8_t {
   arc_tangent_of_one,
   square,
   logical_not,
-  vacant,  // pushes the value of a variable that nobody set
+  check_truths,  // refuses two values that are not 0 or 1
+  vacant,        // pushes the value of a variable that nobody set
 };
 
 /// One step of an expression's code, in postfix order; Operation::end closes it.

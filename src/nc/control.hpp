@@ -99,8 +99,13 @@ struct Control {
   bool nurbs_ended = false;    // the same of G5.3
   double feed_linear = 0;      // the F in force as mm/min (mm/rev under G95)
   Parameters parameters;
-  bool tool_in_inches = false;  // the unit in force when the tool's offset was taken
-  bool ended = false;           // M2, M30
+  bool tool_in_inches = false;     // the unit in force when the tool's offset was taken
+  bool ended = false;              // M2, M30
+  bool in_machine_system = false;  // G15 H0
+  bool length_by_tip = false;      // the length in force is that of G169 H
+  bool length_unknown = false;     // G170 behind it: whether that ends the length is in no source
+  enum class Return : std::uint8_t { unknown, level, r } cycle_return = Return::unknown;  // M53, M54
+  std::optional<double> return_level;  // G71, in machine coordinates along the normal of the plane
 
   WorkSystem no_system;  // before a control that needs to be told was told
   WorkSystem& active() {

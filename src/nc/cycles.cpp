@@ -104,6 +104,7 @@ void CycleRun::take_words() {
   cycle_.r = inherited('R', cycle_.r, length('R'), true);
   const char normal = letter(axes_.third);
   cycle_.bottom = inherited(normal, cycle_.bottom, length(normal), true);
+  if (run_.dialect.habits.return_levels && run_.motion_word != nullptr) cycle_.dwell_s = 0;  // a new cycle
   const bool dwells = code_ == kDrillDwell || code_ == kBoreStop || code_ == kBoreByHand || code_ == kBoreDwell;
   cycle_.dwell_s = inherited('P', cycle_.dwell_s, number('P'), dwells && !as_fanuc_);
   cycle_.dwell_s = run_.words.has('P') ? cycle_.dwell_s * run_.dialect.habits.dwell_p_s : cycle_.dwell_s;
@@ -191,7 +192,8 @@ void CycleRun::make() {
     go(MotionKind::rapid, control_.position[axes_.first], control_.position[axes_.second], r_);
     start = level_ = r_;
   }
-  clear_ = control_.modal.retract_to_r ? r_ : start;
+  clear_ = run_.dialect.habits.return_levels ? cycle_return_level(run_, r_) : control_.modal.retract_to_r ? r_ : start;
+  if (run_.dialect.habits.return_levels) check_cycle_start(run_, {first_, second_}, r_, clear_);
   const Word* count = run_.words.find('L');
   if (as_fanuc_ && count == nullptr) count = run_.words.find('K');
   const int holes = count == nullptr ? 1 : run_.whole(*count, as_fanuc_ ? 0 : 1, kNoLimit);
@@ -212,6 +214,7 @@ void CycleRun::hole(bool first) {
   hole.approach_begin = run_.holes.empty() ? 0 : run_.holes.back().end;
   const double level = first && (level_ > r_ || as_fanuc_) ? level_ : clear_;
   along(MotionKind::rapid, level);
+  if (run_.chosen_row(Action::no_hole) != nullptr) return;
   hole.approach_end = run_.motions.size();
   if (level != r_) along(MotionKind::rapid, r_);
   hole.begin = run_.motions.size();
@@ -223,7 +226,8 @@ void CycleRun::hole(bool first) {
   hole.second = second_;
   hole.r = r_;
   hole.bottom = bottom_;
-  if ((run_.motion->word_mask & letter_bit('P')) != 0) hole.dwell_s = cycle_.dwell_s;
+  const bool needless = run_.dialect.habits.return_levels && cycle_.dwell_s == 0;
+  if ((run_.motion->word_mask & letter_bit('P')) != 0 && !needless) hole.dwell_s = cycle_.dwell_s;
   if (code_ == kBackBore) {
     hole.ijk = cycle_.ijk;
     (*hole.ijk)[index(axes_.third)] = offset_level_;
@@ -372,8 +376,15 @@ void move_in_cycle(Execution& run) {
   check_cycle(run);
   run.control.known = run.control.modal.incremental ? run.control.known : run.control.known | run.axes;
   run.step.role = BlockRole::cycle;
-  run.step.cycle = works_spindle(run.motion->value) ? CycleForm::spindle : CycleForm::moves;
+  if (run.dialect.habits.return_levels && run.control.modal.incremental) {
+    run.refuse(run.motion_code(), codes::kNotInterpreted,
+               "what a cycle's words count from under G91 was found in no source", "write G90 before it");
+  }
   CycleRun(run).make();
+  // What P counts in a cycle of an OSP depends on its settings: such a hole stays a cycle, whose P stays as it is.
+  const bool dwells = run.dialect.habits.return_levels && run.control.cycle.dwell_s != 0;
+  const bool stays = (works_spindle(run.motion->value) || dwells) && run.chosen_row(Action::no_hole) == nullptr;
+  run.step.cycle = stays ? CycleForm::spindle : CycleForm::moves;
   run.step.holes = run.holes;
   run.control.motion_row = run.motion;
   run.control.modal.motion = MotionMode::cycle;

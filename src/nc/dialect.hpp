@@ -90,18 +90,23 @@ enum class Action : std::uint8_t {
   work_system_of_block,  // G16 H3: of this block alone
   tool_edge,             // D
   no_motion,             // changes nothing that motion depends on
-  surface_speed,         // G96: S is the speed of the surface; value 1: on
-  cubic_spline,          // G5
-  quadratic_spline,      // G5.1
-  nurbs_point,           // G5.2
-  nurbs_end,             // G5.3
-  synchronised,          // G33
-  rigid_tap,             // G33.1
-  probe,                 // G38.2 to G38.5
-  compensation_on,       // G41, G42: refused
-  spindle,               // M3, M4, M5
-  coolant,               // M7, M8, M9
-  override_switch,       // M48 to M53
+  no_next_tool,          // the tool change to come puts a tool back and takes none
+  tool_tip_on,           // with H a tool's length; axis words go to a point
+  tool_tip_off,
+  return_level,      // G71: where cycles go back to under M53
+  no_hole,           // NCYL: to above the hole, and no further
+  surface_speed,     // G96: S is the speed of the surface; value 1: on
+  cubic_spline,      // G5
+  quadratic_spline,  // G5.1
+  nurbs_point,       // G5.2
+  nurbs_end,         // G5.3
+  synchronised,      // G33
+  rigid_tap,         // G33.1
+  probe,             // G38.2 to G38.5
+  compensation_on,   // G41, G42: refused
+  spindle,           // M3, M4, M5
+  coolant,           // M7, M8, M9
+  override_switch,   // M48 to M53
   feed_word,
   speed_word,
   tool_word,  // F, S and T, which take their turn among the codes
@@ -180,6 +185,8 @@ struct Syntax {
   double equal_within = 1e-4;     // EQ and NE
   int local_variables = 30;       // #1... of a subprogram
   int last_variable = 5601;
+  bool draws = false;                                     // DEF WORK ... END: the blank that the control draws
+  bool truths_only = false;                               // AND, OR: whether they join truths or bits is not known
   std::string reserved;                                   // names of the control's own variables begin with this
   std::unordered_map<std::string, NameMeaning> meanings;  // upper case
   std::vector<NumberedVariables> variables;
@@ -224,6 +231,12 @@ struct Habits {
   double dwell_p_s = 1;                     // what P of G4 counts
   bool dwell_alone = false;                 // nothing else stands in a block with G4
   bool dwell_moves_nothing = false;         // no axis word does
+  bool dwell_per_minute_only = false;    // G4 under G95 or G93: what F counts then is not known
+  bool h0_is_machine = false;            // G15 H0, G16 H0: machine coordinates
+  double travel_limit_mm = 0;            // a rapid to this or more goes to the end of the axis' travel; 0: none does
+  bool return_levels = false;            // cycles go back to the level of G71 or to R, as M53 and M54 say
+  bool cycle_off_stops_spindle = false;  // G80
+  bool radius_positive = false;          // R of an arc: what less than 0 asks for is not known
   bool increment_after_shift_unknown =
       false;                              // G91 after TRANS, G55, D1: a setting decides whether it brings the shift
   bool feed_beside_unit_unknown = false;  // G700 F10: which unit the F of that block counts in

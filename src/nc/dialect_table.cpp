@@ -122,6 +122,8 @@ class TableReader {
     syntax.full_turn = flag(from, "full_turn");
     syntax.relations_last = flag(from, "relations_last");
     if (from.find("open") != nullptr) syntax.open = text(from, "open").at(0);
+    syntax.draws = flag(from, "draws");
+    syntax.truths_only = flag(from, "truths_only");
     if (from.find("goes_on") != nullptr) syntax.goes_on = text(from, "goes_on").at(0);
     if (from.find("reserved") != nullptr) syntax.reserved = text(from, "reserved");
     syntax.equal_within = number(from, "equal_within", syntax.equal_within);
@@ -185,6 +187,12 @@ class TableReader {
     habits.end_returns = flag(from, "end_returns");
     habits.turns_are_extra = flag(from, "turns_are_extra");
     habits.dwell_p_s = number(from, "dwell_p_s", 1);
+    habits.dwell_per_minute_only = flag(from, "dwell_per_minute_only");
+    habits.h0_is_machine = flag(from, "h0_is_machine");
+    habits.travel_limit_mm = number(from, "travel_limit_mm", 0);
+    habits.return_levels = flag(from, "return_levels");
+    habits.cycle_off_stops_spindle = flag(from, "cycle_off_stops_spindle");
+    habits.radius_positive = flag(from, "radius_positive");
     habits.dwell_moves_nothing = flag(from, "dwell_moves_nothing");
     habits.dwell_alone = flag(from, "dwell_alone");
     habits.increment_after_shift_unknown = flag(from, "increment_after_shift_unknown");

@@ -49,7 +49,7 @@ std::string CodeWriter::text_of(std::string_view meaning, std::optional<int> val
 
 bool CodeWriter::is_motion(const Word& word) const {
   const CodeRow* row = word.letter != 'M' ? row_of(word) : nullptr;
-  return row != nullptr && row->group == kMotionGroup;
+  return row != nullptr && (row->group == kMotionGroup || row->action == Action::no_hole);
 }
 
 std::string_view CodeWriter::name_of(Action action) const {
@@ -84,7 +84,8 @@ BlockCodes CodeWriter::codes_of(const Block& block) const {
     }
     if (row->action == Action::dwell && (row->word_mask & letter_bit('F')) != 0) dwells = true;
   }
-  if (dwells) codes.feed = nullptr;  // its F is a time
+  if (dwells) codes.feed = nullptr;                                                 // its F is a time
+  if (codes.feed != nullptr && other_code_takes(block, 'F')) codes.feed = nullptr;  // the time of a dwell
   return codes;
 }
 

@@ -213,6 +213,7 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
                 {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
     editor_.replace(word.span, text);
   }
+  if (dialect_.habits.return_levels && !step.after->retract_to_r) left[axes.third] = 0;  // the level of G71, as it is
   line_.clear();
   editor_.apply(line_);
   write_line(step, line_);

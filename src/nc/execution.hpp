@@ -29,14 +29,15 @@ struct Execution {
   const Block* block = nullptr;
 
   BlockWords words = {};
-  AxisSet axes = {};                   // named in the block
-  std::vector<Chosen> chosen = {};     // in order of execution
-  const CodeRow* motion = nullptr;     // the motion that this block makes
-  const Word* motion_word = nullptr;   // null: the mode in force
-  const Word* machine_word = nullptr;  // G53
-  bool uses_position_axes = false;     // the axis words are those of a code of group 0
-  bool has_word_modes = false;         // some axis word says itself how it counts: X=IC(5)
-  int work_system_before = 0;          // G16: to be brought back behind the block; 0: none
+  AxisSet axes = {};                     // named in the block
+  std::vector<Chosen> chosen = {};       // in order of execution
+  const CodeRow* motion = nullptr;       // the motion that this block makes
+  const Word* motion_word = nullptr;     // null: the mode in force
+  const Word* machine_word = nullptr;    // G53
+  bool uses_position_axes = false;       // the axis words are those of a code of group 0
+  bool has_word_modes = false;           // some axis word says itself how it counts: X=IC(5)
+  int work_system_before = 0;            // G16: to be brought back behind the block; 0: none
+  bool block_in_machine_system = false;  // G16 H0
 
   Step step = {};
   ProgramCall call = {};
@@ -44,6 +45,7 @@ struct Execution {
   std::vector<Motion> motions = {};
   std::vector<Hole> holes = {};  // of a cycle
 
+  bool in_machine_system() const { return block_in_machine_system || control.in_machine_system; }
   [[noreturn]] void refuse(const Word& word, std::string_view code, std::string message, std::string help) const;
   /// Refuses with the first word of the block under the caret.
   [[noreturn]] void refuse(std::string_view code, std::string message, std::string help) const;
@@ -78,6 +80,11 @@ void check_extended(const Execution& run, const CodeRow& row, const Word& word);
 void count_increments(const Execution& run, Block& block);
 
 // What codes do, one file a family.
+bool move_as_it_stands(Execution& run);  // machine_ways.cpp; false: an ordinary move
+void set_tool_tip(Execution& run, const Chosen& chosen);
+void set_return_level(Execution& run, const Word& code);  // cycle_levels.cpp
+double cycle_return_level(const Execution& run, double r);
+void check_cycle_start(const Execution& run, std::array<double, 2> hole, double r, double level);
 void set_feed(Execution& run, const Word& word);  // feed_words.cpp
 void set_feed_mode(Execution& run, FeedMode mode);
 void choose_work_system(Execution& run, int system);         // offsets.cpp

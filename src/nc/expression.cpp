@@ -151,6 +151,18 @@ double of_one(Operation operation, double a) {
 
 }  // namespace
 
+// AND and OR give the same for 0 and 1, whether they join truths or bits.
+void Evaluator::check_truths(const Block& block, const Instruction& step) const {
+  for (std::size_t i = stack_.size() - 2; i < stack_.size(); ++i) {
+    const Value& value = stack_[i];
+    if (!value.known || value.number == 0 || value.number == 1) continue;
+    refuse_at(block, step.span, codes::kNotInterpreted,
+              fmt::format("{} joins {:.6g}: whether the control joins truths or bits was found in no source",
+                          block.at(step.span), value.number),
+              "join conditions, which are 0 or 1, as in [VC1 EQ 3] AND [VC2 LT 4]");
+  }
+}
+
 Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& parameters) {
   stack_.clear();
   for (const Instruction* step = &block.code[code]; step->operation != Operation::end; ++step) {
@@ -173,6 +185,9 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
       case Operation::parameter:
         stack_.back() =
             parameters.read(block, parameter_number(block, step->span, stack_.back(), parameters.limits()), step->span);
+        continue;
+      case Operation::check_truths:
+        check_truths(block, *step);
         continue;
       default:
         break;

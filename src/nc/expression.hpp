@@ -36,6 +36,7 @@ class Evaluator {
 
  private:
   double equal_within_;
+  void check_truths(const Block& block, const Instruction& step) const;
   std::vector<Value> stack_;
 };
 

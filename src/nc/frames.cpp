@@ -147,9 +147,15 @@ void set_tool_table(Execution& run, const Word& table, int which) {
 }  // namespace
 
 void choose_work_system(Execution& run, const Chosen& chosen) {
+  const bool of_block = chosen.row->action == Action::work_system_of_block;
+  if (run.dialect.habits.h0_is_machine && run.words.has('H') && run.words.find('H')->value == 0) {
+    (of_block ? run.block_in_machine_system : run.control.in_machine_system) = true;
+    return;
+  }
+  if (!of_block) run.control.in_machine_system = false;
   const int system =
       system_of_word(run, *chosen.row, run.need(chosen.row->words.front(), run.block->at(chosen.word->span)));
-  if (chosen.row->action == Action::work_system_of_block) run.work_system_before = run.control.modal.work_system;
+  if (of_block) run.work_system_before = run.control.modal.work_system;
   choose_work_system(run, system);
 }
 

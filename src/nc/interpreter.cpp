@@ -77,6 +77,7 @@ const Step& Interpreter::pass(const Block& block) {
 
 const Step& Interpreter::execute(Block& block) {
   begin(block);
+  run_.block_in_machine_system = false;
   if (block.block_delete && deleted(block)) {
     run_.step.skipped = true;
     for (const Word& word : block.words) {
@@ -325,9 +326,20 @@ void Interpreter::set_motion_mode(const CodeRow& row) {
                                                          : MotionMode::arc_ccw;
 }
 
+// On an OSP G1 and a cycle are of different groups: whether the one ends the other was found in no source; posts write
+// G0 or G80.
+void Interpreter::check_ends_cycle(Action action) const {
+  const bool in_cycle = control_.motion_row != nullptr && control_.motion_row->action == Action::cycle;
+  if (!run_.dialect.habits.return_levels || !in_cycle || action == Action::rapid) return;
+  run_.refuse(run_.motion_code(), codes::kNotInterpreted,
+              "whether this ends the drilling cycle that is in force was found in no source",
+              "write G80 (which stops the spindle) or a block with G0 before it");
+}
+
 void Interpreter::move() {
   const Action action = run_.motion->action;
   if (action == Action::cycle) return move_in_cycle(run_);
+  check_ends_cycle(action);
   if (run_.machine_word != nullptr && run_.dialect.habits.machine_move_is_rapid) {
     move_straight(run_);
     if (run_.motion_word != nullptr) set_motion_mode(*run_.motion);  // G53 G0: G0 is the mode from here on

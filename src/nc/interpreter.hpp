@@ -64,6 +64,7 @@ class Interpreter {
   void change_unit(bool inches);
   void set_motion_mode(const CodeRow& row);
   void move();
+  void check_ends_cycle(Action action) const;
   bool moves_specially(Action action);
   void act_on_saved_modes(const Chosen& chosen);
 

@@ -116,6 +116,14 @@ void Interpreter::act_on_position(const Chosen& chosen) {
     case Action::tool_length_added:
     case Action::tool_length_off:
       return set_tool_length(run_, chosen);
+    case Action::no_next_tool:
+      control_.selected_tool = 0;
+      return;
+    case Action::tool_tip_on:
+    case Action::tool_tip_off:
+      return set_tool_tip(run_, chosen);
+    case Action::return_level:
+      return set_return_level(run_, *chosen.word);
     case Action::change_tool:
     case Action::set_tool:
       return change_tool(run_, chosen);
@@ -155,6 +163,7 @@ void Interpreter::act_on_mode(const Chosen& chosen) {
   if (set_mode(modal, chosen.row->action)) return;
   switch (chosen.row->action) {
     case Action::motion_off:
+      if (run_.dialect.habits.cycle_off_stops_spindle) modal.switches.spindle = 5;
       if (run_.motion != nullptr || sets_motion(run_)) return;
       control_.cycle.begun = false;
       control_.spline_end.reset();

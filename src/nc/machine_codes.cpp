@@ -97,6 +97,10 @@ void call_program(Execution& run, const Chosen& chosen) {
 
 void dwell(Execution& run, const Word& code) {
   const std::string_view letters = run.chosen_row(Action::dwell)->words;
+  if (run.dialect.habits.dwell_per_minute_only && run.control.modal.feed_mode != FeedMode::per_minute) {
+    run.refuse(code, codes::kNotInterpreted, "what the F of a dwell counts under G93 or G95 was found in no source",
+               "write G94 before it, as in G94 G4 F2");
+  }
   const Word* word = nullptr;
   for (const char letter : letters) {
     if (word == nullptr) word = run.words.find(letter);
@@ -145,6 +149,11 @@ void machine_code(Execution& run, const Chosen& chosen) {
       return switch_coolant(run.control.modal.switches, chosen.row->value);
     case Action::override_switch:
       return switch_override(run, chosen.row->value);
+    case Action::retract_to_start:
+    case Action::retract_to_r:
+      run.control.modal.retract_to_r = chosen.row->action == Action::retract_to_r;
+      run.control.cycle_return = run.control.modal.retract_to_r ? Control::Return::r : Control::Return::level;
+      return;
     case Action::end:
       run.control.ended = true;
       return;

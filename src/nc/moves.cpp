@@ -174,6 +174,17 @@ AxisSet shifted_after(const Execution& run, const Motion& motion) {
 AxisSet known_after_move(const Execution& run) { return run.control.known | absolute_words(run); }
 
 void need_offsets(const Execution& run) {
+  if (run.in_machine_system()) {
+    run.refuse(run.motion_code(), codes::kNotInterpreted,
+               "in machine coordinates (H0) rapids alone are read: how the tool's length counts there was found in no "
+               "source",
+               "choose a work system before it, as with G15 H1");
+  }
+  if (run.control.length_unknown) {
+    run.refuse(run.motion_code(), codes::kNotInterpreted,
+               "whether the end of tool-tip mode ends the tool length that it began with was found in no source",
+               "write G56 H or G53 before this move");
+  }
   const AxisSet missing = AxisSet::all() - run.control.active().known;
   if (missing.empty()) return;
   std::string letters;

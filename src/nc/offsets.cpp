@@ -128,7 +128,7 @@ void set_position(Execution& run) {
   if (run.axes.empty()) {
     run.refuse(codes::kAxesMissing, "G92 names no axis", "add the words that the axes shall stand on");
   }
-  if (!control.active().known.contains(run.axes)) need_offsets(run);
+  if (run.in_machine_system() || !control.active().known.contains(run.axes)) need_offsets(run);
   need_position(run, run.axes);
   for (const Axis axis : kAllAxes) {
     if (!run.axes.contains(axis)) continue;

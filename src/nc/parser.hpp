@@ -56,8 +56,10 @@ class Parser {
   // Languages with names: parser_names.cpp, parser_statements.cpp
   void named_block();
   void header();
+  bool draws();
   [[noreturn]] void refuse_goes_on(std::uint32_t at) const;
   bool block_label();
+  bool is_code_of_motion() const;
   void program_name(Span span);
   void named_items();
   void named_word();
@@ -88,6 +90,7 @@ class Parser {
   void named_operations(int least_precedence);
   bool is_operation(Token& token) const;
   int named_precedence(Operation operation) const;
+  static bool is_logical(Operation operation);
   void named_bracket();
   void named_identifier();
   bool is_numbered(std::string_view name) const;
@@ -121,6 +124,7 @@ class Parser {
   const char* at_ = nullptr;
   Token token_;
   std::uint32_t seen_ = 0;  // letters, A is bit 0
+  bool drawing_ = false;    // between DEF WORK and END
 };
 
 }  // namespace plumbline::nc

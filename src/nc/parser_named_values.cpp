@@ -33,6 +33,11 @@ void Parser::named_value_until(TokenKind kind) {
 }
 
 // The binding of operators: in the 840D relations bind weakest [PGA 1.8], else logic does.
+bool Parser::is_logical(Operation operation) {
+  return operation == Operation::logical_and || operation == Operation::logical_or ||
+         operation == Operation::exclusive_or;
+}
+
 int Parser::named_precedence(Operation operation) const {
   switch (operation) {
     case Operation::times:
@@ -75,6 +80,7 @@ void Parser::named_operations(int least_precedence) {
     named_term();
     look(lex_named_operation, token_);
     named_operations(named_precedence(operation) + 1);
+    if (syntax_->truths_only && is_logical(operation)) push(Operation::check_truths, span);
     push(operation, span);
   }
 }

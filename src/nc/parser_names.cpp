@@ -18,6 +18,7 @@ void Parser::named_block() {
   if (next != std::string_view::npos && (first == next || block_->text[first] == '(')) {
     refuse_goes_on(static_cast<std::uint32_t>(next + 1));
   }
+  if (syntax_->draws && draws()) return;
   take(lex_named_item);
   if (token_.kind == TokenKind::percent) {
     if (syntax_->statements != Statements::high_level || *at_ != '_') return percent();
@@ -50,6 +51,19 @@ void Parser::refuse_goes_on(std::uint32_t at) const {
             fmt::format("take the {} away, or end the head of the program with %", syntax_->goes_on));
 }
 
+// DEF WORK ... END: the shape that the control draws.
+bool Parser::draws() {
+  std::string words;
+  for (const char c : block_->text.substr(0, block_->text.find('('))) {
+    if (!is_blank(c)) words += upper(c);
+  }
+  const bool within = drawing_;
+  drawing_ = within ? words != "END" : words == "DEFWORK";
+  if (!within && !drawing_) return false;
+  block_->kind = LineKind::ignored;
+  return true;
+}
+
 // False: the line is the name of a program.
 bool Parser::block_label() {
   const bool user_task = syntax_->statements == Statements::user_task;
@@ -60,7 +74,7 @@ bool Parser::block_label() {
       refuse_at(*block_, block_->number, codes::kLineNumber, "N without a line number", "write digits behind the N");
     }
     take(lex_named_item);
-  } else if (user_task && token_.kind == TokenKind::identifier && first() == 'N') {
+  } else if (user_task && token_.kind == TokenKind::identifier && first() == 'N' && !is_code_of_motion()) {
     block_->number = span_of(token_);
     take(lex_named_item);
   } else if (token_.kind == TokenKind::colon && is_digit(*at_)) {
@@ -83,6 +97,13 @@ bool Parser::block_label() {
     take(lex_named_item);
   }
   return true;
+}
+
+// NCYL is a code, whatever else begins with N a label.
+bool Parser::is_code_of_motion() const {
+  const NameMeaning* const meaning = dialect_->meaning(block_->at(span_of(token_)));
+  return meaning != nullptr && meaning->kind == NameMeaning::Kind::code &&
+         dialect_->named_codes[static_cast<std::size_t>(meaning->which)].action == Action::no_hole;
 }
 
 void Parser::program_name(Span span) {

@@ -351,7 +351,11 @@ void PlainSteps::add_hole(const Step& step, const Hole& hole) {
   append_axis(own.text, step, letter(axes.second), hole.second);
   append_axis(own.text, step, letter(axes.third), hole.bottom);
   append_axis(own.text, step, 'R', hole.r);
-  if (hole.dwell_s) append_dwell(own.text, *hole.dwell_s);
+  if (hole.dwell_s && dialect_.habits.return_levels) {
+    append_word(own.text, 'P', *hole.dwell_s, kMostDecimals, spelling_);  // as it was: what it counts is a setting
+  } else if (hole.dwell_s) {
+    append_dwell(own.text, *hole.dwell_s);
+  }
   if (hole.ijk) {
     for (std::size_t i = 0; i < 3; ++i) append_axis(own.text, step, "IJK"[i], (*hole.ijk)[i]);
   }

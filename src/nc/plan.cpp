@@ -139,10 +139,11 @@ const Word& polar_word(const Execution& run) {
   return *word;
 }
 
-// F and S of a dwell are its time, not a feed and a speed.
+// F and S of a dwell are its time, not a feed and a speed; G131 has an F of its own.
 void take_words_of_dwell(Execution& run) {
-  const auto dwell = std::find_if(run.chosen.begin(), run.chosen.end(),
-                                  [](const Chosen& chosen) { return chosen.row->action == Action::dwell; });
+  const auto dwell = std::find_if(run.chosen.begin(), run.chosen.end(), [](const Chosen& chosen) {
+    return chosen.row->action == Action::dwell || chosen.row->action == Action::no_motion;
+  });
   if (dwell == run.chosen.end()) return;
   const std::uint32_t taken = dwell->row->word_mask;
   std::erase_if(run.chosen, [&](const Chosen& chosen) {

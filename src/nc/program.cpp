@@ -107,6 +107,7 @@ const Step* Program::Parts::next() {
     const bool around_file = flow.called() && dialect.syntax.statements != Statements::o_words;
     if (block.kind == LineKind::percent && around_file) continue;  // of a subprogram
     if (block.kind == LineKind::percent) return percent();
+    if (block.kind == LineKind::ignored) return &interpreter.pass(block);
     begun = begun || !holds_nothing(block.text);
     if (flow.used()) count(1);
     if (block.flow.word == FlowWord::none) return execute();

@@ -56,6 +56,7 @@ bool moves_rotary(const Motion& motion, const AxisWords& from) {
 }  // namespace
 
 void move_straight(Execution& run) {
+  if (run.machine_word == nullptr && move_as_it_stands(run)) return;
   const Control& control = run.control;
   Motion motion;
   motion.kind = run.motion->action == Action::rapid ? MotionKind::rapid : MotionKind::feed;

@@ -89,6 +89,7 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
   const bool has_rule = chosen.row->feed_rule != FeedRule::unknown;
   control.feed_rule = run.settings.feed_rule.value_or(has_rule ? chosen.row->feed_rule : run.dialect.feed_rule);
   switch (chosen.row->action) {
+    case Action::tool_tip_on:
     case Action::tool_length: {
       const int number = tool_of_block(run, chosen);
       offset = needed_offset(run, word_of_length(run, chosen), number);
@@ -109,6 +110,8 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
       break;
   }
   take_offset(run, offset);
+  control.length_by_tip = chosen.row->action == Action::tool_tip_on && offset != AxisWords{};
+  control.length_unknown = false;
   const bool may_move =
       run.dialect.habits.tool_length_moves && !run.words.has('Z') && !run.settings.as_with_empty_tables;
   if (may_move) control.known.erase(Axis::Z);

@@ -92,7 +92,7 @@ TEST_CASE("a program for Okuma in which nothing turns needs no feed rule, though
 TEST_CASE("a block of several lines is joined where it changes, and stays as it is where it does not") {
   const Job job = job_for("okuma");
   const std::string text =
-      "$A.MIN%\nG15 H1\nG90\n$ G94\nG0 X0 Y0 Z20\n$ A0 B0 C0\nN7 G1 X40\n$Y10 F500 (CUT)\nG3 X20\n$  Y30\n$ R-22 "
+      "$A.MIN%\nG15 H1\nG90\n$ G94\nG0 X0 Y0 Z20\n$ A0 B0 C0\nN7 G1 X40\n$Y10 F500 (CUT)\nG3 X20\n$  Y30\n$ R22 "
       "M8\nM5\n$ "
       "M9\nM2\n";
   const Result result = run(text, job);

@@ -59,3 +59,47 @@ TEST_CASE("OSP: an increment after a change of offsets is refused until an absol
              {"G15 H1 G0 X0 Y0 Z50\nG15 H2\nG91 Y1\nX1\n", 4, 1},
              {"G15 H1 G0 X0 Y0 Z50\nG56 H1 Z40\nG91 Z-10 X1\nG90 G15 H2 X0\nG91 X1\n", 0, 0}});
 }
+
+TEST_CASE("OSP: tool-tip mode puts the length of its H in force, and its end leaves open which one is") {
+  check_osp({{"G15 H1 G0 X0 Y0 Z0\nG169 H1\nG0 Z50\nG170\nG1 X1 F100\n", 5, 1},
+             {"G15 H1 G0 X0 Y0 Z0\nG169 X1 Y1 Z50 H1\nG170\nX0\n", 4, 1},
+             {"G15 H1 G0 X0 Y0 Z0\nG169 H2\n", 2, 6, "nc-tool-unknown"},
+             {"G15 H1 G0 X0 Y0 Z0\nG91 G169 X1 H1\n", 2, 10},
+             {"G15 H1 G0 X0 Y0 Z0\nG169 H1\nG170\nG56 H1 G0 Z10\nG169 H0\nG170\nG0 Z5\nG0 Z9999\n", 0, 0}});
+  const ProgramFile text("G15 H1 G0 X0 Y0 Z0\nG169 H1 X1 Y2 Z3\nG0 Z3\nG170\nG53 Z3\n");
+  const InputFile file(text.path());
+  ProgramSettings settings = empty_tables();
+  Tool tool;
+  tool.number = 1;
+  tool.length_mm = 100;
+  settings.tools = ToolTable({tool});
+  Program blocks(file, dialect("okuma"), settings);
+  std::vector<double> heights;
+  while (const Step* step = blocks.next()) {
+    for (const Motion& motion : step->motions) heights.push_back(motion.machine[Axis::Z]);
+  }
+  CHECK(heights == std::vector<double>{0, 103, 103, 3});
+}
+
+TEST_CASE("OSP: what goes to a limit or to machine coordinates leaves the axis where nobody knows") {
+  check_osp({{"G15 H1 G0 X0 Y0 Z0\nG0 Z9999\nG2 X5 I2.5 F100\n", 0, 0},
+             {"G15 H1 G0 X0 Y0 Z0\nG0 X9999\nG2 X5 I2.5 F100\n", 3, 1, "nc-position-unknown"},
+             {"G15 H1 G0 X0 Y0 Z0\nG16 H0 Y0\nG91 G3 X5 I2.5 F100\n", 3, 5, "nc-position-unknown"},
+             {"G15 H1 G0 X0 Y0 Z0\nG15 H0\nG0 X5\nG15 H1\nG3 X5 I2.5 F100\n", 5, 1, "nc-position-unknown"},
+             {"G15 H0\nG0 X5 Z0 Y0\nG92 X0\n", 3, 1}});
+}
+
+TEST_CASE("OSP: groups of codes are those of its manual") {
+  check_osp({{"G15 H1 G0 X0 Y0 Z0\nM8 M7 M51 M3 M131\nG40 G61 G90 G94 G17 G53 X1\n", 0, 0},
+             {"G15 G16 H1\n", 1, 5, "nc-same-group"},
+             {"G17 G18\n", 1, 5, "nc-same-group"},
+             {"G53 G56 H1\n", 1, 5, "nc-same-group"},
+             {"M53 M54\n", 1, 5, "nc-same-group"},
+             {"M3 M19\n", 1, 4, "nc-same-group"}});
+}
+
+TEST_CASE("OSP: a program whose name begins with O is called like any other") {
+  check_osp({{"G15 H1\nCALL OO88 PX=5\nG0 X1\nM2\nOO88\nG0 X=PX Y0 Z0\nRTS\n", 0, 0},
+             {"G15 H1\nCALL OORI Q2\nM2\nOORI\nG0 X0 Y0 Z0\nRTS\n", 0, 0},
+             {"CALL OO88 PX=0 PY=0 PZ=0 PA=-90 PC=0 PH=1 PP=2\nM2\n", 1, 1, "nc-flow-open"}});
+}

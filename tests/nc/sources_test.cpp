@@ -17,6 +17,7 @@ namespace {
 const std::vector<std::string> kSourced = {
     "fanuc",
     "siemens",
+    "okuma",
 };
 
 std::set<std::string> sources_of(const TomlValue& root) {
