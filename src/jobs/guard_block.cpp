@@ -8,6 +8,7 @@
 #include "base/number_text.hpp"
 #include "base/units.hpp"
 #include "jobs/options.hpp"
+#include "nc/guard_lines.hpp"
 #include "nc/parameters.hpp"
 
 namespace plumbline::jobs {
@@ -23,7 +24,7 @@ constexpr std::string_view kTolerance = "0.001";  // mm and deg
 class LinuxCncGuard {
  public:
   LinuxCncGuard() {
-    lines_.emplace_back("(guard: the control must be set as this program was made for)");
+    lines_.emplace_back(nc::kGuardBegins);
     lines_.emplace_back("#<plumbline_u>=[#<_metric>+#<_imperial>/25.4]");
   }
 
@@ -64,7 +65,10 @@ class LinuxCncGuard {
   }
 
   void add_line(std::string line) { lines_.push_back(std::move(line)); }
-  std::vector<std::string> take() { return std::move(lines_); }
+  std::vector<std::string> take() {
+    lines_.emplace_back(nc::kGuardEnds);
+    return std::move(lines_);
+  }
 
  private:
   // wanted is in mm or deg

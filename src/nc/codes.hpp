@@ -66,6 +66,7 @@ inline constexpr std::string_view kFlowOpen = "nc-flow-open";
 inline constexpr std::string_view kModesNotSaved = "nc-modes-not-saved";
 inline constexpr std::string_view kCallDepth = "nc-call-depth";
 inline constexpr std::string_view kTooManyBlocks = "nc-too-many-blocks";
+inline constexpr std::string_view kGuard = "nc-guard";
 inline constexpr std::string_view kUnknownDialect = "nc-unknown-dialect";
 inline constexpr std::string_view kDialectAmbiguous = "nc-dialect-ambiguous";
 
@@ -94,7 +95,7 @@ inline constexpr std::array kAll{kLineTooLong,       kNulByte,
                                  kToolUnknown,       kUnknownDialect,
                                  kFlowLabel,         kFlowOpen,
                                  kModesNotSaved,     kCallDepth,
-                                 kTooManyBlocks,     kDialectAmbiguous,
-                                 kSpindleStands};
+                                 kTooManyBlocks,     kGuard,
+                                 kDialectAmbiguous,  kSpindleStands};
 
 }  // namespace plumbline::nc::codes

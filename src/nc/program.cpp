@@ -8,6 +8,7 @@
 #include "base/diagnostic.hpp"
 #include "nc/codes.hpp"
 #include "nc/flow.hpp"
+#include "nc/guard_lines.hpp"
 #include "nc/interpreter.hpp"
 #include "nc/parser.hpp"
 #include "nc/statement_flow.hpp"
@@ -81,6 +82,8 @@ struct Program::Parts {
   bool begun = false;        // a line that is not blank was read
   bool in_percents = false;  // the program began with %
   bool behind_end = false;   // M2, M30 or the second % was executed
+  bool in_guard = false;     // of a compensated program
+  Place guard_line;          // the last one of it
 
   std::uint64_t executed = 0;
 
@@ -90,6 +93,8 @@ struct Program::Parts {
   void count(std::uint64_t blocks);
   void count_moves(const Step& step);
   const Step* ignore();
+  const Step* pass_guard();
+  [[noreturn]] void refuse_guard(std::string_view what) const;
   const Step* percent();
 };
 
@@ -97,9 +102,13 @@ const Step* Program::Parts::next() {
   Line line;
   while (true) {
     if (behind_end && flow.used()) return nullptr;
-    if (!flow.next(line)) return nullptr;
+    if (!flow.next(line)) {
+      if (in_guard) refuse_guard("the program ends inside its guard");
+      return nullptr;
+    }
     place_block(block, line, flow.file());
     if (behind_end) return ignore();
+    if (in_guard || (block.text == kGuardBegins && !flow.skipping())) return pass_guard();
     if (flow.skipping() && in_percents && ends_text(line.text)) flow.end_of_text();
     if (flow.skipping() && !begins_with_flow(line.text)) continue;
     check_length(block, line, dialect);
@@ -183,6 +192,26 @@ const Step* Program::Parts::ignore() {
   block.comments.clear();
   block.settings.clear();
   return &interpreter.pass(block);
+}
+
+// It stops the control or does nothing: nothing that follows depends on what it reads.
+const Step* Program::Parts::pass_guard() {
+  guard_line = {};
+  guard_line.file = block.file;
+  guard_line.line = block.line;
+  guard_line.column = 1;
+  guard_line.length = block.text.size();
+  guard_line.text = block.text;
+  if (in_guard && block.text != kGuardEnds && !is_guard_line(block.text)) {
+    refuse_guard("this line is none of a guard, and stands in one");
+  }
+  in_guard = block.text != kGuardEnds;
+  return ignore();
+}
+
+void Program::Parts::refuse_guard(std::string_view what) const {
+  refuse(codes::kGuard, std::string(what), "a guard is read as a whole: compensate the original program again",
+         guard_line);
 }
 
 // Controls with statements take % for the begin of the file as well as for its end, and what stands behind that is none
