@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
+#include "compensate/figures.hpp"
 #include "machine/axis_words.hpp"
 #include "machine/condition.hpp"
 #include "machine/forward.hpp"
@@ -14,6 +15,9 @@ namespace {
 constexpr int kMostRounds = 8;          // of putting the fixed axes back where they stay
 constexpr double kFixedAxisDeg = 1e-8;  // to which they get there
 constexpr double kHour = 3600;          // s
+constexpr double kSureMm = 0.2;         // a correction below both is that of a machine that holds
+constexpr double kSureDeg = 0.1;
+constexpr double kHoldsMm = 0.01;  // of the target, where a large correction leads
 
 double tip_distance(const Pose<double>& a, const Pose<double>& b) { return (a.p_WT - b.p_WT).norm(); }
 
@@ -62,7 +66,11 @@ physics::Motion<double> Corrector::motion_of(const Target& target, physics::Envi
 Corrector::Load Corrector::load_at(const Target& target) const {
   physics::Environment environment = environment_;
   const physics::Motion<double> motion = motion_of(target, environment);
-  return {motion.pose, physics::strut_stretch(physics_, environment, motion)};
+  const auto struts = machine::strut_geometry(geometry(), motion.pose);
+  const auto rates = physics::strut_rates(struts, motion, environment);
+  return {
+      motion.pose, rates.sign,
+      physics::strut_stretch_at(physics_, physics_.parameters.data(), environment, motion, rates, motion.pose, struts)};
 }
 
 // From a pose to the one whose struts are shorter by their stretch: by the factorisation at hand where that converges,
@@ -84,6 +92,7 @@ bool Corrector::move_struts(const Load& load, Pose<double>& pose) const {
 Corrected Corrector::correct_once(const Target& target) const {
   const Load load = load_at(target);
   Corrected corrected;
+  corrected.sign = load.sign;
   if (load.stretch.jacobian.singular()) return corrected;
   Pose<double> commanded = load.pose;
   if (settings_.method == Method::first_order) {
@@ -121,8 +130,18 @@ Corrected Corrector::correct_with_fixed_axes(const Target& target) const {
   return corrected;
 }
 
+// A large correction is one near a singularity, where the machine may give way under its load wherever it is sent.
+bool Corrector::holds(const Target& target, const AxisWords& commanded) const {
+  const AxisWords shift = commanded - target.pose;
+  if (length_mm(shift) <= kSureMm && largest_turn_deg(shift) <= kSureDeg) return true;
+  const std::optional<double> off = tip_distance_mm(target, commanded);
+  return off && (*off <= kHoldsMm || settings_.method == Method::first_order);
+}
+
 Corrected Corrector::correct(const Target& target) const {
-  return fixed_.empty() ? correct_once(target) : correct_with_fixed_axes(target);
+  Corrected corrected = fixed_.empty() ? correct_once(target) : correct_with_fixed_axes(target);
+  corrected.converged = corrected.converged && holds(target, corrected.pose);
+  return corrected;
 }
 
 std::optional<AxisWords> Corrector::error(const Target& target) const {
@@ -131,6 +150,39 @@ std::optional<AxisWords> Corrector::error(const Target& target) const {
   const physics::TipError<double> error = physics::tip_error(physics_, environment, motion);
   if (!error.converged()) return std::nullopt;
   return machine::words_of(model_.rotation, error.pose, target.pose) - target.pose;
+}
+
+std::optional<PlayedTip> Corrector::play(const Target& told) const {
+  physics::Motion<double> motion = motion_at(model_.rotation, radius_, told, environment_);
+  motion.time = settings_.time_s.value_or(0);
+  const physics::TipError<double> error = physics::tip_error(physics_, environment_, motion);
+  if (!error.converged()) return std::nullopt;
+  const auto struts = machine::strut_geometry(geometry(), motion.pose);
+  return PlayedTip{error.pose, physics::strut_rates(struts, motion, environment_).speed};
+}
+
+// dx = J^-1 (dL(+) - dL(-)), strut by strut.
+Corrector::FrictionTurns Corrector::friction_turns(const Target& target) const {
+  FrictionTurns turns;
+  if (!environment_.friction) return turns;
+  const physics::Motion<double> motion = motion_at(model_.rotation, radius_, target, environment_);
+  const auto struts = machine::strut_geometry(geometry(), motion.pose);
+  const auto rates = physics::strut_rates(struts, motion, environment_);
+  const auto stretch_with = [&](int strut, double sign) {
+    auto turned = rates;
+    turned.sign[strut] = sign;
+    turned.speed[strut] = std::copysign(rates.speed[strut], sign);
+    return physics::strut_stretch_at(physics_, physics_.parameters.data(), environment_, motion, turned, motion.pose,
+                                     struts);
+  };
+  for (int j = 0; j < machine::kStruts; ++j) {
+    const auto forth = stretch_with(j, 1);
+    if (forth.jacobian.singular()) return turns;
+    const machine::Vector6<double> moved = forth.jacobian.solve(forth.stretch - stretch_with(j, -1).stretch);
+    turns.tip_mm[j] = moved.head<3>().norm() / kMm;
+    turns.turned_deg[j] = moved.tail<3>().norm() / kDeg;
+  }
+  return turns;
 }
 
 std::optional<double> Corrector::tip_distance_mm(const Target& target, const AxisWords& commanded) const {

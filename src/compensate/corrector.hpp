@@ -21,6 +21,14 @@ struct ToolInSpindle {
 struct Corrected {
   AxisWords pose;  // to be commanded
   bool converged = false;
+  machine::PerStrut<double> sign = machine::PerStrut<double>::Zero();  // of each strut's speed, smoothed
+};
+
+/// A machine that was told to go somewhere, as the model has it: its friction turns as fast as the model says, not as
+/// slowly as the correction lets it.
+struct PlayedTip {
+  Pose<double> stands;
+  machine::PerStrut<double> speed;  // of the struts, as commanded, m/s
 };
 
 class Corrector {
@@ -39,8 +47,24 @@ class Corrector {
   /// Nothing where that does not converge.
   std::optional<AxisWords> error(const Target& target) const;
 
-  /// Distance (mm) of the deformed tool tip from the target when `commanded` is what the control was told.
+  /// Distance (mm) of the deformed tool tip from the target when `commanded` is what the control was told, friction as
+  /// the correction has it.
   std::optional<double> tip_distance_mm(const Target& target, const AxisWords& commanded) const;
+
+  /// Where the deformed machine stands when the control is told `told`, and moves as it says. Nothing where that does
+  /// not converge: it gives way.
+  std::optional<PlayedTip> play(const Target& told) const;
+
+  /// How far the tip moves and turns where the friction of a strut turns from one sign to the other.
+  struct FrictionTurns {
+    machine::PerStrut<double> tip_mm = machine::PerStrut<double>::Zero();
+    machine::PerStrut<double> turned_deg = machine::PerStrut<double>::Zero();
+  };
+  FrictionTurns friction_turns(const Target& target) const;
+
+  bool has_friction() const { return environment_.friction; }
+  /// v0 of the model, m/s: how slowly a strut moves where its friction turns.
+  double turning_speed() const { return environment_.sign_speed; }
 
   /// Condition number of the Jacobian where the machine stands on the target.
   double condition(const Target& target) const;
@@ -57,12 +81,14 @@ class Corrector {
  private:
   struct Load {  // of a machine that stands on a pose
     Pose<double> pose;
+    machine::PerStrut<double> sign;
     physics::StrutStretch<double> stretch;
   };
   Load load_at(const Target& target) const;
   bool move_struts(const Load& load, Pose<double>& pose) const;
   Corrected correct_once(const Target& target) const;
   Corrected correct_with_fixed_axes(const Target& target) const;
+  bool holds(const Target& target, const AxisWords& commanded) const;
   physics::Motion<double> motion_of(const Target& target, physics::Environment& environment) const;
 
   const machine::MachineModel& model_;

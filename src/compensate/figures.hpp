@@ -33,6 +33,12 @@ inline bool stands(const nc::Motion& motion) {
   });
 }
 
+inline AxisWords between(const AxisWords& from, const AxisWords& to, double fraction) {
+  AxisWords words;
+  for (const Axis axis : kAllAxes) words[axis] = from[axis] + fraction * (to[axis] - from[axis]);
+  return words;
+}
+
 /// "X, Y"
 inline std::string axis_list(AxisSet axes) {
   std::string list;

@@ -14,6 +14,30 @@ namespace plumbline::compensate {
 /// The place of a block, the whole of it underlined.
 Place place_of(const nc::Block& block, std::string_view file);
 
+/// What a target comes to: where the control is to be sent for it, and each limit that the programmed pose or the
+/// commanded one breaks. Not converged: no command puts the tool there.
+struct Command {
+  Corrected corrected;
+  std::vector<machine::Violation> violations;
+};
+Command command(const Corrector& corrector, const machine::Limits& limits, const Target& target);
+
+/// A rapid goes to the command of its end as the control likes: the limits broken along the straight line there from
+/// the command of its start, every 10 mm or 1 deg, its ends left out.
+std::vector<machine::Violation> check_way(const Corrector& corrector, const machine::Limits& limits, const Target& from,
+                                          const Target& to, const AxisWords& commanded_to);
+
+/// Into how many steps the straight line by `delta` (mm and deg) is cut for that.
+int chord_steps(const AxisWords& delta);
+
+/// The rest of a touch-off on the sagging machine, which every pose gets; zero where none is set. Refuses with
+/// compensate-touch-off.
+AxisWords touch_off_error(const Corrector& corrector, const Settings& settings);
+
+/// Where the tool stands along the hole of a cycle that works the spindle, from R to its bottom, in the work system;
+/// `above` is any place over it.
+std::vector<AxisWords> hole_places(const nc::Step& step, const nc::Hole& hole, const AxisWords& above, double step_mm);
+
 /// A violation as a diagnostic at a block; code limit-tilt, limit-travel, limit-strut or limit-condition.
 Diagnostic diagnose(const machine::Violation& violation, const Place& place);
 

@@ -17,8 +17,6 @@
 namespace plumbline::compensate {
 namespace {
 
-constexpr double kChordStepMm = 10;  // at which the limits are checked along a rapid
-constexpr double kChordStepDeg = 1;
 constexpr int kManyPieces = 10'000;
 constexpr double kNoWay = 1e-7;  // mm and deg
 
@@ -45,13 +43,14 @@ Pass::Pass(const InputFile& source, const nc::Dialect& dialect, const nc::Progra
       corrector_(model, settings),
       intention_(source, dialect, emit, form == nc::Form::unrolled),
       spindle_(program.tools, model.reference_tool_mass),
-      pose_(source, dialect) {
+      pose_(source, dialect),
+      between_(corrector_) {
   if (settings.read_back) read_back_.emplace(source, dialect, program, emit, out, form == nc::Form::unrolled);
   pose_.on_assumed = [this](AxisSet axes) { corrector_.fix_axes(axes); };
 }
 
 bool Pass::run(const Progress& progress) {
-  set_touch_off();
+  touch_off_error_ = touch_off_error(corrector_, settings_);
   compensate::refuse_stamped(source_);
   bool jumps = false;
   while (const nc::Step* step = program_.next()) {
@@ -143,16 +142,6 @@ void Pass::refuse_system_of_block(const nc::Step& step) const {
   }
 }
 
-void Pass::set_touch_off() {
-  if (!settings_.touch_off) return;
-  const std::optional<AxisWords> error = corrector_.error({*settings_.touch_off, {}, {}, std::nullopt});
-  if (!error) {
-    refuse("compensate-touch-off", "the machine cannot stand at the touch-off pose",
-           "give the pose in W at which the work offset was probed: --touch-off X,Y,Z,A,B,C in mm and deg");
-  }
-  touch_off_error_ = *error;
-}
-
 void Pass::take_tool(const nc::Step& step) {
   const std::optional<ToolInSpindle> tool = spindle_.change(step);
   if (!tool) return;
@@ -164,6 +153,7 @@ void Pass::take_tool(const nc::Step& step) {
            place_of(*step.block, step.block->file));
   }
   if (!spindle_.has_mass()) warn_of_massless_tool(step, step.after->tool_in_spindle);
+  between_.leave();
   corrector_.set_tool(*tool);
 }
 
@@ -213,6 +203,9 @@ void Pass::copy(const nc::Step& step, bool counts, std::optional<double> seconds
 
 void Pass::pass(const nc::Step& step) {
   copy(step, step.motions.size() == 1 && step.motions.front().kind == nc::MotionKind::dwell);
+  const bool moves = std::any_of(step.motions.begin(), step.motions.end(),
+                                 [](const nc::Motion& motion) { return motion.kind != nc::MotionKind::dwell; });
+  if (moves || step.loses_position) between_.leave();
   for (const nc::Motion& motion : step.motions) {
     if (motion.kind == nc::MotionKind::dwell) {
       note_dwell(motion);
@@ -229,16 +222,14 @@ Target Pass::target_of(const nc::Step& step, const path::CurvePoint& point, std:
 }
 
 nc::CorrectedPoint Pass::corrected_point(const nc::Step& step, const Target& target, const AxisWords& words) {
-  const Pose<double> programmed = corrector_.pose_of(target.pose);
-  refuse_violations(machine::check_programmed(model_.limits, programmed), *step.block, step.block->file);
-  const Corrected corrected = corrector_.correct(target);
+  const Command command = compensate::command(corrector_, model_.limits, target);
+  refuse_violations(command.violations, *step.block, step.block->file);
+  const Corrected& corrected = command.corrected;
   if (!corrected.converged) {
     refuse("compensate-unreachable", "the machine cannot be made to stand here: no strut lengths put the tool there",
            "move the part away from the edge of the workspace", place_of(*step.block, step.block->file));
   }
-  refuse_violations(
-      machine::check_compensated(model_.limits, corrector_.geometry(), corrector_.pose_of(corrected.pose)), *step.block,
-      step.block->file);
+  signs_.push_back(corrected.sign);
   AxisWords nominal = words;
   AxisWords shift = step.frame->from_pose(corrected.pose) - nominal;
   for (const Axis axis : kAllAxes) {
@@ -256,29 +247,19 @@ void Pass::rapid_point(const nc::Step& step) {
   const bool start_known = motion.known_before.contains(writable());
   const AxisWords slope = start_known ? motion.to - motion.from : AxisWords{};
   const Target target = target_of(step, {motion.to, slope, {}}, std::nullopt);
+  signs_.clear();
   points_.assign(1, corrected_point(step, target, motion.to));
   if (!start_known) return;
-  const AxisWords shift_before = emitter_.control().work_shift(*step.frame);
-  check_chord(step, motion.from + shift_before, motion.to + points_.front().shift);
+  const Target from = target_of(step, {motion.from, {}, {}}, std::nullopt);
+  const AxisWords commanded = step.frame->to_pose(points_.front().nominal + points_.front().shift);
+  refuse_violations(check_way(corrector_, model_.limits, from, target, commanded), *step.block, step.block->file);
 }
 
 void Pass::correct_rapid(const nc::Step& step) {
   rapid_point(step);
+  between_.rapid(path_of(step, path::Curve(step.motions.front())), signs_.back());
   note_point(step, points_.front());
   note_move(step, write_move(step, std::nullopt), std::nullopt);
-}
-
-void Pass::check_chord(const nc::Step& step, const AxisWords& from, const AxisWords& to) const {
-  const AxisWords delta = to - from;
-  const double steps = std::max(length_mm(delta) / kChordStepMm, largest_turn_deg(delta) / kChordStepDeg);
-  const int count = static_cast<int>(std::ceil(steps));
-  for (int i = 1; i < count; ++i) {
-    AxisWords words;
-    for (const Axis axis : kAllAxes) words[axis] = from[axis] + delta[axis] * i / count;
-    const Pose<double> pose = corrector_.pose_of(target_of(step, {words, {}, {}}, std::nullopt).pose);
-    refuse_violations(machine::check_compensated(model_.limits, corrector_.geometry(), pose), *step.block,
-                      step.block->file);
-  }
 }
 
 path::Subdivision Pass::feed_points(const nc::Step& step, const path::Curve& curve, std::optional<double> seconds) {
@@ -290,6 +271,7 @@ path::Subdivision Pass::feed_points(const nc::Step& step, const path::Curve& cur
                       step.block->file);
   }
   points_.clear();
+  signs_.clear();
   for (int i = 1; i <= cut.pieces; ++i) {
     const double fraction = static_cast<double>(i) / cut.pieces;
     const path::CurvePoint point = curve.point(fraction);
@@ -309,7 +291,42 @@ void Pass::correct_feed(const nc::Step& step) {
   for (const nc::CorrectedPoint& point : points_) note_point(step, point);
   note_end(step, target_of(step, curve.point(1), seconds));
   if (cut.widened) note_widened(step, curve, seconds);
-  note_move(step, write_move(step, duration), seconds);
+  const AxisWords begin = motion.from + emitter_.control().work_shift(*step.frame);
+  const nc::EmittedMove move = write_move(step, duration);
+  follow_cut(step, curve, begin, move.changed, seconds);
+  note_move(step, move, seconds);
+}
+
+OriginalPath Pass::path_of(const nc::Step& step, const path::Curve& curve) const {
+  return {curve, *step.frame, touch_off_error_, pose_.assumed(), step.block->line};
+}
+
+// What was written for a move, as the control keeps it.
+void Pass::follow_cut(const nc::Step& step, const path::Curve& curve, const AxisWords& begin, bool changed,
+                      std::optional<double> seconds) {
+  const auto in_W = [&](AxisWords words) {
+    for (const Axis axis : kAllAxes) {
+      if (pose_.assumed().contains(axis)) words[axis] = 0;
+    }
+    return step.frame->to_pose(words);
+  };
+  sent_.clear();
+  if (!changed) {
+    const AxisWords end = in_W(step.motions.front().to);
+    sent_.push_back({end, end, 1, signs_.back()});
+  } else {
+    const std::span<const nc::Piece> pieces = emitter_.pieces().pieces();
+    const std::span<const AxisWords> ends = emitter_.pieces().ends();
+    double share = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      share += pieces[i].share;
+      const double at = std::round(share * static_cast<double>(points_.size()));
+      const std::size_t point = std::clamp<std::size_t>(static_cast<std::size_t>(at), 1, points_.size()) - 1;
+      const AxisWords wanted = in_W(points_[point].nominal + points_[point].shift);
+      sent_.push_back({in_W(ends[i]), wanted, pieces[i].share, signs_[point]});
+    }
+  }
+  between_.cut(path_of(step, curve), seconds, in_W(begin), sent_, !changed);
 }
 
 // In text order a block with @ and ^ gets X and Y only where it must change.

@@ -11,6 +11,7 @@
 
 #include "base/files.hpp"
 #include "base/progress.hpp"
+#include "compensate/between_points.hpp"
 #include "compensate/corrector.hpp"
 #include "compensate/intention.hpp"
 #include "compensate/program_pose.hpp"
@@ -65,7 +66,6 @@ class Pass {
   void copy(const nc::Step& step, bool counts, std::optional<double> seconds = std::nullopt);
   void note_cycle(const nc::Step& step);
   void note_dwell(const nc::Motion& dwell);
-  void set_touch_off();
   void take_tool(const nc::Step& step);
   void warn_of_massless_tool(const nc::Step& step, int tool);
   bool is_corrected(const nc::Step& step);
@@ -77,10 +77,12 @@ class Pass {
   void refuse_unless_in_place(const nc::Step& step, bool goes_on) const;
   void rapid_point(const nc::Step& step);
   void check_way_to_hole(const nc::Step& step, const AxisWords& shift) const;
+  OriginalPath path_of(const nc::Step& step, const path::Curve& curve) const;
+  void follow_cut(const nc::Step& step, const path::Curve& curve, const AxisWords& begin, bool changed,
+                  std::optional<double> seconds);
   path::Subdivision feed_points(const nc::Step& step, const path::Curve& curve, std::optional<double> seconds);
   Target target_of(const nc::Step& step, const path::CurvePoint& point, std::optional<double> seconds) const;
   nc::CorrectedPoint corrected_point(const nc::Step& step, const Target& target, const AxisWords& words);
-  void check_chord(const nc::Step& step, const AxisWords& from, const AxisWords& to) const;
   void note_widened(const nc::Step& step, const path::Curve& curve, std::optional<double> seconds);
   void note_point(const nc::Step& step, const nc::CorrectedPoint& point);
   void note_move(const nc::Step& step, const nc::EmittedMove& move, std::optional<double> seconds);
@@ -106,6 +108,9 @@ class Pass {
   Summary summary_;
   AxisWords touch_off_error_;
   std::vector<nc::CorrectedPoint> points_;
+  std::vector<machine::PerStrut<double>> signs_;  // of the struts' speeds at these
+  BetweenPoints between_;
+  std::vector<SentPiece> sent_;
   bool ended_ = false;                        // the last thing that was executed ends a program
   std::size_t last_line_ = 0;                 // that holds a word
   std::set<std::string, std::less<>> files_;  // of subprograms, looked through

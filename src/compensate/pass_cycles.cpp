@@ -104,13 +104,8 @@ void Pass::hole_points(const nc::Step& step) {
   const nc::Hole& hole = step.holes.front();
   const nc::Motion& motion = step.motions[hole.begin];
   has_position(step, motion.known_before & motion.known_after, true);
-  const Axis normal = nc::axes_of(step.after->plane).third;
-  const double depth = std::abs(hole.r - hole.bottom);
-  const int pieces = std::max(1, static_cast<int>(std::ceil(depth / settings_.step.length_mm)));
-  AxisWords words = motion.to;
   points_.clear();
-  for (int i = 0; i <= pieces; ++i) {
-    words[normal] = hole.r + (hole.bottom - hole.r) * i / pieces;
+  for (const AxisWords& words : hole_places(step, hole, motion.to, settings_.step.length_mm)) {
     points_.push_back(corrected_point(step, target_of(step, {words, {}, {}}, std::nullopt), words));
   }
 }
@@ -143,7 +138,11 @@ void Pass::process_hole(const nc::Step& step) {
 void Pass::check_way_to_hole(const nc::Step& step, const AxisWords& shift) const {
   for (std::size_t i = 0; i < step.holes.front().begin; ++i) {
     const nc::Motion& motion = step.motions[i];
-    if (motion.known_before.contains(writable())) check_chord(step, motion.from + shift, motion.to + shift);
+    if (!motion.known_before.contains(writable())) continue;
+    const Target from = target_of(step, {motion.from, {}, {}}, std::nullopt);
+    const Target to = target_of(step, {motion.to, {}, {}}, std::nullopt);
+    const AxisWords commanded = step.frame->to_pose(motion.to + shift);
+    refuse_violations(check_way(corrector_, model_.limits, from, to, commanded), *step.block, step.block->file);
   }
 }
 

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "base/check.hpp"
 #include "base/units.hpp"
 #include "compensate/figures.hpp"
 #include "compensate/pass.hpp"
@@ -74,10 +73,6 @@ void Pass::note_end(const nc::Step& step, const Target& target) {
   if (corrected_moves_ > kReplayAll && corrected_moves_ % kReplayEvery != 0) return;
   const nc::CorrectedPoint& point = points_.back();
   const AxisWords commanded = step.frame->to_pose(point.nominal + point.shift);
-  const std::optional<double> distance = corrector_.tip_distance_mm(target, commanded);
-  PLUMBLINE_CHECK(distance.has_value());
-  summary_.residual_mm.take(*distance, step.block->line);
-  ++summary_.replayed;
   summary_.condition.take(corrector_.condition(target), step.block->line);
   note_offset_sensitivity(target, commanded);
 }
@@ -89,7 +84,9 @@ void Pass::note_offset_sensitivity(const Target& target, const AxisWords& comman
   for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
     Target moved = target;
     moved.pose[axis] += kOffsetProbeMm;
-    const AxisWords there = corrector_.correct(moved).pose - moved.pose;
+    const Corrected corrected = corrector_.correct(moved);
+    if (!corrected.converged) continue;  // beyond the edge of what the machine can hold
+    const AxisWords there = corrected.pose - moved.pose;
     const double change = length_mm(there - correction) / kOffsetProbeMm;
     squares += change * change;
   }
@@ -143,6 +140,10 @@ void Pass::warn_of_silent_effects() {
 
 Summary Pass::summary() {
   for (const nc::InlinedFile& file : emitter_.inlined()) summary_.inlined_files.push_back({file.name, file.hash});
+  between_.leave();
+  summary_.residual_mm = between_.tip_mm();
+  summary_.residual_deg = between_.turned_deg();
+  summary_.replayed = between_.plays();
   summary_.unrolled = form_ == nc::Form::unrolled;
   summary_.identical = !emitter_.changed();
   summary_.bytes_before = source_.size();

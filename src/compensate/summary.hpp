@@ -50,8 +50,9 @@ struct Summary {
   double seconds_after = 0;
   Worst time_change;                 // of any block, as a share of its time
   Worst rounding_mm;                 // of a point: what the control keeps against what was asked
-  Worst residual_mm;                 // distance of the deformed tip from the programmed point, replayed on the model
-  std::uint64_t replayed = 0;        // points that this was worked out for
+  Worst residual_mm;                 // of the deformed tip from the programmed path, between the written points as well
+  Worst residual_deg;                // of its orientation
+  std::uint64_t replayed = 0;        // points that were played on the model for that
   Worst condition;                   // condition number of the Jacobian at the points that were played
   std::uint64_t widened_blocks = 0;  // whose pieces the control's block time made longer
   Worst widened_step_mm;

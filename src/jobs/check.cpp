@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compensate/corrector.hpp"
+#include "compensate/guard.hpp"
 #include "jobs/path_walk.hpp"
 #include "jobs/program_dialect.hpp"
 #include "jobs/text_table.hpp"
@@ -20,9 +21,13 @@ using Json = nlohmann::ordered_json;
 class Checker {
  public:
   Checker(const machine::MachineModel& model, const compensate::Settings& settings)
-      : model_(model), corrector_(model, settings) {}
+      : model_(model),
+        settings_(settings),
+        corrector_(model, settings),
+        touch_off_error_(compensate::touch_off_error(corrector_, settings)) {}
 
   void attach(PathWalk& walk) {
+    walk_ = &walk;
     walk.on_tool = [this](const compensate::ToolInSpindle& tool) { corrector_.set_tool(tool); };
     walk.on_assumed_axes = [this](AxisSet axes) { corrector_.fix_axes(axes); };
     walk.on_point = [this](const PathPoint& point) { look_at(point); };
@@ -40,15 +45,51 @@ class Checker {
     if (block.line != line_ || block.file != file_) end_block();
     line_ = block.line;
     file_ = block.file;
-    note(machine::check_programmed(model_.limits, corrector_.pose_of(point.target.pose)));
-    const compensate::Corrected corrected = corrector_.correct(point.target);
-    if (corrected.converged) {
-      const Pose<double> pose = corrector_.pose_of(corrected.pose);
-      note(machine::check_compensated(model_.limits, corrector_.geometry(), pose));
-    } else {
-      note({{"reach", 0, 0, 0, ""}});
+    if (const nc::Hole* const hole = hole_of(point)) return look_at_hole(point, *hole);
+    if (point.on_way) return;
+    compensate::Target target = touched_off(point.target);
+    if (!point.way_from) {
+      look_at(target);
+      return;
+    }
+    const compensate::Target from = touched_off(*point.way_from);
+    target.slope = target.pose - from.pose;
+    const std::optional<AxisWords> commanded = look_at(target);
+    if (commanded) note(compensate::check_way(corrector_, model_.limits, from, target, *commanded));
+  }
+
+  compensate::Target touched_off(compensate::Target target) const {
+    target.pose += touch_off_error_;
+    return target;
+  }
+
+  // What the control is to be told, if it can be.
+  std::optional<AxisWords> look_at(const compensate::Target& target) {
+    const compensate::Command command = compensate::command(corrector_, model_.limits, target);
+    note(command.violations);
+    if (command.corrected.converged) return command.corrected.pose;
+    note({{"reach", 0, 0, 0, ""}});
+    return std::nullopt;
+  }
+
+  // The hole of a cycle that works the spindle, which is shifted as a whole.
+  static const nc::Hole* hole_of(const PathPoint& point) {
+    if (point.step->cycle != nc::CycleForm::spindle) return nullptr;
+    const auto motion = static_cast<std::size_t>(point.motion - point.step->motions.data());
+    for (const nc::Hole& hole : point.step->holes) {
+      if (motion >= hole.begin && motion < hole.end) return &hole;
+    }
+    return nullptr;
+  }
+
+  void look_at_hole(const PathPoint& point, const nc::Hole& hole) {
+    if (point.motion != &point.step->motions[hole.begin] || point.target.pose != end_of(point)) return;
+    for (const AxisWords& words :
+         compensate::hole_places(*point.step, hole, point.motion->to, settings_.step.length_mm)) {
+      look_at(touched_off(walk_->target(*point.step, words)));
     }
   }
+  AxisWords end_of(const PathPoint& point) const { return walk_->target(*point.step, point.motion->to).pose; }
 
   void note(const std::vector<machine::Violation>& violations) {
     for (const machine::Violation& violation : violations) {
@@ -73,7 +114,10 @@ class Checker {
   }
 
   const machine::MachineModel& model_;
+  const compensate::Settings& settings_;
   compensate::Corrector corrector_;
+  AxisWords touch_off_error_;
+  const PathWalk* walk_ = nullptr;
   CheckSummary summary_;
   std::string file_;
   std::size_t line_ = 0;

@@ -12,17 +12,8 @@
 namespace plumbline::jobs {
 namespace {
 
-constexpr double kChordStepMm = 10;
-constexpr double kChordStepDeg = 1;
-
 bool cuts(const nc::Motion& motion) {
   return motion.kind == nc::MotionKind::feed || motion.kind == nc::MotionKind::arc;
-}
-
-int chord_steps(const AxisWords& delta) {
-  const double length = std::hypot(delta[Axis::X], delta[Axis::Y], delta[Axis::Z]);
-  const double turn = std::max({std::abs(delta[Axis::A]), std::abs(delta[Axis::B]), std::abs(delta[Axis::C])});
-  return std::max(1, static_cast<int>(std::ceil(std::max(length / kChordStepMm, turn / kChordStepDeg))));
 }
 
 }  // namespace
@@ -77,13 +68,16 @@ bool PathWalk::is_known(const nc::Step& step, const nc::Motion& motion) {
 void PathWalk::walk_rapid(const nc::Step& step, const nc::Motion& motion) {
   const AxisSet needed = AxisSet::all() - pose_.assumed();
   const AxisWords delta = motion.to - motion.from;
-  const int count = motion.known_before.contains(needed) ? chord_steps(delta) : 1;
+  const bool start_known = motion.known_before.contains(needed);
+  const int count = start_known ? compensate::chord_steps(delta) : 1;
   for (int i = 1; i <= count; ++i) {
     AxisWords words = motion.to;
     for (const Axis axis : kAllAxes) {
       if (i < count) words[axis] = motion.from[axis] + delta[axis] * i / count;
     }
-    on_point({&step, &motion, pose_.target(step, {words, {}, {}}, std::nullopt), time_s_});
+    PathPoint point{&step, &motion, target(step, words), std::nullopt, i < count, time_s_};
+    if (i == count && start_known) point.way_from = target(step, motion.from);
+    on_point(point);
   }
 }
 
@@ -97,7 +91,7 @@ void PathWalk::walk_feed(const nc::Step& step, const nc::Motion& motion) {
   for (int i = 1; i <= pieces; ++i) {
     const double fraction = static_cast<double>(i) / pieces;
     time_s_ = begin + fraction * seconds.value_or(0);
-    on_point({&step, &motion, pose_.target(step, curve.point(fraction), seconds), time_s_});
+    on_point({&step, &motion, pose_.target(step, curve.point(fraction), seconds), std::nullopt, false, time_s_});
   }
 }
 

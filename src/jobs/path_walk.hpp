@@ -17,7 +17,9 @@ struct PathPoint {
   const nc::Step* step = nullptr;
   const nc::Motion* motion = nullptr;
   compensate::Target target;  // pose in W, slope along the move, seconds of the move; G95 and rapids: none
-  double time_s = 0;          // since the start, rapids and dwells under G95 left out
+  std::optional<compensate::Target> way_from;  // where the rapid began that ends here, if that is known
+  bool on_way = false;                         // of a rapid, before its end
+  double time_s = 0;                           // since the start, rapids and dwells under G95 left out
 };
 
 class PathWalk {
@@ -35,6 +37,11 @@ class PathWalk {
   /// nc::Program refuses, and walk-position-unknown for feed moves from or to positions that are not known, and for
   /// axes that were taken to stand at zero and move.
   void run(const Progress& progress = {});
+
+  /// A place in the work system of a step, at rest.
+  compensate::Target target(const nc::Step& step, const AxisWords& words) const {
+    return pose_.target(step, {words, {}, {}}, std::nullopt);
+  }
 
   std::uint64_t blocks() const { return blocks_; }
   std::uint64_t passed_moves() const { return passed_moves_; }

@@ -64,8 +64,10 @@ void add_quality(TextTable& table, const Summary& s) {
   if (s.replayed > 0) {
     table.add(
         "left at the tip",
-        fmt::format("at most {:.3f} um{} by rounding and subdivision alone, {} played on the model",
-                    s.residual_mm.value * kUmPerMm, at_line(s.residual_mm.line), count_text(s.replayed, "point")));
+        fmt::format("at most {:.3f} um{}, {:.5f} deg, between its points too: by rounding, subdivision and friction "
+                    "that turns, {} played on the model",
+                    s.residual_mm.value * kUmPerMm, at_line(s.residual_mm.line), s.residual_deg.value,
+                    count_text(s.replayed, "point")));
     table.add("", "how far the machine itself is from its model comes on top: plumbline compare tells");
   }
   table.add("rounding",
@@ -185,6 +187,7 @@ std::string summary_json(const Summary& s, const Options& options) {
       {"worst_block_time_change", worst(s.time_change)},
       {"worst_rounding_um", worst(s.rounding_mm, kUmPerMm)},
       {"worst_residual_um", s.replayed > 0 ? worst(s.residual_mm, kUmPerMm) : Json()},
+      {"worst_residual_deg", s.replayed > 0 ? worst(s.residual_deg) : Json()},
       {"replayed_points", s.replayed},
       {"largest_condition", worst(s.condition)},
       {"widened_blocks", s.widened_blocks},

@@ -93,6 +93,9 @@ class Emitter {
   /// To be called after the last block. A program with no changed block comes out identical, without a stamp.
   void finish();
 
+  /// What the last move() that changed something became.
+  const PiecePlanner& pieces() const { return planner_; }
+
   bool changed() const { return changed_; }
   /// Where the lines of the guard stand in the output; empty as long as they were not written.
   std::pair<std::uint64_t, std::uint64_t> guard_span() const { return guard_span_; }

@@ -68,7 +68,9 @@ class PiecePlanner {
   std::span<Piece> plan(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
                         std::optional<double> seconds, OutputState& control);
 
-  /// Of the last plan().
+  /// Of the last plan(): its pieces, and where the control stands after each, work system, mm and deg.
+  std::span<const Piece> pieces() const { return pieces_; }
+  std::span<const AxisWords> ends() const { return ends_; }
   double rounding_mm() const { return rounding_mm_; }
   std::optional<double> seconds() const { return seconds_; }
 

@@ -91,7 +91,7 @@ TEST_CASE("a summary has every figure, in words and as JSON") {
   const std::string text = jobs::summary_text(s, how);
   for (const char* const part :
        {"largest correction", "rms correction", "cutting time", "rounding", "work offset",
-        "by rounding and subdivision alone", "first cutting block (line 3)", "--touch-off", "bytes before"}) {
+        "subdivision and friction that turns", "first cutting block (line 3)", "--touch-off", "bytes before"}) {
     INFO(text);
     CHECK(text.find(part) != std::string::npos);
   }

@@ -1,0 +1,291 @@
+#include "compensate/between_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.hpp"
+#include "compensate/figures.hpp"
+#include "machine/orientation.hpp"
+
+namespace plumbline::compensate {
+namespace {
+
+constexpr std::uint64_t kTurnsEvery = 1024;  // blocks, at which the effect of a strut's friction is worked out again
+constexpr double kFirstCredit = 10'000;      // plays
+constexpr double kCreditPerPiece = 0.04;
+constexpr double kFirstRatio = 1.5;    // of what is found to what was guessed, as long as little was played
+constexpr std::uint64_t kLearnt = 16;  // pieces of a kind
+constexpr double kSafety = 1.3;        // on the largest such ratio that was met
+constexpr double kPromising = 0.6;     // of the largest found so far: from there on a part is looked at closely
+constexpr double kEdge = 1e-6;         // of a piece: beside its ends
+constexpr double kNoWayMm = 1e-9;      // mm and deg
+constexpr double kSaturated = 2.65;    // tanh is 0.99
+constexpr int kProjections = 6;
+constexpr int kRefinements = 10;
+constexpr std::array kFirstLook{kEdge, 0.5, 1 - kEdge};
+constexpr std::array kCloseLook{0.125, 0.25, 0.375, 0.625, 0.75, 0.875};
+
+Vector3<double> xyz(const AxisWords& words) { return {words[Axis::X], words[Axis::Y], words[Axis::Z]}; }
+
+// Of a tip from the nearest point of a path, mm; `fraction` is where to begin.
+double distance_mm(const OriginalPath& path, const Vector3<double>& tip_mm, double fraction) {
+  double least = std::numeric_limits<double>::max();
+  for (int i = 0; i <= kProjections; ++i) {
+    const Target at = path.target(fraction, std::nullopt);
+    const Vector3<double> off = tip_mm - xyz(at.pose);
+    least = std::min(least, off.norm());
+    const Vector3<double> slope = xyz(at.slope);
+    const double bend = slope.squaredNorm() - off.dot(xyz(at.bend));
+    if (!(bend > kNoWayMm * kNoWayMm)) break;
+    const double next = std::clamp(fraction + off.dot(slope) / bend, 0.0, 1.0);
+    if (std::abs(next - fraction) < 1e-12) break;
+    fraction = next;
+  }
+  return least;
+}
+
+// Of an orientation from the nearest one of a path, deg.
+double turn_deg(const Corrector& corrector, const OriginalPath& path, const Matrix3<double>& R_WP, double fraction) {
+  double least = std::numeric_limits<double>::max();
+  for (int i = 0; i <= kProjections; ++i) {
+    const auto off_at = [&](double at) -> Vector3<double> {
+      const Pose<double> pose = corrector.pose_of(path.target(at, std::nullopt).pose);
+      return machine::logarithm<double>(R_WP * pose.R_WP.transpose());
+    };
+    const Vector3<double> off = off_at(fraction);
+    least = std::min(least, off.norm() / kDeg);
+    const double probe = fraction > 0.5 ? -1e-4 : 1e-4;
+    const Vector3<double> slope = (off_at(fraction + probe) - off) / probe;
+    if (slope.squaredNorm() < kNoWayMm * kNoWayMm) break;
+    const double next = std::clamp(fraction - off.dot(slope) / slope.squaredNorm(), 0.0, 1.0);
+    if (std::abs(next - fraction) < 1e-9) break;
+    fraction = next;
+  }
+  return least;
+}
+
+// What the tip moves (or turns) where the friction of the struts is another one than the correction holds: it turns at
+// once, and the correction goes from sign to sign along the piece.
+double friction_guess(const machine::PerStrut<double>& effect, const machine::PerStrut<double>& before,
+                      const machine::PerStrut<double>& after) {
+  double guess = 0;
+  for (int j = 0; j < machine::kStruts; ++j) {
+    const double a = std::abs(before[j]);
+    const double b = std::abs(after[j]);
+    guess += effect[j] / 2 * (before[j] * after[j] < 0 ? 1 + std::max(a, b) : 1 - std::min(a, b));
+  }
+  return guess;
+}
+
+}  // namespace
+
+Target OriginalPath::target(double fraction, std::optional<double> seconds) const {
+  path::CurvePoint point = curve.point(fraction);
+  for (const Axis axis : kAllAxes) {
+    if (at_zero.contains(axis)) point.at[axis] = 0;
+  }
+  return {frame.to_pose(point.at) + added, nc::turned_about_z(point.slope, frame.rotation_deg),
+          nc::turned_about_z(point.bend, frame.rotation_deg), seconds};
+}
+
+void BetweenPoints::cut(const OriginalPath& path, std::optional<double> seconds, const AxisWords& begin,
+                        std::span<const SentPiece> pieces, bool as_it_stands) {
+  play_waiting(&path);
+  if (corrector_.has_friction() && blocks_ % kTurnsEvery == 0) {
+    friction_ = corrector_.friction_turns(path.target(1, seconds));
+  }
+  ++blocks_;
+  credit_ += kCreditPerPiece * static_cast<double>(pieces.size());
+  before_ = std::move(here_);
+  here_ = path;
+  seconds_ = seconds;
+  find_guesses(path, begin, pieces);
+  choose(path, begin, pieces, as_it_stands);
+  sign_ = pieces.back().sign;
+}
+
+void BetweenPoints::rapid(const OriginalPath& path, const machine::PerStrut<double>& sign) {
+  play_waiting(&path);
+  before_.reset();
+  here_ = path;
+  sign_ = sign;
+}
+
+void BetweenPoints::leave() {
+  play_waiting(nullptr);
+  before_.reset();
+  here_.reset();
+  sign_.setZero();
+}
+
+// A chord leaves its curve by an eighth of the second difference in its middle; what its ends are off by rounding is
+// added there.
+void BetweenPoints::find_guesses(const OriginalPath& path, const AxisWords& begin, std::span<const SentPiece> pieces) {
+  tip_.count = turned_.count = 0;
+  const Vector3<double> bend = xyz(path.target(0.5, std::nullopt).bend);
+  Vector3<double> off_before = Vector3<double>::Zero();
+  const AxisWords* last = &begin;
+  Vector3<double> step_before = Vector3<double>::Zero();
+  Vector3<double> second_before = Vector3<double>::Zero();
+  const machine::PerStrut<double>* sign = &sign_;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const SentPiece& piece = pieces[i];
+    const Vector3<double> step = xyz(piece.wanted) - xyz(*last);
+    const Vector3<double> off = xyz(piece.end) - xyz(piece.wanted);
+    const Vector3<double> second = i > 0 ? Vector3<double>(step - step_before) : Vector3<double>::Zero();
+    Vector3<double> chord = second.squaredNorm() > second_before.squaredNorm() ? second : second_before;
+    const double arc = bend.norm() * piece.share * piece.share;
+    if (chord.norm() < arc) chord *= arc / std::max(chord.norm(), kNoWayMm);
+    const double middle = std::max(((off + off_before) / 2 + chord / 8).norm(), arc / 8);
+    const double left = std::max({middle, off.norm(), off_before.norm()});
+    const Kind turning = i == 0 ? corner : turn;
+    if (corrector_.has_friction()) {
+      const double friction = friction_guess(friction_.tip_mm, *sign, piece.sign);
+      tip_.keep({left + friction, friction < left ? smooth : turning, i});
+      turned_.keep({friction_guess(friction_.turned_deg, *sign, piece.sign), turning, i});
+    } else {
+      tip_.keep({left, smooth, i});
+    }
+    last = &piece.wanted;
+    step_before = step;
+    second_before = second;
+    off_before = off;
+    sign = &piece.sign;
+  }
+}
+
+// The largest guesses, one of neighbours alone.
+void BetweenPoints::Ranking::keep(const Guess& guess) {
+  for (std::size_t k = 0; k < count; ++k) {
+    if (guesses[k].piece + 1 != guess.piece) continue;
+    if (guess.value > guesses[k].value) guesses[k] = guess;
+    return;
+  }
+  if (count < kGuesses) {
+    guesses[count++] = guess;
+    return;
+  }
+  Guess& least = *std::min_element(guesses.begin(), guesses.end(),
+                                   [](const Guess& a, const Guess& b) { return a.value < b.value; });
+  if (guess.value > least.value) least = guess;
+}
+
+bool BetweenPoints::Ranking::promises(const Guess& guess) const {
+  const double ratio = played[guess.kind] < kLearnt ? kFirstRatio : kSafety * per_guess[guess.kind];
+  return guess.value * ratio > found.value;
+}
+
+void BetweenPoints::Ranking::learn(const Guess& guess, double found_value) {
+  if (guess.value <= 0) return;
+  ++played[guess.kind];
+  per_guess[guess.kind] = std::max(per_guess[guess.kind], found_value / guess.value);
+}
+
+void BetweenPoints::choose(const OriginalPath& path, const AxisWords& begin, std::span<const SentPiece> pieces,
+                           bool as_it_stands) {
+  if (as_it_stands) {
+    const AxisWords from = path.target(0, std::nullopt).pose;
+    if (must_play()) waiting_.push_back({from, from, 0, 1, true, {}, {}});
+    return;
+  }
+  choose_from(tip_, begin, pieces);
+  choose_from(turned_, begin, pieces);
+}
+
+void BetweenPoints::choose_from(const Ranking& ranking, const AxisWords& begin, std::span<const SentPiece> pieces) {
+  if (!must_play() && credit_ + kFirstCredit < static_cast<double>(plays_)) return;
+  for (std::size_t k = 0; k < ranking.count; ++k) {
+    const Guess& guess = ranking.guesses[k];
+    const bool must = must_play() && (k == 0 || blocks_ <= kAllBlocks);
+    if (!must && !ranking.promises(guess)) continue;
+    Part part{{}, pieces[guess.piece].end, 0, pieces[guess.piece].share, false, {}, {}};
+    part.begin = guess.piece == 0 ? begin : pieces[guess.piece - 1].end;
+    for (std::size_t i = 0; i < guess.piece; ++i) part.from += pieces[i].share;
+    auto kept = std::find_if(waiting_.begin(), waiting_.end(), [&](const Part& p) { return p.from == part.from; });
+    if (kept == waiting_.end()) kept = waiting_.insert(kept, part);
+    (&ranking == &tip_ ? kept->tip : kept->turned) = guess;
+  }
+}
+
+void BetweenPoints::play_waiting(const OriginalPath* next) {
+  for (const Part& part : waiting_) play(part, next);
+  waiting_.clear();
+}
+
+std::optional<BetweenPoints::Off> BetweenPoints::off_at(const Part& part, double fraction, const OriginalPath* next) {
+  const double at = std::clamp(part.from + fraction * part.share, 0.0, 1.0);
+  Target told = here_->target(at, seconds_);
+  if (!part.along_curve) {
+    told.pose = between(part.begin, part.end, fraction);
+    told.slope = part.end - part.begin;
+    for (double& value : told.slope.values) value /= part.share;
+  }
+  ++plays_;
+  const std::optional<PlayedTip> played = corrector_.play(told);
+  if (!played) {
+    if (gave_way_line_ == 0) gave_way_line_ = here_->line;
+    return std::nullopt;
+  }
+  const Vector3<double> tip_mm = played->stands.p_WT / kMm;
+  const Matrix3<double>& R_WP = played->stands.R_WP;
+  Off off{distance_mm(*here_, tip_mm, at), turn_deg(corrector_, *here_, R_WP, at), played->speed};
+  const auto beside = [&](const OriginalPath& path, double from) {
+    off.tip_mm = std::min(off.tip_mm, distance_mm(path, tip_mm, from));
+    off.turned_deg = std::min(off.turned_deg, turn_deg(corrector_, path, R_WP, from));
+  };
+  const bool begins = part.from == 0;
+  const bool ends = part.from + part.share > 1 - kEdge;
+  if (begins || ends) beside(*here_, begins ? 1 : 0);  // a circle comes by again
+  if (before_ && begins) beside(*before_, 1);
+  if (next != nullptr && ends) beside(*next, 0);
+  return off;
+}
+
+BetweenPoints::Off BetweenPoints::sample(const Part& part, double fraction, const OriginalPath* next) {
+  const Off off = off_at(part, fraction, next).value_or(Off{});
+  tip_.found.take(off.tip_mm, here_->line);
+  turned_.found.take(off.turned_deg, here_->line);
+  return off;
+}
+
+// Its ends and its middle; both sides of the places where a strut turns; where that is promising, what lies between,
+// and the neighbourhood of the worst place.
+void BetweenPoints::play(const Part& part, const OriginalPath* next) {
+  const AxisWords way = part.end - part.begin;
+  if (!part.along_curve && length_mm(way) < kNoWayMm && largest_turn_deg(way) < kNoWayMm) return;
+  const double tip_before = tip_.found.value;
+  const double turned_before = turned_.found.value;
+  std::vector<std::pair<double, Off>> looked;  // by fraction
+  const auto look = [&](double fraction) { looked.emplace_back(fraction, sample(part, fraction, next)); };
+  for (const double fraction : kFirstLook) look(fraction);
+  for (int j = 0; j < machine::kStruts; ++j) {
+    const double first = looked.front().second.speed[j];
+    const double change = looked[kFirstLook.size() - 1].second.speed[j] - first;
+    if (!(first * (first + change) < 0)) continue;
+    const double beside = kSaturated * corrector_.turning_speed() / std::abs(change);
+    for (const double fraction : {-first / change - beside, -first / change + beside}) {
+      if (fraction > 0 && fraction < 1) look(fraction);
+    }
+  }
+  const auto by_tip = [](const auto& a, const auto& b) { return a.second.tip_mm < b.second.tip_mm; };
+  const auto by_turn = [](const auto& a, const auto& b) { return a.second.turned_deg < b.second.turned_deg; };
+  if (std::max_element(looked.begin(), looked.end(), by_tip)->second.tip_mm > kPromising * tip_before) {
+    for (const double fraction : kCloseLook) look(fraction);
+    std::sort(looked.begin(), looked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    const auto top = std::max_element(looked.begin(), looked.end(), by_tip);
+    double low = top == looked.begin() ? 0 : std::prev(top)->first;
+    double high = std::next(top) == looked.end() ? 1 : std::next(top)->first;
+    for (int i = 0; top->second.tip_mm > tip_before && i < kRefinements; ++i) {
+      const double a = low + (high - low) / 3;
+      const double b = high - (high - low) / 3;
+      const bool rises = sample(part, a, next).tip_mm < sample(part, b, next).tip_mm;
+      (rises ? low : high) = rises ? a : b;
+    }
+  }
+  const double tip = std::max_element(looked.begin(), looked.end(), by_tip)->second.tip_mm;
+  const double turned = std::max_element(looked.begin(), looked.end(), by_turn)->second.turned_deg;
+  tip_.learn(part.tip, tip_.found.value > tip_before ? tip_.found.value : tip);
+  turned_.learn(part.turned, turned_.found.value > turned_before ? turned_.found.value : turned);
+}
+
+}  // namespace plumbline::compensate

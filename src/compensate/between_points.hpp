@@ -1,0 +1,115 @@
+// How far the deformed tip is from the path that the original asks for, between the written points as well: blocks are
+// played on the model where they promise to be worst.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/axes.hpp"
+#include "compensate/corrector.hpp"
+#include "compensate/summary.hpp"
+#include "nc/frame.hpp"
+#include "path/curve.hpp"
+
+namespace plumbline::compensate {
+
+/// A move of the original in W.
+struct OriginalPath {
+  path::Curve curve;  // in the work system
+  nc::Frame frame;
+  AxisWords added;  // to its poses: the error at the touch-off
+  AxisSet at_zero;  // axes that are taken to stand at zero
+  std::size_t line = 0;
+
+  Target target(double fraction, std::optional<double> seconds) const;
+};
+
+/// A straight piece of the output, in the order of the block.
+struct SentPiece {
+  AxisWords end;                   // of what the control is told, as it keeps it: pose in W, mm and deg
+  AxisWords wanted;                // before it was rounded
+  double share = 1;                // of the block's time
+  machine::PerStrut<double> sign;  // of the struts' speeds, as the correction of its end has them
+};
+
+class BetweenPoints {
+ public:
+  /// The corrector must outlive it, with the tool that the moves are made with: leave() before it changes.
+  explicit BetweenPoints(const Corrector& corrector) : corrector_(corrector) {}
+
+  /// A move that cuts: what became of it, from where the control stood (pose in W). `seconds` is its time. Where it was
+  /// left as it stands, `pieces` is its end alone, and `as_it_stands` true.
+  void cut(const OriginalPath& path, std::optional<double> seconds, const AxisWords& begin,
+           std::span<const SentPiece> pieces, bool as_it_stands);
+  /// A rapid: `sign` of the struts as the correction of its end has them.
+  void rapid(const OriginalPath& path, const machine::PerStrut<double>& sign);
+  /// To be called before the tool changes or the machine goes where nobody follows it, and at the end.
+  void leave();
+
+  const Worst& tip_mm() const { return tip_.found; }
+  const Worst& turned_deg() const { return turned_.found; }
+  std::uint64_t plays() const { return plays_; }
+  /// Where a played machine gave way, if it did.
+  std::size_t gave_way_line() const { return gave_way_line_; }
+
+ private:
+  enum Kind : std::uint8_t { smooth, corner, turn };
+  static constexpr std::size_t kGuesses = 6;  // of a block
+  static constexpr std::size_t kKinds = 3;
+
+  struct Guess {  // of what a piece leaves
+    double value = 0;
+    Kind kind = smooth;
+    std::size_t piece = 0;
+  };
+  /// The pieces of a block that promise most, by one figure: the tip's distance or the turn.
+  struct Ranking {
+    std::array<Guess, kGuesses> guesses{};
+    std::size_t count = 0;
+    std::array<double, kKinds> per_guess{};      // what was found over what was guessed: the largest
+    std::array<std::uint64_t, kKinds> played{};  // pieces
+    Worst found;
+
+    void keep(const Guess& guess);
+    bool promises(const Guess& guess) const;
+    void learn(const Guess& guess, double found_value);
+  };
+  struct Part {  // a piece that is to be played
+    AxisWords begin, end;
+    double from = 0, share = 1;  // of the block's time
+    bool along_curve = false;
+    Guess tip, turned;
+  };
+  struct Off {
+    double tip_mm = 0, turned_deg = 0;
+    machine::PerStrut<double> speed = machine::PerStrut<double>::Zero();
+  };
+  void find_guesses(const OriginalPath& path, const AxisWords& begin, std::span<const SentPiece> pieces);
+  void choose(const OriginalPath& path, const AxisWords& begin, std::span<const SentPiece> pieces, bool as_it_stands);
+  void choose_from(const Ranking& ranking, const AxisWords& begin, std::span<const SentPiece> pieces);
+  bool must_play() const { return blocks_ <= kAllBlocks || blocks_ % kEvery == 0; }
+  void play_waiting(const OriginalPath* next);
+  void play(const Part& part, const OriginalPath* next);
+  std::optional<Off> off_at(const Part& part, double fraction, const OriginalPath* next);
+  Off sample(const Part& part, double fraction, const OriginalPath* next);
+
+  static constexpr std::uint64_t kAllBlocks = 256;  // at the begin: played whatever is guessed of them
+  static constexpr std::uint64_t kEvery = 16;       // after them, likewise
+
+  const Corrector& corrector_;
+  std::optional<OriginalPath> before_, here_;  // the move before the one that waits, and that one
+  std::optional<double> seconds_;              // of that one
+  std::vector<Part> waiting_;
+  Ranking tip_, turned_;
+  machine::PerStrut<double> sign_ = machine::PerStrut<double>::Zero();  // where the control stands
+  Corrector::FrictionTurns friction_;
+  std::uint64_t blocks_ = 0;
+  double credit_ = 0;  // plays that may be spent
+  std::uint64_t plays_ = 0;
+  std::size_t gave_way_line_ = 0;
+};
+
+}  // namespace plumbline::compensate
