@@ -14,10 +14,6 @@ constexpr double kHalf = 0.5;  // of the prior's sigma left: the data tell more 
 using machine::kStruts;
 using machine::StrutVectors;
 
-bool of_geometry(const Unknown& unknown) {
-  return unknown.effect == "joint-position" || unknown.effect == "strut-offset";
-}
-
 // Adds what is not listed already, and gives it a prior.
 void complete(Unknowns& unknowns, const char* effect, const char* key, int count, double sigma) {
   for (int i = 0; i < count; ++i) {
@@ -57,6 +53,10 @@ void add_ring(std::vector<WholeMotion>& motions, std::string_view ring, const ch
 }
 
 }  // namespace
+
+bool of_geometry(const Unknown& unknown) {
+  return unknown.effect == "joint-position" || unknown.effect == "strut-offset";
+}
 
 Unknowns geometry_unknowns(const machine::MachineModel& machine, const physics::ForceModel& forces,
                            const GeometryOptions& options) {

@@ -15,6 +15,9 @@ struct GeometryOptions {
   bool alone = false;          // everything else counts as exact
 };
 
+/// Whether it is a coordinate of a joint or an offset of a strut.
+bool of_geometry(const Unknown& unknown);
+
 /// The 36 coordinates of the joints and 6 offsets of the struts, with the priors of [uncertainty] or those of the
 /// options, beside all else that [uncertainty] lists.
 Unknowns geometry_unknowns(const machine::MachineModel& machine, const physics::ForceModel& forces,

@@ -43,9 +43,11 @@ Stage run_stage(std::string name, const machine::MachineModel& machine, const st
   Fit found = fit(machine.rotation, runs, unknowns, options.fit, tracked);
   Observability known = observability(found, runs, options.observability);
   // poses of a tracker hold a fit as well, so that none of the circles can be left out to first order
+  PlausibleOptions believed = options.plausible;
+  believed.joints_seen = tracked != nullptr;
   Plausibility plausible = plausibility(machine.rotation, tracked == nullptr ? runs : std::vector<measure::Run>{},
-                                        found, options.fit, options.plausible);
-  std::string against = objection(found, plausible, options.plausible);
+                                        found, options.fit, believed);
+  std::string against = objection(found, plausible, believed);
   return {std::move(name), std::move(found), std::move(known), std::move(plausible), std::move(against)};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -107,12 +108,20 @@ class Writer {
     if (!tables_.empty()) text += '\n' + tables_;
     if (!rows_.empty()) text += rows_;
     if (!changes_.notes.empty()) text += '\n';
-    for (const std::string& note : changes_.notes) text += note.empty() ? "#\n" : "# " + note + '\n';
+    for (const std::string& note : changes_.notes) text += comment(note);
     return text;
   }
 
  private:
   const TomlDocument& document() const { return machine_.document; }
+
+  // Each line of a note is a comment line of its own, else the model could not be read.
+  static std::string comment(const std::string& note) {
+    std::istringstream lines(note);
+    std::string text;
+    for (std::string line; std::getline(lines, line);) text += line.empty() ? "#\n" : "# " + line + '\n';
+    return text.empty() ? "#\n" : text;
+  }
 
   void instance(std::size_t i) {
     const physics::Instance& now = changes_.forces.instances()[i];

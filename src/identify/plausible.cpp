@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include "base/mean_square.hpp"
 #include "base/units.hpp"
+#include "identify/geometry.hpp"
 
 namespace plumbline::identify {
 namespace {
@@ -19,7 +21,7 @@ void add_strain(const Fit& fit, const PlausibleOptions& options, Plausibility& f
   double count = 0;
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
     const Unknown& u = fit.unknowns[i];
-    if (u.free()) continue;
+    if (u.free() || (options.joints_seen && of_geometry(u))) continue;
     const double sigmas = (fit.values[static_cast<Eigen::Index>(i)] - u.start) / u.sigma;
     chi2 += sigmas * sigmas;
     ++count;
@@ -31,29 +33,35 @@ void add_strain(const Fit& fit, const PlausibleOptions& options, Plausibility& f
 }
 
 // What the readings of a run leave once its set-up is fitted to them, by kind.
-void add_left(const RunEquations& equations, const Eigen::VectorXd& residual, MeanSquare& radial, MeanSquare& torque) {
+void add_left(const RunEquations& equations, const Eigen::MatrixXd& residual, MeanSquare& radial, MeanSquare& torque) {
   const Eigen::Index n = equations.samples;
   for (std::size_t c = 0; c < equations.channels.size(); ++c) {
-    Eigen::VectorXd rows = residual.segment(static_cast<Eigen::Index>(c) * n, n);
+    Eigen::MatrixXd rows = residual.middleRows(static_cast<Eigen::Index>(c) * n, n);
     if (equations.channels[c] != kRadial) {
       torque.add(rows);
       continue;
     }
-    rows -= equations.setup_slopes * equations.setup_slopes.colPivHouseholderQr().solve(rows);
+    rows -= equations.setup_slopes * equations.setup_slopes.colPivHouseholderQr().solve(rows).eval();
     radial.add(rows);
   }
 }
 
-struct LeftBefore {
+struct Left {
   MeanSquare radial, torque;
 };
 
-LeftBefore left_at_start(Objective& objective, const Fit& fit) {
-  LeftBefore left;
+Left left_at_start(Objective& objective, const Fit& fit) {
+  Left left;
   for (const RunEquations& run : objective.equations(fit.unknowns.start())) {
     add_left(run, run.residual, left.radial, left.torque);
   }
   return left;
+}
+
+// A square root of a covariance; what rounding makes negative is nil.
+Eigen::MatrixXd root_of(const Eigen::MatrixXd& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(covariance);
+  return parts.eigenvectors() * parts.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
 }
 
 // To first order the fit without some runs is where the others' misfit and the priors have their least:
@@ -66,7 +74,7 @@ void foretell(const machine::RotationOrder& order, const std::vector<measure::Ru
 
   Objective objective(order, runs, fit.unknowns, fitted_with.objective);
   objective.set_noise(fit.noise);
-  const LeftBefore before = left_at_start(objective, fit);
+  const Left before = left_at_start(objective, fit);
   const std::vector<RunEquations> equations = objective.equations(fit.values, true);
   const auto size = static_cast<Eigen::Index>(fit.unknowns.size());
   std::vector<Eigen::MatrixXd> information(static_cast<std::size_t>(count), Eigen::MatrixXd::Zero(size, size));
@@ -81,18 +89,22 @@ void foretell(const machine::RotationOrder& order, const std::vector<measure::Ru
   }
   Eigen::VectorXd scales(size);
   for (Eigen::Index i = 0; i < size; ++i) scales[i] = fit.unknowns[static_cast<std::size_t>(i)].scale;
-  MeanSquare radial;
-  MeanSquare torque;
+  Left left;
+  Left doubt;  // how far off the fit to the others must expect to be, being unsure of its unknowns
   for (int pose = 0; pose < count; ++pose) {
     const auto k = static_cast<std::size_t>(pose);
-    const Eigen::VectorXd step =
-        scales.cwiseProduct((all - information[k]).completeOrthogonalDecomposition().solve(gradient[k]));
+    const auto others = (all - information[k]).completeOrthogonalDecomposition();
+    const Eigen::VectorXd step = scales.cwiseProduct(others.solve(gradient[k]));
+    const Eigen::MatrixXd spread = scales.asDiagonal() * root_of(others.pseudoInverse());
     for (std::size_t i = 0; i < runs.size(); ++i) {
-      if (poses[i] == pose) add_left(equations[i], equations[i].residual - equations[i].slopes * step, radial, torque);
+      if (poses[i] != pose) continue;
+      add_left(equations[i], equations[i].residual - equations[i].slopes * step, left.radial, left.torque);
+      add_left(equations[i], equations[i].slopes * spread, doubt.radial, doubt.torque);
     }
   }
-  found.radial = {before.radial.root(), radial.root(), radial.count};
-  found.torque = {before.torque.root(), torque.root(), torque.count};
+  const auto columns = std::sqrt(static_cast<double>(size));  // doubt is summed over them, not averaged
+  found.radial = {before.radial.root(), left.radial.root(), columns * doubt.radial.root(), left.radial.count};
+  found.torque = {before.torque.root(), left.torque.root(), columns * doubt.torque.root(), left.torque.count};
 }
 
 std::string strain_text(const Fit& fit, const std::vector<Strain>& strained) {
@@ -144,10 +156,9 @@ std::string objection(const Fit& fit, const Plausibility& plausible, const Plaus
         "a fit to the other circles leaves {:.3g} {} of {} on those that it did not see, and the model as given {:.3g}",
         of.after / unit, unit_name, what, of.before / unit);
   };
-  if (plausible.radial.worse(options.worse_times, options.least_radial))
+  if (plausible.radial.worse(options, options.least_radial))
     return worse(plausible.radial, kUm, "the bar's readings", "um");
-  if (plausible.torque.worse(options.worse_times, options.least_torque))
-    return worse(plausible.torque, 1, "the torques", "N m");
+  if (plausible.torque.worse(options, options.least_torque)) return worse(plausible.torque, 1, "the torques", "N m");
   return {};
 }
 

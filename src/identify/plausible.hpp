@@ -2,6 +2,7 @@
 // foretells worse than the model it began with.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,11 @@ struct PlausibleOptions {
   double most_sigmas = 6;       // that one unknown may be off from what was known of it
   double most_sigmas_all = 5;   // standard deviations of chi-square that all of them together may be
   double worse_times = 1.1;     // as far off as the base model may the fit be on circles that it did not see
+  double expected_times = 2;    // as far off as it must expect, unsure of its unknowns as it is, may it be beside that
   double least_radial = 2e-8;   // m; less than that is rounding
   double least_torque = 1e-3;   // N m
   std::size_t least_poses = 3;  // with fewer no pose can be spared
+  bool joints_seen = false;     // a tracker measured where the joints are: that they are far off is what it is for
 };
 
 /// An unknown with a prior, and how many of its sigmas the fit moved it.
@@ -27,9 +30,12 @@ struct Strain {
 /// Rms of readings of one kind that a fit to all other poses leaves, the set-ups fitted, and what the start leaves.
 struct Foretold {
   double before = 0, after = 0;  // m or N m
+  double doubt = 0;              // rms by which `after` is off as a fit to the other poses does not know its unknowns
   Eigen::Index readings = 0;
 
-  bool worse(double times, double least) const { return readings > 0 && after > times * before + least; }
+  bool worse(const PlausibleOptions& than, double least) const {
+    return readings > 0 && after > std::hypot(than.worse_times * before + least, than.expected_times * doubt);
+  }
 };
 
 struct Plausibility {

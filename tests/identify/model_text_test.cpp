@@ -64,9 +64,9 @@ TEST_CASE("effects: known rows get new numbers, new ones are added, what changes
   forces.add("strut-offset");
   parameter(forces, "backlash", "width_um", 2) = 3.5e-6;
   parameter(forces, "level", "tilt_mrad", 1) = -0.123456789e-3;
-  const std::string written = model_text(machine, {forces, {}, "", {"why", ""}});
+  const std::string written = model_text(machine, {forces, {}, "", {"why\nand what else", ""}});
   CHECK(written == replaced(text, "[1, 0, 0, 0, 0, 0]", "[1, 0, 3.5, 0, 0, 0]") +
-                       "\n[[effect]]\nname = \"level\"\ntilt_mrad = [0, -0.123456789]\n\n# why\n#\n");
+                       "\n[[effect]]\nname = \"level\"\ntilt_mrad = [0, -0.123456789]\n\n# why\n# and what else\n#\n");
   const physics::ForceModel again(machine::parse_model(written, "m.toml"));
   CHECK(again.instances().size() == forces.instances().size() - 1);
   for (std::size_t i = 0; i < again.parameters.size(); ++i) CHECK(again.parameters[i] == Approx(forces.parameters[i]));
