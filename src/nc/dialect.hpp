@@ -231,12 +231,12 @@ struct Habits {
   double dwell_p_s = 1;                     // what P of G4 counts
   bool dwell_alone = false;                 // nothing else stands in a block with G4
   bool dwell_moves_nothing = false;         // no axis word does
-  bool dwell_per_minute_only = false;    // G4 under G95 or G93: what F counts then is not known
-  bool h0_is_machine = false;            // G15 H0, G16 H0: machine coordinates
-  double travel_limit_mm = 0;            // a rapid to this or more goes to the end of the axis' travel; 0: none does
-  bool return_levels = false;            // cycles go back to the level of G71 or to R, as M53 and M54 say
-  bool cycle_off_stops_spindle = false;  // G80
-  bool radius_positive = false;          // R of an arc: what less than 0 asks for is not known
+  bool dwell_per_minute_only = false;       // G4 under G95 or G93: what F counts then is not known
+  bool h0_is_machine = false;               // G15 H0, G16 H0: machine coordinates
+  double travel_limit_mm = 0;               // a rapid to this or more goes to the end of the axis' travel; 0: none does
+  bool return_levels = false;               // cycles go back to the level of G71 or to R, as M53 and M54 say
+  bool cycle_off_stops_spindle = false;     // G80
+  bool radius_positive = false;             // R of an arc: what less than 0 asks for is not known
   bool increment_after_shift_unknown =
       false;                              // G91 after TRANS, G55, D1: a setting decides whether it brings the shift
   bool feed_beside_unit_unknown = false;  // G700 F10: which unit the F of that block counts in
