@@ -38,7 +38,8 @@ Pass::Pass(const InputFile& source, const nc::Dialect& dialect, const nc::Progra
       out_(out),
       program_(source, dialect, program),
       form_(form),
-      plain_(dialect, emit.increment_ratio),
+      plain_(dialect),
+      written_(dialect, emit.increment_ratio),
       emitter_(source, dialect, emit, out, form),
       corrector_(model, settings),
       intention_(source, dialect, emit, form == nc::Form::unrolled),
@@ -112,7 +113,7 @@ void Pass::take(const nc::Step& step) {
   const nc::Step* const plain = plain_.plain(step, false);
   if (plain == nullptr) return;
   if (!plain->nurbs_point) return process(*plain);
-  for (const nc::Step* const rest : plain_.moves(*plain)) process(*rest);  // its curve is written out at its end
+  for (const nc::Step* const rest : written_.of(*plain)) process(*rest);  // its curve is written out at its end
 }
 
 void Pass::process(const nc::Step& step) {

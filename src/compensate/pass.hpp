@@ -22,6 +22,7 @@
 #include "nc/emit.hpp"
 #include "nc/plain.hpp"
 #include "nc/program.hpp"
+#include "nc/written_moves.hpp"
 #include "path/curve.hpp"
 #include "path/subdivide.hpp"
 
@@ -98,6 +99,7 @@ class Pass {
   nc::Form form_;
   bool must_unroll_ = false;  // something changes that cannot be put in the place of its block
   nc::PlainSteps plain_;
+  nc::WrittenMoves written_;
   nc::Emitter emitter_;
   Corrector corrector_;
   Intention intention_;

@@ -16,11 +16,17 @@ namespace {
 // The length over which a turn that varies along a hole counts like a shift that does.
 constexpr double kTurnOverMm = 100;
 
+// How many motions of a block of one hole come before those of the hole itself.
+std::size_t way_to_hole(const nc::Step& step) {
+  const nc::Hole& hole = step.holes.front();
+  return step.motions.size() - (hole.end - hole.begin);
+}
+
 }  // namespace
 
 void Pass::process_cycle(const nc::Step& step) {
   const nc::Step& plain = *plain_.plain(step, true);
-  const std::span<const nc::Step* const> moves = plain_.moves(plain);
+  const std::span<const nc::Step* const> moves = written_.of(plain);
   // A cycle that goes on with the words of the one before it, which was written out.
   const bool ended = step.call != nullptr ? step.after->modal_call && !emitter_.control().modal_call
                                           : step.before->motion == nc::MotionMode::cycle &&
@@ -71,7 +77,7 @@ void Pass::refuse_unless_in_place(const nc::Step& step, bool goes_on) const {
     refuse("compensate-cycle", "this cycle goes on from one that is written out as moves",
            "write G80 before it, and state all of its words", place);
   }
-  if (nc::PlainSteps::is_one_hole(step)) return;
+  if (nc::WrittenMoves::is_one_hole(step)) return;
   refuse("compensate-cycle",
          "a cycle that works the spindle is shifted hole by hole, and this block makes several, or counts from the one "
          "before it (G91, K, L)",
@@ -102,7 +108,7 @@ void Pass::find_points(const nc::Step& step) {
 // Corrections from where the hole begins to its bottom. The tool goes down and up: without friction.
 void Pass::hole_points(const nc::Step& step) {
   const nc::Hole& hole = step.holes.front();
-  const nc::Motion& motion = step.motions[hole.begin];
+  const nc::Motion& motion = step.motions[way_to_hole(step)];
   has_position(step, motion.known_before & motion.known_after, true);
   points_.clear();
   for (const AxisWords& words : hole_places(step, hole, motion.to, settings_.step.length_mm)) {
@@ -136,7 +142,7 @@ void Pass::process_hole(const nc::Step& step) {
 
 // The rapids over the hole and down to it, where they are part of its block.
 void Pass::check_way_to_hole(const nc::Step& step, const AxisWords& shift) const {
-  for (std::size_t i = 0; i < step.holes.front().begin; ++i) {
+  for (std::size_t i = 0; i < way_to_hole(step); ++i) {
     const nc::Motion& motion = step.motions[i];
     if (!motion.known_before.contains(writable())) continue;
     const Target from = target_of(step, {motion.from, {}, {}}, std::nullopt);

@@ -7,7 +7,6 @@
 
 #include "base/check.hpp"
 #include "base/number_text.hpp"
-#include "base/units.hpp"
 #include "nc/feed.hpp"
 #include "nc/parser.hpp"
 
@@ -281,9 +280,9 @@ void Emitter::add_offset_shifts(const Step& step) {
   for (const Word& word : step.block->words) {
     const std::optional<Axis> axis = axis_of(word.letter);
     if (!axis || std::abs(shift[*axis]) <= 1e-9) continue;
-    const double per_unit = step.after->inches && !is_rotary(*axis) ? kMmPerInch : 1;
     std::string text;
-    append_word(text, word.letter, planner_.rounded(step, *axis, word.value + shift[*axis] / per_unit), kMostDecimals,
+    append_word(text, word.letter,
+                planner_.rounded(step, *axis, word.value + shift[*axis] / step.after->unit_of(*axis)), kMostDecimals,
                 {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
     editor_.replace(word.span, text);
   }

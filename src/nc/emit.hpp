@@ -46,7 +46,8 @@ struct InlinedFile {
 /// The rules that it keeps are numbered in docs/rewriting.md: 3, 5, 13-19.
 class Emitter {
  public:
-  /// All must outlive it. `source` is the file that the steps come from. Unrolled, the steps are those of PlainSteps.
+  /// All must outlive it. `source` is the file that the steps come from. Unrolled, the steps are those of PlainSteps
+  /// and WrittenMoves.
   Emitter(const InputFile& source, const Dialect& dialect, EmitSettings settings, OutputFile& out,
           Form form = Form::in_text_order);
 
@@ -77,7 +78,7 @@ class Emitter {
   void begin_group(const Step& step);
   void end_group(const Step& step);
 
-  /// A hole of a cycle that stays one (PlainSteps::moves), shifted by `shift` in X, Y and Z, in mm of the work system.
+  /// A hole of a cycle that stays one (WrittenMoves::of), shifted by `shift` in X, Y and Z, in mm of the work system.
   EmittedMove hole(const Step& step, const AxisWords& shift);
 
   /// Passes a block through: no correction. Its axis words are changed only where they tell the control where it

@@ -81,7 +81,7 @@ void append_tool_length(CodeText& text, const Step& step) {
   }
   text.code("tool_length_by_words", std::nullopt);
   for (const Axis axis : kAllAxes) {
-    text.word(letter(axis), length[axis] / (is.inches && !is_rotary(axis) ? kMmPerInch : 1));
+    text.word(letter(axis), length[axis] / is.unit_of(axis));
   }
 }
 

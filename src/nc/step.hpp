@@ -41,6 +41,7 @@ enum class CycleForm : std::uint8_t {
 };
 
 /// One hole of a cycle, in the work system, mm; `first`, `second` and the normal are the axes of its plane.
+/// The motions that it counts are those of the block of the program, also where a block of its own is made of it.
 struct Hole {
   std::size_t approach_begin = 0, approach_end = 0;  // its motions: those to above the hole,
   std::size_t begin = 0, end = 0;                    // and those from R down and back
