@@ -282,8 +282,8 @@ void Emitter::add_offset_shifts(const Step& step) {
     if (!axis || std::abs(shift[*axis]) <= 1e-9) continue;
     std::string text;
     append_word(text, word.letter,
-                planner_.rounded(step, *axis, word.value + shift[*axis] / step.after->unit_of(*axis)), kMostDecimals,
-                {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
+                planner_.offset_word(step, *axis, word.value + shift[*axis] / step.after->unit_of(*axis)),
+                kMostDecimals, {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
     editor_.replace(word.span, text);
   }
 }

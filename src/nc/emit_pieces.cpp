@@ -163,6 +163,12 @@ double PiecePlanner::rounded(const Step& step, Axis axis, double value) const {
   return from_ticks(to_ticks(std::round(value / g.quantum) * g.quantum, g.digits), g.digits);
 }
 
+double PiecePlanner::offset_word(const Step& step, Axis axis, double value) const {
+  if (dialect_.habits.keeps_increment) return rounded(step, axis, value);
+  check_word(step, value);
+  return value;
+}
+
 std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
                                     std::optional<double> seconds, OutputState& control) {
   const Motion& motion = step.motions.front();

@@ -63,6 +63,8 @@ class PiecePlanner {
 
   /// A word of the program's unit as it can be written and kept.
   double rounded(const Step& step, Axis axis, double value) const;
+  /// A word that says where the axis stands: what is rounded away there would be an offset from then on.
+  double offset_word(const Step& step, Axis axis, double value) const;
 
   /// The pieces of a move; control is left as after the last of them. Pieces in which nothing moves are joined.
   std::span<Piece> plan(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,

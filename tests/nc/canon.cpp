@@ -148,10 +148,9 @@ bool near(const AxisWords& a, const AxisWords& b, double mm, double deg) {
 
 bool same_arc(const Arc& a, const Arc& b, double mm) {
   if (a.plane != b.plane || a.turns != b.turns) return false;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (std::abs(a.centre_mm[i] - b.centre_mm[i]) > mm) return false;
-  }
-  return true;
+  const PlaneAxes axes = axes_of(a.plane);  // along the normal it is where the arc begins
+  return std::abs(a.centre_mm[index(axes.first)] - b.centre_mm[index(axes.first)]) <= mm &&
+         std::abs(a.centre_mm[index(axes.second)] - b.centre_mm[index(axes.second)]) <= mm;
 }
 
 bool same(const Motion& ours, const CanonMotion& theirs, double tolerance) {

@@ -218,3 +218,10 @@ TEST_CASE("a block that grows over the control's line is refused") {
   const std::string comment(242, 'c');
   CHECK_THROWS_AS(rewrite("G0 X1 (" + comment + ")\n", lift(0.0123)), Refusal);
 }
+
+TEST_CASE("a word that says where an axis stands keeps the offset that the original gives, to all its decimals") {
+  // the control stands on four decimals then, the offset of the original has five and more
+  CHECK(rewrite("G0 Z1.23456\nG92 Z5.123456\n", lift(0.01)) == "(stamped)\nG0 Z1.24456\nG92 Z5.133456\n");
+  CHECK(rewrite("G21 G0 Z25.4\nG20\nG92 Z2.5\n", lift(0.01)).ends_with("G92 Z2.500393701\n"));
+  CHECK(rewrite("G0 Z1\nG10 L20 P1 Z.0123456\n", lift(0.01)).ends_with("Z0.0223456\n"));
+}

@@ -1,0 +1,121 @@
+// What the generators of all dialects share: where the axes stand, how numbers are spelled, how a block is put
+// together.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drawn/drawn_program.hpp"
+#include "drawn/draws.hpp"
+#include "nc/motion.hpp"
+
+namespace plumbline::drawn {
+
+enum class Feeds : std::uint8_t { inverse_time, per_minute, per_revolution };
+
+/// A number as it is written, and what it is worth.
+struct Spelled {
+  std::string text;
+  double value = 0;
+};
+
+/// What a dialect lets a writer write.
+struct Manners {
+  int decimals_mm = 4, decimals_inch = 5, decimals_deg = 4;  // at most, mostly
+  int cut_mm = 9, cut_inch = 9, cut_deg = 9;                 // further ones are not kept
+  int increments_mm = 0, increments_inch = 0,
+      increments_deg = 0;  // decimals that a number without a point has; 0: none
+  bool lower_case = true;
+  bool spaces_inside = false;  // X 1 . 5
+  bool plus = true;
+  std::string_view comment_open = "(", comment_close = ")";
+  bool comment_inside = true;  // between words
+  bool semicolon_comment = true;
+  bool numbers_first = true;  // N before everything
+  int block_delete_percent = 2;
+};
+
+class Writer {
+ public:
+  Writer(std::string_view dialect, std::uint64_t seed, const Scene& scene, const Manners& manners);
+  virtual ~Writer() = default;
+  DrawnProgram write();
+
+ protected:
+  using Words = std::vector<std::string>;
+
+  virtual void head() = 0;   // up to where the axes stand at a known place
+  virtual void piece() = 0;  // a block, or a few
+  virtual void tail() = 0;
+  virtual std::string comment();
+
+  // Spelling
+  double unit() const { return inches_ ? 25.4 : 1; }
+  Spelled spell(double value, int most_decimals, int cut, int increments = 0);
+  Spelled length(double mm);  // value in mm
+  Spelled angle(double deg);
+  virtual std::string expression(Spelled& number);  // an expression of its value; its text as it is
+  std::string joined(Words words);
+  std::string code(char letter, int number);  // G1 or G01
+
+  // Blocks
+  void put(const Words& words);
+  void put_as_it_is(std::string text);
+  void put_lines(std::string text);
+
+  // Places
+  AxisWords to_box(const AxisWords& work) const;
+  AxisWords to_work(const AxisWords& box) const;
+  double target(Axis axis);  // in the work system, within the box
+  std::string axis_word(Axis axis);
+  std::string axis_word_to(Axis axis, double work);
+  Words axes(AxisSet which);
+  AxisSet some(int linear_percent, int rotary_percent);
+  AxisSet used_axes() const { return uses_rotary_ ? AxisSet::all() : AxisSet::linear(); }
+
+  // Motion
+  virtual Words line(bool feeds);
+  virtual Words arc();
+  void feed_word(Words& words);
+  virtual std::string feed_text(double mm_min);
+  virtual std::string radius_word(const std::string& number) { return "R" + number; }
+  virtual std::string turns_word(int turns) { return "P" + std::to_string(turns); }
+  virtual bool has_turns() const { return false; }
+  std::string motion_code(int number);
+  void mixed_in(Words& words);  // words that do not move
+  virtual std::string switch_word() = 0;
+
+  Draws draws_;
+  Manners manners_;
+  DrawnProgram program_;
+
+  // What the control remembers
+  AxisWords at_;           // in the work system
+  bool known_ = false;     // all that is used
+  AxisWords origin_;       // of the work system in the box
+  AxisWords shift_;        // G92, G52: added to the words
+  double turned_deg_ = 0;  // about Z
+  bool inches_ = false;
+  bool incremental_ = false;
+  Feeds feeds_ = Feeds::per_minute;
+  bool feed_stated_ = false;
+  bool spindle_ = false;
+  nc::Plane plane_ = nc::Plane::xy;
+  int motion_ = -1;  // 0 to 3, -1: none
+  bool uses_rotary_ = true;
+  double reach_mm_ = 40, reach_deg_ = 6;
+
+  // How this program is written
+  int spacing_ = 0;  // 0: blanks, 1: none, 2: wild
+  int case_ = 0;     // 0: upper, 1: lower, 2: mixed
+  int numbering_ = 0;
+  int number_ = 0;
+  bool zeros_in_codes_ = false;
+  int expressions_percent_ = 0;
+  std::vector<DrawnBlock> blocks_;
+};
+
+}  // namespace plumbline::drawn
