@@ -70,7 +70,8 @@ bool shows_otherwise(nc::Action action) {
 bool is_mode(nc::Action action) {
   return action == nc::Action::spindle || action == nc::Action::coolant || action == nc::Action::override_switch ||
          action == nc::Action::tool_length || action == nc::Action::tool_length_by_words ||
-         action == nc::Action::tool_length_off || action == nc::Action::speed_word;
+         action == nc::Action::tool_length_off || action == nc::Action::speed_word ||
+         action == nc::Action::suspend_position || action == nc::Action::restore_position;
 }
 
 bool is_axis(char letter) { return axis_of(letter).has_value(); }

@@ -84,6 +84,7 @@ struct Control {
   int nurbs_order = 3;
   AxisWords suspended_g92;                 // what G92.3 brings back
   bool g92_known = false;                  // that: the control keeps it from program to program
+  std::optional<bool> g92_applied;         // the same: whether G92, G52 or G92.3 put it in force
   AxisWords local;                         // G52, TRANS: added to the origin of the work system
   bool local_added = false;                // by ATRANS
   AxisWords local_before_turn;             // G68 changes it, G69 brings it back

@@ -122,7 +122,7 @@ class Emitter {
   void note_entry(const FlowEntry& entry);
   std::string entry_text(const FlowEntry& entry);
   void write_entries();
-  void restore_modes(const Step& step);
+  void restore_modes(const Step& step, bool other_length);
   void restore_switches(const Switches& was, const Switches& is);
   void write_words(const std::string& text);
   void note_cycle_level(const Step& step);

@@ -93,10 +93,10 @@ void Emitter::steer(const Step& step) {
     refuse_block(block, "emit-modes", "this block keeps or restores modes and does something else as well",
                  "put M70 to M73 into a block of its own");
   }
+  const bool other_length = step.frame->tool != tool_;
   note_header(step);
   if (step.entry.kind != FlowEntry::Kind::none) note_entry(step.entry);
-  restore_modes(step);
-  tool_ = step.frame->tool;
+  restore_modes(step, other_length);
 }
 
 // An entry met again before any block was written takes the place of the one before, and of all that is inside it.
@@ -138,10 +138,9 @@ void Emitter::write_words(const std::string& text) {
 
 // What M72 and the end of a subprogram with M73 bring back, said with codes. Units first, since F and G64 P count in
 // them; F behind its mode, which drops it.
-void Emitter::restore_modes(const Step& step) {
+void Emitter::restore_modes(const Step& step, bool other_length) {
   const Modal& was = *step.before;
   const Modal& is = *step.after;
-  const bool tool = step.frame->tool != tool_;
   CodeText modes(codes_, spelling_);
   append_geometry_modes(modes, was, is);
   append_path_control(modes, was, is);
@@ -160,8 +159,10 @@ void Emitter::restore_modes(const Step& step) {
   if (is.switches.spindle != was.switches.spindle) modes.code(codes_.text_of("spindle", is.switches.spindle));
   write_words(modes.take());
   restore_switches(was.switches, is.switches);
-  if (!tool) return;
-  append_tool_length(modes, step);
+  if (other_length) append_tool_length(modes, step);
+  write_words(modes.take());
+  if (!step.g92_restored) return;
+  modes.code(*step.g92_restored ? "restore_position" : "suspend_position", std::nullopt);
   write_words(modes.take());
 }
 

@@ -95,6 +95,8 @@ void go_home(Execution& run, int which);                     // homes.cpp: G28 G
 void store_home(Execution& run, int which);                  // G28.1 G30.1
 void home_or_unit(Execution& run, const Chosen& chosen);     // G20 of the OSP
 void set_tool_length(Execution& run, const Chosen& chosen);  // tools.cpp: G43 G43.1 G43.2 G49
+/// The length of the tool in the spindle (G43 without H), or none (G49), at a block that names neither.
+void restore_tool_length(Execution& run, bool in_force);
 /// Refuses at `word` when the length unit has changed under the tool length in force.
 void check_tool_unit(const Execution& run, const Word& word);
 void set_tool_row(Execution& run);                                   // tool_rows.cpp: G10 L1

@@ -98,6 +98,7 @@ void set_shift_of_g92(Execution& run, const Word& code) {
   }
   control.suspended_g92 = next.g92;
   control.g92_known = true;
+  control.g92_applied = true;
   control.change_frame(next);
 }
 

@@ -137,6 +137,7 @@ void set_position(Execution& run) {
   }
   control.suspended_g92 = control.frame.g92;
   control.g92_known = true;
+  control.g92_applied = true;
   run.step.role = BlockRole::sets_offset;
   run.step.offset_rotation_deg = control.frame.rotation_deg;
 }
@@ -145,12 +146,13 @@ void clear_position(Execution& run, Action action) {
   Control& control = run.control;
   const bool restores = action == Action::restore_position;
   if (restores && !control.g92_known) {
-    run.refuse(run.block->words.front(), codes::kWorkOffsetUnknown,
+    run.refuse(codes::kWorkOffsetUnknown,
                "the control keeps the offset of G92 from programs before, and nobody gave it",
                "write G92 in this program, or give the control's #5211 to #5216: --variables FILE");
   }
   Frame next = control.frame;
   next.g92 = restores ? control.suspended_g92 : AxisWords{};
+  control.g92_applied = restores;
   if (action == Action::clear_position) {
     control.suspended_g92 = AxisWords{};
     control.g92_known = true;

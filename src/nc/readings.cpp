@@ -95,7 +95,7 @@ std::optional<double> Readings::table_value(int number) const {
     return known(home.known, at) ? std::optional(of(home.machine, at)) : std::nullopt;
   }
   if (number < kG92End && !control_.g92_known) return std::nullopt;
-  if (number == kG92InForce) return control_.frame.g92 == AxisWords{} ? 0 : 1;
+  if (number == kG92InForce) return control_.g92_applied.value_or(false) ? 1 : 0;
   if (number < kG92End) return of(control_.suspended_g92, number - kG92InForce - 1);
   if (number == kActiveSystem) return control_.modal.work_system;
   if (number <= kSystemsEnd) {

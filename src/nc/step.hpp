@@ -74,11 +74,12 @@ struct Step {
   AxisSet known;                    // of which this is known
   AxisSet named;                    // axes whose words stand in the block
   BlockRole role = BlockRole::plain;
-  double offset_rotation_deg = 0;  // sets_offset: of the work system that its words are in, active or not
-  bool alarms = false;             // #3000=1: the control stops, and the program ends
-  bool flow = false;               // the line steers the program: an O word, M98, M99 that ends a subprogram
-  FlowEntry entry = {};            // what it enters, if anything
-  bool saves_modes = false;        // M70 to M73: modes are kept or come back
+  double offset_rotation_deg = 0;         // sets_offset: of the work system that its words are in, active or not
+  bool alarms = false;                    // #3000=1: the control stops, and the program ends
+  bool flow = false;                      // the line steers the program: an O word, M98, M99 that ends a subprogram
+  FlowEntry entry = {};                   // what it enters, if anything
+  bool saves_modes = false;               // M70 to M73: modes are kept or come back
+  std::optional<bool> g92_restored = {};  // by that: the shift of G92 came back into force, or went out of it
   CycleForm cycle = CycleForm::none;
   std::span<const Hole> holes = {};  // of a cycle
   const CycleCall* call = nullptr;   // that made its hole

@@ -26,6 +26,14 @@ int tool_number(const Execution& run, const Word& word, std::string_view what) {
   return number;
 }
 
+int tool_in_spindle(const Execution& run, const Word& word) {
+  const int number = run.control.modal.tool_in_spindle;
+  if (number >= 0) return number;
+  if (run.settings.as_with_empty_tables) return 0;
+  run.refuse(word, codes::kToolUnknown, "which tool is in the spindle is not known",
+             "name it with H, or put T and M6 before it");
+}
+
 int tool_of_block(const Execution& run, const Chosen& chosen) {
   const Word* const word = run.words.find('H');
   const int named = word == nullptr ? 0 : tool_number(run, *word, "the number of a tool");
@@ -33,11 +41,7 @@ int tool_of_block(const Execution& run, const Chosen& chosen) {
     return named;  // H0 is the tool in the spindle [LinuxCNC, measured]
   if (word == nullptr && chosen.row->action == Action::tool_length_added) run.need('H', "G43.2");
   if (word == nullptr && run.dialect.habits.offset_numbers_last) run.need('H', run.block->at(chosen.word->span));
-  const int number = run.control.modal.tool_in_spindle;
-  if (number >= 0) return number;
-  if (run.settings.as_with_empty_tables) return 0;
-  run.refuse(*chosen.word, codes::kToolUnknown, "which tool is in the spindle is not known",
-             "name it with H, or put T and M6 before it");
+  return tool_in_spindle(run, *chosen.word);
 }
 
 const Word& word_of_length(const Execution& run, const Chosen& chosen) {
@@ -115,6 +119,18 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
   const bool may_move =
       run.dialect.habits.tool_length_moves && !run.words.has('Z') && !run.settings.as_with_empty_tables;
   if (may_move) control.known.erase(Axis::Z);
+}
+
+void restore_tool_length(Execution& run, bool in_force) {
+  Word block;
+  block.span = {0, static_cast<std::uint32_t>(run.block->text.size())};
+  const Word& word = run.block->words.empty() ? block : run.block->words.front();
+  check_tool_unit(run, word);
+  run.control.modal.tool_of_offset = -1;
+  if (!in_force) return take_offset(run, AxisWords{});
+  const int number = tool_in_spindle(run, word);
+  take_offset(run, needed_offset(run, word, number));
+  if (run.settings.tools.find(number) != nullptr) run.control.modal.tool_of_offset = number;
 }
 
 // D0: no length; D1: that of the tool in the spindle, or of the one that will be.

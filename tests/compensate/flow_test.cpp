@@ -82,6 +82,17 @@ TEST_CASE("modes that come back are written as codes") {
   CHECK(output.find("G17 G91.1\nF300\n") != std::string::npos);
 }
 
+TEST_CASE("lengths, feeds and shifts that come back are written as the control brings them back") {
+  const std::string shifted = check_unrolled(kStart +
+                                             "G92.1\nF123.456\nM70\nG92 X3 Y4\nF5\nG1 X9 Y8\nM72\nG1 X2 Y1\n"
+                                             "M70\nG52 X-4\nM72\nG1 X3\no1 repeat [2]\nG1 X4\no1 endrepeat\nM2\n");
+  CHECK(shifted.find("F123.5\nG92.2\n") != std::string::npos);
+  const std::string restored = check_unrolled(kStart +
+                                              "G92 X1\nM70\nG92.2\nG1 X9 Y8 F77\nM72\nG1 X2 Y1\n"
+                                              "o1 sub\nM73\nG92.2\nG1 X3 F99\no1 endsub\no1 call\nG1 X4\nM2\n");
+  CHECK(restored.find("G92.3\n") != std::string::npos);
+}
+
 TEST_CASE("a program that jumps stays as it is where nothing must change") {
   const std::string text = kStart +
                            "#1=0 (counts)\no1 while [#1 lt 9]\n#1=[#1+1]\nG1 @[#1] ^30 F100\no1 endwhile\n"

@@ -28,14 +28,9 @@ class CanonReader {
       plane_ = arguments.find("XZ") != std::string::npos   ? Plane::zx
                : arguments.find("YZ") != std::string::npos ? Plane::yz
                                                            : Plane::xy;
-    } else if (name == "SET_G5X_OFFSET") {
-      frame_.origin = words(1);
-    } else if (name == "SET_G92_OFFSET") {
-      frame_.g92 = words(0);
-    } else if (name == "SET_XY_ROTATION") {
-      frame_.rotation_deg = numbers_.at(0);
-    } else if (name == "USE_TOOL_LENGTH_OFFSET") {
-      frame_.tool = words(0);
+    } else if (name == "SET_G5X_OFFSET" || name == "SET_G92_OFFSET" || name == "SET_XY_ROTATION" ||
+               name == "USE_TOOL_LENGTH_OFFSET") {
+      change_offset(name);
     } else if (name == "SET_FEED_RATE") {
       feed_ = numbers_.at(0) * unit_;
     } else if (name == "STRAIGHT_TRAVERSE" || name == "STRAIGHT_FEED") {
@@ -76,6 +71,16 @@ class CanonReader {
     AxisWords words;
     for (std::size_t i = 0; i < kAxes; ++i) words.values[i] = numbers_.at(first + i) * (i < 3 ? unit_ : 1);
     return words;
+  }
+
+  // The machine stands still, so that its position gets other words.
+  void change_offset(const std::string& name) {
+    const AxisWords machine = frame_.to_machine(position_);
+    if (name == "SET_G5X_OFFSET") frame_.origin = words(1);
+    if (name == "SET_G92_OFFSET") frame_.g92 = words(0);
+    if (name == "SET_XY_ROTATION") frame_.rotation_deg = numbers_.at(0);
+    if (name == "USE_TOOL_LENGTH_OFFSET") frame_.tool = words(0);
+    position_ = frame_.from_machine(machine);
   }
 
   void add(Motion motion) {
