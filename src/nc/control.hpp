@@ -70,7 +70,8 @@ struct Control {
   Control(const Dialect& dialect, const ProgramSettings& settings);
 
   Modal modal;
-  const CodeRow* motion_row = nullptr;  // of the motion mode in force
+  const CodeRow* motion_row = nullptr;        // of the motion mode in force
+  const CodeRow* row_before_cycle = nullptr;  // of the one before the cycle that is in force
   Frame frame;
   AxisWords position;  // in the active work system
   AxisSet shifted;     // by a change of offsets since their last absolute word

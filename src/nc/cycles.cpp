@@ -386,6 +386,8 @@ void move_in_cycle(Execution& run) {
   const bool stays = (works_spindle(run.motion->value) || dwells) && run.chosen_row(Action::no_hole) == nullptr;
   run.step.cycle = stays ? CycleForm::spindle : CycleForm::moves;
   run.step.holes = run.holes;
+  const bool begins = run.control.modal.motion != MotionMode::cycle;
+  if (begins) run.control.row_before_cycle = run.control.motion_row;
   run.control.motion_row = run.motion;
   run.control.modal.motion = MotionMode::cycle;
   if (run.motion->loses_position) lose_position(run, AxisSet{Axis::X, Axis::Y, Axis::Z});

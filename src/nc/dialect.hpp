@@ -236,6 +236,7 @@ struct Habits {
   double travel_limit_mm = 0;               // a rapid to this or more goes to the end of the axis' travel; 0: none does
   bool return_levels = false;               // cycles go back to the level of G71 or to R, as M53 and M54 say
   bool cycle_off_stops_spindle = false;     // G80
+  bool rapid_behind_cycles = false;         // G80 ends the cycle alone: the G0 from before it is in force again
   bool radius_positive = false;             // R of an arc: what less than 0 asks for is not known
   bool increment_after_shift_unknown =
       false;                              // G91 after TRANS, G55, D1: a setting decides whether it brings the shift

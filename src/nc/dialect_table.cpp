@@ -192,6 +192,7 @@ class TableReader {
     habits.travel_limit_mm = number(from, "travel_limit_mm", 0);
     habits.return_levels = flag(from, "return_levels");
     habits.cycle_off_stops_spindle = flag(from, "cycle_off_stops_spindle");
+    habits.rapid_behind_cycles = flag(from, "rapid_behind_cycles");
     habits.radius_positive = flag(from, "radius_positive");
     habits.dwell_moves_nothing = flag(from, "dwell_moves_nothing");
     habits.dwell_alone = flag(from, "dwell_alone");

@@ -254,8 +254,6 @@ void Interpreter::set_parameter(const Block& block, const Setting& place, int nu
     control_.parameters.set(block.at(block.names[place.name]), value);
   } else if (number == kAlarm && run_.dialect.syntax.statements == Statements::macro_b) {
     control_.ended = run_.step.alarms = true;
-  } else if (value.vacant) {
-    control_.parameters.clear(number);
   } else {
     control_.parameters.set(number, value);
   }

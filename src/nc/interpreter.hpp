@@ -61,6 +61,7 @@ class Interpreter {
   void act(const Chosen& chosen);
   void act_on_position(const Chosen& chosen);
   void act_on_mode(const Chosen& chosen);
+  void end_motion();
   void change_unit(bool inches);
   void set_motion_mode(const CodeRow& row);
   void move();

@@ -164,13 +164,7 @@ void Interpreter::act_on_mode(const Chosen& chosen) {
   switch (chosen.row->action) {
     case Action::motion_off:
       if (run_.dialect.habits.cycle_off_stops_spindle) modal.switches.spindle = 5;
-      if (run_.motion != nullptr || sets_motion(run_)) return;
-      control_.cycle.begun = false;
-      control_.spline_end.reset();
-      modal.motion = MotionMode::none;
-      control_.motion_row = nullptr;
-      control_.motion_off = true;
-      control_.nurbs_ended = false;
+      if (run_.motion == nullptr && !sets_motion(run_)) end_motion();
       return;
     case Action::surface_speed:
       control_.surface_speed = chosen.row->value == 1;
@@ -196,6 +190,17 @@ void Interpreter::act_on_mode(const Chosen& chosen) {
     default:
       return;  // compensation_off, machine_coordinates, no_motion
   }
+}
+
+void Interpreter::end_motion() {
+  Modal& modal = control_.modal;
+  const CodeRow* const goes_on = row_behind_cycle(run_);
+  control_.cycle.begun = false;
+  control_.spline_end.reset();
+  modal.motion = goes_on != nullptr ? MotionMode::rapid : MotionMode::none;
+  control_.motion_row = goes_on;
+  control_.motion_off = true;
+  control_.nurbs_ended = false;
 }
 
 // The feed stays what it is in mm/min; F of a rotary move stays what was written [LinuxCNC, measured].

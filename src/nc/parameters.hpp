@@ -37,8 +37,6 @@ class Parameters {
   void set(std::string_view name, Value value);
   /// True if a subprogram that has ended, or a caller, set a name of its own that is called so.
   bool was_local_elsewhere(std::string_view name);
-  /// Nobody gave it a value any more.
-  void clear(int number) { numbered_[static_cast<std::size_t>(number)] = {}; }
   /// A subprogram begins: the names that do not begin with _ are its own; so are #1..#30 if `numbers` (then all zero).
   void enter(bool numbers);
   /// The same with #1..#`count`, which begin without a value.

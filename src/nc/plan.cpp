@@ -311,7 +311,7 @@ void find_motion(Execution& run) {
     return;
   }
   if (takers.other != nullptr || takers.tool_length) return;
-  const CodeRow* const mode = takers.turns_off ? nullptr : run.control.motion_row;
+  const CodeRow* const mode = takers.turns_off ? row_behind_cycle(run) : run.control.motion_row;
   const bool centre = is_arc(mode) && (run.words.letters() & kCentreBits) != 0;
   if (run.axes.empty() && !centre) return;
   if (mode == nullptr) {

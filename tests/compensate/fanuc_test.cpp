@@ -50,6 +50,23 @@ TEST_CASE("a rigid tap keeps its words, its blocks and its mode at every hole") 
             "X[-0-9. YZR]+\nG98 Y[-0-9. XZR]+ \\(last\\)\nG80$"));
 }
 
+TEST_CASE("behind a cycle that became moves, the G0 that goes on is in force again") {
+  const Job job = fanuc();
+  for (const std::string cycle :
+       {"G81 X5. Y5. Z-8. R1. F200.", "G85 X5. Y5. Z-8. R1. F200.", "G83 X5. Z-8. R1. Q3. F9."}) {
+    for (const std::string behind : {"Z60.", "X9. Y9.", "M8\nY3.\nZ60."}) {
+      const std::string text = kHead + "G99 " + cycle + "\nX25.\nG80\n" + behind + "\nG1 X8. F100.\nM30\n";
+      const std::string out = run(text, job).text;
+      INFO(out);
+      CHECK(play(text, out, job).at_points_um <= 2);
+      // G85 comes back at feed, the others at rapid.
+      CHECK(has(out, "^G80\n(M8\n)?G0 [XYZ]") == cycle.starts_with("G85"));
+    }
+    const std::string beside = kHead + "G98 " + cycle + "\nG80 Z60.\nX9.\nM30\n";
+    CHECK(play(beside, run(beside, job).text, job).at_points_um <= 2);
+  }
+}
+
 TEST_CASE("left-hand taps and bores that work the spindle stay one block a hole, other words in it") {
   const Job job = fanuc();
   for (const char* const cycle : {"G74", "G86", "G84"}) {

@@ -88,7 +88,7 @@ TEST_CASE("lengths, feeds and shifts that come back are written as the control b
                                              "M70\nG52 X-4\nM72\nG1 X3\no1 repeat [2]\nG1 X4\no1 endrepeat\nM2\n");
   CHECK(shifted.find("F123.5\nG92.2\n") != std::string::npos);
   const std::string restored = check_unrolled(kStart +
-                                              "G92 X1\nM70\nG92.2\nG1 X9 Y8 F77\nM72\nG1 X2 Y1\n"
+                                              "F50\nG92 X1\nM70\nG92.2\nG1 X9 Y8 F77\nM72\nG1 X2 Y1\n"
                                               "o1 sub\nM73\nG92.2\nG1 X3 F99\no1 endsub\no1 call\nG1 X4\nM2\n");
   CHECK(restored.find("G92.3\n") != std::string::npos);
 }
