@@ -76,7 +76,7 @@ class HeadReader {
       if (close != std::string_view::npos) head_.program = upper_without_blanks(line_.substr(at_, close + 1 - at_));
       return;
     }
-    if (next_is('O')) {
+    if (next_is('O') || next_is(':')) {  // :1234, as ISO tapes have it
       ++at_;
       blanks();
       if (!at_end() && is_digit(line_[at_])) head_.program = canonical_program(digits());

@@ -115,9 +115,10 @@ void set_table(Execution& run) {
     case 10:
     case 11:
       return set_tool_row_here(run, table == 11);
-    case 0:
-      run.refuse(word, codes::kNotInterpreted, "G10 L0 reads the control's tool table anew, which is not interpreted",
-                 "leave it out where the table did not change, or write the lengths with G10 L1");
+    case 0:  // the table is read anew, and is the one that --tools gives
+      if (run.control.modal.tool_in_spindle <= 0) return;
+      run.refuse(word, codes::kNotInterpreted, "the control stops at G10 L0 while a tool is in the spindle",
+                 "leave it out, or put it before T and M6, or behind T0 M6");
     default:
       run.refuse(word, codes::kOutOfRange, fmt::format("there is no G10 L{}", table), "write L1, L2, L10, L11 or L20");
   }

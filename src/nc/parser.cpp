@@ -64,10 +64,10 @@ void Parser::parse(Block& block) {
     }
     take(lex_item);
   }
-  const bool named = syntax_->statements == Statements::macro_b && *token_.begin == '<';
-  if (named && token_.kind != TokenKind::end && program_name()) return;
+  const bool macro_b = syntax_->statements == Statements::macro_b;
+  if (macro_b && token_.kind != TokenKind::end && (program_name() || iso_program_number())) return;
   if (token_.letter == 'O' && (token_.kind == TokenKind::word || token_.kind == TokenKind::letter)) return flow();
-  if (token_.kind == TokenKind::letter && syntax_->statements == Statements::macro_b && macro_statement()) return;
+  if (token_.kind == TokenKind::letter && macro_b && macro_statement()) return;
   items();
 }
 

@@ -47,6 +47,7 @@ class Parser {
   // Macro B: parser_macro.cpp
   void skip_level();
   bool program_name();
+  bool iso_program_number();
   bool macro_statement();
   void macro_condition();
   void macro_label();

@@ -13,6 +13,7 @@ void Parser::skip_level() {
 
 // <PART-1>: the name of a program, where O1234 may stand.
 bool Parser::program_name() {
+  if (*token_.begin != '<') return false;
   const Span open = span_of(token_);
   const std::size_t close = block_->text.find('>', open.begin);
   if (close == std::string_view::npos) return false;
@@ -20,6 +21,21 @@ bool Parser::program_name() {
   block_->flow.word = FlowWord::program;
   block_->flow.span = {open.begin, static_cast<std::uint32_t>(close + 1)};
   at_ = block_->text.data() + close + 1;
+  end_of_statement();
+  return true;
+}
+
+// :1234 in place of O1234, as ISO tapes have it.
+bool Parser::iso_program_number() {
+  if (*token_.begin != ':') return false;
+  const std::size_t begin = span_of(token_).begin;
+  std::size_t end = begin + 1;
+  while (end < block_->text.size() && is_digit(block_->text[end])) ++end;
+  if (end == begin + 1) return false;
+  block_->flow = Flow{};
+  block_->flow.word = FlowWord::program;
+  block_->flow.span = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+  at_ = block_->text.data() + end;
   end_of_statement();
   return true;
 }
