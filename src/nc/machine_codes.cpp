@@ -44,7 +44,11 @@ void read_input(Execution& run) {
   if (wait != 0 && run.need('Q', "M66 with L").value <= 0) {
     run.refuse(*timeout, codes::kOutOfRange, "M66 would wait for no time at all", "write the seconds to wait at most");
   }
-  run.control.parameters.set(kInputResult, {0, false});
+  // rs274, which has no inputs, leaves what is there.
+  Parameters& parameters = run.control.parameters;
+  const double there = parameters.has(kInputResult) ? parameters.get(kInputResult).number : 0;
+  const double reads = digital != nullptr && there != 0 ? 1 : there;
+  parameters.set(kInputResult, {reads, run.settings.as_with_empty_tables});
 }
 
 void switch_coolant(Switches& switches, int code) {

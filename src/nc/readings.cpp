@@ -165,6 +165,16 @@ Value Readings::read(const Block& block, int number, Span span) {
             "set it in the program before, or give the control's variables: --variables FILE");
 }
 
+// The control makes a name, with 0, where it reads it in front of a "=": the first #<i>=[#<i>+1] sets 1
+// [interp_read.cc].
+bool Readings::is_made(const Block& block, std::string_view plain, Span span) {
+  for (const Setting& setting : block.settings) {
+    if (setting.target != kLiteral || setting.span.begin >= span.begin) continue;
+    if (std::string(control_.parameters.plain(block.at(block.names[setting.name]))) == plain) return true;
+  }
+  return false;
+}
+
 Value Readings::read(const Block& block, std::string_view name, Span span) {
   if (const Value* value = control_.parameters.find(name)) return *value;
   if (dialect_.syntax.statements == Statements::user_task) return {0, true, true};  // EMPTY
@@ -176,6 +186,7 @@ Value Readings::read(const Block& block, std::string_view name, Span span) {
   if (const std::optional<Value> value = predefined(control_, settings_, plain)) return *value;
   if (plain == "_line") return {static_cast<double>(block.line), settings_.as_with_empty_tables};  // of the text
   if (plain == "_call_level") return {static_cast<double>(control_.parameters.depth()), true};
+  if (is_made(block, plain, span) && (!plain.starts_with('_') || settings_.as_with_empty_tables)) return {0, true};
   if (control_.parameters.was_local_elsewhere(plain)) {
     refuse_at(
         block, span, codes::kParameterUnset,

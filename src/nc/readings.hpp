@@ -26,6 +26,7 @@ class Readings : public ParameterReader {
   std::optional<double> table_value(int number) const;
   Value read_macro_variable(const Block& block, int number, Span span) const;
   Value unset(const Block& block, Span span) const;
+  bool is_made(const Block& block, std::string_view plain, Span span);
   Control& control_;
   const ProgramSettings& settings_;
   const Dialect& dialect_;
