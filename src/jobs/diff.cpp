@@ -2,6 +2,7 @@
 
 #include "jobs/diff_align.hpp"
 #include "jobs/program_dialect.hpp"
+#include "jobs/program_text.hpp"
 
 namespace plumbline::jobs {
 bool DiffSummary::equal_within(double tolerance_mm, double tolerance_deg) const {
@@ -18,6 +19,7 @@ DiffSummary diff_files(const std::string& a, const std::string& b, const Options
   const InputFile file_a(a);
   const InputFile file_b(b);
   const nc::Dialect& dialect = dialect_of(options, file_a);
+  refuse_unless_program_text(file_b);
   MoveReader moves_a(file_a, dialect, settings);
   MoveReader moves_b(file_b, dialect, settings);
   Aligner aligner(moves_a, moves_b);

@@ -7,22 +7,16 @@ namespace plumbline::jobs {
 namespace {
 
 // All in mm and deg together, as distance() counts.
-constexpr double kSlack = 0.1;         // what the shift may change along a move: friction turns at corners
-constexpr double kLengthShare = 0.1;   // of a move's length, likewise
-constexpr double kFirstShift = 2;      // before anything was matched, and of rapids
-constexpr double kRapidShare = 0.01;   // of a rapid's length
-constexpr double kTimeShare = 0.0015;  // of a move's time, that its pieces may differ from it
-constexpr double kVanishes = 0.002;    // a move shorter than that may have no counterpart: its end rounds to its start
+constexpr std::size_t kLookAhead = 6;  // moves of A that decide between candidates
+constexpr double kClear = 1;     // a candidate that costs no more, and others more than twice that more, is the one
+constexpr double kNoWayOn = 30;  // a move without a candidate
 constexpr std::array kWaysBack{1e-5, 0.02, 0.1};  // how near two ends must be to go on from there, the best first
 constexpr std::size_t kWindow = 32;               // moves of each program in which a way back is sought
 constexpr int kProjections = 2;                   // Newton steps onto a curve
 constexpr double kProbe = 1e-4;                   // fraction of a curve
 constexpr double kShortest = 1e-9;                // mm and deg, that a projection divides by
+constexpr double kNoWay = 1e-9;                   // mm and deg: of a move whose end rounds to its start
 constexpr double kLeastSeconds = 1e-6;            // of a move whose change of time is a share
-
-bool numbers_differ(const DiffMove& a, const DiffMove& b) {
-  return !a.number.empty() && !b.number.empty() && a.number != b.number;
-}
 
 double dot(const AxisWords& a, const AxisWords& b) {
   double sum = 0;
@@ -60,122 +54,62 @@ bool Aligner::next() {
     if (more) leave_out(0, 1);
     return more;
   }
-  if (!(move->cuts() ? align_cut(*move) : align_rapid(*move))) find_way_back();
+  if (!align(*move)) find_way_back();
   return true;
 }
 
-bool Aligner::corresponds(const DiffMove& move, std::size_t ahead) {
-  const DiffMove* const other = b_.peek(ahead);
-  return other != nullptr && other->kind == move.kind && other->in_machine_coordinates == move.in_machine_coordinates &&
-         !numbers_differ(move, *other);
+// Where both stand, once `i` moves of A and `j` of B were matched from here on.
+Standing Aligner::standing(std::size_t i, std::size_t j) {
+  Standing there{at_b_, shift_, has_shift_ || i > 0};
+  if (j > 0) there.b = b_.peek(j - 1)->end;
+  if (i > 0) there.shift = there.b - a_.peek(i - 1)->end;
+  return there;
 }
 
-// One to one, except that either side may have a tiny move more: a cycle that begins where the tool already stands has
-// no way there, and some micrometres of way where the one side was moved. The nearest end decides.
-bool Aligner::align_rapid(const DiffMove& move) {
-  const AxisWords wanted = move.end + shift_;
-  double nearest = kFirstShift + kRapidShare * move.length;
-  std::optional<std::size_t> count;
-  const auto consider = [&](std::size_t moves, const AxisWords& end) {
-    const double off = distance(end, wanted);
-    if (off > nearest || (count && off == nearest)) return;
-    nearest = off;
-    count = moves;
-  };
-  const bool is_tiny = move.length <= kSlack;
-  const bool goes_on = corresponds(move, 0);
-  const bool other_is_tiny = goes_on && b_.peek(0)->length <= kSlack;
-  if (goes_on) consider(1, b_.peek(0)->end);
-  if (other_is_tiny && !is_tiny && corresponds(move, 1)) consider(2, b_.peek(1)->end);
-  if (is_tiny && !other_is_tiny && has_shift_) consider(0, at_b_);
-  if (!count) return false;
-  found_.assign(1, (*count == 0 ? at_b_ : b_.peek(*count - 1)->end) - move.end);
-  take_match(move, *count);
-  return true;
-}
-
-bool Aligner::align_cut(const DiffMove& move) {
-  std::optional<std::size_t> count = count_by_number(move);
-  if (!count) count = count_by_time(move);
-  if (!count) count = count_by_distance(move);
-  if (!count || !lies_along(move, *count)) return false;
-  take_match(move, *count);
-  return true;
-}
-
-double Aligner::slack(const DiffMove& move) const {
-  return kSlack + kLengthShare * move.length + (has_shift_ ? 0 : kFirstShift);
-}
-
-// The piece that would be the `count`th of a move; null where the move must have ended.
-const DiffMove* Aligner::piece(const DiffMove& move, std::size_t count) {
-  const DiffMove* const next = b_.peek(count - 1);
-  if (next == nullptr || !next->cuts()) return nullptr;
-  if (count > 1 && !next->number.empty()) return nullptr;  // N stays on the first piece
-  return count == 1 && numbers_differ(move, *next) ? nullptr : next;
-}
-
-// Numbered moves end where the next number stands.
-std::optional<std::size_t> Aligner::count_by_number(const DiffMove& move) {
-  const DiffMove* const next = a_.peek(1);
-  if (move.number.empty() || (next != nullptr && next->cuts() && next->number.empty())) return std::nullopt;
-  const DiffMove* const first = b_.peek(0);
-  if (first == nullptr || first->number != move.number) return std::nullopt;
-  std::size_t count = 0;
-  while (piece(move, count + 1) != nullptr) ++count;
-  const bool ends_there = count > 0 && distance(b_.peek(count - 1)->end, move.end + shift_) <= slack(move);
-  return ends_there ? std::optional(count) : std::nullopt;
-}
-
-// Pieces take the time of the move together. Of several that come near, the one that ends where it should.
-std::optional<std::size_t> Aligner::count_by_time(const DiffMove& move) {
-  const double seconds = move.seconds.value_or(0);
-  if (seconds <= 0) return std::nullopt;
-  std::optional<std::size_t> best;
-  double nearest = slack(move);
-  double gone = 0;
-  for (std::size_t k = 1; gone < (1 + kTimeShare) * seconds; ++k) {
-    const DiffMove* const next = piece(move, k);
-    if (next == nullptr || !next->seconds) break;
-    gone += *next->seconds;
-    const double off = distance(next->end, move.end + shift_);
-    if (std::abs(gone / seconds - 1) > kTimeShare || off > nearest) continue;
-    nearest = off;
-    best = k;
+// What the next moves cost at least.
+double Aligner::cost_ahead(std::size_t i, std::size_t j, std::size_t depth) {
+  if (a_.peek(i) == nullptr) return b_.peek(j) == nullptr ? 0 : kNoWayOn;
+  if (depth == 0) return 0;
+  if (const auto known = ahead_.find({i, j}); known != ahead_.end()) return known->second;
+  double least = kNoWayOn * static_cast<double>(depth);
+  for (const Candidate& candidate : candidates_.of(i, j, standing(i, j))) {
+    if (candidate.cost >= least) break;
+    least = std::min(least, candidate.cost + cost_ahead(i + 1, j + candidate.count, depth - 1));
   }
-  return best;
+  ahead_.emplace(std::pair(i, j), least);
+  return least;
 }
 
-// Pieces are as long as the move together; the one that ends nearest to where the move should is its last.
-std::optional<std::size_t> Aligner::count_by_distance(const DiffMove& move) {
-  const AxisWords wanted = move.end + shift_;
-  std::optional<std::size_t> best;
-  double nearest = slack(move);
-  double gone = 0;
-  for (std::size_t k = 1; gone <= move.length + slack(move); ++k) {
-    const DiffMove* const next = piece(move, k);
-    if (next == nullptr) break;
-    gone += next->length;
-    const double off = distance(next->end, wanted);
-    if (std::abs(gone - move.length) > slack(move) || off >= nearest) continue;
-    nearest = off;
-    best = k;
+// Where several ends of B may be that of the move, the one from which the moves behind it go on best.
+bool Aligner::align(const DiffMove& move) {
+  std::vector<Candidate> candidates = candidates_.of(0, 0, standing(0, 0));
+  const bool is_clear = !candidates.empty() && candidates.front().cost <= kClear &&
+                        (candidates.size() == 1 || candidates[1].cost > candidates[0].cost + 2 * kClear);
+  if (!is_clear && candidates.size() > 1) {
+    ahead_.clear();
+    for (Candidate& candidate : candidates) candidate.cost += cost_ahead(1, candidate.count, kLookAhead);
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
   }
-  const bool may_vanish = has_shift_ && move.length <= kVanishes && distance(at_b_, wanted) < nearest;
-  return may_vanish ? std::optional<std::size_t>(0) : best;
+  for (const Candidate& candidate : candidates) {
+    if (!lies_along(move, candidate.count)) continue;
+    take_match(move, candidate.count);
+    return true;
+  }
+  return false;
 }
 
 // Works out the shifts along the move; false where B leaves it.
 bool Aligner::lies_along(const DiffMove& move, std::size_t count) {
   const AxisWords from = has_shift_ ? shift_ : AxisWords{};
   const AxisWords to = (count == 0 ? at_b_ : b_.peek(count - 1)->end) - move.end;
-  const double allowed = slack(move);
+  const double allowed = Candidates::slack(move, has_shift_);
   found_.clear();
   const auto take = [&](const AxisWords& point, double fraction) {
     found_.push_back(shift_at(move, point, fraction, from, to));
     return distance(found_.back(), between(from, to, fraction)) <= allowed;
   };
-  if (count == 1) {
+  if (count == 1 && move.cuts()) {
     const DiffMove& other = *b_.peek(0);
     const bool is_straight = move.kind != nc::MotionKind::arc && other.kind != nc::MotionKind::arc;
     for (const double fraction : {0.25, 0.5, 0.75}) {
@@ -264,15 +198,18 @@ void Aligner::note_shift(const AxisWords& shift, std::size_t line_a, std::size_t
 
 void Aligner::note_time(const DiffMove& move, std::size_t count) {
   double after = 0;
+  double way = 0;
   bool is_known = move.seconds.has_value();
   for (std::size_t k = 0; k < count; ++k) {
     is_known = is_known && b_.peek(k)->seconds.has_value();
     after += b_.peek(k)->seconds.value_or(0);
+    way += b_.peek(k)->length;
   }
   const double before = move.seconds.value_or(0);
   summary_.seconds_a += before;
   summary_.seconds_b += after;
-  if (is_known && before > kLeastSeconds) summary_.time_change.take(std::abs(after / before - 1), move.line);
+  if (is_known && way > kNoWay && before > kLeastSeconds)
+    summary_.time_change.take(std::abs(after / before - 1), move.line);
 }
 
 DiffSummary Aligner::take() {

@@ -1,17 +1,19 @@
 // Which moves of one program correspond to which of another.
 #pragma once
 
-#include <optional>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "jobs/diff.hpp"
+#include "jobs/diff_candidates.hpp"
 #include "jobs/diff_moves.hpp"
 
 namespace plumbline::jobs {
 
 class Aligner {
  public:
-  Aligner(MoveReader& a, MoveReader& b) : a_(a), b_(b) {}
+  Aligner(MoveReader& a, MoveReader& b) : a_(a), b_(b), candidates_(a, b) {}
 
   /// Handles the next moves of both programs; false when both have ended.
   bool next();
@@ -19,14 +21,9 @@ class Aligner {
   DiffSummary take();
 
  private:
-  bool align_rapid(const DiffMove& move);
-  bool corresponds(const DiffMove& move, std::size_t ahead);
-  bool align_cut(const DiffMove& move);
-  double slack(const DiffMove& move) const;
-  const DiffMove* piece(const DiffMove& move, std::size_t count);
-  std::optional<std::size_t> count_by_number(const DiffMove& move);
-  std::optional<std::size_t> count_by_time(const DiffMove& move);
-  std::optional<std::size_t> count_by_distance(const DiffMove& move);
+  bool align(const DiffMove& move);
+  Standing standing(std::size_t i, std::size_t j);
+  double cost_ahead(std::size_t i, std::size_t j, std::size_t depth);
   bool lies_along(const DiffMove& move, std::size_t count);
   void take_match(const DiffMove& move, std::size_t count);
   void find_way_back();
@@ -37,6 +34,8 @@ class Aligner {
 
   MoveReader& a_;
   MoveReader& b_;
+  Candidates candidates_;
+  std::map<std::pair<std::size_t, std::size_t>, double> ahead_;  // costs that were worked out
   DiffSummary summary_;
   AxisWords shift_;               // of B against A where the last moves ended
   bool has_shift_ = false;        // some moves were matched

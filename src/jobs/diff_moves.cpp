@@ -1,5 +1,6 @@
 #include "jobs/diff_moves.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/check.hpp"
@@ -9,6 +10,14 @@ namespace plumbline::jobs {
 namespace {
 
 double turn_deg(const AxisWords& delta) { return std::hypot(delta[Axis::A], delta[Axis::B], delta[Axis::C]); }
+
+bool states_code(const nc::Block& block, const nc::Dialect& dialect) {
+  return std::any_of(block.words.begin(), block.words.end(), [&](const nc::Word& word) {
+    const nc::CodeRow* const row = nc::is_code(word) ? dialect.row_of(word) : nullptr;
+    return row != nullptr && (row->action == nc::Action::rapid || row->action == nc::Action::feed ||
+                              row->action == nc::Action::arc_cw || row->action == nc::Action::arc_ccw);
+  });
+}
 
 DiffMove move_of(const nc::Step& step, const nc::Motion& motion, const nc::Dialect& dialect) {
   const path::Curve curve(motion);
@@ -22,6 +31,7 @@ DiffMove move_of(const nc::Step& step, const nc::Motion& motion, const nc::Diale
                 *step.frame,
                 curve};
   if (motion.feed_mode == nc::FeedMode::per_revolution) move.seconds.reset();
+  if (step.motions.size() == 1) move.states_code = states_code(*step.block, dialect);
   return move;
 }
 

@@ -21,7 +21,8 @@ struct DiffMove {
   double length = 0;              // mm of path and deg of turn together
   std::optional<double> seconds;  // rapids and G95: not known
   nc::Frame frame;
-  path::Curve curve;  // in the work system
+  path::Curve curve;                  // in the work system
+  std::optional<bool> states_code{};  // the block says how it moves: G1; nothing: one of several moves of a block
 
   bool cuts() const { return kind == nc::MotionKind::feed || kind == nc::MotionKind::arc; }
   /// The point at a fraction of the move, in W.

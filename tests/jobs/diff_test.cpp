@@ -44,11 +44,13 @@ std::string winding(bool numbered) {
   return text;
 }
 
-std::string compensated(const testing::Scratch& scratch, const std::string& program, double step_mm = 1) {
+std::string compensated(const testing::Scratch& scratch, const std::string& program, double step_mm = 1,
+                        double step_deg = 0.1) {
   jobs::Options options;
   options.model = testing::source_file("models/pm600-like.toml");
   options.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   options.compensation.step.length_mm = step_mm;
+  options.compensation.step.angle_deg = step_deg;
   jobs::compensate_file(scratch.file("in.ngc", program), scratch.path("out.ngc"), options);
   return scratch.text("out.ngc");
 }
@@ -186,7 +188,7 @@ TEST_CASE("programs that have nothing in common end all the same") {
   const DiffSummary s = diff_of(a, b);
   CHECK(s.matched + s.out_of_line_a == s.moves_a);
   CHECK(s.out_of_line_a > 190);
-  CHECK(diff_of(a, "").out_of_line_a == 201);
+  CHECK(diff_of(a, "(nothing)\n").out_of_line_a == 201);
   CHECK(diff_of("(nothing)\n", a).out_of_line_b == 201);
 }
 
@@ -210,4 +212,46 @@ TEST_CASE("a diff is JSON for scripts") {
 TEST_CASE("a change of time is no share of nothing") {
   CHECK(jobs::diff_text(diff_of("G0 X1\n", "G1 F60 X1\n")).find("0.00 s in A, 1.00 s in B\n") != std::string::npos);
   CHECK(jobs::diff_text(diff_of("G1 F60 X1\n", "G1 F30 X1\n")).find("(+100.000 %)") != std::string::npos);
+}
+
+TEST_CASE("neither program may be empty, or no text") {
+  const std::string program = "G0 X1 Y2\n";
+  const std::string binary(
+      "\x7f"
+      "ELF\x01\x01\0\0\0\0\0\0",
+      12);
+  const auto code = [](const std::string& a, const std::string& b) {
+    try {
+      diff_of(a, b);
+    } catch (const Refusal& refusal) {
+      return refusal.diagnostic().code + " " + std::string(1, refusal.diagnostic().place.file.end()[-5]);
+    }
+    return std::string();
+  };
+  CHECK(code("", program) == "file-empty a");
+  CHECK(code(program, "") == "file-empty b");
+  CHECK(code(program, binary) == "file-not-text b");
+  CHECK(code(binary, program) == "file-not-text a");
+}
+
+// Ends lie nearer together there than a friction turn moves them: time and what follows tell which is which.
+TEST_CASE("tiny circles, tiny moves in front of long ones and last pieces beyond an end are aligned") {
+  const std::string head = "G21 G90 G94 G54 G17\nG0 X0 Y0 Z3 A0 B0 C0\n";
+  for (const char* const moves :
+       {"G1 X20 Y5 F800\nG3 I0.00112 J0.0007\nG2 I0.01735 J-0.009 F57\nG1 X1 Y7\nG1 X1.0005 Y7.0004\n",
+        "G2 I0.21 J0.05 F98.4\nG1 X0.0004 F40\nG1 X0.0007 Y0.0005 A0.0004\nG3 I-7.8 J6.3 F900\nG3 I0.0024 J0.0013\n",
+        "G1 X5.0005 F300\nG1 X5 Y0.0006\nG1 X4.9996\nG2 X4.9998 Y0.0009 R0.0105 F10.6\nG1 Y-9 Z-2\n",
+        "G1 A4 B-3 F700\nG1 A4.0007\nG1 X0.0003 A4.0009 F20\nG2 X0.2 Y0.1 R-0.15\nG1 X0.2003\nG0 Z9\n"}) {
+    for (const double step_deg : {0.1, 1.0, 5.0}) {
+      INFO(moves << step_deg);
+      const testing::Scratch scratch;
+      const std::string source = head + moves + "M2\n";
+      const DiffSummary s = diff_of(source, compensated(scratch, source, 1, step_deg));
+      CHECK(s.out_of_line_a == 0);
+      CHECK(s.out_of_line_b == 0);
+      CHECK(s.matched == s.moves_a);
+      CHECK(s.time_change.value <= 0.0016);
+      for (const Axis axis : kAllAxes) CHECK(s.shift[index(axis)].largest < 0.06);
+    }
+  }
 }
