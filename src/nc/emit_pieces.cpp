@@ -17,7 +17,7 @@ namespace {
 constexpr double kAlikeSpeeds = 0.02;  // pieces of a block whose speeds differ less share one F
 constexpr double kLargestWord = 1e6;   // with nine decimals this still is exact in a double
 constexpr double kArcStart = 1e-7;     // mm
-constexpr double kSamePlace = 1e-9;    // deg
+constexpr double kSamePlace = 1e-9;    // mm and deg
 constexpr double kSameFeed = 1e-12;    // relative
 constexpr double kLeastFeed = 1e-6;
 constexpr double kLargestFeed = 1e12;
@@ -113,7 +113,23 @@ bool PiecePlanner::stays(const Step& step, std::span<const CorrectedPoint> point
       if (std::abs(point.shift[axis]) >= half) return false;
     }
   }
-  return true;
+  return keeps_time(step, standing);
+}
+
+// A cut whose start was rounded to another place is longer or shorter: one of some micrometres needs another F.
+bool PiecePlanner::keeps_time(const Step& step, const AxisWords& standing) const {
+  const Motion& motion = step.motions.front();
+  if (motion.kind != MotionKind::feed || motion.feed_mode == FeedMode::inverse_time) return true;
+  AxisWords off;
+  for (const Axis axis : kAllAxes) {
+    if (motion.known_before.contains(axis) && !depends_on_start(step, axis)) off[axis] = standing[axis];
+  }
+  const AxisWords way = motion.to - motion.from;
+  const auto length = [&](const AxisWords& d) {
+    return feed_length(distance_mm(d, {}), d, motion.feed_rule, motion.mm_per_unit).value_or(0);
+  };
+  const double before = length(way);
+  return before <= kSamePlace || !differs(length(way - off), before, settings_.time_tolerance);
 }
 
 // Its absolute words are counted from where it stands.
@@ -251,7 +267,9 @@ Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point,
     if (endless && known && end < at[axis] && within_one_turn(end) == 0) end += g.quantum;
     if (endless) piece.endless.insert(axis);
     piece.value[axis] = value;
-    if (!known || std::abs(end - at[axis]) > kMoves * g.quantum * g.per_unit) {
+    // A word that stands there is written as it is kept now, though the axis was left with more digits.
+    const bool says = first && !endless && !step.after->incremental && step.named.contains(axis) && end != at[axis];
+    if (!known || says || std::abs(end - at[axis]) > kMoves * g.quantum * g.per_unit) {
       if (endless) piece.value[axis] = endless_word(step, axis, end, known ? std::optional(at[axis]) : std::nullopt);
       piece.moved.insert(axis);
       at[axis] = end;

@@ -83,6 +83,7 @@ class PiecePlanner {
     double quantum;  // of what the control keeps, in the program's unit
   };
   Grid grid(const Step& step, Axis axis) const;
+  bool keeps_time(const Step& step, const AxisWords& standing) const;
   static bool counts_turns(const Step& step, Axis axis);
   static bool depends_on_start(const Step& step, Axis axis);
   double endless_word(const Step& step, Axis axis, double to, std::optional<double> from) const;
