@@ -13,6 +13,7 @@ inline constexpr double kMmPerInch = 25.4;                // exact by definition
 inline constexpr double kDeg = std::numbers::pi / 180.0;  // rad per degree
 inline constexpr double kMrad = 1e-3;                     // rad per milliradian
 inline constexpr double kUrad = 1e-6;                     // rad per microradian
+inline constexpr double kMs = 1e-3;                       // s per millisecond
 inline constexpr double kMinute = 60.0;                   // s per minute
 inline constexpr double kMmPerMin = kMm / kMinute;        // m/s per mm/min
 inline constexpr double kStandardGravity = 9.80665;       // m/s^2, CGPM 1901

@@ -76,8 +76,18 @@ bool is_mode(nc::Action action) {
 
 bool is_axis(char letter) { return axis_of(letter).has_value(); }
 
-void append_words(const nc::Block& block, const nc::CodeRow& row, BlockEffect& effect) {
+bool has_action(const nc::Block& block, const nc::Dialect& dialect, nc::Action action) {
+  return std::any_of(block.words.begin(), block.words.end(), [&](const nc::Word& word) {
+    const nc::CodeRow* const row = nc::is_code(word) ? dialect.row_of(word) : nullptr;
+    return row != nullptr && row->action == action;
+  });
+}
+
+// P and L beside a call are the call's.
+void append_words(const nc::Block& block, const nc::Dialect& dialect, const nc::CodeRow& row, BlockEffect& effect) {
+  const bool calls = has_action(block, dialect, nc::Action::call_program);
   for (const nc::Word& word : block.words) {
+    if (calls && (word.letter == 'P' || word.letter == 'L')) continue;
     if (nc::is_code(word) || is_axis(word.letter) || row.words.find(word.letter) == std::string::npos) continue;
     effect.words.emplace_back(word.letter, word.unknown ? 0 : word.value);
   }
@@ -99,7 +109,7 @@ void append_code(const nc::Word& word, const nc::Step& step, const nc::Dialect& 
   effect.is_mode = is_mode(row->action);
   effect.turn = row->step;
   effect.behind_motion = row->order == nc::Order::after_motion;
-  append_words(block, *row, effect);
+  append_words(block, dialect, *row, effect);
   effects.push_back(std::move(effect));
 }
 
@@ -121,6 +131,14 @@ bool alike(const AxisWords& a, const AxisWords& b) {
 
 }  // namespace
 
+bool acts_beside_flow(const nc::Step& step, const nc::Dialect& dialect) {
+  if (!step.flow) return false;
+  std::vector<BlockEffect> effects;
+  append_effects(step, dialect, effects);
+  return !step.motions.empty() ||
+         std::any_of(effects.begin(), effects.end(), [](const BlockEffect& effect) { return !effect.is_comment; });
+}
+
 void append_effects(const nc::Step& step, const nc::Dialect& dialect, std::vector<BlockEffect>& effects) {
   const nc::Block& block = *step.block;
   for (const nc::Comment& comment : block.comments) {
@@ -128,6 +146,7 @@ void append_effects(const nc::Step& step, const nc::Dialect& dialect, std::vecto
   }
   const auto first = static_cast<std::ptrdiff_t>(effects.size());
   if (block.kind == nc::LineKind::percent) effects.push_back({.text = "%"});
+  if (has_action(block, dialect, nc::Action::call_macro)) return;  // its words are the macro's
   for (const nc::Word& word : block.words) {
     if (nc::is_code(word)) {
       append_code(word, step, dialect, effects);

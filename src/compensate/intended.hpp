@@ -39,6 +39,7 @@ struct IntendedMove {
   std::size_t points = 0;         // at least one
   AxisSet loose;                  // axes that get no word: they stand where they stood
   AxisWords tolerance;            // half of what the control keeps, mm and deg
+  AxisWords digit, increment;     // of its words, in the program's unit: 0.0001; what the control keeps, or 0
   std::optional<double> seconds;  // that it shall take; revolutions under G95
   bool counts = true;             // its time is in the summary
   bool corrected = false;         // its points are in the summary

@@ -67,8 +67,7 @@ void Intention::begin(const nc::Step& original) {
 }
 
 // What the control keeps of a word of this block, half of it: nothing nearer can be written.
-AxisWords Intention::tolerance_of(const nc::Step& step) const {
-  AxisWords tolerance;
+void Intention::note_kept(const nc::Step& step, IntendedMove& move) const {
   for (const Axis axis : kAllAxes) {
     const nc::Word* const word = nc::find_word(*step.block, letter(axis));
     const int written = word != nullptr ? word->decimals : 0;
@@ -81,9 +80,11 @@ AxisWords Intention::tolerance_of(const nc::Step& step) const {
     const double increment =
         std::max((is_rotary(axis) ? emit_.increment_deg : emit_.increment_mm) / unit, control.quantum);
     const double kept = increment > digit * 1.000001 ? increment + digit : digit;
-    tolerance[axis] = kept * unit / 2 + kNoRounding;
+    move.tolerance[axis] = kept * unit / 2 + kNoRounding;
+    const bool is_cut_off = written > control.decimals;  // such a word may stand as it is
+    move.digit[axis] = is_cut_off ? std::pow(10, -written) : digit;
+    move.increment[axis] = is_cut_off ? 0 : increment;
   }
-  return tolerance;
 }
 
 IntendedMove& Intention::add(const nc::Motion& motion, IntendedMove::Form form) {
@@ -124,7 +125,7 @@ void Intention::keep(const nc::Step& step, bool counts, std::optional<double> se
     if (motion.kind != nc::MotionKind::dwell) move_away(step, motion, i + 1 == step.motions.size());
     IntendedMove& move = add(motion, IntendedMove::Form::kept);
     move.points = 1;
-    move.tolerance = tolerance_of(step);
+    note_kept(step, move);
     move.counts = counts && !motion.in_machine_coordinates;
     if (seconds) {
       move.seconds = seconds;
@@ -142,7 +143,7 @@ void Intention::divide(const nc::Step& step, std::span<const nc::CorrectedPoint>
   IntendedMove& move = add(motion, IntendedMove::Form::pieces);
   move.points = points.size();
   move.loose = AxisSet::all() - writable;
-  move.tolerance = tolerance_of(step);
+  note_kept(step, move);
   move.seconds = seconds;
   move.corrected = true;
   for (const nc::CorrectedPoint& point : points) {
@@ -177,7 +178,7 @@ void Intention::shift(const nc::Step& hole, const AxisWords& by) {
     IntendedMove& move = add(motion, IntendedMove::Form::kept);
     move.points = 1;
     move.corrected = true;
-    move.tolerance = tolerance_of(hole);
+    note_kept(hole, move);
     if (is_cut(motion.kind)) move.seconds = path::duration(motion, path::Curve(motion), dialect_);
     const AxisWords away = nc::turned_about_z(work, hole.frame->rotation_deg);
     batch_.points.push_back(motion.machine + away);

@@ -41,7 +41,7 @@ class Intention {
   }
 
  private:
-  AxisWords tolerance_of(const nc::Step& step) const;
+  void note_kept(const nc::Step& step, IntendedMove& move) const;
   IntendedMove& add(const nc::Motion& motion, IntendedMove::Form form);
   AxisWords work_shift(const nc::Frame& frame) const;
   void move_away(const nc::Step& step, const nc::Motion& motion, bool last);

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "base/files.hpp"
+#include "compensate/effect_check.hpp"
 #include "compensate/intended.hpp"
 #include "compensate/intention.hpp"
+#include "compensate/move_check.hpp"
 #include "compensate/summary.hpp"
 #include "nc/dialect.hpp"
 #include "nc/emit_pieces.hpp"
@@ -34,23 +36,8 @@ class OutputCheck {
   const nc::Step* next();
   bool is_stamp();
   void take_step();
-  bool is_ours(const BlockEffect& effect) const;
-  void take_effect(const BlockEffect& effect);
   void check_turn(const BlockEffect& effect);
-  void take_motion(const nc::Motion& motion);
-  bool take_kept(const IntendedMove& meant, const nc::Motion& motion);
-  bool take_piece(const IntendedMove& meant, const nc::Motion& motion);
-  void go_to(const nc::Motion& motion);
-  void spend(const nc::Motion& motion);
-  void note_point(const IntendedMove& meant, const AxisWords& wanted, const nc::Motion& motion);
-  bool is_at(const AxisWords& point, const AxisWords& read, const IntendedMove& move, bool has_words) const;
-  bool is_reached(const IntendedMove& move, std::size_t point) const;
-  bool may_finish(const IntendedMove& meant) const;
-  void finish_move();
-  void leave_move();
-  void check_time(const IntendedMove& meant);
   void finish_block();
-  std::string what_differs(const nc::Motion& motion) const;
   [[noreturn]] void differ(std::string what) const;
   std::string line_at(const std::string& file, std::uint64_t offset) const;
 
@@ -59,31 +46,23 @@ class OutputCheck {
   const nc::ProgramSettings& settings_;
   const nc::EmitSettings& emit_;
   nc::Program program_;
-  bool unrolled_;
 
   // The block of the original in hand
   const IntendedBatch* batch_ = nullptr;
   const IntendedBlock* block_ = nullptr;
-  std::size_t move_ = 0, last_move_ = 0;
-  std::size_t effect_ = 0, last_effect_ = 0;
-  std::size_t point_ = 0;  // of the move, the next to be reached
-  double spent_ = 0;       // time of its pieces
-  double length_ = 0;      // and way, mm and deg
   std::size_t steps_ = 0;  // blocks of the output for it
   std::size_t numbers_ = 0;
-  bool has_moved_ = false;
-  bool stops_ = false;  // exactly, at the end of the last piece
 
   // Where the output was read to
   const nc::Step* step_ = nullptr;
   std::uint64_t read_to_ = 0;
-  AxisWords stands_;  // the control's display
-  AxisSet stands_known_;
   std::size_t stamp_ = 0, guard_ = 0;  // lines of them that were read
   std::size_t output_line_ = 0;
   std::string output_text_;  // where it could not be read
   std::vector<BlockEffect> read_effects_;
   ReadBackFigures figures_;
+  EffectCheck effects_;
+  MoveCheck moves_;
 };
 
 }  // namespace plumbline::compensate

@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/units.hpp"
+#include "compensate/block_effects.hpp"
 #include "compensate/figures.hpp"
 #include "compensate/guard.hpp"
 #include "compensate/stamp_mark.hpp"
@@ -108,12 +109,20 @@ void Pass::take(const nc::Step& step) {
            "look at the condition: with the offsets and variables given here it holds",
            place_of(*step.block, step.block->file));
   }
-  if (step.flow && !step.motions.empty()) process(*plain_.without_call(step));
-  if (step.flow || step.saves_modes) return emitter_.steer(step);
+  if (step.flow || step.saves_modes) return steer(step);
   const nc::Step* const plain = plain_.plain(step, false);
   if (plain == nullptr) return;
   if (!plain->nurbs_point) return process(*plain);
   for (const nc::Step* const rest : written_.of(*plain)) process(*rest);  // its curve is written out at its end
+}
+
+// What stands beside a call comes before it, and so do comments.
+void Pass::steer(const nc::Step& step) {
+  const bool acts = acts_beside_flow(step, dialect_);
+  if (const nc::Step* const rest = plain_.beside_flow(step, acts)) process(*rest);
+  nc::Step steering = step;
+  if (acts && step.entry.kind != nc::FlowEntry::Kind::none) steering.before = step.after;  // that is done
+  emitter_.steer(steering);
 }
 
 void Pass::process(const nc::Step& step) {
@@ -295,6 +304,7 @@ void Pass::correct_feed(const nc::Step& step) {
   const AxisWords begin = motion.from + emitter_.control().work_shift(*step.frame);
   const nc::EmittedMove move = write_move(step, duration);
   follow_cut(step, curve, begin, move.changed, seconds);
+  if (move.changed && seconds) note_short_pieces(step, *seconds);
   note_move(step, move, seconds);
 }
 

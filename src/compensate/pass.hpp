@@ -59,6 +59,7 @@ class Pass {
   void process(const nc::Step& step);
   void process_cycle(const nc::Step& step);
   bool cycle_stays(const nc::Step& step, std::span<const nc::Step* const> moves);
+  void steer(const nc::Step& step);
   void process_synchronised(const nc::Step& step);
   void process_hole(const nc::Step& step);
   void hole_points(const nc::Step& step);
@@ -85,6 +86,8 @@ class Pass {
   Target target_of(const nc::Step& step, const path::CurvePoint& point, std::optional<double> seconds) const;
   nc::CorrectedPoint corrected_point(const nc::Step& step, const Target& target, const AxisWords& words);
   void note_widened(const nc::Step& step, const path::Curve& curve, std::optional<double> seconds);
+  void note_short_pieces(const nc::Step& step, double seconds);
+  void warn_of_short_pieces();
   void note_point(const nc::Step& step, const nc::CorrectedPoint& point);
   void note_move(const nc::Step& step, const nc::EmittedMove& move, std::optional<double> seconds);
   void note_end(const nc::Step& step, const Target& target);

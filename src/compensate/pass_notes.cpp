@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint64_t kReplayAll = 256;   // corrected moves at the begin
 constexpr std::uint64_t kReplayEvery = 16;  // behind them
+constexpr double kAlmost = 1 - 1e-6;        // pieces of exactly the time are not below it
 constexpr double kOffsetProbeMm = 1;
 constexpr double kLeastDriftMm = 1e-5;  // in an hour
 
@@ -41,6 +42,51 @@ void Pass::note_widened(const nc::Step& step, const path::Curve& curve, std::opt
     summary_.widening_mm.take(length_mm(off), line);
     begin = end;
   }
+}
+
+void Pass::note_short_pieces(const nc::Step& step, double seconds) {
+  const std::span<const nc::Piece> pieces = emitter_.pieces().pieces();
+  const double block_time = settings_.step.least_time_s;
+  ShortPieces& found = summary_.short_pieces;
+  for (const nc::Piece& piece : pieces) {
+    const double lasts = piece.share * seconds;
+    const bool below_1_ms = lasts < kMs * kAlmost;
+    const bool below_block_time = lasts < block_time * kAlmost;
+    if (!below_1_ms && !below_block_time) continue;
+    if (below_1_ms) ++found.below_1_ms;
+    if (below_block_time) ++found.below_block_time;
+    if (pieces.size() == 1) ++found.whole_blocks;
+    if (lasts >= found.least_s) continue;
+    found.least_s = lasts;
+    found.line = step.block->line;
+  }
+}
+
+// A stated block time says what the control takes; a millisecond is what most take.
+void Pass::warn_of_short_pieces() {
+  const ShortPieces& found = summary_.short_pieces;
+  const double block_time = settings_.step.least_time_s;
+  const std::uint64_t count = block_time > 0 ? found.below_block_time : found.below_1_ms;
+  if (count == 0) return;
+  Place place;
+  place.file = source_.name();
+  place.line = found.line;
+  const std::string limit =
+      block_time > 0
+          ? fmt::format("the {:.4g} ms that the model gives as the control's time for a block", block_time / kMs)
+          : "1 ms";
+  const bool own = found.whole_blocks >= count;
+  summary_.warnings.push_back({"compensate-short-pieces",
+                               fmt::format("{} of the output {} shorter than {}, the shortest {:.3g} ms",
+                                           count == 1 ? "a piece" : fmt::format("{} pieces", count),
+                                           count == 1 ? "is" : "are", limit, found.least_s / kMs),
+                               own ? "the program's own blocks are that short: a control that reads blocks more slowly "
+                                     "slows down there, with and "
+                                     "without the correction"
+                                   : "a control that reads blocks more slowly slows down there: take larger steps "
+                                     "(--step-length, --step-angle), "
+                                     "or state block_time_ms in [control] of the model",
+                               std::move(place), Severity::warning});
 }
 
 void Pass::note_point(const nc::Step& step, const nc::CorrectedPoint& point) {
@@ -157,6 +203,7 @@ Summary Pass::summary() {
   }
   summary_.assumed_at_zero = pose_.assumed();
   warn_of_no_end();
+  warn_of_short_pieces();
   warn_of_silent_effects();
   for (const auto& [tool, place] : massless_tools_) {
     const std::optional<double> per_kg = sample_ ? corrector_.error_per_kg_mm(*sample_) : std::nullopt;

@@ -37,6 +37,15 @@ struct ReadBackFigures {
   Worst rounding_mm;                // of a point against what was asked
 };
 
+/// Pieces that a control may not read fast enough.
+struct ShortPieces {
+  std::uint64_t below_1_ms = 0;
+  std::uint64_t below_block_time = 0;  // that the model states
+  std::uint64_t whole_blocks = 0;      // of these: the block of the program itself is as short
+  double least_s = std::numeric_limits<double>::infinity();
+  std::size_t line = 0;  // of the shortest
+};
+
 struct Summary {
   std::uint64_t blocks = 0;  // of the program
   std::uint64_t moves = 0;   // that were corrected or found to need no correction
@@ -57,6 +66,7 @@ struct Summary {
   std::uint64_t widened_blocks = 0;  // whose pieces the control's block time made longer
   Worst widened_step_mm;
   Worst widening_mm;  // that the tip leaves its path by between the points of such blocks
+  ShortPieces short_pieces;
   double offset_shift_for_1um_mm = std::numeric_limits<double>::infinity();  // of the work offset, that costs 1 um
   std::optional<AxisWords> zero_error;  // dT at the first cutting block: what a work offset probed there holds already
   std::size_t zero_error_line = 0;

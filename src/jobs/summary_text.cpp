@@ -82,6 +82,19 @@ void add_quality(TextTable& table, const Summary& s) {
   }
 }
 
+void add_short_pieces(TextTable& table, const Summary& s) {
+  const compensate::ShortPieces& found = s.short_pieces;
+  if (found.below_1_ms == 0 && found.below_block_time == 0) return;
+  std::string counts = fmt::format("{} below 1 ms", count_text(found.below_1_ms));
+  if (found.below_block_time > 0) {
+    counts += fmt::format(", {} below the control's block time", count_text(found.below_block_time));
+  }
+  table.add("short pieces",
+            fmt::format("{}, the shortest {:.3g} ms{}", counts, found.least_s / kMs, at_line(found.line)));
+  if (found.whole_blocks > 0)
+    table.add("", fmt::format("{} of them as short in the program itself", count_text(found.whole_blocks)));
+}
+
 void add_offsets(TextTable& table, const Summary& s, const Options& options) {
   if (std::isfinite(s.offset_shift_for_1um_mm)) {
     table.add("work offset", fmt::format("good to {:.3g} mm: that much off costs 1 um", s.offset_shift_for_1um_mm));
@@ -127,6 +140,15 @@ Json axis_values(const AxisWords& words) {
   return json;
 }
 
+Json short_pieces_json(const compensate::ShortPieces& found) {
+  const bool any = found.line > 0;
+  return {{"below_1_ms", found.below_1_ms},
+          {"below_block_time", found.below_block_time},
+          {"whole_blocks", found.whole_blocks},
+          {"shortest_ms", any ? Json(found.least_s / kMs) : Json()},
+          {"line", any ? Json(found.line) : Json()}};
+}
+
 Json read_back_json(const Summary& s) {
   if (!s.read_back) return {};
   return {{"blocks", s.read_back->blocks},
@@ -151,6 +173,7 @@ std::string summary_text(const Summary& summary, const Options& options) {
     add_corrections(table, summary);
     add_time(table, summary);
     add_quality(table, summary);
+    add_short_pieces(table, summary);
     add_offsets(table, summary, options);
   }
   add_read_back(table, summary);
@@ -193,6 +216,7 @@ std::string summary_json(const Summary& s, const Options& options) {
       {"widened_blocks", s.widened_blocks},
       {"widest_step_mm", s.widened_blocks > 0 ? worst(s.widened_step_mm) : Json()},
       {"widening_cost_um", s.widened_blocks > 0 ? worst(s.widening_mm, kUmPerMm) : Json()},
+      {"short_pieces", short_pieces_json(s.short_pieces)},
       {"offset_shift_for_1um_mm", std::isfinite(s.offset_shift_for_1um_mm) ? Json(s.offset_shift_for_1um_mm) : Json()},
       {"zero_error", s.zero_error ? axis_values(*s.zero_error) : Json()},
       {"zero_error_line", s.zero_error ? Json(s.zero_error_line) : Json()},

@@ -15,6 +15,8 @@ constexpr double kWholeCode = 1e-9;  // how far G54 may be from a whole number
 
 bool is_polar(const Word& word) { return word.letter == '@' || word.letter == '^'; }
 
+constexpr std::string_view kWordsOfCall = "PL";
+
 // Active comments that show parameters, which a program without parameters has not.
 bool shows_parameters(std::string_view comment) {
   std::string text;
@@ -113,7 +115,7 @@ std::string PlainSteps::with_value(std::string_view text, const Word& word) cons
   return name_end == 0 ? value : std::string(text.substr(0, equals + 1)) + value.substr(1);
 }
 
-void PlainSteps::write_values(const Step& step, bool keeps_settings) {
+void PlainSteps::write_values(const Step& step, bool keeps_settings, std::string_view without) {
   bool end_written = false;
   for (const Span& span : step.block->left_out) editor_.replace(span, "");
   for (const Argument& argument : step.block->arguments) {
@@ -123,6 +125,7 @@ void PlainSteps::write_values(const Step& step, bool keeps_settings) {
     editor_.replace(argument.span, text);
   }
   for (const Word& word : step.block->words) {
+    if (without.find(word.letter) != std::string_view::npos) continue;
     if (is_polar(word) && step.cycle == CycleForm::none) {
       write_polar_end(step, end_written, word.span);
     } else if (word.expression != kLiteral && !word.unknown) {
@@ -158,25 +161,42 @@ void PlainSteps::defuse_comments(const Block& block) {
   }
 }
 
-const Step* PlainSteps::without_call(const Step& step) {
+const Step* PlainSteps::beside_flow(const Step& step, bool acts) {
   const Block& block = *step.block;
+  if (!acts && block.comments.empty()) return nullptr;
   made_.clear();
+  MadeStep& own = made_.next(step);
+  if (acts) {
+    write_without_call(step, own.text);
+    if (!is_blank(block.text.front())) own.text.erase(0, own.text.find_first_not_of(" \t"));
+  } else {
+    for (const Comment& comment : block.comments) {
+      const std::string_view text = block.at(comment.span);
+      own.text += own.text.empty() ? "" : " ";
+      own.text += shows_parameters(text) ? std::string(text.substr(0, 1)) + "was " + std::string(text.substr(1)) : text;
+    }
+  }
+  own.step = step;
+  own.step.flow = own.step.saves_modes = false;
+  own.step.entry = {};
+  if (!acts) own.step.motions = {};
+  made_.parse(own, step);
+  return &own.step;
+}
+
+// The words of the call are P and L.
+void PlainSteps::write_without_call(const Step& step, std::string& text) {
+  const Block& block = *step.block;
   spelling_ = spelling_of(block, spelling_);
   editor_.start(block, spelling_);
-  write_values(step, false);
+  write_values(step, false, kWordsOfCall);
+  defuse_comments(block);
   for (const Word& word : block.words) {
     const CodeRow* const row = dialect_.row_of(word);
     const bool calls = row != nullptr && (row->action == Action::call_program || row->action == Action::end_program);
-    const bool of_call = (word.letter == 'P' || word.letter == 'L') && word.expression == kLiteral;
-    if (calls || of_call) editor_.replace(word.span, "");
+    if (calls || kWordsOfCall.find(word.letter) != std::string_view::npos) editor_.replace(word.span, "");
   }
-  MadeStep& own = made_.next(step);
-  editor_.apply(own.text);
-  own.step = step;
-  own.step.flow = false;
-  own.step.entry = {};
-  made_.parse(own, step);
-  return &own.step;
+  editor_.apply(text);
 }
 
 }  // namespace plumbline::nc

@@ -25,12 +25,14 @@ class PlainSteps {
   /// knows (emit-value-unknown).
   const Step* plain(const Step& step, bool keeps_settings);
 
-  /// What moves in a block that calls a program as well, or ends one. Holds until the next call.
-  const Step* without_call(const Step& step);
+  /// What else stands in a line that steers: where it `acts`, all but the call or the end of a program, else its
+  /// comments; null if there are none. Holds until the next call.
+  const Step* beside_flow(const Step& step, bool acts);
 
  private:
   std::string with_value(std::string_view text, const Word& word) const;
-  void write_values(const Step& step, bool keeps_settings);
+  void write_values(const Step& step, bool keeps_settings, std::string_view without = {});
+  void write_without_call(const Step& step, std::string& text);
   void write_polar_end(const Step& step, bool& written, Span span);
   void defuse_comments(const Block& block);
   Span label_of(const Block& block) const;

@@ -1,5 +1,9 @@
 // What the summary says is left at the tip, against a dense play of the output.
+#include <cmath>
+#include <random>
+
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include "compensate/dense_play.hpp"
 #include "compensate/random_program.hpp"
@@ -35,6 +39,115 @@ TEST_CASE("what is left between the points is found on arcs, lines, turns and sp
       }
     }
   }
+}
+
+namespace {
+
+// One or two moves of the kind: arcs and helices, turns, splines, lines that turn as well.
+class DrawnMoves {
+ public:
+  explicit DrawnMoves(unsigned seed) : random_(seed) {}
+
+  std::string text() {
+    std::string out =
+        fmt::format("G21 G90 G94 G17\nG0 X{:.1f} Y{:.1f} Z{:.1f} A{:.1f} B{:.1f} C{:.1f}\nG91.1 G1 F{:.0f}\n",
+                    x_ = uniform(-90, 90), y_ = uniform(-90, 90), uniform(-40, 40), uniform(-8, 8), uniform(-8, 8),
+                    uniform(-10, 10), std::pow(10, uniform(2, 3.6)));
+    for (int i = uniform(0, 1) < 0.5 ? 1 : 2; i > 0; --i) out += move() + "\n";
+    return out + "M2\n";
+  }
+
+  Job job() {
+    Job job;
+    job.settings.friction = uniform(0, 1) < 0.7;
+    job.settings.step.angle_deg = std::pow(10, uniform(-0.3, 1.3));
+    job.settings.step.length_mm = std::pow(10, uniform(0.3, 1.5));
+    return job;
+  }
+
+ private:
+  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  std::string rotary() {
+    return fmt::format("A{:.2f} B{:.2f} C{:.2f}", uniform(-9, 9), uniform(-9, 9), uniform(-12, 12));
+  }
+
+  std::string move() {
+    const double kind = uniform(0, 1);
+    const double r = std::pow(10, uniform(0, 1.6));
+    const double at = uniform(0, 6.28);
+    if (kind < 0.4) {
+      std::string words =
+          fmt::format("{} I{:.4f} J{:.4f}", uniform(0, 1) < 0.5 ? "G2" : "G3", r * std::cos(at), r * std::sin(at));
+      if (uniform(0, 1) < 0.4) words += fmt::format(" Z{:.2f}", uniform(-40, 40));
+      if (uniform(0, 1) < 0.4) words += fmt::format(" A{:.2f}", uniform(-9, 9));
+      return words;
+    }
+    if (kind < 0.6) return "G1 " + rotary();
+    const double x = x_ + r * std::cos(at);
+    const double y = y_ + r * std::sin(at);
+    const std::string end = fmt::format("X{:.3f} Y{:.3f}", x, y);
+    std::string words;
+    if (kind < 0.8) {
+      words = "G1 " + end + " " + rotary();
+    } else {
+      words = fmt::format("G5 {} I{:.3f} J{:.3f} P{:.3f} Q{:.3f}", end, uniform(-1, 1) * r, uniform(-1, 1) * r,
+                          uniform(-1, 1) * r, uniform(-1, 1) * r);
+    }
+    x_ = x;
+    y_ = y;
+    return words;
+  }
+
+  std::mt19937_64 random_;
+  double x_ = 0, y_ = 0;
+};
+
+struct Honesty {
+  int moves = 0, off_tip = 0, off_turn = 0;
+  std::uint64_t plays = 0;  // that the summary took
+};
+
+// What is said is within a tenth of what `per_piece` points of each piece find, places and turns.
+Honesty honesty(unsigned first, unsigned last, int per_piece) {
+  Honesty all;
+  for (unsigned seed = first; seed <= last; ++seed) {
+    DrawnMoves drawn(seed);
+    const std::string text = drawn.text();
+    const Job job = drawn.job();
+    const Result result = run(text, job);
+    const DensePlay played = dense_play(text, result.text, job, per_piece);
+    const double tip_um = result.summary.residual_mm.value * 1e3;
+    const double turned_deg = result.summary.residual_deg.value;
+    ++all.moves;
+    all.plays += result.summary.replayed;
+    const bool off_tip = std::abs(tip_um / played.tip_um - 1) > 0.1;
+    const bool off_turn = std::abs(turned_deg / played.turned_deg - 1) > 0.1;
+    if (off_tip) ++all.off_tip;
+    if (off_turn) ++all.off_turn;
+    if (off_tip || off_turn) {
+      WARN("seed " << seed << (job.settings.friction ? " with friction, step " : ", step ")
+                   << job.settings.step.angle_deg << " deg or " << job.settings.step.length_mm << " mm: found "
+                   << played.tip_um << " um, said " << tip_um << "; found " << played.turned_deg << " deg, said "
+                   << turned_deg << "\n"
+                   << text);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("what is left between the points of drawn arcs, turns and splines is said to a tenth, turns too") {
+  const Honesty found = honesty(1, 4, 60);
+  CHECK(found.off_tip == 0);
+  CHECK(found.off_turn == 0);
+}
+
+TEST_CASE("what is left between the points of sixty drawn moves is said to a tenth, turns too", "[.long]") {
+  const Honesty found = honesty(1, 60, 400);
+  WARN(found.plays << " plays for " << found.moves << " programs");
+  CHECK(found.off_tip == 0);
+  CHECK(found.off_turn == 0);
 }
 
 TEST_CASE("what is left between the points of drawn programs is found", "[.long]") {

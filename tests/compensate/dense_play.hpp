@@ -139,13 +139,13 @@ inline DensePlay dense_play(const std::string& original, const std::string& outp
             kUm;
         if (d < off) line = move->move.motion.line;
         off = std::min(off, d);
-        if (k % 10 != 0) continue;
+        if (k % 4 != 0) continue;
         turned = std::min(
             turned, dense::nearest([&](double g) {
                       return machine::logarithm<double>(error.pose.R_WP * pose_of(words(g)).R_WP.transpose()).norm();
                     }) / kDeg);
       }
-      if (k % 10 == 0) played.turned_deg = std::max(played.turned_deg, turned);
+      if (k % 4 == 0) played.turned_deg = std::max(played.turned_deg, turned);
       if (off <= played.tip_um) continue;
       played.tip_um = off;
       played.line = line;

@@ -1,7 +1,10 @@
 // What is read back: an output as it was written is what was meant, and every kind of fault in it is found.
 #include "compensate/read_back.hpp"
 
+#include <filesystem>
+
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include "compensate/output_check.hpp"
 #include "compensate/play.hpp"
@@ -217,4 +220,161 @@ TEST_CASE("the guard is left out of the reading, and counted") {
   const compensate::Summary summary = run(kProgram.substr(0, kProgram.find("G55")) + "M2\n", job).summary;
   REQUIRE(summary.read_back.has_value());
   CHECK(summary.read_back->guard_lines == 4);
+}
+
+TEST_CASE("digits that the control does not keep are found, though the end is the same") {
+  struct Case {
+    Job job;
+    std::string text, word;
+  };
+  Job steps = still();
+  steps.emit.increment_mm = 0.002;
+  Job fanuc = still();
+  fanuc.dialect = "fanuc";
+  const std::string fanuc_text = "O1\nG21 G90 G94 G54\nG0 X0. Y0. Z20. A0. B0. C0.\nN50 G1 X10. Y5. Z1. F600.\nM30\n";
+  const std::string plain = kProgram.substr(0, kProgram.find("M101")) + "M2\n";
+  const std::string turned = "G21 G90 G94 G54\nG0 X0 Y0 Z20 A0 B0 C0\nN50 G1 A4 F300\nM2\n";
+  for (const Case& c : {Case{still(), plain, " X"}, Case{still(), turned, " A"}, Case{fanuc, fanuc_text, " Y"}}) {
+    const Meant meant = compensated(c.text, c.job);
+    const std::size_t begin = meant.output.find(c.word, meant.output.find("N50"));
+    REQUIRE(begin != std::string::npos);
+    const std::size_t end = meant.output.find_first_of(" \n", begin + 1);
+    INFO(meant.output);
+    CHECK(found(meant, c.job, 0, 0, "").empty());
+    const std::string message = found(meant, c.job, end, 0, "001");
+    INFO(message);
+    CHECK(message.find("the control keeps steps of") != std::string::npos);
+  }
+  const Meant meant = compensated(plain, steps);
+  CHECK(found(meant, steps, 0, 0, "").empty());
+  const std::size_t begin = meant.output.find(" X", meant.output.find("N50"));
+  const std::size_t end = meant.output.find_first_of(" \n", begin + 1);
+  CHECK_FALSE(found(meant, steps, end, 0, "1").empty());
+}
+
+TEST_CASE("what stands beside a call is done before it, in an unrolled program too") {
+  const std::string start = "G21 G90 G94 G54\nG0 X0. Y0. Z20. A0. B0. C0.\nS900 M3\n";
+  Job fanuc = still();
+  fanuc.dialect = "fanuc";
+  struct Case {
+    Job job;
+    std::string text, effect, damage;
+  };
+  for (const Case& c :
+       {Case{fanuc, "O1\n" + start + "M98 P7 M8\nM9\nM30\nO7\nG1 X5. F300.\nM99\n", "\nM8\n", "\nM7\n"},
+        Case{fanuc, "O1\n" + start + "S500 M98 P7 L2\nM9\nM30\nO7\nG91 G1 X5. F300.\nG90\nM99\n", "\nS500", "\nS501"},
+        Case{fanuc, "O1\n" + start + "M98 P7 M101\nM9\nM30\nO7\nG1 X5. F300.\nM99\n", "\nM101\n", "\n\n"},
+        Case{fanuc, "O1\n" + start + "#1=7\nM98 P#1 M8 (WET)\nM9\nM30\nO7\nG1 X5. F300.\nM99\n", "\nM8 (WET)\n",
+             "\n(WET)\n"}}) {
+    const Meant meant = compensated(c.text, c.job);
+    INFO(meant.output);
+    REQUIRE(meant.unrolled);
+    CHECK(found(meant, c.job, 0, 0, "").empty());
+    const std::size_t at = meant.output.find(c.effect);
+    REQUIRE(at != std::string::npos);
+    CHECK(meant.output.find(c.effect, at + 1) == std::string::npos);
+    CHECK(at < meant.output.find("G1 X"));
+    CHECK_FALSE(found(meant, c.job, at, c.effect.size(), c.damage).empty());
+  }
+}
+
+TEST_CASE("comments beside lines that steer stay, and their loss is found") {
+  const std::string text =
+      "o<a> sub (drills)\nG91 G1 X5 F500\nG90\no<a> endsub (done)\nG21 G90 G94 G54\nG0 X0 Y0 Z20 A0 B0 C0\no<a> call "
+      "(MSG, first)\no1 repeat [2] (twice)\nG1 Y-2\no1 endrepeat\nM73 (kept)\n#1=3\no2 if [#1 GT 2] (DEBUG, #1)\nG1 "
+      "X0\n"
+      "o2 endif\nM2\n";
+  const Job job = still();
+  const Meant meant = compensated(text.substr(0, text.find("M73")) + text.substr(text.find("#1=3")), job);
+  INFO(meant.output);
+  REQUIRE(meant.unrolled);
+  CHECK(found(meant, job, 0, 0, "").empty());
+  for (const char* const comment : {"(drills)", "(MSG, first)", "(twice)", "(done)", "(was DEBUG, #1)"}) {
+    INFO(comment);
+    const std::size_t at = meant.output.find(comment);
+    REQUIRE(at != std::string::npos);
+    CHECK(found(meant, job, at, std::string(comment).size(), "").find("missing") != std::string::npos);
+  }
+}
+
+TEST_CASE("a difference names both lines, and nothing is written") {
+  const Folder folder;
+  write_text(folder / "program.in", kProgram);
+  const InputFile source(folder / "program.in");
+  const Job job = with_second_system();
+  {
+    OutputFile out(folder / "program.out");
+    compensate::Stream stream(source, nc::dialect(job.dialect), job.program, job.model, job.settings, job.emit, out);
+    stream.show(
+        [](const compensate::IntendedBatch& batch) {  // as if the emitter had written another end than was meant
+          auto& points = const_cast<compensate::IntendedBatch&>(batch).points;
+          if (points.size() > 20) points[20][Axis::X] += 0.01;
+        });
+    try {
+      stream.run();
+      FAIL("it went through");
+    } catch (const Refusal& refusal) {
+      const Diagnostic& said = refusal.diagnostic();
+      INFO(refusal.what());
+      CHECK(said.code == "compensate-read-back");
+      CHECK(said.place.file == source.name());
+      CHECK(said.place.line > 0);
+      CHECK_FALSE(said.place.text.empty());
+      CHECK(said.message.find("of the output:") != std::string::npos);
+      CHECK(said.help.find("nothing was written") != std::string::npos);
+    }
+  }
+  CHECK_FALSE(std::filesystem::exists(folder / "program.out"));
+}
+
+TEST_CASE("called cycles, splines, blocks left out and machine moves of a SINUMERIK are read back") {
+  Job job = still();
+  job.dialect = "siemens";
+  job.program.block_delete = true;
+  const std::string head = "G71 G90 G94 G17 G54\nT3 D1\nG0 X0 Y0 Z20 A0 B0 C0\nS900 M3 F200\n";
+  for (const char* const body :
+       {"MCALL CYCLE81(10,0,2,-8)\nX5 Y5\nX15 M8\nMCALL\nG1 X0 F300\n", "/ G1 X3 F200\nG1 X5 F300\n/ M8\nY6\n",
+        "G1 X5 F300\nSUPA G0 Z-950 D0\nM5\nT3 D1\nG0 X0 Y0 Z20 A0 B0 C0\nG1 Y3 F200\n"}) {
+    const std::string text = head + body + "M30\n";
+    INFO(text);
+    const Meant meant = compensated(text, job);
+    INFO(meant.output);
+    CHECK(meant.output.find("plumbline") != std::string::npos);
+    CHECK(found(meant, job, 0, 0, "").empty());
+    CHECK_FALSE(found(meant, job, "M3", "\nM30", "\nM0").empty());
+  }
+  job.dialect = "linuxcnc";
+  for (const char* const body :
+       {"G5 X8 Y4 I2 J3 P-1 Q2 F400\n", "G5.1 X16 Y0 I8 J12 F300\n", "G1 X3 F300\nG53 G0 Z0\nM5\n"}) {
+    const std::string text = "G21 G90 G94 G17 G54\nG0 X0 Y0 Z20 A0 B0 C0\n" + std::string(body) + "M2\n";
+    const Meant meant = compensated(text, job);
+    INFO(meant.output);
+    CHECK(found(meant, job, 0, 0, "").empty());
+    CHECK_FALSE(found(meant, job, "plumbline", "\nM2", "\nM0").empty());
+  }
+}
+
+TEST_CASE("a program that is refused in its middle leaves nothing, whatever was read back by then") {
+  for (const char* const end : {"G1 X#99\n", "G0 X1 M999\n", "G1 A89 F100\n", "G33 Z-5 K1\n"}) {
+    std::string text = "G21 G90 G94 G17 G54\nG0 X0 Y0 Z20 A0 B0 C0\nF500\n";
+    for (int i = 0; i < 1500; ++i) text += fmt::format("G1 X{} Y{}\n", i % 7, i % 5);
+    const Folder folder;
+    write_text(folder / "program.in", text + end + "M2\n");
+    const InputFile source(folder / "program.in");
+    const Job job = still();
+    {
+      OutputFile out(folder / "program.out");
+      compensate::Stream stream(source, nc::dialect(job.dialect), job.program, job.model, job.settings, job.emit, out);
+      std::string code;
+      try {
+        stream.run();
+      } catch (const Refusal& refusal) {
+        code = refusal.diagnostic().code;
+      }
+      INFO(end);
+      CHECK_FALSE(code.empty());
+      CHECK(code != "compensate-read-back");
+    }
+    CHECK_FALSE(std::filesystem::exists(folder / "program.out"));
+  }
 }

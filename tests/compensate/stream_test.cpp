@@ -1,5 +1,6 @@
 #include "compensate/stream.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -363,4 +364,56 @@ TEST_CASE("a program without an end is warned of") {
   CHECK(codes("o1 sub\n" + moves + "o1 endsub\no1 call\no1 call\nM2\n").empty());
   CHECK(codes(moves) == std::vector<std::string>{"compensate-no-end"});
   CHECK(codes("%\n" + moves) == std::vector<std::string>{"compensate-no-end"});
+}
+
+TEST_CASE("pieces that a control may not read fast enough are counted, and warned of") {
+  const std::string head = "G21 G90 G94 G17\nG0 X0 Y0 Z0 A0 B0 C0\n";
+  const auto found = [&](const std::string& moves, double step_mm, double block_time) {
+    Job job;
+    job.settings.step.length_mm = step_mm;
+    job.settings.step.least_time_s = block_time;
+    return run(head + moves + "M2\n", job).summary;
+  };
+  const auto warned = [](const compensate::Summary& summary) {
+    return std::count_if(summary.warnings.begin(), summary.warnings.end(),
+                         [](const Diagnostic& w) { return w.code == "compensate-short-pieces" && w.place.line > 0; });
+  };
+  const compensate::Summary fine = found("G1 X10 F6000\n", 0.05, 0);  // 0.5 ms each
+  CHECK(fine.short_pieces.below_1_ms == 200);
+  CHECK(fine.short_pieces.below_block_time == 0);
+  CHECK(fine.short_pieces.whole_blocks == 0);
+  CHECK(fine.short_pieces.least_s == Approx(5e-4));
+  CHECK(fine.short_pieces.line == 3);
+  CHECK(warned(fine) == 1);
+  const compensate::Summary coarse = found("G1 X10 F6000\n", 1, 0);
+  CHECK(coarse.short_pieces.below_1_ms == 0);
+  CHECK(warned(coarse) == 0);
+  const compensate::Summary widened = found("G1 X10 F6000\n", 0.05, 2e-3);  // pieces of 2 ms instead
+  CHECK(widened.widened_blocks == 1);
+  CHECK(widened.short_pieces.below_block_time == 0);
+  CHECK(warned(widened) == 0);
+  const compensate::Summary own = found("G1 X0.1 F6000\nX0.2\nG1 Y9 F300\n", 1, 3e-3);  // blocks of 1 ms
+  CHECK(own.short_pieces.below_block_time == 2);
+  CHECK(own.short_pieces.whole_blocks == 2);
+  CHECK(warned(own) == 1);
+  const compensate::Summary quick = found("G1 X10 F6000\n", 0.05, 4e-4);  // a control that takes 0.4 ms
+  CHECK(quick.short_pieces.below_1_ms == 200);
+  CHECK(warned(quick) == 0);
+}
+
+TEST_CASE("moves no longer than what rounding shifts them keep their time") {
+  for (const char* const moves :
+       {"G1 Y-0.18901 Z-0.2794 F157.8\nG1 Y-0.189 F61.5\nG1 X3\n",
+        "G1 X8.20301 Y1.0131 A-0.30518 F14.4\nG1 X8.203 Z0.00047 F63.5\n",
+        "G1 X3.81896 Y14.12308 Z-0.9321 F4000\nX3.819 Y14.123 A0.00011\nX3.819 Z-0.93265\n"}) {
+    for (const bool friction : {true, false}) {
+      Job job;
+      job.settings.friction = friction;
+      const std::string text = "G21 G90 G94 G17\nG0 X0 Y0 Z0.79 A0 B0 C0\n" + std::string(moves) + "M2\n";
+      const Result result = run(text, job);  // reads back
+      INFO(result.text);
+      REQUIRE(result.summary.read_back.has_value());
+      CHECK(result.summary.time_change.value <= 1.001e-3);
+    }
+  }
 }

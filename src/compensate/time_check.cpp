@@ -1,0 +1,52 @@
+#include "compensate/time_check.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "compensate/difference.hpp"
+#include "compensate/figures.hpp"
+#include "path/curve.hpp"
+#include "path/duration.hpp"
+
+namespace plumbline::compensate {
+namespace {
+
+constexpr double kTimeSlack = 1e-6;  // share of a block's time: the digits of F
+constexpr double kNoLength = 1e-9;   // mm and deg
+constexpr double kNoTime = 1e-9;     // s
+
+double way(const AxisWords& d) {
+  double sum = 0;
+  for (const double value : d.values) sum += std::abs(value);
+  return sum;
+}
+
+}  // namespace
+
+void TimeCheck::spend(const IntendedMove& meant, const nc::Motion& motion) {
+  if (!is_cut(motion.kind)) return;
+  const path::Curve curve(motion);
+  length_ += way(curve.delta()) + curve.linear_mm();
+  if (!meant.seconds) return;
+  const bool turns = meant.motion.feed_mode == nc::FeedMode::per_revolution;
+  if (turns != (motion.feed_mode == nc::FeedMode::per_revolution)) throw Difference{"its feed is in another unit"};
+  spent_ += path::duration(motion, curve, dialect_).value_or(0);
+}
+
+// A move whose end is where it begins, as far as the control can tell, takes no time.
+void TimeCheck::end_move(const IntendedMove& meant, std::size_t line, ReadBackFigures& figures) const {
+  if (!meant.seconds || *meant.seconds <= kNoTime) return;
+  const bool clock = meant.motion.feed_mode != nc::FeedMode::per_revolution;
+  if (meant.counts && clock) figures.seconds += spent_;
+  if (length_ <= kNoLength) return;
+  const double change = std::abs(spent_ / *meant.seconds - 1);
+  if (change > tolerance_ + kTimeSlack) {
+    throw Difference{fmt::format("it takes {} {}, and {} were meant", to_decimal(spent_, 6),
+                                 clock ? "s" : "revolutions", to_decimal(*meant.seconds, 6))};
+  }
+  if (meant.counts && clock) figures.time_change.take(change, line);
+}
+
+}  // namespace plumbline::compensate
