@@ -49,6 +49,8 @@ bool shows_otherwise(nc::Action action) {
     case nc::Action::modal_call:
     case nc::Action::retract_to_start:
     case nc::Action::retract_to_r:
+    case nc::Action::no_hole:
+    case nc::Action::return_level:
     case nc::Action::call_program:
     case nc::Action::call_macro:
     case nc::Action::save_modes:

@@ -10,17 +10,6 @@
 namespace plumbline::nc {
 namespace {
 
-// What the control does with other words beside G4 is in no source.
-void check_dwell_alone(const Execution& run) {
-  const CodeRow* const dwell = run.dialect.habits.dwell_alone ? run.chosen_row(Action::dwell) : nullptr;
-  if (dwell == nullptr) return;
-  for (const Word& word : run.block->words) {
-    if (run.dialect.row_of(word) == dwell || (!is_code(word) && (letter_bit(word.letter) & dwell->word_mask))) continue;
-    run.refuse(word, codes::kNotInterpreted, "a dwell stands alone in its block on this control",
-               "put the other words into a block of their own");
-  }
-}
-
 bool calls(Action action) {
   return action == Action::modal_call || action == Action::called_cycle || action == Action::end_swivel;
 }
@@ -52,9 +41,6 @@ void check_extended(const Execution& run, const CodeRow& row, const Word& word) 
              "of M1=.. the codes of the spindle are known: M1=3, M1=4, M1=5 and their like");
 }
 
-void check_alone(const Execution& run) {
-  check_dwell_alone(run);
-  check_call_alone(run);
-}
+void check_alone(const Execution& run) { check_call_alone(run); }
 
 }  // namespace plumbline::nc

@@ -71,36 +71,93 @@ void check_m_codes(const Execution& run) {
   }
 }
 
-// Whether the increment counts from where the tip stood before the length changed, or behind that.
-void check_length_under_increments(const Execution& run) {
-  if (!run.dialect.habits.tool_length_increments_unknown || run.motion == nullptr || !run.axes.contains(Axis::Z))
-    return;
-  for (const Chosen& code : run.chosen) {
-    const Action action = code.row->action;
-    const bool sets = action == Action::tool_length || action == Action::tool_edge;
-    const bool ends = action == Action::tool_length_off && run.control.frame.tool != AxisWords{};
-    if ((!sets && !ends) || !counts_increments(run)) continue;
-    run.refuse(*code.word, codes::kNotInterpreted,
-               fmt::format("{} beside an increment of Z (G91) is not interpreted: where the tool ends depends on "
-                           "whether the length counts for it",
-                           run.block->at(code.word->span)),
-               "write G90 and the position, or put the move into a block of its own behind an absolute one");
-  }
-}
-
 // In which unit the words of such a block count stands in no source.
 void check_words_beside_unit(const Execution& run) {
-  if (!run.dialect.habits.unit_change_stands_alone) return;
+  const std::string& unknown = run.dialect.habits.unknown_beside_unit;
+  if (unknown.empty()) return;
   const Chosen* code = find_code(run, Action::inches);
   if (code == nullptr) code = find_code(run, Action::millimetres);
   if (code == nullptr || (code->row->action == Action::inches) == run.control.modal.inches) return;
-  constexpr std::string_view kLengths = "XYZIJKRQF";
   for (const Word& word : run.block->words) {
-    if (kLengths.find(word.letter) == std::string_view::npos) continue;
+    if (unknown.find(word.letter) == std::string::npos) continue;
     run.refuse(word, codes::kNotInterpreted,
                fmt::format("{} beside {}, which changes the unit: in which of the two it counts is not known",
                            run.block->at(word.span), run.block->at(code->word->span)),
                "put the change of units into a block of its own before");
+  }
+}
+
+bool belongs_to_dwell(const Execution& run, const CodeRow& dwell, const Word& word) {
+  return run.dialect.row_of(word) == &dwell || (!is_code(word) && (letter_bit(word.letter) & dwell.word_mask) != 0);
+}
+
+// G28 alone: all axes, or none.
+void check_axes_needed(const Execution& run) {
+  if (!run.axes.empty()) return;
+  for (const Chosen& code : run.chosen) {
+    if (!code.row->needs_axes) continue;
+    run.refuse(
+        *code.word, codes::kAxesMissing,
+        fmt::format("{} names no axis, and what it does then depends on the control", run.block->at(code.word->span)),
+        "add the words of the axes that are meant, as in G28 Z0");
+  }
+}
+
+// G28, G54, G92 and their like while G68 is in force: the manual forbids them.
+void check_turned(const Execution& run) {
+  const bool turns = run.control.turn_deg != 0 || run.chosen_row(Action::turn_on) != nullptr;
+  if (!turns || run.chosen_row(Action::turn_off) != nullptr) return;
+  for (const Chosen& code : run.chosen) {
+    if (!code.row->unturned) continue;
+    run.refuse(*code.word, codes::kNotInterpreted,
+               fmt::format("{} stands where the coordinates are turned, and moves otherwise than it says there",
+                           run.block->at(code.word->span)),
+               "end the turn before it, with G69");
+  }
+}
+
+// X alone: whether Y stays where it stands or goes to its old word in the turned system is a setting of the control.
+void check_alone_after_turn(const Execution& run) {
+  const AxisSet named = run.axes & kTurningAxes;
+  if (!run.dialect.habits.turned_axis_alone_unknown || run.motion == nullptr || named.empty()) return;
+  const AxisSet other = kTurningAxes - named;
+  if (other.empty() || (run.control.shifted & other).empty() || !run.control.known.contains(other)) return;
+  if (run.control.modal.incremental || run.machine_word != nullptr) return;
+  const Axis axis = named.contains(Axis::X) ? Axis::X : Axis::Y;
+  run.refuse(*run.words.find(axis), codes::kNotInterpreted,
+             fmt::format("{} alone after a turn of the coordinates: where the other axis goes depends on the settings "
+                         "of the control",
+                         letter(axis)),
+             "name both X and Y in the first move after G68 and G69");
+}
+
+// D0, T2, M6: which edge is in force then is MD20270.
+void check_edge_known(const Execution& run) {
+  const bool stated = run.words.has('D') || run.machine_word != nullptr || run.in_machine_system();
+  if (!run.control.edge_unknown || run.motion == nullptr || stated) return;
+  for (const Axis axis : kAllAxes) {
+    if (axis == Axis::X || axis == Axis::Y || !run.axes.contains(axis)) continue;
+    run.refuse(*run.words.find(axis), codes::kNotInterpreted,
+               "a tool was changed while D0 was in force, and whether its length counts from then on depends on the "
+               "settings of the control",
+               "write D1 (or D0) behind the change of the tool");
+  }
+}
+
+// R and the depth of a cycle count from where the axis stands.
+void check_cycle_increments(const Execution& run) {
+  if (run.motion == nullptr || run.motion->action != Action::cycle || !counts_increments(run)) return;
+  const Axis normal = axes_of(run.control.modal.plane).third;
+  const bool with_length =
+      run.dialect.habits.increment_unknown_after_length && find_code(run, Action::tool_length) != nullptr;
+  if (with_length) {
+    run.refuse(run.motion_code(), codes::kNotInterpreted,
+               "whether the increments of this cycle bring the tool length of its block along is not known",
+               "put the tool length into a block of its own before, with G90 and a position");
+  }
+  if (const Word* const word = run.words.find('R')) check_increment(run, *word, normal);
+  for (const Axis axis : kAllAxes) {
+    if (const Word* const word = run.words.find(axis)) check_increment(run, *word, axis);
   }
 }
 
@@ -110,14 +167,62 @@ void check_contexts(const Execution& run) {
   check_values(run);
   check_moves_beside(run);
   check_m_codes(run);
-  check_length_under_increments(run);
   check_words_beside_unit(run);
+  check_axes_needed(run);
+  check_turned(run);
+  check_alone_after_turn(run);
+  check_cycle_increments(run);
+  check_edge_known(run);
+}
+
+// What the control does with other words beside G4 is in no source.
+void check_beside_dwell(const Execution& run) {
+  using Beside = Habits::Beside;
+  const Beside allowed = run.dialect.habits.beside_dwell;
+  const CodeRow* const dwell = allowed == Beside::anything ? nullptr : run.chosen_row(Action::dwell);
+  if (dwell == nullptr) return;
+  const Word* time = nullptr;
+  for (const Word& word : run.block->words) {
+    const bool second = time != nullptr && !is_code(word) && belongs_to_dwell(run, *dwell, word);
+    if (belongs_to_dwell(run, *dwell, word) && !second) {
+      if (!is_code(word)) time = &word;
+      continue;
+    }
+    if (allowed == Beside::no_axes && !axis_of(word.letter) && !second) continue;
+    run.refuse(word, codes::kNotInterpreted,
+               fmt::format("{} stands beside a dwell, and what the control does with it then was found in no source",
+                           run.block->at(word.span)),
+               "put the dwell and the other words into blocks of their own");
+  }
+}
+
+// Whether the first increment brings along what TRANS, G55, a turn or a tool's length changed is not known.
+void check_increment(const Execution& run, const Word& word, Axis axis) {
+  const Control& control = run.control;
+  if (!control.shifted.contains(axis) || !control.known.contains(axis)) return;
+  if (word.value == 0 && run.chosen_row(Action::go_home) != nullptr)
+    return;  // G91 G28 Z0 ends at home, whatever counts
+  const std::string absolute = run.dialect.syntax.statements == Statements::high_level
+                                   ? fmt::format("G90 or {}=AC(..)", letter(axis))
+                                   : std::string("G90");
+  run.refuse(
+      word, codes::kNotInterpreted,
+      fmt::format("whether this increment brings along the offset that changed before it depends on the settings "
+                  "of the control, and {} had no absolute word since",
+                  letter(axis)),
+      fmt::format("move {} once by an absolute word after the change, with {}", letter(axis), absolute));
 }
 
 // Of G1 and G81 in one block the control makes what its series does: one group or two [B-62764EN 13.1].
 void check_cycle_beside_motion(const Execution& run) {
   const Chosen* const cycle = find_code(run, Action::cycle);
   if (cycle == nullptr) return;
+  const Chosen* const off = find_code(run, Action::motion_off);
+  if (off != nullptr && off->word > cycle->word) {
+    run.refuse(*off->word, codes::kSameGroup,
+               fmt::format("{} behind a canned cycle, in its block", run.block->at(off->word->span)),
+               "put them into blocks of their own");
+  }
   for (const Chosen& code : run.chosen) {
     const bool moves = code.word->letter == 'G' && code.row->group == kMotionGroup &&
                        code.row->action != Action::cycle && code.row->action != Action::motion_off;

@@ -26,7 +26,7 @@ AxisSet given(const Parameters& parameters, int first, AxisWords& into) {
 }  // namespace
 
 Control::Control(const Dialect& dialect, const ProgramSettings& settings)
-    : feed_rule(settings.feed_rule.value_or(dialect.feed_rule)) {
+    : habits(dialect.habits), feed_rule(settings.feed_rule.value_or(dialect.feed_rule)) {
   for (const CodeRow& row : dialect.at_start) {
     if (row.action == Action::retract_to_start) modal.retract_to_r = false;
     if (row.action == Action::exact_stop) modal.path_control = PathControl::exact_stop;
@@ -68,9 +68,23 @@ Control::Control(const Dialect& dialect, const ProgramSettings& settings)
 
 double Control::length_unit() const { return modal.inches ? kMmPerInch : 1; }
 
+// Axes whose increments may bring the change along, or not: nobody knows.
+AxisSet Control::shifted_by(const Frame& next, const AxisWords& moved) const {
+  AxisSet axes;
+  for (const Axis axis : kAllAxes) {
+    const bool offset = frame.origin[axis] != next.origin[axis] || frame.g92[axis] != next.g92[axis];
+    const bool unknown = (habits.increment_unknown_after_offset && offset) ||
+                         (habits.increment_unknown_after_length && frame.tool[axis] != next.tool[axis]) ||
+                         (habits.increment_unknown_after_turn && frame.rotation_deg != next.rotation_deg);
+    if (unknown && std::abs(position[axis] - moved[axis]) > kNoShift) axes.insert(axis);
+  }
+  return axes;
+}
+
 void Control::change_frame(const Frame& next) {
   const AxisWords machine = frame.to_machine(position);
   const AxisWords moved = next.from_machine(machine);
+  shifted = shifted | shifted_by(next, moved);
   const auto same = [&](Axis axis) {
     return frame.origin[axis] == next.origin[axis] && frame.g92[axis] == next.g92[axis] &&
            frame.tool[axis] == next.tool[axis];
@@ -80,7 +94,6 @@ void Control::change_frame(const Frame& next) {
   for (const Axis axis : kAllAxes) {
     const bool in_plane = axis == Axis::X || axis == Axis::Y;
     if (same(axis) && !(in_plane && !same_plane)) continue;
-    if (std::abs(position[axis] - moved[axis]) > kNoShift) shifted.insert(axis);
     position[axis] = moved[axis];
   }
   // A turned X is made of both X and Y.

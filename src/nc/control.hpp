@@ -69,12 +69,13 @@ struct ToolRow {
 struct Control {
   Control(const Dialect& dialect, const ProgramSettings& settings);
 
+  const Habits& habits;
   Modal modal;
   const CodeRow* motion_row = nullptr;        // of the motion mode in force
   const CodeRow* row_before_cycle = nullptr;  // of the one before the cycle that is in force
   Frame frame;
   AxisWords position;  // in the active work system
-  AxisSet shifted;     // by a change of offsets since their last absolute word
+  AxisSet shifted;     // by a change that increments may bring along, since their last absolute word
   AxisSet known;       // of position; where the origin is not known, of the machine's position
   std::array<WorkSystem, kWorkSystems> systems;
   Cycle cycle;
@@ -95,6 +96,7 @@ struct Control {
   std::map<int, ToolRow> tools;            // tool table rows that the program wrote (G10 L1, L10, L11)
   int selected_tool = -1;                  // T; -1: none yet
   int edge = 1;                            // D
+  bool edge_unknown = false;               // after D0 a tool was changed: D0 or D1, as the control is set
   double spindle_speed = 0;
   bool surface_speed = false;  // G96
   bool motion_off = false;     // G80 was executed, and no motion code since
@@ -118,6 +120,7 @@ struct Control {
   double length_unit() const;
   /// Offsets change, the machine does not move: the position gets its new words.
   void change_frame(const Frame& next);
+  AxisSet shifted_by(const Frame& next, const AxisWords& moved) const;
   /// The active work system of the table takes force.
   void use_active_system();
   /// The program changed the row in force (G10 L2).

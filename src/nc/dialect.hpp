@@ -135,6 +135,8 @@ struct CodeRow {
   char only_letter = 0;             // 0: any value; else the word whose value must be one of these
   std::vector<double> only;
   bool alone = false;                      // no move stands beside it
+  bool needs_axes = false;                 // without an axis word nobody knows what it does
+  bool unturned = false;                   // not while the work system is turned by the program
   FeedRule feed_rule = FeedRule::unknown;  // of a tool length: with it in force; unknown: the dialect's
   bool has_arguments = false;              // a name with ( ) behind it, which the interpreter does not look into
   bool order_unknown = false;              // whether it acts before the move of its block or after it
@@ -215,11 +217,11 @@ struct Habits {
   bool offset_numbers_last = false;  // D and H stay in force without a code that uses them: G43 needs an H of its own
   bool machine_move_tool_unknown = false;  // whether G53 counts to the tip while a length is in force
   bool h0_is_no_tool = false;
-  bool tool_length_moves = false;               // whether G43 without Z moves depends on the control's parameters
-  bool tool_length_increments_unknown = false;  // G43 beside an increment of Z
-  bool unit_change_stands_alone = false;        // in which unit the words beside G20, G21 count is not known
-  bool tool_length_at_change = false;           // M6 puts the length of the tool in force
-  bool fanuc_cycles = false;  // over the hole first, then to R; K repeats; taps and bores feed to R alone
+  bool tool_length_moves = false;       // whether G43 without Z moves depends on the control's parameters
+  std::string unknown_beside_unit;      // words of which nobody knows in which unit they count beside G20, G21
+  bool unit_change_drops_feed = false;  // what F is worth behind G20, G21 is not known
+  bool tool_length_at_change = false;   // M6 puts the length of the tool in force
+  bool fanuc_cycles = false;            // over the hole first, then to R; K repeats; taps and bores feed to R alone
   double peck_gap_mm = 0.254;
   bool passed_code_keeps_position = false;  // who passes it says so
   int most_m_codes = 0;                     // that a block may hold; 0: any
@@ -229,18 +231,22 @@ struct Habits {
   bool end_returns = false;                 // M2, M30 in a subprogram end it alone
   bool turns_are_extra = false;             // the count of an arc's turns does not hold the begun one
   double dwell_p_s = 1;                     // what P of G4 counts
-  bool dwell_alone = false;                 // nothing else stands in a block with G4
-  bool dwell_moves_nothing = false;         // no axis word does
-  bool dwell_per_minute_only = false;       // G4 under G95 or G93: what F counts then is not known
-  bool h0_is_machine = false;               // G15 H0, G16 H0: machine coordinates
-  double travel_limit_mm = 0;               // a rapid to this or more goes to the end of the axis' travel; 0: none does
-  bool return_levels = false;               // cycles go back to the level of G71 or to R, as M53 and M54 say
-  bool cycle_off_stops_spindle = false;     // G80
-  bool rapid_behind_cycles = false;         // G80 ends the cycle alone: the G0 from before it is in force again
-  bool radius_positive = false;             // R of an arc: what less than 0 asks for is not known
-  bool increment_after_shift_unknown =
-      false;                              // G91 after TRANS, G55, D1: a setting decides whether it brings the shift
-  bool feed_beside_unit_unknown = false;  // G700 F10: which unit the F of that block counts in
+  enum class Beside : std::uint8_t { anything, no_axes, nothing };
+  Beside beside_dwell = Beside::anything;  // what may stand in a block with G4
+  // G4 in these modes: what its word counts then is not known.
+  bool dwell_unknown_per_revolution = false;
+  bool dwell_unknown_inverse_time = false;
+  bool h0_is_machine = false;            // G15 H0, G16 H0: machine coordinates
+  double travel_limit_mm = 0;            // a rapid to this or more goes to the end of the axis' travel; 0: none does
+  bool return_levels = false;            // cycles go back to the level of G71 or to R, as M53 and M54 say
+  bool cycle_off_stops_spindle = false;  // G80
+  bool rapid_behind_cycles = false;      // G80 ends the cycle alone: the G0 from before it is in force again
+  bool radius_positive = false;          // R of an arc: what less than 0 asks for is not known
+  // G91 after a change of these: whether the increment brings it along is not known.
+  bool increment_unknown_after_offset = false;  // TRANS, G55
+  bool increment_unknown_after_length = false;  // D1, G43 H1
+  bool increment_unknown_after_turn = false;    // ROT, G68
+  bool turned_axis_alone_unknown = false;       // G68, then X without Y
 };
 
 struct Dialect {

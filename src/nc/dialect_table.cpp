@@ -174,8 +174,8 @@ class TableReader {
     habits.machine_move_tool_unknown = flag(from, "machine_move_tool_unknown");
     habits.h0_is_no_tool = flag(from, "h0_is_no_tool");
     habits.tool_length_moves = flag(from, "tool_length_moves");
-    habits.tool_length_increments_unknown = flag(from, "tool_length_increments_unknown");
-    habits.unit_change_stands_alone = flag(from, "unit_change_stands_alone");
+    if (from.find("unknown_beside_unit") != nullptr) habits.unknown_beside_unit = text(from, "unknown_beside_unit");
+    habits.unit_change_drops_feed = flag(from, "unit_change_drops_feed");
     habits.tool_length_at_change = flag(from, "tool_length_at_change");
     habits.fanuc_cycles = flag(from, "fanuc_cycles");
     habits.peck_gap_mm = number(from, "peck_gap_mm", habits.peck_gap_mm);
@@ -187,17 +187,36 @@ class TableReader {
     habits.end_returns = flag(from, "end_returns");
     habits.turns_are_extra = flag(from, "turns_are_extra");
     habits.dwell_p_s = number(from, "dwell_p_s", 1);
-    habits.dwell_per_minute_only = flag(from, "dwell_per_minute_only");
+    habits.dwell_unknown_per_revolution = flag(from, "dwell_unknown_per_revolution");
+    habits.dwell_unknown_inverse_time = flag(from, "dwell_unknown_inverse_time");
     habits.h0_is_machine = flag(from, "h0_is_machine");
     habits.travel_limit_mm = number(from, "travel_limit_mm", 0);
     habits.return_levels = flag(from, "return_levels");
     habits.cycle_off_stops_spindle = flag(from, "cycle_off_stops_spindle");
     habits.rapid_behind_cycles = flag(from, "rapid_behind_cycles");
     habits.radius_positive = flag(from, "radius_positive");
-    habits.dwell_moves_nothing = flag(from, "dwell_moves_nothing");
-    habits.dwell_alone = flag(from, "dwell_alone");
-    habits.increment_after_shift_unknown = flag(from, "increment_after_shift_unknown");
-    habits.feed_beside_unit_unknown = flag(from, "feed_beside_unit_unknown");
+    if (from.find("beside_dwell") != nullptr) habits.beside_dwell = beside_named(text(from, "beside_dwell"));
+    habits.turned_axis_alone_unknown = flag(from, "turned_axis_alone_unknown");
+    read_increments_after(from, habits);
+  }
+
+  void read_increments_after(const TomlValue& from, Habits& habits) const {
+    const TomlValue* const list = value(from, "increment_unknown_after", TomlValue::Kind::array);
+    if (list == nullptr) return;
+    for (const TomlValue& change : list->items) {
+      bool* const flag = change.text == "offset"   ? &habits.increment_unknown_after_offset
+                         : change.text == "length" ? &habits.increment_unknown_after_length
+                         : change.text == "turn"   ? &habits.increment_unknown_after_turn
+                                                   : nullptr;
+      if (flag == nullptr) complain(fmt::format("'increment_unknown_after' knows no '{}'", change.text));
+      *flag = true;
+    }
+  }
+
+  Habits::Beside beside_named(const std::string& name) const {
+    if (name == "no_axes") return Habits::Beside::no_axes;
+    if (name == "nothing") return Habits::Beside::nothing;
+    complain(fmt::format("'beside_dwell' knows no '{}'", name));
   }
 
   void named_rows(Dialect& dialect) const {
@@ -258,6 +277,8 @@ class TableReader {
     row.harmless = flag(from, "harmless");
     row.has_arguments = flag(from, "arguments");
     row.alone = flag(from, "alone");
+    row.needs_axes = flag(from, "needs_axes");
+    row.unturned = flag(from, "unturned");
     if (from.find("feed_rule") != nullptr) row.feed_rule = feed_rule_named(text(from, "feed_rule"));
     if (const TomlValue* const only = value(from, "only", TomlValue::Kind::array)) {
       for (const TomlValue& word : only->items) {

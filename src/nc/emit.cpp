@@ -250,7 +250,8 @@ void Emitter::refuse_if_shared(const Step& step) const {
 
 // The words that a correction adds would stand beside a change of units, where nobody knows in which they count.
 void Emitter::refuse_beside_unit(const Step& step) const {
-  if (!dialect_.habits.unit_change_stands_alone || step.before->inches == step.after->inches) return;
+  if (dialect_.habits.unknown_beside_unit.find('X') == std::string::npos || step.before->inches == step.after->inches)
+    return;
   refuse_block(*step.block, "emit-shared-words",
                "this block changes the unit and moves, and the move must be corrected",
                "put the change of units into a block of its own");

@@ -75,6 +75,9 @@ void check_alone(const Execution& run);
 /// Refuses what no source covers for a code beside the others of its block, or in the modes in force: contexts.cpp
 void check_contexts(const Execution& run);
 void check_cycle_beside_motion(const Execution& run);
+void check_beside_dwell(const Execution& run);
+/// Of an axis word that counts from where its axis stands.
+void check_increment(const Execution& run, const Word& word, Axis axis);
 void check_words_before_call(const Execution& run);
 /// Refuses M1=8: only of the spindle's codes it is known which one that is.
 void check_extended(const Execution& run, const CodeRow& row, const Word& word);

@@ -47,9 +47,9 @@ void turn_about_point(Execution& run, const Word& code) {
   }
   AxisWords centre;
   for (const Axis axis : {Axis::X, Axis::Y}) {
-    if (!run.axes.contains(axis) && !control.known.contains(axis)) {
-      run.refuse(code, codes::kPositionUnknown,
-                 fmt::format("G68 turns about where {} stands, which is not known", letter(axis)),
+    // A correction would have moved it: only who looks at the program as it stands may take the position.
+    if (!run.axes.contains(axis) && !run.settings.as_with_empty_tables) {
+      run.refuse(code, codes::kPositionRead, fmt::format("G68 turns about where {} stands", letter(axis)),
                  "name the centre with X and Y");
     }
     centre[axis] = run.axes.contains(axis) ? run.value(axis) : control.position[axis];

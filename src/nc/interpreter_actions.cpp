@@ -206,14 +206,9 @@ void Interpreter::end_motion() {
 // The feed stays what it is in mm/min; F of a rotary move stays what was written [LinuxCNC, measured].
 void Interpreter::change_unit(bool inches) {
   if (control_.modal.inches == inches) return;
-  if (run_.dialect.habits.feed_beside_unit_unknown && run_.words.has('F')) {
-    run_.refuse(*run_.words.find('F'), codes::kNotInterpreted,
-                "no source says whether the F beside a change of units counts in the old unit or in the new one",
-                "write F in a block of its own after the change");
-  }
   control_.modal.inches = inches;
   control_.modal.feed = control_.feed_linear / control_.length_unit();
-  if (!run_.dialect.habits.unit_change_stands_alone) return;
+  if (!run_.dialect.habits.unit_change_drops_feed) return;
   control_.modal.feed = control_.feed_linear = control_.modal.feed_rotary =
       0;  // what F is worth then stands in no source
 }

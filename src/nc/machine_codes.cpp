@@ -101,9 +101,14 @@ void call_program(Execution& run, const Chosen& chosen) {
 
 void dwell(Execution& run, const Word& code) {
   const std::string_view letters = run.chosen_row(Action::dwell)->words;
-  if (run.dialect.habits.dwell_per_minute_only && run.control.modal.feed_mode != FeedMode::per_minute) {
-    run.refuse(code, codes::kNotInterpreted, "what the F of a dwell counts under G93 or G95 was found in no source",
-               "write G94 before it, as in G94 G4 F2");
+  const Habits& habits = run.dialect.habits;
+  const FeedMode mode = run.control.modal.feed_mode;
+  if ((habits.dwell_unknown_per_revolution && mode == FeedMode::per_revolution) ||
+      (habits.dwell_unknown_inverse_time && mode == FeedMode::inverse_time)) {
+    run.refuse(code, codes::kNotInterpreted,
+               fmt::format("whether a dwell counts seconds in this feed mode ({}) depends on the control",
+                           mode == FeedMode::inverse_time ? "G93" : "G95"),
+               "write G94 before it");
   }
   const Word* word = nullptr;
   for (const char letter : letters) {
@@ -115,6 +120,12 @@ void dwell(Execution& run, const Word& code) {
   }
   if (word->value < 0) {
     run.refuse(*word, codes::kNegative, "the time to wait is negative", fmt::format("write {}0 or more", word->letter));
+  }
+  const bool counts_parts = word->letter == 'P' && habits.dwell_p_s != 1;
+  if (counts_parts && word->value != std::floor(word->value)) {
+    run.refuse(*word, codes::kNotWhole,
+               fmt::format("P counts whole milliseconds, and {} is none", run.block->at(word->span)),
+               "write milliseconds without a point, or X and seconds");
   }
   Motion motion;
   motion.kind = MotionKind::dwell;

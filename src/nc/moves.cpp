@@ -58,26 +58,12 @@ void check_within_turn(const Execution& run, const Word& word) {
              "on an axis whose words have a sign for the way round (--rotary), write 0 to 359.999, or use G91");
 }
 
-// Whether the first increment brings along what TRANS, G55 or a tool's length shifted is a setting of the control.
-void check_shift(const Execution& run, const Word& word, Axis axis) {
-  const Control& control = run.control;
-  if (!run.dialect.habits.increment_after_shift_unknown) return;
-  if (!control.shifted.contains(axis) || !control.known.contains(axis)) return;
-  run.refuse(
-      word, codes::kNotInterpreted,
-      fmt::format("whether this increment brings along the offset that changed before it depends on the settings "
-                  "of the control, and {} had no absolute word since",
-                  letter(axis)),
-      fmt::format("move {} once by an absolute word after the change, with G90 or {}=AC(..)", letter(axis),
-                  letter(axis)));
-}
-
 // The end that a word means for an axis that stands at `from`.
 double end_of_word(const Execution& run, const Word& word, Axis axis, double from) {
   const double value = run.value(axis);
   const bool incremental = run.control.modal.incremental && word.mode == WordMode::modal;
   if (incremental || word.mode == WordMode::incremental) {
-    check_shift(run, word, axis);
+    check_increment(run, word, axis);
     return from + value;
   }
   switch (word.mode) {
@@ -162,9 +148,12 @@ AxisSet shifted_after(const Execution& run, const Motion& motion) {
   const AxisSet shifted = run.control.shifted;
   if (motion.kind == MotionKind::dwell) return shifted;
   if (!motion.in_machine_coordinates) return shifted - absolute_words(run);
+  const Control& control = run.control;
   AxisSet aside;
   for (const Axis axis : kAllAxes) {
-    if (run.axes.contains(axis) && motion.machine[axis] != motion.to[axis]) aside.insert(axis);
+    if (!run.axes.contains(axis) || motion.machine[axis] == motion.to[axis]) continue;
+    const bool by_length = control.habits.increment_unknown_after_length && control.frame.tool[axis] != 0;
+    if (by_length || control.habits.increment_unknown_after_offset) aside.insert(axis);
   }
   return shifted | aside;
 }

@@ -367,15 +367,6 @@ void check_words_used(const Execution& run) {
   }
 }
 
-void check_dwell_moves_nothing(const Execution& run) {
-  if (!run.dialect.habits.dwell_moves_nothing || run.chosen_row(Action::dwell) == nullptr || run.axes.empty()) return;
-  const Word& word = first_axis_word(run);
-  run.refuse(word, codes::kNotInterpreted,
-             fmt::format("{} stands beside a dwell, and what the control does with it then was found in no source",
-                         text_of(run, word)),
-             "put the dwell and the move into blocks of their own");
-}
-
 int turn_of(const Chosen& chosen) { return chosen.row->step * 2 + (chosen.row->group == 1 ? 1 : 0); }
 
 }  // namespace
@@ -388,7 +379,7 @@ void plan(Execution& run) {
     run.motion = nullptr;
     return;
   }
-  check_dwell_moves_nothing(run);
+  check_beside_dwell(run);
   check_alone(run);
   find_motion(run);
   check_words_used(run);

@@ -124,11 +124,25 @@ void StatementFlow::head(const Block& block) {
   ended_ = true;
 }
 
+namespace {
+
+// What stands behind the second % of a tape never reaches the control; %_N_ of a SINUMERIK begins another program.
+bool ends_tape(std::string_view line, bool begun, const Dialect& dialect) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  const bool percent = first != std::string_view::npos && line[first] == '%';
+  return percent && begun && dialect.syntax.statements != Statements::high_level;
+}
+
+}  // namespace
+
 void StatementFlow::index_programs(File& file) const {
   if (std::exchange(file.has_index, true)) return;
   LineSource lines(*file.file, dialect_.syntax.goes_on);
+  bool begun = false;
   for (Line line; lines.next(line);) {
+    if (ends_tape(line.text, begun, dialect_)) return;
     LineHead head = head_of(line.text, dialect_);
+    begun = begun || !head.empty;
     if (!head.program.empty()) file.programs.emplace_back(std::move(head.program), line.place);
   }
 }
@@ -136,8 +150,11 @@ void StatementFlow::index_programs(File& file) const {
 void StatementFlow::index_labels(File& file) const {
   if (std::exchange(file.has_labels, true)) return;
   LineSource lines(*file.file, dialect_.syntax.goes_on);
+  bool begun = false;
   for (Line line; lines.next(line);) {
+    if (ends_tape(line.text, begun, dialect_)) return;
     LineHead head = head_of(line.text, dialect_);
+    begun = begun || !head.empty;
     if (!head.number.empty()) file.labels[head.number].push_back(line.place);
     if (!head.label.empty()) file.labels[head.label].push_back(line.place);
   }

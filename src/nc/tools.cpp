@@ -49,6 +49,12 @@ const Word& word_of_length(const Execution& run, const Chosen& chosen) {
   return word != nullptr ? *word : *chosen.word;
 }
 
+// A length that counts as zero because nobody gave it is not zero at the machine.
+void mark_unknown_length(Execution& run, int number) {
+  const bool given = run.settings.tools.find(number) != nullptr || run.control.tools.contains(number);
+  if (number > 0 && !given && run.dialect.habits.increment_unknown_after_length) run.control.shifted.insert(Axis::Z);
+}
+
 void take_offset(Execution& run, const AxisWords& offset) {
   Frame next = run.control.frame;
   next.tool = offset;
@@ -98,6 +104,7 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
       const int number = tool_of_block(run, chosen);
       offset = needed_offset(run, word_of_length(run, chosen), number);
       if (chosen.row->value < 0) offset = AxisWords{} - offset;  // G44
+      mark_unknown_length(run, number);
       if (run.settings.tools.find(number) != nullptr) control.modal.tool_of_offset = number;
       break;
     }
@@ -137,6 +144,7 @@ void restore_tool_length(Execution& run, bool in_force) {
 void choose_edge(Execution& run, const Word& word) {
   Control& control = run.control;
   const int edge = run.whole(word, 0, kNoLimit);
+  control.edge_unknown = false;
   control.modal.tool_of_offset = -1;
   control.edge = edge;
   if (edge == 0) return take_offset(run, AxisWords{});
@@ -166,6 +174,7 @@ void change_tool(Execution& run, const Chosen& chosen) {
   if (run.dialect.habits.tool_length_at_change && control.edge != 0) {
     take_edge(run, *chosen.word, control.modal.tool_in_spindle);
   }
+  control.edge_unknown = run.dialect.habits.tool_length_at_change && control.edge == 0;
   const int code = chosen.row->code / 10;
   if (chosen.row->loses_position && !run.settings.keeps_position.contains(code)) lose_position(run, AxisSet::all());
 }

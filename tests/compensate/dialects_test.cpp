@@ -225,3 +225,43 @@ TEST_CASE("a program that is written out repeats no label") {
   CHECK(holds(out, "^N10 G1 X"));
   check(text, out, job);
 }
+
+TEST_CASE("moves beside calls: arcs, increments and calls of calls") {
+  const Job job = job_for("fanuc");
+  for (const char* const calls : {"G2 X10. Y0 I5. J0 F400. M98 P8\n", "G91 G1 Y3. F400. M98 P8 L2\nG90\n",
+                                  "M98 P30009 G1 X12. F400. M9\n", "G65 P9 A1.\nG0 Z21. M98 P9\n"}) {
+    const std::string text = std::string("O1\nG90 G54 G0 X0 Y0 Z20. A0 B0 C0\n") + calls +
+                             "X1.\nM30\nO8\nG1 X6. F300.\nM99\nO9\nG91 G0 Z-1. M98 P8\nG90\nM99\n";
+    INFO(text);
+    const std::string out = run(text, job).text;
+    INFO(out);
+    check(text, out, job, 1.5);
+    CHECK_FALSE(holds(out, "M98|M99|G65"));
+  }
+}
+
+TEST_CASE("a place above a hole that is not drilled is written out with the cycle that it belongs to") {
+  const Job job = job_for("okuma");
+  for (const char* const holes :
+       {"G81 X5 Y0 R2 Z-4 F100 M53\nX8 NCYL\nX11\n", "NCYL G81 X5 R2 Z-4 F100 M53\nY3 NCYL\nX1\n",
+        "G83 X5 R2 Z-4 Q1 F100 M53\nNCYL X9\nG0 X0\n"}) {
+    const std::string text =
+        std::string("$DRILL.MIN%\nO42\nG15 H1\nG0 X0 Y0 Z20 A0 B0 C0\nG71 Z20\n") + holes + "G80\nG0 Z30\nM2\n";
+    INFO(text);
+    const std::string out = run(text, job).text;
+    INFO(out);
+    check(text, out, job);
+    CHECK_FALSE(holds(out, "NCYL"));
+  }
+}
+
+TEST_CASE("a motion code in a header moves nothing, whatever is not known there") {
+  for (const auto& [dialect, text] :
+       {std::pair<const char*, const char*>{"okuma", "G0 G17 G40 G80 G90\nG15 H1\nG0 X0 Y0 Z20\nM2\n"},
+        std::pair<const char*, const char*>{"okuma", "G1 G94 G40\nG15 H1\nG0 X0 Y0 Z20\nG1\nX1 F100\nM2\n"},
+        std::pair<const char*, const char*>{"siemens", "G0 G17 G40 G60 G90\nG54\nX0 Y0 Z20\nM30\n"},
+        std::pair<const char*, const char*>{"siemens", "N1 G1 G64\nN2 G54 G0 X0 Y0 Z20\nG1\nX1 F100\nM30\n"}}) {
+    INFO(text);
+    CHECK(code_of(text, job_for(dialect)).empty());
+  }
+}

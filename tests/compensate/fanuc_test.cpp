@@ -187,6 +187,16 @@ TEST_CASE("M5, M9 and M19 stand behind the last piece, codes of the builder besi
   CHECK(code_of(kHead + "G1 X.2 F500. M88\nM30\n", job).empty());  // one block in its place
 }
 
+TEST_CASE("a code of the builder beside an arc, a move in a subprogram or a loop is refused where that is cut up") {
+  Job job = fanuc();
+  job.program.passed_m_codes = {88, 121, 200};
+  CHECK(code_of(kHead + "G2 X10. Y0. I5. J0. F300. M121\nM30\n", job) == "emit-m-code");
+  CHECK(code_of(kHead + "M98 P2\nM30\nO2\nG1 X9. F300. M88\nM99\n", job) == "emit-m-code");
+  CHECK(code_of(kHead + "WHILE [#1 LT 2] DO 1\n#1=#1+1\nG91 G1 X5. A1. F300. M200\nEND 1\nM30\n", job) ==
+        "emit-m-code");
+  CHECK(code_of(kHead + "G0 X50. M88\nM200 G0 Z60.\nM30\n", job).empty());  // a rapid is one block
+}
+
 TEST_CASE("F of an arc under G93 is feed over radius") {
   Job job = fanuc();
   for (const auto& [arc, minutes] : {std::pair<std::string, double>{"G3 X-10. Y0. I-10. J0. F2.", std::acos(-1.0) / 2},

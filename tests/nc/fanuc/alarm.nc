@@ -1,0 +1,24 @@
+%
+<KEY.PLATE+2>(the alarm of a branch that is not taken, and of one that is)
+#500=3
+G90 G21 G54 G0 X1. Y0 Z50.
+G10 L10 P12 R30.25
+G10 L10 P1 R10.
+G43 H12 Z5.
+IF [#500 GT 5] THEN #3000=1 (TOO MANY)
+X2.
+WHILE [#500 GT 0] DO 1
+#500=#500-1
+G91 X1. M98 P7
+IF [#500 EQ 1] GOTO 30
+END 1
+N30 G90 Y4.
+IF [#500 NE 1] GOTO 50
+#3000=100 (MEASURE AGAIN)
+N50 X99.
+M30
+O7
+G1 Z-1. F50
+G0
+M99
+%

@@ -1,0 +1,22 @@
+%
+<SHAFT_5-END>
+(moves beside M98 are made first, G10 L10 is the length from then on)
+G90 G21 G17 G54
+G5.1 Q0
+G10 L10 P7 R120.5
+G0 X1. Y1. Z150. H0
+G43 H7 Z20. M98 P41
+M98 P20042 G1 X10. F250.
+G91 G0 X2. Y-1. M98 P41
+G90 G49 Z160.
+G10 L10 P7 R100.
+G43 H7 Z30.
+M30
+O41
+Y5.
+M99
+O42
+G91 Z-1.
+G90
+M99
+%

@@ -1,0 +1,10 @@
+O0032
+(an offset beside codes that have nothing to do with it)
+G90 G21 G17 G54 G0 X0 Y0 Z40.
+G10 L2 P3 X-5. Y0 Z2. A0 B0 C0
+G56 G99 G97 G94 X1.
+G54 G98 G64 X1.
+G69 G56 G61 G1 X2. F200
+G54.1 P1 G95 G94 G0 X3.
+G54 G49 G43 H0 Z30.
+M30

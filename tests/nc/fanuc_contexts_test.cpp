@@ -1,0 +1,94 @@
+// Codes of Fanuc beside others, or in a mode, where its manuals forbid it or no source says what comes of it.
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "nc/programs.hpp"
+
+using namespace plumbline;
+using namespace plumbline::nc;
+using namespace plumbline::nc::tests;
+
+namespace {
+
+struct Reading {
+  std::string code;  // of the refusal; empty: none
+  std::size_t line = 0, column = 0;
+  AxisWords end;
+};
+
+Reading reading_of(const std::string& text, bool as_with_empty_tables) {
+  ProgramSettings settings = empty_tables();
+  settings.as_with_empty_tables = as_with_empty_tables;
+  settings.work_offsets[0] = WorkOffset{};
+  Tool tool;
+  tool.number = 1;
+  tool.length_mm = 100;
+  settings.tools = ToolTable({tool});
+  const ProgramFile program(text);
+  const InputFile file(program.path());
+  Reading ran;
+  try {
+    Program blocks(file, dialect("fanuc"), settings);
+    while (const Step* step = blocks.next()) ran.end = step->position;
+  } catch (const Refusal& refusal) {
+    ran.code = refusal.diagnostic().code;
+    ran.line = refusal.diagnostic().place.line;
+    ran.column = refusal.diagnostic().place.column;
+  }
+  return ran;
+}
+
+struct RefusedAt {
+  const char* program;
+  std::size_t line, column;
+};
+
+void check_refused_at(const std::vector<RefusedAt>& cases) {
+  for (const RefusedAt& c : cases) {
+    const Reading ran = reading_of(c.program, true);
+    INFO(c.program);
+    CHECK(ran.code == "nc-not-interpreted");
+    CHECK(ran.line == c.line);
+    CHECK(ran.column == c.column);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("increments of X and Y behind G69 are refused until absolute words stand") {
+  check_refused_at(
+      {{"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nX5. Y5.\nG69\nG91 X5.\n", 5, 5},
+       {"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nX5. Y5.\nG69 G91 Y5.\n", 4, 9},
+       {"G90 G54 G0 X10. Y10. Z50.\nG68 X1. Y2. R90.\nG91 G1 X1. F100.\n", 3, 8},
+       {"G90 G54 G0 X10. Y10. Z50.\nG68 X1. Y2. R90.\nX0 Y0\nG69\nG99 G91 G81 X1. R-40. Z-5. F100.\n", 5, 13}});
+  const Reading ran =
+      reading_of("G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R90.\nX5. Y5.\nG91 X1.\nG69\nG90 X0 Y0\nG91 X2.\n", true);
+  CHECK(ran.code.empty());
+  CHECK(ran.end[Axis::X] == 2);
+}
+
+TEST_CASE("X without Y as the first move behind a turn is refused, Z alone is not") {
+  check_refused_at({{"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nX5.\n", 3, 1},
+                    {"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nG1 Y5. Z1. F100.\n", 3, 4},
+                    {"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nX5. Y5.\nG69\nX0\n", 5, 1}});
+  CHECK(reading_of("G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nZ5.\nX1. Y1.\nX2.\nG69\nZ50.\n", true).code.empty());
+}
+
+TEST_CASE("increments of Z behind G43 and G49 alone are refused until Z is stated") {
+  check_refused_at({{"G90 G54 G0 X0 Y0 Z50.\nG43 H1\nG91 Z-10.\n", 3, 5},
+                    {"G90 G54 G0 X0 Y0 Z50.\nG43 H1 Z50.\nG49\nG91 G1 X1. Z-10. F100.\n", 4, 12},
+                    {"G90 G54 G0 X0 Y0 Z50.\nG43.4 H1\nG91 X1.\nG1 Z-1. F100.\n", 4, 4},
+                    {"G90 G54 G0 X0 Y0 Z50.\nG91 G43 H7 Z-1.\n", 2, 12}});
+  CHECK(reading_of("G90 G54 G0 X0 Y0 Z50.\nG43 H1 Z20.\nG49\nG91 G28 Z0\nG28 X0 Y0\n", true).code.empty());
+  const Reading ran = reading_of("G90 G54 G0 X0 Y0 Z50.\nG43 H1 Z20.\nG91 Z-10.\nX3.\n", true);
+  CHECK(ran.code.empty());
+  CHECK(ran.end[Axis::Z] == 10);
+}
+
+TEST_CASE("a turn about the place of the tool is looked at, and not rewritten") {
+  const std::string text = "G90 G54 G0 X10. Y10. Z50.\nG68 R90.\nX20. Y10.\nG69\nX0 Y0\n";
+  CHECK(reading_of(text, true).code.empty());
+  CHECK(reading_of(text, false).code == "nc-position-read");
+}
