@@ -169,9 +169,13 @@ void Intention::shift(const nc::Step& hole, const AxisWords& by) {
     work[axes.first] = by[axes.first];
     work[axes.second] = by[axes.second];
     const double end = motion.to[axes.third];
+    const double from = motion.from[axes.third] + work[axes.third];
     const bool back = !hole.after->retract_to_r && i >= at.begin && std::abs(end - at.clear) <= kSameHeight;
     if (back) {
-      work[axes.third] = level_away_;
+      // G71 as it is; where the tool came in from below R, the higher of the two
+      const bool from_r = std::abs(at.clear - at.r) <= kSameHeight;
+      const double level = from_r ? std::max(level_away_, by[axes.third]) : level_away_;
+      work[axes.third] = dialect_.habits.return_levels ? 0 : level;
     } else if (i >= at.approach_end) {
       work[axes.third] = by[axes.third];
     }
@@ -180,6 +184,9 @@ void Intention::shift(const nc::Step& hole, const AxisWords& by) {
     move.corrected = true;
     note_kept(hole, move);
     if (is_cut(motion.kind)) move.seconds = path::duration(motion, path::Curve(motion), dialect_);
+    // Back to where the tool came in, which is not shifted as the hole is
+    const double length = std::abs(end - motion.from[axes.third]);
+    if (move.seconds && back && length > 0) *move.seconds *= std::abs(end + work[axes.third] - from) / length;
     const AxisWords away = nc::turned_about_z(work, hole.frame->rotation_deg);
     batch_.points.push_back(motion.machine + away);
     away_ = away;

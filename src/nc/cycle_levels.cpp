@@ -9,7 +9,7 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr double kSameLevel = 1e-6;  // mm
+constexpr double kSameLevel = 0.1;  // mm: either way is the same then, a correction apart
 
 }  // namespace
 

@@ -104,7 +104,8 @@ void CycleRun::take_words() {
   cycle_.r = inherited('R', cycle_.r, length('R'), true);
   const char normal = letter(axes_.third);
   cycle_.bottom = inherited(normal, cycle_.bottom, length(normal), true);
-  if (run_.dialect.habits.return_levels && run_.motion_word != nullptr) cycle_.dwell_s = 0;  // a new cycle
+  const bool is_new = run_.dialect.habits.return_levels ? run_.motion_word != nullptr : as_fanuc_ && !goes_on_;
+  if (is_new) cycle_.dwell_s = 0;  // G80 and G0 end what was kept [Haas 96-8000, p. 185]
   const bool dwells = code_ == kDrillDwell || code_ == kBoreStop || code_ == kBoreByHand || code_ == kBoreDwell;
   cycle_.dwell_s = inherited('P', cycle_.dwell_s, number('P'), dwells && !as_fanuc_);
   cycle_.dwell_s = run_.words.has('P') ? cycle_.dwell_s * run_.dialect.habits.dwell_p_s : cycle_.dwell_s;

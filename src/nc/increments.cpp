@@ -84,12 +84,14 @@ void count_increments(const Execution& run, FeedMode mode, Word& word) {
 }
 
 // More decimals than the control keeps; what an increment made of them adds up to differs between series.
-void keep_increment(const Execution& run, Word& word) {
-  const std::optional<Axis> axis = axis_of(word.letter);
+void keep_increment(const Execution& run, Word& word, bool is_argument) {
   const Habits& habits = run.dialect.habits;
-  if (!axis || !habits.keeps_increment) return;
+  if (!habits.keeps_increment) return;
+  const std::optional<Axis> axis = axis_of(word.letter);
+  const bool of_a_move = (letter_bit(word.letter) & (letters_of_lengths(habits) | kAngles)) != 0 && !is_argument;
+  if (!axis && !of_a_move) return;
   const double ratio = run.settings.input_increment.value_or(habits.increment_mm) / habits.increment_mm;
-  const Kept kept = kept_of(habits, is_rotary(*axis), run.control.modal.inches, ratio);
+  const Kept kept = kept_of(habits, axis && is_rotary(*axis), run.control.modal.inches, ratio);
   word.value = kept_value(word.value, kept, word.expression == kLiteral);
 }
 
@@ -117,6 +119,7 @@ void count_increments(const Execution& run, Block& block) {
   const bool in_cycle = has_count && is_in_cycle(run, block);
   const bool turns = find_word(block, 'R') != nullptr && has_code(run, block, Action::turn_on);
   const bool waits = find_word(block, 'X') != nullptr && has_code(run, block, Action::dwell);
+  const bool is_call = has_code(run, block, Action::call_macro);
   const FeedMode mode = feed_mode_of(run, block);
   for (Word& word : block.words) {
     if (is_code(word) || (in_cycle && word.letter == 'K') || (!in_cycle && word.letter == 'Q')) continue;
@@ -125,7 +128,7 @@ void count_increments(const Execution& run, Block& block) {
       continue;
     }
     count_increments(run, mode, word);
-    if (!waits) keep_increment(run, word);
+    if (!waits) keep_increment(run, word, is_call);
   }
 }
 

@@ -161,6 +161,11 @@ void Interpreter::act_on_position(const Chosen& chosen) {
 void Interpreter::act_on_mode(const Chosen& chosen) {
   Modal& modal = control_.modal;
   if (set_mode(modal, chosen.row->action)) return;
+  // Of another code of the block it would be something else: P is TURN= beside G64 of the 840D.
+  const auto own = [&](char letter) -> std::optional<double> {
+    if (chosen.row->words.find(letter) == std::string::npos || !run_.words.has(letter)) return std::nullopt;
+    return run_.words.find(letter)->value;
+  };
   switch (chosen.row->action) {
     case Action::motion_off:
       if (run_.dialect.habits.cycle_off_stops_spindle) modal.switches.spindle = 5;
@@ -181,9 +186,8 @@ void Interpreter::act_on_mode(const Chosen& chosen) {
       return set_feed_mode(run_, FeedMode::per_revolution);
     case Action::continuous:
       modal.path_control = PathControl::continuous;
-      modal.switches.path_tolerance = run_.words.has('P') ? run_.words.find('P')->value : 0;
-      modal.switches.naive_tolerance =
-          run_.words.has('Q') ? run_.words.find('Q')->value : modal.switches.path_tolerance;
+      modal.switches.path_tolerance = own('P').value_or(0);
+      modal.switches.naive_tolerance = own('Q').value_or(modal.switches.path_tolerance);
       return;
     case Action::work_system:
       return choose_work_system(run_, chosen.row->value);

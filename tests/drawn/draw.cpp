@@ -1,4 +1,4 @@
-#include "drawn/linuxcnc.hpp"
+#include "drawn/dialects.hpp"
 
 namespace plumbline::drawn {
 namespace {
@@ -22,10 +22,13 @@ void draw_options(jobs::Options& options, Draws& draws) {
 }  // namespace
 
 DrawnProgram draw(std::string_view dialect, std::uint64_t seed, const Scene& scene) {
-  DrawnProgram program = LinuxCnc(seed, scene).write();
+  const auto writer = dialect == "fanuc"     ? fanuc_writer(seed, scene)
+                      : dialect == "okuma"   ? okuma_writer(seed, scene)
+                      : dialect == "siemens" ? siemens_writer(seed, scene)
+                                             : linuxcnc_writer(seed, scene);
+  DrawnProgram program = writer->write();
   Draws draws(~seed);
   draw_options(program.options, draws);
-  (void)dialect;
   return program;
 }
 

@@ -24,7 +24,7 @@ struct Tally {
   std::uint64_t checks = 0;                      // whole comparisons with diff and check
   std::uint64_t interpreted = 0;                 // programs held against rs274, outputs among them
   std::map<std::string, std::uint64_t> refused;  // by code
-  std::map<std::string, std::uint64_t> first_seed;
+  std::map<std::string, std::string> example;    // of each, the first
 
   void add(const Tally& other);
 };
@@ -33,6 +33,8 @@ class Held {
  public:
   /// In a folder in memory where there is one.
   Held();
+
+  bool with_diff = true;
 
   const Scene& scene() const { return scene_; }
   /// Compensates the program and holds all that is known against each other. `output`: what came out; empty if the
@@ -44,6 +46,8 @@ class Held {
   std::optional<Finding> check_refused(const DrawnProgram& program, const std::string& code) const;
   std::optional<Finding> check_output(const DrawnProgram& program, double shift_mm, double shift_deg,
                                       double time_change) const;
+  std::optional<Finding> check_diff(const DrawnProgram& program, double shift_mm, double shift_deg,
+                                    double time_change) const;
   std::optional<Finding> check_zero(const DrawnProgram& program) const;
 
   testing::Scratch scratch_;

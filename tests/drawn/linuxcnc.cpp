@@ -5,12 +5,15 @@
 
 #include <fmt/format.h>
 
+#include "drawn/dialects.hpp"
+
 namespace plumbline::drawn {
 namespace {
 
-constexpr std::array<std::string_view, 9> kSystems{"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
+constexpr std::array<std::string_view, 9> kLinuxCncSystems{"G54", "G55",   "G56",   "G57",  "G58",
+                                                           "G59", "G59.1", "G59.2", "G59.3"};
 
-Manners manners() {
+Manners linuxcnc_manners() {
   Manners manners;
   manners.spaces_inside = true;
   return manners;
@@ -18,7 +21,7 @@ Manners manners() {
 
 }  // namespace
 
-LinuxCnc::LinuxCnc(std::uint64_t seed, const Scene& scene) : Writer("linuxcnc", seed, scene, manners()) {
+LinuxCnc::LinuxCnc(std::uint64_t seed, const Scene& scene) : Writer("linuxcnc", seed, scene, linuxcnc_manners()) {
   jobs::Options& options = program_.options;
   for (std::size_t i = 0; i < systems_.size(); ++i) {
     for (const Axis axis : kAllAxes)
@@ -41,6 +44,7 @@ LinuxCnc::LinuxCnc(std::uint64_t seed, const Scene& scene) : Writer("linuxcnc", 
     known_ = true;
   }
   if (draws_.chance(25)) options.block_delete = draws_.chance(50);
+  if (draws_.chance(8)) turn_endlessly();
 }
 
 std::string LinuxCnc::comment() {
@@ -95,18 +99,6 @@ void LinuxCnc::head() {
   if (!known_ || draws_.chance(80)) go_to_known_place();
 }
 
-// All axes that are used, by absolute words.
-void LinuxCnc::go_to_known_place() {
-  Words words;
-  if (incremental_) words.emplace_back("G90");
-  incremental_ = false;
-  words.push_back(code('G', 0));
-  motion_ = 0;
-  for (std::string& word : axes(used_axes())) words.push_back(std::move(word));
-  known_ = true;
-  put(words);
-}
-
 void LinuxCnc::tail() {
   if (draws_.chance(20)) put({"M9"});
   put_as_it_is(draws_.chance(50) ? "M2" : "M30");
@@ -138,7 +130,15 @@ void LinuxCnc::piece() {
 }
 
 void LinuxCnc::change_mode() {
-  switch (draws_.whole(0, 6)) {
+  switch (draws_.whole(0, 8)) {
+    case 7:
+      centre_absolute_ = !centre_absolute_;
+      return put({centre_absolute_ ? "G90.1" : "G91.1"});
+    case 8: {
+      static constexpr std::array<std::string_view, 6> kOutputs{"M64 P1",    "M65 P1",      "M62 P0",
+                                                                "M68 E0 Q1", "M67 E1 Q0.5", "M50 P1"};
+      return put({std::string(draws_.pick(kOutputs))});
+    }
     case 0:
     case 1:
       incremental_ = !incremental_;
@@ -208,14 +208,33 @@ void LinuxCnc::set_table(int system) {
   put(words);
 }
 
+// G10 L20: the work system is put where the axes read what the block says.
+void LinuxCnc::set_system_here() {
+  if (turned_deg_ != 0) return;
+  Words words{draws_.chance(50) ? "G10 L20 P0" : fmt::format("G10 L20 P{}", system_)};
+  for (const Axis axis : kAllAxes) {
+    if (!draws_.chance(35) || (is_rotary(axis) && !uses_rotary_) || axis == Axis::C) continue;
+    const double to = at_[axis] + draws_.whole(-300, 300) / (is_rotary(axis) ? 1000.0 : 100.0);
+    const Spelled number = is_rotary(axis) ? spell(to, 4, 9) : spell(to / unit(), 5, 9);
+    const double value = number.value * (is_rotary(axis) ? 1 : unit());
+    origin_[axis] += at_[axis] - value;
+    at_[axis] = value;
+    words.push_back(letter(axis) + number.text);
+  }
+  if (words.size() == 1) return;
+  systems_[static_cast<std::size_t>(system_ - 1)].origin = origin_;
+  put(words);
+}
+
 void LinuxCnc::change_offset() {
   const int kind = draws_.whole(0, 5);
   if (kind <= 1) {
     const int system = draws_.whole(1, 9);
     if (!program_.options.work_offsets[static_cast<std::size_t>(system - 1)] && !draws_.chance(20)) return;
     select_system(system);
-    return put({std::string(kSystems[static_cast<std::size_t>(system - 1)])});
+    return put({std::string(kLinuxCncSystems[static_cast<std::size_t>(system - 1)])});
   }
+  if (kind == 2 && draws_.chance(40)) return set_system_here();
   if (kind == 2) return set_table(draws_.chance(60) ? system_ : draws_.whole(1, 9));
   set_position();
 }
@@ -451,6 +470,10 @@ void LinuxCnc::stop() {
   if (!keeps_at_stop_) known_ = false;
   put({draws_.chance(50) ? code('M', 0) : code('M', 1)});
   if (!known_) go_to_known_place();
+}
+
+std::unique_ptr<Writer> linuxcnc_writer(std::uint64_t seed, const Scene& scene) {
+  return std::make_unique<LinuxCnc>(seed, scene);
 }
 
 }  // namespace plumbline::drawn

@@ -21,11 +21,11 @@ class LinuxCnc final : public Writer {
   std::string expression(Spelled& number) override;
   bool has_turns() const override { return true; }
 
-  void go_to_known_place();
   void change_mode();
   void change_offset();
   void select_system(int system);
   void set_table(int system);
+  void set_system_here();
   void set_position();
   void change_tool();
   void tool_length();

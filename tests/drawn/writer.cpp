@@ -56,6 +56,7 @@ Writer::Writer(std::string_view dialect, std::uint64_t seed, const Scene& scene,
 DrawnProgram Writer::write() {
   head();
   for (int left = draws_.whole(3, 14); left > 0; --left) piece();
+  known_ = false;
   tail();
   program_.blocks = std::move(blocks_);
   return std::move(program_);
@@ -183,9 +184,36 @@ double Writer::target(Axis axis) {
 std::string Writer::axis_word(Axis axis) { return axis_word_to(axis, target(axis)); }
 
 std::string Writer::axis_word_to(Axis axis, double work) {
+  if (axis == Axis::C && !incremental_ && program_.options.rotary[2] != nc::RotaryRule::linear)
+    return endless_word(axis, work);
   const double by = incremental_ ? work - at_[axis] : work;
   const Spelled number = is_rotary(axis) ? angle(by) : length(by);
   at_[axis] = incremental_ ? at_[axis] + number.value : number.value;
+  return letter(axis) + number.text;
+}
+
+// C is an axis whose words count within a turn. Where it stands at first is known then.
+void Writer::turn_endlessly() {
+  if (!uses_rotary_) return;
+  program_.options.rotary[2] = draws_.chance(50) ? nc::RotaryRule::shortest : nc::RotaryRule::sign;
+  if (!program_.options.start[index(Axis::C)]) program_.options.start[index(Axis::C)] = 0;
+}
+
+// Some turn of it for the shorter way; under the rule of signs the sign says which way round.
+std::string Writer::endless_word(Axis axis, double work) {
+  constexpr double kTurn = 360;
+  const bool by_sign = program_.options.rotary[2] == nc::RotaryRule::sign;
+  double place = std::fmod(work, kTurn);
+  if (place < 0) place += kTurn;
+  if (!by_sign && draws_.chance(40)) place += draws_.chance(50) ? kTurn : -kTurn;
+  place = std::max(place, by_sign ? 0.01 : -kTurn);
+  const bool down = by_sign && work < at_[axis];
+  const Spelled number = spell(down ? -place : place, 3, manners_.cut_deg);
+  double way = std::fmod(std::abs(number.value) - at_[axis], kTurn);
+  if (!by_sign) way = std::fmod(number.value - at_[axis], kTurn);
+  if (way < 0) way += kTurn;
+  if (by_sign ? down && way > 0 : way > kTurn / 2) way -= kTurn;
+  at_[axis] += way;
   return letter(axis) + number.text;
 }
 
@@ -206,6 +234,17 @@ AxisSet Writer::some(int linear_percent, int rotary_percent) {
     }
   }
   return which;
+}
+
+void Writer::go_to_known_place() {
+  Words words;
+  if (incremental_) words.emplace_back("G90");
+  incremental_ = false;
+  words.push_back(code('G', 0));
+  motion_ = 0;
+  for (std::string& word : axes(used_axes())) words.push_back(std::move(word));
+  known_ = true;
+  put(words);
 }
 
 std::string Writer::feed_text(double mm_min) { return "F" + spell(mm_min / unit(), 1, 9).text; }
@@ -262,8 +301,16 @@ Writer::Words Writer::arc() {
   const double first = at_[axes.first];
   const double second = at_[axes.second];
   // Towards the middle of the box, so that it does not wander off
-  const Spelled i = length(-r * std::cos(begin * kDeg));
-  const Spelled j = length(-r * std::sin(begin * kDeg));
+  Spelled i = length(-r * std::cos(begin * kDeg));
+  Spelled j = length(-r * std::sin(begin * kDeg));
+  Spelled centre_first;
+  Spelled centre_second;
+  if (centre_absolute_) {
+    centre_first = length(first + i.value);
+    centre_second = length(second + j.value);
+    i.value = centre_first.value - first;
+    j.value = centre_second.value - second;
+  }
   const double end = std::atan2(-j.value, -i.value) / kDeg + (clockwise ? -sweep : sweep);
   const double radius = std::hypot(i.value, j.value);
   if (!full) {
@@ -278,8 +325,13 @@ Writer::Words Writer::arc() {
     const double r_word = std::max(radius, chord / 2 + 0.02);
     words.push_back(radius_word(length(far ? -r_word : r_word).text));
   } else {
-    if (i.value != 0 || draws_.chance(50)) words.push_back(letters[0] + i.text);
-    if (j.value != 0 || i.value == 0 || draws_.chance(50)) words.push_back(letters[1] + j.text);
+    if (centre_absolute_) {
+      words.push_back(letters[0] + centre_first.text);
+      words.push_back(letters[1] + centre_second.text);
+    } else {
+      if (i.value != 0 || draws_.chance(50)) words.push_back(letters[0] + i.text);
+      if (j.value != 0 || i.value == 0 || draws_.chance(50)) words.push_back(letters[1] + j.text);
+    }
   }
   if (draws_.chance(30)) words.push_back(axis_word(axes.third));
   if (uses_rotary_ && draws_.chance(15)) words.push_back(axis_word(Axis::B));

@@ -70,13 +70,16 @@ class Writer {
   AxisWords to_box(const AxisWords& work) const;
   AxisWords to_work(const AxisWords& box) const;
   double target(Axis axis);  // in the work system, within the box
-  std::string axis_word(Axis axis);
+  virtual std::string axis_word(Axis axis);
   std::string axis_word_to(Axis axis, double work);
+  std::string endless_word(Axis axis, double work);
+  void turn_endlessly();
   Words axes(AxisSet which);
   AxisSet some(int linear_percent, int rotary_percent);
   AxisSet used_axes() const { return uses_rotary_ ? AxisSet::all() : AxisSet::linear(); }
 
   // Motion
+  void go_to_known_place();  // all axes that are used, by absolute words
   virtual Words line(bool feeds);
   virtual Words arc();
   void feed_word(Words& words);
@@ -98,6 +101,7 @@ class Writer {
   AxisWords origin_;       // of the work system in the box
   AxisWords shift_;        // G92, G52: added to the words
   double turned_deg_ = 0;  // about Z
+  bool centre_absolute_ = false;
   bool inches_ = false;
   bool incremental_ = false;
   Feeds feeds_ = Feeds::per_minute;
