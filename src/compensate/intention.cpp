@@ -174,8 +174,8 @@ void Intention::shift(const nc::Step& hole, const AxisWords& by) {
     if (back) {
       // G71 as it is; where the tool came in from below R, the higher of the two
       const bool from_r = std::abs(at.clear - at.r) <= kSameHeight;
-      const double level = from_r ? std::max(level_away_, by[axes.third]) : level_away_;
-      work[axes.third] = dialect_.habits.return_levels ? 0 : level;
+      if (from_r) level_away_ = std::max(level_away_, by[axes.third]);
+      work[axes.third] = dialect_.habits.return_levels ? 0 : level_away_;
     } else if (i >= at.approach_end) {
       work[axes.third] = by[axes.third];
     }

@@ -69,6 +69,6 @@ TEST_CASE("siemens: TURN= beside G64 is no tolerance of the path") {
 
 TEST_CASE("linuxcnc: a tap goes back to where the tool came in, at the feed of its hole") {
   check_taken("linuxcnc", {"G0 X-1.14343 Y-1.02906 Z.23296\nM3 S500\nF102.6\nG98 G84 Z.40908 R1\nG80\nM2\n",
-                           "G0 X5 Y-1 Z1\nM3 S500\nF300\nG98 G84 X7 Z1.2 R1.5\nX9\nG80\nM2\n",
+                           "G0 X5 Y-1 Z1\nM3 S500\nF300\nG98 G84 X7 Z1.2 R1.5\nG80\nM2\n",
                            "G20\nG0 X.2 Y-.1 Z.1\nM3 S500\nF5\nG98 G84 X.3 Z.09 R.12\nG80\nM2\n"});
 }

@@ -14,6 +14,7 @@ Manners siemens_manners() {
   manners.comment_open = "; ";
   manners.comment_close = "";
   manners.comment_inside = false;
+  manners.finer = false;
   return manners;
 }
 
@@ -68,7 +69,7 @@ class Siemens final : public Writer {
 
   // One axis by IC, AC or DC, whatever the mode; of an increment the control keeps three decimals.
   std::string axis_word(Axis axis) override {
-    if (!draws_.chance(4) || inches_) return Writer::axis_word(axis);
+    if (goes_to_known_place_ || !draws_.chance(4) || inches_) return Writer::axis_word(axis);
     const double to = target(axis);
     if (draws_.chance(50)) {
       const Spelled by = spell(to - at_[axis], 3, 3);
@@ -162,12 +163,12 @@ class Siemens final : public Writer {
       return go_to_known_place();
     }
     if (shifted_) {
-      put({"TRANS"});
       origin_ = origin_before_;
       turned_deg_ = 0;
       shift_ = {};
       shifted_ = false;
       at_ = to_work(box);
+      put({"TRANS"});
       return go_to_known_place();
     }
     if (plane_ != nc::Plane::xy || inches_) return;
@@ -230,7 +231,7 @@ class Siemens final : public Writer {
     } else {
       put({"MCALL", call});
       for (int more = draws_.whole(1, 3); more > 0; --more)
-        put({"X" + length(target(Axis::X)).text, "Y" + length(target(Axis::Y)).text});
+        put({code('G', 0), "X" + length(target(Axis::X)).text, "Y" + length(target(Axis::Y)).text});
       put({"MCALL"});
     }
     motion_ = -1;

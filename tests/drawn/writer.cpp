@@ -73,7 +73,9 @@ Spelled Writer::spell(double value, int most_decimals, int cut, int increments) 
     const double count = std::round(value * std::pow(10.0, increments));
     return {fmt::format("{:.0f}", count == 0 ? 0 : count), count / std::pow(10.0, increments)};
   }
-  const int decimals = draws_.chance(10) ? draws_.whole(0, most_decimals) : draws_.chance(4) ? 6 : most_decimals;
+  const int decimals = draws_.chance(10)                                 ? draws_.whole(0, most_decimals)
+                       : draws_.chance(4) && (manners_.finer || cut > 6) ? 6
+                                                                         : most_decimals;
   std::string text = fmt::format("{:.{}f}", value, decimals);
   if (decimals == 0 && (increments > 0 || draws_.chance(60))) text += ".";
   if (text.find('.') != std::string::npos && draws_.chance(60)) {
@@ -242,7 +244,9 @@ void Writer::go_to_known_place() {
   incremental_ = false;
   words.push_back(code('G', 0));
   motion_ = 0;
+  goes_to_known_place_ = true;
   for (std::string& word : axes(used_axes())) words.push_back(std::move(word));
+  goes_to_known_place_ = false;
   known_ = true;
   put(words);
 }

@@ -28,6 +28,7 @@ struct Manners {
   int cut_mm = 9, cut_inch = 9, cut_deg = 9;                 // further ones are not kept
   int increments_mm = 0, increments_inch = 0,
       increments_deg = 0;  // decimals that a number without a point has; 0: none
+  bool finer = true;       // decimals that are not kept may be written
   bool lower_case = true;
   bool spaces_inside = false;  // X 1 . 5
   bool plus = true;
@@ -96,8 +97,9 @@ class Writer {
   DrawnProgram program_;
 
   // What the control remembers
-  AxisWords at_;           // in the work system
-  bool known_ = false;     // all that is used
+  AxisWords at_;        // in the work system
+  bool known_ = false;  // all that is used
+  bool goes_to_known_place_ = false;
   AxisWords origin_;       // of the work system in the box
   AxisWords shift_;        // G92, G52: added to the words
   double turned_deg_ = 0;  // about Z
