@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
+#include "base/units.hpp"
 #include "diagnose/doubt.hpp"
+#include "diagnose/held_values.hpp"
 #include "diagnose/noise_spectrum.hpp"
 #include "diagnose/unexplained.hpp"
 #include "diagnose/verdict.hpp"
@@ -260,6 +262,13 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
     // with terms that the runs held out bear out, nuisances are others than those of the base model alone
     if (beside.borne_out && !left.terms.empty()) taken.departure.setZero();
     leaves.after = std::move(beside.residuals);
+  }
+  if (diagnosis.verdict != Verdict::unknown) {
+    const identify::Held held = held_values(bench, forces, picks_of(model), model.fit, options.hold);
+    tell(fmt::format("the tip as a whole would move by {:.1f} um, +- {:.1f}: held along {} of 3 axes, {:.1f} um",
+                     held.shift / kUm, held.shift_doubt / kUm, held.axes, held.back / kUm));
+    diagnosis.forces = shelf.unknowns.at(held.values);
+    leaves.after = residuals(machine, runs, diagnosis.forces, model.noise);
   }
   if (is_gap(left, options.verdict)) {
     diagnosis.remainder = {std::sqrt(left.gain), left.terms, formula_of(left.terms)};

@@ -14,6 +14,7 @@
 #include "diagnose/search.hpp"
 #include "diagnose/visible.hpp"
 #include "diagnose/where.hpp"
+#include "identify/held.hpp"
 
 namespace plumbline::diagnose {
 
@@ -48,6 +49,7 @@ struct DiagnoseOptions {
   WhereOptions where;
   ChannelOptions channels;
   CompensatedOptions compensated;
+  identify::HoldOptions hold;
 };
 
 enum class Verdict { named, nothing_missing, unknown };

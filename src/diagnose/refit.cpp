@@ -190,6 +190,8 @@ class Fitter {
     Eigen::VectorXd b;
     normal(point, values, A, b);
     const Eigen::MatrixXd covariance = A.ldlt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
+    result.places = places_;
+    result.covariance = scales_.asDiagonal() * covariance * scales_.asDiagonal();
     result.errors.assign(bench_.shelf.unknowns.size(), 0);
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);

@@ -33,6 +33,8 @@ struct Refit {
   Eigen::MatrixXd effects;     // Gram matrix of the picks' numbers, nuisances out, in scales of their unknowns
   Eigen::VectorXd sizes;       // of those numbers in these scales, from where they change nothing
   std::vector<double> errors;  // standard errors of the shelf's unknowns that were fitted, SI; others zero
+  std::vector<int> places;     // of the shelf's unknowns that were fitted,
+  Eigen::MatrixXd covariance;  // and theirs, SI
   std::vector<identify::RunEquations> left;  // residuals, not whitened; no slopes
   bool converged = false;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/diagnostic.hpp"
+#include "diagnose/held_values.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -42,7 +43,8 @@ std::optional<Footing> without_what_recurs(const Workbench& bench, const Footing
 // more than before: the terms come from a linear problem.
 Fitted described(const Workbench& bench, const Footing& footing, const std::vector<Term>& terms,
                  const DiagnoseOptions& options) {
-  const physics::ForceModel before = bench.shelf.unknowns.at(footing.fit.values);
+  const physics::ForceModel before =
+      bench.shelf.unknowns.at(held_values(bench, bench.forces, {}, footing.fit, options.hold).values);
   Fitted base{before, parameter_errors(bench.shelf, before, footing.fit)};
   if (terms.empty()) return base;
   physics::ForceModel forces = bench.forces;
@@ -52,7 +54,9 @@ Fitted described(const Workbench& bench, const Footing& footing, const std::vect
     const Refit fit =
         refit({bench.machine, forces, bench.runs, shelf}, {}, footing.fit.values, footing.noise, options.search.refit);
     if (fit.misfit < footing.fit.misfit) {
-      const physics::ForceModel fitted = shelf.unknowns.at(fit.values);
+      const Workbench beside{bench.machine, forces, bench.runs, shelf};
+      const physics::ForceModel fitted =
+          shelf.unknowns.at(held_values(beside, bench.forces, {}, fit, options.hold).values);
       return {fitted, parameter_errors(shelf, fitted, fit)};
     }
   } catch (const Refusal&) {  // with the terms as they are, the machine falls through a singularity
@@ -81,7 +85,9 @@ Unexplained unexplained(const Base& base, const std::vector<measure::Run>& runs,
   Fitted fitted = described(bench, *footing, left.terms, options);
   auto of_fitted = residuals(bench.machine, runs, fitted.forces, base.noise);
   if (held_out_misfit(of_fitted, out, base.noise) > held_out_misfit(base.left, out, base.noise)) {
-    return {std::move(left), described(bench, base.footing, {}, options), base.left, false};
+    Fitted plain = described(bench, base.footing, {}, options);
+    of_fitted = residuals(bench.machine, runs, plain.forces, base.noise);
+    return {std::move(left), std::move(plain), std::move(of_fitted), false};
   }
   return {std::move(left), std::move(fitted), std::move(of_fitted)};
 }

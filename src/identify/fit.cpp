@@ -10,12 +10,6 @@
 namespace plumbline::identify {
 namespace {
 
-Eigen::VectorXd scales_of(const Unknowns& unknowns) {
-  Eigen::VectorXd scales(static_cast<Eigen::Index>(unknowns.size()));
-  for (std::size_t i = 0; i < unknowns.size(); ++i) scales[static_cast<Eigen::Index>(i)] = unknowns[i].scale;
-  return scales;
-}
-
 // Eigenvalues of an information matrix below this share of the largest count as none.
 constexpr double kLeastInformation = 1e-14;
 
@@ -28,7 +22,7 @@ class Condensed : public ceres::CostFunction {
   explicit Condensed(Objective& objective)
       : objective_(objective),
         start_(objective.unknowns().start()),
-        scales_(scales_of(objective.unknowns())),
+        scales_(objective.unknowns().scales()),
         prior_(prior_weights(objective.unknowns())) {
     mutable_parameter_block_sizes()->push_back(static_cast<int>(scales_.size()));
     set_num_residuals(static_cast<int>(scales_.size()) + 1);
@@ -169,6 +163,11 @@ Eigen::VectorXd prior_weights(const Unknowns& unknowns) {
   return weights;
 }
 
+Eigen::MatrixXd root_of(const Eigen::MatrixXd& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(covariance);
+  return parts.eigenvectors() * parts.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+}
+
 double Fit::standard_error(std::size_t i) const {
   const auto k = static_cast<Eigen::Index>(i);
   return std::sqrt(covariance(k, k));
@@ -191,7 +190,7 @@ std::vector<double> Fit::parameter_errors() const {
 }
 
 Eigen::MatrixXd posterior_covariance(const Unknowns& unknowns, const Eigen::MatrixXd& information) {
-  const Eigen::VectorXd scales = scales_of(unknowns);
+  const Eigen::VectorXd scales = unknowns.scales();
   Eigen::MatrixXd precision = information;
   precision.diagonal() += prior_weights(unknowns);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(precision);
@@ -235,7 +234,7 @@ Round rounds(Objective& objective, Eigen::VectorXd values, const FitOptions& opt
     last.iterations += before;
     values = last.values;
     if (options.known_noise || round >= options.most_noise_rounds) return last;
-    FittedUnknowns fitted{objective.evaluate(values, true).information, scales_of(objective.unknowns()),
+    FittedUnknowns fitted{objective.evaluate(values, true).information, objective.unknowns().scales(),
                           objective.noise()};
     fitted.precision.diagonal() += prior_weights(objective.unknowns());
     const NoiseModel noise = estimate_noise(objective.equations(values, true), options.noise, &fitted);

@@ -54,6 +54,9 @@ struct Fit {
 Fit fit(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Unknowns& unknowns,
         const FitOptions& options = {}, const Tracked* tracked = nullptr);
 
+/// A square root of a covariance, R R^T; what rounding makes negative is nil.
+Eigen::MatrixXd root_of(const Eigen::MatrixXd& covariance);
+
 /// 1 / sigma^2 of each prior, in scales; zero for what is free.
 Eigen::VectorXd prior_weights(const Unknowns& unknowns);
 

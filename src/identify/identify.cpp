@@ -7,6 +7,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/mean_square.hpp"
+#include "base/units.hpp"
 #include "identify/named_keys.hpp"
 
 namespace plumbline::identify {
@@ -34,6 +35,14 @@ std::vector<measure::Run> only(const std::vector<measure::Run>& runs, Readings w
              : "the paper's second stage needs radial_um; without it use --stages joint");
 }
 
+std::string held_text(const Held& held) {
+  return fmt::format(
+      "circles do not show where the tip stands as a whole: it stays where the model as given has it along {} of 3 "
+      "axes "
+      "({:.1f} um); what is between places is as found, and a zero that is touched off takes the rest",
+      held.axes, held.back / kUm);
+}
+
 Stage run_stage(std::string name, const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
                 const Unknowns& unknowns, const IdentifyOptions& options, const Tracked* tracked = nullptr) {
   if (unknowns.size() == 0) {
@@ -48,7 +57,15 @@ Stage run_stage(std::string name, const machine::MachineModel& machine, const st
   Plausibility plausible = plausibility(machine.rotation, tracked == nullptr ? runs : std::vector<measure::Run>{},
                                         found, options.fit, believed);
   std::string against = objection(found, plausible, believed);
-  return {std::move(name), std::move(found), std::move(known), std::move(plausible), std::move(against)};
+  std::optional<Held> held;
+  if (tracked == nullptr && options.stages != Stages::paper) {
+    held = hold_unsure(machine.rotation, runs, unknowns.forces(), unknowns, found.values, doubt_of(found, plausible),
+                       options.hold);
+    found.values = held->values;
+    if (held->axes > 0) known.statements.push_back(held_text(*held));
+  }
+  return {std::move(name),  std::move(found),     std::move(held),
+          std::move(known), std::move(plausible), std::move(against)};
 }
 
 Misfit misfit_of(const machine::MachineModel& machine, const std::vector<measure::Run>& runs, const Tracked* tracked,

@@ -1,10 +1,12 @@
 // Identification: the parameters of a machine's model from circular tests, and from poses that a tracker measured.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "identify/geometry.hpp"
+#include "identify/held.hpp"
 #include "identify/observability.hpp"
 #include "identify/plausible.hpp"
 #include "measure/dataset.hpp"
@@ -26,6 +28,7 @@ struct IdentifyOptions {
   FitOptions fit;
   ObservabilityOptions observability;
   PlausibleOptions plausible;
+  HoldOptions hold;
 };
 
 /// How far a model is from the measurements: rms and means over all samples of all runs.
@@ -43,8 +46,9 @@ struct Misfit {
 
 /// One fit, and what it is worth.
 struct Stage {
-  std::string name;  // "joint", "torques", "bar readings"
-  Fit fit;
+  std::string name;          // "joint", "torques", "bar readings"
+  Fit fit;                   // its values without what was held
+  std::optional<Held> held;  // nothing: there were no circles, or no priors that could have taken anything back
   Observability observability;
   Plausibility plausible;
   std::string objection;  // why it is not to be believed; empty: nothing speaks against it

@@ -16,18 +16,50 @@ namespace {
 constexpr double kSamePlace = 1e-6;  // m, rad
 constexpr std::size_t kMostNamed = 5;
 
+constexpr double kLeastTold = 0.03;  // of a direction's prior variance: below that the data say nothing of it
+
+// The normal deviate that is as rare as chi2  [Wilson and Hilferty 1931].
+double deviate_of(double chi2, double degrees) {
+  const double spread = 2 / (9 * degrees);
+  return (std::cbrt(chi2 / degrees) - (1 - spread)) / std::sqrt(spread);
+}
+
+// Before the data an unknown is normal with the prior's covariance P, after them with C about the value found. So what
+// is found is itself normal about the start, with P - C: the data cannot move what they do not tell. Along the common
+// axes of both, in sigmas of the priors, it has the variance 1 - c, and the sum of squares over that is chi-square.
+void add_chi2(const Fit& fit, const std::vector<Eigen::Index>& places, Plausibility& found) {
+  if (places.empty()) return;
+  Eigen::VectorXd sigmas(static_cast<Eigen::Index>(places.size()));
+  Eigen::VectorXd off(sigmas.size());
+  for (Eigen::Index k = 0; k < sigmas.size(); ++k) {
+    const Eigen::Index i = places[static_cast<std::size_t>(k)];
+    const Unknown& u = fit.unknowns[static_cast<std::size_t>(i)];
+    sigmas[k] = u.sigma;
+    off[k] = (fit.values[i] - u.start) / u.sigma;
+  }
+  const Eigen::MatrixXd left =
+      sigmas.cwiseInverse().asDiagonal() * fit.covariance(places, places) * sigmas.cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(left);
+  for (Eigen::Index k = 0; k < sigmas.size(); ++k) {
+    const double told = 1 - axes.eigenvalues()[k];
+    if (told < kLeastTold) continue;
+    const double along = axes.eigenvectors().col(k).dot(off);
+    found.chi2 += along * along / told;
+    ++found.degrees;
+  }
+  if (found.degrees > 0) found.all_sigmas = deviate_of(found.chi2, found.degrees);
+}
+
 void add_strain(const Fit& fit, const PlausibleOptions& options, Plausibility& found) {
-  double chi2 = 0;
-  double count = 0;
+  std::vector<Eigen::Index> places;
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
     const Unknown& u = fit.unknowns[i];
     if (u.free() || (options.joints_seen && of_geometry(u))) continue;
-    const double sigmas = (fit.values[static_cast<Eigen::Index>(i)] - u.start) / u.sigma;
-    chi2 += sigmas * sigmas;
-    ++count;
+    places.push_back(static_cast<Eigen::Index>(i));
+    const double sigmas = (fit.values[places.back()] - u.start) / u.sigma;
     if (std::abs(sigmas) > options.most_sigmas) found.strained.push_back({i, sigmas});
   }
-  if (count > 0) found.all_sigmas = (chi2 - count) / std::sqrt(2 * count);
+  add_chi2(fit, places, found);
   std::sort(found.strained.begin(), found.strained.end(),
             [](const Strain& a, const Strain& b) { return std::abs(a.sigmas) > std::abs(b.sigmas); });
 }
@@ -58,12 +90,6 @@ Left left_at_start(Objective& objective, const Fit& fit) {
   return left;
 }
 
-// A square root of a covariance; what rounding makes negative is nil.
-Eigen::MatrixXd root_of(const Eigen::MatrixXd& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(covariance);
-  return parts.eigenvectors() * parts.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
-}
-
 // To first order the fit without some runs is where the others' misfit and the priors have their least:
 // (A - A_k) d = -g + g_k, g being nil at the fit
 void foretell(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Fit& fit,
@@ -87,8 +113,8 @@ void foretell(const machine::RotationOrder& order, const std::vector<measure::Ru
     gradient[pose] += normal.gradient;
     all += normal.information;
   }
-  Eigen::VectorXd scales(size);
-  for (Eigen::Index i = 0; i < size; ++i) scales[i] = fit.unknowns[static_cast<std::size_t>(i)].scale;
+  const Eigen::VectorXd scales = fit.unknowns.scales();
+  found.left_out.resize(size, count);
   Left left;
   Left doubt;  // how far off the fit to the others must expect to be, being unsure of its unknowns
   for (int pose = 0; pose < count; ++pose) {
@@ -96,6 +122,7 @@ void foretell(const machine::RotationOrder& order, const std::vector<measure::Ru
     const auto others = (all - information[k]).completeOrthogonalDecomposition();
     const Eigen::VectorXd step = scales.cwiseProduct(others.solve(gradient[k]));
     const Eigen::MatrixXd spread = scales.asDiagonal() * root_of(others.pseudoInverse());
+    found.left_out.col(pose) = step;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       if (poses[i] != pose) continue;
       add_left(equations[i], equations[i].residual - equations[i].slopes * step, left.radial, left.torque);
@@ -135,6 +162,22 @@ std::vector<int> poses_of(const std::vector<measure::Run>& runs) {
   return poses;
 }
 
+Eigen::MatrixXd doubt_of(const Fit& fit, const Plausibility& plausible) {
+  Eigen::MatrixXd covariance = fit.covariance;
+  for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
+    if (std::isfinite(covariance(i, i))) continue;
+    covariance.row(i).setZero();
+    covariance.col(i).setZero();
+  }
+  if (plausible.degrees > 0) covariance *= std::max(1.0, plausible.chi2 / plausible.degrees);
+  const auto poses = static_cast<double>(plausible.left_out.cols());
+  if (poses > 1) {
+    const Eigen::MatrixXd apart = plausible.left_out.colwise() - plausible.left_out.rowwise().mean().eval();
+    covariance += (poses - 1) / poses * apart * apart.transpose();
+  }
+  return covariance;
+}
+
 Plausibility plausibility(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Fit& fit,
                           const FitOptions& fitted_with, const PlausibleOptions& options) {
   Plausibility found;
@@ -147,9 +190,9 @@ std::string objection(const Fit& fit, const Plausibility& plausible, const Plaus
   if (!plausible.strained.empty()) return strain_text(fit, plausible.strained);
   if (plausible.all_sigmas > options.most_sigmas_all) {
     return fmt::format(
-        "all that [uncertainty] lists would be further off together than it says: none of it by {:.0f} sigma, but the "
-        "sum of squares by {:.0f} of its standard deviations",
-        options.most_sigmas, plausible.all_sigmas);
+        "all that [uncertainty] lists would be further off together than it says: chi-square is {:.0f} where {:.0f} is "
+        "expected, as in less than one of a thousand machines",
+        plausible.chi2, plausible.degrees);
   }
   const auto worse = [](const Foretold& of, double unit, std::string_view what, std::string_view unit_name) {
     return fmt::format(

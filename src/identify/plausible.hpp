@@ -11,9 +11,9 @@
 namespace plumbline::identify {
 
 struct PlausibleOptions {
-  double most_sigmas = 6;       // that one unknown may be off from what was known of it
-  double most_sigmas_all = 5;   // standard deviations of chi-square that all of them together may be
-  double worse_times = 1.1;     // as far off as the base model may the fit be on circles that it did not see
+  double most_sigmas = 6;         // that one unknown may be off from what was known of it
+  double most_sigmas_all = 3.09;  // as a normal deviate, of what all of them together may be: one machine of a thousand
+  double worse_times = 1.1;       // as far off as the base model may the fit be on circles that it did not see
   double expected_times = 2;    // as far off as it must expect, unsure of its unknowns as it is, may it be beside that
   double least_radial = 2e-8;   // m; less than that is rounding
   double least_torque = 1e-3;   // N m
@@ -40,9 +40,17 @@ struct Foretold {
 
 struct Plausibility {
   std::vector<Strain> strained;  // beyond most_sigmas, the furthest first
-  double all_sigmas = 0;         // chi-square of all priors less what it should be, in its standard deviations
+  double chi2 = 0;               // of all priors together: how far the data moved what they tell
+  double degrees = 0;            // of freedom: directions of the unknowns that the data tell
+  double all_sigmas = 0;         // chi2 as the normal deviate that is as rare
+  Eigen::MatrixXd left_out;      // how far each unknown moves when a pose is left out, SI: a column for each pose
   Foretold radial, torque;       // poses left out in turn; no readings: too few poses
 };
+
+/// How sure the values found are: of `fit` (rows and columns of zeros: what nothing tells), wider where chi2 says that
+/// the priors are too narrow, by chi2 / degrees  [Birge 1932], and wider by what leaving out poses changes: their
+/// jackknife  [Efron 1982]. What a model lacks moves each pose otherwise, which no estimate of the noise knows.
+Eigen::MatrixXd doubt_of(const Fit& fit, const Plausibility& plausible);
 
 /// Each pose is left out in turn, to first order about the fit: no second fit is made.
 Plausibility plausibility(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Fit& fit,

@@ -134,6 +134,12 @@ Eigen::VectorXd Unknowns::start() const {
   return values;
 }
 
+Eigen::VectorXd Unknowns::scales() const {
+  Eigen::VectorXd scales(static_cast<Eigen::Index>(list_.size()));
+  for (std::size_t i = 0; i < list_.size(); ++i) scales[static_cast<Eigen::Index>(i)] = list_[i].scale;
+  return scales;
+}
+
 physics::ForceModel Unknowns::at(const Eigen::VectorXd& values) const {
   PLUMBLINE_CHECK(values.size() == static_cast<Eigen::Index>(list_.size()));
   physics::ForceModel forces = forces_;

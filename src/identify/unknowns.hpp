@@ -68,6 +68,8 @@ class Unknowns {
   const physics::ForceModel& forces() const { return forces_; }
   /// Where all unknowns start, SI.
   Eigen::VectorXd start() const;
+  /// Their scales, SI.
+  Eigen::VectorXd scales() const;
   /// The force model with the unknowns at `values` (SI, in the order of the list).
   physics::ForceModel at(const Eigen::VectorXd& values) const;
 

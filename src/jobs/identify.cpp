@@ -155,6 +155,19 @@ ordered_json foretold_json(const identify::Foretold& foretold, double unit) {
   return {{"before", foretold.before / unit}, {"after", foretold.after / unit}};
 }
 
+ordered_json gain_json(const identify::TipGain& gain) {
+  return {{"moved_um", gain.moved / kUm}, {"doubt_um", gain.doubt / kUm}, {"gain_sigmas", gain.sigmas}};
+}
+
+// What of the change stays out, as it might make the tip worse; null: that was not asked.
+ordered_json held_json(const std::optional<identify::Held>& held) {
+  if (!held) return nullptr;
+  return {{"axes", held->axes},
+          {"back_um", held->back / kUm},
+          {"tip", gain_json(held->whole)},
+          {"tip_zero_touched_off", gain_json(held->off_the_part)}};
+}
+
 ordered_json stage_json(const Stage& stage) {
   const Fit& fit = stage.fit;
   ordered_json json{{"name", stage.name},       {"converged", fit.converged}, {"iterations", fit.iterations},
@@ -174,6 +187,8 @@ ordered_json stage_json(const Stage& stage) {
   for (const identify::Strain& strain : stage.plausible.strained) {
     json["strained"].push_back({{"label", fit.unknowns[strain.unknown].label}, {"sigmas", strain.sigmas}});
   }
+  json["prior_chi2"] = {{"value", stage.plausible.chi2}, {"degrees", stage.plausible.degrees}};
+  json["held"] = held_json(stage.held);
   json["left_out"] = {{"radial_rms_um", foretold_json(stage.plausible.radial, kUm)},
                       {"torque_rms_Nm", foretold_json(stage.plausible.torque, 1)}};
   for (int c = 0; c < identify::kAllChannels; ++c) {

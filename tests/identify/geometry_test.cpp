@@ -111,11 +111,15 @@ TEST_CASE("what no circle shows of the geometry stays where it was, even with wi
   const Identification found =
       identify::identify(machine, runs, {.stages = Stages::geometry, .geometry = {.alone = true}});
   REQUIRE(found.converged());
-  const Fit& fit = found.stages[0].fit;
+  const Fit fit = identify::fit(machine.rotation, runs, unknowns);
   const double share = shift->direction.dot(fit.values) / shift->direction.squaredNorm();
   // what the data leave of the prior says how far they may draw the estimate from it: through the loads alone
   const double left = left_of_prior(*shift, fit.unknowns, fit.covariance);
   CHECK(left > 0.7);
   CHECK(share == Approx(300e-6 * (1 - left * left)).margin(40e-6));
+  // and the tip stays where it was, as far as the data do not surely say otherwise
+  REQUIRE(found.stages[0].held);
+  CHECK(found.stages[0].held->axes > 0);
+  CHECK(found.stages[0].held->back > 20e-6);
   CHECK(found.after.radial_rms < 0.2e-6);
 }

@@ -122,6 +122,7 @@ TEST_CASE("joints that a tracker saw may be far off, other numbers may not") {
   const machine::MachineModel machine = pm600_like();
   Fit found(geometry_unknowns(machine, physics::ForceModel(machine)));
   found.values = found.unknowns.start();
+  found.covariance.setZero(found.values.size(), found.values.size());
   const auto joint = static_cast<Eigen::Index>(found.unknowns.find("joint-position", "base_um", 3));
   found.values[joint] += 7 * found.unknowns[static_cast<std::size_t>(joint)].sigma;
   PlausibleOptions options;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -14,6 +15,7 @@ constexpr double kFastest = 0.2;  // m/s; what is faster is a rapid that was lef
 constexpr double kWindow = 0.3;   // s, in which the tip may be late or early
 constexpr double kCoarse = 0.01;  // s
 constexpr double kFine = 1e-6;    // s
+constexpr int kBack = 32;         // looks back over what a lag remembers
 
 bool jumps(const Program& program, double t) {
   return (program.path(t + 2 * kPiece).x - program.path(t - 2 * kPiece).x).norm() > kFastest * 4 * kPiece;
@@ -39,6 +41,23 @@ double nearest(const Program& meant, const Vec& place, double about) {
   return (low + high) / 2;
 }
 
+// Where the struts are behind what they are told, m: of a lag of first order, int exp(-s / lag) / lag (L(t - s) - L(t))
+// ds. The series -lag v + lag^2 a that stands for it on a circle runs away at the corners of a program. Nothing while
+// the lag still remembers a rapid.
+std::optional<Vec6> behind(const Truth& truth, const Program& program, double t) {
+  const Vec6 here = believed_lengths(truth.machine, program.path(t));
+  Vec6 sum = Vec6::Zero();
+  double last = 0;
+  for (int k = kBack - 1; k >= 0; --k) {
+    const double back = -truth.flaws.lag * std::log((k + 0.5) / kBack);
+    const Stand then = program.path(t - back);
+    if ((program.path(t - last).x - then.x).norm() > kFastest * (back - last) + 1e-4) return std::nullopt;
+    sum += believed_lengths(truth.machine, then) - here;
+    last = back;
+  }
+  return sum / kBack;
+}
+
 struct Miss {
   Vec off;      // across the path
   Vec forward;  // along it, of unit length
@@ -48,12 +67,21 @@ struct Miss {
 
 Played play(const Truth& truth, const Program& meant, const Program& run, FrictionLaw law, double step) {
   Follower follower(truth.machine, run.path, kPiece, law);
+  Truth lagging = truth;
+  lagging.flaws.lag = 0;
   std::vector<Miss> misses;
   double late = 0;  // of the path that was meant against the one that is run
   for (double t = step; t < run.seconds - step; t += step) {
     const Moment moment = follower.at(t, 0, 0);
     if (jumps(run, t)) continue;
-    const Vec tip = tip_ball(truth, settled(truth, moment).at, moment);
+    if (truth.flaws.lag != 0) {
+      const std::optional<Vec6> off = behind(truth, run, t);
+      if (!off) continue;
+      for (std::size_t j = 0; j < 6; ++j) {
+        lagging.machine.length_offset[j] = truth.machine.length_offset[j] + (*off)[static_cast<int>(j)];
+      }
+    }
+    const Vec tip = tip_ball(lagging, settled(lagging, moment).at, moment);
     const double then = nearest(meant, tip, t + late);
     if (jumps(meant, then)) continue;
     late = then - t;

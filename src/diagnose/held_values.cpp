@@ -1,0 +1,17 @@
+#include "diagnose/held_values.hpp"
+
+namespace plumbline::diagnose {
+
+identify::Held held_values(const Workbench& bench, const physics::ForceModel& given, const std::vector<Pick>& picks,
+                           const Refit& fit, const identify::HoldOptions& options) {
+  identify::Unknowns unknowns = bench.shelf.unknowns;
+  for (const Pick& pick : picks) {
+    for (const int place : pick.unknowns) unknowns.set_free(static_cast<std::size_t>(place));
+  }
+  const auto size = static_cast<Eigen::Index>(unknowns.size());
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(size, size);
+  covariance(fit.places, fit.places) = fit.covariance;
+  return identify::hold_unsure(bench.machine.rotation, bench.runs, given, unknowns, fit.values, covariance, options);
+}
+
+}  // namespace plumbline::diagnose

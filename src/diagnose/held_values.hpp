@@ -1,0 +1,14 @@
+// The values of a fit without what might make the tip worse than the model as given does.
+#pragma once
+
+#include "diagnose/refit.hpp"
+#include "identify/held.hpp"
+
+namespace plumbline::diagnose {
+
+/// Values of the shelf's unknowns: those of `fit`, the nuisances moved back where the tip would not surely be nearer
+/// (identify::hold_unsure). What `picks` stand for keeps what was found. `given`: the model before anything was added.
+identify::Held held_values(const Workbench& bench, const physics::ForceModel& given, const std::vector<Pick>& picks,
+                           const Refit& fit, const identify::HoldOptions& options = {});
+
+}  // namespace plumbline::diagnose

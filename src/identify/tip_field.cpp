@@ -1,0 +1,107 @@
+#include "identify/tip_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/parallel.hpp"
+#include "identify/plausible.hpp"
+#include "identify/sensitivity.hpp"
+#include "measure/circular_motion.hpp"
+
+namespace plumbline::identify {
+namespace {
+
+constexpr std::size_t kTilts = 4;    // at each circle
+constexpr std::size_t kAngles = 12;  // of each circle
+constexpr std::size_t kMost = 16;    // circles
+constexpr double kMiddle = 0.5;      // of what was measured: parts are set up in the middle of it
+
+// The first run at each pose; of many poses some.
+std::vector<std::size_t> one_of_each(const std::vector<measure::Run>& runs) {
+  const std::vector<int> poses = poses_of(runs);
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (poses[i] == static_cast<int>(all.size())) all.push_back(i);
+  }
+  if (all.size() <= kMost) return all;
+  std::vector<std::size_t> some;
+  for (std::size_t k = 0; k < kMost; ++k) some.push_back(all[k * all.size() / kMost]);
+  return some;
+}
+
+std::vector<physics::Motion<double>> motions_over(const machine::RotationOrder& order,
+                                                  const std::vector<measure::Run>& runs) {
+  const std::vector<std::size_t> first = one_of_each(runs);
+  const std::size_t tilts = std::min(kTilts, first.size());
+  Vector3<double> middle = Vector3<double>::Zero();
+  Vector3<double> middle_tilt = Vector3<double>::Zero();
+  for (const std::size_t i : first) {
+    middle += runs[i].centre_W / static_cast<double>(first.size());
+    middle_tilt += runs[i].tilt / static_cast<double>(first.size());
+  }
+  std::vector<physics::Motion<double>> motions;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    measure::Run run = runs[first[i]];
+    run.centre_W = middle + kMiddle * (run.centre_W - middle);
+    run.radius *= kMiddle;
+    run.angle.clear();
+    for (std::size_t a = 0; a < kAngles; ++a)
+      run.angle.push_back(2 * std::numbers::pi * static_cast<double>(a) / kAngles);
+    run.time.assign(kAngles, 0);
+    run.start = 0;
+    for (std::size_t t = 0; t < tilts; ++t) {
+      run.tilt =
+          middle_tilt + kMiddle * (runs[first[(i + t * first.size() / tilts) % first.size()]].tilt - middle_tilt);
+      run.direction = t % 2 == 0 ? measure::Direction::ccw : measure::Direction::cw;
+      for (std::size_t a = 0; a < kAngles; ++a) motions.push_back(measure::circular_motion(order, run, a));
+    }
+  }
+  return motions;
+}
+
+}  // namespace
+
+TipField tip_field(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
+                   const physics::ForceModel& given, const Unknowns& unknowns, const Eigen::VectorXd& values) {
+  const physics::ForceModel after = unknowns.at(values);
+  const Sensitivity sensitivity(after, unknowns);
+  physics::Environment environment = after.environment();
+  environment.dynamic = false;
+  const std::vector<physics::Motion<double>> motions = motions_over(order, runs);
+  std::vector<Slopes> slopes(motions.size());
+  std::vector<Vector3<double>> moved(motions.size());
+  for_each_index(motions.size(), [&](std::size_t i) {
+    const physics::TipError<double> from = physics::tip_error(given, environment, motions[i]);
+    const physics::TipError<double> to = physics::tip_error(after, environment, motions[i]);
+    if (!from.converged() || !to.converged()) return;
+    moved[i] = to.pose.p_WT - from.pose.p_WT;
+    slopes[i].resize(kOutcomes, sensitivity.unknowns());
+    sensitivity.at(environment, motions[i], to, slopes[i]);
+  });
+  const auto size = static_cast<Eigen::Index>(motions.size());
+  TipField field{Eigen::VectorXd(3 * size), Eigen::MatrixXd(3 * size, sensitivity.unknowns())};
+  Eigen::Index n = 0;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    if (slopes[i].size() == 0) continue;
+    field.moved.segment<3>(3 * n) = moved[i];
+    field.slopes.middleRows<3>(3 * n) = slopes[i].middleRows<3>(kTipRow);
+    ++n;
+  }
+  const double root = std::sqrt(static_cast<double>(std::max<Eigen::Index>(n, 1)));
+  return {field.moved.head(3 * n) / root, field.slopes.topRows(3 * n) / root};
+}
+
+TipField touched_off(TipField field) {
+  const Eigen::Index n = field.places();
+  const auto centre = [n](Eigen::Ref<Eigen::MatrixXd> columns) {
+    Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(3, columns.cols());
+    for (Eigen::Index i = 0; i < n; ++i) mean += columns.middleRows<3>(3 * i) / static_cast<double>(n);
+    for (Eigen::Index i = 0; i < n; ++i) columns.middleRows<3>(3 * i) -= mean;
+  };
+  centre(field.moved);
+  centre(field.slopes);
+  return field;
+}
+
+}  // namespace plumbline::identify

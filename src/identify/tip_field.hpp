@@ -1,0 +1,30 @@
+// Where a model puts the tip, over the poses that were measured: how far it is from where another model has it, and how
+// it moves with each unknown.
+#pragma once
+
+#include <vector>
+
+#include "identify/unknowns.hpp"
+#include "measure/dataset.hpp"
+
+namespace plumbline::identify {
+
+/// Three rows (x, y, z in W, m) for each place, all divided by the root of how many places there are: the norm of a
+/// column is an rms.
+struct TipField {
+  Eigen::VectorXd moved;   // from where the tip stands with the model as given to where it stands at `values`
+  Eigen::MatrixXd slopes;  // of the tip at `values`, a column for each unknown, per SI unit
+
+  Eigen::Index places() const { return moved.size() / 3; }
+};
+
+/// Places in the middle of what `runs` measured, where parts are set up: on their circles, each with its own tilt and
+/// with those of up to three others, all of it half as far from the middle. As `compensate` has it: at the feed of the
+/// run, no inertia and no following error, at time zero. Places that the machine cannot reach are left out.
+TipField tip_field(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
+                   const physics::ForceModel& given, const Unknowns& unknowns, const Eigen::VectorXd& values);
+
+/// The same without the mean over all places: what is left once the zero was touched off on the machine.
+TipField touched_off(TipField field);
+
+}  // namespace plumbline::identify
