@@ -104,8 +104,10 @@ void Pass::take(const nc::Step& step) {
   }
   take_tool(step);
   if (form_ == nc::Form::in_text_order) return process(step);
-  if (step.flow && step.alarms) {
-    refuse("compensate-flow", "the program stops here with an alarm, on a condition that the output does not hold",
+  if (step.flow && (step.alarms || step.shows_message)) {
+    refuse("compensate-flow",
+           fmt::format("the program stops here with {}, on a condition that the output does not hold",
+                       step.alarms ? "an alarm" : "a message"),
            "look at the condition: with the offsets and variables given here it holds",
            place_of(*step.block, step.block->file));
   }

@@ -254,6 +254,9 @@ void Interpreter::set_parameter(const Block& block, const Setting& place, int nu
     control_.parameters.set(block.at(block.names[place.name]), value);
   } else if (number == kAlarm && run_.dialect.syntax.statements == Statements::macro_b) {
     control_.ended = run_.step.alarms = true;
+  } else if (number == kMessage && run_.dialect.syntax.statements == Statements::macro_b) {
+    run_.step.shows_message = true;
+    if (!run_.settings.keeps_position.contains(0)) lose_position(run_, AxisSet::all());  // as behind M0
   } else {
     control_.parameters.set(number, value);
   }

@@ -59,7 +59,7 @@ Span PlainSteps::label_of(const Block& block) const {
 const Step* PlainSteps::plain(const Step& step, bool keeps_settings) {
   made_.clear();
   const Block& block = *step.block;
-  if (step.alarms) return &step;
+  if (step.alarms || step.shows_message) return &step;
   const Span label = keeps_settings ? Span{} : label_of(block);
   const bool has_label = label.end > label.begin;
   if (step.skipped || (is_plain(step, keeps_settings) && !has_label)) return &step;

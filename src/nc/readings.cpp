@@ -35,7 +35,7 @@ ParameterLimits Readings::limits() const {
 bool Readings::is_read_only(int number) const {
   if (dialect_.syntax.statements == Statements::macro_b) {
     const bool free = (number >= 1 && number <= dialect_.syntax.local_variables) || is_common(number);
-    return !free && number != kSingleBlock && number != kFeedHold && number != kAlarm;
+    return !free && number != kSingleBlock && number != kFeedHold && number != kAlarm && number != kMessage;
   }
   if (dialect_.syntax.names) return false;
   return (number >= kHomes && number <= kHomesEnd) || (number >= kG92InForce && number <= kSystemsEnd) ||

@@ -6,7 +6,8 @@
 
 namespace plumbline::nc {
 
-inline constexpr int kAlarm = 3000;  // macro B: what is set there stops the control with an alarm
+// Macro B: what is set there stops the control, with an alarm or with a message, behind which it goes on [E].
+inline constexpr int kAlarm = 3000, kMessage = 3006;
 
 class Readings : public ParameterReader {
  public:

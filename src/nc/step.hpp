@@ -76,6 +76,7 @@ struct Step {
   BlockRole role = BlockRole::plain;
   double offset_rotation_deg = 0;         // sets_offset: of the work system that its words are in, active or not
   bool alarms = false;                    // #3000=1: the control stops, and the program ends
+  bool shows_message = false;             // #3006=1: it stops, and goes on
   bool flow = false;                      // the line steers the program: an O word, M98, M99 that ends a subprogram
   FlowEntry entry = {};                   // what it enters, if anything
   bool saves_modes = false;               // M70 to M73: modes are kept or come back

@@ -67,6 +67,18 @@ TEST_CASE("behind a cycle that became moves, the G0 that goes on is in force aga
   }
 }
 
+TEST_CASE("a stop with a message stays, at each pass of a loop") {
+  const Job job = fanuc();
+  const std::string text = kHead +
+                           "#1=2\nWHILE[#1 GT 0]DO1\n#3006=1(TURN IT)\nG0 X[#1*10] Y5. Z5. A0. B0. C0.\n"
+                           "G1 X3. F200.\n#1=#1-1\nEND1\nM30\n";
+  const std::string out = run(text, job).text;
+  INFO(out);
+  CHECK(count(out, "^#3006=1\\(TURN IT\\)$") == 2);
+  const std::string asks = kHead + "#1=2\nIF[#1 GT 0]THEN #3006=1(TURN IT)\nG0 X0. Y5. Z5. A0. B0. C0.\nM30\n";
+  CHECK(code_of(asks, job) == "compensate-flow");
+}
+
 TEST_CASE("left-hand taps and bores that work the spindle stay one block a hole, other words in it") {
   const Job job = fanuc();
   for (const char* const cycle : {"G74", "G86", "G84"}) {

@@ -1,0 +1,14 @@
+O0037 (#3006 stops with a message, and goes on)
+G21 G90 G17
+#1=2
+G0 X1. Y1. Z5.
+#3006=1(TURN THE PART)
+G0 X2. Y3. Z4.
+WHILE[#1 GT 0]DO1
+#3006=#1 (TAKE THE GAUGE)
+G0 X[#1*10] Y1. Z1.
+#1=#1-1
+END1
+IF[#1 EQ 0]THEN #3006=3(DONE)
+G0 X0 Y0 Z0
+M30
