@@ -84,8 +84,7 @@ Target OriginalPath::target(double fraction, std::optional<double> seconds) cons
   for (const Axis axis : kAllAxes) {
     if (at_zero.contains(axis)) point.at[axis] = 0;
   }
-  return {frame.to_pose(point.at) + added, nc::turned_about_z(point.slope, frame.rotation_deg),
-          nc::turned_about_z(point.bend, frame.rotation_deg), seconds};
+  return {frame.to_pose(point.at) + added, frame.turned(point.slope), frame.turned(point.bend), seconds};
 }
 
 void BetweenPoints::cut(const OriginalPath& path, std::optional<double> seconds, const AxisWords& begin,

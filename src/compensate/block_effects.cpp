@@ -205,6 +205,7 @@ std::string difference(const IntendedState& meant, const IntendedState& read) {
     return "an override switch";
   if (!alike(meant.frame.origin, read.frame.origin) || !alike(meant.frame.rotation_deg, read.frame.rotation_deg))
     return "the work offset";
+  if (meant.frame.tilted != read.frame.tilted || meant.frame.plane != read.frame.plane) return "the tilted plane";
   if (!alike(meant.frame.g92, read.frame.g92)) return "the G92 offset";
   if (!alike(meant.frame.tool, read.frame.tool)) return "the tool length";
   return {};

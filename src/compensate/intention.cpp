@@ -43,7 +43,8 @@ bool same(const IntendedState& state, const nc::Step& step) {
          a.retract_to_r == b.retract_to_r && a.work_system == b.work_system && a.tool_in_spindle == b.tool_in_spindle &&
          a.tool_of_offset == b.tool_of_offset && a.rotary == b.rotary && a.switches == b.switches &&
          state.frame.origin == step.frame->origin && state.frame.rotation_deg == step.frame->rotation_deg &&
-         state.frame.g92 == step.frame->g92 && state.frame.tool == step.frame->tool;
+         state.frame.g92 == step.frame->g92 && state.frame.tool == step.frame->tool &&
+         state.frame.tilted == step.frame->tilted && state.frame.plane == step.frame->plane;
 }
 
 }  // namespace
@@ -96,11 +97,15 @@ IntendedMove& Intention::add(const nc::Motion& motion, IntendedMove::Form form) 
   return batch_.moves.back();
 }
 
-AxisWords Intention::work_shift(const nc::Frame& frame) const { return nc::turned_about_z(away_, -frame.rotation_deg); }
+AxisWords Intention::work_shift(const nc::Frame& frame) const { return frame.turned_back(away_); }
 
 // Where the control stands behind a move that goes through as it stands: axes that the block states are where the
 // original has them.
 void Intention::move_away(const nc::Step& step, const nc::Motion& motion, bool last) {
+  if (step.orienting) {
+    away_ = nc::shift_after(*step.orienting, away_);
+    return;
+  }
   const bool goes_home = motion.in_machine_coordinates && last;
   if (goes_home) {
     for (const Axis axis : kAllAxes) {
@@ -112,7 +117,7 @@ void Intention::move_away(const nc::Step& step, const nc::Motion& motion, bool l
   for (const Axis axis : kAllAxes) {
     if (is_stated(step, axis)) work[axis] = 0;
   }
-  away_ = nc::turned_about_z(work, step.frame->rotation_deg);
+  away_ = step.frame->turned(work);
 }
 
 void Intention::keep(const nc::Step& step, bool counts, std::optional<double> seconds) {
@@ -150,7 +155,7 @@ void Intention::divide(const nc::Step& step, std::span<const nc::CorrectedPoint>
     batch_.points.push_back(step.frame->to_machine(point.nominal + point.shift));
   }
   for (const Axis axis : kAllAxes) {
-    const bool moves = motion.known_after.contains(axis) && writable.contains(axis);
+    const bool moves = motion.known_after.contains(axis) && (writable.contains(axis) || step.frame->tilted);
     away_[axis] = moves ? batch_.points.back()[axis] - motion.machine[axis] : 0;
   }
 }
@@ -187,7 +192,7 @@ void Intention::shift(const nc::Step& hole, const AxisWords& by) {
     // Back to where the tool came in, which is not shifted as the hole is
     const double length = std::abs(end - motion.from[axes.third]);
     if (move.seconds && back && length > 0) *move.seconds *= std::abs(end + work[axes.third] - from) / length;
-    const AxisWords away = nc::turned_about_z(work, hole.frame->rotation_deg);
+    const AxisWords away = hole.frame->turned(work);
     batch_.points.push_back(motion.machine + away);
     away_ = away;
   }

@@ -59,7 +59,7 @@ void MoveCheck::end() {
 
 // In the axes of the words, which is where the control rounds.
 bool MoveCheck::is_at(const AxisWords& point, const AxisWords& read, const IntendedMove& move, bool has_words) const {
-  const AxisWords off = nc::turned_about_z(read - point, -step_->frame->rotation_deg);
+  const AxisWords off = step_->frame->turned_back(read - point);
   return std::all_of(kAllAxes.begin(), kAllAxes.end(), [&](Axis axis) {
     if (!move.motion.known_after.contains(axis)) return true;
     const bool endless = step_->after->rule_of(axis) != nc::RotaryRule::linear;

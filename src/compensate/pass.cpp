@@ -48,7 +48,7 @@ Pass::Pass(const InputFile& source, const nc::Dialect& dialect, const nc::Progra
       pose_(source, dialect),
       between_(corrector_) {
   if (settings.read_back) read_back_.emplace(source, dialect, program, emit, out, form == nc::Form::unrolled);
-  pose_.on_assumed = [this](AxisSet axes) { corrector_.fix_axes(axes); };
+  pose_.on_assumed = [this](AxisSet) { fix_axes(); };
 }
 
 bool Pass::run(const Progress& progress) {
@@ -101,6 +101,10 @@ void Pass::take(const nc::Step& step) {
     intention_.keep(move, true);
     move.motions = step.motions.subspan(1);
     return take(move);
+  }
+  if (step.frame->tilted != tilted_) {
+    tilted_ = step.frame->tilted;
+    fix_axes();
   }
   take_tool(step);
   if (form_ == nc::Form::in_text_order) return process(step);
@@ -249,6 +253,9 @@ nc::CorrectedPoint Pass::corrected_point(const nc::Step& step, const Target& tar
     nominal[axis] = 0;
     shift[axis] = 0;
   }
+  if (!tilted_) return {nominal, shift, 1};
+  const AxisWords standing = emitter_.control().work_shift(*step.frame);
+  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) shift[axis] = standing[axis];
   return {nominal, shift, 1};
 }
 
@@ -361,7 +368,12 @@ nc::EmittedMove Pass::write_move(const nc::Step& step, std::optional<double> dur
   return move;
 }
 
+// On a tilted plane no rotary word may stand.
+AxisSet Pass::held() const { return tilted_ ? AxisSet::rotary() : AxisSet{}; }
+
 // Axes that may get words.
-AxisSet Pass::writable() const { return AxisSet::all() - pose_.assumed(); }
+AxisSet Pass::writable() const { return AxisSet::all() - pose_.assumed() - held(); }
+
+void Pass::fix_axes() { corrector_.fix_axes(pose_.assumed() | held()); }
 
 }  // namespace plumbline::compensate

@@ -39,9 +39,7 @@ Target ProgramPose::target(const nc::Step& step, const path::CurvePoint& point, 
   for (const Axis axis : kAllAxes) {
     if (assumed().contains(axis)) work[axis] = 0;
   }
-  const double rotation = step.frame->rotation_deg;
-  return {step.frame->to_pose(work), nc::turned_about_z(point.slope, rotation),
-          nc::turned_about_z(point.bend, rotation), seconds};
+  return {step.frame->to_pose(work), step.frame->turned(point.slope), step.frame->turned(point.bend), seconds};
 }
 
 }  // namespace plumbline::compensate

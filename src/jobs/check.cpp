@@ -132,7 +132,7 @@ std::string message_of(const machine::Violation& violation) {
 
 CheckSummary check_file(const std::string& program, const Options& options, const Progress& progress) {
   const machine::MachineModel model = machine::read_model(options.model);
-  const nc::ProgramSettings settings = program_settings(options);
+  const nc::ProgramSettings settings = program_settings(options, model);
   const InputFile source(program);
   const nc::Dialect& dialect = dialect_of(options, source);
   compensate::Settings compensation = options.compensation;

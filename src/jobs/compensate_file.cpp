@@ -41,7 +41,7 @@ void refuse_overwriting_subprogram(const compensate::Summary& summary, const std
 compensate::Summary compensate_file(const std::string& program, const std::string& output, const Options& options,
                                     const Progress& progress, const std::string& json) {
   const machine::MachineModel model = machine::read_model(options.model);
-  const nc::ProgramSettings settings = program_settings(options);
+  const nc::ProgramSettings settings = program_settings(options, model);
   const InputFile source(program);
   const nc::Dialect& dialect = dialect_of(options, source);
 

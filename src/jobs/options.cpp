@@ -57,6 +57,12 @@ nc::FeedRule feed_rule_in(std::string_view text) {
   throw OptionError("expected xyz, all or unknown");
 }
 
+nc::FreeRotation free_rotation_in(std::string_view text) {
+  if (text == "c-stays") return nc::FreeRotation::c_stays;
+  if (text == "c-zero") return nc::FreeRotation::c_zero;
+  throw OptionError("expected c-stays or c-zero");
+}
+
 // sign, or A=sign,C=shortest.
 void set_rotary(Options& options, std::string_view text) {
   constexpr std::string_view kExpected =
@@ -184,6 +190,10 @@ constexpr std::array kRows{
               "(default: "
               "linear)",
               OptionGroup::program, true, false, set_rotary},
+    OptionRow{"free-rotation", "c-stays|c-zero",
+              "what the control does with C where a program gives the direction of the tool alone (G68.2 with G53.1, "
+              "CYCLE800, tool vectors): C stays where it stands, or goes to zero (default: such programs are refused)",
+              OptionGroup::program, false, false, [](Options& o, Text t) { o.free_rotation = free_rotation_in(t); }},
     OptionRow{"work-offset", "G54=X,Y,Z,A,B,C",
               "where a work system's zero lies in the base frame W, mm and deg; named as the control does: G54 to G59, "
               "G59.1 to G59.3, G54.1P1, G15H1, G505; repeatable",
@@ -320,7 +330,14 @@ nc::ProgramSettings program_settings(const Options& options) {
   settings.input_increment = options.input_increment;
   settings.feed_rule = options.feed_rule;
   settings.rotary = options.rotary;
+  settings.free_rotation = options.free_rotation;
   settings.max_blocks = static_cast<std::uint64_t>(options.max_blocks);
+  return settings;
+}
+
+nc::ProgramSettings program_settings(const Options& options, const machine::MachineModel& model) {
+  nc::ProgramSettings settings = program_settings(options);
+  settings.rotation_order = model.rotation.axes;
   return settings;
 }
 

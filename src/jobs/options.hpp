@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "compensate/settings.hpp"
+#include "machine/model.hpp"
 #include "nc/program.hpp"
 
 namespace plumbline::jobs {
@@ -28,6 +29,7 @@ struct Options {
   std::optional<double> input_increment;  // mm and deg
   std::optional<nc::FeedRule> feed_rule;
   nc::RotaryRules rotary{};
+  nc::FreeRotation free_rotation{};
   std::string tools;  // path of the tool table; empty: none
   std::optional<int> tool_in_spindle;
   std::array<std::optional<double>, kAxes> start;  // mm and deg, in the first work system
@@ -83,5 +85,7 @@ std::optional<std::array<double, kAxes>> six_numbers(std::string_view text);
 
 /// The settings of the interpreter: tool table and variables file are read here. Refuses as their readers do.
 nc::ProgramSettings program_settings(const Options& options);
+/// The same for the machine of a model.
+nc::ProgramSettings program_settings(const Options& options, const machine::MachineModel& model);
 
 }  // namespace plumbline::jobs

@@ -117,7 +117,7 @@ class Player {
 SimulationSummary simulate_program(const std::string& program, const Options& options, OutputFile& out,
                                    const Progress& progress) {
   const machine::MachineModel model = machine::read_model(options.model);
-  const nc::ProgramSettings settings = program_settings(options);
+  const nc::ProgramSettings settings = program_settings(options, model);
   const InputFile source(program);
   const nc::Dialect& dialect = dialect_of(options, source);
 

@@ -49,6 +49,9 @@ std::string settings_line(const Options& options) {
   if (options.input_increment) line += fmt::format(", input increment {} mm", to_decimal(*options.input_increment));
   if (options.feed_rule) line += fmt::format(", feed rule {}", name_of(*options.feed_rule));
   line += rotary_text(options.rotary);
+  if (options.free_rotation != nc::FreeRotation::unknown) {
+    line += fmt::format(", C {}", options.free_rotation == nc::FreeRotation::c_stays ? "stays" : "to zero");
+  }
   if (options.block_delete) line += fmt::format(", block delete {}", *options.block_delete ? "on" : "off");
   return line;
 }

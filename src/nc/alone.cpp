@@ -11,7 +11,7 @@ namespace plumbline::nc {
 namespace {
 
 bool calls(Action action) {
-  return action == Action::modal_call || action == Action::called_cycle || action == Action::end_swivel;
+  return action == Action::modal_call || action == Action::called_cycle || action == Action::swivel;
 }
 
 // What the control does with other words beside a call is in no source.

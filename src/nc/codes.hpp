@@ -37,6 +37,7 @@ inline constexpr std::string_view kNegative = "nc-negative";
 inline constexpr std::string_view kOutOfRange = "nc-out-of-range";
 
 // Codes and their words
+inline constexpr std::string_view kTiltedPlane = "nc-tilted-plane";
 inline constexpr std::string_view kUnknownCode = "nc-unknown-code";
 inline constexpr std::string_view kNotInterpreted = "nc-not-interpreted";
 inline constexpr std::string_view kUserCode = "nc-user-code";
@@ -70,32 +71,33 @@ inline constexpr std::string_view kGuard = "nc-guard";
 inline constexpr std::string_view kUnknownDialect = "nc-unknown-dialect";
 inline constexpr std::string_view kDialectAmbiguous = "nc-dialect-ambiguous";
 
-inline constexpr std::array kAll{kLineTooLong,       kNulByte,
-                                 kNotAscii,          kBadCharacter,
-                                 kCommentOpen,       kCommentNested,
-                                 kPercentText,       kLineNumber,
-                                 kValueMissing,      kBadNumber,
-                                 kBracketOpen,       kOperator,
-                                 kFunction,          kName,
-                                 kAssignment,        kWordTwice,
-                                 kFlowControl,       kParameterNumber,
-                                 kParameterUnset,    kParameterReadOnly,
-                                 kArithmetic,        kValueUnknown,
-                                 kPositionRead,      kNotWhole,
-                                 kNegative,          kOutOfRange,
-                                 kUnknownCode,       kNotInterpreted,
-                                 kUserCode,          kSameGroup,
-                                 kWordUnused,        kWordMissing,
-                                 kAxesUnused,        kAxesTwice,
-                                 kAxesMissing,       kBlockDelete,
-                                 kFeedMissing,       kArcWords,
-                                 kArcRadius,         kArcEnds,
-                                 kArcTurns,          kMachineMove,
-                                 kWorkOffsetUnknown, kPositionUnknown,
-                                 kToolUnknown,       kUnknownDialect,
-                                 kFlowLabel,         kFlowOpen,
-                                 kModesNotSaved,     kCallDepth,
-                                 kTooManyBlocks,     kGuard,
-                                 kDialectAmbiguous,  kSpindleStands};
+inline constexpr std::array kAll{kLineTooLong,     kNulByte,
+                                 kNotAscii,        kBadCharacter,
+                                 kCommentOpen,     kCommentNested,
+                                 kPercentText,     kLineNumber,
+                                 kValueMissing,    kBadNumber,
+                                 kBracketOpen,     kOperator,
+                                 kFunction,        kName,
+                                 kAssignment,      kWordTwice,
+                                 kFlowControl,     kParameterNumber,
+                                 kParameterUnset,  kParameterReadOnly,
+                                 kArithmetic,      kValueUnknown,
+                                 kPositionRead,    kNotWhole,
+                                 kNegative,        kOutOfRange,
+                                 kUnknownCode,     kNotInterpreted,
+                                 kTiltedPlane,     kUserCode,
+                                 kSameGroup,       kWordUnused,
+                                 kWordMissing,     kAxesUnused,
+                                 kAxesTwice,       kAxesMissing,
+                                 kBlockDelete,     kFeedMissing,
+                                 kArcWords,        kArcRadius,
+                                 kArcEnds,         kArcTurns,
+                                 kMachineMove,     kWorkOffsetUnknown,
+                                 kPositionUnknown, kToolUnknown,
+                                 kUnknownDialect,  kFlowLabel,
+                                 kFlowOpen,        kModesNotSaved,
+                                 kCallDepth,       kTooManyBlocks,
+                                 kGuard,           kDialectAmbiguous,
+                                 kSpindleStands};
 
 }  // namespace plumbline::nc::codes

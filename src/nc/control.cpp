@@ -1,5 +1,6 @@
 #include "nc/control.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/units.hpp"
@@ -89,21 +90,29 @@ void Control::change_frame(const Frame& next) {
     return frame.origin[axis] == next.origin[axis] && frame.g92[axis] == next.g92[axis] &&
            frame.tool[axis] == next.tool[axis];
   };
-  const bool turned = frame.rotation_deg != 0 || next.rotation_deg != 0;
-  const bool same_plane = !turned || (frame.rotation_deg == next.rotation_deg && same(Axis::X) && same(Axis::Y));
+  const AxisSet mixed = frame.mixed() | next.mixed();
+  const bool same_turn =
+      frame.rotation_deg == next.rotation_deg && frame.tilted == next.tilted && frame.plane == next.plane;
+  // The length of a tool on a tilted plane counts along the plane's Z alone.
+  const auto same_shift = [&](Axis axis) {
+    const bool same_tool = frame.tool[axis] == next.tool[axis] || frame.tilted;
+    return frame.origin[axis] == next.origin[axis] && frame.g92[axis] == next.g92[axis] && same_tool;
+  };
+  const bool same_mixed = same_turn && std::all_of(kAllAxes.begin(), kAllAxes.end(), [&](Axis axis) {
+                            return same_shift(axis) || !mixed.contains(axis);
+                          });
   for (const Axis axis : kAllAxes) {
-    const bool in_plane = axis == Axis::X || axis == Axis::Y;
-    if (same(axis) && !(in_plane && !same_plane)) continue;
+    if (same(axis) && (same_mixed || !mixed.contains(axis))) continue;
     position[axis] = moved[axis];
   }
   // A turned X is made of both X and Y.
-  if (!same_plane && !known.contains(AxisSet{Axis::X, Axis::Y})) known = known - AxisSet{Axis::X, Axis::Y};
+  if (!same_mixed && !known.contains(mixed)) known = known - mixed;
   frame = next;
 }
 
 void Control::use_active_system() {
   Frame next = frame;
-  next.origin = active().origin + local;
+  next.origin = active().origin + local + plane_origin;
   next.rotation_deg = active().rotation_deg + turn_deg;
   change_frame(next);
 }

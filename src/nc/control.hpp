@@ -91,6 +91,8 @@ struct Control {
   bool local_added = false;                // by ATRANS
   AxisWords local_before_turn;             // G68 changes it, G69 brings it back
   double turn_deg = 0;                     // G68, ROT: about Z
+  AxisWords plane_origin;                  // of a tilted plane, from that of the work system
+  bool tool_on_plane = false;              // the tool stands along its Z (G53.1)
   FeedRule feed_rule = FeedRule::unknown;  // the dialect's, or as FGROUP says
   std::array<Home, 2> homes;               // G28, G30
   std::map<int, ToolRow> tools;            // tool table rows that the program wrote (G10 L1, L10, L11)

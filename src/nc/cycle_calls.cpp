@@ -316,17 +316,4 @@ void drill_after_move(Execution& run) {
   CalledHole(run, run.control.modal_call, 0).make();
 }
 
-// CYCLE800() and the like: no plane is turned, but the axes may go to where the machine's own data say.
-void end_swivel(Execution& run, const Chosen& chosen) {
-  constexpr std::size_t kFirst = 4, kLast = 12;  // X0 Y0 Z0 A B C X1 Y1 Z1 [H]
-  const std::vector<Argument>& arguments = run.block->arguments;
-  for (std::size_t i = kFirst; i <= kLast && i < arguments.size(); ++i) {
-    if (arguments[i].expression == kLiteral || arguments[i].value == 0) continue;
-    refuse_at(*run.block, arguments[i].span, codes::kNotInterpreted,
-              fmt::format("{} {}", chosen.row->name, chosen.row->why), "write A, B and C under TRAORI");
-  }
-  run.step.role = BlockRole::machine_move;
-  lose_position(run, AxisSet::all());
-}
-
 }  // namespace plumbline::nc

@@ -74,7 +74,7 @@ enum class Action : std::uint8_t {
   lose_position,         // the axes go where only the machine knows
   modal_call,            // MCALL
   called_cycle,          // CYCLE81(10,0,2,-15): the values stand in brackets
-  end_swivel,            // CYCLE800(): the planes that a swivel cycle turned
+  swivel,                // CYCLE800(1,"T",0,57,...): a tilted plane, and the tool on it; CYCLE800() ends it
   home_or_unit,          // with a P word that; alone a statement of the unit: value 0 mm, 1 inches
   arc_through_point,     // CIP
   call_macro,            // G65
@@ -82,6 +82,8 @@ enum class Action : std::uint8_t {
   local_shift,           // G52
   turn_on,               // G68
   turn_off,              // G69
+  tilted_plane,          // G68.2
+  tool_on_plane,         // G53.1
   frame_new,             // TRANS, ROT: the programmable frame is this
   frame_added,           // ATRANS, AROT
   feed_group,            // FGROUP

@@ -252,7 +252,7 @@ Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point,
     const Grid& g = grid_[i];
     piece.digits[i] = g.digits;
     if (!writable.contains(axis)) {
-      at[axis] = point.nominal[axis];
+      at[axis] = target[axis];
       continue;
     }
     const bool known = step.motions.front().known_before.contains(axis) || !first;

@@ -3,24 +3,9 @@
 #include "base/units.hpp"
 
 namespace plumbline::nc {
-namespace {
+AxisWords OutputState::work_shift(const Frame& frame) const { return frame.turned_back(shift); }
 
-// Only the rotation counts: differences know no origin.
-Frame turned_only(const Frame& frame) {
-  Frame turned;
-  turned.rotation_deg = frame.rotation_deg;
-  return turned;
-}
-
-}  // namespace
-
-AxisWords OutputState::work_shift(const Frame& frame) const {
-  return frame.rotation_deg == 0 ? shift : turned_only(frame).from_pose(shift);
-}
-
-void OutputState::set_work_shift(const Frame& frame, const AxisWords& work) {
-  shift = frame.rotation_deg == 0 ? work : turned_only(frame).to_pose(work);
-}
+void OutputState::set_work_shift(const Frame& frame, const AxisWords& work) { shift = frame.turned(work); }
 
 void OutputState::adopt(const Modal& modal) {
   motion = modal.motion;
@@ -47,6 +32,10 @@ void OutputState::follow(const Step& step, bool has_motion_word, bool has_feed_m
     feed_rotary = step.after->feed_rotary;
   }
   if (step.motions.empty()) return;
+  if (step.orienting) {
+    shift = shift_after(*step.orienting, shift);
+    return;
+  }
   if (step.role == BlockRole::machine_move) {
     for (const Axis axis : kAllAxes) {
       if (step.named.empty() || step.named.contains(axis)) shift[axis] = 0;

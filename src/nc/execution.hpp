@@ -122,15 +122,25 @@ void move_probe(Execution& run);                                     // probe.cp
 void set_work_table(Execution& run);                                 // frames.cpp: G10 L2 and L20 of Fanuc
 void choose_work_system(Execution& run, const Chosen& chosen);       // G54.1 P, G15 H, G16 H
 void change_programmed_frame(Execution& run, const Chosen& chosen);  // G52, G68, G69, TRANS, ROT...
-void set_feed_group(Execution& run, const Chosen& chosen);           // FGROUP
-void choose_edge(Execution& run, const Word& word);                  // tools.cpp: D
-void call_macro(Execution& run);                                     // macro_call.cpp: G65
+void begin_tilted_plane(Execution& run, const Word& code, const AxisWords& origin, const Turn& plane);
+void define_tilted_plane(Execution& run, const Chosen& chosen);  // tilted_plane.cpp: G68.2
+void turn_tool(Execution& run, const Chosen& chosen);            // G53.1
+void turn_tool_on_plane(Execution& run, const Word& code);
+void end_tilted_plane(Execution& run);  // G69
+/// Refuses a move that a tilted plane does not allow.
+void check_on_plane(const Execution& run);
+void check_no_rotary_words(const Execution& run);
+/// Refuses the code of `word` while a plane is tilted.
+void check_no_plane(const Execution& run, const Word& word);
+void set_feed_group(Execution& run, const Chosen& chosen);  // FGROUP
+void choose_edge(Execution& run, const Word& word);         // tools.cpp: D
+void call_macro(Execution& run);                            // macro_call.cpp: G65
 
-void set_modal_call(Execution& run);                    // cycle_calls.cpp: MCALL
-void call_cycle(Execution& run, const CodeRow& row);    // CYCLE81(10,0,2,-15)
-void drill_after_move(Execution& run);                  // where MCALL is in force
-void end_swivel(Execution& run, const Chosen& chosen);  // CYCLE800()
-void move_in_cycle(Execution& run);                     // cycles.cpp: G73 G74 G81..G89
+void set_modal_call(Execution& run);                  // cycle_calls.cpp: MCALL
+void call_cycle(Execution& run, const CodeRow& row);  // CYCLE81(10,0,2,-15)
+void drill_after_move(Execution& run);                // where MCALL is in force
+void swivel(Execution& run, const Chosen& chosen);    // swivel.cpp: CYCLE800
+void move_in_cycle(Execution& run);                   // cycles.cpp: G73 G74 G81..G89
 
 // What the moves share: moves.cpp
 /// Of two points of a plane.

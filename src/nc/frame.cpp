@@ -17,13 +17,28 @@ AxisWords turned_about_z(AxisWords words, double degrees) {
   return words;
 }
 
-AxisWords Frame::to_pose(const AxisWords& work) const { return turned_about_z(work + g92, rotation_deg) + origin; }
+AxisWords Frame::turned(const AxisWords& words) const {
+  return tilted ? nc::turned(plane, words) : turned_about_z(words, rotation_deg);
+}
 
-AxisWords Frame::from_pose(const AxisWords& pose) const { return turned_about_z(pose - origin, -rotation_deg) - g92; }
+AxisWords Frame::turned_back(const AxisWords& words) const {
+  return tilted ? nc::turned_back(plane, words) : turned_about_z(words, -rotation_deg);
+}
 
-AxisWords Frame::to_machine(const AxisWords& work) const { return to_pose(work) + tool; }
+AxisSet Frame::mixed() const {
+  if (tilted) return AxisSet::linear();
+  return rotation_deg != 0 ? kTurningAxes : AxisSet{};
+}
 
-AxisWords Frame::from_machine(const AxisWords& machine) const { return from_pose(machine - tool); }
+AxisWords Frame::to_pose(const AxisWords& work) const { return turned(work + g92) + origin; }
+
+AxisWords Frame::from_pose(const AxisWords& pose) const { return turned_back(pose - origin) - g92; }
+
+AxisWords Frame::to_machine(const AxisWords& work) const { return to_pose(work) + (tilted ? turned(tool) : tool); }
+
+AxisWords Frame::from_machine(const AxisWords& machine) const {
+  return from_pose(machine - (tilted ? turned(tool) : tool));
+}
 
 Frame Frame::without_rotary_tool() const {
   Frame frame = *this;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/axes.hpp"
+#include "nc/tilt.hpp"
 
 namespace plumbline::nc {
 
@@ -13,6 +14,8 @@ struct Frame {
   double rotation_deg = 0;  // of the active work system about Z (G10 L2 R), of X and Y alone
   AxisWords g92;            // G92, G52
   AxisWords tool;           // G43: what the tool adds to the control's display
+  bool tilted = false;   // a plane lies askew (G68.2): then rotation_deg and g92 are zero, the origin is the plane's,
+  Turn plane = kNoTurn;  // and this its axes; the tool's length counts along its Z
 
   /// The tool tip in W: every offset but the tool's, whose length is part of the machine's geometry.
   AxisWords to_pose(const AxisWords& work) const;
@@ -22,6 +25,11 @@ struct Frame {
   AxisWords from_machine(const AxisWords& machine) const;
   /// As G53, G28 and G30 (not G28.1 and G30.1) see it: without the rotary offsets of the tool [LinuxCNC, measured].
   Frame without_rotary_tool() const;
+  /// A difference of positions, from the axes of the words to those of W, and back.
+  AxisWords turned(const AxisWords& words) const;
+  AxisWords turned_back(const AxisWords& words) const;
+  /// The axes that are made of each other: known together or not at all. None where nothing turns.
+  AxisSet mixed() const;
 };
 
 /// X and Y turned into each other; the other words as they are.

@@ -163,6 +163,7 @@ void choose_work_system(Execution& run, const Chosen& chosen) {
 // G10 L2 P1 to P6, G10 L20 P1...: absolute under G90, added under G91.
 void set_work_table(Execution& run) {
   const Word& table = run.need('L', "G10");
+  check_no_plane(run, table);
   const int which = run.whole(table, 0, kNoLimit);
   if (which >= 10 && which <= 13) return set_tool_table(run, table, which);
   if (which != 2 && which != 20) {
@@ -198,6 +199,8 @@ void change_programmed_frame(Execution& run, const Chosen& chosen) {
   Control& control = run.control;
   const bool with_g92 = chosen.row->action == Action::local_shift && chosen.row->value == 1;
   if (with_g92) return set_shift_of_g92(run, *chosen.word);
+  if (chosen.row->action == Action::turn_off && control.frame.tilted) return end_tilted_plane(run);
+  check_no_plane(run, *chosen.word);
   check_no_g92(run, *chosen.word);
   switch (chosen.row->action) {
     case Action::local_shift:

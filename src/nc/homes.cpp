@@ -9,8 +9,8 @@ namespace {
 
 // In a turned work system X and Y are known together or not at all.
 AxisSet known_in_work(const Frame& frame, AxisSet known_in_machine) {
-  if (frame.rotation_deg == 0 || known_in_machine.contains(kTurningAxes)) return known_in_machine;
-  return known_in_machine - kTurningAxes;
+  const AxisSet mixed = frame.mixed();
+  return known_in_machine.contains(mixed) ? known_in_machine : known_in_machine - mixed;
 }
 
 }  // namespace
@@ -18,6 +18,7 @@ AxisSet known_in_work(const Frame& frame, AxisSet known_in_machine) {
 void go_home(Execution& run, int which) {
   Control& control = run.control;
   check_tool_unit(run, run.block->words.front());
+  check_no_rotary_words(run);
   run.step.role = BlockRole::machine_move;
   Motion through;
   through.in_machine_coordinates = true;
@@ -44,6 +45,7 @@ void go_home(Execution& run, int which) {
   }
   add_motion(run, motion);
   if (!known.contains(moved)) run.step.loses_position = true;
+  if (control.frame.tilted) lose_position(run, AxisSet::linear());
 }
 
 void store_home(Execution& run, int which) {

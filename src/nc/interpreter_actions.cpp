@@ -138,6 +138,10 @@ void Interpreter::act_on_position(const Chosen& chosen) {
     case Action::frame_new:
     case Action::frame_added:
       return change_programmed_frame(run_, chosen);
+    case Action::tilted_plane:
+      return define_tilted_plane(run_, chosen);
+    case Action::tool_on_plane:
+      return turn_tool(run_, chosen);
     case Action::feed_group:
       return set_feed_group(run_, chosen);
     case Action::tool_edge:
@@ -146,8 +150,8 @@ void Interpreter::act_on_position(const Chosen& chosen) {
       return set_modal_call(run_);
     case Action::called_cycle:
       return call_cycle(run_, *chosen.row);
-    case Action::end_swivel:
-      return end_swivel(run_, chosen);
+    case Action::swivel:
+      return swivel(run_, chosen);
     case Action::home_or_unit:
       return home_or_unit(run_, chosen);
     case Action::lose_position:

@@ -163,6 +163,7 @@ AxisSet shifted_after(const Execution& run, const Motion& motion) {
 AxisSet known_after_move(const Execution& run) { return run.control.known | absolute_words(run); }
 
 void need_offsets(const Execution& run) {
+  check_on_plane(run);
   if (run.in_machine_system()) {
     run.refuse(run.motion_code(), codes::kNotInterpreted,
                "in machine coordinates (H0) rapids alone are read: how the tool's length counts there was found in no "

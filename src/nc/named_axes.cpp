@@ -78,6 +78,11 @@ bool may_jump(const Block& block, const Dialect& dialect) {
          has_action(block, dialect, Action::call_program) || has_action(block, dialect, Action::call_macro);
 }
 
+// Codes that move the rotary axes without naming them.
+bool turns_tool(const Block& block, const Dialect& dialect) {
+  return has_action(block, dialect, Action::tool_on_plane) || has_action(block, dialect, Action::swivel);
+}
+
 class AxisSearch {
  public:
   AxisSearch(const InputFile& program, const Dialect& dialect) : program_(program), dialect_(dialect) {}
@@ -106,6 +111,7 @@ class AxisSearch {
         continue;  // executing the program will say so
       }
       add_axes(block, dialect_, axes_);
+      if (turns_tool(block, dialect_)) axes_ = axes_ | AxisSet::rotary();
       follow(block);
       whole = whole || may_jump(block, dialect_);
       if (!whole && ends_program(block, dialect_)) break;

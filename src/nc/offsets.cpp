@@ -98,6 +98,7 @@ void need_position(const Execution& run, AxisSet axes) {
 }
 
 void choose_work_system(Execution& run, int system) {
+  if (system != run.control.modal.work_system) check_no_plane(run, run.block->words.front());
   run.control.modal.work_system = system;
   run.control.use_active_system();
 }
@@ -126,6 +127,7 @@ void set_table(Execution& run) {
 
 void set_position(Execution& run) {
   Control& control = run.control;
+  check_no_plane(run, run.block->words.front());
   if (run.axes.empty()) {
     run.refuse(codes::kAxesMissing, "G92 names no axis", "add the words that the axes shall stand on");
   }
@@ -145,6 +147,7 @@ void set_position(Execution& run) {
 
 void clear_position(Execution& run, Action action) {
   Control& control = run.control;
+  check_no_plane(run, run.block->words.front());
   const bool restores = action == Action::restore_position;
   if (restores && !control.g92_known) {
     run.refuse(codes::kWorkOffsetUnknown,

@@ -12,6 +12,7 @@
 #include "nc/dialect.hpp"
 #include "nc/rotary.hpp"
 #include "nc/step.hpp"
+#include "nc/tilt.hpp"
 #include "nc/tool_table.hpp"
 
 namespace plumbline::nc {
@@ -34,6 +35,8 @@ struct ProgramSettings {
   std::set<int> keeps_position;                    // --keeps-position, M codes
   std::optional<FeedRule> feed_rule;               // --feed-rule, in place of the dialect's
   RotaryRules rotary{};                            // --rotary, of A, B and C
+  RotationOrder rotation_order{2, 1, 0};           // how A, B and C compose: of the machine's model
+  FreeRotation free_rotation{};                    // --free-rotation, where a direction of the tool leaves C open
   std::optional<bool> calculator_type;             // --calculator-type: a number without a point counts units
   std::optional<double> input_increment;           // --input-increment: what it counts, mm and deg
   std::uint64_t max_blocks = 10'000'000;           // --max-blocks: lines that a program with jumps may execute

@@ -74,8 +74,10 @@ Value Readings::machine_position(const Block& block, Axis axis, Span span) const
     refuse_at(block, span, codes::kNotInterpreted, "the control takes the tool length in force for one in the new unit",
               "write G49 before the change of units (G20, G21) and G43 after it");
   }
-  const bool turned = control_.frame.rotation_deg != 0 && kTurningAxes.contains(axis);
-  if (turned) position(block, axis == Axis::X ? Axis::Y : Axis::X, span);
+  const AxisSet mixed = control_.frame.mixed();
+  for (const Axis other : kAllAxes) {
+    if (mixed.contains(axis) && mixed.contains(other) && other != axis) position(block, other, span);
+  }
   position(block, axis, span);
   const double value = control_.frame.to_machine(control_.position)[axis];
   return {is_rotary(axis) ? value : value / control_.length_unit(), true};

@@ -87,7 +87,8 @@ struct Step {
   bool calls_modally = false;        // MCALL: a call after each move begins or ends
   bool nurbs_point = false;          // G5.2: its curve is moved along at the G5.3 behind it
   bool ends_nurbs = false;
-  bool polar = false;            // its end is given by @ and ^
+  std::optional<Orienting> orienting = {};  // it turns the tool along a direction (G53.1)
+  bool polar = false;                       // its end is given by @ and ^
   bool jumped = false;           // something jumped or repeated before: steps are not in the order of the text
   bool skipped = false;          // block delete is on for it: nothing of it was executed
   bool executed_delete = false;  // block delete is off for it, and it moves or changes modal state

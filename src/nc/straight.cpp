@@ -15,14 +15,15 @@ void end_in_machine_coordinates(const Execution& run, Motion& motion) {
     run.refuse(*run.machine_word, codes::kMachineMove, "G53 cannot move by increments", "write G90 before it");
   }
   check_tool_unit(run, *run.machine_word);
+  check_no_rotary_words(run);
   const Frame frame = control.frame.without_rotary_tool();
   AxisWords machine = frame.to_machine(control.position);
   for (const Axis axis : kAllAxes) {
     if (run.axes.contains(axis)) machine[axis] = run.value(axis);
   }
   const AxisWords work = frame.from_machine(machine);
-  const bool turned = control.frame.rotation_deg != 0;
-  const AxisSet plane{Axis::X, Axis::Y};
+  const AxisSet plane = control.frame.mixed();
+  const bool turned = !plane.empty();
   const bool moves_plane = !(run.axes & plane).empty();
   AxisSet moved = run.axes;
   if (turned && moves_plane) moved = moved | plane;
@@ -73,6 +74,7 @@ void move_straight(Execution& run) {
     motion.feed = feed_of_move(run, linear);
   }
   add_motion(run, motion);
+  if (run.machine_word != nullptr && control.frame.tilted) lose_position(run, AxisSet::linear());
   const bool tip_unknown = run.machine_word != nullptr && run.dialect.habits.machine_move_tool_unknown;
   if (tip_unknown && control.frame.tool != AxisWords{}) lose_position(run, run.axes & AxisSet::linear());
 }

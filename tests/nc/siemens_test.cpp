@@ -169,9 +169,10 @@ TEST_CASE("swivel cycles that turn nothing leave the axes where nobody knows, ot
     CHECK(blocks.next()->known.empty());
     CHECK(blocks.next()->known == AxisSet{Axis::X});
   }
-  check_refused({{"CYCLE800(1,\"TC1\",0,57,0,0,0,0,30,0,0,0,0,-1,100,1)\n", 1, 31},
-                 {"N1 CYCLE800(0,\"\",0,27,5,0,0,0,0,0,0,0,0,1)\n", 1, 23},
-                 {"R1=5\nCYCLE800(0,,0,27,0,0,0,0,0,R1*2)\n", 2, 28}});
+  check_refused({{"N1 CYCLE800(0,\"\",0,27,5,0,0,0,0,0,0,0,0,1)\n", 1, 23, "nc-tilted-plane"},
+                 {"R1=5\nCYCLE800(0,,0,27,0,0,0,0,9,0,0,R1*2)\n", 2, 32, "nc-tilted-plane"},
+                 {"CYCLE800(0,\"\",0,58,0,0,0,0,9,0,0,0,0,1)\n", 1, 17, "nc-tilted-plane"},
+                 {"CYCLE800(0,\"\",0,57,0,0,0,0,9,0,0,0,0,2)\n", 1, 38, "nc-tilted-plane"}});
 }
 
 TEST_CASE("CASE goes on at the label of its value, or where DEFAULT says") {

@@ -1,0 +1,5 @@
+(expect: nc-word-missing 3 1 dialect: fanuc)
+G90 G54 G0 X0. Y0. Z50. A0. B0. C0.
+G68.2 X0. Y0. Z0. J20.
+G53.1
+M30

@@ -1,0 +1,4 @@
+(expect: nc-tilted-plane 3 1 dialect: fanuc)
+G90 G54 G0 X0. Y0. Z50. A0. B0. C0.
+G53.1
+M30
