@@ -74,9 +74,10 @@ AxisSet Control::shifted_by(const Frame& next, const AxisWords& moved) const {
   AxisSet axes;
   for (const Axis axis : kAllAxes) {
     const bool offset = frame.origin[axis] != next.origin[axis] || frame.g92[axis] != next.g92[axis];
-    const bool unknown = (habits.increment_unknown_after_offset && offset) ||
-                         (habits.increment_unknown_after_length && frame.tool[axis] != next.tool[axis]) ||
-                         (habits.increment_unknown_after_turn && frame.rotation_deg != next.rotation_deg);
+    const bool unknown =
+        (habits.increment_unknown_after_offset && offset) ||
+        (habits.increment_unknown_after_length && frame.tool[axis] != next.tool[axis]) ||
+        (habits.increment_unknown_after_turn && (frame.rotation_deg != next.rotation_deg || frame.plane != next.plane));
     if (unknown && std::abs(position[axis] - moved[axis]) > kNoShift) axes.insert(axis);
   }
   return axes;
