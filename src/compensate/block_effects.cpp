@@ -22,7 +22,6 @@ bool shows_otherwise(nc::Action action) {
     case nc::Action::arc_ccw:
     case nc::Action::arc_through_point:
     case nc::Action::motion_off:
-    case nc::Action::no_hole:
     case nc::Action::dwell:
     case nc::Action::plane_xy:
     case nc::Action::plane_zx:
