@@ -148,7 +148,7 @@ TEST_CASE("what no source says of a tilted plane is refused") {
   const ProgramSettings settings = fanuc_at_zero(FreeRotation::c_zero);
   for (const char* const line :
        {"G0 A5.", "G1 X5. B2. F100.", "G68.2 X0. Y0. Z0. I0. J5. K0.", "G55", "G52 X5.", "G92 X0.", "G68 X0. Y0. R10.",
-        "G43.4 H1", "G53 G0 C0.", "G91 G28 A0.", "G10 L2 P1 X5.", "G92.1"}) {
+        "G43.4 H1", "G53 G0 C0.", "G91 G28 A0.", "G10 L2 P1 X5.", "G92.1 X0."}) {
     const Ran result = ran(kPlane + "G53.1\nG0 X0. Y0. Z9.\n" + line + "\n", settings);
     INFO(line);
     CHECK(result.code == "nc-tilted-plane");
