@@ -26,6 +26,7 @@ constexpr std::array kFirstLook{kEdge, 0.5, 1 - kEdge};
 constexpr std::array kCloseLook{0.125, 0.25, 0.375, 0.625, 0.75, 0.875};
 
 Vector3<double> xyz(const AxisWords& words) { return {words[Axis::X], words[Axis::Y], words[Axis::Z]}; }
+Vector3<double> abc(const AxisWords& words) { return {words[Axis::A], words[Axis::B], words[Axis::C]}; }
 
 // Of a tip from the nearest point of a path, mm; `fraction` is where to begin.
 double distance_mm(const OriginalPath& path, const Vector3<double>& tip_mm, double fraction) {
@@ -117,45 +118,47 @@ void BetweenPoints::leave() {
   sign_.setZero();
 }
 
-// A chord leaves its curve by an eighth of the second difference in its middle; what its ends are off by rounding is
-// added there.
+// What a piece leaves, of X Y Z or of A B C: a chord leaves its curve by an eighth of the second difference in its
+// middle; what its ends are off by rounding is added there.
+double BetweenPoints::ChordGuess::next(const Vector3<double>& step, const Vector3<double>& off, double arc) {
+  const Vector3<double> second = is_first_ ? Vector3<double>(Vector3<double>::Zero()) : Vector3<double>(step - step_);
+  Vector3<double> chord = second.squaredNorm() > second_.squaredNorm() ? second : second_;
+  if (chord.norm() < arc) chord *= arc / std::max(chord.norm(), kNoWayMm);
+  const double middle = std::max(((off + off_) / 2 + chord / 8).norm(), arc / 8);
+  const double left = std::max({middle, off.norm(), off_.norm()});
+  step_ = step;
+  second_ = second;
+  off_ = off;
+  is_first_ = false;
+  return left;
+}
+
 void BetweenPoints::find_guesses(const OriginalPath& path, const AxisWords& begin, std::span<const SentPiece> pieces) {
   tip_.count = turned_.count = 0;
-  const Vector3<double> bend = xyz(path.target(0.5, std::nullopt).bend);
-  Vector3<double> off_before = Vector3<double>::Zero();
+  const double bend = xyz(path.target(0.5, std::nullopt).bend).norm();
+  ChordGuess places, turns;
   const AxisWords* last = &begin;
-  Vector3<double> step_before = Vector3<double>::Zero();
-  Vector3<double> second_before = Vector3<double>::Zero();
+  const bool among_many = pieces.size() > kGuesses;
   const machine::PerStrut<double>* sign = &sign_;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const SentPiece& piece = pieces[i];
-    const Vector3<double> step = xyz(piece.wanted) - xyz(*last);
-    const Vector3<double> off = xyz(piece.end) - xyz(piece.wanted);
-    const Vector3<double> second = i > 0 ? Vector3<double>(step - step_before) : Vector3<double>::Zero();
-    Vector3<double> chord = second.squaredNorm() > second_before.squaredNorm() ? second : second_before;
-    const double arc = bend.norm() * piece.share * piece.share;
-    if (chord.norm() < arc) chord *= arc / std::max(chord.norm(), kNoWayMm);
-    const double middle = std::max(((off + off_before) / 2 + chord / 8).norm(), arc / 8);
-    const double left = std::max({middle, off.norm(), off_before.norm()});
+    const AxisWords step = piece.wanted - *last;
+    const AxisWords off = piece.end - piece.wanted;
+    const double left = places.next(xyz(step), xyz(off), bend * piece.share * piece.share);
+    const double turned = turns.next(abc(step), abc(off), 0);
     const Kind turning = i == 0 ? corner : turn;
-    if (corrector_.has_friction()) {
-      const double friction = friction_guess(friction_.tip_mm, *sign, piece.sign);
-      tip_.keep({left + friction, friction < left ? smooth : turning, i});
-      turned_.keep({friction_guess(friction_.turned_deg, *sign, piece.sign), turning, i});
-    } else {
-      tip_.keep({left, smooth, i});
-    }
+    const double friction = corrector_.has_friction() ? friction_guess(friction_.tip_mm, *sign, piece.sign) : 0;
+    const double friction_deg = corrector_.has_friction() ? friction_guess(friction_.turned_deg, *sign, piece.sign) : 0;
+    tip_.keep({left + friction, friction <= left ? smooth : turning, i}, among_many);
+    turned_.keep({turned + friction_deg, friction_deg <= turned ? smooth : turning, i}, among_many);
     last = &piece.wanted;
-    step_before = step;
-    second_before = second;
-    off_before = off;
     sign = &piece.sign;
   }
 }
 
-// The largest guesses, one of neighbours alone.
-void BetweenPoints::Ranking::keep(const Guess& guess) {
-  for (std::size_t k = 0; k < count; ++k) {
+// The largest guesses; of neighbours among many one alone.
+void BetweenPoints::Ranking::keep(const Guess& guess, bool among_many) {
+  for (std::size_t k = 0; among_many && k < count; ++k) {
     if (guesses[k].piece + 1 != guess.piece) continue;
     if (guess.value > guesses[k].value) guesses[k] = guess;
     return;
@@ -268,18 +271,27 @@ void BetweenPoints::play(const Part& part, const OriginalPath* next) {
   }
   const auto by_tip = [](const auto& a, const auto& b) { return a.second.tip_mm < b.second.tip_mm; };
   const auto by_turn = [](const auto& a, const auto& b) { return a.second.turned_deg < b.second.turned_deg; };
-  if (std::max_element(looked.begin(), looked.end(), by_tip)->second.tip_mm > kPromising * tip_before) {
+  const auto largest = [&](const auto& by) { return std::max_element(looked.begin(), looked.end(), by); };
+  const bool tip_promises = largest(by_tip)->second.tip_mm > kPromising * tip_before;
+  const bool turn_promises = largest(by_turn)->second.turned_deg > kPromising * turned_before;
+  if (tip_promises || turn_promises) {
     for (const double fraction : kCloseLook) look(fraction);
     std::sort(looked.begin(), looked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    const auto top = std::max_element(looked.begin(), looked.end(), by_tip);
-    double low = top == looked.begin() ? 0 : std::prev(top)->first;
-    double high = std::next(top) == looked.end() ? 1 : std::next(top)->first;
-    for (int i = 0; top->second.tip_mm > tip_before && i < kRefinements; ++i) {
-      const double a = low + (high - low) / 3;
-      const double b = high - (high - low) / 3;
-      const bool rises = sample(part, a, next).tip_mm < sample(part, b, next).tip_mm;
-      (rises ? low : high) = rises ? a : b;
-    }
+    const auto refine = [&](const auto& by) {
+      const auto top = largest(by);
+      double low = top == looked.begin() ? 0 : std::prev(top)->first;
+      double high = std::next(top) == looked.end() ? 1 : std::next(top)->first;
+      for (int i = 0; i < kRefinements; ++i) {
+        const double a = low + (high - low) / 3;
+        const double b = high - (high - low) / 3;
+        const bool rises = by(std::pair(a, sample(part, a, next)), std::pair(b, sample(part, b, next)));
+        (rises ? low : high) = rises ? a : b;
+      }
+    };
+    const double highest_tip = largest(by_tip)->second.tip_mm;
+    const double highest_turn = largest(by_turn)->second.turned_deg;
+    if (tip_promises && highest_tip > tip_before) refine(by_tip);
+    if (turn_promises && highest_turn > turned_before) refine(by_turn);
   }
   const double tip = std::max_element(looked.begin(), looked.end(), by_tip)->second.tip_mm;
   const double turned = std::max_element(looked.begin(), looked.end(), by_turn)->second.turned_deg;

@@ -73,9 +73,19 @@ class BetweenPoints {
     std::array<std::uint64_t, kKinds> played{};  // pieces
     Worst found;
 
-    void keep(const Guess& guess);
+    void keep(const Guess& guess, bool among_many);
     bool promises(const Guess& guess) const;
     void learn(const Guess& guess, double found_value);
+  };
+  /// Guesses what the pieces of a block leave, one after the other, by one three of its axes.
+  class ChordGuess {
+   public:
+    double next(const Vector3<double>& step, const Vector3<double>& off, double arc);
+
+   private:
+    Vector3<double> step_ = Vector3<double>::Zero(), second_ = Vector3<double>::Zero();
+    Vector3<double> off_ = Vector3<double>::Zero();
+    bool is_first_ = true;
   };
   struct Part {  // a piece that is to be played
     AxisWords begin, end;

@@ -50,6 +50,7 @@ bool same(const IntendedState& state, const nc::Step& step) {
 }  // namespace
 
 void Intention::begin(const nc::Step& original) {
+  if (!notes_) return;
   original_ = &original;
   const nc::Block& source = *original.block;
   IntendedBlock block;
@@ -121,6 +122,7 @@ void Intention::move_away(const nc::Step& step, const nc::Motion& motion, bool l
 }
 
 void Intention::keep(const nc::Step& step, bool counts, std::optional<double> seconds) {
+  if (!notes_) return;
   if (step.cycle != nc::CycleForm::none && !goes_on_) {
     level_away_ = work_shift(*step.frame)[nc::axes_of(step.after->plane).third];
   }
@@ -143,6 +145,7 @@ void Intention::keep(const nc::Step& step, bool counts, std::optional<double> se
 
 void Intention::divide(const nc::Step& step, std::span<const nc::CorrectedPoint> points, AxisSet writable,
                        std::optional<double> seconds) {
+  if (!notes_) return;
   goes_on_ = false;
   const nc::Motion& motion = step.motions.front();
   IntendedMove& move = add(motion, IntendedMove::Form::pieces);
@@ -163,6 +166,7 @@ void Intention::divide(const nc::Step& step, std::span<const nc::CorrectedPoint>
 // X and Y of the hole are shifted, and from R on the heights are; the height that it goes back to above R is that at
 // which the first of the cycles began.
 void Intention::shift(const nc::Step& hole, const AxisWords& by) {
+  if (!notes_) return;
   const nc::PlaneAxes axes = nc::axes_of(hole.after->plane);
   const nc::Hole& at = hole.holes.front();
   AxisWords work = work_shift(*hole.frame);
@@ -231,6 +235,7 @@ void Intention::note_state(const nc::Step& step) {
 }
 
 void Intention::end(std::uint64_t output_end) {
+  if (!notes_) return;
   IntendedBlock& block = batch_.blocks.back();
   block.output_end = output_end;
   block.moves = batch_.moves.size() - block.first_move;

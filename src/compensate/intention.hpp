@@ -18,9 +18,10 @@ namespace plumbline::compensate {
 /// the original is followed here from corrections alone.
 class Intention {
  public:
-  /// All must outlive it.
-  Intention(const InputFile& source, const nc::Dialect& dialect, const nc::EmitSettings& emit, bool unrolled)
-      : source_(source), dialect_(dialect), emit_(emit), unrolled_(unrolled) {}
+  /// All must outlive it. Unless it `notes` it does nothing: nobody reads the output back.
+  Intention(const InputFile& source, const nc::Dialect& dialect, const nc::EmitSettings& emit, bool unrolled,
+            bool notes = true)
+      : source_(source), dialect_(dialect), emit_(emit), unrolled_(unrolled), notes_(notes) {}
 
   void begin(const nc::Step& original);
   /// The moves of `step` go through as they stand; `counts`: their time is part of the summary.
@@ -52,6 +53,7 @@ class Intention {
   const nc::Dialect& dialect_;
   const nc::EmitSettings& emit_;
   const bool unrolled_;
+  const bool notes_;
   IntendedBatch batch_;
   const nc::Step* original_ = nullptr;
   double level_away_ = 0;  // of the height that cycles go back to

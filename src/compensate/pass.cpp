@@ -43,7 +43,7 @@ Pass::Pass(const InputFile& source, const nc::Dialect& dialect, const nc::Progra
       written_(dialect, emit.increment_ratio),
       emitter_(source, dialect, emit, out, form),
       corrector_(model, settings),
-      intention_(source, dialect, emit, form == nc::Form::unrolled),
+      intention_(source, dialect, emit, form == nc::Form::unrolled, settings.read_back),
       spindle_(program.tools, model.reference_tool_mass),
       pose_(source, dialect),
       between_(corrector_) {

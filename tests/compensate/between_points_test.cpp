@@ -102,6 +102,8 @@ class DrawnMoves {
   double x_ = 0, y_ = 0;
 };
 
+constexpr double kHalfIncrementUm = 0.05;  // of what is written: no figure means more
+
 struct Honesty {
   int moves = 0, off_tip = 0, off_turn = 0;
   std::uint64_t plays = 0;  // that the summary took
@@ -120,7 +122,7 @@ Honesty honesty(unsigned first, unsigned last, int per_piece) {
     const double turned_deg = result.summary.residual_deg.value;
     ++all.moves;
     all.plays += result.summary.replayed;
-    const bool off_tip = std::abs(tip_um / played.tip_um - 1) > 0.1;
+    const bool off_tip = std::abs(tip_um - played.tip_um) > 0.1 * played.tip_um + kHalfIncrementUm;
     const bool off_turn = std::abs(turned_deg / played.turned_deg - 1) > 0.1;
     if (off_tip) ++all.off_tip;
     if (off_turn) ++all.off_turn;

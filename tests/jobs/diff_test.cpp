@@ -105,6 +105,19 @@ TEST_CASE("tiny rapids of one side alone belong to those beside them") {
   }
 }
 
+TEST_CASE("tiny rapids behind a long one belong to it, whatever comes next") {
+  for (const char* const next : {"G1 Z-2 F100\nG0 Z5\n", "G0 X9 Y9\nG1 Z1 F100\n", "G4 P1\nG1 X3 F9\n"}) {
+    const std::string a = "G0 X0 Y0 Z5\nG0 X20\n" + std::string(next);
+    const std::string b = "G0 X0 Y0 Z5\nG0 X20\nG0 Z4.9975\n" + std::string(next);
+    for (const DiffSummary& s : {diff_of(a, b), diff_of(b, a)}) {
+      INFO(next);
+      CHECK(s.out_of_line_a == 0);
+      CHECK(s.out_of_line_b == 0);
+      CHECK(s.shift[2].largest <= Approx(0.0025));
+    }
+  }
+}
+
 TEST_CASE("a program equals itself") {
   const DiffSummary s = diff_of(winding(false), winding(false));
   CHECK(s.equal_within(0, 0));
