@@ -116,6 +116,19 @@ void check_turned(const Execution& run) {
   }
 }
 
+// G54 P48 is G54.1 P48 as well, whoever else of the block takes the P.
+void check_not_beside(const Execution& run) {
+  for (const Chosen& code : run.chosen) {
+    if (code.row->not_beside == 0) continue;
+    const Word* const word = run.words.find(code.row->not_beside);
+    if (word == nullptr) continue;
+    run.refuse(*word, codes::kNotInterpreted,
+               fmt::format("{} beside {} chooses another work system, and may belong to another code of the block",
+                           run.block->at(word->span), run.block->at(code.word->span)),
+               "put the work system into a block of its own; write further ones as G54.1 P1");
+  }
+}
+
 // X alone: whether Y stays where it stands or goes to its old word in the turned system is a setting of the control.
 void check_alone_after_turn(const Execution& run) {
   const AxisSet named = run.axes & kTurningAxes;
@@ -170,6 +183,7 @@ void check_contexts(const Execution& run) {
   check_words_beside_unit(run);
   check_axes_needed(run);
   check_turned(run);
+  check_not_beside(run);
   check_alone_after_turn(run);
   check_cycle_increments(run);
   check_edge_known(run);

@@ -139,6 +139,7 @@ struct CodeRow {
   bool alone = false;                      // no move stands beside it
   bool needs_axes = false;                 // without an axis word nobody knows what it does
   bool unturned = false;                   // not while the work system is turned by the program
+  char not_beside = 0;                     // a letter that makes another code of it where it stands in the block
   FeedRule feed_rule = FeedRule::unknown;  // of a tool length: with it in force; unknown: the dialect's
   bool has_arguments = false;              // a name with ( ) behind it, which the interpreter does not look into
   bool order_unknown = false;              // whether it acts before the move of its block or after it
@@ -177,6 +178,7 @@ struct Syntax {
   bool semicolon_ends = false;    // ; is the end of a block: nothing but comments in ( ) stands behind it
   bool percent_text = false;      // behind the first % there may be text
   bool open_assignment = false;   // what is assigned needs no brackets
+  bool one_sign = false;          // X--5 is a slip, not X5
   bool repeated_ijk = false;      // I, J and K may stand more than once (arguments of a macro)
   bool rounds_to_zero = false;    // FIX and FUP
   bool bitwise = false;           // AND, OR, XOR work on the bits of whole numbers and bind like * and +

@@ -116,6 +116,7 @@ class TableReader {
     syntax.declared = flag(from, "declared");
     syntax.settings_alone = flag(from, "settings_alone");
     syntax.open_assignment = flag(from, "open_assignment");
+    syntax.one_sign = flag(from, "one_sign");
     syntax.repeated_ijk = flag(from, "repeated_ijk");
     syntax.rounds_to_zero = flag(from, "rounds_to_zero");
     syntax.bitwise = flag(from, "bitwise");
@@ -279,6 +280,7 @@ class TableReader {
     row.alone = flag(from, "alone");
     row.needs_axes = flag(from, "needs_axes");
     row.unturned = flag(from, "unturned");
+    if (from.find("not_beside") != nullptr) row.not_beside = text(from, "not_beside").front();
     if (from.find("feed_rule") != nullptr) row.feed_rule = feed_rule_named(text(from, "feed_rule"));
     if (const TomlValue* const only = value(from, "only", TomlValue::Kind::array)) {
       for (const TomlValue& word : only->items) {

@@ -37,6 +37,7 @@ class Parser {
   std::uint32_t value_code();
   void real_value();
   void signed_value();
+  void refuse_second_sign() const;
   void expression();
   void operations(int least_precedence);
   void parameter();

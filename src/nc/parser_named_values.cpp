@@ -94,6 +94,7 @@ void Parser::named_term() {
       return push(Operation::number, span, token_.value);
     case TokenKind::sign: {
       const bool negative = token_.letter == '-';
+      refuse_second_sign();
       named_term();
       if (negative) push(Operation::negate, span);
       return;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/characters.hpp"
 #include "nc/codes.hpp"
 #include "nc/parser.hpp"
 
@@ -69,8 +70,18 @@ void Parser::real_value() {
 void Parser::signed_value() {
   const bool negative = token_.letter == '-';
   const Span span = span_of(token_);
+  refuse_second_sign();
   real_value();
   if (negative) push(Operation::negate, span);
+}
+
+// Where nothing says that a control reads two signs in a row, they are a slip.
+void Parser::refuse_second_sign() const {
+  const char* next = at_;
+  while (is_blank(*next)) ++next;
+  if (!syntax_->one_sign || (*next != '-' && *next != '+')) return;
+  const auto begin = static_cast<std::uint32_t>(next - block_->text.data());
+  refuse_at(*block_, {begin, begin + 1}, codes::kBadNumber, "two signs in a row", "leave one of them");
 }
 
 // expression = "[" , real value , { operation , real value } , "]"
