@@ -238,6 +238,7 @@ struct Habits {
   enum class Beside : std::uint8_t { anything, no_axes, nothing };
   Beside beside_dwell = Beside::anything;  // what may stand in a block with G4
   // G4 in these modes: what its word counts then is not known.
+  bool inch_turn_per_revolution_unknown = false;  // F of a move of A, B, C alone under G20 and G95
   bool dwell_unknown_per_revolution = false;
   bool dwell_unknown_inverse_time = false;
   bool h0_is_machine = false;            // G15 H0, G16 H0: machine coordinates

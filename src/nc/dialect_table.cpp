@@ -188,6 +188,7 @@ class TableReader {
     habits.end_returns = flag(from, "end_returns");
     habits.turns_are_extra = flag(from, "turns_are_extra");
     habits.dwell_p_s = number(from, "dwell_p_s", 1);
+    habits.inch_turn_per_revolution_unknown = flag(from, "inch_turn_per_revolution_unknown");
     habits.dwell_unknown_per_revolution = flag(from, "dwell_unknown_per_revolution");
     habits.dwell_unknown_inverse_time = flag(from, "dwell_unknown_inverse_time");
     habits.h0_is_machine = flag(from, "h0_is_machine");

@@ -13,6 +13,7 @@
 namespace plumbline::nc {
 namespace {
 
+constexpr double kSameOffset = 1e-6;  // mm, inches and deg
 constexpr std::size_t kCopyChunk = std::size_t{1} << 16U;
 constexpr std::string_view kSkipped = "block delete is on: this block was left out";
 
@@ -281,10 +282,18 @@ void Emitter::add_offset_shifts(const Step& step) {
   for (const Word& word : step.block->words) {
     const std::optional<Axis> axis = axis_of(word.letter);
     if (!axis || std::abs(shift[*axis]) <= 1e-9) continue;
+    const double exact = word.value + shift[*axis] / step.after->unit_of(*axis);
+    const double kept = planner_.offset_word(step, *axis, exact);
+    if (std::abs(kept - exact) > kSameOffset) {
+      refuse_block(*step.block, "emit-stores-position",
+                   fmt::format("{} sets an offset from where the control stands, which after the correction is no "
+                               "multiple of what it keeps of a word",
+                               letter(*axis)),
+                   "write G20, G21 and G68 behind this block, or move there in machine coordinates (G53) first");
+    }
     std::string text;
-    append_word(text, word.letter,
-                planner_.offset_word(step, *axis, word.value + shift[*axis] / step.after->unit_of(*axis)),
-                kMostDecimals, {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
+    append_word(text, word.letter, kept, kMostDecimals,
+                {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
     editor_.replace(word.span, text);
   }
 }

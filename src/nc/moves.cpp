@@ -206,6 +206,12 @@ double feed_of_move(const Execution& run, bool linear) {
     run.refuse(run.motion_code(), codes::kFeedMissing, "a feed per revolution (G95) needs a turning spindle",
                "write S and M3 before this move");
   }
+  if (per_revolution && !linear && control.modal.inches && run.dialect.habits.inch_turn_per_revolution_unknown) {
+    run.refuse(run.motion_code(), codes::kNotInterpreted,
+               "a turn alone with a feed per revolution (G95) in inches: whether F counts degrees or inches then was "
+               "found in no source",
+               "write G93 or G94 with the F of this move, or the program in mm");
+  }
   const double feed = linear || per_revolution ? control.feed_linear : control.modal.feed_rotary;
   if (feed > 0) return feed;
   run.refuse(word != nullptr ? *word : run.motion_code(), codes::kFeedMissing, "no feed is in force for this move",

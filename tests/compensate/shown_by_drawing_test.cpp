@@ -72,3 +72,14 @@ TEST_CASE("linuxcnc: a tap goes back to where the tool came in, at the feed of i
                            "G0 X5 Y-1 Z1\nM3 S500\nF300\nG98 G84 X7 Z1.2 R1.5\nG80\nM2\n",
                            "G20\nG0 X.2 Y-.1 Z.1\nM3 S500\nF5\nG98 G84 X.3 Z.09 R.12\nG80\nM2\n"});
 }
+
+TEST_CASE("fanuc: an offset that the control could not keep is refused, and one that it keeps is not") {
+  const Job job = for_dialect("fanuc");
+  for (const std::string part : {"G00 X-20.744 Y-8.009 Z14.\nG20\nG92 X-0.8975\n", "G0 X3.001 Y1. Z7.003\nG20\nG92 Z-.8404\n",
+                                 "G0 X3. Y9.007 Z7.\nG1 X5.003 F100.\nG20\nG92 X1. Y2.\n"}) {
+    INFO(part);
+    CHECK(code_of("O1\nG21\n" + part + "M30\n", job) == "emit-stores-position");
+  }
+  check_taken("fanuc", {"O1\nG21\nG0 X-20.744 Y-8.009 Z14.\nG92 X-0.8975\nG20\nM30\n",
+                        "O1\nG20\nG0 X1.0449 Y-.8009 Z1.4\nG92 X-0.8975\nM30\n"});
+}
