@@ -81,6 +81,7 @@ class Pass {
   void refuse_unless_in_place(const nc::Step& step, bool goes_on) const;
   void rapid_point(const nc::Step& step);
   void check_way_to_hole(const nc::Step& step, const AxisWords& shift) const;
+  void check_level_of_hole(const nc::Step& step, const AxisWords& shift) const;
   OriginalPath path_of(const nc::Step& step, const path::Curve& curve) const;
   void follow_cut(const nc::Step& step, const path::Curve& curve, const AxisWords& begin, bool changed,
                   std::optional<double> seconds);

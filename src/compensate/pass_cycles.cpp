@@ -134,6 +134,7 @@ void Pass::process_hole(const nc::Step& step) {
         "allow more with --cycle-tolerance, or drill a shorter hole", place_of(*step.block, step.block->file));
   }
   check_way_to_hole(step, mean);
+  check_level_of_hole(step, mean);
   const nc::EmittedMove move = emitter_.hole(step, mean);
   intention_.shift(step, mean);
   note_move(step, move, std::nullopt);
@@ -150,6 +151,23 @@ void Pass::check_way_to_hole(const nc::Step& step, const AxisWords& shift) const
     const AxisWords commanded = step.frame->to_pose(motion.to + shift);
     refuse_violations(check_way(corrector_, model_.limits, from, to, commanded), *step.block, step.block->file);
   }
+}
+
+// A cycle that goes back to R is read for a tool that stands there; the correction may have shifted the one only.
+void Pass::check_level_of_hole(const nc::Step& step, const AxisWords& shift) const {
+  const nc::Hole& hole = step.holes.front();
+  if (!dialect_.habits.return_levels || hole.clear != hole.r) return;
+  const Axis normal = nc::axes_of(step.after->plane).third;
+  const double stands =
+      step.motions[way_to_hole(step)].from[normal] + emitter_.control().work_shift(*step.frame)[normal];
+  if (std::abs(stands - hole.r - shift[normal]) < nc::kSameLevel) return;
+  refuse(
+      "compensate-cycle",
+      fmt::format("the correction puts R {:.3f} mm off the tool, which stands on it in the original: how it comes to "
+                  "the hole from there was found in no source",
+                  hole.r + shift[normal] - stands),
+      "state all six axes before the cycle, so that the move to above the hole is corrected as well",
+      place_of(*step.block, step.block->file));
 }
 
 // Times that the rewriting keeps.

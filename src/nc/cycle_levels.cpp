@@ -7,11 +7,6 @@
 #include "nc/execution.hpp"
 
 namespace plumbline::nc {
-namespace {
-
-constexpr double kSameLevel = 0.1;  // mm: either way is the same then, a correction apart
-
-}  // namespace
 
 void set_return_level(Execution& run, const Word& code) {
   Control& control = run.control;

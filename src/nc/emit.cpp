@@ -13,7 +13,7 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr double kSameOffset = 1e-6;  // mm, inches and deg
+constexpr double kSameOffset = 1e-9;  // mm, inches and deg
 constexpr std::size_t kCopyChunk = std::size_t{1} << 16U;
 constexpr std::string_view kSkipped = "block delete is on: this block was left out";
 

@@ -40,6 +40,9 @@ enum class CycleForm : std::uint8_t {
   spindle,  // G74, G84, G86 to G88: it works the spindle as well, so that it stays a cycle
 };
 
+/// A tool so near to where a cycle goes back to stands there, a correction apart; mm.
+inline constexpr double kSameLevel = 0.1;
+
 /// One hole of a cycle, in the work system, mm; `first`, `second` and the normal are the axes of its plane.
 /// The motions that it counts are those of the block of the program, also where a block of its own is made of it.
 struct Hole {

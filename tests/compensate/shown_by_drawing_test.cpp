@@ -75,11 +75,21 @@ TEST_CASE("linuxcnc: a tap goes back to where the tool came in, at the feed of i
 
 TEST_CASE("fanuc: an offset that the control could not keep is refused, and one that it keeps is not") {
   const Job job = for_dialect("fanuc");
-  for (const std::string part : {"G00 X-20.744 Y-8.009 Z14.\nG20\nG92 X-0.8975\n", "G0 X3.001 Y1. Z7.003\nG20\nG92 Z-.8404\n",
-                                 "G0 X3. Y9.007 Z7.\nG1 X5.003 F100.\nG20\nG92 X1. Y2.\n"}) {
+  for (const std::string part :
+       {"G00 X-20.744 Y-8.009 Z14.\nG20\nG92 X-0.8975\n", "G0 X3.001 Y1. Z7.003\nG20\nG92 Z-.8404\n",
+        "G0 X3. Y9.007 Z7.\nG1 X5.003 F100.\nG20\nG92 X1. Y2.\n"}) {
     INFO(part);
     CHECK(code_of("O1\nG21\n" + part + "M30\n", job) == "emit-stores-position");
   }
   check_taken("fanuc", {"O1\nG21\nG0 X-20.744 Y-8.009 Z14.\nG92 X-0.8975\nG20\nM30\n",
                         "O1\nG20\nG0 X1.0449 Y-.8009 Z1.4\nG92 X-0.8975\nM30\n"});
+}
+
+TEST_CASE("okuma: a cycle whose R the correction puts elsewhere than the tool is refused as such") {
+  for (const std::string part : {"Z142.261 G0 B-18.826\nG89 X-194.703 Y135.633 Z138.850 R142.261 P1 F118 M54\n",
+                                 "G00 Z129.443 A12.977\nG82 X-213.808 Y-281.758 Z122.885 R129.443 P1 F138 M54\n"}) {
+    INFO(part);
+    CHECK(code_of("G15 H1\n" + part + "G80\nM2\n", for_dialect("okuma")) == "compensate-cycle");
+  }
+  check_taken("okuma", {"G15 H1\nG0 X1 Y2 Z20 A5 B-8 C0\nG82 X9. Y4. Z12. R20. P1 F138 M54\nG80\nM2\n"});
 }

@@ -210,7 +210,7 @@ std::string Writer::endless_word(Axis axis, double work) {
   if (!by_sign && draws_.chance(40)) place += draws_.chance(50) ? kTurn : -kTurn;
   place = std::max(place, by_sign ? 0.01 : -kTurn);
   const bool down = by_sign && work < at_[axis];
-  const Spelled number = spell(down ? -place : place, 3, manners_.cut_deg);
+  const Spelled number = spell(down ? -place : place, 3, manners_.cut_deg, manners_.increments_deg);
   double way = std::fmod(std::abs(number.value) - at_[axis], kTurn);
   if (!by_sign) way = std::fmod(number.value - at_[axis], kTurn);
   if (way < 0) way += kTurn;
