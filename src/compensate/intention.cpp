@@ -69,7 +69,7 @@ void Intention::begin(const nc::Step& original) {
 }
 
 // What the control keeps of a word of this block, half of it: nothing nearer can be written.
-void Intention::note_kept(const nc::Step& step, IntendedMove& move) const {
+void Intention::note_kept(const nc::Step& step, IntendedMove& move) {
   for (const Axis axis : kAllAxes) {
     const nc::Word* const word = nc::find_word(*step.block, letter(axis));
     const int written = word != nullptr ? word->decimals : 0;
@@ -82,7 +82,9 @@ void Intention::note_kept(const nc::Step& step, IntendedMove& move) const {
     const double increment =
         std::max((is_rotary(axis) ? emit_.increment_deg : emit_.increment_mm) / unit, control.quantum);
     const double kept = increment > digit * 1.000001 ? increment + digit : digit;
-    move.tolerance[axis] = kept * unit / 2 + kNoRounding;
+    const double here = kept * unit / 2 + kNoRounding;
+    if (step.named.contains(axis)) written_[axis] = here;
+    move.tolerance[axis] = std::max(here, written_[axis]);
     const bool is_cut_off = written > control.decimals;  // such a word may stand as it is
     move.digit[axis] = is_cut_off ? std::pow(10, -written) : digit;
     move.increment[axis] = is_cut_off ? 0 : increment;

@@ -42,7 +42,7 @@ class Intention {
   }
 
  private:
-  void note_kept(const nc::Step& step, IntendedMove& move) const;
+  void note_kept(const nc::Step& step, IntendedMove& move);
   IntendedMove& add(const nc::Motion& motion, IntendedMove::Form form);
   AxisWords work_shift(const nc::Frame& frame) const;
   void move_away(const nc::Step& step, const nc::Motion& motion, bool last);
@@ -59,6 +59,7 @@ class Intention {
   double level_away_ = 0;  // of the height that cycles go back to
   bool goes_on_ = false;   // the cycle before
   AxisWords away_;         // the control's position minus the original's, in W
+  AxisWords written_;      // the tolerance of the block that named the axis last, maybe in another unit
   IntendedState state_;
   bool has_state_ = false;
 };

@@ -93,3 +93,9 @@ TEST_CASE("okuma: a cycle whose R the correction puts elsewhere than the tool is
   }
   check_taken("okuma", {"G15 H1\nG0 X1 Y2 Z20 A5 B-8 C0\nG82 X9. Y4. Z12. R20. P1 F138 M54\nG80\nM2\n"});
 }
+
+TEST_CASE("fanuc: axes that a block does not name stand where another unit wrote them") {
+  check_taken("fanuc", {"O1\nG20\nG0 X-.1888 Y1.3046 Z-.7805\nG21\nG53 G0 Z-998.\nM30\n",
+                        "O1\nG20\nG0 X.1887 Y-1.3043 Z-.7805\nG21\nG1 Z-19. F200.\nX3.\nM30\n",
+                        "O1\nG21\nG0 X3.001 Y7.003 Z-9.999\nG20\nG1 X.5 F20.\nG53 G0 Z-30.\nM30\n"});
+}
