@@ -55,7 +55,8 @@ class Faults(unittest.TestCase):
 
     def test_a_mixed_pair_of_writers_is_found(self):
         first = "mkdir busy 2>/dev/null && first=yes"
-        mix = "if [ $first ]; then sleep 1; rmdir busy; else echo mixed >>out/part.json; fi"
+        mix = ("if [ $first ]; then touch over; sleep 1; rm over; rmdir busy; else "
+               "while [ -d busy ] && [ ! -e over ]; do sleep 0.05; done; echo mixed >>out/part.json; fi")
         done = faults(self.player(first, mix), "--faults", "0", "--kills", "0", "--writers", "3", "--tasks", "pair")
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("not of one run", done.stdout)
