@@ -28,17 +28,8 @@ constexpr std::size_t kFanucSystems = 8;  // G54 to G59, G54.1 P1 and P2
 class Fanuc final : public Writer {
  public:
   Fanuc(std::uint64_t seed, const Scene& scene) : Writer("fanuc", seed, scene, fanuc_manners()) {
-    jobs::Options& options = program_.options;
-    for (std::size_t i = 0; i < kFanucSystems; ++i) {
-      for (const Axis axis : kAllAxes)
-        systems_[i][axis] = i == 0 ? 0 : draws_.whole(-800, 800) / (is_rotary(axis) ? 1000.0 : 100.0);
-      options.work_offsets[i] = nc::WorkOffset{systems_[i] + kBox, 0};
-    }
-    keeps_at_tool_change_ = draws_.chance(70);
-    if (keeps_at_tool_change_) options.keeps_position.insert(6);
-    if (draws_.chance(70)) options.keeps_position.insert({0, 1});
-    keeps_at_stop_ = options.keeps_position.contains(0);
-    if (draws_.chance(25)) options.block_delete = draws_.chance(50);
+    draw_work_offsets(systems_);
+    draw_what_stays();
     expressions_percent_ = draws_.chance(25) ? 8 : 0;
     if (draws_.chance(8)) turn_endlessly();
   }
@@ -114,29 +105,16 @@ class Fanuc final : public Writer {
     switch (draws_.whole(0, 5)) {
       case 0:
       case 1:
-        incremental_ = !incremental_;
-        return put({incremental_ ? "G91" : "G90"});
+        return change_distance();
       case 2:
         if (length_ != 0 || turned_deg_ != 0) return;
-        inches_ = !inches_;
-        feed_stated_ = false;
-        return put({inches_ ? "G20" : "G21"});
-      case 3: {
-        const int next = draws_.whole(0, 2);
-        feeds_ = static_cast<Feeds>(next);
-        feed_stated_ = false;
-        if (next == 2) put({"S1000", "M3"});
-        return put({next == 0 ? "G93" : next == 1 ? "G94" : "G95"});
-      }
+        return change_unit("G20", "G21");
+      case 3:
+        return change_feed_mode();
       case 4:
         return put({draws_.chance(50) ? "G61" : "G64"});
-      default: {
-        static constexpr std::array<std::string_view, 3> kPlanes{"G17", "G18", "G19"};
-        if (turned_deg_ != 0) return;
-        const int plane = draws_.whole(0, 2);
-        plane_ = static_cast<nc::Plane>(plane);
-        return put({std::string(kPlanes[static_cast<std::size_t>(plane)])});
-      }
+      default:
+        if (turned_deg_ == 0) change_plane();
     }
   }
 
@@ -276,25 +254,9 @@ class Fanuc final : public Writer {
     go_to_known_place();
   }
 
-  std::string there_and_back() {
-    std::string there;
-    std::string back;
-    for (const Axis axis : kAllAxes) {
-      if ((is_rotary(axis) && !uses_rotary_) || !draws_.chance(is_rotary(axis) ? 25 : 50)) continue;
-      const double by = draws_.between(-3, 3) / (is_rotary(axis) ? 1 : unit());
-      there += fmt::format(" {}{:.3f}", letter(axis), by);
-      back += fmt::format(" {}{:.3f}", letter(axis), -by);
-    }
-    if (there.empty()) {
-      there = " X0.3";
-      back = " X-0.3";
-    }
-    return fmt::format("G91 G1{}\nG1{}\n{}", there, back, incremental_ ? "G91" : "G90");
-  }
-
   void flow() {
     if (feeds_ != Feeds::per_minute) return;
-    put({feed_text(draws_.between(200, 900)) + (draws_.chance(0) ? "" : "")});
+    put({feed_text(draws_.between(200, 900))});
     feed_stated_ = true;
     motion_ = -1;
     ++labels_;
@@ -329,7 +291,6 @@ class Fanuc final : public Writer {
   AxisWords origin_before_, shift_before_;
   double length_ = 0;
   int labels_ = 0;
-  bool keeps_at_tool_change_ = true, keeps_at_stop_ = true;
   std::vector<std::string> programs_;
 };
 

@@ -141,8 +141,7 @@ void LinuxCnc::change_mode() {
     }
     case 0:
     case 1:
-      incremental_ = !incremental_;
-      return put({incremental_ ? "G91" : "G90"});
+      return change_distance();
     case 2: {
       if (length_ != 0) {  // the control would take it for a length in the new unit
         at_[Axis::Z] += length_;
@@ -165,12 +164,8 @@ void LinuxCnc::change_mode() {
     }
     case 4:
       return put({draws_.chance(50) ? "G61" : draws_.chance(50) ? "G61.1" : "G64 P0.01"});
-    case 5: {
-      static constexpr std::array<std::string_view, 3> kPlanes{"G17", "G18", "G19"};
-      const int plane = draws_.whole(0, 2);
-      plane_ = static_cast<nc::Plane>(plane);
-      return put({std::string(kPlanes[static_cast<std::size_t>(plane)])});
-    }
+    case 5:
+      return change_plane();
     default:
       return put({switch_word()});
   }

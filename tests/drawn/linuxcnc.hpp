@@ -34,7 +34,7 @@ class LinuxCnc final : public Writer {
   void flow();
   void spline();
   void stop();
-  std::string there_and_back();
+  std::string there_and_back() override;
   std::string label();
 
   struct System {
@@ -47,7 +47,6 @@ class LinuxCnc final : public Writer {
   int tool_ = 0;
   double length_ = 0;  // in force
   int labels_ = 0;
-  bool keeps_at_tool_change_ = true, keeps_at_stop_ = true;
   std::vector<std::pair<std::string, double>> parameters_;
 };
 

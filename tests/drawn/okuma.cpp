@@ -23,18 +23,10 @@ class Okuma final : public Writer {
  public:
   Okuma(std::uint64_t seed, const Scene& scene) : Writer("okuma", seed, scene, okuma_manners()) {
     jobs::Options& options = program_.options;
-    for (std::size_t i = 0; i < kOkumaSystems; ++i) {
-      for (const Axis axis : kAllAxes)
-        systems_[i][axis] = i == 0 ? 0 : draws_.whole(-800, 800) / (is_rotary(axis) ? 1000.0 : 100.0);
-      options.work_offsets[i] = nc::WorkOffset{systems_[i] + kBox, 0};
-    }
+    draw_work_offsets(systems_);
     if (uses_rotary_ || draws_.chance(50))
       options.feed_rule = draws_.chance(50) ? nc::FeedRule::xyz_first : nc::FeedRule::all_axes_as_mm;
-    keeps_at_tool_change_ = draws_.chance(70);
-    if (keeps_at_tool_change_) options.keeps_position.insert({6});
-    if (draws_.chance(70)) options.keeps_position.insert({0, 1});
-    keeps_at_stop_ = options.keeps_position.contains(0);
-    if (draws_.chance(25)) options.block_delete = draws_.chance(50);
+    draw_what_stays();
   }
 
  private:
@@ -106,23 +98,13 @@ class Okuma final : public Writer {
     switch (draws_.whole(0, 4)) {
       case 0:
       case 1:
-        incremental_ = !incremental_;
-        return put({incremental_ ? "G91" : "G90"});
-      case 2: {
-        const int next = draws_.whole(0, 2);
-        feeds_ = static_cast<Feeds>(next);
-        feed_stated_ = false;
-        if (next == 2) put({"S1000", "M3"});
-        return put({next == 0 ? "G93" : next == 1 ? "G94" : "G95"});
-      }
+        return change_distance();
+      case 2:
+        return change_feed_mode();
       case 3:
         return put({draws_.chance(50) ? "G61" : "G64"});
-      default: {
-        static constexpr std::array<std::string_view, 3> kPlanes{"G17", "G18", "G19"};
-        const int plane = draws_.whole(0, 2);
-        plane_ = static_cast<nc::Plane>(plane);
-        return put({std::string(kPlanes[static_cast<std::size_t>(plane)])});
-      }
+      default:
+        change_plane();
     }
   }
 
@@ -176,22 +158,6 @@ class Okuma final : public Writer {
     go_to_known_place();
   }
 
-  std::string there_and_back() {
-    std::string there;
-    std::string back;
-    for (const Axis axis : kAllAxes) {
-      if ((is_rotary(axis) && !uses_rotary_) || !draws_.chance(is_rotary(axis) ? 25 : 50)) continue;
-      const double by = draws_.between(-3, 3);
-      there += fmt::format(" {}{:.3f}", letter(axis), by);
-      back += fmt::format(" {}{:.3f}", letter(axis), -by);
-    }
-    if (there.empty()) {
-      there = " X0.3";
-      back = " X-0.3";
-    }
-    return fmt::format("G91 G1{}\nG1{}\n{}", there, back, incremental_ ? "G91" : "G90");
-  }
-
   void flow() {
     if (feeds_ != Feeds::per_minute) return;
     put({fmt::format("F{}", draws_.whole(200, 900))});
@@ -219,7 +185,6 @@ class Okuma final : public Writer {
 
   std::array<AxisWords, kOkumaSystems> systems_;
   int labels_ = 0;
-  bool keeps_at_tool_change_ = true, keeps_at_stop_ = true;
   std::vector<std::string> programs_;
 };
 

@@ -23,17 +23,8 @@ constexpr std::size_t kSiemensSystems = 6;  // G54 to G57, G505, G506
 class Siemens final : public Writer {
  public:
   Siemens(std::uint64_t seed, const Scene& scene) : Writer("siemens", seed, scene, siemens_manners()) {
-    jobs::Options& options = program_.options;
-    for (std::size_t i = 0; i < kSiemensSystems; ++i) {
-      for (const Axis axis : kAllAxes)
-        systems_[i][axis] = i == 0 ? 0 : draws_.whole(-800, 800) / (is_rotary(axis) ? 1000.0 : 100.0);
-      options.work_offsets[i] = nc::WorkOffset{systems_[i] + kBox, 0};
-    }
-    keeps_at_tool_change_ = draws_.chance(70);
-    if (keeps_at_tool_change_) options.keeps_position.insert({6});
-    if (draws_.chance(70)) options.keeps_position.insert({0, 1});
-    keeps_at_stop_ = options.keeps_position.contains(0);
-    if (draws_.chance(25)) options.block_delete = draws_.chance(50);
+    draw_work_offsets(systems_);
+    draw_what_stays();
   }
 
  private:
@@ -113,29 +104,16 @@ class Siemens final : public Writer {
       case 0:
       case 1:
         if (shifted_) return;
-        incremental_ = !incremental_;
-        return put({incremental_ ? "G91" : "G90"});
+        return change_distance();
       case 2:
         if (shifted_ || length_ != 0) return;
-        inches_ = !inches_;
-        feed_stated_ = false;
-        return put({inches_ ? "G700" : "G710"});
-      case 3: {
-        const int next = draws_.whole(0, 2);
-        feeds_ = static_cast<Feeds>(next);
-        feed_stated_ = false;
-        if (next == 2) put({"S1000", "M3"});
-        return put({next == 0 ? "G93" : next == 1 ? "G94" : "G95"});
-      }
+        return change_unit("G700", "G710");
+      case 3:
+        return change_feed_mode();
       case 4:
         return put({draws_.chance(50) ? "G60" : "G64"});
-      default: {
-        static constexpr std::array<std::string_view, 3> kPlanes{"G17", "G18", "G19"};
-        if (turned_deg_ != 0) return;
-        const int plane = draws_.whole(0, 2);
-        plane_ = static_cast<nc::Plane>(plane);
-        return put({std::string(kPlanes[static_cast<std::size_t>(plane)])});
-      }
+      default:
+        if (turned_deg_ == 0) change_plane();
     }
   }
 
@@ -238,19 +216,10 @@ class Siemens final : public Writer {
     go_to_known_place();
   }
 
-  std::string there_and_back() {
-    std::string there;
-    std::string back;
-    for (const Axis axis : kAllAxes) {
-      if ((is_rotary(axis) && !uses_rotary_) || !draws_.chance(is_rotary(axis) ? 25 : 50)) continue;
-      const double by = draws_.between(-3, 3) / (is_rotary(axis) ? 1 : unit());
-      there += fmt::format(" {}=IC({:.3f})", letter(axis), by);
-      back += fmt::format(" {}=IC({:.3f})", letter(axis), -by);
-    }
-    if (there.empty()) {
-      there = " X=IC(0.3)";
-      back = " X=IC(-0.3)";
-    }
+  std::string increment_word(Axis axis, double by) override { return fmt::format(" {}=IC({:.3f})", letter(axis), by); }
+
+  std::string there_and_back() override {
+    const auto [there, back] = words_there_and_back();
     return fmt::format("G1{}\nG1{}", there, back);
   }
 
@@ -285,7 +254,6 @@ class Siemens final : public Writer {
   double length_ = 0;
   bool edge_off_ = false;
   int labels_ = 0;
-  bool keeps_at_tool_change_ = true, keeps_at_stop_ = true;
 };
 
 }  // namespace

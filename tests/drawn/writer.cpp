@@ -238,6 +238,68 @@ AxisSet Writer::some(int linear_percent, int rotary_percent) {
   return which;
 }
 
+void Writer::draw_work_offsets(std::span<AxisWords> systems) {
+  for (std::size_t i = 0; i < systems.size(); ++i) {
+    for (const Axis axis : kAllAxes)
+      systems[i][axis] = i == 0 ? 0 : draws_.whole(-800, 800) / (is_rotary(axis) ? 1000.0 : 100.0);
+    program_.options.work_offsets[i] = nc::WorkOffset{systems[i] + kBox, 0};
+  }
+}
+
+void Writer::draw_what_stays() {
+  jobs::Options& options = program_.options;
+  keeps_at_tool_change_ = draws_.chance(70);
+  if (keeps_at_tool_change_) options.keeps_position.insert(6);
+  keeps_at_stop_ = draws_.chance(70);
+  if (keeps_at_stop_) options.keeps_position.insert({0, 1});
+  if (draws_.chance(25)) options.block_delete = draws_.chance(50);
+}
+
+std::string Writer::increment_word(Axis axis, double by) { return fmt::format(" {}{:.3f}", letter(axis), by); }
+
+std::array<std::string, 2> Writer::words_there_and_back() {
+  std::array<std::string, 2> words;
+  for (const Axis axis : kAllAxes) {
+    if ((is_rotary(axis) && !uses_rotary_) || !draws_.chance(is_rotary(axis) ? 25 : 50)) continue;
+    const double by = draws_.between(-3, 3) / (is_rotary(axis) ? 1 : unit());
+    words[0] += increment_word(axis, by);
+    words[1] += increment_word(axis, -by);
+  }
+  if (words[0].empty()) words = {increment_word(Axis::X, 0.3), increment_word(Axis::X, -0.3)};
+  return words;
+}
+
+std::string Writer::there_and_back() {
+  const auto [there, back] = words_there_and_back();
+  return fmt::format("G91 G1{}\nG1{}\n{}", there, back, incremental_ ? "G91" : "G90");
+}
+
+void Writer::change_distance() {
+  incremental_ = !incremental_;
+  put({incremental_ ? "G91" : "G90"});
+}
+
+void Writer::change_unit(std::string_view inches, std::string_view millimetres) {
+  inches_ = !inches_;
+  feed_stated_ = false;
+  put({std::string(inches_ ? inches : millimetres)});
+}
+
+void Writer::change_feed_mode() {
+  const int next = draws_.whole(0, 2);
+  feeds_ = static_cast<Feeds>(next);
+  feed_stated_ = false;
+  if (feeds_ == Feeds::per_revolution) put({"S1000", "M3"});
+  put({next == 0 ? "G93" : next == 1 ? "G94" : "G95"});
+}
+
+void Writer::change_plane() {
+  static constexpr std::array<std::string_view, 3> kPlanes{"G17", "G18", "G19"};
+  const int plane = draws_.whole(0, 2);
+  plane_ = static_cast<nc::Plane>(plane);
+  put({std::string(kPlanes[static_cast<std::size_t>(plane)])});
+}
+
 void Writer::go_to_known_place() {
   Words words;
   if (incremental_) words.emplace_back("G90");

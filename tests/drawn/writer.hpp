@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,6 +54,12 @@ class Writer {
   virtual void tail() = 0;
   virtual std::string comment();
 
+  // Scene
+  /// Where the work systems lie: the first in the box's corner. Given to the control as well.
+  void draw_work_offsets(std::span<AxisWords> systems);
+  /// Whether the axes stay where they are at M0, M1 and M6, and whether blocks with / are left out.
+  void draw_what_stays();
+
   // Spelling
   double unit() const { return inches_ ? 25.4 : 1; }
   Spelled spell(double value, int most_decimals, int cut, int increments = 0);
@@ -78,6 +85,18 @@ class Writer {
   Words axes(AxisSet which);
   AxisSet some(int linear_percent, int rotary_percent);
   AxisSet used_axes() const { return uses_rotary_ ? AxisSet::all() : AxisSet::linear(); }
+
+  // Modes
+  void change_distance();  // G90, G91
+  void change_unit(std::string_view inches, std::string_view millimetres);
+  virtual void change_feed_mode();  // G93, G94, G95 with a turning spindle
+  void change_plane();
+
+  // Moves by increments, and back to where they began
+  virtual std::string there_and_back();
+  /// The same as words alone, there and back.
+  std::array<std::string, 2> words_there_and_back();
+  virtual std::string increment_word(Axis axis, double by);
 
   // Motion
   void go_to_known_place();  // all axes that are used, by absolute words
@@ -113,6 +132,7 @@ class Writer {
   int motion_ = -1;  // 0 to 3, -1: none
   bool uses_rotary_ = true;
   double reach_mm_ = 40, reach_deg_ = 6;
+  bool keeps_at_tool_change_ = true, keeps_at_stop_ = true;
 
   // How this program is written
   int spacing_ = 0;  // 0: blanks, 1: none, 2: wild
