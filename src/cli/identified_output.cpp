@@ -18,7 +18,7 @@ void add_identified_output(CLI::App& command, IdentifiedOutput& output) {
       ->type_name("FILE");
   command.add_flag("--force", output.force,
                    "write the model even where something speaks against it: numbers beyond six sigma of [uncertainty], "
-                   "or circles that it foretells worse than the model as given");
+                   "or circles that it predicts worse than the model as given");
 }
 
 namespace {

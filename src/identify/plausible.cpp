@@ -92,8 +92,8 @@ Left left_at_start(Objective& objective, const Fit& fit) {
 
 // To first order the fit without some runs is where the others' misfit and the priors have their least:
 // (A - A_k) d = -g + g_k, g being nil at the fit
-void foretell(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Fit& fit,
-              const FitOptions& fitted_with, const PlausibleOptions& options, Plausibility& found) {
+void predict_left_out(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Fit& fit,
+                      const FitOptions& fitted_with, const PlausibleOptions& options, Plausibility& found) {
   const std::vector<int> poses = poses_of(runs);
   const int count = runs.empty() ? 0 : *std::max_element(poses.begin(), poses.end()) + 1;
   if (count < static_cast<int>(options.least_poses)) return;
@@ -182,7 +182,7 @@ Plausibility plausibility(const machine::RotationOrder& order, const std::vector
                           const FitOptions& fitted_with, const PlausibleOptions& options) {
   Plausibility found;
   add_strain(fit, options, found);
-  foretell(order, runs, fit, fitted_with, options, found);
+  predict_left_out(order, runs, fit, fitted_with, options, found);
   return found;
 }
 
@@ -194,7 +194,7 @@ std::string objection(const Fit& fit, const Plausibility& plausible, const Plaus
         "expected, as in less than one of a thousand machines",
         plausible.chi2, plausible.degrees);
   }
-  const auto worse = [](const Foretold& of, double unit, std::string_view what, std::string_view unit_name) {
+  const auto worse = [](const Predicted& of, double unit, std::string_view what, std::string_view unit_name) {
     return fmt::format(
         "a fit to the other circles leaves {:.3g} {} of {} on those that it did not see, and the model as given {:.3g}",
         of.after / unit, unit_name, what, of.before / unit);

@@ -1,5 +1,5 @@
 // What speaks against a fit that converged: unknowns further off than anybody thought possible, and circles that it
-// foretells worse than the model it began with.
+// predicts worse than the model it began with.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,7 @@ struct Strain {
 };
 
 /// Rms of readings of one kind that a fit to all other poses leaves, the set-ups fitted, and what the start leaves.
-struct Foretold {
+struct Predicted {
   double before = 0, after = 0;  // m or N m
   double doubt = 0;              // rms by which `after` is off as a fit to the other poses does not know its unknowns
   Eigen::Index readings = 0;
@@ -44,7 +44,7 @@ struct Plausibility {
   double degrees = 0;            // of freedom: directions of the unknowns that the data tell
   double all_sigmas = 0;         // chi2 as the normal deviate that is as rare
   Eigen::MatrixXd left_out;      // how far each unknown moves when a pose is left out, SI: a column for each pose
-  Foretold radial, torque;       // poses left out in turn; no readings: too few poses
+  Predicted radial, torque;      // poses left out in turn; no readings: too few poses
 };
 
 /// How sure the values found are: of `fit` (rows and columns of zeros: what nothing tells), wider where chi2 says that

@@ -150,9 +150,9 @@ ordered_json unknowns_json(const Fit& fit) {
 }
 
 // Poses left out in turn; null: there were too few, or nothing of that kind was read.
-ordered_json foretold_json(const identify::Foretold& foretold, double unit) {
-  if (foretold.readings == 0) return nullptr;
-  return {{"before", foretold.before / unit}, {"after", foretold.after / unit}};
+ordered_json predicted_json(const identify::Predicted& predicted, double unit) {
+  if (predicted.readings == 0) return nullptr;
+  return {{"before", predicted.before / unit}, {"after", predicted.after / unit}};
 }
 
 ordered_json gain_json(const identify::TipGain& gain) {
@@ -189,8 +189,8 @@ ordered_json stage_json(const Stage& stage) {
   }
   json["prior_chi2"] = {{"value", stage.plausible.chi2}, {"degrees", stage.plausible.degrees}};
   json["held"] = held_json(stage.held);
-  json["left_out"] = {{"radial_rms_um", foretold_json(stage.plausible.radial, kUm)},
-                      {"torque_rms_Nm", foretold_json(stage.plausible.torque, 1)}};
+  json["left_out"] = {{"radial_rms_um", predicted_json(stage.plausible.radial, kUm)},
+                      {"torque_rms_Nm", predicted_json(stage.plausible.torque, 1)}};
   for (int c = 0; c < identify::kAllChannels; ++c) {
     const identify::ChannelNoise& noise = fit.noise.channels[static_cast<std::size_t>(c)];
     if (noise.samples == 0) continue;

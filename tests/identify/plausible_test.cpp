@@ -76,7 +76,7 @@ TEST_CASE(
   CHECK(objection(found, plausible, options).find("together") != std::string::npos);
 }
 
-TEST_CASE("what a pose left out is foretold to be is what a fit without it foretells") {
+TEST_CASE("what a pose left out is predicted to be is what a fit without it predicts") {
   const machine::MachineModel machine = pm600_like();
   const Unknowns unknowns = nuisances(machine, physics::ForceModel(machine));
   Random random(41);
@@ -105,17 +105,17 @@ TEST_CASE("what a pose left out is foretold to be is what a fit without it foret
   CHECK(plausible.radial.doubt < 1e-6);
 }
 
-TEST_CASE("poses foretold worse are an objection beyond what the fit must expect, not within it") {
+TEST_CASE("poses predicted worse are an objection beyond what the fit must expect, not within it") {
   PlausibleOptions options;
-  Foretold foretold{0.5e-6, 1.2e-6, 0.7e-6, 100};
-  CHECK_FALSE(foretold.worse(options, options.least_radial));
-  foretold.after = 2e-6;
-  CHECK(foretold.worse(options, options.least_radial));
-  foretold.doubt = 0;
-  foretold.after = 0.7e-6;
-  CHECK(foretold.worse(options, options.least_radial));
-  foretold.readings = 0;
-  CHECK_FALSE(foretold.worse(options, options.least_radial));
+  Predicted predicted{0.5e-6, 1.2e-6, 0.7e-6, 100};
+  CHECK_FALSE(predicted.worse(options, options.least_radial));
+  predicted.after = 2e-6;
+  CHECK(predicted.worse(options, options.least_radial));
+  predicted.doubt = 0;
+  predicted.after = 0.7e-6;
+  CHECK(predicted.worse(options, options.least_radial));
+  predicted.readings = 0;
+  CHECK_FALSE(predicted.worse(options, options.least_radial));
 }
 
 TEST_CASE("joints that a tracker saw may be far off, other numbers may not") {
