@@ -22,6 +22,7 @@ constexpr double kMostForTime = 8;
 constexpr double kVanishing = 0.5;  // of a move without a counterpart, and as much again for each:
 constexpr double kVanishingUnit = 0.0005;
 constexpr double kUneven = 0.3;           // of a rapid more or less
+constexpr std::size_t kMostRapids = 3;    // that a rapid may have become: there, over the hole, down to R
 constexpr double kNoCode = 2;             // the next move of A states G1, that of B does not
 constexpr double kNewCode = 0.5;          // the other way round
 constexpr double kMarginOfCosts = 10;     // more than the best: never the right one
@@ -80,22 +81,23 @@ bool Candidates::corresponds(const DiffMove& move, std::size_t ahead) {
          !numbers_differ(move, *other);
 }
 
-// One to one, except that either side may have a tiny move more: a cycle that begins where the tool already stands has
-// no way there, and some micrometres of way where the one side was moved; its level R may be moved likewise.
+// One to one, except that either side may have tiny moves more: a cycle that begins where the tool already stands has
+// no way there, and some micrometres of way where the one side was moved, over the hole and down to its level R.
 std::vector<Candidate> Candidates::of_rapid(const DiffMove& move, std::size_t j, const Standing& standing) {
   const AxisWords wanted = move.end + standing.shift;
   std::vector<Candidate> candidates;
   const auto consider = [&](std::size_t moves, const AxisWords& end) {
     const double off = distance(end, wanted);
-    const double uneven = moves == 1 ? 0 : kUneven;
+    const double uneven = kUneven * static_cast<double>(moves > 0 ? moves - 1 : 1);
     if (off <= kFirstShift + kRapidShare * move.length) candidates.push_back({moves, off / kShiftUnit + uneven});
   };
-  const bool is_tiny = move.length <= kSlack;
-  const auto tiny = [&](std::size_t ahead) { return b_.peek(ahead)->length <= kSlack; };
-  const bool goes_on = corresponds(move, j);
-  if (goes_on) consider(1, b_.peek(j)->end);
-  if (goes_on && !is_tiny && corresponds(move, j + 1) && (tiny(j) || tiny(j + 1))) consider(2, b_.peek(j + 1)->end);
-  if (is_tiny && standing.has_shift) consider(0, standing.b);
+  std::size_t far = 0;
+  for (std::size_t moves = 1; moves <= kMostRapids && corresponds(move, j + moves - 1); ++moves) {
+    const DiffMove& last = *b_.peek(j + moves - 1);
+    if (last.length > kSlack && ++far > 1) break;
+    consider(moves, last.end);
+  }
+  if (move.length <= kSlack && standing.has_shift) consider(0, standing.b);
   return candidates;
 }
 

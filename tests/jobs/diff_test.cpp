@@ -118,6 +118,26 @@ TEST_CASE("tiny rapids behind a long one belong to it, whatever comes next") {
   }
 }
 
+TEST_CASE("the way to a hole that the correction divides is in line, over the hole and down to its R") {
+  for (const char* const holes :
+       {"G99 G84 X11.5 Y-21.5 Z3.9 R6.8 F2173.5\nX-35.2\n", "G86 X-1.5 Y-0.1 Z2.6 R4.9 P0.1 F90\nY-8.4\nX5\n",
+        "G98 G74 X4 Y6 Z-9 R7.5 F400\nG99 X-7 Y9\nX12\n", "G91 G99 G84 X3 Y4 Z-7 R-1 F300\nX9 R0\nG90\n"}) {
+    const std::string turns = std::string(holes).find("G74") == std::string::npos ? "M3" : "M4";
+    const std::string program =
+        "G21 G90 G94 G17\nG0 X-39 Y8 Z9.6 A-2.4 B4.9 C-5.7\n" + turns + " S500\n" + holes + "G80\nG0 Z20\nM2\n";
+    INFO(program);
+    const testing::Scratch scratch;
+    const std::string output = compensated(scratch, program);
+    INFO(output);
+    for (const DiffSummary& s : {diff_of(program, output), diff_of(output, program)}) {
+      CHECK(s.out_of_line_a == 0);
+      CHECK(s.out_of_line_b == 0);
+      CHECK(s.matched == s.moves_a);
+      for (const Axis axis : kAllAxes) CHECK(s.shift[index(axis)].largest < 0.05);
+    }
+  }
+}
+
 TEST_CASE("a program equals itself") {
   const DiffSummary s = diff_of(winding(false), winding(false));
   CHECK(s.equal_within(0, 0));
