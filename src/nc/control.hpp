@@ -12,7 +12,7 @@
 #include "nc/modal.hpp"
 #include "nc/motion.hpp"
 #include "nc/parameters.hpp"
-#include "nc/program.hpp"
+#include "nc/program_settings.hpp"
 
 namespace plumbline::nc {
 

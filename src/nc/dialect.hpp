@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "nc/block.hpp"
-#include "nc/motion.hpp"
+#include "nc/feed_rule.hpp"
 
 namespace plumbline::nc {
 

@@ -8,7 +8,7 @@
 #include "base/check.hpp"
 #include "base/number_text.hpp"
 #include "nc/feed.hpp"
-#include "nc/parser.hpp"
+#include "nc/refusal.hpp"
 
 namespace plumbline::nc {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "base/characters.hpp"
 #include "base/number_text.hpp"
-#include "nc/parser.hpp"
+#include "nc/refusal.hpp"
 
 namespace plumbline::nc {
 namespace {

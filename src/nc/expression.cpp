@@ -7,7 +7,7 @@
 #include "base/check.hpp"
 #include "base/units.hpp"
 #include "nc/codes.hpp"
-#include "nc/parser.hpp"
+#include "nc/refusal.hpp"
 
 namespace plumbline::nc {
 namespace {

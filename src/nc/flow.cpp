@@ -8,7 +8,7 @@
 
 #include "nc/codes.hpp"
 #include "nc/expression.hpp"
-#include "nc/parser.hpp"
+#include "nc/refusal.hpp"
 #include "nc/subprogram_file.hpp"
 
 namespace plumbline::nc {

@@ -6,21 +6,13 @@
 #include <cstdint>
 
 #include "base/axes.hpp"
+#include "nc/feed_rule.hpp"
 
 namespace plumbline::nc {
 
 enum class MotionKind : std::uint8_t { rapid, feed, arc, probe, dwell };
 enum class FeedMode : std::uint8_t { inverse_time, per_minute, per_revolution };  // G93, G94, G95
 enum class Plane : std::uint8_t { xy, zx, yz };                                   // G17, G18, G19
-
-/// Which length a feed per minute is the speed along.
-enum class FeedRule : std::uint8_t {
-  xyz_first,       // of X Y Z if any of them moves, else of A B C (deg) [RS274/NGC 2.1.2.5]
-  all_axes_as_mm,  // of all six, degrees counted as millimetres
-  tool_tip,        // of X Y Z; how long A B C alone turn, no program says (G43.4)
-  path_group,      // of the axes of the path group
-  unknown,         // blocks that mix linear and rotary words are refused
-};
 
 /// The linear axes of a plane: first and second turn into each other counter-clockwise, third is normal to both.
 struct PlaneAxes {

@@ -8,7 +8,7 @@
 #include "nc/codes.hpp"
 #include "nc/execution.hpp"
 #include "nc/expression.hpp"
-#include "nc/parser.hpp"
+#include "nc/refusal.hpp"
 
 namespace plumbline::nc {
 

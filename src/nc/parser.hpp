@@ -10,10 +10,6 @@
 
 namespace plumbline::nc {
 
-/// Refuses with the place of `span` in the block.
-[[noreturn]] void refuse_at(const Block& block, Span span, std::string_view code, std::string message,
-                            std::string help);
-
 /// Reads block.text into the rest of the block. Behind the text there must be a line end or a NUL.
 /// block.file, text, line_end, line and offset are the caller's.
 class Parser {

@@ -1,6 +1,7 @@
 // The production of lines that steer the program: O words.
 #include "nc/codes.hpp"
 #include "nc/parser.hpp"
+#include "nc/refusal.hpp"
 
 namespace plumbline::nc {
 namespace {

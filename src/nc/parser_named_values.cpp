@@ -3,6 +3,7 @@
 
 #include "nc/codes.hpp"
 #include "nc/parser.hpp"
+#include "nc/refusal.hpp"
 
 namespace plumbline::nc {
 

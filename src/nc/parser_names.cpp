@@ -7,6 +7,7 @@
 #include "base/number_text.hpp"
 #include "nc/codes.hpp"
 #include "nc/parser.hpp"
+#include "nc/refusal.hpp"
 #include "nc/tool_table.hpp"
 
 namespace plumbline::nc {

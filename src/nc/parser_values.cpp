@@ -7,6 +7,7 @@
 #include "base/characters.hpp"
 #include "nc/codes.hpp"
 #include "nc/parser.hpp"
+#include "nc/refusal.hpp"
 
 namespace plumbline::nc {
 namespace {

@@ -7,6 +7,7 @@
 #include "base/check.hpp"
 #include "base/number_text.hpp"
 #include "nc/line_head.hpp"
+#include "nc/refusal.hpp"
 
 namespace plumbline::nc {
 namespace {

@@ -11,6 +11,7 @@
 #include "nc/guard_lines.hpp"
 #include "nc/interpreter.hpp"
 #include "nc/parser.hpp"
+#include "nc/refusal.hpp"
 #include "nc/statement_flow.hpp"
 
 namespace plumbline::nc {

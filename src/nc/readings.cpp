@@ -7,7 +7,7 @@
 
 #include "nc/codes.hpp"
 #include "nc/named_readings.hpp"
-#include "nc/parser.hpp"
+#include "nc/refusal.hpp"
 #include "nc/tool_rows.hpp"
 
 namespace plumbline::nc {

@@ -8,6 +8,7 @@
 
 #include "nc/codes.hpp"
 #include "nc/execution.hpp"
+#include "nc/refusal.hpp"
 
 namespace plumbline::nc {
 namespace {
