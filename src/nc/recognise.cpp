@@ -1,7 +1,6 @@
 #include "nc/recognise.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,7 +17,7 @@ constexpr std::size_t kLook = std::size_t{1} << 16U;
 
 bool begins_name(char c) { return is_letter(c) || c == '_'; }
 
-// A mark at one place of a line: a blank stands for any blanks or none, 0 for a number, ~ for the end of a word, $ for
+// A mark at one place of a line: a blank stands for any blanks or none, * for a number, ~ for the end of a word, $ for
 // the end of the line, ! before a letter for anything but that letter.
 bool matches_at(std::string_view mark, std::string_view line, std::size_t at) {
   for (std::size_t i = 0; i < mark.size(); ++i) {
@@ -27,7 +26,7 @@ bool matches_at(std::string_view mark, std::string_view line, std::size_t at) {
       if (at < line.size() && line[at] == mark[++i]) return false;
     } else if (wanted == ' ') {
       while (at < line.size() && is_blank(line[at])) ++at;
-    } else if (wanted == '0') {
+    } else if (wanted == '*') {
       if (at >= line.size() || !is_digit(line[at])) return false;
       while (at < line.size() && is_digit(line[at])) ++at;
     } else if (wanted == '~') {
@@ -54,8 +53,14 @@ bool holds(std::string_view mark, std::string_view line, bool first) {
   return false;
 }
 
-// Upper case, without comments in ( ) and behind ;, which in a program may say anything. A bracket behind a name is
-// none.
+// What a < behind this begins is a name of the program's own: #<x>, o<x>.
+bool names_behind(std::string_view out) {
+  if (out.ends_with('#')) return true;
+  return out.ends_with('O') && (out.size() < 2 || !begins_name(out[out.size() - 2]));
+}
+
+// Upper case, without what may say anything: comments in ( ) and behind ;, names in < >, texts in " ". A bracket
+// behind a name is no comment.
 std::string plain(std::string_view line) {
   std::string out;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -63,9 +68,11 @@ std::string plain(std::string_view line) {
     const bool behind_name = !out.empty() && begins_name(out.back());
     if (line[i] == '(' && !behind_name) {
       i = std::min(line.find(')', i), line.size());
-    } else {
-      out += upper(line[i]);
+      continue;
     }
+    const char end = line[i] == '"' ? '"' : line[i] == '<' && names_behind(out) ? '>' : '\0';
+    out += upper(line[i]);
+    if (end != '\0') i = std::min(line.find(end, i + 1), line.size());
   }
   while (!out.empty() && is_blank(out.back())) out.pop_back();
   out.erase(0, std::min(out.find_first_not_of(" \t\r"), out.size()));
@@ -76,6 +83,7 @@ struct Evidence {
   const Dialect* dialect;
   std::string text;
   std::size_t line;
+  std::string whole;  // that line as it stands
 };
 
 class Look {
@@ -85,7 +93,7 @@ class Look {
   Recognised decide() {
     name();
     text();
-    if (found_.empty() && weak_) return {weak_->dialect, weak_->text, weak_->line};
+    if (found_.empty()) found_ = weak_;
     if (found_.empty()) return {&dialect("linuxcnc"), {}, 0};
     if (found_.size() == 1) return {found_.front().dialect, found_.front().text, found_.front().line};
     std::string list;
@@ -97,18 +105,18 @@ class Look {
     place.line = found_.back().line;
     place.column = 1;
     place.length = std::max<std::size_t>(found_.back().text.size(), 1);
-    place.text = last_line_;
+    place.text = found_.back().whole;
     refuse(codes::kDialectAmbiguous, fmt::format("which control this program is for is not clear: {}", list),
            "name it: --dialect linuxcnc, fanuc, okuma or siemens", std::move(place));
   }
 
  private:
-  void note(const Dialect& dialect, std::string text, std::size_t line, std::string_view whole) {
-    for (const Evidence& e : found_) {
+  static void note(std::vector<Evidence>& evidence, const Dialect& dialect, std::string text, std::size_t line,
+                   std::string_view whole) {
+    for (const Evidence& e : evidence) {
       if (e.dialect == &dialect) return;
     }
-    found_.push_back({&dialect, std::move(text), line});
-    last_line_ = whole;
+    evidence.push_back({&dialect, std::move(text), line, std::string(whole)});
   }
 
   void name() {
@@ -117,7 +125,7 @@ class Look {
     for (const std::string_view dialect_name : dialect_names()) {
       const Dialect& known = dialect(dialect_name);
       for (const std::string& ending : known.file_endings) {
-        if (upper_name.ends_with(ending)) note(known, fmt::format("the file's ending {}", ending), 0, {});
+        if (upper_name.ends_with(ending)) note(found_, known, fmt::format("the file's ending {}", ending), 0, {});
       }
     }
   }
@@ -141,20 +149,14 @@ class Look {
   }
 
   void marks(const Dialect& known, const std::string& line, std::string_view whole, std::size_t number, bool first) {
-    for (const std::string& mark : known.marks) {
-      if (!holds(mark, line, first)) continue;
-      return note(known, fmt::format("line {} ({})", number, line.substr(0, 40)), number, whole);
-    }
-    for (const std::string& mark : known.weak_marks) {
-      if (weak_ || !holds(mark, line, first)) continue;
-      weak_ = {&known, fmt::format("line {} ({})", number, line.substr(0, 40)), number};
-    }
+    const auto held = [&](const std::string& mark) { return holds(mark, line, first); };
+    const auto shown = [&] { return fmt::format("line {} ({})", number, line.substr(0, 40)); };
+    if (std::any_of(known.marks.begin(), known.marks.end(), held)) note(found_, known, shown(), number, whole);
+    if (std::any_of(known.weak_marks.begin(), known.weak_marks.end(), held)) note(weak_, known, shown(), number, whole);
   }
 
   const InputFile& file_;
-  std::vector<Evidence> found_;
-  std::optional<Evidence> weak_;
-  std::string last_line_;
+  std::vector<Evidence> found_, weak_;
 };
 
 }  // namespace

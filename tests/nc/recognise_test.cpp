@@ -62,6 +62,34 @@ TEST_CASE("comments show nothing") {
   CHECK(dialect_of("(POST: G54.1 P2 AND #<name>)\nG0 X1.\n") == "linuxcnc");
 }
 
+TEST_CASE("digits of a code are digits") {
+  CHECK(dialect_of("G59.1\nG0 X1\n") == "linuxcnc");
+  CHECK(dialect_of("#<a>=1\ng59.3 g0 x1\n") == "linuxcnc");
+  CHECK(dialect_of("G50.1 X0\n") == "fanuc");
+  CHECK(dialect_of("G05.1 Q1\n") == "fanuc");
+  CHECK(dialect_of("G05 P10000\n") == "fanuc");
+  CHECK(dialect_of("N5 G500 X1\n") == "siemens");
+  CHECK(dialect_of("WHILE [#1 LT 3] DO1\n") == "fanuc");
+  CHECK(dialect_of("VC12=3\n") == "okuma");
+  CHECK(dialect_of("R12=3\n") == "siemens");
+}
+
+TEST_CASE("names and texts of the program's own show nothing") {
+  CHECK(dialect_of("o<cycle_drill> call\n") == "linuxcnc");
+  CHECK(dialect_of("#<process>=1\n#<trans_x>=2\n#<ret> = 3\n") == "linuxcnc");
+  CHECK(dialect_of("G0 X#<Goto 5>\n") == "linuxcnc");
+  CHECK(dialect_of("MSG(\"CALL OPERATOR, GOTO 5\")\nG0 X1\n") == "siemens");
+  CHECK(dialect_of("IF R1<R2 GOTOF END1\n") == "siemens");
+}
+
+TEST_CASE("codes that builders of other controls use show LinuxCNC's where nothing else is shown") {
+  CHECK(dialect_of("M62 P1\nG0 X1\n") == "linuxcnc");
+  CHECK(dialect_of("G54.1 P2\nM72\n") == "fanuc");
+  CHECK(dialect_of("G15 H1\nM73\n") == "okuma");
+  CHECK(refusal_of_look("%\nO1234\nM72\nG0 X10\n") == "nc-dialect-ambiguous");
+  CHECK(refusal_of_look("O1\nG0 X10\nM64 P1\n") == "nc-dialect-ambiguous");
+}
+
 TEST_CASE("what shows two dialects is refused") {
   CHECK(refusal_of_look("TRAORI\nG54.1 P2\n") == "nc-dialect-ambiguous");
   CHECK(refusal_of_look("G15 H1\no<tool> call\n") == "nc-dialect-ambiguous");
