@@ -57,6 +57,12 @@ nc::FeedRule feed_rule_in(std::string_view text) {
   throw OptionError("expected xyz, all or unknown");
 }
 
+bool along_circle_in(std::string_view text) {
+  if (text == "circle") return true;
+  if (text == "path") return false;
+  throw OptionError("expected circle or path");
+}
+
 nc::FreeRotation free_rotation_in(std::string_view text) {
   if (text == "c-stays") return nc::FreeRotation::c_stays;
   if (text == "c-zero") return nc::FreeRotation::c_zero;
@@ -185,6 +191,11 @@ constexpr std::array kRows{
         "F of a block that moves X, Y, Z and turns is the speed of X, Y, Z alone, or of all axes with degrees as mm "
         "(default: the dialect's)",
         OptionGroup::program, false, false, [](Options& o, Text t) { o.feed_rule = feed_rule_in(t); }},
+    OptionRow{"helix-feed", "circle|path",
+              "F of an arc beside which another axis moves is the speed along its circle, or along the whole path "
+              "(default: the dialect's: fanuc circle, the others path)",
+              OptionGroup::program, false, false,
+              [](Options& o, Text t) { o.helix_feed_along_circle = along_circle_in(t); }},
     OptionRow{"rotary", "sign|shortest|one-turn",
               "how absolute words of A, B and C count on axes that turn without end, or of one as C=sign; repeatable "
               "(default: "
@@ -329,6 +340,7 @@ nc::ProgramSettings program_settings(const Options& options) {
   settings.calculator_type = options.calculator_type;
   settings.input_increment = options.input_increment;
   settings.feed_rule = options.feed_rule;
+  settings.helix_feed_along_circle = options.helix_feed_along_circle;
   settings.rotary = options.rotary;
   settings.free_rotation = options.free_rotation;
   settings.max_blocks = static_cast<std::uint64_t>(options.max_blocks);

@@ -28,6 +28,7 @@ struct Options {
   std::optional<bool> calculator_type;
   std::optional<double> input_increment;  // mm and deg
   std::optional<nc::FeedRule> feed_rule;
+  std::optional<bool> helix_feed_along_circle;
   nc::RotaryRules rotary{};
   nc::FreeRotation free_rotation{};
   std::string tools;  // path of the tool table; empty: none

@@ -48,6 +48,8 @@ std::string settings_line(const Options& options) {
   if (options.calculator_type) line += fmt::format(", calculator type {}", *options.calculator_type ? "on" : "off");
   if (options.input_increment) line += fmt::format(", input increment {} mm", to_decimal(*options.input_increment));
   if (options.feed_rule) line += fmt::format(", feed rule {}", name_of(*options.feed_rule));
+  if (options.helix_feed_along_circle)
+    line += fmt::format(", helix feed {}", *options.helix_feed_along_circle ? "circle" : "path");
   line += rotary_text(options.rotary);
   if (options.free_rotation != nc::FreeRotation::unknown) {
     line += fmt::format(", C {}", options.free_rotation == nc::FreeRotation::c_stays ? "stays" : "to zero");

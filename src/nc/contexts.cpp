@@ -103,6 +103,31 @@ void check_axes_needed(const Execution& run) {
   }
 }
 
+// G91 G52 X5: to X5, or 5 further.
+void check_absolute(const Execution& run) {
+  if (!counts_increments(run)) return;
+  for (const Chosen& code : run.chosen) {
+    if (!code.row->absolute_alone) continue;
+    run.refuse(
+        *code.word, codes::kNotInterpreted,
+        fmt::format("whether {} counts increments under G91 differs between controls", run.block->at(code.word->span)),
+        "write G90 before it");
+  }
+}
+
+// TRANS X=IC(5): whether it adds there stands in no source.
+void check_word_modes(const Execution& run) {
+  if (!run.has_word_modes || !run.uses_position_axes) return;
+  for (const Axis axis : kAllAxes) {
+    const Word* const word = run.words.find(axis);
+    if (word == nullptr || word->mode == WordMode::modal || word->mode == WordMode::absolute) continue;
+    run.refuse(*word, codes::kNotInterpreted,
+               fmt::format("{} is no word of a move here, and what it counts from was found in no source",
+                           run.block->at(word->span)),
+               "write the value itself");
+  }
+}
+
 // G28, G54, G92 and their like while G68 is in force: the manual forbids them.
 void check_turned(const Execution& run) {
   const bool turns = run.control.turn_deg != 0 || run.chosen_row(Action::turn_on) != nullptr;
@@ -174,6 +199,29 @@ void check_cycle_increments(const Execution& run) {
   }
 }
 
+// Which axis drills there, and when a tool's length counts in.
+void check_beside_cycle(const Execution& run) {
+  const bool drills = run.motion != nullptr && run.motion->action == Action::cycle;
+  if (!drills || !run.dialect.habits.fanuc_cycles) return;
+  const Chosen* other = find_code(run, Action::plane_zx);
+  if (other == nullptr) other = find_code(run, Action::plane_yz);
+  const bool in_xy = run.control.modal.plane == Plane::xy || find_code(run, Action::plane_xy) != nullptr;
+  if (other != nullptr || !in_xy) {
+    run.refuse(other != nullptr ? *other->word : run.motion_code(), codes::kNotInterpreted,
+               "which axis drills in G18 and G19 is said by a parameter of the control (5101 FXY)",
+               "write G17 before it, and drill along Z");
+  }
+  for (const Chosen& code : run.chosen) {
+    if (code.row->action != Action::tool_length && code.row->action != Action::tool_length_off) continue;
+    run.refuse(
+        *code.word, codes::kNotInterpreted,
+        fmt::format("{} beside a drilling cycle acts on the way to R, and which level the tool goes back to then "
+                    "is not known",
+                    run.block->at(code.word->span)),
+        "put it into a block of its own, with Z");
+  }
+}
+
 }  // namespace
 
 void check_contexts(const Execution& run) {
@@ -182,10 +230,13 @@ void check_contexts(const Execution& run) {
   check_m_codes(run);
   check_words_beside_unit(run);
   check_axes_needed(run);
+  check_absolute(run);
+  check_word_modes(run);
   check_turned(run);
   check_not_beside(run);
   check_alone_after_turn(run);
   check_cycle_increments(run);
+  check_beside_cycle(run);
   check_edge_known(run);
 }
 
@@ -244,6 +295,26 @@ void check_cycle_beside_motion(const Execution& run) {
     run.refuse(*code.word, codes::kSameGroup, fmt::format("{} beside a canned cycle", run.block->at(code.word->span)),
                "put them into blocks of their own");
   }
+}
+
+// What a cycle takes for granted.
+void check_cycle(const Execution& run) {
+  const Control& control = run.control;
+  if (const AxisSet rotary = run.axes & AxisSet::rotary(); !rotary.empty()) {
+    for (const Axis axis : kAllAxes) {
+      if (!rotary.contains(axis)) continue;
+      run.refuse(*run.words.find(axis), codes::kAxesUnused, "rotary axes stand still in a cycle",
+                 "turn to the hole's direction with G0 before");
+    }
+  }
+  if (control.modal.feed_mode == FeedMode::inverse_time) {
+    run.refuse(run.motion_code(), codes::kFeedMissing, "a cycle takes no inverse time (G93)", "write G94 before it");
+  }
+  const AxisSet known = control.modal.incremental ? control.known : control.known | run.axes;
+  const PlaneAxes axes = axes_of(control.modal.plane);
+  if (known.contains(AxisSet{axes.first, axes.second}) && control.known.contains(axes.third)) return;
+  run.refuse(run.motion_code(), codes::kPositionUnknown, "the cycle begins where X, Y or Z is not known",
+             "move there with a G0 that names all three");
 }
 
 void check_words_before_call(const Execution& run) {

@@ -35,6 +35,7 @@ struct Cycle {
   bool incremental = false;  // how its R and depth were given
   double unit_mm = 1;        // in which
   double start = 0;          // along the normal of the plane, where the first of these cycles began
+  double shift = 0;          // there, of the work system and the tool against the machine, when it was stated
   double r = 0;
   double bottom = 0;
   double dwell_s = 0;           // P

@@ -79,7 +79,7 @@ class CalledHole {
   void at_hole();
   void pecks();
   double own_feed(double rate) const;
-  double tapping_feed() const;
+  double tapping_feed(bool up) const;
   void go(MotionKind kind, double level, double feed = 0);
   void feed_to(double level) { go(MotionKind::feed, level, feed_of_move(run_, true)); }
   void wait(double seconds);
@@ -180,10 +180,11 @@ void CalledHole::make() {
   if (call_.row->loses_position) lose_position(run_, AxisSet{Axis::X, Axis::Y, Axis::Z});
 }
 
-// Pitch x speed; without them F counts.
-double CalledHole::tapping_feed() const {
+// Pitch x speed; without them F counts. CYCLE84 has a speed of its own on the way down, SST, and on the way up, SST1.
+double CalledHole::tapping_feed(bool up) const {
   const int pitch = places_.code == kCalledTap ? 8 : 10;
-  const double speed = places_.code == kCalledTap && number(10) != 0 ? number(10) : control_.spindle_speed;
+  const double down_speed = places_.code == kCalledTap && number(10) != 0 ? number(10) : control_.spindle_speed;
+  const double speed = up && places_.code == kCalledTap && number(11) != 0 ? number(11) : down_speed;
   const bool known = number(pitch) != 0 && number(places_.axis + 1) <= 1 && speed > 0;
   if (known) return std::abs(length(pitch)) * speed;
   if (places_.code == kCalledFloatingTap) return feed_of_move(run_, true);
@@ -202,9 +203,9 @@ void CalledHole::at_hole() {
       return pecks();
     case kCalledTap:
     case kCalledFloatingTap:
-      go(MotionKind::feed, hole_.bottom, tapping_feed());
+      go(MotionKind::feed, hole_.bottom, tapping_feed(false));
       wait(seconds);
-      go(MotionKind::feed, hole_.r, tapping_feed());
+      go(MotionKind::feed, hole_.r, tapping_feed(true));
       break;
     case kCalledReam:
       go(MotionKind::feed, hole_.bottom, own_feed(number(6)));

@@ -12,6 +12,7 @@ namespace plumbline::nc {
 namespace {
 
 constexpr double kWrittenDigits = 1e10;  // decimals that a length may have been written with
+constexpr double kSameShift = 1e-6;      // mm
 constexpr double kNoise = 1e-13;         // and the rounding of a conversion
 
 enum Code {
@@ -48,6 +49,7 @@ class CycleRun {
   void check_spindle() const;
   void check_tapped_plane() const;
   void check_distance_mode();
+  void check_shift();
   void hole(bool first);
   void at_hole();
   double in_unit(double mm) const;
@@ -162,6 +164,7 @@ void CycleRun::make() {
   goes_on_ = control_.motion_row == run_.motion;
   if (as_fanuc_) goes_on_ = cycle_.begun;  // until G80 or a move of another kind [Haas 96-8000, p. 185]
   if (as_fanuc_) check_distance_mode();
+  if (as_fanuc_) check_shift();
   take_unit();
   take_words();
   level_ = control_.position[axes_.third];
@@ -273,6 +276,18 @@ void CycleRun::check_distance_mode() {
   cycle_.incremental = control_.modal.incremental;
 }
 
+// Whether the level where the cycles began, and R, are kept as words or as places of the machine is not known.
+void CycleRun::check_shift() {
+  const double shift = control_.frame.to_machine(control_.position)[axes_.third] - control_.position[axes_.third];
+  if (goes_on_ && std::abs(shift - cycle_.shift) > kSameShift) {
+    run_.refuse(run_.motion_code(), codes::kNotInterpreted,
+                fmt::format("what a drilling cycle keeps of its levels when the zero of {} changes is not known",
+                            letter(axes_.third)),
+                "write G80 before the change, and state the cycle anew after it");
+  }
+  cycle_.shift = shift;
+}
+
 // A length in the program's unit, as the control counts pecks: in mm the last of them could fall short of the bottom by
 // a rounding, and one more be made.
 double CycleRun::in_unit(double mm) const {
@@ -345,25 +360,6 @@ void CycleRun::wait() {
   motion.known_after = control_.known;
   motion.dwell_s = cycle_.dwell_s;
   add_motion(run_, motion);
-}
-
-void check_cycle(const Execution& run) {
-  const Control& control = run.control;
-  if (const AxisSet rotary = run.axes & AxisSet::rotary(); !rotary.empty()) {
-    for (const Axis axis : kAllAxes) {
-      if (!rotary.contains(axis)) continue;
-      run.refuse(*run.words.find(axis), codes::kAxesUnused, "rotary axes stand still in a cycle",
-                 "turn to the hole's direction with G0 before");
-    }
-  }
-  if (control.modal.feed_mode == FeedMode::inverse_time) {
-    run.refuse(run.motion_code(), codes::kFeedMissing, "a cycle takes no inverse time (G93)", "write G94 before it");
-  }
-  const AxisSet known = control.modal.incremental ? control.known : control.known | run.axes;
-  const PlaneAxes axes = axes_of(control.modal.plane);
-  if (known.contains(AxisSet{axes.first, axes.second}) && control.known.contains(axes.third)) return;
-  run.refuse(run.motion_code(), codes::kPositionUnknown, "the cycle begins where X, Y or Z is not known",
-             "move there with a G0 that names all three");
 }
 
 }  // namespace

@@ -138,6 +138,7 @@ struct CodeRow {
   std::vector<double> only;
   bool alone = false;                      // no move stands beside it
   bool needs_axes = false;                 // without an axis word nobody knows what it does
+  bool absolute_alone = false;             // what it does under G91 is not known
   bool unturned = false;                   // not while the work system is turned by the program
   char not_beside = 0;                     // a letter that makes another code of it where it stands in the block
   FeedRule feed_rule = FeedRule::unknown;  // of a tool length: with it in force; unknown: the dialect's
@@ -214,8 +215,10 @@ struct Habits {
   double increment_word_mm = 0, increment_word_inch = 0, increment_word_deg = 0;  // kept of a word under G91; 0: all
   int most_digits = 0;                                                            // of a number; 0: any
   bool m_beside_cut_unknown = false;         // when codes of the builder act beside a move
+  bool change_beside_move_unknown = false;   // whether M6 comes before the move of its block or after it
   double inverse_time_increment = 0;         // of F under G93; 0: units
   bool inverse_time_by_radius = false;       // F of an arc under G93 is feed over radius, not 1 over the time
+  bool helix_feed_along_circle = false;      // F of an arc is the speed along its circle, whatever else moves with it
   bool feed_inch_increment_unknown = false;  // what F without a point counts under G20
   bool machine_move_is_rapid = false;        // G53 goes as G0 whatever is in force
   bool offset_numbers_last = false;  // D and H stay in force without a code that uses them: G43 needs an H of its own

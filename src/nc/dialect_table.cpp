@@ -163,8 +163,10 @@ class TableReader {
     if (from.find("whole_words") != nullptr) habits.whole_words = text(from, "whole_words");
     habits.most_digits = static_cast<int>(number(from, "most_digits", 0));
     habits.m_beside_cut_unknown = flag(from, "m_beside_cut_unknown");
+    habits.change_beside_move_unknown = flag(from, "change_beside_move_unknown");
     habits.inverse_time_increment = number(from, "inverse_time_increment", 0);
     habits.inverse_time_by_radius = flag(from, "inverse_time_by_radius");
+    habits.helix_feed_along_circle = flag(from, "helix_feed_along_circle");
     habits.feed_inch_increment_unknown = flag(from, "feed_inch_increment_unknown");
     habits.feed_per_revolution_increment = number(from, "feed_per_revolution_increment", 0);
     habits.machine_move_is_rapid = flag(from, "machine_move_is_rapid");
@@ -280,6 +282,7 @@ class TableReader {
     row.has_arguments = flag(from, "arguments");
     row.alone = flag(from, "alone");
     row.needs_axes = flag(from, "needs_axes");
+    row.absolute_alone = flag(from, "absolute_alone");
     row.unturned = flag(from, "unturned");
     if (from.find("not_beside") != nullptr) row.not_beside = text(from, "not_beside").front();
     if (from.find("feed_rule") != nullptr) row.feed_rule = feed_rule_named(text(from, "feed_rule"));

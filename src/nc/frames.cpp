@@ -45,6 +45,11 @@ void turn_about_point(Execution& run, const Word& code) {
     run.refuse(code, codes::kNotInterpreted, "what G68 turns by under G91 depends on the control's parameters",
                "write G90 before it");
   }
+  for (const Axis axis : kAllAxes) {
+    if (!run.axes.contains(axis) || kTurningAxes.contains(axis)) continue;
+    run.refuse(*run.words.find(axis), codes::kWordUnused, fmt::format("G68 has no use for {}", letter(axis)),
+               "remove it, or put it into a block of its own");
+  }
   AxisWords centre;
   for (const Axis axis : {Axis::X, Axis::Y}) {
     // A correction would have moved it: only who looks at the program as it stands may take the position.
@@ -160,11 +165,28 @@ void choose_work_system(Execution& run, const Chosen& chosen) {
   choose_work_system(run, system);
 }
 
+namespace {
+
+// Words that a row of the table does not have.
+void check_words_of_table(const Execution& run, int which) {
+  const bool of_tools = which >= 10 && which <= 13;
+  for (const Word& word : run.block->words) {
+    const bool useless =
+        of_tools ? word.letter == 'Q' || axis_of(word.letter).has_value() : word.letter == 'Q' || word.letter == 'R';
+    if (!useless) continue;
+    run.refuse(word, codes::kWordUnused, fmt::format("G10 L{} has no use for {}", which, word.letter),
+               "remove it, or put it into a block of its own");
+  }
+}
+
+}  // namespace
+
 // G10 L2 P1 to P6, G10 L20 P1...: absolute under G90, added under G91.
 void set_work_table(Execution& run) {
   const Word& table = run.need('L', "G10");
   check_no_plane(run, table);
   const int which = run.whole(table, 0, kNoLimit);
+  check_words_of_table(run, which);
   if (which >= 10 && which <= 13) return set_tool_table(run, table, which);
   if (which != 2 && which != 20) {
     run.refuse(table, codes::kNotInterpreted, fmt::format("G10 L{} is not interpreted", which),

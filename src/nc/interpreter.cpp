@@ -16,6 +16,8 @@ namespace {
 
 constexpr int kNamed = -1;  // in place of the number of a named parameter
 
+constexpr int kChangeCode = 6;  // of --keeps-position: M6
+
 bool may_be_unknown(char letter) { return letter == 'S'; }
 
 // Reads what nothing sets among the block's first settings: whether that gives the value before or behind stands in no
@@ -101,6 +103,11 @@ const Step& Interpreter::execute(Block& block) {
     act(chosen);
   }
   if (!moved) move();
+  // Whether the change of tools comes before the move or after it is the builder's choice.
+  const bool where_unknown = run_.dialect.habits.change_beside_move_unknown && run_.step.changes_tool;
+  if (where_unknown && run_.motion != nullptr && !run_.settings.keeps_position.contains(kChangeCode)) {
+    lose_position(run_, AxisSet::all());
+  }
   if (run_.work_system_before == 0) {
     finish();
     return run_.step;

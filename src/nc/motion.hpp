@@ -52,6 +52,7 @@ struct Motion {
   double mm_per_unit = 1;  // the program's length unit at this move: 25.4 under G20
   double dwell_s = 0;      // dwell only
   FeedRule feed_rule = FeedRule::unknown;  // which length its feed is the speed along
+  bool feed_along_circle = false;          // of an arc: its circle alone, whatever else moves with it
   Arc arc;                                 // arc only
   bool goes_on = false;                    // a piece of a spline, and not its last
 };

@@ -232,6 +232,7 @@ void add_motion(Execution& run, const Motion& planned) {
   motion.feed_mode = control.modal.feed_mode;
   motion.mm_per_unit = control.modal.inches ? kMmPerInch : 1;
   motion.feed_rule = control.feed_rule;
+  motion.feed_along_circle = run.settings.helix_feed_along_circle.value_or(run.dialect.habits.helix_feed_along_circle);
   motion.from = control.position;
   motion.known_before = control.known;
   motion.machine = control.frame.to_machine(motion.to);

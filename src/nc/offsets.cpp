@@ -145,9 +145,34 @@ void set_position(Execution& run) {
   run.step.offset_rotation_deg = control.frame.rotation_deg;
 }
 
+namespace {
+
+// The control brings the named axes back to the work offset, whatever shifted them: a tool's length and G52 as well.
+void preset_named_axes(Execution& run) {
+  Control& control = run.control;
+  if (control.frame.tool != AxisWords{} || control.local != AxisWords{}) {
+    run.refuse(codes::kNotInterpreted,
+               control.local != AxisWords{} ? "what G92.1 leaves of a shift by G52 is not interpreted"
+                                            : "G92.1 while a tool's length is in force is not interpreted",
+               control.local != AxisWords{} ? "end the shift before it, with G52 X0 Y0 Z0" : "write G49 before it");
+  }
+  Frame next = control.frame;
+  for (const Axis axis : kAllAxes) {
+    if (run.axes.contains(axis)) next.g92[axis] = 0;
+  }
+  control.suspended_g92 = next.g92;
+  control.g92_applied = next.g92 != AxisWords{};
+  control.change_frame(next);
+}
+
+}  // namespace
+
 void clear_position(Execution& run, Action action) {
   Control& control = run.control;
   check_no_plane(run, run.block->words.front());
+  if (const CodeRow* const row = run.chosen_row(action); row != nullptr && row->needs_axes) {
+    return preset_named_axes(run);
+  }
   const bool restores = action == Action::restore_position;
   if (restores && !control.g92_known) {
     run.refuse(codes::kWorkOffsetUnknown,

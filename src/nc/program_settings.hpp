@@ -32,6 +32,7 @@ struct ProgramSettings {
   std::set<int> passed_m_codes;                    // --pass
   std::set<int> keeps_position;                    // --keeps-position, M codes
   std::optional<FeedRule> feed_rule;               // --feed-rule, in place of the dialect's
+  std::optional<bool> helix_feed_along_circle;     // --helix-feed, in place of the dialect's
   RotaryRules rotary{};                            // --rotary, of A, B and C
   RotationOrder rotation_order{2, 1, 0};           // how A, B and C compose: of the machine's model
   FreeRotation free_rotation{};                    // --free-rotation, where a direction of the tool leaves C open

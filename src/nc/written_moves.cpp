@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/characters.hpp"
 #include "nc/kept.hpp"
 
@@ -100,9 +102,20 @@ void WrittenMoves::add_rest(const Step& step) {
   add(own);
 }
 
+// The control executes them over the first hole, before it is drilled [B-63324EN 13.1].
+void WrittenMoves::refuse_words_of_cycle(const Step& step, const BlockCodes& codes) const {
+  const Word& word = *codes.after_motion().front();
+  refuse_at(*step.block, word.span, "emit-m-code",
+            fmt::format("{} beside a drilling cycle acts before the hole is drilled, and the cycle is written out in "
+                        "several blocks",
+                        step.block->at(word.span)),
+            "put it into a block of its own, before the cycle or behind it");
+}
+
 void WrittenMoves::add_words_behind(const Step& step) {
   const BlockCodes codes = codes_.codes_of(*step.block);
   if (codes.after_motion().empty()) return;
+  if (step.cycle != CycleForm::none && dialect_.habits.fanuc_cycles) refuse_words_of_cycle(step, codes);
   MadeStep& own = made_.next(step);
   for (const Word* word : codes.after_motion()) append_code(own.text, step.block->at(word->span), spelling_);
   own.before.motion = own.after.motion = mode_;

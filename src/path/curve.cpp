@@ -50,6 +50,8 @@ void Curve::set_arc(const nc::Arc& arc) {
   linear_mm_ = std::hypot((start_radius_ + end_radius_) / 2 * sweep_, delta_[plane_.third]);
 }
 
+double Curve::circle_mm() const { return (start_radius_ + end_radius_) / 2 * std::abs(sweep_); }
+
 double Curve::arc_deg() const { return sweep_ / kDeg; }
 
 AxisWords Curve::at(double fraction) const {

@@ -26,6 +26,8 @@ class Curve {
 
   /// Length of the path of X, Y, Z in mm.
   double linear_mm() const { return linear_mm_; }
+  /// Length of an arc's circle in its plane, mm; 0 for a line.
+  double circle_mm() const;
   /// Angle that an arc sweeps, deg, positive counter-clockwise; 0 for a line.
   double arc_deg() const;
   /// From start to end in each word, mm and deg.

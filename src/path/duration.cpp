@@ -11,8 +11,9 @@ namespace plumbline::path {
 std::optional<double> duration(const nc::Motion& motion, const Curve& curve, const nc::Dialect& dialect) {
   const bool cuts = motion.kind == nc::MotionKind::feed || motion.kind == nc::MotionKind::arc;
   if (!cuts || motion.feed <= 0) return std::nullopt;
-  const std::optional<double> length =
+  std::optional<double> length =
       nc::feed_length(curve.linear_mm(), curve.delta(), motion.feed_rule, motion.mm_per_unit);
+  if (motion.feed_along_circle && motion.kind == nc::MotionKind::arc) length = curve.circle_mm();
   if (motion.feed_mode == nc::FeedMode::inverse_time) {
     // F is the feed over the radius: an arc of the angle a takes a / F [B-62764EN 5].
     if (dialect.habits.inverse_time_by_radius && motion.kind == nc::MotionKind::arc)

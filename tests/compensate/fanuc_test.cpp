@@ -223,6 +223,58 @@ TEST_CASE("F of an arc under G93 is feed over radius") {
   }
 }
 
+TEST_CASE("F of an arc beside which another axis moves is the speed along its circle") {
+  const double pi = std::acos(-1.0);
+  const std::string head = "O0001\nG21 G17 G90 G54 G94\nG0 X10. Y0. Z0. A0. B0. C0.\n";
+  for (const auto& [arc, minutes] : {std::pair<std::string, double>{"G3 X10. Y0. I-10. Z-20. F600.", 2 * pi * 10 / 600},
+                                     {"G2 X-10. Y0. R10. Z9. F200.", pi * 10 / 200},
+                                     {"G18 G3 X20. Z10. R10. Y-8. F100.", pi / 2 * 10 / 100},
+                                     {"G91 G19 G2 Y10. Z10. R10. X6. F100.", pi / 2 * 10 / 100},
+                                     {"G3 X0. Y10. R10. A5. F300.", pi / 2 * 10 / 300},
+                                     {"G3 X0. Y10. R10. F300.", pi / 2 * 10 / 300}}) {
+    const Job job = fanuc();
+    const std::string text = head + arc + "\nM30\n";
+    INFO(text);
+    const Result result = run(text, job);
+    CHECK(result.summary.seconds_before == Approx(minutes * 60));
+    CHECK(result.summary.seconds_after == Approx(minutes * 60).epsilon(2e-3));
+  }
+}
+
+TEST_CASE("where the control says so, F of a helix is the speed along its path") {
+  Job job = fanuc();
+  const double circle = 2 * std::acos(-1.0) * 10;
+  const std::string text = "O0001\nG21 G17 G90 G54 G94\nG0 X10. Y0. Z0. A0. B0. C0.\nG3 X10. I-10. Z-20. F600.\nM30\n";
+  job.program.helix_feed_along_circle = false;
+  CHECK(run(text, job).summary.seconds_before == Approx(std::hypot(circle, 20) / 600 * 60));
+  job.dialect = "linuxcnc";
+  job.program.helix_feed_along_circle.reset();
+  const std::string plain = "G21 G17 G90 G54 G94\nG0 X10 Y0 Z0 A0 B0 C0\nG3 X10 Y0 I-10 Z-20 F600\nM2\n";
+  CHECK(run(plain, job).summary.seconds_before == Approx(std::hypot(circle, 20) / 600 * 60));
+  job.program.helix_feed_along_circle = true;
+  CHECK(run(plain, job).summary.seconds_before == Approx(circle / 600 * 60));
+}
+
+TEST_CASE("M codes that wait for a move are refused beside a cycle that is written out") {
+  const Job job = fanuc();
+  for (const char* const code : {"M9", "M5", "M19", "M0", "M30"}) {
+    CHECK(code_of(kHead + "G81 X5. Y5. Z-8. R1. F200. " + code + "\nG80\nM30\n", job) == "emit-m-code");
+  }
+  CHECK(code_of(kHead + "G83 X5. Y5. Z-8. R1. Q3. F200.\nX9. M9\nG80\nM30\n", job) == "emit-m-code");
+  const std::string out = run(kHead + "G81 X5. Y5. Z-8. R1. F200. M8\nG80\nM30\n", job).text;
+  CHECK(has(out, "^(F200\\. )?M8\n(.*\n)*G1 Z"));
+}
+
+TEST_CASE("behind a change of tools beside a move nobody knows where the axes stand") {
+  Job job = fanuc();
+  CHECK(code_of(kHead + "T1\nX5. M6\nG1 X9. F100.\nM30\n", job) == "compensate-position-unknown");
+  CHECK(code_of(kHead + "G1 X9. F100. T1 M6\nY9.\nM30\n", job) == "compensate-position-unknown");
+  const std::string out = run(kHead + "T1\nX5. Y5. M6\nG0 X9.\nM30\n", job).text;
+  CHECK(has(out, "\nG0 X9\\.\n"));  // goes through as it stands
+  job.program.keeps_position = {6};
+  CHECK_FALSE(has(run(kHead + "T1\nX5. Y5. M6\nG0 X9.\nM30\n", job).text, "\nG0 X9\\.\n"));
+}
+
 TEST_CASE("in inches a degree counts as an inch, and a turn alone in degrees a minute") {
   Job job = fanuc();
   for (const auto& [move, minutes] : {std::pair<std::string, double>{"G1 A5. F10.", 0.5},

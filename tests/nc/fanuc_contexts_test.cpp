@@ -87,6 +87,35 @@ TEST_CASE("increments of Z behind G43 and G49 alone are refused until Z is state
   CHECK(ran.end[Axis::Z] == 10);
 }
 
+TEST_CASE("G52 and G92 under G91 are refused") {
+  check_refused_at({{"G91 G54 G52 X5.\n", 1, 9},
+                    {"G90 G54 G0 X10. Y10. Z50.\nG91\nG52 X0 Y0 Z0\n", 3, 1},
+                    {"G90 G54 G0 X10. Y10. Z50.\nG92 X0 G91\n", 2, 1}});
+  const Reading ran = reading_of("G90 G54 G0 X10. Y10. Z50.\nG91\nG90 G52 X5.\nX1.\n", true);
+  CHECK(ran.code.empty());
+  CHECK(ran.end[Axis::X] == 1);
+}
+
+TEST_CASE("G92.1 brings the named axes back alone") {
+  const std::string shifted = "G90 G54 G0 X10. Y10. Z50.\nG92 X0. Y3. Z1.\n";
+  Reading ran = reading_of(shifted + "G92.1 X0\n", true);
+  CHECK(ran.code.empty());
+  CHECK(ran.end == AxisWords{{10, 3, 1, 0, 0, 0}});
+  ran = reading_of(shifted + "G92.1 Y0 Z0\n", true);
+  CHECK(ran.end == AxisWords{{0, 10, 50, 0, 0, 0}});
+  ran = reading_of(shifted + "G92.1 X0 Y0 Z0\nG91 X1.\n", true);
+  CHECK(ran.end == AxisWords{{11, 10, 50, 0, 0, 0}});
+}
+
+TEST_CASE("a drilling cycle keeps its levels only while the zero of Z stays") {
+  const std::string cycle = "G90 G54 G0 X0 Y0 Z50.\nG43 H1 Z50.\nG81 X0 Y0 Z-5. R2. F100.\n";
+  check_refused_at({{(cycle + "G49\nX5.\n").c_str(), 5, 1},
+                    {(cycle + "G92 Z0.\nX5. Y5.\n").c_str(), 5, 1},
+                    {(cycle + "G52 X1. Z-1.\nX5. Y5.\n").c_str(), 5, 1}});
+  CHECK(reading_of(cycle + "G52 X1.\nX5. Y5.\n", true).code.empty());
+  CHECK(reading_of(cycle + "G80\nG52 Z1.\nG81 X5. Z-5. R2. F100.\n", true).code.empty());
+}
+
 TEST_CASE("a turn about the place of the tool is looked at, and not rewritten") {
   const std::string text = "G90 G54 G0 X10. Y10. Z50.\nG68 R90.\nX20. Y10.\nG69\nX0 Y0\n";
   CHECK(reading_of(text, true).code.empty());

@@ -1,0 +1,4 @@
+(expect: nc-not-interpreted 4 1 dialect: fanuc)
+G90 G54 G0 X0 Y0 Z50.
+G91 X5.
+G92 X0 Y0
