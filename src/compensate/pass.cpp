@@ -116,6 +116,10 @@ void Pass::take(const nc::Step& step) {
            place_of(*step.block, step.block->file));
   }
   if (step.flow || step.saves_modes) return steer(step);
+  if (step.passes_variables) {
+    refuse("compensate-flow", "this block hands variables to the control, and the program, written out, sets none",
+           "write their values in their place", place_of(*step.block, step.block->file));
+  }
   const nc::Step* const plain = plain_.plain(step, false);
   if (plain == nullptr) return;
   if (!plain->nurbs_point) return process(*plain);

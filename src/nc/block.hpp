@@ -122,12 +122,16 @@ struct Instruction {
 };
 
 /// A parameter setting, #5 = 3 or #<depth> = [#5*2]; takes effect when the whole block has been read.
+/// What a declared variable keeps of a value: all of it, the nearest whole number, or whether it is 0.
+enum class VariableType : std::uint8_t { real, whole, truth };
+
 struct Setting {
-  std::uint32_t target = kLiteral;  // code of the parameter's number; kLiteral: a named parameter
-  std::uint32_t name = 0;           // of a named one, in Block::names
-  std::uint32_t value = 0;          // code of the value
-  Span span;                        // of the parameter
-  Span whole;                       // with its value
+  std::uint32_t target = kLiteral;         // code of the parameter's number; kLiteral: a named parameter
+  std::uint32_t name = 0;                  // of a named one, in Block::names
+  std::uint32_t value = 0;                 // code of the value
+  Span span;                               // of the parameter
+  Span whole;                              // with its value
+  VariableType type = VariableType::real;  // of one that is declared here
 };
 
 /// What an O word asks for.

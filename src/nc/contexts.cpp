@@ -1,5 +1,6 @@
 // A code beside others of its block, or in a mode, where no source says what a control makes of it: refused.
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -315,6 +316,14 @@ void check_cycle(const Execution& run) {
   if (known.contains(AxisSet{axes.first, axes.second}) && control.known.contains(axes.third)) return;
   run.refuse(run.motion_code(), codes::kPositionUnknown, "the cycle begins where X, Y or Z is not known",
              "move there with a G0 that names all three");
+}
+
+// Some controls take P1.5 for seconds, others stop at it.
+void check_milliseconds(const Execution& run, const Word& word) {
+  if (run.dialect.habits.dwell_p_s == 1 || word.value == std::floor(word.value)) return;
+  run.refuse(word, codes::kNotWhole,
+             fmt::format("P counts whole milliseconds, and {} is none", run.block->at(word.span)),
+             "write milliseconds without a point; of G4, X and seconds");
 }
 
 void check_words_before_call(const Execution& run) {

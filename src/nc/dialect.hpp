@@ -233,6 +233,7 @@ struct Habits {
   bool passed_code_keeps_position = false;  // who passes it says so
   int most_m_codes = 0;                     // that a block may hold; 0: any
   bool call_with_moves = false;             // M98 may stand in a block that moves
+  int least_calls = 0;                      // that an L asks for
   int call_repeat_digits = 0;               // M98 P00030010: digits of the program's number
   bool table_increments = false;            // G10 L2 under G91 adds
   bool end_returns = false;                 // M2, M30 in a subprogram end it alone
@@ -241,6 +242,7 @@ struct Habits {
   enum class Beside : std::uint8_t { anything, no_axes, nothing };
   Beside beside_dwell = Beside::anything;  // what may stand in a block with G4
   // G4 in these modes: what its word counts then is not known.
+  bool inch_turn_unknown = false;                 // what a degree counts beside inches
   bool inch_turn_per_revolution_unknown = false;  // F of a move of A, B, C alone under G20 and G95
   bool dwell_unknown_per_revolution = false;
   bool dwell_unknown_inverse_time = false;

@@ -185,11 +185,13 @@ class TableReader {
     habits.passed_code_keeps_position = flag(from, "passed_code_keeps_position");
     habits.most_m_codes = static_cast<int>(number(from, "most_m_codes", 0));
     habits.call_with_moves = flag(from, "call_with_moves");
+    habits.least_calls = static_cast<int>(number(from, "least_calls", 0));
     habits.call_repeat_digits = static_cast<int>(number(from, "call_repeat_digits", 0));
     habits.table_increments = flag(from, "table_increments");
     habits.end_returns = flag(from, "end_returns");
     habits.turns_are_extra = flag(from, "turns_are_extra");
     habits.dwell_p_s = number(from, "dwell_p_s", 1);
+    habits.inch_turn_unknown = flag(from, "inch_turn_unknown");
     habits.inch_turn_per_revolution_unknown = flag(from, "inch_turn_per_revolution_unknown");
     habits.dwell_unknown_per_revolution = flag(from, "dwell_unknown_per_revolution");
     habits.dwell_unknown_inverse_time = flag(from, "dwell_unknown_inverse_time");

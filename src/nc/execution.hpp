@@ -75,6 +75,7 @@ void check_alone(const Execution& run);
 /// Refuses what no source covers for a code beside the others of its block, or in the modes in force: contexts.cpp
 void check_contexts(const Execution& run);
 void check_cycle(const Execution& run);
+void check_milliseconds(const Execution& run, const Word& word);
 void check_cycle_beside_motion(const Execution& run);
 void check_beside_dwell(const Execution& run);
 /// Of an axis word that counts from where its axis stands.

@@ -80,7 +80,12 @@ void change_frame_by_name(Execution& run, const Chosen& chosen) {
       if (control.modal.plane != Plane::xy) refuse_plane(run, *word);
       degrees += word->value;  // RPL
     }
-    if (const Word* word = run.words.find('Z')) degrees += word->value;
+    if (const Word* word = run.words.find('Z')) {
+      if (run.words.has('P')) {
+        run.refuse(*word, codes::kAxesTwice, "the turn is given by RPL and by Z as well", "leave one of them");
+      }
+      degrees += word->value;
+    }
   } else {
     AxisWords step;
     for (const Axis axis : kAllAxes) {

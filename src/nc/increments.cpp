@@ -95,6 +95,17 @@ void keep_increment(const Execution& run, Word& word, bool is_argument) {
   word.value = kept_value(word.value, kept, word.expression == kLiteral);
 }
 
+// An argument without a point counts the increments of its address, which differ between controls [B-63684EN p. 278].
+void check_argument(const Execution& run, const Word& word) {
+  const bool open = word.letter == 'Q' || word.letter == 'E';
+  if (!open || word.point || word.expression != kLiteral || word.value == 0) return;
+  if (run.settings.calculator_type.value_or(false)) return;
+  run.refuse(word, codes::kValueUnknown,
+             fmt::format("what {} without a decimal point passes to a macro differs between controls",
+                         run.block->at(word.span)),
+             "write it with a decimal point");
+}
+
 bool has_code(const Execution& run, const Block& block, Action action) {
   return std::any_of(block.words.begin(), block.words.end(), [&](const Word& word) {
     const CodeRow* const row = word.letter == 'G' ? run.dialect.row_of(word) : nullptr;
@@ -122,6 +133,7 @@ void count_increments(const Execution& run, Block& block) {
   const bool is_call = has_code(run, block, Action::call_macro);
   const FeedMode mode = feed_mode_of(run, block);
   for (Word& word : block.words) {
+    if (is_call) check_argument(run, word);
     if (is_code(word) || (in_cycle && word.letter == 'K') || (!in_cycle && word.letter == 'Q')) continue;
     if ((turns && word.letter == 'R') || (waits && word.letter == 'X')) {  // degrees, seconds
       count_angle(run, word);

@@ -92,6 +92,7 @@ const Step& Interpreter::execute(Block& block) {
   evaluate(block);
   if (run_.dialect.habits.increment_mm > 0) count_increments(run_, block);
   plan(run_);
+  run_.step.passes_variables = run_.dialect.syntax.names && passes_variables(block);
   apply_settings(block);
   bool moved = run_.motion == nullptr || run_.motion_word != nullptr;
   for (const Chosen& chosen : run_.chosen) {
@@ -258,6 +259,9 @@ void Interpreter::set_parameter(const Block& block, const Setting& place, int nu
               "end the call with MCALL before, and call it anew after");
   }
   if (number == kNamed) {
+    if (place.type != VariableType::real) {
+      control_.parameters.declare(block.at(block.names[place.name]), place.type);
+    }
     control_.parameters.set(block.at(block.names[place.name]), value);
   } else if (number == kAlarm && run_.dialect.syntax.statements == Statements::macro_b) {
     control_.ended = run_.step.alarms = true;
@@ -292,6 +296,32 @@ void Interpreter::check_variable(const Block& block, const Setting& place) {
   refuse_at(block, place.span, codes::kUnknownCode,
             fmt::format("{} is no word of this control that is known here", name),
             "a variable needs a block of its own, and a name that begins with two letters");
+}
+
+namespace {
+
+bool belongs_to_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+
+}  // namespace
+
+// SPOS=R1*90, CYCLE832(TOLERANCE,1)
+bool Interpreter::passes_variables(const Block& block) {
+  for (const Word& word : block.words) {
+    if (word.letter != kNamedCode) continue;
+    const CodeRow& row = run_.dialect.named_codes[static_cast<std::size_t>(word.value)];
+    const std::string_view text = block.at(word.span);
+    bool in_text = false;
+    for (std::size_t at = row.has_arguments ? row.name.size() : text.size(); at < text.size();) {
+      const std::size_t begin = at++;
+      if (text[begin] == '"') in_text = !in_text;
+      if (in_text || !belongs_to_name(text[begin]) || is_digit(text[begin])) continue;
+      while (at < text.size() && belongs_to_name(text[at])) ++at;
+      const std::string_view name = text.substr(begin, at - begin);
+      const bool is_r = upper(name.front()) == 'R' && std::all_of(name.begin() + 1, name.end(), is_digit);
+      if (is_r || control_.parameters.find(name) != nullptr) return true;
+    }
+  }
+  return false;
 }
 
 void Interpreter::apply_settings(const Block& block) {

@@ -56,6 +56,7 @@ class Interpreter {
   void evaluate_settings(const Block& block);
   Value value_before(const Block& block, std::uint32_t code, std::size_t settings);
   void apply_settings(const Block& block);
+  bool passes_variables(const Block& block);
   void check_variable(const Block& block, const Setting& place);
   void set_parameter(const Block& block, const Setting& place, int number, Value value);
   void act(const Chosen& chosen);

@@ -91,7 +91,7 @@ void call_program(Execution& run, const Chosen& chosen) {
   }
   run.call.number = run.whole(run.need('P', "M98"), 0, kNoLimit);
   const Word* const count = run.words.find('L');
-  if (count != nullptr) run.call.count = run.whole(*count, 0, kNoLimit);
+  if (count != nullptr) run.call.count = run.whole(*count, run.dialect.habits.least_calls, kNoLimit);
   if (run.dialect.habits.call_repeat_digits == 0 || count != nullptr) return;
   const int one = static_cast<int>(std::pow(10, run.dialect.habits.call_repeat_digits));
   if (run.call.number < one) return;
@@ -121,12 +121,7 @@ void dwell(Execution& run, const Word& code) {
   if (word->value < 0) {
     run.refuse(*word, codes::kNegative, "the time to wait is negative", fmt::format("write {}0 or more", word->letter));
   }
-  const bool counts_parts = word->letter == 'P' && habits.dwell_p_s != 1;
-  if (counts_parts && word->value != std::floor(word->value)) {
-    run.refuse(*word, codes::kNotWhole,
-               fmt::format("P counts whole milliseconds, and {} is none", run.block->at(word->span)),
-               "write milliseconds without a point, or X and seconds");
-  }
+  if (word->letter == 'P') check_milliseconds(run, *word);
   Motion motion;
   motion.kind = MotionKind::dwell;
   if (run.chosen_row(Action::dwell)->takes_axes) run.axes = AxisSet{};  // X is the time

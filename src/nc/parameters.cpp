@@ -1,6 +1,7 @@
 #include "nc/parameters.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace plumbline::nc {
@@ -21,8 +22,27 @@ const Value* Parameters::find(std::string_view name) {
   return at == names.end() ? nullptr : &at->second;
 }
 
+// From REAL to INT what is 0.5 or more is rounded up, the rest down; any value but 0 is TRUE [6FC5398-2BP40-0BA0 p.
+// 54].
+Value Parameters::converted(Value value) {
+  std::size_t at = scopes_.size() - 1;
+  while (scopes_[at].shared) --at;
+  const auto type = scopes_[at].types.find(plain_);
+  if (type == scopes_[at].types.end() || !value.known || value.vacant) return value;
+  value.number = type->second == VariableType::whole ? std::round(value.number) : value.number != 0 ? 1 : 0;
+  return value;
+}
+
+void Parameters::declare(std::string_view name, VariableType type) {
+  plain(name);
+  std::size_t at = scopes_.size() - 1;
+  while (scopes_[at].shared) --at;
+  if (type != VariableType::real) scopes_[at].types[plain_] = type;
+}
+
 void Parameters::set(std::string_view name, Value value) {
   plain(name);
+  value = converted(value);
   Names& names = scope_of(plain_);
   const auto at = names.find(plain_);
   if (at != names.end()) {

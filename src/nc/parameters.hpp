@@ -10,6 +10,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "nc/block.hpp"
+
 namespace plumbline::nc {
 
 inline constexpr int kLocalParameters = 30;   // #1..#30 belong to a subprogram
@@ -35,6 +37,8 @@ class Parameters {
   /// Names are the same whatever their case and blanks [RS274/NGC 3.3.1]. Null: never set.
   const Value* find(std::string_view name);
   void set(std::string_view name, Value value);
+  /// What `name` keeps of the values that it is set to from now on, in the scope that is executed.
+  void declare(std::string_view name, VariableType type);
   /// True if a subprogram that has ended, or a caller, set a name of its own that is called so.
   bool was_local_elsewhere(std::string_view name);
   /// A subprogram begins: the names that do not begin with _ are its own; so are #1..#30 if `numbers` (then all zero).
@@ -51,6 +55,7 @@ class Parameters {
   std::string_view plain(std::string_view name);
 
  private:
+  Value converted(Value value);  // of the name in plain_
   struct Numbered {
     Value value;
     bool set = false;
@@ -63,8 +68,9 @@ class Parameters {
   using Names = std::unordered_map<std::string, Value, Hash, std::equal_to<>>;
   struct Scope {
     Names names;
-    std::vector<Numbered> callers;  // #1..#30 of the caller
-    bool shared = false;            // the names are those of the caller
+    std::unordered_map<std::string, VariableType, Hash, std::equal_to<>> types;  // of those that are not real
+    std::vector<Numbered> callers;                                               // #1..#30 of the caller
+    bool shared = false;                                                         // the names are those of the caller
   };
   Names& scope_of(std::string_view plain) {
     if (plain.starts_with('_')) return global_;

@@ -52,7 +52,10 @@ void Parser::parse(Block& block) {
   const bool macro_b = syntax_->statements == Statements::macro_b;
   if (macro_b && token_.kind != TokenKind::end && (program_name() || iso_program_number())) return;
   if (token_.letter == 'O' && (token_.kind == TokenKind::word || token_.kind == TokenKind::letter)) return flow();
-  if (token_.kind == TokenKind::letter && macro_b && macro_statement()) return;
+  if (token_.kind == TokenKind::letter && macro_b) {
+    refuse_output();
+    if (macro_statement()) return;
+  }
   items();
 }
 
@@ -220,6 +223,11 @@ void Parser::refuse_token(std::string_view expected) {
               "comments in ( ) do not nest; take out the inner (");
   }
   const char c = token_.kind == TokenKind::end ? '\0' : *token_.begin;
+  if (c == ',' && syntax_->statements == Statements::macro_b) {
+    refuse_at(*block_, span, codes::kNotInterpreted,
+              "a comma begins what the control works out itself: a chamfer (,C), a rounding (,R) or an angle (,A)",
+              "let the CAM system write the corner in G1, G2 and G3");
+  }
   if (static_cast<unsigned char>(c) >= 0x80) {
     refuse_at(*block_, span, codes::kNotAscii, fmt::format("{} outside a comment", shown(c)),
               "only comments may hold anything but ASCII characters");

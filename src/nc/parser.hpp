@@ -45,6 +45,7 @@ class Parser {
   void skip_level();
   bool program_name();
   bool iso_program_number();
+  void refuse_output();
   bool macro_statement();
   void macro_condition();
   void macro_label();

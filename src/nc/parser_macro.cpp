@@ -1,4 +1,6 @@
 // The productions of macro B: statements, and values that need no brackets.
+#include <fmt/format.h>
+
 #include "base/characters.hpp"
 #include "nc/codes.hpp"
 #include "nc/parser.hpp"
@@ -39,6 +41,18 @@ bool Parser::iso_program_number() {
   at_ = block_->text.data() + end;
   end_of_statement();
   return true;
+}
+
+// POPEN, DPRNT[..], PCLOS: what the program sends to somebody else.
+void Parser::refuse_output() {
+  const std::string_view rest = block_->text.substr(span_of(token_).begin);
+  for (const std::string_view command : {"POPEN", "PCLOS", "DPRNT", "BPRNT"}) {
+    if (upper(rest.substr(0, command.size())) != command) continue;
+    const std::uint32_t begin = span_of(token_).begin;
+    refuse_at(*block_, {begin, begin + static_cast<std::uint32_t>(command.size())}, codes::kNotInterpreted,
+              fmt::format("{} sends values out of the control, which is not interpreted", command),
+              "leave it out, or send the values from a program that does not move");
+  }
 }
 
 // open value = real value , operations
@@ -115,7 +129,11 @@ void Parser::macro_label() {
 
 void Parser::end_of_statement() {
   const auto lex = syntax_->names ? lex_named_item : lex_item;
-  for (take(lex); token_.kind == TokenKind::comment || token_.kind == TokenKind::parenthesis; take(lex)) {
+  const bool in_brackets = syntax_->statements != Statements::high_level;  // there RET("LABEL") is no comment
+  const auto is_comment = [&] {
+    return token_.kind == TokenKind::comment || (in_brackets && token_.kind == TokenKind::parenthesis);
+  };
+  for (take(lex); is_comment(); take(lex)) {
     if (token_.kind == TokenKind::parenthesis) {
       pass_comment();
     } else {

@@ -189,6 +189,14 @@ void Parser::for_statement() {
   block_->flow.values.push_back(named_value_code());
 }
 
+namespace {
+
+VariableType type_named(const std::string& name) {
+  return name == "INT" ? VariableType::whole : name == "BOOL" ? VariableType::truth : VariableType::real;
+}
+
+}  // namespace
+
 // definition = "DEF" , type , variable , [ "=" , value ] , { "," , variable , [ "=" , value ] }
 void Parser::define_statement() {
   take(lex_named_item);
@@ -197,6 +205,7 @@ void Parser::define_statement() {
     refuse_at(*block_, span_of(token_), codes::kNotInterpreted,
               fmt::format("variables of type {} are not interpreted", type), "REAL, INT and BOOL are");
   }
+  const VariableType kept = type_named(type);
   do {
     take(lex_named_item);
     if (token_.kind != TokenKind::identifier) refuse_token("a name");
@@ -217,6 +226,7 @@ void Parser::define_statement() {
       push(Operation::end, {});
       block_->settings.push_back(setting);
     }
+    block_->settings.back().type = kept;
     take(lex_named_operation);
   } while (token_.kind == TokenKind::comma);
   at_ = token_.begin;
@@ -233,9 +243,15 @@ void Parser::subprogram_head() {
     take(lex_named_item);
     take(lex_named_item);
     while (token_.kind == TokenKind::identifier) {
-      take(lex_named_item);  // behind its type
+      const std::string type = upper({token_.begin, token_.end});
+      if (type != "REAL" && type != "INT" && type != "BOOL") {
+        refuse_at(*block_, span_of(token_), codes::kNotInterpreted,
+                  fmt::format("parameters of type {} are not interpreted", type), "REAL, INT and BOOL are");
+      }
+      take(lex_named_item);
       if (token_.kind != TokenKind::identifier) refuse_token("a name");
       Setting setting;
+      setting.type = type_named(type);
       setting.span = setting.whole = span_of(token_);
       setting.name = static_cast<std::uint32_t>(block_->names.size());
       block_->names.push_back(setting.span);
@@ -248,7 +264,13 @@ void Parser::subprogram_head() {
     }
     if (token_.kind != TokenKind::closing_parenthesis) refuse_token(")");
   }
-  while (next_is(TokenKind::identifier)) take(lex_named_item);  // SAVE, DISPLOF...
+  while (next_is(TokenKind::identifier)) {
+    take(lex_named_item);
+    if (upper({token_.begin, token_.end}) != "SAVE") continue;  // DISPLOF, SBLOF: for the operator
+    refuse_at(*block_, span_of(token_), codes::kNotInterpreted,
+              "SAVE brings the modes of the caller back at the end of the subprogram, which is not interpreted",
+              "leave it out, and write the codes that the caller needs behind the call");
+  }
   end_of_statement();
 }
 

@@ -142,7 +142,9 @@ Value Readings::read_macro_variable(const Block& block, int number, Span span) c
 Value Readings::read(const Block& block, int number, Span span) {
   if (dialect_.syntax.statements == Statements::macro_b) return read_macro_variable(block, number, span);
   if (dialect_.syntax.names) {
-    return control_.parameters.has(number) ? control_.parameters.get(number) : unset(block, span);
+    if (control_.parameters.has(number)) return control_.parameters.get(number);
+    const Value value = unset(block, span);
+    return {value.number, value.known};  // zero, and not vacant as in macro B
   }
   if (number >= kPosition && number < kPosition + static_cast<int>(kAxes)) {
     return position(block, kAllAxes[static_cast<std::size_t>(number - kPosition)], span);

@@ -6,6 +6,7 @@
 
 #include "nc/codes.hpp"
 #include "nc/parser.hpp"
+#include "nc/refusal.hpp"
 #include "nc/statement_flow.hpp"
 #include "nc/subprogram_file.hpp"
 
@@ -56,6 +57,9 @@ void StatementFlow::call(const Block& block) {
   }
   std::vector<Value> named;
   for (const Setting& setting : block.settings) named.push_back(interpreter_.value(block, setting.value));
+  if (call.remaining < 0 && dialect_.syntax.statements == Statements::high_level) {
+    refuse_at(block, block.flow.span, codes::kOutOfRange, "P asks for no call at all", "write P1 or more");
+  }
   if (call.remaining < 0) return;
   enter(block, std::move(call), true);
   for (std::size_t i = 0; i < named.size(); ++i) interpreter_.set_variable(block, i, named[i]);

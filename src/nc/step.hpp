@@ -92,12 +92,13 @@ struct Step {
   bool ends_nurbs = false;
   std::optional<Orienting> orienting = {};  // it turns the tool along a direction (G53.1)
   bool polar = false;                       // its end is given by @ and ^
-  bool jumped = false;           // something jumped or repeated before: steps are not in the order of the text
-  bool skipped = false;          // block delete is on for it: nothing of it was executed
-  bool executed_delete = false;  // block delete is off for it, and it moves or changes modal state
-  bool changes_tool = false;     // M6, M61
-  bool moves_old_tool = false;   // its motion comes before that
-  bool loses_position = false;   // M0, M6, user M code, G28...: some axis may stand elsewhere now
+  bool jumped = false;            // something jumped or repeated before: steps are not in the order of the text
+  bool skipped = false;           // block delete is on for it: nothing of it was executed
+  bool executed_delete = false;   // block delete is off for it, and it moves or changes modal state
+  bool changes_tool = false;      // M6, M61
+  bool moves_old_tool = false;    // its motion comes before that
+  bool passes_variables = false;  // what stands in the brackets of a name, and is not looked into, names variables
+  bool loses_position = false;    // M0, M6, user M code, G28...: some axis may stand elsewhere now
 };
 
 /// G4 P1 X5: the control waits, then moves; the wait is the first of the motions.

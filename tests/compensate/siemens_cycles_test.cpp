@@ -112,3 +112,43 @@ TEST_CASE("increments are written as the control keeps them, and what is rounded
   }
   CHECK(play(text, output, job).at_points_um <= 1.5);
 }
+
+TEST_CASE("in inches a cut that turns is refused until somebody says what a degree counts") {
+  const std::string head = "G54 G17 G700 G90 G94\nF10\nG0 X0 Y0 Z1 A0 B0 C0\n";
+  for (const std::string cut : {"G1 X1 A2", "G1 A2", "G1 C1 Y.5 F20", "G3 X1 CR=2 B1"}) {
+    Job job = siemens_job();
+    INFO(cut);
+    CHECK(code_of(head + cut + "\nM30\n", job) == "emit-feed-rule");
+    CHECK(code_of(head + "FGROUP(X,Y,Z)\n" + cut + "\nM30\n", job).empty());
+    job.program.feed_rule = nc::FeedRule::all_axes_as_mm;
+    CHECK(code_of(head + cut + "\nM30\n", job).empty());
+  }
+  CHECK(code_of(head + "G1 X1\nG2 X2 I.5 J0\nM30\n", siemens_job()).empty());
+}
+
+TEST_CASE("a cut in machine coordinates goes through as it stands, from where the correction left the axes") {
+  const Job siemens = siemens_job();
+  for (const std::string cut : {"G53 X20", "G1 SUPA X20 Y1", "G153 Z-950", "X12 G53"}) {
+    const std::string text = "G54 G17 G710 G90 G94 F100\nG0 X10 Y0 Z50 A0 B0 C0\nG1 X15\n" + cut + "\nX10 Z50\nM30\n";
+    INFO(text);
+    CHECK(code_of(text, siemens).empty());
+  }
+  Job linuxcnc = siemens_job();
+  linuxcnc.dialect = "linuxcnc";
+  CHECK(code_of("G21 G90 G54 F100\nG0 X10 Y0 Z50 A0 B0 C0\nG1 X15\nG53 G1 X16\nX10\nM2\n", linuxcnc).empty());
+}
+
+TEST_CASE("variables that a block hands to the control are refused where the program is written out") {
+  const Job job = siemens_job();
+  const std::string head = "DEF REAL CLOSE=0.02\nG54 G17 G710 G90 G94 F100\nG0 X10 Y0 Z50 A0 B0 C0\nR1=1\n";
+  for (const std::string passed :
+       {"SPOS=R1*90", "G641 ADIS=CLOSE", "CYCLE832(CLOSE,1)", "MSG(\"R1\"<<R1)", "SPOS[1]=30+R1"}) {
+    INFO(passed);
+    CHECK(code_of(head + "WHILE R1<3\n" + passed + "\nG1 X=R1\nR1=R1+1\nENDWHILE\nM30\n", job) == "compensate-flow");
+    CHECK(code_of(head + passed + "\nG1 X=R1\nM30\n", job).empty());  // which sets them itself
+  }
+  for (const std::string passed : {"SPOS=90", "MSG(\"R1 CLOSE\")", "CYCLE832(0.1,_FINISH,1)", "FGROUP(X,Y,Z)"}) {
+    INFO(passed);
+    CHECK(code_of(head + "WHILE R1<3\n" + passed + "\nG1 X=R1\nR1=R1+1\nENDWHILE\nM30\n", job).empty());
+  }
+}
