@@ -156,7 +156,8 @@ void Pass::check_way_to_hole(const nc::Step& step, const AxisWords& shift) const
 // A cycle that goes back to R is read for a tool that stands there; the correction may have shifted the one only.
 void Pass::check_level_of_hole(const nc::Step& step, const AxisWords& shift) const {
   const nc::Hole& hole = step.holes.front();
-  if (!dialect_.habits.return_levels || hole.clear != hole.r) return;
+  const bool goes_to_start = dialect_.habits.fanuc_cycles && !step.after->retract_to_r;
+  if (!(dialect_.habits.return_levels || goes_to_start) || hole.clear != hole.r) return;
   const Axis normal = nc::axes_of(step.after->plane).third;
   const double stands =
       step.motions[way_to_hole(step)].from[normal] + emitter_.control().work_shift(*step.frame)[normal];
@@ -164,9 +165,10 @@ void Pass::check_level_of_hole(const nc::Step& step, const AxisWords& shift) con
   refuse(
       "compensate-cycle",
       fmt::format("the correction puts R {:.3f} mm off the tool, which stands on it in the original: how it comes to "
-                  "the hole from there was found in no source",
+                  "the hole and back from there was found in no source",
                   hole.r + shift[normal] - stands),
-      "state all six axes before the cycle, so that the move to above the hole is corrected as well",
+      goes_to_start ? "move the tool above R before the cycle, or write G99"
+                    : "state all six axes before the cycle, so that the move to above the hole is corrected as well",
       place_of(*step.block, step.block->file));
 }
 

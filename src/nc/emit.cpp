@@ -8,6 +8,7 @@
 #include "base/check.hpp"
 #include "base/number_text.hpp"
 #include "nc/feed.hpp"
+#include "nc/line_source.hpp"
 #include "nc/refusal.hpp"
 
 namespace plumbline::nc {

@@ -1,5 +1,6 @@
 // What numbers without a decimal point count.
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -106,6 +107,12 @@ void check_argument(const Execution& run, const Word& word) {
              "write it with a decimal point");
 }
 
+// S[1000.4] is S1000: what is worked out for a whole number is rounded [cncarea.com on whole numbers].
+void round_speed(const Execution& run, Word& word) {
+  const bool whole = run.dialect.habits.whole_words.find('S') != std::string::npos;
+  if (whole && word.expression != kLiteral) word.value = std::round(word.value);
+}
+
 bool has_code(const Execution& run, const Block& block, Action action) {
   return std::any_of(block.words.begin(), block.words.end(), [&](const Word& word) {
     const CodeRow* const row = word.letter == 'G' ? run.dialect.row_of(word) : nullptr;
@@ -134,6 +141,7 @@ void count_increments(const Execution& run, Block& block) {
   const FeedMode mode = feed_mode_of(run, block);
   for (Word& word : block.words) {
     if (is_call) check_argument(run, word);
+    if (!is_call && word.letter == 'S') round_speed(run, word);
     if (is_code(word) || (in_cycle && word.letter == 'K') || (!in_cycle && word.letter == 'Q')) continue;
     if ((turns && word.letter == 'R') || (waits && word.letter == 'X')) {  // degrees, seconds
       count_angle(run, word);

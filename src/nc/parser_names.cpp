@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/axes.hpp"
 #include "base/characters.hpp"
 #include "base/number_text.hpp"
 #include "nc/codes.hpp"

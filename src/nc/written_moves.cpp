@@ -8,7 +8,10 @@
 #include <fmt/format.h>
 
 #include "base/characters.hpp"
+#include "base/number_text.hpp"
+#include "nc/emit_text.hpp"
 #include "nc/kept.hpp"
+#include "nc/refusal.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -104,12 +107,16 @@ void WrittenMoves::add_rest(const Step& step) {
 
 // The control executes them over the first hole, before it is drilled [B-63324EN 13.1].
 void WrittenMoves::refuse_words_of_cycle(const Step& step, const BlockCodes& codes) const {
-  const Word& word = *codes.after_motion().front();
-  refuse_at(*step.block, word.span, "emit-m-code",
-            fmt::format("{} beside a drilling cycle acts before the hole is drilled, and the cycle is written out in "
-                        "several blocks",
-                        step.block->at(word.span)),
-            "put it into a block of its own, before the cycle or behind it");
+  for (const Word* const word : codes.after_motion()) {
+    const CodeRow* const row = dialect_.row_of(*word);
+    const bool calls = row != nullptr && (row->action == Action::call_program || row->action == Action::end_program);
+    if (calls) continue;
+    refuse_at(*step.block, word->span, "emit-m-code",
+              fmt::format("{} beside a drilling cycle acts before the hole is drilled, and the cycle is written out in "
+                          "several blocks",
+                          step.block->at(word->span)),
+              "put it into a block of its own, before the cycle or behind it");
+  }
 }
 
 void WrittenMoves::add_words_behind(const Step& step) {

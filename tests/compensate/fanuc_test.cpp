@@ -255,12 +255,30 @@ TEST_CASE("where the control says so, F of a helix is the speed along its path")
   CHECK(run(plain, job).summary.seconds_before == Approx(circle / 600 * 60));
 }
 
+TEST_CASE("a speed that is worked out is rounded, as the control does") {
+  const Job job = fanuc();
+  const std::string text = kHead + "#1=1\nWHILE[#1 LE 3]DO1\nS[#1*100.4] M3\nG1 X#1 F100.\n#1=#1+1\nEND1\nM30\n";
+  const std::string out = run(text, job).text;
+  INFO(out);
+  for (const char* const speed : {"S100 M3", "S201 M3", "S301 M3"}) CHECK(out.find(speed) != std::string::npos);
+}
+
+TEST_CASE("a tap that begins on R and goes back to where it began is refused where the correction parts the two") {
+  const Job job = fanuc();
+  const std::string before = kHead + "G99 G82 X10. Y0. Z-4. R2. P200 F100.\nX12.\nG80\n";
+  CHECK(code_of(before + "G98 G84 X10. Z-4. R2. F100.\nG80\nM30\n", job) == "compensate-cycle");
+  CHECK(code_of(before + "G98 G86 X10. Z-4. R2. F100.\nG80\nM30\n", job) == "compensate-cycle");
+  CHECK(code_of(before + "G99 G84 X10. Z-4. R2. F100.\nG80\nM30\n", job).empty());
+  CHECK(code_of(before + "G98 G84 X10. Z-4. R1.5 F100.\nG80\nM30\n", job).empty());
+}
+
 TEST_CASE("M codes that wait for a move are refused beside a cycle that is written out") {
   const Job job = fanuc();
   for (const char* const code : {"M9", "M5", "M19", "M0", "M30"}) {
     CHECK(code_of(kHead + "G81 X5. Y5. Z-8. R1. F200. " + code + "\nG80\nM30\n", job) == "emit-m-code");
   }
   CHECK(code_of(kHead + "G83 X5. Y5. Z-8. R1. Q3. F200.\nX9. M9\nG80\nM30\n", job) == "emit-m-code");
+  CHECK(code_of(kHead + "G81 X5. Y5. Z-8. R1. F200. M98 P2\nG80\nM30\nO2\nX9.\nM99\n", job).empty());
   const std::string out = run(kHead + "G81 X5. Y5. Z-8. R1. F200. M8\nG80\nM30\n", job).text;
   CHECK(has(out, "^(F200\\. )?M8\n(.*\n)*G1 Z"));
 }
