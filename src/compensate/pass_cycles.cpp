@@ -13,6 +13,7 @@
 namespace plumbline::compensate {
 namespace {
 
+constexpr double kStandsOnR = 1e-6;  // mm
 // The length over which a turn that varies along a hole counts like a shift that does.
 constexpr double kTurnOverMm = 100;
 
@@ -161,7 +162,8 @@ void Pass::check_level_of_hole(const nc::Step& step, const AxisWords& shift) con
   const Axis normal = nc::axes_of(step.after->plane).third;
   const double stands =
       step.motions[way_to_hole(step)].from[normal] + emitter_.control().work_shift(*step.frame)[normal];
-  if (std::abs(stands - hole.r - shift[normal]) < nc::kSameLevel) return;
+  const double same = goes_to_start ? kStandsOnR : nc::kSameLevel;
+  if (std::abs(stands - hole.r - shift[normal]) < same) return;
   refuse(
       "compensate-cycle",
       fmt::format("the correction puts R {:.3f} mm off the tool, which stands on it in the original: how it comes to "
