@@ -106,7 +106,8 @@ void append_code(const nc::Word& word, const nc::Step& step, const nc::Dialect& 
   if (word.letter == nc::kNamedCode) {
     effect.text = row->has_arguments ? std::string(block.at(word.span)) : row->name;
   } else {
-    effect.text = fmt::format("{}{}", word.letter, to_decimal(word.value, 1));
+    effect.text =
+        fmt::format("{}{}", word.letter, row->written_as.empty() ? to_decimal(word.value, 1) : row->written_as);
   }
   effect.is_mode = is_mode(row->action);
   effect.turn = row->step;

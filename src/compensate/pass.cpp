@@ -39,7 +39,7 @@ Pass::Pass(const InputFile& source, const nc::Dialect& dialect, const nc::Progra
       out_(out),
       program_(source, dialect, program),
       form_(form),
-      plain_(dialect),
+      plain_(dialect, nc::written_angle(dialect.habits, emit.digits_deg, emit.increment_deg, emit.increment_ratio)),
       written_(dialect, emit.increment_ratio),
       emitter_(source, dialect, emit, out, form),
       corrector_(model, settings),
@@ -216,11 +216,6 @@ bool Pass::has_position(const nc::Step& step, AxisSet known, bool needed) {
          place());
 }
 
-void Pass::copy(const nc::Step& step, bool counts, std::optional<double> seconds) {
-  emitter_.copy(step);
-  intention_.keep(step, counts, seconds);
-}
-
 void Pass::pass(const nc::Step& step) {
   copy(step, step.motions.size() == 1 && step.motions.front().kind == nc::MotionKind::dwell);
   const bool moves = std::any_of(step.motions.begin(), step.motions.end(),
@@ -351,25 +346,6 @@ void Pass::follow_cut(const nc::Step& step, const path::Curve& curve, const Axis
     }
   }
   between_.cut(path_of(step, curve), seconds, in_W(begin), sent_, !changed);
-}
-
-// In text order a block with @ and ^ gets X and Y only where it must change.
-nc::EmittedMove Pass::write_move(const nc::Step& step, std::optional<double> duration) {
-  nc::EmittedMove move;
-  if (!step.polar || emitter_.stays(step, points_, writable())) {
-    move = emitter_.move(step, points_, writable(), duration);
-    if (move.changed) {
-      intention_.divide(step, points_, writable(), duration);
-    } else {
-      intention_.keep(step, true, duration);
-    }
-    return move;
-  }
-  intention_.divide(step, points_, writable(), duration);
-  emitter_.begin_group(step);
-  move = emitter_.move(*plain_.plain(step, true), points_, writable(), duration);
-  emitter_.end_group(step);
-  return move;
 }
 
 // On a tilted plane no rotary word may stand.

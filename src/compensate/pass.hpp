@@ -74,6 +74,7 @@ class Pass {
   bool has_position(const nc::Step& step, AxisSet known, bool needed);
   AxisSet writable() const;
   AxisSet held() const;
+  bool writes_vector(const nc::Step& step) const;
   void fix_axes();
   void pass(const nc::Step& step);
   void correct_rapid(const nc::Step& step);

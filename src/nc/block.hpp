@@ -45,6 +45,7 @@ struct Word {
   WordMode mode = WordMode::modal;
   bool named = false;         // T="MILL10": the tool table says which number that is
   bool machine_axis = false;  // X1=0: of the machine's axis of this name, not of the work's X
+  bool tool_vector = false;   // A3=0: I of the direction of the tool, not of an arc
 };
 
 /// G, M or a code that is a name: several may stand in a block, and none of them is a value.

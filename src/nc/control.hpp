@@ -93,6 +93,7 @@ struct Control {
   AxisWords local_before_turn;             // G68 changes it, G69 brings it back
   double turn_deg = 0;                     // G68, ROT: about Z
   AxisWords plane_origin;                  // of a tilted plane, from that of the work system
+  bool tool_vectors = false;               // I, J and K are the direction of the tool (G43.5)
   bool tool_on_plane = false;              // the tool stands along its Z (G53.1)
   FeedRule feed_rule = FeedRule::unknown;  // the dialect's, or as FGROUP says
   std::array<Home, 2> homes;               // G28, G30

@@ -146,6 +146,8 @@ struct CodeRow {
   bool order_unknown = false;              // whether it acts before the move of its block or after it
   std::string levels;                      // which of these are heights of the work, digits that count from 0
   bool has_values = false;                 // a name with values in ( ) behind it
+  bool tool_vectors = false;               // of a tool length: I, J, K are the direction of the tool with it in force
+  std::string written_as;                  // the code that takes A, B and C in their place
 };
 
 /// How a program says where it goes on.
@@ -160,9 +162,10 @@ enum class Statements : std::uint8_t {
 struct NameMeaning {
   enum class Kind : std::uint8_t { code, address, keyword, function, operation, variable, own };
   Kind kind = Kind::code;
-  int which = 0;      // row of named_codes, letter, FlowWord, Operation, place in variables
-  int arguments = 0;  // of a function
-  double value = 0;   // of one without arguments, as PI
+  int which = 0;             // row of named_codes, letter, FlowWord, Operation, place in variables
+  int arguments = 0;         // of a function
+  double value = 0;          // of one without arguments, as PI
+  bool tool_vector = false;  // of an address: part of the direction of the tool
 };
 
 /// Variables that have numbers, as R1 or VC[3]: they are kept as parameters `at`, `at` + 1...

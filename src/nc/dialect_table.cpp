@@ -135,7 +135,8 @@ class TableReader {
       if (root_.find(key) == nullptr) return;
       for (const TomlValue& row : list(key)) {
         const int arguments = static_cast<int>(number(row, "arguments", 1));
-        syntax.meanings[text(row, "name")] = {kind, static_cast<int>(which(row)), arguments, number(row, "value", 0)};
+        syntax.meanings[text(row, "name")] = {kind, static_cast<int>(which(row)), arguments, number(row, "value", 0),
+                                              flag(row, "tool_vector")};
       }
     };
     each("addresses", Kind::address, [&](const TomlValue& row) { return text(row, "letter").at(0); });
@@ -295,6 +296,8 @@ class TableReader {
       }
     }
     row.order_unknown = flag(from, "order_unknown");
+    row.tool_vectors = flag(from, "tool_vectors");
+    if (from.find("written_as") != nullptr) row.written_as = text(from, "written_as");
     row.has_values = flag(from, "values");
     if (from.find("levels") != nullptr) row.levels = text(from, "levels");
     if (row.action == Action::refused || !row.only.empty() || from.find("why") != nullptr) row.why = text(from, "why");

@@ -35,6 +35,7 @@ struct Execution {
   const Word* motion_word = nullptr;     // null: the mode in force
   const Word* machine_word = nullptr;    // G53
   bool uses_position_axes = false;       // the axis words are those of a code of group 0
+  const Word* vector = nullptr;          // the first word of the direction of the tool: A3=, or I J K under G43.5
   bool has_word_modes = false;           // some axis word says itself how it counts: X=IC(5)
   int work_system_before = 0;            // G16: to be brought back behind the block; 0: none
   bool block_in_machine_system = false;  // G16 H0
@@ -129,11 +130,20 @@ void define_tilted_plane(Execution& run, const Chosen& chosen);  // tilted_plane
 void turn_tool(Execution& run, const Chosen& chosen);            // G53.1
 void turn_tool_on_plane(Execution& run, const Word& code);
 void end_tilted_plane(Execution& run);  // G69
+/// What C does where a direction leaves it open; refuses where nobody said.
+FreeRotation free_rotation(const Execution& run, const Word& word, std::string_view code);
 /// Refuses a move that a tilted plane does not allow.
 void check_on_plane(const Execution& run);
 void check_no_rotary_words(const Execution& run);
 /// Refuses the code of `word` while a plane is tilted.
 void check_no_plane(const Execution& run, const Word& word);
+/// Whether words of the block give the direction of the tool; refuses them where no straight move takes them.
+void find_tool_vector(Execution& run);  // tool_vector.cpp
+void check_tool_vector(Execution& run);
+/// A, B and C of a straight move along the direction.
+void end_along_vector(const Execution& run, Motion& motion);
+/// Refuses a move whose way or time depends on how the control turns the tool from one direction to the next.
+void check_way_of_vector(const Execution& run, const Motion& motion);
 void set_feed_group(Execution& run, const Chosen& chosen);  // FGROUP
 void choose_edge(Execution& run, const Word& word);         // tools.cpp: D
 void call_macro(Execution& run);                            // macro_call.cpp: G65

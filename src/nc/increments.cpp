@@ -14,6 +14,7 @@ namespace plumbline::nc {
 namespace {
 
 constexpr std::uint32_t kAngles = letter_bit('A') | letter_bit('B') | letter_bit('C');
+constexpr std::uint32_t kDirection = letter_bit('I') | letter_bit('J') | letter_bit('K');
 
 std::uint32_t letters_of_lengths(const Habits& habits) {
   constexpr std::uint32_t kLengths = letter_bit('X') | letter_bit('Y') | letter_bit('Z') | letter_bit('U') |
@@ -143,6 +144,8 @@ void count_increments(const Execution& run, Block& block) {
     if (is_call) check_argument(run, word);
     if (!is_call && word.letter == 'S') round_speed(run, word);
     if (is_code(word) || (in_cycle && word.letter == 'K') || (!in_cycle && word.letter == 'Q')) continue;
+    const bool is_direction = !is_call && run.control.tool_vectors && (letter_bit(word.letter) & kDirection) != 0;
+    if (is_direction) continue;  // no lengths
     if ((turns && word.letter == 'R') || (waits && word.letter == 'X')) {  // degrees, seconds
       count_angle(run, word);
       continue;

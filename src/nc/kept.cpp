@@ -37,4 +37,14 @@ double kept_value(double value, const Kept& kept, bool is_literal) {
   return from_ticks(to_ticks(cut * kept.quantum, kept.decimals), kept.decimals);
 }
 
+double WrittenAngle::kept(double degrees) const {
+  return from_ticks(to_ticks(std::round(degrees / quantum) * quantum, digits), digits);
+}
+
+WrittenAngle written_angle(const Habits& habits, int digits, double increment_deg, double ratio) {
+  const Kept kept = kept_of_axis_word(habits, true, false, ratio, false);
+  const int written = std::clamp(digits, 0, kept.decimals);
+  return {written, std::max({increment_deg, from_ticks(1, written), kept.quantum})};
+}
+
 }  // namespace plumbline::nc

@@ -19,4 +19,14 @@ Kept kept_of_axis_word(const Habits& habits, bool angle, bool inches, double rat
 /// The value as the control keeps it: a number that stands in the program is cut off, one that is worked out rounded.
 double kept_value(double value, const Kept& kept, bool is_literal);
 
+/// How the angle of an absolute word is written.
+struct WrittenAngle {
+  int digits = 9;
+  double quantum = 1e-9;  // deg
+
+  double kept(double degrees) const;
+};
+/// `digits` and `increment_deg`: those that are asked for, where the control keeps as many; `ratio` as of kept_of.
+WrittenAngle written_angle(const Habits& habits, int digits, double increment_deg, double ratio);
+
 }  // namespace plumbline::nc

@@ -78,8 +78,12 @@ bool may_jump(const Block& block, const Dialect& dialect) {
          has_action(block, dialect, Action::call_program) || has_action(block, dialect, Action::call_macro);
 }
 
-// Codes that move the rotary axes without naming them.
+// Codes that move the rotary axes without naming them, and directions of the tool.
 bool turns_tool(const Block& block, const Dialect& dialect) {
+  for (const Word& word : block.words) {
+    const bool is_plain_code = word.letter == 'G' && action_of(word, dialect).has_value();
+    if (word.tool_vector || (is_plain_code && dialect.row_of(word)->tool_vectors)) return true;
+  }
   return has_action(block, dialect, Action::tool_on_plane) || has_action(block, dialect, Action::swivel);
 }
 

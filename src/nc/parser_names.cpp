@@ -217,6 +217,7 @@ void Parser::address(const NameMeaning& meaning, Span span) {
   expect_equals(span);
   const char letter = static_cast<char>(meaning.which);
   assigned_word(letter, span, axis_of(letter).has_value());
+  block_->words.back().tool_vector = meaning.tool_vector;
 }
 
 void Parser::expect_equals(Span name) {

@@ -31,6 +31,7 @@ bool shows_parameters(std::string_view comment) {
 
 bool is_plain(const Step& step, bool keeps_settings) {
   const Block& block = *step.block;
+  if (step.tool_vector) return false;
   if (!keeps_settings && !block.settings.empty()) return false;
   if (!block.left_out.empty()) return false;
   if (step.polar && step.cycle == CycleForm::none && step.motions.size() == 1) return false;
@@ -79,18 +80,19 @@ const Step* PlainSteps::plain(const Step& step, bool keeps_settings) {
   if (!is_blank(block.text.front())) own.text.erase(0, own.text.find_first_not_of(" \t"));
   own.step = step;
   if (step.cycle == CycleForm::none) own.step.polar = false;
+  own.step.tool_vector = false;
   made_.parse(own, step);
   // As many decimals as the control needs are written where the block changes, not as many as the value has.
   auto word = own.block.words.begin();
-  bool polar_seen = false;
-  const bool polar = step.cycle == CycleForm::none;
+  bool end_seen = false;
   for (const Word& before : block.words) {
-    const bool end = polar && is_polar(before);
-    if (end && polar_seen) continue;
-    polar_seen = polar_seen || end;
-    for (int i = end ? 2 : 1; i > 0; --i, ++word) {
+    const bool code = !code_without_vectors(step, before).empty();
+    const bool end = is_end_in_other_words(step, before);
+    if (end && end_seen) continue;
+    end_seen = end_seen || end;
+    for (int i = !end ? 1 : step.tool_vector ? 3 : 2; i > 0; --i, ++word) {
       PLUMBLINE_CHECK(word != own.block.words.end());
-      if (!end) word->value = before.value;  // where the text does not say it: increments, X=IC(5)
+      if (!end && !code) word->value = before.value;  // where the text does not say it: increments, X=IC(5)
       if (before.expression != kLiteral || end) word->decimals = 0;
     }
   }
@@ -127,8 +129,11 @@ void PlainSteps::write_values(const Step& step, bool keeps_settings, std::string
   }
   for (const Word& word : step.block->words) {
     if (without.find(word.letter) != std::string_view::npos) continue;
-    if (is_polar(word) && step.cycle == CycleForm::none) {
-      write_polar_end(step, end_written, word.span);
+    if (const std::string_view code = code_without_vectors(step, word); !code.empty()) {
+      std::string text(1, spelling_.lower_case ? 'g' : 'G');
+      editor_.replace(word.span, text += code);
+    } else if (is_end_in_other_words(step, word)) {
+      write_end(step, end_written, word.span);
     } else if (word.expression != kLiteral && !word.unknown) {
       editor_.replace(word.span, with_value(step.block->at(word.span), word));
     } else if (word.unknown && !keeps_settings) {
@@ -139,15 +144,34 @@ void PlainSteps::write_values(const Step& step, bool keeps_settings, std::string
   }
 }
 
-void PlainSteps::write_polar_end(const Step& step, bool& written, Span span) {
+// X and Y for @ and ^, A, B and C for the direction of the tool.
+bool PlainSteps::is_end_in_other_words(const Step& step, const Word& word) {
+  const bool vector = step.tool_vector && word.letter >= 'I' && word.letter <= 'K';
+  return vector || (is_polar(word) && step.cycle == CycleForm::none);
+}
+
+// "43.4" of G43.5, which takes A, B and C; empty for other words.
+std::string_view PlainSteps::code_without_vectors(const Step& step, const Word& word) const {
+  const CodeRow* const row = step.tool_vector && is_code(word) ? dialect_.row_of(word) : nullptr;
+  return row != nullptr ? std::string_view(row->written_as) : std::string_view{};
+}
+
+void PlainSteps::write_end(const Step& step, bool& written, Span span) {
   std::string text;
   if (!written) {
     const Motion& motion = step.motions.front();
-    for (const Axis axis : {Axis::X, Axis::Y}) {
-      const double value = motion.to[axis] - (step.after->incremental ? motion.from[axis] : 0);
+    const auto add = [&](Axis axis, double value, int decimals) {
       if (spelling_.spaced && !text.empty()) text += ' ';
-      append_word(text, letter(axis), value / step.after->unit_of(axis), kMostDecimals,
+      append_word(text, letter(axis), value, decimals,
                   {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
+    };
+    if (step.tool_vector) {
+      for (const Axis axis : {Axis::A, Axis::B, Axis::C}) add(axis, angle_.kept(motion.to[axis]), angle_.digits);
+    } else {
+      for (const Axis axis : {Axis::X, Axis::Y}) {
+        const double value = motion.to[axis] - (step.after->incremental ? motion.from[axis] : 0);
+        add(axis, value / step.after->unit_of(axis), kMostDecimals);
+      }
     }
   }
   editor_.replace(span, text);
@@ -179,6 +203,7 @@ const Step* PlainSteps::beside_flow(const Step& step, bool acts) {
   }
   own.step = step;
   own.step.flow = own.step.saves_modes = false;
+  if (acts) own.step.polar = own.step.tool_vector = false;
   own.step.entry = {};
   if (!acts) own.step.motions = {};
   made_.parse(own, step);

@@ -7,19 +7,22 @@
 #include "nc/control.hpp"
 #include "nc/emit_codes.hpp"
 #include "nc/emit_text.hpp"
+#include "nc/kept.hpp"
 #include "nc/made_steps.hpp"
 
 namespace plumbline::nc {
 
 class PlainSteps {
  public:
-  /// The dialect must outlive it.
-  explicit PlainSteps(const Dialect& dialect) : dialect_(dialect), made_(dialect) {
+  /// The dialect must outlive it. `angle`: how A, B and C are written.
+  explicit PlainSteps(const Dialect& dialect, WrittenAngle angle = {})
+      : dialect_(dialect), made_(dialect), angle_(angle) {
     spelling_.point = dialect.habits.always_point;
     spelling_.most_digits = dialect.habits.most_digits;
   }
 
-  /// The step with a block that holds values where the original has expressions, and X and Y in place of @ and ^.
+  /// The step with a block that holds values where the original has expressions, X and Y in place of @ and ^, and A, B
+  /// and C in place of the direction of the tool.
   /// Values come with nine decimals, and count as written with none. Its parameter settings go too unless
   /// `keeps_settings`; null if nothing else was in it. Holds until the next call. Refuses a value that only the machine
   /// knows (emit-value-unknown).
@@ -33,12 +36,15 @@ class PlainSteps {
   std::string with_value(std::string_view text, const Word& word) const;
   void write_values(const Step& step, bool keeps_settings, std::string_view without = {});
   void write_without_call(const Step& step, std::string& text);
-  void write_polar_end(const Step& step, bool& written, Span span);
+  static bool is_end_in_other_words(const Step& step, const Word& word);
+  std::string_view code_without_vectors(const Step& step, const Word& word) const;
+  void write_end(const Step& step, bool& written, Span span);
   void defuse_comments(const Block& block);
   Span label_of(const Block& block) const;
 
   const Dialect& dialect_;
   MadeSteps made_;
+  WrittenAngle angle_;
   BlockEditor editor_;
   Spelling spelling_;
 };

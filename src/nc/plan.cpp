@@ -248,7 +248,7 @@ const Word& first_axis_word(const Execution& run) {
     if (const Word* word = run.words.find(axis)) return *word;
   }
   if (run.words.polar()) return polar_word(run);
-  return run.block->words.front();
+  return run.vector != nullptr ? *run.vector : run.block->words.front();
 }
 
 // Codes that take the axis words, other than a motion: G10, G28, G92... and the tool length codes.
@@ -306,14 +306,14 @@ void find_motion(Execution& run) {
     }
     run.motion = takers.motion->row;
     run.motion_word = takers.motion->word;
-    if (run.dialect.habits.bare_motion_code_is_mode && run.axes.empty() && !goes_without_axes(run))
+    if (run.dialect.habits.bare_motion_code_is_mode && run.axes.empty() && !goes_without_axes(run) && !run.vector)
       run.motion = nullptr;
     return;
   }
   if (takers.other != nullptr || takers.tool_length) return;
   const CodeRow* const mode = takers.turns_off ? row_behind_cycle(run) : run.control.motion_row;
   const bool centre = is_arc(mode) && (run.words.letters() & kCentreBits) != 0;
-  if (run.axes.empty() && !centre) return;
+  if (run.axes.empty() && !centre && run.vector == nullptr) return;
   if (mode == nullptr) {
     run.refuse(first_axis_word(run), codes::kAxesUnused, "no motion code is in force for these axis words",
                "write G0, G1, G2 or G3 before them");
@@ -353,6 +353,7 @@ void check_words_used(const Execution& run) {
   if (run.dialect.habits.offset_numbers_last) taken |= numbers_without_offset(run);
   if (run.motion != nullptr && run.machine_word == nullptr) taken |= letter_bit('@') | letter_bit('^');
   if (run.motion != nullptr) taken |= run.motion->word_mask;
+  if (run.vector != nullptr) taken |= kCentreBits;
   for (const Chosen& chosen : run.chosen) taken |= chosen.row->word_mask;
   const std::uint32_t left = run.words.letters() & ~taken;
   if (left == 0) return;
@@ -381,7 +382,9 @@ void plan(Execution& run) {
   }
   check_beside_dwell(run);
   check_alone(run);
+  find_tool_vector(run);
   find_motion(run);
+  check_tool_vector(run);
   check_words_used(run);
   if (const Word* spindle = run.words.find('$')) check_spindle(run, *spindle);
   check_contexts(run);

@@ -91,6 +91,7 @@ struct Step {
   bool nurbs_point = false;          // G5.2: its curve is moved along at the G5.3 behind it
   bool ends_nurbs = false;
   std::optional<Orienting> orienting = {};  // it turns the tool along a direction (G53.1)
+  bool tool_vector = false;                 // words of it give the direction of the tool, or its code says they do
   bool polar = false;                       // its end is given by @ and ^
   bool jumped = false;            // something jumped or repeated before: steps are not in the order of the text
   bool skipped = false;           // block delete is on for it: nothing of it was executed

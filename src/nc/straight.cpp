@@ -68,10 +68,12 @@ void move_straight(Execution& run) {
     need_offsets(run);
     motion.to = end_of_move(run);
     motion.known_after = known_after_move(run);
+    if (run.vector != nullptr) end_along_vector(run, motion);
   }
   if (motion.kind == MotionKind::feed) {
     const bool linear = moves_linearly(motion, control.position) || !moves_rotary(motion, control.position);
     motion.feed = feed_of_move(run, linear);
+    if (run.vector != nullptr) check_way_of_vector(run, motion);
   }
   add_motion(run, motion);
   if (run.machine_word != nullptr && control.frame.tilted) lose_position(run, AxisSet::linear());

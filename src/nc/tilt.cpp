@@ -69,6 +69,13 @@ AxisWords turned(const Turn& turn, AxisWords words) {
 
 AxisWords turned_back(const Turn& turn, AxisWords words) { return turned(transposed(turn), words); }
 
+ToolDirection direction_of(const RotationOrder& order, const AxisWords& words) {
+  ToolDirection v{0, 0, 1};
+  for (std::size_t i = order.size(); i-- > 0;)
+    v = times(about(order[i], words[kAllAxes[3 + static_cast<std::size_t>(order[i])]]), v);
+  return v;
+}
+
 // The tool is R e_z. Rz(C) on the right of Rx(A) and Ry(B) leaves e_z alone; on their left it is taken off the
 // direction; between them it stands with a fixed angle c: with X outside, n = Rx(A) v with
 // v = Rz(c) Ry(B) e_z = (cos c sin B, sin c sin B, cos B), so that n_x gives B, and the angle between (v_y, v_z) and

@@ -32,6 +32,9 @@ enum class FreeRotation : std::uint8_t { unknown, c_stays, c_zero };
 /// and B below 90 deg do that.
 std::optional<AxisWords> orientation_along(const ToolDirection& along, const RotationOrder& order, double c_deg);
 
+/// Where the tool points, from its tip to the spindle, at A, B and C (deg).
+ToolDirection direction_of(const RotationOrder& order, const AxisWords& words);
+
 /// What turned the tool into a direction: enough to know where A and B went, had C stood elsewhere.
 struct Orienting {
   ToolDirection along{};

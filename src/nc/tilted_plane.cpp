@@ -40,20 +40,19 @@ void lose_linear_axes(Execution& run) {
 
 RotationOrder order_of(const Execution& run) { return run.settings.rotation_order; }
 
-FreeRotation free_rotation(const Execution& run, const Word& code) {
+}  // namespace
+
+FreeRotation free_rotation(const Execution& run, const Word& word, std::string_view code) {
   const FreeRotation free = run.settings.free_rotation;
   if (free != FreeRotation::unknown) return free;
   if (run.settings.as_with_empty_tables) return FreeRotation::c_stays;
-  refuse_beside_plane(
-      run, code,
-      fmt::format(
-          "{} turns the tool into a direction, which leaves the rotation about the tool open: what this control "
-          "does with C then, the program does not say",
-          run.block->at(code.span)),
-      "say it, if you know it of this control: --free-rotation c-stays or c-zero; or program A, B and C");
+  run.refuse(word, code,
+             fmt::format(
+                 "{} turns the tool into a direction, which leaves the rotation about the tool open: what this control "
+                 "does with C then, the program does not say",
+                 run.block->at(word.span)),
+             "say it, if you know it of this control: --free-rotation c-stays or c-zero; or program A, B and C");
 }
-
-}  // namespace
 
 void begin_tilted_plane(Execution& run, const Word& code, const AxisWords& origin, const Turn& plane) {
   check_bare_frame(run, code);
@@ -101,7 +100,7 @@ void define_tilted_plane(Execution& run, const Chosen& chosen) {
 void turn_tool_on_plane(Execution& run, const Word& code) {
   Control& control = run.control;
   const Turn& plane = control.frame.plane;
-  Orienting orienting{{plane[2], plane[5], plane[8]}, order_of(run), free_rotation(run, code), 0};
+  Orienting orienting{{plane[2], plane[5], plane[8]}, order_of(run), free_rotation(run, code, codes::kTiltedPlane), 0};
   const AxisWords& zero = control.frame.origin;
   if (orienting.free == FreeRotation::c_stays) {
     if (!control.known.contains(Axis::C)) {
@@ -166,8 +165,9 @@ void check_no_rotary_words(const Execution& run) {
   if (!run.control.frame.tilted && run.chosen_row(Action::tilted_plane) == nullptr) return;
   for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
     if (!run.axes.contains(axis)) continue;
+    const Word* const word = run.words.find(axis);
     refuse_beside_plane(
-        run, *run.words.find(axis),
+        run, word != nullptr ? *word : *run.vector,
         fmt::format("{} in a tilted plane: what a rotary word means there was found in no source", letter(axis)),
         "turn the axes before the plane begins, or end it");
   }

@@ -98,6 +98,8 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
   control.modal.tool_of_offset = -1;
   const bool has_rule = chosen.row->feed_rule != FeedRule::unknown;
   if (has_rule) check_no_plane(run, *chosen.word);
+  control.tool_vectors = chosen.row->tool_vectors;
+  if (control.tool_vectors) run.step.tool_vector = true;
   control.feed_rule = run.settings.feed_rule.value_or(has_rule ? chosen.row->feed_rule : run.dialect.feed_rule);
   switch (chosen.row->action) {
     case Action::tool_tip_on:

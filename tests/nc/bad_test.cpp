@@ -25,6 +25,7 @@ struct Expected {
   std::size_t line = 0;
   std::size_t column = 0;
   std::string dialect = "linuxcnc";
+  FreeRotation free_rotation = FreeRotation::unknown;
 };
 
 Expected read_expected(const fs::path& path) {
@@ -35,6 +36,9 @@ Expected read_expected(const fs::path& path) {
   REQUIRE(std::regex_search(first, match, std::regex(R"(expect: (\S+) (\d+) (\d+))")));
   Expected expected{match[1], std::stoul(match[2]), std::stoul(match[3])};
   if (std::regex_search(first, match, std::regex(R"(dialect: (\w+))"))) expected.dialect = match[1];
+  if (std::regex_search(first, match, std::regex(R"(free-rotation: c-(\w+))"))) {
+    expected.free_rotation = match[1] == "zero" ? FreeRotation::c_zero : FreeRotation::c_stays;
+  }
   return expected;
 }
 
@@ -63,7 +67,9 @@ TEST_CASE("programs that make no sense are refused where they stop making sense"
     try {
       const InputFile file(entry.path().string());
       const Dialect& known = expected.dialect == "recognise" ? *recognise(file).dialect : dialect(expected.dialect);
-      Program program(file, known, at_zero());
+      ProgramSettings settings = at_zero();
+      settings.free_rotation = expected.free_rotation;
+      Program program(file, known, settings);
       while (program.next() != nullptr) continue;
     } catch (const Refusal& refusal) {
       diagnostic = refusal.diagnostic();

@@ -49,6 +49,9 @@ void read_setting(Trace& trace, std::istringstream& words, const Dialect& dialec
   words >> name >> value;
   if (name == "calculator-type") trace.settings.calculator_type = value == "on";
   if (name == "input-increment") trace.settings.input_increment = number_of(value);
+  if (name == "free-rotation") {
+    trace.settings.free_rotation = value == "c-zero" ? FreeRotation::c_zero : FreeRotation::c_stays;
+  }
   if (name == "block-delete") trace.settings.block_delete = value == "on";
   if (name != "work-offset") return;
   const std::size_t equals = value.find('=');

@@ -1,0 +1,5 @@
+(expect: nc-tool-vector 4 8 dialect: fanuc free-rotation: c-zero)
+G90 G54 G0 X0. Y0. Z50. A0. B0. C0.
+G43.5 H0
+G2 X5. I5. J0. F100.
+M30

@@ -1,2 +1,0 @@
-(expect: nc-not-interpreted 2 1 dialect: fanuc)
-G43.5 H1
