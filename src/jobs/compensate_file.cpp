@@ -51,6 +51,7 @@ compensate::Summary compensate_file(const std::string& program, const std::strin
   const std::vector<nc::Tool> tools = used_tools(source, settings.tools, settings.tool_in_spindle);
   emit.stamp = stamp(options, settings, model, tools, dialect);
   if (options.guard) {
+    refuse_guard_before_definitions(source, dialect);
     emit.guard = guard_block(settings, tools, AxisSet::rotary() - nc::named_axes(source, dialect), dialect);
   }
   compensate::Settings compensation = options.compensation;

@@ -7,8 +7,11 @@
 #include "base/diagnostic.hpp"
 #include "base/number_text.hpp"
 #include "base/units.hpp"
+#include "jobs/guards.hpp"
 #include "jobs/options.hpp"
 #include "nc/guard_lines.hpp"
+#include "nc/line_head.hpp"
+#include "nc/line_source.hpp"
 #include "nc/parameters.hpp"
 
 namespace plumbline::jobs {
@@ -16,17 +19,13 @@ namespace {
 
 constexpr int kActiveSystem = 5220;
 constexpr int kFirstRotation = 5230;
-constexpr std::string_view kTolerance = "0.001";  // mm and deg
 
 // LinuxCNC. Parameters #5221... are in the machine's unit, which a program cannot ask for; so an origin is found as the
 // difference of machine position (#<_abs_x>) and work position (#<_x>), both in the program's unit. #<plumbline_u> is
 // one millimetre in that unit.
 class LinuxCncGuard {
  public:
-  LinuxCncGuard() {
-    lines_.emplace_back(nc::kGuardBegins);
-    lines_.emplace_back("#<plumbline_u>=[#<_metric>+#<_imperial>/25.4]");
-  }
+  LinuxCncGuard() { lines_.emplace_back("#<plumbline_u>=[#<_metric>+#<_imperial>/25.4]"); }
 
   void check_start() {
     stop_if("start",
@@ -65,16 +64,13 @@ class LinuxCncGuard {
   }
 
   void add_line(std::string line) { lines_.push_back(std::move(line)); }
-  std::vector<std::string> take() {
-    lines_.emplace_back(nc::kGuardEnds);
-    return std::move(lines_);
-  }
+  std::vector<std::string> take() { return std::move(lines_); }
 
  private:
   // wanted is in mm or deg
   static std::string differs(const std::string& expression, double wanted, bool is_length) {
     const std::string_view unit = is_length ? "*#<plumbline_u>" : "";
-    return fmt::format("[ABS[{}-[{}]{}] GT {}{}]", expression, to_decimal(wanted), unit, kTolerance, unit);
+    return fmt::format("[ABS[{}-[{}]{}] GT {}{}]", expression, to_decimal(wanted), unit, kGuardTolerance, unit);
   }
 
   // p_machine = R(rotation) p_work + origin, of X and Y; the tool offset and G92 are off
@@ -109,14 +105,8 @@ void refuse_g92(const nc::ProgramSettings& program) {
          "clear it (G92.1) and put it into the work offset, or leave --guard out");
 }
 
-}  // namespace
-
-std::vector<std::string> guard_block(const nc::ProgramSettings& program, std::span<const nc::Tool> tools,
-                                     AxisSet assumed, const nc::Dialect& dialect) {
-  if (dialect.name != "linuxcnc") {
-    refuse("guard-dialect", fmt::format("the language of {} cannot compare offsets and stop", dialect.name),
-           "leave --guard out; the offsets stand in the comments at the start of the output");
-  }
+std::vector<std::string> linuxcnc_guard(const nc::ProgramSettings& program, std::span<const nc::Tool> tools,
+                                        AxisSet assumed) {
   refuse_g92(program);
   LinuxCncGuard guard;
   guard.check_start();
@@ -129,6 +119,44 @@ std::vector<std::string> guard_block(const nc::ProgramSettings& program, std::sp
   guard.add_line("G54");
   for (const nc::Tool& tool : tools) guard.check_tool(tool);
   return guard.take();
+}
+
+}  // namespace
+
+std::vector<std::string> guard_block(const nc::ProgramSettings& program, std::span<const nc::Tool> tools,
+                                     AxisSet assumed, const nc::Dialect& dialect) {
+  std::vector<std::string> lines;
+  if (dialect.name == "linuxcnc") {
+    lines = linuxcnc_guard(program, tools, assumed);
+  } else if (dialect.name == "fanuc") {
+    lines = fanuc_guard(program, assumed, dialect);
+  } else if (dialect.name == "siemens") {
+    lines = siemens_guard(program, assumed, dialect);
+  } else {
+    refuse("guard-dialect", fmt::format("which variables of {} hold its offsets was found in no source", dialect.name),
+           "leave --guard out; the offsets stand in the comments at the start of the output");
+  }
+  lines.insert(lines.begin(), nc::guard_line(nc::kGuardBegins, dialect));
+  lines.push_back(nc::guard_line(nc::kGuardEnds, dialect));
+  return lines;
+}
+
+void refuse_guard_before_definitions(const InputFile& source, const nc::Dialect& dialect) {
+  if (dialect.syntax.statements != nc::Statements::high_level) return;
+  nc::LineSource lines(source);
+  nc::Line line;
+  while (lines.next(line)) {
+    const nc::FlowWord word = nc::head_of(line.text, dialect).word;
+    if (word != nc::FlowWord::define && word != nc::FlowWord::sub) continue;
+    Place place;
+    place.file = source.name();
+    place.line = line.place.line;
+    place.column = 1;
+    place.text = line.text;
+    place.length = line.text.size();
+    refuse("guard-definitions", "definitions stand before all else of a program, and the guard would stand before them",
+           "use R parameters in place of DEF, or leave --guard out", std::move(place));
+  }
 }
 
 }  // namespace plumbline::jobs

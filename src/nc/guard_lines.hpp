@@ -2,20 +2,21 @@
 // stop it, they leave it as they found it; so who reads the program passes over them.
 #pragma once
 
+#include <string>
 #include <string_view>
+
+#include "nc/dialect.hpp"
 
 namespace plumbline::nc {
 
-inline constexpr std::string_view kGuardBegins = "(guard: the control must be set as this program was made for)";
-inline constexpr std::string_view kGuardEnds = "(guard: passed)";
+inline constexpr std::string_view kGuardBegins = "guard: the control must be set as this program was made for";
+inline constexpr std::string_view kGuardEnds = "guard: passed";
 
-/// True of the lines that a guard is made of, between these two.
-constexpr bool is_guard_line(std::string_view line) {
-  for (const std::string_view begin : {"#<plumbline_", "o<plumbline_", "(MSG, plumbline guard: ", "G43 H"}) {
-    if (line.starts_with(begin)) return true;
-  }
-  const bool system = line.starts_with("G5") && line.size() <= 5 && line.find(' ') == std::string_view::npos;
-  return line == "M2" || line == "G49" || (system && line >= "G54");
-}
+/// These two as comments of the dialect: the lines that a guard stands between.
+std::string guard_line(std::string_view text, const Dialect& dialect);
+bool is_guard_line(std::string_view line, std::string_view text, const Dialect& dialect);
+
+/// True of the lines that a guard of the dialect is made of, between these two.
+bool is_part_of_guard(std::string_view line, const Dialect& dialect);
 
 }  // namespace plumbline::nc

@@ -109,7 +109,7 @@ const Step* Program::Parts::next() {
     }
     place_block(block, line, flow.file());
     if (behind_end) return ignore();
-    if (in_guard || (block.text == kGuardBegins && !flow.skipping())) return pass_guard();
+    if (in_guard || (is_guard_line(block.text, kGuardBegins, dialect) && !flow.skipping())) return pass_guard();
     if (flow.skipping() && in_percents && ends_text(line.text)) flow.end_of_text();
     if (flow.skipping() && !begins_with_flow(line.text)) continue;
     check_length(block, line, dialect);
@@ -203,10 +203,11 @@ const Step* Program::Parts::pass_guard() {
   guard_line.column = 1;
   guard_line.length = block.text.size();
   guard_line.text = block.text;
-  if (in_guard && block.text != kGuardEnds && !is_guard_line(block.text)) {
+  const bool ends = is_guard_line(block.text, kGuardEnds, dialect);
+  if (in_guard && !ends && !is_part_of_guard(block.text, dialect)) {
     refuse_guard("this line is none of a guard, and stands in one");
   }
-  in_guard = block.text != kGuardEnds;
+  in_guard = !ends;
   return ignore();
 }
 

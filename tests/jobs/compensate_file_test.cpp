@@ -84,6 +84,43 @@ TEST_CASE("a guard stands behind the stamp") {
   CHECK(guard < text.find("G0 X"));
 }
 
+TEST_CASE("guards of other controls are passed over by who reads the output, and refused where they were changed") {
+  const std::string fanuc = "O0001 (PART)\nG21 G90 G54\nG0 X0. Y0. Z0. A0. B0. C0.\nG1 X50. A10. F1000.\nM30\n";
+  const std::string siemens = "; part\nG54 G90 G710\nG0 X0 Y0 Z0 A0 B0 C0\nG1 X50 A10 F1000\nM30\n";
+  for (const auto& [name, program] : {std::pair{"fanuc", fanuc}, {"siemens", siemens}}) {
+    INFO(name);
+    const testing::Scratch scratch;
+    jobs::Options how = options();
+    how.dialect = name;
+    how.guard = how.undo = true;
+    how.feed_rule = nc::FeedRule::xyz_first;
+    const compensate::Summary s = jobs::compensate_file(scratch.file("a.nc", program), scratch.path("b.nc"), how);
+    const std::string text = scratch.text("b.nc");
+    REQUIRE(s.read_back);
+    CHECK(s.read_back->guard_lines > 8);
+    const nc::Dialect& dialect = nc::dialect(name);
+    const auto moves = [&](const std::string& path) {
+      const InputFile file(path);
+      nc::ProgramSettings settings;
+      settings.work_offsets = how.work_offsets;
+      nc::Program output(file, dialect, settings);
+      int count = 0;
+      while (const nc::Step* step = output.next()) count += static_cast<int>(step->motions.size());
+      return count;
+    };
+    CHECK(moves(scratch.path("b.nc")) > 40);
+    const std::size_t end = text.find("guard: passed");
+    REQUIRE(end != std::string::npos);
+    const std::size_t line = text.rfind('\n', end) + 1;
+    const std::string changed = text.substr(0, line) + "G1 X5\n" + text.substr(line);
+    CHECK(testing::refusal_of([&] { moves(scratch.file("c.nc", changed)); }).code == "nc-guard");
+    OutputFile back(scratch.path("back.nc"));
+    nc::restore(InputFile(scratch.path("b.nc")), InputFile(scratch.path("b.nc.undo")), back);
+    back.commit();
+    CHECK(scratch.text("back.nc") == program);
+  }
+}
+
 TEST_CASE("a summary has every figure, in words and as JSON") {
   const testing::Scratch scratch;
   const jobs::Options how = options();
