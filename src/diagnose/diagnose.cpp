@@ -265,8 +265,8 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
   }
   if (diagnosis.verdict != Verdict::unknown) {
     const identify::Held held = held_values(bench, forces, picks_of(model), model.fit, options.hold);
-    tell(fmt::format("the tip as a whole would move by {:.1f} um, +- {:.1f}: held along {} of 3 axes, {:.1f} um",
-                     held.shift / kUm, held.shift_doubt / kUm, held.axes, held.back / kUm));
+    tell(fmt::format("the tip as a whole would move by {:.1f} um, +- {:.1f}: {:.1f} um of it held back",
+                     held.shift / kUm, held.shift_doubt / kUm, held.back / kUm));
     diagnosis.forces = shelf.unknowns.at(held.values);
     leaves.after = residuals(machine, runs, diagnosis.forces, model.noise);
   }

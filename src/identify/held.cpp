@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
 #include "identify/geometry.hpp"
@@ -25,7 +26,7 @@ Eigen::MatrixXd given_the_rest(const Eigen::MatrixXd& V, const std::vector<Eigen
 TipGain gain(const Eigen::VectorXd& found, const Eigen::MatrixXd& spread, const Eigen::VectorXd& change) {
   const double deviation = 2 * (spread.transpose() * change).norm();
   const double mean = 2 * change.dot(found) - change.squaredNorm();
-  return {change.norm(), spread.norm(), deviation > 0 ? mean / deviation : 0};
+  return {change.norm(), spread.norm(), deviation > 0 ? mean / deviation : 0, 0};
 }
 
 // The mean over all places, of a field that is divided by the root of how many they are.
@@ -36,18 +37,29 @@ Eigen::MatrixXd mean_of(const Eigen::MatrixXd& field) {
   return sum / std::sqrt(static_cast<double>(places));
 }
 
-// The axes along which a shift of that covariance is not surely on the side that it seems to be on, as columns.
-Eigen::MatrixXd unsure_axes(const Eigen::Vector3d& shifted, const Eigen::Matrix3d& S, const HoldOptions& options) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> parts(S);
-  Eigen::MatrixXd axes(3, 0);
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    const double deviation = std::sqrt(std::max(parts.eigenvalues()[i], 0.0));
-    if (std::abs(parts.eigenvectors().col(i).dot(shifted)) >= 2 * options.sure_sigmas * deviation) continue;
-    axes.conservativeResize(Eigen::NoChange, axes.cols() + 1);
-    axes.rightCols(1) = parts.eigenvectors().col(i);
+// Parts that are set up about the poses, each as likely as any other. `root`: of the unknowns.
+class Parts {
+ public:
+  Parts(const TipField& field, const Eigen::MatrixXd& root, bool zeros_touched_off = false) : parts_(parts_of(field)) {
+    for (TipField& part : parts_) {
+      if (zeros_touched_off) part = touched_off(std::move(part));
+      spread_.push_back(part.slopes * root);
+    }
   }
-  return axes;
-}
+
+  double chance_of_worse(const Eigen::VectorXd& back, double d) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const TipField& part = parts_[i];
+      sum += identify::chance_of_worse(part.moved, spread_[i], part.moved - part.slopes * back, d);
+    }
+    return sum / static_cast<double>(parts_.size());
+  }
+
+ private:
+  std::vector<TipField> parts_;
+  std::vector<Eigen::MatrixXd> spread_;
+};
 
 // The change b of unknowns with covariance C that makes |G b - s|^2 / t^2 + |F b|^2 / t^2 + b^T C^-1 b least: it undoes
 // a shift s and leaves differences between places, F b, within t:
@@ -64,7 +76,33 @@ Eigen::VectorXd taken_back(const Eigen::VectorXd& s, const Eigen::MatrixXd& G, c
   return Q * G.transpose() * reached.ldlt().solve(s);
 }
 
+// The change of unknowns (SI) that takes the shift of a field back.
+Eigen::VectorXd way_back(const TipField& field, const Unknowns& unknowns, const Eigen::MatrixXd& V,
+                         const HoldOptions& options) {
+  const Eigen::VectorXd scales = unknowns.scales();
+  std::vector<Eigen::Index> taking;
+  std::vector<Eigen::Index> rest;
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    (of_geometry(unknowns[i]) && !unknowns[i].free() ? taking : rest).push_back(static_cast<Eigen::Index>(i));
+  }
+  Eigen::VectorXd back = Eigen::VectorXd::Zero(scales.size());
+  if (taking.empty()) return back;
+  const Eigen::MatrixXd slopes = field.slopes * scales.asDiagonal();
+  const Eigen::MatrixXd apart = touched_off(field).slopes * scales.asDiagonal();
+  back(taking) = taken_back(mean_of(field.moved), mean_of(slopes)(Eigen::all, taking), apart(Eigen::all, taking),
+                            given_the_rest(V, taking, rest), options);
+  return back.cwiseProduct(scales);
+}
+
 }  // namespace
+
+double chance_of_worse(const Eigen::VectorXd& m, const Eigen::MatrixXd& R, const Eigen::VectorXd& f, double d) {
+  const double mean = 2 * f.dot(m) - f.squaredNorm();
+  const double spared = 2 * d * std::sqrt(m.squaredNorm() + R.squaredNorm()) + d * d;
+  const double deviation = 2 * (R.transpose() * f).norm();
+  if (deviation == 0) return mean + spared < 0 ? 1 : 0;
+  return 0.5 * std::erfc((mean + spared) / deviation / std::numbers::sqrt2);
+}
 
 Held hold_unsure(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
                  const physics::ForceModel& given, const Unknowns& unknowns, const Eigen::VectorXd& values,
@@ -74,32 +112,31 @@ Held hold_unsure(const machine::RotationOrder& order, const std::vector<measure:
   if (field.places() == 0) return held;
   const Eigen::VectorXd scales = unknowns.scales();
   const Eigen::MatrixXd V = scales.cwiseInverse().asDiagonal() * covariance * scales.cwiseInverse().asDiagonal();
-  const Eigen::MatrixXd slopes = field.slopes * scales.asDiagonal();
+  const Eigen::MatrixXd root = scales.asDiagonal() * root_of(V);
+  const Parts parts(field, root);
+  const Eigen::VectorXd all_back = way_back(field, unknowns, V, options);
+  double chance = parts.chance_of_worse(0 * all_back, options.matters);
+  for (int step = 1; step <= options.steps && chance > options.may_be_worse; ++step) {
+    const double share = static_cast<double>(step) / options.steps;
+    const double other = parts.chance_of_worse(share * all_back, options.matters);
+    if (other >= chance) continue;
+    chance = other;
+    held.share = share;
+  }
+  const Eigen::VectorXd back = held.share * all_back;
+  for (std::size_t k = 0; k < unknowns.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    if (back[i] != 0) held.values[i] = std::clamp(values[i] - back[i], unknowns[k].lower, unknowns[k].upper);
+  }
+  const Eigen::MatrixXd shift = mean_of(field.slopes);
+  held.shift = mean_of(field.moved).norm();
+  held.shift_doubt = (shift * root).norm();
+  held.back = (shift * back).norm();
   const TipField part = touched_off(field);
-  const Eigen::MatrixXd part_slopes = part.slopes * scales.asDiagonal();
-  const Eigen::MatrixXd shift = mean_of(slopes);
-  const Eigen::Vector3d shifted = mean_of(field.moved);
-  const Eigen::MatrixXd axes = unsure_axes(shifted, shift * V * shift.transpose(), options);
-
-  std::vector<Eigen::Index> taking;
-  std::vector<Eigen::Index> rest;
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    (of_geometry(unknowns[i]) && !unknowns[i].free() ? taking : rest).push_back(static_cast<Eigen::Index>(i));
-  }
-  const Eigen::VectorXd back = taken_back(axes.transpose() * shifted, axes.transpose() * shift(Eigen::all, taking),
-                                          part_slopes(Eigen::all, taking), given_the_rest(V, taking, rest), options);
-  for (std::size_t k = 0; k < taking.size(); ++k) {
-    const Eigen::Index i = taking[k];
-    const Unknown& u = unknowns[static_cast<std::size_t>(i)];
-    held.values[i] = std::clamp(values[i] - back[static_cast<Eigen::Index>(k)] * scales[i], u.lower, u.upper);
-  }
-  held.axes = static_cast<int>(axes.cols());
-  held.shift = shifted.norm();
-  held.shift_doubt = std::sqrt((shift * V * shift.transpose()).trace());
-  held.back = (shift(Eigen::all, taking) * back).norm();
-  const Eigen::MatrixXd spread = root_of(V);
-  held.whole = gain(field.moved, slopes * spread, field.moved - slopes(Eigen::all, taking) * back);
-  held.off_the_part = gain(part.moved, part_slopes * spread, part.moved - part_slopes(Eigen::all, taking) * back);
+  held.whole = gain(field.moved, field.slopes * root, field.moved - field.slopes * back);
+  held.off_the_part = gain(part.moved, part.slopes * root, part.moved - part.slopes * back);
+  held.whole.chance = chance;
+  held.off_the_part.chance = Parts(field, root, true).chance_of_worse(back, options.matters);
   return held;
 }
 

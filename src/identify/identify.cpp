@@ -35,12 +35,16 @@ std::vector<measure::Run> only(const std::vector<measure::Run>& runs, Readings w
              : "the paper's second stage needs radial_um; without it use --stages joint");
 }
 
+constexpr const char* kYetForetold =
+    ". Something is missing in the model: run plumbline diagnose. Circles that a fit to the others did not see are "
+    "foretold all the same, so that these numbers are better than those before, if not the machine's";
+
 std::string held_text(const Held& held) {
   return fmt::format(
-      "circles do not show where the tip stands as a whole: it stays where the model as given has it along {} of 3 "
-      "axes "
-      "({:.1f} um); what is between places is as found, and a zero that is touched off takes the rest",
-      held.axes, held.back / kUm);
+      "circles do not show where the tip stands as a whole: {:.0f} % of its shift stay out ({:.1f} um), as the model "
+      "as "
+      "given might be nearer; what is between places is as found, and a zero that is touched off takes the rest",
+      100 * held.share, held.back / kUm);
 }
 
 Stage run_stage(std::string name, const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
@@ -56,16 +60,19 @@ Stage run_stage(std::string name, const machine::MachineModel& machine, const st
   believed.joints_seen = tracked != nullptr;
   Plausibility plausible = plausibility(machine.rotation, tracked == nullptr ? runs : std::vector<measure::Run>{},
                                         found, options.fit, believed);
-  std::string against = objection(found, plausible, believed);
   std::optional<Held> held;
   if (tracked == nullptr && options.stages != Stages::paper) {
     held = hold_unsure(machine.rotation, runs, unknowns.forces(), unknowns, found.values, doubt_of(found, plausible),
                        options.hold);
     found.values = held->values;
-    if (held->axes > 0) known.statements.push_back(held_text(*held));
+    if (held->share > 0) known.statements.push_back(held_text(*held));
   }
-  return {std::move(name),  std::move(found),     std::move(held),
-          std::move(known), std::move(plausible), std::move(against)};
+  const bool sound = held && borne_out(plausible, std::max(held->whole.chance, held->off_the_part.chance), believed);
+  std::string against = objection(found, plausible, sound, believed);
+  if (const std::string all = all_strained(plausible, believed); sound && against.empty() && !all.empty())
+    known.statements.push_back(all + kYetForetold);
+  return {std::move(name), std::move(found),  std::move(held), std::move(known), std::move(plausible),
+          sound,           std::move(against)};
 }
 
 Misfit misfit_of(const machine::MachineModel& machine, const std::vector<measure::Run>& runs, const Tracked* tracked,
@@ -109,6 +116,10 @@ std::string Identification::objection() const {
     if (!stage.objection.empty()) return stage.objection;
   }
   return {};
+}
+
+bool Identification::borne_out() const {
+  return std::all_of(stages.begin(), stages.end(), [](const Stage& stage) { return stage.borne_out; });
 }
 
 Unknowns torque_unknowns(const physics::ForceModel& forces) {

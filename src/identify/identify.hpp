@@ -51,7 +51,8 @@ struct Stage {
   std::optional<Held> held;  // nothing: there were no circles, or no priors that could have taken anything back
   Observability observability;
   Plausibility plausible;
-  std::string objection;  // why it is not to be believed; empty: nothing speaks against it
+  bool borne_out = false;  // by circles that a fit to the others did not see, and at the tip
+  std::string objection;   // why it is not to be believed; empty: nothing speaks against it
 };
 
 struct Identification {
@@ -63,6 +64,8 @@ struct Identification {
   bool converged() const;
   /// The first objection of a stage; empty: none.
   std::string objection() const;
+  /// Whether all stages are borne out.
+  bool borne_out() const;
 };
 
 /// `tracked`: poses that a tracker measured, for all stages but the paper's; `runs` may then be empty.

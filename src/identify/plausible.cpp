@@ -186,14 +186,21 @@ Plausibility plausibility(const machine::RotationOrder& order, const std::vector
   return found;
 }
 
-std::string objection(const Fit& fit, const Plausibility& plausible, const PlausibleOptions& options) {
+bool borne_out(const Plausibility& plausible, double chance, const PlausibleOptions& options) {
+  return plausible.radial.foretold() > options.foretold && chance <= options.may_be_worse;
+}
+
+std::string all_strained(const Plausibility& plausible, const PlausibleOptions& options) {
+  if (plausible.all_sigmas <= options.most_sigmas_all) return {};
+  return fmt::format(
+      "all that [uncertainty] lists would be further off together than it says: chi-square is {:.0f} where {:.0f} is "
+      "expected, as in less than one of a thousand machines",
+      plausible.chi2, plausible.degrees);
+}
+
+std::string objection(const Fit& fit, const Plausibility& plausible, bool borne_out, const PlausibleOptions& options) {
   if (!plausible.strained.empty()) return strain_text(fit, plausible.strained);
-  if (plausible.all_sigmas > options.most_sigmas_all) {
-    return fmt::format(
-        "all that [uncertainty] lists would be further off together than it says: chi-square is {:.0f} where {:.0f} is "
-        "expected, as in less than one of a thousand machines",
-        plausible.chi2, plausible.degrees);
-  }
+  if (std::string all = all_strained(plausible, options); !borne_out && !all.empty()) return all;
   const auto worse = [](const Predicted& of, double unit, std::string_view what, std::string_view unit_name) {
     return fmt::format(
         "a fit to the other circles leaves {:.3g} {} of {} on those that it did not see, and the model as given {:.3g}",

@@ -18,7 +18,10 @@ struct PlausibleOptions {
   double least_radial = 2e-8;   // m; less than that is rounding
   double least_torque = 1e-3;   // N m
   std::size_t least_poses = 3;  // with fewer no pose can be spared
-  bool joints_seen = false;     // a tracker measured where the joints are: that they are far off is what it is for
+  // a fit is borne out, though priors together are not, where
+  double foretold = 0.5;      // more than so much of what the bar says beside the base model is foretold
+  double may_be_worse = 0.1;  // and no more than that is the chance that the tip comes out further off
+  bool joints_seen = false;   // a tracker measured where the joints are: that they are far off is what it is for
 };
 
 /// An unknown with a prior, and how many of its sigmas the fit moved it.
@@ -33,6 +36,8 @@ struct Predicted {
   double doubt = 0;              // rms by which `after` is off as a fit to the other poses does not know its unknowns
   Eigen::Index readings = 0;
 
+  /// How much of the mean square that the start leaves is explained on poses left out.
+  double foretold() const { return readings > 0 && before > 0 ? 1 - after * after / (before * before) : 0; }
   bool worse(const PlausibleOptions& than, double least) const {
     return readings > 0 && after > std::hypot(than.worse_times * before + least, than.expected_times * doubt);
   }
@@ -59,7 +64,17 @@ Plausibility plausibility(const machine::RotationOrder& order, const std::vector
 /// The same number for runs at one pose (centre and tilt), from 0 in the order in which poses come first.
 std::vector<int> poses_of(const std::vector<measure::Run>& runs);
 
-/// Why a fit is not to be believed, in words; empty: nothing speaks against it.
-std::string objection(const Fit& fit, const Plausibility& plausible, const PlausibleOptions& options = {});
+/// Whether circles that a fit did not see are foretold by it better than not, and the tip is hardly further off with
+/// it: `chance`, the larger of those where it stands and with its zero touched off. It then stands for what the model
+/// lacks, though it says it in other words.
+bool borne_out(const Plausibility& plausible, double chance, const PlausibleOptions& options = {});
+
+/// Why a fit is not to be believed, in words; empty: nothing speaks against it. Of one that is borne out, that priors
+/// together are refuted does not.
+std::string objection(const Fit& fit, const Plausibility& plausible, bool borne_out,
+                      const PlausibleOptions& options = {});
+
+/// That all priors together are further off than they should be; empty: they are not.
+std::string all_strained(const Plausibility& plausible, const PlausibleOptions& options = {});
 
 }  // namespace plumbline::identify

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "identify/plausible.hpp"
@@ -30,8 +31,9 @@ std::vector<std::size_t> one_of_each(const std::vector<measure::Run>& runs) {
   return some;
 }
 
-std::vector<physics::Motion<double>> motions_over(const machine::RotationOrder& order,
-                                                  const std::vector<measure::Run>& runs) {
+// As many about each pose.
+std::vector<std::vector<physics::Motion<double>>> motions_over(const machine::RotationOrder& order,
+                                                               const std::vector<measure::Run>& runs) {
   const std::vector<std::size_t> first = one_of_each(runs);
   const std::size_t tilts = std::min(kTilts, first.size());
   Vector3<double> middle = Vector3<double>::Zero();
@@ -40,7 +42,7 @@ std::vector<physics::Motion<double>> motions_over(const machine::RotationOrder& 
     middle += runs[i].centre_W / static_cast<double>(first.size());
     middle_tilt += runs[i].tilt / static_cast<double>(first.size());
   }
-  std::vector<physics::Motion<double>> motions;
+  std::vector<std::vector<physics::Motion<double>>> motions(first.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     measure::Run run = runs[first[i]];
     run.centre_W = middle + kMiddle * (run.centre_W - middle);
@@ -54,7 +56,7 @@ std::vector<physics::Motion<double>> motions_over(const machine::RotationOrder& 
       run.tilt =
           middle_tilt + kMiddle * (runs[first[(i + t * first.size() / tilts) % first.size()]].tilt - middle_tilt);
       run.direction = t % 2 == 0 ? measure::Direction::ccw : measure::Direction::cw;
-      for (std::size_t a = 0; a < kAngles; ++a) motions.push_back(measure::circular_motion(order, run, a));
+      for (std::size_t a = 0; a < kAngles; ++a) motions[i].push_back(measure::circular_motion(order, run, a));
     }
   }
   return motions;
@@ -68,7 +70,13 @@ TipField tip_field(const machine::RotationOrder& order, const std::vector<measur
   const Sensitivity sensitivity(after, unknowns);
   physics::Environment environment = after.environment();
   environment.dynamic = false;
-  const std::vector<physics::Motion<double>> motions = motions_over(order, runs);
+  std::vector<physics::Motion<double>> motions;
+  std::vector<std::size_t> pose;
+  const auto about = motions_over(order, runs);
+  for (std::size_t i = 0; i < about.size(); ++i) {
+    motions.insert(motions.end(), about[i].begin(), about[i].end());
+    pose.resize(motions.size(), i);
+  }
   std::vector<Slopes> slopes(motions.size());
   std::vector<Vector3<double>> moved(motions.size());
   for_each_index(motions.size(), [&](std::size_t i) {
@@ -80,16 +88,18 @@ TipField tip_field(const machine::RotationOrder& order, const std::vector<measur
     sensitivity.at(environment, motions[i], to, slopes[i]);
   });
   const auto size = static_cast<Eigen::Index>(motions.size());
-  TipField field{Eigen::VectorXd(3 * size), Eigen::MatrixXd(3 * size, sensitivity.unknowns())};
+  TipField field{Eigen::VectorXd(3 * size), Eigen::MatrixXd(3 * size, sensitivity.unknowns()),
+                 std::vector<Eigen::Index>(about.size(), 0)};
   Eigen::Index n = 0;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     if (slopes[i].size() == 0) continue;
     field.moved.segment<3>(3 * n) = moved[i];
     field.slopes.middleRows<3>(3 * n) = slopes[i].middleRows<3>(kTipRow);
+    ++field.at_pose[pose[i]];
     ++n;
   }
   const double root = std::sqrt(static_cast<double>(std::max<Eigen::Index>(n, 1)));
-  return {field.moved.head(3 * n) / root, field.slopes.topRows(3 * n) / root};
+  return {field.moved.head(3 * n) / root, field.slopes.topRows(3 * n) / root, std::move(field.at_pose)};
 }
 
 TipField touched_off(TipField field) {
@@ -102,6 +112,20 @@ TipField touched_off(TipField field) {
   centre(field.moved);
   centre(field.slopes);
   return field;
+}
+
+std::vector<TipField> parts_of(const TipField& field) {
+  std::vector<TipField> parts;
+  Eigen::Index first = 0;
+  for (const Eigen::Index count : field.at_pose) {
+    if (count == 0) continue;
+    const double scale = std::sqrt(static_cast<double>(field.places()) / static_cast<double>(count));
+    parts.push_back({scale * field.moved.segment(3 * first, 3 * count),
+                     scale * field.slopes.middleRows(3 * first, 3 * count),
+                     {count}});
+    first += count;
+  }
+  return parts;
 }
 
 }  // namespace plumbline::identify

@@ -14,6 +14,7 @@ namespace plumbline::identify {
 struct TipField {
   Eigen::VectorXd moved;   // from where the tip stands with the model as given to where it stands at `values`
   Eigen::MatrixXd slopes;  // of the tip at `values`, a column for each unknown, per SI unit
+  std::vector<Eigen::Index> at_pose;  // how many of the places, in their order, lie about each pose
 
   Eigen::Index places() const { return moved.size() / 3; }
 };
@@ -26,5 +27,8 @@ TipField tip_field(const machine::RotationOrder& order, const std::vector<measur
 
 /// The same without the mean over all places: what is left once the zero was touched off on the machine.
 TipField touched_off(TipField field);
+
+/// The places about each pose, as a field of its own: a part that is set up there.
+std::vector<TipField> parts_of(const TipField& field);
 
 }  // namespace plumbline::identify

@@ -156,13 +156,16 @@ ordered_json predicted_json(const identify::Predicted& predicted, double unit) {
 }
 
 ordered_json gain_json(const identify::TipGain& gain) {
-  return {{"moved_um", gain.moved / kUm}, {"doubt_um", gain.doubt / kUm}, {"gain_sigmas", gain.sigmas}};
+  return {{"moved_um", gain.moved / kUm},
+          {"doubt_um", gain.doubt / kUm},
+          {"gain_sigmas", gain.sigmas},
+          {"chance_of_worse", gain.chance}};
 }
 
 // What of the change stays out, as it might make the tip worse; null: that was not asked.
 ordered_json held_json(const std::optional<identify::Held>& held) {
   if (!held) return nullptr;
-  return {{"axes", held->axes},
+  return {{"share", held->share},
           {"back_um", held->back / kUm},
           {"tip", gain_json(held->whole)},
           {"tip_zero_touched_off", gain_json(held->off_the_part)}};
@@ -187,6 +190,7 @@ ordered_json stage_json(const Stage& stage) {
   for (const identify::Strain& strain : stage.plausible.strained) {
     json["strained"].push_back({{"label", fit.unknowns[strain.unknown].label}, {"sigmas", strain.sigmas}});
   }
+  json["borne_out"] = stage.borne_out;
   json["prior_chi2"] = {{"value", stage.plausible.chi2}, {"degrees", stage.plausible.degrees}};
   json["held"] = held_json(stage.held);
   json["left_out"] = {{"radial_rms_um", predicted_json(stage.plausible.radial, kUm)},
@@ -264,7 +268,7 @@ std::string open_gap(const machine::MachineModel& machine, const std::vector<mea
 std::string objection_to(const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
                          const Identification& found) {
   const std::string objection = found.objection();
-  return objection.empty() ? open_gap(machine, runs, found) : objection;
+  return objection.empty() && !found.borne_out() ? open_gap(machine, runs, found) : objection;
 }
 
 }  // namespace

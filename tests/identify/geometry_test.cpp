@@ -119,7 +119,7 @@ TEST_CASE("what no circle shows of the geometry stays where it was, even with wi
   CHECK(share == Approx(300e-6 * (1 - left * left)).margin(40e-6));
   // and the tip stays where it was, as far as the data do not surely say otherwise
   REQUIRE(found.stages[0].held);
-  CHECK(found.stages[0].held->axes > 0);
+  CHECK(found.stages[0].held->share > 0);
   CHECK(found.stages[0].held->back > 20e-6);
   CHECK(found.after.radial_rms < 0.2e-6);
 }

@@ -73,7 +73,8 @@ TEST_CASE(
   const Plausibility plausible = plausibility(machine.rotation, runs, found, {}, options);
   CHECK(plausible.strained.empty());
   CHECK(plausible.all_sigmas > 0.5);
-  CHECK(objection(found, plausible, options).find("together") != std::string::npos);
+  CHECK(objection(found, plausible, false, options).find("together") != std::string::npos);
+  CHECK(objection(found, plausible, true, options).find("together") == std::string::npos);
 }
 
 TEST_CASE("what a pose left out is predicted to be is what a fit without it predicts") {
@@ -116,6 +117,31 @@ TEST_CASE("poses predicted worse are an objection beyond what the fit must expec
   CHECK(predicted.worse(options, options.least_radial));
   predicted.readings = 0;
   CHECK_FALSE(predicted.worse(options, options.least_radial));
+}
+
+TEST_CASE("a fit is borne out by circles that it did not see and by the tip together, by neither alone") {
+  Plausibility plausible;
+  plausible.radial = {2e-6, 1e-6, 0, 100};
+  CHECK(plausible.radial.foretold() == Approx(0.75));
+  CHECK(borne_out(plausible, 0.05));
+  CHECK_FALSE(borne_out(plausible, 0.2));
+  plausible.radial.after = 1.6e-6;
+  CHECK_FALSE(borne_out(plausible, 0.05));
+  plausible.radial = {};
+  CHECK(plausible.radial.foretold() == 0);
+  CHECK_FALSE(borne_out(plausible, 0));
+}
+
+TEST_CASE("a number beyond six sigma or poses predicted worse are an objection though a fit is borne out") {
+  const machine::MachineModel machine = pm600_like();
+  Fit found(nuisances(machine, physics::ForceModel(machine)));
+  found.values = found.unknowns.start();
+  Plausibility plausible;
+  CHECK(objection(found, plausible, true) == "");
+  plausible.torque = {0.1, 0.5, 0, 100};
+  CHECK(objection(found, plausible, true).find("the torques") != std::string::npos);
+  plausible.strained = {{0, 7}};
+  CHECK(objection(found, plausible, true).find("7.0 times what [uncertainty] says of it") != std::string::npos);
 }
 
 TEST_CASE("joints that a tracker saw may be far off, other numbers may not") {
