@@ -145,7 +145,7 @@ void count_increments(const Execution& run, Block& block) {
     if (!is_call && word.letter == 'S') round_speed(run, word);
     if (is_code(word) || (in_cycle && word.letter == 'K') || (!in_cycle && word.letter == 'Q')) continue;
     const bool is_direction = !is_call && run.control.tool_vectors && (letter_bit(word.letter) & kDirection) != 0;
-    if (is_direction) continue;  // no lengths
+    if (is_direction) continue;                                            // no lengths
     if ((turns && word.letter == 'R') || (waits && word.letter == 'X')) {  // degrees, seconds
       count_angle(run, word);
       continue;
