@@ -170,7 +170,8 @@ TomlDocument parse_toml(std::string text, std::string file) {
     constexpr std::string_view kPreface = "Error while parsing ";
     if (what.starts_with(kPreface)) what.remove_prefix(kPreface.size());
     refuse("toml-syntax", std::string(what),
-           "write it as TOML wants it: key = value, texts in quotes, a point in decimals",
+           "write it as TOML wants it: key = value, texts in quotes, a point in decimals; or name another file, if "
+           "this is none",
            document.place(offsets.of(error.source())));
   }
   return document;

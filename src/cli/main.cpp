@@ -120,6 +120,12 @@ int answer(const CLI::App& app, const CLI::ParseError& asked) {
   return code;
 }
 
+// Of an option that is known and stands where it may.
+bool is_value(const CLI::ParseError& error) {
+  return dynamic_cast<const CLI::ValidationError*>(&error) != nullptr ||
+         dynamic_cast<const CLI::ConversionError*>(&error) != nullptr;
+}
+
 int parse_and_run(CLI::App& app, Run& run, std::span<const char* const> arguments) {
   try {
     app.parse(static_cast<int>(arguments.size()), arguments.data());
@@ -127,7 +133,7 @@ int parse_and_run(CLI::App& app, Run& run, std::span<const char* const> argument
     return run();
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return answer(app, error);  // --help, --version
-    return wrong_usage(app, what_is_unknown(app, arguments).value_or(error.what()));
+    return wrong_usage(app, is_value(error) ? error.what() : what_is_wrong(app, arguments).value_or(error.what()));
   } catch (const UsageError& error) {
     return wrong_usage(app, error.what());
   }

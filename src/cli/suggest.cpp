@@ -1,6 +1,8 @@
 #include "cli/suggest.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -44,10 +46,124 @@ std::string_view option_of(std::string_view argument) {
 
 bool is_option(std::string_view argument) {
   if (argument.size() < 2 || argument[0] != '-') return false;
+  if (argument[1] == '.' || (argument[1] >= '0' && argument[1] <= '9')) return false;  // a number below zero
   return argument[1] == '-' || CLI::detail::valid_first_char(argument[1]);
 }
 
+std::string quoted_list(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
+// A misspelt name, or one that other commands have.
+std::string unknown_option(const CLI::App& app, std::string_view name, const std::vector<std::string>& options) {
+  std::vector<std::string> others;
+  for (const CLI::App* const command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (holds(option_names(*command), name)) others.push_back(command->get_name());
+  }
+  if (!others.empty() && !app.get_subcommands().empty())
+    return fmt::format("no option {} here: it belongs to {}", name, quoted_list(others));
+  if (!name.starts_with("--")) return fmt::format("no option {}", name);
+  std::vector<std::string> candidates;
+  std::copy_if(options.begin(), options.end(), std::back_inserter(candidates),
+               [](const std::string& option) { return option.starts_with("--"); });
+  return unknown("option", name, candidates);
+}
+
+// "-o FILE", "PROGRAM", "--work-offset G54=X,Y,Z,A,B,C"
+std::string usage_of(const CLI::Option& option) {
+  if (option.get_positional()) return option.get_name(true);
+  const std::string name =
+      option.get_snames().empty() ? "--" + option.get_lnames().front() : "-" + option.get_snames().front();
+  return fmt::format("{} {}", name, option.get_type_name());
+}
+
+bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
+
+const CLI::Option* find(const CLI::App& app, const CLI::App& command, std::string_view name) {
+  const CLI::Option* const own = command.get_option_no_throw(std::string(name));
+  return own != nullptr ? own : app.get_option_no_throw(std::string(name));
+}
+
+// Goes through what stands behind the command, as it is read: each option with its value, and the rest in order.
+class Walk {
+ public:
+  Walk(const CLI::App& app, const CLI::App& command) : app_(app), command_(command) {
+    for (const CLI::Option* const option : command.get_options()) {
+      if (option->get_positional()) places_.push_back(option);
+    }
+  }
+
+  // What is wrong there, if something is.
+  std::optional<std::string> take(std::span<const char* const> arguments) {
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      const std::string_view argument = arguments[i];
+      if (argument == "--") return std::nullopt;
+      if (!is_option(argument)) {
+        if (++placed_ > places_.size()) return one_too_many(argument);
+        before_ = nullptr;
+        continue;
+      }
+      const CLI::Option* const option = find(app_, command_, option_of(argument));
+      if (option == nullptr) return std::nullopt;
+      before_ = option;
+      if (!takes_value(*option)) continue;
+      if (is_single(*option) && !seen_.insert(option).second)
+        return fmt::format("{} stands twice: give it once", option_of(argument));
+      if (option_of(argument) != argument) continue;  // --model=FILE, -mFILE
+      if (++i == arguments.size() || names_option(arguments[i]))
+        return fmt::format("{} needs its value: {}", argument, usage_of(*option));
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static bool is_single(const CLI::Option& option) { return option.get_expected_max() == 1; }
+  bool names_option(std::string_view argument) const {
+    return is_option(argument) && find(app_, command_, option_of(argument)) != nullptr;
+  }
+
+  std::string one_too_many(std::string_view argument) const {
+    if (before_ != nullptr && !takes_value(*before_)) {
+      return fmt::format("{} is one too many: {} is a switch and takes no value", argument, before_->get_name());
+    }
+    if (before_ != nullptr)
+      return fmt::format("{} is one too many: the value of {} is one word, without blanks", argument,
+                         before_->get_name());
+    std::vector<std::string> wanted;
+    for (const CLI::Option* const place : places_) wanted.push_back(place->get_name(true));
+    if (wanted.empty())
+      return fmt::format("{} is one too many: plumbline {} takes options alone", argument, command_.get_name());
+    return fmt::format("{} is one too many: plumbline {} takes {}", argument, command_.get_name(), quoted_list(wanted));
+  }
+
+  const CLI::App& app_;
+  const CLI::App& command_;
+  std::vector<const CLI::Option*> places_;
+  std::size_t placed_ = 0;
+  const CLI::Option* before_ = nullptr;  // the option that stands before this argument
+  std::set<const CLI::Option*> seen_;
+};
+
+// What is required and was not given.
+std::optional<std::string> missing_in(const CLI::App& command) {
+  std::vector<std::string> missing;
+  for (const CLI::Option* const option : command.get_options()) {
+    if (option->get_required() && option->count() == 0) missing.push_back(usage_of(*option));
+  }
+  if (missing.empty()) return std::nullopt;
+  return fmt::format("{} {} required", fmt::join(missing, " and "), missing.size() == 1 ? "is" : "are");
+}
+
 }  // namespace
+
+std::optional<std::string> what_is_wrong(const CLI::App& app, std::span<const char* const> arguments) {
+  if (const auto unknown = what_is_unknown(app, arguments)) return unknown;
+  const std::vector<CLI::App*> asked = const_cast<CLI::App&>(app).get_subcommands();
+  if (asked.empty()) return fmt::format("name a command: {}", quoted_list(command_names(app)));
+  const auto command = std::find(arguments.begin(), arguments.end(), asked.front()->get_name());
+  if (command == arguments.end()) return std::nullopt;
+  const auto behind = static_cast<std::size_t>(command - arguments.begin()) + 1;
+  if (const auto wrong = Walk(app, *asked.front()).take(arguments.subspan(behind))) return wrong;
+  return missing_in(*asked.front());
+}
 
 std::optional<std::string> what_is_unknown(const CLI::App& app, std::span<const char* const> arguments) {
   const std::vector<CLI::App*> asked = const_cast<CLI::App&>(app).get_subcommands();
@@ -61,7 +177,7 @@ std::optional<std::string> what_is_unknown(const CLI::App& app, std::span<const 
     if (argument == "--") break;
     if (is_option(argument)) {
       const std::string_view name = option_of(argument);
-      if (!holds(options, name)) return unknown("option", name, options);
+      if (!holds(options, name)) return unknown_option(app, name, options);
     } else if (asked.empty()) {
       return holds(commands, argument) ? std::nullopt : std::optional(unknown("command", argument, commands));
     }

@@ -9,6 +9,7 @@
 #include "base/characters.hpp"
 #include "base/number_text.hpp"
 #include "jobs/variables_file.hpp"
+#include "machine/nearest_name.hpp"
 
 namespace plumbline::jobs {
 namespace {
@@ -164,7 +165,9 @@ void set_start(Options& options, std::string_view text) {
 void set_dialect(Options& options, std::string_view text) {
   const auto names = nc::dialect_names();
   if (std::find(names.begin(), names.end(), text) == names.end()) {
-    throw OptionError(fmt::format("expected one of {}", fmt::join(names, ", ")));
+    const std::string_view nearest = machine::nearest_name(text, {names.begin(), names.end()});
+    throw OptionError(fmt::format("expected one of {}{}", fmt::join(names, ", "),
+                                  nearest.empty() ? "" : fmt::format(": did you mean {}?", nearest)));
   }
   options.dialect = text;
 }

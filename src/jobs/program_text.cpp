@@ -38,6 +38,15 @@ constexpr Signature kSignatures[] = {
     {"\x7F"
      "ELF"sv,
      "a program for computers", kOther},
+    {"plumbline ="sv, "a machine model, a dataset or a table of plumbline", kOther},
+    {"plumbline="sv, "a machine model, a dataset or a table of plumbline", kOther},
+    {"{\""sv, "JSON", kOther},
+    {"{\n"sv, "JSON", kOther},
+    {"solid "sv, "a body in STL", "name the program that a CAM system made for it"},
+    {"ISO-10303-21"sv, "a body in STEP", "name the program that a CAM system made for it"},
+    {"<"sv, "XML or a web page", kOther},
+    {"0 BEGIN PGM"sv, "a program in Heidenhain's plain text", "post it for linuxcnc, fanuc, okuma or siemens"},
+    {"BEGIN PGM"sv, "a program in Heidenhain's plain text", "post it for linuxcnc, fanuc, okuma or siemens"},
 };
 
 [[noreturn]] void refuse_as(std::string_view code, const InputFile& program, std::string message,

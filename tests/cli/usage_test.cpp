@@ -41,6 +41,50 @@ TEST_CASE("what is missing or unknown is wrong usage") {
   }
 }
 
+TEST_CASE("what stands wrongly on the command line is named as its user would") {
+  const Scratch scratch;
+  scratch.file("p.ngc", kPart);
+  struct Case {
+    const char* arguments;
+    const char* expected;
+  };
+  for (const Case& c :
+       {Case{"", "name a command: compensate, "}, Case{"compensate p.ngc -m m.toml", "-o FILE is required"},
+        Case{"compensate", "PROGRAM and -o FILE are required"},
+        Case{"compensate p.ngc -m m.toml -o", "-o needs its value: -o FILE"},
+        Case{"compensate p.ngc -m -o out.ngc", "-m needs its value: -m "},
+        Case{"check p.ngc --step-angle --no-friction", "--step-angle needs its value: --step-angle DEG"},
+        Case{"compensate p.ngc -o o.ngc --undo o.undo", "o.undo is one too many: --undo is a switch"},
+        Case{"compensate p.ngc -o o.ngc --guard yes", "yes is one too many: --guard is a switch"},
+        Case{"diff p.ngc p.ngc p.ngc", "p.ngc is one too many: plumbline diff takes A, B"},
+        Case{"compensate p.ngc -o o.ngc q.ngc r.ngc", "is one too many"},
+        Case{"compensate p.ngc -m a.toml -m b.toml -o o.ngc", "-m stands twice"},
+        Case{"trace p.ngc --work-offset G54 0 0 -1008", "is one too many: the value of --work-offset"},
+        Case{"diff p.ngc p.ngc -m m.toml", "no option -m here: it belongs to compensate, "},
+        Case{"check p.ngc --undo", "no option --undo here: it belongs to compensate"},
+        Case{"check p.ngc -x", "no option -x\n"}, Case{"trace p.ngc --dialect fanuk", "did you mean fanuc?"}}) {
+    INFO(c.arguments);
+    const Outcome outcome = run(scratch, c.arguments);
+    INFO(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, c.expected));
+  }
+}
+
+TEST_CASE("files of other tools are called what they are") {
+  const Scratch scratch;
+  scratch.file("model.nc", "plumbline = \"machine 1\"\n");
+  scratch.file("part.nc", "solid part\nfacet normal 0 0 1\n");
+  scratch.file("plain.nc", "0 BEGIN PGM 1 MM\n1 L X+0 FMAX\n");
+  scratch.file("result.nc", "{\"plumbline\": \"diff 1\"}\n");
+  for (const char* const name : {"model.nc", "part.nc", "plain.nc", "result.nc"}) {
+    const Outcome outcome = run(scratch, std::string("trace ") + name);
+    INFO(outcome.err);
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.err, "[file-not-text]"));
+  }
+}
+
 TEST_CASE("values of options are checked before any file is read") {
   const Scratch scratch;
   struct Case {
