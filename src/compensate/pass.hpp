@@ -73,9 +73,7 @@ class Pass {
   bool is_corrected(const nc::Step& step);
   bool has_position(const nc::Step& step, AxisSet known, bool needed);
   AxisSet writable() const;
-  AxisSet held() const;
   bool writes_vector(const nc::Step& step) const;
-  void fix_axes();
   void pass(const nc::Step& step);
   void correct_rapid(const nc::Step& step);
   void correct_feed(const nc::Step& step);
@@ -104,7 +102,6 @@ class Pass {
   OutputFile& out_;
   nc::Program program_;
   nc::Form form_;
-  bool tilted_ = false;       // the block stands in a tilted plane
   bool must_unroll_ = false;  // something changes that cannot be put in the place of its block
   nc::PlainSteps plain_;
   nc::WrittenMoves written_;

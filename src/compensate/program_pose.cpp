@@ -20,11 +20,17 @@ std::optional<ToolInSpindle> SpindleTool::change(const nc::Step& step) {
   return tool;
 }
 
+void ProgramPose::take(const nc::Step& step) {
+  if (step.frame->tilted == tilted_) return;
+  tilted_ = step.frame->tilted;
+  if (on_fixed) on_fixed(fixed());
+}
+
 AxisSet ProgramPose::assumed(const nc::Step& step, AxisSet unknown) {
   if ((unknown & AxisSet::rotary()).empty()) return {};
   if (!assumed_) {
     assumed_ = AxisSet::rotary() - nc::named_axes(source_, dialect_);
-    if (on_assumed) on_assumed(*assumed_);
+    if (on_fixed) on_fixed(fixed());
   }
   AxisSet assumed = unknown & *assumed_;
   const AxisWords origin = step.frame->to_pose({});

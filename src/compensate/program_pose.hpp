@@ -38,13 +38,18 @@ class ProgramPose {
   /// Both must outlive it.
   ProgramPose(const InputFile& source, const nc::Dialect& dialect) : source_(source), dialect_(dialect) {}
 
-  std::function<void(AxisSet)> on_assumed;  // told once, when they are first looked for
+  std::function<void(AxisSet)> on_fixed;  // told where fixed() becomes another set
 
+  /// A step of the program, before anything is asked of it.
+  void take(const nc::Step& step);
   /// Those of `unknown` that are taken to stand at zero: not where the work offset turns them. Looks for them when a
   /// rotary axis is first asked for.
   AxisSet assumed(const nc::Step& step, AxisSet unknown);
   /// All of them, as far as they were looked for.
   AxisSet assumed() const { return assumed_.value_or(AxisSet{}); }
+  /// Axes that no correction may write: those that are taken to stand at zero, and on a tilted plane all rotary ones.
+  AxisSet fixed() const { return assumed() | (tilted_ ? AxisSet::rotary() : AxisSet{}); }
+  bool tilted() const { return tilted_; }
   /// A point of a move, in the work system of the step.
   Target target(const nc::Step& step, const path::CurvePoint& point, std::optional<double> seconds) const;
 
@@ -52,6 +57,7 @@ class ProgramPose {
   const InputFile& source_;
   const nc::Dialect& dialect_;
   std::optional<AxisSet> assumed_;
+  bool tilted_ = false;
 };
 
 }  // namespace plumbline::compensate

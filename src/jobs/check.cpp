@@ -29,7 +29,7 @@ class Checker {
   void attach(PathWalk& walk) {
     walk_ = &walk;
     walk.on_tool = [this](const compensate::ToolInSpindle& tool) { corrector_.set_tool(tool); };
-    walk.on_assumed_axes = [this](AxisSet axes) { corrector_.fix_axes(axes); };
+    walk.on_fixed_axes = [this](AxisSet axes) { corrector_.fix_axes(axes); };
     walk.on_point = [this](const PathPoint& point) { look_at(point); };
   }
 

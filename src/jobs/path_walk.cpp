@@ -28,9 +28,10 @@ PathWalk::PathWalk(const InputFile& source, const nc::Dialect& dialect, const nc
       pose_(source, dialect) {}
 
 void PathWalk::run(const Progress& progress) {
-  pose_.on_assumed = on_assumed_axes;
+  pose_.on_fixed = on_fixed_axes;
   while (const nc::Step* step = program_.next()) {
     ++blocks_;
+    pose_.take(*step);
     if (const auto tool = spindle_.change(*step); tool && on_tool) on_tool(*tool);
     for (const nc::Motion& motion : step->motions) {
       if (motion.kind == nc::MotionKind::dwell) {

@@ -29,7 +29,7 @@ class PathWalk {
            const machine::MachineModel& model, const path::StepSettings& steps);
 
   std::function<void(const compensate::ToolInSpindle&)> on_tool;  // at the start, and when it changes
-  std::function<void(AxisSet)> on_assumed_axes;                   // that no word names, taken to stand at zero
+  std::function<void(AxisSet)> on_fixed_axes;                     // that no correction may write
   std::function<void(const PathPoint&)> on_point;
 
   /// Goes through the whole program. A feed move gives its points at the step settings, a rapid the points of its chord
