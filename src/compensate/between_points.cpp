@@ -10,8 +10,8 @@
 namespace plumbline::compensate {
 namespace {
 
-constexpr std::uint64_t kTurnsEvery = 1024;  // blocks, at which the effect of a strut's friction is worked out again
-constexpr double kFirstCredit = 10'000;      // plays
+constexpr std::uint64_t kTurnsEvery = 512;  // pieces, at which the effect of a strut's friction is worked out again
+constexpr double kFirstCredit = 10'000;     // plays
 constexpr double kCreditPerPiece = 0.04;
 constexpr double kFirstRatio = 1.5;    // of what is found to what was guessed, as long as little was played
 constexpr std::uint64_t kLearnt = 16;  // pieces of a kind
@@ -27,6 +27,10 @@ constexpr std::array kCloseLook{0.125, 0.25, 0.375, 0.625, 0.75, 0.875};
 
 Vector3<double> xyz(const AxisWords& words) { return {words[Axis::X], words[Axis::Y], words[Axis::Z]}; }
 Vector3<double> abc(const AxisWords& words) { return {words[Axis::A], words[Axis::B], words[Axis::C]}; }
+
+bool goes(const path::Curve& curve) {
+  return curve.linear_mm() > kNoWayMm || largest_turn_deg(curve.delta()) > kNoWayMm;
+}
 
 // Of a tip from the nearest point of a path, mm; `fraction` is where to begin.
 double distance_mm(const OriginalPath& path, const Vector3<double>& tip_mm, double fraction) {
@@ -90,9 +94,12 @@ Target OriginalPath::target(double fraction, std::optional<double> seconds) cons
 
 void BetweenPoints::cut(const OriginalPath& path, std::optional<double> seconds, const AxisWords& begin,
                         std::span<const SentPiece> pieces, bool as_it_stands) {
+  if (!goes(path.curve)) return;
   play_waiting(&path);
-  if (corrector_.has_friction() && blocks_ % kTurnsEvery == 0) {
-    friction_ = corrector_.friction_turns(path.target(1, seconds));
+  pieces_ += pieces.size();
+  if (corrector_.has_friction() && (blocks_ == 0 || pieces_ > kTurnsEvery)) {
+    friction_ = corrector_.friction_turns(path.target(0.5, seconds));
+    pieces_ = 0;
   }
   ++blocks_;
   credit_ += kCreditPerPiece * static_cast<double>(pieces.size());
@@ -104,10 +111,10 @@ void BetweenPoints::cut(const OriginalPath& path, std::optional<double> seconds,
   sign_ = pieces.back().sign;
 }
 
-void BetweenPoints::rapid(const OriginalPath& path, const machine::PerStrut<double>& sign) {
-  play_waiting(&path);
+void BetweenPoints::rapid(const machine::PerStrut<double>& sign) {
+  play_waiting(nullptr);
   before_.reset();
-  here_ = path;
+  here_.reset();
   sign_ = sign;
 }
 
@@ -149,18 +156,20 @@ void BetweenPoints::find_guesses(const OriginalPath& path, const AxisWords& begi
     const Kind turning = i == 0 ? corner : turn;
     const double friction = corrector_.has_friction() ? friction_guess(friction_.tip_mm, *sign, piece.sign) : 0;
     const double friction_deg = corrector_.has_friction() ? friction_guess(friction_.turned_deg, *sign, piece.sign) : 0;
-    tip_.keep({left + friction, friction <= left ? smooth : turning, i}, among_many);
-    turned_.keep({turned + friction_deg, friction_deg <= turned ? smooth : turning, i}, among_many);
+    tip_.keep({left + friction, friction <= left ? smooth : turning, i, i}, among_many);
+    turned_.keep({turned + friction_deg, friction_deg <= turned ? smooth : turning, i, i}, among_many);
     last = &piece.wanted;
     sign = &piece.sign;
   }
 }
 
-// The largest guesses; of neighbours among many one alone.
+// The largest guesses; of neighbours among many, in none of which friction counts most, one alone.
 void BetweenPoints::Ranking::keep(const Guess& guess, bool among_many) {
-  for (std::size_t k = 0; among_many && k < count; ++k) {
-    if (guesses[k].piece + 1 != guess.piece) continue;
-    if (guess.value > guesses[k].value) guesses[k] = guess;
+  for (std::size_t k = 0; among_many && guess.kind == smooth && k < count; ++k) {
+    Guess& kept = guesses[k];
+    if (kept.last + 1 != guess.piece || kept.kind != smooth) continue;
+    if (guess.value > kept.value) kept = guess;
+    kept.last = guess.piece;
     return;
   }
   if (count < kGuesses) {
@@ -237,9 +246,12 @@ std::optional<BetweenPoints::Off> BetweenPoints::off_at(const Part& part, double
   };
   const bool begins = part.from == 0;
   const bool ends = part.from + part.share > 1 - kEdge;
-  if (begins || ends) beside(*here_, begins ? 1 : 0);  // a circle comes by again
-  if (before_ && begins) beside(*before_, 1);
-  if (next != nullptr && ends) beside(*next, 0);
+  // A circle comes by again, the one before or behind too.
+  for (const double end : {0.0, 1.0}) {
+    if (begins || ends) beside(*here_, end);
+    if (before_ && begins) beside(*before_, end);
+    if (next != nullptr && ends) beside(*next, end);
+  }
   return off;
 }
 
@@ -257,46 +269,59 @@ void BetweenPoints::play(const Part& part, const OriginalPath* next) {
   if (!part.along_curve && length_mm(way) < kNoWayMm && largest_turn_deg(way) < kNoWayMm) return;
   const double tip_before = tip_.found.value;
   const double turned_before = turned_.found.value;
-  std::vector<std::pair<double, Off>> looked;  // by fraction
-  const auto look = [&](double fraction) { looked.emplace_back(fraction, sample(part, fraction, next)); };
-  for (const double fraction : kFirstLook) look(fraction);
+  looked_.clear();
+  for (const double fraction : kFirstLook) look(part, fraction, next);
+  look_beside_turns(part, next);
+  const bool tip_promises = most(&Off::tip_mm) > kPromising * tip_before;
+  const bool turn_promises = most(&Off::turned_deg) > kPromising * turned_before;
+  if (tip_promises || turn_promises) {
+    for (const double fraction : kCloseLook) look(part, fraction, next);
+    std::sort(looked_.begin(), looked_.end(), [](const Look& a, const Look& b) { return a.fraction < b.fraction; });
+    if (tip_promises && most(&Off::tip_mm) > tip_before) refine(part, &Off::tip_mm, next);
+    if (turn_promises && most(&Off::turned_deg) > turned_before) refine(part, &Off::turned_deg, next);
+  }
+  const auto found = [](const Ranking& ranking, double before, double here) {
+    return ranking.found.value > before ? ranking.found.value : here;
+  };
+  tip_.learn(part.tip, found(tip_, tip_before, most(&Off::tip_mm)));
+  turned_.learn(part.turned, found(turned_, turned_before, most(&Off::turned_deg)));
+}
+
+void BetweenPoints::look(const Part& part, double fraction, const OriginalPath* next) {
+  looked_.push_back({fraction, sample(part, fraction, next)});
+}
+
+double BetweenPoints::most(double Off::*figure) const {
+  double most = 0;
+  for (const Look& at : looked_) most = std::max(most, at.off.*figure);
+  return most;
+}
+
+// Both sides of the places where the speed of a strut passes through zero, between the first and the last look.
+void BetweenPoints::look_beside_turns(const Part& part, const OriginalPath* next) {
+  const machine::PerStrut<double> first = looked_.front().off.speed;
+  const machine::PerStrut<double> change = looked_.back().off.speed - first;
   for (int j = 0; j < machine::kStruts; ++j) {
-    const double first = looked.front().second.speed[j];
-    const double change = looked[kFirstLook.size() - 1].second.speed[j] - first;
-    if (!(first * (first + change) < 0)) continue;
-    const double beside = kSaturated * corrector_.turning_speed() / std::abs(change);
-    for (const double fraction : {-first / change - beside, -first / change + beside}) {
-      if (fraction > 0 && fraction < 1) look(fraction);
+    if (!(first[j] * (first[j] + change[j]) < 0)) continue;
+    const double beside = kSaturated * corrector_.turning_speed() / std::abs(change[j]);
+    for (const double fraction : {-first[j] / change[j] - beside, -first[j] / change[j] + beside}) {
+      if (fraction > 0 && fraction < 1) look(part, fraction, next);
     }
   }
-  const auto by_tip = [](const auto& a, const auto& b) { return a.second.tip_mm < b.second.tip_mm; };
-  const auto by_turn = [](const auto& a, const auto& b) { return a.second.turned_deg < b.second.turned_deg; };
-  const auto largest = [&](const auto& by) { return std::max_element(looked.begin(), looked.end(), by); };
-  const bool tip_promises = largest(by_tip)->second.tip_mm > kPromising * tip_before;
-  const bool turn_promises = largest(by_turn)->second.turned_deg > kPromising * turned_before;
-  if (tip_promises || turn_promises) {
-    for (const double fraction : kCloseLook) look(fraction);
-    std::sort(looked.begin(), looked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    const auto refine = [&](const auto& by) {
-      const auto top = largest(by);
-      double low = top == looked.begin() ? 0 : std::prev(top)->first;
-      double high = std::next(top) == looked.end() ? 1 : std::next(top)->first;
-      for (int i = 0; i < kRefinements; ++i) {
-        const double a = low + (high - low) / 3;
-        const double b = high - (high - low) / 3;
-        const bool rises = by(std::pair(a, sample(part, a, next)), std::pair(b, sample(part, b, next)));
-        (rises ? low : high) = rises ? a : b;
-      }
-    };
-    const double highest_tip = largest(by_tip)->second.tip_mm;
-    const double highest_turn = largest(by_turn)->second.turned_deg;
-    if (tip_promises && highest_tip > tip_before) refine(by_tip);
-    if (turn_promises && highest_turn > turned_before) refine(by_turn);
+}
+
+// By thirds about the worst place that was looked at.
+void BetweenPoints::refine(const Part& part, double Off::*figure, const OriginalPath* next) {
+  const auto top = std::max_element(looked_.begin(), looked_.end(),
+                                    [&](const Look& a, const Look& b) { return a.off.*figure < b.off.*figure; });
+  double low = top == looked_.begin() ? 0 : std::prev(top)->fraction;
+  double high = std::next(top) == looked_.end() ? 1 : std::next(top)->fraction;
+  for (int i = 0; i < kRefinements; ++i) {
+    const double a = low + (high - low) / 3;
+    const double b = high - (high - low) / 3;
+    const bool rises = sample(part, a, next).*figure < sample(part, b, next).*figure;
+    (rises ? low : high) = rises ? a : b;
   }
-  const double tip = std::max_element(looked.begin(), looked.end(), by_tip)->second.tip_mm;
-  const double turned = std::max_element(looked.begin(), looked.end(), by_turn)->second.turned_deg;
-  tip_.learn(part.tip, tip_.found.value > tip_before ? tip_.found.value : tip);
-  turned_.learn(part.turned, turned_.found.value > turned_before ? turned_.found.value : turned);
 }
 
 }  // namespace plumbline::compensate

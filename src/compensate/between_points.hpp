@@ -44,8 +44,8 @@ class BetweenPoints {
   /// left as it stands, `pieces` is its end alone, and `as_it_stands` true.
   void cut(const OriginalPath& path, std::optional<double> seconds, const AxisWords& begin,
            std::span<const SentPiece> pieces, bool as_it_stands);
-  /// A rapid: `sign` of the struts as the correction of its end has them.
-  void rapid(const OriginalPath& path, const machine::PerStrut<double>& sign);
+  /// A rapid, which is no path that the tip must keep to: `sign` of the struts as the correction of its end has them.
+  void rapid(const machine::PerStrut<double>& sign);
   /// To be called before the tool changes or the machine goes where nobody follows it, and at the end.
   void leave();
 
@@ -57,13 +57,14 @@ class BetweenPoints {
 
  private:
   enum Kind : std::uint8_t { smooth, corner, turn };
-  static constexpr std::size_t kGuesses = 6;  // of a block
+  static constexpr std::size_t kGuesses = 48;  // of a block
   static constexpr std::size_t kKinds = 3;
 
   struct Guess {  // of what a piece leaves
     double value = 0;
     Kind kind = smooth;
     std::size_t piece = 0;
+    std::size_t last = 0;  // up to which it stands for its neighbours
   };
   /// The pieces of a block that promise most, by one figure: the tip's distance or the turn.
   struct Ranking {
@@ -97,12 +98,20 @@ class BetweenPoints {
     double tip_mm = 0, turned_deg = 0;
     machine::PerStrut<double> speed = machine::PerStrut<double>::Zero();
   };
+  struct Look {  // at a place of a part
+    double fraction = 0;
+    Off off;
+  };
   void find_guesses(const OriginalPath& path, const AxisWords& begin, std::span<const SentPiece> pieces);
   void choose(const OriginalPath& path, const AxisWords& begin, std::span<const SentPiece> pieces, bool as_it_stands);
   void choose_from(const Ranking& ranking, const AxisWords& begin, std::span<const SentPiece> pieces);
   bool must_play() const { return blocks_ <= kAllBlocks || blocks_ % kEvery == 0; }
   void play_waiting(const OriginalPath* next);
   void play(const Part& part, const OriginalPath* next);
+  void look(const Part& part, double fraction, const OriginalPath* next);
+  void look_beside_turns(const Part& part, const OriginalPath* next);
+  void refine(const Part& part, double Off::*figure, const OriginalPath* next);
+  double most(double Off::*figure) const;
   std::optional<Off> off_at(const Part& part, double fraction, const OriginalPath* next);
   Off sample(const Part& part, double fraction, const OriginalPath* next);
 
@@ -113,11 +122,13 @@ class BetweenPoints {
   std::optional<OriginalPath> before_, here_;  // the move before the one that waits, and that one
   std::optional<double> seconds_;              // of that one
   std::vector<Part> waiting_;
+  std::vector<Look> looked_;  // of the part that is played
   Ranking tip_, turned_;
   machine::PerStrut<double> sign_ = machine::PerStrut<double>::Zero();  // where the control stands
   Corrector::FrictionTurns friction_;
   std::uint64_t blocks_ = 0;
-  double credit_ = 0;  // plays that may be spent
+  std::uint64_t pieces_ = 0;  // since the effect of a strut's friction was worked out
+  double credit_ = 0;         // plays that may be spent
   std::uint64_t plays_ = 0;
   std::size_t gave_way_line_ = 0;
 };

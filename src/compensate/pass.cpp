@@ -48,7 +48,7 @@ Pass::Pass(const InputFile& source, const nc::Dialect& dialect, const nc::Progra
       pose_(source, dialect),
       between_(corrector_) {
   if (settings.read_back) read_back_.emplace(source, dialect, program, emit, out, form == nc::Form::unrolled);
-  pose_.on_assumed = [this](AxisSet) { fix_axes(); };
+  pose_.on_fixed = [this](AxisSet axes) { corrector_.fix_axes(axes); };
 }
 
 bool Pass::run(const Progress& progress) {
@@ -102,10 +102,7 @@ void Pass::take(const nc::Step& step) {
     move.motions = step.motions.subspan(1);
     return take(move);
   }
-  if (step.frame->tilted != tilted_) {
-    tilted_ = step.frame->tilted;
-    fix_axes();
-  }
+  pose_.take(step);
   take_tool(step);
   if (form_ == nc::Form::in_text_order) return process(step);
   if (step.flow && (step.alarms || step.shows_message)) {
@@ -252,7 +249,7 @@ nc::CorrectedPoint Pass::corrected_point(const nc::Step& step, const Target& tar
     nominal[axis] = 0;
     shift[axis] = 0;
   }
-  if (!tilted_) return {nominal, shift, 1};
+  if (!pose_.tilted()) return {nominal, shift, 1};
   const AxisWords standing = emitter_.control().work_shift(*step.frame);
   for (const Axis axis : {Axis::A, Axis::B, Axis::C}) shift[axis] = standing[axis];
   return {nominal, shift, 1};
@@ -275,7 +272,7 @@ void Pass::rapid_point(const nc::Step& step) {
 
 void Pass::correct_rapid(const nc::Step& step) {
   rapid_point(step);
-  between_.rapid(path_of(step, path::Curve(step.motions.front())), signs_.back());
+  between_.rapid(signs_.back());
   note_point(step, points_.front());
   note_move(step, write_move(step, std::nullopt), std::nullopt);
 }
@@ -348,12 +345,7 @@ void Pass::follow_cut(const nc::Step& step, const path::Curve& curve, const Axis
   between_.cut(path_of(step, curve), seconds, in_W(begin), sent_, !changed);
 }
 
-// On a tilted plane no rotary word may stand.
-AxisSet Pass::held() const { return tilted_ ? AxisSet::rotary() : AxisSet{}; }
-
 // Axes that may get words.
-AxisSet Pass::writable() const { return AxisSet::all() - pose_.assumed() - held(); }
-
-void Pass::fix_axes() { corrector_.fix_axes(pose_.assumed() | held()); }
+AxisSet Pass::writable() const { return AxisSet::all() - pose_.fixed(); }
 
 }  // namespace plumbline::compensate

@@ -1,4 +1,6 @@
 // What the summary says is left at the tip, against a dense play of the output.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -43,17 +45,21 @@ TEST_CASE("what is left between the points is found on arcs, lines, turns and sp
 
 namespace {
 
-// One or two moves of the kind: arcs and helices, turns, splines, lines that turn as well.
+enum class Kind { arc, rotary, line, spline };
+constexpr std::array kAllKinds{Kind::arc, Kind::rotary, Kind::line, Kind::spline};
+
+// One or two moves: arcs and helices, turns, lines that turn as well, splines; the first of the kind that is asked for.
 class DrawnMoves {
  public:
-  explicit DrawnMoves(unsigned seed) : random_(seed) {}
+  DrawnMoves(unsigned seed, Kind first) : random_(seed), first_(first) {}
 
   std::string text() {
     std::string out =
         fmt::format("G21 G90 G94 G17\nG0 X{:.1f} Y{:.1f} Z{:.1f} A{:.1f} B{:.1f} C{:.1f}\nG91.1 G1 F{:.0f}\n",
                     x_ = uniform(-90, 90), y_ = uniform(-90, 90), uniform(-40, 40), uniform(-8, 8), uniform(-8, 8),
                     uniform(-10, 10), std::pow(10, uniform(2, 3.6)));
-    for (int i = uniform(0, 1) < 0.5 ? 1 : 2; i > 0; --i) out += move() + "\n";
+    out += move(first_) + "\n";
+    if (uniform(0, 1) < 0.5) out += move(static_cast<Kind>(std::min(3.0, uniform(0, 4)))) + "\n";
     return out + "M2\n";
   }
 
@@ -71,23 +77,22 @@ class DrawnMoves {
     return fmt::format("A{:.2f} B{:.2f} C{:.2f}", uniform(-9, 9), uniform(-9, 9), uniform(-12, 12));
   }
 
-  std::string move() {
-    const double kind = uniform(0, 1);
+  std::string move(Kind kind) {
     const double r = std::pow(10, uniform(0, 1.6));
     const double at = uniform(0, 6.28);
-    if (kind < 0.4) {
+    if (kind == Kind::arc) {
       std::string words =
           fmt::format("{} I{:.4f} J{:.4f}", uniform(0, 1) < 0.5 ? "G2" : "G3", r * std::cos(at), r * std::sin(at));
       if (uniform(0, 1) < 0.4) words += fmt::format(" Z{:.2f}", uniform(-40, 40));
       if (uniform(0, 1) < 0.4) words += fmt::format(" A{:.2f}", uniform(-9, 9));
       return words;
     }
-    if (kind < 0.6) return "G1 " + rotary();
+    if (kind == Kind::rotary) return "G1 " + rotary();
     const double x = x_ + r * std::cos(at);
     const double y = y_ + r * std::sin(at);
     const std::string end = fmt::format("X{:.3f} Y{:.3f}", x, y);
     std::string words;
-    if (kind < 0.8) {
+    if (kind == Kind::line) {
       words = "G1 " + end + " " + rotary();
     } else {
       words = fmt::format("G5 {} I{:.3f} J{:.3f} P{:.3f} Q{:.3f}", end, uniform(-1, 1) * r, uniform(-1, 1) * r,
@@ -99,10 +104,13 @@ class DrawnMoves {
   }
 
   std::mt19937_64 random_;
+  Kind first_;
   double x_ = 0, y_ = 0;
 };
 
-constexpr double kHalfIncrementUm = 0.05;  // of what is written: no figure means more
+// Of what is written: no figure means more.
+constexpr double kHalfIncrementUm = 0.05;
+constexpr double kHalfIncrementDeg = 5e-6;
 
 struct Honesty {
   int moves = 0, off_tip = 0, off_turn = 0;
@@ -110,10 +118,10 @@ struct Honesty {
 };
 
 // What is said is within a tenth of what `per_piece` points of each piece find, places and turns.
-Honesty honesty(unsigned first, unsigned last, int per_piece) {
+Honesty honesty(Kind kind, unsigned first, unsigned last, int per_piece) {
   Honesty all;
   for (unsigned seed = first; seed <= last; ++seed) {
-    DrawnMoves drawn(seed);
+    DrawnMoves drawn(seed, kind);
     const std::string text = drawn.text();
     const Job job = drawn.job();
     const Result result = run(text, job);
@@ -123,7 +131,7 @@ Honesty honesty(unsigned first, unsigned last, int per_piece) {
     ++all.moves;
     all.plays += result.summary.replayed;
     const bool off_tip = std::abs(tip_um - played.tip_um) > 0.1 * played.tip_um + kHalfIncrementUm;
-    const bool off_turn = std::abs(turned_deg / played.turned_deg - 1) > 0.1;
+    const bool off_turn = std::abs(turned_deg - played.turned_deg) > 0.1 * played.turned_deg + kHalfIncrementDeg;
     if (off_tip) ++all.off_tip;
     if (off_turn) ++all.off_turn;
     if (off_tip || off_turn) {
@@ -140,16 +148,36 @@ Honesty honesty(unsigned first, unsigned last, int per_piece) {
 }  // namespace
 
 TEST_CASE("what is left between the points of drawn arcs, turns and splines is said to a tenth, turns too") {
-  const Honesty found = honesty(1, 4, 60);
-  CHECK(found.off_tip == 0);
-  CHECK(found.off_turn == 0);
+  for (const Kind kind : kAllKinds) {
+    const Honesty found = honesty(kind, 1, 5, 16);
+    CHECK(found.off_tip == 0);
+    CHECK(found.off_turn == 0);
+  }
 }
 
-TEST_CASE("what is left between the points of sixty drawn moves is said to a tenth, turns too", "[.long]") {
-  const Honesty found = honesty(1, 60, 400);
-  WARN(found.plays << " plays for " << found.moves << " programs");
-  CHECK(found.off_tip == 0);
-  CHECK(found.off_turn == 0);
+TEST_CASE("what is left between the points of 480 drawn moves is said to a tenth, turns too", "[.long]") {
+  for (const Kind kind : kAllKinds) {
+    const Honesty found = honesty(kind, 101, 220, 40);
+    WARN(found.plays << " plays for " << found.moves << " programs");
+    CHECK(found.off_tip == 0);
+    CHECK(found.off_turn == 0);
+  }
+}
+
+TEST_CASE("the dense play has converged: ten times as many points find no more", "[.long]") {
+  for (const Kind kind : kAllKinds) {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+      DrawnMoves drawn(seed, kind);
+      const std::string text = drawn.text();
+      const Job job = drawn.job();
+      INFO(text);
+      const Result result = run(text, job);
+      const DensePlay some = dense_play(text, result.text, job, 16);
+      const DensePlay many = dense_play(text, result.text, job, 160);
+      CHECK(some.tip_um >= 0.97 * many.tip_um);
+      CHECK(some.turned_deg >= 0.97 * many.turned_deg);
+    }
+  }
 }
 
 TEST_CASE("what is left between the points of drawn programs is found", "[.long]") {
