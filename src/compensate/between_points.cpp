@@ -17,6 +17,7 @@ constexpr double kFirstRatio = 1.5;    // of what is found to what was guessed, 
 constexpr std::uint64_t kLearnt = 16;  // pieces of a kind
 constexpr double kSafety = 1.3;        // on the largest such ratio that was met
 constexpr double kPromising = 0.6;     // of the largest found so far: from there on a part is looked at closely
+constexpr std::size_t kAlways = 6;     // of the pieces of a block, where the first blocks are played anyway
 constexpr double kEdge = 1e-6;         // of a piece: beside its ends
 constexpr double kNoWayMm = 1e-9;      // mm and deg
 constexpr double kSaturated = 2.65;    // tanh is 0.99
@@ -181,6 +182,11 @@ void BetweenPoints::Ranking::keep(const Guess& guess, bool among_many) {
   if (guess.value > least.value) least = guess;
 }
 
+void BetweenPoints::Ranking::sort() {
+  std::sort(guesses.begin(), guesses.begin() + static_cast<std::ptrdiff_t>(count),
+            [](const Guess& a, const Guess& b) { return a.value > b.value; });
+}
+
 bool BetweenPoints::Ranking::promises(const Guess& guess) const {
   const double ratio = played[guess.kind] < kLearnt ? kFirstRatio : kSafety * per_guess[guess.kind];
   return guess.value * ratio > found.value;
@@ -203,11 +209,12 @@ void BetweenPoints::choose(const OriginalPath& path, const AxisWords& begin, std
   choose_from(turned_, begin, pieces);
 }
 
-void BetweenPoints::choose_from(const Ranking& ranking, const AxisWords& begin, std::span<const SentPiece> pieces) {
+void BetweenPoints::choose_from(Ranking& ranking, const AxisWords& begin, std::span<const SentPiece> pieces) {
   if (!must_play() && credit_ + kFirstCredit < static_cast<double>(plays_)) return;
+  ranking.sort();
   for (std::size_t k = 0; k < ranking.count; ++k) {
     const Guess& guess = ranking.guesses[k];
-    const bool must = must_play() && (k == 0 || blocks_ <= kAllBlocks);
+    const bool must = must_play() && (k == 0 || (k < kAlways && blocks_ <= kAllBlocks));
     if (!must && !ranking.promises(guess)) continue;
     Part part{{}, pieces[guess.piece].end, 0, pieces[guess.piece].share, false, {}, {}};
     part.begin = guess.piece == 0 ? begin : pieces[guess.piece - 1].end;

@@ -75,6 +75,7 @@ class BetweenPoints {
     Worst found;
 
     void keep(const Guess& guess, bool among_many);
+    void sort();  // the largest first
     bool promises(const Guess& guess) const;
     void learn(const Guess& guess, double found_value);
   };
@@ -104,7 +105,7 @@ class BetweenPoints {
   };
   void find_guesses(const OriginalPath& path, const AxisWords& begin, std::span<const SentPiece> pieces);
   void choose(const OriginalPath& path, const AxisWords& begin, std::span<const SentPiece> pieces, bool as_it_stands);
-  void choose_from(const Ranking& ranking, const AxisWords& begin, std::span<const SentPiece> pieces);
+  void choose_from(Ranking& ranking, const AxisWords& begin, std::span<const SentPiece> pieces);
   bool must_play() const { return blocks_ <= kAllBlocks || blocks_ % kEvery == 0; }
   void play_waiting(const OriginalPath* next);
   void play(const Part& part, const OriginalPath* next);
