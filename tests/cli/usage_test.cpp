@@ -53,7 +53,6 @@ TEST_CASE("what stands wrongly on the command line is named as its user would") 
         Case{"compensate", "PROGRAM and -o FILE are required"},
         Case{"compensate p.ngc -m m.toml -o", "-o needs its value: -o FILE"},
         Case{"compensate p.ngc -m -o out.ngc", "-m needs its value: -m "},
-        Case{"check p.ngc --step-angle --no-friction", "--step-angle needs its value: --step-angle DEG"},
         Case{"compensate p.ngc -o o.ngc --undo o.undo", "o.undo is one too many: --undo is a switch"},
         Case{"compensate p.ngc -o o.ngc --guard yes", "yes is one too many: --guard is a switch"},
         Case{"diff p.ngc p.ngc p.ngc", "p.ngc is one too many: plumbline diff takes A, B"},
