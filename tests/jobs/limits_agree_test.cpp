@@ -23,13 +23,14 @@ constexpr std::array kEdges{Edge{"length_max_mm = 1900", "length_max_mm = {:.6f}
                             Edge{"length_min_mm = 700", "length_min_mm = {:.6f}", 700, 1800},
                             Edge{"tilt_deg = 25", "tilt_deg = {:.6f}", 25, 0},
                             Edge{"x_mm = [-300, 300]", "x_mm = [-300, {:.6f}]", 300, -290},
-                            Edge{"z_mm = [-1250, -800]", "z_mm = [-1250, {:.6f}]", -800, -1249}};
+                            Edge{"z_mm = [-1250, -800]", "z_mm = [-1250, {:.6f}]", -800, -1200}};
 
 class OnTheEdge {
  public:
   OnTheEdge(const std::string& dialect, const std::string& text) {
     options_.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
     options_.dialect = dialect;
+    options_.tool_in_spindle = 1;
     options_.free_rotation = nc::FreeRotation::c_stays;
     options_.feed_rule = nc::FeedRule::xyz_first;
     options_.tools = scratch_.file("tools.toml", "plumbline = \"tools 1\"\n[[tool]]\nnumber = 1\nlength_mm = 0\n");
