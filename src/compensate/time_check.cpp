@@ -32,7 +32,10 @@ void TimeCheck::spend(const IntendedMove& meant, const nc::Motion& motion) {
   if (!meant.seconds) return;
   const bool turns = meant.motion.feed_mode == nc::FeedMode::per_revolution;
   if (turns != (motion.feed_mode == nc::FeedMode::per_revolution)) throw Difference{"its feed is in another unit"};
-  spent_ += path::duration(motion, curve, dialect_).value_or(0);
+  // Where nobody knows how F counts turns, a block that has none was given so few that it makes no difference.
+  nc::Motion timed = motion;
+  if (timed.feed_rule == nc::FeedRule::unknown) timed.feed_rule = nc::FeedRule::xyz_first;
+  spent_ += path::duration(timed, curve, dialect_).value_or(0);
 }
 
 // A move whose end is where it begins, as far as the control can tell, takes no time.

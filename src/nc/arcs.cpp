@@ -172,6 +172,11 @@ void move_arc(Execution& run) {
   const bool clockwise = run.motion->action == Action::arc_cw;
   const bool through_point = run.motion->action == Action::arc_through_point;
   need_offsets(run);
+  if (run.dialect.habits.inverse_time_arc_unknown && control.modal.feed_mode == FeedMode::inverse_time) {
+    run.refuse(run.motion_code(), codes::kNotInterpreted,
+               "what F says of an arc under inverse time (G93) was found in no source",
+               "write G94 before the arc, with a feed per minute");
+  }
   if (!through_point) check_words(run, axes);
   check_start(run, axes);
   Motion motion;

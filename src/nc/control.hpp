@@ -40,6 +40,9 @@ struct Cycle {
   double bottom = 0;
   double dwell_s = 0;           // P
   double peck = 0;              // Q
+  double peck_to_r = 0;         // J of an OSP's G73
+  double feed_out = 0;          // FA of an OSP
+  bool stays = false;           // some word of it is in no source that says all: the hole stays a cycle
   std::array<double, 3> ijk{};  // G87
 };
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "nc/codes.hpp"
+#include "nc/cycle_codes.hpp"
 #include "nc/execution.hpp"
 
 namespace plumbline::nc {
@@ -14,24 +15,7 @@ namespace {
 constexpr double kWrittenDigits = 1e10;  // decimals that a length may have been written with
 constexpr double kSameShift = 1e-6;      // mm
 constexpr double kNoise = 1e-13;         // and the rounding of a conversion
-
-enum Code {
-  kChipBreaking = 73,
-  kLeftTapping = 74,
-  kDrill = 81,
-  kDrillDwell,
-  kPeck,
-  kTapping,
-  kBore,
-  kBoreStop,
-  kBackBore,
-  kBoreByHand,
-  kBoreDwell
-};
-
-bool works_spindle(int code) {
-  return code == kLeftTapping || code == kTapping || code == kBoreStop || code == kBackBore || code == kBoreByHand;
-}
+constexpr char kFeedOut = '1';           // FA=, as grammar/okuma.toml calls it
 
 // A cycle at one hole after the other.
 class CycleRun {
@@ -44,10 +28,9 @@ class CycleRun {
  private:
   void take_unit();
   void take_words();
+  void take_words_of_osp(bool is_new);
   double inherited(char letter, double before, double value, bool needed) const;
   void check_level() const;
-  void check_spindle() const;
-  void check_tapped_plane() const;
   void check_distance_mode();
   void check_shift();
   void hole(bool first);
@@ -59,6 +42,7 @@ class CycleRun {
   void along(MotionKind kind, double level) { go(kind, first_, second_, level); }
   void along_tap(double level);
   void wait();
+  bool waits_as_osp() const { return run_.dialect.habits.return_levels && cycle_.dwell_s > 0; }
 
   Execution& run_;
   Control& control_;
@@ -71,6 +55,7 @@ class CycleRun {
   double r_ = 0, bottom_ = 0, clear_ = 0, level_ = 0, offset_level_ = 0;
   double start_ = 0;  // where the first of these cycles began
   double unit_ = 1;   // mm
+  double feed_ = 0;   // of the way out; 0: as that of the way in
 };
 
 double CycleRun::inherited(const char letter, double before, double value, bool needed) const {
@@ -111,20 +96,38 @@ void CycleRun::take_words() {
   const bool dwells = code_ == kDrillDwell || code_ == kBoreStop || code_ == kBoreByHand || code_ == kBoreDwell;
   cycle_.dwell_s = inherited('P', cycle_.dwell_s, number('P'), dwells && !as_fanuc_);
   cycle_.dwell_s = run_.words.has('P') ? cycle_.dwell_s * run_.dialect.habits.dwell_p_s : cycle_.dwell_s;
+  const bool of_osp = run_.dialect.habits.return_levels;
   const bool pecks = code_ == kChipBreaking || code_ == kPeck;
-  cycle_.peck = inherited('Q', cycle_.peck, length('Q'), pecks);
+  const char peck = of_osp && run_.words.has('I') ? 'I' : 'Q';
+  cycle_.peck = inherited(peck, cycle_.peck, length(peck), pecks);
   for (std::size_t i = 0; i < 3; ++i) {
     cycle_.ijk[i] = inherited(kCentreLetters[i], cycle_.ijk[i], length(kCentreLetters[i]), code_ == kBackBore);
   }
   if (const Word* const word = run_.words.find('P')) check_milliseconds(run_, *word);
+  if (of_osp) take_words_of_osp(is_new);
   if (cycle_.dwell_s < 0) {
     run_.refuse(*run_.words.find('P'), codes::kNegative, "the time to wait is negative", "write P0 or more");
   }
   if (pecks && cycle_.peck <= 0) {
-    const Word* const word = run_.words.find('Q');
+    const Word* const word = run_.words.find(peck);
     run_.refuse(word != nullptr ? *word : run_.motion_code(), codes::kOutOfRange, "a peck has no depth",
-                "write Q greater than 0");
+                fmt::format("write {} greater than 0", peck));
   }
+}
+
+// With J the tool goes up to R whenever that depth has come together (setting); FA is the feed out of the hole.
+void CycleRun::take_words_of_osp(bool is_new) {
+  if (is_new) {
+    cycle_.stays = false;
+    cycle_.peck_to_r = cycle_.feed_out = 0;
+  }
+  cycle_.stays = cycle_.stays || (run_.words.letters() & run_.motion->stays_mask) != 0;
+  if (const Word* const depth = run_.words.find('J')) cycle_.peck_to_r = run_.length(*depth);
+  const Word* const feed = run_.words.find(kFeedOut);
+  if (feed == nullptr) return;
+  cycle_.feed_out = feed->value;
+  if (cycle_.feed_out > 0) return;
+  run_.refuse(*feed, codes::kNegative, "the feed out of the hole is none", "write a feed greater than 0");
 }
 
 void CycleRun::check_level() const {
@@ -135,27 +138,6 @@ void CycleRun::check_level() const {
   }
   const bool pecks = code_ == kChipBreaking || code_ == kPeck;
   if (pecks) check_motions(run_, (r_ - bottom_) / cycle_.peck);
-}
-
-// The control stops in the middle of the cycle [LinuxCNC, measured].
-void CycleRun::check_spindle() const {
-  const int spindle = control_.modal.switches.spindle;
-  const bool taps = code_ == kTapping || code_ == kLeftTapping;
-  const int needed = code_ == kTapping ? kClockwise : kCounterClockwise;
-  if (!works_spindle(code_) || (taps ? spindle == needed : spindle != kSpindleStands)) return;
-  const std::string_view way = taps && spindle != kSpindleStands ? "turns the other way" : "stands";
-  run_.refuse(run_.motion_code(), codes::kSpindleStands,
-              fmt::format("the spindle {}, and the control refuses G{} then", way, code_),
-              fmt::format("write S and M{} before it; M6 and M19 stop the spindle", taps ? needed : kClockwise));
-}
-
-// There the control takes the axes of the plane for others, one place on, and taps somewhere else [LinuxCNC, measured].
-void CycleRun::check_tapped_plane() const {
-  const bool taps = code_ == kTapping || code_ == kLeftTapping;
-  if (!taps || control_.modal.plane == Plane::xy || run_.settings.as_with_empty_tables) return;
-  run_.refuse(run_.motion_code(), codes::kNotInterpreted,
-              fmt::format("in G18 and G19 the control mixes up the axes of G{} and taps beside the hole", code_),
-              "tap along Z, with G17 in force");
 }
 
 void CycleRun::make() {
@@ -191,8 +173,7 @@ void CycleRun::make() {
     second_ = word(axes_.second, second_);
   }
   check_level();
-  if (!as_fanuc_) check_spindle();
-  if (!as_fanuc_) check_tapped_plane();
+  if (!as_fanuc_) check_cycle_spindle(run_, code_);
   if (start < r_ && !as_fanuc_) {
     go(MotionKind::rapid, control_.position[axes_.first], control_.position[axes_.second], r_);
     start = level_ = r_;
@@ -241,6 +222,7 @@ void CycleRun::hole(bool first) {
 }
 
 void CycleRun::at_hole() {
+  feed_ = 0;
   if (code_ == kChipBreaking || code_ == kPeck) return pecks();
   if (code_ == kBackBore) return back_bore();
   const bool taps = code_ == kTapping || code_ == kLeftTapping;
@@ -254,7 +236,9 @@ void CycleRun::at_hole() {
     return;
   }
   along(MotionKind::feed, bottom_);
-  if (code_ != kDrill && code_ != kBore) wait();
+  const bool waits = code_ != kDrill && code_ != kBore;
+  if (waits || waits_as_osp()) wait();
+  feed_ = cycle_.feed_out;
   if (code_ == kBore) along(MotionKind::feed, r_);
   if (code_ == kBoreByHand) {
     control_.position[axes_.third] = clear_;  // the operator takes it there
@@ -302,13 +286,18 @@ void CycleRun::pecks() {
   const double step = in_unit(cycle_.peck);
   const double r = in_unit(cycle_.r) + (increments ? in_unit(start_) : 0);
   const double bottom = in_unit(cycle_.bottom) + (increments ? r : 0);
+  const double together = in_unit(cycle_.peck_to_r) - kNoise;
+  double up_at = r - together;
   for (double at = r - step; at > bottom; at -= step) {
     const double depth = at * unit_;
     along(MotionKind::feed, depth);
-    if (code_ == kPeck) along(MotionKind::rapid, r_);
+    const bool far = cycle_.peck_to_r > 0 && at <= up_at;
+    if (far) up_at = at - together;
+    if (code_ == kPeck || far) along(MotionKind::rapid, r_);
     along(MotionKind::rapid, depth + run_.dialect.habits.peck_gap_mm);
   }
   along(MotionKind::feed, bottom_);
+  if (waits_as_osp()) wait();
   along(MotionKind::rapid, clear_);
 }
 
@@ -348,7 +337,7 @@ void CycleRun::go(MotionKind kind, double first, double second, double level) {
   motion.to[axes_.second] = second;
   motion.to[axes_.third] = level;
   motion.known_after = control_.known;
-  if (kind == MotionKind::feed) motion.feed = feed_of_move(run_, true);
+  if (kind == MotionKind::feed) motion.feed = feed_ > 0 ? feed_ : feed_of_move(run_, true);
   add_motion(run_, motion);
 }
 
@@ -380,9 +369,10 @@ void move_in_cycle(Execution& run) {
   }
   CycleRun(run).make();
   // What P counts in a cycle of an OSP depends on its settings: such a hole stays a cycle, whose P stays as it is.
-  const bool dwells = run.dialect.habits.return_levels && run.control.cycle.dwell_s != 0;
-  const bool stays = (works_spindle(run.motion->value) || dwells) && run.chosen_row(Action::no_hole) == nullptr;
-  run.step.cycle = stays ? CycleForm::spindle : CycleForm::moves;
+  const Cycle& cycle = run.control.cycle;
+  const bool stays = run.dialect.habits.return_levels && (cycle.dwell_s != 0 || cycle.stays);
+  const bool whole = (works_spindle(run.motion->value) || stays) && run.chosen_row(Action::no_hole) == nullptr;
+  run.step.cycle = whole ? CycleForm::spindle : CycleForm::moves;
   run.step.holes = run.holes;
   const bool begins = run.control.modal.motion != MotionMode::cycle;
   if (begins) run.control.row_before_cycle = run.control.motion_row;

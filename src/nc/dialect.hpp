@@ -129,6 +129,7 @@ struct CodeRow {
   int value = 0;                    // which one of several: of the work systems, of the homes
   std::uint8_t step = 0;            // its turn inside a block
   std::uint32_t word_mask = 0;      // the words, A is bit 0
+  std::uint32_t stays_mask = 0;     // of a cycle: with one of these words its holes stay cycles
   bool takes_axes = false;          // the axis words of the block are its own
   bool loses_position = false;      // the axes may stand elsewhere after it
   bool harmless = false;            // may stand behind / without a choice
@@ -249,12 +250,14 @@ struct Habits {
   bool inch_turn_per_revolution_unknown = false;  // F of a move of A, B, C alone under G20 and G95
   bool dwell_unknown_per_revolution = false;
   bool dwell_unknown_inverse_time = false;
-  bool h0_is_machine = false;            // G15 H0, G16 H0: machine coordinates
-  double travel_limit_mm = 0;            // a rapid to this or more goes to the end of the axis' travel; 0: none does
-  bool return_levels = false;            // cycles go back to the level of G71 or to R, as M53 and M54 say
-  bool cycle_off_stops_spindle = false;  // G80
-  bool rapid_behind_cycles = false;      // G80 ends the cycle alone: the G0 from before it is in force again
-  bool radius_positive = false;          // R of an arc: what less than 0 asks for is not known
+  bool h0_is_machine = false;             // G15 H0, G16 H0: machine coordinates
+  double travel_limit_mm = 0;             // a rapid to this or more goes to the end of the axis' travel; 0: none does
+  bool return_levels = false;             // cycles go back to the level of G71 or to R, as M53 and M54 say
+  bool cycle_off_stops_spindle = false;   // G80
+  bool rapid_behind_cycles = false;       // G80 ends the cycle alone: the G0 from before it is in force again
+  bool inverse_time_arc_unknown = false;  // what F of an arc says under G93
+  bool set_position_unknown_elsewhere = false;  // what G92 is under G91, and in another work system
+  bool radius_positive = false;                 // R of an arc: what less than 0 asks for is not known
   // G91 after a change of these: whether the increment brings it along is not known.
   bool increment_unknown_after_offset = false;  // TRANS, G55
   bool increment_unknown_after_length = false;  // D1, G43 H1
@@ -269,10 +272,11 @@ struct Dialect {
   std::vector<CodeRow> named_codes;
   std::vector<CodeRow> at_start;  // codes that are in force before the program
   int work_systems = 9;
-  std::vector<std::string> marks;         // what only programs for this control hold: recognise.hpp
-  std::vector<std::string> weak_marks;    // what counts where nothing else does
-  std::vector<std::string> file_endings;  // upper case
-  std::vector<CodeRow> g_codes;           // by code
+  std::vector<std::string> marks;              // what only programs for this control hold: recognise.hpp
+  std::vector<std::string> weak_marks;         // what counts where nothing else does
+  std::vector<std::string> file_endings;       // upper case
+  std::vector<std::string> weak_file_endings;  // what counts where the text shows nothing but weak marks
+  std::vector<CodeRow> g_codes;                // by code
   std::vector<CodeRow> m_codes;
   FeedRule feed_rule = FeedRule::unknown;
   bool feed_before_units = false;  // F counts in the units that were in force before its block

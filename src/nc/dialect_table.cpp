@@ -55,19 +55,12 @@ class TableReader {
     dialect.work_systems = static_cast<int>(number(root_, "work_systems", dialect.work_systems));
     if (const TomlEntry* entry = root_.find("syntax")) read_syntax(entry->value, dialect.syntax);
     if (const TomlEntry* entry = root_.find("habits")) read_habits(entry->value, dialect.habits);
-    if (root_.find("subprogram_files") != nullptr) {
-      for (const TomlValue& file : list("subprogram_files")) dialect.syntax.subprogram_files.push_back(file.text);
-    }
+    texts("subprogram_files", dialect.syntax.subprogram_files);
     if (root_.find("names") != nullptr) named_rows(dialect);
-    if (root_.find("marks") != nullptr) {
-      for (const TomlValue& mark : list("marks")) dialect.marks.push_back(mark.text);
-    }
-    if (root_.find("weak_marks") != nullptr) {
-      for (const TomlValue& mark : list("weak_marks")) dialect.weak_marks.push_back(mark.text);
-    }
-    if (root_.find("file_endings") != nullptr) {
-      for (const TomlValue& ending : list("file_endings")) dialect.file_endings.push_back(ending.text);
-    }
+    texts("marks", dialect.marks);
+    texts("weak_marks", dialect.weak_marks);
+    texts("file_endings", dialect.file_endings);
+    texts("weak_file_endings", dialect.weak_file_endings);
     if (root_.find("at_start") != nullptr) {
       for (const TomlValue& code : list("at_start")) dialect.at_start.push_back(start_row(dialect, code.text));
     }
@@ -201,6 +194,8 @@ class TableReader {
     habits.return_levels = flag(from, "return_levels");
     habits.cycle_off_stops_spindle = flag(from, "cycle_off_stops_spindle");
     habits.rapid_behind_cycles = flag(from, "rapid_behind_cycles");
+    habits.inverse_time_arc_unknown = flag(from, "inverse_time_arc_unknown");
+    habits.set_position_unknown_elsewhere = flag(from, "set_position_unknown_elsewhere");
     habits.radius_positive = flag(from, "radius_positive");
     if (from.find("beside_dwell") != nullptr) habits.beside_dwell = beside_named(text(from, "beside_dwell"));
     habits.turned_axis_alone_unknown = flag(from, "turned_axis_alone_unknown");
@@ -299,9 +294,15 @@ class TableReader {
     row.tool_vectors = flag(from, "tool_vectors");
     if (from.find("written_as") != nullptr) row.written_as = text(from, "written_as");
     row.has_values = flag(from, "values");
+    if (from.find("stays_with") != nullptr) row.stays_mask = mask(text(from, "stays_with"));
     if (from.find("levels") != nullptr) row.levels = text(from, "levels");
     if (row.action == Action::refused || !row.only.empty() || from.find("why") != nullptr) row.why = text(from, "why");
     return row;
+  }
+
+  void texts(std::string_view key, std::vector<std::string>& into) const {
+    if (root_.find(key) == nullptr) return;
+    for (const TomlValue& item : list(key)) into.push_back(item.text);
   }
 
   void rows(std::string_view key, std::vector<CodeRow>& into, std::vector<std::int16_t>& places) const {

@@ -265,7 +265,7 @@ void Emitter::refuse_builders_codes(const Step& step) const {
   for (const Word& word : step.block->words) {
     if (word.letter != 'M') continue;
     const CodeRow* const row = dialect_.row_of(word);
-    const bool known = row != nullptr && row->action != Action::change_tool && row->action != Action::refused;
+    const bool known = row != nullptr && row->action != Action::refused;
     if (known && !row->order_unknown) continue;
     refuse_at(
         *step.block, word.span, "emit-m-code",

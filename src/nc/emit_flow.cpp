@@ -202,7 +202,8 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
   editor_.start(*step.block, spelling_);
   for (const Word& word : step.block->words) {
     std::optional<Axis> axis = axis_of(word.letter);
-    if (word.letter == 'R' || word.letter == kCentreLetters[index(axes.third)]) axis = axes.third;
+    const bool level = step.holes.front().ijk && word.letter == kCentreLetters[index(axes.third)];
+    if (word.letter == 'R' || level) axis = axes.third;
     if (!axis) continue;
     const double per_unit = step.after->inches ? kMmPerInch : 1;
     const double value = planner_.rounded(step, *axis, word.value + shift[*axis] / per_unit);

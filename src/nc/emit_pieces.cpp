@@ -283,11 +283,14 @@ Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point,
 
 void PiecePlanner::set_lengths(const Step& step, const AxisWords& start) {
   AxisWords at = start;
+  const Motion& motion = step.motions.front();
+  const bool little = motion.feed_rule == FeedRule::unknown && !turns(motion) &&
+                      turns_count_little(start, ends_, motion.mm_per_unit, settings_.time_tolerance / 2);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const AxisWords delta = ends_[i] - at;
     const double linear = distance_mm(delta, {});
-    const Motion& motion = step.motions.front();
-    const std::optional<double> length = feed_length(linear, delta, motion.feed_rule, motion.mm_per_unit);
+    const FeedRule rule = little ? FeedRule::xyz_first : motion.feed_rule;
+    const std::optional<double> length = feed_length(linear, delta, rule, motion.mm_per_unit);
     if (!length && motion.feed_rule == FeedRule::tool_tip && motion.feed_mode != FeedMode::inverse_time)
       refuse_turn_alone(step);
     if (!length && motion.feed_rule != FeedRule::tool_tip) refuse_feed_rule(step, dialect_);

@@ -32,4 +32,19 @@ std::optional<double> feed_length(double linear_mm, const AxisWords& delta, Feed
   return linear_mm > 0 ? linear_mm : rotary_deg;
 }
 
+bool turns_count_little(const AxisWords& start, std::span<const AxisWords> ends, double mm_per_unit, double share) {
+  double linear = 0;
+  double all = 0;
+  AxisWords at = start;
+  for (const AxisWords& end : ends) {
+    const AxisWords delta = end - at;
+    const double mm = norm(delta[Axis::X], delta[Axis::Y], delta[Axis::Z]);
+    at = end;
+    if (mm == 0) continue;
+    linear += mm;
+    all += *feed_length(mm, delta, FeedRule::all_axes_as_mm, mm_per_unit);
+  }
+  return all - linear <= share * linear;
+}
+
 }  // namespace plumbline::nc

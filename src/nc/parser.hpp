@@ -1,6 +1,7 @@
 // Text of one line -> Block. The member functions are the productions of grammar/block.ebnf.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -27,7 +28,9 @@ class Parser {
   void items();
   void word(char letter);
   void comment(Span span);
-  bool compares_ = false;  // the expression being read has compared already
+  bool compares_ = false;                    // the expression being read has compared already
+  std::optional<Operation> joined_by_ = {};  // a comparison or a logical operator of the bracket being read
+  void refuse_unknown_binding(Operation operation);
   void literal_word();
   void setting();
   std::uint32_t value_code();

@@ -1,4 +1,6 @@
 // The productions of values in languages with names: variables, functions and operators by their name.
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "nc/codes.hpp"
@@ -16,9 +18,11 @@ std::uint32_t Parser::named_value_code() {
 
 // value = term , { operation , term }; at_ is behind it on return
 void Parser::named_value() {
+  const std::optional<Operation> outside = std::exchange(joined_by_, std::nullopt);
   named_term();
   look(lex_named_operation, token_);
   named_operations(0);
+  joined_by_ = outside;
 }
 
 void Parser::named_value_until(TokenKind kind) {
@@ -71,11 +75,25 @@ bool Parser::is_operation(Token& token) const {
   return true;
 }
 
+// Which of AND, OR and a comparison binds first is in no source of such a control: brackets must say it.
+void Parser::refuse_unknown_binding(Operation operation) {
+  const bool compares = operation >= Operation::equal && operation <= Operation::less_equal;
+  if (!syntax_->truths_only || !(compares || is_logical(operation))) return;
+  if (joined_by_ && (compares || *joined_by_ != operation)) {
+    const Span span = span_of(token_);
+    refuse_at(*block_, span, codes::kNotInterpreted,
+              fmt::format("which binds first, {} or the operator before it, was found in no source", block_->at(span)),
+              "write brackets around each condition, as in [[VC1 EQ 1] AND [VC2 EQ 2]]");
+  }
+  joined_by_ = operation;
+}
+
 // Precedence climbing; token_ is the operation behind the value just read, and again on return.
 void Parser::named_operations(int least_precedence) {
   while (is_operation(token_)) {
     const auto operation = static_cast<Operation>(token_.operation);
     if (named_precedence(operation) < least_precedence) return;
+    refuse_unknown_binding(operation);
     const Span span = span_of(token_);
     at_ = token_.end;
     named_term();

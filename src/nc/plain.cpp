@@ -104,7 +104,8 @@ std::string PlainSteps::with_value(std::string_view text, const Word& word) cons
   const Spelling spelling{spelling_.lower_case, false, spelling_.point, spelling_.most_digits};
   std::string value;
   const bool whole = dialect_.habits.whole_words.find(word.letter) != std::string::npos;
-  const bool has_parts = word.letter == 'G' && std::abs(word.value - std::round(word.value)) > kWholeCode;  // G54.1
+  const bool may_have_parts = word.letter == 'G' || word.letter == 'P';  // G54.1, and P where it counts seconds
+  const bool has_parts = may_have_parts && std::abs(word.value - std::round(word.value)) > kWholeCode;
   if (whole && !has_parts) {
     append_word(value, word.letter, std::round(word.value), 0, {spelling_.lower_case, false, false, 0});
   } else {

@@ -19,6 +19,7 @@ constexpr int kG92End = 5220;
 constexpr int kActiveSystem = 5220, kSystems = 5221, kSystemsEnd = 5401 - 11;
 constexpr int kTool = 5400, kToolEnd = 5413, kPosition = 5420, kPositionEnd = 5429;
 constexpr int kRotation = 9;
+constexpr int kToolChanger = 5600;  // and 5601: whether it failed, and why, whatever was set
 
 // Variables of macro B [B-63174EN 13]
 constexpr int kClocks = 3001, kClocksEnd = 3002, kDate = 3011, kTime = 3012;
@@ -146,6 +147,7 @@ Value Readings::read(const Block& block, int number, Span span) {
     const Value value = unset(block, span);
     return {value.number, value.known};  // zero, and not vacant as in macro B
   }
+  if (number >= kToolChanger) return {0, settings_.as_with_empty_tables};
   if (number >= kPosition && number < kPosition + static_cast<int>(kAxes)) {
     return position(block, kAllAxes[static_cast<std::size_t>(number - kPosition)], span);
   }

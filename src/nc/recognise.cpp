@@ -93,6 +93,7 @@ class Look {
   Recognised decide() {
     name();
     text();
+    if (found_.empty()) found_ = by_name_;
     if (found_.empty()) found_ = weak_;
     if (found_.empty()) return {&dialect("linuxcnc"), {}, 0};
     if (found_.size() == 1) return {found_.front().dialect, found_.front().text, found_.front().line};
@@ -127,6 +128,9 @@ class Look {
       for (const std::string& ending : known.file_endings) {
         if (upper_name.ends_with(ending)) note(found_, known, fmt::format("the file's ending {}", ending), 0, {});
       }
+      for (const std::string& ending : known.weak_file_endings) {
+        if (upper_name.ends_with(ending)) note(by_name_, known, fmt::format("the file's ending {}", ending), 0, {});
+      }
     }
   }
 
@@ -156,7 +160,7 @@ class Look {
   }
 
   const InputFile& file_;
-  std::vector<Evidence> found_, weak_;
+  std::vector<Evidence> found_, by_name_, weak_;
 };
 
 }  // namespace

@@ -52,6 +52,11 @@ void StatementFlow::call(const Block& block) {
   Call call;
   call.name = canonical_program(block.at(block.flow.name));
   if (block.flow.count != kLiteral) call.remaining = number_of(block, block.flow.count, "the count of calls") - 1;
+  if (call.remaining < 0 && dialect_.syntax.statements == Statements::user_task) {
+    refuse_at(block, block.flow.span, codes::kNotInterpreted,
+              "whether a CALL with Q0 calls once or not at all was found in no source",
+              "write Q1 or more, or leave the call out");
+  }
   for (const std::uint32_t code : block.flow.values) {
     call.arguments.push_back({interpreter_.value_of(block, code, block.flow.span), true});
   }

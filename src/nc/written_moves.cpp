@@ -69,7 +69,7 @@ std::span<const Step* const> WrittenMoves::of(const Step& step) {
 // The block without the words of its cycle, and without those that wait for the motion.
 void WrittenMoves::add_rest(const Step& step) {
   const bool timed = step.after->feed_mode == FeedMode::inverse_time;
-  const std::string_view of_motion = timed ? "XYZABCRLPQIJK@^F" : "XYZABCRLPQIJK@^";
+  const std::string_view of_motion = timed ? "XYZABCRLPQIJK@^1F" : "XYZABCRLPQIJK@^1";
   const Block& block = *step.block;
   const BlockCodes codes = codes_.codes_of(block);
   editor_.start(block, spelling_);
@@ -209,11 +209,7 @@ void WrittenMoves::add_hole(const Step& step, const Hole& hole) {
   append_axis(own.text, step, letter(axes.second), hole.second);
   append_axis(own.text, step, letter(axes.third), hole.bottom);
   append_axis(own.text, step, 'R', hole.r);
-  if (hole.dwell_s && dialect_.habits.return_levels) {
-    append_word(own.text, 'P', *hole.dwell_s, kMostDecimals, spelling_);  // as it was: what it counts is a setting
-  } else if (hole.dwell_s) {
-    append_dwell(own.text, *hole.dwell_s);
-  }
+  if (hole.dwell_s) append_dwell(own.text, *hole.dwell_s);
   if (hole.ijk) {
     for (std::size_t i = 0; i < 3; ++i) append_axis(own.text, step, "IJK"[i], (*hole.ijk)[i]);
   }

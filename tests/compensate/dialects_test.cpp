@@ -187,6 +187,59 @@ TEST_CASE("a word whose variable is vacant gives way to the corrected one") {
   CHECK_FALSE(holds(out, "#"));
 }
 
+TEST_CASE("OSP: a hole with words that no source says all of stays a cycle, shifted, its words as they were") {
+  const Job job = job_for("okuma");
+  const std::string text =
+      "G15 H1\nG90 G94 M53\nG0 X5. Y5. Z20. A0 B0 C0\nG71 Z20.\nS500 M3\n"
+      "G73 X5. Y5. Z-6. R1. I2. J4. F100\nX10.\nG0 Z20.\nG85 X5. Z-2. R1. F80 FA=200\nG81 Y8. Z-1. R1. P250\n"
+      "G284 X0 Y0 Z-2. R1. F500\nG0 Z20.\nG18\nG0 Y30.\nG71 Y30.\nG73 X0 Z5. Y-6. R1. I2. J4. F100\nG0 Y30.\nM2\n";
+  const std::string out = run(text, job).text;
+  INFO(out);
+  CHECK(holds(out, "^G73 X.* R1\\.0.* I2\\. J4\\. F100"));
+  CHECK(holds(out, "^X[0-9.]+ Y[0-9.]+ Z-5\\.98.* R1\\.01"));
+  CHECK(holds(out, "^G85 .* FA=200 Y"));
+  CHECK(holds(out, "^G81 .* P250 X"));
+  CHECK(holds(out, "^G284 .*"));
+  CHECK(holds(out, "^G73 X.* Y-.* I2\\. J4\\. F100"));
+}
+
+TEST_CASE("OSP: an arc of a program in which nothing turns needs no rule for F, however short its pieces are") {
+  const Job job = job_for("okuma");
+  for (const char* const cut : {"G2 X10 R5 F100\n", "G18 G3 X4 Z20 I2 K0 F250\n", "G1 X0.5 F100\nG3 I0.5\n"}) {
+    const std::string text = "G15 H1\nG90 G94 G0 X0 Y0 Z20 A0 B0 C0\n" + std::string(cut) + "M2\n";
+    const std::string out = run(text, job).text;
+    INFO(out);
+    Job counted = job;
+    for (const nc::FeedRule rule : {nc::FeedRule::xyz_first, nc::FeedRule::all_axes_as_mm}) {
+      counted.program.feed_rule = rule;
+      check(text, out, counted, 1.5);
+    }
+  }
+}
+
+TEST_CASE("OSP: what was worked out has a point only where the control takes one") {
+  const Job job = job_for("okuma");
+  const std::string text =
+      "G15 H1\nG90 G94 G0 X0 Y0 Z20 A0 B0 C0\nVC1=1\nNA IF [VC1 GT 1] NB\nS=1000*VC1 M=2+VC1\nG15 H=VC1\nG0 X0 Y0 Z20\n"
+      "G=VC1 X=VC1*5 F=100*2\nG4 F=VC1/2\nG56 H=VC1-1\nVC1=VC1+1\nGOTO NA\nNB M2\n";
+  const std::string out = run(text, job).text;
+  INFO(out);
+  CHECK(holds(out, "^S1000 M3$"));
+  CHECK(holds(out, "^G15 H1$"));
+  CHECK(holds(out, "^G1 X"));
+  CHECK(holds(out, "^G4 F0\\.5$"));
+  CHECK(holds(out, "^G56 H0$"));
+}
+
+TEST_CASE("OSP: a code of the builder beside a cut of several pieces is refused") {
+  Job job = job_for("okuma");
+  const std::string head = "G15 H1\nG90 G94 G0 X0 Y0 Z20 A0 B0 C0\n";
+  job.program.passed_m_codes = {300};
+  CHECK(code_of(head + "G1 X10 F100 M300\nM2\n", job) == "emit-m-code");
+  CHECK(code_of(head + "G1 X10 F100 M20\nM2\n", job) == "emit-m-code");
+  CHECK(code_of(head + "M300\nG1 X10 F100 M8\nM21\nM2\n", job).empty());
+}
+
 TEST_CASE("a work system of one block alone cannot hold for its pieces") {
   Job job = job_for("okuma");
   const std::string text = "G15 H1\nG0 X0 Y0 Z20 A0 B0 C0\nG16 H2 G1 X5 F100\nM2\n";

@@ -9,11 +9,11 @@
 namespace plumbline::nc::tests {
 namespace fs = std::filesystem;
 
-ProgramFile::ProgramFile(std::string_view text) {
+ProgramFile::ProgramFile(std::string_view text, std::string_view ending) {
   static int count = 0;
-  path_ =
-      (fs::temp_directory_path() / ("plumbline-" + std::to_string(getpid()) + "-" + std::to_string(count++) + ".ngc"))
-          .string();
+  path_ = (fs::temp_directory_path() /
+           ("plumbline-" + std::to_string(getpid()) + "-" + std::to_string(count++) + std::string(ending)))
+              .string();
   std::ofstream(path_, std::ios::binary).write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 

@@ -16,7 +16,7 @@ namespace plumbline::nc::tests {
 /// A program text in a file of its own, gone with the object.
 class ProgramFile {
  public:
-  explicit ProgramFile(std::string_view text);
+  explicit ProgramFile(std::string_view text, std::string_view ending = ".nc");
   ~ProgramFile();
   ProgramFile(const ProgramFile&) = delete;
   ProgramFile& operator=(const ProgramFile&) = delete;

@@ -11,8 +11,8 @@ using namespace plumbline::nc::tests;
 
 namespace {
 
-std::string dialect_of(std::string_view text) {
-  const ProgramFile file(text);
+std::string dialect_of(std::string_view text, std::string_view ending = ".nc") {
+  const ProgramFile file(text, ending);
   return recognise(InputFile(file.path())).dialect->name;
 }
 
@@ -60,6 +60,14 @@ TEST_CASE("an NE behind a bracket is no label") {
 TEST_CASE("comments show nothing") {
   CHECK(dialect_of("(TRAORI)\nG0 X1. ; CALL O1000\n") == "linuxcnc");
   CHECK(dialect_of("(POST: G54.1 P2 AND #<name>)\nG0 X1.\n") == "linuxcnc");
+}
+
+TEST_CASE("a file that ends in .ngc is LinuxCNC's unless its text shows another control") {
+  CHECK(dialect_of("O1000\nT1 M6\nG0 X10\n", ".ngc") == "linuxcnc");
+  CHECK(dialect_of("%\nO1000\nM72\n", ".NGC") == "linuxcnc");
+  CHECK(dialect_of("%\nO1000\nG54.1 P2\n", ".ngc") == "fanuc");
+  CHECK(dialect_of("G15 H1\n", ".ngc") == "okuma");
+  CHECK(dialect_of("O1000\nT1 M6\nG0 X10\n", ".tap") == "fanuc");
 }
 
 TEST_CASE("digits of a code are digits") {

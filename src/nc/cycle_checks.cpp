@@ -1,0 +1,56 @@
+// What must hold before a cycle is made.
+#include <fmt/format.h>
+
+#include "nc/codes.hpp"
+#include "nc/cycle_codes.hpp"
+#include "nc/execution.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+// There the control takes the axes of the plane for others, one place on, and taps somewhere else [LinuxCNC, measured].
+void check_tapped_plane(const Execution& run, int code) {
+  const bool taps = code == kTapping || code == kLeftTapping;
+  if (!taps || run.control.modal.plane == Plane::xy || run.settings.as_with_empty_tables) return;
+  run.refuse(run.motion_code(), codes::kNotInterpreted,
+             fmt::format("in G18 and G19 the control mixes up the axes of G{} and taps beside the hole", code),
+             "tap along Z, with G17 in force");
+}
+
+}  // namespace
+
+// The control stops in the middle of the cycle [LinuxCNC, measured].
+void check_cycle_spindle(const Execution& run, int code) {
+  const int spindle = run.control.modal.switches.spindle;
+  const bool taps = code == kTapping || code == kLeftTapping;
+  const int needed = code == kTapping ? kClockwise : kCounterClockwise;
+  const bool turns = taps ? spindle == needed : spindle != kSpindleStands;
+  if (works_spindle(code) && !turns) {
+    const std::string_view way = taps && spindle != kSpindleStands ? "turns the other way" : "stands";
+    run.refuse(run.motion_code(), codes::kSpindleStands,
+               fmt::format("the spindle {}, and the control refuses G{} then", way, code),
+               fmt::format("write S and M{} before it; M6 and M19 stop the spindle", taps ? needed : kClockwise));
+  }
+  check_tapped_plane(run, code);
+}
+
+void check_cycle(const Execution& run) {
+  const Control& control = run.control;
+  if (const AxisSet rotary = run.axes & AxisSet::rotary(); !rotary.empty()) {
+    for (const Axis axis : kAllAxes) {
+      if (!rotary.contains(axis)) continue;
+      run.refuse(*run.words.find(axis), codes::kAxesUnused, "rotary axes stand still in a cycle",
+                 "turn to the hole's direction with G0 before");
+    }
+  }
+  if (control.modal.feed_mode == FeedMode::inverse_time) {
+    run.refuse(run.motion_code(), codes::kFeedMissing, "a cycle takes no inverse time (G93)", "write G94 before it");
+  }
+  const AxisSet known = control.modal.incremental ? control.known : control.known | run.axes;
+  const PlaneAxes axes = axes_of(control.modal.plane);
+  if (known.contains(AxisSet{axes.first, axes.second}) && control.known.contains(axes.third)) return;
+  run.refuse(run.motion_code(), codes::kPositionUnknown, "the cycle begins where X, Y or Z is not known",
+             "move there with a G0 that names all three");
+}
+
+}  // namespace plumbline::nc
