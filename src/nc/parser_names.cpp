@@ -229,9 +229,11 @@ void Parser::expect_equals(Span name) {
 
 // Codes that are names, and what may stand behind them in brackets.
 void Parser::code_by_name(Span span, int row) {
+  const bool refused = dialect_->named_codes[static_cast<std::size_t>(row)].action == Action::refused;
+  if (refused) at_ = block_->text.data() + block_->text.size();  // whatever else stands there
   if (dialect_->named_codes[static_cast<std::size_t>(row)].has_values) value_arguments(span);
   if (dialect_->named_codes[static_cast<std::size_t>(row)].has_arguments) pass_arguments();
-  span.end = here();
+  if (!refused) span.end = here();
   block_->words.push_back(
       {kNamedCode, static_cast<double>(row), kLiteral, span, 0, false, false, false, WordMode::modal});
 }

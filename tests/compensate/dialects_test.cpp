@@ -234,7 +234,7 @@ TEST_CASE("OSP: what was worked out has a point only where the control takes one
 TEST_CASE("OSP: a code of the builder beside a cut of several pieces is refused") {
   Job job = job_for("okuma");
   const std::string head = "G15 H1\nG90 G94 G0 X0 Y0 Z20 A0 B0 C0\n";
-  job.program.passed_m_codes = {300};
+  job.program.passed_m_codes = job.program.keeps_position = {300};
   CHECK(code_of(head + "G1 X10 F100 M300\nM2\n", job) == "emit-m-code");
   CHECK(code_of(head + "G1 X10 F100 M20\nM2\n", job) == "emit-m-code");
   CHECK(code_of(head + "M300\nG1 X10 F100 M8\nM21\nM2\n", job).empty());
