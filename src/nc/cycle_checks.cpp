@@ -34,23 +34,4 @@ void check_cycle_spindle(const Execution& run, int code) {
   check_tapped_plane(run, code);
 }
 
-void check_cycle(const Execution& run) {
-  const Control& control = run.control;
-  if (const AxisSet rotary = run.axes & AxisSet::rotary(); !rotary.empty()) {
-    for (const Axis axis : kAllAxes) {
-      if (!rotary.contains(axis)) continue;
-      run.refuse(*run.words.find(axis), codes::kAxesUnused, "rotary axes stand still in a cycle",
-                 "turn to the hole's direction with G0 before");
-    }
-  }
-  if (control.modal.feed_mode == FeedMode::inverse_time) {
-    run.refuse(run.motion_code(), codes::kFeedMissing, "a cycle takes no inverse time (G93)", "write G94 before it");
-  }
-  const AxisSet known = control.modal.incremental ? control.known : control.known | run.axes;
-  const PlaneAxes axes = axes_of(control.modal.plane);
-  if (known.contains(AxisSet{axes.first, axes.second}) && control.known.contains(axes.third)) return;
-  run.refuse(run.motion_code(), codes::kPositionUnknown, "the cycle begins where X, Y or Z is not known",
-             "move there with a G0 that names all three");
-}
-
 }  // namespace plumbline::nc

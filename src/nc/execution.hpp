@@ -92,8 +92,7 @@ bool move_as_it_stands(Execution& run);  // machine_ways.cpp; false: an ordinary
 void set_tool_tip(Execution& run, const Chosen& chosen);
 void set_return_level(Execution& run, const Word& code);  // cycle_levels.cpp
 double cycle_return_level(const Execution& run, double r);
-void check_cycle(const Execution& run);  // cycle_checks.cpp
-void check_cycle_spindle(const Execution& run, int code);
+void check_cycle_spindle(const Execution& run, int code);  // cycle_checks.cpp
 void check_cycle_start(const Execution& run, std::array<double, 2> hole, double r, double level);
 void set_feed(Execution& run, const Word& word);  // feed_words.cpp
 void set_feed_mode(Execution& run, FeedMode mode);
