@@ -12,6 +12,7 @@ constexpr double kClear = 1;     // a candidate that costs no more, and others m
 constexpr double kNoWayOn = 30;  // a move without a candidate
 constexpr std::array kWaysBack{1e-5, 0.02, 0.1};  // how near two ends must be to go on from there, the best first
 constexpr std::size_t kWindow = 32;               // moves of each program in which a way back is sought
+constexpr double kLateShare = 0.5;                // share of a change of shift that may come late or early
 constexpr int kProjections = 2;                   // Newton steps onto a curve
 constexpr double kProbe = 1e-4;                   // fraction of a curve
 constexpr double kShortest = 1e-9;                // mm and deg, that a projection divides by
@@ -103,7 +104,7 @@ bool Aligner::align(const DiffMove& move) {
 bool Aligner::lies_along(const DiffMove& move, std::size_t count) {
   const AxisWords from = has_shift_ ? shift_ : AxisWords{};
   const AxisWords to = (count == 0 ? at_b_ : b_.peek(count - 1)->end) - move.end;
-  const double allowed = Candidates::slack(move, has_shift_);
+  const double allowed = Candidates::slack(move, standing(0, 0)) + kLateShare * distance(from, to);
   found_.clear();
   const auto take = [&](const AxisWords& point, double fraction) {
     found_.push_back(shift_at(move, point, fraction, from, to));

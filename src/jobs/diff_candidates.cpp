@@ -9,14 +9,17 @@ namespace {
 // All in mm and deg together, as distance() counts.
 constexpr double kSlack = 0.1;         // what the shift may change along a move: friction turns at corners
 constexpr double kLengthShare = 0.1;   // of a move's length, likewise
-constexpr double kFirstShift = 2;      // before anything was matched, and of rapids
+constexpr double kShiftShare = 0.5;    // of the shift itself: near the end of the workspace it grows fast
+constexpr double kMostOfShift = 5;     // likewise, of a move that its pieces take the time of
+constexpr double kFirstShift = 10;     // before anything was matched, and of rapids
 constexpr double kRapidShare = 0.01;   // of a rapid's length
 constexpr double kTimeShare = 0.0015;  // of a move's time, that its pieces may differ from it
 constexpr double kStandstill = 1e-9;   // mm and deg
 constexpr double kVanishes = 0.002;    // a move shorter than that may have no counterpart: its end rounds to its start
 
 // What a candidate costs. Time tells where a move ends better than places do, unless the feed is another one.
-constexpr double kShiftUnit = 0.03;  // of a change of shift, and of what it makes the way longer
+constexpr double kShiftUnit = 0.03;  // of a change of shift, and of what it makes the way longer,
+constexpr double kUnitShare = 0.3;   // and as much of the shift itself
 constexpr double kMostForWay = 1;
 constexpr double kMostForTime = 8;
 constexpr double kVanishing = 0.5;  // of a move without a counterpart, and as much again for each:
@@ -28,6 +31,10 @@ constexpr double kNewCode = 0.5;          // the other way round
 constexpr double kMarginOfCosts = 10;     // more than the best: never the right one
 constexpr std::size_t kMostInTime = 256;  // that are looked into
 constexpr std::size_t kMostOthers = 4;
+
+double size(const AxisWords& shift) { return distance(shift, {}); }
+
+double shift_unit(const Standing& standing) { return kShiftUnit + kUnitShare * size(standing.shift); }
 
 double time_cost(double gone, double seconds) {
   return std::min(std::abs(gone / seconds - 1) / kTimeShare, kMostForTime);
@@ -53,8 +60,9 @@ bool numbers_differ(const DiffMove& a, const DiffMove& b) {
   return !a.number.empty() && !b.number.empty() && a.number != b.number;
 }
 
-double Candidates::slack(const DiffMove& move, bool has_shift) {
-  return kSlack + kLengthShare * move.length + (has_shift ? 0 : kFirstShift);
+double Candidates::slack(const DiffMove& move, const Standing& standing) {
+  const double of_shift = standing.has_shift ? kShiftShare * size(standing.shift) : kFirstShift;
+  return kSlack + kLengthShare * move.length + of_shift;
 }
 
 std::vector<Candidate> Candidates::of(std::size_t i, std::size_t j, const Standing& standing) {
@@ -89,7 +97,8 @@ std::vector<Candidate> Candidates::of_rapid(const DiffMove& move, std::size_t j,
   const auto consider = [&](std::size_t moves, const AxisWords& end) {
     const double off = distance(end, wanted);
     const double uneven = kUneven * static_cast<double>(moves > 0 ? moves - 1 : 1);
-    if (off <= kFirstShift + kRapidShare * move.length) candidates.push_back({moves, off / kShiftUnit + uneven});
+    if (off <= kFirstShift + kRapidShare * move.length)
+      candidates.push_back({moves, off / shift_unit(standing) + uneven});
   };
   std::size_t far = 0;
   for (std::size_t moves = 1; moves <= kMostRapids && corresponds(move, j + moves - 1); ++moves) {
@@ -105,7 +114,7 @@ std::vector<Candidate> Candidates::of_rapid(const DiffMove& move, std::size_t j,
 const DiffMove* Candidates::piece(const DiffMove& move, std::size_t j, std::size_t count) {
   const DiffMove* const next = b_.peek(j + count - 1);
   if (next == nullptr || !next->cuts()) return nullptr;
-  if (count > 1 && !next->number.empty()) return nullptr;  // N stays on the first piece
+  if (count > 1 && next->begins_numbered) return nullptr;  // N stays on the first piece, or before it
   return count == 1 && numbers_differ(move, *next) ? nullptr : next;
 }
 
@@ -119,7 +128,7 @@ std::optional<std::size_t> Candidates::count_by_number(const DiffMove& move, std
   std::size_t count = 0;
   while (piece(move, j, count + 1) != nullptr) ++count;
   const bool ends_there =
-      count > 0 && distance(b_.peek(j + count - 1)->end, move.end + standing.shift) <= slack(move, standing.has_shift);
+      count > 0 && distance(b_.peek(j + count - 1)->end, move.end + standing.shift) <= slack(move, standing);
   return ends_there ? std::optional(count) : std::nullopt;
 }
 
@@ -128,12 +137,12 @@ std::vector<Candidate> Candidates::of_cut(const DiffMove& move, std::size_t i, s
                                           const Standing& standing) {
   if (const auto count = count_by_number(move, i, j, standing)) return {{*count, 0}};
   const AxisWords wanted = move.end + standing.shift;
-  const double allowed = slack(move, standing.has_shift);
-  const double seconds = move.seconds.value_or(0);
+  const double allowed = slack(move, standing);
+  const double seconds = move.effort.value_or(0);
   std::vector<Candidate> candidates;
   if (standing.has_shift && move.length <= kVanishes) {
     const double off = distance(standing.b, wanted);
-    candidates.push_back({0, kVanishing + move.length / kVanishingUnit + off / kShiftUnit});
+    candidates.push_back({0, kVanishing + move.length / kVanishingUnit + off / shift_unit(standing)});
   }
   double way = 0;
   double gone = 0;
@@ -144,8 +153,8 @@ std::vector<Candidate> Candidates::of_cut(const DiffMove& move, std::size_t i, s
     const DiffMove* const next = piece(move, j, k);
     if (next == nullptr) break;
     way += next->length;
-    has_time = has_time && next->seconds.has_value();
-    gone += next->seconds.value_or(0);
+    has_time = has_time && next->effort.has_value();
+    gone += next->effort.value_or(0);
     if (k > 1) (next->states_code.value_or(false) ? has_code : has_none) = true;
     const bool in_time = has_time && std::abs(gone / seconds - 1) <= kTimeShare;
     const bool on_way = std::abs(way - move.length) <= allowed;
@@ -153,11 +162,12 @@ std::vector<Candidate> Candidates::of_cut(const DiffMove& move, std::size_t i, s
     if (!goes_on) break;
     if (!in_time && !on_way) continue;
     const double off = distance(next->end, wanted);
-    if (off > allowed) continue;
+    if (off > allowed + (in_time && standing.has_shift ? kMostOfShift * size(standing.shift) : 0)) continue;
     const bool both_vanish = way <= kStandstill && move.length <= kVanishes;
     const double for_time = has_time && !both_vanish ? time_cost(gone, seconds) : 0;
-    const double for_way = std::min(std::abs(way - move.length) / kShiftUnit, kMostForWay);
-    candidates.push_back({k, off / kShiftUnit + for_way + for_time + (has_code && has_none ? kNoCode : 0), in_time});
+    const double for_way = std::min(std::abs(way - move.length) / shift_unit(standing), kMostForWay);
+    candidates.push_back(
+        {k, off / shift_unit(standing) + for_way + for_time + (has_code && has_none ? kNoCode : 0), in_time});
   }
   return candidates;
 }

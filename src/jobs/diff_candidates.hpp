@@ -32,7 +32,7 @@ class Candidates {
   std::vector<Candidate> of(std::size_t i, std::size_t j, const Standing& standing);
 
   /// What the shift may change along a move, mm and deg.
-  static double slack(const DiffMove& move, bool has_shift);
+  static double slack(const DiffMove& move, const Standing& standing);
 
  private:
   std::vector<Candidate> of_cut(const DiffMove& move, std::size_t i, std::size_t j, const Standing& standing);

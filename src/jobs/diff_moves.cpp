@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/check.hpp"
 #include "path/duration.hpp"
@@ -28,9 +29,10 @@ DiffMove move_of(const nc::Step& step, const nc::Motion& motion, const nc::Diale
                 motion.in_machine_coordinates ? motion.machine : step.frame->to_pose(motion.to),
                 curve.linear_mm() + turn_deg(curve.delta()),
                 path::duration(motion, curve, dialect),
+                {},
                 *step.frame,
                 curve};
-  if (motion.feed_mode == nc::FeedMode::per_revolution) move.seconds.reset();
+  if (motion.feed_mode != nc::FeedMode::per_revolution) move.seconds = move.effort;
   if (step.motions.size() == 1) move.states_code = states_code(*step.block, dialect);
   return move;
 }
@@ -49,11 +51,13 @@ bool MoveReader::read_more() {
   const nc::Step* const step = program_.next();
   if (step == nullptr) return false;
   offset_ = step->block->offset;
+  numbered_ = numbered_ || step->block->has_number();
   for (const nc::Motion& motion : step->motions) {
     if (motion.kind == nc::MotionKind::dwell) {
       dwell_s_ += motion.dwell_s;
     } else if (step->role != nc::BlockRole::cycle || motion.from != motion.to) {  // cycles stop over where they stand
       moves_ahead_.push_back(move_of(*step, motion, dialect_));
+      moves_ahead_.back().begins_numbered = std::exchange(numbered_, false);
       ++moves_;
     }
   }

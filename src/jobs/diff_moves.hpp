@@ -19,10 +19,12 @@ struct DiffMove {
   bool in_machine_coordinates = false;
   AxisWords end;                  // tool tip in W, mm and deg; in machine coordinates: the control's display
   double length = 0;              // mm of path and deg of turn together
+  std::optional<double> effort;   // seconds, or revolutions under G95; rapids: not known
   std::optional<double> seconds;  // rapids and G95: not known
   nc::Frame frame;
   path::Curve curve;                  // in the work system
   std::optional<bool> states_code{};  // the block says how it moves: G1; nothing: one of several moves of a block
+  bool begins_numbered = false;       // an N stands behind the move before it, maybe in a block that does not move
 
   bool cuts() const { return kind == nc::MotionKind::feed || kind == nc::MotionKind::arc; }
   /// The point at a fraction of the move, in W.
@@ -52,6 +54,7 @@ class MoveReader {
   const nc::Dialect& dialect_;
   nc::Program program_;
   std::deque<DiffMove> moves_ahead_;
+  bool numbered_ = false;  // an N was read behind the last move
   std::uint64_t moves_ = 0;
   std::uint64_t offset_ = 0;
   double dwell_s_ = 0;

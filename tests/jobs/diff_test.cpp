@@ -138,6 +138,43 @@ TEST_CASE("the way to a hole that the correction divides is in line, over the ho
   }
 }
 
+TEST_CASE("near the edge of the workspace shifts are large and change fast, and the moves are in line all the same") {
+  for (const char* const moves :
+       {"G0 X-244.7475 Y106.2342 Z161.3723 A-12.013866 B-14.1663 C-15.6094\nG1 Z25.9637 F2913.6\nG1 A-16.0507 "
+        "B-16.5923 C-13.7341\nX188\n",
+        "G0 X-115.2884 Y185.7896 Z134.2844 A-1.3629 B-12.6 C-10.7742\nG0 X-178.2934 Y-114.7871 Z149.8757 A9 B17.3405 "
+        "C-14.0931\nG0 X-123.339 Y131.128 Z134.8333 A-13.6823\nG1 B11.316 F900\n",
+        "G0 X-54.4021 Y-51.561 Z-18.4052 A-7.2167 B-13.6852 C4.3\nG0 X253.6928 Y226.8 Z162.1407 A-16.5905 B10.1721 "
+        "C-1.1319\n"
+        "G1 X240 F800\nG2 X230 Y216.8 I-10\nG2 X228 Y214.8 I-2\n"}) {
+    INFO(moves);
+    const testing::Scratch scratch;
+    const DiffSummary s = diff_of(moves, compensated(scratch, moves, 7, 1));
+    CHECK(s.out_of_line_a == 0);
+    CHECK(s.out_of_line_b == 0);
+    CHECK(s.matched == s.moves_a);
+    CHECK(s.shift[index(Axis::Z)].largest > 0.2);
+    CHECK(s.time_change.value <= 0.0016);
+  }
+}
+
+TEST_CASE("an N on a line before a move ends the pieces of the move before it") {
+  const std::string a = "N1 G0 X2.9744 Y-12.6757 Z-31.0832\nN2 G1 Z-34.4847 F2792.4\nN3 Y-32.4877 Z23.1428\n";
+  for (const std::string next :
+       {"N4 G20\nN5 G5.1 X.02392 Y-1.09468 I-0.0591 J0.12919 F78\n", "N4 M8\nN5 G81 X5 Y-30 Z12 R14\nN6 G80\n",
+        "N4 G91\nN5 G81 X.1 Y.1 Z-4 R-3 L4\nN6 G80\n"}) {
+    INFO(next);
+    const testing::Scratch scratch;
+    const std::string output = compensated(scratch, a + next, 5, 5);
+    INFO(output);
+    const DiffSummary s = diff_of(a + next, output);
+    CHECK(s.out_of_line_a == 0);
+    CHECK(s.out_of_line_b == 0);
+    CHECK(s.matched == s.moves_a);
+    CHECK(s.time_change.value <= 0.0016);
+  }
+}
+
 TEST_CASE("a program equals itself") {
   const DiffSummary s = diff_of(winding(false), winding(false));
   CHECK(s.equal_within(0, 0));
