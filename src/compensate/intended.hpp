@@ -27,6 +27,9 @@ struct BlockEffect {
   std::uint8_t turn = 0;  // in the order of execution
 };
 
+/// Halves of what the control keeps: an axis without a word may be left that far off.
+inline constexpr double kLoose = 1.6;
+
 /// A move of the original, and where the control shall stand at its end, or at the ends of its pieces.
 struct IntendedMove {
   enum class Form : std::uint8_t {
@@ -41,6 +44,7 @@ struct IntendedMove {
   AxisWords tolerance;            // half of what the control keeps, mm and deg
   AxisWords digit, increment;     // of its words, in the program's unit: 0.0001; what the control keeps, or 0
   std::optional<double> seconds;  // that it shall take; revolutions under G95
+  double time_share = 1;          // that is of what the original takes
   bool counts = true;             // its time is in the summary
   bool corrected = false;         // its points are in the summary
 };

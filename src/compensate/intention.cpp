@@ -15,7 +15,6 @@
 namespace plumbline::compensate {
 namespace {
 
-constexpr double kSameHeight = 1e-9;  // mm
 constexpr double kSameEnd = 1e-8;     // of a move of the original and of what was made of it
 constexpr double kNoRounding = 1e-7;  // mm and deg: what nine decimals and the offsets leave of a position
 
@@ -83,7 +82,7 @@ void Intention::note_kept(const nc::Step& step, IntendedMove& move) {
         std::max((is_rotary(axis) ? emit_.increment_deg : emit_.increment_mm) / unit, control.quantum);
     const double kept = increment > digit * 1.000001 ? increment + digit : digit;
     const double here = kept * unit / 2 + kNoRounding;
-    if (step.named.contains(axis)) written_[axis] = here;
+    written_[axis] = step.named.contains(axis) ? here : std::max(here, written_[axis]);
     move.tolerance[axis] = std::max(here, written_[axis]);
     const bool is_cut_off = written > control.decimals;  // such a word may stand as it is
     move.digit[axis] = is_cut_off ? std::pow(10, -written) : digit;
@@ -126,7 +125,9 @@ void Intention::move_away(const nc::Step& step, const nc::Motion& motion, bool l
 void Intention::keep(const nc::Step& step, bool counts, std::optional<double> seconds) {
   if (!notes_) return;
   if (step.cycle != nc::CycleForm::none && !goes_on_) {
-    level_away_ = work_shift(*step.frame)[nc::axes_of(step.after->plane).third];
+    const Axis normal = nc::axes_of(step.after->plane).third;
+    level_away_ = work_shift(*step.frame)[normal];
+    level_written_ = written_[normal];
   }
   goes_on_ = step.cycle != nc::CycleForm::none || (goes_on_ && step.motions.empty());
   for (std::size_t i = 0; i < step.motions.size(); ++i) {
@@ -172,7 +173,10 @@ void Intention::shift(const nc::Step& hole, const AxisWords& by) {
   const nc::PlaneAxes axes = nc::axes_of(hole.after->plane);
   const nc::Hole& at = hole.holes.front();
   AxisWords work = work_shift(*hole.frame);
-  if (!goes_on_) level_away_ = work[axes.third];
+  if (!goes_on_) {
+    level_away_ = work[axes.third];
+    level_written_ = written_[axes.third];
+  }
   goes_on_ = true;
   const bool in_place = hole.motions.size() == original_->motions.size();  // the way to the hole is part of its block
   for (std::size_t i = in_place ? 0 : at.approach_end; i < at.end; ++i) {
@@ -181,10 +185,10 @@ void Intention::shift(const nc::Step& hole, const AxisWords& by) {
     work[axes.second] = by[axes.second];
     const double end = motion.to[axes.third];
     const double from = motion.from[axes.third] + work[axes.third];
-    const bool back = !hole.after->retract_to_r && i >= at.begin && std::abs(end - at.clear) <= kSameHeight;
+    const bool back = !hole.after->retract_to_r && i >= at.begin && std::abs(end - at.clear) <= nc::kSameHeight;
     if (back) {
       // G71 as it is; where the tool came in from below R, the higher of the two
-      const bool from_r = std::abs(at.clear - at.r) <= kSameHeight;
+      const bool from_r = !dialect_.habits.fanuc_cycles && std::abs(at.clear - at.r) <= nc::kSameHeight;
       if (from_r) level_away_ = std::max(level_away_, by[axes.third]);
       work[axes.third] = dialect_.habits.return_levels ? 0 : level_away_;
     } else if (i >= at.approach_end) {
@@ -194,10 +198,16 @@ void Intention::shift(const nc::Step& hole, const AxisWords& by) {
     move.points = 1;
     move.corrected = true;
     note_kept(hole, move);
+    // No word of its block says the height that it comes from, and goes back to.
+    const bool at_level = back || i < at.approach_end;
+    if (at_level) move.tolerance[axes.third] = std::max(move.tolerance[axes.third], kLoose * level_written_);
     if (is_cut(motion.kind)) move.seconds = path::duration(motion, path::Curve(motion), dialect_);
     // Back to where the tool came in, which is not shifted as the hole is
     const double length = std::abs(end - motion.from[axes.third]);
-    if (move.seconds && back && length > 0) *move.seconds *= std::abs(end + work[axes.third] - from) / length;
+    if (move.seconds && back && length > 0) {
+      move.time_share = std::abs(end + work[axes.third] - from) / length;
+      *move.seconds *= move.time_share;
+    }
     const AxisWords away = hole.frame->turned(work);
     batch_.points.push_back(motion.machine + away);
     away_ = away;

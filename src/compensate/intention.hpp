@@ -56,10 +56,11 @@ class Intention {
   const bool notes_;
   IntendedBatch batch_;
   const nc::Step* original_ = nullptr;
-  double level_away_ = 0;  // of the height that cycles go back to
-  bool goes_on_ = false;   // the cycle before
-  AxisWords away_;         // the control's position minus the original's, in W
-  AxisWords written_;      // the tolerance of the block that named the axis last, maybe in another unit
+  double level_away_ = 0;     // of the height that cycles go back to,
+  double level_written_ = 0;  // and the tolerance of its block, maybe in another unit
+  bool goes_on_ = false;      // the cycle before
+  AxisWords away_;            // the control's position minus the original's, in W
+  AxisWords written_;         // the tolerance of what was written since the axis was named, maybe in another unit
   IntendedState state_;
   bool has_state_ = false;
 };

@@ -13,8 +13,7 @@
 namespace plumbline::compensate {
 namespace {
 
-constexpr double kLoose = 1.6;    // halves of what the control keeps: an axis without a word may be left that far off
-constexpr double kEndless = 3.2;  // of an axis that turns without end: -0 is stepped over
+constexpr double kEndless = 3.2;      // of an axis that turns without end: -0 is stepped over
 constexpr double kSameDwell = 1e-6;   // s
 constexpr double kSameCentre = 5e-5;  // mm
 constexpr double kNoise = 1e-10;      // of a number that was read

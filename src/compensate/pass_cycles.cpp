@@ -45,6 +45,7 @@ void Pass::process_cycle(const nc::Step& step) {
   }
   refuse_unless_in_place(step, goes_on);
   emitter_.begin_group(step);
+  stands_at_ = step.motions.empty() ? 0 : step.motions.front().from[nc::axes_of(step.after->plane).third];
   for (const nc::Step* const move : moves) {
     if (move->cycle != nc::CycleForm::none) {
       process_hole(*move);
@@ -136,6 +137,7 @@ void Pass::process_hole(const nc::Step& step) {
   }
   check_way_to_hole(step, mean);
   check_level_of_hole(step, mean);
+  stands_at_ = step.holes.front().clear;
   const nc::EmittedMove move = emitter_.hole(step, mean);
   intention_.shift(step, mean);
   note_move(step, move, std::nullopt);
@@ -154,24 +156,28 @@ void Pass::check_way_to_hole(const nc::Step& step, const AxisWords& shift) const
   }
 }
 
-// A cycle that goes back to R is read for a tool that stands there; the correction may have shifted the one only.
+// A cycle of an OSP is read for a tool that stands where it goes back to: on R, which is shifted with the hole (M54),
+// or on the level of G71, which is not (M53). One of a Fanuc that begins on R goes back to R. The correction may have
+// shifted the tool otherwise.
 void Pass::check_level_of_hole(const nc::Step& step, const AxisWords& shift) const {
   const nc::Hole& hole = step.holes.front();
-  const bool goes_to_start = dialect_.habits.fanuc_cycles && !step.after->retract_to_r;
-  if (!(dialect_.habits.return_levels || goes_to_start) || hole.clear != hole.r) return;
+  const bool levels = dialect_.habits.return_levels;
+  const bool goes_to_start = !levels && dialect_.habits.fanuc_cycles && !step.after->retract_to_r;
+  if (!levels && !(goes_to_start && hole.clear == hole.r)) return;
   const Axis normal = nc::axes_of(step.after->plane).third;
-  const double stands =
-      step.motions[way_to_hole(step)].from[normal] + emitter_.control().work_shift(*step.frame)[normal];
-  const double same = goes_to_start ? kStandsOnR : nc::kSameLevel;
-  if (std::abs(stands - hole.r - shift[normal]) < same) return;
-  refuse(
-      "compensate-cycle",
-      fmt::format("the correction puts R {:.3f} mm off the tool, which stands on it in the original: how it comes to "
-                  "the hole and back from there was found in no source",
-                  hole.r + shift[normal] - stands),
-      goes_to_start ? "move the tool above R before the cycle, or write G99"
-                    : "state all six axes before the cycle, so that the move to above the hole is corrected as well",
-      place_of(*step.block, step.block->file));
+  const bool to_r = goes_to_start || step.after->retract_to_r || hole.clear == hole.r;
+  const double r = hole.r + shift[normal];
+  const double level = to_r ? r : hole.clear;
+  const double stands = stands_at_ + emitter_.control().work_shift(*step.frame)[normal];
+  if (std::abs(stands - level) < (goes_to_start ? kStandsOnR : nc::kSameLevel) && r <= level) return;
+  refuse("compensate-cycle",
+         fmt::format("the correction puts the tool {:.3f} mm off {}, on which it stands in the original: how it comes "
+                     "to the hole and back from there was found in no source",
+                     stands - level, to_r ? "R" : "the level of G71"),
+         goes_to_start ? "move the tool above R before the cycle, or write G99"
+         : to_r        ? "state all six axes before the cycle, so that the move to above the hole is corrected as well"
+                       : "drill the hole with moves (G0, G1), or where the correction is smaller",
+         place_of(*step.block, step.block->file));
 }
 
 // Times that the rewriting keeps.

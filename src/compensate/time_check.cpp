@@ -51,7 +51,8 @@ void TimeCheck::end_move(const IntendedMove& meant, std::size_t line, ReadBackFi
     throw Difference{fmt::format("it takes {} {}, and {} were meant", to_decimal(spent_, 6),
                                  clock ? "s" : "revolutions", to_decimal(*meant.seconds, 6))};
   }
-  if (meant.counts && clock) figures.time_change.take(change, line);
+  const double of_original = spent_ / *meant.seconds * meant.time_share;
+  if (meant.counts && clock) figures.time_change.take(std::abs(of_original - 1), line);
 }
 
 }  // namespace plumbline::compensate

@@ -199,6 +199,9 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
   note_cycle_level(step);
   AxisWords left = control_.work_shift(*step.frame);
   if (!step.after->retract_to_r) left[axes.third] = cycle_level_shift_;
+  // It went up to R before the cycle then, and comes back to the higher of the two.
+  const bool comes_from_below = !step.after->retract_to_r && !dialect_.habits.fanuc_cycles &&
+                                std::abs(step.holes.front().clear - step.holes.front().r) <= kSameHeight;
   editor_.start(*step.block, spelling_);
   for (const Word& word : step.block->words) {
     std::optional<Axis> axis = axis_of(word.letter);
@@ -207,9 +210,11 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
     if (!axis) continue;
     const double per_unit = step.after->inches ? kMmPerInch : 1;
     const double value = planner_.rounded(step, *axis, word.value + shift[*axis] / per_unit);
+    const double off = (value - word.value) * per_unit;
     const bool goes_back_there = word.letter == 'R' && step.after->retract_to_r;
     const bool in_plane = word.letter == letter(axes.first) || word.letter == letter(axes.second);
-    if (goes_back_there || in_plane) left[*axis] = (value - word.value) * per_unit;
+    if (goes_back_there || in_plane) left[*axis] = off;
+    if (word.letter == 'R' && comes_from_below) left[*axis] = std::max(left[*axis], off);
     std::string text;
     append_word(text, word.letter, value, kMostDecimals,
                 {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});

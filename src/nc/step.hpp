@@ -43,6 +43,9 @@ enum class CycleForm : std::uint8_t {
 /// A tool so near to where a cycle goes back to stands there, a correction apart; mm.
 inline constexpr double kSameLevel = 0.1;
 
+/// Two heights of a hole that are one; mm.
+inline constexpr double kSameHeight = 1e-9;
+
 /// One hole of a cycle, in the work system, mm; `first`, `second` and the normal are the axes of its plane.
 /// The motions that it counts are those of the block of the program, also where a block of its own is made of it.
 struct Hole {

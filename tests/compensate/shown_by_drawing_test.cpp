@@ -73,6 +73,31 @@ TEST_CASE("linuxcnc: a tap goes back to where the tool came in, at the feed of i
                            "G20\nG0 X.2 Y-.1 Z.1\nM3 S500\nF5\nG98 G84 X.3 Z.09 R.12\nG80\nM2\n"});
 }
 
+TEST_CASE("linuxcnc: behind a hole that the tool came to from below R it stands on the higher of two levels") {
+  check_taken("linuxcnc",
+              {"G0 X5 Y-1 Z1\nM3 S500\nF300\nG98 G84 X7 Z1.2 R1.5\nX9\nG80\nM2\n",
+               "G0 X5 Y-1 Z1.4 A0 B2 C0\nM3 S500\nF300\nG98 G84 X7 Z-1.2 R1.5\nX7.01\nX7.02 Y-1.01\nG80\nM2\n",
+               "G0 X5 Y-1 Z0.3 A3 B2 C0\nM3 S500\nF300\nG98 G86 X7 Z-1.2 R1.5 P0.1\nX7.01\nG80\nM2\n",
+               "G0 X5 Y-1 Z1.5 A-4 B2 C0\nM4 S500\nF300\nG98 G74 X7 Z-1.2 R1.5\nX7.01\nG99 X3\nX5\nG80\nM2\n"});
+}
+
+TEST_CASE("siemens: axes that a called cycle does not name stand where increments left them") {
+  Job job = for_dialect("siemens");
+  job.settings.friction = false;
+  for (const double step : {0.8, 1.5, 3.0, 6.0}) {
+    job.settings.step = {step, step};
+    for (const char* const hole : {"CYCLE83(-11.244,-16.009,1.000,-21.697,,-17.009,,1.000,0,0,1,0)\n",
+                                   "CYCLE81(-11.244,-16.009,1.000,-21.697)\nG0 X30\n",
+                                   "MCALL CYCLE82(-11.244,-16.009,1.000,-21.697,,0.2)\nX30 Y-20\nX31\nMCALL\n"}) {
+      const std::string program =
+          "G54\nG0 X36.7391 Y-30.9592 Z-20.5391 A0 B0 C-3.3892\nG91\nG1 Z-15 F2132.2\nG90\nG0\n" + std::string(hole) +
+          "M30\n";
+      INFO(program);
+      CHECK(code_of(program, job).empty());
+    }
+  }
+}
+
 TEST_CASE("fanuc: an offset that the control could not keep is refused, and one that it keeps is not") {
   const Job job = for_dialect("fanuc");
   for (const std::string part :
@@ -94,8 +119,38 @@ TEST_CASE("okuma: a cycle whose R the correction puts elsewhere than the tool is
   check_taken("okuma", {"G15 H1\nG0 X1 Y2 Z20 A5 B-8 C0\nG82 X9. Y4. Z12. R20. P1 F138 M54\nG80\nM2\n"});
 }
 
+TEST_CASE("okuma: a cycle whose tool the correction puts elsewhere than the level of G71 is refused as such") {
+  for (const std::string part :
+       {"G00 X-45.19 Y38.248 Z47.908 A-13.026 B15.738\nM3 S500\nG71 Z47.908\nG86 Z42.101 R46.721 P1 F102 M53\n",
+        "G0 X95.923 Y-61.891 Z-44.4 A-16.653 B-14.133\nG71 Z-44.4\nG89 Z-52.374 R-48.177 P1 F495 M53\n",
+        "G0 X1 Y2 Z20 A5 B-8 C0\nG71 Z30\nG82 X1 Y2 Z12. R18. P1 F138 M53\n"}) {
+    INFO(part);
+    CHECK(code_of("G15 H1\n" + part + "G80\nM2\n", for_dialect("okuma")) == "compensate-cycle");
+  }
+  check_taken("okuma", {"G15 H1\nG0 X1 Y2 Z20 A5 B-8 C0\nG71 Z20\nG82 X9. Y4. Z12. R18. P1 F138 M53\nX3\nG80\nM2\n"});
+}
+
 TEST_CASE("fanuc: axes that a block does not name stand where another unit wrote them") {
   check_taken("fanuc", {"O1\nG20\nG0 X-.1888 Y1.3046 Z-.7805\nG21\nG53 G0 Z-998.\nM30\n",
                         "O1\nG20\nG0 X.1887 Y-1.3043 Z-.7805\nG21\nG1 Z-19. F200.\nX3.\nM30\n",
                         "O1\nG21\nG0 X3.001 Y7.003 Z-9.999\nG20\nG1 X.5 F20.\nG53 G0 Z-30.\nM30\n"});
+}
+
+TEST_CASE("fanuc: a hole after a change of units begins and ends at a height that the other unit wrote") {
+  check_taken(
+      "fanuc",
+      {"O1\nG20\nG0 X-.0946 Y0.1885 Z-.2747 A0 B3.866 C0\nG21\nG84 Z-22.3 R-14.21 Y4.788 X-3.161 F281.\nG80\nM30\n",
+       "O1\nG20\nG00 X1.4450 Y0.1833 Z-1.04 A0 B0 C4.979\nG21\nG86 Z-39.5 R-35.314 F863.1\nG80\nM30\n",
+       "O1\nG20\nG0 X1.1357 Y-1.2349 Z.7713 A1. B-2. C3.\nG21\nM3 S500\nG98 G84 X11.23 Y7.77 Z-5.5 R3. "
+       "F300.\nX14.5\nY9.1\nG80\nM30\n",
+       "O1\nG21\nG0 X20.123 Y-8.777 Z21.111 A1. B-2. C3.\nG20\nM3 S500\nG98 G86 X.5 Y.25 Z-.2 R.4 "
+       "F12.\nX.75\nG80\nM30\n"});
+}
+
+TEST_CASE("siemens: in which turn an axis stands after a stop does not matter, words count from the first one") {
+  check_taken(
+      "siemens",
+      {"G54\nG0 X1 Y2 Z3 A0 B0 C=DC(359.445)\nT1\nM6\nG0 X15.839 Y-34.2539 Z-25.9453 A0 B0 C3.6584\nM30\n",
+       "G54\nG0 X1 Y2 Z3 A0 B0 C=DC(5.139)\nM0\nG0 X27.0495 Y2.6221 Z38.6377 A0 B0 C-1.8616\nG1 C=DC(9) F300\nM30\n",
+       "G54\nG0 X1 Y2 Z3 A0 B0 C=DC(180)\nG1 C=IC(170) F900\nM0\nG0 X27 Y2 Z38 A0 B0 C=DC(1)\nG1 C4 F300\nM30\n"});
 }
