@@ -70,6 +70,7 @@ class Fanuc final : public Writer {
 
   void piece() override {
     const int kind = draws_.whole(0, 99);
+    if (kind < 2) return skippable();
     if (kind < 40) return put(feeding(line(true)));
     if (kind < 48) return put(line(false));
     if (kind < 61) return put(feeding(arc()));
@@ -92,6 +93,8 @@ class Fanuc final : public Writer {
     if (kind < 98) return put({draws_.chance(50) ? "M9" : draws_.chance(50) ? "G5.1 Q1" : "M8"});
     put_as_it_is(draws_.chance(60) ? comment() : draws_.chance(50) ? ";" : "");
   }
+
+  Words move() override { return feeding(Writer::move()); }
 
   // F of inverse time has a point: without one it counts thousandths.
   static Words feeding(Words words) {

@@ -107,11 +107,11 @@ std::optional<Finding> Held::check(const DrawnProgram& program, Tally& tally, st
   // Along a move the two are compared at the same share of the way, which corrections stretch.
   const double mm = 1.5 * summary.correction_mm.value + summary.rounding_mm.value + 5e-3;
   const double deg = 1.5 * summary.correction_deg.value + 5e-3;
+  if (output != nullptr && !summary.identical) *output = scratch_.text("out.nc");
   if (auto found =
           without_exception("diff", [&] { return check_output(program, mm, deg, summary.time_change.value + 1e-3); }))
     return found;
   if (auto found = without_exception("zero", [&] { return check_zero(program); })) return found;
-  if (output != nullptr && !summary.identical) *output = scratch_.text("out.nc");
   return std::nullopt;
 }
 

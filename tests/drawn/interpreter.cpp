@@ -41,6 +41,17 @@ std::string continued(const std::string& text, std::uint64_t nth) {
   return out;
 }
 
+// The line behind "executing", without the numbers in it.
+std::string reason(const std::string& said) {
+  std::istringstream in(said);
+  std::string line;
+  while (std::getline(in, line)) {
+    if (line.find("executing") == std::string::npos && !line.empty()) break;
+  }
+  std::erase_if(line, [](char c) { return c >= '0' && c <= '9'; });
+  return line;
+}
+
 }  // namespace
 
 Interpreter::Interpreter(const Scene& scene) : scene_(scene) {
@@ -58,7 +69,8 @@ std::optional<Finding> Interpreter::compare(const std::string& text, bool block_
       "cd '{0}' && rm -f all.canon && ulimit -t 60 && HOME='{0}' timeout 600 rs274 -g -n 2 {1} -t tools.tbl -v "
       "variables.var all.ngc all.canon </dev/null >said 2>&1",
       folder, block_delete ? "-b" : "");
-  if (std::system(command.c_str()) != 0) return Finding{"rs274 refuses", scratch_.text("said")};
+  if (std::system(command.c_str()) != 0)
+    return Finding{"rs274 refuses: " + reason(scratch_.text("said")), scratch_.text("said")};
   nc::ProgramSettings settings;
   settings.as_with_empty_tables = true;
   settings.position_may_be_read = true;

@@ -33,6 +33,10 @@ class LinuxCnc final : public Writer {
   void cycle();
   void flow();
   void spline();
+  void nurbs();
+  void polar();
+  void go_home();
+  void length_by_words();
   void stop();
   std::string there_and_back() override;
   std::string label();
@@ -46,6 +50,7 @@ class LinuxCnc final : public Writer {
   AxisWords suspended_;
   int tool_ = 0;
   double length_ = 0;  // in force
+  bool offsets_anew_ = false;
   int labels_ = 0;
   std::vector<std::pair<std::string, double>> parameters_;
 };

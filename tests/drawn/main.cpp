@@ -1,5 +1,6 @@
 // Draws programs, compensates them, and holds against each other all that reads them: scripts/drawn.
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -20,6 +21,7 @@ struct Arguments {
   std::string dialect = "linuxcnc";
   std::uint64_t first = 1, count = 300;
   bool show = false;
+  std::string keep;  // a folder
   bool with_rs274 = true;
   bool with_diff = true;
   std::size_t most_of_a_kind = 2;
@@ -39,6 +41,7 @@ class Run {
       Tally of_one;
       const std::optional<Finding> found = held_.check(pair.program, of_one, &pair.output);
       tally_.add(of_one);
+      if (!arguments_.keep.empty()) keep(pair);
       if (found) note(*found, pair.program, [&](const DrawnProgram& less) { return held_.check(less, of_one); });
       if (!interprets) continue;
       const bool wraps = pair.program.options.rotary[2] != nc::RotaryRule::linear;  // an INI file would say so
@@ -60,6 +63,12 @@ class Run {
       });
     }
     pairs_.clear();
+  }
+
+  void keep(const Pair& pair) const {
+    const std::string name = fmt::format("{}/{}-{}", arguments_.keep, arguments_.dialect, pair.program.seed);
+    std::ofstream(name + ".nc") << pair.program.text();
+    std::ofstream(name + ".out.nc") << pair.output;
   }
 
   template <class Check>
@@ -113,6 +122,7 @@ int main(int argc, char** argv) {
   app.add_option("--first", arguments.first, "first seed (default 1)");
   app.add_option("--count", arguments.count, "how many (default 300)");
   app.add_option("--most-of-a-kind", arguments.most_of_a_kind, "findings that are shrunk and shown (default 2)");
+  app.add_option("--keep", arguments.keep, "a folder for the programs and their outputs");
   app.add_flag("--show", arguments.show, "print the programs, and do nothing else");
   app.add_flag("!--no-rs274", arguments.with_rs274, "leave LinuxCNC's interpreter out");
   app.add_flag("!--no-diff", arguments.with_diff, "leave diff out");

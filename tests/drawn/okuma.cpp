@@ -57,6 +57,7 @@ class Okuma final : public Writer {
 
   void piece() override {
     const int kind = draws_.whole(0, 99);
+    if (kind < 2) return skippable();
     if (kind < 42) return put(continued(line(true)));
     if (kind < 50) return put(line(false));
     if (kind < 64) return put(continued(arc()));

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/units.hpp"
 #include "drawn/dialects.hpp"
 
 namespace plumbline::drawn {
@@ -25,6 +26,7 @@ class Siemens final : public Writer {
   Siemens(std::uint64_t seed, const Scene& scene) : Writer("siemens", seed, scene, siemens_manners()) {
     draw_work_offsets(systems_);
     draw_what_stays();
+    endless_ = uses_rotary_ && draws_.chance(8);
   }
 
  private:
@@ -60,6 +62,7 @@ class Siemens final : public Writer {
 
   // One axis by IC, AC or DC, whatever the mode; of an increment the control keeps three decimals.
   std::string axis_word(Axis axis) override {
+    if (endless_ && axis == Axis::C && (known_ || direct_) && !incremental_) return direct_word();
     if (goes_to_known_place_ || !draws_.chance(4) || inches_) return Writer::axis_word(axis);
     const double to = target(axis);
     if (draws_.chance(50)) {
@@ -72,6 +75,50 @@ class Siemens final : public Writer {
     return fmt::format("{}=AC({})", letter(axis), place.text);
   }
 
+  // The shorter way, to a place within the turn.
+  std::string direct_word() {
+    constexpr double kTurn = 360;
+    direct_ = true;
+    if (!known_) at_[Axis::C] = 0;
+    double place = std::fmod(target(Axis::C), kTurn);
+    if (place < 0) place += kTurn;
+    const Spelled number = spell(std::min(place, 359.99), 3, 9);
+    double way = std::fmod(number.value - at_[Axis::C], kTurn);
+    if (way > kTurn / 2) way -= kTurn;
+    if (way < -kTurn / 2) way += kTurn;
+    at_[Axis::C] += way;
+    return fmt::format("C=DC({})", number.text);
+  }
+
+  // A circle through a point on the way.
+  void through_point() {
+    if (incremental_ || turned_deg_ != 0) return;
+    const nc::PlaneAxes axes = nc::axes_of(plane_);
+    const double r = draws_.between(0.8, 12);
+    const double begin = draws_.between(0, 360);
+    const double sweep = draws_.between(20, 320) * (draws_.chance(50) ? 1 : -1);
+    const auto at = [&](Axis axis, double deg) {
+      const bool first = axis == axes.first;
+      const double centre = at_[axis] - r * (first ? std::cos(begin * kDeg) : std::sin(begin * kDeg));
+      return centre + r * (first ? std::cos(deg * kDeg) : std::sin(deg * kDeg));
+    };
+    const double middle = begin + sweep * draws_.between(0.3, 0.7);
+    Words words{"CIP"};
+    Words through;
+    for (const Axis axis : {axes.first, axes.second}) {
+      const std::string text = length(at(axis, middle)).text;
+      through.push_back(fmt::format("{}1{}{}", "IJK"[index(axis)], text.front() == '=' ? "" : "=", text));
+    }
+    const double first = at(axes.first, begin + sweep);
+    const double second = at(axes.second, begin + sweep);
+    words.push_back(axis_word_to(axes.first, first));
+    words.push_back(axis_word_to(axes.second, second));
+    for (std::string& word : through) words.push_back(std::move(word));
+    feed_word(words);
+    motion_ = -1;
+    put(words);
+  }
+
   void piece() override {
     manners_.cut_mm = incremental_ ? 3 : 9;
     manners_.cut_deg = incremental_ ? 3 : 9;
@@ -79,6 +126,8 @@ class Siemens final : public Writer {
     manners_.decimals_mm = manners_.decimals_deg = incremental_ ? 3 : 4;
     manners_.decimals_inch = incremental_ ? 4 : 5;
     const int kind = draws_.whole(0, 99);
+    if (kind < 2) return skippable();
+    if (kind < 5) return through_point();
     if (kind < 42) return put(line(true));
     if (kind < 50) return put(line(false));
     if (kind < 64) return put(arc());
@@ -229,7 +278,10 @@ class Siemens final : public Writer {
     feed_stated_ = true;
     motion_ = -1;
     ++labels_;
-    switch (draws_.whole(0, 5)) {
+    switch (draws_.whole(0, 6)) {
+      case 6:
+        return put_as_it_is(fmt::format("FOR R7=1 TO {}\nFOR R8=3 TO {}\n{}\nENDFOR\nENDFOR", draws_.whole(1, 2),
+                                        draws_.whole(2, 4), there_and_back()));
       case 0:
         return put_as_it_is(fmt::format("FOR R1=1 TO {}\n{}\nENDFOR", draws_.whole(1, 3), there_and_back()));
       case 1:
@@ -253,6 +305,8 @@ class Siemens final : public Writer {
   bool shifted_ = false;
   double length_ = 0;
   bool edge_off_ = false;
+  bool endless_ = false;  // C
+  bool direct_ = false;   // was written with DC
   int labels_ = 0;
 };
 

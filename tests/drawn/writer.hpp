@@ -37,7 +37,6 @@ struct Manners {
   bool comment_inside = true;  // between words
   bool semicolon_comment = true;
   bool numbers_first = true;  // N before everything
-  int block_delete_percent = 2;
 };
 
 class Writer {
@@ -102,6 +101,9 @@ class Writer {
   void go_to_known_place();  // all axes that are used, by absolute words
   virtual Words line(bool feeds);
   virtual Words arc();
+  virtual Words move();  // a line or an arc
+  /// One that begins with / and is left out, or is not.
+  void skippable();
   void feed_word(Words& words);
   virtual std::string feed_text(double mm_min);
   virtual std::string radius_word(const std::string& number) { return "R" + number; }
