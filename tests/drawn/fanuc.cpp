@@ -132,7 +132,7 @@ class Fanuc final : public Writer {
       words.push_back(system < 6 ? fmt::format("G{}", 54 + system) : fmt::format("G54.1 P{}", system - 5));
       at_ = to_work(box);
     } else if (kind < 6) {
-      if (turned_deg_ != 0) return;
+      if (turned_deg_ != 0 || incremental_) return;
       words.emplace_back("G52");
       for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
         if (!draws_.chance(50)) continue;
@@ -169,7 +169,7 @@ class Fanuc final : public Writer {
       put({"G68", "X" + x.text, "Y" + y.text, fmt::format("R{}.", deg)});
       return go_to_known_place();
     } else {
-      if (turned_deg_ != 0) return;
+      if (turned_deg_ != 0 || incremental_) return;
       words.emplace_back("G92");
       for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
         if (!draws_.chance(40)) continue;
@@ -226,7 +226,7 @@ class Fanuc final : public Writer {
 
   void cycle() {
     static constexpr std::array<std::string_view, 8> kCodes{"G81", "G82", "G83", "G73", "G85", "G86", "G89", "G84"};
-    if (feeds_ != Feeds::per_minute) return;
+    if (feeds_ != Feeds::per_minute || plane_ != nc::Plane::xy) return;
     const nc::PlaneAxes axes = nc::axes_of(plane_);
     const std::string cycle(draws_.pick(kCodes));
     if (cycle == "G84" || cycle == "G86") put({"S500", "M3"});
