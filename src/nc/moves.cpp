@@ -58,8 +58,7 @@ void check_within_turn(const Execution& run, const Word& word) {
              "on an axis whose words have a sign for the way round (--rotary), write 0 to 359.999, or use G91");
 }
 
-// The end that a word means for an axis that stands at `from`. In which turn an axis stands that may have been moved
-// nobody knows: it counts from the first one then, so that a program and what is made of it are read alike.
+// The end that a word means for an axis that stands at `from`.
 double end_of_word(const Execution& run, const Word& word, Axis axis, double from) {
   const double value = run.value(axis);
   const bool incremental = run.control.modal.incremental && word.mode == WordMode::modal;
@@ -67,7 +66,6 @@ double end_of_word(const Execution& run, const Word& word, Axis axis, double fro
     check_increment(run, word, axis);
     return from + value;
   }
-  if (!run.control.known.contains(axis) && !run.settings.as_with_empty_tables) from = 0;
   switch (word.mode) {
     case WordMode::shortest:
       return rotary_end(RotaryRule::shortest, value, false, from);

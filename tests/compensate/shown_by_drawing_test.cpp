@@ -146,11 +146,3 @@ TEST_CASE("fanuc: a hole after a change of units begins and ends at a height tha
        "O1\nG21\nG0 X20.123 Y-8.777 Z21.111 A1. B-2. C3.\nG20\nM3 S500\nG98 G86 X.5 Y.25 Z-.2 R.4 "
        "F12.\nX.75\nG80\nM30\n"});
 }
-
-TEST_CASE("siemens: in which turn an axis stands after a stop does not matter, words count from the first one") {
-  check_taken(
-      "siemens",
-      {"G54\nG0 X1 Y2 Z3 A0 B0 C=DC(359.445)\nT1\nM6\nG0 X15.839 Y-34.2539 Z-25.9453 A0 B0 C3.6584\nM30\n",
-       "G54\nG0 X1 Y2 Z3 A0 B0 C=DC(5.139)\nM0\nG0 X27.0495 Y2.6221 Z38.6377 A0 B0 C-1.8616\nG1 C=DC(9) F300\nM30\n",
-       "G54\nG0 X1 Y2 Z3 A0 B0 C=DC(180)\nG1 C=IC(170) F900\nM0\nG0 X27 Y2 Z38 A0 B0 C=DC(1)\nG1 C4 F300\nM30\n"});
-}

@@ -26,7 +26,7 @@ class Siemens final : public Writer {
   Siemens(std::uint64_t seed, const Scene& scene) : Writer("siemens", seed, scene, siemens_manners()) {
     draw_work_offsets(systems_);
     draw_what_stays();
-    endless_ = uses_rotary_ && draws_.chance(8);
+    endless_ = uses_rotary_ && keeps_at_tool_change_ && keeps_at_stop_ && draws_.chance(12);
   }
 
  private:
@@ -79,7 +79,6 @@ class Siemens final : public Writer {
   std::string direct_word() {
     constexpr double kTurn = 360;
     direct_ = true;
-    if (!known_) at_[Axis::C] = 0;
     double place = std::fmod(target(Axis::C), kTurn);
     if (place < 0) place += kTurn;
     const Spelled number = spell(std::min(place, 359.99), 3, 9);
