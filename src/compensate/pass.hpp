@@ -102,7 +102,6 @@ class Pass {
   OutputFile& out_;
   nc::Program program_;
   nc::Form form_;
-  bool tilted_ = false;       // the block stands in a tilted plane
   double stands_at_ = 0;      // height of the tool before a hole of a cycle, in the original
   bool must_unroll_ = false;  // something changes that cannot be put in the place of its block
   nc::PlainSteps plain_;
