@@ -227,15 +227,12 @@ void check_motions(const Execution& run, double count) {
 
 namespace {
 
-// In inches a degree may count as one, or as a mm.
-FeedRule feed_rule_of(const Execution& run, const Motion& motion) {
+// In inches a degree may count as one, or as a mm: of the block, or of what corrects it.
+FeedRule feed_rule_of(const Execution& run) {
   const Control& control = run.control;
   const bool counts = control.feed_rule == FeedRule::all_axes_as_mm && !run.settings.feed_rule;
-  if (!run.dialect.habits.inch_turn_unknown || !control.modal.inches || !counts) return control.feed_rule;
-  const bool turns = std::any_of(kAllAxes.begin(), kAllAxes.end(), [&](Axis axis) {
-    return is_rotary(axis) && motion.to[axis] != control.position[axis];
-  });
-  return turns ? FeedRule::unknown : control.feed_rule;
+  const bool unknown = run.dialect.habits.inch_turn_unknown && control.modal.inches && counts;
+  return unknown ? FeedRule::unknown : control.feed_rule;
 }
 
 }  // namespace
@@ -246,7 +243,7 @@ void add_motion(Execution& run, const Motion& planned) {
   motion.line = run.block->line;
   motion.feed_mode = control.modal.feed_mode;
   motion.mm_per_unit = control.modal.inches ? kMmPerInch : 1;
-  motion.feed_rule = feed_rule_of(run, motion);
+  motion.feed_rule = feed_rule_of(run);
   motion.feed_along_circle = run.settings.helix_feed_along_circle.value_or(run.dialect.habits.helix_feed_along_circle);
   motion.from = control.position;
   motion.known_before = control.known;
