@@ -3,8 +3,8 @@
 #include <charconv>
 
 #include "base/characters.hpp"
-#include "nc/block.hpp"
-#include "nc/lexer.hpp"
+#include "nc/language/block.hpp"
+#include "nc/syntax/lexer.hpp"
 
 namespace plumbline::nc {
 namespace {

@@ -4,7 +4,7 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "jobs/compensated_files.hpp"
-#include "nc/undo.hpp"
+#include "nc/rewrite/undo.hpp"
 
 namespace plumbline::cli {
 namespace {

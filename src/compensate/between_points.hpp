@@ -11,7 +11,7 @@
 #include "base/axes.hpp"
 #include "compensate/corrector.hpp"
 #include "compensate/summary.hpp"
-#include "nc/frame.hpp"
+#include "nc/control/frame.hpp"
 #include "path/curve.hpp"
 
 namespace plumbline::compensate {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "compensate/intended.hpp"
-#include "nc/dialect.hpp"
-#include "nc/step.hpp"
+#include "nc/control/step.hpp"
+#include "nc/language/dialect.hpp"
 
 namespace plumbline::compensate {
 

@@ -4,7 +4,7 @@
 
 #include "compensate/block_effects.hpp"
 #include "compensate/difference.hpp"
-#include "nc/emit.hpp"
+#include "nc/rewrite/emit.hpp"
 
 namespace plumbline::compensate {
 namespace {

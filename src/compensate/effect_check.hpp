@@ -5,7 +5,7 @@
 #include <string>
 
 #include "compensate/intended.hpp"
-#include "nc/block.hpp"
+#include "nc/language/block.hpp"
 
 namespace plumbline::compensate {
 

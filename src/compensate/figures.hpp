@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/axes.hpp"
-#include "nc/motion.hpp"
+#include "nc/control/motion.hpp"
 
 namespace plumbline::compensate {
 

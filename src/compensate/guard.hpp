@@ -7,7 +7,7 @@
 #include "base/diagnostic.hpp"
 #include "compensate/corrector.hpp"
 #include "machine/limits.hpp"
-#include "nc/step.hpp"
+#include "nc/control/step.hpp"
 
 namespace plumbline::compensate {
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "base/axes.hpp"
-#include "nc/frame.hpp"
-#include "nc/modal.hpp"
-#include "nc/motion.hpp"
+#include "nc/control/frame.hpp"
+#include "nc/control/modal.hpp"
+#include "nc/control/motion.hpp"
 
 namespace plumbline::compensate {
 

@@ -8,7 +8,7 @@
 #include "base/units.hpp"
 #include "compensate/block_effects.hpp"
 #include "compensate/figures.hpp"
-#include "nc/kept.hpp"
+#include "nc/control/kept.hpp"
 #include "path/curve.hpp"
 #include "path/duration.hpp"
 

@@ -8,9 +8,9 @@
 
 #include "base/files.hpp"
 #include "compensate/intended.hpp"
-#include "nc/dialect.hpp"
-#include "nc/emit_pieces.hpp"
-#include "nc/step.hpp"
+#include "nc/control/step.hpp"
+#include "nc/language/dialect.hpp"
+#include "nc/rewrite/emit_pieces.hpp"
 
 namespace plumbline::compensate {
 

@@ -7,8 +7,8 @@
 #include "compensate/intended.hpp"
 #include "compensate/summary.hpp"
 #include "compensate/time_check.hpp"
-#include "nc/dialect.hpp"
-#include "nc/step.hpp"
+#include "nc/control/step.hpp"
+#include "nc/language/dialect.hpp"
 
 namespace plumbline::compensate {
 

@@ -11,9 +11,9 @@
 #include "compensate/intention.hpp"
 #include "compensate/move_check.hpp"
 #include "compensate/summary.hpp"
-#include "nc/dialect.hpp"
-#include "nc/emit_pieces.hpp"
-#include "nc/program.hpp"
+#include "nc/language/dialect.hpp"
+#include "nc/rewrite/emit_pieces.hpp"
+#include "nc/sequence/program.hpp"
 
 namespace plumbline::compensate {
 

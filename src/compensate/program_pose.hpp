@@ -8,7 +8,7 @@
 #include "base/axes.hpp"
 #include "base/files.hpp"
 #include "compensate/corrector.hpp"
-#include "nc/program.hpp"
+#include "nc/sequence/program.hpp"
 #include "path/curve.hpp"
 
 namespace plumbline::compensate {

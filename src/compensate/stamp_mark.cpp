@@ -5,7 +5,7 @@
 
 #include "base/characters.hpp"
 #include "base/diagnostic.hpp"
-#include "nc/line_source.hpp"
+#include "nc/syntax/line_source.hpp"
 
 namespace plumbline::compensate {
 namespace {

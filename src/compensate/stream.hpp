@@ -7,8 +7,8 @@
 #include "compensate/settings.hpp"
 #include "compensate/summary.hpp"
 #include "machine/model.hpp"
-#include "nc/emit.hpp"
-#include "nc/program.hpp"
+#include "nc/rewrite/emit.hpp"
+#include "nc/sequence/program.hpp"
 
 namespace plumbline::compensate {
 

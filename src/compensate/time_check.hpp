@@ -5,7 +5,7 @@
 
 #include "compensate/intended.hpp"
 #include "compensate/summary.hpp"
-#include "nc/dialect.hpp"
+#include "nc/language/dialect.hpp"
 
 namespace plumbline::compensate {
 

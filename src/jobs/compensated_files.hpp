@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/files.hpp"
-#include "nc/undo.hpp"
+#include "nc/rewrite/undo.hpp"
 
 namespace plumbline::jobs {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/files.hpp"
-#include "nc/program.hpp"
+#include "nc/sequence/program.hpp"
 #include "path/curve.hpp"
 
 namespace plumbline::jobs {

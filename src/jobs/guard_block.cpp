@@ -9,10 +9,10 @@
 #include "base/units.hpp"
 #include "jobs/guards.hpp"
 #include "jobs/options.hpp"
-#include "nc/guard_lines.hpp"
-#include "nc/line_head.hpp"
-#include "nc/line_source.hpp"
-#include "nc/parameters.hpp"
+#include "nc/control/parameters.hpp"
+#include "nc/language/guard_lines.hpp"
+#include "nc/syntax/line_head.hpp"
+#include "nc/syntax/line_source.hpp"
 
 namespace plumbline::jobs {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/files.hpp"
-#include "nc/program.hpp"
+#include "nc/sequence/program.hpp"
 
 namespace plumbline::jobs {
 

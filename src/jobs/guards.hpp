@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "nc/program.hpp"
+#include "nc/sequence/program.hpp"
 
 namespace plumbline::jobs {
 

@@ -15,7 +15,7 @@
 
 #include "compensate/settings.hpp"
 #include "machine/model.hpp"
-#include "nc/program.hpp"
+#include "nc/sequence/program.hpp"
 
 namespace plumbline::jobs {
 

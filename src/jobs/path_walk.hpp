@@ -8,7 +8,7 @@
 #include "base/progress.hpp"
 #include "compensate/program_pose.hpp"
 #include "machine/model.hpp"
-#include "nc/program.hpp"
+#include "nc/sequence/program.hpp"
 #include "path/subdivide.hpp"
 
 namespace plumbline::jobs {

@@ -4,7 +4,7 @@
 
 #include "base/diagnostic.hpp"
 #include "jobs/program_text.hpp"
-#include "nc/recognise.hpp"
+#include "nc/language/recognise.hpp"
 
 namespace plumbline::jobs {
 

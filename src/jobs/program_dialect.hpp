@@ -3,7 +3,7 @@
 
 #include "base/files.hpp"
 #include "jobs/options.hpp"
-#include "nc/dialect.hpp"
+#include "nc/language/dialect.hpp"
 
 namespace plumbline::jobs {
 

@@ -7,7 +7,7 @@
 
 #include "base/files.hpp"
 #include "base/progress.hpp"
-#include "nc/program.hpp"
+#include "nc/sequence/program.hpp"
 
 namespace plumbline {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "base/characters.hpp"
-#include "nc/line_source.hpp"
+#include "nc/syntax/line_source.hpp"
 
 namespace plumbline::jobs {
 namespace {

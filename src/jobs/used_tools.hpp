@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/files.hpp"
-#include "nc/tool_table.hpp"
+#include "nc/language/tool_table.hpp"
 
 namespace plumbline::jobs {
 

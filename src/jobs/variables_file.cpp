@@ -8,7 +8,7 @@
 #include "base/files.hpp"
 #include "base/input_name.hpp"
 #include "base/number_text.hpp"
-#include "nc/parameters.hpp"
+#include "nc/control/parameters.hpp"
 
 namespace plumbline::jobs {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "nc/program.hpp"
+#include "nc/sequence/program.hpp"
 
 namespace plumbline::jobs {
 

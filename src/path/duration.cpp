@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
-#include "nc/feed.hpp"
+#include "nc/rewrite/feed.hpp"
 
 namespace plumbline::path {
 

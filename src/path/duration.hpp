@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "nc/dialect.hpp"
-#include "nc/motion.hpp"
+#include "nc/control/motion.hpp"
+#include "nc/language/dialect.hpp"
 #include "path/curve.hpp"
 
 namespace plumbline::path {

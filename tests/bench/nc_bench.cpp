@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "base/files.hpp"
-#include "nc/emit.hpp"
-#include "nc/line_source.hpp"
-#include "nc/parser.hpp"
-#include "nc/program.hpp"
+#include "nc/rewrite/emit.hpp"
+#include "nc/sequence/program.hpp"
+#include "nc/syntax/line_source.hpp"
+#include "nc/syntax/parser.hpp"
 
 using namespace plumbline;
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "compensate/play.hpp"
-#include "nc/tilt.hpp"
+#include "nc/control/tilt.hpp"
 
 using namespace plumbline;
 

@@ -13,7 +13,7 @@
 #include "jobs/compensate_file.hpp"
 #include "jobs/compensated_files.hpp"
 #include "jobs/diff.hpp"
-#include "nc/undo.hpp"
+#include "nc/rewrite/undo.hpp"
 
 namespace plumbline::drawn {
 namespace {

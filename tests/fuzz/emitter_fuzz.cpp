@@ -8,8 +8,8 @@
 
 #include "base/hash.hpp"
 #include "fuzz/programs.hpp"
-#include "nc/emit.hpp"
-#include "nc/undo.hpp"
+#include "nc/rewrite/emit.hpp"
+#include "nc/rewrite/undo.hpp"
 #include "path/curve.hpp"
 #include "path/duration.hpp"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "fuzz/fuzz.hpp"
-#include "nc/dialect.hpp"
-#include "nc/line_source.hpp"
-#include "nc/parser.hpp"
-#include "nc/program.hpp"
+#include "nc/language/dialect.hpp"
+#include "nc/sequence/program.hpp"
+#include "nc/syntax/line_source.hpp"
+#include "nc/syntax/parser.hpp"
 
 using namespace plumbline;
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fuzz/fuzz.hpp"
-#include "nc/program.hpp"
+#include "nc/sequence/program.hpp"
 
 namespace plumbline::fuzz {
 

@@ -5,7 +5,7 @@
 #include "jobs/pose_table.hpp"
 #include "jobs/settings_file.hpp"
 #include "jobs/variables_file.hpp"
-#include "nc/tool_table.hpp"
+#include "nc/language/tool_table.hpp"
 
 using namespace plumbline;
 

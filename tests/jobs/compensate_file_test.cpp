@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jobs/summary_text.hpp"
-#include "nc/undo.hpp"
+#include "nc/rewrite/undo.hpp"
 #include "support/scratch.hpp"
 
 using namespace plumbline;

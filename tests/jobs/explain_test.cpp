@@ -9,7 +9,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "nc/codes.hpp"
+#include "nc/language/codes.hpp"
 #include "support/scratch.hpp"
 
 using namespace plumbline;

@@ -7,8 +7,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "nc/guard_lines.hpp"
-#include "nc/program.hpp"
+#include "nc/language/guard_lines.hpp"
+#include "nc/sequence/program.hpp"
 #include "support/scratch.hpp"
 #include "support/skip.hpp"
 

@@ -8,10 +8,10 @@
 #include <catch2/catch.hpp>
 
 #include "base/files.hpp"
-#include "nc/codes.hpp"
+#include "nc/language/codes.hpp"
+#include "nc/language/recognise.hpp"
+#include "nc/language/tool_table.hpp"
 #include "nc/programs.hpp"
-#include "nc/recognise.hpp"
-#include "nc/tool_table.hpp"
 
 using namespace plumbline;
 using namespace plumbline::nc;

@@ -11,7 +11,7 @@
 
 #include "base/number_text.hpp"
 #include "base/units.hpp"
-#include "nc/frame.hpp"
+#include "nc/control/frame.hpp"
 
 namespace plumbline::nc::tests {
 namespace {

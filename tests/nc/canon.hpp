@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "nc/motion.hpp"
+#include "nc/control/motion.hpp"
 
 namespace plumbline::nc::tests {
 

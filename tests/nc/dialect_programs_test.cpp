@@ -13,9 +13,9 @@
 
 #include "base/files.hpp"
 #include "base/number_text.hpp"
+#include "nc/language/recognise.hpp"
+#include "nc/language/tool_table.hpp"
 #include "nc/programs.hpp"
-#include "nc/recognise.hpp"
-#include "nc/tool_table.hpp"
 #include "support/skip.hpp"
 
 using namespace plumbline;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/diagnostic.hpp"
-#include "nc/program.hpp"
+#include "nc/sequence/program.hpp"
 
 namespace plumbline::nc::tests {
 

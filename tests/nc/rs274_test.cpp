@@ -15,8 +15,8 @@
 #include "base/diagnostic.hpp"
 #include "base/files.hpp"
 #include "nc/canon.hpp"
+#include "nc/language/tool_table.hpp"
 #include "nc/programs.hpp"
-#include "nc/tool_table.hpp"
 #include "support/skip.hpp"
 
 using namespace plumbline;

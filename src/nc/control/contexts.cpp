@@ -1,0 +1,339 @@
+// A code beside others of its block, or in a mode, where no source says what a control makes of it: refused.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "nc/control/execution.hpp"
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr double kSameValue = 1e-9;
+
+const Chosen* find_code(const Execution& run, Action action) {
+  const auto found = std::find_if(run.chosen.begin(), run.chosen.end(),
+                                  [&](const Chosen& code) { return code.row->action == action; });
+  return found == run.chosen.end() ? nullptr : &*found;
+}
+
+// G5.1 Q2 X0 Y0 Z0: the axes that the function works on.
+void check_named_axes(const Execution& run, const Chosen& code) {
+  for (const Axis axis : kAllAxes) {
+    if (!code.row->takes_axes || !run.axes.contains(axis) || run.words.find(axis)->value == 0) continue;
+    run.refuse(*run.words.find(axis), codes::kNotInterpreted,
+               fmt::format("{} names the axes that it works on, by 0", run.block->at(code.word->span)),
+               "write 0 behind the axis, or put the move into a block of its own");
+  }
+}
+
+// G5 P10001 is another function than G5 P10000.
+void check_values(const Execution& run) {
+  for (const Chosen& code : run.chosen) {
+    const CodeRow& row = *code.row;
+    if (row.only.empty()) continue;
+    const Word& word = run.need(row.only_letter, run.block->at(code.word->span));
+    const bool known = std::any_of(row.only.begin(), row.only.end(), [&](double value) {
+      return word.value > value - kSameValue && word.value < value + kSameValue;
+    });
+    if (known) {
+      check_named_axes(run, code);
+      continue;
+    }
+    run.refuse(word, codes::kNotInterpreted, fmt::format("{} {}", run.block->at(code.word->span), row.why),
+               "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system");
+  }
+}
+
+void check_moves_beside(const Execution& run) {
+  if (run.motion == nullptr || run.axes.empty()) return;
+  for (const Chosen& code : run.chosen) {
+    if (!code.row->alone) continue;
+    run.refuse(*code.word, codes::kNotInterpreted,
+               fmt::format("{} beside a move is not interpreted: the control takes it in a block of its own",
+                           run.block->at(code.word->span)),
+               "put the move into the block behind it");
+  }
+}
+
+bool counts_increments(const Execution& run) {
+  if (find_code(run, Action::incremental) != nullptr) return true;
+  return run.control.modal.incremental && find_code(run, Action::absolute) == nullptr;
+}
+
+void check_m_codes(const Execution& run) {
+  const int most = run.dialect.habits.most_m_codes;
+  int count = 0;
+  for (const Word& word : run.block->words) {
+    if (word.letter != 'M' || ++count <= most || most == 0) continue;
+    run.refuse(word, codes::kSameGroup, fmt::format("more than {} M codes in one block", most),
+               "put them into blocks of their own");
+  }
+}
+
+// In which unit the words of such a block count stands in no source.
+void check_words_beside_unit(const Execution& run) {
+  const std::string& unknown = run.dialect.habits.unknown_beside_unit;
+  if (unknown.empty()) return;
+  const Chosen* code = find_code(run, Action::inches);
+  if (code == nullptr) code = find_code(run, Action::millimetres);
+  if (code == nullptr || (code->row->action == Action::inches) == run.control.modal.inches) return;
+  for (const Word& word : run.block->words) {
+    if (unknown.find(word.letter) == std::string::npos) continue;
+    run.refuse(word, codes::kNotInterpreted,
+               fmt::format("{} beside {}, which changes the unit: in which of the two it counts is not known",
+                           run.block->at(word.span), run.block->at(code->word->span)),
+               "put the change of units into a block of its own before");
+  }
+}
+
+bool belongs_to_dwell(const Execution& run, const CodeRow& dwell, const Word& word) {
+  return run.dialect.row_of(word) == &dwell || (!is_code(word) && (letter_bit(word.letter) & dwell.word_mask) != 0);
+}
+
+// G28 alone: all axes, or none.
+void check_axes_needed(const Execution& run) {
+  if (!run.axes.empty()) return;
+  for (const Chosen& code : run.chosen) {
+    if (!code.row->needs_axes) continue;
+    run.refuse(
+        *code.word, codes::kAxesMissing,
+        fmt::format("{} names no axis, and what it does then depends on the control", run.block->at(code.word->span)),
+        "add the words of the axes that are meant, as in G28 Z0");
+  }
+}
+
+// G91 G52 X5: to X5, or 5 further.
+void check_absolute(const Execution& run) {
+  if (!counts_increments(run)) return;
+  for (const Chosen& code : run.chosen) {
+    if (!code.row->absolute_alone) continue;
+    run.refuse(
+        *code.word, codes::kNotInterpreted,
+        fmt::format("whether {} counts increments under G91 differs between controls", run.block->at(code.word->span)),
+        "write G90 before it");
+  }
+}
+
+// TRANS X=IC(5): whether it adds there stands in no source.
+void check_word_modes(const Execution& run) {
+  if (!run.has_word_modes || !run.uses_position_axes) return;
+  for (const Axis axis : kAllAxes) {
+    const Word* const word = run.words.find(axis);
+    if (word == nullptr || word->mode == WordMode::modal || word->mode == WordMode::absolute) continue;
+    run.refuse(*word, codes::kNotInterpreted,
+               fmt::format("{} is no word of a move here, and what it counts from was found in no source",
+                           run.block->at(word->span)),
+               "write the value itself");
+  }
+}
+
+// G28, G54, G92 and their like while G68 is in force: the manual forbids them.
+void check_turned(const Execution& run) {
+  const bool turns = run.control.turn_deg != 0 || run.chosen_row(Action::turn_on) != nullptr;
+  if (!turns || run.chosen_row(Action::turn_off) != nullptr) return;
+  for (const Chosen& code : run.chosen) {
+    if (!code.row->unturned) continue;
+    run.refuse(*code.word, codes::kNotInterpreted,
+               fmt::format("{} stands where the coordinates are turned, and moves otherwise than it says there",
+                           run.block->at(code.word->span)),
+               "end the turn before it, with G69");
+  }
+}
+
+// G54 P48 is G54.1 P48 as well, whoever else of the block takes the P.
+void check_not_beside(const Execution& run) {
+  for (const Chosen& code : run.chosen) {
+    if (code.row->not_beside == 0) continue;
+    const Word* const word = run.words.find(code.row->not_beside);
+    if (word == nullptr) continue;
+    run.refuse(*word, codes::kNotInterpreted,
+               fmt::format("{} beside {} chooses another work system, and may belong to another code of the block",
+                           run.block->at(word->span), run.block->at(code.word->span)),
+               "put the work system into a block of its own; write further ones as G54.1 P1");
+  }
+}
+
+// X alone: whether Y stays where it stands or goes to its old word in the turned system is a setting of the control.
+void check_alone_after_turn(const Execution& run) {
+  const AxisSet named = run.axes & kTurningAxes;
+  if (!run.dialect.habits.turned_axis_alone_unknown || run.motion == nullptr || named.empty()) return;
+  const AxisSet other = kTurningAxes - named;
+  if (other.empty() || (run.control.shifted & other).empty() || !run.control.known.contains(other)) return;
+  if (run.control.modal.incremental || run.machine_word != nullptr) return;
+  const Axis axis = named.contains(Axis::X) ? Axis::X : Axis::Y;
+  run.refuse(*run.words.find(axis), codes::kNotInterpreted,
+             fmt::format("{} alone after a turn of the coordinates: where the other axis goes depends on the settings "
+                         "of the control",
+                         letter(axis)),
+             "name both X and Y in the first move after G68 and G69");
+}
+
+// D0, T2, M6: which edge is in force then is MD20270.
+void check_edge_known(const Execution& run) {
+  const bool stated = run.words.has('D') || run.machine_word != nullptr || run.in_machine_system();
+  if (!run.control.edge_unknown || run.motion == nullptr || stated) return;
+  for (const Axis axis : kAllAxes) {
+    if (axis == Axis::X || axis == Axis::Y || !run.axes.contains(axis)) continue;
+    run.refuse(*run.words.find(axis), codes::kNotInterpreted,
+               "a tool was changed while D0 was in force, and whether its length counts from then on depends on the "
+               "settings of the control",
+               "write D1 (or D0) behind the change of the tool");
+  }
+}
+
+// R and the depth of a cycle count from where the axis stands.
+void check_cycle_increments(const Execution& run) {
+  if (run.motion == nullptr || run.motion->action != Action::cycle || !counts_increments(run)) return;
+  const Axis normal = axes_of(run.control.modal.plane).third;
+  const bool with_length =
+      run.dialect.habits.increment_unknown_after_length && find_code(run, Action::tool_length) != nullptr;
+  if (with_length) {
+    run.refuse(run.motion_code(), codes::kNotInterpreted,
+               "whether the increments of this cycle bring the tool length of its block along is not known",
+               "put the tool length into a block of its own before, with G90 and a position");
+  }
+  if (const Word* const word = run.words.find('R')) check_increment(run, *word, normal);
+  for (const Axis axis : kAllAxes) {
+    if (const Word* const word = run.words.find(axis)) check_increment(run, *word, axis);
+  }
+}
+
+// Which axis drills there, and when a tool's length counts in.
+void check_beside_cycle(const Execution& run) {
+  const bool drills = run.motion != nullptr && run.motion->action == Action::cycle;
+  if (!drills || !run.dialect.habits.fanuc_cycles) return;
+  const Chosen* other = find_code(run, Action::plane_zx);
+  if (other == nullptr) other = find_code(run, Action::plane_yz);
+  const bool in_xy = run.control.modal.plane == Plane::xy || find_code(run, Action::plane_xy) != nullptr;
+  if (other != nullptr || !in_xy) {
+    run.refuse(other != nullptr ? *other->word : run.motion_code(), codes::kNotInterpreted,
+               "which axis drills in G18 and G19 is said by a parameter of the control (5101 FXY)",
+               "write G17 before it, and drill along Z");
+  }
+  for (const Chosen& code : run.chosen) {
+    if (code.row->action != Action::tool_length && code.row->action != Action::tool_length_off) continue;
+    run.refuse(
+        *code.word, codes::kNotInterpreted,
+        fmt::format("{} beside a drilling cycle acts on the way to R, and which level the tool goes back to then "
+                    "is not known",
+                    run.block->at(code.word->span)),
+        "put it into a block of its own, with Z");
+  }
+}
+
+}  // namespace
+
+void check_contexts(const Execution& run) {
+  check_values(run);
+  check_moves_beside(run);
+  check_m_codes(run);
+  check_words_beside_unit(run);
+  check_axes_needed(run);
+  check_absolute(run);
+  check_word_modes(run);
+  check_turned(run);
+  check_not_beside(run);
+  check_alone_after_turn(run);
+  check_cycle_increments(run);
+  check_beside_cycle(run);
+  check_edge_known(run);
+}
+
+// What the control does with other words beside G4 is in no source.
+void check_beside_dwell(const Execution& run) {
+  using Beside = Habits::Beside;
+  const Beside allowed = run.dialect.habits.beside_dwell;
+  const CodeRow* const dwell = allowed == Beside::anything ? nullptr : run.chosen_row(Action::dwell);
+  if (dwell == nullptr) return;
+  const Word* time = nullptr;
+  for (const Word& word : run.block->words) {
+    const bool second = time != nullptr && !is_code(word) && belongs_to_dwell(run, *dwell, word);
+    if (belongs_to_dwell(run, *dwell, word) && !second) {
+      if (!is_code(word)) time = &word;
+      continue;
+    }
+    if (allowed == Beside::no_axes && !axis_of(word.letter) && !second) continue;
+    run.refuse(word, codes::kNotInterpreted,
+               fmt::format("{} stands beside a dwell, and what the control does with it then was found in no source",
+                           run.block->at(word.span)),
+               "put the dwell and the other words into blocks of their own");
+  }
+}
+
+// Whether the first increment brings along what TRANS, G55, a turn or a tool's length changed is not known.
+void check_increment(const Execution& run, const Word& word, Axis axis) {
+  const Control& control = run.control;
+  if (!control.shifted.contains(axis) || !control.known.contains(axis)) return;
+  if (word.value == 0 && run.chosen_row(Action::go_home) != nullptr)
+    return;  // G91 G28 Z0 ends at home, whatever counts
+  const std::string absolute = run.dialect.syntax.statements == Statements::high_level
+                                   ? fmt::format("G90 or {}=AC(..)", letter(axis))
+                                   : std::string("G90");
+  run.refuse(
+      word, codes::kNotInterpreted,
+      fmt::format("whether this increment brings along the offset that changed before it depends on the settings "
+                  "of the control, and {} had no absolute word since",
+                  letter(axis)),
+      fmt::format("move {} once by an absolute word after the change, with {}", letter(axis), absolute));
+}
+
+// Of G1 and G81 in one block the control makes what its series does: one group or two [B-62764EN 13.1].
+void check_cycle_beside_motion(const Execution& run) {
+  const Chosen* const cycle = find_code(run, Action::cycle);
+  if (cycle == nullptr) return;
+  const Chosen* const off = find_code(run, Action::motion_off);
+  if (off != nullptr && off->word > cycle->word) {
+    run.refuse(*off->word, codes::kSameGroup,
+               fmt::format("{} behind a canned cycle, in its block", run.block->at(off->word->span)),
+               "put them into blocks of their own");
+  }
+  for (const Chosen& code : run.chosen) {
+    const bool moves = code.word->letter == 'G' && code.row->group == kMotionGroup &&
+                       code.row->action != Action::cycle && code.row->action != Action::motion_off;
+    if (!moves) continue;
+    run.refuse(*code.word, codes::kSameGroup, fmt::format("{} beside a canned cycle", run.block->at(code.word->span)),
+               "put them into blocks of their own");
+  }
+}
+
+// What a cycle takes for granted.
+void check_cycle(const Execution& run) {
+  const Control& control = run.control;
+  if (const AxisSet rotary = run.axes & AxisSet::rotary(); !rotary.empty()) {
+    for (const Axis axis : kAllAxes) {
+      if (!rotary.contains(axis)) continue;
+      run.refuse(*run.words.find(axis), codes::kAxesUnused, "rotary axes stand still in a cycle",
+                 "turn to the hole's direction with G0 before");
+    }
+  }
+  if (control.modal.feed_mode == FeedMode::inverse_time) {
+    run.refuse(run.motion_code(), codes::kFeedMissing, "a cycle takes no inverse time (G93)", "write G94 before it");
+  }
+  const AxisSet known = control.modal.incremental ? control.known : control.known | run.axes;
+  const PlaneAxes axes = axes_of(control.modal.plane);
+  if (known.contains(AxisSet{axes.first, axes.second}) && control.known.contains(axes.third)) return;
+  run.refuse(run.motion_code(), codes::kPositionUnknown, "the cycle begins where X, Y or Z is not known",
+             "move there with a G0 that names all three");
+}
+
+// Some controls take P1.5 for seconds, others stop at it.
+void check_milliseconds(const Execution& run, const Word& word) {
+  if (run.dialect.habits.dwell_p_s == 1 || word.value == std::floor(word.value)) return;
+  run.refuse(word, codes::kNotWhole,
+             fmt::format("P counts whole milliseconds, and {} is none", run.block->at(word.span)),
+             "write milliseconds without a point; of G4, X and seconds");
+}
+
+void check_words_before_call(const Execution& run) {
+  for (const Word& word : run.block->words) {
+    const CodeRow* const row = word.letter == 'G' ? run.dialect.row_of(word) : nullptr;
+    if (row != nullptr && row->action == Action::call_macro) return;
+    run.refuse(word, codes::kNotInterpreted,
+               fmt::format("{} before the call of a macro is no argument of it", run.block->at(word.span)),
+               "put it into a block of its own before, or, as an argument, behind the call");
+  }
+}
+
+}  // namespace plumbline::nc

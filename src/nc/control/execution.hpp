@@ -1,0 +1,180 @@
+// One block on its way through the interpreter: what it says, what it works on, what it has done so far.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "nc/control/control.hpp"
+#include "nc/control/step.hpp"
+#include "nc/language/block_words.hpp"
+
+namespace plumbline::nc {
+
+/// A code of the block and its row; F, S and T have one as well.
+struct Chosen {
+  const CodeRow* row = nullptr;
+  const Word* word = nullptr;
+};
+
+/// No upper limit for Execution::whole.
+inline constexpr int kNoLimit = 1000000000;
+
+struct Execution {
+  const Dialect& dialect;
+  const ProgramSettings& settings;
+  Control& control;
+  const Block* block = nullptr;
+
+  BlockWords words = {};
+  AxisSet axes = {};                     // named in the block
+  std::vector<Chosen> chosen = {};       // in order of execution
+  const CodeRow* motion = nullptr;       // the motion that this block makes
+  const Word* motion_word = nullptr;     // null: the mode in force
+  const Word* machine_word = nullptr;    // G53
+  bool uses_position_axes = false;       // the axis words are those of a code of group 0
+  const Word* vector = nullptr;          // the first word of the direction of the tool: A3=, or I J K under G43.5
+  bool has_word_modes = false;           // some axis word says itself how it counts: X=IC(5)
+  int work_system_before = 0;            // G16: to be brought back behind the block; 0: none
+  bool block_in_machine_system = false;  // G16 H0
+
+  Step step = {};
+  ProgramCall call = {};
+  std::vector<std::pair<int, Value>> arguments = {};  // of G65: number of the variable and its value
+  std::vector<Motion> motions = {};
+  std::vector<Hole> holes = {};  // of a cycle
+
+  bool in_machine_system() const { return block_in_machine_system || control.in_machine_system; }
+  [[noreturn]] void refuse(const Word& word, std::string_view code, std::string message, std::string help) const;
+  /// Refuses with the first word of the block under the caret.
+  [[noreturn]] void refuse(std::string_view code, std::string message, std::string help) const;
+  /// A word's value in mm (X Y Z I J K R) or as it stands.
+  double length(const Word& word) const { return word.value * control.length_unit(); }
+  double value(Axis axis) const {
+    const Word& word = *words.find(axis);
+    return is_rotary(axis) ? word.value : length(word);
+  }
+  /// A whole number that a word holds, from `least` to `most`.
+  int whole(const Word& word, int least, int most) const;
+  /// The code of the block's motion, or its first word where the mode in force goes on.
+  const Word& motion_code() const;
+  /// The row of the block's code that does this; null if it has none.
+  const CodeRow* chosen_row(Action action) const;
+  /// The word of that letter; refuses when it is missing.
+  const Word& need(char letter, std::string_view code_text) const;
+};
+
+// How the block is read: plan.cpp
+/// Finds the rows of all codes, their order, the motion; refuses what does not go together.
+void plan(Execution& run);
+/// The motion in force behind G80: the G0 from before the cycle, where the dialect has it so; null: none.
+const CodeRow* row_behind_cycle(const Execution& run);
+/// Refuses what stands beside a code that stands alone in its block: alone.cpp
+void check_alone(const Execution& run);
+/// Refuses what no source covers for a code beside the others of its block, or in the modes in force: contexts.cpp
+void check_contexts(const Execution& run);
+void check_cycle(const Execution& run);
+void check_milliseconds(const Execution& run, const Word& word);
+void check_cycle_beside_motion(const Execution& run);
+void check_beside_dwell(const Execution& run);
+/// Of an axis word that counts from where its axis stands.
+void check_increment(const Execution& run, const Word& word, Axis axis);
+void check_words_before_call(const Execution& run);
+/// Refuses M1=8: only of the spindle's codes it is known which one that is.
+void check_extended(const Execution& run, const CodeRow& row, const Word& word);
+/// Gives words without a decimal point the value that they have where the control counts its increments.
+void count_increments(const Execution& run, Block& block);
+
+// What codes do, one file a family.
+bool move_as_it_stands(Execution& run);  // machine_ways.cpp; false: an ordinary move
+void set_tool_tip(Execution& run, const Chosen& chosen);
+void set_return_level(Execution& run, const Word& code);  // cycle_levels.cpp
+double cycle_return_level(const Execution& run, double r);
+void check_cycle_spindle(const Execution& run, int code);  // cycle_checks.cpp
+void check_cycle_start(const Execution& run, std::array<double, 2> hole, double r, double level);
+void set_feed(Execution& run, const Word& word);  // feed_words.cpp
+void set_feed_mode(Execution& run, FeedMode mode);
+void choose_work_system(Execution& run, int system);         // offsets.cpp
+void set_table(Execution& run);                              // G10
+void set_position(Execution& run);                           // G92
+void clear_position(Execution& run, Action action);          // G92.1 G92.2 G92.3
+void go_home(Execution& run, int which);                     // homes.cpp: G28 G30
+void store_home(Execution& run, int which);                  // G28.1 G30.1
+void home_or_unit(Execution& run, const Chosen& chosen);     // G20 of the OSP
+void set_tool_length(Execution& run, const Chosen& chosen);  // tools.cpp: G43 G43.1 G43.2 G49
+/// The length of the tool in the spindle (G43 without H), or none (G49), at a block that names neither.
+void restore_tool_length(Execution& run, bool in_force);
+/// Refuses at `word` when the length unit has changed under the tool length in force.
+void check_tool_unit(const Execution& run, const Word& word);
+void set_tool_row(Execution& run);                                   // tool_rows.cpp: G10 L1
+void set_tool_row_here(Execution& run, bool in_probe_table_system);  // G10 L10 L11
+void select_tool(Execution& run, const Word& word);                  // T
+void change_tool(Execution& run, const Chosen& chosen);              // M6 M61
+void dwell(Execution& run, const Word& code);                        // machine_codes.cpp: G4
+void call_program(Execution& run, const Chosen& chosen);             // M98 M99
+void machine_code(Execution& run, const Chosen& chosen);             // M0 M1 M60, outputs, inputs, spindle, user codes
+void move_straight(Execution& run);                                  // straight.cpp
+void move_arc(Execution& run);                                       // arcs.cpp
+
+void move_spline(Execution& run);                                    // splines.cpp: G5 G5.1
+void add_nurbs_point(Execution& run);                                // G5.2
+void move_nurbs(Execution& run);                                     // G5.3
+void move_synchronised(Execution& run);                              // synchronised.cpp: G33 G33.1
+void move_probe(Execution& run);                                     // probe.cpp: G38.2 to G38.5
+void set_work_table(Execution& run);                                 // frames.cpp: G10 L2 and L20 of Fanuc
+void choose_work_system(Execution& run, const Chosen& chosen);       // G54.1 P, G15 H, G16 H
+void change_programmed_frame(Execution& run, const Chosen& chosen);  // G52, G68, G69, TRANS, ROT...
+void begin_tilted_plane(Execution& run, const Word& code, const AxisWords& origin, const Turn& plane);
+void define_tilted_plane(Execution& run, const Chosen& chosen);  // tilted_plane.cpp: G68.2
+void turn_tool(Execution& run, const Chosen& chosen);            // G53.1
+void turn_tool_on_plane(Execution& run, const Word& code);
+void end_tilted_plane(Execution& run);  // G69
+/// What C does where a direction leaves it open; refuses where nobody said.
+FreeRotation free_rotation(const Execution& run, const Word& word, std::string_view code);
+/// Refuses a move that a tilted plane does not allow.
+void check_on_plane(const Execution& run);
+void check_no_rotary_words(const Execution& run);
+/// Refuses the code of `word` while a plane is tilted.
+void check_no_plane(const Execution& run, const Word& word);
+/// Whether words of the block give the direction of the tool; refuses them where no straight move takes them.
+void find_tool_vector(Execution& run);  // tool_vector.cpp
+void check_tool_vector(Execution& run);
+/// A, B and C of a straight move along the direction.
+void end_along_vector(const Execution& run, Motion& motion);
+/// Refuses a move whose way or time depends on how the control turns the tool from one direction to the next.
+void check_way_of_vector(const Execution& run, const Motion& motion);
+void set_feed_group(Execution& run, const Chosen& chosen);  // FGROUP
+void choose_edge(Execution& run, const Word& word);         // tools.cpp: D
+void call_macro(Execution& run);                            // macro_call.cpp: G65
+
+void set_modal_call(Execution& run);                  // cycle_calls.cpp: MCALL
+void call_cycle(Execution& run, const CodeRow& row);  // CYCLE81(10,0,2,-15)
+void drill_after_move(Execution& run);                // where MCALL is in force
+void swivel(Execution& run, const Chosen& chosen);    // swivel.cpp: CYCLE800
+void move_in_cycle(Execution& run);                   // cycles.cpp: G73 G74 G81..G89
+
+// What the moves share: moves.cpp
+/// Of two points of a plane.
+double distance(const std::array<double, 2>& a, const std::array<double, 2>& b);
+/// Ends of a move in the active work system from the axis words, absolute or incremental.
+AxisWords end_of_move(const Execution& run);
+/// X and Y that @ and ^ mean for a move that begins at x, y.
+std::array<double, 2> polar_end(const Execution& run, double x, double y);
+/// Which axes are known there.
+AxisSet known_after_move(const Execution& run);
+/// Refuses where one of these axes stands, which an offset will depend on, is not known.
+void need_position(const Execution& run, AxisSet axes);
+/// Every offset of the active work system must have been given.
+void need_offsets(const Execution& run);
+/// The feed of a move in the unit that Motion states; refuses when there is none.
+double feed_of_move(const Execution& run, bool linear);
+/// Refuses a block that makes more moves than a program may execute (--max-blocks), or than one block may.
+void check_motions(const Execution& run, double count);
+/// Adds the move and puts the control at its end.
+void add_motion(Execution& run, const Motion& planned);
+/// From here on the axes may stand anywhere.
+void lose_position(Execution& run, AxisSet axes);
+
+}  // namespace plumbline::nc

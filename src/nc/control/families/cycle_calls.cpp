@@ -1,0 +1,320 @@
+// Drilling cycles that are called by name with their values in brackets, once or after each move (MCALL) [C 2.1, 2.2].
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "nc/control/execution.hpp"
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+enum CalledCycle {
+  kCalledDrill = 81,
+  kCalledDrillDwell,
+  kCalledDeep,
+  kCalledTap,
+  kCalledReam,
+  kCalledBore,
+  kCalledBoreStop,
+  kCalledBoreByHand,
+  kCalledBoreDwell,
+  kCalledFloatingTap = 840
+};
+
+// Places in the brackets [C 2.1.2 to 2.1.11; the order is that of the posts, too].
+constexpr std::size_t kRetractPlane = 0, kReferencePlane = 1, kSafety = 2, kDepth = 3, kRelativeDepth = 4, kDwell = 5;
+
+/// What else stands in the brackets of a cycle; -1: nothing of the kind.
+struct Places {
+  int code;
+  int last;            // beyond it no source says what stands there
+  int geometry;        // 1: the depth is that of the diameter
+  int plane;           // its last digit other than 0: a plane of its own
+  int how;             // its last digit 1: the depth is relative; 2: absolute
+  int axis;            // of the tool
+  bool keeps = false;  // stays a cycle, shifted: the pecks, the spindle or feeds of its own are its business
+};
+constexpr Places kPlaces[] = {
+    {kCalledDrill, 8, -1, -1, -1, -1},          {kCalledDrillDwell, 8, 6, 7, 8, -1},
+    {kCalledDeep, 19, 17, 18, 19, 12, true},    {kCalledTap, 23, -1, 22, 23, 12, true},
+    {kCalledReam, 10, -1, 9, 10, -1, true},     {kCalledBore, 13, -1, 12, 13, -1, true},
+    {kCalledBoreStop, 5, -1, -1, -1, -1, true}, {kCalledBoreByHand, 6, -1, -1, -1, -1, true},
+    {kCalledBoreDwell, 8, -1, 7, 8, -1},        {kCalledFloatingTap, 19, -1, 18, 19, 11, true},
+};
+
+int last_digit(double value) { return static_cast<int>(std::abs(std::lround(value)) % 10); }
+
+// One call of a cycle where the axes stand.
+class CalledHole {
+ public:
+  CalledHole(Execution& run, const CycleCall& call, std::size_t approach)
+      : run_(run),
+        control_(run.control),
+        call_(call),
+        places_(*std::find_if(std::begin(kPlaces), std::end(kPlaces),
+                              [&](const Places& places) { return places.code == call.row->value; })),
+        axes_(axes_of(run.control.modal.plane)) {
+    hole_.approach_begin = approach;
+  }
+
+  void make();
+
+ private:
+  [[noreturn]] void refuse(std::string message, std::string help) const {
+    run_.refuse(codes::kNotInterpreted, fmt::format("{}: {}", call_.row->name, message), std::move(help));
+  }
+  std::optional<double> value(int place) const {
+    if (place < 0 || static_cast<std::size_t>(place) >= call_.arguments.size()) return std::nullopt;
+    return call_.arguments[static_cast<std::size_t>(place)].value;
+  }
+  double number(int place) const { return value(place).value_or(0); }
+  double length(int place) const { return number(place) * control_.length_unit(); }
+  void check() const;
+  void check_simple() const;
+  void take_levels();
+  double depth_mm() const;
+  void at_hole();
+  void pecks();
+  double own_feed(double rate) const;
+  double tapping_feed(bool up) const;
+  void go(MotionKind kind, double level, double feed = 0);
+  void feed_to(double level) { go(MotionKind::feed, level, feed_of_move(run_, true)); }
+  void wait(double seconds);
+
+  Execution& run_;
+  Control& control_;
+  const CycleCall& call_;
+  const Places& places_;
+  PlaneAxes axes_;
+  Hole hole_;
+};
+
+void CalledHole::check() const {
+  if (static_cast<int>(call_.arguments.size()) > places_.last + 1) {
+    refuse("no source says what the last values in its brackets mean",
+           fmt::format("leave out what stands behind the first {}", places_.last + 1));
+  }
+  if (!value(kRetractPlane) || !value(kReferencePlane) || (!value(kDepth) && !value(kRelativeDepth))) {
+    refuse("it needs a retraction plane, a reference plane and a depth", "write it as in CYCLE81(10,0,2,-15)");
+  }
+  if (number(places_.geometry) != 0) {
+    refuse("a depth that counts to the diameter depends on the shape of the tool", "give the depth of the tip");
+  }
+  const int plane = last_digit(number(places_.plane));
+  const int active = control_.modal.plane == Plane::xy ? 1 : control_.modal.plane == Plane::zx ? 2 : 3;
+  if (plane != 0 && plane != active) {
+    refuse("it works in another plane than the one in force", "choose that plane before, with G17, G18 or G19");
+  }
+  const double axis = number(places_.axis);
+  if (axis != 0 && axis != static_cast<double>(index(axes_.third)) + 1) {
+    refuse("it drills along another axis than the normal of the plane in force", "leave its tool axis out");
+  }
+  if (control_.modal.feed_mode == FeedMode::inverse_time) {
+    refuse("it takes no inverse time", "write G94 before it");
+  }
+  if (places_.code == kCalledDrill) check_simple();
+}
+
+// Newer controls have a dwell behind the depth of CYCLE81, posts write no place for it: where all is 0, both agree.
+void CalledHole::check_simple() const {
+  for (int place = kDwell; place < static_cast<int>(call_.arguments.size()); ++place) {
+    const double given = number(place);
+    if (given == 0 || (place >= 7 && given == 10)) continue;
+    refuse("sources disagree on what stands behind the relative depth", "leave it out, or use CYCLE82");
+  }
+}
+
+double CalledHole::depth_mm() const {
+  const double reference = length(kReferencePlane);
+  const int how = last_digit(number(places_.how));
+  const bool relative = how == 1 || (how == 0 && value(kRelativeDepth) && number(kRelativeDepth) != 0);
+  const bool both = value(kDepth) && value(kRelativeDepth) && number(kRelativeDepth) != 0;
+  const double below = reference - std::abs(length(kRelativeDepth));
+  if (both && number(kDepth) != 0 && std::abs(below - length(kDepth)) > 1e-9) {
+    refuse("its two depths contradict each other", "leave out one of DP and DPR");
+  }
+  if (how > 2 || (how == 1 && !value(kRelativeDepth)) || (how == 2 && !value(kDepth))) {
+    refuse("its last value asks for a depth that is not there", "give the depth that it names, or leave it out");
+  }
+  return relative ? below : length(kDepth);
+}
+
+void CalledHole::take_levels() {
+  const double reference = length(kReferencePlane);
+  hole_.code = places_.code;
+  hole_.r = reference + std::abs(length(kSafety));
+  hole_.clear = length(kRetractPlane);
+  hole_.bottom = depth_mm();
+  if (hole_.bottom >= reference || hole_.clear < reference) {
+    run_.refuse(codes::kOutOfRange,
+                fmt::format("{} begins below its bottom, or goes back into the part", call_.row->name),
+                "the retraction plane lies above the reference plane, and the depth below it");
+  }
+}
+
+void CalledHole::make() {
+  need_offsets(run_);
+  check();
+  const AxisSet plane{axes_.first, axes_.second};
+  if (!control_.known.contains(plane)) {
+    run_.refuse(codes::kPositionUnknown,
+                fmt::format("{} drills where the axes stand, which is not known", call_.row->name),
+                "move there before with a G0 that names both axes of the plane");
+  }
+  take_levels();
+  hole_.approach_end = run_.motions.size();
+  hole_.first = control_.position[axes_.first];
+  hole_.second = control_.position[axes_.second];
+  go(MotionKind::rapid, hole_.r);
+  hole_.begin = run_.motions.size();
+  at_hole();
+  hole_.end = run_.motions.size();
+  run_.holes.push_back(hole_);
+  run_.step.holes = run_.holes;
+  run_.step.role = BlockRole::cycle;
+  run_.step.cycle = places_.keeps ? CycleForm::spindle : CycleForm::moves;
+  run_.step.call = &call_;
+  if (call_.row->loses_position) lose_position(run_, AxisSet{Axis::X, Axis::Y, Axis::Z});
+}
+
+// Pitch x speed; without them F counts. CYCLE84 has a speed of its own on the way down, SST, and on the way up, SST1.
+double CalledHole::tapping_feed(bool up) const {
+  const int pitch = places_.code == kCalledTap ? 8 : 10;
+  const double down_speed = places_.code == kCalledTap && number(10) != 0 ? number(10) : control_.spindle_speed;
+  const double speed = up && places_.code == kCalledTap && number(11) != 0 ? number(11) : down_speed;
+  const bool known = number(pitch) != 0 && number(places_.axis + 1) <= 1 && speed > 0;
+  if (known) return std::abs(length(pitch)) * speed;
+  if (places_.code == kCalledFloatingTap) return feed_of_move(run_, true);
+  refuse("how fast it taps is not known", "give its pitch (PIT) in mm or inches and its speed (SST)");
+}
+
+double CalledHole::own_feed(double rate) const {
+  return rate > 0 ? rate * control_.length_unit() : feed_of_move(run_, true);
+}
+
+void CalledHole::at_hole() {
+  const bool no_wait = places_.code == kCalledDrill || places_.code == kCalledBoreStop;
+  const double seconds = no_wait ? 0 : number(places_.code == kCalledDeep ? 8 : kDwell);
+  switch (places_.code) {
+    case kCalledDeep:
+      return pecks();
+    case kCalledTap:
+    case kCalledFloatingTap:
+      go(MotionKind::feed, hole_.bottom, tapping_feed(false));
+      wait(seconds);
+      go(MotionKind::feed, hole_.r, tapping_feed(true));
+      break;
+    case kCalledReam:
+      go(MotionKind::feed, hole_.bottom, own_feed(number(6)));
+      wait(seconds);
+      go(MotionKind::feed, hole_.r, own_feed(number(7)));
+      break;
+    case kCalledBoreDwell:
+      feed_to(hole_.bottom);
+      wait(seconds);
+      feed_to(hole_.r);
+      break;
+    default:
+      feed_to(hole_.bottom);
+      wait(seconds);
+      break;
+  }
+  go(MotionKind::rapid, hole_.clear);
+}
+
+// How deep each peck goes is the cycle's business: its moves are told from the first depth alone [C 2.1.4].
+void CalledHole::pecks() {
+  const double reference = length(kReferencePlane);
+  const double first = value(5) && number(5) != 0 ? reference - length(5) : std::abs(length(6));
+  const bool chips = number(11) == 0;
+  if (first > 0 && (hole_.r - hole_.bottom) / first <= 1e4 && number(7) == 0) {
+    for (double depth = reference - first; depth > hole_.bottom + 1e-9; depth -= first) {
+      feed_to(depth);
+      if (chips) {
+        feed_to(std::min(depth + (number(14) > 0 ? length(14) : 1.0), hole_.r));
+      } else {
+        go(MotionKind::rapid, hole_.r);
+        go(MotionKind::rapid, depth + (number(16) > 0 ? length(16) : 0.6));
+      }
+    }
+  }
+  feed_to(hole_.bottom);
+  wait(number(8));
+  go(MotionKind::rapid, hole_.clear);
+}
+
+void CalledHole::go(MotionKind kind, double level, double feed) {
+  Motion motion;
+  motion.kind = kind;
+  motion.feed = feed;
+  motion.to = control_.position;
+  motion.to[axes_.third] = level;
+  motion.known_after = control_.known;
+  motion.known_after.insert(axes_.third);
+  add_motion(run_, motion);
+}
+
+void CalledHole::wait(double seconds) {
+  if (seconds == 0) return;
+  const bool turns = seconds < 0;
+  if (turns && control_.spindle_speed <= 0) refuse("a dwell in turns needs a turning spindle", "write S and M3 before");
+  Motion motion;
+  motion.kind = MotionKind::dwell;
+  motion.to = control_.position;
+  motion.known_after = control_.known;
+  motion.dwell_s = turns ? -seconds / control_.spindle_speed * 60 : seconds;
+  add_motion(run_, motion);
+}
+
+CycleCall call_of(const Execution& run, const CodeRow& row) {
+  CycleCall call;
+  call.row = &row;
+  for (const Argument& argument : run.block->arguments) {
+    CallArgument& taken = call.arguments.emplace_back();
+    if (argument.expression != kLiteral) taken.value = argument.value;
+    if (argument.plain) {
+      taken.text = std::string(run.block->at(argument.span));
+    } else {
+      append_decimal(taken.text, argument.value, kMostDecimals);
+      call.by_variables = true;
+    }
+  }
+  return call;
+}
+
+}  // namespace
+
+void set_modal_call(Execution& run) {
+  Control& control = run.control;
+  run.step.calls_modally = true;
+  control.modal_call = CycleCall{};
+  if (const CodeRow* const row = run.chosen_row(Action::called_cycle)) control.modal_call = call_of(run, *row);
+  control.modal.modal_call = control.modal_call.row != nullptr;
+}
+
+void call_cycle(Execution& run, const CodeRow& row) {
+  if (run.chosen_row(Action::modal_call) != nullptr) return;
+  if (run.control.modal_call.row != nullptr) {
+    run.refuse(codes::kNotInterpreted, fmt::format("{} is called while another is called after each move", row.name),
+               "write MCALL alone before it");
+  }
+  run.control.call = call_of(run, row);
+  CalledHole(run, run.control.call, run.motions.size()).make();
+}
+
+void drill_after_move(Execution& run) {
+  if (run.control.modal_call.row == nullptr || run.axes.empty()) return;
+  const bool straight = run.motion->action == Action::rapid || run.motion->action == Action::feed;
+  if (!straight || run.machine_word != nullptr) {
+    run.refuse(run.motion_code(), codes::kNotInterpreted,
+               fmt::format("{} is in force after each move, and this one is no straight move in the work system",
+                           run.control.modal_call.row->name),
+               "end it before with MCALL alone in a block");
+  }
+  CalledHole(run, run.control.modal_call, 0).make();
+}
+
+}  // namespace plumbline::nc

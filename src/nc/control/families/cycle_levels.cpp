@@ -1,0 +1,76 @@
+// Where the cycles of an OSP go back to: G71, M53, M54.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "nc/control/execution.hpp"
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+
+void set_return_level(Execution& run, const Word& code) {
+  Control& control = run.control;
+  const Axis normal = axes_of(control.modal.plane).third;
+  if (control.modal.incremental) {
+    run.refuse(code, codes::kNotInterpreted, "what a return level counts from under G91 was found in no source",
+               "write G90 before it");
+  }
+  if (run.axes != AxisSet{normal}) {
+    run.refuse(code, codes::kAxesUnused, fmt::format("a return level is one word, {}", letter(normal)),
+               fmt::format("write it as in {} {}50", run.block->at(code.span), letter(normal)));
+  }
+  need_offsets(run);
+  AxisWords there = control.position;
+  there[normal] = run.value(normal);
+  control.return_level = control.frame.to_machine(there)[normal];
+}
+
+// What G71 says under M53, R under M54.
+double cycle_return_level(const Execution& run, double r) {
+  const Control& control = run.control;
+  const Axis normal = axes_of(control.modal.plane).third;
+  if (control.cycle_return == Control::Return::r) return r;
+  if (control.cycle_return == Control::Return::unknown) {
+    run.refuse(
+        run.motion_code(), codes::kNotInterpreted,
+        "neither M53 nor M54 says where this cycle goes back to, and which is in force at the start is not known",
+        "write M53 with G71 before it, or M54");
+  }
+  if (!control.return_level) {
+    run.refuse(run.motion_code(), codes::kNotInterpreted, "M53 goes back to a level that no G71 of the program states",
+               fmt::format("write G71 {}.. before the cycle", letter(normal)));
+  }
+  AxisWords machine = control.frame.to_machine(control.position);
+  machine[normal] = *control.return_level;
+  const double level = control.frame.from_machine(machine)[normal];
+  if (level >= r) return level;
+  run.refuse(run.motion_code(), codes::kNotInterpreted,
+             fmt::format("the return level, {}{:.6g}, lies below R", letter(normal), level),
+             "state a level at or above R with G71");
+}
+
+// How the tool comes to above the first hole is in sources for a tool that stands on the return level already.
+void check_cycle_start(const Execution& run, std::array<double, 2> hole, double r, double level) {
+  const Control& control = run.control;
+  const PlaneAxes axes = axes_of(control.modal.plane);
+  const double now = control.position[axes.third];
+  const bool above = hole[0] == control.position[axes.first] && hole[1] == control.position[axes.second];
+  if (std::abs(now - level) < kSameLevel || (above && now >= r)) return;
+  run.refuse(
+      run.motion_code(), codes::kNotInterpreted,
+      fmt::format("the tool stands at {0}{1:.6g} and not at {0}{2:.6g}, where the cycle goes back to: how it comes "
+                  "to the first hole from there was found in no source",
+                  letter(axes.third), now, level),
+      fmt::format("move to {}{:.6g} with G0 before the cycle", letter(axes.third), level));
+}
+
+// G80 is of another group than G0, which a cycle leaves in force. Of G1, G2 and G3 no source says it.
+const CodeRow* row_behind_cycle(const Execution& run) {
+  const Control& control = run.control;
+  if (!run.dialect.habits.rapid_behind_cycles) return nullptr;
+  const CodeRow* const before =
+      control.modal.motion == MotionMode::cycle ? control.row_before_cycle : control.motion_row;
+  return before != nullptr && before->action == Action::rapid ? before : nullptr;
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,268 @@
+// Further work systems and shifts: G54.1 P, G15 H, G10 L2 of Fanuc, G52, G68, TRANS, ROT.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "nc/control/execution.hpp"
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+int system_of_word(const Execution& run, const CodeRow& row, const Word& word) {
+  return row.value + run.whole(word, 1, run.dialect.work_systems - row.value);
+}
+
+[[noreturn]] void refuse_plane(const Execution& run, const Word& word) {
+  run.refuse(word, codes::kNotInterpreted, "a turn is interpreted about Z alone, in the XY plane (G17)",
+             "program the part as it lies, with A, B and C");
+}
+
+// The axes stand where they stood, and their words are new; the plane's must both be stated next [B-63684EN 14.6].
+void turn(Execution& run, double degrees) {
+  Control& control = run.control;
+  const bool changes = degrees != control.turn_deg;
+  control.turn_deg = degrees;
+  control.use_active_system();
+  if (changes && !run.settings.as_with_empty_tables) control.known = control.known - kTurningAxes;
+}
+
+void check_no_g92(const Execution& run, const Word& word) {
+  if (run.control.frame.g92 == AxisWords{}) return;
+  run.refuse(word, codes::kNotInterpreted, "a shift by G92 and this one together are not interpreted",
+             "use a work offset in place of G92");
+}
+
+// G68 X Y R: about a point of the work system, that where the axes stand if it is not named.
+void turn_about_point(Execution& run, const Word& code) {
+  Control& control = run.control;
+  if (control.modal.plane != Plane::xy) refuse_plane(run, code);
+  if (control.turn_deg != 0) {
+    run.refuse(code, codes::kNotInterpreted, "a second turn on top of the first is not interpreted",
+               "write G69 before it");
+  }
+  if (control.modal.incremental) {
+    run.refuse(code, codes::kNotInterpreted, "what G68 turns by under G91 depends on the control's parameters",
+               "write G90 before it");
+  }
+  for (const Axis axis : kAllAxes) {
+    if (!run.axes.contains(axis) || kTurningAxes.contains(axis)) continue;
+    run.refuse(*run.words.find(axis), codes::kWordUnused, fmt::format("G68 has no use for {}", letter(axis)),
+               "remove it, or put it into a block of its own");
+  }
+  AxisWords centre;
+  for (const Axis axis : {Axis::X, Axis::Y}) {
+    // A correction would have moved it: only who looks at the program as it stands may take the position.
+    if (!run.axes.contains(axis) && !run.settings.as_with_empty_tables) {
+      run.refuse(code, codes::kPositionRead, fmt::format("G68 turns about where {} stands", letter(axis)),
+                 "name the centre with X and Y");
+    }
+    centre[axis] = run.axes.contains(axis) ? run.value(axis) : control.position[axis];
+  }
+  const double degrees = run.need('R', "G68").value;
+  control.local_before_turn = control.local;
+  control.local += centre - turned_about_z(centre, degrees);  // shift + R w = c + R (w - c)
+  turn(run, degrees);
+}
+
+// TRANS and ROT replace the programmable frame, ATRANS and AROT add to it [PG 12.2].
+void change_frame_by_name(Execution& run, const Chosen& chosen) {
+  Control& control = run.control;
+  const bool adds = chosen.row->action == Action::frame_added;
+  const bool turns = chosen.row->value == 1;
+  double degrees = adds ? control.turn_deg : 0;
+  AxisWords shift = adds ? control.local : AxisWords{};
+  if (turns) {
+    for (const Axis axis : kAllAxes) {
+      if (axis != Axis::Z && run.axes.contains(axis)) refuse_plane(run, *run.words.find(axis));
+    }
+    if (const Word* word = run.words.find('P')) {
+      if (control.modal.plane != Plane::xy) refuse_plane(run, *word);
+      degrees += word->value;  // RPL
+    }
+    if (const Word* word = run.words.find('Z')) {
+      if (run.words.has('P')) {
+        run.refuse(*word, codes::kAxesTwice, "the turn is given by RPL and by Z as well", "leave one of them");
+      }
+      degrees += word->value;
+    }
+  } else {
+    AxisWords step;
+    for (const Axis axis : kAllAxes) {
+      if (run.axes.contains(axis)) step[axis] = run.value(axis);
+    }
+    shift += turned_about_z(step, degrees);
+    control.local_added = adds;
+  }
+  control.local = shift;
+  turn(run, degrees);
+}
+
+// LinuxCNC has one shift for G52 and G92: G92.1 to G92.3 act on it, whichever of the two set it [measured].
+void set_shift_of_g92(Execution& run, const Word& code) {
+  if (run.axes.empty()) run.refuse(code, codes::kAxesMissing, "G52 names no axis", "add the words of the shift");
+  Control& control = run.control;
+  Frame next = control.frame;
+  for (const Axis axis : kAllAxes) {
+    if (run.axes.contains(axis)) next.g92[axis] = run.value(axis);
+  }
+  control.suspended_g92 = next.g92;
+  control.g92_known = true;
+  control.g92_applied = true;
+  control.change_frame(next);
+}
+
+void set_local_shift(Execution& run, const Word& code) {
+  Control& control = run.control;
+  const std::string_view name = run.block->at(code.span);
+  if (control.turn_deg != 0) {
+    run.refuse(code, codes::kNotInterpreted, fmt::format("{} in a turned system is not interpreted", name),
+               "end the turn before it");
+  }
+  // G58 keeps what ATRANS added; without axes it is a work system of smaller controls.
+  if (run.dialect.syntax.names && (run.axes.empty() || control.local_added)) {
+    run.refuse(code, codes::kNotInterpreted,
+               run.axes.empty()
+                   ? fmt::format("{} without axis words means different things on different controls", name)
+                   : fmt::format("{} after ATRANS keeps what that added, which is not interpreted", name),
+               "write TRANS with all its axes");
+  }
+  for (const Axis axis : kAllAxes) {
+    if (run.axes.contains(axis)) control.local[axis] = run.value(axis);
+  }
+  control.use_active_system();
+}
+
+// G10 L10 P1 R100.: the length of offset 1; L11 its wear, L12 and L13 of the radius, which moves nothing without G41.
+void set_tool_table(Execution& run, const Word& table, int which) {
+  const int number = run.whole(run.need('P', "G10"), 1, kNoLimit);
+  const Word& value = run.need('R', "G10");
+  if (which >= 12) return;
+  Control& control = run.control;
+  const auto written = control.tools.find(number);
+  const bool has_length = written != control.tools.end();
+  const bool adds = which == 11 || control.modal.incremental;
+  if (control.frame.tool != AxisWords{} || (adds && !has_length && value.value != 0) ||
+      (has_length && which == 11 && value.value != 0)) {
+    run.refuse(table, codes::kNotInterpreted,
+               control.frame.tool != AxisWords{} ? "a change of tool lengths while one is in force is not interpreted"
+                                                 : "a wear, or an increment of a length, is not interpreted",
+               "write the whole length with G10 L10 under G90, with G49 before");
+  }
+  if (which == 11) return;
+  ToolRow row;
+  row.offset[Axis::Z] = run.length(value);
+  control.tools[number] = row;
+}
+
+}  // namespace
+
+void choose_work_system(Execution& run, const Chosen& chosen) {
+  const bool of_block = chosen.row->action == Action::work_system_of_block;
+  if (run.dialect.habits.h0_is_machine && run.words.has('H') && run.words.find('H')->value == 0) {
+    (of_block ? run.block_in_machine_system : run.control.in_machine_system) = true;
+    return;
+  }
+  if (!of_block) run.control.in_machine_system = false;
+  const int system =
+      system_of_word(run, *chosen.row, run.need(chosen.row->words.front(), run.block->at(chosen.word->span)));
+  if (of_block) run.work_system_before = run.control.modal.work_system;
+  choose_work_system(run, system);
+}
+
+namespace {
+
+// Words that a row of the table does not have.
+void check_words_of_table(const Execution& run, int which) {
+  const bool of_tools = which >= 10 && which <= 13;
+  for (const Word& word : run.block->words) {
+    const bool useless =
+        of_tools ? word.letter == 'Q' || axis_of(word.letter).has_value() : word.letter == 'Q' || word.letter == 'R';
+    if (!useless) continue;
+    run.refuse(word, codes::kWordUnused, fmt::format("G10 L{} has no use for {}", which, word.letter),
+               "remove it, or put it into a block of its own");
+  }
+}
+
+}  // namespace
+
+// G10 L2 P1 to P6, G10 L20 P1...: absolute under G90, added under G91.
+void set_work_table(Execution& run) {
+  const Word& table = run.need('L', "G10");
+  check_no_plane(run, table);
+  const int which = run.whole(table, 0, kNoLimit);
+  check_words_of_table(run, which);
+  if (which >= 10 && which <= 13) return set_tool_table(run, table, which);
+  if (which != 2 && which != 20) {
+    run.refuse(table, codes::kNotInterpreted, fmt::format("G10 L{} is not interpreted", which),
+               "it changes tool offsets or parameters of the control; set them before the program runs");
+  }
+  const Word& word = run.need('P', "G10");
+  const int number = run.whole(word, 0, kNoLimit);
+  if (which == 2 && number == 0) {
+    run.refuse(word, codes::kNotInterpreted, "the external work offset is not interpreted",
+               "add it to the offsets of the work systems");
+  }
+  const int system = which == 2 ? number : 6 + number;
+  if (number < 1 || (which == 2 && number > 6) || system > run.dialect.work_systems) {
+    run.refuse(word, codes::kOutOfRange, fmt::format("there is no work system P{}", number),
+               which == 2 ? "write P1 to P6" : "write P1 to P300");
+  }
+  Control& control = run.control;
+  WorkSystem& row = control.systems[static_cast<std::size_t>(system - 1)];
+  for (const Axis axis : kAllAxes) {
+    if (!run.axes.contains(axis)) continue;
+    if (control.modal.incremental && !row.known.contains(axis)) {
+      run.refuse(*run.words.find(axis), codes::kWorkOffsetUnknown, "G91 adds to an offset that nobody gave",
+                 fmt::format("give it, or write G90 before: --work-offset"));
+    }
+    row.origin[axis] = run.value(axis) + (control.modal.incremental ? row.origin[axis] : 0);
+    row.known.insert(axis);
+  }
+  if (system == control.modal.work_system) control.use_active_system();
+}
+
+void change_programmed_frame(Execution& run, const Chosen& chosen) {
+  Control& control = run.control;
+  const bool with_g92 = chosen.row->action == Action::local_shift && chosen.row->value == 1;
+  if (with_g92) return set_shift_of_g92(run, *chosen.word);
+  if (chosen.row->action == Action::turn_off && control.frame.tilted) return end_tilted_plane(run);
+  check_no_plane(run, *chosen.word);
+  check_no_g92(run, *chosen.word);
+  switch (chosen.row->action) {
+    case Action::local_shift:
+      return set_local_shift(run, *chosen.word);
+    case Action::turn_on:
+      return turn_about_point(run, *chosen.word);
+    case Action::turn_off:
+      if (control.turn_deg == 0) return;
+      control.local = control.local_before_turn;
+      return turn(run, 0);
+    default:
+      return change_frame_by_name(run, chosen);
+  }
+}
+
+// FGROUP(X,Y,Z): F is the speed of these; FGROUP() brings the default back.
+void set_feed_group(Execution& run, const Chosen& chosen) {
+  const std::string_view text = run.block->at(chosen.word->span);
+  AxisSet group;
+  const std::size_t open = text.find('(');
+  for (std::size_t i = open; i < text.size(); ++i) {
+    const char c = text[i] >= 'a' ? static_cast<char>(text[i] - 'a' + 'A') : text[i];
+    if (const std::optional<Axis> axis = axis_of(c)) group.insert(*axis);
+  }
+  const AxisSet linear{Axis::X, Axis::Y, Axis::Z};
+  if (group.empty()) {
+    run.control.feed_rule = run.settings.feed_rule.value_or(run.dialect.feed_rule);
+  } else if (group == linear) {
+    run.control.feed_rule = FeedRule::path_group;
+  } else if (group == AxisSet::all()) {
+    run.control.feed_rule = FeedRule::all_axes_as_mm;
+  } else {
+    run.refuse(*chosen.word, codes::kNotInterpreted, "a path group of these axes is not interpreted",
+               "FGROUP(X,Y,Z), FGROUP(X,Y,Z,A,B,C) and FGROUP() are");
+  }
+}
+
+}  // namespace plumbline::nc

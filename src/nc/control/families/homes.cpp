@@ -1,0 +1,71 @@
+// G28 and G30: through a point to a stored position; G28.1 and G30.1 store it. G20 HP=4 of the OSP.
+#include <fmt/format.h>
+
+#include "nc/control/execution.hpp"
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+// In a turned work system X and Y are known together or not at all.
+AxisSet known_in_work(const Frame& frame, AxisSet known_in_machine) {
+  const AxisSet mixed = frame.mixed();
+  return known_in_machine.contains(mixed) ? known_in_machine : known_in_machine - mixed;
+}
+
+}  // namespace
+
+void go_home(Execution& run, int which) {
+  Control& control = run.control;
+  check_tool_unit(run, run.block->words.front());
+  check_no_rotary_words(run);
+  run.step.role = BlockRole::machine_move;
+  Motion through;
+  through.in_machine_coordinates = true;
+  through.to = end_of_move(run);
+  through.known_after = known_after_move(run);
+  add_motion(run, through);
+
+  const Home& home = control.homes[static_cast<std::size_t>(which)];
+  const AxisSet moved = run.axes.empty() ? AxisSet::all() : run.axes;
+  const AxisSet known = known_in_work(control.frame, home.known);
+  const AxisWords end = control.frame.without_rotary_tool().from_machine(home.machine);
+  Motion motion;
+  motion.in_machine_coordinates = true;
+  motion.to = control.position;
+  motion.known_after = control.known;
+  for (const Axis axis : kAllAxes) {
+    if (!moved.contains(axis)) continue;
+    if (known.contains(axis)) {
+      motion.to[axis] = end[axis];
+      motion.known_after.insert(axis);
+    } else {
+      motion.known_after.erase(axis);
+    }
+  }
+  add_motion(run, motion);
+  if (!known.contains(moved)) run.step.loses_position = true;
+  if (control.frame.tilted) lose_position(run, AxisSet::linear());
+}
+
+void store_home(Execution& run, int which) {
+  const Control& control = run.control;
+  Home& home = run.control.homes[static_cast<std::size_t>(which)];
+  home.machine = control.frame.to_machine(control.position);
+  home.known = known_in_work(control.frame, control.known);
+  run.step.role = BlockRole::stores_position;
+}
+
+void home_or_unit(Execution& run, const Chosen& chosen) {
+  if (run.words.has('P')) {
+    run.step.role = BlockRole::machine_move;
+    return lose_position(run, AxisSet::all());
+  }
+  if (chosen.row->value == 0) return;
+  run.refuse(
+      *chosen.word, codes::kNotInterpreted,
+      fmt::format("{} without a home position says that the program is in inches", run.block->at(chosen.word->span)),
+      "write the program in mm, which this control takes everywhere, or name the home position: HP=");
+}
+
+}  // namespace plumbline::nc

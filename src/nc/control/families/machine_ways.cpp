@@ -1,0 +1,92 @@
+// Moves whose end or way only the machine knows, so that their blocks go through as they stand: to the end of an axis'
+// travel (Z9999), in machine coordinates by H0, into tool-tip mode (G169).
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "nc/control/execution.hpp"
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+AxisSet axes_to_limits(const Execution& run) {
+  AxisSet axes;
+  const double limit = run.dialect.habits.travel_limit_mm;
+  if (limit <= 0 || run.motion == nullptr || run.motion->action != Action::rapid) return axes;
+  for (const Axis axis : kAllAxes) {
+    if (run.axes.contains(axis) && !is_rotary(axis) && std::abs(run.value(axis)) >= limit) axes.insert(axis);
+  }
+  return axes;
+}
+
+const Word& first_word_of(const Execution& run, AxisSet axes) {
+  for (const Axis axis : kAllAxes) {
+    if (axes.contains(axis)) return *run.words.find(axis);
+  }
+  return run.motion_code();
+}
+
+[[noreturn]] void refuse_increment(const Execution& run, AxisSet axes) {
+  run.refuse(first_word_of(run, axes), codes::kNotInterpreted,
+             "where increments (G91) lead in machine coordinates, or to the end of the travel, was found in no source",
+             "write G90 before it");
+}
+
+// Where the named axes stand after it is known but for those of `lost`.
+void go_as_it_stands(Execution& run, AxisSet lost) {
+  const Control& control = run.control;
+  Motion motion;
+  motion.kind = MotionKind::rapid;
+  motion.in_machine_coordinates = true;
+  motion.to = control.position;
+  motion.known_after = control.known;
+  for (const Axis axis : kAllAxes) {
+    if (!run.axes.contains(axis)) continue;
+    if (lost.contains(axis)) {
+      motion.known_after.erase(axis);
+    } else {
+      motion.to[axis] = run.value(axis);
+      motion.known_after.insert(axis);
+    }
+  }
+  run.step.role = BlockRole::machine_move;
+  if (!lost.empty()) run.step.loses_position = true;
+  add_motion(run, motion);
+}
+
+}  // namespace
+
+bool move_as_it_stands(Execution& run) {
+  const bool in_machine_system = run.in_machine_system();
+  const AxisSet limits = in_machine_system ? run.axes : axes_to_limits(run);
+  if (!in_machine_system && limits.empty()) return false;
+  if (in_machine_system && run.motion->action != Action::rapid) need_offsets(run);  // says why not
+  if (run.axes.empty()) return true;
+  if (run.control.modal.incremental) refuse_increment(run, limits);
+  if (limits != run.axes) need_offsets(run);
+  go_as_it_stands(run, limits);
+  return true;
+}
+
+void set_tool_tip(Execution& run, const Chosen& chosen) {
+  Control& control = run.control;
+  if (chosen.row->action == Action::tool_tip_off) {
+    control.length_unknown = control.length_by_tip;
+    control.length_by_tip = false;
+    return;
+  }
+  if (run.words.has('H')) set_tool_length(run, chosen);
+  if (run.axes.empty()) return;
+  if (control.modal.incremental) refuse_increment(run, run.axes);
+  need_offsets(run);
+  AxisSet limits;
+  for (const Axis axis : kAllAxes) {
+    const double limit = run.dialect.habits.travel_limit_mm;
+    const bool there = run.axes.contains(axis) && !is_rotary(axis) && limit > 0;
+    if (there && std::abs(run.value(axis)) >= limit) limits.insert(axis);
+  }
+  go_as_it_stands(run, limits);
+}
+
+}  // namespace plumbline::nc

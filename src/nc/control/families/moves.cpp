@@ -1,0 +1,261 @@
+// What straight moves and arcs share: their ends, their feed, and what must be known for them.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "nc/control/execution.hpp"
+#include "nc/control/expression.hpp"
+#include "nc/language/codes.hpp"
+#include "nc/language/refusal.hpp"
+
+namespace plumbline::nc {
+
+void Execution::refuse(const Word& word, std::string_view code, std::string message, std::string help) const {
+  refuse_at(*block, word.span, code, std::move(message), std::move(help));
+}
+
+void Execution::refuse(std::string_view code, std::string message, std::string help) const {
+  const Span whole{0, static_cast<std::uint32_t>(block->text.size())};
+  refuse_at(*block, block->words.empty() ? whole : block->words.front().span, code, std::move(message),
+            std::move(help));
+}
+
+int Execution::whole(const Word& word, int least, int most) const {
+  const int number = whole_number(*block, word.span, word.value, fmt::format("the {} word", word.letter));
+  if (number >= least && number <= most) return number;
+  refuse(word, codes::kOutOfRange, fmt::format("{}{} is out of range", word.letter, number),
+         most == kNoLimit ? fmt::format("write {} or more", least) : fmt::format("write {} to {}", least, most));
+}
+
+const CodeRow* Execution::chosen_row(Action action) const {
+  for (const Chosen& code : chosen) {
+    if (code.row->action == action) return code.row;
+  }
+  return nullptr;
+}
+
+const Word& Execution::need(char letter, std::string_view code_text) const {
+  if (const Word* word = words.find(letter)) return *word;
+  refuse(codes::kWordMissing, fmt::format("{} needs a {} word", code_text, letter), "add it to the block");
+}
+
+const Word& Execution::motion_code() const { return motion_word != nullptr ? *motion_word : block->words.front(); }
+
+namespace {
+
+constexpr double kMostMotionsOfBlock = 100'000;  // all of a block are kept at once
+
+std::string without_blanks(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  return text;
+}
+
+void check_within_turn(const Execution& run, const Word& word) {
+  if (std::abs(word.value) < kFullTurn) return;
+  run.refuse(word, codes::kOutOfRange, fmt::format("{} is a turn or more", run.block->at(word.span)),
+             "on an axis whose words have a sign for the way round (--rotary), write 0 to 359.999, or use G91");
+}
+
+// The end that a word means for an axis that stands at `from`.
+double end_of_word(const Execution& run, const Word& word, Axis axis, double from) {
+  const double value = run.value(axis);
+  const bool incremental = run.control.modal.incremental && word.mode == WordMode::modal;
+  if (incremental || word.mode == WordMode::incremental) {
+    check_increment(run, word, axis);
+    return from + value;
+  }
+  switch (word.mode) {
+    case WordMode::shortest:
+      return rotary_end(RotaryRule::shortest, value, false, from);
+    case WordMode::positive:
+    case WordMode::negative:
+      return rotary_end(RotaryRule::sign, within_one_turn(value), word.mode == WordMode::negative, from);
+    default:
+      break;
+  }
+  const RotaryRule rule = run.control.modal.rule_of(axis);
+  if (rule == RotaryRule::linear) return value;
+  if (rule == RotaryRule::sign) check_within_turn(run, word);
+  return rotary_end(rule, value, std::signbit(value), from);
+}
+
+}  // namespace
+
+double distance(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+// What is missing is that of where the move begins.
+std::array<double, 2> polar_end(const Execution& run, double x, double y) {
+  const Word* const radius_word = run.words.find('@');
+  const Word* const angle_word = run.words.find('^');
+  const Word& word = radius_word != nullptr ? *radius_word : *angle_word;
+  const Control& control = run.control;
+  if (control.modal.plane != Plane::xy) {
+    run.refuse(word, codes::kOutOfRange, "polar words need the XY plane", "write G17 before, or X, Y and Z");
+  }
+  const bool complete = !control.modal.incremental && radius_word != nullptr && angle_word != nullptr;
+  if (!complete && !control.known.contains(AxisSet{Axis::X, Axis::Y})) {
+    run.refuse(word, codes::kPositionUnknown, "where X and Y stand is not known",
+               "move there with a G0 that names both axes");
+  }
+  if ((control.modal.incremental || angle_word == nullptr) && x == 0 && y == 0) {
+    run.refuse(word, codes::kOutOfRange, "the move begins at the origin, which has no angle",
+               "give radius and angle as absolute words");
+  }
+  double radius = std::hypot(x, y);
+  double angle = std::atan2(y, x);
+  if (radius_word != nullptr) radius = run.length(*radius_word) + (control.modal.incremental ? radius : 0);
+  if (angle_word != nullptr) angle = angle_word->value * kDeg + (control.modal.incremental ? angle : 0);
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+AxisWords end_of_move(const Execution& run) {
+  AxisWords end = run.control.position;
+  for (const Axis axis : kAllAxes) {
+    const Word* const word = run.words.find(axis);
+    if (word != nullptr) end[axis] = end_of_word(run, *word, axis, end[axis]);
+  }
+  if (!run.words.polar()) return end;
+  const std::array<double, 2> polar = polar_end(run, end[Axis::X], end[Axis::Y]);
+  end[Axis::X] = polar[0];
+  end[Axis::Y] = polar[1];
+  return end;
+}
+
+namespace {
+
+AxisSet absolute_words(const Execution& run) {
+  AxisSet stated = run.control.modal.incremental ? AxisSet{} : run.axes;
+  if (run.has_word_modes) {
+    for (const Axis axis : kAllAxes) {
+      const Word* const word = run.words.find(axis);
+      if (word == nullptr || word->mode == WordMode::modal) continue;
+      if (word->mode == WordMode::incremental) {
+        stated.erase(axis);
+      } else {
+        stated.insert(axis);
+      }
+    }
+  }
+  return stated;
+}
+
+// An increment behind it may bring along a shift that it has not followed yet.
+AxisSet shifted_after(const Execution& run, const Motion& motion) {
+  const AxisSet shifted = run.control.shifted;
+  if (motion.kind == MotionKind::dwell) return shifted;
+  if (!motion.in_machine_coordinates) return shifted - absolute_words(run);
+  const Control& control = run.control;
+  AxisSet aside;
+  for (const Axis axis : kAllAxes) {
+    if (!run.axes.contains(axis) || motion.machine[axis] == motion.to[axis]) continue;
+    const bool by_length = control.habits.increment_unknown_after_length && control.frame.tool[axis] != 0;
+    if (by_length || control.habits.increment_unknown_after_offset) aside.insert(axis);
+  }
+  return shifted | aside;
+}
+
+}  // namespace
+
+AxisSet known_after_move(const Execution& run) { return run.control.known | absolute_words(run); }
+
+void need_offsets(const Execution& run) {
+  check_on_plane(run);
+  if (run.in_machine_system()) {
+    run.refuse(run.motion_code(), codes::kNotInterpreted,
+               "in machine coordinates (H0) rapids alone are read: how the tool's length counts there was found in no "
+               "source",
+               "choose a work system before it, as with G15 H1");
+  }
+  if (run.control.length_unknown) {
+    run.refuse(run.motion_code(), codes::kNotInterpreted,
+               "whether the end of tool-tip mode ends the tool length that it began with was found in no source",
+               "write G56 H or G53 before this move");
+  }
+  const AxisSet missing = AxisSet::all() - run.control.active().known;
+  if (missing.empty()) return;
+  std::string letters;
+  for (const Axis axis : kAllAxes) {
+    if (missing.contains(axis)) letters += fmt::format("{}{}", letters.empty() ? "" : ", ", letter(axis));
+  }
+  if (run.control.modal.work_system == 0) {
+    run.refuse(run.motion_code(), codes::kWorkOffsetUnknown, "the program moves before it chooses a work system",
+               "which one is in force at the start depends on what ran before; choose one first, as with G15 H1");
+  }
+  const std::string name = run.dialect.name_of_system(run.control.modal.work_system);
+  run.refuse(
+      run.motion_code(), codes::kWorkOffsetUnknown,
+      fmt::format("the program moves in {}, whose offset of {} is not known", name, letters),
+      fmt::format("give what stands in the control's table: --work-offset {}=X,Y,Z,A,B,C", without_blanks(name)));
+}
+
+double feed_of_move(const Execution& run, bool linear) {
+  const Control& control = run.control;
+  const Word* const word = run.words.find('F');
+  if (control.modal.feed_mode == FeedMode::inverse_time) {
+    if (word != nullptr && word->value > 0) return word->value;
+    run.refuse(word != nullptr ? *word : run.motion_code(), codes::kFeedMissing,
+               "inverse time (G93) needs F in every block that feeds",
+               "add the F word: 1 over the minutes of the move");
+  }
+  const bool per_revolution = control.modal.feed_mode == FeedMode::per_revolution;
+  if (per_revolution && control.spindle_speed == 0) {
+    run.refuse(run.motion_code(), codes::kFeedMissing, "a feed per revolution (G95) needs a turning spindle",
+               "write S and M3 before this move");
+  }
+  if (per_revolution && !linear && control.modal.inches && run.dialect.habits.inch_turn_per_revolution_unknown) {
+    run.refuse(run.motion_code(), codes::kNotInterpreted,
+               "a turn alone with a feed per revolution (G95) in inches: whether F counts degrees or inches then was "
+               "found in no source",
+               "write G93 or G94 with the F of this move, or the program in mm");
+  }
+  const double feed = linear || per_revolution ? control.feed_linear : control.modal.feed_rotary;
+  if (feed > 0) return feed;
+  run.refuse(word != nullptr ? *word : run.motion_code(), codes::kFeedMissing, "no feed is in force for this move",
+             "write F; G93, G94 and G95 drop the F before them, a change of units on some controls as well");
+}
+
+void check_motions(const Execution& run, double count) {
+  const double allowed = std::min(kMostMotionsOfBlock, static_cast<double>(run.settings.max_blocks));
+  if (static_cast<double>(run.motions.size()) + count <= allowed) return;
+  run.refuse(run.motion_code(), codes::kTooManyBlocks, fmt::format("this block makes more than {:.0f} moves", allowed),
+             "look for a slip in L, K, P or Q; --max-blocks may be lower than what the program needs");
+}
+
+namespace {
+
+// In inches a degree may count as one, or as a mm: of the block, or of what corrects it.
+FeedRule feed_rule_of(const Execution& run) {
+  const Control& control = run.control;
+  const bool counts = control.feed_rule == FeedRule::all_axes_as_mm && !run.settings.feed_rule;
+  const bool unknown = run.dialect.habits.inch_turn_unknown && control.modal.inches && counts;
+  return unknown ? FeedRule::unknown : control.feed_rule;
+}
+
+}  // namespace
+
+void add_motion(Execution& run, const Motion& planned) {
+  Control& control = run.control;
+  Motion& motion = run.motions.emplace_back(planned);
+  motion.line = run.block->line;
+  motion.feed_mode = control.modal.feed_mode;
+  motion.mm_per_unit = control.modal.inches ? kMmPerInch : 1;
+  motion.feed_rule = feed_rule_of(run);
+  motion.feed_along_circle = run.settings.helix_feed_along_circle.value_or(run.dialect.habits.helix_feed_along_circle);
+  motion.from = control.position;
+  motion.known_before = control.known;
+  motion.machine = control.frame.to_machine(motion.to);
+  control.shifted = shifted_after(run, motion);
+  control.position = motion.to;
+  control.known = motion.known_after;
+}
+
+void lose_position(Execution& run, AxisSet axes) {
+  run.step.loses_position = true;
+  if (!run.settings.as_with_empty_tables) run.control.known = run.control.known - axes;
+}
+
+}  // namespace plumbline::nc

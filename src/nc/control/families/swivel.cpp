@@ -1,0 +1,109 @@
+// CYCLE800: a tilted plane by angles about axes as turned so far, and the tool turned along its Z. The order of the
+// values and the modes are those that Autodesk's post for the 840D writes [P].
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "nc/control/execution.hpp"
+#include "nc/language/codes.hpp"
+#include "nc/language/refusal.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr std::size_t kStatus = 2, kMode = 3, kFirstShift = 4, kFirstAngle = 7, kSecondShift = 10, kWay = 13;
+
+struct SwivelMode {
+  int mode;
+  std::string_view axes;  // in the order of the angles
+};
+constexpr std::array kModes{SwivelMode{57, "XYZ"}, SwivelMode{39, "ZXY"}, SwivelMode{27, "ZYX"},
+                            SwivelMode{45, "XZY"}, SwivelMode{30, "YZX"}, SwivelMode{54, "YXZ"}};
+
+class Swivel {
+ public:
+  Swivel(Execution& run, const Chosen& chosen) : run_(run), name_(chosen.row->name), word_(*chosen.word) {}
+
+  bool is_reset() const {
+    for (std::size_t i = kFirstShift; i < kWay; ++i) {
+      if (value(i) != 0) return false;
+    }
+    return true;
+  }
+
+  // What no source covers.
+  void check() const {
+    for (const std::size_t first : {kFirstShift, kSecondShift}) {
+      for (std::size_t i = first; i < first + 3; ++i) {
+        if (value(i) != 0)
+          refuse(i, "shifts the plane, and from where that counts was found in no source",
+                 "shift the work offset instead, and leave the shifts 0");
+      }
+    }
+    if (value(kStatus) != 0) {
+      refuse(kStatus,
+             fmt::format("has the status {}: a plane on top of another one, or a tool that follows, is not "
+                         "interpreted",
+                         value(kStatus)),
+             "write a new plane, status 0");
+    }
+  }
+
+  Turn plane() const {
+    for (const SwivelMode& mode : kModes) {
+      if (value(kMode) != mode.mode) continue;
+      return turned_in_turn(mode.axes, {value(kFirstAngle), value(kFirstAngle + 1), value(kFirstAngle + 2)});
+    }
+    refuse(kMode,
+           fmt::format("has the mode {}, whose angles are no rotations about X, Y and Z one after the other",
+                       value(kMode)),
+           "write the angles axis by axis: mode 57, 39, 27, 45, 30 or 54");
+  }
+
+  /// Whether the axes turn; else the plane alone changes.
+  bool turns() const {
+    const double way = value(kWay);
+    if (way != 0 && std::abs(way) != 1) refuse(kWay, fmt::format("has the direction {}", way), "write -1, 0 or 1");
+    return way != 0;
+  }
+
+ private:
+  double value(std::size_t place) const {
+    const std::vector<Argument>& arguments = run_.block->arguments;
+    return place < arguments.size() && arguments[place].expression != kLiteral ? arguments[place].value : 0;
+  }
+
+  [[noreturn]] void refuse(std::size_t place, std::string_view what, std::string help) const {
+    const std::vector<Argument>& arguments = run_.block->arguments;
+    const Span span = place < arguments.size() ? arguments[place].span : word_.span;
+    refuse_at(*run_.block, span, codes::kTiltedPlane, fmt::format("{} {}", name_, what), std::move(help));
+  }
+
+  const Execution& run_;
+  std::string_view name_;
+  const Word& word_;
+};
+
+}  // namespace
+
+// CYCLE800() and the like end the plane; where the axes go then, the machine's own data say.
+void swivel(Execution& run, const Chosen& chosen) {
+  const Swivel call(run, chosen);
+  if (call.is_reset()) {
+    end_tilted_plane(run);
+    run.step.role = BlockRole::machine_move;
+    return lose_position(run, AxisSet::all());
+  }
+  call.check();
+  const Turn plane = call.plane();
+  const bool turns = call.turns();
+  end_tilted_plane(run);
+  begin_tilted_plane(run, *chosen.word, {}, plane);
+  if (turns) return turn_tool_on_plane(run, *chosen.word);
+  run.step.role = BlockRole::machine_move;  // it may retract all the same
+  lose_position(run, AxisSet::linear());
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,185 @@
+// Tools: T, M6, M61, and their lengths: G43, G43.1, G43.2, G49.
+#include <fmt/format.h>
+
+#include "nc/control/execution.hpp"
+#include "nc/control/expression.hpp"
+#include "nc/control/tool_rows.hpp"
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+// T="MILL10"; -1: a tool that no table holds, where tables count as empty.
+int tool_by_name(const Execution& run, const Word& word) {
+  const std::string_view text = run.block->at(word.span);
+  const std::size_t begin = text.find_first_of("\"'") + 1;
+  const std::string_view name = text.substr(begin, text.size() - begin - 1);
+  if (const Tool* const tool = run.settings.tools.find(name)) return tool->number;
+  if (run.settings.as_with_empty_tables) return -1;
+  run.refuse(word, codes::kToolUnknown, fmt::format("no tool of the table is named '{}'", name),
+             fmt::format("add name = \"{}\", letter for letter, to its [[tool]] in the tool table (--tools)", name));
+}
+
+int tool_number(const Execution& run, const Word& word, std::string_view what) {
+  const int number = whole_number(*run.block, word.span, word.value, what);
+  if (number < 0) run.refuse(word, codes::kNegative, fmt::format("{} is negative", what), "write 0 or more");
+  return number;
+}
+
+int tool_in_spindle(const Execution& run, const Word& word) {
+  const int number = run.control.modal.tool_in_spindle;
+  if (number >= 0) return number;
+  if (run.settings.as_with_empty_tables) return 0;
+  run.refuse(word, codes::kToolUnknown, "which tool is in the spindle is not known",
+             "name it with H, or put T and M6 before it");
+}
+
+int tool_of_block(const Execution& run, const Chosen& chosen) {
+  const Word* const word = run.words.find('H');
+  const int named = word == nullptr ? 0 : tool_number(run, *word, "the number of a tool");
+  if (named > 0 || (word != nullptr && run.dialect.habits.h0_is_no_tool))
+    return named;  // H0 is the tool in the spindle [LinuxCNC, measured]
+  if (word == nullptr && chosen.row->action == Action::tool_length_added) run.need('H', "G43.2");
+  if (word == nullptr && run.dialect.habits.offset_numbers_last) run.need('H', run.block->at(chosen.word->span));
+  return tool_in_spindle(run, *chosen.word);
+}
+
+const Word& word_of_length(const Execution& run, const Chosen& chosen) {
+  const Word* const word = run.words.find('H');
+  return word != nullptr ? *word : *chosen.word;
+}
+
+// A length that counts as zero because nobody gave it is not zero at the machine.
+void mark_unknown_length(Execution& run, int number) {
+  const bool given = run.settings.tools.find(number) != nullptr || run.control.tools.contains(number);
+  if (number > 0 && !given && run.dialect.habits.increment_unknown_after_length) run.control.shifted.insert(Axis::Z);
+}
+
+void take_offset(Execution& run, const AxisWords& offset) {
+  Frame next = run.control.frame;
+  next.tool = offset;
+  run.control.change_frame(next);
+  run.control.tool_in_inches = run.control.modal.inches;
+}
+
+// The length of a tool's edge, without H.
+void take_edge(Execution& run, const Word& word, int number) {
+  const std::optional<AxisWords> offset =
+      number < 0 ? (run.settings.as_with_empty_tables ? std::optional(AxisWords{}) : std::nullopt)
+                 : offset_of_tool(run.control, run.settings, number);
+  if (!offset) {
+    run.refuse(word, codes::kToolUnknown,
+               number < 0 ? std::string("which tool is in the spindle is not known")
+                          : fmt::format("the length of tool {} is not known", number),
+               number < 0
+                   ? std::string("put T and M6 before it")
+                   : fmt::format("add a [[tool]] with number = {} to a tool table and name it with --tools", number));
+  }
+  take_offset(run, *offset);
+  if (run.settings.tools.find(number) != nullptr) run.control.modal.tool_of_offset = number;
+}
+
+}  // namespace
+
+// LinuxCNC keeps a tool's offset as a number: after a change of units it takes 2 mm for 2 inches [measured].
+void check_tool_unit(const Execution& run, const Word& word) {
+  const Control& control = run.control;
+  const AxisWords& tool = control.frame.tool;
+  const bool linear = tool[Axis::X] != 0 || tool[Axis::Y] != 0 || tool[Axis::Z] != 0;
+  if (!linear || control.tool_in_inches == control.modal.inches) return;
+  run.refuse(word, codes::kNotInterpreted, "the control takes the tool length in force for one in the new unit",
+             "write G49 before the change of units (G20, G21) and G43 after it");
+}
+
+void set_tool_length(Execution& run, const Chosen& chosen) {
+  Control& control = run.control;
+  check_tool_unit(run, *chosen.word);
+  AxisWords offset = control.frame.tool;
+  control.modal.tool_of_offset = -1;
+  const bool has_rule = chosen.row->feed_rule != FeedRule::unknown;
+  if (has_rule) check_no_plane(run, *chosen.word);
+  control.tool_vectors = chosen.row->tool_vectors;
+  if (control.tool_vectors) run.step.tool_vector = true;
+  control.feed_rule = run.settings.feed_rule.value_or(has_rule ? chosen.row->feed_rule : run.dialect.feed_rule);
+  switch (chosen.row->action) {
+    case Action::tool_tip_on:
+    case Action::tool_length: {
+      const int number = tool_of_block(run, chosen);
+      offset = needed_offset(run, word_of_length(run, chosen), number);
+      if (chosen.row->value < 0) offset = AxisWords{} - offset;  // G44
+      mark_unknown_length(run, number);
+      if (run.settings.tools.find(number) != nullptr) control.modal.tool_of_offset = number;
+      break;
+    }
+    case Action::tool_length_added:
+      offset += needed_offset(run, word_of_length(run, chosen), tool_of_block(run, chosen));
+      break;
+    case Action::tool_length_by_words:
+      for (const Axis axis : kAllAxes) {
+        if (run.axes.contains(axis)) offset[axis] = run.value(axis);
+      }
+      break;
+    default:
+      offset = AxisWords{};
+      break;
+  }
+  take_offset(run, offset);
+  control.length_by_tip = chosen.row->action == Action::tool_tip_on && offset != AxisWords{};
+  control.length_unknown = false;
+  const bool may_move =
+      run.dialect.habits.tool_length_moves && !run.words.has('Z') && !run.settings.as_with_empty_tables;
+  if (may_move) control.known.erase(Axis::Z);
+}
+
+void restore_tool_length(Execution& run, bool in_force) {
+  Word block;
+  block.span = {0, static_cast<std::uint32_t>(run.block->text.size())};
+  const Word& word = run.block->words.empty() ? block : run.block->words.front();
+  check_tool_unit(run, word);
+  run.control.modal.tool_of_offset = -1;
+  if (!in_force) return take_offset(run, AxisWords{});
+  const int number = tool_in_spindle(run, word);
+  take_offset(run, needed_offset(run, word, number));
+  if (run.settings.tools.find(number) != nullptr) run.control.modal.tool_of_offset = number;
+}
+
+// D0: no length; D1: that of the tool in the spindle, or of the one that will be.
+void choose_edge(Execution& run, const Word& word) {
+  Control& control = run.control;
+  const int edge = run.whole(word, 0, kNoLimit);
+  control.edge_unknown = false;
+  control.modal.tool_of_offset = -1;
+  control.edge = edge;
+  if (edge == 0) return take_offset(run, AxisWords{});
+  if (edge > 1) {
+    run.refuse(word, codes::kToolUnknown, "a tool of the table has one edge, and this chooses another",
+               "give the edge's length as a tool of its own");
+  }
+  const int number = control.modal.tool_in_spindle >= 0 ? control.modal.tool_in_spindle : control.selected_tool;
+  take_edge(run, word, number);
+}
+
+void select_tool(Execution& run, const Word& word) {
+  run.control.selected_tool = word.named ? tool_by_name(run, word) : tool_number(run, word, "the number of a tool");
+}
+
+void change_tool(Execution& run, const Chosen& chosen) {
+  Control& control = run.control;
+  run.step.changes_tool = true;
+  run.step.moves_old_tool = chosen.row->order == Order::after_motion && run.motion != nullptr;
+  if (chosen.row->action == Action::set_tool) {
+    control.modal.tool_in_spindle = tool_number(run, run.need('Q', "M61"), "the number of a tool");
+    return;
+  }
+  control.modal.tool_in_spindle = control.selected_tool;
+  if (run.dialect.syntax.statements == Statements::o_words)
+    control.modal.switches.spindle = kSpindleStands;  // [LinuxCNC, measured]
+  if (run.dialect.habits.tool_length_at_change && control.edge != 0) {
+    take_edge(run, *chosen.word, control.modal.tool_in_spindle);
+  }
+  control.edge_unknown = run.dialect.habits.tool_length_at_change && control.edge == 0;
+  const int code = chosen.row->code / 10;
+  if (chosen.row->loses_position && !run.settings.keeps_position.contains(code)) lose_position(run, AxisSet::all());
+}
+
+}  // namespace plumbline::nc

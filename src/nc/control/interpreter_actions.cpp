@@ -1,0 +1,224 @@
+// Which code does what.
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "nc/control/interpreter.hpp"
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+// Modes that are one value each; false: the action is none of these.
+bool set_mode(Modal& modal, Action action) {
+  switch (action) {
+    case Action::plane_xy:
+      modal.plane = Plane::xy;
+      return true;
+    case Action::plane_zx:
+      modal.plane = Plane::zx;
+      return true;
+    case Action::plane_yz:
+      modal.plane = Plane::yz;
+      return true;
+    case Action::absolute:
+    case Action::incremental:
+      modal.incremental = action == Action::incremental;
+      return true;
+    case Action::arc_centre_absolute:
+    case Action::arc_centre_incremental:
+      modal.arc_centre_absolute = action == Action::arc_centre_absolute;
+      return true;
+    case Action::exact_path:
+      modal.path_control = PathControl::exact_path;
+      return true;
+    case Action::exact_stop:
+      modal.path_control = PathControl::exact_stop;
+      return true;
+    case Action::retract_to_start:
+    case Action::retract_to_r:
+      modal.retract_to_r = action == Action::retract_to_r;
+      return true;
+    default:
+      return false;
+  }
+}
+
+// G0 G80 G91 G28 Z0: the mode is G0, whichever stands first.
+bool sets_motion(const Execution& run) {
+  return std::any_of(run.chosen.begin(), run.chosen.end(), [](const Chosen& code) {
+    return code.row->group == kMotionGroup && code.row->action != Action::motion_off && code.word->letter != 'M';
+  });
+}
+
+}  // namespace
+
+void Interpreter::act(const Chosen& chosen) {
+  switch (chosen.row->action) {
+    case Action::rapid:
+    case Action::feed:
+    case Action::arc_cw:
+    case Action::arc_ccw:
+    case Action::arc_through_point:
+    case Action::cycle:
+    case Action::cubic_spline:
+    case Action::quadratic_spline:
+    case Action::nurbs_point:
+    case Action::nurbs_end:
+    case Action::synchronised:
+    case Action::rigid_tap:
+    case Action::probe:
+      if (run_.motion == nullptr) return set_motion_mode(*chosen.row);
+      return move();
+    case Action::feed_word:
+      return set_feed(run_, *chosen.word);
+    case Action::speed_word:
+      if (chosen.word->value < 0) {
+        run_.refuse(*chosen.word, codes::kNegative, "the spindle speed is negative",
+                    "write S0 or more; M4 turns backwards");
+      }
+      control_.spindle_speed = control_.modal.switches.speed = chosen.word->value;
+      return;
+    case Action::tool_word:
+      return select_tool(run_, *chosen.word);
+    case Action::dwell:
+      return dwell(run_, *chosen.word);
+    case Action::call_macro:
+      return call_macro(run_);
+    case Action::save_modes:
+    case Action::forget_modes:
+    case Action::restore_modes:
+    case Action::save_modes_of_call:
+      return act_on_saved_modes(chosen);
+    default:
+      return act_on_position(chosen);
+  }
+}
+
+// Offsets, homes, tools, and turns of the coordinates.
+void Interpreter::act_on_position(const Chosen& chosen) {
+  switch (chosen.row->action) {
+    case Action::set_table:
+      return set_table(run_);
+    case Action::set_position:
+      return set_position(run_);
+    case Action::clear_position:
+    case Action::suspend_position:
+    case Action::restore_position:
+      return clear_position(run_, chosen.row->action);
+    case Action::go_home:
+      return go_home(run_, chosen.row->value);
+    case Action::store_home:
+      return store_home(run_, chosen.row->value);
+    case Action::tool_length:
+    case Action::tool_length_by_words:
+    case Action::tool_length_added:
+    case Action::tool_length_off:
+      return set_tool_length(run_, chosen);
+    case Action::no_next_tool:
+      control_.selected_tool = 0;
+      return;
+    case Action::tool_tip_on:
+    case Action::tool_tip_off:
+      return set_tool_tip(run_, chosen);
+    case Action::return_level:
+      return set_return_level(run_, *chosen.word);
+    case Action::change_tool:
+    case Action::set_tool:
+      return change_tool(run_, chosen);
+    case Action::set_work_table:
+      return set_work_table(run_);
+    case Action::work_system_by_word:
+    case Action::work_system_of_block:
+      return nc::choose_work_system(run_, chosen);
+    case Action::local_shift:
+    case Action::turn_on:
+    case Action::turn_off:
+    case Action::frame_new:
+    case Action::frame_added:
+      return change_programmed_frame(run_, chosen);
+    case Action::tilted_plane:
+      return define_tilted_plane(run_, chosen);
+    case Action::tool_on_plane:
+      return turn_tool(run_, chosen);
+    case Action::feed_group:
+      return set_feed_group(run_, chosen);
+    case Action::tool_edge:
+      return choose_edge(run_, *chosen.word);
+    case Action::modal_call:
+      return set_modal_call(run_);
+    case Action::called_cycle:
+      return call_cycle(run_, *chosen.row);
+    case Action::swivel:
+      return swivel(run_, chosen);
+    case Action::home_or_unit:
+      return home_or_unit(run_, chosen);
+    case Action::lose_position:
+      run_.step.role = BlockRole::machine_move;
+      return nc::lose_position(run_, AxisSet::all());
+    default:
+      return chosen.word->letter == 'M' ? machine_code(run_, chosen) : act_on_mode(chosen);
+  }
+}
+
+void Interpreter::act_on_mode(const Chosen& chosen) {
+  Modal& modal = control_.modal;
+  if (set_mode(modal, chosen.row->action)) return;
+  // Of another code of the block it would be something else: P is TURN= beside G64 of the 840D.
+  const auto own = [&](char letter) -> std::optional<double> {
+    if (chosen.row->words.find(letter) == std::string::npos || !run_.words.has(letter)) return std::nullopt;
+    return run_.words.find(letter)->value;
+  };
+  switch (chosen.row->action) {
+    case Action::motion_off:
+      if (run_.dialect.habits.cycle_off_stops_spindle) modal.switches.spindle = 5;
+      if (run_.motion == nullptr && !sets_motion(run_)) end_motion();
+      return;
+    case Action::surface_speed:
+      control_.surface_speed = chosen.row->value == 1;
+      return;
+    case Action::inches:
+      return change_unit(true);
+    case Action::millimetres:
+      return change_unit(false);
+    case Action::inverse_time:
+      return set_feed_mode(run_, FeedMode::inverse_time);
+    case Action::per_minute:
+      return set_feed_mode(run_, FeedMode::per_minute);
+    case Action::per_revolution:
+      return set_feed_mode(run_, FeedMode::per_revolution);
+    case Action::continuous:
+      modal.path_control = PathControl::continuous;
+      modal.switches.path_tolerance = own('P').value_or(0);
+      modal.switches.naive_tolerance = own('Q').value_or(modal.switches.path_tolerance);
+      return;
+    case Action::work_system:
+      return choose_work_system(run_, chosen.row->value);
+    default:
+      return;  // compensation_off, machine_coordinates, no_motion
+  }
+}
+
+void Interpreter::end_motion() {
+  Modal& modal = control_.modal;
+  const CodeRow* const goes_on = row_behind_cycle(run_);
+  control_.cycle.begun = false;
+  control_.spline_end.reset();
+  modal.motion = goes_on != nullptr ? MotionMode::rapid : MotionMode::none;
+  control_.motion_row = goes_on;
+  control_.motion_off = true;
+  control_.nurbs_ended = false;
+}
+
+// The feed stays what it is in mm/min; F of a rotary move stays what was written [LinuxCNC, measured].
+void Interpreter::change_unit(bool inches) {
+  if (control_.modal.inches == inches) return;
+  control_.modal.inches = inches;
+  control_.modal.feed = control_.feed_linear / control_.length_unit();
+  if (!run_.dialect.habits.unit_change_drops_feed) return;
+  control_.modal.feed = control_.feed_linear = control_.modal.feed_rotary =
+      0;  // what F is worth then stands in no source
+}
+
+}  // namespace plumbline::nc

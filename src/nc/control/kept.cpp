@@ -1,0 +1,50 @@
+#include "nc/control/kept.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number_text.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr double kWholeTicks = 1e-6;  // of a tick, so that 0.123 is not cut to 0.122
+
+constexpr double kLargestKept = 1e9;  // beyond it a word is refused
+
+}  // namespace
+
+Kept kept_of(const Habits& habits, bool angle, bool inches, double ratio) {
+  if (!habits.keeps_increment) return {0, kMostDecimals};
+  const double quantum = ratio * (angle ? habits.increment_deg : inches ? habits.increment_inch : habits.increment_mm);
+  const int decimals = static_cast<int>(std::ceil(-std::log10(quantum) - kWholeTicks));
+  return {quantum, std::clamp(decimals, 0, kMostDecimals)};
+}
+
+Kept kept_of_axis_word(const Habits& habits, bool angle, bool inches, double ratio, bool incremental) {
+  if (!incremental || habits.increment_word_mm <= 0) return kept_of(habits, angle, inches, ratio);
+  const double quantum = angle    ? habits.increment_word_deg
+                         : inches ? habits.increment_word_inch
+                                  : habits.increment_word_mm;
+  return {quantum, static_cast<int>(std::lround(-std::log10(quantum)))};
+}
+
+double kept_value(double value, const Kept& kept, bool is_literal) {
+  if (kept.quantum <= 0 || std::abs(value) > kLargestKept) return value;
+  const double ticks = value / kept.quantum;
+  const double whole = std::round(ticks);
+  const double cut = std::abs(ticks - whole) < kWholeTicks || !is_literal ? whole : std::trunc(ticks);
+  return from_ticks(to_ticks(cut * kept.quantum, kept.decimals), kept.decimals);
+}
+
+double WrittenAngle::kept(double degrees) const {
+  return from_ticks(to_ticks(std::round(degrees / quantum) * quantum, digits), digits);
+}
+
+WrittenAngle written_angle(const Habits& habits, int digits, double increment_deg, double ratio) {
+  const Kept kept = kept_of_axis_word(habits, true, false, ratio, false);
+  const int written = std::clamp(digits, 0, kept.decimals);
+  return {written, std::max({increment_deg, from_ticks(1, written), kept.quantum})};
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,87 @@
+// What # names: numbered and named parameters of a program.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "nc/language/block.hpp"
+
+namespace plumbline::nc {
+
+inline constexpr int kLocalParameters = 30;   // #1..#30 belong to a subprogram
+inline constexpr int kLastParameter = 5601;   // [LinuxCNC; RS274/NGC has 5400]
+inline constexpr int kG92InForce = 5210;      // 1 where the six behind it hold an offset
+inline constexpr int kParametersPerRow = 20;  // from that of a work system or home to that of the next one
+inline constexpr int kMostParameters = 9999;  // of any control
+
+/// A number, or one that only the machine will know.
+struct Value {
+  double number = 0;
+  bool known = true;
+  bool vacant = false;  // of a variable that nobody set, where the language has such; counts as 0
+};
+
+class Parameters {
+ public:
+  /// True if the program or its settings gave it a value. `number` is 1..kLastParameter.
+  bool has(int number) const { return numbered_[static_cast<std::size_t>(number)].set; }
+  Value get(int number) const { return numbered_[static_cast<std::size_t>(number)].value; }
+  void set(int number, Value value) { numbered_[static_cast<std::size_t>(number)] = {value, true}; }
+
+  /// Names are the same whatever their case and blanks [RS274/NGC 3.3.1]. Null: never set.
+  const Value* find(std::string_view name);
+  void set(std::string_view name, Value value);
+  /// What `name` keeps of the values that it is set to from now on, in the scope that is executed.
+  void declare(std::string_view name, VariableType type);
+  /// True if a subprogram that has ended, or a caller, set a name of its own that is called so.
+  bool was_local_elsewhere(std::string_view name);
+  /// A subprogram begins: the names that do not begin with _ are its own; so are #1..#30 if `numbers` (then all zero).
+  void enter(bool numbers);
+  /// The same with #1..#`count`, which begin without a value.
+  void enter_with_own(int count);
+  /// A subprogram begins that shares all names and numbers with its caller.
+  void enter_sharing();
+  /// It ends: those of its caller are back.
+  void leave();
+  /// Subprograms that are being executed.
+  std::size_t depth() const { return scopes_.size() - 1; }
+  /// The name as it is looked up; valid until the next call.
+  std::string_view plain(std::string_view name);
+
+ private:
+  Value converted(Value value);  // of the name in plain_
+  struct Numbered {
+    Value value;
+    bool set = false;
+  };
+  struct Hash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
+  };
+  std::array<Numbered, kMostParameters + 1> numbered_{};
+  using Names = std::unordered_map<std::string, Value, Hash, std::equal_to<>>;
+  struct Scope {
+    Names names;
+    std::unordered_map<std::string, VariableType, Hash, std::equal_to<>> types;  // of those that are not real
+    std::vector<Numbered> callers;                                               // #1..#30 of the caller
+    bool shared = false;                                                         // the names are those of the caller
+  };
+  Names& scope_of(std::string_view plain) {
+    if (plain.starts_with('_')) return global_;
+    std::size_t at = scopes_.size() - 1;
+    while (scopes_[at].shared) --at;
+    return scopes_[at].names;
+  }
+  Names global_;
+  std::vector<Scope> scopes_{Scope{}};
+  std::set<std::string, std::less<>> left_;  // names of subprograms that have ended
+  std::string plain_;
+};
+
+}  // namespace plumbline::nc

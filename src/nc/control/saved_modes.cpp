@@ -1,0 +1,158 @@
+#include "nc/control/saved_modes.hpp"
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "nc/control/interpreter.hpp"
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+
+namespace {
+
+// The codes that stand for what mist and flood do; -1: none.
+int mist_code(const Switches& switches) {
+  if (switches.mist) return 7;
+  return switches.flood ? -1 : 9;
+}
+
+int override_code(const Switches& switches) {
+  if (switches.feed_override) return switches.speed_override ? 48 : 50;
+  return switches.speed_override ? 51 : 49;
+}
+
+// What has no code for "off" stays on, and M50 and M51 switch one override on and none off [interp_convert.cc,
+// gen_m_codes].
+void restore_switches(Switches& switches, const Switches& saved) {
+  const Switches found = switches;
+  switches.spindle = saved.spindle;
+  const int mist = mist_code(saved);
+  if (mist != mist_code(found)) {
+    if (mist == 9) switches.mist = switches.flood = false;
+    if (mist == 7) switches.mist = true;
+  }
+  if (saved.flood && !found.flood) switches.flood = true;
+  const int code = override_code(saved);
+  if (code != override_code(found)) {
+    if (code == 48 || code == 49) switches.feed_override = switches.speed_override = code == 48;
+    if (code == 50) switches.feed_override = true;
+    if (code == 51) switches.speed_override = true;
+  }
+  switches.adaptive_feed = found.adaptive_feed || saved.adaptive_feed;
+  switches.feed_stop = found.feed_stop || saved.feed_stop;
+}
+
+void restore_path_control(Modal& modal, const Modal& saved) {
+  modal.path_control = saved.path_control;
+  if (saved.path_control != PathControl::continuous) return;
+  modal.switches.path_tolerance = saved.switches.path_tolerance;
+  modal.switches.naive_tolerance = saved.switches.naive_tolerance;
+}
+
+// The number that the control prints into the block which it then executes.
+double printed(double value, int decimals) { return parse_number(fmt::format("{:.{}f}", value, decimals)).value(); }
+
+// F and S come back with one decimal and none; a change of the feed mode alone drops F.
+void restore_feed_and_speed(Execution& run, const SavedModes& saved) {
+  Control& control = run.control;
+  Modal& modal = control.modal;
+  const bool feed_differs = saved.modal.feed != modal.feed;
+  if (saved.modal.feed_mode != modal.feed_mode) set_feed_mode(run, saved.modal.feed_mode);
+  if (feed_differs && modal.feed_mode != FeedMode::inverse_time) {
+    modal.feed = modal.feed_rotary = printed(saved.modal.feed, 1);
+    control.feed_linear = modal.feed * control.length_unit();
+  }
+  if (saved.modal.switches.speed != modal.switches.speed) {
+    control.spindle_speed = modal.switches.speed = printed(saved.modal.switches.speed, 0);
+  }
+}
+
+// Whether the shift of G92 is in force comes back, not its words.
+void restore_shift(Execution& run, const SavedModes& saved) {
+  const Control& control = run.control;
+  if (saved.g92_applied == control.g92_applied) return;
+  const bool same_either_way = control.g92_known && control.suspended_g92 == control.frame.g92;
+  if (!saved.g92_applied && same_either_way && control.frame.g92 == AxisWords{}) return;
+  if (!saved.g92_applied) {
+    run.refuse(codes::kWorkOffsetUnknown,
+               "whether the control's offset of G92 was in force when the modes were kept is not known",
+               "write G92.1 or G92.2 before M70 or M73, or give the control's #5210 to #5216: --variables FILE");
+  }
+  clear_position(run, *saved.g92_applied ? Action::restore_position : Action::suspend_position);
+  run.step.g92_restored = saved.g92_applied;
+}
+
+}  // namespace
+
+SavedModes save_modes(const Control& control, bool of_call) {
+  return {true, of_call, control.modal, control.surface_speed, control.frame.tool != AxisWords{}, control.g92_applied};
+}
+
+// The length unit comes back in a block of its own, the others together [interp_convert.cc, restore_settings].
+void restore_modes(Execution& run, const SavedModes& saved, const Block& block) {
+  Control& control = run.control;
+  Modal& modal = control.modal;
+  run.block = &block;
+  if (modal.inches != saved.modal.inches) {
+    modal.inches = saved.modal.inches;
+    modal.feed = control.feed_linear / control.length_unit();
+  }
+  restore_feed_and_speed(run, saved);
+  restore_switches(modal.switches, saved.modal.switches);
+  modal.plane = saved.modal.plane;
+  modal.incremental = saved.modal.incremental;
+  modal.arc_centre_absolute = saved.modal.arc_centre_absolute;
+  modal.retract_to_r = saved.modal.retract_to_r;
+  control.surface_speed = saved.surface_speed;
+  restore_path_control(modal, saved.modal);
+  if (saved.tool_length != (control.frame.tool != AxisWords{})) restore_tool_length(run, saved.tool_length);
+  if (modal.work_system != saved.modal.work_system) choose_work_system(run, saved.modal.work_system);
+  restore_shift(run, saved);
+}
+
+void Interpreter::enter_subprogram(bool own_parameters, const std::vector<double>& arguments) {
+  control_.parameters.enter(own_parameters);
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    control_.parameters.set(static_cast<int>(i) + 1, {arguments[i], true});
+  control_.parameters.set("_value", {});
+  control_.parameters.set("_value_returned", {});
+  saved_.emplace_back();
+}
+
+void Interpreter::enter_subprogram(int own_variables) {
+  if (own_variables < 0) {
+    control_.parameters.enter_sharing();
+  } else {
+    control_.parameters.enter_with_own(own_variables);
+  }
+  saved_.emplace_back();
+}
+
+void Interpreter::set_macro_arguments() {
+  for (const auto& [number, value] : run_.arguments) control_.parameters.set(number, value);
+}
+
+void Interpreter::leave_subprogram(const Block& block) {
+  control_.parameters.leave();
+  const SavedModes modes = saved_.back();
+  saved_.pop_back();
+  if (modes.valid && modes.of_call) restore_modes(run_, modes, block);
+}
+
+void Interpreter::act_on_saved_modes(const Chosen& chosen) {
+  run_.step.saves_modes = true;
+  switch (chosen.row->action) {
+    case Action::forget_modes:
+      saved_.back().valid = false;
+      return;
+    case Action::restore_modes:
+      if (!saved_.back().valid) {
+        run_.refuse(*chosen.word, codes::kModesNotSaved, "no modes were saved here", "save them with M70 before");
+      }
+      return restore_modes(run_, saved_.back(), *run_.block);
+    default:
+      saved_.back() = save_modes(control_, chosen.row->action == Action::save_modes_of_call);
+  }
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,25 @@
+// Modes that M70 and M73 keep and M72 brings back: those that LinuxCNC names, so not the motion.
+#pragma once
+
+#include <optional>
+
+#include "nc/control/execution.hpp"
+
+namespace plumbline::nc {
+
+struct SavedModes {
+  bool valid = false;
+  bool of_call = false;  // M73: come back at the end of the subprogram
+  Modal modal;
+  bool surface_speed = false;
+  bool tool_length = false;         // some length was in force: G43, else G49
+  std::optional<bool> g92_applied;  // whether an offset of G92 or G52 was; nothing: nobody knows
+};
+
+SavedModes save_modes(const Control& control, bool of_call);
+/// As the control does it, which executes the codes of those modes that differ: G43 is the length of the tool in the
+/// spindle then, F and S come back rounded, G92.2 or G92.3 stands for G92. `block` is the one at fault where they
+/// cannot come back.
+void restore_modes(Execution& run, const SavedModes& saved, const Block& block);
+
+}  // namespace plumbline::nc

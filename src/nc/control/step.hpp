@@ -1,0 +1,113 @@
+// What executing one block did: the hand-over from the interpreter to everything that looks at or rewrites programs.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "nc/control/frame.hpp"
+#include "nc/control/modal.hpp"
+#include "nc/control/motion.hpp"
+#include "nc/language/block.hpp"
+
+namespace plumbline::nc {
+
+/// Why a block may not be rewritten as a plain move even though it holds axis words.
+enum class BlockRole : std::uint8_t {
+  plain,            // moves, modal codes, or nothing
+  machine_move,     // G53, G28, G30: goes through as it stands
+  sets_offset,      // G92, G10 L20: reads where the control stands; its axis words must make up for the shift
+  cycle,            // G73, G81..G89: several moves of one block
+  synchronised,     // G33, G33.1: the spindle leads
+  stores_position,  // G28.1, G30.1: stores where the control stands; cannot be made up for
+};
+
+/// Where the program goes on at a subprogram or at another pass of a loop.
+struct FlowEntry {
+  enum class Kind : std::uint8_t { none, call, pass };
+  Kind kind = Kind::none;
+  std::string_view name;   // of the subprogram
+  std::string_view file;   // that it stands in, if that is not the program's own
+  std::size_t line = 0;    // of the call, or of where the loop begins
+  std::uint64_t pass = 1;  // of a loop, or of M98 with L
+};
+
+/// How a cycle may be rewritten.
+enum class CycleForm : std::uint8_t {
+  none,
+  moves,    // G73, G81, G82, G83, G85, G89, and splines: its moves are all that it does
+  spindle,  // G74, G84, G86 to G88: it works the spindle as well, so that it stays a cycle
+};
+
+/// A tool so near to where a cycle goes back to stands there, a correction apart; mm.
+inline constexpr double kSameLevel = 0.1;
+
+/// Two heights of a hole that are one; mm.
+inline constexpr double kSameHeight = 1e-9;
+
+/// One hole of a cycle, in the work system, mm; `first`, `second` and the normal are the axes of its plane.
+/// The motions that it counts are those of the block of the program, also where a block of its own is made of it.
+struct Hole {
+  std::size_t approach_begin = 0, approach_end = 0;  // its motions: those to above the hole,
+  std::size_t begin = 0, end = 0;                    // and those from R down and back
+  int code = 0;                                      // of the cycle, as its row of the dialect says
+  double first = 0, second = 0;
+  double r = 0, bottom = 0, clear = 0;       // where it begins to feed, its end, where it goes back to
+  std::optional<double> dwell_s;             // P
+  std::optional<std::array<double, 3>> ijk;  // G87: two of them beside the hole, that of the normal the level
+};
+
+struct CycleCall;
+
+/// M98 and G65 call a program, M99 ends it.
+struct ProgramCall {
+  bool calls = false, ends = false;
+  bool macro = false;  // G65: the program has variables of its own
+  int number = 0;
+  int count = 1;
+  std::optional<int> return_to;  // M99 P: the N at which the caller goes on
+};
+
+/// Everything points into the interpreter and holds until the next block is executed.
+struct Step {
+  const Block* block = nullptr;
+  std::span<const Motion> motions;  // none for most blocks without axis words; G28 through a point makes two
+  const Modal* before = nullptr;    // the modal state that the block found
+  const Modal* after = nullptr;     // and the one it left, in force for its own motion
+  const Frame* frame = nullptr;     // the offsets in force for its motion and after it
+  AxisWords position;               // where the axes stand after it, in the work system that is then active
+  AxisSet known;                    // of which this is known
+  AxisSet named;                    // axes whose words stand in the block
+  BlockRole role = BlockRole::plain;
+  double offset_rotation_deg = 0;         // sets_offset: of the work system that its words are in, active or not
+  bool alarms = false;                    // #3000=1: the control stops, and the program ends
+  bool shows_message = false;             // #3006=1: it stops, and goes on
+  bool flow = false;                      // the line steers the program: an O word, M98, M99 that ends a subprogram
+  FlowEntry entry = {};                   // what it enters, if anything
+  bool saves_modes = false;               // M70 to M73: modes are kept or come back
+  std::optional<bool> g92_restored = {};  // by that: the shift of G92 came back into force, or went out of it
+  CycleForm cycle = CycleForm::none;
+  std::span<const Hole> holes = {};  // of a cycle
+  const CycleCall* call = nullptr;   // that made its hole
+  bool calls_modally = false;        // MCALL: a call after each move begins or ends
+  bool nurbs_point = false;          // G5.2: its curve is moved along at the G5.3 behind it
+  bool ends_nurbs = false;
+  std::optional<Orienting> orienting = {};  // it turns the tool along a direction (G53.1)
+  bool tool_vector = false;                 // words of it give the direction of the tool, or its code says they do
+  bool polar = false;                       // its end is given by @ and ^
+  bool jumped = false;            // something jumped or repeated before: steps are not in the order of the text
+  bool skipped = false;           // block delete is on for it: nothing of it was executed
+  bool executed_delete = false;   // block delete is off for it, and it moves or changes modal state
+  bool changes_tool = false;      // M6, M61
+  bool moves_old_tool = false;    // its motion comes before that
+  bool passes_variables = false;  // what stands in the brackets of a name, and is not looked into, names variables
+  bool loses_position = false;    // M0, M6, user M code, G28...: some axis may stand elsewhere now
+};
+
+/// G4 P1 X5: the control waits, then moves; the wait is the first of the motions.
+inline bool dwells_first(const Step& step) {
+  return step.motions.size() > 1 && step.motions.front().kind == MotionKind::dwell;
+}
+
+}  // namespace plumbline::nc

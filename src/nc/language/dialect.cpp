@@ -1,0 +1,97 @@
+#include "nc/language/dialect.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/characters.hpp"
+#include "base/diagnostic.hpp"
+#include "nc/language/codes.hpp"
+#include "nc/language/dialect_table.hpp"
+
+namespace plumbline::embedded {
+extern const std::string_view linuxcnc_toml;
+extern const std::string_view fanuc_toml;
+extern const std::string_view okuma_toml;
+extern const std::string_view siemens_toml;
+}  // namespace plumbline::embedded
+
+namespace plumbline::nc {
+namespace {
+
+const CodeRow* row_at(const std::vector<CodeRow>& rows, const std::vector<std::int16_t>& places, int code) {
+  if (code < 0 || static_cast<std::size_t>(code) >= places.size()) return nullptr;
+  const std::int16_t at = places[static_cast<std::size_t>(code)];
+  return at < 0 ? nullptr : &rows[static_cast<std::size_t>(at)];
+}
+
+std::string text_of_code(const CodeRow& row) {
+  return row.code % 10 == 0 ? fmt::format("G{}", row.code / 10) : fmt::format("G{}.{}", row.code / 10, row.code % 10);
+}
+
+}  // namespace
+
+const CodeRow* Dialect::g_code(int times_ten) const { return row_at(g_codes, g_index, times_ten); }
+const CodeRow* Dialect::m_code(int times_ten) const { return row_at(m_codes, m_index, times_ten); }
+
+const CodeRow* Dialect::row_of(const Word& word) const {
+  if (word.letter == kNamedCode) return &named_codes[static_cast<std::size_t>(word.value)];
+  if (word.letter != 'G' && word.letter != 'M') return nullptr;
+  const int code = static_cast<int>(std::lround(word.value * 10));
+  return word.letter == 'G' ? g_code(code) : m_code(code);
+}
+
+const NameMeaning* Dialect::meaning(std::string_view text) const {
+  const auto at = syntax.meanings.find(upper(text));
+  return at == syntax.meanings.end() ? nullptr : &at->second;
+}
+
+std::string Dialect::name_of_system(int system) const {
+  for (const CodeRow& row : g_codes) {
+    if (row.action == Action::work_system && row.value == system) return text_of_code(row);
+  }
+  for (const CodeRow& row : g_codes) {
+    if (row.action != Action::work_system_by_word || system <= row.value) continue;
+    return fmt::format("{} {}{}", text_of_code(row), row.words, system - row.value);
+  }
+  return fmt::format("work system {}", system);
+}
+
+int Dialect::system_of_name(std::string_view text) const {
+  for (int system = 1; system <= work_systems; ++system) {
+    std::string known = name_of_system(system);
+    known.erase(std::remove(known.begin(), known.end(), ' '), known.end());
+    if (known == text) return system;
+  }
+  return 0;
+}
+
+std::span<const std::string_view> dialect_names() {
+  static constexpr std::array<std::string_view, 4> kNames{"linuxcnc", "fanuc", "okuma", "siemens"};
+  return kNames;
+}
+
+const Dialect& dialect(std::string_view name) {
+  if (name == "linuxcnc") {
+    static const Dialect linuxcnc = read_dialect("grammar/linuxcnc.toml", embedded::linuxcnc_toml);
+    return linuxcnc;
+  }
+  if (name == "fanuc") {
+    static const Dialect fanuc = read_dialect("grammar/fanuc.toml", embedded::fanuc_toml);
+    return fanuc;
+  }
+  if (name == "okuma") {
+    static const Dialect okuma = read_dialect("grammar/okuma.toml", embedded::okuma_toml);
+    return okuma;
+  }
+  if (name == "siemens") {
+    static const Dialect siemens = read_dialect("grammar/siemens.toml", embedded::siemens_toml);
+    return siemens;
+  }
+  refuse(codes::kUnknownDialect, fmt::format("no dialect is named '{}'", name),
+         fmt::format("there are: {}", fmt::join(dialect_names(), ", ")));
+}
+
+}  // namespace plumbline::nc

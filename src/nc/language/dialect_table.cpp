@@ -1,0 +1,340 @@
+#include "nc/language/dialect_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+#include "base/number_text.hpp"
+#include "base/toml.hpp"
+#include "nc/language/block_words.hpp"
+#include "nc/language/dialect_names.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+std::uint32_t mask(std::string_view letters) {
+  std::uint32_t bits = 0;
+  for (const char c : letters) bits |= letter_bit(c);
+  return bits;
+}
+
+// One table being read; every complaint names it.
+class TableReader {
+ public:
+  explicit TableReader(const TomlDocument& document) : document_(document), root_(document.root) {}
+
+  Dialect read() const {
+    Dialect dialect;
+    dialect.name = text(root_, "name");
+    dialect.comment_open = text(root_, "comment_open");
+    dialect.comment_close = text(root_, "comment_close");
+    dialect.feed_rule = feed_rule_named(text(root_, "feed_rule"));
+    dialect.feed_rate_min = number(root_, "feed_rate_min", 0);
+    dialect.line_length = static_cast<std::size_t>(number(root_, "line_length", 0));
+    const std::vector<TomlValue>& user_m_codes = list("user_m_codes");
+    if (user_m_codes.size() != 2) complain("'user_m_codes' needs the first and the last");
+    dialect.first_user_m_code = static_cast<int>(user_m_codes[0].number);
+    dialect.last_user_m_code = static_cast<int>(user_m_codes[1].number);
+    dialect.feed_row = turn("F", Action::feed_word);
+    dialect.feed_before_units = has_turn("units") && dialect.feed_row.step < turn("units", Action::no_motion).step;
+    dialect.speed_row = turn("S", Action::speed_word);
+    dialect.speed_row.words = "$";
+    dialect.speed_row.word_mask = mask(dialect.speed_row.words);
+    dialect.tool_row = turn("T", Action::tool_word);
+    dialect.user_row = turn("user", Action::user_code);
+    dialect.user_row.words = "PQ";
+    dialect.user_row.word_mask = mask(dialect.user_row.words);
+    dialect.user_row.loses_position = true;
+    dialect.has_edges = has_turn("D");
+    if (dialect.has_edges) dialect.edge_row = turn("D", Action::tool_edge);
+    rows("g", dialect.g_codes, dialect.g_index);
+    rows("m", dialect.m_codes, dialect.m_index);
+    dialect.work_systems = static_cast<int>(number(root_, "work_systems", dialect.work_systems));
+    if (const TomlEntry* entry = root_.find("syntax")) read_syntax(entry->value, dialect.syntax);
+    if (const TomlEntry* entry = root_.find("habits")) read_habits(entry->value, dialect.habits);
+    texts("subprogram_files", dialect.syntax.subprogram_files);
+    if (root_.find("names") != nullptr) named_rows(dialect);
+    texts("marks", dialect.marks);
+    texts("weak_marks", dialect.weak_marks);
+    texts("file_endings", dialect.file_endings);
+    texts("weak_file_endings", dialect.weak_file_endings);
+    if (root_.find("at_start") != nullptr) {
+      for (const TomlValue& code : list("at_start")) dialect.at_start.push_back(start_row(dialect, code.text));
+    }
+    return dialect;
+  }
+
+ private:
+  [[noreturn]] void complain(std::string_view what) const {
+    throw InternalError(fmt::format("{}: {}", document_.file, what));
+  }
+
+  const TomlValue* value(const TomlValue& table, std::string_view key, TomlValue::Kind kind) const {
+    const TomlEntry* const entry = table.find(key);
+    if (entry == nullptr) return nullptr;
+    if (entry->value.kind != kind) complain(fmt::format("'{}' is no {}", key, name_of(kind)));
+    return &entry->value;
+  }
+
+  std::string text(const TomlValue& table, std::string_view key) const {
+    const TomlValue* const found = value(table, key, TomlValue::Kind::text);
+    if (found == nullptr) complain(fmt::format("no text '{}'", key));
+    return found->text;
+  }
+
+  double number(const TomlValue& table, std::string_view key, double fallback) const {
+    const TomlValue* const found = value(table, key, TomlValue::Kind::number);
+    return found == nullptr ? fallback : found->number;
+  }
+
+  bool flag(const TomlValue& table, std::string_view key) const {
+    const TomlValue* const found = value(table, key, TomlValue::Kind::boolean);
+    return found != nullptr && found->flag;
+  }
+
+  const std::vector<TomlValue>& list(std::string_view key) const {
+    const TomlValue* const found = value(root_, key, TomlValue::Kind::array);
+    if (found == nullptr) complain(fmt::format("no list '{}'", key));
+    return found->items;
+  }
+
+  void read_syntax(const TomlValue& from, Syntax& syntax) const {
+    syntax.statements = statements_named(text(from, "statements"));
+    syntax.names = flag(from, "names");
+    syntax.semicolon_ends = flag(from, "semicolon_ends");
+    syntax.percent_text = flag(from, "percent_text");
+    syntax.declared = flag(from, "declared");
+    syntax.settings_alone = flag(from, "settings_alone");
+    syntax.open_assignment = flag(from, "open_assignment");
+    syntax.one_sign = flag(from, "one_sign");
+    syntax.repeated_ijk = flag(from, "repeated_ijk");
+    syntax.rounds_to_zero = flag(from, "rounds_to_zero");
+    syntax.bitwise = flag(from, "bitwise");
+    syntax.full_turn = flag(from, "full_turn");
+    syntax.relations_last = flag(from, "relations_last");
+    if (from.find("open") != nullptr) syntax.open = text(from, "open").at(0);
+    syntax.draws = flag(from, "draws");
+    syntax.truths_only = flag(from, "truths_only");
+    if (from.find("goes_on") != nullptr) syntax.goes_on = text(from, "goes_on").at(0);
+    if (from.find("reserved") != nullptr) syntax.reserved = text(from, "reserved");
+    syntax.equal_within = number(from, "equal_within", syntax.equal_within);
+    syntax.local_variables = static_cast<int>(number(from, "local_variables", syntax.local_variables));
+    syntax.last_variable = static_cast<int>(number(from, "last_variable", syntax.last_variable));
+    using Kind = NameMeaning::Kind;
+    const auto each = [&](std::string_view key, Kind kind, const auto& which) {
+      if (root_.find(key) == nullptr) return;
+      for (const TomlValue& row : list(key)) {
+        const int arguments = static_cast<int>(number(row, "arguments", 1));
+        syntax.meanings[text(row, "name")] = {kind, static_cast<int>(which(row)), arguments, number(row, "value", 0),
+                                              flag(row, "tool_vector")};
+      }
+    };
+    each("addresses", Kind::address, [&](const TomlValue& row) { return text(row, "letter").at(0); });
+    each("keywords", Kind::keyword, [&](const TomlValue& row) { return keyword_named(text(row, "does")); });
+    each("functions", Kind::function, [&](const TomlValue& row) { return operation_named(text(row, "does")); });
+    each("operations", Kind::operation, [&](const TomlValue& row) { return operation_named(text(row, "does")); });
+    each("variables", Kind::variable, [&](const TomlValue& row) {
+      syntax.variables.push_back({text(row, "name"), static_cast<int>(number(row, "first", 0)),
+                                  static_cast<int>(number(row, "last", 0)), static_cast<int>(number(row, "at", 0))});
+      return syntax.variables.size() - 1;
+    });
+  }
+
+  void read_habits(const TomlValue& from, Habits& habits) const {
+    habits.last_of_group = flag(from, "last_of_group");
+    habits.bare_motion_code_is_mode = flag(from, "bare_motion_code_is_mode");
+    habits.group_0_takes_axes = flag(from, "group_0_takes_axes");
+    habits.no_work_system_at_start = flag(from, "no_work_system_at_start");
+    habits.always_point = flag(from, "always_point");
+    habits.increment_mm = number(from, "increment_mm", 0);
+    habits.increment_inch = number(from, "increment_inch", 0);
+    habits.increment_deg = number(from, "increment_deg", 0);
+    habits.increment_of_rest_unknown = flag(from, "increment_of_rest_unknown");
+    habits.keeps_increment = flag(from, "keeps_increment");
+    if (from.find("whole_words") != nullptr) habits.whole_words = text(from, "whole_words");
+    habits.most_digits = static_cast<int>(number(from, "most_digits", 0));
+    habits.m_beside_cut_unknown = flag(from, "m_beside_cut_unknown");
+    habits.change_beside_move_unknown = flag(from, "change_beside_move_unknown");
+    habits.inverse_time_increment = number(from, "inverse_time_increment", 0);
+    habits.inverse_time_by_radius = flag(from, "inverse_time_by_radius");
+    habits.helix_feed_along_circle = flag(from, "helix_feed_along_circle");
+    habits.feed_inch_increment_unknown = flag(from, "feed_inch_increment_unknown");
+    habits.feed_per_revolution_increment = number(from, "feed_per_revolution_increment", 0);
+    habits.machine_move_is_rapid = flag(from, "machine_move_is_rapid");
+    habits.offset_numbers_last = flag(from, "offset_numbers_last");
+    habits.increment_word_mm = number(from, "increment_word_mm", 0);
+    habits.increment_word_inch = number(from, "increment_word_inch", 0);
+    habits.increment_word_deg = number(from, "increment_word_deg", 0);
+    habits.machine_move_tool_unknown = flag(from, "machine_move_tool_unknown");
+    habits.h0_is_no_tool = flag(from, "h0_is_no_tool");
+    habits.tool_length_moves = flag(from, "tool_length_moves");
+    if (from.find("unknown_beside_unit") != nullptr) habits.unknown_beside_unit = text(from, "unknown_beside_unit");
+    habits.unit_change_drops_feed = flag(from, "unit_change_drops_feed");
+    habits.tool_length_at_change = flag(from, "tool_length_at_change");
+    habits.fanuc_cycles = flag(from, "fanuc_cycles");
+    habits.peck_gap_mm = number(from, "peck_gap_mm", habits.peck_gap_mm);
+    habits.passed_code_keeps_position = flag(from, "passed_code_keeps_position");
+    habits.most_m_codes = static_cast<int>(number(from, "most_m_codes", 0));
+    habits.call_with_moves = flag(from, "call_with_moves");
+    habits.least_calls = static_cast<int>(number(from, "least_calls", 0));
+    habits.call_repeat_digits = static_cast<int>(number(from, "call_repeat_digits", 0));
+    habits.table_increments = flag(from, "table_increments");
+    habits.end_returns = flag(from, "end_returns");
+    habits.turns_are_extra = flag(from, "turns_are_extra");
+    habits.dwell_p_s = number(from, "dwell_p_s", 1);
+    habits.inch_turn_unknown = flag(from, "inch_turn_unknown");
+    habits.inch_turn_per_revolution_unknown = flag(from, "inch_turn_per_revolution_unknown");
+    habits.dwell_unknown_per_revolution = flag(from, "dwell_unknown_per_revolution");
+    habits.dwell_unknown_inverse_time = flag(from, "dwell_unknown_inverse_time");
+    habits.h0_is_machine = flag(from, "h0_is_machine");
+    habits.travel_limit_mm = number(from, "travel_limit_mm", 0);
+    habits.return_levels = flag(from, "return_levels");
+    habits.cycle_off_stops_spindle = flag(from, "cycle_off_stops_spindle");
+    habits.rapid_behind_cycles = flag(from, "rapid_behind_cycles");
+    habits.inverse_time_arc_unknown = flag(from, "inverse_time_arc_unknown");
+    habits.set_position_unknown_elsewhere = flag(from, "set_position_unknown_elsewhere");
+    habits.radius_positive = flag(from, "radius_positive");
+    if (from.find("beside_dwell") != nullptr) habits.beside_dwell = beside_named(text(from, "beside_dwell"));
+    habits.turned_axis_alone_unknown = flag(from, "turned_axis_alone_unknown");
+    read_increments_after(from, habits);
+  }
+
+  void read_increments_after(const TomlValue& from, Habits& habits) const {
+    const TomlValue* const list = value(from, "increment_unknown_after", TomlValue::Kind::array);
+    if (list == nullptr) return;
+    for (const TomlValue& change : list->items) {
+      bool* const flag = change.text == "offset"   ? &habits.increment_unknown_after_offset
+                         : change.text == "length" ? &habits.increment_unknown_after_length
+                         : change.text == "turn"   ? &habits.increment_unknown_after_turn
+                                                   : nullptr;
+      if (flag == nullptr) complain(fmt::format("'increment_unknown_after' knows no '{}'", change.text));
+      *flag = true;
+    }
+  }
+
+  Habits::Beside beside_named(const std::string& name) const {
+    if (name == "no_axes") return Habits::Beside::no_axes;
+    if (name == "nothing") return Habits::Beside::nothing;
+    complain(fmt::format("'beside_dwell' knows no '{}'", name));
+  }
+
+  void named_rows(Dialect& dialect) const {
+    for (const TomlValue& from : list("names")) {
+      CodeRow named_code = row(from, false);
+      named_code.name = text(from, "code");
+      const int place = static_cast<int>(dialect.named_codes.size());
+      dialect.syntax.meanings[named_code.name] = {NameMeaning::Kind::code, place, 0, 0};
+      dialect.named_codes.push_back(std::move(named_code));
+    }
+  }
+
+  CodeRow start_row(const Dialect& dialect, const std::string& code) const {
+    const int times_ten = static_cast<int>(std::lround(parse_number(code.substr(1)).value_or(-1) * 10));
+    const CodeRow* const found = dialect.g_code(times_ten);
+    if (found == nullptr) complain(fmt::format("'at_start' names {}, which is no code", code));
+    return *found;
+  }
+
+  std::uint8_t step(std::string_view name) const {
+    const std::vector<TomlValue>& steps = list("execution");
+    const auto at =
+        std::find_if(steps.begin(), steps.end(), [&](const TomlValue& entry) { return entry.text == name; });
+    if (at == steps.end()) complain(fmt::format("'{}' has no turn in 'execution'", name));
+    return static_cast<std::uint8_t>(at - steps.begin());
+  }
+
+  bool has_turn(std::string_view name) const {
+    const std::vector<TomlValue>& steps = list("execution");
+    return std::any_of(steps.begin(), steps.end(), [&](const TomlValue& entry) { return entry.text == name; });
+  }
+
+  CodeRow turn(std::string_view name, Action action) const {
+    CodeRow row;
+    row.action = action;
+    row.step = step(name);
+    return row;
+  }
+
+  CodeRow row(const TomlValue& from, bool has_number = true) const {
+    CodeRow row;
+    const std::string code = text(from, "code");
+    if (has_number) row.code = static_cast<int>(std::lround(parse_number(code).value_or(-1) * 10));
+    if (row.code < 0) complain(fmt::format("'{}' is no code", code));
+    row.group = static_cast<int>(number(from, "group", -1));
+    row.meaning = text(from, "does");
+    row.action = action_named(row.meaning);
+    if (from.find("words") != nullptr) row.words = text(from, "words");
+    row.word_mask = mask(row.words);
+    row.step = step(text(from, "step"));
+    const std::uint8_t motion = step("motion");
+    row.order = row.step < motion    ? Order::before_motion
+                : row.step == motion ? Order::with_motion
+                                     : Order::after_motion;
+    row.value = static_cast<int>(number(from, "value", 0));
+    row.takes_axes = flag(from, "axes");
+    row.loses_position = flag(from, "loses_position");
+    row.harmless = flag(from, "harmless");
+    row.has_arguments = flag(from, "arguments");
+    row.alone = flag(from, "alone");
+    row.needs_axes = flag(from, "needs_axes");
+    row.absolute_alone = flag(from, "absolute_alone");
+    row.unturned = flag(from, "unturned");
+    if (from.find("not_beside") != nullptr) row.not_beside = text(from, "not_beside").front();
+    if (from.find("feed_rule") != nullptr) row.feed_rule = feed_rule_named(text(from, "feed_rule"));
+    if (const TomlValue* const only = value(from, "only", TomlValue::Kind::array)) {
+      for (const TomlValue& word : only->items) {
+        row.only_letter = word.text.at(0);
+        row.only.push_back(parse_number(word.text.substr(1)).value());
+      }
+    }
+    row.order_unknown = flag(from, "order_unknown");
+    row.tool_vectors = flag(from, "tool_vectors");
+    if (from.find("written_as") != nullptr) row.written_as = text(from, "written_as");
+    row.has_values = flag(from, "values");
+    if (from.find("stays_with") != nullptr) row.stays_mask = mask(text(from, "stays_with"));
+    if (from.find("levels") != nullptr) row.levels = text(from, "levels");
+    if (row.action == Action::refused || !row.only.empty() || from.find("why") != nullptr) row.why = text(from, "why");
+    return row;
+  }
+
+  void texts(std::string_view key, std::vector<std::string>& into) const {
+    if (root_.find(key) == nullptr) return;
+    for (const TomlValue& item : list(key)) into.push_back(item.text);
+  }
+
+  void rows(std::string_view key, std::vector<CodeRow>& into, std::vector<std::int16_t>& places) const {
+    for (const TomlValue& from : list(key)) {
+      into.push_back(row(from));
+      if (from.find("last") == nullptr) continue;
+      const int last = static_cast<int>(std::lround(parse_number(text(from, "last")).value_or(-1) * 10));
+      for (int code = into.back().code + 10; code <= last; code += 10) {  // a row for each whole number up to there
+        CodeRow next = into.back();
+        next.code = code;
+        ++next.value;
+        into.push_back(std::move(next));
+      }
+    }
+    std::sort(into.begin(), into.end(), [](const CodeRow& a, const CodeRow& b) { return a.code < b.code; });
+    places.assign(into.empty() ? 0 : static_cast<std::size_t>(into.back().code) + 1, -1);
+    for (std::size_t i = 0; i < into.size(); ++i) {
+      std::int16_t& place = places[static_cast<std::size_t>(into[i].code)];
+      if (place >= 0) complain(fmt::format("two rows of '{}' for {}", key, into[i].code / 10.0));
+      place = static_cast<std::int16_t>(i);
+    }
+  }
+
+  const TomlDocument& document_;
+  const TomlValue& root_;
+};
+
+}  // namespace
+
+Dialect read_dialect(std::string_view name, std::string_view text) {
+  const TomlDocument document = parse_toml(std::string(text), std::string(name));
+  return TableReader(document).read();
+}
+
+}  // namespace plumbline::nc

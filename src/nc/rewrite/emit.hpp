@@ -1,0 +1,176 @@
+// Writes a program again with its moves corrected: what need not change comes out byte for byte.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/files.hpp"
+#include "nc/control/control.hpp"
+#include "nc/control/step.hpp"
+#include "nc/language/dialect.hpp"
+#include "nc/rewrite/emit_block.hpp"
+#include "nc/rewrite/emit_codes.hpp"
+#include "nc/rewrite/emit_pieces.hpp"
+#include "nc/rewrite/emit_state.hpp"
+#include "nc/rewrite/emit_text.hpp"
+#include "nc/rewrite/undo.hpp"
+
+namespace plumbline::nc {
+
+/// What became of one move.
+struct EmittedMove {
+  bool changed = false;
+  int pieces = 1;                 // blocks that it became
+  std::optional<double> seconds;  // that the control takes for them; revolutions under G95
+  double rounding_mm = 0;         // largest distance between a point as the control keeps it and as it was asked
+};
+
+enum class Form : std::uint8_t {
+  in_text_order,  // the source with its changed blocks replaced: the steps come in the order of the text
+  unrolled,       // every block as it is executed, without parameters: no line of it steers
+};
+
+/// The comment that stands for a block in which every axis stands already.
+inline constexpr std::string_view kAllStand = "every axis of this block stands there already";
+
+/// A file of subprograms that stands in the output now.
+struct InlinedFile {
+  std::string name;
+  std::uint64_t hash = 0;
+};
+
+/// The rules that it keeps are numbered in docs/rewriting.md: 3, 5, 13-19.
+class Emitter {
+ public:
+  /// All must outlive it. `source` is the file that the steps come from. Unrolled, the steps are those of PlainSteps
+  /// and WrittenMoves.
+  Emitter(const InputFile& source, const Dialect& dialect, EmitSettings settings, OutputFile& out,
+          Form form = Form::in_text_order);
+
+  /// Notes what the output replaces; to be called before the first block. `log` must outlive the emitter.
+  void record(UndoLog& log) { undo_ = &log; }
+
+  /// From here on what is written does not matter, only whether changed(): the steps left the order of the text.
+  void only_look() { only_looks_ = true; }
+
+  /// Unrolled: a line that steers the program, or keeps or restores modes. A comment says what is entered; modes that
+  /// come back are written as the codes that bring them back. Refuses with emit-modes.
+  void steer(const Step& step);
+
+  /// True if a move through `points` may stay as it stands.
+  bool stays(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable) {
+    return planner_.stays(step, points, writable, control_);
+  }
+  /// True if a shift is none as the words of the block are written.
+  bool rounds_to_zero(const Step& step, const AxisWords& shift, AxisSet writable) const {
+    return planner_.rounds_to_zero(step, shift, writable);
+  }
+  /// True if the control stands where the original has it, as far as it can tell.
+  bool stands_true(const Step& step, AxisSet writable) const {
+    return planner_.rounds_to_zero(step, control_.work_shift(*step.frame), writable);
+  }
+
+  /// What is written between these two stands for the block of `step`.
+  void begin_group(const Step& step);
+  void end_group(const Step& step);
+
+  /// A hole of a cycle that stays one (WrittenMoves::of), shifted by `shift` in X, Y and Z, in mm of the work system.
+  EmittedMove hole(const Step& step, const AxisWords& shift);
+
+  /// Passes a block through: no correction. Its axis words are changed only where they tell the control where it
+  /// stands (G92), so that it ends with the offset that the original gives. Refuses with emit-stores-position.
+  void copy(const Step& step);
+
+  /// Writes the one move of a block through `points`, the last of them its end. Only axes in `writable` get words.
+  /// `seconds`: what the block takes in the original; nothing for rapids. Refuses with emit-feed-rule,
+  /// emit-line-too-long, emit-rotary-word and emit-shared-words.
+  EmittedMove move(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
+                   std::optional<double> seconds);
+
+  /// To be called after the last block. A program with no changed block comes out identical, without a stamp.
+  void finish();
+
+  /// What the last move() that changed something became.
+  const PiecePlanner& pieces() const { return planner_; }
+
+  bool changed() const { return changed_; }
+  /// Where the lines of the guard stand in the output; empty as long as they were not written.
+  std::pair<std::uint64_t, std::uint64_t> guard_span() const { return guard_span_; }
+  const OutputState& control() const { return control_; }
+  const std::vector<InlinedFile>& inlined() const { return inlined_; }
+
+ private:
+  struct Replacement {  // of a whole block's text, before anything else of the program was changed
+    std::uint64_t offset;
+    std::string original;
+    std::string text;
+  };
+
+  struct Pending {  // an entry whose first block was not met yet
+    FlowEntry::Kind kind;
+    std::string name;
+    std::size_t line;
+    std::string text;
+  };
+
+  bool unrolls() const { return form_ == Form::unrolled; }
+  void note_header(const Step& step);
+  void note_entry(const FlowEntry& entry);
+  std::string entry_text(const FlowEntry& entry);
+  void write_entries();
+  void restore_modes(const Step& step, bool other_length);
+  void restore_switches(const Switches& was, const Switches& is);
+  void write_words(const std::string& text);
+  void note_cycle_level(const Step& step);
+  void begin_change(const Step& step);
+  void copy_source(std::uint64_t from, std::uint64_t to);
+  void write_stamp();
+  void write_line(const Step& step, std::string_view text);
+  void note_replaced(const Step& step, std::uint64_t begin);
+  void restore_feed_state(const Step& step, bool has_feed_word);
+  void add_offset_shifts(const Step& step);
+  void refuse_if_shifted(const Step& step) const;
+  void refuse_if_shared(const Step& step) const;
+  void refuse_beside_unit(const Step& step) const;
+  void refuse_if_turned(const Step& step) const;
+  void refuse_builders_codes(const Step& step) const;
+  void copy_with_choice_applied(const Step& step);
+  void end_modal_call(const Step& step);
+  EmittedMove called_hole(const Step& step, const AxisWords& shift);
+  std::string_view line_end(const Step& step) const;
+
+  const InputFile& source_;
+  const Dialect& dialect_;
+  EmitSettings settings_;
+  OutputFile& out_;
+  OutputState control_;
+  PiecePlanner planner_;
+  CodeWriter codes_;
+  PieceWriter writer_;
+  Form form_;
+  UndoLog* undo_ = nullptr;
+  bool only_looks_ = false;
+  bool grouping_ = false;
+  std::uint64_t group_begin_ = 0;
+  double cycle_level_shift_ = 0;  // mm
+  std::pair<std::uint64_t, std::uint64_t> guard_span_;
+  int percents_ = 0;
+  AxisWords tool_;  // length that the output has in force
+  std::vector<Pending> entries_;
+  std::vector<InlinedFile> inlined_;
+  bool changed_ = false;
+  bool in_header_ = true;
+  std::uint64_t header_end_ = 0;
+  std::uint64_t source_end_ = 0;
+  std::string newline_ = "\n";
+  std::vector<Replacement> before_change_;
+  Spelling spelling_;
+  BlockEditor editor_;
+  std::string line_;
+};
+
+}  // namespace plumbline::nc

@@ -1,0 +1,167 @@
+#include "nc/rewrite/emit_block.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number_text.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+bool is_axis_letter(char letter) { return axis_of(letter).has_value(); }
+
+bool is_arc_letter(char letter) {
+  return letter == 'I' || letter == 'J' || letter == 'K' || letter == 'R' || (letter >= '1' && letter <= '3');
+}
+
+}  // namespace
+
+const Word* first_axis_word(const Block& block) {
+  for (const Word& word : block.words) {
+    if (is_axis_letter(word.letter)) return &word;
+  }
+  return nullptr;
+}
+
+// Codes that must stand before the axis words: feed mode, exact stop, and the motion code where the control is in
+// another one. Those that the block holds already are changed in place.
+std::string PieceWriter::codes_before(const Step& step, const Piece& piece, const BlockCodes& codes,
+                                      MotionMode standing, bool is_last) {
+  const Spelling& spelling = editor_.spelling();
+  std::string before;
+  const FeedMode feed_mode = piece.leaves_inverse_time ? FeedMode::per_minute : step.after->feed_mode;
+  if (codes.feed_mode != nullptr) {
+    if (piece.leaves_inverse_time)
+      editor_.replace(codes.feed_mode->span, in_spelling(codes_.feed_mode(feed_mode), spelling));
+  } else if (piece.restates_mode) {
+    append_code(before, codes_.feed_mode(feed_mode), spelling);
+  }
+  if (!is_last && step.after->path_control == PathControl::exact_stop) {
+    if (codes.path_control != nullptr) {
+      editor_.replace(codes.path_control->span, in_spelling(codes_.path_control(PathControl::exact_path), spelling));
+    } else {
+      append_code(before, codes_.path_control(PathControl::exact_path), spelling);
+    }
+  }
+  const MotionMode mode = step.motions.front().kind == MotionKind::rapid ? MotionMode::rapid : MotionMode::feed;
+  if (codes.motion != nullptr) {
+    if (step.after->motion != mode) editor_.replace(codes.motion->span, in_spelling(codes_.motion(mode), spelling));
+  } else if (standing != mode) {
+    append_code(before, codes_.motion(mode), spelling);
+  }
+  return before;
+}
+
+// The block itself, its words changed; what runs after the motion waits for the last piece.
+void PieceWriter::append_first(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
+                               MotionMode standing, bool is_last) {
+  const Block& block = *step.block;
+  const BlockCodes codes = codes_.codes_of(block);
+  editor_.start(block, spelling);
+  if (step.executed_delete) editor_.replace(block.slash, "");
+  for (const Span& span : block.left_out) editor_.replace(span, "");  // the words added may be of the same letter
+  const std::string before = codes_before(step, piece, codes, standing, is_last);
+  place_words(step, before, change_axis_words(step, piece));
+  change_feed_word(step, piece);
+  if (!is_last) {
+    for (const Word* word : codes.after_motion()) editor_.replace(word->span, "");
+  }
+  editor_.apply(out);
+}
+
+void PieceWriter::append_further(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
+                                 bool is_last) const {
+  const BlockCodes codes = codes_.codes_of(*step.block);
+  if (piece.restates_mode) {
+    append_code(out, codes_.feed_mode(piece.leaves_inverse_time ? FeedMode::per_minute : step.after->feed_mode),
+                spelling);
+  }
+  if (is_last && step.after->path_control == PathControl::exact_stop) {
+    append_code(out, codes_.path_control(PathControl::exact_stop), spelling);
+  }
+  for (const Axis axis : kAllAxes) {
+    if (piece.moved.contains(axis)) {
+      append_axis_word(out, piece, axis, spelling);
+    }
+  }
+  if (piece.feed) append_word(out, 'F', *piece.feed, kMostDecimals, spelling);
+  if (!is_last) return;
+  for (const Word* word : codes.after_motion()) append_code(out, step.block->at(word->span), spelling);
+}
+
+void PieceWriter::append_axis_word(std::string& out, const Piece& piece, Axis axis, const Spelling& spelling) {
+  const std::size_t begin = out.size();
+  append_word(out, letter(axis), piece.value[axis], piece.digits[index(axis)], spelling);
+  if (!piece.direct || !piece.endless.contains(axis)) return;
+  const std::size_t value = out.find_first_not_of(' ', begin) + 1;
+  out.insert(value, "=DC(");
+  out += ')';
+}
+
+// Words that stand in the block get their new values; gives the ones that must be added.
+std::string PieceWriter::change_axis_words(const Step& step, const Piece& piece) {
+  std::string added;
+  Spelling plain = editor_.spelling();
+  for (const Axis axis : kAllAxes) {
+    const Word* word = find_word(*step.block, letter(axis));
+    const bool moves = piece.moved.contains(axis);
+    if (word == nullptr) {
+      if (moves) append_axis_word(added, piece, axis, plain);
+      continue;
+    }
+    if (!moves && piece.endless.contains(axis)) {
+      editor_.replace(word->span, "");
+      continue;
+    }
+    if (word->mode == WordMode::modal && std::abs(word->value - piece.value[axis]) < 1e-12) continue;
+    std::string text;
+    append_axis_word(text, piece, axis, {plain.lower_case, false, plain.point, plain.most_digits});
+    editor_.replace(word->span, text);
+  }
+  return added;
+}
+
+void PieceWriter::place_words(const Step& step, const std::string& codes_before, const std::string& words) {
+  const Block& block = *step.block;
+  const Word* first_axis = first_axis_word(block);
+  const Word* last_axis = first_axis;
+  std::string both = codes_before;
+  if (!both.empty() && !words.empty() && editor_.spelling().spaced) both += ' ';
+  both += words;
+  for (const Word& word : block.words) {
+    if (is_axis_letter(word.letter)) last_axis = &word;
+    const bool of_arc = step.motions.front().kind == MotionKind::arc &&
+                        (is_arc_letter(word.letter) || (word.letter == 'P' && !codes_.other_code_takes(block, 'P')));
+    if (!of_arc) continue;
+    const bool takes_words = first_axis == nullptr && !both.empty();
+    editor_.replace(word.span, takes_words ? in_spelling(both, editor_.spelling()) : "");
+    if (takes_words) both.clear();
+  }
+  if (first_axis == nullptr) {
+    // G1 F500 alone moves nowhere, but to where the correction is.
+    if (!both.empty()) editor_.insert_after(block.words.back().span.end, both);
+    return;
+  }
+  if (!codes_before.empty()) editor_.insert_before(first_axis->span.begin, codes_before);
+  if (!words.empty()) editor_.insert_after(last_axis->span.end, words);
+}
+
+void PieceWriter::change_feed_word(const Step& step, const Piece& piece) {
+  if (!piece.feed) return;
+  const Word* word = find_word(*step.block, 'F');
+  if (word != nullptr && word->value == *piece.feed) return;
+  std::string text;
+  Spelling plain = editor_.spelling();
+  plain.spaced = false;
+  append_word(text, 'F', *piece.feed, kMostDecimals, plain);
+  if (word != nullptr) {
+    editor_.replace(word->span, text);
+    return;
+  }
+  const Block& block = *step.block;
+  std::uint32_t at = 0;
+  for (const Word& other : block.words) at = std::max(at, other.span.end);
+  editor_.insert_after(at, text);
+}
+
+}  // namespace plumbline::nc

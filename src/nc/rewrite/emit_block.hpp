@@ -1,0 +1,37 @@
+// One block of the output for each piece of a move.
+#pragma once
+
+#include <string>
+
+#include "nc/rewrite/emit_codes.hpp"
+#include "nc/rewrite/emit_pieces.hpp"
+#include "nc/rewrite/emit_text.hpp"
+
+namespace plumbline::nc {
+
+/// Spells pieces: the first is the block itself with its words changed, the others hold what moves and no more.
+class PieceWriter {
+ public:
+  explicit PieceWriter(const CodeWriter& codes) : codes_(codes) {}
+
+  /// `standing`: the motion mode that the control is in when the line begins.
+  void append_first(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
+                    MotionMode standing, bool is_last);
+  void append_further(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
+                      bool is_last) const;
+
+ private:
+  std::string codes_before(const Step& step, const Piece& piece, const BlockCodes& codes, MotionMode standing,
+                           bool is_last);
+  std::string change_axis_words(const Step& step, const Piece& piece);
+  static void append_axis_word(std::string& out, const Piece& piece, Axis axis, const Spelling& spelling);
+  void place_words(const Step& step, const std::string& codes_before, const std::string& words);
+  void change_feed_word(const Step& step, const Piece& piece);
+  const CodeWriter& codes_;
+  BlockEditor editor_;
+};
+
+/// The first word of the block that names an axis; null if there is none.
+const Word* first_axis_word(const Block& block);
+
+}  // namespace plumbline::nc

@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "base/characters.hpp"
+#include "base/diagnostic.hpp"
+#include "nc/sequence/program.hpp"
+#include "nc/sequence/subprogram_file.hpp"
+#include "nc/syntax/line_head.hpp"
+#include "nc/syntax/line_source.hpp"
+#include "nc/syntax/parser.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kBeyondCodes = 1e4;
+constexpr double kBeyondPrograms = 1e9;
+
+// What a word that is a code and no expression does; nothing of others.
+std::optional<Action> action_of(const Word& word, const Dialect& dialect) {
+  if (word.expression != kLiteral || std::abs(word.value) >= kBeyondCodes) return std::nullopt;
+  const CodeRow* const row = dialect.row_of(word);
+  return row == nullptr ? std::nullopt : std::optional(row->action);
+}
+
+bool has_action(const Block& block, const Dialect& dialect, Action action) {
+  return std::any_of(block.words.begin(), block.words.end(),
+                     [&](const Word& word) { return action_of(word, dialect) == action; });
+}
+
+bool ends_program(const Block& block, const Dialect& dialect) {
+  return !block.block_delete && has_action(block, dialect, Action::end);
+}
+
+// Behind G65 letters are arguments.
+void add_axes(const Block& block, const Dialect& dialect, AxisSet& axes) {
+  for (const Word& word : block.words) {
+    if (action_of(word, dialect) == Action::call_macro) return;
+    if (const std::optional<Axis> axis = axis_of(word.letter)) axes.insert(*axis);
+  }
+}
+
+// The name of the subprogram that the line calls; empty: none, or one that only executing it tells.
+std::string called_name(const Block& block, const Dialect& dialect) {
+  if (block.flow.word == FlowWord::call && block.flow.label == kLiteral) {
+    if (dialect.syntax.statements != Statements::o_words) return canonical_program(block.at(block.flow.name));
+    std::string name;
+    for (const char c : block.at(block.flow.name)) {
+      if (c != ' ' && c != '\t') name += lower(c);
+    }
+    return name;
+  }
+  if (block.flow.word == FlowWord::call) {
+    const Instruction& label = block.code.at(block.flow.label);
+    return label.operation == Operation::number ? fmt::format("{}", std::lround(label.number)) : "";
+  }
+  const bool by_code = has_action(block, dialect, Action::call_program);
+  const Word* const program = find_word(block, 'P');
+  if (program == nullptr || program->expression != kLiteral || std::abs(program->value) >= kBeyondPrograms) return {};
+  if (!by_code && !has_action(block, dialect, Action::call_macro)) return {};
+  long number = std::lround(program->value);
+  if (by_code && dialect.habits.call_repeat_digits > 0 && find_word(block, 'L') == nullptr) {
+    number %= std::lround(std::pow(10, dialect.habits.call_repeat_digits));
+  }
+  return fmt::format("{}", number);
+}
+
+// Behind the end of the program nothing is executed unless something jumps there.
+bool may_jump(const Block& block, const Dialect& dialect) {
+  return block.flow.word == FlowWord::call || block.flow.word == FlowWord::go_to ||
+         has_action(block, dialect, Action::call_program) || has_action(block, dialect, Action::call_macro);
+}
+
+// Codes that move the rotary axes without naming them, and directions of the tool.
+bool turns_tool(const Block& block, const Dialect& dialect) {
+  for (const Word& word : block.words) {
+    const bool is_plain_code = word.letter == 'G' && action_of(word, dialect).has_value();
+    if (word.tool_vector || (is_plain_code && dialect.row_of(word)->tool_vectors)) return true;
+  }
+  return has_action(block, dialect, Action::tool_on_plane) || has_action(block, dialect, Action::swivel);
+}
+
+class AxisSearch {
+ public:
+  AxisSearch(const InputFile& program, const Dialect& dialect) : program_(program), dialect_(dialect) {}
+
+  AxisSet run() {
+    scan(program_, false);
+    return axes_;
+  }
+
+ private:
+  void scan(const InputFile& file, bool whole) {
+    LineSource lines(file, dialect_.syntax.goes_on);
+    Parser parser(dialect_);
+    Block block;
+    Line line;
+    while (axes_ != AxisSet::all() && lines.next(line)) {
+      // Executing the program refuses such a line; parsing one of 200,000 brackets would take as deep a stack.
+      if (!line.whole || longest_line(line.text) > dialect_.line_length) continue;
+      block.file = file.name();
+      block.text = line.text;
+      block.line = line.place.line;
+      block.offset = line.place.offset;
+      try {
+        parser.parse(block);
+      } catch (const Refusal&) {
+        continue;  // executing the program will say so
+      }
+      add_axes(block, dialect_, axes_);
+      if (turns_tool(block, dialect_)) axes_ = axes_ | AxisSet::rotary();
+      follow(block);
+      whole = whole || may_jump(block, dialect_);
+      if (!whole && ends_program(block, dialect_)) break;
+    }
+  }
+
+  void follow(const Block& block) {
+    const std::string name = called_name(block, dialect_);
+    if (name.empty()) return;
+    const fs::path path = subprogram_file(program_.name(), name, dialect_);
+    if (!path.empty() && seen_.insert(path).second) scan(InputFile(path.string()), true);
+  }
+
+  const InputFile& program_;
+  const Dialect& dialect_;
+  std::set<fs::path> seen_;
+  AxisSet axes_;
+};
+
+}  // namespace
+
+AxisSet named_axes(const InputFile& file, const Dialect& dialect) { return AxisSearch(file, dialect).run(); }
+
+}  // namespace plumbline::nc

@@ -1,0 +1,244 @@
+#include "nc/sequence/program.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "base/diagnostic.hpp"
+#include "nc/control/interpreter.hpp"
+#include "nc/language/codes.hpp"
+#include "nc/language/guard_lines.hpp"
+#include "nc/language/refusal.hpp"
+#include "nc/sequence/flow.hpp"
+#include "nc/sequence/statement_flow.hpp"
+#include "nc/syntax/parser.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+bool holds_nothing(std::string_view text) { return text.find_first_not_of(" \t\r") == std::string_view::npos; }
+
+void place_block(Block& block, const Line& line, std::string_view file) {
+  block.file = file;
+  block.text = line.text;
+  block.line_end = line.line_end;
+  block.line = line.place.line;
+  block.offset = line.place.offset;
+}
+
+void check_length(const Block& block, const Line& line, const Dialect& dialect) {
+  const std::size_t length = longest_line(block.text) + (block.line_end.size() > 1 ? 1 : 0);  // a CR counts
+  if (line.whole && length <= dialect.line_length) return;
+  Place place;
+  place.file = block.file;
+  place.line = block.line;
+  place.column = dialect.line_length + 1;
+  place.text = block.text.substr(0, 2 * dialect.line_length);
+  refuse(codes::kLineTooLong,
+         fmt::format("the line is longer than the {} characters that the control reads", dialect.line_length),
+         "break it into several blocks, or shorten its comment", std::move(place));
+}
+
+// Behind "/" and N, as the lines that are left out are looked through for O words.
+bool begins_with_flow(std::string_view text) {
+  std::size_t at = text.find_first_not_of(" \t\r/");
+  if (at != std::string_view::npos && (text[at] == 'N' || text[at] == 'n')) {
+    at = text.find_first_not_of(" \t\r0123456789", at + 1);
+  }
+  return at != std::string_view::npos && (text[at] == 'O' || text[at] == 'o');
+}
+
+bool ends_text(std::string_view text) {
+  const std::size_t at = text.find_first_not_of(" \t\r");
+  return at != std::string_view::npos && text[at] == '%' && holds_nothing(text.substr(at + 1));
+}
+
+std::unique_ptr<Sequencer> sequencer_of(const Dialect& dialect, const InputFile& file, Interpreter& interpreter) {
+  if (dialect.syntax.statements == Statements::o_words)
+    return std::make_unique<FlowControl>(file, dialect, interpreter);
+  return std::make_unique<StatementFlow>(file, dialect, interpreter);
+}
+
+}  // namespace
+
+struct Program::Parts {
+  Parts(const InputFile& file_, const Dialect& dialect_, ProgramSettings settings_)
+      : file(file_),
+        dialect(dialect_),
+        settings(std::move(settings_)),
+        parser(dialect),
+        interpreter(dialect, settings),
+        sequencer(sequencer_of(dialect, file, interpreter)),
+        flow(*sequencer) {}
+
+  const InputFile& file;
+  const Dialect& dialect;
+  const ProgramSettings settings;
+  Parser parser;
+  Interpreter interpreter;
+  const std::unique_ptr<Sequencer> sequencer;
+  Sequencer& flow;
+  Block block;
+  bool begun = false;        // a line that is not blank was read
+  bool in_percents = false;  // the program began with %
+  bool behind_end = false;   // M2, M30 or the second % was executed
+  bool in_guard = false;     // of a compensated program
+  Place guard_line;          // the last one of it
+
+  std::uint64_t executed = 0;
+
+  const Step* next();
+  const Step* execute();
+  const Step* steer();
+  void count(std::uint64_t blocks);
+  void count_moves(const Step& step);
+  const Step* ignore();
+  const Step* pass_guard();
+  [[noreturn]] void refuse_guard(std::string_view what) const;
+  const Step* percent();
+};
+
+const Step* Program::Parts::next() {
+  Line line;
+  while (true) {
+    if (behind_end && flow.used()) return nullptr;
+    if (!flow.next(line)) {
+      if (in_guard) refuse_guard("the program ends inside its guard");
+      return nullptr;
+    }
+    place_block(block, line, flow.file());
+    if (behind_end) return ignore();
+    if (in_guard || (is_guard_line(block.text, kGuardBegins, dialect) && !flow.skipping())) return pass_guard();
+    if (flow.skipping() && in_percents && ends_text(line.text)) flow.end_of_text();
+    if (flow.skipping() && !begins_with_flow(line.text)) continue;
+    check_length(block, line, dialect);
+    parser.parse(block);
+    const bool around_file = flow.called() && dialect.syntax.statements != Statements::o_words;
+    if (block.kind == LineKind::percent && around_file) continue;  // of a subprogram
+    if (block.kind == LineKind::percent) return percent();
+    if (block.kind == LineKind::ignored) return &interpreter.pass(block);
+    begun = begun || !holds_nothing(block.text);
+    if (flow.used()) count(1);
+    if (block.flow.word == FlowWord::none) return execute();
+    if (const Step* const step = steer()) return step;
+  }
+}
+
+const Step* Program::Parts::execute() {
+  interpreter.execute(block);
+  Step& step = interpreter.step();
+  count_moves(step);
+  step.jumped = flow.used();
+  behind_end = interpreter.ended();
+  const ProgramCall& call = interpreter.program_call();
+  if (behind_end && flow.called() && dialect.habits.end_returns) {
+    interpreter.go_on();
+    behind_end = false;
+    step.flow = true;
+    flow.end_program(block, call);
+    return &step;
+  }
+  const bool jumps_back = call.ends && call.return_to.has_value();
+  step.flow = call.calls || jumps_back || (call.ends && flow.called());
+  if (call.calls) flow.call_program(block, call);
+  if (call.ends && !flow.end_program(block, call)) behind_end = true;
+  step.entry = flow.take_entry();
+  return &step;
+}
+
+// Null: the O word is part of what is skipped.
+const Step* Program::Parts::steer() {
+  interpreter.pass(block);
+  if (block.block_delete && interpreter.deleted(block)) {
+    if (flow.skipping()) return nullptr;
+    Step& left_out = interpreter.step();
+    left_out.skipped = true;
+    left_out.jumped = flow.used();
+    return &left_out;
+  }
+  if (!flow.take(block)) return nullptr;
+  behind_end = behind_end || interpreter.ended();
+  if (flow.ended()) behind_end = true;
+  Step& step = interpreter.step();
+  step.flow = (block.flow.word != FlowWord::program && block.flow.word != FlowWord::define) || flow.used();
+  step.jumped = flow.used();
+  step.entry = flow.take_entry();
+  return &step;
+}
+
+// What a few letters spell: the moves of repeated cycles, the turns of arcs.
+void Program::Parts::count_moves(const Step& step) {
+  if (!step.holes.empty()) count(step.motions.size() - 1);
+  for (const Motion& motion : step.motions) {
+    const int turns = std::abs(motion.arc.turns);
+    if (turns > 1) count(static_cast<std::uint64_t>(turns - 1));
+  }
+}
+
+void Program::Parts::count(std::uint64_t blocks) {
+  executed += blocks;
+  if (executed <= settings.max_blocks) return;
+  const Span whole{0, static_cast<std::uint32_t>(block.text.size())};
+  refuse_at(block, whole, codes::kTooManyBlocks,
+            fmt::format("the program executes more than {} blocks", settings.max_blocks),
+            "look for a loop that does not end, or allow more with --max-blocks");
+}
+
+const Step* Program::Parts::ignore() {
+  block.kind = LineKind::ignored;
+  block.block_delete = false;
+  block.number = block.slash = Span{};
+  block.words.clear();
+  block.comments.clear();
+  block.settings.clear();
+  return &interpreter.pass(block);
+}
+
+// It stops the control or does nothing: nothing that follows depends on what it reads.
+const Step* Program::Parts::pass_guard() {
+  guard_line = {};
+  guard_line.file = block.file;
+  guard_line.line = block.line;
+  guard_line.column = 1;
+  guard_line.length = block.text.size();
+  guard_line.text = block.text;
+  const bool ends = is_guard_line(block.text, kGuardEnds, dialect);
+  if (in_guard && !ends && !is_part_of_guard(block.text, dialect)) {
+    refuse_guard("this line is none of a guard, and stands in one");
+  }
+  in_guard = !ends;
+  return ignore();
+}
+
+void Program::Parts::refuse_guard(std::string_view what) const {
+  refuse(codes::kGuard, std::string(what), "a guard is read as a whole: compensate the original program again",
+         guard_line);
+}
+
+// Controls with statements take % for the begin of the file as well as for its end, and what stands behind that is none
+// of theirs. RS274/NGC: the first line that is not blank may be %; then the program ends at the next one
+// [RS274/NGC 3.2].
+const Step* Program::Parts::percent() {
+  if (begun && !in_percents && dialect.syntax.statements == Statements::o_words) {
+    const auto at = static_cast<std::uint32_t>(block.text.find('%'));
+    refuse_at(block, {at, at + 1}, codes::kBadCharacter, "% ends a program that did not begin with %",
+              "put % on the first line as well, or end with M2");
+  }
+  behind_end = begun;
+  begun = in_percents = true;
+  return &interpreter.pass(block);
+}
+
+Program::Program(const InputFile& file, const Dialect& dialect, ProgramSettings settings)
+    : parts_(std::make_unique<Parts>(file, dialect, std::move(settings))) {}
+
+Program::~Program() = default;
+
+const Step* Program::next() {
+  const Step* const step = parts_->next();
+  if (step == nullptr) parts_->flow.check_files();
+  return step;
+}
+
+}  // namespace plumbline::nc

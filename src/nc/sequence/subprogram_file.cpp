@@ -1,0 +1,68 @@
+#include "nc/sequence/subprogram_file.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "base/characters.hpp"
+
+namespace plumbline::nc {
+namespace fs = std::filesystem;
+namespace {
+
+bool is_file(const fs::path& path) {
+  std::error_code ignored;  // a name too long for a file is none
+  return fs::is_regular_file(path, ignored);
+}
+
+// A pattern of a file's name with the program's name in place of {}, or of {4}, which has at least four digits.
+std::string filled(std::string_view pattern, const std::string& name) {
+  std::string padded = name;
+  while (padded.size() < 4) padded.insert(padded.begin(), '0');
+  std::string out(pattern);
+  if (const std::size_t at = out.find("{4}"); at != std::string::npos) out.replace(at, 3, padded);
+  if (const std::size_t at = out.find("{}"); at != std::string::npos) out.replace(at, 2, name);
+  return out;
+}
+
+// In the program's folder or below: a name is text of the program, and no program says what else is read.
+bool stays_inside(const fs::path& name) {
+  return name.is_relative() && std::find(name.begin(), name.end(), "..") == name.end();
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::error_code ignored;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+fs::path subprogram_file(const std::string& program, const std::string& name, const Dialect& dialect) {
+  const fs::path folder = fs::path(program).parent_path();
+  const std::vector<std::string>& patterns = dialect.syntax.subprogram_files;
+  if (dialect.syntax.statements == Statements::o_words) {  // the case of letters counts
+    for (const std::string& pattern : patterns) {
+      const fs::path file = filled(pattern, name);
+      if (fs::path path = folder / file; stays_inside(file) && is_file(path)) return path;
+    }
+    return {};
+  }
+  const std::vector<fs::path> there = files_in(folder.empty() ? fs::path(".") : folder);
+  for (const std::string& pattern : patterns) {
+    const std::string wanted = upper(filled(pattern, name));
+    for (const fs::path& path : there) {
+      if (upper(path.filename().string()) == wanted && is_file(path)) return path;
+    }
+  }
+  return {};
+}
+
+std::string subprogram_file_name(const std::string& name, const Dialect& dialect) {
+  const std::vector<std::string>& patterns = dialect.syntax.subprogram_files;
+  return patterns.empty() ? name : upper(filled(patterns.front(), name));
+}
+
+}  // namespace plumbline::nc

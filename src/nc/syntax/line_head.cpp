@@ -1,0 +1,171 @@
+#include "nc/syntax/line_head.hpp"
+
+#include <algorithm>
+
+#include "base/characters.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+bool is_of_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+
+std::string upper_without_blanks(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (!is_blank(c)) out += upper(c);
+  }
+  return out;
+}
+
+class HeadReader {
+ public:
+  HeadReader(std::string_view line, const Dialect& dialect) : line_(line), dialect_(dialect) {}
+
+  LineHead read() {
+    blanks();
+    if (at_end() || line_[at_] == '(' || line_[at_] == ';' || line_[at_] == '$') {
+      head_.empty = true;
+      return head_;
+    }
+    if (line_[at_] == '%') return percent();
+    if (line_[at_] == '/') {
+      ++at_;
+      while (!at_end() && is_digit(line_[at_])) ++at_;
+      blanks();
+    }
+    if (dialect_.syntax.statements == Statements::macro_b) {
+      macro();
+    } else {
+      names();
+    }
+    return head_;
+  }
+
+ private:
+  bool at_end() const { return at_ >= line_.size(); }
+  void blanks() {
+    while (!at_end() && is_blank(line_[at_])) ++at_;
+  }
+  bool next_is(char letter) const { return !at_end() && upper(line_[at_]) == letter; }
+
+  std::string_view digits() {
+    const std::size_t begin = at_;
+    while (!at_end() && is_digit(line_[at_])) ++at_;
+    return line_.substr(begin, at_ - begin);
+  }
+
+  std::string_view identifier() {
+    const std::size_t begin = at_;
+    while (!at_end() && is_of_name(line_[at_])) ++at_;
+    return line_.substr(begin, at_ - begin);
+  }
+
+  LineHead percent() {
+    const std::string_view rest = line_.substr(at_);
+    if (dialect_.syntax.statements == Statements::high_level && rest.starts_with("%_")) {
+      head_.program = canonical_program(rest);
+    } else {
+      head_.empty = true;
+    }
+    return head_;
+  }
+
+  void macro() {
+    if (next_is('<')) {  // <PART-1> in place of O1234
+      const std::size_t close = line_.find('>', at_);
+      if (close != std::string_view::npos) head_.program = upper_without_blanks(line_.substr(at_, close + 1 - at_));
+      return;
+    }
+    if (next_is('O') || next_is(':')) {  // :1234, as ISO tapes have it
+      ++at_;
+      blanks();
+      if (!at_end() && is_digit(line_[at_])) head_.program = canonical_program(digits());
+      return;
+    }
+    if (next_is('N')) {
+      ++at_;
+      blanks();
+      head_.number = canonical_label('N' + std::string(digits()));
+      blanks();
+    }
+    const std::string rest = upper_without_blanks(line_.substr(at_, 24));
+    if (!rest.starts_with("END") || rest.size() < 4 || !is_digit(rest[3])) return;
+    head_.word = FlowWord::end_while;
+    head_.loop = std::atoi(rest.c_str() + 3);
+  }
+
+  void names() {
+    const bool user_task = dialect_.syntax.statements == Statements::user_task;
+    if (user_task && next_is('O')) {
+      head_.program = canonical_program(identifier());
+      return;
+    }
+    if (next_is('N') && at_ + 1 < line_.size() && (user_task || is_digit(line_[at_ + 1]))) {
+      const std::size_t begin = at_++;
+      const std::string_view rest = user_task ? identifier() : digits();
+      head_.number = canonical_label(line_.substr(begin, 1 + rest.size()));
+      blanks();
+    } else if (next_is(':')) {
+      ++at_;
+      head_.number = canonical_label('N' + std::string(digits()));
+      blanks();
+    }
+    std::string_view name = identifier();
+    blanks();
+    if (!user_task && !name.empty() && next_is(':')) {
+      head_.label = canonical_label(name);
+      ++at_;
+      blanks();
+      name = identifier();
+    }
+    const NameMeaning* const meaning = dialect_.meaning(name);
+    if (meaning == nullptr || meaning->kind != NameMeaning::Kind::keyword) return;
+    head_.word = static_cast<FlowWord>(meaning->which);
+    const std::string_view rest = line_.substr(at_);
+    const std::string code = upper_without_blanks(rest.substr(0, rest.find(';')));
+    if (head_.word == FlowWord::begin_if && code.find("GOTO") != std::string::npos) head_.word = FlowWord::go_to;
+    if (head_.word == FlowWord::sub) {
+      blanks();
+      head_.program.clear();
+    }
+  }
+
+  std::string_view line_;
+  const Dialect& dialect_;
+  std::size_t at_ = 0;
+  LineHead head_;
+};
+
+std::string without_zeros(const std::string& text, std::size_t from) {
+  std::size_t digit = from;
+  while (digit + 1 < text.size() && text[digit] == '0' && is_digit(text[digit + 1])) ++digit;
+  return text.substr(0, from) + text.substr(digit);
+}
+
+bool digits_from(const std::string& text, std::size_t from) {
+  return text.size() > from && std::all_of(text.begin() + static_cast<std::ptrdiff_t>(from), text.end(), is_digit);
+}
+
+}  // namespace
+
+LineHead head_of(std::string_view line, const Dialect& dialect) { return HeadReader(line, dialect).read(); }
+
+std::string canonical_label(std::string_view text) {
+  std::string label = upper_without_blanks(text);
+  if (!label.empty() && label.front() == ':') label.front() = 'N';
+  return !label.empty() && label.front() == 'N' && digits_from(label, 1) ? without_zeros(label, 1) : label;
+}
+
+std::string canonical_program(std::string_view text) {
+  std::string name = upper_without_blanks(text);
+  if (name.starts_with("%_N_")) {
+    name.erase(0, 4);
+    const std::size_t end = name.rfind('_');
+    if (end != std::string::npos && end > 0) name.erase(end);
+    return name;
+  }
+  if (digits_from(name, 0)) return without_zeros(name, 0);
+  return !name.empty() && name.front() == 'O' && digits_from(name, 1) ? without_zeros(name, 1) : name;
+}
+
+}  // namespace plumbline::nc

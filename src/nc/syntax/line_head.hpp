@@ -1,0 +1,26 @@
+// What a line begins with, found without parsing it: names of programs, labels, the statements that loops are made of.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "nc/language/dialect.hpp"
+
+namespace plumbline::nc {
+
+struct LineHead {
+  std::string program;  // the name of a program that begins here, as canonical_program gives it
+  std::string number;   // N100 as a label
+  std::string label;    // NAME: of a high-level language
+  FlowWord word = FlowWord::none;
+  int loop = 0;        // the number behind END
+  bool empty = false;  // nothing but blanks, a comment or %
+};
+
+LineHead head_of(std::string_view line, const Dialect& dialect);
+
+/// Labels and names of programs as they are compared: upper case, numbers without leading zeros.
+std::string canonical_label(std::string_view text);
+std::string canonical_program(std::string_view text);
+
+}  // namespace plumbline::nc

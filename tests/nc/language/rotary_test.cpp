@@ -1,0 +1,92 @@
+#include "nc/language/rotary.hpp"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "nc/programs.hpp"
+
+using namespace plumbline;
+using namespace plumbline::nc;
+using namespace plumbline::nc::tests;
+
+namespace {
+
+ProgramSettings with_rule(RotaryRule rule) {
+  ProgramSettings settings = empty_tables();
+  settings.rotary.fill(rule);
+  return settings;
+}
+
+std::vector<double> ends_of_c(std::string_view text, const ProgramSettings& settings,
+                              std::string_view control = "linuxcnc") {
+  const ProgramFile written(text);
+  const InputFile file(written.path());
+  Program program(file, dialect(control), settings);
+  std::vector<double> ends;
+  while (const Step* const step = program.next()) {
+    for (const Motion& motion : step->motions) ends.push_back(motion.to[Axis::C]);
+  }
+  return ends;
+}
+
+}  // namespace
+
+TEST_CASE("the sign of a word says which way round") {
+  // rs274 with WRAPPED_ROTARY gives these.
+  const std::string text =
+      "G0 C0\nG1 C10 F100\nC350\nC-10\nC-350\nC10\nC10\nC-10\nC-0\nC0\nC0\nC-350\nG91 C20\nG90 C-20\nG10 L2 P2 C5\n"
+      "G55 C10\nG53 G1 C10\nG53 G1 C-3\nG53 G1 C0\nC[5-5]\nC-[5-5]\nM2\n";
+  const std::vector<double> canon = {0, 10,  350, 10,   -10, 10,  10, 10,  0,   0,
+                                     0, -10, 10,  -340, 10,  365, 8,  365, 720, 720};
+  const std::vector<double> ends = ends_of_c(text, with_rule(RotaryRule::sign));
+  REQUIRE(ends.size() == canon.size());
+  for (std::size_t i = 0; i < canon.size(); ++i) {
+    INFO(i);
+    CHECK(ends[i] == Approx(canon[i]).margin(1e-9));
+  }
+  CHECK(code_of("G0 C360\n", with_rule(RotaryRule::sign)) == "nc-out-of-range");
+  CHECK(code_of("G91 G0 C360\n", with_rule(RotaryRule::sign)).empty());
+}
+
+TEST_CASE("the shorter way round") {
+  // Moves of -150, -30, -80, +380 and -840 deg  [B-63534EN 20.2.1]
+  const std::vector<double> ends = ends_of_c("G90 G0 C0.\nC-150.\nC540.\nC-620.\nG91 C380.\nC-840.\nM30\n",
+                                             with_rule(RotaryRule::shortest), "fanuc");
+  const std::vector<double> manual = {0, -150, -180, -260, 120, -720};
+  REQUIRE(ends.size() == manual.size());
+  for (std::size_t i = 0; i < manual.size(); ++i) CHECK(ends[i] == Approx(manual[i]).margin(1e-9));
+}
+
+TEST_CASE("behind DC, ACP and ACN absolute words count within the turn") {
+  const ProgramSettings settings = empty_tables();
+  const std::vector<double> ends =
+      ends_of_c("G54 G0 C350\nC=DC(10)\nC20\nC=ACN(350)\nC340\nC=ACP(340)\nC=IC(30)\nC20\nM30\n", settings, "siemens");
+  const std::vector<double> expected = {350, 370, 380, 350, 340, 340, 370, 380};
+  REQUIRE(ends.size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    INFO(i);
+    CHECK(ends[i] == Approx(expected[i]).margin(1e-9));
+  }
+}
+
+TEST_CASE("a rotary word sends the axis where it was meant to go") {
+  for (const RotaryRule rule : {RotaryRule::sign, RotaryRule::shortest, RotaryRule::one_turn}) {
+    int found = 0;
+    for (double from = -725; from < 725; from += 7.25) {
+      for (double to = -700; to < 700; to += 6.5) {
+        const std::optional<double> word = rotary_word(rule, to, from);
+        if (!word) continue;
+        ++found;
+        CHECK(std::abs(*word) < 360);
+        CHECK(rotary_end(rule, *word, std::signbit(*word), from) == Approx(to).margin(1e-9));
+      }
+    }
+    CHECK(found > 1000);
+  }
+  CHECK_FALSE(rotary_word(RotaryRule::sign, 0, 10));        // -0
+  CHECK_FALSE(rotary_word(RotaryRule::sign, 400, 10));      // more than a turn
+  CHECK_FALSE(rotary_word(RotaryRule::shortest, 200, 10));  // the longer way
+  CHECK_FALSE(rotary_word(RotaryRule::one_turn, -1, 10));   // over 0
+  CHECK(rotary_word(RotaryRule::linear, 400, 10) == 400);
+}

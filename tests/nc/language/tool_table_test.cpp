@@ -1,0 +1,39 @@
+#include "nc/language/tool_table.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "nc/programs.hpp"
+
+using namespace plumbline::nc;
+using plumbline::nc::tests::ProgramFile;
+
+TEST_CASE("a tool table gives length, diameter, mass and centre of mass") {
+  const ProgramFile file(
+      "plumbline = \"tools 1\"\n[[tool]]\nnumber = 3\nlength_mm = 120.5\nmass_kg = 1.2\ncentre_of_mass_mm = 40\n"
+      "[[tool]]\nnumber = 4\nlength_mm = 80\ndiameter_mm = 10\n");
+  const ToolTable tools = read_tool_table(file.path());
+  REQUIRE(tools.find(3) != nullptr);
+  CHECK(tools.find(3)->length_mm == 120.5);
+  CHECK(tools.find(3)->mass_kg == 1.2);
+  CHECK(tools.find(3)->centre_of_mass_mm == 40);
+  CHECK_FALSE(tools.find(3)->diameter_mm.has_value());
+  CHECK(tools.find(4)->diameter_mm == 10);
+  CHECK_FALSE(tools.find(4)->mass_kg.has_value());
+  CHECK(tools.find(5) == nullptr);
+}
+
+TEST_CASE("a tool may have a name") {
+  const ProgramFile file(
+      "plumbline = \"tools 1\"\n[[tool]]\nnumber = 3\nname = \"FR\xC3\x84SER 10\"\nlength_mm = 120.5\n"
+      "[[tool]]\nnumber = 4\nlength_mm = 80\n");
+  const ToolTable tools = read_tool_table(file.path());
+  REQUIRE(tools.find("FR\xC3\x84SER 10") != nullptr);
+  CHECK(tools.find("FR\xC3\x84SER 10")->number == 3);
+  CHECK(tools.find("fr\xC3\x84ser 10") == nullptr);
+  CHECK(tools.find("") == nullptr);
+  CHECK(tools.find(4)->name.empty());
+}
+
+TEST_CASE("an empty tool table is one") {
+  CHECK(read_tool_table(ProgramFile("plumbline = \"tools 1\"\n").path()).empty());
+}
