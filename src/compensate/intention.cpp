@@ -74,8 +74,8 @@ void Intention::note_kept(const nc::Step& step, IntendedMove& move) {
     const int written = word != nullptr ? word->decimals : 0;
     const bool inches = step.after->inches && !is_rotary(axis);
     const int least = is_rotary(axis) ? emit_.digits_deg : inches ? emit_.digits_inch : emit_.digits_mm;
-    const nc::Kept control =
-        nc::kept_of_axis_word(dialect_.habits, is_rotary(axis), inches, emit_.increment_ratio, step.after->incremental);
+    const nc::Kept control = nc::kept_of_axis_word(dialect_.behaviour, is_rotary(axis), inches, emit_.increment_ratio,
+                                                   step.after->incremental);
     const double digit = from_ticks(1, std::clamp(std::max(least, written), 0, control.decimals));
     const double unit = inches ? kMmPerInch : 1;
     const double increment =
@@ -188,9 +188,9 @@ void Intention::shift(const nc::Step& hole, const AxisWords& by) {
     const bool back = !hole.after->retract_to_r && i >= at.begin && std::abs(end - at.clear) <= nc::kSameHeight;
     if (back) {
       // G71 as it is; where the tool came in from below R, the higher of the two
-      const bool from_r = !dialect_.habits.fanuc_cycles && std::abs(at.clear - at.r) <= nc::kSameHeight;
+      const bool from_r = !dialect_.behaviour.fanuc_cycles && std::abs(at.clear - at.r) <= nc::kSameHeight;
       if (from_r) level_away_ = std::max(level_away_, by[axes.third]);
-      work[axes.third] = dialect_.habits.return_levels ? 0 : level_away_;
+      work[axes.third] = dialect_.behaviour.return_levels ? 0 : level_away_;
     } else if (i >= at.approach_end) {
       work[axes.third] = by[axes.third];
     }

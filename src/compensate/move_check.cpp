@@ -144,7 +144,7 @@ bool MoveCheck::take_kept(const IntendedMove& meant, const nc::Motion& motion) {
 }
 
 bool MoveCheck::take_dwell(const IntendedMove& meant, const nc::Motion& motion) {
-  const double counted = dialect_.habits.dwell_p_s == 1 ? 0 : dialect_.habits.dwell_p_s / 2;
+  const double counted = dialect_.behaviour.dwell_p_s == 1 ? 0 : dialect_.behaviour.dwell_p_s / 2;
   if (std::abs(meant.motion.dwell_s - motion.dwell_s) > kSameDwell + counted) return false;
   if (meant.counts) figures_.seconds += motion.dwell_s;
   ++move_;

@@ -39,7 +39,7 @@ Pass::Pass(const InputFile& source, const nc::Dialect& dialect, const nc::Progra
       out_(out),
       program_(source, dialect, program),
       form_(form),
-      plain_(dialect, nc::written_angle(dialect.habits, emit.digits_deg, emit.increment_deg, emit.increment_ratio)),
+      plain_(dialect, nc::written_angle(dialect.behaviour, emit.digits_deg, emit.increment_deg, emit.increment_ratio)),
       written_(dialect, emit.increment_ratio),
       emitter_(source, dialect, emit, out, form),
       corrector_(model, settings),

@@ -20,7 +20,7 @@
 #include "compensate/summary.hpp"
 #include "machine/model.hpp"
 #include "nc/rewrite/emit.hpp"
-#include "nc/rewrite/plain.hpp"
+#include "nc/rewrite/step_expander.hpp"
 #include "nc/rewrite/written_moves.hpp"
 #include "nc/sequence/program.hpp"
 #include "path/curve.hpp"
@@ -104,7 +104,7 @@ class Pass {
   nc::Form form_;
   double stands_at_ = 0;      // height of the tool before a hole of a cycle, in the original
   bool must_unroll_ = false;  // something changes that cannot be put in the place of its block
-  nc::PlainSteps plain_;
+  nc::StepExpander plain_;
   nc::WrittenMoves written_;
   nc::Emitter emitter_;
   Corrector corrector_;

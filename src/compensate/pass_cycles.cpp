@@ -73,7 +73,7 @@ bool Pass::cycle_stays(const nc::Step& step, std::span<const nc::Step* const> mo
 
 // A rigid tap ends at any other motion: its blocks stay as they are, their holes shifted.
 void Pass::refuse_unless_in_place(const nc::Step& step, bool goes_on) const {
-  if (step.cycle != nc::CycleForm::spindle || !dialect_.habits.fanuc_cycles) return;
+  if (step.cycle != nc::CycleForm::spindle || !dialect_.behaviour.fanuc_cycles) return;
   const Place place = place_of(*step.block, step.block->file);
   if (goes_on) {
     refuse("compensate-cycle", "this cycle goes on from one that is written out as moves",
@@ -161,8 +161,8 @@ void Pass::check_way_to_hole(const nc::Step& step, const AxisWords& shift) const
 // shifted the tool otherwise.
 void Pass::check_level_of_hole(const nc::Step& step, const AxisWords& shift) const {
   const nc::Hole& hole = step.holes.front();
-  const bool levels = dialect_.habits.return_levels;
-  const bool goes_to_start = !levels && dialect_.habits.fanuc_cycles && !step.after->retract_to_r;
+  const bool levels = dialect_.behaviour.return_levels;
+  const bool goes_to_start = !levels && dialect_.behaviour.fanuc_cycles && !step.after->retract_to_r;
   if (!levels && !(goes_to_start && hole.clear == hole.r)) return;
   const Axis normal = nc::axes_of(step.after->plane).third;
   const bool to_r = goes_to_start || step.after->retract_to_r || hole.clear == hole.r;

@@ -54,8 +54,8 @@ std::vector<Term> products(Channel channel, bool per_strut) {
 
 class Describer {
  public:
-  Describer(const Workbench& bench, const physics::ForceModel& forces, const LinearProblem& problem, const Taken& taken,
-            const identify::NoiseModel& noise, const DescriptionOptions& options)
+  Describer(const Workbench& bench, const physics::ForceModel& forces, const LinearProblem& problem,
+            const Marginalised& taken, const identify::NoiseModel& noise, const DescriptionOptions& options)
       : runs_(ready_runs(bench, forces, problem)),
         forces_(forces),
         problem_(problem),
@@ -231,7 +231,7 @@ class Describer {
   std::vector<ReadyRun> runs_;
   const physics::ForceModel& forces_;
   const LinearProblem& problem_;
-  const Taken& taken_;
+  const Marginalised& taken_;
   const identify::NoiseModel& noise_;
   const DescriptionOptions& options_;
   Eigen::LDLT<Eigen::MatrixXd> nuisances_;
@@ -241,7 +241,7 @@ class Describer {
 }  // namespace
 
 Description describe(const Workbench& bench, const physics::ForceModel& forces, const LinearProblem& problem,
-                     const Taken& taken, const identify::NoiseModel& noise, const DescriptionOptions& options) {
+                     const Marginalised& taken, const identify::NoiseModel& noise, const DescriptionOptions& options) {
   return Describer(bench, forces, problem, taken, noise, options).run();
 }
 

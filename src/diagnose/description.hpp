@@ -41,7 +41,8 @@ struct Description {
 
 /// The best sparse description of what `taken` leaves of the problem.
 Description describe(const Workbench& bench, const physics::ForceModel& forces, const LinearProblem& problem,
-                     const Taken& taken, const identify::NoiseModel& noise, const DescriptionOptions& options = {});
+                     const Marginalised& taken, const identify::NoiseModel& noise,
+                     const DescriptionOptions& options = {});
 
 /// The parameters of the effect `generic` that a term stands for, SI, as a ForceModel has them.
 std::vector<double> generic_parameters(const Term& term);

@@ -26,7 +26,7 @@ std::optional<double> rms_if_any(const MeanSquare& of) {
 }
 
 Rms rms_of(const std::vector<RunEquations>& runs, const std::vector<bool>& out, bool held_out) {
-  const Left all = left_of(runs, out, held_out);
+  const ResidualSums all = left_of(runs, out, held_out);
   return {rms_if_any(all.radial), rms_if_any(all.torque)};
 }
 
@@ -40,17 +40,17 @@ std::optional<Circularity> circularity_of(const machine::MachineModel& machine, 
 
 // What is left of all runs: with the base model, with the runner-up in place of the strongest effect, with what was
 // found.
-struct Leaves {
+struct StageResiduals {
   std::vector<RunEquations> base, second, after;
 };
 
-Gap gap_of(const Leaves& leaves, const std::vector<bool>& out, bool held_out) {
+Gap gap_of(const StageResiduals& leaves, const std::vector<bool>& out, bool held_out) {
   const std::vector<RunEquations>& second = leaves.second.empty() ? leaves.base : leaves.second;
   return {rms_of(leaves.base, out, held_out), rms_of(second, out, held_out), rms_of(leaves.after, out, held_out)};
 }
 
 void fill_gaps(const machine::MachineModel& machine, const std::vector<Run>& runs, const std::vector<bool>& out,
-               const Leaves& leaves, const CompensatedOptions& options, Diagnosis& diagnosis) {
+               const StageResiduals& leaves, const CompensatedOptions& options, Diagnosis& diagnosis) {
   const auto& [base, second, after] = leaves;
   diagnosis.fit = gap_of(leaves, out, false);
   diagnosis.held_out = gap_of(leaves, out, true);
@@ -116,7 +116,7 @@ std::vector<Separation> separations_of(const Workbench& bench, const Model& mode
   for (const std::string& name : diagnosis.confidence_set) {
     for (const Rival& rival : model.found.front().rivals) {
       if (rival.pick.candidate->name != name || !rival.refitted) continue;
-      const physics::ForceModel other = bench.shelf.unknowns.at(rival.fit.values);
+      const physics::ForceModel other = bench.candidates.unknowns.at(rival.fit.values);
       all.push_back({name, next_test(bench.machine, diagnosis.forces, other, *like, diagnosis.noise, options)});
     }
   }
@@ -124,11 +124,11 @@ std::vector<Separation> separations_of(const Workbench& bench, const Model& mode
 }
 
 // Why what was learnt is not to be believed, be it named or not; empty: nothing speaks against it.
-std::string withheld(const Diagnosis& diagnosis, const Shelf& shelf, const Taken& taken, const Recurs& recurs,
-                     const std::vector<RunEquations>& given, const Leaves& leaves, const std::vector<bool>& out,
-                     const VerdictOptions& options) {
-  if (const std::optional<Remainder> off = strained(shelf, taken, options)) return off->text;
-  const double together = strain_of_all(shelf, taken);
+std::string withheld(const Diagnosis& diagnosis, const CandidateSet& candidates, const Marginalised& taken,
+                     const Recurs& recurs, const std::vector<RunEquations>& given, const StageResiduals& leaves,
+                     const std::vector<bool>& out, const VerdictOptions& options) {
+  if (const std::optional<Remainder> off = strained(candidates, taken, options)) return off->text;
+  const double together = strain_of_all(candidates, taken);
   if (together > options.nuisances_together) {
     return fmt::format(
         "all that [uncertainty] lists would be further off together than it says, the sum of squares by {:.0f} of its "
@@ -188,7 +188,7 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
                    const Say& say) {
   check_measured(runs);
   const physics::ForceModel forces(machine);
-  const Shelf shelf = make_shelf(machine, forces, options.shelf);
+  const CandidateSet candidates = make_candidate_set(machine, forces, options.candidates);
   const std::vector<RunEquations> given = residuals(machine, runs, forces, {});
   if (std::string flaw = channel_flaw(runs, given, options.channels); !flaw.empty()) {
     return undiagnosed(machine, runs, std::move(flaw), given, options);
@@ -199,29 +199,29 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
     if (say) say(text);
   };
 
-  const std::vector<bool> out = held_out(machine.rotation, runs, shelf, options.held_out);
+  const std::vector<bool> out = held_out(machine.rotation, runs, candidates, options.held_out);
   std::vector<Run> fitted;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!out[i]) fitted.push_back(runs[i]);
   }
-  const Workbench bench{machine, forces, fitted, shelf};
+  const Workbench bench{machine, forces, fitted, candidates};
   const Model model = search(bench, options.search, tell);
-  const physics::ForceModel with = shelf.unknowns.at(model.fit.values);
-  Description left = describe(bench, with, model.problem, taken_by(shelf, picks_of(model), model.problem.values),
+  const physics::ForceModel with = candidates.unknowns.at(model.fit.values);
+  Description left = describe(bench, with, model.problem, taken_by(candidates, picks_of(model), model.problem.values),
                               model.noise, options.description);
   tell(fmt::format("remainder: gain {:.1f}, {:.1f} nats", left.gain, left.log_odds));
 
   if (model.found.size() > 1) tell(fmt::format("resemblance of the two: {:.3f}", resemblance(bench, model, 0, 1)));
 
-  const physics::ForceModel before = shelf.unknowns.at(model.base.fit.values);
-  Leaves leaves{residuals(machine, runs, before, model.noise), {}, residuals(machine, runs, with, model.noise)};
+  const physics::ForceModel before = candidates.unknowns.at(model.base.fit.values);
+  StageResiduals leaves{residuals(machine, runs, before, model.noise), {}, residuals(machine, runs, with, model.noise)};
   Diagnosis diagnosis(with);
   diagnosis.noise = model.noise;
   diagnosis.where = where_of(machine.rotation, runs, before, leaves.base, model.noise, options.where);
-  diagnosis.remainder = strained(shelf, taken_by(shelf, picks_of(model), model.fit.values), options.verdict);
+  diagnosis.remainder = strained(candidates, taken_by(candidates, picks_of(model), model.fit.values), options.verdict);
   const Recurs recurs = recurring(contrasts_of(runs, leaves.after), options.verdict);
   if (!diagnosis.remainder) diagnosis.remainder = remainder_of(recurs);
-  diagnosis.doubt = bound_doubt(shelf, model, options.verdict);
+  diagnosis.doubt = bound_doubt(candidates, model, options.verdict);
   if (diagnosis.doubt.empty()) {
     diagnosis.doubt = gap_doubt(model, gap_of(leaves, out, false), gap_of(leaves, out, true), recurs, options.verdict);
   }
@@ -230,11 +230,11 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
   diagnosis.verdict = verdict_of(model, diagnosis, left, options.verdict);
   diagnosis.threshold = model.threshold;
   diagnosis.converged = model.fit.converged;
-  diagnosis.visible = visible_effects(left_of(model.base.problem, taken_by(shelf, {}, model.base.problem.values)),
-                                      shelf, model.threshold, options.search.scoring);
-  Taken taken = taken_by(shelf, picks_of(model), model.fit.values);
+  diagnosis.visible = visible_effects(left_of(model.base.problem, taken_by(candidates, {}, model.base.problem.values)),
+                                      candidates, model.threshold, options.search.scoring);
+  Marginalised taken = taken_by(candidates, picks_of(model), model.fit.values);
   diagnosis.evidence = evidence_of(model);
-  diagnosis.errors = parameter_errors(shelf, with, model.fit);
+  diagnosis.errors = parameter_errors(candidates, with, model.fit);
   if (diagnosis.verdict == Verdict::named) {
     for (std::size_t place = 0; place < model.found.size(); ++place) {
       const Pick& pick = model.found[place].pick;
@@ -246,7 +246,7 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
     const std::vector<Rival>& rivals = model.found.front().rivals;
     if (!rivals.empty()) {
       diagnosis.runner_up = rivals.front().pick.candidate->name;
-      leaves.second = residuals(machine, runs, shelf.unknowns.at(rivals.front().fit.values), model.noise);
+      leaves.second = residuals(machine, runs, candidates.unknowns.at(rivals.front().fit.values), model.noise);
     }
     diagnosis.next = separations_of(bench, model, diagnosis, options.next_test);
   } else if (diagnosis.verdict == Verdict::unknown) {
@@ -258,7 +258,7 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
     if (!beside.borne_out && diagnosis.remainder) left.terms.clear();  // it says enough
     diagnosis.forces = std::move(beside.fitted.forces);
     diagnosis.errors = std::move(beside.fitted.errors);
-    taken = taken_by(shelf, {}, model.base.fit.values);
+    taken = taken_by(candidates, {}, model.base.fit.values);
     // with terms that the runs held out bear out, nuisances are others than those of the base model alone
     if (beside.borne_out && !left.terms.empty()) taken.departure.setZero();
     leaves.after = std::move(beside.residuals);
@@ -267,7 +267,7 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
     const identify::Held held = held_values(bench, forces, picks_of(model), model.fit, options.hold);
     tell(fmt::format("the tip as a whole would move by {:.1f} um, +- {:.1f}: {:.1f} um of it held back",
                      held.shift / kUm, held.shift_doubt / kUm, held.back / kUm));
-    diagnosis.forces = shelf.unknowns.at(held.values);
+    diagnosis.forces = candidates.unknowns.at(held.values);
     leaves.after = residuals(machine, runs, diagnosis.forces, model.noise);
   }
   if (is_gap(left, options.verdict)) {
@@ -275,8 +275,9 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
   }
   if (leaves.second.empty()) leaves.second = leaves.base;
   fill_gaps(machine, runs, out, leaves, options.compensated, diagnosis);
-  diagnosis.withheld = withheld(diagnosis, shelf, taken, recurring(contrasts_of(runs, leaves.after), options.verdict),
-                                given, leaves, out, options.verdict);
+  diagnosis.withheld =
+      withheld(diagnosis, candidates, taken, recurring(contrasts_of(runs, leaves.after), options.verdict), given,
+               leaves, out, options.verdict);
   if (!diagnosis.withheld.empty()) {
     diagnosis.forces = forces;
     diagnosis.errors.assign(forces.parameters.size(), 0);

@@ -9,11 +9,11 @@
 #include "diagnose/channels.hpp"
 #include "diagnose/compensated.hpp"
 #include "diagnose/description.hpp"
+#include "diagnose/gap_map.hpp"
 #include "diagnose/held_out.hpp"
 #include "diagnose/next_test.hpp"
 #include "diagnose/search.hpp"
 #include "diagnose/visible.hpp"
-#include "diagnose/where.hpp"
 #include "identify/held.hpp"
 
 namespace plumbline::diagnose {
@@ -40,13 +40,13 @@ struct VerdictOptions {
 };
 
 struct DiagnoseOptions {
-  ShelfOptions shelf;
+  CandidateSetOptions candidates;
   HeldOutOptions held_out;
   SearchOptions search;
   DescriptionOptions description;
   VerdictOptions verdict;
   NextTestOptions next_test;
-  WhereOptions where;
+  GapMapOptions where;
   ChannelOptions channels;
   CompensatedOptions compensated;
   identify::HoldOptions hold;
@@ -134,7 +134,7 @@ struct Diagnosis {
   std::optional<Remainder> remainder;
   std::vector<Separation> next;  // for each other effect of the confidence set
   identify::NoiseModel noise;
-  Where where;  // with the base model, nuisances refitted, all runs
+  GapMap where;  // with the base model, nuisances refitted, all runs
   std::vector<RunGap> runs;
   Gap fit, held_out;
   std::vector<Visible> visible;  // what the fitted runs could have shown

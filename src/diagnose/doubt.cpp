@@ -11,7 +11,7 @@
 namespace plumbline::diagnose {
 
 std::optional<double> not_foretold(const std::vector<identify::RunEquations>& residuals, const std::vector<bool>& out,
-                                   MeanSquare Left::*kind, const VerdictOptions& options) {
+                                   MeanSquare ResidualSums::*kind, const VerdictOptions& options) {
   std::vector<double> fitted;  // mean squares of single runs
   std::vector<double> held_out;
   for (std::size_t i = 0; i < residuals.size(); ++i) {
@@ -33,8 +33,8 @@ std::optional<double> not_foretold(const std::vector<identify::RunEquations>& re
 
 namespace {
 
-std::optional<Recurring> recurring(const std::vector<Contrast>& contrasts, Recurrence Contrast::*kind, double Two::*rms,
-                                   double least_rms, const VerdictOptions& options) {
+std::optional<Recurring> recurring(const std::vector<Contrast>& contrasts, Recurrence Contrast::*kind,
+                                   double BarAndTorque::*rms, double least_rms, const VerdictOptions& options) {
   Recurring found;
   double chi2 = 0;
   int count = 0;
@@ -57,8 +57,8 @@ std::optional<Recurring> recurring(const std::vector<Contrast>& contrasts, Recur
 }  // namespace
 
 Recurs recurring(const std::vector<Contrast>& contrasts, const VerdictOptions& options) {
-  return {recurring(contrasts, &Contrast::radial, &Two::radial, options.least_recurring_um * kUm, options),
-          recurring(contrasts, &Contrast::torque, &Two::torque, options.least_recurring_Nm, options)};
+  return {recurring(contrasts, &Contrast::radial, &BarAndTorque::radial, options.least_recurring_um * kUm, options),
+          recurring(contrasts, &Contrast::torque, &BarAndTorque::torque, options.least_recurring_Nm, options)};
 }
 
 namespace {
@@ -89,10 +89,11 @@ std::optional<Remainder> remainder_of(const Recurs& recurs) {
   return if_any(std::move(remainder));
 }
 
-std::optional<Remainder> strained(const Shelf& shelf, const Taken& taken, const VerdictOptions& options) {
+std::optional<Remainder> strained(const CandidateSet& candidates, const Marginalised& taken,
+                                  const VerdictOptions& options) {
   Remainder remainder;
-  for (std::size_t i = 0; i < shelf.nuisances; ++i) {
-    const identify::Unknown& u = shelf.unknowns[i];
+  for (std::size_t i = 0; i < candidates.nuisances; ++i) {
+    const identify::Unknown& u = candidates.unknowns[i];
     const double sigmas = taken.departure[static_cast<Eigen::Index>(i)];
     if (std::abs(sigmas) < options.nuisance_sigmas) continue;
     add_line(remainder, sigmas,
@@ -119,8 +120,8 @@ std::optional<std::string> open_gap(const Recurs& recurs, const Gap& gap, double
   return std::nullopt;
 }
 
-double strain_of_all(const Shelf& shelf, const Taken& taken) {
-  const Eigen::VectorXd nuisances = taken.departure.head(static_cast<Eigen::Index>(shelf.nuisances));
+double strain_of_all(const CandidateSet& candidates, const Marginalised& taken) {
+  const Eigen::VectorXd nuisances = taken.departure.head(static_cast<Eigen::Index>(candidates.nuisances));
   if (nuisances.size() == 0) return 0;
   const auto count = static_cast<double>(nuisances.size());
   return (nuisances.squaredNorm() - count) / std::sqrt(2 * count);
@@ -152,14 +153,14 @@ std::string_view suspect_of(std::string_view effect) {
 
 }  // namespace
 
-std::string bound_doubt(const Shelf& shelf, const Model& model, const VerdictOptions& options) {
+std::string bound_doubt(const CandidateSet& candidates, const Model& model, const VerdictOptions& options) {
   for (const Found& found : model.found) {
     int fitted = 0;
     int at = 0;
     bool sure = false;
     const identify::Unknown* one = nullptr;
     for (const int place : found.pick.unknowns) {
-      const identify::Unknown& u = shelf.unknowns[static_cast<std::size_t>(place)];
+      const identify::Unknown& u = candidates.unknowns[static_cast<std::size_t>(place)];
       const double value = model.fit.values[place];
       if (is_shape(u)) continue;
       ++fitted;
@@ -209,9 +210,10 @@ std::string doubt_about(const Model& model, const Description& left, const std::
   }
   struct Kind {
     std::string_view what;
-    MeanSquare Left::*of;
+    MeanSquare ResidualSums::*of;
   };
-  for (const Kind& kind : {Kind{"the readings of the bar", &Left::radial}, Kind{"the torques", &Left::torque}}) {
+  for (const Kind& kind :
+       {Kind{"the readings of the bar", &ResidualSums::radial}, Kind{"the torques", &ResidualSums::torque}}) {
     if (const std::optional<double> times = not_foretold(after, out, kind.of, options)) {
       return fmt::format("{} would explain the runs fitted, but {} of the runs held out are {:.1f} times as far off",
                          names, kind.what, *times);

@@ -9,7 +9,7 @@ namespace plumbline::diagnose {
 /// How many times as far off the runs held out are as those fitted; nothing if that is little, or if single runs among
 /// those fitted differ so much that chance may have done it.
 std::optional<double> not_foretold(const std::vector<identify::RunEquations>& residuals, const std::vector<bool>& out,
-                                   MeanSquare Left::*kind, const VerdictOptions& options);
+                                   MeanSquare ResidualSums::*kind, const VerdictOptions& options);
 
 /// What is left of readings of one kind comes again in other runs at the same pose.
 struct Recurring {
@@ -33,17 +33,18 @@ std::optional<Remainder> remainder_of(const Recurs& recurs);
 std::optional<std::string> open_gap(const Recurs& recurs, const Gap& gap, double share, const VerdictOptions& options);
 
 /// Chi-square of all nuisances together, less what it should be, in its standard deviations.
-double strain_of_all(const Shelf& shelf, const Taken& taken);
+double strain_of_all(const CandidateSet& candidates, const Marginalised& taken);
 
 /// Nuisances that had to go further than [uncertainty] makes believable, a line each. Those that an effect stands for
 /// are none any more: they are not `taken`.
-std::optional<Remainder> strained(const Shelf& shelf, const Taken& taken, const VerdictOptions& options);
+std::optional<Remainder> strained(const CandidateSet& candidates, const Marginalised& taken,
+                                  const VerdictOptions& options);
 
 /// Whether what is left is large enough to be more than noise.
 bool is_gap(const Description& left, const VerdictOptions& options);
 
 /// Why effects that were found are not to be named: a number of theirs stands at its bound; empty: none does.
-std::string bound_doubt(const Shelf& shelf, const Model& model, const VerdictOptions& options);
+std::string bound_doubt(const CandidateSet& candidates, const Model& model, const VerdictOptions& options);
 
 /// The same: runs held out are further off with them than without, or a gap stays open.
 std::string gap_doubt(const Model& model, const Gap& fit, const Gap& held_out, const Recurs& recurs,

@@ -14,7 +14,7 @@ constexpr double kUsualTorque = 0.05;
 }  // namespace
 
 std::vector<bool> held_out(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
-                           const Shelf& shelf, const HeldOutOptions& options) {
+                           const CandidateSet& candidates, const HeldOutOptions& options) {
   const std::vector<int> poses = poses_of(runs);
   const int count = *std::max_element(poses.begin(), poses.end()) + 1;
   std::vector<bool> out(runs.size(), false);
@@ -24,7 +24,7 @@ std::vector<bool> held_out(const machine::RotationOrder& order, const std::vecto
   for (std::size_t c = 0; c < noise.channels.size(); ++c) {
     noise.channels[c].sigma = c == identify::kRadial ? kUsualRadial : kUsualTorque;
   }
-  const LinearProblem problem = linearise(order, runs, shelf, shelf.unknowns.start(), noise);
+  const LinearProblem problem = linearise(order, runs, candidates, candidates.unknowns.start(), noise);
   const Eigen::VectorXd all = problem.gram.diagonal();
   std::vector<double> cost(static_cast<std::size_t>(count), 0);
   for (int pose = 0; pose < count; ++pose) {

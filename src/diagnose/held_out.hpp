@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "diagnose/shelf.hpp"
+#include "diagnose/candidate_set.hpp"
 #include "identify/plausible.hpp"
 #include "measure/dataset.hpp"
 
@@ -15,9 +15,9 @@ struct HeldOutOptions {
 };
 
 /// For each run whether it is held out: the poses (centre and tilt alike) whose loss costs the least information about
-/// the effects of the shelf, the sum over all columns of -log(1 - share of the column's square).
+/// the effects of the candidates, the sum over all columns of -log(1 - share of the column's square).
 std::vector<bool> held_out(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
-                           const Shelf& shelf, const HeldOutOptions& options = {});
+                           const CandidateSet& candidates, const HeldOutOptions& options = {});
 
 using identify::poses_of;
 

@@ -4,7 +4,7 @@ namespace plumbline::diagnose {
 
 identify::Held held_values(const Workbench& bench, const physics::ForceModel& given, const std::vector<Pick>& picks,
                            const Refit& fit, const identify::HoldOptions& options) {
-  identify::Unknowns unknowns = bench.shelf.unknowns;
+  identify::Unknowns unknowns = bench.candidates.unknowns;
   for (const Pick& pick : picks) {
     for (const int place : pick.unknowns) unknowns.set_free(static_cast<std::size_t>(place));
   }

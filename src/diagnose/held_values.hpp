@@ -6,8 +6,9 @@
 
 namespace plumbline::diagnose {
 
-/// Values of the shelf's unknowns: those of `fit`, the nuisances moved back where the tip would not surely be nearer
-/// (identify::hold_unsure). What `picks` stand for keeps what was found. `given`: the model before anything was added.
+/// Values of the candidates' unknowns: those of `fit`, the nuisances moved back where the tip would not surely be
+/// nearer (identify::hold_unsure). What `picks` stand for keeps what was found. `given`: the model before anything was
+/// added.
 identify::Held held_values(const Workbench& bench, const physics::ForceModel& given, const std::vector<Pick>& picks,
                            const Refit& fit, const identify::HoldOptions& options = {});
 

@@ -45,7 +45,7 @@ double foretold(const LinearProblem& problem, const Normal& normal, const std::v
 
 }  // namespace
 
-double left_out_nats(const LinearProblem& problem, const Taken& taken, const std::vector<int>& columns,
+double left_out_nats(const LinearProblem& problem, const Marginalised& taken, const std::vector<int>& columns,
                      const Eigen::VectorXd& sizes, const std::vector<int>& groups) {
   Normal normal{taken.columns, taken.precision, taken.departure};
   normal.columns.push_back(static_cast<int>(problem.residual()));

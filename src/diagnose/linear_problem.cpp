@@ -20,26 +20,26 @@ Eigen::VectorXd repeated(const Eigen::VectorXd& per_sample, std::size_t channels
 
 class ColumnMaker {
  public:
-  ColumnMaker(const Shelf& shelf, const physics::ForceModel& forces, const std::vector<State>& states,
+  ColumnMaker(const CandidateSet& candidates, const physics::ForceModel& forces, const std::vector<State>& states,
               const identify::RunEquations& equations)
-      : shelf_(shelf), forces_(forces), states_(states), equations_(equations) {}
+      : candidates_(candidates), forces_(forces), states_(states), equations_(equations) {}
 
   Eigen::MatrixXd run() const {
-    const auto count = static_cast<Eigen::Index>(shelf_.columns.size());
+    const auto count = static_cast<Eigen::Index>(candidates_.columns.size());
     Eigen::MatrixXd all(equations_.residual.size(), count + 1);
     const Eigen::Index direct = equations_.slopes.cols();
     for (Eigen::Index c = 0; c < direct; ++c) {
-      all.col(c) = shelf_.columns[static_cast<std::size_t>(c)].scale * equations_.slopes.col(c);
+      all.col(c) = candidates_.columns[static_cast<std::size_t>(c)].scale * equations_.slopes.col(c);
     }
-    for (const Candidate& candidate : shelf_.candidates) {
+    for (const Candidate& candidate : candidates_.all) {
       if (candidate.name == "screw-stribeck") {
-        for (const Way& way : candidate.ways) all.col(way.carriers[0][0]) = stribeck(way);
+        for (const ActingMode& way : candidate.ways) all.col(way.column_groups[0][0]) = stribeck(way);
       } else if (candidate.name == "servo-lag") {
-        for (const Way& way : candidate.ways) all.col(way.carriers[0][0]) = lag(way);
+        for (const ActingMode& way : candidate.ways) all.col(way.column_groups[0][0]) = lag(way);
       } else if (candidate.name == "cyclic") {
-        for (const Carrier& carrier : candidate.ways[0].carriers) {
-          all.col(carrier[0]) = cyclic(carrier[0], [](double x) { return std::sin(x); });
-          all.col(carrier[1]) = cyclic(carrier[1], [](double x) { return std::cos(x); });
+        for (const ColumnGroup& column_group : candidate.ways[0].column_groups) {
+          all.col(column_group[0]) = cyclic(column_group[0], [](double x) { return std::sin(x); });
+          all.col(column_group[1]) = cyclic(column_group[1], [](double x) { return std::cos(x); });
         }
       }
     }
@@ -56,28 +56,28 @@ class ColumnMaker {
   }
 
   Eigen::VectorXd slope(std::string_view effect, std::string_view key, int index) const {
-    return equations_.slopes.col(shelf_.unknowns.find(effect, key, index));
+    return equations_.slopes.col(candidates_.unknowns.find(effect, key, index));
   }
 
   // the columns of a key's six numbers, each sample times of(state, strut), summed over the struts
   template <class F>
-  Eigen::VectorXd over_struts(const Way& way, std::string_view effect, std::string_view key, F&& of) const {
+  Eigen::VectorXd over_struts(const ActingMode& way, std::string_view effect, std::string_view key, F&& of) const {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(equations_.residual.size());
     for (int j = 0; j < machine::kStruts; ++j) {
       sum += slope(effect, key, j).cwiseProduct(factors([&](const State& s) { return of(s, j); }));
     }
-    return shelf_.columns[static_cast<std::size_t>(way.carriers[0][0])].scale * sum;
+    return candidates_.columns[static_cast<std::size_t>(way.column_groups[0][0])].scale * sum;
   }
 
   // a Coulomb friction that fades with exp(-(Ldot / v)^2)
-  Eigen::VectorXd stribeck(const Way& way) const {
+  Eigen::VectorXd stribeck(const ActingMode& way) const {
     return over_struts(way, "screw-coulomb", "force_N",
                        [&](const State& s, int j) { return std::exp(-std::pow(s.speed[j] / way.setting, 2)); });
   }
 
   // an offset of -Ldot + tau Lddot: a lag of tau, per unit. Small lags move the tip along its circle, where the bar
   // does not see them.
-  Eigen::VectorXd lag(const Way& way) const {
+  Eigen::VectorXd lag(const ActingMode& way) const {
     return over_struts(way, "strut-offset", "length_um",
                        [&](const State& s, int j) { return way.setting * s.acceleration[j] - s.speed[j]; });
   }
@@ -85,13 +85,13 @@ class ColumnMaker {
   // an offset's column times sin or cos of 2 pi L / lead
   template <class Wave>
   Eigen::VectorXd cyclic(int column, Wave&& wave) const {
-    const Column& about = shelf_.columns[static_cast<std::size_t>(column)];
+    const Column& about = candidates_.columns[static_cast<std::size_t>(column)];
     const double turns = 2 * std::numbers::pi / forces_.machine.lead[about.strut];
     const auto at = [&](const State& s) { return wave(turns * s.struts.length[about.strut]); };
     return about.scale * slope("strut-offset", "length_um", about.strut).cwiseProduct(factors(at));
   }
 
-  const Shelf& shelf_;
+  const CandidateSet& candidates_;
   const physics::ForceModel& forces_;
   const std::vector<State>& states_;
   const identify::RunEquations& equations_;
@@ -115,21 +115,22 @@ Eigen::MatrixXd without_setup(const identify::RunEquations& equations, Eigen::Ma
   return columns;
 }
 
-LinearProblem linearise(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Shelf& shelf,
-                        const Eigen::VectorXd& values, const identify::NoiseModel& noise) {
-  identify::Objective objective(order, runs, shelf.unknowns, {.huber = 0});
+LinearProblem linearise(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
+                        const CandidateSet& candidates, const Eigen::VectorXd& values,
+                        const identify::NoiseModel& noise) {
+  identify::Objective objective(order, runs, candidates.unknowns, {.huber = 0});
   objective.set_noise(noise);
   LinearProblem problem;
   problem.values = values;
   problem.raw = objective.equations(values, true);
   problem.blocks.resize(runs.size());
-  const physics::ForceModel forces = shelf.unknowns.at(values);
+  const physics::ForceModel forces = candidates.unknowns.at(values);
   for_each_index(runs.size(), [&](std::size_t i) {
     const std::vector<State> states = states_of(order, forces, runs[i]);
     identify::RunEquations& raw = problem.raw[i];
-    problem.blocks[i].rows = without_setup(raw, ColumnMaker(shelf, forces, states, raw).run(), noise);
-    raw.slopes =
-        Eigen::MatrixXd(raw.slopes.middleCols(shelf.unknowns.find("strut-offset", "length_um", 0), machine::kStruts));
+    problem.blocks[i].rows = without_setup(raw, ColumnMaker(candidates, forces, states, raw).run(), noise);
+    raw.slopes = Eigen::MatrixXd(
+        raw.slopes.middleCols(candidates.unknowns.find("strut-offset", "length_um", 0), machine::kStruts));
     const Eigen::MatrixXd& rows = problem.blocks[i].rows;
     Eigen::MatrixXd& gram = problem.blocks[i].gram;
     gram.setZero(rows.cols(), rows.cols());
@@ -141,7 +142,7 @@ LinearProblem linearise(const machine::RotationOrder& order, const std::vector<m
   return problem;
 }
 
-Eigen::MatrixXd left_of(const LinearProblem& problem, const Taken& taken) {
+Eigen::MatrixXd left_of(const LinearProblem& problem, const Marginalised& taken) {
   const auto count = static_cast<Eigen::Index>(taken.columns.size());
   const Eigen::Index r = problem.residual();
   Eigen::MatrixXd G = problem.gram(Eigen::all, taken.columns);  // what they have in common with all columns

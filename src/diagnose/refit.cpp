@@ -28,11 +28,11 @@ class Fitter {
     for (std::size_t i = 0; i < unknowns_.size(); ++i) places_.push_back(static_cast<int>(i));
     for (const Pick& pick : picks) {
       for (const int place : pick.unknowns) {
-        if (place < static_cast<int>(bench.shelf.nuisances)) {
+        if (place < static_cast<int>(bench.candidates.nuisances)) {
           unknowns_.set_free(static_cast<std::size_t>(place));
           effects_.push_back(place);
         } else {
-          const identify::Unknown& u = bench.shelf.unknowns[static_cast<std::size_t>(place)];
+          const identify::Unknown& u = bench.candidates.unknowns[static_cast<std::size_t>(place)];
           effects_.push_back(static_cast<int>(unknowns_.add(u.effect, u.key, std::max(u.index, 0))));
           places_.push_back(place);
         }
@@ -192,7 +192,7 @@ class Fitter {
     const Eigen::MatrixXd covariance = A.ldlt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
     result.places = places_;
     result.covariance = scales_.asDiagonal() * covariance * scales_.asDiagonal();
-    result.errors.assign(bench_.shelf.unknowns.size(), 0);
+    result.errors.assign(bench_.candidates.unknowns.size(), 0);
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
       result.errors[static_cast<std::size_t>(places_[i])] = std::sqrt(std::max(covariance(k, k), 0.0)) * scales_[k];
@@ -223,10 +223,11 @@ Refit refit(const Workbench& bench, const std::vector<Pick>& picks, const Eigen:
   return Fitter(bench, picks, noise).run(start, options);
 }
 
-std::vector<double> parameter_errors(const Shelf& shelf, const physics::ForceModel& forces, const Refit& fit) {
+std::vector<double> parameter_errors(const CandidateSet& candidates, const physics::ForceModel& forces,
+                                     const Refit& fit) {
   std::vector<double> errors(forces.parameters.size(), 0);
-  for (std::size_t u = 0; u < shelf.unknowns.size(); ++u) {
-    for (const identify::Unknown::Term& term : shelf.unknowns[u].terms) {
+  for (std::size_t u = 0; u < candidates.unknowns.size(); ++u) {
+    for (const identify::Unknown::Term& term : candidates.unknowns[u].terms) {
       double& error = errors[static_cast<std::size_t>(term.parameter)];
       error = std::hypot(error, term.weight * fit.errors[u]);
     }
@@ -234,17 +235,17 @@ std::vector<double> parameter_errors(const Shelf& shelf, const physics::ForceMod
   return errors;
 }
 
-Pick pick_of(const Shelf& shelf, const Candidate& candidate, const Score& score, Eigen::VectorXd& values) {
-  Pick pick{&candidate, score.way, score.carriers, {}};
+Pick pick_of(const CandidateSet& candidates, const Candidate& candidate, const Score& score, Eigen::VectorXd& values) {
+  Pick pick{&candidate, score.way, score.column_groups, {}};
   const auto set = [&](std::string_view key, int index, double value) {
-    const int place = shelf.unknowns.find(candidate.name, key, index);
+    const int place = candidates.unknowns.find(candidate.name, key, index);
     PLUMBLINE_CHECK(place >= 0);
     values[place] = value;
     pick.unknowns.push_back(place);
   };
-  const Way& way = candidate.ways[static_cast<std::size_t>(score.way)];
+  const ActingMode& way = candidate.ways[static_cast<std::size_t>(score.way)];
   for (std::size_t i = 0; i < score.columns.size(); ++i) {
-    const Column& column = shelf.columns[static_cast<std::size_t>(score.columns[i])];
+    const Column& column = candidates.columns[static_cast<std::size_t>(score.columns[i])];
     const double size = score.sizes[static_cast<Eigen::Index>(i)] * column.scale;
     if (candidate.name == "cyclic") {
       if (column.key == "cosine") continue;
@@ -257,29 +258,29 @@ Pick pick_of(const Shelf& shelf, const Candidate& candidate, const Score& score,
     } else if (candidate.name == "servo-lag") {
       set("lag_ms", -1, std::sqrt(std::max(size, 0.0) * way.setting));  // what shows grows with its square
     } else {
-      set(column.key, column.index, shelf.unknowns[static_cast<std::size_t>(column.unknown)].start + size);
+      set(column.key, column.index, candidates.unknowns[static_cast<std::size_t>(column.unknown)].start + size);
     }
   }
   return pick;
 }
 
-Taken taken_by(const Shelf& shelf, const std::vector<Pick>& picks, const Eigen::VectorXd& values) {
-  Taken taken;
+Marginalised taken_by(const CandidateSet& candidates, const std::vector<Pick>& picks, const Eigen::VectorXd& values) {
+  Marginalised taken;
   std::vector<double> precision;
   std::vector<double> departure;
-  std::vector<bool> free(shelf.nuisances, false);
+  std::vector<bool> free(candidates.nuisances, false);
   std::vector<int> more;
   for (const Pick& pick : picks) {
     for (const int place : pick.unknowns) {
-      if (place < static_cast<int>(shelf.nuisances)) {
+      if (place < static_cast<int>(candidates.nuisances)) {
         free[static_cast<std::size_t>(place)] = true;
       } else {
         more.push_back(place);
       }
     }
   }
-  for (std::size_t i = 0; i < shelf.nuisances; ++i) {
-    const identify::Unknown& u = shelf.unknowns[i];
+  for (std::size_t i = 0; i < candidates.nuisances; ++i) {
+    const identify::Unknown& u = candidates.unknowns[i];
     taken.columns.push_back(static_cast<int>(i));
     precision.push_back(free[i] ? kWeak : 1);
     departure.push_back(free[i] ? 0 : (values[static_cast<Eigen::Index>(i)] - u.start) / u.scale);

@@ -10,8 +10,8 @@ namespace plumbline::diagnose {
 struct Pick {
   const Candidate* candidate = nullptr;
   int way = 0;
-  std::vector<int> carriers;
-  std::vector<int> unknowns;  // of the shelf
+  std::vector<int> column_groups;
+  std::vector<int> unknowns;  // of the candidates
 };
 
 /// What all fits need. Kept by reference.
@@ -19,7 +19,7 @@ struct Workbench {
   const machine::MachineModel& machine;
   const physics::ForceModel& forces;  // of the machine as stated
   const std::vector<measure::Run>& runs;
-  const Shelf& shelf;
+  const CandidateSet& candidates;
 };
 
 struct RefitOptions {
@@ -28,12 +28,12 @@ struct RefitOptions {
 };
 
 struct Refit {
-  Eigen::VectorXd values;      // of the shelf's unknowns, SI
+  Eigen::VectorXd values;      // of the candidates' unknowns, SI
   double misfit = 0;           // of data and priors, in units of the noise
   Eigen::MatrixXd effects;     // Gram matrix of the picks' numbers, nuisances out, in scales of their unknowns
   Eigen::VectorXd sizes;       // of those numbers in these scales, from where they change nothing
-  std::vector<double> errors;  // standard errors of the shelf's unknowns that were fitted, SI; others zero
-  std::vector<int> places;     // of the shelf's unknowns that were fitted,
+  std::vector<double> errors;  // standard errors of the candidates' unknowns that were fitted, SI; others zero
+  std::vector<int> places;     // of the candidates' unknowns that were fitted,
   Eigen::MatrixXd covariance;  // and theirs, SI
   std::vector<identify::RunEquations> left;  // residuals, not whitened; no slopes
   bool converged = false;
@@ -43,13 +43,14 @@ struct Refit {
 Refit refit(const Workbench& bench, const std::vector<Pick>& picks, const Eigen::VectorXd& start,
             const identify::NoiseModel& noise, const RefitOptions& options = {});
 
-/// Standard errors of a force model's parameters that the unknowns of the shelf stand for, SI; others zero.
-std::vector<double> parameter_errors(const Shelf& shelf, const physics::ForceModel& forces, const Refit& fit);
+/// Standard errors of a force model's parameters that the unknowns of the candidates stand for, SI; others zero.
+std::vector<double> parameter_errors(const CandidateSet& candidates, const physics::ForceModel& forces,
+                                     const Refit& fit);
 
 /// A pick as its score has it; puts the sizes found into `values`.
-Pick pick_of(const Shelf& shelf, const Candidate& candidate, const Score& score, Eigen::VectorXd& values);
+Pick pick_of(const CandidateSet& candidates, const Candidate& candidate, const Score& score, Eigen::VectorXd& values);
 
 /// The columns of the linear problem that these picks and the nuisances stand for at `values`.
-Taken taken_by(const Shelf& shelf, const std::vector<Pick>& picks, const Eigen::VectorXd& values);
+Marginalised taken_by(const CandidateSet& candidates, const std::vector<Pick>& picks, const Eigen::VectorXd& values);
 
 }  // namespace plumbline::diagnose

@@ -14,18 +14,18 @@ std::vector<identify::RunEquations> residuals(const machine::MachineModel& machi
                                               const identify::NoiseModel& noise);
 
 /// What a model leaves of the readings of a run, or of many: of the bar, and of all motors. SI.
-struct Left {
+struct ResidualSums {
   MeanSquare radial, torque;
 
-  Left& operator+=(const Left& other) {
+  ResidualSums& operator+=(const ResidualSums& other) {
     radial.add(other.radial);
     torque.add(other.torque);
     return *this;
   }
 };
-Left left_of(const identify::RunEquations& run);
+ResidualSums left_of(const identify::RunEquations& run);
 /// Of the runs held out (`out`), or of the others.
-Left left_of(const std::vector<identify::RunEquations>& runs, const std::vector<bool>& out, bool held_out);
+ResidualSums left_of(const std::vector<identify::RunEquations>& runs, const std::vector<bool>& out, bool held_out);
 
 /// How far off the runs held out (`out`) are, in units of the noise, squared.
 double held_out_misfit(const std::vector<identify::RunEquations>& residuals, const std::vector<bool>& out,

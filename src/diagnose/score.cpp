@@ -23,12 +23,13 @@ double log_choose(std::size_t n, std::size_t k) {
 // One set of columns and what they make of the residual.
 class Trial {
  public:
-  Trial(const Eigen::MatrixXd& left, const Shelf& shelf, const Way& way, const std::vector<int>& carriers) {
-    for (const int c : carriers) {
-      const Carrier& carrier = way.carriers[static_cast<std::size_t>(c)];
-      score_.columns.insert(score_.columns.end(), carrier.begin(), carrier.end());
+  Trial(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ActingMode& way,
+        const std::vector<int>& column_groups) {
+    for (const int c : column_groups) {
+      const ColumnGroup& column_group = way.column_groups[static_cast<std::size_t>(c)];
+      score_.columns.insert(score_.columns.end(), column_group.begin(), column_group.end());
     }
-    score_.carriers = carriers;
+    score_.column_groups = column_groups;
     const Eigen::Index r = left.cols() - 1;
     Eigen::MatrixXd A = left(score_.columns, score_.columns);
     const Eigen::VectorXd b = left(score_.columns, r);
@@ -40,7 +41,7 @@ class Trial {
     Eigen::VectorXd upper(b.size());
     int one_sided = 0;
     for (Eigen::Index i = 0; i < b.size(); ++i) {
-      const Column& column = shelf.columns[static_cast<std::size_t>(score_.columns[static_cast<std::size_t>(i)])];
+      const Column& column = candidates.columns[static_cast<std::size_t>(score_.columns[static_cast<std::size_t>(i)])];
       lower[i] = column.lower;
       upper[i] = column.upper;
       if (column.lower == 0) ++one_sided;
@@ -52,8 +53,8 @@ class Trial {
   Score score_{-1e9};
 };
 
-std::vector<std::vector<int>> subsets_of(const Way& way) {
-  const std::size_t n = way.carriers.size();
+std::vector<std::vector<int>> subsets_of(const ActingMode& way) {
+  const std::size_t n = way.column_groups.size();
   std::vector<int> all(n);
   for (std::size_t i = 0; i < n; ++i) all[i] = static_cast<int>(i);
   if (way.all_or_none || n == 1) return {all};
@@ -87,44 +88,44 @@ double log_bayes_factor(const Eigen::MatrixXd& A, double gain, const Eigen::Vect
   return best + one_sided * std::log(2.0);
 }
 
-double log_prior(const Candidate& candidate, int way, std::size_t carriers, const ScoreOptions& options) {
-  const Way& of = candidate.ways[static_cast<std::size_t>(way)];
+double log_prior(const Candidate& candidate, int way, std::size_t column_groups, const ScoreOptions& options) {
+  const ActingMode& of = candidate.ways[static_cast<std::size_t>(way)];
   double prior = candidate.second_row ? -options.second_row : 0;
   prior -= std::log(static_cast<double>(candidate.ways.size()));
-  const std::size_t n = of.carriers.size();
+  const std::size_t n = of.column_groups.size();
   if (of.all_or_none || n == 1) return prior;
   // one strut or all of them, mostly; else each number of them alike, and each set of so many alike
-  const bool usual = carriers == 1 || carriers == n;
+  const bool usual = column_groups == 1 || column_groups == n;
   const double share =
       usual ? options.one_or_all / 2 : (1 - options.one_or_all) / std::max(static_cast<double>(n) - 2, 1.0);
-  prior += std::log(share) - log_choose(n, carriers);
+  prior += std::log(share) - log_choose(n, column_groups);
   return prior;
 }
 
-Score score_of(const Eigen::MatrixXd& left, const Shelf& shelf, const Candidate& candidate, int way,
-               const std::vector<int>& carriers, const ScoreOptions& options) {
-  Score score = Trial(left, shelf, candidate.ways[static_cast<std::size_t>(way)], carriers).score_;
+Score score_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate, int way,
+               const std::vector<int>& column_groups, const ScoreOptions& options) {
+  Score score = Trial(left, candidates, candidate.ways[static_cast<std::size_t>(way)], column_groups).score_;
   score.way = way;
-  score.log_odds += log_prior(candidate, way, carriers.size(), options);
+  score.log_odds += log_prior(candidate, way, column_groups.size(), options);
   return score;
 }
 
-Score best_score(const Eigen::MatrixXd& left, const Shelf& shelf, const Candidate& candidate,
+Score best_score(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate,
                  const ScoreOptions& options) {
   Score best{-1e9};
   for (std::size_t w = 0; w < candidate.ways.size(); ++w) {
     for (const std::vector<int>& subset : subsets_of(candidate.ways[w])) {
-      Score score = score_of(left, shelf, candidate, static_cast<int>(w), subset, options);
+      Score score = score_of(left, candidates, candidate, static_cast<int>(w), subset, options);
       if (score.log_odds > best.log_odds) best = std::move(score);
     }
   }
   return best;
 }
 
-std::vector<Ranked> ranking(const Eigen::MatrixXd& left, const Shelf& shelf, const ScoreOptions& options) {
+std::vector<Ranked> ranking(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ScoreOptions& options) {
   std::vector<Ranked> all;
-  for (const Candidate& candidate : shelf.candidates) {
-    all.push_back({&candidate, best_score(left, shelf, candidate, options)});
+  for (const Candidate& candidate : candidates.all) {
+    all.push_back({&candidate, best_score(left, candidates, candidate, options)});
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const Ranked& a, const Ranked& b) { return a.score.log_odds > b.score.log_odds; });

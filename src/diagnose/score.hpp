@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "diagnose/shelf.hpp"
+#include "diagnose/candidate_set.hpp"
 
 namespace plumbline::diagnose {
 
@@ -14,12 +14,12 @@ struct ScoreOptions {
 
 /// What an effect makes of what is left. Sizes in units of the linear problem.
 struct Score {
-  double log_odds = 0;        // that it acts, against nothing: evidence and prior together, nats
-  double gain = 0;            // what the misfit drops by
-  int way = 0;                // of the candidate
-  std::vector<int> carriers;  // of the way: those that act
-  std::vector<int> columns;   // of those carriers
-  Eigen::VectorXd sizes;      // of those columns
+  double log_odds = 0;             // that it acts, against nothing: evidence and prior together, nats
+  double gain = 0;                 // what the misfit drops by
+  int way = 0;                     // of the candidate
+  std::vector<int> column_groups;  // of the way: those that act
+  std::vector<int> columns;        // of those carriers
+  Eigen::VectorXd sizes;           // of those columns
 };
 
 /// The evidence of columns that add `gain` to the fit and of which the data tell A (Gram, nuisances out): Bayes factor
@@ -32,22 +32,23 @@ double log_bayes_factor(const Eigen::MatrixXd& A, double gain, const Eigen::Vect
 /// The best that a candidate makes of what is left (Gram matrix with what has been taken out, residual last): over its
 /// ways and over the struts that carry it.
 /// `bounds` are those of the columns at the point, in their order.
-Score best_score(const Eigen::MatrixXd& left, const Shelf& shelf, const Candidate& candidate,
+Score best_score(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate,
                  const ScoreOptions& options = {});
 
 /// The same for one way and one set of its carriers.
-Score score_of(const Eigen::MatrixXd& left, const Shelf& shelf, const Candidate& candidate, int way,
-               const std::vector<int>& carriers, const ScoreOptions& options = {});
+Score score_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate, int way,
+               const std::vector<int>& column_groups, const ScoreOptions& options = {});
 
 /// Scores of all candidates, the best first.
 struct Ranked {
   const Candidate* candidate;
   Score score;
 };
-std::vector<Ranked> ranking(const Eigen::MatrixXd& left, const Shelf& shelf, const ScoreOptions& options = {});
+std::vector<Ranked> ranking(const Eigen::MatrixXd& left, const CandidateSet& candidates,
+                            const ScoreOptions& options = {});
 
 /// What is less likely beforehand: of an effect of the second row, of each of its ways, of just those carriers among
 /// all. Nats, not positive.
-double log_prior(const Candidate& candidate, int way, std::size_t carriers, const ScoreOptions& options = {});
+double log_prior(const Candidate& candidate, int way, std::size_t column_groups, const ScoreOptions& options = {});
 
 }  // namespace plumbline::diagnose

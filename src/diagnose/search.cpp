@@ -37,9 +37,9 @@ class Search {
       : bench_(bench), options_(options), say_(say) {}
 
   Model run() {
-    settle({}, bench_.shelf.unknowns.start());
+    settle({}, bench_.candidates.unknowns.start());
     base_ = {fit_, noise_, problem_};
-    limit_ = threshold(left_, bench_.shelf, options_.scoring, options_.threshold).log_odds;
+    limit_ = threshold(left_, bench_.candidates, options_.scoring, options_.threshold).log_odds;
     say_(fmt::format("threshold {:.1f} nats", limit_));
     // what is dropped may be added again: rounds are counted
     for (int round = 0; round < 2 * options_.most_effects; ++round) {
@@ -85,8 +85,8 @@ class Search {
       if (alike(next, noise_)) break;
       if (round + 1 < options_.most_noise_rounds) noise_ = next;
     }
-    problem_ = linearise(bench_.machine.rotation, bench_.runs, bench_.shelf, fit_.values, noise_);
-    left_ = left_of(problem_, taken_by(bench_.shelf, picks_, fit_.values));
+    problem_ = linearise(bench_.machine.rotation, bench_.runs, bench_.candidates, fit_.values, noise_);
+    left_ = left_of(problem_, taken_by(bench_.candidates, picks_, fit_.values));
     say_(fmt::format(
         "noise: bar {:.3f} um (memory {:.2f}, white {:.2f}), torque {:.4f} N m (memory {:.2f}, white {:.2f})",
         noise_.channels[0].sigma * 1e6, noise_.channels[0].memory, noise_.channels[0].white, noise_.channels[1].sigma,
@@ -96,14 +96,14 @@ class Search {
   // Columns and sizes that make up what a number of a pick adds. What a lag adds goes with tau and its square, for
   // which the columns of two lags do.
   std::vector<std::pair<int, double>> parts_of(const Candidate& candidate, int u, const Eigen::VectorXd& values) const {
-    const identify::Unknown& unknown = bench_.shelf.unknowns[static_cast<std::size_t>(u)];
+    const identify::Unknown& unknown = bench_.candidates.unknowns[static_cast<std::size_t>(u)];
     if (unknown.key == "phase_deg" || unknown.key == "speed_mm_s") return {};
     const double size = (values[u] - unknown.start) / unknown.scale;
     if (candidate.name != "servo-lag") return {{u, size}};
-    const Way& little = candidate.ways.front();
-    const Way& much = candidate.ways.back();
+    const ActingMode& little = candidate.ways.front();
+    const ActingMode& much = candidate.ways.back();
     const double share = (values[u] - little.setting) / (much.setting - little.setting);
-    return {{little.carriers[0][0], (1 - share) * size}, {much.carriers[0][0], share * size}};
+    return {{little.column_groups[0][0], (1 - share) * size}, {much.column_groups[0][0], share * size}};
   }
 
   // The linear problem as if the pick at `place` were not there: its numbers go back to where they change nothing.
@@ -113,12 +113,12 @@ class Search {
     problem.gram = problem_.gram;
     for (const Block& block : problem_.blocks) problem.blocks.push_back({{}, block.gram});
     for (const int u : picks_[place].unknowns) {
-      if (u < static_cast<int>(bench_.shelf.nuisances)) continue;
+      if (u < static_cast<int>(bench_.candidates.nuisances)) continue;
       for (const auto& [column, size] : parts_of(*picks_[place].candidate, u, values)) {
         add_to_residual(problem.gram, column, size);
         for (Block& block : problem.blocks) add_to_residual(block.gram, column, size);
       }
-      values[u] = bench_.shelf.unknowns[static_cast<std::size_t>(u)].start;
+      values[u] = bench_.candidates.unknowns[static_cast<std::size_t>(u)].start;
     }
     return problem;
   }
@@ -130,7 +130,7 @@ class Search {
     gram.row(r) += size * gram.row(column);
   }
 
-  LeftOut left_out(const LinearProblem& problem, const Taken& taken, const Score& score) const {
+  LeftOut left_out(const LinearProblem& problem, const Marginalised& taken, const Score& score) const {
     std::vector<int> runs(bench_.runs.size());
     std::iota(runs.begin(), runs.end(), 0);
     return {left_out_nats(problem, taken, score.columns, score.sizes, poses_of(bench_.runs)),
@@ -150,10 +150,10 @@ class Search {
     const std::vector<Pick> others = without(place);
     const LinearProblem problem = place < picks_.size() ? taken_back(place, values) : LinearProblem{};
     const LinearProblem& about = place < picks_.size() ? problem : problem_;
-    const Taken taken = taken_by(bench_.shelf, others, values);
+    const Marginalised taken = taken_by(bench_.candidates, others, values);
     const Eigen::MatrixXd left = left_of(about, taken);
     // what was fitted with that pick in its prior's place is a departure only without it
-    const std::vector<Ranked> ranked = ranking(left, bench_.shelf, options_.scoring);
+    const std::vector<Ranked> ranked = ranking(left, bench_.candidates, options_.scoring);
     const Refit without_it = place < picks_.size() ? refit(bench_, others, values, noise_, options_.refit) : fit_;
     std::vector<Rival> all;
     double best = -1e9;
@@ -161,7 +161,7 @@ class Search {
       if (is_picked(*r.candidate, place)) continue;
       Rival rival;
       Eigen::VectorXd start = values;
-      rival.pick = pick_of(bench_.shelf, *r.candidate, r.score, start);
+      rival.pick = pick_of(bench_.candidates, *r.candidate, r.score, start);
       rival.log_odds = r.score.log_odds;
       const bool near = r.score.log_odds > limit_ - 3 && static_cast<int>(all.size()) < options_.most_refits &&
                         r.score.log_odds > std::min(best - options_.near_nats, (1 - options_.near_share) * best);
@@ -188,8 +188,8 @@ class Search {
     for (std::size_t i = 0; i < std::min<std::size_t>(all.size(), 7); ++i) {
       text += fmt::format(" {} {:.1f}{}", all[i].pick.candidate->name, all[i].log_odds, all[i].refitted ? "*" : "");
       if (all[i].left_out) text += fmt::format(" ({:.0f}, {:.0f})", all[i].left_out->poses, all[i].left_out->runs);
-      if (all[i].pick.carriers.size() > 1 || all[i].pick.candidate->ways[0].carriers.size() > 1)
-        text += fmt::format("/{}", all[i].pick.carriers.size());
+      if (all[i].pick.column_groups.size() > 1 || all[i].pick.candidate->ways[0].column_groups.size() > 1)
+        text += fmt::format("/{}", all[i].pick.column_groups.size());
     }
     say_(text);
   }
@@ -217,7 +217,7 @@ class Search {
       const Pick now = picks_[place];
       const Rival best = all.front();
       if (!best.refitted) continue;
-      const bool same = best.pick.candidate == now.candidate && best.pick.carriers == now.carriers;
+      const bool same = best.pick.candidate == now.candidate && best.pick.column_groups == now.column_groups;
       if (same) continue;
       const auto mine =
           std::find_if(all.begin(), all.end(), [&](const Rival& r) { return r.pick.candidate == now.candidate; });
@@ -245,19 +245,19 @@ class Search {
   // Puts where to start from into `start`.
   Pick widened(std::size_t place, Eigen::VectorXd& start) const {
     const Pick& pick = picks_[place];
-    const Way& way = pick.candidate->ways[static_cast<std::size_t>(pick.way)];
-    if (pick.carriers.size() == way.carriers.size()) return pick;
+    const ActingMode& way = pick.candidate->ways[static_cast<std::size_t>(pick.way)];
+    if (pick.column_groups.size() == way.column_groups.size()) return pick;
     Eigen::VectorXd values = fit_.values;
     const LinearProblem problem = taken_back(place, values);
-    const Eigen::MatrixXd left = left_of(problem, taken_by(bench_.shelf, without(place), values));
-    const auto score = [&](const std::vector<int>& carriers) {
-      return score_of(left, bench_.shelf, *pick.candidate, pick.way, carriers, options_.scoring);
+    const Eigen::MatrixXd left = left_of(problem, taken_by(bench_.candidates, without(place), values));
+    const auto score = [&](const std::vector<int>& column_groups) {
+      return score_of(left, bench_.candidates, *pick.candidate, pick.way, column_groups, options_.scoring);
     };
-    std::vector<int> all(way.carriers.size());
+    std::vector<int> all(way.column_groups.size());
     std::iota(all.begin(), all.end(), 0);
     const Score full = score(all);
-    if (full.log_odds < score(pick.carriers).log_odds - options_.all_struts_nats) return pick;
-    Pick wide = pick_of(bench_.shelf, *pick.candidate, full, values);
+    if (full.log_odds < score(pick.column_groups).log_odds - options_.all_struts_nats) return pick;
+    Pick wide = pick_of(bench_.candidates, *pick.candidate, full, values);
     start(wide.unknowns) = values(wide.unknowns);
     return wide;
   }
@@ -314,7 +314,7 @@ class Search {
   std::vector<std::vector<Rival>> known_;  // of each place, since the last settle()
   NoiseModel noise_;
   Refit fit_;
-  Footing base_;
+  FittedStage base_;
   LinearProblem problem_;
   Eigen::MatrixXd left_;
   double limit_ = 0;

@@ -44,7 +44,7 @@ struct Found {
 };
 
 /// A fit, its noise, and the linear problem about it.
-struct Footing {
+struct FittedStage {
   Refit fit;
   identify::NoiseModel noise;
   LinearProblem problem;
@@ -57,12 +57,12 @@ struct Model {
   double threshold = 0;   // nats
   bool one_more = false;  // beyond most_effects another one passes
   LinearProblem problem;  // about the fit (or nearly: about it before all struts were fitted), all columns
-  Footing base;           // nothing added, nuisances refitted
+  FittedStage base;       // nothing added, nuisances refitted
 };
 
 using Say = std::function<void(const std::string&)>;
 
-/// Searches the shelf. The base model's nuisances are refitted first.
+/// Searches the candidates. The base model's nuisances are refitted first.
 Model search(const Workbench& bench, const SearchOptions& options, const Say& say);
 
 }  // namespace plumbline::diagnose

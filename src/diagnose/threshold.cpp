@@ -19,13 +19,13 @@ struct Group {
   std::vector<double> price;  // log det(1 + tau^2 A) of each
 };
 
-void add_group(const Eigen::MatrixXd& left, const Shelf& shelf, const Candidate& candidate, int way,
-               const std::vector<int>& carriers, const ScoreOptions& scoring, std::vector<Group>& groups) {
+void add_group(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate, int way,
+               const std::vector<int>& column_groups, const ScoreOptions& scoring, std::vector<Group>& groups) {
   Group group;
-  const Way& of = candidate.ways[static_cast<std::size_t>(way)];
-  for (const int c : carriers) {
-    const Carrier& carrier = of.carriers[static_cast<std::size_t>(c)];
-    group.columns.insert(group.columns.end(), carrier.begin(), carrier.end());
+  const ActingMode& of = candidate.ways[static_cast<std::size_t>(way)];
+  for (const int c : column_groups) {
+    const ColumnGroup& column_group = of.column_groups[static_cast<std::size_t>(c)];
+    group.columns.insert(group.columns.end(), column_group.begin(), column_group.end());
   }
   const Eigen::MatrixXd A = left(group.columns, group.columns);
   const double mean = A.trace() / static_cast<double>(A.rows());
@@ -33,9 +33,9 @@ void add_group(const Eigen::MatrixXd& left, const Shelf& shelf, const Candidate&
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(A);
   group.axes = eigen.eigenvectors();
   group.strengths = eigen.eigenvalues().cwiseMax(0);
-  group.extra = log_prior(candidate, way, carriers.size(), scoring);
+  group.extra = log_prior(candidate, way, column_groups.size(), scoring);
   for (const int c : group.columns) {
-    if (shelf.columns[static_cast<std::size_t>(c)].lower == 0) group.extra += std::log(2.0);
+    if (candidates.columns[static_cast<std::size_t>(c)].lower == 0) group.extra += std::log(2.0);
   }
   for (double wide = 1; wide < 1e6; wide *= 4) {
     group.wide.push_back(wide / mean);
@@ -44,16 +44,16 @@ void add_group(const Eigen::MatrixXd& left, const Shelf& shelf, const Candidate&
   groups.push_back(std::move(group));
 }
 
-std::vector<Group> groups_of(const Eigen::MatrixXd& left, const Shelf& shelf, const ScoreOptions& scoring) {
+std::vector<Group> groups_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ScoreOptions& scoring) {
   std::vector<Group> groups;
-  for (const Candidate& candidate : shelf.candidates) {
+  for (const Candidate& candidate : candidates.all) {
     for (std::size_t w = 0; w < candidate.ways.size(); ++w) {
-      const Way& way = candidate.ways[w];
+      const ActingMode& way = candidate.ways[w];
       std::vector<int> all;
-      for (std::size_t c = 0; c < way.carriers.size(); ++c) all.push_back(static_cast<int>(c));
-      add_group(left, shelf, candidate, static_cast<int>(w), all, scoring, groups);
+      for (std::size_t c = 0; c < way.column_groups.size(); ++c) all.push_back(static_cast<int>(c));
+      add_group(left, candidates, candidate, static_cast<int>(w), all, scoring, groups);
       if (way.all_or_none || all.size() == 1) continue;
-      for (const int c : all) add_group(left, shelf, candidate, static_cast<int>(w), {c}, scoring, groups);
+      for (const int c : all) add_group(left, candidates, candidate, static_cast<int>(w), {c}, scoring, groups);
     }
   }
   return groups;
@@ -72,9 +72,9 @@ double log_odds(const Group& group, const Eigen::VectorXd& scores) {
 
 }  // namespace
 
-Threshold threshold(const Eigen::MatrixXd& left, const Shelf& shelf, const ScoreOptions& scoring,
+Threshold threshold(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ScoreOptions& scoring,
                     const ThresholdOptions& options) {
-  const std::vector<Group> groups = groups_of(left, shelf, scoring);
+  const std::vector<Group> groups = groups_of(left, candidates, scoring);
   const Eigen::Index n = left.cols() - 1;
   // columns differ in size by orders of magnitude: drawn in units of their own length
   const Eigen::VectorXd lengths = left.diagonal().head(n).cwiseMax(1e-300).cwiseSqrt();

@@ -29,44 +29,44 @@ identify::NoiseModel without_what_recurs(identify::NoiseModel noise, const Recur
 }
 
 // The base model where what comes again counts as no noise; nothing if nothing does.
-std::optional<Footing> without_what_recurs(const Workbench& bench, const Footing& base, const Recurs& recurs,
-                                           const DiagnoseOptions& options) {
+std::optional<FittedStage> without_what_recurs(const Workbench& bench, const FittedStage& base, const Recurs& recurs,
+                                               const DiagnoseOptions& options) {
   if (!recurs.radial && !recurs.torque) return std::nullopt;
-  Footing footing;
-  footing.noise = without_what_recurs(base.noise, recurs);
-  footing.fit = refit(bench, {}, base.fit.values, footing.noise, options.search.refit);
-  footing.problem = linearise(bench.machine.rotation, bench.runs, bench.shelf, footing.fit.values, footing.noise);
-  return footing;
+  FittedStage stage;
+  stage.noise = without_what_recurs(base.noise, recurs);
+  stage.fit = refit(bench, {}, base.fit.values, stage.noise, options.search.refit);
+  stage.problem = linearise(bench.machine.rotation, bench.runs, bench.candidates, stage.fit.values, stage.noise);
+  return stage;
 }
 
 // The base model with the terms of a description, its nuisances refitted beside them; without them where that leaves
 // more than before: the terms come from a linear problem.
-Fitted described(const Workbench& bench, const Footing& footing, const std::vector<Term>& terms,
+Fitted described(const Workbench& bench, const FittedStage& stage, const std::vector<Term>& terms,
                  const DiagnoseOptions& options) {
   const physics::ForceModel before =
-      bench.shelf.unknowns.at(held_values(bench, bench.forces, {}, footing.fit, options.hold).values);
-  Fitted base{before, parameter_errors(bench.shelf, before, footing.fit)};
+      bench.candidates.unknowns.at(held_values(bench, bench.forces, {}, stage.fit, options.hold).values);
+  Fitted base{before, parameter_errors(bench.candidates, before, stage.fit)};
   if (terms.empty()) return base;
   physics::ForceModel forces = bench.forces;
   add_terms(forces, terms);
-  const Shelf shelf = make_shelf(bench.machine, forces, options.shelf);
+  const CandidateSet candidates = make_candidate_set(bench.machine, forces, options.candidates);
   try {
     const Refit fit =
-        refit({bench.machine, forces, bench.runs, shelf}, {}, footing.fit.values, footing.noise, options.search.refit);
-    if (fit.misfit < footing.fit.misfit) {
-      const Workbench beside{bench.machine, forces, bench.runs, shelf};
+        refit({bench.machine, forces, bench.runs, candidates}, {}, stage.fit.values, stage.noise, options.search.refit);
+    if (fit.misfit < stage.fit.misfit) {
+      const Workbench beside{bench.machine, forces, bench.runs, candidates};
       const physics::ForceModel fitted =
-          shelf.unknowns.at(held_values(beside, bench.forces, {}, fit, options.hold).values);
-      return {fitted, parameter_errors(shelf, fitted, fit)};
+          candidates.unknowns.at(held_values(beside, bench.forces, {}, fit, options.hold).values);
+      return {fitted, parameter_errors(candidates, fitted, fit)};
     }
   } catch (const Refusal&) {  // with the terms as they are, the machine falls through a singularity
   }
   return base;
 }
 
-Description describe_base(const Workbench& bench, const Footing& footing, const DiagnoseOptions& options) {
-  return describe(bench, bench.shelf.unknowns.at(footing.fit.values), footing.problem,
-                  taken_by(bench.shelf, {}, footing.fit.values), footing.noise, options.description);
+Description describe_base(const Workbench& bench, const FittedStage& stage, const DiagnoseOptions& options) {
+  return describe(bench, bench.candidates.unknowns.at(stage.fit.values), stage.problem,
+                  taken_by(bench.candidates, {}, stage.fit.values), stage.noise, options.description);
 }
 
 }  // namespace
@@ -74,18 +74,18 @@ Description describe_base(const Workbench& bench, const Footing& footing, const 
 Unexplained unexplained(const Base& base, const std::vector<measure::Run>& runs, const std::vector<bool>& out,
                         const DiagnoseOptions& options) {
   const Workbench& bench = base.bench;
-  const Footing* footing = &base.footing;
-  Description left = describe_base(bench, *footing, options);
-  std::optional<Footing> quieter;
+  const FittedStage* stage = &base.stage;
+  Description left = describe_base(bench, *stage, options);
+  std::optional<FittedStage> quieter;
   if (!is_gap(left, options.verdict)) {
-    quieter = without_what_recurs(bench, base.footing, base.recurs, options);
-    if (quieter) left = describe_base(bench, *(footing = &*quieter), options);
+    quieter = without_what_recurs(bench, base.stage, base.recurs, options);
+    if (quieter) left = describe_base(bench, *(stage = &*quieter), options);
   }
   if (!is_gap(left, options.verdict)) left.terms.clear();
-  Fitted fitted = described(bench, *footing, left.terms, options);
+  Fitted fitted = described(bench, *stage, left.terms, options);
   auto of_fitted = residuals(bench.machine, runs, fitted.forces, base.noise);
   if (held_out_misfit(of_fitted, out, base.noise) > held_out_misfit(base.left, out, base.noise)) {
-    Fitted plain = described(bench, base.footing, {}, options);
+    Fitted plain = described(bench, base.stage, {}, options);
     of_fitted = residuals(bench.machine, runs, plain.forces, base.noise);
     return {std::move(left), std::move(plain), std::move(of_fitted), false};
   }

@@ -15,7 +15,7 @@ struct Fitted {
 /// The base model, nuisances refitted to the runs of the bench.
 struct Base {
   const Workbench& bench;
-  const Footing& footing;
+  const FittedStage& stage;
   const std::vector<identify::RunEquations>& left;  // of all runs
   Recurs recurs;                                    // in them
   const identify::NoiseModel& noise;                // that runs held out are measured by

@@ -14,7 +14,7 @@ namespace {
 Eigen::VectorXd signature_of(const Workbench& bench, const Pick& pick, const Refit& fit, Eigen::Index columns) {
   Eigen::VectorXd signature = Eigen::VectorXd::Zero(columns);
   for (const int u : pick.unknowns) {
-    const identify::Unknown& unknown = bench.shelf.unknowns[static_cast<std::size_t>(u)];
+    const identify::Unknown& unknown = bench.candidates.unknowns[static_cast<std::size_t>(u)];
     if (unknown.key == "phase_deg" || unknown.key == "speed_mm_s") continue;
     signature[u] = (fit.values[u] - unknown.start) / unknown.scale;
   }
@@ -33,19 +33,20 @@ std::vector<std::string> alternatives_of(const Workbench& bench, const Model& mo
   for (std::size_t i = 0; i < model.found.size(); ++i) {
     if (i != place) others.push_back(model.found[i].pick);
   }
-  const Eigen::MatrixXd left = left_of(model.problem, taken_by(bench.shelf, others, model.problem.values));
+  const Eigen::MatrixXd left = left_of(model.problem, taken_by(bench.candidates, others, model.problem.values));
   const Pick& pick = model.found[place].pick;
   const Eigen::VectorXd signature = signature_of(bench, pick, model.fit, left.cols());
   const Eigen::VectorXd seen = left * signature;
   const double length2 = signature.dot(seen);
   std::vector<std::string> names;
   if (!(length2 > 0)) return names;
-  for (const Candidate& candidate : bench.shelf.candidates) {
+  for (const Candidate& candidate : bench.candidates.all) {
     if (&candidate == pick.candidate) continue;
     double most = 0;
-    for (const Way& way : candidate.ways) {
+    for (const ActingMode& way : candidate.ways) {
       std::vector<int> columns;
-      for (const Carrier& carrier : way.carriers) columns.insert(columns.end(), carrier.begin(), carrier.end());
+      for (const ColumnGroup& column_group : way.column_groups)
+        columns.insert(columns.end(), column_group.begin(), column_group.end());
       Eigen::MatrixXd A = left(columns, columns);
       const double mean = A.trace() / static_cast<double>(A.rows());
       if (!(mean > 1e-9)) continue;
@@ -55,7 +56,7 @@ std::vector<std::string> alternatives_of(const Workbench& bench, const Model& mo
       Eigen::VectorXd lower(b.size());
       Eigen::VectorXd upper(b.size());
       for (Eigen::Index i = 0; i < b.size(); ++i) {
-        const Column& column = bench.shelf.columns[static_cast<std::size_t>(columns[static_cast<std::size_t>(i)])];
+        const Column& column = bench.candidates.columns[static_cast<std::size_t>(columns[static_cast<std::size_t>(i)])];
         lower[i] = column.lower;
         upper[i] = column.upper;
       }
@@ -68,7 +69,7 @@ std::vector<std::string> alternatives_of(const Workbench& bench, const Model& mo
 }
 
 double resemblance(const Workbench& bench, const Model& model, std::size_t one, std::size_t other) {
-  const Eigen::MatrixXd left = left_of(model.problem, taken_by(bench.shelf, {}, model.problem.values));
+  const Eigen::MatrixXd left = left_of(model.problem, taken_by(bench.candidates, {}, model.problem.values));
   const Eigen::VectorXd a = signature_of(bench, model.found[one].pick, model.fit, left.cols());
   const Eigen::VectorXd b = signature_of(bench, model.found[other].pick, model.fit, left.cols());
   const Eigen::VectorXd seen = left * b;
@@ -101,7 +102,7 @@ std::vector<NamedParameter> parameters_of(const Workbench& bench, const Pick& pi
     parameter.each = static_cast<std::size_t>(spec.each);
     parameter.single = spec.size() == 1;
     for (int i = 0; i < spec.size(); ++i) {
-      const int place = bench.shelf.unknowns.find(info.name, spec.key, parameter.single ? -1 : i);
+      const int place = bench.candidates.unknowns.find(info.name, spec.key, parameter.single ? -1 : i);
       parameter.values.push_back(fit.values[place] / spec.unit.si);
       parameter.errors.push_back(fit.errors[static_cast<std::size_t>(place)] / spec.unit.si);
     }

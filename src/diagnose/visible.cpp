@@ -18,10 +18,11 @@ struct Least {
   bool operator<(const Least& other) const { return share < other.share; }
 };
 
-Least least_of(const Eigen::MatrixXd& left, const Shelf& shelf, const Carrier& carrier, double gain) {
+Least least_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ColumnGroup& column_group,
+               double gain) {
   Least least;
-  for (const int c : carrier) {
-    const Column& column = shelf.columns[static_cast<std::size_t>(c)];
+  for (const int c : column_group) {
+    const Column& column = candidates.columns[static_cast<std::size_t>(c)];
     const double bound = std::max(std::abs(column.lower), std::abs(column.upper));
     if (!(left(c, c) > 0) || column.key == "speed_mm_s" || column.key == "phase_deg") continue;
     const double size = std::sqrt(gain / left(c, c));
@@ -31,17 +32,18 @@ Least least_of(const Eigen::MatrixXd& left, const Shelf& shelf, const Carrier& c
 }
 
 // The way in which it shows best, on the carrier that shows least.
-Least least_of(const Eigen::MatrixXd& left, const Shelf& shelf, const Candidate& candidate, double threshold,
-               const ScoreOptions& options) {
+Least least_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate,
+               double threshold, const ScoreOptions& options) {
   Least best;
   for (std::size_t w = 0; w < candidate.ways.size(); ++w) {
-    const Way& way = candidate.ways[w];
+    const ActingMode& way = candidate.ways[w];
     // log B is about [gain - log(gain)] / 2 at the best spread of one size
     const double nats = threshold - log_prior(candidate, static_cast<int>(w), 1, options);
     const double gain = 2 * nats + std::log(std::max(2 * nats, 1.0)) + 1;
     Least worst;
     worst.share = 0;
-    for (const Carrier& carrier : way.carriers) worst = std::max(worst, least_of(left, shelf, carrier, gain));
+    for (const ColumnGroup& column_group : way.column_groups)
+      worst = std::max(worst, least_of(left, candidates, column_group, gain));
     best = std::min(best, worst);
   }
   return best;
@@ -49,14 +51,14 @@ Least least_of(const Eigen::MatrixXd& left, const Shelf& shelf, const Candidate&
 
 }  // namespace
 
-std::vector<Visible> visible_effects(const Eigen::MatrixXd& left, const Shelf& shelf, double threshold,
+std::vector<Visible> visible_effects(const Eigen::MatrixXd& left, const CandidateSet& candidates, double threshold,
                                      const ScoreOptions& options) {
   std::vector<Visible> all;
-  for (const Candidate& candidate : shelf.candidates) {
+  for (const Candidate& candidate : candidates.all) {
     Visible visible{candidate.name};
-    const Least least = least_of(left, shelf, candidate, threshold, options);
+    const Least least = least_of(left, candidates, candidate, threshold, options);
     if (least.column >= 0) {
-      const Column& column = shelf.columns[static_cast<std::size_t>(least.column)];
+      const Column& column = candidates.columns[static_cast<std::size_t>(least.column)];
       visible.key = column.key == "cosine" ? "amplitude_um" : column.key;
       for (const physics::ParameterSpec& spec :
            physics::effect_infos()[physics::effect_index(candidate.name)].parameters) {

@@ -15,9 +15,10 @@ struct Visible {
   bool shows = false;     // that is within the bounds of the catalogue
 };
 
-/// For each effect of the shelf, from what is left when the nuisances took their part: a size s of a column c shows by
-/// s^2 <c, c>, and must beat the threshold (nats), what is less likely beforehand, and the cost of a free size.
-std::vector<Visible> visible_effects(const Eigen::MatrixXd& left, const Shelf& shelf, double threshold,
+/// For each effect of the candidates, from what is left when the nuisances took their part: a size s of a column c
+/// shows by s^2 <c, c>, and must beat the threshold (nats), what is less likely beforehand, and the cost of a free
+/// size.
+std::vector<Visible> visible_effects(const Eigen::MatrixXd& left, const CandidateSet& candidates, double threshold,
                                      const ScoreOptions& options = {});
 
 }  // namespace plumbline::diagnose

@@ -11,7 +11,7 @@ namespace plumbline::identify {
 namespace {
 
 // Unknowns of which there are many, all alike.
-bool of_a_crowd(const Unknown& unknown) {
+bool is_geometry(const Unknown& unknown) {
   return unknown.effect == "joint-position" || unknown.effect == "strut-offset";
 }
 
@@ -43,7 +43,7 @@ std::vector<Confusion> confusions_of(const Fit& fit, const Observability& known,
   std::vector<Confusion> found;
   for (std::size_t a = 0; a < fit.unknowns.size(); ++a) {
     for (std::size_t b = a + 1; b < fit.unknowns.size(); ++b) {
-      if (of_a_crowd(fit.unknowns[a]) || of_a_crowd(fit.unknowns[b]) || unknown_to_data(a) || unknown_to_data(b))
+      if (is_geometry(fit.unknowns[a]) || is_geometry(fit.unknowns[b]) || unknown_to_data(a) || unknown_to_data(b))
         continue;
       const Eigen::Matrix2d M = pair_information(fit, a, b);
       if (M(0, 0) <= 0 || M(1, 1) <= 0) continue;
@@ -89,7 +89,7 @@ std::string names_of(const std::vector<std::size_t>& which, const Unknowns& unkn
   std::map<std::string, std::size_t> crowds;
   std::vector<std::string> names;
   for (const std::size_t i : which) {
-    if (of_a_crowd(unknowns[i])) {
+    if (is_geometry(unknowns[i])) {
       ++crowds[unknowns[i].effect];
     } else {
       names.push_back(unknowns[i].label);

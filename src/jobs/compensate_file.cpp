@@ -46,8 +46,8 @@ compensate::Summary compensate_file(const std::string& program, const std::strin
   const nc::Dialect& dialect = dialect_of(options, source);
 
   nc::EmitSettings emit = emit_settings(model.control, options);
-  if (options.input_increment && dialect.habits.increment_mm > 0)
-    emit.increment_ratio = *options.input_increment / dialect.habits.increment_mm;
+  if (options.input_increment && dialect.behaviour.increment_mm > 0)
+    emit.increment_ratio = *options.input_increment / dialect.behaviour.increment_mm;
   const std::vector<nc::Tool> tools = used_tools(source, settings.tools, settings.tool_in_spindle);
   emit.stamp = stamp(options, settings, model, tools, dialect);
   if (options.guard) {

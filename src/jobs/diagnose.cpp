@@ -289,7 +289,7 @@ DiagnoseReport diagnose(const DiagnoseJob& job, const diagnose::Say& say) {
   const machine::MachineModel machine = machine::read_model(job.model);
   const measure::Dataset dataset = measure::read_dataset(job.dataset);
   diagnose::DiagnoseOptions options;
-  options.shelf.without = job.without;
+  options.candidates.without = job.without;
   options.search.threshold.seed = job.seed;
   const measure::Thinned thinned = measure::thinned(dataset.runs);
   Diagnosis diagnosis = diagnose::diagnose(machine, thinned.runs, options, say);

@@ -56,7 +56,7 @@ std::vector<std::string> notes_of(const Identification& found, const std::string
   return notes;
 }
 
-bool of_a_crowd(const Unknown& u) { return u.effect == "joint-position" || u.effect == "strut-offset"; }
+bool is_geometry(const Unknown& u) { return u.effect == "joint-position" || u.effect == "strut-offset"; }
 
 std::string values_text(const Fit& fit) {
   std::string text = fmt::format("{:<32}{:>12}{:>12}{:>12}{:>12}   unit\n", "", "before", "found", "+-", "known to");
@@ -64,7 +64,7 @@ std::string values_text(const Fit& fit) {
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
     const Unknown& u = fit.unknowns[i];
     const double si = u.unit.si;
-    if (of_a_crowd(u)) {
+    if (is_geometry(u)) {
       auto& [count, largest] = crowds[u.effect];
       ++count;
       largest = std::max(largest, std::abs(value_of(fit, i) - u.start) / si);

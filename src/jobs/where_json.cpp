@@ -21,7 +21,7 @@ Json scaled_list(const Numbers& values, double unit) {
   return json;
 }
 
-Json two_json(const diagnose::Two& rms) {
+Json two_json(const diagnose::BarAndTorque& rms) {
   return {{"radial_um", rounded(rms.radial / kUm)}, {"torque_Nm", rounded(rms.torque)}};
 }
 
@@ -55,7 +55,7 @@ Json rounded(double value) {
   return number ? Json(*number) : Json(nullptr);
 }
 
-Json where_json(const diagnose::Where& where) {
+Json where_json(const diagnose::GapMap& where) {
   Json json{{"channels", Json::array()},
             {"contrasts", Json::array()},
             {"groups", Json::array()},

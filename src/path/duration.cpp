@@ -16,7 +16,7 @@ std::optional<double> duration(const nc::Motion& motion, const Curve& curve, con
   if (motion.feed_along_circle && motion.kind == nc::MotionKind::arc) length = curve.circle_mm();
   if (motion.feed_mode == nc::FeedMode::inverse_time) {
     // F is the feed over the radius: an arc of the angle a takes a / F [B-62764EN 5].
-    if (dialect.habits.inverse_time_by_radius && motion.kind == nc::MotionKind::arc)
+    if (dialect.behaviour.inverse_time_by_radius && motion.kind == nc::MotionKind::arc)
       return std::abs(curve.arc_deg()) * kDeg / motion.feed * kMinute;
     if (length.value_or(0) <= 0) return kMinute / motion.feed;
     // RS274/NGC: the rate is length x F, and never less than the control's least.

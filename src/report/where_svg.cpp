@@ -32,7 +32,7 @@ std::string times_cell(double times_noise) {
   return fmt::format(R"(<td style="background:{}">{:.2f}</td>)", heat(times_noise), times_noise);
 }
 
-std::string two_cells(const Diagnosis& d, const diagnose::Two& rms) {
+std::string two_cells(const Diagnosis& d, const diagnose::BarAndTorque& rms) {
   // the motors' noise is of one kind: the mean over those that were measured
   double torque = 0;
   int motors = 0;

@@ -16,14 +16,14 @@ Description description_of(const physics::ForceModel& hiding, std::uint64_t seed
   const machine::MachineModel machine = testing::pm600_like();
   const physics::ForceModel forces(machine);
   const std::vector<measure::Run> runs = testing::measured(testing::wider_plan(60), hiding, 0.5e-6, 0.05, random);
-  const Shelf shelf = make_shelf(machine, forces);
-  const Workbench bench{machine, forces, runs, shelf};
+  const CandidateSet candidates = make_candidate_set(machine, forces);
+  const Workbench bench{machine, forces, runs, candidates};
   identify::NoiseModel noise;
   for (identify::ChannelNoise& channel : noise.channels) channel = {0.05, 0.6, 1, 0};
   noise.channels[identify::kRadial].sigma = 0.5e-6;
-  const Eigen::VectorXd start = shelf.unknowns.start();
-  const LinearProblem problem = linearise(machine.rotation, runs, shelf, start, noise);
-  return describe(bench, forces, problem, taken_by(shelf, {}, start), noise);
+  const Eigen::VectorXd start = candidates.unknowns.start();
+  const LinearProblem problem = linearise(machine.rotation, runs, candidates, start, noise);
+  return describe(bench, forces, problem, taken_by(candidates, {}, start), noise);
 }
 
 TEST_CASE("a product that acts on one strut is described as that product, with its size") {

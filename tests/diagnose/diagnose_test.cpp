@@ -57,7 +57,7 @@ TEST_CASE("a diagnosis is the same each time") {
 
 TEST_CASE("what is left out of the catalogue must be in it") {
   DiagnoseOptions options;
-  options.shelf.without = {"back-lash"};
+  options.candidates.without = {"back-lash"};
   CHECK_THROWS_WITH(diagnosed("open-03", options), Catch::Contains("no effect is called back-lash"));
 }
 

@@ -93,7 +93,7 @@ TEST_CASE("runs held out that are much further off than single runs are were not
       const double size = out[i] ? size_out : (i % 2 == 0 ? 1 + wobble : 1 - wobble);
       residuals.push_back(noisy(runs[i], random, 0, 0, size * kSigma));
     }
-    return not_foretold(residuals, out, &Left::radial, {});
+    return not_foretold(residuals, out, &ResidualSums::radial, {});
   };
   CHECK_FALSE(times(1.0, 0));
   CHECK_FALSE(times(1.2, 0));
@@ -103,7 +103,7 @@ TEST_CASE("runs held out that are much further off than single runs are were not
   std::vector<bool> none(runs.size(), false);
   std::vector<RunEquations> residuals;
   for (const Run& run : runs) residuals.push_back(noisy(run, random, 0, 0));
-  CHECK_FALSE(not_foretold(residuals, none, &Left::radial, {}));
+  CHECK_FALSE(not_foretold(residuals, none, &ResidualSums::radial, {}));
 }
 
 }  // namespace plumbline::diagnose

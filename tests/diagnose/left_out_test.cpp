@@ -29,7 +29,7 @@ LinearProblem problem_of(const std::vector<double>& own) {
   return problem;
 }
 
-const Taken kTaken{{0}, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)};
+const Marginalised kTaken{{0}, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)};
 const std::vector<int> kPoses{0, 0, 1, 1, 2, 2};
 
 // log of the normal density of y with that covariance, without the constant.
@@ -78,7 +78,7 @@ TEST_CASE("what helps only where it was fitted foretells nothing") {
 
 TEST_CASE("an effect that is a nuisance, too, has its own prior in place of the nuisance's") {
   const LinearProblem problem = problem_of({2, 2, 2});
-  const Taken both{{0, 1}, Eigen::Vector2d(1, 1e4), Eigen::Vector2d::Zero()};
+  const Marginalised both{{0, 1}, Eigen::Vector2d(1, 1e4), Eigen::Vector2d::Zero()};
   const Eigen::VectorXd size = Eigen::VectorXd::Constant(1, 2);
   CHECK(left_out_nats(problem, both, {1}, size, kPoses) > 20);
 }

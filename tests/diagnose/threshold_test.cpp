@@ -11,19 +11,19 @@ namespace plumbline::diagnose {
 namespace {
 
 // Effects of one number each that may have either sign.
-Shelf shelf_of(int effects) {
+CandidateSet shelf_of(int effects) {
   const physics::ForceModel forces(testing::pm600_like());
-  Shelf shelf{identify::Unknowns(forces), 0, {}, {}};
+  CandidateSet candidates{identify::Unknowns(forces), 0, {}, {}};
   for (int i = 0; i < effects; ++i) {
     Column column{"effect", "size"};
     column.lower = -std::numeric_limits<double>::infinity();
     column.upper = std::numeric_limits<double>::infinity();
-    shelf.columns.push_back(column);
-    Way way;
-    way.carriers = {{i}};
-    shelf.candidates.push_back({"effect", false, {way}});
+    candidates.columns.push_back(column);
+    ActingMode way;
+    way.column_groups = {{i}};
+    candidates.all.push_back({"effect", false, {way}});
   }
-  return shelf;
+  return candidates;
 }
 
 ThresholdOptions certain_noise() {

@@ -15,16 +15,16 @@ std::vector<std::string> alternatives_to(const std::string& effect, const std::s
                                          const std::vector<measure::Run>& runs) {
   const machine::MachineModel machine = testing::pm600_like();
   const physics::ForceModel forces(machine);
-  const Shelf shelf = make_shelf(machine, forces);
-  const Workbench bench{machine, forces, runs, shelf};
+  const CandidateSet candidates = make_candidate_set(machine, forces);
+  const Workbench bench{machine, forces, runs, candidates};
   Model model;
-  model.fit.values = shelf.unknowns.start();
-  const int unknown = shelf.unknowns.find(effect, key);
+  model.fit.values = candidates.unknowns.start();
+  const int unknown = candidates.unknowns.find(effect, key);
   REQUIRE(unknown >= 0);
   model.fit.values[unknown] = value;
-  model.problem = linearise(machine.rotation, runs, shelf, model.fit.values, testing::usual_noise());
+  model.problem = linearise(machine.rotation, runs, candidates, model.fit.values, testing::usual_noise());
   Found found;
-  found.pick = {&shelf.candidate(effect), 0, {0}, {unknown}};
+  found.pick = {&candidates.candidate(effect), 0, {0}, {unknown}};
   model.found = {found};
   return alternatives_of(bench, model, 0, {});
 }
@@ -43,14 +43,14 @@ TEST_CASE("a constant vertical force is no other than a mass, and a drag is") {
 
 TEST_CASE("whatever is within six nats of the strongest is not ruled out") {
   const machine::MachineModel machine = testing::pm600_like();
-  const Shelf shelf = make_shelf(machine, physics::ForceModel(machine));
+  const CandidateSet candidates = make_candidate_set(machine, physics::ForceModel(machine));
   Model model;
   Found found;
-  found.pick.candidate = &shelf.candidate("level");
+  found.pick.candidate = &candidates.candidate("level");
   found.log_odds = 40;
   for (const auto& [name, odds] : std::vector<std::pair<std::string, double>>{{"cable", 36}, {"inertia", 30}}) {
     Rival rival;
-    rival.pick.candidate = &shelf.candidate(name);
+    rival.pick.candidate = &candidates.candidate(name);
     rival.log_odds = odds;
     rival.refitted = true;
     found.rivals.push_back(rival);

@@ -14,10 +14,10 @@ namespace {
 
 std::vector<Visible> visible_in(const std::vector<measure::Run>& runs, double threshold = 12) {
   const machine::MachineModel machine = testing::pm600_like();
-  const Shelf shelf = make_shelf(machine, physics::ForceModel(machine));
+  const CandidateSet candidates = make_candidate_set(machine, physics::ForceModel(machine));
   const LinearProblem problem =
-      linearise(machine.rotation, runs, shelf, shelf.unknowns.start(), testing::usual_noise());
-  return visible_effects(left_of(problem, taken_by(shelf, {}, problem.values)), shelf, threshold);
+      linearise(machine.rotation, runs, candidates, candidates.unknowns.start(), testing::usual_noise());
+  return visible_effects(left_of(problem, taken_by(candidates, {}, problem.values)), candidates, threshold);
 }
 
 Visible of(const std::vector<Visible>& all, const std::string& name) {

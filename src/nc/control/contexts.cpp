@@ -63,7 +63,7 @@ bool counts_increments(const Execution& run) {
 }
 
 void check_m_codes(const Execution& run) {
-  const int most = run.dialect.habits.most_m_codes;
+  const int most = run.dialect.behaviour.most_m_codes;
   int count = 0;
   for (const Word& word : run.block->words) {
     if (word.letter != 'M' || ++count <= most || most == 0) continue;
@@ -74,7 +74,7 @@ void check_m_codes(const Execution& run) {
 
 // In which unit the words of such a block count stands in no source.
 void check_words_beside_unit(const Execution& run) {
-  const std::string& unknown = run.dialect.habits.unknown_beside_unit;
+  const std::string& unknown = run.dialect.behaviour.unknown_beside_unit;
   if (unknown.empty()) return;
   const Chosen* code = find_code(run, Action::inches);
   if (code == nullptr) code = find_code(run, Action::millimetres);
@@ -158,7 +158,7 @@ void check_not_beside(const Execution& run) {
 // X alone: whether Y stays where it stands or goes to its old word in the turned system is a setting of the control.
 void check_alone_after_turn(const Execution& run) {
   const AxisSet named = run.axes & kTurningAxes;
-  if (!run.dialect.habits.turned_axis_alone_unknown || run.motion == nullptr || named.empty()) return;
+  if (!run.dialect.behaviour.turned_axis_alone_unknown || run.motion == nullptr || named.empty()) return;
   const AxisSet other = kTurningAxes - named;
   if (other.empty() || (run.control.shifted & other).empty() || !run.control.known.contains(other)) return;
   if (run.control.modal.incremental || run.machine_word != nullptr) return;
@@ -188,7 +188,7 @@ void check_cycle_increments(const Execution& run) {
   if (run.motion == nullptr || run.motion->action != Action::cycle || !counts_increments(run)) return;
   const Axis normal = axes_of(run.control.modal.plane).third;
   const bool with_length =
-      run.dialect.habits.increment_unknown_after_length && find_code(run, Action::tool_length) != nullptr;
+      run.dialect.behaviour.increment_unknown_after_length && find_code(run, Action::tool_length) != nullptr;
   if (with_length) {
     run.refuse(run.motion_code(), codes::kNotInterpreted,
                "whether the increments of this cycle bring the tool length of its block along is not known",
@@ -203,7 +203,7 @@ void check_cycle_increments(const Execution& run) {
 // Which axis drills there, and when a tool's length counts in.
 void check_beside_cycle(const Execution& run) {
   const bool drills = run.motion != nullptr && run.motion->action == Action::cycle;
-  if (!drills || !run.dialect.habits.fanuc_cycles) return;
+  if (!drills || !run.dialect.behaviour.fanuc_cycles) return;
   const Chosen* other = find_code(run, Action::plane_zx);
   if (other == nullptr) other = find_code(run, Action::plane_yz);
   const bool in_xy = run.control.modal.plane == Plane::xy || find_code(run, Action::plane_xy) != nullptr;
@@ -243,8 +243,8 @@ void check_contexts(const Execution& run) {
 
 // What the control does with other words beside G4 is in no source.
 void check_beside_dwell(const Execution& run) {
-  using Beside = Habits::Beside;
-  const Beside allowed = run.dialect.habits.beside_dwell;
+  using Beside = ControlBehaviour::Beside;
+  const Beside allowed = run.dialect.behaviour.beside_dwell;
   const CodeRow* const dwell = allowed == Beside::anything ? nullptr : run.chosen_row(Action::dwell);
   if (dwell == nullptr) return;
   const Word* time = nullptr;
@@ -320,7 +320,7 @@ void check_cycle(const Execution& run) {
 
 // Some controls take P1.5 for seconds, others stop at it.
 void check_milliseconds(const Execution& run, const Word& word) {
-  if (run.dialect.habits.dwell_p_s == 1 || word.value == std::floor(word.value)) return;
+  if (run.dialect.behaviour.dwell_p_s == 1 || word.value == std::floor(word.value)) return;
   run.refuse(word, codes::kNotWhole,
              fmt::format("P counts whole milliseconds, and {} is none", run.block->at(word.span)),
              "write milliseconds without a point; of G4, X and seconds");

@@ -27,14 +27,14 @@ AxisSet given(const Parameters& parameters, int first, AxisWords& into) {
 }  // namespace
 
 Control::Control(const Dialect& dialect, const ProgramSettings& settings)
-    : habits(dialect.habits), feed_rule(settings.feed_rule.value_or(dialect.feed_rule)) {
+    : behaviour(dialect.behaviour), feed_rule(settings.feed_rule.value_or(dialect.feed_rule)) {
   for (const CodeRow& row : dialect.at_start) {
     if (row.action == Action::retract_to_start) modal.retract_to_r = false;
     if (row.action == Action::exact_stop) modal.path_control = PathControl::exact_stop;
     if (row.action == Action::work_system) modal.work_system = row.value;
   }
   modal.rotary = settings.rotary;
-  if (dialect.habits.no_work_system_at_start) modal.work_system = 0;
+  if (dialect.behaviour.no_work_system_at_start) modal.work_system = 0;
   if (settings.as_with_empty_tables) no_system.known = AxisSet::all();
   for (const auto& [number, value] : settings.variables) {
     if (number >= 1 && number <= kLastParameter) parameters.set(number, {value, true});
@@ -74,10 +74,10 @@ AxisSet Control::shifted_by(const Frame& next, const AxisWords& moved) const {
   AxisSet axes;
   for (const Axis axis : kAllAxes) {
     const bool offset = frame.origin[axis] != next.origin[axis] || frame.g92[axis] != next.g92[axis];
-    const bool unknown =
-        (habits.increment_unknown_after_offset && offset) ||
-        (habits.increment_unknown_after_length && frame.tool[axis] != next.tool[axis]) ||
-        (habits.increment_unknown_after_turn && (frame.rotation_deg != next.rotation_deg || frame.plane != next.plane));
+    const bool unknown = (behaviour.increment_unknown_after_offset && offset) ||
+                         (behaviour.increment_unknown_after_length && frame.tool[axis] != next.tool[axis]) ||
+                         (behaviour.increment_unknown_after_turn &&
+                          (frame.rotation_deg != next.rotation_deg || frame.plane != next.plane));
     if (unknown && std::abs(position[axis] - moved[axis]) > kNoShift) axes.insert(axis);
   }
   return axes;

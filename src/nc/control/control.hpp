@@ -73,7 +73,7 @@ struct ToolRow {
 struct Control {
   Control(const Dialect& dialect, const ProgramSettings& settings);
 
-  const Habits& habits;
+  const ControlBehaviour& behaviour;
   Modal modal;
   const CodeRow* motion_row = nullptr;        // of the motion mode in force
   const CodeRow* row_before_cycle = nullptr;  // of the one before the cycle that is in force

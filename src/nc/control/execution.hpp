@@ -68,7 +68,7 @@ struct Execution {
 
 // How the block is read: plan.cpp
 /// Finds the rows of all codes, their order, the motion; refuses what does not go together.
-void plan(Execution& run);
+void resolve_codes(Execution& run);
 /// The motion in force behind G80: the G0 from before the cycle, where the dialect has it so; null: none.
 const CodeRow* row_behind_cycle(const Execution& run);
 /// Refuses what stands beside a code that stands alone in its block: alone.cpp

@@ -22,13 +22,13 @@ bool may_be_unknown(char letter) { return letter == 'S'; }
 
 // Reads what nothing sets among the block's first settings: whether that gives the value before or behind stands in no
 // source but RS274/NGC's.
-class ReadingsOfBlock final : public ParameterReader {
+class ParametersOfBlock final : public ParameterReader {
  public:
-  ReadingsOfBlock(Readings& readings, Parameters& parameters, std::span<const int> set)
-      : readings_(readings), parameters_(parameters), set_(set) {}
+  ParametersOfBlock(SystemParameters& readings, Parameters& parameters, std::span<const int> set)
+      : system_parameters_(readings), parameters_(parameters), set_(set) {}
   Value read(const Block& block, int number, Span span) override {
     if (std::find(set_.begin(), set_.end(), number) != set_.end()) refuse_set(block, span);
-    return readings_.read(block, number, span);
+    return system_parameters_.read(block, number, span);
   }
   Value read(const Block& block, std::string_view name, Span span) override {
     const std::string plain(parameters_.plain(name));
@@ -36,10 +36,10 @@ class ReadingsOfBlock final : public ParameterReader {
       if (set_[i] != kNamed) continue;
       if (parameters_.plain(block.at(block.names[block.settings[i].name])) == plain) refuse_set(block, span);
     }
-    return readings_.read(block, name, span);
+    return system_parameters_.read(block, name, span);
   }
-  Value exists(std::string_view name) override { return readings_.exists(name); }
-  ParameterLimits limits() const override { return readings_.limits(); }
+  Value exists(std::string_view name) override { return system_parameters_.exists(name); }
+  ParameterLimits limits() const override { return system_parameters_.limits(); }
 
  private:
   [[noreturn]] static void refuse_set(const Block& block, Span span) {
@@ -47,7 +47,7 @@ class ReadingsOfBlock final : public ParameterReader {
               fmt::format("{} is set and used in one block, and no source says which value that gives", block.at(span)),
               "set it in a block of its own");
   }
-  Readings& readings_;
+  SystemParameters& system_parameters_;
   Parameters& parameters_;
   std::span<const int> set_;  // their numbers, kNamed of names
 };
@@ -67,7 +67,7 @@ bool is_harmless(const Block& block, const Dialect& dialect) {
 
 Interpreter::Interpreter(const Dialect& dialect, const ProgramSettings& settings)
     : control_(dialect, settings),
-      readings_(control_, settings, dialect),
+      system_parameters_(control_, settings, dialect),
       evaluator_(dialect.syntax.equal_within),
       run_{dialect, settings, control_} {}
 
@@ -90,8 +90,8 @@ const Step& Interpreter::execute(Block& block) {
     return run_.step;
   }
   evaluate(block);
-  if (run_.dialect.habits.increment_mm > 0) count_increments(run_, block);
-  plan(run_);
+  if (run_.dialect.behaviour.increment_mm > 0) count_increments(run_, block);
+  resolve_codes(run_);
   run_.step.passes_variables = run_.dialect.syntax.names && passes_variables(block);
   apply_settings(block);
   bool moved = run_.motion == nullptr || run_.motion_word != nullptr;
@@ -105,7 +105,7 @@ const Step& Interpreter::execute(Block& block) {
   }
   if (!moved) move();
   // Whether the change of tools comes before the move or after it is the builder's choice.
-  const bool where_unknown = run_.dialect.habits.change_beside_move_unknown && run_.step.changes_tool;
+  const bool where_unknown = run_.dialect.behaviour.change_beside_move_unknown && run_.step.changes_tool;
   if (where_unknown && run_.motion != nullptr && !run_.settings.keeps_position.contains(kChangeCode)) {
     lose_position(run_, AxisSet::all());
   }
@@ -156,7 +156,7 @@ bool Interpreter::deleted(const Block& block) {
 }
 
 double Interpreter::value_of(const Block& block, std::uint32_t code, Span span) {
-  const Value value = evaluator_.run(block, code, readings_);
+  const Value value = evaluator_.run(block, code, system_parameters_);
   if (value.known) return value.number;
   refuse_at(block, span, codes::kValueUnknown, "where the program goes on is known only when the machine runs",
             "a program that depends on a probe or an input cannot be compensated beforehand");
@@ -202,10 +202,11 @@ void Interpreter::leave_out_vacant_words(Block& block) {
 int Interpreter::setting_number(const Block& block, const Setting& setting) {
   int number = kNamed;
   if (setting.target != kLiteral) {
-    number =
-        parameter_number(block, setting.span, evaluator_.run(block, setting.target, readings_), readings_.limits());
+    number = parameter_number(block, setting.span, evaluator_.run(block, setting.target, system_parameters_),
+                              system_parameters_.limits());
   }
-  if (number == kNamed ? readings_.is_read_only(block.at(block.names[setting.name])) : readings_.is_read_only(number)) {
+  if (number == kNamed ? system_parameters_.is_read_only(block.at(block.names[setting.name]))
+                       : system_parameters_.is_read_only(number)) {
     refuse_at(block, setting.span, codes::kParameterReadOnly, "this parameter shows the control's own state",
               "change offsets with G10 or G92, tools with G10 L1, stored positions with G28.1 and G30.1");
   }
@@ -227,7 +228,7 @@ void Interpreter::evaluate_settings(const Block& block) {
 // In RS274/NGC all values of a block are found before any is set.
 Value Interpreter::value_before(const Block& block, std::uint32_t code, std::size_t settings) {
   if (settings == 0 || run_.dialect.syntax.statements == Statements::o_words) return value(block, code);
-  ReadingsOfBlock readings(readings_, control_.parameters, {setting_numbers_.data(), settings});
+  ParametersOfBlock readings(system_parameters_, control_.parameters, {setting_numbers_.data(), settings});
   return evaluator_.run(block, code, readings);
 }
 
@@ -237,13 +238,15 @@ void Interpreter::assign(const Block& block) {
   apply_settings(block);
 }
 
-Value Interpreter::value(const Block& block, std::uint32_t code) { return evaluator_.run(block, code, readings_); }
+Value Interpreter::value(const Block& block, std::uint32_t code) {
+  return evaluator_.run(block, code, system_parameters_);
+}
 
 Value Interpreter::variable(const Block& block, std::size_t setting) {
   const Setting& place = block.settings[setting];
   const int number = setting_number(block, place);
-  return number == kNamed ? readings_.read(block, block.at(block.names[place.name]), place.span)
-                          : readings_.read(block, number, place.span);
+  return number == kNamed ? system_parameters_.read(block, block.at(block.names[place.name]), place.span)
+                          : system_parameters_.read(block, number, place.span);
 }
 
 void Interpreter::set_variable(const Block& block, std::size_t setting, Value value) {
@@ -368,7 +371,7 @@ void Interpreter::set_motion_mode(const CodeRow& row) {
 // G0 or G80.
 void Interpreter::check_ends_cycle(Action action) const {
   const bool in_cycle = control_.motion_row != nullptr && control_.motion_row->action == Action::cycle;
-  if (!run_.dialect.habits.return_levels || !in_cycle || action == Action::rapid) return;
+  if (!run_.dialect.behaviour.return_levels || !in_cycle || action == Action::rapid) return;
   run_.refuse(run_.motion_code(), codes::kNotInterpreted,
               "whether this ends the drilling cycle that is in force was found in no source",
               "write G80 (which stops the spindle) or a block with G0 before it");
@@ -378,7 +381,7 @@ void Interpreter::move() {
   const Action action = run_.motion->action;
   if (action == Action::cycle) return move_in_cycle(run_);
   check_ends_cycle(action);
-  if (run_.machine_word != nullptr && run_.dialect.habits.machine_move_is_rapid) {
+  if (run_.machine_word != nullptr && run_.dialect.behaviour.machine_move_is_rapid) {
     move_straight(run_);
     if (run_.motion_word != nullptr) set_motion_mode(*run_.motion);  // G53 G0: G0 is the mode from here on
     return;

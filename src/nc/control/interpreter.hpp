@@ -4,8 +4,8 @@
 #include "nc/control/control.hpp"
 #include "nc/control/execution.hpp"
 #include "nc/control/expression.hpp"
-#include "nc/control/readings.hpp"
 #include "nc/control/saved_modes.hpp"
+#include "nc/control/system_parameters.hpp"
 
 namespace plumbline::nc {
 
@@ -73,7 +73,7 @@ class Interpreter {
   Control control_;
   Modal before_;
   Frame frame_of_block_;  // where the work system is that of one block alone
-  Readings readings_;
+  SystemParameters system_parameters_;
   Evaluator evaluator_;
   std::vector<SavedModes> saved_{SavedModes{}};  // one a call level, the program itself first
   std::vector<Value> setting_values_;

@@ -172,7 +172,7 @@ void Interpreter::act_on_mode(const Chosen& chosen) {
   };
   switch (chosen.row->action) {
     case Action::motion_off:
-      if (run_.dialect.habits.cycle_off_stops_spindle) modal.switches.spindle = 5;
+      if (run_.dialect.behaviour.cycle_off_stops_spindle) modal.switches.spindle = 5;
       if (run_.motion == nullptr && !sets_motion(run_)) end_motion();
       return;
     case Action::surface_speed:
@@ -216,7 +216,7 @@ void Interpreter::change_unit(bool inches) {
   if (control_.modal.inches == inches) return;
   control_.modal.inches = inches;
   control_.modal.feed = control_.feed_linear / control_.length_unit();
-  if (!run_.dialect.habits.unit_change_drops_feed) return;
+  if (!run_.dialect.behaviour.unit_change_drops_feed) return;
   control_.modal.feed = control_.feed_linear = control_.modal.feed_rotary =
       0;  // what F is worth then stands in no source
 }

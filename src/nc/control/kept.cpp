@@ -14,18 +14,20 @@ constexpr double kLargestKept = 1e9;  // beyond it a word is refused
 
 }  // namespace
 
-Kept kept_of(const Habits& habits, bool angle, bool inches, double ratio) {
-  if (!habits.keeps_increment) return {0, kMostDecimals};
-  const double quantum = ratio * (angle ? habits.increment_deg : inches ? habits.increment_inch : habits.increment_mm);
+Kept kept_of(const ControlBehaviour& behaviour, bool angle, bool inches, double ratio) {
+  if (!behaviour.keeps_increment) return {0, kMostDecimals};
+  const double quantum = ratio * (angle    ? behaviour.increment_deg
+                                  : inches ? behaviour.increment_inch
+                                           : behaviour.increment_mm);
   const int decimals = static_cast<int>(std::ceil(-std::log10(quantum) - kWholeTicks));
   return {quantum, std::clamp(decimals, 0, kMostDecimals)};
 }
 
-Kept kept_of_axis_word(const Habits& habits, bool angle, bool inches, double ratio, bool incremental) {
-  if (!incremental || habits.increment_word_mm <= 0) return kept_of(habits, angle, inches, ratio);
-  const double quantum = angle    ? habits.increment_word_deg
-                         : inches ? habits.increment_word_inch
-                                  : habits.increment_word_mm;
+Kept kept_of_axis_word(const ControlBehaviour& behaviour, bool angle, bool inches, double ratio, bool incremental) {
+  if (!incremental || behaviour.increment_word_mm <= 0) return kept_of(behaviour, angle, inches, ratio);
+  const double quantum = angle    ? behaviour.increment_word_deg
+                         : inches ? behaviour.increment_word_inch
+                                  : behaviour.increment_word_mm;
   return {quantum, static_cast<int>(std::lround(-std::log10(quantum)))};
 }
 
@@ -41,8 +43,8 @@ double WrittenAngle::kept(double degrees) const {
   return from_ticks(to_ticks(std::round(degrees / quantum) * quantum, digits), digits);
 }
 
-WrittenAngle written_angle(const Habits& habits, int digits, double increment_deg, double ratio) {
-  const Kept kept = kept_of_axis_word(habits, true, false, ratio, false);
+WrittenAngle written_angle(const ControlBehaviour& behaviour, int digits, double increment_deg, double ratio) {
+  const Kept kept = kept_of_axis_word(behaviour, true, false, ratio, false);
   const int written = std::clamp(digits, 0, kept.decimals);
   return {written, std::max({increment_deg, from_ticks(1, written), kept.quantum})};
 }

@@ -11,10 +11,10 @@ struct Kept {
 };
 
 /// Of a length or an angle. `ratio`: --input-increment over the dialect's own.
-Kept kept_of(const Habits& habits, bool angle, bool inches, double ratio);
+Kept kept_of(const ControlBehaviour& behaviour, bool angle, bool inches, double ratio);
 
 /// Of a word of an axis; `incremental`: under G91, where what is rounded away would add up.
-Kept kept_of_axis_word(const Habits& habits, bool angle, bool inches, double ratio, bool incremental);
+Kept kept_of_axis_word(const ControlBehaviour& behaviour, bool angle, bool inches, double ratio, bool incremental);
 
 /// The value as the control keeps it: a number that stands in the program is cut off, one that is worked out rounded.
 double kept_value(double value, const Kept& kept, bool is_literal);
@@ -27,6 +27,6 @@ struct WrittenAngle {
   double kept(double degrees) const;
 };
 /// `digits` and `increment_deg`: those that are asked for, where the control keeps as many; `ratio` as of kept_of.
-WrittenAngle written_angle(const Habits& habits, int digits, double increment_deg, double ratio);
+WrittenAngle written_angle(const ControlBehaviour& behaviour, int digits, double increment_deg, double ratio);
 
 }  // namespace plumbline::nc

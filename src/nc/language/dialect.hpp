@@ -205,7 +205,7 @@ struct Syntax {
 };
 
 /// How the control executes what it has read, where controls differ.
-struct Habits {
+struct ControlBehaviour {
   bool last_of_group = false;             // of two codes of a group the last one counts
   bool bare_motion_code_is_mode = false;  // G1 F500 alone moves nothing
   bool group_0_takes_axes = false;        // G0 G91 G28 Z0: the words are G28's, and G0 is the mode from here on
@@ -268,7 +268,7 @@ struct Habits {
 struct Dialect {
   std::string name;
   Syntax syntax;
-  Habits habits;
+  ControlBehaviour behaviour;
   std::vector<CodeRow> named_codes;
   std::vector<CodeRow> at_start;  // codes that are in force before the program
   int work_systems = 9;

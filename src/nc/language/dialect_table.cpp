@@ -54,7 +54,7 @@ class TableReader {
     rows("m", dialect.m_codes, dialect.m_index);
     dialect.work_systems = static_cast<int>(number(root_, "work_systems", dialect.work_systems));
     if (const TomlEntry* entry = root_.find("syntax")) read_syntax(entry->value, dialect.syntax);
-    if (const TomlEntry* entry = root_.find("habits")) read_habits(entry->value, dialect.habits);
+    if (const TomlEntry* entry = root_.find("habits")) read_habits(entry->value, dialect.behaviour);
     texts("subprogram_files", dialect.syntax.subprogram_files);
     if (root_.find("names") != nullptr) named_rows(dialect);
     texts("marks", dialect.marks);
@@ -143,81 +143,81 @@ class TableReader {
     });
   }
 
-  void read_habits(const TomlValue& from, Habits& habits) const {
-    habits.last_of_group = flag(from, "last_of_group");
-    habits.bare_motion_code_is_mode = flag(from, "bare_motion_code_is_mode");
-    habits.group_0_takes_axes = flag(from, "group_0_takes_axes");
-    habits.no_work_system_at_start = flag(from, "no_work_system_at_start");
-    habits.always_point = flag(from, "always_point");
-    habits.increment_mm = number(from, "increment_mm", 0);
-    habits.increment_inch = number(from, "increment_inch", 0);
-    habits.increment_deg = number(from, "increment_deg", 0);
-    habits.increment_of_rest_unknown = flag(from, "increment_of_rest_unknown");
-    habits.keeps_increment = flag(from, "keeps_increment");
-    if (from.find("whole_words") != nullptr) habits.whole_words = text(from, "whole_words");
-    habits.most_digits = static_cast<int>(number(from, "most_digits", 0));
-    habits.m_beside_cut_unknown = flag(from, "m_beside_cut_unknown");
-    habits.change_beside_move_unknown = flag(from, "change_beside_move_unknown");
-    habits.inverse_time_increment = number(from, "inverse_time_increment", 0);
-    habits.inverse_time_by_radius = flag(from, "inverse_time_by_radius");
-    habits.helix_feed_along_circle = flag(from, "helix_feed_along_circle");
-    habits.feed_inch_increment_unknown = flag(from, "feed_inch_increment_unknown");
-    habits.feed_per_revolution_increment = number(from, "feed_per_revolution_increment", 0);
-    habits.machine_move_is_rapid = flag(from, "machine_move_is_rapid");
-    habits.offset_numbers_last = flag(from, "offset_numbers_last");
-    habits.increment_word_mm = number(from, "increment_word_mm", 0);
-    habits.increment_word_inch = number(from, "increment_word_inch", 0);
-    habits.increment_word_deg = number(from, "increment_word_deg", 0);
-    habits.machine_move_tool_unknown = flag(from, "machine_move_tool_unknown");
-    habits.h0_is_no_tool = flag(from, "h0_is_no_tool");
-    habits.tool_length_moves = flag(from, "tool_length_moves");
-    if (from.find("unknown_beside_unit") != nullptr) habits.unknown_beside_unit = text(from, "unknown_beside_unit");
-    habits.unit_change_drops_feed = flag(from, "unit_change_drops_feed");
-    habits.tool_length_at_change = flag(from, "tool_length_at_change");
-    habits.fanuc_cycles = flag(from, "fanuc_cycles");
-    habits.peck_gap_mm = number(from, "peck_gap_mm", habits.peck_gap_mm);
-    habits.passed_code_keeps_position = flag(from, "passed_code_keeps_position");
-    habits.most_m_codes = static_cast<int>(number(from, "most_m_codes", 0));
-    habits.call_with_moves = flag(from, "call_with_moves");
-    habits.least_calls = static_cast<int>(number(from, "least_calls", 0));
-    habits.call_repeat_digits = static_cast<int>(number(from, "call_repeat_digits", 0));
-    habits.table_increments = flag(from, "table_increments");
-    habits.end_returns = flag(from, "end_returns");
-    habits.turns_are_extra = flag(from, "turns_are_extra");
-    habits.dwell_p_s = number(from, "dwell_p_s", 1);
-    habits.inch_turn_unknown = flag(from, "inch_turn_unknown");
-    habits.inch_turn_per_revolution_unknown = flag(from, "inch_turn_per_revolution_unknown");
-    habits.dwell_unknown_per_revolution = flag(from, "dwell_unknown_per_revolution");
-    habits.dwell_unknown_inverse_time = flag(from, "dwell_unknown_inverse_time");
-    habits.h0_is_machine = flag(from, "h0_is_machine");
-    habits.travel_limit_mm = number(from, "travel_limit_mm", 0);
-    habits.return_levels = flag(from, "return_levels");
-    habits.cycle_off_stops_spindle = flag(from, "cycle_off_stops_spindle");
-    habits.rapid_behind_cycles = flag(from, "rapid_behind_cycles");
-    habits.inverse_time_arc_unknown = flag(from, "inverse_time_arc_unknown");
-    habits.set_position_unknown_elsewhere = flag(from, "set_position_unknown_elsewhere");
-    habits.radius_positive = flag(from, "radius_positive");
-    if (from.find("beside_dwell") != nullptr) habits.beside_dwell = beside_named(text(from, "beside_dwell"));
-    habits.turned_axis_alone_unknown = flag(from, "turned_axis_alone_unknown");
-    read_increments_after(from, habits);
+  void read_habits(const TomlValue& from, ControlBehaviour& behaviour) const {
+    behaviour.last_of_group = flag(from, "last_of_group");
+    behaviour.bare_motion_code_is_mode = flag(from, "bare_motion_code_is_mode");
+    behaviour.group_0_takes_axes = flag(from, "group_0_takes_axes");
+    behaviour.no_work_system_at_start = flag(from, "no_work_system_at_start");
+    behaviour.always_point = flag(from, "always_point");
+    behaviour.increment_mm = number(from, "increment_mm", 0);
+    behaviour.increment_inch = number(from, "increment_inch", 0);
+    behaviour.increment_deg = number(from, "increment_deg", 0);
+    behaviour.increment_of_rest_unknown = flag(from, "increment_of_rest_unknown");
+    behaviour.keeps_increment = flag(from, "keeps_increment");
+    if (from.find("whole_words") != nullptr) behaviour.whole_words = text(from, "whole_words");
+    behaviour.most_digits = static_cast<int>(number(from, "most_digits", 0));
+    behaviour.m_beside_cut_unknown = flag(from, "m_beside_cut_unknown");
+    behaviour.change_beside_move_unknown = flag(from, "change_beside_move_unknown");
+    behaviour.inverse_time_increment = number(from, "inverse_time_increment", 0);
+    behaviour.inverse_time_by_radius = flag(from, "inverse_time_by_radius");
+    behaviour.helix_feed_along_circle = flag(from, "helix_feed_along_circle");
+    behaviour.feed_inch_increment_unknown = flag(from, "feed_inch_increment_unknown");
+    behaviour.feed_per_revolution_increment = number(from, "feed_per_revolution_increment", 0);
+    behaviour.machine_move_is_rapid = flag(from, "machine_move_is_rapid");
+    behaviour.offset_numbers_last = flag(from, "offset_numbers_last");
+    behaviour.increment_word_mm = number(from, "increment_word_mm", 0);
+    behaviour.increment_word_inch = number(from, "increment_word_inch", 0);
+    behaviour.increment_word_deg = number(from, "increment_word_deg", 0);
+    behaviour.machine_move_tool_unknown = flag(from, "machine_move_tool_unknown");
+    behaviour.h0_is_no_tool = flag(from, "h0_is_no_tool");
+    behaviour.tool_length_moves = flag(from, "tool_length_moves");
+    if (from.find("unknown_beside_unit") != nullptr) behaviour.unknown_beside_unit = text(from, "unknown_beside_unit");
+    behaviour.unit_change_drops_feed = flag(from, "unit_change_drops_feed");
+    behaviour.tool_length_at_change = flag(from, "tool_length_at_change");
+    behaviour.fanuc_cycles = flag(from, "fanuc_cycles");
+    behaviour.peck_gap_mm = number(from, "peck_gap_mm", behaviour.peck_gap_mm);
+    behaviour.passed_code_keeps_position = flag(from, "passed_code_keeps_position");
+    behaviour.most_m_codes = static_cast<int>(number(from, "most_m_codes", 0));
+    behaviour.call_with_moves = flag(from, "call_with_moves");
+    behaviour.least_calls = static_cast<int>(number(from, "least_calls", 0));
+    behaviour.call_repeat_digits = static_cast<int>(number(from, "call_repeat_digits", 0));
+    behaviour.table_increments = flag(from, "table_increments");
+    behaviour.end_returns = flag(from, "end_returns");
+    behaviour.turns_are_extra = flag(from, "turns_are_extra");
+    behaviour.dwell_p_s = number(from, "dwell_p_s", 1);
+    behaviour.inch_turn_unknown = flag(from, "inch_turn_unknown");
+    behaviour.inch_turn_per_revolution_unknown = flag(from, "inch_turn_per_revolution_unknown");
+    behaviour.dwell_unknown_per_revolution = flag(from, "dwell_unknown_per_revolution");
+    behaviour.dwell_unknown_inverse_time = flag(from, "dwell_unknown_inverse_time");
+    behaviour.h0_is_machine = flag(from, "h0_is_machine");
+    behaviour.travel_limit_mm = number(from, "travel_limit_mm", 0);
+    behaviour.return_levels = flag(from, "return_levels");
+    behaviour.cycle_off_stops_spindle = flag(from, "cycle_off_stops_spindle");
+    behaviour.rapid_behind_cycles = flag(from, "rapid_behind_cycles");
+    behaviour.inverse_time_arc_unknown = flag(from, "inverse_time_arc_unknown");
+    behaviour.set_position_unknown_elsewhere = flag(from, "set_position_unknown_elsewhere");
+    behaviour.radius_positive = flag(from, "radius_positive");
+    if (from.find("beside_dwell") != nullptr) behaviour.beside_dwell = beside_named(text(from, "beside_dwell"));
+    behaviour.turned_axis_alone_unknown = flag(from, "turned_axis_alone_unknown");
+    read_increments_after(from, behaviour);
   }
 
-  void read_increments_after(const TomlValue& from, Habits& habits) const {
+  void read_increments_after(const TomlValue& from, ControlBehaviour& behaviour) const {
     const TomlValue* const list = value(from, "increment_unknown_after", TomlValue::Kind::array);
     if (list == nullptr) return;
     for (const TomlValue& change : list->items) {
-      bool* const flag = change.text == "offset"   ? &habits.increment_unknown_after_offset
-                         : change.text == "length" ? &habits.increment_unknown_after_length
-                         : change.text == "turn"   ? &habits.increment_unknown_after_turn
+      bool* const flag = change.text == "offset"   ? &behaviour.increment_unknown_after_offset
+                         : change.text == "length" ? &behaviour.increment_unknown_after_length
+                         : change.text == "turn"   ? &behaviour.increment_unknown_after_turn
                                                    : nullptr;
       if (flag == nullptr) complain(fmt::format("'increment_unknown_after' knows no '{}'", change.text));
       *flag = true;
     }
   }
 
-  Habits::Beside beside_named(const std::string& name) const {
-    if (name == "no_axes") return Habits::Beside::no_axes;
-    if (name == "nothing") return Habits::Beside::nothing;
+  ControlBehaviour::Beside beside_named(const std::string& name) const {
+    if (name == "no_axes") return ControlBehaviour::Beside::no_axes;
+    if (name == "nothing") return ControlBehaviour::Beside::nothing;
     complain(fmt::format("'beside_dwell' knows no '{}'", name));
   }
 

@@ -61,8 +61,8 @@ Emitter::Emitter(const InputFile& source, const Dialect& dialect, EmitSettings s
       writer_(codes_),
       form_(form),
       changed_(form == Form::unrolled) {
-  spelling_.point = dialect_.habits.always_point;
-  spelling_.most_digits = dialect_.habits.most_digits;
+  spelling_.point = dialect_.behaviour.always_point;
+  spelling_.most_digits = dialect_.behaviour.most_digits;
 }
 
 std::string_view Emitter::line_end(const Step& step) const {
@@ -252,7 +252,8 @@ void Emitter::refuse_if_shared(const Step& step) const {
 
 // The words that a correction adds would stand beside a change of units, where nobody knows in which they count.
 void Emitter::refuse_beside_unit(const Step& step) const {
-  if (dialect_.habits.unknown_beside_unit.find('X') == std::string::npos || step.before->inches == step.after->inches)
+  if (dialect_.behaviour.unknown_beside_unit.find('X') == std::string::npos ||
+      step.before->inches == step.after->inches)
     return;
   refuse_block(*step.block, "emit-shared-words",
                "this block changes the unit and moves, and the move must be corrected",
@@ -261,7 +262,7 @@ void Emitter::refuse_beside_unit(const Step& step) const {
 
 // With several pieces in its place the block's M code acts beside the first, or behind the last; its builder decides.
 void Emitter::refuse_builders_codes(const Step& step) const {
-  if (!dialect_.habits.m_beside_cut_unknown) return;
+  if (!dialect_.behaviour.m_beside_cut_unknown) return;
   for (const Word& word : step.block->words) {
     if (word.letter != 'M') continue;
     const CodeRow* const row = dialect_.row_of(word);

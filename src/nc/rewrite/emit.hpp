@@ -46,7 +46,7 @@ struct InlinedFile {
 /// The rules that it keeps are numbered in docs/rewriting.md: 3, 5, 13-19.
 class Emitter {
  public:
-  /// All must outlive it. `source` is the file that the steps come from. Unrolled, the steps are those of PlainSteps
+  /// All must outlive it. `source` is the file that the steps come from. Unrolled, the steps are those of StepExpander
   /// and WrittenMoves.
   Emitter(const InputFile& source, const Dialect& dialect, EmitSettings settings, OutputFile& out,
           Form form = Form::in_text_order);

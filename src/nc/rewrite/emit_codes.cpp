@@ -75,7 +75,8 @@ BlockCodes CodeWriter::codes_of(const Block& block) const {
     if (row == nullptr) continue;
     if (word.letter != 'M' && row->order != Order::after_motion) {
       const bool ends = row->action == Action::motion_off;
-      const bool gives_way = ends && (codes.motion != nullptr || dialect_.habits.rapid_behind_cycles);  // G80 beside G3
+      const bool gives_way =
+          ends && (codes.motion != nullptr || dialect_.behaviour.rapid_behind_cycles);  // G80 beside G3
       if (row->group == kMotionGroup && !gives_way) codes.motion = &word;
       if (row->group == kFeedModeGroup) codes.feed_mode = &word;
       if (is_path_control(row->action)) codes.path_control = &word;

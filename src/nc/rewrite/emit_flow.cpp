@@ -200,7 +200,7 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
   AxisWords left = control_.work_shift(*step.frame);
   if (!step.after->retract_to_r) left[axes.third] = cycle_level_shift_;
   // It went up to R before the cycle then, and comes back to the higher of the two.
-  const bool comes_from_below = !step.after->retract_to_r && !dialect_.habits.fanuc_cycles &&
+  const bool comes_from_below = !step.after->retract_to_r && !dialect_.behaviour.fanuc_cycles &&
                                 std::abs(step.holes.front().clear - step.holes.front().r) <= kSameHeight;
   editor_.start(*step.block, spelling_);
   for (const Word& word : step.block->words) {
@@ -220,7 +220,8 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
                 {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
     editor_.replace(word.span, text);
   }
-  if (dialect_.habits.return_levels && !step.after->retract_to_r) left[axes.third] = 0;  // the level of G71, as it is
+  if (dialect_.behaviour.return_levels && !step.after->retract_to_r)
+    left[axes.third] = 0;  // the level of G71, as it is
   line_.clear();
   editor_.apply(line_);
   write_line(step, line_);

@@ -88,9 +88,9 @@ PiecePlanner::Grid PiecePlanner::grid(const Step& step, Axis axis) const {
   const bool inches = step.after->inches && !is_rotary(axis);
   const double per_unit = inches ? kMmPerInch : 1.0;
   const int least = is_rotary(axis) ? settings_.digits_deg : (inches ? settings_.digits_inch : settings_.digits_mm);
-  const Habits& habits = dialect_.habits;
+  const ControlBehaviour& behaviour = dialect_.behaviour;
   const Kept kept =
-      kept_of_axis_word(habits, is_rotary(axis), inches, settings_.increment_ratio, step.after->incremental);
+      kept_of_axis_word(behaviour, is_rotary(axis), inches, settings_.increment_ratio, step.after->incremental);
   const int digits = std::clamp(std::max(least, written), 0, kept.decimals);
   const double increment = (is_rotary(axis) ? settings_.increment_deg : settings_.increment_mm) / per_unit;
   return {per_unit, digits, std::max({increment, from_ticks(1, digits), kept.quantum})};
@@ -180,7 +180,7 @@ double PiecePlanner::rounded(const Step& step, Axis axis, double value) const {
 }
 
 double PiecePlanner::offset_word(const Step& step, Axis axis, double value) const {
-  if (dialect_.habits.keeps_increment) return rounded(step, axis, value);
+  if (dialect_.behaviour.keeps_increment) return rounded(step, axis, value);
   check_word(step, value);
   return value;
 }
@@ -233,7 +233,7 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
 }
 
 void PiecePlanner::check_digits(const Step& step, double value, int decimals) const {
-  const int most = dialect_.habits.most_digits;
+  const int most = dialect_.behaviour.most_digits;
   if (most == 0 || std::abs(value) < std::pow(10, most - decimals)) return;
   refuse_block(
       *step.block, "emit-out-of-range",
@@ -359,9 +359,9 @@ void PiecePlanner::choose_rates(const Step& step, double seconds, OutputState& c
 
 // F under G93, as the control keeps it.
 double PiecePlanner::inverse_time(const Step& step, double per_minute) const {
-  const double least = dialect_.habits.inverse_time_increment;
+  const double least = dialect_.behaviour.inverse_time_increment;
   if (least <= 0) return rounded_feed(step, per_minute);
-  const double largest = std::pow(10, dialect_.habits.most_digits - 1) * least - least;  // 9999.999 of 0.001
+  const double largest = std::pow(10, dialect_.behaviour.most_digits - 1) * least - least;  // 9999.999 of 0.001
   const double kept = std::round(per_minute / least) * least;
   if (kept <= largest && std::abs(kept - per_minute) <= settings_.time_tolerance * 10 * per_minute) return kept;
   refuse_block(

@@ -46,7 +46,7 @@ std::span<const Step* const> WrittenMoves::of(const Step& step) {
   number_.clear();
   mode_ = step.before->motion;
   spelling_ = spelling_of(*step.block, spelling_);
-  if (step.cycle == CycleForm::spindle && dialect_.habits.fanuc_cycles && is_one_hole(step)) {
+  if (step.cycle == CycleForm::spindle && dialect_.behaviour.fanuc_cycles && is_one_hole(step)) {
     add_hole_in_place(step);
     return list_;
   }
@@ -122,7 +122,7 @@ void WrittenMoves::refuse_words_of_cycle(const Step& step, const BlockCodes& cod
 void WrittenMoves::add_words_behind(const Step& step) {
   const BlockCodes codes = codes_.codes_of(*step.block);
   if (codes.after_motion().empty()) return;
-  if (step.cycle != CycleForm::none && dialect_.habits.fanuc_cycles) refuse_words_of_cycle(step, codes);
+  if (step.cycle != CycleForm::none && dialect_.behaviour.fanuc_cycles) refuse_words_of_cycle(step, codes);
   MadeStep& own = made_.next(step);
   for (const Word* word : codes.after_motion()) append_code(own.text, step.block->at(word->span), spelling_);
   own.before.motion = own.after.motion = mode_;
@@ -134,7 +134,7 @@ void WrittenMoves::add_words_behind(const Step& step) {
 // P counts whole milliseconds on some controls, which take no point in it.
 void WrittenMoves::append_dwell(std::string& text, double seconds) const {
   const char letter = codes_.dwell_letter();
-  const double per_count = letter == 'P' ? dialect_.habits.dwell_p_s : 1;
+  const double per_count = letter == 'P' ? dialect_.behaviour.dwell_p_s : 1;
   const bool whole = per_count != 1;
   append_word(text, letter, seconds / per_count, whole ? 0 : kMostDecimals,
               {spelling_.lower_case, spelling_.spaced, spelling_.point && !whole, spelling_.most_digits});
@@ -147,7 +147,7 @@ void WrittenMoves::append_axis(std::string& text, const Step& step, char letter,
 
 // A word of the program's unit as the control keeps it.
 double WrittenMoves::kept(const Step& step, Axis axis, double value) const {
-  return kept_value(value, kept_of(dialect_.habits, is_rotary(axis), step.after->inches, increment_ratio_), false);
+  return kept_value(value, kept_of(dialect_.behaviour, is_rotary(axis), step.after->inches, increment_ratio_), false);
 }
 
 void WrittenMoves::add_move(const Step& step, const Motion& motion) {

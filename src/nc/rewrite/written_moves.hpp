@@ -17,13 +17,13 @@ class WrittenMoves {
   /// The dialect must outlive it. `increment_ratio` as in EmitSettings.
   WrittenMoves(const Dialect& dialect, double increment_ratio)
       : increment_ratio_(increment_ratio), dialect_(dialect), codes_(dialect), made_(dialect) {
-    spelling_.point = dialect.habits.always_point;
-    spelling_.most_digits = dialect.habits.most_digits;
+    spelling_.point = dialect.behaviour.always_point;
+    spelling_.most_digits = dialect.behaviour.most_digits;
   }
 
   /// A cycle as blocks of one motion each, in order: what else its block holds, its moves and dwells with G0, G1 and
   /// G4, and the words that act behind the motion. Cycles that work the spindle keep one block a hole, with every word
-  /// of it (Step::holes holds one entry). `step` is one of PlainSteps. Holds until the next call.
+  /// of it (Step::holes holds one entry). `step` is one of StepExpander. Holds until the next call.
   std::span<const Step* const> of(const Step& step);
 
   /// True of a block of a cycle that makes one hole, and says where it is as a position.

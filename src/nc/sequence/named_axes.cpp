@@ -66,8 +66,8 @@ std::string called_name(const Block& block, const Dialect& dialect) {
   if (program == nullptr || program->expression != kLiteral || std::abs(program->value) >= kBeyondPrograms) return {};
   if (!by_code && !has_action(block, dialect, Action::call_macro)) return {};
   long number = std::lround(program->value);
-  if (by_code && dialect.habits.call_repeat_digits > 0 && find_word(block, 'L') == nullptr) {
-    number %= std::lround(std::pow(10, dialect.habits.call_repeat_digits));
+  if (by_code && dialect.behaviour.call_repeat_digits > 0 && find_word(block, 'L') == nullptr) {
+    number %= std::lround(std::pow(10, dialect.behaviour.call_repeat_digits));
   }
   return fmt::format("{}", number);
 }

@@ -132,7 +132,7 @@ const Step* Program::Parts::execute() {
   step.jumped = flow.used();
   behind_end = interpreter.ended();
   const ProgramCall& call = interpreter.program_call();
-  if (behind_end && flow.called() && dialect.habits.end_returns) {
+  if (behind_end && flow.called() && dialect.behaviour.end_returns) {
     interpreter.go_on();
     behind_end = false;
     step.flow = true;

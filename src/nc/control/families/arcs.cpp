@@ -58,7 +58,7 @@ void check_words(const Execution& run, const PlaneAxes& axes) {
 void centre_by_radius(const Execution& run, PlaneArc& arc, bool clockwise) {
   const Word& word = *run.words.find('R');
   const double radius = run.length(word);
-  if (radius < 0 && run.dialect.habits.radius_positive) {
+  if (radius < 0 && run.dialect.behaviour.radius_positive) {
     run.refuse(word, codes::kNotInterpreted, "which arc a radius below 0 asks for was found in no source",
                "give the centre (I, J, K)");
   }
@@ -143,7 +143,7 @@ int turns_of(const Execution& run, bool clockwise) {
   const Word* const word = run.words.find('P');
   int turns = 1;
   if (word != nullptr) {
-    const double extra = run.dialect.habits.turns_are_extra ? 1 : 0;  // TURN does not count the one begun [PG 9.5]
+    const double extra = run.dialect.behaviour.turns_are_extra ? 1 : 0;  // TURN does not count the one begun [PG 9.5]
     const double whole = std::round(word->value) + extra;
     if (std::abs(word->value + extra - whole) > kWholeTurns || whole < 1 || whole > kNoLimit) {
       run.refuse(*word, codes::kArcTurns, "P of an arc is no count of turns",
@@ -172,7 +172,7 @@ void move_arc(Execution& run) {
   const bool clockwise = run.motion->action == Action::arc_cw;
   const bool through_point = run.motion->action == Action::arc_through_point;
   need_offsets(run);
-  if (run.dialect.habits.inverse_time_arc_unknown && control.modal.feed_mode == FeedMode::inverse_time) {
+  if (run.dialect.behaviour.inverse_time_arc_unknown && control.modal.feed_mode == FeedMode::inverse_time) {
     run.refuse(run.motion_code(), codes::kNotInterpreted,
                "what F says of an arc under inverse time (G93) was found in no source",
                "write G94 before the arc, with a feed per minute");

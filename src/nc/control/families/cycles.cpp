@@ -42,7 +42,7 @@ class CycleRun {
   void along(MotionKind kind, double level) { go(kind, first_, second_, level); }
   void along_tap(double level);
   void wait();
-  bool waits_as_osp() const { return run_.dialect.habits.return_levels && cycle_.dwell_s > 0; }
+  bool waits_as_osp() const { return run_.dialect.behaviour.return_levels && cycle_.dwell_s > 0; }
 
   Execution& run_;
   Control& control_;
@@ -91,12 +91,12 @@ void CycleRun::take_words() {
   cycle_.r = inherited('R', cycle_.r, length('R'), true);
   const char normal = letter(axes_.third);
   cycle_.bottom = inherited(normal, cycle_.bottom, length(normal), true);
-  const bool is_new = run_.dialect.habits.return_levels ? run_.motion_word != nullptr : as_fanuc_ && !goes_on_;
+  const bool is_new = run_.dialect.behaviour.return_levels ? run_.motion_word != nullptr : as_fanuc_ && !goes_on_;
   if (is_new) cycle_.dwell_s = 0;  // G80 and G0 end what was kept [Haas 96-8000, p. 185]
   const bool dwells = code_ == kDrillDwell || code_ == kBoreStop || code_ == kBoreByHand || code_ == kBoreDwell;
   cycle_.dwell_s = inherited('P', cycle_.dwell_s, number('P'), dwells && !as_fanuc_);
-  cycle_.dwell_s = run_.words.has('P') ? cycle_.dwell_s * run_.dialect.habits.dwell_p_s : cycle_.dwell_s;
-  const bool of_osp = run_.dialect.habits.return_levels;
+  cycle_.dwell_s = run_.words.has('P') ? cycle_.dwell_s * run_.dialect.behaviour.dwell_p_s : cycle_.dwell_s;
+  const bool of_osp = run_.dialect.behaviour.return_levels;
   const bool pecks = code_ == kChipBreaking || code_ == kPeck;
   const char peck = of_osp && run_.words.has('I') ? 'I' : 'Q';
   cycle_.peck = inherited(peck, cycle_.peck, length(peck), pecks);
@@ -143,7 +143,7 @@ void CycleRun::check_level() const {
 void CycleRun::make() {
   code_ = run_.motion->value;
   unit_ = control_.length_unit();
-  as_fanuc_ = run_.dialect.habits.fanuc_cycles;
+  as_fanuc_ = run_.dialect.behaviour.fanuc_cycles;
   goes_on_ = control_.motion_row == run_.motion;
   if (as_fanuc_) goes_on_ = cycle_.begun;  // until G80 or a move of another kind [Haas 96-8000, p. 185]
   if (as_fanuc_) check_distance_mode();
@@ -178,8 +178,10 @@ void CycleRun::make() {
     go(MotionKind::rapid, control_.position[axes_.first], control_.position[axes_.second], r_);
     start = level_ = r_;
   }
-  clear_ = run_.dialect.habits.return_levels ? cycle_return_level(run_, r_) : control_.modal.retract_to_r ? r_ : start;
-  if (run_.dialect.habits.return_levels) check_cycle_start(run_, {first_, second_}, r_, clear_);
+  clear_ = run_.dialect.behaviour.return_levels ? cycle_return_level(run_, r_)
+           : control_.modal.retract_to_r        ? r_
+                                                : start;
+  if (run_.dialect.behaviour.return_levels) check_cycle_start(run_, {first_, second_}, r_, clear_);
   const Word* count = run_.words.find('L');
   if (as_fanuc_ && count == nullptr) count = run_.words.find('K');
   const int holes = count == nullptr ? 1 : run_.whole(*count, as_fanuc_ ? 0 : 1, kNoLimit);
@@ -212,7 +214,7 @@ void CycleRun::hole(bool first) {
   hole.second = second_;
   hole.r = r_;
   hole.bottom = bottom_;
-  const bool needless = run_.dialect.habits.return_levels && cycle_.dwell_s == 0;
+  const bool needless = run_.dialect.behaviour.return_levels && cycle_.dwell_s == 0;
   if ((run_.motion->word_mask & letter_bit('P')) != 0 && !needless) hole.dwell_s = cycle_.dwell_s;
   if (code_ == kBackBore) {
     hole.ijk = cycle_.ijk;
@@ -294,7 +296,7 @@ void CycleRun::pecks() {
     const bool far = cycle_.peck_to_r > 0 && at <= up_at;
     if (far) up_at = at - together;
     if (code_ == kPeck || far) along(MotionKind::rapid, r_);
-    along(MotionKind::rapid, depth + run_.dialect.habits.peck_gap_mm);
+    along(MotionKind::rapid, depth + run_.dialect.behaviour.peck_gap_mm);
   }
   along(MotionKind::feed, bottom_);
   if (waits_as_osp()) wait();
@@ -363,14 +365,14 @@ void move_in_cycle(Execution& run) {
   check_cycle(run);
   run.control.known = run.control.modal.incremental ? run.control.known : run.control.known | run.axes;
   run.step.role = BlockRole::cycle;
-  if (run.dialect.habits.return_levels && run.control.modal.incremental) {
+  if (run.dialect.behaviour.return_levels && run.control.modal.incremental) {
     run.refuse(run.motion_code(), codes::kNotInterpreted,
                "what a cycle's words count from under G91 was found in no source", "write G90 before it");
   }
   CycleRun(run).make();
   // What P counts in a cycle of an OSP depends on its settings: such a hole stays a cycle, whose P stays as it is.
   const Cycle& cycle = run.control.cycle;
-  const bool stays = run.dialect.habits.return_levels && (cycle.dwell_s != 0 || cycle.stays);
+  const bool stays = run.dialect.behaviour.return_levels && (cycle.dwell_s != 0 || cycle.stays);
   const bool whole = (works_spindle(run.motion->value) || stays) && run.chosen_row(Action::no_hole) == nullptr;
   run.step.cycle = whole ? CycleForm::spindle : CycleForm::moves;
   run.step.holes = run.holes;

@@ -159,7 +159,7 @@ void set_tool_table(Execution& run, const Word& table, int which) {
 
 void choose_work_system(Execution& run, const Chosen& chosen) {
   const bool of_block = chosen.row->action == Action::work_system_of_block;
-  if (run.dialect.habits.h0_is_machine && run.words.has('H') && run.words.find('H')->value == 0) {
+  if (run.dialect.behaviour.h0_is_machine && run.words.has('H') && run.words.find('H')->value == 0) {
     (of_block ? run.block_in_machine_system : run.control.in_machine_system) = true;
     return;
   }

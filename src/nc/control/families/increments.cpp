@@ -16,11 +16,11 @@ namespace {
 constexpr std::uint32_t kAngles = letter_bit('A') | letter_bit('B') | letter_bit('C');
 constexpr std::uint32_t kDirection = letter_bit('I') | letter_bit('J') | letter_bit('K');
 
-std::uint32_t letters_of_lengths(const Habits& habits) {
+std::uint32_t letters_of_lengths(const ControlBehaviour& behaviour) {
   constexpr std::uint32_t kLengths = letter_bit('X') | letter_bit('Y') | letter_bit('Z') | letter_bit('U') |
                                      letter_bit('V') | letter_bit('W') | letter_bit('I') | letter_bit('J') |
                                      letter_bit('K') | letter_bit('R');
-  return habits.fanuc_cycles ? kLengths | letter_bit('Q') : kLengths;
+  return behaviour.fanuc_cycles ? kLengths | letter_bit('Q') : kLengths;
 }
 
 [[noreturn]] void refuse_increment(const Execution& run, const Word& word) {
@@ -45,41 +45,42 @@ FeedMode feed_mode_of(const Execution& run, const Block& block) {
 }
 
 void count_feed(const Execution& run, FeedMode mode, Word& word) {
-  const Habits& habits = run.dialect.habits;
+  const ControlBehaviour& behaviour = run.dialect.behaviour;
   if (mode == FeedMode::inverse_time) {
-    if (habits.inverse_time_increment > 0) word.value *= habits.inverse_time_increment;
+    if (behaviour.inverse_time_increment > 0) word.value *= behaviour.inverse_time_increment;
     return;
   }
-  if (habits.feed_inch_increment_unknown && run.control.modal.inches && word.value != 0) {
+  if (behaviour.feed_inch_increment_unknown && run.control.modal.inches && word.value != 0) {
     run.refuse(word, codes::kValueUnknown, "what F without a decimal point counts in inches is not known",
                "write F with a decimal point, or say --calculator-type on");
   }
-  const bool turns = mode == FeedMode::per_revolution && habits.feed_per_revolution_increment > 0;
-  if (turns) word.value *= habits.feed_per_revolution_increment;
+  const bool turns = mode == FeedMode::per_revolution && behaviour.feed_per_revolution_increment > 0;
+  if (turns) word.value *= behaviour.feed_per_revolution_increment;
 }
 
 // Degrees of a turn, seconds of a dwell: thousandths in inches, too.
 void count_angle(const Execution& run, Word& word) {
   if (word.point || word.expression != kLiteral || run.settings.calculator_type.value_or(false)) return;
-  const Habits& habits = run.dialect.habits;
-  word.value *= run.settings.input_increment.value_or(habits.increment_mm) / habits.increment_mm * habits.increment_deg;
+  const ControlBehaviour& behaviour = run.dialect.behaviour;
+  word.value *=
+      run.settings.input_increment.value_or(behaviour.increment_mm) / behaviour.increment_mm * behaviour.increment_deg;
 }
 
 // What a number without a decimal point counts, where that is not a unit.
 void count_increments(const Execution& run, FeedMode mode, Word& word) {
-  const Habits& habits = run.dialect.habits;
+  const ControlBehaviour& behaviour = run.dialect.behaviour;
   const std::uint32_t letter = letter_bit(word.letter);
-  const bool is_length = (letter & letters_of_lengths(habits)) != 0;
+  const bool is_length = (letter & letters_of_lengths(behaviour)) != 0;
   const bool is_angle = (letter & kAngles) != 0;
-  const double ratio = run.settings.input_increment.value_or(habits.increment_mm) / habits.increment_mm;
-  if (ratio != 1 && habits.increment_of_rest_unknown && (word.letter == 'F' || is_length || is_angle)) {
+  const double ratio = run.settings.input_increment.value_or(behaviour.increment_mm) / behaviour.increment_mm;
+  if (ratio != 1 && behaviour.increment_of_rest_unknown && (word.letter == 'F' || is_length || is_angle)) {
     refuse_increment(run, word);
   }
   if (word.point || run.settings.calculator_type.value_or(false) || word.expression != kLiteral) return;
   if (is_length) {
-    word.value *= ratio * (run.control.modal.inches ? habits.increment_inch : habits.increment_mm);
+    word.value *= ratio * (run.control.modal.inches ? behaviour.increment_inch : behaviour.increment_mm);
   } else if (is_angle) {
-    word.value *= ratio * habits.increment_deg;
+    word.value *= ratio * behaviour.increment_deg;
   } else if (word.letter == 'F') {
     count_feed(run, mode, word);
   }
@@ -87,13 +88,13 @@ void count_increments(const Execution& run, FeedMode mode, Word& word) {
 
 // More decimals than the control keeps; what an increment made of them adds up to differs between series.
 void keep_increment(const Execution& run, Word& word, bool is_argument) {
-  const Habits& habits = run.dialect.habits;
-  if (!habits.keeps_increment) return;
+  const ControlBehaviour& behaviour = run.dialect.behaviour;
+  if (!behaviour.keeps_increment) return;
   const std::optional<Axis> axis = axis_of(word.letter);
-  const bool of_a_move = (letter_bit(word.letter) & (letters_of_lengths(habits) | kAngles)) != 0 && !is_argument;
+  const bool of_a_move = (letter_bit(word.letter) & (letters_of_lengths(behaviour) | kAngles)) != 0 && !is_argument;
   if (!axis && !of_a_move) return;
-  const double ratio = run.settings.input_increment.value_or(habits.increment_mm) / habits.increment_mm;
-  const Kept kept = kept_of(habits, axis && is_rotary(*axis), run.control.modal.inches, ratio);
+  const double ratio = run.settings.input_increment.value_or(behaviour.increment_mm) / behaviour.increment_mm;
+  const Kept kept = kept_of(behaviour, axis && is_rotary(*axis), run.control.modal.inches, ratio);
   word.value = kept_value(word.value, kept, word.expression == kLiteral);
 }
 
@@ -110,7 +111,7 @@ void check_argument(const Execution& run, const Word& word) {
 
 // S[1000.4] is S1000: what is worked out for a whole number is rounded [cncarea.com on whole numbers].
 void round_speed(const Execution& run, Word& word) {
-  const bool whole = run.dialect.habits.whole_words.find('S') != std::string::npos;
+  const bool whole = run.dialect.behaviour.whole_words.find('S') != std::string::npos;
   if (whole && word.expression != kLiteral) word.value = std::round(word.value);
 }
 

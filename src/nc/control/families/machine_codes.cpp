@@ -78,7 +78,7 @@ void lose_unless_kept(Execution& run, int code) {
 void call_program(Execution& run, const Chosen& chosen) {
   const bool calls = chosen.row->action == Action::call_program;
   for (const Word& word : run.block->words) {
-    if (run.dialect.habits.call_with_moves) break;
+    if (run.dialect.behaviour.call_with_moves) break;
     if (&word == chosen.word || (calls && (word.letter == 'P' || word.letter == 'L'))) continue;
     run.refuse(word, codes::kFlowControl, "M98 and M99 stand alone in their block",
                "put the other words into a block of their own");
@@ -91,9 +91,9 @@ void call_program(Execution& run, const Chosen& chosen) {
   }
   run.call.number = run.whole(run.need('P', "M98"), 0, kNoLimit);
   const Word* const count = run.words.find('L');
-  if (count != nullptr) run.call.count = run.whole(*count, run.dialect.habits.least_calls, kNoLimit);
-  if (run.dialect.habits.call_repeat_digits == 0 || count != nullptr) return;
-  const int one = static_cast<int>(std::pow(10, run.dialect.habits.call_repeat_digits));
+  if (count != nullptr) run.call.count = run.whole(*count, run.dialect.behaviour.least_calls, kNoLimit);
+  if (run.dialect.behaviour.call_repeat_digits == 0 || count != nullptr) return;
+  const int one = static_cast<int>(std::pow(10, run.dialect.behaviour.call_repeat_digits));
   if (run.call.number < one) return;
   run.call.count = run.call.number / one;  // P00030010: three times O0010
   run.call.number %= one;
@@ -101,10 +101,10 @@ void call_program(Execution& run, const Chosen& chosen) {
 
 void dwell(Execution& run, const Word& code) {
   const std::string_view letters = run.chosen_row(Action::dwell)->words;
-  const Habits& habits = run.dialect.habits;
+  const ControlBehaviour& behaviour = run.dialect.behaviour;
   const FeedMode mode = run.control.modal.feed_mode;
-  if ((habits.dwell_unknown_per_revolution && mode == FeedMode::per_revolution) ||
-      (habits.dwell_unknown_inverse_time && mode == FeedMode::inverse_time)) {
+  if ((behaviour.dwell_unknown_per_revolution && mode == FeedMode::per_revolution) ||
+      (behaviour.dwell_unknown_inverse_time && mode == FeedMode::inverse_time)) {
     run.refuse(code, codes::kNotInterpreted,
                fmt::format("whether a dwell counts seconds in this feed mode ({}) depends on the control",
                            mode == FeedMode::inverse_time ? "G93" : "G95"),
@@ -128,7 +128,7 @@ void dwell(Execution& run, const Word& code) {
   motion.to = run.control.position;
   motion.known_after = run.control.known;
   motion.dwell_s = word->value;
-  if (word->letter == 'P') motion.dwell_s *= run.dialect.habits.dwell_p_s;
+  if (word->letter == 'P') motion.dwell_s *= run.dialect.behaviour.dwell_p_s;
   if (word->letter == 'S') {  // turns of the spindle
     if (run.control.spindle_speed <= 0) {
       run.refuse(*word, codes::kFeedMissing, "a dwell in turns needs a turning spindle", "write S and M3 before it");
@@ -168,7 +168,7 @@ void machine_code(Execution& run, const Chosen& chosen) {
       run.control.ended = true;
       return;
     case Action::user_code:
-      if (run.dialect.habits.passed_code_keeps_position &&
+      if (run.dialect.behaviour.passed_code_keeps_position &&
           run.settings.passed_m_codes.contains(static_cast<int>(std::lround(chosen.word->value))))
         return;
       [[fallthrough]];

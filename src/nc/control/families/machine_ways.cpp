@@ -12,7 +12,7 @@ namespace {
 
 AxisSet axes_to_limits(const Execution& run) {
   AxisSet axes;
-  const double limit = run.dialect.habits.travel_limit_mm;
+  const double limit = run.dialect.behaviour.travel_limit_mm;
   if (limit <= 0 || run.motion == nullptr || run.motion->action != Action::rapid) return axes;
   for (const Axis axis : kAllAxes) {
     if (run.axes.contains(axis) && !is_rotary(axis) && std::abs(run.value(axis)) >= limit) axes.insert(axis);
@@ -82,7 +82,7 @@ void set_tool_tip(Execution& run, const Chosen& chosen) {
   need_offsets(run);
   AxisSet limits;
   for (const Axis axis : kAllAxes) {
-    const double limit = run.dialect.habits.travel_limit_mm;
+    const double limit = run.dialect.behaviour.travel_limit_mm;
     const bool there = run.axes.contains(axis) && !is_rotary(axis) && limit > 0;
     if (there && std::abs(run.value(axis)) >= limit) limits.insert(axis);
   }

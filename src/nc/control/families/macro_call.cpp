@@ -36,7 +36,7 @@ void call_macro(Execution& run) {
     if (word.letter == 'P') {
       run.call.number = run.whole(word, 0, kNoLimit);
     } else if (word.letter == 'L') {
-      run.call.count = run.whole(word, run.dialect.habits.least_calls, kNoLimit);
+      run.call.count = run.whole(word, run.dialect.behaviour.least_calls, kNoLimit);
     } else if (word.letter >= 'I' && word.letter <= 'K') {
       // The first, second... I, J or K: an I behind a J or K belongs to the next set.
       const int which = word.letter - 'I';

@@ -152,8 +152,8 @@ AxisSet shifted_after(const Execution& run, const Motion& motion) {
   AxisSet aside;
   for (const Axis axis : kAllAxes) {
     if (!run.axes.contains(axis) || motion.machine[axis] == motion.to[axis]) continue;
-    const bool by_length = control.habits.increment_unknown_after_length && control.frame.tool[axis] != 0;
-    if (by_length || control.habits.increment_unknown_after_offset) aside.insert(axis);
+    const bool by_length = control.behaviour.increment_unknown_after_length && control.frame.tool[axis] != 0;
+    if (by_length || control.behaviour.increment_unknown_after_offset) aside.insert(axis);
   }
   return shifted | aside;
 }
@@ -206,7 +206,7 @@ double feed_of_move(const Execution& run, bool linear) {
     run.refuse(run.motion_code(), codes::kFeedMissing, "a feed per revolution (G95) needs a turning spindle",
                "write S and M3 before this move");
   }
-  if (per_revolution && !linear && control.modal.inches && run.dialect.habits.inch_turn_per_revolution_unknown) {
+  if (per_revolution && !linear && control.modal.inches && run.dialect.behaviour.inch_turn_per_revolution_unknown) {
     run.refuse(run.motion_code(), codes::kNotInterpreted,
                "a turn alone with a feed per revolution (G95) in inches: whether F counts degrees or inches then was "
                "found in no source",
@@ -231,7 +231,7 @@ namespace {
 FeedRule feed_rule_of(const Execution& run) {
   const Control& control = run.control;
   const bool counts = control.feed_rule == FeedRule::all_axes_as_mm && !run.settings.feed_rule;
-  const bool unknown = run.dialect.habits.inch_turn_unknown && control.modal.inches && counts;
+  const bool unknown = run.dialect.behaviour.inch_turn_unknown && control.modal.inches && counts;
   return unknown ? FeedRule::unknown : control.feed_rule;
 }
 
@@ -244,7 +244,8 @@ void add_motion(Execution& run, const Motion& planned) {
   motion.feed_mode = control.modal.feed_mode;
   motion.mm_per_unit = control.modal.inches ? kMmPerInch : 1;
   motion.feed_rule = feed_rule_of(run);
-  motion.feed_along_circle = run.settings.helix_feed_along_circle.value_or(run.dialect.habits.helix_feed_along_circle);
+  motion.feed_along_circle =
+      run.settings.helix_feed_along_circle.value_or(run.dialect.behaviour.helix_feed_along_circle);
   motion.from = control.position;
   motion.known_before = control.known;
   motion.machine = control.frame.to_machine(motion.to);

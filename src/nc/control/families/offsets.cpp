@@ -100,7 +100,7 @@ void need_position(const Execution& run, AxisSet axes) {
 void choose_work_system(Execution& run, int system) {
   const bool changes = system != run.control.modal.work_system;
   if (changes) check_no_plane(run, run.block->words.front());
-  if (changes && run.dialect.habits.set_position_unknown_elsewhere && run.control.frame.g92 != AxisWords{}) {
+  if (changes && run.dialect.behaviour.set_position_unknown_elsewhere && run.control.frame.g92 != AxisWords{}) {
     run.refuse(codes::kNotInterpreted,
                "whether what G92 set counts in another work system as well was found in no source",
                "choose the work system before G92");
@@ -139,7 +139,7 @@ void set_position(Execution& run) {
   }
   if (run.in_machine_system() || !control.active().known.contains(run.axes)) need_offsets(run);
   need_position(run, run.axes);
-  if (run.dialect.habits.set_position_unknown_elsewhere && control.modal.incremental) {
+  if (run.dialect.behaviour.set_position_unknown_elsewhere && control.modal.incremental) {
     run.refuse(codes::kNotInterpreted, "what G92 sets under G91 was found in no source", "write G90 before it");
   }
   for (const Axis axis : kAllAxes) {

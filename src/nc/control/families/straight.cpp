@@ -77,7 +77,7 @@ void move_straight(Execution& run) {
   }
   add_motion(run, motion);
   if (run.machine_word != nullptr && control.frame.tilted) lose_position(run, AxisSet::linear());
-  const bool tip_unknown = run.machine_word != nullptr && run.dialect.habits.machine_move_tool_unknown;
+  const bool tip_unknown = run.machine_word != nullptr && run.dialect.behaviour.machine_move_tool_unknown;
   if (tip_unknown && control.frame.tool != AxisWords{}) lose_position(run, run.axes & AxisSet::linear());
 }
 

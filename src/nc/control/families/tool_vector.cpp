@@ -40,7 +40,7 @@ ToolDirection direction(const Execution& run) {
 
 // I1 counts thousandths where I1. counts units.
 void check_points(const Execution& run) {
-  if (run.dialect.habits.increment_mm == 0 || run.settings.calculator_type.value_or(false)) return;
+  if (run.dialect.behaviour.increment_mm == 0 || run.settings.calculator_type.value_or(false)) return;
   const Word* first = nullptr;
   for (const char letter : kCentreLetters) {
     const Word* const word = run.words.find(letter);

@@ -37,10 +37,10 @@ int tool_in_spindle(const Execution& run, const Word& word) {
 int tool_of_block(const Execution& run, const Chosen& chosen) {
   const Word* const word = run.words.find('H');
   const int named = word == nullptr ? 0 : tool_number(run, *word, "the number of a tool");
-  if (named > 0 || (word != nullptr && run.dialect.habits.h0_is_no_tool))
+  if (named > 0 || (word != nullptr && run.dialect.behaviour.h0_is_no_tool))
     return named;  // H0 is the tool in the spindle [LinuxCNC, measured]
   if (word == nullptr && chosen.row->action == Action::tool_length_added) run.need('H', "G43.2");
-  if (word == nullptr && run.dialect.habits.offset_numbers_last) run.need('H', run.block->at(chosen.word->span));
+  if (word == nullptr && run.dialect.behaviour.offset_numbers_last) run.need('H', run.block->at(chosen.word->span));
   return tool_in_spindle(run, *chosen.word);
 }
 
@@ -52,7 +52,7 @@ const Word& word_of_length(const Execution& run, const Chosen& chosen) {
 // A length that counts as zero because nobody gave it is not zero at the machine.
 void mark_unknown_length(Execution& run, int number) {
   const bool given = run.settings.tools.find(number) != nullptr || run.control.tools.contains(number);
-  if (number > 0 && !given && run.dialect.habits.increment_unknown_after_length) run.control.shifted.insert(Axis::Z);
+  if (number > 0 && !given && run.dialect.behaviour.increment_unknown_after_length) run.control.shifted.insert(Axis::Z);
 }
 
 void take_offset(Execution& run, const AxisWords& offset) {
@@ -127,7 +127,7 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
   control.length_by_tip = chosen.row->action == Action::tool_tip_on && offset != AxisWords{};
   control.length_unknown = false;
   const bool may_move =
-      run.dialect.habits.tool_length_moves && !run.words.has('Z') && !run.settings.as_with_empty_tables;
+      run.dialect.behaviour.tool_length_moves && !run.words.has('Z') && !run.settings.as_with_empty_tables;
   if (may_move) control.known.erase(Axis::Z);
 }
 
@@ -174,10 +174,10 @@ void change_tool(Execution& run, const Chosen& chosen) {
   control.modal.tool_in_spindle = control.selected_tool;
   if (run.dialect.syntax.statements == Statements::o_words)
     control.modal.switches.spindle = kSpindleStands;  // [LinuxCNC, measured]
-  if (run.dialect.habits.tool_length_at_change && control.edge != 0) {
+  if (run.dialect.behaviour.tool_length_at_change && control.edge != 0) {
     take_edge(run, *chosen.word, control.modal.tool_in_spindle);
   }
-  control.edge_unknown = run.dialect.habits.tool_length_at_change && control.edge == 0;
+  control.edge_unknown = run.dialect.behaviour.tool_length_at_change && control.edge == 0;
   const int code = chosen.row->code / 10;
   if (chosen.row->loses_position && !run.settings.keeps_position.contains(code)) lose_position(run, AxisSet::all());
 }

@@ -1,4 +1,4 @@
-// The shelf of effects that may be missing, as columns of a linear problem: what each adds to the readings for small
+// The set of effects that may be missing, as columns of a linear problem: what each adds to the readings for small
 // sizes.
 #pragma once
 
@@ -23,24 +23,24 @@ struct Column {
 };
 
 /// Columns that belong together: a strut, a joint; an effect without parts has one carrier.
-using Carrier = std::vector<int>;
+using ColumnGroup = std::vector<int>;
 
 /// One way in which an effect may act; an effect that bends has several (speeds of a Stribeck friction, lags).
-struct Way {
-  std::vector<Carrier> carriers;  // each may act or not
-  bool all_or_none = false;       // carriers act together
-  bool sums_to_zero = false;      // the numbers of all columns
-  double setting = 0;             // what bends, SI: a Stribeck friction's speed, a lag
+struct ActingMode {
+  std::vector<ColumnGroup> column_groups;  // each may act or not
+  bool all_or_none = false;                // carriers act together
+  bool sums_to_zero = false;               // the numbers of all columns
+  double setting = 0;                      // what bends, SI: a Stribeck friction's speed, a lag
 };
 
 /// An effect that may be missing.
 struct Candidate {
   std::string name;
-  bool second_row = false;  // of the shelf: less common
-  std::vector<Way> ways;
+  bool second_row = false;  // of the candidates: less common
+  std::vector<ActingMode> ways;
 };
 
-struct ShelfOptions {
+struct CandidateSetOptions {
   std::vector<std::string> without;                                             // effects to be left out
   std::vector<double> stribeck_speeds_mm_s{1, 1.4, 1.9, 2.6, 3.6, 5, 7.2, 10};  // tried in the linear problem
   std::vector<double> lags_ms{10, 20, 35, 55};
@@ -48,17 +48,17 @@ struct ShelfOptions {
 
 /// The columns that are made from others: of Stribeck friction at one speed, of a cyclic error's sine and cosine, of a
 /// lag at one size.
-struct Shelf {
+struct CandidateSet {
   identify::Unknowns unknowns;  // nuisances first, then all numbers of all candidates that are not among them
   std::size_t nuisances = 0;    // how many of the unknowns are
   std::vector<Column> columns;  // of the linear problem: first one for each unknown
-  std::vector<Candidate> candidates;
+  std::vector<Candidate> all;
 
   const Candidate& candidate(std::string_view name) const;
 };
 
 /// Refuses with diagnose-unknown-effect what `without` names and the catalogue does not.
-Shelf make_shelf(const machine::MachineModel& machine, const physics::ForceModel& forces,
-                 const ShelfOptions& options = {});
+CandidateSet make_candidate_set(const machine::MachineModel& machine, const physics::ForceModel& forces,
+                                const CandidateSetOptions& options = {});
 
 }  // namespace plumbline::diagnose

@@ -1,4 +1,4 @@
-#include "diagnose/shelf.hpp"
+#include "diagnose/candidate_set.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,23 +23,23 @@ bool is_second_row(std::string_view name) {
 
 class Maker {
  public:
-  Maker(const machine::MachineModel& machine, const physics::ForceModel& forces, const ShelfOptions& options)
-      : shelf_{identify::nuisances(machine, forces), 0, {}, {}}, options_(options) {
-    shelf_.nuisances = shelf_.unknowns.size();
+  Maker(const machine::MachineModel& machine, const physics::ForceModel& forces, const CandidateSetOptions& options)
+      : candidates_{identify::nuisances(machine, forces), 0, {}, {}}, options_(options) {
+    candidates_.nuisances = candidates_.unknowns.size();
   }
 
-  Shelf run() {
+  CandidateSet run() {
     for (const std::string& name : options_.without) check_known(name);
     for (const EffectInfo& info : physics::effect_infos()) {
       if (!info.base && info.name != "generic") add_unknowns(info);
     }
-    for (std::size_t u = 0; u < shelf_.unknowns.size(); ++u) shelf_.columns.push_back(column_of(u));
+    for (std::size_t u = 0; u < candidates_.unknowns.size(); ++u) candidates_.columns.push_back(column_of(u));
     for (const EffectInfo& info : physics::effect_infos()) {
       const bool left_out =
           std::find(options_.without.begin(), options_.without.end(), info.name) != options_.without.end();
       if (!info.base && info.name != "generic" && !left_out) add_candidate(info);
     }
-    return std::move(shelf_);
+    return std::move(candidates_);
   }
 
  private:
@@ -53,15 +53,15 @@ class Maker {
   void add_unknowns(const EffectInfo& info) {
     for (const ParameterSpec& spec : info.parameters) {
       for (int i = 0; i < spec.size(); ++i) {
-        if (shelf_.unknowns.find(info.name, spec.key, spec.size() == 1 ? -1 : i) < 0) {
-          shelf_.unknowns.add(info.name, spec.key, i);
+        if (candidates_.unknowns.find(info.name, spec.key, spec.size() == 1 ? -1 : i) < 0) {
+          candidates_.unknowns.add(info.name, spec.key, i);
         }
       }
     }
   }
 
   Column column_of(std::size_t u) const {
-    const identify::Unknown& unknown = shelf_.unknowns[u];
+    const identify::Unknown& unknown = candidates_.unknowns[u];
     Column column{unknown.effect, unknown.key, unknown.index};
     column.unknown = static_cast<int>(u);
     column.scale = unknown.scale;
@@ -83,65 +83,66 @@ class Maker {
     } else if (info.name == "cyclic") {
       add_cyclic(candidate);
     } else {
-      Way way;
+      ActingMode way;
       way.all_or_none = way.sums_to_zero = info.name == "servo-mismatch";
       for (const ParameterSpec& spec : info.parameters) {
         for (int i = 0; i < spec.size(); ++i) {
-          const int column = shelf_.unknowns.find(info.name, spec.key, spec.size() == 1 ? -1 : i);
+          const int column = candidates_.unknowns.find(info.name, spec.key, spec.size() == 1 ? -1 : i);
           const bool own = spec.count == 6 && i % spec.each == 0;  // a joint's three numbers belong together
-          if (own || way.carriers.empty()) way.carriers.emplace_back();
-          way.carriers.back().push_back(column);
+          if (own || way.column_groups.empty()) way.column_groups.emplace_back();
+          way.column_groups.back().push_back(column);
         }
       }
       candidate.ways.push_back(way);
     }
-    shelf_.candidates.push_back(candidate);
+    candidates_.all.push_back(candidate);
   }
 
   // An effect of one size that bends: a way for each setting, with a column of its own.
   void add_bent(Candidate& candidate, const char* size, const std::vector<double>& settings, double unit) {
-    const int place = shelf_.unknowns.find(candidate.name, size);
+    const int place = candidates_.unknowns.find(candidate.name, size);
     for (const double setting : settings) {
-      Column column = shelf_.columns[static_cast<std::size_t>(place)];
+      Column column = candidates_.columns[static_cast<std::size_t>(place)];
       column.unknown = -1;
-      Way way{{{add(column)}}};
+      ActingMode way{{{add(column)}}};
       way.setting = setting * unit;
       candidate.ways.push_back(way);
     }
   }
 
   void add_cyclic(Candidate& candidate) {
-    Way way;
+    ActingMode way;
     for (int strut = 0; strut < machine::kStruts; ++strut) {
-      Column column = shelf_.columns[static_cast<std::size_t>(shelf_.unknowns.find("cyclic", "amplitude_um", strut))];
+      Column column =
+          candidates_.columns[static_cast<std::size_t>(candidates_.unknowns.find("cyclic", "amplitude_um", strut))];
       column.unknown = -1;
       Column cosine = column;
       cosine.key = "cosine";
       const int sine = add(column);
-      way.carriers.push_back({sine, add(cosine)});
+      way.column_groups.push_back({sine, add(cosine)});
     }
     candidate.ways.push_back(way);
   }
 
   int add(const Column& column) {
-    shelf_.columns.push_back(column);
-    return static_cast<int>(shelf_.columns.size()) - 1;
+    candidates_.columns.push_back(column);
+    return static_cast<int>(candidates_.columns.size()) - 1;
   }
 
-  Shelf shelf_;
-  const ShelfOptions& options_;
+  CandidateSet candidates_;
+  const CandidateSetOptions& options_;
 };
 
 }  // namespace
 
-const Candidate& Shelf::candidate(std::string_view name) const {
-  const auto found =
-      std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) { return c.name == name; });
-  PLUMBLINE_CHECK(found != candidates.end());
+const Candidate& CandidateSet::candidate(std::string_view name) const {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Candidate& c) { return c.name == name; });
+  PLUMBLINE_CHECK(found != all.end());
   return *found;
 }
 
-Shelf make_shelf(const machine::MachineModel& machine, const physics::ForceModel& forces, const ShelfOptions& options) {
+CandidateSet make_candidate_set(const machine::MachineModel& machine, const physics::ForceModel& forces,
+                                const CandidateSetOptions& options) {
   return Maker(machine, forces, options).run();
 }
 

@@ -9,9 +9,9 @@ namespace plumbline::nc {
 // Macro B: what is set there stops the control, with an alarm or with a message, behind which it goes on [E].
 inline constexpr int kAlarm = 3000, kMessage = 3006;
 
-class Readings : public ParameterReader {
+class SystemParameters : public ParameterReader {
  public:
-  Readings(Control& control, const ProgramSettings& settings, const Dialect& dialect)
+  SystemParameters(Control& control, const ProgramSettings& settings, const Dialect& dialect)
       : control_(control), settings_(settings), dialect_(dialect) {}
   Value read(const Block& block, int number, Span span) override;
   Value read(const Block& block, std::string_view name, Span span) override;

@@ -24,7 +24,7 @@ struct ChannelWhere {
 };
 
 /// Bar and torques, rms, SI; of readings that were not measured 0.
-struct Two {
+struct BarAndTorque {
   double radial = 0;
   double torque = 0;
 };
@@ -42,8 +42,8 @@ struct Recurrence {
 struct Contrast {
   std::string by;  // "direction", "feed", "payload", "time"
   int pairs = 0;
-  Two common;   // rms of (a + b) / sqrt 2
-  Two differs;  // rms of (a - b) / sqrt 2
+  BarAndTorque common;   // rms of (a + b) / sqrt 2
+  BarAndTorque differs;  // rms of (a - b) / sqrt 2
   Recurrence radial, torque;
 };
 
@@ -53,7 +53,7 @@ struct RunGroup {
   double from = 0;
   double to = 0;
   int runs = 0;
-  Two rms;
+  BarAndTorque rms;
 };
 
 /// What readings do where a strut turns around, in the direction of its growing speed: as a change of the strut's
@@ -67,14 +67,14 @@ struct Reversal {
   double torque_error = 0;
 };
 
-struct Where {
+struct GapMap {
   std::vector<ChannelWhere> channels;
   std::vector<Contrast> contrasts;
   std::vector<RunGroup> groups;
   std::vector<Reversal> reversals;
 };
 
-struct WhereOptions {
+struct GapMapOptions {
   std::vector<double> tilts_deg{0, 5, 15, 90};  // edges of the groups
   int start_groups = 3;                         // parts of the time from the first run to the last
   double reversal_window = 0.21;                // rad, half of it before a reversal, half behind
@@ -85,8 +85,8 @@ std::vector<Contrast> contrasts_of(const std::vector<measure::Run>& runs,
                                    const std::vector<identify::RunEquations>& residuals);
 
 /// `residuals` are those of `runs` (all of them) beside `forces`, the set-ups fitted.
-Where where_of(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
-               const physics::ForceModel& forces, const std::vector<identify::RunEquations>& residuals,
-               const identify::NoiseModel& noise, const WhereOptions& options = {});
+GapMap where_of(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
+                const physics::ForceModel& forces, const std::vector<identify::RunEquations>& residuals,
+                const identify::NoiseModel& noise, const GapMapOptions& options = {});
 
 }  // namespace plumbline::diagnose

@@ -1,11 +1,11 @@
-#include "nc/control/readings.hpp"
+#include "nc/control/system_parameters.hpp"
 
 #include <array>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "nc/control/named_readings.hpp"
+#include "nc/control/named_parameters.hpp"
 #include "nc/control/tool_rows.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
@@ -29,11 +29,11 @@ bool is_common(int number) { return (number >= 100 && number <= 199) || (number 
 
 }  // namespace
 
-ParameterLimits Readings::limits() const {
+ParameterLimits SystemParameters::limits() const {
   return {dialect_.syntax.statements == Statements::o_words ? 1 : 0, dialect_.syntax.last_variable};
 }
 
-bool Readings::is_read_only(int number) const {
+bool SystemParameters::is_read_only(int number) const {
   if (dialect_.syntax.statements == Statements::macro_b) {
     const bool free = (number >= 1 && number <= dialect_.syntax.local_variables) || is_common(number);
     return !free && number != kSingleBlock && number != kFeedHold && number != kAlarm && number != kMessage;
@@ -43,19 +43,19 @@ bool Readings::is_read_only(int number) const {
          (number >= kTool && number < kPositionEnd);
 }
 
-bool Readings::is_read_only(std::string_view name) {
+bool SystemParameters::is_read_only(std::string_view name) {
   if (dialect_.syntax.names) return false;
   return is_predefined(control_.parameters.plain(name));
 }
 
 // Names that begin with _ are kept from program to program, and those of the INI file and of HAL are the machine's.
-Value Readings::exists(std::string_view name) {
+Value SystemParameters::exists(std::string_view name) {
   if (is_read_only(name) || control_.parameters.find(name) != nullptr) return {1, true};
   const bool global = control_.parameters.plain(name).starts_with('_');
   return {0, !global || settings_.as_with_empty_tables};
 }
 
-Value Readings::position(const Block& block, Axis axis, Span span) const {
+Value SystemParameters::position(const Block& block, Axis axis, Span span) const {
   if (!settings_.as_with_empty_tables && !settings_.position_may_be_read) {
     refuse_at(block, span, codes::kPositionRead, "the program reads where the control stands",
               "that changes when the program is compensated; write the position itself");
@@ -69,7 +69,7 @@ Value Readings::position(const Block& block, Axis axis, Span span) const {
 }
 
 // What the control's display shows: all offsets, the rotation and the tool's length in it.
-Value Readings::machine_position(const Block& block, Axis axis, Span span) const {
+Value SystemParameters::machine_position(const Block& block, Axis axis, Span span) const {
   const AxisWords& tool = control_.frame.tool;
   if (tool != AxisWords{} && control_.tool_in_inches != control_.modal.inches) {
     refuse_at(block, span, codes::kNotInterpreted, "the control takes the tool length in force for one in the new unit",
@@ -85,7 +85,7 @@ Value Readings::machine_position(const Block& block, Axis axis, Span span) const
 }
 
 // A value of the tables, if somebody gave it.
-std::optional<double> Readings::table_value(int number) const {
+std::optional<double> SystemParameters::table_value(int number) const {
   const auto of = [](const AxisWords& words, int at) {
     return at < static_cast<int>(kAxes) ? words.values[static_cast<std::size_t>(at)] : 0.0;
   };
@@ -110,14 +110,14 @@ std::optional<double> Readings::table_value(int number) const {
   return number <= kToolEnd ? tool_parameter(control_, settings_, number) : std::optional(0.0);
 }
 
-Value Readings::unset(const Block& block, Span span) const {
+Value SystemParameters::unset(const Block& block, Span span) const {
   if (settings_.as_with_empty_tables) return {0, true, true};
   refuse_at(block, span, codes::kParameterUnset, fmt::format("nobody gave {} a value", block.at(span)),
             "set it in the program before, or give the control's variables: --variables FILE");
 }
 
 // A local variable that was not set is vacant; a common one may hold what another program left there.
-Value Readings::read_macro_variable(const Block& block, int number, Span span) const {
+Value SystemParameters::read_macro_variable(const Block& block, int number, Span span) const {
   const auto axis_from = [&](int first) { return kAllAxes[static_cast<std::size_t>(number - first)]; };
   const auto is_axis_from = [&](int first) { return number >= first && number < first + static_cast<int>(kAxes); };
   if (number == 0) return {0, true, true};
@@ -140,7 +140,7 @@ Value Readings::read_macro_variable(const Block& block, int number, Span span) c
             "write the value itself; #1 to #33, #100 to #199 and #500 to #999 are the program's");
 }
 
-Value Readings::read(const Block& block, int number, Span span) {
+Value SystemParameters::read(const Block& block, int number, Span span) {
   if (dialect_.syntax.statements == Statements::macro_b) return read_macro_variable(block, number, span);
   if (dialect_.syntax.names) {
     if (control_.parameters.has(number)) return control_.parameters.get(number);
@@ -173,7 +173,7 @@ Value Readings::read(const Block& block, int number, Span span) {
 
 // The control makes a name, with 0, where it reads it in front of a "=": the first #<i>=[#<i>+1] sets 1
 // [interp_read.cc].
-bool Readings::is_made(const Block& block, std::string_view plain, Span span) {
+bool SystemParameters::is_made(const Block& block, std::string_view plain, Span span) {
   for (const Setting& setting : block.settings) {
     if (setting.target != kLiteral || setting.span.begin >= span.begin) continue;
     if (std::string(control_.parameters.plain(block.at(block.names[setting.name]))) == plain) return true;
@@ -181,7 +181,7 @@ bool Readings::is_made(const Block& block, std::string_view plain, Span span) {
   return false;
 }
 
-Value Readings::read(const Block& block, std::string_view name, Span span) {
+Value SystemParameters::read(const Block& block, std::string_view name, Span span) {
   if (const Value* value = control_.parameters.find(name)) return *value;
   if (dialect_.syntax.statements == Statements::user_task) return {0, true, true};  // EMPTY
   if (dialect_.syntax.names) return unset(block, span);

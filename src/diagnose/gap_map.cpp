@@ -1,4 +1,4 @@
-#include "diagnose/where.hpp"
+#include "diagnose/gap_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ constexpr double kTurn = 2 * std::numbers::pi;
 struct TwoSquares {
   MeanSquare radial, torque;
   void add(int channel, double value) { (channel == kRadial ? radial : torque).add(value); }
-  Two root() const { return {radial.root(), torque.root()}; }
+  BarAndTorque root() const { return {radial.root(), torque.root()}; }
 };
 
 std::optional<Eigen::VectorXd> channel_of(const RunEquations& run, int channel) {
@@ -239,7 +239,7 @@ class Groups {
 };
 
 std::vector<RunGroup> groups_of(const machine::RotationOrder& order, const std::vector<Run>& runs,
-                                const std::vector<RunEquations>& residuals, const WhereOptions& options) {
+                                const std::vector<RunEquations>& residuals, const GapMapOptions& options) {
   Groups groups(runs, residuals);
   groups.between("tilt_deg", options.tilts_deg, [&](const Run& r) { return tilt_of(order, r); });
   // feeds of files differ by rounding
@@ -285,7 +285,7 @@ double bar_by_length(const State& state, const Vector3<double>& ball, int strut)
 }
 
 std::vector<Reversal> reversals_of(const std::vector<Run>& runs, const std::vector<std::vector<State>>& states,
-                                   const std::vector<RunEquations>& residuals, const WhereOptions& options) {
+                                   const std::vector<RunEquations>& residuals, const GapMapOptions& options) {
   std::vector<Reversal> all;
   for (int j = 0; j < machine::kStruts; ++j) {
     Reversal reversal{j};
@@ -334,10 +334,10 @@ std::vector<Contrast> contrasts_of(const std::vector<Run>& runs, const std::vect
   return contrasts;
 }
 
-Where where_of(const machine::RotationOrder& order, const std::vector<Run>& runs, const physics::ForceModel& forces,
-               const std::vector<RunEquations>& residuals, const identify::NoiseModel& noise,
-               const WhereOptions& options) {
-  Where where;
+GapMap where_of(const machine::RotationOrder& order, const std::vector<Run>& runs, const physics::ForceModel& forces,
+                const std::vector<RunEquations>& residuals, const identify::NoiseModel& noise,
+                const GapMapOptions& options) {
+  GapMap where;
   for (int channel = 0; channel < identify::kChannels; ++channel) {
     const bool measured = std::any_of(residuals.begin(), residuals.end(),
                                       [&](const RunEquations& run) { return run.first_row(channel).has_value(); });

@@ -1,4 +1,4 @@
-#include "nc/rewrite/plain.hpp"
+#include "nc/rewrite/step_expander.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ bool is_plain(const Step& step, bool keeps_settings) {
 }  // namespace
 
 // NAME: of a program that is written out, where nothing jumps there and the same name would stand more than once.
-Span PlainSteps::label_of(const Block& block) const {
+Span StepExpander::label_of(const Block& block) const {
   if (dialect_.syntax.statements != Statements::high_level || block.kind != LineKind::block) return {};
   if (head_of(block.text, dialect_).label.empty()) return {};
   const std::size_t before = std::max(block.number.end, block.slash.end);
@@ -58,7 +58,7 @@ Span PlainSteps::label_of(const Block& block) const {
   return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
 }
 
-const Step* PlainSteps::plain(const Step& step, bool keeps_settings) {
+const Step* StepExpander::plain(const Step& step, bool keeps_settings) {
   made_.clear();
   const Block& block = *step.block;
   if (step.alarms || step.shows_message) return &step;
@@ -100,10 +100,10 @@ const Step* PlainSteps::plain(const Step& step, bool keeps_settings) {
 }
 
 // A word with its value in place of an expression, as the language spells it: X5, CR=5, X=IC(5).
-std::string PlainSteps::with_value(std::string_view text, const Word& word) const {
+std::string StepExpander::with_value(std::string_view text, const Word& word) const {
   const Spelling spelling{spelling_.lower_case, false, spelling_.point, spelling_.most_digits};
   std::string value;
-  const bool whole = dialect_.habits.whole_words.find(word.letter) != std::string::npos;
+  const bool whole = dialect_.behaviour.whole_words.find(word.letter) != std::string::npos;
   const bool may_have_parts = word.letter == 'G' || word.letter == 'P';  // G54.1, and P where it counts seconds
   const bool has_parts = may_have_parts && std::abs(word.value - std::round(word.value)) > kWholeCode;
   if (whole && !has_parts) {
@@ -119,7 +119,7 @@ std::string PlainSteps::with_value(std::string_view text, const Word& word) cons
   return name_end == 0 ? value : std::string(text.substr(0, equals + 1)) + value.substr(1);
 }
 
-void PlainSteps::write_values(const Step& step, bool keeps_settings, std::string_view without) {
+void StepExpander::write_values(const Step& step, bool keeps_settings, std::string_view without) {
   bool end_written = false;
   for (const Span& span : step.block->left_out) editor_.replace(span, "");
   for (const Argument& argument : step.block->arguments) {
@@ -146,18 +146,18 @@ void PlainSteps::write_values(const Step& step, bool keeps_settings, std::string
 }
 
 // X and Y for @ and ^, A, B and C for the direction of the tool.
-bool PlainSteps::is_end_in_other_words(const Step& step, const Word& word) {
+bool StepExpander::is_end_in_other_words(const Step& step, const Word& word) {
   const bool vector = step.tool_vector && word.letter >= 'I' && word.letter <= 'K';
   return vector || (is_polar(word) && step.cycle == CycleForm::none);
 }
 
 // "43.4" of G43.5, which takes A, B and C; empty for other words.
-std::string_view PlainSteps::code_without_vectors(const Step& step, const Word& word) const {
+std::string_view StepExpander::code_without_vectors(const Step& step, const Word& word) const {
   const CodeRow* const row = step.tool_vector && is_code(word) ? dialect_.row_of(word) : nullptr;
   return row != nullptr ? std::string_view(row->written_as) : std::string_view{};
 }
 
-void PlainSteps::write_end(const Step& step, bool& written, Span span) {
+void StepExpander::write_end(const Step& step, bool& written, Span span) {
   std::string text;
   if (!written) {
     const Motion& motion = step.motions.front();
@@ -179,7 +179,7 @@ void PlainSteps::write_end(const Step& step, bool& written, Span span) {
   written = true;
 }
 
-void PlainSteps::defuse_comments(const Block& block) {
+void StepExpander::defuse_comments(const Block& block) {
   for (const Comment& comment : block.comments) {
     const std::string_view text = block.at(comment.span);
     if (!shows_parameters(text)) continue;
@@ -187,7 +187,7 @@ void PlainSteps::defuse_comments(const Block& block) {
   }
 }
 
-const Step* PlainSteps::beside_flow(const Step& step, bool acts) {
+const Step* StepExpander::beside_flow(const Step& step, bool acts) {
   const Block& block = *step.block;
   if (!acts && block.comments.empty()) return nullptr;
   made_.clear();
@@ -212,7 +212,7 @@ const Step* PlainSteps::beside_flow(const Step& step, bool acts) {
 }
 
 // The words of the call are P and L.
-void PlainSteps::write_without_call(const Step& step, std::string& text) {
+void StepExpander::write_without_call(const Step& step, std::string& text) {
   const Block& block = *step.block;
   spelling_ = spelling_of(block, spelling_);
   editor_.start(block, spelling_);

@@ -12,13 +12,13 @@
 
 namespace plumbline::nc {
 
-class PlainSteps {
+class StepExpander {
  public:
   /// The dialect must outlive it. `angle`: how A, B and C are written.
-  explicit PlainSteps(const Dialect& dialect, WrittenAngle angle = {})
+  explicit StepExpander(const Dialect& dialect, WrittenAngle angle = {})
       : dialect_(dialect), made_(dialect), angle_(angle) {
-    spelling_.point = dialect.habits.always_point;
-    spelling_.most_digits = dialect.habits.most_digits;
+    spelling_.point = dialect.behaviour.always_point;
+    spelling_.most_digits = dialect.behaviour.most_digits;
   }
 
   /// The step with a block that holds values where the original has expressions, X and Y in place of @ and ^, and A, B

@@ -1,4 +1,4 @@
-#include "nc/control/named_readings.hpp"
+#include "nc/control/named_parameters.hpp"
 
 #include <algorithm>
 #include <array>

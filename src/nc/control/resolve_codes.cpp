@@ -98,7 +98,7 @@ void keep_last_of_groups(Execution& run) {
 
 // Two codes of one modal group cannot both act.
 void check_groups(Execution& run) {
-  if (run.dialect.habits.last_of_group) {
+  if (run.dialect.behaviour.last_of_group) {
     check_cycle_beside_motion(run);
     return keep_last_of_groups(run);
   }
@@ -289,7 +289,7 @@ void find_motion(Execution& run) {
   const AxisTakers takers = axis_takers(run);
   run.motion = nullptr;
   run.motion_word = nullptr;
-  if (run.machine_word != nullptr && run.dialect.habits.machine_move_is_rapid && takers.other == nullptr) {
+  if (run.machine_word != nullptr && run.dialect.behaviour.machine_move_is_rapid && takers.other == nullptr) {
     run.uses_position_axes = false;
     if (takers.motion != nullptr) run.motion_word = takers.motion->word;
     run.motion = run.axes.empty() ? nullptr : run.dialect.g_code(0);  // G53 is a rapid, whatever is in force
@@ -297,7 +297,7 @@ void find_motion(Execution& run) {
   }
   run.uses_position_axes = takers.other != nullptr;
   if (takers.motion != nullptr) {
-    if (takers.other != nullptr && run.dialect.habits.group_0_takes_axes) return;
+    if (takers.other != nullptr && run.dialect.behaviour.group_0_takes_axes) return;
     if (takers.other != nullptr) {
       run.refuse(*takers.motion->word, codes::kAxesTwice,
                  fmt::format("{} and {} both take the axis words", text_of(run, *takers.motion->word),
@@ -306,7 +306,7 @@ void find_motion(Execution& run) {
     }
     run.motion = takers.motion->row;
     run.motion_word = takers.motion->word;
-    if (run.dialect.habits.bare_motion_code_is_mode && run.axes.empty() && !goes_without_axes(run) && !run.vector)
+    if (run.dialect.behaviour.bare_motion_code_is_mode && run.axes.empty() && !goes_without_axes(run) && !run.vector)
       run.motion = nullptr;
     return;
   }
@@ -323,7 +323,7 @@ void find_motion(Execution& run) {
 
 void check_machine_coordinates(const Execution& run) {
   const CodeRow* const stated = run.motion_word == nullptr ? nullptr : run.dialect.row_of(*run.motion_word);
-  if (run.dialect.habits.machine_move_is_rapid && stated != nullptr && stated->action != Action::rapid) {
+  if (run.dialect.behaviour.machine_move_is_rapid && stated != nullptr && stated->action != Action::rapid) {
     run.refuse(*run.motion_word, codes::kMachineMove, "G53 moves at rapid, and this asks for a feed",
                "write G0 into the block of G53");
   }
@@ -350,7 +350,7 @@ std::uint32_t numbers_without_offset(const Execution& run) {
 void check_words_used(const Execution& run) {
   std::uint32_t taken = kFreeLetters | kAxisLetters;
   if (run.dialect.has_edges) taken |= letter_bit('D');
-  if (run.dialect.habits.offset_numbers_last) taken |= numbers_without_offset(run);
+  if (run.dialect.behaviour.offset_numbers_last) taken |= numbers_without_offset(run);
   if (run.motion != nullptr && run.machine_word == nullptr) taken |= letter_bit('@') | letter_bit('^');
   if (run.motion != nullptr) taken |= run.motion->word_mask;
   if (run.vector != nullptr) taken |= kCentreBits;
@@ -372,7 +372,7 @@ int turn_of(const Chosen& chosen) { return chosen.row->step * 2 + (chosen.row->g
 
 }  // namespace
 
-void plan(Execution& run) {
+void resolve_codes(Execution& run) {
   run.machine_word = nullptr;
   gather(run);
   if (!run.chosen.empty() && run.chosen.back().row->action == Action::call_macro) {
@@ -388,7 +388,7 @@ void plan(Execution& run) {
   check_words_used(run);
   if (const Word* spindle = run.words.find('$')) check_spindle(run, *spindle);
   check_contexts(run);
-  if (run.machine_word != nullptr && (run.motion != nullptr || !run.dialect.habits.machine_move_is_rapid)) {
+  if (run.machine_word != nullptr && (run.motion != nullptr || !run.dialect.behaviour.machine_move_is_rapid)) {
     check_machine_coordinates(run);
   }
   if (run.chosen.size() > 1) {

@@ -1,4 +1,4 @@
-#include "diagnose/where.hpp"
+#include "diagnose/gap_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,12 +35,12 @@ RunEquations residual_of(const Run& run, const std::function<double(double)>& ra
   return equations;
 }
 
-Where where(const std::vector<Run>& runs, const std::vector<RunEquations>& residuals) {
+GapMap where(const std::vector<Run>& runs, const std::vector<RunEquations>& residuals) {
   const machine::MachineModel machine = testing::pm600_like();
   return where_of(machine.rotation, runs, physics::ForceModel(machine), residuals, testing::usual_noise());
 }
 
-const Contrast& by(const Where& where, const std::string& what) {
+const Contrast& by(const GapMap& where, const std::string& what) {
   const auto found =
       std::find_if(where.contrasts.begin(), where.contrasts.end(), [&](const Contrast& c) { return c.by == what; });
   REQUIRE(found != where.contrasts.end());
@@ -53,7 +53,7 @@ TEST_CASE("what turns its sign with the direction is odd, what does not is even"
   const auto even = [](double angle) { return 2 * kBar * std::cos(3 * angle); };
   const auto odd = [](double angle) { return 0.3 * std::sin(2 * angle); };
   const auto turned = [&](double angle) { return -odd(angle); };
-  const Where found = where(runs, {residual_of(runs[0], even, odd), residual_of(runs[1], even, turned)});
+  const GapMap found = where(runs, {residual_of(runs[0], even, odd), residual_of(runs[1], even, turned)});
   CHECK(found.contrasts.size() == 1);
   const Contrast& direction = by(found, "direction");
   CHECK(direction.pairs == 1);
@@ -75,7 +75,7 @@ TEST_CASE("feed, payload and time are compared between runs that differ in nothi
     residuals.push_back(residual_of(
         runs[i], [=](double angle) { return size * std::sin(2 * angle); }, nothing));
   }
-  const Where found = where(runs, residuals);
+  const GapMap found = where(runs, residuals);
   // runs 0 and 3 are repeats: each is compared with the fast and with the loaded one
   CHECK(by(found, "feed").pairs == 2);
   CHECK(by(found, "payload").pairs == 2);
@@ -95,7 +95,7 @@ TEST_CASE("waves and arcs show where on the circle the gap is") {
     const double turn = angle - 2 * M_PI * std::floor(angle / (2 * M_PI));
     return turn > M_PI / 2 && turn < 2 * M_PI / 3 ? 1.0 : 0.0;
   };
-  const Where found = where(runs, {residual_of(runs[0], wave, arc)});
+  const GapMap found = where(runs, {residual_of(runs[0], wave, arc)});
   REQUIRE(found.channels.size() == 7);
   const ChannelWhere& radial = found.channels[0];
   CHECK(radial.rms == Approx(3 * kBar / std::sqrt(2)));
@@ -124,7 +124,7 @@ TEST_CASE("a step where a strut turns around is found on that strut") {
           state.speed[1] < 0 ? -0.2 : 0.2;
     }
   }
-  const Where found = where(runs, residuals);
+  const GapMap found = where(runs, residuals);
   REQUIRE(found.reversals.size() == 6);
   CHECK(found.reversals[1].count >= 8);
   CHECK(found.reversals[1].torque == Approx(0.4).epsilon(0.1));
