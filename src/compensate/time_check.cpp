@@ -13,7 +13,7 @@
 namespace plumbline::compensate {
 namespace {
 
-constexpr double kTimeSlack = 1e-6;  // share of a block's time: the digits of F
+constexpr double kTimeSlack = 6e-6;  // share of a block's time: F has six digits
 constexpr double kNoLength = 1e-9;   // mm and deg
 constexpr double kNoTime = 1e-9;     // s
 
