@@ -50,7 +50,7 @@ bool is_option(std::string_view argument) {
   return argument[1] == '-' || CLI::detail::valid_first_char(argument[1]);
 }
 
-std::string quoted_list(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+std::string list_of(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
 // A misspelt name, or one that other commands have.
 std::string unknown_option(const CLI::App& app, std::string_view name, const std::vector<std::string>& options) {
@@ -59,7 +59,7 @@ std::string unknown_option(const CLI::App& app, std::string_view name, const std
     if (holds(option_names(*command), name)) others.push_back(command->get_name());
   }
   if (!others.empty() && !app.get_subcommands().empty())
-    return fmt::format("no option {} here: it belongs to {}", name, quoted_list(others));
+    return fmt::format("no option {} here: it belongs to {}", name, list_of(others));
   if (!name.starts_with("--")) return fmt::format("no option {}", name);
   std::vector<std::string> candidates;
   std::copy_if(options.begin(), options.end(), std::back_inserter(candidates),
@@ -131,7 +131,7 @@ class Walk {
     for (const CLI::Option* const place : places_) wanted.push_back(place->get_name(true));
     if (wanted.empty())
       return fmt::format("{} is one too many: plumbline {} takes options alone", argument, command_.get_name());
-    return fmt::format("{} is one too many: plumbline {} takes {}", argument, command_.get_name(), quoted_list(wanted));
+    return fmt::format("{} is one too many: plumbline {} takes {}", argument, command_.get_name(), list_of(wanted));
   }
 
   const CLI::App& app_;
@@ -157,7 +157,7 @@ std::optional<std::string> missing_in(const CLI::App& command) {
 std::optional<std::string> what_is_wrong(const CLI::App& app, std::span<const char* const> arguments) {
   if (const auto unknown = what_is_unknown(app, arguments)) return unknown;
   const std::vector<CLI::App*> asked = const_cast<CLI::App&>(app).get_subcommands();
-  if (asked.empty()) return fmt::format("name a command: {}", quoted_list(command_names(app)));
+  if (asked.empty()) return fmt::format("name a command: {}", list_of(command_names(app)));
   const auto command = std::find(arguments.begin(), arguments.end(), asked.front()->get_name());
   if (command == arguments.end()) return std::nullopt;
   const auto behind = static_cast<std::size_t>(command - arguments.begin()) + 1;

@@ -30,19 +30,15 @@ void Pass::copy(const nc::Step& step, bool counts, std::optional<double> seconds
 // change.
 nc::EmittedMove Pass::write_move(const nc::Step& step, std::optional<double> duration) {
   nc::EmittedMove move;
-  const bool in_other_words = step.polar || step.tool_vector;
-  if (!in_other_words || (!writes_vector(step) && emitter_.stays(step, points_, writable()))) {
+  const bool in_other_words =
+      (step.polar || step.tool_vector) && (writes_vector(step) || !emitter_.stays(step, points_, writable()));
+  if (in_other_words) {
+    emitter_.begin_group(step);
+    move = emitter_.move(*plain_.plain(step, true), points_, writable(), duration);
+    emitter_.end_group(step);
+  } else {
     move = emitter_.move(step, points_, writable(), duration);
-    if (move.changed) {
-      intention_.divide(step, points_, writable(), duration);
-    } else {
-      intention_.keep(step, true, duration);
-    }
-    return move;
   }
-  emitter_.begin_group(step);
-  move = emitter_.move(*plain_.plain(step, true), points_, writable(), duration);
-  emitter_.end_group(step);
   if (move.changed) {
     intention_.divide(step, points_, writable(), duration);
   } else {

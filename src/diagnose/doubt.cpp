@@ -10,8 +10,8 @@
 
 namespace plumbline::diagnose {
 
-std::optional<double> not_foretold(const std::vector<identify::RunEquations>& residuals, const std::vector<bool>& out,
-                                   MeanSquare ResidualSums::*kind, const VerdictOptions& options) {
+std::optional<double> not_predicted(const std::vector<identify::RunEquations>& residuals, const std::vector<bool>& out,
+                                    MeanSquare ResidualSums::*kind, const VerdictOptions& options) {
   std::vector<double> fitted;  // mean squares of single runs
   std::vector<double> held_out;
   for (std::size_t i = 0; i < residuals.size(); ++i) {
@@ -214,7 +214,7 @@ std::string doubt_about(const Model& model, const Description& left, const std::
   };
   for (const Kind& kind :
        {Kind{"the readings of the bar", &ResidualSums::radial}, Kind{"the torques", &ResidualSums::torque}}) {
-    if (const std::optional<double> times = not_foretold(after, out, kind.of, options)) {
+    if (const std::optional<double> times = not_predicted(after, out, kind.of, options)) {
       return fmt::format("{} would explain the runs fitted, but {} of the runs held out are {:.1f} times as far off",
                          names, kind.what, *times);
     }

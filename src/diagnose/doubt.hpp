@@ -8,8 +8,8 @@ namespace plumbline::diagnose {
 
 /// How many times as far off the runs held out are as those fitted; nothing if that is little, or if single runs among
 /// those fitted differ so much that chance may have done it.
-std::optional<double> not_foretold(const std::vector<identify::RunEquations>& residuals, const std::vector<bool>& out,
-                                   MeanSquare ResidualSums::*kind, const VerdictOptions& options);
+std::optional<double> not_predicted(const std::vector<identify::RunEquations>& residuals, const std::vector<bool>& out,
+                                    MeanSquare ResidualSums::*kind, const VerdictOptions& options);
 
 /// What is left of readings of one kind comes again in other runs at the same pose.
 struct Recurring {

@@ -28,7 +28,7 @@ struct Normal {
 };
 
 // Sum over groups of log p(group | all others).
-double foretold(const LinearProblem& problem, const Normal& normal, const std::vector<int>& groups) {
+double predicted(const LinearProblem& problem, const Normal& normal, const std::vector<int>& groups) {
   const int count = *std::max_element(groups.begin(), groups.end()) + 1;
   const Eigen::MatrixXd all = problem.gram(normal.columns, normal.columns);
   const double together = normal.log_evidence(all);
@@ -49,7 +49,7 @@ double left_out_nats(const LinearProblem& problem, const Marginalised& taken, co
                      const Eigen::VectorXd& sizes, const std::vector<int>& groups) {
   Normal normal{taken.columns, taken.precision, taken.departure};
   normal.columns.push_back(static_cast<int>(problem.residual()));
-  const double without = foretold(problem, normal, groups);
+  const double without = predicted(problem, normal, groups);
 
   normal.columns.pop_back();
   const double spread2 = std::max(sizes.squaredNorm() / static_cast<double>(sizes.size()), 1e-12);
@@ -65,7 +65,7 @@ double left_out_nats(const LinearProblem& problem, const Marginalised& taken, co
     normal.precision[place] = 1 / spread2;
   }
   normal.columns.push_back(static_cast<int>(problem.residual()));
-  return foretold(problem, normal, groups) - without;
+  return predicted(problem, normal, groups) - without;
 }
 
 }  // namespace plumbline::diagnose

@@ -1,4 +1,4 @@
-// Evidence on what was left out: how much better an effect foretells whole poses, and whole runs, that it was not
+// Evidence on what was left out: how much better an effect predicts whole poses, and whole runs, that it was not
 // fitted to.
 #pragma once
 
@@ -15,7 +15,7 @@ struct LeftOut {
   double runs = 0;
 };
 
-/// Each group of runs (same number) is foretold from all others, for every group in turn; the sum of the differences
+/// Each group of runs (same number) is predicted from all others, for every group in turn; the sum of the differences
 /// in log predictive density, with these columns of the problem and without them  [Geisser and Eddy 1979]. What is
 /// `taken` is refitted each time within its priors; so are the effect's sizes, normal beforehand with the spread of
 /// `sizes`. All of it exactly, from the Gram matrices of the runs.

@@ -37,7 +37,7 @@ std::vector<measure::Run> only(const std::vector<measure::Run>& runs, Readings w
 
 constexpr const char* kYetForetold =
     ". Something is missing in the model: run plumbline diagnose. Circles that a fit to the others did not see are "
-    "foretold all the same, so that these numbers are better than those before, if not the machine's";
+    "predicted all the same, so that these numbers are better than those before, if not the machine's";
 
 std::string held_text(const Held& held) {
   return fmt::format(

@@ -187,7 +187,7 @@ Plausibility plausibility(const machine::RotationOrder& order, const std::vector
 }
 
 bool borne_out(const Plausibility& plausible, double chance, const PlausibleOptions& options) {
-  return plausible.radial.foretold() > options.foretold && chance <= options.may_be_worse;
+  return plausible.radial.predicted() > options.predicted && chance <= options.may_be_worse;
 }
 
 std::string all_strained(const Plausibility& plausible, const PlausibleOptions& options) {

@@ -19,7 +19,7 @@ struct PlausibleOptions {
   double least_torque = 1e-3;   // N m
   std::size_t least_poses = 3;  // with fewer no pose can be spared
   // a fit is borne out, though priors together are not, where
-  double foretold = 0.5;      // more than so much of what the bar says beside the base model is foretold
+  double predicted = 0.5;     // more than so much of what the bar says beside the base model is predicted
   double may_be_worse = 0.1;  // and no more than that is the chance that the tip comes out further off
   bool joints_seen = false;   // a tracker measured where the joints are: that they are far off is what it is for
 };
@@ -37,7 +37,7 @@ struct Predicted {
   Eigen::Index readings = 0;
 
   /// How much of the mean square that the start leaves is explained on poses left out.
-  double foretold() const { return readings > 0 && before > 0 ? 1 - after * after / (before * before) : 0; }
+  double predicted() const { return readings > 0 && before > 0 ? 1 - after * after / (before * before) : 0; }
   bool worse(const PlausibleOptions& than, double least) const {
     return readings > 0 && after > std::hypot(than.worse_times * before + least, than.expected_times * doubt);
   }
@@ -64,7 +64,7 @@ Plausibility plausibility(const machine::RotationOrder& order, const std::vector
 /// The same number for runs at one pose (centre and tilt), from 0 in the order in which poses come first.
 std::vector<int> poses_of(const std::vector<measure::Run>& runs);
 
-/// Whether circles that a fit did not see are foretold by it better than not, and the tip is hardly further off with
+/// Whether circles that a fit did not see are predicted by it better than not, and the tip is hardly further off with
 /// it: `chance`, the larger of those where it stands and with its zero touched off. It then stands for what the model
 /// lacks, though it says it in other words.
 bool borne_out(const Plausibility& plausible, double chance, const PlausibleOptions& options = {});

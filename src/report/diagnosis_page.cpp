@@ -106,7 +106,7 @@ std::string left_out_table(const Diagnosis& d) {
                         e.log_odds, e.left_out->poses, e.left_out->runs);
   }
   if (rows.empty()) return {};
-  return "<table><tr><th>nats</th><th>all fitted runs</th><th>each pose foretold from the others</th><th>each "
+  return "<table><tr><th>nats</th><th>all fitted runs</th><th>each pose predicted from the others</th><th>each "
          "run</th></tr>" +
          rows + "</table>";
 }

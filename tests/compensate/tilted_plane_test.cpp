@@ -5,28 +5,12 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "compensate/play.hpp"
+#include "compensate/heavy_tool.hpp"
 #include "machine/axis_words.hpp"
 
 using namespace plumbline;
 
 namespace {
-
-Job job_of(const std::string& dialect, nc::FreeRotation free) {
-  Job job;
-  job.dialect = dialect;
-  job.settings.friction = false;
-  job.settings.step.length_mm = 5;
-  job.settings.step.angle_deg = 5;
-  job.program.tool_in_spindle = 1;
-  job.program.free_rotation = free;
-  nc::Tool tool;
-  tool.number = 1;
-  tool.length_mm = 100;
-  tool.mass_kg = 2;
-  job.program.tools = nc::ToolTable({tool});
-  return job;
-}
 
 // Where the last pieces of blocks that cut end, in W.
 std::vector<Move> cuts_of(const std::string& text, const Job& job) {
@@ -41,7 +25,7 @@ std::vector<Move> cuts_of(const std::string& text, const Job& job) {
 double left_um(const std::string& text, const std::string& output, const Job& job) {
   compensate::Settings settings = job.settings;
   compensate::Corrector corrector(job.model, settings);
-  corrector.set_tool({0.1, 2, 0});
+  corrector.set_tool(kHeavyTool);
   const std::vector<Move> written = cuts_of(output, job);
   double worst = 0;
   for (const Move& original : cuts_of(text, job)) {
@@ -68,7 +52,7 @@ const std::string kFanucHead = "O0001\nG21 G17 G90 G54 G94\nG43 H1\nG0 X0. Y0. Z
 }  // namespace
 
 TEST_CASE("Fanuc: a plane by Euler angles, lines and arcs on it, is corrected in X, Y and Z") {
-  const Job job = job_of("fanuc", nc::FreeRotation::c_stays);
+  const Job job = heavy_tool_job("fanuc", nc::FreeRotation::c_stays);
   const std::string text = kFanucHead +
                            "G68.2 X10. Y5. Z0. I30. J15. K-20.\nG53.1\nG0 X0. Y0. Z20.\nG1 Z-2. F500.\nX30.\n"
                            "G3 X20. Y10. I-10. J0.\nG91 G1 X-5. Y5.\nG90\nG0 Z50.\nG69\nG0 X0. Y0. Z60.\n"
@@ -84,7 +68,7 @@ TEST_CASE("Fanuc: a plane by Euler angles, lines and arcs on it, is corrected in
 }
 
 TEST_CASE("Fanuc: planes one after the other, drilling and tapping on them") {
-  const Job job = job_of("fanuc", nc::FreeRotation::c_zero);
+  const Job job = heavy_tool_job("fanuc", nc::FreeRotation::c_zero);
   const std::string text =
       "O0001\nG21 G17 G90 G54 G94\nT1 M6\nM3 S1000\nG68.2 X0. Y0. Z0. I0. J12. K0.\nG53.1\nG0 X10. Y0.\nG43 H1 Z30.\n"
       "G81 X10. Y0. Z-5. R2. F200.\nX20.\nG80\nG0 Z50.\nG69\nG68.2 X0. Y0. Z0. I90. J10. K-90.\nG53.1\n"
@@ -96,7 +80,7 @@ TEST_CASE("Fanuc: planes one after the other, drilling and tapping on them") {
 }
 
 TEST_CASE("Siemens: CYCLE800 turns the tool, and what follows is corrected on its plane") {
-  const Job job = job_of("siemens", nc::FreeRotation::c_stays);
+  const Job job = heavy_tool_job("siemens", nc::FreeRotation::c_stays);
   const std::string text =
       "G54 G17 G90 G71 G94\nD1\nG0 X0 Y0 Z60 A0 B0 C0\nCYCLE800(1,\"TABLE\",0,57,0,0,0,8,-10,0,0,0,0,-1)\nG0 X5 Y5 "
       "Z20\n"
@@ -108,7 +92,7 @@ TEST_CASE("Siemens: CYCLE800 turns the tool, and what follows is corrected on it
 }
 
 TEST_CASE("the direction of a plane is the machine's: the order of A, B and C is that of the model") {
-  Job job = job_of("fanuc", nc::FreeRotation::c_stays);
+  Job job = heavy_tool_job("fanuc", nc::FreeRotation::c_stays);
   job.model.rotation = machine::rotation_order("XYZ").value();
   job.program.rotation_order = job.model.rotation.axes;
   const std::string text =
@@ -123,7 +107,7 @@ TEST_CASE("the direction of a plane is the machine's: the order of A, B and C is
 }
 
 TEST_CASE("loops and expressions on a tilted plane are unrolled") {
-  const Job job = job_of("fanuc", nc::FreeRotation::c_zero);
+  const Job job = heavy_tool_job("fanuc", nc::FreeRotation::c_zero);
   const std::string text =
       kFanucHead +
       "#1=10\nG68.2 X0. Y0. Z0. I0. J#1 K0.\nG53.1\nG0 X0. Y0. Z20.\nG1 Z0. F500.\nWHILE [#1 LT 13] DO 1\n"

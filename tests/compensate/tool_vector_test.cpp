@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "compensate/play.hpp"
+#include "compensate/heavy_tool.hpp"
 #include "nc/control/tilt.hpp"
 
 using namespace plumbline;
@@ -16,25 +16,20 @@ using namespace plumbline;
 namespace {
 
 Job vector_job(const std::string& dialect, nc::FreeRotation free = nc::FreeRotation::c_zero) {
-  Job job;
-  job.dialect = dialect;
-  job.settings.friction = false;
-  job.settings.step.length_mm = 5;
-  job.settings.step.angle_deg = 5;
-  job.program.tool_in_spindle = 1;
-  job.program.free_rotation = free;
-  nc::Tool tool;
-  tool.number = 1;
-  tool.length_mm = 100;
-  tool.mass_kg = 2;
-  job.program.tools = nc::ToolTable({tool});
+  Job job = heavy_tool_job(dialect, free);
   if (dialect == "fanuc") job.emit.digits_mm = job.emit.digits_deg = 3;
   return job;
 }
 
-constexpr compensate::ToolInSpindle kHeavyTool{0.1, 2, 0};
-
 using Direction = std::array<double, 3>;
+using Ends = std::vector<std::pair<std::array<double, 3>, Direction>>;
+
+// Of the programs that turn the tool block by block, in both dialects.
+const Ends kEnds{{{10, 5, 20}, {0.1, 0, 1}},
+                 {{20, 8, 0}, {0.12, 0.02, 1}},
+                 {{25, 9, 0}, {0.13, 0.05, 1}},
+                 {{35, 19, 0}, {0.13, 0.05, 1}},
+                 {{40, 19, 0}, {0.15, 0.07, 1.02}}};
 
 double angle_deg(const Direction& a, const Direction& b) {
   const auto size = [](const Direction& v) { return std::hypot(v[0], v[1], v[2]); };
@@ -45,8 +40,7 @@ double angle_deg(const Direction& a, const Direction& b) {
 
 // The worst angle between these directions and the tool of the deformed machine where the output comes nearest to the
 // points that they belong to, deg.
-double worst_deg(const std::string& output, const Job& job,
-                 const std::vector<std::pair<std::array<double, 3>, Direction>>& ends) {
+double worst_deg(const std::string& output, const Job& job, const Ends& ends) {
   compensate::Corrector machine(job.model, job.settings);
   machine.set_tool(kHeavyTool);
   const std::vector<Move> moves = moves_of(output, job.program, job.dialect);
@@ -89,12 +83,7 @@ TEST_CASE("Siemens: directions of the tool become A, B and C, and the deformed t
   const Played played = play(text, result.text, job, kHeavyTool);
   CHECK(played.at_points_um < 0.2);
   CHECK(played.time_change < 1.5e-3);
-  CHECK(worst_deg(result.text, job,
-                  {{{10, 5, 20}, {0.1, 0, 1}},
-                   {{20, 8, 0}, {0.12, 0.02, 1}},
-                   {{25, 9, 0}, {0.13, 0.05, 1}},
-                   {{35, 19, 0}, {0.13, 0.05, 1}},
-                   {{40, 19, 0}, {0.15, 0.07, 1.02}}}) < 2e-5);
+  CHECK(worst_deg(result.text, job, kEnds) < 2e-5);
 }
 
 TEST_CASE("Fanuc: G43.5 becomes G43.4, with no more decimals than the control keeps") {
@@ -112,12 +101,7 @@ TEST_CASE("Fanuc: G43.5 becomes G43.4, with no more decimals than the control ke
     CHECK_FALSE(contains_text(result.text.substr(result.text.find("G43.4")), letter));
   const Played played = play(text, result.text, job, kHeavyTool);
   CHECK(played.at_points_um < 1.8);  // the control keeps 1 um of each axis and 0.001 deg
-  CHECK(worst_deg(result.text, job,
-                  {{{10, 5, 20}, {0.1, 0, 1}},
-                   {{20, 8, 0}, {0.12, 0.02, 1}},
-                   {{25, 9, 0}, {0.13, 0.05, 1}},
-                   {{35, 19, 0}, {0.13, 0.05, 1}},
-                   {{40, 19, 0}, {0.15, 0.07, 1.02}}}) < 1.5e-3);
+  CHECK(worst_deg(result.text, job, kEnds) < 1.5e-3);
 }
 
 TEST_CASE("C goes on where it stands, or to zero, as the control was said to do") {

@@ -82,7 +82,7 @@ TEST_CASE("what comes again in the last digit is rounding") {
   CHECK_FALSE(recurring_with(1, 0, 5e-9, 0, 1e-9));
 }
 
-TEST_CASE("runs held out that are much further off than single runs are were not foretold") {
+TEST_CASE("runs held out that are much further off than single runs are were not predicted") {
   std::mt19937_64 random(1);
   const std::vector<Run> runs = there_and_back();
   std::vector<bool> out(runs.size(), false);
@@ -93,7 +93,7 @@ TEST_CASE("runs held out that are much further off than single runs are were not
       const double size = out[i] ? size_out : (i % 2 == 0 ? 1 + wobble : 1 - wobble);
       residuals.push_back(noisy(runs[i], random, 0, 0, size * kSigma));
     }
-    return not_foretold(residuals, out, &ResidualSums::radial, {});
+    return not_predicted(residuals, out, &ResidualSums::radial, {});
   };
   CHECK_FALSE(times(1.0, 0));
   CHECK_FALSE(times(1.2, 0));
@@ -103,7 +103,7 @@ TEST_CASE("runs held out that are much further off than single runs are were not
   std::vector<bool> none(runs.size(), false);
   std::vector<RunEquations> residuals;
   for (const Run& run : runs) residuals.push_back(noisy(run, random, 0, 0));
-  CHECK_FALSE(not_foretold(residuals, none, &ResidualSums::radial, {}));
+  CHECK_FALSE(not_predicted(residuals, none, &ResidualSums::radial, {}));
 }
 
 }  // namespace plumbline::diagnose

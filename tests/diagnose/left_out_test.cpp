@@ -67,8 +67,8 @@ TEST_CASE("nats of poses left out are those of the normal densities of all readi
   CHECK(expected > 20);
 }
 
-TEST_CASE("what helps only where it was fitted foretells nothing") {
-  // each pose has another size, and the mean is nil: poses do not foretell each other, runs of a pose do
+TEST_CASE("what helps only where it was fitted predicts nothing") {
+  // each pose has another size, and the mean is nil: poses do not predict each other, runs of a pose do
   const LinearProblem problem = problem_of({3, -3, 0});
   const Eigen::VectorXd size = Eigen::VectorXd::Constant(1, 2);
   CHECK(left_out_nats(problem, kTaken, {1}, size, kPoses) < -20);

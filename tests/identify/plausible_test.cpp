@@ -122,13 +122,13 @@ TEST_CASE("poses predicted worse are an objection beyond what the fit must expec
 TEST_CASE("a fit is borne out by circles that it did not see and by the tip together, by neither alone") {
   Plausibility plausible;
   plausible.radial = {2e-6, 1e-6, 0, 100};
-  CHECK(plausible.radial.foretold() == Approx(0.75));
+  CHECK(plausible.radial.predicted() == Approx(0.75));
   CHECK(borne_out(plausible, 0.05));
   CHECK_FALSE(borne_out(plausible, 0.2));
   plausible.radial.after = 1.6e-6;
   CHECK_FALSE(borne_out(plausible, 0.05));
   plausible.radial = {};
-  CHECK(plausible.radial.foretold() == 0);
+  CHECK(plausible.radial.predicted() == 0);
   CHECK_FALSE(borne_out(plausible, 0));
 }
 

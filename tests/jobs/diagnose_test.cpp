@@ -26,7 +26,7 @@ TEST_CASE("a diagnosis has the keys that others rely on, in their units") {
   CHECK(d["runs"][0]["rms"]["radial_um"]["before"] == 3.1);
 }
 
-TEST_CASE("a diagnosis says where the gap lives, what was foretold and what it is good for, in the units of files") {
+TEST_CASE("a diagnosis says where the gap lives, what was predicted and what it is good for, in the units of files") {
   const Json d = Json::parse(jobs::diagnosis_json(testing::small_diagnosis()));
   CHECK(d["evidence_nats"][0]["left_out_nats"] == Json({{"poses", 31.5}, {"runs", 33.5}}));
   CHECK(d["evidence_nats"][1]["left_out_nats"].is_null());

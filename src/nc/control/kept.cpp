@@ -39,14 +39,13 @@ double kept_value(double value, const Kept& kept, bool is_literal) {
   return from_ticks(to_ticks(cut * kept.quantum, kept.decimals), kept.decimals);
 }
 
-double WrittenAngle::kept(double degrees) const {
-  return from_ticks(to_ticks(std::round(degrees / quantum) * quantum, digits), digits);
+double WrittenNumber::kept(double value) const {
+  return from_ticks(to_ticks(std::round(value / quantum) * quantum, digits), digits);
 }
 
-WrittenAngle written_angle(const ControlBehaviour& behaviour, int digits, double increment_deg, double ratio) {
-  const Kept kept = kept_of_axis_word(behaviour, true, false, ratio, false);
+WrittenNumber written_number(const Kept& kept, int digits, double increment) {
   const int written = std::clamp(digits, 0, kept.decimals);
-  return {written, std::max({increment_deg, from_ticks(1, written), kept.quantum})};
+  return {written, std::max({increment, from_ticks(1, written), kept.quantum})};
 }
 
 }  // namespace plumbline::nc

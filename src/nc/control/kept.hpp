@@ -19,14 +19,14 @@ Kept kept_of_axis_word(const ControlBehaviour& behaviour, bool angle, bool inche
 /// The value as the control keeps it: a number that stands in the program is cut off, one that is worked out rounded.
 double kept_value(double value, const Kept& kept, bool is_literal);
 
-/// How the angle of an absolute word is written.
-struct WrittenAngle {
+/// How a number is written, in the unit of its word.
+struct WrittenNumber {
   int digits = 9;
-  double quantum = 1e-9;  // deg
+  double quantum = 1e-9;
 
-  double kept(double degrees) const;
+  double kept(double value) const;
 };
-/// `digits` and `increment_deg`: those that are asked for, where the control keeps as many; `ratio` as of kept_of.
-WrittenAngle written_angle(const ControlBehaviour& behaviour, int digits, double increment_deg, double ratio);
+/// `digits` and `increment`: those that are asked for, where the control keeps as many.
+WrittenNumber written_number(const Kept& kept, int digits, double increment);
 
 }  // namespace plumbline::nc

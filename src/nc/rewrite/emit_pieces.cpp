@@ -91,9 +91,8 @@ PiecePlanner::Grid PiecePlanner::grid(const Step& step, Axis axis) const {
   const ControlBehaviour& behaviour = dialect_.behaviour;
   const Kept kept =
       kept_of_axis_word(behaviour, is_rotary(axis), inches, settings_.increment_ratio, step.after->incremental);
-  const int digits = std::clamp(std::max(least, written), 0, kept.decimals);
   const double increment = (is_rotary(axis) ? settings_.increment_deg : settings_.increment_mm) / per_unit;
-  return {per_unit, digits, std::max({increment, from_ticks(1, digits), kept.quantum})};
+  return {written_number(kept, std::max(least, written), increment), per_unit};
 }
 
 bool PiecePlanner::stays(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
@@ -175,8 +174,7 @@ bool PiecePlanner::rounds_to_zero(const Step& step, const AxisWords& shift, Axis
 
 double PiecePlanner::rounded(const Step& step, Axis axis, double value) const {
   check_word(step, value);
-  const Grid g = grid(step, axis);
-  return from_ticks(to_ticks(std::round(value / g.quantum) * g.quantum, g.digits), g.digits);
+  return grid(step, axis).kept(value);
 }
 
 double PiecePlanner::offset_word(const Step& step, Axis axis, double value) const {
@@ -258,8 +256,7 @@ Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point,
     const bool known = step.motions.front().known_before.contains(axis) || !first;
     const double wanted = (step.after->incremental ? target[axis] - at[axis] : target[axis]) / g.per_unit;
     check_word(step, wanted);
-    const double kept = std::round(wanted / g.quantum) * g.quantum;
-    const double value = from_ticks(to_ticks(kept, g.digits), g.digits);
+    const double value = g.kept(wanted);
     check_digits(step, value, g.digits);
     double end = step.after->incremental ? at[axis] + value * g.per_unit : value * g.per_unit;
     const bool endless = !step.after->incremental && step.after->rule_of(axis) != RotaryRule::linear;

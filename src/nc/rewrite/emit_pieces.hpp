@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/axes.hpp"
+#include "nc/control/kept.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"
 #include "nc/rewrite/emit_state.hpp"
@@ -77,10 +78,8 @@ class PiecePlanner {
   std::optional<double> seconds() const { return seconds_; }
 
  private:
-  struct Grid {       // of one axis: how it is written and kept
-    double per_unit;  // mm or deg per unit of the program
-    int digits;
-    double quantum;  // of what the control keeps, in the program's unit
+  struct Grid : WrittenNumber {  // of one axis
+    double per_unit = 1;         // mm or deg per unit of the program
   };
   Grid grid(const Step& step, Axis axis) const;
   bool keeps_time(const Step& step, const AxisWords& standing) const;

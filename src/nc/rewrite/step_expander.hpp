@@ -15,7 +15,7 @@ namespace plumbline::nc {
 class StepExpander {
  public:
   /// The dialect must outlive it. `angle`: how A, B and C are written.
-  explicit StepExpander(const Dialect& dialect, WrittenAngle angle = {})
+  explicit StepExpander(const Dialect& dialect, WrittenNumber angle = {})
       : dialect_(dialect), made_(dialect), angle_(angle) {
     spelling_.point = dialect.behaviour.always_point;
     spelling_.most_digits = dialect.behaviour.most_digits;
@@ -44,7 +44,7 @@ class StepExpander {
 
   const Dialect& dialect_;
   MadeSteps made_;
-  WrittenAngle angle_;
+  WrittenNumber angle_;
   BlockEditor editor_;
   Spelling spelling_;
 };

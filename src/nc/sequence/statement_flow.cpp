@@ -133,31 +133,34 @@ bool ends_tape(std::string_view line, bool begun, const Dialect& dialect) {
   return percent && begun && dialect.syntax.statements != Statements::high_level;
 }
 
+// What the lines of a tape begin with.
+template <class Take>
+void for_each_head(const InputFile& file, const Dialect& dialect, const Take& take) {
+  LineSource lines(file, dialect.syntax.goes_on);
+  bool begun = false;
+  for (Line line; lines.next(line);) {
+    if (ends_tape(line.text, begun, dialect)) return;
+    const LineHead head = head_of(line.text, dialect);
+    begun = begun || !head.empty;
+    take(head, line.place);
+  }
+}
+
 }  // namespace
 
 void StatementFlow::index_programs(File& file) const {
   if (std::exchange(file.has_index, true)) return;
-  LineSource lines(*file.file, dialect_.syntax.goes_on);
-  bool begun = false;
-  for (Line line; lines.next(line);) {
-    if (ends_tape(line.text, begun, dialect_)) return;
-    LineHead head = head_of(line.text, dialect_);
-    begun = begun || !head.empty;
-    if (!head.program.empty()) file.programs.emplace_back(std::move(head.program), line.place);
-  }
+  for_each_head(*file.file, dialect_, [&](const LineHead& head, const LinePlace& place) {
+    if (!head.program.empty()) file.programs.emplace_back(head.program, place);
+  });
 }
 
 void StatementFlow::index_labels(File& file) const {
   if (std::exchange(file.has_labels, true)) return;
-  LineSource lines(*file.file, dialect_.syntax.goes_on);
-  bool begun = false;
-  for (Line line; lines.next(line);) {
-    if (ends_tape(line.text, begun, dialect_)) return;
-    LineHead head = head_of(line.text, dialect_);
-    begun = begun || !head.empty;
-    if (!head.number.empty()) file.labels[head.number].push_back(line.place);
-    if (!head.label.empty()) file.labels[head.label].push_back(line.place);
-  }
+  for_each_head(*file.file, dialect_, [&](const LineHead& head, const LinePlace& place) {
+    if (!head.number.empty()) file.labels[head.number].push_back(place);
+    if (!head.label.empty()) file.labels[head.label].push_back(place);
+  });
 }
 
 // Forward from this line to the end of the program, then from its begin; backward: the nearest

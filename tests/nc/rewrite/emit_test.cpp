@@ -1,4 +1,4 @@
-// The emitter alone: corrections made up here, so that every digit of the output can be foretold.
+// The emitter alone: corrections made up here, so that every digit of the output can be predicted.
 #include "nc/rewrite/emit.hpp"
 
 #include <functional>

@@ -1,5 +1,4 @@
 // What numbers without a decimal point count.
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -31,16 +30,27 @@ std::uint32_t letters_of_lengths(const ControlBehaviour& behaviour) {
              "set the unit of the control to 1 mm, let the CAM system write for that, and leave out --input-increment");
 }
 
+double increment_ratio(const Execution& run) {
+  const double increment = run.dialect.behaviour.increment_mm;
+  return run.settings.input_increment.value_or(increment) / increment;
+}
+
+template <class Take>
+void for_each_g_row(const Execution& run, const Block& block, const Take& take) {
+  for (const Word& word : block.words) {
+    if (word.letter != 'G') continue;
+    if (const CodeRow* const row = run.dialect.row_of(word)) take(*row);
+  }
+}
+
 // That of the block itself counts: the mode acts before F.
 FeedMode feed_mode_of(const Execution& run, const Block& block) {
   FeedMode mode = run.control.modal.feed_mode;
-  for (const Word& word : block.words) {
-    const CodeRow* const row = word.letter == 'G' ? run.dialect.row_of(word) : nullptr;
-    if (row == nullptr) continue;
-    if (row->action == Action::inverse_time) mode = FeedMode::inverse_time;
-    if (row->action == Action::per_minute) mode = FeedMode::per_minute;
-    if (row->action == Action::per_revolution) mode = FeedMode::per_revolution;
-  }
+  for_each_g_row(run, block, [&](const CodeRow& row) {
+    if (row.action == Action::inverse_time) mode = FeedMode::inverse_time;
+    if (row.action == Action::per_minute) mode = FeedMode::per_minute;
+    if (row.action == Action::per_revolution) mode = FeedMode::per_revolution;
+  });
   return mode;
 }
 
@@ -61,9 +71,7 @@ void count_feed(const Execution& run, FeedMode mode, Word& word) {
 // Degrees of a turn, seconds of a dwell: thousandths in inches, too.
 void count_angle(const Execution& run, Word& word) {
   if (word.point || word.expression != kLiteral || run.settings.calculator_type.value_or(false)) return;
-  const ControlBehaviour& behaviour = run.dialect.behaviour;
-  word.value *=
-      run.settings.input_increment.value_or(behaviour.increment_mm) / behaviour.increment_mm * behaviour.increment_deg;
+  word.value *= increment_ratio(run) * run.dialect.behaviour.increment_deg;
 }
 
 // What a number without a decimal point counts, where that is not a unit.
@@ -72,7 +80,7 @@ void count_increments(const Execution& run, FeedMode mode, Word& word) {
   const std::uint32_t letter = letter_bit(word.letter);
   const bool is_length = (letter & letters_of_lengths(behaviour)) != 0;
   const bool is_angle = (letter & kAngles) != 0;
-  const double ratio = run.settings.input_increment.value_or(behaviour.increment_mm) / behaviour.increment_mm;
+  const double ratio = increment_ratio(run);
   if (ratio != 1 && behaviour.increment_of_rest_unknown && (word.letter == 'F' || is_length || is_angle)) {
     refuse_increment(run, word);
   }
@@ -93,7 +101,7 @@ void keep_increment(const Execution& run, Word& word, bool is_argument) {
   const std::optional<Axis> axis = axis_of(word.letter);
   const bool of_a_move = (letter_bit(word.letter) & (letters_of_lengths(behaviour) | kAngles)) != 0 && !is_argument;
   if (!axis && !of_a_move) return;
-  const double ratio = run.settings.input_increment.value_or(behaviour.increment_mm) / behaviour.increment_mm;
+  const double ratio = increment_ratio(run);
   const Kept kept = kept_of(behaviour, axis && is_rotary(*axis), run.control.modal.inches, ratio);
   word.value = kept_value(word.value, kept, word.expression == kLiteral);
 }
@@ -116,19 +124,17 @@ void round_speed(const Execution& run, Word& word) {
 }
 
 bool has_code(const Execution& run, const Block& block, Action action) {
-  return std::any_of(block.words.begin(), block.words.end(), [&](const Word& word) {
-    const CodeRow* const row = word.letter == 'G' ? run.dialect.row_of(word) : nullptr;
-    return row != nullptr && row->action == action;
-  });
+  bool has = false;
+  for_each_g_row(run, block, [&](const CodeRow& row) { has = has || row.action == action; });
+  return has;
 }
 
 // A cycle goes on or begins: K is its count then.
 bool is_in_cycle(const Execution& run, const Block& block) {
   const CodeRow* motion = run.control.motion_row;
-  for (const Word& word : block.words) {
-    const CodeRow* const row = word.letter == 'G' ? run.dialect.row_of(word) : nullptr;
-    if (row != nullptr && row->group == 1) motion = row;
-  }
+  for_each_g_row(run, block, [&](const CodeRow& row) {
+    if (row.group == 1) motion = &row;
+  });
   return motion != nullptr && motion->action == Action::cycle;
 }
 
