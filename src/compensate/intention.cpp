@@ -34,6 +34,18 @@ bool is_stated(const nc::Step& step, Axis axis) {
   return !step.after->incremental;
 }
 
+// Where the last moves of a hole begin, those at the height that it goes back to: on its way down the tool may pass
+// there, too.
+std::size_t way_back(std::span<const nc::Motion> motions, const nc::Hole& hole, Axis normal) {
+  std::size_t back = hole.end;
+  const auto is_there = [&](const nc::Motion& motion) {
+    return motion.kind == nc::MotionKind::dwell || std::abs(motion.to[normal] - hole.clear) <= nc::kSameHeight;
+  };
+  while (back > hole.begin && is_there(motions[back - 1])) --back;
+  while (back < hole.end && motions[back].kind == nc::MotionKind::dwell) ++back;
+  return back;
+}
+
 bool same(const IntendedState& state, const nc::Step& step) {
   const nc::Modal& a = state.modal;
   const nc::Modal& b = *step.after;
@@ -82,8 +94,9 @@ void Intention::note_kept(const nc::Step& step, IntendedMove& move) {
         std::max((is_rotary(axis) ? emit_.increment_deg : emit_.increment_mm) / unit, control.quantum);
     const double kept = increment > digit * 1.000001 ? increment + digit : digit;
     const double here = kept * unit / 2 + kNoRounding;
-    written_[axis] = step.named.contains(axis) ? here : std::max(here, written_[axis]);
-    move.tolerance[axis] = std::max(here, written_[axis]);
+    // An increment keeps what rounding left of the place before it.
+    written_[axis] = is_stated(step, axis) ? here : std::max(here, written_[axis]);
+    move.tolerance[axis] = written_[axis];
     const bool is_cut_off = written > control.decimals;  // such a word may stand as it is
     move.digit[axis] = is_cut_off ? std::pow(10, -written) : digit;
     move.increment[axis] = is_cut_off ? 0 : increment;
@@ -178,6 +191,7 @@ void Intention::shift(const nc::Step& hole, const AxisWords& by) {
     level_written_ = written_[axes.third];
   }
   goes_on_ = true;
+  const std::size_t way_back_begin = way_back(original_->motions, at, axes.third);
   const bool in_place = hole.motions.size() == original_->motions.size();  // the way to the hole is part of its block
   for (std::size_t i = in_place ? 0 : at.approach_end; i < at.end; ++i) {
     const nc::Motion& motion = original_->motions[i];
@@ -185,7 +199,7 @@ void Intention::shift(const nc::Step& hole, const AxisWords& by) {
     work[axes.second] = by[axes.second];
     const double end = motion.to[axes.third];
     const double from = motion.from[axes.third] + work[axes.third];
-    const bool back = !hole.after->retract_to_r && i >= at.begin && std::abs(end - at.clear) <= nc::kSameHeight;
+    const bool back = !hole.after->retract_to_r && i >= way_back_begin;
     if (back) {
       // G71 as it is; where the tool came in from below R, the higher of the two
       const bool from_r = !dialect_.behaviour.fanuc_cycles && std::abs(at.clear - at.r) <= nc::kSameHeight;

@@ -81,6 +81,24 @@ TEST_CASE("linuxcnc: behind a hole that the tool came to from below R it stands 
                "G0 X5 Y-1 Z1.5 A-4 B2 C0\nM4 S500\nF300\nG98 G74 X7 Z-1.2 R1.5\nX7.01\nG99 X3\nX5\nG80\nM2\n"});
 }
 
+TEST_CASE("linuxcnc: on its way down to a hole the tool may pass the height that it goes back to") {
+  for (const char* const options : {"", "A2 B-3 C1", "A-4"}) {
+    const std::string head = "F100 S300 M3\nG0 X6 Y-7 Z-0.5595 " + std::string(options) + "\n";
+    check_taken("linuxcnc", {head + "G99 G87 Y-3 Z-4.27 R1.3 I0.78 J8.95 K5.14\nX-2.3201 Y-0.1 G98\nM2\n",
+                             head + "G98 G87 X9 Y9 Z-3 R1 I1 J1 K-1\nX-12 Y3\nX-12 Y4 R2\nG80\nM2\n",
+                             head + "G18 G99 G87 X3 Z-4.27 Y-5 R-1.3 I0.78 K8.95 J1.14\nX-20.3201 Z-0.1 G98\nG80\nM2\n",
+                             head + "G20 G99 G87 X.3 Y-.2 Z-.4 R.1 I.05 J.03 K.05\nG98 X-.5 L2\nG80\nM2\n"});
+  }
+}
+
+TEST_CASE("increments that go through as they stand keep what rounding left of the place before them") {
+  for (const char* const place : {"X-39.2461 Y-10.271 Z-20.2 A-3.6147", "X1 Y2 Z3 B2", "X-7.1 Y8.33 Z-5.55 C4 A1"}) {
+    const std::string head = "G0 " + std::string(place) + "\nG91\n";
+    check_taken("linuxcnc", {head + "G30 Z0.38841\nM2\n", head + "G28 X1.123456 Y0.000001 Z0.100001\nM2\n",
+                             head + "G0 Z-1.5\nG30 X0.123456 Z0.38841\nM2\n", head + "G20 G28 Z0.0123456\nM2\n"});
+  }
+}
+
 TEST_CASE("siemens: axes that a called cycle does not name stand where increments left them") {
   Job job = for_dialect("siemens");
   job.settings.friction = false;

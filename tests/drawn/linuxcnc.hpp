@@ -47,7 +47,7 @@ class LinuxCnc final : public Writer {
   };
   std::array<System, 9> systems_;
   int system_ = 1;
-  AxisWords suspended_;
+  AxisWords stored_;
   int tool_ = 0;
   double length_ = 0;  // in force
   bool offsets_anew_ = false;

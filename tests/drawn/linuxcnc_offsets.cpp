@@ -94,8 +94,7 @@ void LinuxCnc::set_position() {
       words.push_back(letter(axis) + number.text);
     }
     if (words.size() == 1) return;
-    shift_ = before - at_;
-    suspended_ = {};
+    shift_ = stored_ = before - at_;
   } else if (kind < 7) {
     words.emplace_back("G52");
     for (const Axis axis : kAllAxes) {
@@ -105,25 +104,24 @@ void LinuxCnc::set_position() {
       words.push_back(letter(axis) + number.text);
     }
     if (words.size() == 1) return;
+    stored_ = shift_;
     at_ = before - shift_;
   } else if (kind == 7) {
     words.emplace_back("G92.1");
-    shift_ = {};
+    shift_ = stored_ = {};
     at_ = before;
   } else if (kind == 8) {
     words.emplace_back("G92.2");
-    suspended_ = shift_;
     shift_ = {};
     at_ = before;
   } else {
     Words first{"G92.2"};
-    const AxisWords kept = shift_;
     shift_ = {};
     at_ = before;
     put(first);
     if (draws_.chance(50)) put(line(true));
     const AxisWords now = at_;
-    shift_ = kept;
+    shift_ = stored_;
     at_ = now - shift_;
     words.emplace_back("G92.3");
   }
