@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 
 #include "base/files.hpp"
-#include "jobs/compensate_file.hpp"
-#include "jobs/program_dialect.hpp"
+#include "base/version.hpp"
+#include "jobs/compensate/compensate_file.hpp"
 #include "jobs/trace.hpp"
-#include "jobs/version.hpp"
 #include "machine/model_file.hpp"
+#include "report/trace_text.hpp"
 
 namespace plumbline::api {
 namespace {
@@ -20,14 +20,14 @@ void require_model(const Options& options) {
 
 }  // namespace
 
-std::string_view version() { return jobs::version(); }
+std::string_view version() { return plumbline::version(); }
 
 void set_option(Options& options, std::string_view name, std::string_view text) {
-  const jobs::OptionRow* const row = jobs::find_option(name);
+  const settings::OptionRow* const row = settings::find_option(name);
   if (row == nullptr) throw std::invalid_argument(fmt::format("there is no option {}", name));
   try {
-    jobs::set_option(options, *row, text);
-  } catch (const jobs::OptionError& error) {
+    settings::set_option(options, *row, text);
+  } catch (const settings::OptionError& error) {
     throw std::invalid_argument(fmt::format("{}: {}", name, error.what()));
   }
 }
@@ -48,11 +48,11 @@ ErrorSummary error(const std::string& poses, const std::string& model, const std
 }
 
 void trace(const std::string& program, const std::string& output, const Options& options, const Progress& progress) {
-  nc::ProgramSettings settings = jobs::program_settings(options);
-  settings.as_with_empty_tables = true;
-  const InputFile source(program);
   OutputFile out(output);
-  plumbline::trace(source, jobs::dialect_of(options, source), std::move(settings), out, progress);
+  report::TraceWriter writer(out);
+  jobs::trace_file(
+      program, options, [&](const nc::Motion& motion) { writer.add(motion); }, progress);
+  writer.flush();
   out.commit();
 }
 

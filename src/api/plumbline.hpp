@@ -13,16 +13,16 @@
 #include "compensate/summary.hpp"
 #include "jobs/check.hpp"
 #include "jobs/error_table.hpp"
-#include "jobs/options.hpp"
+#include "settings/options.hpp"
 
 namespace plumbline::api {
 
 using CheckSummary = jobs::CheckSummary;
 using CompensationSummary = compensate::Summary;
 using ErrorSummary = jobs::ErrorTableSummary;
-/// What the program's text does not say, the model's path and how to compensate: jobs/options.hpp. Set the fields, or
-/// set_option() by name and text as on the command line.
-using Options = jobs::Options;
+/// What the program's text does not say, the model's path and how to compensate: settings/options.hpp. Set the fields,
+/// or set_option() by name and text as on the command line.
+using Options = settings::Options;
 
 /// "0.1.0"
 std::string_view version();

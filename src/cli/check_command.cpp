@@ -5,6 +5,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
 #include "jobs/check.hpp"
+#include "report/check_text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -15,14 +16,14 @@ struct CheckArguments {
 };
 
 int check(const CheckArguments& arguments) {
-  const jobs::Options options = arguments.shared.read(arguments.program);
+  const settings::Options options = arguments.shared.read(arguments.program);
   require_model(options);
   check_outputs(files_read(arguments.program, options), {arguments.json});
   JsonResult json(arguments.json);
   ProgressLine line;
   const jobs::CheckSummary summary = jobs::check_file(arguments.program, options, line.progress());
   line.clear();
-  json.give(jobs::check_text(summary), jobs::check_json(summary));
+  json.give(report::check_text(summary), report::check_json(summary));
   return summary.violations == 0 ? kDone : kFound;
 }
 
@@ -38,7 +39,7 @@ void add_check(CLI::App& app, Run& run) {
       ->type_name("FILE")
       ->required();
   command->add_option("--json", arguments->json, "write the result as JSON, too")->type_name("FILE");
-  using Group = jobs::OptionGroup;
+  using Group = settings::OptionGroup;
   arguments->shared.add_to(*command, {Group::model, Group::program, Group::step});
   command->callback([arguments, &run] { run = [arguments] { return check(*arguments); }; });
 }

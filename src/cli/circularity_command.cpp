@@ -3,6 +3,7 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "jobs/circularity.hpp"
+#include "report/circularity_text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -15,7 +16,7 @@ int circularity(const CircularityArguments& arguments) {
   check_outputs(inputs_of(arguments.dataset, {}), {arguments.json});
   JsonResult json(arguments.json);
   const jobs::CircularityTable table = jobs::circularity_table(measure::read_dataset(arguments.dataset));
-  json.give(jobs::circularity_text(table), jobs::circularity_json(table));
+  json.give(report::circularity_text(table), report::circularity_json(table));
   return kDone;
 }
 

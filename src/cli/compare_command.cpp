@@ -6,6 +6,7 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "jobs/compare.hpp"
+#include "report/compare_text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -24,7 +25,7 @@ int compare(const CompareArguments& arguments) {
     refuse("compare-no-bar", "--max-radial-um bounds readings of the bar, and no run has any",
            "leave it out, or measure radial_um", Place{.file = arguments.dataset});
   }
-  json.give(jobs::compare_text(comparison), jobs::compare_json(comparison));
+  json.give(report::compare_text(comparison), report::compare_json(comparison));
   return comparison.radial_rms_um.value_or(0) <= arguments.most_radial_um ? kDone : kFound;
 }
 

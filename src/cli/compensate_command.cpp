@@ -6,9 +6,9 @@
 #include "cli/messages.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
-#include "jobs/compensate_file.hpp"
-#include "jobs/compensated_files.hpp"
-#include "jobs/summary_text.hpp"
+#include "jobs/compensate/compensate_file.hpp"
+#include "jobs/compensate/compensated_files.hpp"
+#include "report/summary_text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -19,7 +19,7 @@ struct CompensateArguments {
 };
 
 int compensate(const CompensateArguments& arguments) {
-  const jobs::Options options = arguments.shared.read(arguments.program);
+  const settings::Options options = arguments.shared.read(arguments.program);
   require_model(options);
   check_outputs(files_read(arguments.program, options),
                 {arguments.output, arguments.json, options.undo ? jobs::undo_name(arguments.output) : std::string()});
@@ -27,11 +27,12 @@ int compensate(const CompensateArguments& arguments) {
     throw UsageError("--undo writes a file beside the output: name one with -o");
   }
   ProgressLine line;
-  const compensate::Summary summary =
-      jobs::compensate_file(arguments.program, arguments.output, options, line.progress(), arguments.json);
+  const compensate::Summary summary = jobs::compensate_file(
+      arguments.program, arguments.output, options, line.progress(),
+      {arguments.json, [&](const compensate::Summary& of) { return report::summary_json(of, options); }});
   line.clear();
   for (const Diagnostic& warning : summary.warnings) say(warning);
-  say_note(jobs::summary_text(summary, options));
+  say_note(report::summary_text(summary, options));
   return kDone;
 }
 
@@ -49,7 +50,7 @@ void add_compensate(CLI::App& app, Run& run) {
       ->type_name("FILE")
       ->required();
   command->add_option("--json", arguments->json, "write the summary as JSON, too")->type_name("FILE");
-  using Group = jobs::OptionGroup;
+  using Group = settings::OptionGroup;
   arguments->shared.add_to(*command, {Group::model, Group::program, Group::step, Group::compensation});
   command->callback([arguments, &run] { run = [arguments] { return compensate(*arguments); }; });
 }

@@ -16,6 +16,7 @@
 #include "cli/messages.hpp"
 #include "jobs/diagnose.hpp"
 #include "report/diagnosis_page.hpp"
+#include "report/diagnosis_text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -65,14 +66,17 @@ int diagnose(const DiagnoseArguments& arguments) {
   check_folder(arguments.folder);
   check_outputs(inputs_of(arguments.job.dataset, {arguments.job.model}), {json, model, page});
   const bool is_followed = isatty(STDERR_FILENO) != 0 && !says_json();
-  const jobs::DiagnoseReport report = jobs::diagnose(arguments.job, [&](const std::string& step) {
+  const jobs::DiagnoseResult result = jobs::diagnose(arguments.job, [&](const std::string& step) {
     if (is_followed) say_note(step + "\n");
   });
-  write_folder(arguments.folder, {{json, report.json},
-                                  {page, report::diagnosis_page(report.diagnosis, "Diagnosis of " + report.machine)},
-                                  {model, report.model_toml}});
-  print_result(arguments.json ? report.json : report.text);
-  if (report.diagnosis.converged) return kDone;
+  const std::string numbers = report::diagnosis_json(result.diagnosis);
+  write_folder(arguments.folder, {{json, numbers},
+                                  {page, report::diagnosis_page(result.diagnosis, "Diagnosis of " + result.machine)},
+                                  {model, result.model_toml}});
+  std::string words = report::diagnosis_text(result.diagnosis);
+  if (!result.thinning.empty()) words += result.thinning + '\n';
+  print_result(arguments.json ? numbers : words);
+  if (result.diagnosis.converged) return kDone;
   say({"diagnose-not-converged",
        "the last fit did not converge: do not use the numbers found",
        "look at the runs of report.html for what is odd in the readings; measure anew, or more runs",

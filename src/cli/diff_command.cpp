@@ -4,7 +4,8 @@
 #include "cli/command_files.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
-#include "jobs/diff.hpp"
+#include "jobs/diff/diff.hpp"
+#include "report/diff_text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -18,7 +19,7 @@ struct DiffArguments {
 };
 
 int diff(const DiffArguments& arguments) {
-  const jobs::Options options = arguments.shared.read(arguments.a);
+  const settings::Options options = arguments.shared.read(arguments.a);
   std::vector<std::string> inputs = files_read(arguments.a, options);
   inputs.push_back(arguments.b);
   check_outputs(inputs, {arguments.json});
@@ -26,7 +27,7 @@ int diff(const DiffArguments& arguments) {
   ProgressLine line;
   const jobs::DiffSummary summary = jobs::diff_files(arguments.a, arguments.b, options, line.progress());
   line.clear();
-  json.give(jobs::diff_text(summary), jobs::diff_json(summary));
+  json.give(report::diff_text(summary), report::diff_json(summary));
   const bool differs = arguments.expect_equal && !summary.equal_within(arguments.tolerance_mm, arguments.tolerance_deg);
   return differs ? kFound : kDone;
 }
@@ -58,7 +59,7 @@ void add_diff(CLI::App& app, Run& run) {
       "zero for both, and the settings file is that beside A");
   const auto arguments = std::make_shared<DiffArguments>();
   add_files(*command, *arguments);
-  arguments->shared.add_to(*command, {jobs::OptionGroup::program});
+  arguments->shared.add_to(*command, {settings::OptionGroup::program});
   command->callback([arguments, &run] { run = [arguments] { return diff(*arguments); }; });
 }
 

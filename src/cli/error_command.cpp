@@ -8,8 +8,8 @@
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "jobs/error_table.hpp"
-#include "jobs/text_table.hpp"
 #include "machine/model_file.hpp"
+#include "report/text_table.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -27,7 +27,7 @@ int error(const ErrorArguments& arguments) {
   const jobs::ErrorTableSummary summary = jobs::write_error_table(model, poses, out);
   out.commit();
   say_note(
-      fmt::format("{}, the tip up to {:.3f} um off\n", jobs::count_text(summary.poses, "pose"), summary.largest_um));
+      fmt::format("{}, the tip up to {:.3f} um off\n", report::count_text(summary.poses, "pose"), summary.largest_um));
   return kDone;
 }
 

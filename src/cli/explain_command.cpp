@@ -2,7 +2,7 @@
 
 #include "cli/command.hpp"
 #include "cli/messages.hpp"
-#include "jobs/explain.hpp"
+#include "report/explain.hpp"
 
 namespace plumbline::cli {
 
@@ -15,7 +15,7 @@ void add_explain(CLI::App& app, Run& run) {
   command->add_option("CODE", *code, "the code, as it stands in brackets behind a message")->type_name("TEXT");
   command->callback([code, &run] {
     run = [code] {
-      print_result(code->empty() ? jobs::explain_list() : jobs::explain_text(*code));
+      print_result(code->empty() ? report::explain_list() : report::explain_text(*code));
       return kDone;
     };
   });

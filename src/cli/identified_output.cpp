@@ -5,6 +5,7 @@
 #include "base/files.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
+#include "report/identification_text.hpp"
 
 namespace plumbline::cli {
 
@@ -47,13 +48,13 @@ int write_identified(const std::vector<std::string>& inputs, const IdentifiedOut
   OutputFile out(output.model);
   JsonResult json_result(output.json);
   const jobs::IdentifiedModel identified = make();
-  std::string words = jobs::identification_text(identified.found);
+  std::string words = report::identification_text(identified.found);
   if (!identified.thinning.empty()) words += identified.thinning + '\n';
   if (output.model == kStandardStream) {
     say_note(words);
     words.clear();
   }
-  const std::string numbers = jobs::identification_json(identified.found);
+  const std::string numbers = report::identification_json(identified.found);
   if (!identified.found.converged()) {
     json_result.give(words, numbers);
     refuse("identify-not-converged", fmt::format("the fit did not converge: {} is not written", output.model),

@@ -13,10 +13,10 @@
 #include "base/check.hpp"
 #include "base/diagnostic.hpp"
 #include "base/ending_signals.hpp"
+#include "base/version.hpp"
 #include "cli/command.hpp"
 #include "cli/messages.hpp"
 #include "cli/suggest.hpp"
-#include "jobs/version.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -43,7 +43,7 @@ int wrong_usage(const CLI::App& app, const std::string& message) {
 
 int broken(const char* what) {
   constexpr const char* kHelp = "please report it with the command, the program and the model";
-  const std::string message = fmt::format("this is a bug in plumbline {}: {}", jobs::version(), what);
+  const std::string message = fmt::format("this is a bug in plumbline {}: {}", plumbline::version(), what);
   if (says_json()) {
     say({"internal-error", message, kHelp, {}, Severity::error});
   } else {
@@ -101,7 +101,7 @@ void describe(CLI::App& app) {
       "plumbline straightens NC programs for hexapod machine tools: it moves the tool tip to where the "
       "program meant it to go, against gravity, friction and elasticity of the machine.");
   app.name("plumbline");
-  app.set_version_flag("--version", fmt::format("plumbline {}", jobs::version()));
+  app.set_version_flag("--version", fmt::format("plumbline {}", plumbline::version()));
   app.require_subcommand(1);
   app.get_formatter()->column_width(36);
   app.footer(

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/printable.hpp"
-#include "jobs/diagnostic_json.hpp"
+#include "report/diagnostic_json.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -26,7 +26,7 @@ void put_message(std::string_view text) {
 }
 
 void say(const Diagnostic& diagnostic) {
-  put_message(as_json ? jobs::diagnostic_json(diagnostic) + "\n" : to_text(diagnostic));
+  put_message(as_json ? report::diagnostic_json(diagnostic) + "\n" : to_text(diagnostic));
 }
 
 void say_note(std::string_view text) {

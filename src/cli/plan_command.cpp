@@ -4,6 +4,7 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "jobs/plan.hpp"
+#include "report/plan_text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -40,7 +41,7 @@ int plan(const PlanArguments& arguments) {
   JsonResult json(arguments.json);
   const jobs::PlannedTests planned = jobs::plan_tests(job);
   if (!arguments.folder.empty()) jobs::write_plan(planned, arguments.folder);
-  json.give(jobs::plan_text(planned), jobs::plan_json(planned));
+  json.give(report::plan_text(planned), report::plan_json(planned));
   return kDone;
 }
 

@@ -3,7 +3,7 @@
 #include "base/files.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
-#include "jobs/compensated_files.hpp"
+#include "jobs/compensate/compensated_files.hpp"
 #include "nc/rewrite/undo.hpp"
 
 namespace plumbline::cli {

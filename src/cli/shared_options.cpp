@@ -4,19 +4,19 @@
 
 #include <fmt/format.h>
 
-#include "jobs/settings_file.hpp"
+#include "settings/settings_file.hpp"
 
 namespace plumbline::cli {
 
-void SharedOptions::add_to(CLI::App& command, std::initializer_list<jobs::OptionGroup> groups) {
-  for (const jobs::OptionRow& row : jobs::option_rows()) {
+void SharedOptions::add_to(CLI::App& command, std::initializer_list<settings::OptionGroup> groups) {
+  for (const settings::OptionRow& row : settings::option_rows()) {
     if (std::find(groups.begin(), groups.end(), row.group) != groups.end()) add(command, row);
   }
   command.add_flag("--no-settings", no_settings_,
-                   fmt::format("read no {} beside the program", jobs::kSettingsFileName));
+                   fmt::format("read no {} beside the program", settings::kSettingsFileName));
 }
 
-void SharedOptions::add(CLI::App& command, const jobs::OptionRow& row) {
+void SharedOptions::add(CLI::App& command, const settings::OptionRow& row) {
   Given& given = given_.emplace_back(Given{&row, {}});
   const std::string name = row.name == "model" ? "-m,--model" : fmt::format("--{}", row.name);
   if (row.value.empty()) {
@@ -30,30 +30,30 @@ void SharedOptions::add(CLI::App& command, const jobs::OptionRow& row) {
   if (!row.is_repeatable) option->expected(1);
 }
 
-void SharedOptions::apply(jobs::Options& options) const {
+void SharedOptions::apply(settings::Options& options) const {
   for (const Given& given : given_) {
     for (const std::string& text : given.texts) {
       try {
-        jobs::set_option(options, *given.row, text);
-      } catch (const jobs::OptionError& error) {
+        settings::set_option(options, *given.row, text);
+      } catch (const settings::OptionError& error) {
         throw UsageError(fmt::format("--{} {}: {}", given.row->name, text, error.what()));
       }
     }
   }
 }
 
-bool SharedOptions::has(const jobs::OptionRow& row) const {
+bool SharedOptions::has(const settings::OptionRow& row) const {
   return std::any_of(given_.begin(), given_.end(),
                      [&](const Given& given) { return given.row == &row && !given.texts.empty(); });
 }
 
-jobs::Options SharedOptions::read(const std::string& program) const {
-  jobs::Options options;
+settings::Options SharedOptions::read(const std::string& program) const {
+  settings::Options options;
   apply(options);  // first of all: wrong usage shows before any file is read
-  const std::string settings = no_settings_ ? std::string() : jobs::settings_file_beside(program);
+  const std::string settings = no_settings_ ? std::string() : settings::settings_file_beside(program);
   if (settings.empty()) return options;
   options = {};
-  jobs::read_settings_file(settings, options, [&](const jobs::OptionRow& row) { return has(row); });
+  settings::read_settings_file(settings, options, [&](const settings::OptionRow& row) { return has(row); });
   apply(options);
   return options;
 }
@@ -66,11 +66,11 @@ void SharedOptions::allow_model_alone(std::string_view why) const {
   }
 }
 
-std::vector<std::string> files_read(const std::string& program, const jobs::Options& options) {
+std::vector<std::string> files_read(const std::string& program, const settings::Options& options) {
   return {program, options.model, options.tools, options.variables, options.settings_file};
 }
 
-void require_model(const jobs::Options& options) {
+void require_model(const settings::Options& options) {
   if (options.model.empty()) throw UsageError("--model MODEL is required: the machine's model file");
 }
 

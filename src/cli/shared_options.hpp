@@ -1,4 +1,4 @@
-// The options that several commands take, as jobs/options.hpp lists them.
+// The options that several commands take, as settings/options.hpp lists them.
 #pragma once
 
 #include <initializer_list>
@@ -8,39 +8,39 @@
 #include <vector>
 
 #include "cli/command.hpp"
-#include "jobs/options.hpp"
+#include "settings/options.hpp"
 
 namespace plumbline::cli {
 
 class SharedOptions {
  public:
   /// Adds the options of these groups to a command; must live as long as the command line is read.
-  void add_to(CLI::App& command, std::initializer_list<jobs::OptionGroup> groups);
+  void add_to(CLI::App& command, std::initializer_list<settings::OptionGroup> groups);
 
   /// What the command line says, and where it is silent the settings file beside `program`, unless --no-settings asks
   /// for none. Throws UsageError for values that are none, and refuses as read_settings_file does.
-  jobs::Options read(const std::string& program) const;
+  settings::Options read(const std::string& program) const;
 
   /// Throws UsageError if the command line gives any of them but the model: `why` they would do nothing.
   void allow_model_alone(std::string_view why) const;
 
  private:
   struct Given {
-    const jobs::OptionRow* row;
+    const settings::OptionRow* row;
     std::vector<std::string> texts;
   };
-  void add(CLI::App& command, const jobs::OptionRow& row);
-  void apply(jobs::Options& options) const;
-  bool has(const jobs::OptionRow& row) const;
+  void add(CLI::App& command, const settings::OptionRow& row);
+  void apply(settings::Options& options) const;
+  bool has(const settings::OptionRow& row) const;
 
   std::list<Given> given_;
   bool no_settings_ = false;
 };
 
 /// What is read for a program: itself, and what the options name.
-std::vector<std::string> files_read(const std::string& program, const jobs::Options& options);
+std::vector<std::string> files_read(const std::string& program, const settings::Options& options);
 
 /// The model that the options name. Throws UsageError if they name none.
-void require_model(const jobs::Options& options);
+void require_model(const settings::Options& options);
 
 }  // namespace plumbline::cli

@@ -11,7 +11,7 @@
 #include "cli/shared_options.hpp"
 #include "jobs/simulate.hpp"
 #include "jobs/simulate_dataset.hpp"
-#include "jobs/text_table.hpp"
+#include "report/text_table.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -26,17 +26,18 @@ int simulate_dataset(const SimulateArguments& arguments) {
   if (!arguments.program.empty()) throw UsageError("either PROGRAM or -d DATASET, not both");
   if (arguments.output == kStandardStream) throw UsageError("-o DIR is required: the folder for the dataset");
   arguments.shared.allow_model_alone("a dataset says all of a circular test");
-  const jobs::Options options = arguments.shared.read(arguments.dataset);
+  const settings::Options options = arguments.shared.read(arguments.dataset);
   require_model(options);
   const jobs::DatasetSimulationSummary summary =
       jobs::simulate_dataset(options.model, arguments.dataset, arguments.output);
-  say_note(fmt::format("{}, {}\n", jobs::count_text(summary.runs, "run"), jobs::count_text(summary.samples, "sample")));
+  say_note(
+      fmt::format("{}, {}\n", report::count_text(summary.runs, "run"), report::count_text(summary.samples, "sample")));
   return kDone;
 }
 
 std::string words_of(const jobs::SimulationSummary& summary) {
   std::string words =
-      fmt::format("{} in {}", jobs::count_text(summary.points, "point"), jobs::time_text(summary.seconds));
+      fmt::format("{} in {}", report::count_text(summary.points, "point"), report::time_text(summary.seconds));
   if (summary.points > 0) {
     words += fmt::format(": the tip up to {:.3f} um off (line {}), rms {:.3f} um", summary.largest_um,
                          summary.largest_line, summary.rms_um);
@@ -44,7 +45,7 @@ std::string words_of(const jobs::SimulationSummary& summary) {
   words += '\n';
   if (summary.passed_moves > 0) {
     words += fmt::format("{} left out of the table: machine coordinates, probing, or from where nobody knows\n",
-                         jobs::count_text(summary.passed_moves, "move"));
+                         report::count_text(summary.passed_moves, "move"));
   }
   return words;
 }
@@ -52,7 +53,7 @@ std::string words_of(const jobs::SimulationSummary& summary) {
 int simulate(const SimulateArguments& arguments) {
   if (!arguments.dataset.empty()) return simulate_dataset(arguments);
   if (arguments.program.empty()) throw UsageError("PROGRAM is required: the NC program to be played, or -d DATASET");
-  const jobs::Options options = arguments.shared.read(arguments.program);
+  const settings::Options options = arguments.shared.read(arguments.program);
   require_model(options);
   check_outputs(files_read(arguments.program, options), {arguments.output});
   OutputFile out(arguments.output);
@@ -82,7 +83,7 @@ void add_simulate(CLI::App& app, Run& run) {
                    "CSV: line, motion, time (s), pose (mm, deg), error of the tip (um) and of the orientation (urad), "
                    "strut lengths (mm), nut tensions (N), motor torques (N m); default standard output")
       ->type_name("FILE");
-  using Group = jobs::OptionGroup;
+  using Group = settings::OptionGroup;
   arguments->shared.add_to(*command, {Group::model, Group::program, Group::step});
   command->callback([arguments, &run] { run = [arguments] { return simulate(*arguments); }; });
 }

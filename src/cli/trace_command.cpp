@@ -5,8 +5,8 @@
 #include "cli/command_files.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
-#include "jobs/program_dialect.hpp"
 #include "jobs/trace.hpp"
+#include "report/trace_text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -18,14 +18,14 @@ struct TraceArguments {
 };
 
 int trace(const TraceArguments& arguments) {
-  const jobs::Options options = arguments.shared.read(arguments.program);
+  const settings::Options options = arguments.shared.read(arguments.program);
   check_outputs(files_read(arguments.program, options), {arguments.output});
-  nc::ProgramSettings settings = jobs::program_settings(options);
-  settings.as_with_empty_tables = true;
-  const InputFile program(arguments.program);
   OutputFile out(arguments.output);
+  report::TraceWriter writer(out);
   ProgressLine line;
-  plumbline::trace(program, jobs::dialect_of(options, program), std::move(settings), out, line.progress());
+  jobs::trace_file(
+      arguments.program, options, [&](const nc::Motion& motion) { writer.add(motion); }, line.progress());
+  writer.flush();
   out.commit();
   return kDone;
 }
@@ -40,7 +40,7 @@ void add_trace(CLI::App& app, Run& run) {
       ->type_name("FILE")
       ->required();
   command->add_option("-o,--output", arguments->output, "default standard output")->type_name("FILE");
-  arguments->shared.add_to(*command, {jobs::OptionGroup::program});
+  arguments->shared.add_to(*command, {settings::OptionGroup::program});
   command->callback([arguments, &run] { run = [arguments] { return trace(*arguments); }; });
 }
 

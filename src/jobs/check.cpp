@@ -2,21 +2,14 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include "compensate/corrector.hpp"
 #include "compensate/guard.hpp"
+#include "jobs/open_program.hpp"
 #include "jobs/path_walk.hpp"
-#include "jobs/program_dialect.hpp"
-#include "jobs/text_table.hpp"
 #include "machine/model_file.hpp"
 
 namespace plumbline::jobs {
 namespace {
-
-constexpr std::size_t kFindingsShown = 20;
-using Json = nlohmann::ordered_json;
 
 class Checker {
  public:
@@ -124,17 +117,11 @@ class Checker {
   std::vector<machine::Violation> of_block_;
 };
 
-std::string message_of(const machine::Violation& violation) {
-  return violation.what == "reach" ? "no command puts the tool there" : machine::to_text(violation);
-}
-
 }  // namespace
 
-CheckSummary check_file(const std::string& program, const Options& options, const Progress& progress) {
+CheckSummary check_file(const std::string& program, const settings::Options& options, const Progress& progress) {
   const machine::MachineModel model = machine::read_model(options.model);
-  const nc::ProgramSettings settings = program_settings(options, model);
-  const InputFile source(program);
-  const nc::Dialect& dialect = dialect_of(options, source);
+  const auto [source, dialect, settings] = open_program(options, program, model);
   compensate::Settings compensation = options.compensation;
   compensation.step.least_time_s = model.control.block_time;
 
@@ -146,51 +133,6 @@ CheckSummary check_file(const std::string& program, const Options& options, cons
   summary.blocks = walk.blocks();
   summary.passed_moves = walk.passed_moves();
   return summary;
-}
-
-std::string check_text(const CheckSummary& summary) {
-  std::string text;
-  const std::size_t shown = std::min(kFindingsShown, summary.findings.size());
-  for (std::size_t i = 0; i < shown; ++i) {
-    const CheckFinding& finding = summary.findings[i];
-    text += fmt::format("{}:{}: {}\n", finding.file, finding.line, message_of(finding.violation));
-  }
-  if (summary.violations > shown) text += fmt::format("and {} more\n", count_text(summary.violations - shown));
-  TextTable table;
-  table.add("blocks", fmt::format("{}, {} looked at", count_text(summary.blocks), count_text(summary.points, "point")));
-  if (summary.passed_moves > 0) {
-    table.add("not looked at", fmt::format("{}: machine coordinates, probing, or from where nobody knows",
-                                           count_text(summary.passed_moves, "move")));
-  }
-  if (summary.violations == 0) table.add("limits", "all kept");
-  for (const auto& [kind, count] : summary.kinds) {
-    table.add(kind, fmt::format("beyond its limit in {}", count_text(count, "block")));
-  }
-  return text + table.text();
-}
-
-std::string check_json(const CheckSummary& summary) {
-  Json findings = Json::array();
-  for (const CheckFinding& f : summary.findings) {
-    findings.push_back({{"file", f.file},
-                        {"line", f.line},
-                        {"what", f.violation.what},
-                        {"value", f.violation.value},
-                        {"limit", f.violation.limit},
-                        {"by_how_much", f.violation.by_how_much},
-                        {"unit", f.violation.unit},
-                        {"message", message_of(f.violation)}});
-  }
-  Json kinds = Json::object();
-  for (const auto& [kind, count] : summary.kinds) kinds[kind] = count;
-  const Json json{{"plumbline", "check 1"},
-                  {"blocks", summary.blocks},
-                  {"points", summary.points},
-                  {"passed_moves", summary.passed_moves},
-                  {"violations", summary.violations},
-                  {"blocks_by_kind", kinds},
-                  {"findings", findings}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace plumbline::jobs

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "jobs/options.hpp"
 #include "machine/limits.hpp"
+#include "settings/options.hpp"
 
 namespace plumbline::jobs {
 
@@ -31,11 +31,6 @@ struct CheckSummary {
 
 /// Checks the programmed poses (tilt) and the poses that compensation would command (tilt, travel, struts, condition)
 /// at every point of the path; a pose that no command can reach is of the kind "reach". Refuses what PathWalk refuses.
-CheckSummary check_file(const std::string& program, const Options& options, const Progress& progress = {});
-
-/// The first twenty violations, then how many blocks break which limit.
-std::string check_text(const CheckSummary& summary);
-/// `"plumbline": "check 1"`
-std::string check_json(const CheckSummary& summary);
+CheckSummary check_file(const std::string& program, const settings::Options& options, const Progress& progress = {});
 
 }  // namespace plumbline::jobs

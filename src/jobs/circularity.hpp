@@ -26,9 +26,4 @@ struct CircularityTable {
 
 CircularityTable circularity_table(const measure::Dataset& dataset);
 
-/// Two tables, um.
-std::string circularity_text(const CircularityTable& table);
-/// `"plumbline": "circularity 1"`, um and deg.
-std::string circularity_json(const CircularityTable& table);
-
 }  // namespace plumbline::jobs

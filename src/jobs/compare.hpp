@@ -32,9 +32,4 @@ struct Comparison {
 /// reader of models, physics::ForceModel and measure::simulate_run refuse.
 Comparison compare(const std::string& model, const measure::Dataset& measured);
 
-/// A line per run and the pooled figures.
-std::string compare_text(const Comparison& comparison);
-/// As docs/formats.md says; what was not measured is null.
-std::string compare_json(const Comparison& comparison);
-
 }  // namespace plumbline::jobs

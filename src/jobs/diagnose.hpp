@@ -1,4 +1,4 @@
-// What the command `diagnose` does: a model and a dataset in, the diagnosis in words, as JSON and as a model file out.
+// What the command `diagnose` does: a model and a dataset in, the diagnosis and a model file out.
 #pragma once
 
 #include <cstdint>
@@ -15,22 +15,17 @@ struct DiagnoseJob {
   std::uint64_t seed = 1;
 };
 
-/// A diagnosis and the texts made of it.
-struct DiagnoseReport {
+struct DiagnoseResult {
   diagnose::Diagnosis diagnosis;
   std::string machine;     // its name
-  std::string json;        // diagnosis.json, docs/formats.md
   std::string model_toml;  // the model with what was found
-  std::string text;        // for people
   std::string thinning;    // how long records were made short; empty: none was
 };
 
 /// Refuses as read_model, read_dataset and diagnose::diagnose do.
-DiagnoseReport diagnose(const DiagnoseJob& job, const diagnose::Say& say = {});
+DiagnoseResult diagnose(const DiagnoseJob& job, const diagnose::Say& say = {});
 
 /// The verdict in a few words, the whole confidence set where it has several names: "named: one of backlash, cyclic".
 std::string headline(const diagnose::Diagnosis& diagnosis);
-std::string diagnosis_json(const diagnose::Diagnosis& diagnosis);
-std::string diagnosis_text(const diagnose::Diagnosis& diagnosis);
 
 }  // namespace plumbline::jobs

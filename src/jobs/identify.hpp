@@ -34,9 +34,4 @@ struct CalibrateJob {
 /// and joint-position adds nothing to them. Refuses what read_tracked_poses refuses, too.
 IdentifiedModel calibrate_model(CalibrateJob job);
 
-/// What was found, for people: values before and after, what the data cannot tell, the gap before and after.
-std::string identification_text(const identify::Identification& found);
-/// As docs/formats.md says.
-std::string identification_json(const identify::Identification& found);
-
 }  // namespace plumbline::jobs

@@ -46,9 +46,4 @@ PlannedTests plan_tests(const PlanJob& job);
 /// somebody may have measured it.
 void write_plan(const PlannedTests& plan, const std::string& folder);
 
-/// For people: the runs, what is known before and after, what stays unseen.
-std::string plan_text(const PlannedTests& plan);
-/// As docs/formats.md says.
-std::string plan_json(const PlannedTests& plan);
-
 }  // namespace plumbline::jobs

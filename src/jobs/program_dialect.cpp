@@ -8,7 +8,7 @@
 
 namespace plumbline::jobs {
 
-const nc::Dialect& dialect_of(const Options& options, const InputFile& program) {
+const nc::Dialect& dialect_of(const settings::Options& options, const InputFile& program) {
   refuse_unless_program_text(program);
   const nc::Dialect& dialect = options.dialect.empty() ? *nc::recognise(program).dialect : nc::dialect(options.dialect);
   for (const auto& [name, system] : options.work_offset_names) {

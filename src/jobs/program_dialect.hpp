@@ -2,14 +2,14 @@
 #pragma once
 
 #include "base/files.hpp"
-#include "jobs/options.hpp"
 #include "nc/language/dialect.hpp"
+#include "settings/options.hpp"
 
 namespace plumbline::jobs {
 
 /// Refuses with file-empty and file-not-text what is no program at all, with nc-unknown-dialect or
 /// nc-dialect-ambiguous, and with settings-work-system where a work offset was given for a system that the dialect does
 /// not have, settings-input-increment where its numbers need no point.
-const nc::Dialect& dialect_of(const Options& options, const InputFile& program);
+const nc::Dialect& dialect_of(const settings::Options& options, const InputFile& program);
 
 }  // namespace plumbline::jobs

@@ -9,8 +9,8 @@
 #include "base/units.hpp"
 #include "compensate/guard.hpp"
 #include "jobs/csv_columns.hpp"
+#include "jobs/open_program.hpp"
 #include "jobs/path_walk.hpp"
-#include "jobs/program_dialect.hpp"
 #include "machine/axis_words.hpp"
 #include "machine/model_file.hpp"
 #include "physics/error.hpp"
@@ -114,12 +114,10 @@ class Player {
 
 }  // namespace
 
-SimulationSummary simulate_program(const std::string& program, const Options& options, OutputFile& out,
+SimulationSummary simulate_program(const std::string& program, const settings::Options& options, OutputFile& out,
                                    const Progress& progress) {
   const machine::MachineModel model = machine::read_model(options.model);
-  const nc::ProgramSettings settings = program_settings(options, model);
-  const InputFile source(program);
-  const nc::Dialect& dialect = dialect_of(options, source);
+  const auto [source, dialect, settings] = open_program(options, program, model);
 
   PathWalk walk(source, dialect, settings, model, options.compensation.step);
   Player player(model, options.compensation, out);

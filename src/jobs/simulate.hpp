@@ -6,7 +6,7 @@
 
 #include "base/files.hpp"
 #include "base/progress.hpp"
-#include "jobs/options.hpp"
+#include "settings/options.hpp"
 
 namespace plumbline::jobs {
 
@@ -23,7 +23,7 @@ struct SimulationSummary {
 /// pose asked for (mm, deg), the error of the tip (um) and of the orientation (urad, rotation vector) in W, commanded
 /// strut lengths (mm), nut tensions (N) and motor torques (N m). The program is taken as it stands, no limits. Refuses
 /// what PathWalk refuses, and simulate-unreachable.
-SimulationSummary simulate_program(const std::string& program, const Options& options, OutputFile& out,
+SimulationSummary simulate_program(const std::string& program, const settings::Options& options, OutputFile& out,
                                    const Progress& progress = {});
 
 }  // namespace plumbline::jobs

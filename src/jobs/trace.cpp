@@ -1,129 +1,20 @@
 #include "jobs/trace.hpp"
 
-#include <cmath>
-#include <span>
-#include <string>
 #include <utility>
 
-#include <fmt/format.h>
+#include "jobs/open_program.hpp"
+#include "nc/sequence/program.hpp"
 
-#include "base/number_text.hpp"
+namespace plumbline::jobs {
 
-namespace plumbline {
-namespace {
-
-using nc::FeedMode;
-using nc::Motion;
-using nc::MotionKind;
-using nc::Plane;
-
-constexpr std::size_t kChunk = std::size_t{1} << 16U;
-constexpr double kLargestExact = 9e15;  // in units of the last decimal
-constexpr int kDecimals = 9;
-
-std::string_view name_of(MotionKind kind) {
-  switch (kind) {
-    case MotionKind::rapid:
-      return "rapid";
-    case MotionKind::feed:
-      return "feed";
-    case MotionKind::arc:
-      return "arc";
-    case MotionKind::probe:
-      return "probe";
-    case MotionKind::dwell:
-      break;
-  }
-  return "dwell";
-}
-
-std::string_view name_of(FeedMode mode) {
-  switch (mode) {
-    case FeedMode::inverse_time:
-      return "G93";
-    case FeedMode::per_minute:
-      return "G94";
-    case FeedMode::per_revolution:
-      break;
-  }
-  return "G95";
-}
-
-std::string_view name_of(Plane plane) {
-  switch (plane) {
-    case Plane::xy:
-      return "G17";
-    case Plane::zx:
-      return "G18";
-    case Plane::yz:
-      break;
-  }
-  return "G19";
-}
-
-void append_number(std::string& out, double value) {
-  int decimals = kDecimals;
-  double scaled = std::abs(value) * 1e9;
-  while (decimals > 0 && scaled > kLargestExact) {
-    scaled /= 10;
-    --decimals;
-  }
-  if (scaled > kLargestExact) {
-    fmt::format_to(std::back_inserter(out), "{}", value);
-  } else {
-    append_decimal(out, value, decimals);
+void trace_file(const std::string& program, const settings::Options& options,
+                const std::function<void(const nc::Motion&)>& take, const Progress& progress) {
+  OpenedProgram source = open_program(options, program);
+  nc::Program steps(source.file, source.dialect, std::move(source.settings));
+  for (std::uint64_t i = 1; const nc::Step* step = steps.next(); ++i) {
+    for (const nc::Motion& motion : step->motions) take(motion);
+    if (progress && i % kProgressEvery == 0) progress(step->block->offset, source.file.size());
   }
 }
 
-void append_numbers(std::string& out, std::span<const double> values) {
-  out += '[';
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (i > 0) out += ", ";
-    append_number(out, values[i]);
-  }
-  out += ']';
-}
-
-}  // namespace
-
-void append_trace_line(std::string& out, const Motion& motion) {
-  fmt::format_to(std::back_inserter(out), R"({{"line": {}, "motion": "{}", "to": )", motion.line, name_of(motion.kind));
-  append_numbers(out, motion.to.values);
-  out += ", \"machine\": ";
-  append_numbers(out, motion.machine.values);
-  out += ", \"feed\": ";
-  append_number(out, motion.feed);
-  fmt::format_to(std::back_inserter(out), R"(, "feed_mode": "{}")", name_of(motion.feed_mode));
-  if (motion.kind == MotionKind::dwell) {
-    out += ", \"seconds\": ";
-    append_number(out, motion.dwell_s);
-  }
-  if (motion.kind == MotionKind::arc) {
-    fmt::format_to(std::back_inserter(out), R"(, "plane": "{}", "centre": )", name_of(motion.arc.plane));
-    append_numbers(out, motion.arc.centre_mm);
-    fmt::format_to(std::back_inserter(out), ", \"turns\": {}", motion.arc.turns);
-  }
-  out += "}\n";
-}
-
-void trace(const InputFile& program, const nc::Dialect& dialect, nc::ProgramSettings settings,
-           const std::function<void(std::string_view)>& write, const Progress& progress) {
-  nc::Program blocks(program, dialect, std::move(settings));
-  std::string text;
-  while (const nc::Step* step = blocks.next()) {
-    for (const Motion& motion : step->motions) append_trace_line(text, motion);
-    if (text.size() < kChunk) continue;
-    write(text);
-    text.clear();
-    if (progress) progress(step->block->offset, program.size());
-  }
-  write(text);
-}
-
-void trace(const InputFile& program, const nc::Dialect& dialect, nc::ProgramSettings settings, OutputFile& output,
-           const Progress& progress) {
-  trace(
-      program, dialect, std::move(settings), [&](std::string_view text) { output.write(text); }, progress);
-}
-
-}  // namespace plumbline
+}  // namespace plumbline::jobs

@@ -1,10 +1,11 @@
 #include "drawn/dialects.hpp"
+#include "settings/options.hpp"
 
 namespace plumbline::drawn {
 namespace {
 
 // How a program is compensated, apart from what its text needs.
-void draw_options(jobs::Options& options, Draws& draws) {
+void draw_options(settings::Options& options, Draws& draws) {
   compensate::Settings& settings = options.compensation;
   settings.step.length_mm = draws.between(1.5, 12);
   settings.step.angle_deg = draws.between(0.8, 6);

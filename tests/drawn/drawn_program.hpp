@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/axes.hpp"
-#include "jobs/options.hpp"
+#include "settings/options.hpp"
 
 namespace plumbline::drawn {
 
@@ -21,7 +21,7 @@ struct DrawnBlock {
 struct DrawnProgram {
   std::string dialect;
   std::uint64_t seed = 0;
-  jobs::Options options;
+  settings::Options options;
   std::vector<DrawnBlock> blocks;
   AxisWords start;  // where the machine stands at first, in W
 

@@ -10,10 +10,13 @@
 #include "base/files.hpp"
 #include "drawn/drawn_program.hpp"
 #include "jobs/check.hpp"
-#include "jobs/compensate_file.hpp"
-#include "jobs/compensated_files.hpp"
-#include "jobs/diff.hpp"
+#include "jobs/compensate/compensate_file.hpp"
+#include "jobs/compensate/compensated_files.hpp"
+#include "jobs/diff/diff.hpp"
 #include "nc/rewrite/undo.hpp"
+#include "report/check_text.hpp"
+#include "report/diff_text.hpp"
+#include "settings/options.hpp"
 
 namespace plumbline::drawn {
 namespace {
@@ -124,7 +127,7 @@ std::optional<Finding> Held::check_ends(const DrawnProgram& program) const {
     if (block.ends) wanted[line] = &block;
   }
   const InputFile source(scratch_ / "program.nc");
-  nc::ProgramSettings settings = jobs::program_settings(program.options);
+  nc::ProgramSettings settings = settings::program_settings(program.options);
   settings.position_may_be_read = true;
   nc::Program read(source, nc::dialect(program.dialect), settings);
   while (const nc::Step* step = read.next()) {
@@ -159,7 +162,7 @@ std::optional<Finding> Held::check_output(const DrawnProgram& program, double sh
   const jobs::CheckSummary checked = jobs::check_file(original, program.options);
   if (checked.violations > 0) {
     return Finding{"check finds " + checked.kinds.begin()->first,
-                   "check finds what compensate passes\n" + jobs::check_text(checked)};
+                   "check finds what compensate passes\n" + report::check_text(checked)};
   }
   if (with_diff) {
     if (auto found = check_diff(program, shift_mm, shift_deg, time_change)) return found;
@@ -176,18 +179,18 @@ std::optional<Finding> Held::check_output(const DrawnProgram& program, double sh
 std::optional<Finding> Held::check_diff(const DrawnProgram& program, double shift_mm, double shift_deg,
                                         double time_change) const {
   const jobs::DiffSummary diff = jobs::diff_files(scratch_ / "program.nc", scratch_ / "out.nc", program.options);
-  if (diff.out_of_line_a > 0 || diff.out_of_line_b > 0) return Finding{"diff out of line", jobs::diff_text(diff)};
+  if (diff.out_of_line_a > 0 || diff.out_of_line_b > 0) return Finding{"diff out of line", report::diff_text(diff)};
   for (const Axis axis : kAllAxes) {
     if (diff.shift[index(axis)].largest > (is_rotary(axis) ? shift_deg : shift_mm))
       return Finding{"diff shift",
-                     fmt::format("at most {} mm {} deg were meant\n", shift_mm, shift_deg) + jobs::diff_text(diff)};
+                     fmt::format("at most {} mm {} deg were meant\n", shift_mm, shift_deg) + report::diff_text(diff)};
   }
-  if (diff.time_change.value > std::max(time_change, 2e-3)) return Finding{"diff time", jobs::diff_text(diff)};
+  if (diff.time_change.value > std::max(time_change, 2e-3)) return Finding{"diff time", report::diff_text(diff)};
   return std::nullopt;
 }
 
 std::optional<Finding> Held::check_zero(const DrawnProgram& program) const {
-  jobs::Options options = program.options;
+  settings::Options options = program.options;
   options.model = scene_.zero_model;
   options.undo = false;
   options.guard = false;

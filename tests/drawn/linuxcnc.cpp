@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "drawn/dialects.hpp"
+#include "settings/options.hpp"
 
 namespace plumbline::drawn {
 namespace {
@@ -19,7 +20,7 @@ Manners linuxcnc_manners() {
 }  // namespace
 
 LinuxCnc::LinuxCnc(std::uint64_t seed, const Scene& scene) : Writer("linuxcnc", seed, scene, linuxcnc_manners()) {
-  jobs::Options& options = program_.options;
+  settings::Options& options = program_.options;
   for (std::size_t i = 0; i < systems_.size(); ++i) {
     for (const Axis axis : kAllAxes)
       systems_[i].origin[axis] = i == 0 ? 0 : draws_.whole(-800, 800) / (is_rotary(axis) ? 1000.0 : 100.0);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "drawn/dialects.hpp"
+#include "settings/options.hpp"
 
 namespace plumbline::drawn {
 namespace {
@@ -22,7 +23,7 @@ constexpr std::size_t kOkumaSystems = 4;
 class Okuma final : public Writer {
  public:
   Okuma(std::uint64_t seed, const Scene& scene) : Writer("okuma", seed, scene, okuma_manners()) {
-    jobs::Options& options = program_.options;
+    settings::Options& options = program_.options;
     draw_work_offsets(systems_);
     if (uses_rotary_ || draws_.chance(50))
       options.feed_rule = draws_.chance(50) ? nc::FeedRule::xyz_first : nc::FeedRule::all_axes_as_mm;

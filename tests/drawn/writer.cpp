@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "settings/options.hpp"
 
 namespace plumbline::drawn {
 namespace {
@@ -247,7 +248,7 @@ void Writer::draw_work_offsets(std::span<AxisWords> systems) {
 }
 
 void Writer::draw_what_stays() {
-  jobs::Options& options = program_.options;
+  settings::Options& options = program_.options;
   keeps_at_tool_change_ = draws_.chance(70);
   if (keeps_at_tool_change_) options.keeps_position.insert(6);
   keeps_at_stop_ = draws_.chance(70);

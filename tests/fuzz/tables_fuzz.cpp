@@ -3,9 +3,10 @@
 
 #include "fuzz/fuzz.hpp"
 #include "jobs/pose_table.hpp"
-#include "jobs/settings_file.hpp"
-#include "jobs/variables_file.hpp"
 #include "nc/language/tool_table.hpp"
+#include "settings/options.hpp"
+#include "settings/settings_file.hpp"
+#include "settings/variables_file.hpp"
 
 using namespace plumbline;
 
@@ -23,8 +24,8 @@ void check_tools(const std::string& path) {
 }
 
 void check_settings(const std::string& path) {
-  jobs::Options options;
-  jobs::read_settings_file(path, options);
+  settings::Options options;
+  settings::read_settings_file(path, options);
   FUZZ_CHECK(options.settings_file == path);
   for (const auto& offset : options.work_offsets) {
     for (const Axis axis : kAllAxes) FUZZ_CHECK(!offset || std::isfinite(offset->origin[axis]));
@@ -32,9 +33,9 @@ void check_settings(const std::string& path) {
 }
 
 void check_variables(const std::string& path) {
-  const std::map<int, double> variables = jobs::read_variables(path);
+  const std::map<int, double> variables = settings::read_variables(path);
   for (const auto& [number, value] : variables) FUZZ_CHECK(number >= 1 && std::isfinite(value));
-  for (const auto& offset : jobs::work_offsets_of(variables)) {
+  for (const auto& offset : settings::work_offsets_of(variables)) {
     for (const Axis axis : kAllAxes) FUZZ_CHECK(!offset || std::isfinite(offset->origin[axis]));
   }
 }

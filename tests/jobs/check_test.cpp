@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "report/check_text.hpp"
+#include "settings/options.hpp"
 #include "support/scratch.hpp"
 
 using namespace plumbline;
@@ -12,7 +14,7 @@ namespace {
 
 jobs::CheckSummary check_of(const std::string& program) {
   const testing::Scratch scratch;
-  jobs::Options options;
+  settings::Options options;
   options.model = testing::source_file("models/pm600-like.toml");
   options.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   return jobs::check_file(scratch.file("p.ngc", program), options);
@@ -41,7 +43,7 @@ TEST_CASE("each limit that a block breaks is found with its worst value") {
 TEST_CASE("a pose that no command reaches is found") {
   const jobs::CheckSummary s = check_of("G0 X0 Y0 Z0 A0 B0 C0\nG1 C90 F1000\n");
   CHECK(s.kinds.at("reach") == 1);
-  CHECK(jobs::check_text(s).find("p.ngc:2: no command puts the tool there") != std::string::npos);
+  CHECK(report::check_text(s).find("p.ngc:2: no command puts the tool there") != std::string::npos);
 }
 
 TEST_CASE("a rapid is checked along its chord") {
@@ -55,17 +57,17 @@ TEST_CASE("many violations are counted, the first are listed") {
   const jobs::CheckSummary s = check_of(program);
   CHECK(s.violations > 1400);
   CHECK(s.findings.size() == jobs::CheckSummary::kMostFindings);
-  const std::string text = jobs::check_text(s);
+  const std::string text = report::check_text(s);
   CHECK(std::count(text.begin(), text.end(), '\n') < 30);
   CHECK(text.find("and 1,") != std::string::npos);
-  const auto json = nlohmann::json::parse(jobs::check_json(s));
+  const auto json = nlohmann::json::parse(report::check_json(s));
   CHECK(json.at("plumbline") == "check 1");
   CHECK(json.at("blocks_by_kind").at("tilt") == s.kinds.at("tilt"));
 }
 
 TEST_CASE("a violation in a subprogram of another file is found there") {
   const testing::Scratch scratch;
-  jobs::Options options;
+  settings::Options options;
   options.model = testing::source_file("models/pm600-like.toml");
   options.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   const std::string sub = scratch.file("tilt.ngc", "o<tilt> sub\nG1 A26.5 F1000\nG1 A0\no<tilt> endsub\n");
@@ -74,6 +76,6 @@ TEST_CASE("a violation in a subprogram of another file is found there") {
   REQUIRE(s.findings.size() == 2);
   CHECK(s.findings[0].file == sub);
   CHECK(s.findings[0].line == 2);
-  CHECK(nlohmann::json::parse(jobs::check_json(s)).at("findings")[0].at("file") == sub);
-  CHECK(jobs::check_text(s).starts_with(sub + ":2: tilt would be "));
+  CHECK(nlohmann::json::parse(report::check_json(s)).at("findings")[0].at("file") == sub);
+  CHECK(report::check_text(s).starts_with(sub + ":2: tilt would be "));
 }

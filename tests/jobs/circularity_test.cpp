@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jobs/dataset_files.hpp"
+#include "report/circularity_text.hpp"
 
 using namespace plumbline;
 using namespace plumbline::testing;
@@ -23,10 +24,10 @@ TEST_CASE("every run and every pair of directions has its figures") {
   CHECK(table.pairs[0].figures.minimum_zone == Approx(3e-6));
   CHECK(table.pairs[0].figures.mean_radial == Approx(1.5e-6));
 
-  const auto json = nlohmann::json::parse(jobs::circularity_json(table));
+  const auto json = nlohmann::json::parse(report::circularity_json(table));
   CHECK(json["runs"][0]["F_max_um"].get<double>() == Approx(3));
   CHECK(json["pairs"][0]["D_um"].get<double>() == Approx(1.5));
-  const std::string text = jobs::circularity_text(table);
+  const std::string text = report::circularity_text(table);
   CHECK(text.find("a, b ") != std::string::npos);
   CHECK(text.find("1.50\n") != std::string::npos);
 }
@@ -36,7 +37,7 @@ TEST_CASE("figures that round to zero have no sign") {
   table.runs.push_back(
       {"a", {.least_squares = 1e-9, .minimum_zone = -1e-9, .radial_max = -1e-10, .radial_min = -4e-9}, {}});
   table.pairs.push_back({"a", "b", {.minimum_zone = -1e-9, .mean_radial = -1.5e-6}});
-  const std::string text = jobs::circularity_text(table);
+  const std::string text = report::circularity_text(table);
   CHECK(text.find("-0.00") == std::string::npos);
   CHECK(text.find("-1.50\n") != std::string::npos);
 }
@@ -49,5 +50,5 @@ TEST_CASE("runs at other tilts are no pair") {
       jobs::circularity_table(measure::read_dataset(scratch.file("plan/dataset.toml", text)));
   CHECK(table.runs.size() == 2);
   CHECK(table.pairs.empty());
-  CHECK(jobs::circularity_text(table).find("directions") == std::string::npos);
+  CHECK(report::circularity_text(table).find("directions") == std::string::npos);
 }

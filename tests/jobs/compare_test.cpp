@@ -6,6 +6,7 @@
 
 #include "jobs/dataset_files.hpp"
 #include "jobs/simulate_dataset.hpp"
+#include "report/compare_text.hpp"
 
 using namespace plumbline;
 using namespace plumbline::testing;
@@ -42,11 +43,11 @@ TEST_CASE("a comparison pools all samples and struts, and says so in JSON") {
   CHECK(found.runs[0].torque_mean_abs_Nm[0] == Approx(0.2).epsilon(1e-4));
   CHECK(found.torque_mean_abs_Nm[0] == Approx(0.1).epsilon(1e-3));
 
-  const auto json = nlohmann::json::parse(jobs::compare_json(found));
+  const auto json = nlohmann::json::parse(report::compare_json(found));
   CHECK(json["torque_rms_Nm"].get<double>() == *found.torque_rms_Nm);
   CHECK(json["runs"][1]["id"] == "b");
   CHECK(json["runs"][1]["radial_rms_um"].get<double>() < 1e-3);
-  CHECK(jobs::compare_text(found).find("\nall ") != std::string::npos);
+  CHECK(report::compare_text(found).find("\nall ") != std::string::npos);
 }
 
 TEST_CASE("what was not measured is left out of a comparison") {
@@ -58,5 +59,5 @@ TEST_CASE("what was not measured is left out of a comparison") {
   const jobs::Comparison found = jobs::compare(source_file("models/pm600-like.toml"), measure::read_dataset(dataset));
   CHECK(found.radial_rms_um.has_value());
   CHECK_FALSE(found.torque_rms_Nm.has_value());
-  CHECK(nlohmann::json::parse(jobs::compare_json(found))["torque_rms_Nm"].is_null());
+  CHECK(nlohmann::json::parse(report::compare_json(found))["torque_rms_Nm"].is_null());
 }

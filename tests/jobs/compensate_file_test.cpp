@@ -1,18 +1,19 @@
-#include "jobs/compensate_file.hpp"
+#include "jobs/compensate/compensate_file.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "jobs/summary_text.hpp"
 #include "nc/rewrite/undo.hpp"
+#include "report/summary_text.hpp"
+#include "settings/options.hpp"
 #include "support/scratch.hpp"
 
 using namespace plumbline;
 
 namespace {
 
-jobs::Options options() {
-  jobs::Options o;
+settings::Options options() {
+  settings::Options o;
   o.model = testing::source_file("models/pm600-like.toml");
   o.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   return o;
@@ -41,14 +42,14 @@ TEST_CASE("an unrolled program is stamped, refused the next time, and restored b
   const std::string program =
       "(PART)\nG0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F900 (changes before the first loop)\no1 repeat [3]\nG91 G1 X5\no1 "
       "endrepeat\nM2\nnever read";
-  jobs::Options how = options();
+  settings::Options how = options();
   how.undo = true;
   const compensate::Summary s = jobs::compensate_file(scratch.file("a.ngc", program), scratch.path("b.ngc"), how);
   CHECK(s.unrolled);
   CHECK(s.bytes_after == scratch.text("b.ngc").size());
   CHECK(scratch.text("b.ngc").starts_with("(PART)\n(plumbline "));
-  CHECK(jobs::summary_text(s, how).find("unrolled") != std::string::npos);
-  CHECK(nlohmann::json::parse(jobs::summary_json(s, how)).at("unrolled") == true);
+  CHECK(report::summary_text(s, how).find("unrolled") != std::string::npos);
+  CHECK(nlohmann::json::parse(report::summary_json(s, how)).at("unrolled") == true);
   CHECK(testing::refusal_of([&] { jobs::compensate_file(scratch.path("b.ngc"), scratch.path("c.ngc"), how); }).code ==
         "compensate-stamped");
   OutputFile back(scratch.path("back.ngc"));
@@ -61,7 +62,7 @@ TEST_CASE("what fails writes nothing") {
   const testing::Scratch scratch;
   const std::string program = scratch.file("a.ngc", std::string(kProgram) + "G1 A60\n");
   scratch.file("b.ngc", "old");
-  jobs::Options how = options();
+  settings::Options how = options();
   scratch.file("bad.ngc", "G0 X0 Y0 Z0 A0 B0 C0\nG1 A60 F100\n");
   CHECK(testing::refusal_of([&] { jobs::compensate_file(scratch.path("bad.ngc"), scratch.path("b.ngc"), how); }).code ==
         "limit-tilt");
@@ -74,7 +75,7 @@ TEST_CASE("what fails writes nothing") {
 
 TEST_CASE("a guard stands behind the stamp") {
   const testing::Scratch scratch;
-  jobs::Options how = options();
+  settings::Options how = options();
   how.guard = true;
   jobs::compensate_file(scratch.file("a.ngc", kProgram), scratch.path("b.ngc"), how);
   const std::string text = scratch.text("b.ngc");
@@ -90,7 +91,7 @@ TEST_CASE("guards of other controls are passed over by who reads the output, and
   for (const auto& [name, program] : {std::pair{"fanuc", fanuc}, {"siemens", siemens}}) {
     INFO(name);
     const testing::Scratch scratch;
-    jobs::Options how = options();
+    settings::Options how = options();
     how.dialect = name;
     how.guard = how.undo = true;
     how.feed_rule = nc::FeedRule::xyz_first;
@@ -123,16 +124,16 @@ TEST_CASE("guards of other controls are passed over by who reads the output, and
 
 TEST_CASE("a summary has every figure, in words and as JSON") {
   const testing::Scratch scratch;
-  const jobs::Options how = options();
+  const settings::Options how = options();
   const compensate::Summary s = jobs::compensate_file(scratch.file("a.ngc", kProgram), scratch.path("b.ngc"), how);
-  const std::string text = jobs::summary_text(s, how);
+  const std::string text = report::summary_text(s, how);
   for (const char* const part :
        {"largest correction", "rms correction", "cutting time", "rounding", "work offset",
         "subdivision and friction that turns", "first cutting block (line 3)", "--touch-off", "bytes before"}) {
     INFO(text);
     CHECK(text.find(part) != std::string::npos);
   }
-  const auto json = nlohmann::json::parse(jobs::summary_json(s, how));
+  const auto json = nlohmann::json::parse(report::summary_json(s, how));
   CHECK(json.at("plumbline") == "compensation 1");
   CHECK(json.at("identical") == false);
   CHECK(json.at("moves") == 2);
@@ -143,19 +144,19 @@ TEST_CASE("a summary has every figure, in words and as JSON") {
 
 TEST_CASE("where nothing had to change, the summary says so") {
   const testing::Scratch scratch;
-  const jobs::Options how = options();
+  const settings::Options how = options();
   const compensate::Summary s =
       jobs::compensate_file(scratch.file("a.ngc", "(nothing)\nM2\n"), scratch.path("b.ngc"), how);
   CHECK(s.identical);
   CHECK(scratch.text("b.ngc") == "(nothing)\nM2\n");
-  CHECK(jobs::summary_text(s, how).starts_with("nothing had to change"));
-  CHECK(nlohmann::json::parse(jobs::summary_json(s, how)).at("offset_shift_for_1um_mm").is_null());
+  CHECK(report::summary_text(s, how).starts_with("nothing had to change"));
+  CHECK(nlohmann::json::parse(report::summary_json(s, how)).at("offset_shift_for_1um_mm").is_null());
 }
 
 TEST_CASE("tools that only a subprogram in another file uses stand in stamp and guard") {
   const testing::Scratch scratch;
   scratch.file("drill.ngc", "o<drill> sub\nT2 M6\nG43 H2\nG0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F500\nG49\no<drill> endsub\n");
-  jobs::Options how = options();
+  settings::Options how = options();
   how.tools = scratch.file("tools.toml",
                            "plumbline = \"tools 1\"\n[[tool]]\nnumber = 1\nlength_mm = 80\nmass_kg = 1\n"
                            "[[tool]]\nnumber = 2\nlength_mm = 60\nmass_kg = 1\n");

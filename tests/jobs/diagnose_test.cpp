@@ -5,13 +5,14 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "report/diagnosis_text.hpp"
 #include "support/diagnosis.hpp"
 
 using namespace plumbline;
 using Json = nlohmann::json;
 
 TEST_CASE("a diagnosis has the keys that others rely on, in their units") {
-  const Json d = Json::parse(jobs::diagnosis_json(testing::small_diagnosis()));
+  const Json d = Json::parse(report::diagnosis_json(testing::small_diagnosis()));
   CHECK(d["plumbline"] == "diagnosis 1");
   CHECK(d["verdict"] == "named");
   CHECK(d["effects"][0]["name"] == "backlash");
@@ -27,7 +28,7 @@ TEST_CASE("a diagnosis has the keys that others rely on, in their units") {
 }
 
 TEST_CASE("a diagnosis says where the gap lives, what was predicted and what it is good for, in the units of files") {
-  const Json d = Json::parse(jobs::diagnosis_json(testing::small_diagnosis()));
+  const Json d = Json::parse(report::diagnosis_json(testing::small_diagnosis()));
   CHECK(d["evidence_nats"][0]["left_out_nats"] == Json({{"poses", 31.5}, {"runs", 33.5}}));
   CHECK(d["evidence_nats"][1]["left_out_nats"].is_null());
   CHECK(d["circularity_um"]["compensated_with_found"] == Json({{"mean", 4.0}, {"largest", 4.0}}));
@@ -49,16 +50,16 @@ TEST_CASE("what was not measured, or is no number, is null") {
   d.noise.channels[1] = {};
   d.fit.before.torque = d.fit.after.torque = std::nullopt;
   d.effects[0].parameters[0].errors = {std::numeric_limits<double>::infinity(), 1e-310};
-  const Json written = Json::parse(jobs::diagnosis_json(d));
+  const Json written = Json::parse(report::diagnosis_json(d));
   CHECK(written["noise"]["torque_Nm"].is_null());
   CHECK(written["gap"]["fit"]["torque_rms_Nm"]["after"].is_null());
   CHECK(written["effects"][0]["standard_errors"]["width_um"][0].is_null());
-  CHECK(jobs::diagnosis_text(d).find("fitted     bar 3.10 -> 0.60 um (noise 0.50), torque not measured\n") !=
+  CHECK(report::diagnosis_text(d).find("fitted     bar 3.10 -> 0.60 um (noise 0.50), torque not measured\n") !=
         std::string::npos);
 }
 
 TEST_CASE("a diagnosis in words names the effect, its numbers, and what else it may be") {
-  const std::string text = jobs::diagnosis_text(testing::small_diagnosis());
+  const std::string text = report::diagnosis_text(testing::small_diagnosis());
   CHECK(
       text.starts_with("named: one of backlash, cyclic\n  backlash (50 nats, threshold 9.5)\n    these data do not "
                        "tell it from cyclic\n"));
@@ -70,7 +71,7 @@ TEST_CASE("a diagnosis in words names the effect, its numbers, and what else it 
 
 TEST_CASE("the headline gives the whole set, in words and as JSON") {
   diagnose::Diagnosis d = testing::small_diagnosis();
-  CHECK(Json::parse(jobs::diagnosis_json(d))["headline"] == "named: one of backlash, cyclic");
+  CHECK(Json::parse(report::diagnosis_json(d))["headline"] == "named: one of backlash, cyclic");
   d.confidence_set = {"backlash"};
   CHECK(jobs::headline(d) == "named: backlash");
   d.effects.push_back({"level", {}, {}, 20});
@@ -89,19 +90,19 @@ TEST_CASE("where nothing is missing, it is said what the runs could not have sho
   d.effects.clear();
   d.confidence_set.clear();
   d.visible = {{"backlash", "width_um", "um", 3.21, true}, {"thermal-drift", "", "", 0, false}};
-  const std::string text = jobs::diagnosis_text(d);
+  const std::string text = report::diagnosis_text(d);
   CHECK(text.starts_with("nothing-missing, as far as these runs can show\n"));
   CHECK(text.find("could not have shown, at any size: thermal-drift\n") != std::string::npos);
   CHECK(text.find("from this size on: backlash 3.2 um\n") != std::string::npos);
-  const Json shown = Json::parse(jobs::diagnosis_json(d))["could_show"];
+  const Json shown = Json::parse(report::diagnosis_json(d))["could_show"];
   CHECK(shown[0] == Json({{"name", "backlash"}, {"shows", true}, {"key", "width_um"}, {"smallest", 3.21}}));
   CHECK(shown[1]["smallest"].is_null());
 }
 
 TEST_CASE("a model that stays as given says why") {
   diagnose::Diagnosis d = testing::small_diagnosis();
-  CHECK(Json::parse(jobs::diagnosis_json(d))["model_withheld"].is_null());
+  CHECK(Json::parse(report::diagnosis_json(d))["model_withheld"].is_null());
   d.withheld = "the gap stays open";
-  CHECK(Json::parse(jobs::diagnosis_json(d))["model_withheld"] == "the gap stays open");
-  CHECK(jobs::diagnosis_text(d).find("the model stays as it was given: the gap stays open\n") != std::string::npos);
+  CHECK(Json::parse(report::diagnosis_json(d))["model_withheld"] == "the gap stays open");
+  CHECK(report::diagnosis_text(d).find("the model stays as it was given: the gap stays open\n") != std::string::npos);
 }

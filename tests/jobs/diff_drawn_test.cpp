@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include "compensate/random_program.hpp"
-#include "jobs/compensate_file.hpp"
-#include "jobs/diff.hpp"
+#include "jobs/compensate/compensate_file.hpp"
+#include "jobs/diff/diff.hpp"
+#include "report/diff_text.hpp"
+#include "settings/options.hpp"
 #include "support/scratch.hpp"
 
 using namespace plumbline;
@@ -97,7 +99,7 @@ class SmallMoves {
 
 struct Drawn {
   std::string program;
-  jobs::Options options;
+  settings::Options options;
 };
 
 Drawn drawn(unsigned seed) {
@@ -127,7 +129,7 @@ std::string alarm(unsigned seed, int& compensated) {
     return refusal.diagnostic().code == "compensate-read-back" ? refusal.what() : "";
   }
   ++compensated;
-  jobs::Options options;
+  settings::Options options;
   options.work_offsets = it.options.work_offsets;
   options.start = it.options.start;
   const jobs::DiffSummary s = jobs::diff_files(a, b, options);
@@ -139,7 +141,7 @@ std::string alarm(unsigned seed, int& compensated) {
   if (s.time_change.value > 0.0016)
     wrong += fmt::format("time {} at line {} ", s.time_change.value, s.time_change.line);
   if (s.out_of_line_a == 0 && s.out_of_line_b == 0 && s.matched == s.moves_a && wrong.empty()) return {};
-  return it.program + wrong + jobs::diff_text(s);
+  return it.program + wrong + report::diff_text(s);
 }
 
 void check_seeds(unsigned first, unsigned last) {

@@ -1,4 +1,4 @@
-#include "jobs/diff.hpp"
+#include "jobs/diff/diff.hpp"
 
 #include <cmath>
 
@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jobs/compensate_file.hpp"
+#include "jobs/compensate/compensate_file.hpp"
+#include "report/diff_text.hpp"
+#include "settings/options.hpp"
 #include "support/scratch.hpp"
 
 using namespace plumbline;
@@ -46,7 +48,7 @@ std::string winding(bool numbered) {
 
 std::string compensated(const testing::Scratch& scratch, const std::string& program, double step_mm = 1,
                         double step_deg = 0.1) {
-  jobs::Options options;
+  settings::Options options;
   options.model = testing::source_file("models/pm600-like.toml");
   options.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   options.compensation.step.length_mm = step_mm;
@@ -272,7 +274,7 @@ TEST_CASE("another feed shows in the time") {
 }
 
 TEST_CASE("a diff is JSON for scripts") {
-  const auto json = nlohmann::json::parse(jobs::diff_json(diff_of("G0 X1\n", "G0 X1.5 A1\n")));
+  const auto json = nlohmann::json::parse(report::diff_json(diff_of("G0 X1\n", "G0 X1.5 A1\n")));
   CHECK(json.at("plumbline") == "diff 1");
   CHECK(json.at("shift").at("X").at("largest_mm") == 0.5);
   CHECK(json.at("shift").at("A").at("largest_deg") == 1);
@@ -280,8 +282,8 @@ TEST_CASE("a diff is JSON for scripts") {
 }
 
 TEST_CASE("a change of time is no share of nothing") {
-  CHECK(jobs::diff_text(diff_of("G0 X1\n", "G1 F60 X1\n")).find("0.00 s in A, 1.00 s in B\n") != std::string::npos);
-  CHECK(jobs::diff_text(diff_of("G1 F60 X1\n", "G1 F30 X1\n")).find("(+100.000 %)") != std::string::npos);
+  CHECK(report::diff_text(diff_of("G0 X1\n", "G1 F60 X1\n")).find("0.00 s in A, 1.00 s in B\n") != std::string::npos);
+  CHECK(report::diff_text(diff_of("G1 F60 X1\n", "G1 F30 X1\n")).find("(+100.000 %)") != std::string::npos);
 }
 
 TEST_CASE("neither program may be empty, or no text") {

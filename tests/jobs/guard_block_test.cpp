@@ -1,4 +1,4 @@
-#include "jobs/guard_block.hpp"
+#include "jobs/compensate/guard_block.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -5,6 +5,7 @@
 
 #include "jobs/dataset_files.hpp"
 #include "jobs/simulate_dataset.hpp"
+#include "report/identification_text.hpp"
 
 using namespace plumbline;
 using namespace plumbline::testing;
@@ -35,7 +36,7 @@ TEST_CASE("the JSON of an identification holds every unknown with its error and 
   jobs::simulate_dataset(model, plan, scratch.path("sim"));
   const jobs::IdentifiedModel found =
       jobs::identify_model(model, scratch.path("sim/dataset.toml"), {.stages = identify::Stages::paper});
-  const auto json = nlohmann::json::parse(jobs::identification_json(found.found));
+  const auto json = nlohmann::json::parse(report::identification_json(found.found));
   REQUIRE(json["stages"].size() == 2);
   const auto& torques = json["stages"][0];
   CHECK(torques["unknowns"].size() == 9);
@@ -47,5 +48,5 @@ TEST_CASE("the JSON of an identification holds every unknown with its error and 
   CHECK(torques["noise"]["torque6"]["sigma_Nm"].get<double>() > 0);
   CHECK(json["stages"][1]["unknowns"][1]["value"].get<double>() == Approx(0.00782).epsilon(0.01));
   CHECK(json["gap"]["after"]["torque_rms_Nm"].get<double>() < 1e-4);
-  CHECK(jobs::identification_text(found.found).find("bar readings fit") != std::string::npos);
+  CHECK(report::identification_text(found.found).find("bar readings fit") != std::string::npos);
 }

@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include "jobs/check.hpp"
-#include "jobs/compensate_file.hpp"
+#include "jobs/compensate/compensate_file.hpp"
+#include "settings/options.hpp"
 #include "support/scratch.hpp"
 
 using namespace plumbline;
@@ -59,7 +60,7 @@ class OnTheEdge {
 
   const testing::Scratch scratch_;
   const std::string model_ = read_text(testing::source_file("models/pm600-like.toml"));
-  jobs::Options options_;
+  settings::Options options_;
   std::string program_;
 };
 

@@ -5,17 +5,18 @@
 
 #include <catch2/catch.hpp>
 
-#include "jobs/compensate_file.hpp"
+#include "jobs/compensate/compensate_file.hpp"
 #include "jobs/error_table.hpp"
 #include "machine/model_file.hpp"
+#include "settings/options.hpp"
 #include "support/scratch.hpp"
 
 using namespace plumbline;
 
 namespace {
 
-jobs::Options playback() {
-  jobs::Options o;
+settings::Options playback() {
+  settings::Options o;
   o.model = testing::source_file("models/pm600-like.toml");
   o.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   return o;
@@ -23,7 +24,7 @@ jobs::Options playback() {
 
 // Rows of numbers; the motion's name counts as zero.
 std::vector<std::vector<double>> simulate(const testing::Scratch& scratch, const std::string& program,
-                                          const jobs::Options& how) {
+                                          const settings::Options& how) {
   OutputFile out(scratch.path("sim.csv"));
   jobs::simulate_program(scratch.file("sim.ngc", program), how, out);
   out.commit();
@@ -44,7 +45,7 @@ constexpr const char* kArcProgram = "G0 X0 Y0 Z0 A0 B0 C0\nG1 X50 Y-20 A10 B-5 F
 
 TEST_CASE("a simulation without friction has the errors and tensions of the table of the machine at rest") {
   const testing::Scratch scratch;
-  jobs::Options how = playback();
+  settings::Options how = playback();
   how.compensation.friction = false;
   const auto rows = simulate(scratch, kArcProgram, how);
   REQUIRE(rows.size() > 60);
@@ -81,7 +82,7 @@ TEST_CASE("time goes on by the feed, and friction turns with the direction") {
 
 TEST_CASE("the tip of a compensated program goes where the source meant it to go") {
   const testing::Scratch scratch;
-  jobs::Options how = playback();
+  settings::Options how = playback();
   how.compensation.friction = false;
   jobs::compensate_file(scratch.file("p.ngc", kArcProgram), scratch.path("c.ngc"), how);
   how.compensation.step = {90, 1e4, 0};  // the blocks' ends alone

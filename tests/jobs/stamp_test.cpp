@@ -1,17 +1,18 @@
-#include "jobs/stamp.hpp"
+#include "jobs/compensate/stamp.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "jobs/used_tools.hpp"
-#include "jobs/version.hpp"
+#include "base/version.hpp"
+#include "jobs/compensate/used_tools.hpp"
 #include "machine/model_file.hpp"
+#include "settings/options.hpp"
 #include "support/scratch.hpp"
 
 using namespace plumbline;
 
 namespace {
 
-std::vector<std::string> stamp_of(const jobs::Options& options, const std::string& model_name = "pm600-like") {
+std::vector<std::string> stamp_of(const settings::Options& options, const std::string& model_name = "pm600-like") {
   machine::MachineModel model = machine::read_model(testing::source_file("models/pm600-like.toml"));
   model.name = model_name;
   nc::ProgramSettings program;
@@ -36,13 +37,13 @@ bool has(const std::vector<std::string>& lines, const std::string& line) {
 }  // namespace
 
 TEST_CASE("a stamp says what the output was made with and holds for") {
-  jobs::Options options;
+  settings::Options options;
   options.compensation.friction = false;
   options.block_delete = true;
   options.settings_file = "part/plumbline.toml";
   options.compensation.touch_off = AxisWords{{1, 2, 3, 0, 0, 0}};
   const std::vector<std::string> lines = stamp_of(options);
-  CHECK(lines.front() == "plumbline " + std::string(jobs::version()) + " compensated this program");
+  CHECK(lines.front() == "plumbline " + std::string(plumbline::version()) + " compensated this program");
   CHECK(lines[1].starts_with("model pm600-like, hash "));
   CHECK(
       has(lines, "method exact, friction off, step 0.1 deg or 1 mm, time tolerance 0.001 of a block, block delete on"));

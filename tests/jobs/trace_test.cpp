@@ -7,6 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "base/files.hpp"
+#include "report/trace_text.hpp"
+
 using namespace plumbline;
 namespace fs = std::filesystem;
 
@@ -16,11 +19,10 @@ std::string trace_of(std::string_view program) {
   const std::string path =
       (fs::temp_directory_path() / ("plumbline-trace-" + std::to_string(getpid()) + ".ngc")).string();
   write_text(path, program);
-  const InputFile file(path);
-  nc::ProgramSettings settings;
-  settings.as_with_empty_tables = true;
+  settings::Options options;
+  options.dialect = "linuxcnc";
   std::string text;
-  trace(file, nc::dialect("linuxcnc"), settings, [&](std::string_view piece) { text += piece; });
+  jobs::trace_file(path, options, [&](const nc::Motion& motion) { report::append_trace_line(text, motion); });
   fs::remove(path);
   return text;
 }

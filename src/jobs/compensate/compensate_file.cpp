@@ -1,0 +1,69 @@
+#include "jobs/compensate/compensate_file.hpp"
+
+#include <fmt/format.h>
+
+#include "base/diagnostic.hpp"
+#include "base/files.hpp"
+#include "compensate/stream.hpp"
+#include "jobs/compensate/compensated_files.hpp"
+#include "jobs/compensate/guard_block.hpp"
+#include "jobs/compensate/stamp.hpp"
+#include "jobs/compensate/used_tools.hpp"
+#include "jobs/open_program.hpp"
+#include "machine/model_file.hpp"
+
+namespace plumbline::jobs {
+namespace {
+
+nc::EmitSettings emit_settings(const machine::ControlSettings& control, const settings::Options& options) {
+  nc::EmitSettings emit;
+  emit.digits_mm = control.digits_mm;
+  emit.digits_deg = control.digits_deg;
+  emit.digits_inch = control.digits_inch;
+  emit.increment_mm = control.increment_mm;
+  emit.increment_deg = control.increment_deg;
+  emit.time_tolerance = options.time_tolerance;
+  return emit;
+}
+
+// Which files are called shows only when the program has run.
+void refuse_overwriting_subprogram(const compensate::Summary& summary, const std::string& output) {
+  for (const compensate::Summary::InlinedFile& file : summary.inlined_files) {
+    if (!InputFile(file.name).is_same_as(output)) continue;
+    refuse("file-overwrites-input", fmt::format("the output would overwrite the subprogram {}", file.name),
+           "name another file for the output", Place{.file = output});
+  }
+}
+
+}  // namespace
+
+compensate::Summary compensate_file(const std::string& program, const std::string& output,
+                                    const settings::Options& options, const Progress& progress,
+                                    const SummaryFile& summary_file) {
+  const machine::MachineModel model = machine::read_model(options.model);
+  const auto [source, dialect, settings] = open_program(options, program, model);
+
+  nc::EmitSettings emit = emit_settings(model.control, options);
+  if (options.input_increment && dialect.behaviour.increment_mm > 0)
+    emit.increment_ratio = *options.input_increment / dialect.behaviour.increment_mm;
+  const std::vector<nc::Tool> tools = used_tools(source, settings.tools, settings.tool_in_spindle);
+  emit.stamp = stamp(options, settings, model, tools, dialect);
+  if (options.guard) {
+    refuse_guard_before_definitions(source, dialect);
+    emit.guard = guard_block(settings, tools, AxisSet::rotary() - nc::named_axes(source, dialect), dialect);
+  }
+  compensate::Settings compensation = options.compensation;
+  compensation.step.least_time_s = model.control.block_time;
+
+  CompensatedFiles files(output, options.undo, summary_file.path);
+  compensate::Stream stream(source, dialect, settings, model, compensation, std::move(emit), files.program());
+  if (nc::UndoLog* const log = files.undo_log()) stream.record(*log);
+  compensate::Summary summary = stream.run(progress);
+  refuse_overwriting_subprogram(summary, output);
+  summary.bytes_after = files.program().size();
+  summary.hash_after = files.program().hash();
+  files.commit(source, summary_file.path.empty() ? std::string() : summary_file.text(summary));
+  return summary;
+}
+
+}  // namespace plumbline::jobs

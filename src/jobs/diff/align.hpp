@@ -1,0 +1,47 @@
+// Which moves of one program correspond to which of another.
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "jobs/diff/candidates.hpp"
+#include "jobs/diff/diff.hpp"
+#include "jobs/diff/moves.hpp"
+
+namespace plumbline::jobs {
+
+class Aligner {
+ public:
+  Aligner(MoveReader& a, MoveReader& b) : a_(a), b_(b), candidates_(a, b) {}
+
+  /// Handles the next moves of both programs; false when both have ended.
+  bool next();
+  /// What was found, to be taken once next() says that both have ended.
+  DiffSummary take();
+
+ private:
+  bool align(const DiffMove& move);
+  Standing standing(std::size_t i, std::size_t j);
+  double cost_ahead(std::size_t i, std::size_t j, std::size_t depth);
+  bool lies_along(const DiffMove& move, std::size_t count);
+  void take_match(const DiffMove& move, std::size_t count);
+  void find_way_back();
+  bool find_way_back(double tolerance);
+  void leave_out(std::size_t count_a, std::size_t count_b);
+  void note_shift(const AxisWords& shift, std::size_t line_a, std::size_t line_b);
+  void note_time(const DiffMove& move, std::size_t count);
+
+  MoveReader& a_;
+  MoveReader& b_;
+  Candidates candidates_;
+  std::map<std::pair<std::size_t, std::size_t>, double> ahead_;  // costs that were worked out
+  DiffSummary summary_;
+  AxisWords shift_;               // of B against A where the last moves ended
+  bool has_shift_ = false;        // some moves were matched
+  AxisWords at_b_;                // where B stands
+  std::vector<AxisWords> found_;  // shifts along a move, end last
+  std::array<double, kAxes> squares_{};
+};
+
+}  // namespace plumbline::jobs

@@ -1,0 +1,36 @@
+#include "jobs/diff/diff.hpp"
+
+#include "jobs/diff/align.hpp"
+#include "jobs/open_program.hpp"
+#include "jobs/program_text.hpp"
+
+namespace plumbline::jobs {
+
+bool DiffSummary::equal_within(double tolerance_mm, double tolerance_deg) const {
+  bool equal = out_of_line_a == 0 && out_of_line_b == 0;
+  for (const Axis axis : kAllAxes) {
+    equal = equal && shift[index(axis)].largest <= (is_rotary(axis) ? tolerance_deg : tolerance_mm);
+  }
+  return equal;
+}
+
+DiffSummary diff_files(const std::string& a, const std::string& b, const settings::Options& options,
+                       const Progress& progress) {
+  const OpenedProgram first = open_program(options, a);  // what both leave open cancels
+  const InputFile file_b(b);
+  refuse_unless_program_text(file_b);
+  MoveReader moves_a(first.file, first.dialect, first.settings);
+  MoveReader moves_b(file_b, first.dialect, first.settings);
+  Aligner aligner(moves_a, moves_b);
+  for (std::uint64_t i = 1; aligner.next(); ++i) {
+    if (progress && i % kProgressEvery == 0) progress(moves_b.bytes_read(), file_b.size());
+  }
+  DiffSummary summary = aligner.take();
+  summary.moves_a = moves_a.moves();
+  summary.moves_b = moves_b.moves();
+  summary.seconds_a += moves_a.dwell_seconds();
+  summary.seconds_b += moves_b.dwell_seconds();
+  return summary;
+}
+
+}  // namespace plumbline::jobs

@@ -1,0 +1,79 @@
+#include "jobs/diff/moves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/check.hpp"
+#include "path/duration.hpp"
+
+namespace plumbline::jobs {
+namespace {
+
+double turn_deg(const AxisWords& delta) { return std::hypot(delta[Axis::A], delta[Axis::B], delta[Axis::C]); }
+
+bool states_code(const nc::Block& block, const nc::Dialect& dialect) {
+  return std::any_of(block.words.begin(), block.words.end(), [&](const nc::Word& word) {
+    const nc::CodeRow* const row = nc::is_code(word) ? dialect.row_of(word) : nullptr;
+    return row != nullptr && (row->action == nc::Action::rapid || row->action == nc::Action::feed ||
+                              row->action == nc::Action::arc_cw || row->action == nc::Action::arc_ccw);
+  });
+}
+
+DiffMove move_of(const nc::Step& step, const nc::Motion& motion, const nc::Dialect& dialect) {
+  const path::Curve curve(motion);
+  DiffMove move{motion.line,
+                std::string(step.block->at(step.block->number)),
+                motion.kind,
+                motion.in_machine_coordinates,
+                motion.in_machine_coordinates ? motion.machine : step.frame->to_pose(motion.to),
+                curve.linear_mm() + turn_deg(curve.delta()),
+                path::duration(motion, curve, dialect),
+                {},
+                *step.frame,
+                curve};
+  if (motion.feed_mode != nc::FeedMode::per_revolution) move.seconds = move.effort;
+  if (step.motions.size() == 1) move.states_code = states_code(*step.block, dialect);
+  return move;
+}
+
+}  // namespace
+
+double distance(const AxisWords& a, const AxisWords& b) {
+  const AxisWords d = a - b;
+  return std::hypot(d[Axis::X], d[Axis::Y], d[Axis::Z]) + turn_deg(d);
+}
+
+MoveReader::MoveReader(const InputFile& file, const nc::Dialect& dialect, const nc::ProgramSettings& settings)
+    : dialect_(dialect), program_(file, dialect, settings) {}
+
+bool MoveReader::read_more() {
+  const nc::Step* const step = program_.next();
+  if (step == nullptr) return false;
+  offset_ = step->block->offset;
+  numbered_ = numbered_ || step->block->has_number();
+  for (const nc::Motion& motion : step->motions) {
+    if (motion.kind == nc::MotionKind::dwell) {
+      dwell_s_ += motion.dwell_s;
+    } else if (step->role != nc::BlockRole::cycle || motion.from != motion.to) {  // cycles stop over where they stand
+      moves_ahead_.push_back(move_of(*step, motion, dialect_));
+      moves_ahead_.back().begins_numbered = std::exchange(numbered_, false);
+      ++moves_;
+    }
+  }
+  return true;
+}
+
+const DiffMove* MoveReader::peek(std::size_t ahead) {
+  while (moves_ahead_.size() <= ahead) {
+    if (!read_more()) return nullptr;
+  }
+  return &moves_ahead_[ahead];
+}
+
+void MoveReader::drop(std::size_t count) {
+  PLUMBLINE_CHECK(count <= moves_ahead_.size());
+  moves_ahead_.erase(moves_ahead_.begin(), moves_ahead_.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+}  // namespace plumbline::jobs

@@ -1,0 +1,29 @@
+#include "jobs/open_program.hpp"
+
+#include <utility>
+
+#include "jobs/program_dialect.hpp"
+
+namespace plumbline::jobs {
+namespace {
+
+OpenedProgram opened(const settings::Options& options, const std::string& path, nc::ProgramSettings settings) {
+  InputFile file(path);
+  const nc::Dialect& dialect = dialect_of(options, file);
+  return {std::move(file), dialect, std::move(settings)};
+}
+
+}  // namespace
+
+OpenedProgram open_program(const settings::Options& options, const std::string& path) {
+  nc::ProgramSettings settings = settings::program_settings(options);
+  settings.as_with_empty_tables = true;
+  return opened(options, path, std::move(settings));
+}
+
+OpenedProgram open_program(const settings::Options& options, const std::string& path,
+                           const machine::MachineModel& model) {
+  return opened(options, path, settings::program_settings(options, model));
+}
+
+}  // namespace plumbline::jobs

@@ -1,0 +1,27 @@
+// A program file opened as a command's options say.
+#pragma once
+
+#include <string>
+
+#include "base/files.hpp"
+#include "machine/model.hpp"
+#include "nc/language/dialect.hpp"
+#include "settings/options.hpp"
+
+namespace plumbline::jobs {
+
+struct OpenedProgram {
+  InputFile file;
+  const nc::Dialect& dialect;
+  nc::ProgramSettings settings;
+};
+
+/// Opens `path` ("-": standard input), reads the tables that the options name, and takes the dialect that they say or
+/// that the text shows. What nobody gave (offsets, tools, start) is zero. Refuses as InputFile, the tables' readers and
+/// dialect_of do.
+OpenedProgram open_program(const settings::Options& options, const std::string& path);
+/// The same for the machine of a model; what nobody gave stays open, so that the interpreter asks for it.
+OpenedProgram open_program(const settings::Options& options, const std::string& path,
+                           const machine::MachineModel& model);
+
+}  // namespace plumbline::jobs

@@ -1,0 +1,15 @@
+// A model against measurements, for people and as JSON.
+#pragma once
+
+#include <string>
+
+#include "jobs/compare.hpp"
+
+namespace plumbline::report {
+
+/// A line per run and the pooled figures.
+std::string compare_text(const jobs::Comparison& comparison);
+/// As docs/formats.md says; what was not measured is null.
+std::string compare_json(const jobs::Comparison& comparison);
+
+}  // namespace plumbline::report

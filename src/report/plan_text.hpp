@@ -1,0 +1,15 @@
+// A plan of circular tests, for people and as JSON.
+#pragma once
+
+#include <string>
+
+#include "jobs/plan.hpp"
+
+namespace plumbline::report {
+
+/// For people: the runs, what is known before and after, what stays unseen.
+std::string plan_text(const jobs::PlannedTests& plan);
+/// As docs/formats.md says.
+std::string plan_json(const jobs::PlannedTests& plan);
+
+}  // namespace plumbline::report

@@ -1,0 +1,359 @@
+#include "settings/options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/characters.hpp"
+#include "base/number_text.hpp"
+#include "machine/nearest_name.hpp"
+#include "settings/variables_file.hpp"
+
+namespace plumbline::settings {
+namespace {
+
+constexpr double kLargestWord = 1e6;  // of an axis, mm and deg
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+  return text;
+}
+
+// Calls `take` with each part between commas.
+template <class Take>
+void each_part(std::string_view text, const Take& take) {
+  while (true) {
+    const std::size_t comma = text.find(',');
+    take(trimmed(text.substr(0, comma)));
+    if (comma == std::string_view::npos) return;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+double number_in(std::string_view text, double lower, double upper, std::string_view expected) {
+  const std::optional<double> value = parse_number(trimmed(text));
+  if (!value || *value < lower || *value > upper) throw OptionError(fmt::format("expected {}", expected));
+  return *value;
+}
+
+int whole_number_in(std::string_view text, int lower, int upper, std::string_view expected) {
+  const double value = number_in(text, lower, upper, expected);
+  if (value != static_cast<int>(value)) throw OptionError(fmt::format("expected {}", expected));
+  return static_cast<int>(value);
+}
+
+bool on_or_off(std::string_view text) {
+  if (text == "on") return true;
+  if (text == "off") return false;
+  throw OptionError("expected on or off");
+}
+
+nc::FeedRule feed_rule_in(std::string_view text) {
+  if (text == "xyz") return nc::FeedRule::xyz_first;
+  if (text == "all") return nc::FeedRule::all_axes_as_mm;
+  if (text == "unknown") return nc::FeedRule::unknown;
+  throw OptionError("expected xyz, all or unknown");
+}
+
+bool along_circle_in(std::string_view text) {
+  if (text == "circle") return true;
+  if (text == "path") return false;
+  throw OptionError("expected circle or path");
+}
+
+nc::FreeRotation free_rotation_in(std::string_view text) {
+  if (text == "c-stays") return nc::FreeRotation::c_stays;
+  if (text == "c-zero") return nc::FreeRotation::c_zero;
+  throw OptionError("expected c-stays or c-zero");
+}
+
+// sign, or A=sign,C=shortest.
+void set_rotary(Options& options, std::string_view text) {
+  constexpr std::string_view kExpected =
+      "expected linear, sign, shortest or one-turn, for one axis as in C=sign, several between commas";
+  constexpr std::array<std::string_view, 4> kRules{"linear", "sign", "shortest", "one-turn"};
+  each_part(text, [&](std::string_view part) {
+    const std::size_t equals = part.find('=');
+    const std::string_view name = equals == std::string_view::npos ? part : trimmed(part.substr(equals + 1));
+    const auto* const rule = std::find(kRules.begin(), kRules.end(), name);
+    if (rule == kRules.end()) throw OptionError(std::string(kExpected));
+    const auto value = static_cast<nc::RotaryRule>(rule - kRules.begin());
+    if (equals == std::string_view::npos) {
+      options.rotary.fill(value);
+      return;
+    }
+    const std::string axis_name = upper(trimmed(part.substr(0, equals)));
+    const std::optional<Axis> axis = axis_name.size() == 1 ? axis_of(axis_name.front()) : std::nullopt;
+    if (!axis || !is_rotary(*axis)) throw OptionError(std::string(kExpected));
+    options.rotary[index(*axis) - 3] = value;
+  });
+}
+
+void add_m_codes(std::set<int>& codes, std::string_view text) {
+  constexpr std::string_view kExpected = "M codes between commas, as in M428,M429";
+  each_part(text, [&](std::string_view part) {
+    if (part.empty() || (part.front() != 'M' && part.front() != 'm')) {
+      throw OptionError(fmt::format("expected {}", kExpected));
+    }
+    codes.insert(whole_number_in(part.substr(1), 0, 9999, kExpected));
+  });
+}
+
+// What no machine is large enough for is a slip of units.
+template <class Values>
+void refuse_absurd(const Values& values) {
+  if (std::any_of(values.begin(), values.end(), [](double x) { return std::abs(x) > kLargestWord; })) {
+    throw OptionError(fmt::format("expected numbers of {:.0f} at most, in mm and deg", kLargestWord));
+  }
+}
+
+std::array<double, kAxes> pose_in(std::string_view text) {
+  const auto values = six_numbers(text);
+  if (!values) throw OptionError("expected six numbers X,Y,Z,A,B,C in mm and deg");
+  refuse_absurd(*values);
+  return *values;
+}
+
+// Of the first dialect that has a work system of this name; 0: none has.
+int system_of(const std::string& name) {
+  for (const std::string_view dialect : nc::dialect_names()) {
+    if (const int system = nc::dialect(dialect).system_of_name(name); system > 0) return system;
+  }
+  return 0;
+}
+
+void set_work_offset(Options& options, std::string_view text) {
+  constexpr std::string_view kExpected =
+      "expected SYSTEM=X,Y,Z,A,B,C with six numbers in mm and deg, as in G54=0,0,-1008,0,0,0; systems are G54 to G59 "
+      "and, by dialect, G59.1 to G59.3, G54.1P1 to G54.1P300, G15H1 to G15H200, G500, G505 to G599";
+  const std::size_t equals = text.find('=');
+  std::string name = upper(trimmed(text.substr(0, equals)));
+  std::erase(name, ' ');
+  if (name.size() > 1 && name.front() == 'H') name.insert(0, "G15");
+  const int system = system_of(name);
+  if (equals == std::string_view::npos || system == 0) throw OptionError(std::string(kExpected));
+  const auto values = six_numbers(text.substr(equals + 1));
+  if (!values) throw OptionError(std::string(kExpected));
+  refuse_absurd(*values);
+  options.work_offsets[static_cast<std::size_t>(system - 1)] = nc::WorkOffset{{*values}, 0};
+  options.work_offset_names.emplace_back(name, system);
+}
+
+void set_start(Options& options, std::string_view text) {
+  constexpr std::string_view kExpected =
+      "expected six numbers X,Y,Z,A,B,C in mm and deg, or those of some axes as in A=0,B=0,C=0";
+  if (const auto values = six_numbers(text)) {
+    refuse_absurd(*values);
+    for (std::size_t i = 0; i < kAxes; ++i) options.start[i] = (*values)[i];
+    return;
+  }
+  each_part(text, [&](std::string_view part) {
+    const std::optional<Axis> axis = part.empty() ? std::nullopt : axis_of(upper(part.substr(0, 1)).front());
+    if (!axis) throw OptionError(std::string(kExpected));
+    std::string_view value = trimmed(part.substr(1));
+    if (!value.empty() && value.front() == '=') value.remove_prefix(1);
+    const std::optional<double> number = parse_number(trimmed(value));
+    if (!number) throw OptionError(std::string(kExpected));
+    refuse_absurd(std::array{*number});
+    options.start[index(*axis)] = *number;
+  });
+}
+
+void set_dialect(Options& options, std::string_view text) {
+  const auto names = nc::dialect_names();
+  if (std::find(names.begin(), names.end(), text) == names.end()) {
+    const std::string_view nearest = machine::nearest_name(text, {names.begin(), names.end()});
+    throw OptionError(fmt::format("expected one of {}{}", fmt::join(names, ", "),
+                                  nearest.empty() ? "" : fmt::format(": did you mean {}?", nearest)));
+  }
+  options.dialect = text;
+}
+
+void set_touch_off(Options& options, std::string_view text) { options.compensation.touch_off = {pose_in(text)}; }
+
+using Text = std::string_view;
+
+constexpr std::array kRows{
+    OptionRow{"dialect", "NAME",
+              "language of the program: linuxcnc, fanuc, okuma, siemens (default: as its text shows)",
+              OptionGroup::program, false, false, set_dialect},
+    OptionRow{
+        "calculator-type", "on|off",
+        "fanuc: a number without a point counts mm, inches and degrees (on) or increments of the control (off, the "
+        "default)",
+        OptionGroup::program, false, false, [](Options& o, Text t) { o.calculator_type = on_or_off(t); }},
+    OptionRow{"input-increment", "MM",
+              "fanuc, okuma: what a number without a point counts, mm and deg (default: fanuc 0.001, okuma 1)",
+              OptionGroup::program, false, false,
+              [](Options& o, Text t) { o.input_increment = number_in(t, 1e-5, 1, "mm, 0.00001 to 1"); }},
+    OptionRow{
+        "feed-rule", "xyz|all|unknown",
+        "F of a block that moves X, Y, Z and turns is the speed of X, Y, Z alone, or of all axes with degrees as mm "
+        "(default: the dialect's)",
+        OptionGroup::program, false, false, [](Options& o, Text t) { o.feed_rule = feed_rule_in(t); }},
+    OptionRow{"helix-feed", "circle|path",
+              "F of an arc beside which another axis moves is the speed along its circle, or along the whole path "
+              "(default: the dialect's: fanuc circle, the others path)",
+              OptionGroup::program, false, false,
+              [](Options& o, Text t) { o.helix_feed_along_circle = along_circle_in(t); }},
+    OptionRow{"rotary", "sign|shortest|one-turn",
+              "how absolute words of A, B and C count on axes that turn without end, or of one as C=sign; repeatable "
+              "(default: "
+              "linear)",
+              OptionGroup::program, true, false, set_rotary},
+    OptionRow{"free-rotation", "c-stays|c-zero",
+              "what the control does with C where a program gives the direction of the tool alone (G68.2 with G53.1, "
+              "CYCLE800, tool vectors): C stays where it stands, or goes to zero (default: such programs are refused)",
+              OptionGroup::program, false, false, [](Options& o, Text t) { o.free_rotation = free_rotation_in(t); }},
+    OptionRow{"work-offset", "G54=X,Y,Z,A,B,C",
+              "where a work system's zero lies in the base frame W, mm and deg; named as the control does: G54 to G59, "
+              "G59.1 to G59.3, G54.1P1, G15H1, G505; repeatable",
+              OptionGroup::program, true, false, set_work_offset},
+    OptionRow{"tools", "FILE", "tool table: length and diameter in mm, mass in kg", OptionGroup::program, false, true,
+              [](Options& o, Text t) { o.tools = t; }},
+    OptionRow{
+        "tool-in-spindle", "N", "number of the tool that is in the spindle at the start", OptionGroup::program, false,
+        false,
+        [](Options& o, Text t) { o.tool_in_spindle = whole_number_in(t, 0, 99999, "a tool number, 0 to 99999"); }},
+    OptionRow{"start", "X,Y,Z,A,B,C",
+              "where the axes stand at the start, mm and deg, in the work system then active; "
+              "some of them alone as A=0,B=0,C=0",
+              OptionGroup::program, false, false, set_start},
+    OptionRow{"variables", "FILE",
+              "variables of the control, a line #NUMBER VALUE or NUMBER VALUE for each (a .var file); lengths in mm",
+              OptionGroup::program, false, true, [](Options& o, Text t) { o.variables = t; }},
+    OptionRow{"pass", "M428,...", "M codes of the machine's builder that go through as they stand; repeatable",
+              OptionGroup::program, true, false, [](Options& o, Text t) { add_m_codes(o.pass, t); }},
+    OptionRow{"keeps-position", "M6,...", "M codes after which the axes stand where they stood; repeatable",
+              OptionGroup::program, true, false, [](Options& o, Text t) { add_m_codes(o.keeps_position, t); }},
+    OptionRow{"block-delete", "on|off", "whether blocks that begin with / are left out (on) or executed (off)",
+              OptionGroup::program, false, false, [](Options& o, Text t) { o.block_delete = on_or_off(t); }},
+    OptionRow{"max-blocks", "N", "lines that a program with loops or subprograms may execute (default 10000000)",
+              OptionGroup::program, false, false,
+              [](Options& o, Text t) {
+                o.max_blocks = whole_number_in(t, 1, 2'000'000'000, "a number of lines, 1 to 2000000000");
+              }},
+    OptionRow{"model", "MODEL", "the machine's model file", OptionGroup::model, false, true,
+              [](Options& o, Text t) { o.model = t; }},
+    OptionRow{"step-angle", "DEG", "largest angle of a piece: of arc, or of the turn of the tool (default 0.1 deg)",
+              OptionGroup::step, false, false,
+              [](Options& o, Text t) {
+                o.compensation.step.angle_deg = number_in(t, 1e-3, 90, "an angle in deg, 0.001 to 90");
+              }},
+    OptionRow{"step-length", "MM", "largest length of a piece (default 1 mm)", OptionGroup::step, false, false,
+              [](Options& o, Text t) {
+                o.compensation.step.length_mm = number_in(t, 1e-3, 1e4, "a length in mm, 0.001 to 10000");
+              }},
+    OptionRow{"no-friction", "", "leave friction out of the model", OptionGroup::step, false, false,
+              [](Options& o, Text t) { o.compensation.friction = !on_or_off(t); }},
+    OptionRow{
+        "friction-turn", "SHARE",
+        "speed at which the friction of a strut that turns around has turned, as a share of the feed (default 0.01); "
+        "less puts the correction nearer to the reversal, in a steeper path",
+        OptionGroup::step, false, false,
+        [](Options& o, Text t) {
+          o.compensation.sign_width_of_feed = number_in(t, 0, 1, "a share of the feed, 0 to 1");
+        }},
+    OptionRow{"dynamic", "",
+              "put inertia and the following error of the drives into the model, as if the control held the programmed "
+              "feed everywhere",
+              OptionGroup::step, false, false, [](Options& o, Text t) { o.compensation.dynamic = on_or_off(t); }},
+    OptionRow{"at-time", "SECONDS",
+              "when the program runs, on the clock of the measurements (time_s): for what drifts with time (default 0)",
+              OptionGroup::step, false, false,
+              [](Options& o, Text t) { o.compensation.time_s = number_in(t, 0, 1e7, "seconds, 0 to 10000000"); }},
+    OptionRow{"first-order", "", "subtract the error instead of solving for it: leaves tens of um near singular poses",
+              OptionGroup::compensation, false, false,
+              [](Options& o, Text t) {
+                o.compensation.method = on_or_off(t) ? compensate::Method::first_order : compensate::Method::exact;
+              }},
+    OptionRow{"touch-off", "X,Y,Z,A,B,C",
+              "pose of the tool tip in W, mm and deg, at which the work offset was probed; its error is added",
+              OptionGroup::compensation, false, false, set_touch_off},
+    OptionRow{"time-tolerance", "SHARE",
+              "share of a block's time that may change before its F is written anew (default 0.001)",
+              OptionGroup::compensation, false, false,
+              [](Options& o, Text t) { o.time_tolerance = number_in(t, 0, 1, "a share of the time, 0 to 1"); }},
+    OptionRow{
+        "cycle-tolerance", "MM",
+        "what the correction may vary along a hole of G74, G84, G86, G87 or G88, which stay cycles (default 0.005 mm)",
+        OptionGroup::compensation, false, false,
+        [](Options& o, Text t) { o.compensation.cycle_tolerance_mm = number_in(t, 0, 100, "mm, 0 to 100"); }},
+    OptionRow{"guard", "",
+              "put a block at the start that stops the control when its offsets differ from those given here",
+              OptionGroup::compensation, false, false, [](Options& o, Text t) { o.guard = on_or_off(t); }},
+    OptionRow{"no-read-back", "", "do not read the output again and hold it against what was meant",
+              OptionGroup::compensation, false, false,
+              [](Options& o, Text t) { o.compensation.read_back = !on_or_off(t); }},
+    OptionRow{"undo", "", "write OUTPUT.undo too, from which restore gives the original back",
+              OptionGroup::compensation, false, false, [](Options& o, Text t) { o.undo = on_or_off(t); }},
+};
+
+}  // namespace
+
+std::span<const OptionRow> option_rows() { return kRows; }
+
+const OptionRow* find_option(std::string_view name) {
+  const auto* const found =
+      std::find_if(kRows.begin(), kRows.end(), [&](const OptionRow& r) { return r.name == name; });
+  return found == kRows.end() ? nullptr : found;
+}
+
+void set_option(Options& options, const OptionRow& row, std::string_view text) {
+  if (text.empty()) throw OptionError(fmt::format("expected {}", row.value.empty() ? "on or off" : row.value));
+  row.set(options, text);
+}
+
+std::string work_system_name(std::size_t system) {
+  return nc::dialect("linuxcnc").name_of_system(static_cast<int>(system) + 1);
+}
+
+std::optional<std::array<double, kAxes>> six_numbers(std::string_view text) {
+  std::array<double, kAxes> values{};
+  std::size_t count = 0;
+  bool all_numbers = true;
+  each_part(text, [&](std::string_view part) {
+    const std::optional<double> value = parse_number(part);
+    if (value && count < kAxes) values[count] = *value;
+    all_numbers = all_numbers && value.has_value();
+    ++count;
+  });
+  if (!all_numbers || count != kAxes) return std::nullopt;
+  return values;
+}
+
+nc::ProgramSettings program_settings(const Options& options) {
+  nc::ProgramSettings settings;
+  if (!options.variables.empty()) {
+    settings.variables = read_variables(options.variables);
+    settings.work_offsets = work_offsets_of(settings.variables);
+  }
+  for (std::size_t i = 0; i < settings.work_offsets.size(); ++i) {
+    if (options.work_offsets[i]) settings.work_offsets[i] = options.work_offsets[i];
+  }
+  if (!options.tools.empty()) settings.tools = nc::read_tool_table(options.tools);
+  settings.tool_in_spindle = options.tool_in_spindle;
+  settings.start = options.start;
+  settings.passed_m_codes = options.pass;
+  settings.keeps_position = options.keeps_position;
+  settings.block_delete = options.block_delete;
+  settings.calculator_type = options.calculator_type;
+  settings.input_increment = options.input_increment;
+  settings.feed_rule = options.feed_rule;
+  settings.helix_feed_along_circle = options.helix_feed_along_circle;
+  settings.rotary = options.rotary;
+  settings.free_rotation = options.free_rotation;
+  settings.max_blocks = static_cast<std::uint64_t>(options.max_blocks);
+  return settings;
+}
+
+nc::ProgramSettings program_settings(const Options& options, const machine::MachineModel& model) {
+  nc::ProgramSettings settings = program_settings(options);
+  settings.rotation_order = model.rotation.axes;
+  return settings;
+}
+
+}  // namespace plumbline::settings

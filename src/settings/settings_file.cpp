@@ -1,0 +1,156 @@
+#include "settings/settings_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/diagnostic.hpp"
+#include "base/files.hpp"
+#include "base/input_name.hpp"
+#include "base/toml.hpp"
+
+namespace plumbline::settings {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = TomlValue::Kind;
+
+std::string key_of(const OptionRow& row) {
+  std::string key(row.name);
+  std::replace(key.begin(), key.end(), '-', '_');
+  return key;
+}
+
+std::string list_of_keys() {
+  std::string list;
+  for (const OptionRow& row : option_rows()) list += fmt::format("{}{}", list.empty() ? "" : ", ", key_of(row));
+  return list;
+}
+
+const OptionRow* row_of_key(std::string_view key) {
+  const auto rows = option_rows();
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const OptionRow& row) { return key_of(row) == key; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+class SettingsReader {
+ public:
+  SettingsReader(const TomlDocument& document, Options& options) : document_(document), options_(options) {}
+
+  void check_kind() const {
+    const TomlEntry* const kind = document_.root.find("plumbline");
+    if (kind != nullptr && kind->value.kind == Kind::text && kind->value.text == "settings 1") return;
+    refuse("settings-kind", "this is no settings file: it does not begin with plumbline = \"settings 1\"",
+           "add that line, or leave the file out with --no-settings",
+           kind != nullptr ? document_.place(kind->value.span) : document_.place({0, 1}));
+  }
+
+  void take(const OptionRow& row, const TomlEntry& entry) {
+    for (const Stated& stated : stated_by(row, entry)) {
+      try {
+        set_option(options_, row, row.is_path ? beside_file(stated.text) : stated.text);
+      } catch (const OptionError& error) {
+        refuse("settings-value", fmt::format("{}: {}", entry.key, error.what()),
+               fmt::format("write it as --{} takes it; plumbline compensate --help", row.name),
+               document_.place(stated.span));
+      }
+    }
+  }
+
+ private:
+  // A value as the command line would spell it, and where it stands.
+  struct Stated {
+    std::string text;
+    Span span;
+  };
+
+  std::string beside_file(const std::string& path) const {
+    return path.empty() ? path : (fs::path(document_.file).parent_path() / path).string();
+  }
+
+  [[noreturn]] void refuse_type(const TomlEntry& entry, const TomlValue& value) const {
+    refuse("settings-type", fmt::format("{} cannot be {}", entry.key, name_of(value.kind)),
+           "write it as the option of that name takes it, in quotes; plumbline compensate --help",
+           document_.place(value.span));
+  }
+
+  // A single value as the command line would spell it.
+  std::string text_of(const TomlEntry& entry, const TomlValue& value) const {
+    switch (value.kind) {
+      case Kind::text:
+        return value.text;
+      case Kind::number:
+        return fmt::format("{}", value.number);
+      case Kind::boolean:
+        return value.flag ? "on" : "off";
+      default:
+        refuse_type(entry, value);
+    }
+  }
+
+  std::string joined(const TomlEntry& entry, const TomlValue& array) const {
+    std::string text;
+    for (const TomlValue& item : array.items) {
+      if (!text.empty()) text += ',';
+      text += text_of(entry, item);
+    }
+    return text;
+  }
+
+  std::string text_or_list(const TomlEntry& entry, const TomlValue& value) const {
+    return value.kind == Kind::array ? joined(entry, value) : text_of(entry, value);
+  }
+
+  // What stands for one key: of a table NAME=VALUE for each entry, of an array of texts each of them.
+  std::vector<Stated> stated_by(const OptionRow& row, const TomlEntry& entry) const {
+    const TomlValue& value = entry.value;
+    const bool takes_names = row.name == "work-offset" || row.name == "start";
+    std::vector<Stated> all;
+    if (value.kind == Kind::table && takes_names) {
+      for (const TomlEntry& item : value.entries) {
+        all.push_back({item.key + "=" + text_or_list(item, item.value), item.key_span});
+      }
+      return all;
+    }
+    if (value.kind == Kind::array && row.is_repeatable) {
+      for (const TomlValue& item : value.items) all.push_back({text_of(entry, item), item.span});
+      return all;
+    }
+    return {{text_or_list(entry, value), value.span}};
+  }
+
+  const TomlDocument& document_;
+  Options& options_;
+};
+
+}  // namespace
+
+std::string settings_file_beside(const std::string& program) {
+  if (program == kStandardStream) return {};
+  const fs::path path = fs::path(program).parent_path() / kSettingsFileName;
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored) ? path.string() : std::string();
+}
+
+void read_settings_file(const std::string& path, Options& options,
+                        const std::function<bool(const OptionRow&)>& is_given) {
+  const TomlDocument document = parse_toml(read_text(path), input_name(path));
+  SettingsReader reader(document, options);
+  reader.check_kind();
+  for (const TomlEntry& entry : document.root.entries) {
+    if (entry.key == "plumbline") continue;
+    const OptionRow* const row = row_of_key(entry.key);
+    if (row == nullptr) {
+      refuse("settings-key", fmt::format("there is no setting {}", entry.key),
+             fmt::format("settings are {}", list_of_keys()), document.place(entry.key_span));
+    }
+    Options scratch;
+    const bool counts = row->name == "work-offset" || !is_given || !is_given(*row);
+    SettingsReader(document, counts ? options : scratch).take(*row, entry);
+  }
+  options.settings_file = path;
+}
+
+}  // namespace plumbline::settings

@@ -1,0 +1,22 @@
+// The numbered parameters of a control, from a file.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "nc/sequence/program.hpp"
+
+namespace plumbline::settings {
+
+/// Lines "#NUMBER VALUE", "#NUMBER = VALUE" or "NUMBER VALUE" (what LinuxCNC keeps as .var); blank lines and what
+/// follows ; are left out. Values are taken as they stand: lengths in mm, angles in deg. Refuses with variables-line,
+/// variables-number, variables-value or variables-twice and the place.
+std::map<int, double> read_variables(const std::string& path);
+
+/// The work systems that the variables state whole: #5221 to #5226 for G54 with its rotation #5230, then every
+/// twenty. [RS274/NGC 3.2.1]
+std::array<std::optional<nc::WorkOffset>, nc::kWorkSystems> work_offsets_of(const std::map<int, double>& variables);
+
+}  // namespace plumbline::settings
