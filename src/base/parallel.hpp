@@ -17,12 +17,13 @@ inline unsigned processors() { return std::max(1U, std::thread::hardware_concurr
 
 /// Calls work(i) for each i below `count`, on up to `threads` threads, fewer where the system has no more, in no order.
 /// What depends on the order (sums) is for the caller to do afterwards, item by item, so that results do not depend on
-/// the number of threads. The first exception that a call throws is thrown again here; calls that have not begun by
-/// then are left out.
+/// the number of threads. Of the exceptions that calls throw, that of the least i is thrown again here; calls that have
+/// not begun by then are left out.
 template <class Work>
 void for_each_index(std::size_t count, Work&& work, unsigned threads = processors()) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;
+  std::size_t failed_at = count;  // all calls before it have begun, and one of them may throw as well
   std::mutex guard;
   const auto run = [&] {
     for (std::size_t i = next++; i < count; i = next++) {
@@ -30,7 +31,10 @@ void for_each_index(std::size_t count, Work&& work, unsigned threads = processor
         work(i);
       } catch (...) {
         const std::scoped_lock lock(guard);
-        if (!failure) failure = std::current_exception();
+        if (i < failed_at) {
+          failed_at = i;
+          failure = std::current_exception();
+        }
         next = count;
       }
     }

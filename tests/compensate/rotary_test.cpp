@@ -111,3 +111,25 @@ TEST_CASE("a block whose axes all stand already says so instead of being empty")
   CHECK(matches(result.text, "^ ?\\(there\\)$"));
   CHECK(largest_turn(result.text, job) < 11);
 }
+
+TEST_CASE("where nobody knows in which turn an axis stands, its words end in the first") {
+  Job job = job_for("siemens", nc::RotaryRule::linear);
+  const std::string head = "G54\nG0 X0 Y0 Z20 A0 B0 C=DC(350)\n";
+  for (const char* const tail : {"M0\nG0 X1 Y1 Z20 A0 B0 C20\nG1 X5 F500\nFGROUP(X,Y,Z)\nX7 C30\nM30\n",
+                                 "C=DC(20)\nM00\nG0 X30 Y-40 Z10 A0 B0 C=DC(350)\nG1 X5 F500\nM30\n",
+                                 "C=ACP(20)\nM1\nG0 X30 Y40 Z10 A0 B0 C0\nG1 X5 F500\nM30\n",
+                                 "C-20\nM0\nG0 X30 Y40 Z10 A0 B0 C=ACN(180)\nG1 X5 F500\nG0 C180\nM30\n"}) {
+    INFO(tail);
+    CHECK(code_of(head + tail, job).empty());
+  }
+  // Corrected, it would begin another turn.
+  int refused = 0;
+  for (const char* const c : {"322.4999", "322.5001"}) {
+    for (const char* const x : {"X30 Y40", "X-30 Y-40"}) {
+      const std::string code = code_of(head + "M0\nG0 " + x + " Z10 A0 B0 C" + c + "\nM30\n", job);
+      CHECK((code.empty() || code == "emit-rotary-word"));
+      if (!code.empty()) ++refused;
+    }
+  }
+  CHECK(refused > 0);
+}

@@ -5,7 +5,8 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr double kSameAngle = 1e-9;  // deg: what adding and taking away offsets may leave
+constexpr double kFirstTurn = -37.5;  // deg
+constexpr double kSameAngle = 1e-9;   // deg: what adding and taking away offsets may leave
 
 double begin_of_turn(double angle) { return std::floor((angle + kSameAngle) / kFullTurn) * kFullTurn; }
 
@@ -16,7 +17,10 @@ double within_one_turn(double angle) {
   return within < 0 ? within + kFullTurn : within;
 }
 
-double rotary_end(RotaryRule rule, double place, bool negative, double from) {
+double rotary_end(RotaryRule rule, double place, bool negative, std::optional<double> known_from) {
+  if (rule == RotaryRule::linear) return place;
+  if (!known_from) return kFirstTurn + within_one_turn(place - kFirstTurn);
+  const double from = *known_from;
   switch (rule) {
     case RotaryRule::sign: {  // as LinuxCNC's interpreter does it [measured]
       const double end = std::abs(place) + begin_of_turn(from);

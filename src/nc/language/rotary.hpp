@@ -22,8 +22,10 @@ using RotaryRules = std::array<RotaryRule, 3>;
 inline constexpr double kFullTurn = 360;
 
 /// Where an axis that stands at `from` goes, deg. `place`: the word as a position of the work system, which is not the
-/// word itself in machine coordinates; `negative`: the word has a minus, -0 too.
-double rotary_end(RotaryRule rule, double place, bool negative, double from);
+/// word itself in machine coordinates; `negative`: the word has a minus, -0 too. Without `from`, in which turn it
+/// stands then is not known: the first one, which begins at -37.5, so that corrections of places such as 0 and 180 stay
+/// in it.
+double rotary_end(RotaryRule rule, double place, bool negative, std::optional<double> from);
 
 /// The word, a sign included, that sends an axis from `from` to `to`; nothing if none does.
 std::optional<double> rotary_word(RotaryRule rule, double to, double from);

@@ -157,7 +157,9 @@ double PiecePlanner::endless_word(const Step& step, Axis axis, double to, std::o
     if (std::abs(place - *word) > kFullTurn / 2) word.reset();
     if (word && written != nullptr && rule == RotaryRule::sign && std::signbit(written->value)) word = -*word;
   }
-  if (word) return *word;
+  const bool in_first_turn =
+      from || !word || std::abs(rotary_end(rule, *word, std::signbit(*word), {}) - to) < kSamePlace;
+  if (word && in_first_turn) return *word;
   refuse_block(*step.block, "emit-rotary-word",
                fmt::format("no word sends {} to {:.6g}, where the corrected move ends: its words count within a turn",
                            letter(axis), to),

@@ -59,13 +59,14 @@ void check_within_turn(const Execution& run, const Word& word) {
 }
 
 // The end that a word means for an axis that stands at `from`.
-double end_of_word(const Execution& run, const Word& word, Axis axis, double from) {
+double end_of_word(const Execution& run, const Word& word, Axis axis, double begin) {
   const double value = run.value(axis);
   const bool incremental = run.control.modal.incremental && word.mode == WordMode::modal;
   if (incremental || word.mode == WordMode::incremental) {
     check_increment(run, word, axis);
-    return from + value;
+    return begin + value;
   }
+  const std::optional<double> from = run.control.known.contains(axis) ? std::optional(begin) : std::nullopt;
   switch (word.mode) {
     case WordMode::shortest:
       return rotary_end(RotaryRule::shortest, value, false, from);

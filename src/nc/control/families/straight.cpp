@@ -32,7 +32,8 @@ void end_in_machine_coordinates(const Execution& run, Motion& motion) {
     if (!moved.contains(axis)) continue;
     const Word* const word = run.words.find(axis);
     const bool negative = word != nullptr && std::signbit(word->value);
-    motion.to[axis] = rotary_end(control.modal.rule_of(axis), work[axis], negative, control.position[axis]);
+    const auto from = control.known.contains(axis) ? std::optional(control.position[axis]) : std::nullopt;
+    motion.to[axis] = rotary_end(control.modal.rule_of(axis), work[axis], negative, from);
   }
   motion.known_after = control.known | run.axes;
   // A turned X is made of both X and Y.
