@@ -5,26 +5,11 @@
 #include <catch2/catch.hpp>
 
 #include "base/diagnostic.hpp"
+#include "nc/syntax/parsed.hpp"
 
 using namespace plumbline;
 using namespace plumbline::nc;
-
-namespace {
-
-// A block and the text it points into.
-struct Parsed {
-  std::string text;
-  Block block;
-  explicit Parsed(std::string line, std::uint64_t offset = 100) : text(std::move(line)) {
-    block.text = text;
-    block.line = 7;
-    block.offset = offset;
-    Parser(dialect("linuxcnc")).parse(block);
-  }
-  std::string at(Span span) const { return std::string(block.at(span)); }
-};
-
-}  // namespace
+using nc::tests::Parsed;
 
 TEST_CASE("words come in the order of the text, with their places and decimals") {
   const Parsed p("N10 G1X-1.250 y+.5 F 1 0 0(note)Z[#1+2];end");
@@ -77,8 +62,8 @@ TEST_CASE("settings are kept apart from words") {
 }
 
 TEST_CASE("a byte order mark is allowed at the begin of the file alone") {
-  CHECK(Parsed("\xEF\xBB\xBFG0 X1", 0).block.words.size() == 2);
-  CHECK_THROWS_AS(Parsed("\xEF\xBB\xBFG0 X1", 100), Refusal);
+  CHECK(Parsed("\xEF\xBB\xBFG0 X1", "linuxcnc", 0).block.words.size() == 2);
+  CHECK_THROWS_AS(Parsed("\xEF\xBB\xBFG0 X1", "linuxcnc", 100), Refusal);
 }
 
 TEST_CASE("comments may hold any byte, a block's rest not") {
