@@ -15,7 +15,7 @@ namespace plumbline::api {
 namespace {
 
 void require_model(const Options& options) {
-  if (options.model.empty()) throw std::invalid_argument("model: expected the path of a machine model");
+  if (options.paths.model.empty()) throw std::invalid_argument("model: expected the path of a machine model");
 }
 
 }  // namespace

@@ -31,9 +31,9 @@ std::string_view version();
 /// ("G54=0,0,-1008,0,0,0", mm and deg; "on" for a switch). Throws std::invalid_argument that says what is expected.
 void set_option(Options& options, std::string_view name, std::string_view text);
 
-/// Corrects a program for the machine `options.model`, and writes the corrected one, with options.undo OUTPUT.undo too.
-/// The summary is in mm, deg and s; its lines are those of `program`. Throws std::invalid_argument if no model is
-/// named.
+/// Corrects a program for the machine `options.paths.model`, and writes the corrected one, with options.undo
+/// OUTPUT.undo too. The summary is in mm, deg and s; its lines are those of `program`. Throws std::invalid_argument if
+/// no model is named.
 CompensationSummary compensate(const std::string& program, const std::string& output, const Options& options,
                                const Progress& progress = {});
 
@@ -47,8 +47,8 @@ ErrorSummary error(const std::string& poses, const std::string& model, const std
 void trace(const std::string& program, const std::string& output, const Options& options,
            const Progress& progress = {});
 
-/// Finds all places where a program, compensated, breaks limits of the machine `options.model`; writes nothing. That
-/// there are some is no error: the summary counts them. Throws std::invalid_argument if no model is named.
+/// Finds all places where a program, compensated, breaks limits of the machine `options.paths.model`; writes nothing.
+/// That there are some is no error: the summary counts them. Throws std::invalid_argument if no model is named.
 CheckSummary check(const std::string& program, const Options& options, const Progress& progress = {});
 
 }  // namespace plumbline::api

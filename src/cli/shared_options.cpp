@@ -67,11 +67,11 @@ void SharedOptions::allow_model_alone(std::string_view why) const {
 }
 
 std::vector<std::string> files_read(const std::string& program, const settings::Options& options) {
-  return {program, options.model, options.tools, options.variables, options.settings_file};
+  return {program, options.paths.model, options.paths.tools, options.paths.variables, options.paths.settings_file};
 }
 
 void require_model(const settings::Options& options) {
-  if (options.model.empty()) throw UsageError("--model MODEL is required: the machine's model file");
+  if (options.paths.model.empty()) throw UsageError("--model MODEL is required: the machine's model file");
 }
 
 }  // namespace plumbline::cli

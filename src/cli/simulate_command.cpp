@@ -29,7 +29,7 @@ int simulate_dataset(const SimulateArguments& arguments) {
   const settings::Options options = arguments.shared.read(arguments.dataset);
   require_model(options);
   const jobs::DatasetSimulationSummary summary =
-      jobs::simulate_dataset(options.model, arguments.dataset, arguments.output);
+      jobs::simulate_dataset(options.paths.model, arguments.dataset, arguments.output);
   say_note(
       fmt::format("{}, {}\n", report::count_text(summary.runs, "run"), report::count_text(summary.samples, "sample")));
   return kDone;

@@ -120,7 +120,7 @@ class Checker {
 }  // namespace
 
 CheckSummary check_file(const std::string& program, const settings::Options& options, const Progress& progress) {
-  const machine::MachineModel model = machine::read_model(options.model);
+  const machine::MachineModel model = machine::read_model(options.paths.model);
   const auto [source, dialect, settings] = open_program(options, program, model);
   compensate::Settings compensation = options.compensation;
   compensation.step.least_time_s = model.control.block_time;

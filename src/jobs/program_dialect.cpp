@@ -18,7 +18,7 @@ const nc::Dialect& dialect_of(const settings::Options& options, const InputFile&
         fmt::format("a work offset was given for {}, which {} does not have", name, dialect.name),
         fmt::format("its first work system is called {}; --dialect names another control", dialect.name_of_system(1)));
   }
-  if (options.input_increment && dialect.behaviour.increment_mm == 0) {
+  if (options.program.input_increment && dialect.behaviour.increment_mm == 0) {
     refuse("settings-input-increment", fmt::format("numbers without a point count mm and deg for {}", dialect.name),
            "leave --input-increment out; --dialect names another control");
   }

@@ -116,7 +116,7 @@ class Player {
 
 SimulationSummary simulate_program(const std::string& program, const settings::Options& options, OutputFile& out,
                                    const Progress& progress) {
-  const machine::MachineModel model = machine::read_model(options.model);
+  const machine::MachineModel model = machine::read_model(options.paths.model);
   const auto [source, dialect, settings] = open_program(options, program, model);
 
   PathWalk walk(source, dialect, settings, model, options.compensation.step);

@@ -126,7 +126,7 @@ void add_files(TextTable& table, const Summary& s, const settings::Options& opti
       s.bytes_before > 0 ? static_cast<double>(s.bytes_after) / static_cast<double>(s.bytes_before) : 1;
   table.add("file", fmt::format("{} bytes before, {} after ({:.2f} times)", count_text(s.bytes_before),
                                 count_text(s.bytes_after), growth));
-  if (!options.settings_file.empty()) table.add("settings from", options.settings_file);
+  if (!options.paths.settings_file.empty()) table.add("settings from", options.paths.settings_file);
 }
 
 Json worst(const Worst& value, double unit = 1) { return {{"value", value.value * unit}, {"line", value.line}}; }
@@ -225,7 +225,7 @@ std::string summary_json(const Summary& s, const settings::Options& options) {
       {"bytes_before", s.bytes_before},
       {"bytes_after", s.bytes_after},
       {"hash_after", to_hex(s.hash_after)},
-      {"settings_file", options.settings_file.empty() ? Json() : Json(options.settings_file)},
+      {"settings_file", options.paths.settings_file.empty() ? Json() : Json(options.paths.settings_file)},
       {"warnings", warnings_json(s.warnings)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -82,13 +82,13 @@ void set_rotary(Options& options, std::string_view text) {
     if (rule == kRules.end()) throw OptionError(std::string(kExpected));
     const auto value = static_cast<nc::RotaryRule>(rule - kRules.begin());
     if (equals == std::string_view::npos) {
-      options.rotary.fill(value);
+      options.program.rotary.fill(value);
       return;
     }
     const std::string axis_name = upper(trimmed(part.substr(0, equals)));
     const std::optional<Axis> axis = axis_name.size() == 1 ? axis_of(axis_name.front()) : std::nullopt;
     if (!axis || !is_rotary(*axis)) throw OptionError(std::string(kExpected));
-    options.rotary[index(*axis) - 3] = value;
+    options.program.rotary[index(*axis) - 3] = value;
   });
 }
 
@@ -138,7 +138,7 @@ void set_work_offset(Options& options, std::string_view text) {
   const auto values = six_numbers(text.substr(equals + 1));
   if (!values) throw OptionError(std::string(kExpected));
   refuse_absurd(*values);
-  options.work_offsets[static_cast<std::size_t>(system - 1)] = nc::WorkOffset{{*values}, 0};
+  options.program.work_offsets[static_cast<std::size_t>(system - 1)] = nc::WorkOffset{{*values}, 0};
   options.work_offset_names.emplace_back(name, system);
 }
 
@@ -147,7 +147,7 @@ void set_start(Options& options, std::string_view text) {
       "expected six numbers X,Y,Z,A,B,C in mm and deg, or those of some axes as in A=0,B=0,C=0";
   if (const auto values = six_numbers(text)) {
     refuse_absurd(*values);
-    for (std::size_t i = 0; i < kAxes; ++i) options.start[i] = (*values)[i];
+    for (std::size_t i = 0; i < kAxes; ++i) options.program.start[i] = (*values)[i];
     return;
   }
   each_part(text, [&](std::string_view part) {
@@ -158,7 +158,7 @@ void set_start(Options& options, std::string_view text) {
     const std::optional<double> number = parse_number(trimmed(value));
     if (!number) throw OptionError(std::string(kExpected));
     refuse_absurd(std::array{*number});
-    options.start[index(*axis)] = *number;
+    options.program.start[index(*axis)] = *number;
   });
 }
 
@@ -184,21 +184,21 @@ constexpr std::array kRows{
         "calculator-type", "on|off",
         "fanuc: a number without a point counts mm, inches and degrees (on) or increments of the control (off, the "
         "default)",
-        OptionGroup::program, false, false, [](Options& o, Text t) { o.calculator_type = on_or_off(t); }},
+        OptionGroup::program, false, false, [](Options& o, Text t) { o.program.calculator_type = on_or_off(t); }},
     OptionRow{"input-increment", "MM",
               "fanuc, okuma: what a number without a point counts, mm and deg (default: fanuc 0.001, okuma 1)",
               OptionGroup::program, false, false,
-              [](Options& o, Text t) { o.input_increment = number_in(t, 1e-5, 1, "mm, 0.00001 to 1"); }},
+              [](Options& o, Text t) { o.program.input_increment = number_in(t, 1e-5, 1, "mm, 0.00001 to 1"); }},
     OptionRow{
         "feed-rule", "xyz|all|unknown",
         "F of a block that moves X, Y, Z and turns is the speed of X, Y, Z alone, or of all axes with degrees as mm "
         "(default: the dialect's)",
-        OptionGroup::program, false, false, [](Options& o, Text t) { o.feed_rule = feed_rule_in(t); }},
+        OptionGroup::program, false, false, [](Options& o, Text t) { o.program.feed_rule = feed_rule_in(t); }},
     OptionRow{"helix-feed", "circle|path",
               "F of an arc beside which another axis moves is the speed along its circle, or along the whole path "
               "(default: the dialect's: fanuc circle, the others path)",
               OptionGroup::program, false, false,
-              [](Options& o, Text t) { o.helix_feed_along_circle = along_circle_in(t); }},
+              [](Options& o, Text t) { o.program.helix_feed_along_circle = along_circle_in(t); }},
     OptionRow{"rotary", "sign|shortest|one-turn",
               "how absolute words of A, B and C count on axes that turn without end, or of one as C=sign; repeatable "
               "(default: "
@@ -207,37 +207,40 @@ constexpr std::array kRows{
     OptionRow{"free-rotation", "c-stays|c-zero",
               "what the control does with C where a program gives the direction of the tool alone (G68.2 with G53.1, "
               "CYCLE800, tool vectors): C stays where it stands, or goes to zero (default: such programs are refused)",
-              OptionGroup::program, false, false, [](Options& o, Text t) { o.free_rotation = free_rotation_in(t); }},
+              OptionGroup::program, false, false,
+              [](Options& o, Text t) { o.program.free_rotation = free_rotation_in(t); }},
     OptionRow{"work-offset", "G54=X,Y,Z,A,B,C",
               "where a work system's zero lies in the base frame W, mm and deg; named as the control does: G54 to G59, "
               "G59.1 to G59.3, G54.1P1, G15H1, G505; repeatable",
               OptionGroup::program, true, false, set_work_offset},
     OptionRow{"tools", "FILE", "tool table: length and diameter in mm, mass in kg", OptionGroup::program, false, true,
-              [](Options& o, Text t) { o.tools = t; }},
-    OptionRow{
-        "tool-in-spindle", "N", "number of the tool that is in the spindle at the start", OptionGroup::program, false,
-        false,
-        [](Options& o, Text t) { o.tool_in_spindle = whole_number_in(t, 0, 99999, "a tool number, 0 to 99999"); }},
+              [](Options& o, Text t) { o.paths.tools = t; }},
+    OptionRow{"tool-in-spindle", "N", "number of the tool that is in the spindle at the start", OptionGroup::program,
+              false, false,
+              [](Options& o, Text t) {
+                o.program.tool_in_spindle = whole_number_in(t, 0, 99999, "a tool number, 0 to 99999");
+              }},
     OptionRow{"start", "X,Y,Z,A,B,C",
               "where the axes stand at the start, mm and deg, in the work system then active; "
               "some of them alone as A=0,B=0,C=0",
               OptionGroup::program, false, false, set_start},
     OptionRow{"variables", "FILE",
               "variables of the control, a line #NUMBER VALUE or NUMBER VALUE for each (a .var file); lengths in mm",
-              OptionGroup::program, false, true, [](Options& o, Text t) { o.variables = t; }},
+              OptionGroup::program, false, true, [](Options& o, Text t) { o.paths.variables = t; }},
     OptionRow{"pass", "M428,...", "M codes of the machine's builder that go through as they stand; repeatable",
-              OptionGroup::program, true, false, [](Options& o, Text t) { add_m_codes(o.pass, t); }},
+              OptionGroup::program, true, false, [](Options& o, Text t) { add_m_codes(o.program.passed_m_codes, t); }},
     OptionRow{"keeps-position", "M6,...", "M codes after which the axes stand where they stood; repeatable",
-              OptionGroup::program, true, false, [](Options& o, Text t) { add_m_codes(o.keeps_position, t); }},
+              OptionGroup::program, true, false, [](Options& o, Text t) { add_m_codes(o.program.keeps_position, t); }},
     OptionRow{"block-delete", "on|off", "whether blocks that begin with / are left out (on) or executed (off)",
-              OptionGroup::program, false, false, [](Options& o, Text t) { o.block_delete = on_or_off(t); }},
+              OptionGroup::program, false, false, [](Options& o, Text t) { o.program.block_delete = on_or_off(t); }},
     OptionRow{"max-blocks", "N", "lines that a program with loops or subprograms may execute (default 10000000)",
               OptionGroup::program, false, false,
               [](Options& o, Text t) {
-                o.max_blocks = whole_number_in(t, 1, 2'000'000'000, "a number of lines, 1 to 2000000000");
+                o.program.max_blocks = static_cast<std::uint64_t>(
+                    whole_number_in(t, 1, 2'000'000'000, "a number of lines, 1 to 2000000000"));
               }},
     OptionRow{"model", "MODEL", "the machine's model file", OptionGroup::model, false, true,
-              [](Options& o, Text t) { o.model = t; }},
+              [](Options& o, Text t) { o.paths.model = t; }},
     OptionRow{"step-angle", "DEG", "largest angle of a piece: of arc, or of the turn of the tool (default 0.1 deg)",
               OptionGroup::step, false, false,
               [](Options& o, Text t) {
@@ -276,7 +279,7 @@ constexpr std::array kRows{
     OptionRow{"time-tolerance", "SHARE",
               "share of a block's time that may change before its F is written anew (default 0.001)",
               OptionGroup::compensation, false, false,
-              [](Options& o, Text t) { o.time_tolerance = number_in(t, 0, 1, "a share of the time, 0 to 1"); }},
+              [](Options& o, Text t) { o.emit.time_tolerance = number_in(t, 0, 1, "a share of the time, 0 to 1"); }},
     OptionRow{
         "cycle-tolerance", "MM",
         "what the correction may vary along a hole of G74, G84, G86, G87 or G88, which stay cycles (default 0.005 mm)",
@@ -326,27 +329,15 @@ std::optional<std::array<double, kAxes>> six_numbers(std::string_view text) {
 }
 
 nc::ProgramSettings program_settings(const Options& options) {
-  nc::ProgramSettings settings;
-  if (!options.variables.empty()) {
-    settings.variables = read_variables(options.variables);
+  nc::ProgramSettings settings = options.program;
+  if (!options.paths.variables.empty()) {
+    settings.variables = read_variables(options.paths.variables);
     settings.work_offsets = work_offsets_of(settings.variables);
+    for (std::size_t i = 0; i < settings.work_offsets.size(); ++i) {
+      if (options.program.work_offsets[i]) settings.work_offsets[i] = options.program.work_offsets[i];
+    }
   }
-  for (std::size_t i = 0; i < settings.work_offsets.size(); ++i) {
-    if (options.work_offsets[i]) settings.work_offsets[i] = options.work_offsets[i];
-  }
-  if (!options.tools.empty()) settings.tools = nc::read_tool_table(options.tools);
-  settings.tool_in_spindle = options.tool_in_spindle;
-  settings.start = options.start;
-  settings.passed_m_codes = options.pass;
-  settings.keeps_position = options.keeps_position;
-  settings.block_delete = options.block_delete;
-  settings.calculator_type = options.calculator_type;
-  settings.input_increment = options.input_increment;
-  settings.feed_rule = options.feed_rule;
-  settings.helix_feed_along_circle = options.helix_feed_along_circle;
-  settings.rotary = options.rotary;
-  settings.free_rotation = options.free_rotation;
-  settings.max_blocks = static_cast<std::uint64_t>(options.max_blocks);
+  if (!options.paths.tools.empty()) settings.tools = nc::read_tool_table(options.paths.tools);
   return settings;
 }
 

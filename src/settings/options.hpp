@@ -15,39 +15,29 @@
 
 #include "compensate/settings.hpp"
 #include "machine/model.hpp"
-#include "nc/sequence/program.hpp"
+#include "nc/control/program_settings.hpp"
+#include "nc/rewrite/emit_pieces.hpp"
 
 namespace plumbline::settings {
 
-struct Options {
-  // What the text of a program alone does not say
-  std::string dialect;  // empty: seen from the program
-  std::array<std::optional<nc::WorkOffset>, nc::kWorkSystems> work_offsets;
-  std::vector<std::pair<std::string, int>>
-      work_offset_names;  // as they were given, and which system they were taken for
-  std::optional<bool> calculator_type;
-  std::optional<double> input_increment;  // mm and deg
-  std::optional<nc::FeedRule> feed_rule;
-  std::optional<bool> helix_feed_along_circle;
-  nc::RotaryRules rotary{};
-  nc::FreeRotation free_rotation{};
-  std::string tools;  // path of the tool table; empty: none
-  std::optional<int> tool_in_spindle;
-  std::array<std::optional<double>, kAxes> start;  // mm and deg, in the first work system
-  std::string variables;                           // path of a variables file; empty: none
-  std::set<int> pass;                              // M codes
-  std::set<int> keeps_position;                    // M codes
-  std::optional<bool> block_delete;
-  int max_blocks = 10'000'000;
+/// Files that the options name; empty: none.
+struct Paths {
+  std::string model;
+  std::string tools;
+  std::string variables;
+  std::string settings_file;  // that some of the options come from
+};
 
-  // The machine, and how a program is compensated for it
-  std::string model;  // path of the machine model
+struct Options {
+  Paths paths;
+  std::string dialect;  // empty: seen from the program
+  std::vector<std::pair<std::string, int>>
+      work_offset_names;        // as they were given, and which system they were taken for
+  nc::ProgramSettings program;  // without what the files hold: see program_settings()
   compensate::Settings compensation;
-  double time_tolerance = 1e-3;  // share of a block's time
+  nc::EmitSettings emit;  // without what the model says of the control
   bool guard = false;
   bool undo = false;
-
-  std::string settings_file;  // that some of these come from; empty: none
 };
 
 /// A text that is no value of its option; what() says what is expected.

@@ -150,7 +150,7 @@ void read_settings_file(const std::string& path, Options& options,
     const bool counts = row->name == "work-offset" || !is_given || !is_given(*row);
     SettingsReader(document, counts ? options : scratch).take(*row, entry);
   }
-  options.settings_file = path;
+  options.paths.settings_file = path;
 }
 
 }  // namespace plumbline::settings

@@ -14,7 +14,7 @@ constexpr const char* kPart = "G0 X0 Y0 Z0 A0 B0 C0\nG1 X20 A5 F500\nM2\n";
 
 api::Options options() {
   api::Options o;
-  o.model = testing::source_file("models/pm600-like.toml");
+  o.paths.model = testing::source_file("models/pm600-like.toml");
   api::set_option(o, "work-offset", "G54=0,0,-1008,0,0,0");
   return o;
 }
@@ -31,7 +31,7 @@ TEST_CASE("the functions take paths and options, and give summaries") {
   api::trace(part, scratch.path("t.jsonl"), {});
   CHECK(scratch.text("t.jsonl").starts_with("{\"line\": 1, \"motion\": \"rapid\""));
   scratch.file("poses.csv", "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n0,0,-1008,0,0,0\n");
-  CHECK(api::error(scratch.path("poses.csv"), options().model, scratch.path("e.csv")).largest_um ==
+  CHECK(api::error(scratch.path("poses.csv"), options().paths.model, scratch.path("e.csv")).largest_um ==
         Approx(15.379).epsilon(1e-3));
 }
 

@@ -13,11 +13,11 @@ void draw_options(settings::Options& options, Draws& draws) {
   if (draws.chance(10)) settings.method = compensate::Method::first_order;
   if (draws.chance(8)) settings.dynamic = true;
   if (draws.chance(8)) settings.touch_off = AxisWords{{5, -3, -1000, 0, 1, 0}};
-  if (draws.chance(10)) options.time_tolerance = draws.between(0, 0.01);
+  if (draws.chance(10)) options.emit.time_tolerance = draws.between(0, 0.01);
   settings.cycle_tolerance_mm = 0.02;
   options.undo = draws.chance(50);
   options.guard = options.dialect == "linuxcnc" && draws.chance(15);
-  options.max_blocks = 100'000;
+  options.program.max_blocks = 100'000;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "jobs/compensate/compensated_files.hpp"
 #include "jobs/diff/diff.hpp"
 #include "nc/rewrite/undo.hpp"
+#include "nc/sequence/program.hpp"
 #include "report/check_text.hpp"
 #include "report/diff_text.hpp"
 #include "settings/options.hpp"
@@ -191,7 +192,7 @@ std::optional<Finding> Held::check_diff(const DrawnProgram& program, double shif
 
 std::optional<Finding> Held::check_zero(const DrawnProgram& program) const {
   settings::Options options = program.options;
-  options.model = scene_.zero_model;
+  options.paths.model = scene_.zero_model;
   options.undo = false;
   options.guard = false;
   compensate::Summary summary;

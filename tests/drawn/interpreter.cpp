@@ -9,6 +9,7 @@
 #include "base/files.hpp"
 #include "base/units.hpp"
 #include "nc/canon.hpp"
+#include "nc/sequence/program.hpp"
 
 namespace plumbline::drawn {
 namespace {
@@ -19,7 +20,7 @@ constexpr double kTolerance = 1e-4;  // of the program's unit: what four decimal
 std::string begun(const DrawnProgram& program) {
   std::string text = "G49\nG21 G90 G94 G17 G40 G80 G99 G64 G54 G91.1 G97\nM5 M9 M48\nG92.1\n";
   for (std::size_t i = 0; i < 9; ++i) {
-    const nc::WorkOffset offset = program.options.work_offsets[i].value_or(nc::WorkOffset{kBox, 0});
+    const nc::WorkOffset offset = program.options.program.work_offsets[i].value_or(nc::WorkOffset{kBox, 0});
     text += fmt::format("G10 L2 P{} R{}", i + 1, offset.rotation_deg);
     for (const Axis axis : kAllAxes) text += fmt::format(" {}{:.6f}", letter(axis), offset.origin[axis]);
     text += "\n";
@@ -92,7 +93,7 @@ std::optional<Finding> Interpreter::compare(const std::string& text, bool block_
 }
 
 std::optional<Finding> Interpreter::check(const Pair& pair) {
-  const bool block_delete = pair.program.options.block_delete.value_or(false);
+  const bool block_delete = pair.program.options.program.block_delete.value_or(false);
   if (auto found = compare(begun(pair.program) + pair.program.text(), block_delete)) return found;
   if (pair.output.empty()) return std::nullopt;
   if (auto found = compare(begun(pair.program) + pair.output, block_delete))
@@ -105,7 +106,7 @@ std::vector<std::pair<std::size_t, Finding>> Interpreter::check(const std::vecto
   for (const bool block_delete : {false, true}) {
     std::string all;
     for (const Pair& pair : pairs) {
-      if (pair.program.options.block_delete.value_or(false) != block_delete) continue;
+      if (pair.program.options.program.block_delete.value_or(false) != block_delete) continue;
       all += begun(pair.program) + continued(pair.program.text(), tally.interpreted);
       ++tally.interpreted;
       if (pair.output.empty()) continue;
@@ -116,7 +117,7 @@ std::vector<std::pair<std::size_t, Finding>> Interpreter::check(const std::vecto
     if (!together) continue;
     const std::size_t before = findings.size();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (pairs[i].program.options.block_delete.value_or(false) != block_delete) continue;
+      if (pairs[i].program.options.program.block_delete.value_or(false) != block_delete) continue;
       if (auto found = check(pairs[i])) findings.emplace_back(i, std::move(*found));
     }
     if (findings.size() == before)

@@ -26,22 +26,22 @@ LinuxCnc::LinuxCnc(std::uint64_t seed, const Scene& scene) : Writer("linuxcnc", 
       systems_[i].origin[axis] = i == 0 ? 0 : draws_.whole(-800, 800) / (is_rotary(axis) ? 1000.0 : 100.0);
     if (i > 0 && draws_.chance(20)) systems_[i].turned_deg = draws_.whole(-90, 90);
     if (i == 0 || draws_.chance(95))
-      options.work_offsets[i] = nc::WorkOffset{systems_[i].origin + kBox, systems_[i].turned_deg};
+      options.program.work_offsets[i] = nc::WorkOffset{systems_[i].origin + kBox, systems_[i].turned_deg};
   }
   keeps_at_tool_change_ = draws_.chance(70);
   keeps_at_stop_ = draws_.chance(70);
-  if (keeps_at_tool_change_) options.keeps_position.insert(6);
-  if (keeps_at_stop_) options.keeps_position.insert({0, 1, 60});
+  if (keeps_at_tool_change_) options.program.keeps_position.insert(6);
+  if (keeps_at_stop_) options.program.keeps_position.insert({0, 1, 60});
   if (draws_.chance(40)) {
     for (const Axis axis : kAllAxes) {
       const double at = draws_.whole(-20, 20) / (is_rotary(axis) ? 5.0 : 1.0);
-      options.start[index(axis)] = at;
+      options.program.start[index(axis)] = at;
       program_.start[axis] += at;
       at_[axis] = at;
     }
     known_ = true;
   }
-  if (draws_.chance(25)) options.block_delete = draws_.chance(50);
+  if (draws_.chance(25)) options.program.block_delete = draws_.chance(50);
   if (draws_.chance(8)) turn_endlessly();
 }
 

@@ -68,9 +68,9 @@ void LinuxCnc::change_offset() {
   const int kind = draws_.whole(0, 5);
   if (kind <= 1) {
     const int system = draws_.whole(1, 9);
-    if (!program_.options.work_offsets[static_cast<std::size_t>(system - 1)] && !draws_.chance(20)) return;
+    if (!program_.options.program.work_offsets[static_cast<std::size_t>(system - 1)] && !draws_.chance(20)) return;
     select_system(system);
-    known_ = known_ && program_.options.work_offsets[static_cast<std::size_t>(system - 1)].has_value();
+    known_ = known_ && program_.options.program.work_offsets[static_cast<std::size_t>(system - 1)].has_value();
     return put({std::string(kLinuxCncSystems[static_cast<std::size_t>(system - 1)])});
   }
   if (kind == 2 && draws_.chance(40)) return set_system_here();

@@ -44,7 +44,7 @@ class Run {
       if (!arguments_.keep.empty()) keep(pair);
       if (found) note(*found, pair.program, [&](const DrawnProgram& less) { return held_.check(less, of_one); });
       if (!interprets) continue;
-      const bool wraps = pair.program.options.rotary[2] != nc::RotaryRule::linear;  // an INI file would say so
+      const bool wraps = pair.program.options.program.rotary[2] != nc::RotaryRule::linear;  // an INI file would say so
       if (of_one.refused.empty() && !wraps) pairs_.push_back(std::move(pair));
       if (pairs_.size() >= kTogether) interpret();
     }

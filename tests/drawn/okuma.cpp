@@ -26,7 +26,7 @@ class Okuma final : public Writer {
     settings::Options& options = program_.options;
     draw_work_offsets(systems_);
     if (uses_rotary_ || draws_.chance(50))
-      options.feed_rule = draws_.chance(50) ? nc::FeedRule::xyz_first : nc::FeedRule::all_axes_as_mm;
+      options.program.feed_rule = draws_.chance(50) ? nc::FeedRule::xyz_first : nc::FeedRule::all_axes_as_mm;
     draw_what_stays();
   }
 

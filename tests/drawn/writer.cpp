@@ -39,8 +39,8 @@ Writer::Writer(std::string_view dialect, std::uint64_t seed, const Scene& scene,
   program_.dialect = dialect;
   program_.seed = seed;
   program_.options.dialect = dialect;
-  program_.options.model = scene.model;
-  program_.options.tools = scene.tools;
+  program_.options.paths.model = scene.model;
+  program_.options.paths.tools = scene.tools;
   program_.start = kBox;
   spacing_ = draws_.chance(70) ? 0 : draws_.whole(1, 2);
   case_ = manners_.lower_case && draws_.chance(20) ? draws_.whole(1, 2) : 0;
@@ -187,7 +187,7 @@ double Writer::target(Axis axis) {
 std::string Writer::axis_word(Axis axis) { return axis_word_to(axis, target(axis)); }
 
 std::string Writer::axis_word_to(Axis axis, double work) {
-  if (axis == Axis::C && !incremental_ && program_.options.rotary[2] != nc::RotaryRule::linear)
+  if (axis == Axis::C && !incremental_ && program_.options.program.rotary[2] != nc::RotaryRule::linear)
     return endless_word(axis, work);
   const double by = incremental_ ? work - at_[axis] : work;
   const Spelled number = is_rotary(axis) ? angle(by) : length(by);
@@ -198,14 +198,14 @@ std::string Writer::axis_word_to(Axis axis, double work) {
 // C is an axis whose words count within a turn. Where it stands at first is known then.
 void Writer::turn_endlessly() {
   if (!uses_rotary_) return;
-  program_.options.rotary[2] = draws_.chance(50) ? nc::RotaryRule::shortest : nc::RotaryRule::sign;
-  if (!program_.options.start[index(Axis::C)]) program_.options.start[index(Axis::C)] = 0;
+  program_.options.program.rotary[2] = draws_.chance(50) ? nc::RotaryRule::shortest : nc::RotaryRule::sign;
+  if (!program_.options.program.start[index(Axis::C)]) program_.options.program.start[index(Axis::C)] = 0;
 }
 
 // Some turn of it for the shorter way; under the rule of signs the sign says which way round.
 std::string Writer::endless_word(Axis axis, double work) {
   constexpr double kTurn = 360;
-  const bool by_sign = program_.options.rotary[2] == nc::RotaryRule::sign;
+  const bool by_sign = program_.options.program.rotary[2] == nc::RotaryRule::sign;
   double place = std::fmod(work, kTurn);
   if (place < 0) place += kTurn;
   if (!by_sign && draws_.chance(40)) place += draws_.chance(50) ? kTurn : -kTurn;
@@ -243,17 +243,17 @@ void Writer::draw_work_offsets(std::span<AxisWords> systems) {
   for (std::size_t i = 0; i < systems.size(); ++i) {
     for (const Axis axis : kAllAxes)
       systems[i][axis] = i == 0 ? 0 : draws_.whole(-800, 800) / (is_rotary(axis) ? 1000.0 : 100.0);
-    program_.options.work_offsets[i] = nc::WorkOffset{systems[i] + kBox, 0};
+    program_.options.program.work_offsets[i] = nc::WorkOffset{systems[i] + kBox, 0};
   }
 }
 
 void Writer::draw_what_stays() {
   settings::Options& options = program_.options;
   keeps_at_tool_change_ = draws_.chance(70);
-  if (keeps_at_tool_change_) options.keeps_position.insert(6);
+  if (keeps_at_tool_change_) options.program.keeps_position.insert(6);
   keeps_at_stop_ = draws_.chance(70);
-  if (keeps_at_stop_) options.keeps_position.insert({0, 1});
-  if (draws_.chance(25)) options.block_delete = draws_.chance(50);
+  if (keeps_at_stop_) options.program.keeps_position.insert({0, 1});
+  if (draws_.chance(25)) options.program.block_delete = draws_.chance(50);
 }
 
 }  // namespace plumbline::drawn

@@ -101,7 +101,7 @@ Writer::Words Writer::line(bool feeds) {
 Writer::Words Writer::move() { return draws_.chance(70) ? line(draws_.chance(80)) : arc(); }
 
 void Writer::skippable() {
-  const std::optional<bool> left_out = program_.options.block_delete;
+  const std::optional<bool> left_out = program_.options.program.block_delete;
   if (!left_out) return;
   const AxisWords at = at_;
   const nc::Plane plane = plane_;

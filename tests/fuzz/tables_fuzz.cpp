@@ -26,8 +26,8 @@ void check_tools(const std::string& path) {
 void check_settings(const std::string& path) {
   settings::Options options;
   settings::read_settings_file(path, options);
-  FUZZ_CHECK(options.settings_file == path);
-  for (const auto& offset : options.work_offsets) {
+  FUZZ_CHECK(options.paths.settings_file == path);
+  for (const auto& offset : options.program.work_offsets) {
     for (const Axis axis : kAllAxes) FUZZ_CHECK(!offset || std::isfinite(offset->origin[axis]));
   }
 }

@@ -15,8 +15,8 @@ namespace {
 jobs::CheckSummary check_of(const std::string& program) {
   const testing::Scratch scratch;
   settings::Options options;
-  options.model = testing::source_file("models/pm600-like.toml");
-  options.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
+  options.paths.model = testing::source_file("models/pm600-like.toml");
+  options.program.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   return jobs::check_file(scratch.file("p.ngc", program), options);
 }
 
@@ -68,8 +68,8 @@ TEST_CASE("many violations are counted, the first are listed") {
 TEST_CASE("a violation in a subprogram of another file is found there") {
   const testing::Scratch scratch;
   settings::Options options;
-  options.model = testing::source_file("models/pm600-like.toml");
-  options.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
+  options.paths.model = testing::source_file("models/pm600-like.toml");
+  options.program.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   const std::string sub = scratch.file("tilt.ngc", "o<tilt> sub\nG1 A26.5 F1000\nG1 A0\no<tilt> endsub\n");
   const std::string main = scratch.file("p.ngc", "G0 X0 Y0 Z0 A0 B0 C0\no<tilt> call\nM2\n");
   const jobs::CheckSummary s = jobs::check_file(main, options);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "nc/rewrite/undo.hpp"
+#include "nc/sequence/program.hpp"
 #include "report/summary_text.hpp"
 #include "settings/options.hpp"
 #include "support/scratch.hpp"
@@ -14,8 +15,8 @@ namespace {
 
 settings::Options options() {
   settings::Options o;
-  o.model = testing::source_file("models/pm600-like.toml");
-  o.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
+  o.paths.model = testing::source_file("models/pm600-like.toml");
+  o.program.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   return o;
 }
 
@@ -67,7 +68,7 @@ TEST_CASE("what fails writes nothing") {
   CHECK(testing::refusal_of([&] { jobs::compensate_file(scratch.path("bad.ngc"), scratch.path("b.ngc"), how); }).code ==
         "limit-tilt");
   CHECK(scratch.text("b.ngc") == "old");
-  how.model = scratch.path("missing.toml");
+  how.paths.model = scratch.path("missing.toml");
   CHECK(testing::refusal_of([&] { jobs::compensate_file(program, scratch.path("b.ngc"), how); }).code ==
         "file-missing");
   CHECK(scratch.text("b.ngc") == "old");
@@ -94,7 +95,7 @@ TEST_CASE("guards of other controls are passed over by who reads the output, and
     settings::Options how = options();
     how.dialect = name;
     how.guard = how.undo = true;
-    how.feed_rule = nc::FeedRule::xyz_first;
+    how.program.feed_rule = nc::FeedRule::xyz_first;
     const compensate::Summary s = jobs::compensate_file(scratch.file("a.nc", program), scratch.path("b.nc"), how);
     const std::string text = scratch.text("b.nc");
     REQUIRE(s.read_back);
@@ -103,7 +104,7 @@ TEST_CASE("guards of other controls are passed over by who reads the output, and
     const auto moves = [&](const std::string& path) {
       const InputFile file(path);
       nc::ProgramSettings settings;
-      settings.work_offsets = how.work_offsets;
+      settings.work_offsets = how.program.work_offsets;
       nc::Program output(file, dialect, settings);
       int count = 0;
       while (const nc::Step* step = output.next()) count += static_cast<int>(step->motions.size());
@@ -157,9 +158,9 @@ TEST_CASE("tools that only a subprogram in another file uses stand in stamp and 
   const testing::Scratch scratch;
   scratch.file("drill.ngc", "o<drill> sub\nT2 M6\nG43 H2\nG0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F500\nG49\no<drill> endsub\n");
   settings::Options how = options();
-  how.tools = scratch.file("tools.toml",
-                           "plumbline = \"tools 1\"\n[[tool]]\nnumber = 1\nlength_mm = 80\nmass_kg = 1\n"
-                           "[[tool]]\nnumber = 2\nlength_mm = 60\nmass_kg = 1\n");
+  how.paths.tools = scratch.file("tools.toml",
+                                 "plumbline = \"tools 1\"\n[[tool]]\nnumber = 1\nlength_mm = 80\nmass_kg = 1\n"
+                                 "[[tool]]\nnumber = 2\nlength_mm = 60\nmass_kg = 1\n");
   how.guard = true;
   how.undo = true;
   const std::string program = scratch.file("a.ngc", "G0 X0 Y0 Z0 A0 B0 C0\no<drill> call\nM2\n");

@@ -107,9 +107,9 @@ Drawn drawn(unsigned seed) {
   std::mt19937_64 random(seed);
   const auto chance = [&](double p) { return std::bernoulli_distribution(p)(random); };
   it.program = seed % 3 == 0 ? RandomProgram(seed, seed % 2 == 0).text(12) : SmallMoves(seed).text(14);
-  it.options.model = testing::source_file("models/pm600-like.toml");
-  it.options.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
-  for (auto& axis : it.options.start) axis = 0;
+  it.options.paths.model = testing::source_file("models/pm600-like.toml");
+  it.options.program.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
+  for (auto& axis : it.options.program.start) axis = 0;
   it.options.guard = chance(0.3);
   it.options.compensation.friction = !chance(0.3);
   if (chance(0.5)) it.options.compensation.step.angle_deg = chance(0.5) ? 5 : 1;
@@ -130,8 +130,8 @@ std::string alarm(unsigned seed, int& compensated) {
   }
   ++compensated;
   settings::Options options;
-  options.work_offsets = it.options.work_offsets;
-  options.start = it.options.start;
+  options.program.work_offsets = it.options.program.work_offsets;
+  options.program.start = it.options.program.start;
   const jobs::DiffSummary s = jobs::diff_files(a, b, options);
   std::string wrong;
   for (const Axis axis : kAllAxes) {

@@ -49,8 +49,8 @@ std::string winding(bool numbered) {
 std::string compensated(const testing::Scratch& scratch, const std::string& program, double step_mm = 1,
                         double step_deg = 0.1) {
   settings::Options options;
-  options.model = testing::source_file("models/pm600-like.toml");
-  options.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
+  options.paths.model = testing::source_file("models/pm600-like.toml");
+  options.program.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   options.compensation.step.length_mm = step_mm;
   options.compensation.step.angle_deg = step_deg;
   jobs::compensate_file(scratch.file("in.ngc", program), scratch.path("out.ngc"), options);

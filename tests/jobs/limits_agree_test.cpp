@@ -29,12 +29,13 @@ constexpr std::array kEdges{Edge{"length_max_mm = 1900", "length_max_mm = {:.6f}
 class OnTheEdge {
  public:
   OnTheEdge(const std::string& dialect, const std::string& text) {
-    options_.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
+    options_.program.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
     options_.dialect = dialect;
-    options_.tool_in_spindle = 1;
-    options_.free_rotation = nc::FreeRotation::c_stays;
-    options_.feed_rule = nc::FeedRule::xyz_first;
-    options_.tools = scratch_.file("tools.toml", "plumbline = \"tools 1\"\n[[tool]]\nnumber = 1\nlength_mm = 0\n");
+    options_.program.tool_in_spindle = 1;
+    options_.program.free_rotation = nc::FreeRotation::c_stays;
+    options_.program.feed_rule = nc::FeedRule::xyz_first;
+    options_.paths.tools =
+        scratch_.file("tools.toml", "plumbline = \"tools 1\"\n[[tool]]\nnumber = 1\nlength_mm = 0\n");
     program_ = scratch_.file("p.nc", text);
   }
 
@@ -55,7 +56,7 @@ class OnTheEdge {
   void move(const Edge& edge, double limit) {
     std::string text = model_;
     text.replace(text.find(edge.key), edge.key.size(), fmt::format(fmt::runtime(edge.line), limit));
-    options_.model = scratch_.file("model.toml", text);
+    options_.paths.model = scratch_.file("model.toml", text);
   }
 
   const testing::Scratch scratch_;

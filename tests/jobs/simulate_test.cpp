@@ -17,8 +17,8 @@ namespace {
 
 settings::Options playback() {
   settings::Options o;
-  o.model = testing::source_file("models/pm600-like.toml");
-  o.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
+  o.paths.model = testing::source_file("models/pm600-like.toml");
+  o.program.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   return o;
 }
 
@@ -49,7 +49,7 @@ TEST_CASE("a simulation without friction has the errors and tensions of the tabl
   how.compensation.friction = false;
   const auto rows = simulate(scratch, kArcProgram, how);
   REQUIRE(rows.size() > 60);
-  const machine::MachineModel model = machine::read_model(how.model);
+  const machine::MachineModel model = machine::read_model(how.paths.model);
   jobs::PoseRow pose;
   for (std::size_t i = 0; i < kAxes; ++i) pose.pose.values[i] = rows.back()[3 + i];
   CHECK(pose.pose == AxisWords{{60, -10, -1008, 10, -5, 0}});

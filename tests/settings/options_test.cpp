@@ -20,9 +20,9 @@ Options with(std::string_view name, std::string_view text) {
 
 TEST_CASE("a work offset is a system and exactly six numbers") {
   const Options options = with("work-offset", "G59.1=1,2.5,-3e1, 4 ,5,-6");
-  REQUIRE(options.work_offsets[6]);
-  CHECK(options.work_offsets[6]->origin == AxisWords{{1, 2.5, -30, 4, 5, -6}});
-  CHECK(with("work-offset", "g54=0,0,0,0,0,0").work_offsets[0]);
+  REQUIRE(options.program.work_offsets[6]);
+  CHECK(options.program.work_offsets[6]->origin == AxisWords{{1, 2.5, -30, 4, 5, -6}});
+  CHECK(with("work-offset", "g54=0,0,0,0,0,0").program.work_offsets[0]);
   for (const char* const wrong :
        {"", "G54", "G54=", "G54=1,2,3,4,5", "G54=1,2,3,4,5,6,7", "G53=0,0,0,0,0,0", "G54=0,0,0,0,0,nan",
         "G54=0,0,0,0,0,x", "G54=0,,0,0,0,0", "G60=0,0,0,0,0,0", "=0,0,0,0,0,0", "G54=1;2;3;4;5;6"}) {
@@ -32,12 +32,12 @@ TEST_CASE("a work offset is a system and exactly six numbers") {
 }
 
 TEST_CASE("a start is six numbers or those of some axes") {
-  CHECK(with("start", "1,2,3,4,5,6").start[5] == 6);
+  CHECK(with("start", "1,2,3,4,5,6").program.start[5] == 6);
   const Options some = with("start", "A=0,b-1.5,C0");
-  CHECK_FALSE(some.start[0]);
-  CHECK(some.start[3] == 0);
-  CHECK(some.start[4] == -1.5);
-  CHECK(some.start[5] == 0);
+  CHECK_FALSE(some.program.start[0]);
+  CHECK(some.program.start[3] == 0);
+  CHECK(some.program.start[4] == -1.5);
+  CHECK(some.program.start[5] == 0);
   for (const char* const wrong : {"1,2,3", "Q=1", "A=", "A", "A=1,,", "A=x"}) {
     INFO(wrong);
     CHECK_THROWS_AS(with("start", wrong), OptionError);
@@ -45,10 +45,10 @@ TEST_CASE("a start is six numbers or those of some axes") {
 }
 
 TEST_CASE("M codes, switches and numbers are checked") {
-  CHECK(with("pass", "M428, m429").pass == std::set{428, 429});
+  CHECK(with("pass", "M428, m429").program.passed_m_codes == std::set{428, 429});
   CHECK_THROWS_AS(with("pass", "428"), OptionError);
   CHECK_THROWS_AS(with("pass", "M1.5"), OptionError);
-  CHECK(with("block-delete", "on").block_delete == true);
+  CHECK(with("block-delete", "on").program.block_delete == true);
   CHECK_THROWS_AS(with("block-delete", "yes"), OptionError);
   CHECK(with("step-angle", "0.5").compensation.step.angle_deg == 0.5);
   CHECK_THROWS_AS(with("step-angle", "0"), OptionError);
@@ -72,9 +72,9 @@ TEST_CASE("repeated options add up, and what is given last wins") {
   set("work-offset", "G54=1,0,0,0,0,0");
   set("work-offset", "G55=2,0,0,0,0,0");
   set("work-offset", "G54=3,0,0,0,0,0");
-  CHECK(options.pass == std::set{100, 101});
-  CHECK(options.work_offsets[0]->origin[Axis::X] == 3);
-  CHECK(options.work_offsets[1]->origin[Axis::X] == 2);
+  CHECK(options.program.passed_m_codes == std::set{100, 101});
+  CHECK(options.program.work_offsets[0]->origin[Axis::X] == 3);
+  CHECK(options.program.work_offsets[1]->origin[Axis::X] == 2);
 }
 
 TEST_CASE("every option says what it is") {
@@ -89,9 +89,9 @@ TEST_CASE("every option says what it is") {
 TEST_CASE("work offsets of a variables file count as given, those of options come before them") {
   const testing::Scratch scratch;
   Options options = with("work-offset", "G54=7,0,0,0,0,0");
-  options.variables = scratch.file("v.var",
-                                   "5221 1\n5222 2\n5223 3\n5224 0\n5225 0\n5226 0\n5230 10\n"
-                                   "5241 1\n5242 2\n5243 3\n5244 4\n5245 5\n5246 6\n5250 30\n5261 1\n");
+  options.paths.variables = scratch.file("v.var",
+                                         "5221 1\n5222 2\n5223 3\n5224 0\n5225 0\n5226 0\n5230 10\n"
+                                         "5241 1\n5242 2\n5243 3\n5244 4\n5245 5\n5246 6\n5250 30\n5261 1\n");
   const nc::ProgramSettings settings = settings::program_settings(options);
   CHECK(settings.work_offsets[0]->origin[Axis::X] == 7);
   CHECK(settings.work_offsets[0]->rotation_deg == 0);
@@ -102,8 +102,8 @@ TEST_CASE("work offsets of a variables file count as given, those of options com
 
 TEST_CASE("a rule of rotary words holds for all axes or for those that are named") {
   using nc::RotaryRule;
-  CHECK(with("rotary", "sign").rotary == nc::RotaryRules{RotaryRule::sign, RotaryRule::sign, RotaryRule::sign});
-  CHECK(with("rotary", "b=one-turn, C = shortest").rotary ==
+  CHECK(with("rotary", "sign").program.rotary == nc::RotaryRules{RotaryRule::sign, RotaryRule::sign, RotaryRule::sign});
+  CHECK(with("rotary", "b=one-turn, C = shortest").program.rotary ==
         nc::RotaryRules{RotaryRule::linear, RotaryRule::one_turn, RotaryRule::shortest});
   for (const char* const wrong : {"", "wrapped", "X=sign", "=sign", "A=", "A=sign;B=sign"}) {
     INFO(wrong);

@@ -28,21 +28,21 @@ G54 = [0, 0, -1008, 0, 0, 0.5]
 )");
   Options options;
   settings::read_settings_file(path, options);
-  CHECK(options.model == scratch.path("machine.toml"));
-  CHECK(options.tools == "/tools.toml");
+  CHECK(options.paths.model == scratch.path("machine.toml"));
+  CHECK(options.paths.tools == "/tools.toml");
   CHECK(options.compensation.step.length_mm == 0.5);
-  CHECK(options.time_tolerance == 0.002);
+  CHECK(options.emit.time_tolerance == 0.002);
   CHECK_FALSE(options.compensation.friction);
-  CHECK(options.block_delete == true);
-  CHECK(options.tool_in_spindle == 3);
-  CHECK(options.pass == std::set{428, 429});
-  CHECK(options.keeps_position == std::set{6});
+  CHECK(options.program.block_delete == true);
+  CHECK(options.program.tool_in_spindle == 3);
+  CHECK(options.program.passed_m_codes == std::set{428, 429});
+  CHECK(options.program.keeps_position == std::set{6});
   CHECK(options.compensation.touch_off == AxisWords{{0, 0, -1008, 0, 0, 0}});
-  CHECK(options.start[4] == 1.5);
-  CHECK_FALSE(options.start[5]);
-  CHECK(options.work_offsets[0]->origin == AxisWords{{0, 0, -1008, 0, 0, 0.5}});
-  CHECK(options.work_offsets[8]->origin == AxisWords{{1, 2, 3, 4, 5, 6}});
-  CHECK(options.settings_file == path);
+  CHECK(options.program.start[4] == 1.5);
+  CHECK_FALSE(options.program.start[5]);
+  CHECK(options.program.work_offsets[0]->origin == AxisWords{{0, 0, -1008, 0, 0, 0.5}});
+  CHECK(options.program.work_offsets[8]->origin == AxisWords{{1, 2, 3, 4, 5, 6}});
+  CHECK(options.paths.settings_file == path);
 }
 
 TEST_CASE("work offsets may be an array of texts") {
@@ -52,8 +52,8 @@ TEST_CASE("work offsets may be an array of texts") {
                                             "plumbline = \"settings 1\"\nwork_offset = [\"G54=0,0,1,0,0,0\", "
                                             "\"G55=0,0,2,0,0,0\"]\n"),
                                options);
-  CHECK(options.work_offsets[0]->origin[Axis::Z] == 1);
-  CHECK(options.work_offsets[1]->origin[Axis::Z] == 2);
+  CHECK(options.program.work_offsets[0]->origin[Axis::Z] == 1);
+  CHECK(options.program.work_offsets[1]->origin[Axis::Z] == 2);
 }
 
 TEST_CASE("what is given already is checked but not taken") {

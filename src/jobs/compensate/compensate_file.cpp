@@ -16,13 +16,12 @@ namespace plumbline::jobs {
 namespace {
 
 nc::EmitSettings emit_settings(const machine::ControlSettings& control, const settings::Options& options) {
-  nc::EmitSettings emit;
+  nc::EmitSettings emit = options.emit;
   emit.digits_mm = control.digits_mm;
   emit.digits_deg = control.digits_deg;
   emit.digits_inch = control.digits_inch;
   emit.increment_mm = control.increment_mm;
   emit.increment_deg = control.increment_deg;
-  emit.time_tolerance = options.time_tolerance;
   return emit;
 }
 
@@ -40,12 +39,12 @@ void refuse_overwriting_subprogram(const compensate::Summary& summary, const std
 compensate::Summary compensate_file(const std::string& program, const std::string& output,
                                     const settings::Options& options, const Progress& progress,
                                     const SummaryFile& summary_file) {
-  const machine::MachineModel model = machine::read_model(options.model);
+  const machine::MachineModel model = machine::read_model(options.paths.model);
   const auto [source, dialect, settings] = open_program(options, program, model);
 
   nc::EmitSettings emit = emit_settings(model.control, options);
-  if (options.input_increment && dialect.behaviour.increment_mm > 0)
-    emit.increment_ratio = *options.input_increment / dialect.behaviour.increment_mm;
+  if (options.program.input_increment && dialect.behaviour.increment_mm > 0)
+    emit.increment_ratio = *options.program.input_increment / dialect.behaviour.increment_mm;
   const std::vector<nc::Tool> tools = used_tools(source, settings.tools, settings.tool_in_spindle);
   emit.stamp = stamp(options, settings, model, tools, dialect);
   if (options.guard) {

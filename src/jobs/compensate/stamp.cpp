@@ -42,19 +42,22 @@ std::string settings_line(const settings::Options& options) {
   std::string line =
       fmt::format("method {}, friction {}, step {} deg or {} mm, time tolerance {} of a block",
                   c.method == compensate::Method::exact ? "exact" : "first order", c.friction ? "on" : "off",
-                  to_decimal(c.step.angle_deg), to_decimal(c.step.length_mm), to_decimal(options.time_tolerance));
+                  to_decimal(c.step.angle_deg), to_decimal(c.step.length_mm), to_decimal(options.emit.time_tolerance));
   if (c.dynamic) line += ", dynamic";
   if (c.time_s) line += fmt::format(", at {} s", to_decimal(*c.time_s));
-  if (options.calculator_type) line += fmt::format(", calculator type {}", *options.calculator_type ? "on" : "off");
-  if (options.input_increment) line += fmt::format(", input increment {} mm", to_decimal(*options.input_increment));
-  if (options.feed_rule) line += fmt::format(", feed rule {}", name_of(*options.feed_rule));
-  if (options.helix_feed_along_circle)
-    line += fmt::format(", helix feed {}", *options.helix_feed_along_circle ? "circle" : "path");
-  line += rotary_text(options.rotary);
-  if (options.free_rotation != nc::FreeRotation::unknown) {
-    line += fmt::format(", C {}", options.free_rotation == nc::FreeRotation::c_stays ? "stays" : "to zero");
+  if (options.program.calculator_type)
+    line += fmt::format(", calculator type {}", *options.program.calculator_type ? "on" : "off");
+  if (options.program.input_increment)
+    line += fmt::format(", input increment {} mm", to_decimal(*options.program.input_increment));
+  if (options.program.feed_rule) line += fmt::format(", feed rule {}", name_of(*options.program.feed_rule));
+  if (options.program.helix_feed_along_circle)
+    line += fmt::format(", helix feed {}", *options.program.helix_feed_along_circle ? "circle" : "path");
+  line += rotary_text(options.program.rotary);
+  if (options.program.free_rotation != nc::FreeRotation::unknown) {
+    line += fmt::format(", C {}", options.program.free_rotation == nc::FreeRotation::c_stays ? "stays" : "to zero");
   }
-  if (options.block_delete) line += fmt::format(", block delete {}", *options.block_delete ? "on" : "off");
+  if (options.program.block_delete)
+    line += fmt::format(", block delete {}", *options.program.block_delete ? "on" : "off");
   return line;
 }
 
@@ -116,8 +119,8 @@ std::vector<std::string> stamp(const settings::Options& options, const nc::Progr
   add(fmt::format("model {}, hash {}", model.name, to_hex(model.hash)));
   add(settings_line(options));
   if (options.compensation.touch_off) add("touch-off at" + words(*options.compensation.touch_off));
-  if (!options.settings_file.empty()) add("settings file " + options.settings_file);
-  if (!options.variables.empty()) add("variables file " + options.variables);
+  if (!options.paths.settings_file.empty()) add("settings file " + options.paths.settings_file);
+  if (!options.paths.variables.empty()) add("variables file " + options.paths.variables);
   if (const std::string start = start_line(program); !start.empty()) add(start);
   for (std::size_t i = 0; i < program.work_offsets.size(); ++i) {
     const auto& offset = program.work_offsets[i];
