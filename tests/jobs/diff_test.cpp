@@ -47,12 +47,13 @@ std::string winding(bool numbered) {
 }
 
 std::string compensated(const testing::Scratch& scratch, const std::string& program, double step_mm = 1,
-                        double step_deg = 0.1) {
+                        double step_deg = 0.1, double time_tolerance = 1e-3) {
   settings::Options options;
   options.paths.model = testing::source_file("models/pm600-like.toml");
   options.program.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   options.compensation.step.length_mm = step_mm;
   options.compensation.step.angle_deg = step_deg;
+  options.time_tolerance = time_tolerance;
   jobs::compensate_file(scratch.file("in.ngc", program), scratch.path("out.ngc"), options);
   return scratch.text("out.ngc");
 }
@@ -157,6 +158,26 @@ TEST_CASE("near the edge of the workspace shifts are large and change fast, and 
     CHECK(s.matched == s.moves_a);
     CHECK(s.shift[index(Axis::Z)].largest > 0.2);
     CHECK(s.time_change.value <= 0.0016);
+  }
+}
+
+TEST_CASE("pieces of micrometres are in line one by one, though rounding makes some a tenth longer") {
+  const std::string begin = "G0 X3.0859 Y-4.845 Z-17.0213 A0.622 B4.9755 C-3.700267\nF483.1\n";
+  for (const std::string points :
+       {"G5.2 X18.5681 Y3.5691 P1 L3\nX30.4924 Y-.9531 P3\nX17.087 Y-13.1713 P3\nX39.1722 Y6. P3\nX15.0637 Y-31.8185 "
+        "P1\n",
+        "G5.2 X8.2 Y1.5 P1 L3\nX10.4 Y-.9 P4\nX7.1 Y-3.2 P4\nX5 Y-9 P1\n",
+        "G5.2 X4 Y-1.5 P1 L3\nX6.4 Y-.3 P2\nX6.5 Y-.31 P2\nX6.5 Y-9 P1\n"}) {
+    const std::string program = begin + points + "G5.3\nM2\n";
+    INFO(program);
+    const testing::Scratch scratch;
+    const std::string output = compensated(scratch, program, 10, 5, 0.0085);
+    const DiffSummary s = diff_of(program, output);
+    CHECK(s.out_of_line_a == 0);
+    CHECK(s.out_of_line_b == 0);
+    CHECK(s.matched == s.moves_a);
+    for (const Axis axis : kAllAxes) CHECK(s.shift[index(axis)].largest < 0.05);
+    CHECK(s.time_change.value <= 0.01);
   }
 }
 

@@ -13,7 +13,8 @@ constexpr double kShiftShare = 0.5;    // of the shift itself: near the end of t
 constexpr double kMostOfShift = 5;     // likewise, of a move that its pieces take the time of
 constexpr double kFirstShift = 10;     // before anything was matched, and of rapids
 constexpr double kRapidShare = 0.01;   // of a rapid's length
-constexpr double kTimeShare = 0.0015;  // of a move's time, that its pieces may differ from it
+constexpr double kTimeShare = 0.0015;  // of a move's time, that its pieces may differ from it,
+constexpr double kRounded = 1e-4;      // and so much of its length: what its ends are rounded by
 constexpr double kStandstill = 1e-9;   // mm and deg
 constexpr double kVanishes = 0.002;    // a move shorter than that may have no counterpart: its end rounds to its start
 
@@ -36,8 +37,11 @@ double size(const AxisWords& shift) { return distance(shift, {}); }
 
 double shift_unit(const Standing& standing) { return kShiftUnit + kUnitShare * size(standing.shift); }
 
-double time_cost(double gone, double seconds) {
-  return std::min(std::abs(gone / seconds - 1) / kTimeShare, kMostForTime);
+// What rounding makes of the length of a short move, it makes of its time.
+double time_share(const DiffMove& move) { return kTimeShare + kRounded / std::max(move.length, kRounded); }
+
+double time_cost(double gone, double seconds, double share) {
+  return std::min(std::abs(gone / seconds - 1) / share, kMostForTime);
 }
 
 void sort_out(std::vector<Candidate>& candidates) {
@@ -139,6 +143,7 @@ std::vector<Candidate> Candidates::of_cut(const DiffMove& move, std::size_t i, s
   const AxisWords wanted = move.end + standing.shift;
   const double allowed = slack(move, standing);
   const double seconds = move.effort.value_or(0);
+  const double share = time_share(move);
   std::vector<Candidate> candidates;
   if (standing.has_shift && move.length <= kVanishes) {
     const double off = distance(standing.b, wanted);
@@ -156,15 +161,15 @@ std::vector<Candidate> Candidates::of_cut(const DiffMove& move, std::size_t i, s
     has_time = has_time && next->effort.has_value();
     gone += next->effort.value_or(0);
     if (k > 1) (next->states_code.value_or(false) ? has_code : has_none) = true;
-    const bool in_time = has_time && std::abs(gone / seconds - 1) <= kTimeShare;
+    const bool in_time = has_time && std::abs(gone / seconds - 1) <= share;
     const bool on_way = std::abs(way - move.length) <= allowed;
-    const bool goes_on = way <= move.length + allowed || (has_time && gone < (1 + kTimeShare) * seconds);
+    const bool goes_on = way <= move.length + allowed || (has_time && gone < (1 + share) * seconds);
     if (!goes_on) break;
     if (!in_time && !on_way) continue;
     const double off = distance(next->end, wanted);
     if (off > allowed + (in_time && standing.has_shift ? kMostOfShift * size(standing.shift) : 0)) continue;
     const bool both_vanish = way <= kStandstill && move.length <= kVanishes;
-    const double for_time = has_time && !both_vanish ? time_cost(gone, seconds) : 0;
+    const double for_time = has_time && !both_vanish ? time_cost(gone, seconds, share) : 0;
     const double for_way = std::min(std::abs(way - move.length) / shift_unit(standing), kMostForWay);
     candidates.push_back(
         {k, off / shift_unit(standing) + for_way + for_time + (has_code && has_none ? kNoCode : 0), in_time});

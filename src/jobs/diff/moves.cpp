@@ -33,7 +33,8 @@ DiffMove move_of(const nc::Step& step, const nc::Motion& motion, const nc::Diale
                 *step.frame,
                 curve};
   if (motion.feed_mode != nc::FeedMode::per_revolution) move.seconds = move.effort;
-  if (step.motions.size() == 1) move.states_code = states_code(*step.block, dialect);
+  const bool alone = step.motions.size() == 1;
+  if (alone || step.role == nc::BlockRole::plain) move.states_code = !alone || states_code(*step.block, dialect);
   return move;
 }
 

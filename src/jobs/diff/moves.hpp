@@ -23,7 +23,7 @@ struct DiffMove {
   std::optional<double> seconds;  // rapids and G95: not known
   nc::Frame frame;
   path::Curve curve;                  // in the work system
-  std::optional<bool> states_code{};  // the block says how it moves: G1; nothing: one of several moves of a block
+  std::optional<bool> states_code{};  // the block says how it moves: G1; nothing: one of several moves of a cycle
   bool begins_numbered = false;       // an N stands behind the move before it, maybe in a block that does not move
 
   bool cuts() const { return kind == nc::MotionKind::feed || kind == nc::MotionKind::arc; }
