@@ -53,7 +53,7 @@ std::string compensated(const testing::Scratch& scratch, const std::string& prog
   options.program.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   options.compensation.step.length_mm = step_mm;
   options.compensation.step.angle_deg = step_deg;
-  options.time_tolerance = time_tolerance;
+  options.emit.time_tolerance = time_tolerance;
   jobs::compensate_file(scratch.file("in.ngc", program), scratch.path("out.ngc"), options);
   return scratch.text("out.ngc");
 }
