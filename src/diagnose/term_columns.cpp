@@ -71,7 +71,7 @@ ReadyRun ready_run(const Workbench& bench, const physics::ForceModel& forces, co
         const double compliance = forces.parameters[static_cast<std::size_t>(K1) + jj] * state.struts.length[j] +
                                   forces.parameters[static_cast<std::size_t>(K2) + jj];
         run.drive(row, j) *= compliance;
-        if (channel == 1 + j) run.drive(row, j) += forces.machine.lead[j] / (2 * std::numbers::pi);
+        if (channel == 1 + j) run.drive(row, j) += forces.machine.lead_per_radian(j);
       }
       if (channel == kRadial) run.tip.row(row) = (state.pose.p_WT - ball).normalized().transpose();
     }

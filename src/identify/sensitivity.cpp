@@ -1,7 +1,6 @@
 #include "identify/sensitivity.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 
 #include "base/check.hpp"
@@ -48,6 +47,14 @@ void seed(PerStrut<Jet>& values) {
   for (int j = 0; j < kStruts; ++j) values[j].v = PerStrut<double>::Unit(j);
 }
 
+// by += outcome * slopes, most unknowns being those of one strut: the other rows are zero.
+template <class Outcome>
+void add_product(Outcome& by, const Outcome& outcome, const Matrix6<double>& slopes) {
+  for (int j = 0; j < kStruts; ++j) {
+    if (!slopes.row(j).isZero(0)) by.noalias() += outcome.col(j) * slopes.row(j);
+  }
+}
+
 }  // namespace
 
 // One point, and how the outcome moves with each sum that effects add to.
@@ -68,10 +75,29 @@ struct Sensitivity::Point {
   Outcome6 by_stretch, by_tip, by_torque;
   Outcome6 by_drive, by_nut, by_wrench;
 
-  /// What changes of the conditions do, given as 25 rows. What is asked for once is kept.
-  Outcome6 by_conditions(const Eigen::Matrix<double, kConditions, kSeeds>& changes);
+  // One for each hook of physics/hooks.hpp: adds to `by` what a sum's slopes do to the outcome.
+  void follow_conditions(const Conditions<Jet>& sum, Outcome6& by) {
+    by += by_conditions(slopes_of<kConditions>(flat(sum)));
+  }
+  void follow_wrench(const Wrench<Jet>& sum, Outcome6& by) const {
+    by += by_wrench.leftCols<3>() * slopes_of<3>(sum.force) + by_wrench.rightCols<3>() * slopes_of<3>(sum.moment);
+  }
+  void follow_transverse_force(const StrutVectors<Jet>& sum, Outcome6& by) const {
+    Wrench<Jet> wrench;
+    wrench.add_at_joints(sum, at.struts);
+    follow_wrench(wrench, by);
+  }
+  void follow_nut_tension(const PerStrut<Jet>& sum, Outcome6& by) const { add_product(by, by_nut, slopes_of<6>(sum)); }
+  void follow_drive_tension(const PerStrut<Jet>& sum, Outcome6& by) const {
+    add_product(by, by_drive, slopes_of<6>(sum));
+  }
+  void follow_length(const PerStrut<Jet>& sum, Outcome6& by) const { add_product(by, by_stretch, slopes_of<6>(sum)); }
+  void follow_tip(const Vector6<Jet>& sum, Outcome6& by) const { add_product(by, by_tip, slopes_of<6>(sum)); }
+  void follow_reading(const PerStrut<Jet>& sum, Outcome6& by) const { add_product(by, by_torque, slopes_of<6>(sum)); }
 
  private:
+  // What changes of the conditions do, given as 25 rows. What is asked for once is kept.
+  Outcome6 by_conditions(const Eigen::Matrix<double, kConditions, kSeeds>& changes);
   Flow by_pose(const Pose<double>& standing) const;
   Flow after_drive(Situation<Jet>& now) const;
   Flow after_nut(Situation<Jet>& now) const;
@@ -126,7 +152,7 @@ Sensitivity::Point::Point(const physics::ForceModel& model, const Jet* values, c
   ask_conditions(forces, parameters, at, at.conditions);
   at.nut_tension = jets_of(error.loads.nut_tension);
   at.drive_tension = jets_of(error.loads.drive_tension);
-  at.torque = at.drive_tension.cwiseProduct(jets_of((model.machine.lead / (2 * std::numbers::pi)).eval()));
+  at.torque = model.machine.torque(at.drive_tension);
 
   // L_cmd + dL(X, p) - L(X) = 0 holds for where the machine stands, X, hence (J - dL_X) dX = dL_p  [implicit function
   // theorem]; the tip is at X displaced by what no strut makes
@@ -181,45 +207,33 @@ Flow Sensitivity::Point::by_pose(const Pose<double>& standing) const {
   return {slopes_of<6>(loads.stretch), slopes_of<6>(loads.tip), slopes_of<6>(loads.torque)};
 }
 
-// The last steps of physics::strut_stretch_at, from the drive's tension on.
+// From the drive's tension on.
 Flow Sensitivity::Point::after_drive(Situation<Jet>& now) const {
-  PerStrut<Jet> stretch = PerStrut<Jet>::Zero();
-  physics::for_each_instance<Jet>(forces, parameters, [&]<class Effect>(physics::Values<Jet> p) {
-    if constexpr (physics::moves_own_strut_alone<Effect>) return;
-    if constexpr (requires { &Effect::template length<Jet>; }) Effect::length(p, now, stretch);
-  });
-  Vector6<Jet> tip = Vector6<Jet>::Zero();
-  ask_tip(forces, parameters, now, tip);
-  now.torque = now.drive_tension.cwiseProduct(jets_of((forces.machine.lead / (2 * std::numbers::pi)).eval()));
-  PerStrut<Jet> torque = now.torque;
-  ask_reading(forces, parameters, now, torque);
-  return {slopes_of<6>(stretch), slopes_of<6>(tip), slopes_of<6>(torque)};
+  const PerStrut<Jet> stretch = stretch_from_drive_tension(forces, parameters, now);
+  const Vector6<Jet> tip = tip_from_drive_tension(forces, parameters, now);
+  const PerStrut<Jet> reading = reading_from_drive_tension(forces, parameters, now);
+  return {slopes_of<6>(stretch), slopes_of<6>(tip), slopes_of<6>(reading)};
 }
 
 // From the nut's tension on.
 Flow Sensitivity::Point::after_nut(Situation<Jet>& now) const {
-  now.drive_tension = now.nut_tension;
-  ask_drive_tension(forces, parameters, now, now.drive_tension);
+  drive_from_nut_tension(forces, parameters, now);
   return after_drive(now);
 }
 
 // From gravity and masses on; the machine stands still, so that its Jacobian has no derivative.
 Flow Sensitivity::Point::after_conditions(Situation<Jet>& now) const {
-  Wrench<Jet> wrench;
-  ask_wrench(forces, parameters, now, wrench);
   StrutVectors<Jet> transverse = StrutVectors<Jet>::Zero();
-  ask_transverse_force(forces, parameters, now, transverse);
-  for (int j = 0; j < kStruts; ++j) wrench.add(transverse.col(j), now.struts.arm.col(j));
+  const Wrench<Jet> wrench = wrench_from_conditions(forces, parameters, now, transverse);
   Matrix6<double> load;
   load << slopes_of<3>(wrench.force), slopes_of<3>(wrench.moment);
-  const PerStrut<Jet> here = at.nut_tension;
-  now.nut_tension.setZero();
-  ask_nut_tension(forces, parameters, now, now.nut_tension);
+  PerStrut<Jet> tension = PerStrut<Jet>::Zero();
   for (int k = 0; k < kSeeds; ++k) {
-    const Vector6<double> tension = lu.solve_transposed(load.col(k));
-    for (int j = 0; j < kStruts; ++j) now.nut_tension[j].v[k] += tension[j];
+    const Vector6<double> slopes = lu.solve_transposed(load.col(k));
+    for (int j = 0; j < kStruts; ++j) tension[j].v[k] = slopes[j];
   }
-  for (int j = 0; j < kStruts; ++j) now.nut_tension[j].a = here[j].a;
+  nut_from_joint_tension(forces, parameters, now, tension);
+  for (int j = 0; j < kStruts; ++j) now.nut_tension[j].a = at.nut_tension[j].a;
   return after_nut(now);
 }
 
@@ -274,31 +288,14 @@ void Sensitivity::add_strut_seed(std::size_t effect, int first, int unknown, See
   chunks.back().seeds.push_back(seed);
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): the name of a member takes none
-// Calls one hook with an empty sum, if the effect has it, and hands over what it added.
-#define PLUMBLINE_TRY(hook, Sum, use)                        \
-  if constexpr (requires { &Effect::template hook<Jet>; }) { \
-    auto sum = empty<Sum>();                                 \
-    Effect::hook(p, point.at, sum);                          \
-    use;                                                     \
-  }
-// NOLINTEND(bugprone-macro-parentheses)
-
 namespace {
+
 template <class Sum>
 Sum empty() {
   if constexpr (requires { Sum::Zero(); }) {
     return Sum::Zero();
   } else {
     return Sum{};
-  }
-}
-
-// by += outcome * slopes, most unknowns being those of one strut: the other rows are zero.
-template <class Outcome>
-void add_product(Outcome& by, const Outcome& outcome, const Matrix6<double>& slopes) {
-  for (int j = 0; j < kStruts; ++j) {
-    if (!slopes.row(j).isZero(0)) by.noalias() += outcome.col(j) * slopes.row(j);
   }
 }
 
@@ -337,24 +334,20 @@ void Sensitivity::add_slopes(const Chunk& chunk, Point& point, Eigen::Ref<Slopes
   const physics::Values<Jet> p(values.data());
 
   Point::Outcome6 by = Point::Outcome6::Zero();
-  PLUMBLINE_TRY(conditions, Conditions<Jet>, by += point.by_conditions(slopes_of<kConditions>(flat(sum))))
-  PLUMBLINE_TRY(wrench, Wrench<Jet>,
-                by += point.by_wrench.template leftCols<3>() * slopes_of<3>(sum.force) +
-                      point.by_wrench.template rightCols<3>() * slopes_of<3>(sum.moment))
-  PLUMBLINE_TRY(transverse_force, StrutVectors<Jet>, {
-    Wrench<Jet> wrench;
-    for (int j = 0; j < kStruts; ++j) wrench.add(sum.col(j), point.at.struts.arm.col(j));
-    by += point.by_wrench.template leftCols<3>() * slopes_of<3>(wrench.force) +
-          point.by_wrench.template rightCols<3>() * slopes_of<3>(wrench.moment);
-  })
-  PLUMBLINE_TRY(nut_tension, PerStrut<Jet>, add_product(by, point.by_nut, slopes_of<6>(sum)))
-  PLUMBLINE_TRY(drive_tension, PerStrut<Jet>, add_product(by, point.by_drive, slopes_of<6>(sum)))
-  PLUMBLINE_TRY(length, PerStrut<Jet>, add_product(by, point.by_stretch, slopes_of<6>(sum)))
-  PLUMBLINE_TRY(tip, Vector6<Jet>, add_product(by, point.by_tip, slopes_of<6>(sum)))
-  PLUMBLINE_TRY(reading, PerStrut<Jet>, add_product(by, point.by_torque, slopes_of<6>(sum)))
+  using T = Jet;
+// NOLINTBEGIN(bugprone-macro-parentheses): the name of a member takes none
+// Calls a hook with an empty sum, if the effect has it, and follows what it added to the outcome.
+#define PLUMBLINE_FOLLOW(hook, Sum)                          \
+  if constexpr (requires { &Effect::template hook<Jet>; }) { \
+    auto sum = empty<Sum>();                                 \
+    Effect::hook(p, point.at, sum);                          \
+    point.follow_##hook(sum, by);                            \
+  }
+  // NOLINTEND(bugprone-macro-parentheses)
+  PLUMBLINE_HOOKS(PLUMBLINE_FOLLOW)
+#undef PLUMBLINE_FOLLOW
   for (int k = 0; k < chunk.used; ++k) slopes.col(chunk.unknowns[static_cast<std::size_t>(k)]) += by.col(k);
 }
-#undef PLUMBLINE_TRY
 
 void Sensitivity::at(const physics::Environment& environment, const physics::Motion<double>& motion,
                      const physics::TipError<double>& error, Eigen::Ref<Slopes> slopes) const {

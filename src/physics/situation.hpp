@@ -1,6 +1,8 @@
 // What an effect sees when it is asked what it adds, and the sums that it adds to.
 #pragma once
 
+#include <numbers>
+
 #include "physics/motion.hpp"
 #include "physics/parameters.hpp"
 
@@ -12,6 +14,20 @@ struct MachineConstants {
   Vector3<double> gravity = Vector3<double>::Zero();                            // m/s^2 in W
   machine::PerStrut<double> lead = machine::PerStrut<double>::Zero();           // m per turn of the screw
   machine::PerStrut<double> middle_length = machine::PerStrut<double>::Zero();  // of the strut's range, m
+
+  /// lead / (2 pi): what a strut moves while its screw turns by a radian, m; by the work done, also the torque that
+  /// holds a newton, N m / N
+  double lead_per_radian(int strut) const { return lead[strut] / (2 * std::numbers::pi); }
+  /// 2 pi / lead: how far a screw turns for each metre of its strut, rad / m
+  double radians_per_length(int strut) const { return 2 * std::numbers::pi / lead[strut]; }
+
+  /// T_j = lead / (2 pi) (t_nut,j + f_j), of the motors, before reading effects  [docs/physics.md]
+  template <class T>
+  machine::PerStrut<T> torque(const machine::PerStrut<T>& drive_tension) const {
+    machine::PerStrut<T> torque;
+    for (int j = 0; j < machine::kStruts; ++j) torque[j] = drive_tension[j] * T(lead_per_radian(j));
+    return torque;
+  }
 };
 
 /// Gravity and the masses that it acts on. Starts from the machine's gravity and nothing else.
@@ -35,6 +51,10 @@ struct Wrench {
   void add(const Vector3<T>& force_W, const Vector3<T>& arm) {
     force += force_W;
     moment += arm.cross(force_W);
+  }
+  /// Adds a force at each platform joint: N += sum N_j,  M += sum b_j x N_j  [Ibaraki et al., Eq. 5]
+  void add_at_joints(const machine::StrutVectors<T>& forces_W, const machine::StrutGeometry<T>& struts) {
+    for (int j = 0; j < machine::kStruts; ++j) add(forces_W.col(j), struts.arm.col(j));
   }
 };
 

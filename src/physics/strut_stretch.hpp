@@ -2,11 +2,9 @@
 // how much longer it is than commanded, and what its motor pulls.
 #pragma once
 
-#include <numbers>
-
 #include "machine/jacobian.hpp"
 #include "machine/lu6.hpp"
-#include "physics/force_model.hpp"
+#include "physics/hooks.hpp"
 
 namespace plumbline::physics {
 
@@ -24,34 +22,59 @@ struct StrutStretch {
   machine::PerStrut<T> torque;          // of the motors, as read, N m
 };
 
-/// Calls apply(Effect, parameters) for each instance of each effect.
-template <class T, class Apply>
-void for_each_instance(const ForceModel& model, const T* parameters, Apply&& apply) {
-  for_each_effect([&]<class Effect>(std::size_t i) {
-    for (const int first : model.instances_of(i)) apply.template operator()<Effect>(Values<T>(parameters + first));
-  });
+// The stages of the calculation. Each takes up what those before it left in the situation, so that derivatives by a sum
+// in the middle begin at its stage (src/identify).
+
+/// From gravity and masses: what pulls at the platform. `transverse` are the forces at its joints, N_j.
+template <class T>
+Wrench<T> wrench_from_conditions(const ForceModel& model, const T* parameters, const Situation<T>& at,
+                                 machine::StrutVectors<T>& transverse) {
+  Wrench<T> wrench;
+  ask_wrench(model, parameters, at, wrench);
+  ask_transverse_force(model, parameters, at, transverse);
+  wrench.add_at_joints(transverse, at.struts);
+  return wrench;
 }
 
-// One function per hook: asks every instance of every effect that has the hook. The name alone decides, so that a hook
-// whose arguments are wrong does not compile.
-// NOLINTBEGIN(bugprone-macro-parentheses): the name of a member takes none
-#define PLUMBLINE_ASK(hook)                                                                         \
-  template <class T, class Sum>                                                                     \
-  void ask_##hook(const ForceModel& model, const T* parameters, const Situation<T>& at, Sum& sum) { \
-    for_each_instance<T>(model, parameters, [&]<class Effect>(Values<T> p) {                        \
-      if constexpr (requires { &Effect::template hook<T>; }) Effect::hook(p, at, sum);              \
-    });                                                                                             \
-  }
-// NOLINTEND(bugprone-macro-parentheses)
-PLUMBLINE_ASK(conditions)
-PLUMBLINE_ASK(wrench)
-PLUMBLINE_ASK(transverse_force)
-PLUMBLINE_ASK(nut_tension)
-PLUMBLINE_ASK(drive_tension)
-PLUMBLINE_ASK(length)
-PLUMBLINE_ASK(tip)
-PLUMBLINE_ASK(reading)
-#undef PLUMBLINE_ASK
+/// From the tensions of the platform joints: t_nut,j, into the situation.
+template <class T>
+void nut_from_joint_tension(const ForceModel& model, const T* parameters, Situation<T>& at,
+                            const machine::PerStrut<T>& tension) {
+  at.nut_tension = tension;
+  ask_nut_tension(model, parameters, at, at.nut_tension);
+}
+
+/// From the tensions of the nuts: t_nut,j + f_j, into the situation.
+template <class T>
+void drive_from_nut_tension(const ForceModel& model, const T* parameters, Situation<T>& at) {
+  at.drive_tension = at.nut_tension;
+  ask_drive_tension(model, parameters, at, at.drive_tension);
+}
+
+/// From the tensions of the drives: dL_j, what each strut is longer than commanded, m.
+template <class T>
+machine::PerStrut<T> stretch_from_drive_tension(const ForceModel& model, const T* parameters, const Situation<T>& at) {
+  machine::PerStrut<T> stretch = machine::PerStrut<T>::Zero();
+  ask_length(model, parameters, at, stretch);
+  return stretch;
+}
+
+/// From the tensions of the drives: displacement of the tip that no strut makes, m and rad in W.
+template <class T>
+machine::Vector6<T> tip_from_drive_tension(const ForceModel& model, const T* parameters, const Situation<T>& at) {
+  machine::Vector6<T> tip = machine::Vector6<T>::Zero();
+  ask_tip(model, parameters, at, tip);
+  return tip;
+}
+
+/// From the tensions of the drives: the torques of the motors, into the situation, and as they are read, N m.
+template <class T>
+machine::PerStrut<T> reading_from_drive_tension(const ForceModel& model, const T* parameters, Situation<T>& at) {
+  at.torque = model.machine.torque(at.drive_tension);
+  machine::PerStrut<T> reading = at.torque;
+  ask_reading(model, parameters, at, reading);
+  return reading;
+}
 
 /// The calculation at `pose`, where the machine stands, for struts that move with `rates`, those of the commanded path.
 /// `parameters` are the model's, or others in their place (parameters_as). No heap, no state: points may be computed in
@@ -61,17 +84,11 @@ StrutStretch<T> strut_stretch_at(const ForceModel& model, const T* parameters, c
                                  const Motion<T>& motion, const StrutRates<T>& rates, const Pose<T>& pose,
                                  const machine::StrutGeometry<T>& struts) {
   Situation<T> at{model.machine, environment, motion, rates, pose, struts, {}};
-
   at.conditions.gravity = model.machine.gravity.template cast<T>();
   ask_conditions(model, parameters, at, at.conditions);
 
-  Wrench<T> wrench;
-  ask_wrench(model, parameters, at, wrench);
-
-  // N += sum N_j,  M += sum b_j x N_j  [Ibaraki et al., Eq. 5]
   machine::StrutVectors<T> transverse = machine::StrutVectors<T>::Zero();
-  ask_transverse_force(model, parameters, at, transverse);
-  for (int j = 0; j < machine::kStruts; ++j) wrench.add(transverse.col(j), struts.arm.col(j));
+  const Wrench<T> wrench = wrench_from_conditions(model, parameters, at, transverse);
 
   // J^T t = (N, M), t > 0 pulls  [Ibaraki et al., Eq. 4; docs/physics.md]
   const machine::Lu6<T> lu(machine::jacobian(struts));
@@ -79,24 +96,12 @@ StrutStretch<T> strut_stretch_at(const ForceModel& model, const T* parameters, c
   load << wrench.force, wrench.moment;
   const machine::PerStrut<T> tension = lu.solve_transposed(load);
 
-  at.nut_tension = tension;
-  ask_nut_tension(model, parameters, at, at.nut_tension);
-
-  at.drive_tension = at.nut_tension;
-  ask_drive_tension(model, parameters, at, at.drive_tension);
-
-  machine::PerStrut<T> stretch = machine::PerStrut<T>::Zero();
-  ask_length(model, parameters, at, stretch);
-
-  machine::Vector6<T> tip = machine::Vector6<T>::Zero();
-  ask_tip(model, parameters, at, tip);
-
-  // T_j = lead / (2 pi) (t_nut,j + f_j)  [docs/physics.md]
-  at.torque = at.drive_tension.cwiseProduct((model.machine.lead / (2 * std::numbers::pi)).template cast<T>());
-  machine::PerStrut<T> torque = at.torque;
-  ask_reading(model, parameters, at, torque);
-
-  return {struts, lu, transverse, tension, at.nut_tension, at.drive_tension, stretch, tip, torque};
+  nut_from_joint_tension(model, parameters, at, tension);
+  drive_from_nut_tension(model, parameters, at);
+  const machine::PerStrut<T> stretch = stretch_from_drive_tension(model, parameters, at);
+  const machine::Vector6<T> tip = tip_from_drive_tension(model, parameters, at);
+  const machine::PerStrut<T> reading = reading_from_drive_tension(model, parameters, at);
+  return {struts, lu, transverse, tension, at.nut_tension, at.drive_tension, stretch, tip, reading};
 }
 
 /// The same for a machine that stands where it is commanded: what the compensated pose is made from,

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "physics/situation.hpp"
 
@@ -21,7 +20,7 @@ struct Cyclic {
   static void length(Values<T> p, const Situation<T>& at, machine::PerStrut<T>& sum) {
     using std::sin;
     for (int j = 0; j < machine::kStruts; ++j) {
-      const T turns = at.struts.length[j] * T(2 * std::numbers::pi / at.machine.lead[j]);
+      const T turns = at.struts.length[j] * T(at.machine.radians_per_length(j));
       sum[j] += p[kAmplitude + j] * sin(turns + p[kPhase + j]);
     }
   }

@@ -1,19 +1,7 @@
 // The effects that there are. A new one is a file beside this one, an include and a line in the second list.
 //
-// An effect is a struct with a static `name`, a static table `parameters` and any of these hooks, each of which adds to
-// `sum` and assigns nothing. In the order in which they are asked:
-//
-//   conditions(p, at, Conditions<T>& sum)          gravity and masses, before anything is weighed
-//   wrench(p, at, Wrench<T>& sum)                  forces on the platform
-//   transverse_force(p, at, StrutVectors<T>& sum)  force on the platform at each platform joint, N in W
-//   nut_tension(p, at, PerStrut<T>& sum)           tension of the nut beyond the platform joint's, N
-//   drive_tension(p, at, PerStrut<T>& sum)         drive's pull beyond the nut's tension, N (reads nut_tension)
-//   length(p, at, PerStrut<T>& sum)                length that the controller does not know of, m (reads drive_tension)
-//   tip(p, at, Vector6<T>& sum)                    displacement of the tip that no strut makes, m and rad in W
-//   reading(p, at, PerStrut<T>& sum)               what the torque reading adds, N m (reads torque)
-//
-// `p` are the parameters in SI, `at` the machine at that moment (physics/situation.hpp). Zero parameters change
-// nothing.
+// An effect is a struct with a static `name`, a static table `parameters` and any of the hooks of physics/hooks.hpp,
+// each of which adds to `sum` and assigns nothing. Zero parameters change nothing.
 #pragma once
 
 #include <tuple>

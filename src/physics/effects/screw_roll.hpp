@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "physics/ring.hpp"
 #include "physics/situation.hpp"
@@ -43,7 +42,7 @@ struct ScrewRoll {
     for (int j = 0; j < machine::kStruts; ++j) {
       const Vector3<T> u = at.struts.direction.col(j);
       const T rolled = roll<T>(geometry, j, u, at.pose.R_WP) - T(roll_at_home(geometry, j));
-      sum[j] += p[0] * T(at.machine.lead[j] / (2 * std::numbers::pi)) * rolled;
+      sum[j] += p[0] * T(at.machine.lead_per_radian(j)) * rolled;
     }
   }
 };
