@@ -10,7 +10,7 @@
 #include "base/units.hpp"
 #include "diagnose/doubt.hpp"
 #include "diagnose/held_values.hpp"
-#include "diagnose/noise_spectrum.hpp"
+#include "diagnose/readings/noise_spectrum.hpp"
 #include "diagnose/unexplained.hpp"
 #include "diagnose/verdict.hpp"
 #include "physics/generic_formula.hpp"

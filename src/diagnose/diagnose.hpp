@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/channels.hpp"
 #include "diagnose/compensated.hpp"
-#include "diagnose/description.hpp"
-#include "diagnose/gap_map.hpp"
+#include "diagnose/description/description.hpp"
+#include "diagnose/evidence/visible.hpp"
+#include "diagnose/gap/gap_map.hpp"
 #include "diagnose/held_out.hpp"
 #include "diagnose/next_test.hpp"
+#include "diagnose/readings/channel_flaw.hpp"
 #include "diagnose/search.hpp"
-#include "diagnose/visible.hpp"
 #include "identify/held.hpp"
 
 namespace plumbline::diagnose {

@@ -82,7 +82,7 @@ std::optional<Remainder> remainder_of(const Recurs& recurs) {
     add_line(remainder, of->sigmas,
              fmt::format("what is left of {} is no noise: in runs at one pose that differ by {} alone it is {}, with a "
                          "correlation of {:.2f}",
-                         what, of->by, of->correlation > 0 ? "alike" : "opposite", of->correlation));
+                         what, to_text(of->by), of->correlation > 0 ? "alike" : "opposite", of->correlation));
   };
   add("the readings of the bar", recurs.radial);
   add("the torques", recurs.torque);
@@ -143,12 +143,11 @@ std::string names_of(const Model& model) {
 
 namespace {
 
-bool is_shape(const identify::Unknown& unknown) { return unknown.key == "phase_deg" || unknown.key == "speed_mm_s"; }
-
 // What of a measurement to look at when an effect would have to be larger than it can be.
 std::string_view suspect_of(std::string_view effect) {
-  return effect == "torque-scale" ? "check unit and sign of each torque"
-                                  : "check units and signs of the channels, and what the dataset says of its runs";
+  return physics::effect_infos()[physics::effect_index(effect)].reading_alone
+             ? "check unit and sign of each torque"
+             : "check units and signs of the channels, and what the dataset says of its runs";
 }
 
 }  // namespace
@@ -162,7 +161,7 @@ std::string bound_doubt(const CandidateSet& candidates, const Model& model, cons
     for (const int place : found.pick.unknowns) {
       const identify::Unknown& u = candidates.unknowns[static_cast<std::size_t>(place)];
       const double value = model.fit.values[place];
-      if (is_shape(u)) continue;
+      if (u.shape) continue;
       ++fitted;
       const bool above = u.upper > 0 && value >= options.at_bound * u.upper;
       const bool below = u.lower < 0 && value <= options.at_bound * u.lower;

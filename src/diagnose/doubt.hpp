@@ -2,7 +2,7 @@
 #pragma once
 
 #include "diagnose/diagnose.hpp"
-#include "diagnose/residuals.hpp"
+#include "diagnose/readings/residuals.hpp"
 
 namespace plumbline::diagnose {
 
@@ -13,9 +13,9 @@ std::optional<double> not_predicted(const std::vector<identify::RunEquations>& r
 
 /// What is left of readings of one kind comes again in other runs at the same pose.
 struct Recurring {
-  double sigmas = 0;       // of chi-square, above what noise does
-  double correlation = 0;  // where it shows most: between runs that
-  std::string by;          // differ in this alone
+  double sigmas = 0;                      // of chi-square, above what noise does
+  double correlation = 0;                 // where it shows most: between runs that
+  Difference by = Difference::direction;  // differ in this alone
 };
 
 struct Recurs {

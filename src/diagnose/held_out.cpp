@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/linear_problem.hpp"
+#include "diagnose/evidence/linear_problem.hpp"
+#include "diagnose/readings/poses.hpp"
 
 namespace plumbline::diagnose {
 namespace {

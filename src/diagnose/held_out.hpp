@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "diagnose/candidate_set.hpp"
-#include "identify/plausible.hpp"
+#include "diagnose/candidates/candidate_set.hpp"
 #include "measure/dataset.hpp"
 
 namespace plumbline::diagnose {
@@ -18,7 +17,5 @@ struct HeldOutOptions {
 /// the effects of the candidates, the sum over all columns of -log(1 - share of the column's square).
 std::vector<bool> held_out(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
                            const CandidateSet& candidates, const HeldOutOptions& options = {});
-
-using identify::poses_of;
 
 }  // namespace plumbline::diagnose

@@ -6,7 +6,7 @@
 #include "base/diagnostic.hpp"
 #include "base/parallel.hpp"
 #include "base/units.hpp"
-#include "diagnose/linear_problem.hpp"
+#include "diagnose/evidence/linear_problem.hpp"
 #include "measure/planned_run.hpp"
 
 namespace plumbline::diagnose {

@@ -11,15 +11,14 @@
 #include "base/check.hpp"
 #include "base/diagnostic.hpp"
 #include "base/parallel.hpp"
-#include "diagnose/bounded.hpp"
+#include "diagnose/candidates/kind.hpp"
+#include "diagnose/evidence/bounded.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
 constexpr double kWeak = 1e-7;    // precision of effects, in their scales: keeps what the data cannot tell in place
 constexpr double kZeroSum = 1e6;  // precision of the sum of numbers that sum to zero
-
-bool is_phase(const identify::Unknown& unknown) { return unknown.key == "phase_deg"; }
 
 class Fitter {
  public:
@@ -36,7 +35,7 @@ class Fitter {
           effects_.push_back(static_cast<int>(unknowns_.add(u.effect, u.key, std::max(u.index, 0))));
           places_.push_back(place);
         }
-        zero_sums_.push_back(pick.candidate->ways[static_cast<std::size_t>(pick.way)].sums_to_zero);
+        zero_sums_.push_back(pick.candidate->modes[static_cast<std::size_t>(pick.mode)].sums_to_zero);
       }
     }
     const auto n = static_cast<Eigen::Index>(unknowns_.size());
@@ -76,7 +75,7 @@ class Fitter {
     result.values = start;
     for (std::size_t i = 0; i < places_.size(); ++i) {
       double value = values[static_cast<Eigen::Index>(i)];
-      if (is_phase(unknowns_[i])) value = std::remainder(value, 2 * std::numbers::pi);
+      if (unknowns_[i].periodic) value = std::remainder(value, 2 * std::numbers::pi);
       result.values[places_[i]] = value;
     }
     finish(now, values, result);
@@ -166,7 +165,7 @@ class Fitter {
       for (Eigen::Index i = 0; i < m; ++i) {
         const int place = effects_[static_cast<std::size_t>(i)];
         const identify::Unknown& u = unknowns_[static_cast<std::size_t>(place)];
-        const bool open = is_phase(u);
+        const bool open = u.periodic;
         lower[i] = open ? -1e9 : std::min(0.0, (u.lower - values[place]) / u.scale);
         upper[i] = open ? 1e9 : std::max(0.0, (u.upper - values[place]) / u.scale);
       }
@@ -236,30 +235,12 @@ std::vector<double> parameter_errors(const CandidateSet& candidates, const physi
 }
 
 Pick pick_of(const CandidateSet& candidates, const Candidate& candidate, const Score& score, Eigen::VectorXd& values) {
-  Pick pick{&candidate, score.way, score.column_groups, {}};
-  const auto set = [&](std::string_view key, int index, double value) {
-    const int place = candidates.unknowns.find(candidate.name, key, index);
-    PLUMBLINE_CHECK(place >= 0);
-    values[place] = value;
-    pick.unknowns.push_back(place);
-  };
-  const ActingMode& way = candidate.ways[static_cast<std::size_t>(score.way)];
-  for (std::size_t i = 0; i < score.columns.size(); ++i) {
-    const Column& column = candidates.columns[static_cast<std::size_t>(score.columns[i])];
-    const double size = score.sizes[static_cast<Eigen::Index>(i)] * column.scale;
-    if (candidate.name == "cyclic") {
-      if (column.key == "cosine") continue;
-      const double cosine = score.sizes[static_cast<Eigen::Index>(i) + 1] * column.scale;
-      set("amplitude_um", column.strut, std::hypot(size, cosine));
-      set("phase_deg", column.strut, std::atan2(cosine, size));
-    } else if (candidate.name == "screw-stribeck") {
-      set("force_N", -1, size);
-      set("speed_mm_s", -1, way.setting);
-    } else if (candidate.name == "servo-lag") {
-      set("lag_ms", -1, std::sqrt(std::max(size, 0.0) * way.setting));  // what shows grows with its square
-    } else {
-      set(column.key, column.index, candidates.unknowns[static_cast<std::size_t>(column.unknown)].start + size);
-    }
+  Pick pick{&candidate, score.mode, score.column_groups, {}};
+  const ActingMode& mode = candidate.modes[static_cast<std::size_t>(score.mode)];
+  for (const UnknownValue& number : candidate.kind->numbers(candidates, candidate, mode, score.columns, score.sizes)) {
+    PLUMBLINE_CHECK(number.unknown >= 0);
+    values[number.unknown] = number.value;
+    pick.unknowns.push_back(number.unknown);
   }
   return pick;
 }

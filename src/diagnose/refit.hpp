@@ -1,25 +1,18 @@
 // The nonlinear fit of a model with some effects added: nuisances within their priors, effects within their bounds.
 #pragma once
 
-#include "diagnose/linear_problem.hpp"
-#include "diagnose/score.hpp"
+#include "diagnose/candidates/workbench.hpp"
+#include "diagnose/evidence/linear_problem.hpp"
+#include "diagnose/evidence/score.hpp"
 
 namespace plumbline::diagnose {
 
 /// An effect that was picked, and which of its numbers are fitted.
 struct Pick {
   const Candidate* candidate = nullptr;
-  int way = 0;
+  int mode = 0;
   std::vector<int> column_groups;
   std::vector<int> unknowns;  // of the candidates
-};
-
-/// What all fits need. Kept by reference.
-struct Workbench {
-  const machine::MachineModel& machine;
-  const physics::ForceModel& forces;  // of the machine as stated
-  const std::vector<measure::Run>& runs;
-  const CandidateSet& candidates;
 };
 
 struct RefitOptions {

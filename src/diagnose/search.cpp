@@ -8,8 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "diagnose/held_out.hpp"
-#include "diagnose/noise_spectrum.hpp"
+#include "diagnose/candidates/kind.hpp"
+#include "diagnose/readings/noise_spectrum.hpp"
+#include "diagnose/readings/poses.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -93,19 +94,6 @@ class Search {
         noise_.channels[1].memory, noise_.channels[1].white));
   }
 
-  // Columns and sizes that make up what a number of a pick adds. What a lag adds goes with tau and its square, for
-  // which the columns of two lags do.
-  std::vector<std::pair<int, double>> parts_of(const Candidate& candidate, int u, const Eigen::VectorXd& values) const {
-    const identify::Unknown& unknown = bench_.candidates.unknowns[static_cast<std::size_t>(u)];
-    if (unknown.key == "phase_deg" || unknown.key == "speed_mm_s") return {};
-    const double size = (values[u] - unknown.start) / unknown.scale;
-    if (candidate.name != "servo-lag") return {{u, size}};
-    const ActingMode& little = candidate.ways.front();
-    const ActingMode& much = candidate.ways.back();
-    const double share = (values[u] - little.setting) / (much.setting - little.setting);
-    return {{little.column_groups[0][0], (1 - share) * size}, {much.column_groups[0][0], share * size}};
-  }
-
   // The linear problem as if the pick at `place` were not there: its numbers go back to where they change nothing.
   // Gram matrices alone.
   LinearProblem taken_back(std::size_t place, Eigen::VectorXd& values) const {
@@ -114,7 +102,8 @@ class Search {
     for (const Block& block : problem_.blocks) problem.blocks.push_back({{}, block.gram});
     for (const int u : picks_[place].unknowns) {
       if (u < static_cast<int>(bench_.candidates.nuisances)) continue;
-      for (const auto& [column, size] : parts_of(*picks_[place].candidate, u, values)) {
+      const Candidate& candidate = *picks_[place].candidate;
+      for (const auto& [column, size] : candidate.kind->parts(bench_.candidates, candidate, u, values)) {
         add_to_residual(problem.gram, column, size);
         for (Block& block : problem.blocks) add_to_residual(block.gram, column, size);
       }
@@ -188,7 +177,7 @@ class Search {
     for (std::size_t i = 0; i < std::min<std::size_t>(all.size(), 7); ++i) {
       text += fmt::format(" {} {:.1f}{}", all[i].pick.candidate->name, all[i].log_odds, all[i].refitted ? "*" : "");
       if (all[i].left_out) text += fmt::format(" ({:.0f}, {:.0f})", all[i].left_out->poses, all[i].left_out->runs);
-      if (all[i].pick.column_groups.size() > 1 || all[i].pick.candidate->ways[0].column_groups.size() > 1)
+      if (all[i].pick.column_groups.size() > 1 || all[i].pick.candidate->modes[0].column_groups.size() > 1)
         text += fmt::format("/{}", all[i].pick.column_groups.size());
     }
     say_(text);
@@ -245,15 +234,15 @@ class Search {
   // Puts where to start from into `start`.
   Pick widened(std::size_t place, Eigen::VectorXd& start) const {
     const Pick& pick = picks_[place];
-    const ActingMode& way = pick.candidate->ways[static_cast<std::size_t>(pick.way)];
-    if (pick.column_groups.size() == way.column_groups.size()) return pick;
+    const ActingMode& mode = pick.candidate->modes[static_cast<std::size_t>(pick.mode)];
+    if (pick.column_groups.size() == mode.column_groups.size()) return pick;
     Eigen::VectorXd values = fit_.values;
     const LinearProblem problem = taken_back(place, values);
     const Eigen::MatrixXd left = left_of(problem, taken_by(bench_.candidates, without(place), values));
     const auto score = [&](const std::vector<int>& column_groups) {
-      return score_of(left, bench_.candidates, *pick.candidate, pick.way, column_groups, options_.scoring);
+      return score_of(left, bench_.candidates, *pick.candidate, pick.mode, column_groups, options_.scoring);
     };
-    std::vector<int> all(way.column_groups.size());
+    std::vector<int> all(mode.column_groups.size());
     std::iota(all.begin(), all.end(), 0);
     const Score full = score(all);
     if (full.log_odds < score(pick.column_groups).log_odds - options_.all_struts_nats) return pick;

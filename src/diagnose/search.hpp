@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "diagnose/left_out.hpp"
+#include "diagnose/evidence/left_out.hpp"
+#include "diagnose/evidence/threshold.hpp"
 #include "diagnose/refit.hpp"
-#include "diagnose/threshold.hpp"
 
 namespace plumbline::diagnose {
 

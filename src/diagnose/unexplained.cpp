@@ -13,7 +13,7 @@ namespace {
 // Adds the terms of a description as instances of the effect `generic`.
 void add_terms(physics::ForceModel& forces, const std::vector<Term>& terms) {
   for (const Term& term : terms) {
-    const int first = forces.add("generic");
+    const int first = forces.add(physics::Generic::name);
     const std::vector<double> parameters = generic_parameters(term);
     std::copy(parameters.begin(), parameters.end(), forces.parameters.begin() + first);
   }

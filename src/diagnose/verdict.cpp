@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "diagnose/bounded.hpp"
+#include "diagnose/evidence/bounded.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -15,7 +15,7 @@ Eigen::VectorXd signature_of(const Workbench& bench, const Pick& pick, const Ref
   Eigen::VectorXd signature = Eigen::VectorXd::Zero(columns);
   for (const int u : pick.unknowns) {
     const identify::Unknown& unknown = bench.candidates.unknowns[static_cast<std::size_t>(u)];
-    if (unknown.key == "phase_deg" || unknown.key == "speed_mm_s") continue;
+    if (unknown.shape) continue;
     signature[u] = (fit.values[u] - unknown.start) / unknown.scale;
   }
   return signature;
@@ -43,15 +43,15 @@ std::vector<std::string> alternatives_of(const Workbench& bench, const Model& mo
   for (const Candidate& candidate : bench.candidates.all) {
     if (&candidate == pick.candidate) continue;
     double most = 0;
-    for (const ActingMode& way : candidate.ways) {
+    for (const ActingMode& mode : candidate.modes) {
       std::vector<int> columns;
-      for (const ColumnGroup& column_group : way.column_groups)
+      for (const ColumnGroup& column_group : mode.column_groups)
         columns.insert(columns.end(), column_group.begin(), column_group.end());
       Eigen::MatrixXd A = left(columns, columns);
       const double mean = A.trace() / static_cast<double>(A.rows());
       if (!(mean > 1e-9)) continue;
       A.diagonal().array() += 1e-9 * mean;
-      if (way.sums_to_zero) A.array() += 1e3 * mean;
+      if (mode.sums_to_zero) A.array() += 1e3 * mean;
       const Eigen::VectorXd b = seen(columns);
       Eigen::VectorXd lower(b.size());
       Eigen::VectorXd upper(b.size());

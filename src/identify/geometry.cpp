@@ -13,9 +13,11 @@ constexpr double kHalf = 0.5;  // of the prior's sigma left: the data tell more 
 
 using machine::kStruts;
 using machine::StrutVectors;
+using physics::JointPosition;
+using physics::StrutOffset;
 
 // Adds what is not listed already, and gives it a prior.
-void complete(Unknowns& unknowns, const char* effect, const char* key, int count, double sigma) {
+void complete(Unknowns& unknowns, std::string_view effect, const char* key, int count, double sigma) {
   for (int i = 0; i < count; ++i) {
     if (unknowns.find(effect, key, i) < 0) unknowns.set_prior(unknowns.add(effect, key, i), sigma);
   }
@@ -25,7 +27,7 @@ void complete(Unknowns& unknowns, const char* effect, const char* key, int count
 WholeMotion of_ring(std::string name, const char* key, const StrutVectors<double>& moves, const Unknowns& unknowns) {
   WholeMotion motion{std::move(name), Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns.size()))};
   for (int i = 0; i < 3 * kStruts; ++i) {
-    const int place = unknowns.find("joint-position", key, i);
+    const int place = unknowns.find(JointPosition::name, key, i);
     if (place >= 0) motion.direction[place] = moves(i % 3, i / 3);
   }
   return motion;
@@ -54,8 +56,8 @@ void add_ring(std::vector<WholeMotion>& motions, std::string_view ring, const ch
 
 }  // namespace
 
-bool of_geometry(const Unknown& unknown) {
-  return unknown.effect == "joint-position" || unknown.effect == "strut-offset";
+bool is_geometry(const Unknown& unknown) {
+  return physics::effect_infos()[physics::effect_index(unknown.effect)].geometry;
 }
 
 Unknowns geometry_unknowns(const machine::MachineModel& machine, const physics::ForceModel& forces,
@@ -66,19 +68,19 @@ Unknowns geometry_unknowns(const machine::MachineModel& machine, const physics::
   };
   Unknowns unknowns = options.alone ? Unknowns(forces) : nuisances(machine, forces);
   const double joint = sigma("joint_position_um", options.joint_sigma);
-  complete(unknowns, "strut-offset", "length_um", kStruts, sigma("strut_offset_um", options.offset_sigma));
-  complete(unknowns, "joint-position", "base_um", 3 * kStruts, joint);
-  complete(unknowns, "joint-position", "platform_um", 3 * kStruts, joint);
+  complete(unknowns, StrutOffset::name, "length_um", kStruts, sigma("strut_offset_um", options.offset_sigma));
+  complete(unknowns, JointPosition::name, "base_um", 3 * kStruts, joint);
+  complete(unknowns, JointPosition::name, "platform_um", 3 * kStruts, joint);
   return unknowns;
 }
 
 std::vector<WholeMotion> whole_motions(const machine::Geometry& geometry, const Unknowns& unknowns) {
   std::vector<WholeMotion> motions;
-  if (!unknowns.of_effect("joint-position").empty()) {
+  if (!unknowns.of_effect(JointPosition::name).empty()) {
     add_ring(motions, "base", "base_um", geometry.base_joints_W, geometry.base_joints_W.rowwise().mean(), unknowns);
     add_ring(motions, "platform", "platform_um", geometry.platform_joints_P, geometry.tool_tip_P, unknowns);
   }
-  const std::vector<std::size_t> offsets = unknowns.of_effect("strut-offset");
+  const std::vector<std::size_t> offsets = unknowns.of_effect(StrutOffset::name);
   if (!offsets.empty()) {
     WholeMotion longer{"all struts longer together", Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns.size()))};
     for (const std::size_t i : offsets) longer.direction[static_cast<Eigen::Index>(i)] = 1;
@@ -108,7 +110,7 @@ std::vector<std::string> geometry_statements(const machine::Geometry& geometry, 
                                              const Eigen::MatrixXd& covariance, double little) {
   std::vector<Eigen::Index> places;
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    if (of_geometry(unknowns[i]) && !unknowns[i].free()) places.push_back(static_cast<Eigen::Index>(i));
+    if (is_geometry(unknowns[i]) && !unknowns[i].free()) places.push_back(static_cast<Eigen::Index>(i));
   }
   std::vector<std::string> statements;
   if (places.empty()) return statements;

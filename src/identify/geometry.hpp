@@ -16,7 +16,7 @@ struct GeometryOptions {
 };
 
 /// Whether it is a coordinate of a joint or an offset of a strut.
-bool of_geometry(const Unknown& unknown);
+bool is_geometry(const Unknown& unknown);
 
 /// The 36 coordinates of the joints and 6 offsets of the struts, with the priors of [uncertainty] or those of the
 /// options, beside all else that [uncertainty] lists.

@@ -83,7 +83,7 @@ Eigen::VectorXd way_back(const TipField& field, const Unknowns& unknowns, const 
   std::vector<Eigen::Index> taking;
   std::vector<Eigen::Index> rest;
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    (of_geometry(unknowns[i]) && !unknowns[i].free() ? taking : rest).push_back(static_cast<Eigen::Index>(i));
+    (is_geometry(unknowns[i]) && !unknowns[i].free() ? taking : rest).push_back(static_cast<Eigen::Index>(i));
   }
   Eigen::VectorXd back = Eigen::VectorXd::Zero(scales.size());
   if (taking.empty()) return back;

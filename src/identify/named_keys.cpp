@@ -16,12 +16,15 @@ struct NamedKey {
   const physics::ParameterSpec* spec = nullptr;
 };
 
+std::string name_of(std::string_view effect, const physics::ParameterSpec& spec) {
+  return fmt::format("{}.{}", spec.table.empty() ? effect : spec.table, spec.key);
+}
+
 std::vector<NamedKey> named_keys() {
   std::vector<NamedKey> keys;
   for (const physics::EffectInfo& info : physics::effect_infos()) {
     for (const physics::ParameterSpec& spec : info.parameters) {
-      const std::string_view group = info.base ? spec.table : info.name;
-      keys.push_back({fmt::format("{}.{}", group, spec.key), info.name, &spec});
+      keys.push_back({name_of(info.name, spec), info.name, &spec});
     }
   }
   return keys;
@@ -42,7 +45,7 @@ std::vector<std::size_t> named_unknowns(Unknowns& unknowns, const std::string& n
   const std::vector<NamedKey> keys = named_keys();
   const auto key = std::find_if(keys.begin(), keys.end(), [&](const NamedKey& k) { return k.name == name; });
   if (key == keys.end()) refuse_unknown(name, keys);
-  const bool shared = key->effect == "strut-gravity" || key->effect == "axial-elasticity";
+  const bool shared = key->spec->shared;
   std::vector<std::size_t> places;
   for (int i = 0; i < (shared ? 1 : key->spec->size()); ++i) {
     const int index = shared || key->spec->size() == 1 ? -1 : i;
@@ -55,6 +58,12 @@ std::vector<std::size_t> named_unknowns(Unknowns& unknowns, const std::string& n
     }
   }
   return places;
+}
+
+std::vector<std::string> names_known_by(std::string_view uncertainty) {
+  std::vector<std::string> names;
+  for (const KeyOfEffect& key : keys_known_by(uncertainty)) names.push_back(name_of(key.effect, *key.spec));
+  return names;
 }
 
 void add_free(Unknowns& unknowns, const std::string& name) {

@@ -13,7 +13,10 @@ namespace plumbline::identify {
 /// identify-unknown-key.
 std::vector<std::size_t> named_unknowns(Unknowns& unknowns, const std::string& name);
 
-/// The same, nothing known of them beforehand.
+/// The names of the keys that a key of [uncertainty] says the sigma of.
+std::vector<std::string> names_known_by(std::string_view uncertainty);
+
+/// Nothing is known of these numbers beforehand.
 void add_free(Unknowns& unknowns, const std::string& name);
 
 }  // namespace plumbline::identify

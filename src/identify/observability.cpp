@@ -7,13 +7,10 @@
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
+#include "identify/geometry.hpp"
+
 namespace plumbline::identify {
 namespace {
-
-// Unknowns of which there are many, all alike.
-bool is_geometry(const Unknown& unknown) {
-  return unknown.effect == "joint-position" || unknown.effect == "strut-offset";
-}
 
 // What the data alone say of a pair, the other unknowns within their priors: the pair's own priors taken back.
 Eigen::Matrix2d pair_information(const Fit& fit, std::size_t a, std::size_t b) {
@@ -84,18 +81,18 @@ std::string confusion_text(const Confusion& c, const Unknowns& unknowns, const s
       c.standard_error / b.unit.si, b.unit.name);
 }
 
-// "strut-offset (6 of 6), joint-position (30 of 36), level tilt_mrad x": crowds by their number.
+// Numbers of the geometry by how many there are: "strut-offset (6 of 6), joint-position (30 of 36), level tilt_mrad x".
 std::string names_of(const std::vector<std::size_t>& which, const Unknowns& unknowns) {
-  std::map<std::string, std::size_t> crowds;
+  std::map<std::string, std::size_t> geometry;
   std::vector<std::string> names;
   for (const std::size_t i : which) {
     if (is_geometry(unknowns[i])) {
-      ++crowds[unknowns[i].effect];
+      ++geometry[unknowns[i].effect];
     } else {
       names.push_back(unknowns[i].label);
     }
   }
-  for (const auto& [effect, count] : crowds) {
+  for (const auto& [effect, count] : geometry) {
     names.push_back(fmt::format("{} ({} of {})", effect, count, unknowns.of_effect(effect).size()));
   }
   return fmt::format("{}", fmt::join(names, ", "));

@@ -54,7 +54,7 @@ void add_strain(const Fit& fit, const PlausibleOptions& options, Plausibility& f
   std::vector<Eigen::Index> places;
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
     const Unknown& u = fit.unknowns[i];
-    if (u.free() || (options.joints_seen && of_geometry(u))) continue;
+    if (u.free() || (options.joints_seen && is_geometry(u))) continue;
     places.push_back(static_cast<Eigen::Index>(i));
     const double sigmas = (fit.values[places.back()] - u.start) / u.sigma;
     if (std::abs(sigmas) > options.most_sigmas) found.strained.push_back({i, sigmas});

@@ -21,26 +21,10 @@ const physics::ParameterSpec& spec_of(std::string_view effect, std::string_view 
   return *spec;
 }
 
-// What people call the keys of the model file; keys of effects go by their own names.
-std::string short_name(std::string_view key) {
-  struct Name {
-    std::string_view key, name;
-  };
-  static constexpr std::array kNames{
-      Name{"compliance_per_length_um_N_m", "K1"}, Name{"compliance_um_N", "K2"},
-      Name{"coulomb_friction_N", "friction"},     Name{"centre_of_mass_mm", "centre of mass"},
-      Name{"screw_mass_kg", "screw mass"},        Name{"motor_mass_kg", "motor mass"},
-      Name{"mass_kg", "platform mass"},           Name{"viscous_friction_Nms_rad", "joint friction"}};
-  for (const Name& name : kNames) {
-    if (name.key == key) return std::string(name.name);
-  }
-  return std::string(key);
-}
-
 std::string label_of(std::string_view effect, const physics::ParameterSpec& spec, int index) {
   constexpr std::string_view kAxes = "xyz";
-  const bool base = !spec.table.empty();
-  std::string label = base ? short_name(spec.key) : fmt::format("{} {}", effect, spec.key);
+  const std::string_view short_name = spec.label.empty() ? spec.key : spec.label;
+  std::string label = spec.table.empty() ? fmt::format("{} {}", effect, spec.key) : std::string(short_name);
   if (index < 0) return label;
   if (spec.each == 3) return label + fmt::format(" strut {} {}", index / 3 + 1, kAxes[index % 3]);
   if (spec.count == 6) return label + fmt::format(" strut {}", index + 1);
@@ -55,7 +39,19 @@ double mean_of(const physics::ForceModel& forces, std::string_view effect, std::
   return std::accumulate(first, first + size, 0.0) / size;
 }
 
+constexpr std::string_view kUncertainty = "uncertainty";  // the table of the model file
+
 }  // namespace
+
+std::vector<KeyOfEffect> keys_known_by(std::string_view uncertainty) {
+  std::vector<KeyOfEffect> keys;
+  for (const physics::EffectInfo& info : physics::effect_infos()) {
+    for (const physics::ParameterSpec& spec : info.parameters) {
+      if (spec.uncertainty == uncertainty) keys.push_back({info.name, &spec});
+    }
+  }
+  return keys;
+}
 
 int Unknowns::instance(std::string_view effect) {
   const std::size_t index = physics::effect_index(effect);
@@ -67,6 +63,8 @@ int Unknowns::instance(std::string_view effect) {
 std::size_t Unknowns::append(Unknown unknown) {
   const physics::ParameterSpec& spec = spec_of(unknown.effect, unknown.key);
   unknown.unit = spec.unit;
+  unknown.shape = spec.shape;
+  unknown.periodic = spec.periodic;
   unknown.label = label_of(unknown.effect, spec, unknown.index);
   unknown.lower = spec.lower * spec.unit.si;
   unknown.upper = spec.upper * spec.unit.si;
@@ -154,29 +152,22 @@ physics::ForceModel Unknowns::at(const Eigen::VectorXd& values) const {
 
 Unknowns nuisances(const machine::MachineModel& machine, const physics::ForceModel& forces) {
   Unknowns unknowns(forces);
-  const auto sigma_of = [&](const char* key) { return machine.uncertainty(key).value_or(0); };
-  const auto each = [&](const char* listed, const char* effect, const char* key) {
-    const double sigma = sigma_of(listed);
-    if (sigma <= 0) return;
-    for (int i = 0; i < spec_of(effect, key).size(); ++i) unknowns.set_prior(unknowns.add(effect, key, i), sigma);
-  };
-  const auto shared = [&](const char* listed, const char* effect, const char* key) {
-    const double sigma = sigma_of(listed);
-    if (sigma > 0) unknowns.set_prior(unknowns.add_shared(effect, key), sigma);
-  };
-  for (const char* key : {"compliance_per_length_um_N_m", "compliance_um_N"}) {
-    const double sigma = sigma_of("compliance_relative") * mean_of(forces, "axial-elasticity", key);
-    if (sigma > 0) unknowns.set_prior(unknowns.add_shared("axial-elasticity", key), sigma);
+  for (const machine::KeySpec& listed : machine::kKeys) {
+    if (listed.table != kUncertainty) continue;
+    const double uncertainty = machine.uncertainty(listed.key).value_or(0);
+    if (uncertainty <= 0) continue;
+    for (const KeyOfEffect& key : keys_known_by(listed.key)) {
+      // what has no unit is a share of what is known
+      const double sigma =
+          listed.unit.name.empty() ? uncertainty * mean_of(forces, key.effect, key.spec->key) : uncertainty;
+      if (sigma <= 0) continue;
+      for (int i = 0; i < (key.spec->shared ? 1 : key.spec->size()); ++i) {
+        unknowns.set_prior(key.spec->shared ? unknowns.add_shared(key.effect, key.spec->key)
+                                            : unknowns.add(key.effect, key.spec->key, i),
+                           sigma);
+      }
+    }
   }
-  each("coulomb_friction_N", "screw-friction", "coulomb_friction_N");
-  each("centre_of_mass_mm", "platform-gravity", "centre_of_mass_mm");
-  each("platform_mass_kg", "platform-gravity", "mass_kg");
-  shared("strut_mass_kg", "strut-gravity", "screw_mass_kg");
-  shared("motor_mass_kg", "strut-gravity", "motor_mass_kg");
-  each("level_mrad", "level", "tilt_mrad");
-  each("strut_offset_um", "strut-offset", "length_um");
-  each("joint_position_um", "joint-position", "base_um");
-  each("joint_position_um", "joint-position", "platform_um");
   return unknowns;
 }
 

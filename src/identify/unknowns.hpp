@@ -20,7 +20,7 @@ struct Unknown {
     double weight = 1;
   };
 
-  std::string effect;  // "axial-elasticity", "joint-position": a name of the list of effects
+  std::string effect;  // a name of the list of effects
   std::string key;     // of its parameters
   int index = -1;      // among the key's numbers; -1: the key is one number, or all six struts share it
   std::string label;   // as people call it: "K1", "joint-position base_um strut 3 y"
@@ -33,6 +33,9 @@ struct Unknown {
   double lower = -std::numeric_limits<double>::infinity();  // bounds
   double upper = std::numeric_limits<double>::infinity();
   double scale = 1;  // a change that matters: sigma; of what is free its value, or a hundredth of an effect's range
+
+  bool shape = false;  // see physics::ParameterSpec
+  bool periodic = false;
 
   bool free() const { return !(sigma < std::numeric_limits<double>::infinity()); }
 };
@@ -80,6 +83,14 @@ class Unknowns {
   physics::ForceModel forces_;
   std::vector<Unknown> list_;
 };
+
+/// A key of an effect.
+struct KeyOfEffect {
+  std::string_view effect;
+  const physics::ParameterSpec* spec = nullptr;
+};
+/// The keys that a key of [uncertainty] says the sigma of, in the order of the list of effects.
+std::vector<KeyOfEffect> keys_known_by(std::string_view uncertainty);
 
 /// What the owner of the model does not know better: exactly the keys of its [uncertainty], each with its sigma, all
 /// independent. joint_position_um on each coordinate of each joint, strut_offset_um and coulomb_friction_N on each

@@ -67,7 +67,7 @@ std::string refitted(const machine::MachineModel& machine, const Identification&
     joints = {machine.geometry.base_joints_W, machine.geometry.platform_joints_P};
     for (auto [key, positions] :
          {std::pair("base_um", &joints->base_W), std::pair("platform_um", &joints->platform_P)}) {
-      double* const off = forces.parameters.data() + forces.find("joint-position", key);
+      double* const off = forces.parameters.data() + forces.find(physics::JointPosition::name, key);
       *positions += Eigen::Map<machine::StrutVectors<double>>(off);
       std::fill_n(off, positions->size(), 0.0);
     }

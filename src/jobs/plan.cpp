@@ -28,14 +28,15 @@ using identify::Unknowns;
 
 using Places = std::vector<std::size_t>;
 
+// What people ask for together, by the keys of [uncertainty] that say how well it is known.
 const std::map<std::string, std::vector<std::string>>& groups() {
   static const std::map<std::string, std::vector<std::string>> all{
-      {"geometry", {"strut-offset.length_um", "joint-position.base_um", "joint-position.platform_um"}},
-      {"elasticity", {"strut.compliance_per_length_um_N_m", "strut.compliance_um_N"}},
-      {"friction", {"strut.coulomb_friction_N"}},
-      {"masses", {"platform.mass_kg", "strut.screw_mass_kg", "strut.motor_mass_kg"}},
-      {"centre-of-mass", {"platform.centre_of_mass_mm"}},
-      {"level", {"level.tilt_mrad"}}};
+      {"geometry", {"strut_offset_um", "joint_position_um"}},
+      {"elasticity", {"compliance_relative"}},
+      {"friction", {"coulomb_friction_N"}},
+      {"masses", {"platform_mass_kg", "strut_mass_kg", "motor_mass_kg"}},
+      {"centre-of-mass", {"centre_of_mass_mm"}},
+      {"level", {"level_mrad"}}};
   return all;
 }
 
@@ -56,7 +57,11 @@ Places asked_for(Unknowns& unknowns, const std::vector<std::string>& names) {
     if (group == groups().end()) {
       add(places, identify::named_unknowns(unknowns, name));
     } else {
-      for (const std::string& key : group->second) add(places, identify::named_unknowns(unknowns, key));
+      for (const std::string& uncertainty : group->second) {
+        for (const std::string& key : identify::names_known_by(uncertainty)) {
+          add(places, identify::named_unknowns(unknowns, key));
+        }
+      }
     }
   }
   return places;
@@ -65,8 +70,7 @@ Places asked_for(Unknowns& unknowns, const std::vector<std::string>& names) {
 // The numbers of an effect that is to be told from another one; nothing is known of it beforehand, even if it is among
 // what [uncertainty] lists.
 Places effect_numbers(Unknowns& unknowns, const std::string& name) {
-  std::vector<std::string_view> known = physics::catalogue_names();
-  std::erase(known, "generic");
+  const std::vector<std::string_view> known = physics::cause_names();
   if (std::find(known.begin(), known.end(), name) == known.end()) {
     refuse("plan-unknown-effect", fmt::format("no effect is called {}", name), machine::suggestion(name, known));
   }

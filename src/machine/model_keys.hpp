@@ -95,15 +95,15 @@ inline constexpr std::array kKeys{
     KeySpec{"control", "digits_mm", Shape::whole, units::none, 0, 9, 4, "decimals that the control reads in mm"},
     KeySpec{"control", "digits_deg", Shape::whole, units::none, 0, 9, 5, "decimals that the control reads in deg"},
     KeySpec{"control", "digits_inch", Shape::whole, units::none, 0, 9, 6, "decimals that the control reads in inch"},
-    KeySpec{"uncertainty", "joint_position_um", Shape::number, units::um, 0, 10000, 0, "1 sigma of each coordinate of each joint"},
-    KeySpec{"uncertainty", "strut_offset_um", Shape::number, units::um, 0, 10000, 0, "1 sigma of each strut's length"},
     KeySpec{"uncertainty", "compliance_relative", Shape::number, units::none, 0, 1, 0, "1 sigma of K1 and of K2, relative"},
     KeySpec{"uncertainty", "coulomb_friction_N", Shape::number, units::N, 0, 5000, 0, "1 sigma of each screw's Coulomb friction"},
     KeySpec{"uncertainty", "centre_of_mass_mm", Shape::number, units::mm, 0, 1000, 0, "1 sigma of the centre of mass, each axis"},
-    KeySpec{"uncertainty", "level_mrad", Shape::number, units::mrad, 0, 100, 0, "1 sigma of the level about X and about Y"},
     KeySpec{"uncertainty", "platform_mass_kg", Shape::number, units::kg, 0, 1000, 0, "1 sigma of the platform's mass"},
     KeySpec{"uncertainty", "strut_mass_kg", Shape::number, units::kg, 0, 1000, 0, "1 sigma of the screw mass"},
     KeySpec{"uncertainty", "motor_mass_kg", Shape::number, units::kg, 0, 1000, 0, "1 sigma of the motor mass"},
+    KeySpec{"uncertainty", "level_mrad", Shape::number, units::mrad, 0, 100, 0, "1 sigma of the level about X and about Y"},
+    KeySpec{"uncertainty", "strut_offset_um", Shape::number, units::um, 0, 10000, 0, "1 sigma of each strut's length"},
+    KeySpec{"uncertainty", "joint_position_um", Shape::number, units::um, 0, 10000, 0, "1 sigma of each coordinate of each joint"},
 };
 // clang-format on
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/bend.hpp"
 #include "physics/effects/list.hpp"
 
 namespace plumbline::physics {
@@ -17,20 +18,25 @@ inline constexpr bool moves_own_strut_alone = requires {
   Effect::own_strut_alone;
 };
 
-/// Whether an effect follows from accelerations or from the control's following, so that it hangs on how the control
-/// shapes the speed: such an effect says so by `dynamic`.
-template <class Effect>
-inline constexpr bool is_dynamic = requires {
-  Effect::dynamic;
-};
-
 struct EffectInfo {
   std::string_view name;
   std::span<const ParameterSpec> parameters;
-  bool base;             // always there
-  bool own_strut_alone;  // see moves_own_strut_alone
-  bool dynamic;          // see is_dynamic
+  bool base = false;  // always there
 
+  // what an effect says of itself by a member of that name
+  bool own_strut_alone = false;  // see moves_own_strut_alone
+  bool dynamic = false;          // follows from accelerations or from the control's following: it depends on how the
+                                 // control shapes the speed
+  bool rare = false;             // less common than the others of the catalogue
+  bool sums_to_zero = false;     // its numbers do, all of them together
+  bool geometry = false;         // where joints are and how long struts are, other than the controller believes
+  bool description = false;      // no cause: nobody looks for it
+  const Bend* bend = nullptr;    // none: readings move in proportion to its numbers
+
+  bool reading_alone = false;  // it shows in the torque readings and nowhere else
+
+  /// Whether it may be what a machine has and a model lacks.
+  bool is_cause() const { return !base && !description; }
   /// How many numbers an instance has.
   int size() const;
   /// Where the numbers of a key begin; -1 if there is no such key.
@@ -47,6 +53,9 @@ std::size_t effect_index(std::string_view name);
 
 /// The names of the effects that a model file may name.
 std::vector<std::string_view> catalogue_names();
+
+/// Those of them that are causes, no descriptions.
+std::vector<std::string_view> cause_names();
 
 /// Calls apply.template operator()<Effect>(index) for each effect of the list, at compile time.
 template <class Apply>

@@ -15,25 +15,40 @@ struct ParameterSpec {
   int count = 1;  // how many numbers: 1, 2, 3, 6
   double lower = 0;
   double upper = 0;
-  int each = 1;                 // 3: an array of `count` points, 3 x count numbers
-  double initial = 0;           // in a fresh instance; the instance as a whole shall change nothing with it
-  std::string_view table = {};  // base effects: the table of the model file that holds the key
-  bool optional = false;        // a row may leave the key out: it then has its initial value
-  bool setting = false;         // says what the effect is, and is never fitted
-  bool whole = false;           // whole numbers only
+  int each = 1;                       // 3: an array of `count` points, 3 x count numbers
+  double initial = 0;                 // in a fresh instance; the instance as a whole shall change nothing with it
+  std::string_view table = {};        // base effects: the table of the model file that holds the key
+  bool optional = false;              // a row may leave the key out: it then has its initial value
+  bool setting = false;               // says what the effect is, and is never fitted
+  bool whole = false;                 // whole numbers only
+  bool shared = false;                // by all struts: one unknown moves all six in proportion
+  bool shape = false;                 // bends what the others add, and adds nothing itself: a phase, a speed
+  bool periodic = false;              // a whole turn more is the same
+  std::string_view uncertainty = {};  // key of [uncertainty] that says how well it is known
+  std::string_view label = {};        // what people call it; none: effect and key
 
   constexpr int size() const { return count * each; }
 };
 
+/// What an effect says of a key of the model file; see ParameterSpec.
+struct KeyTraits {
+  bool shared = false;
+  std::string_view uncertainty = {};
+  std::string_view label = {};
+};
+
 /// The parameter that stands under a key of the model file itself: unit and range as machine/model_keys.hpp has them.
-constexpr ParameterSpec model_key(std::string_view table, std::string_view key) {
+constexpr ParameterSpec model_key(std::string_view table, std::string_view key, const KeyTraits& traits = {}) {
   const machine::KeySpec& spec = machine::key_spec(table, key);
   return {.key = spec.key,
           .unit = spec.unit,
           .count = static_cast<int>(machine::count_of(spec.shape)),
           .lower = spec.lower,
           .upper = spec.upper,
-          .table = spec.table};
+          .table = spec.table,
+          .shared = traits.shared,
+          .uncertainty = traits.uncertainty,
+          .label = traits.label};
 }
 
 /// The parameters of one instance of an effect, one after the other as its table lists them, in SI.

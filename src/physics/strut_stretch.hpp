@@ -114,6 +114,16 @@ StrutStretch<T> strut_stretch(const ForceModel& model, const T* parameters, cons
   return strut_stretch_at(model, parameters, environment, motion, rates, motion.pose, struts);
 }
 
+/// How much longer a strut of that length gets for each newton that its drive pulls, m/N.
+inline double drive_compliance(const ForceModel& model, int strut, double length) {
+  double compliance = 0;
+  for_each_instance<double>(model, model.parameters.data(), [&]<class Effect>(Values<double> p) {
+    if constexpr (requires { &Effect::template compliance<double>; })
+      compliance += Effect::compliance(p, strut, length);
+  });
+  return compliance;
+}
+
 // Instantiated once, in strut_stretch.cpp.
 extern template StrutStretch<double> strut_stretch_at(const ForceModel&, const double*, const Environment&,
                                                       const Motion<double>&, const StrutRates<double>&,

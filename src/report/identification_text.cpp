@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/units.hpp"
+#include "identify/geometry.hpp"
 
 namespace plumbline::report {
 namespace {
@@ -20,15 +21,13 @@ using nlohmann::ordered_json;
 
 double value_of(const Fit& fit, std::size_t i) { return fit.values[static_cast<Eigen::Index>(i)]; }
 
-bool is_geometry(const Unknown& u) { return u.effect == "joint-position" || u.effect == "strut-offset"; }
-
 std::string values_text(const Fit& fit) {
   std::string text = fmt::format("{:<32}{:>12}{:>12}{:>12}{:>12}   unit\n", "", "before", "found", "+-", "known to");
   std::map<std::string, std::pair<int, double>> crowds;  // how many, and the largest of them
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
     const Unknown& u = fit.unknowns[i];
     const double si = u.unit.si;
-    if (is_geometry(u)) {
+    if (identify::is_geometry(u)) {
       auto& [count, largest] = crowds[u.effect];
       ++count;
       largest = std::max(largest, std::abs(value_of(fit, i) - u.start) / si);
@@ -44,7 +43,7 @@ std::string values_text(const Fit& fit) {
 }
 
 // "  12.3 +- 0.8" for each number of a key, `each` in a line that begins with a name and its number.
-std::string crowd_text(const Fit& fit, const char* effect, const char* key, std::string_view name, int each) {
+std::string crowd_text(const Fit& fit, std::string_view effect, const char* key, std::string_view name, int each) {
   std::string text;
   for (int i = 0;; ++i) {
     const int place = fit.unknowns.find(effect, key, i);
@@ -59,9 +58,9 @@ std::string crowd_text(const Fit& fit, const char* effect, const char* key, std:
 
 std::string geometry_text(const Fit& fit) {
   return "true minus believed, um:         x                   y                   z\n" +
-         crowd_text(fit, "joint-position", "base_um", "base joint", 3) +
-         crowd_text(fit, "joint-position", "platform_um", "platform joint", 3) + "longer than commanded, um:\n" +
-         crowd_text(fit, "strut-offset", "length_um", "strut", 1);
+         crowd_text(fit, physics::JointPosition::name, "base_um", "base joint", 3) +
+         crowd_text(fit, physics::JointPosition::name, "platform_um", "platform joint", 3) +
+         "longer than commanded, um:\n" + crowd_text(fit, physics::StrutOffset::name, "length_um", "strut", 1);
 }
 
 std::string noise_text(const identify::NoiseModel& noise) {

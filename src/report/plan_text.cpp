@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/units.hpp"
+#include "identify/geometry.hpp"
 
 namespace plumbline::report {
 namespace {
@@ -58,7 +59,7 @@ std::string errors_text(const jobs::PlannedTests& plan) {
   std::map<std::string, Crowd> crowds;
   for (const std::size_t i : plan.asked) {
     const Unknown& u = plan.after.unknowns[i];
-    if (u.effect == "joint-position" || u.effect == "strut-offset") {
+    if (identify::is_geometry(u)) {
       Crowd& crowd = crowds[fmt::format("{} {}", u.effect, u.key)];
       crowd.unit = u.unit.name;
       crowd.before.push_back(plan.before.standard_error(i) / u.unit.si);

@@ -63,14 +63,14 @@ Json where_json(const diagnose::GapMap& where) {
   for (const diagnose::ChannelWhere& channel : where.channels) json["channels"].push_back(channel_json(channel));
   for (const diagnose::Contrast& c : where.contrasts) {
     json["contrasts"].push_back(
-        {{"by", c.by},
+        {{"by", to_text(c.by)},
          {"pairs", c.pairs},
          {"common_rms", two_json(c.common)},
          {"differs_rms", two_json(c.differs)},
          {"correlation", {{"radial", rounded(c.radial.correlation)}, {"torque", rounded(c.torque.correlation)}}}});
   }
   for (const diagnose::RunGroup& group : where.groups) {
-    json["groups"].push_back({{"by", group.by},
+    json["groups"].push_back({{"by", to_text(group.by)},
                               {"from", rounded(group.from)},
                               {"to", rounded(group.to)},
                               {"runs", group.runs},

@@ -48,9 +48,9 @@ std::string two_cells(const Diagnosis& d, const diagnose::BarAndTorque& rms) {
 }
 
 std::string group_name(const diagnose::RunGroup& group) {
-  if (group.by == "tilt_deg") return fmt::format("tilt {:.0f} to {:.0f} deg", group.from, group.to);
-  if (group.by == "feed_mm_min") return fmt::format("feed F{:.0f}", group.from);
-  if (group.by == "payload_kg") return fmt::format("payload {:.4g} kg", group.from);
+  if (group.by == diagnose::Grouping::tilt) return fmt::format("tilt {:.0f} to {:.0f} deg", group.from, group.to);
+  if (group.by == diagnose::Grouping::feed) return fmt::format("feed F{:.0f}", group.from);
+  if (group.by == diagnose::Grouping::payload) return fmt::format("payload {:.4g} kg", group.from);
   return fmt::format("begun {:.1f} to {:.1f} h", group.from, group.to);
 }
 
@@ -110,7 +110,7 @@ std::string contrast_table(const Diagnosis& d) {
       "<table><tr><th>pairs of runs alike but for</th><th>pairs</th><th>bar: alike in both</th><th>torque</th><th>bar: "
       "differs</th><th>torque</th><th>bar: correlation</th><th>torque</th></tr>";
   for (const diagnose::Contrast& c : d.where.contrasts) {
-    html += fmt::format("<tr><td>{}</td><td>{}</td>{}{}<td>{:.2f}</td><td>{:.2f}</td></tr>", escaped(c.by), c.pairs,
+    html += fmt::format("<tr><td>{}</td><td>{}</td>{}{}<td>{:.2f}</td><td>{:.2f}</td></tr>", to_text(c.by), c.pairs,
                         two_cells(d, c.common), two_cells(d, c.differs), c.radial.correlation, c.torque.correlation);
   }
   return html + "</table>";

@@ -44,10 +44,11 @@ std::string layer_of(const Layers& layers, fs::path file) {
   return file.generic_string();
 }
 
-/// Who may include `nc` may include each of its rooms.
+/// Who may include `nc` may include each of its rooms, as what stands beside these rooms may.
 bool may_include(const Layers& layers, const std::string& module, const std::string& used) {
   const std::set<std::string>& allowed = layers.at(module);
-  return used == module || allowed.contains(used) || allowed.contains(used.substr(0, used.find('/')));
+  const std::string house = used.substr(0, used.find('/'));
+  return used == module || house == module || allowed.contains(used) || allowed.contains(house);
 }
 
 bool is_code(const fs::path& file) {

@@ -69,7 +69,7 @@ TEST_CASE("waves that two runs at one pose share are no noise, though smaller th
   for (unsigned seed = 0; seed < 20; ++seed) {
     const std::optional<Recurring> even = recurring_with(seed, 0.7, 0.9 * kSigma, 0);
     REQUIRE(even);
-    CHECK(even->by == "direction");
+    CHECK(even->by == Difference::direction);
     CHECK(even->correlation > 0.1);
     const std::optional<Recurring> odd = recurring_with(seed, 0.7, 0, 0.9 * kSigma);
     REQUIRE(odd);

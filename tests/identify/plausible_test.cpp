@@ -156,7 +156,7 @@ TEST_CASE("joints that a tracker saw may be far off, other numbers may not") {
   options.joints_seen = true;
   CHECK(plausibility(machine.rotation, {}, found, {}, options).strained.empty());
   for (std::size_t i = 0; i < found.unknowns.size(); ++i) {
-    if (of_geometry(found.unknowns[i])) continue;
+    if (is_geometry(found.unknowns[i])) continue;
     found.values[static_cast<Eigen::Index>(i)] += 7 * found.unknowns[i].sigma;
     break;
   }

@@ -45,10 +45,10 @@ void fill(Eigen::Matrix<double, Rows, Columns>& m, double x) {
 
 // Calls check(name of the hook, a function that adds to a sum, an empty sum) for each hook of the effect.
 // NOLINTBEGIN(bugprone-macro-parentheses): the name of a member takes none
-#define HOOK(name, Sum)                                                                                \
-  if constexpr (requires { &Effect::template name<double>; }) {                                        \
-    check(                                                                                             \
-        #name, [&](Sum& sum) { Effect::name(Values<double>(p.data()), at, sum); }, Sum{empty<Sum>()}); \
+#define HOOK(name, Sum)                                                                           \
+  if constexpr (requires { &Effect::template name<T>; }) {                                        \
+    check(                                                                                        \
+        #name, [&](Sum& sum) { Effect::name(Values<T>(p.data()), at, sum); }, Sum{empty<Sum>()}); \
   }
 // NOLINTEND(bugprone-macro-parentheses)
 template <class Sum>
@@ -59,14 +59,8 @@ Sum empty() {
 }
 template <class Effect, class Check>
 void for_each_hook(const std::vector<double>& p, const Situation<double>& at, Check check) {
-  HOOK(conditions, Conditions<double>)
-  HOOK(wrench, Wrench<double>)
-  HOOK(transverse_force, machine::StrutVectors<double>)
-  HOOK(nut_tension, machine::PerStrut<double>)
-  HOOK(drive_tension, machine::PerStrut<double>)
-  HOOK(length, machine::PerStrut<double>)
-  HOOK(tip, machine::Vector6<double>)
-  HOOK(reading, machine::PerStrut<double>)
+  using T = double;
+  PLUMBLINE_HOOKS(HOOK)
 }
 #undef HOOK
 

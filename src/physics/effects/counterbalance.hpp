@@ -9,6 +9,7 @@ namespace plumbline::physics {
 /// A constant force on the platform, as a spring or a cylinder that carries its weight makes.
 struct Counterbalance {
   static constexpr std::string_view name = "counterbalance";
+  static constexpr bool rare = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "force_N", .unit = machine::units::N, .count = 3, .lower = -3000, .upper = 3000}};
 

@@ -9,6 +9,7 @@ namespace plumbline::physics {
 /// A frame that gives way under what the struts pull at the ring of base joints, and takes the whole machine along.
 struct FrameCompliance {
   static constexpr std::string_view name = "frame-compliance";
+  static constexpr bool rare = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "shift_um_N", .unit = machine::units::um_N, .lower = 0, .upper = 1},
       ParameterSpec{.key = "tilt_urad_Nm", .unit = machine::units::urad_Nm, .lower = 0, .upper = 50}};

@@ -12,6 +12,7 @@ namespace plumbline::physics {
 /// `diagnose` writes when nothing in the catalogue explains what it sees.
 struct Generic {
   static constexpr std::string_view name = "generic";
+  static constexpr bool description = true;
   static constexpr double kMost = 1e6;
   static constexpr std::array parameters{
       ParameterSpec{.key = "length_um",

@@ -11,6 +11,7 @@ namespace plumbline::physics {
 /// Axes of a base joint that do not meet: the inner one, across the strut, goes round the outer one at a distance.
 struct GimbalOffset {
   static constexpr std::string_view name = "gimbal-offset";
+  static constexpr bool rare = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "offset_um", .unit = machine::units::um, .count = 6, .lower = -5000, .upper = 5000}};
 

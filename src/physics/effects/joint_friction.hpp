@@ -10,7 +10,7 @@ namespace plumbline::physics {
 /// Friction of the base joints: a moment against the turning of the strut, felt by the platform as a force across it.
 struct JointFriction {
   static constexpr std::string_view name = "joint-friction";
-  static constexpr std::array parameters{model_key("joint", "viscous_friction_Nms_rad"),
+  static constexpr std::array parameters{model_key("joint", "viscous_friction_Nms_rad", {.label = "joint friction"}),
                                          model_key("joint", "coulomb_friction_Nm")};
   enum { kViscous = 0, kCoulomb = 1 };
 

@@ -10,12 +10,24 @@ namespace plumbline::physics {
 /// platform joints in P.
 struct JointPosition {
   static constexpr std::string_view name = "joint-position";
-  static constexpr std::array parameters{
-      ParameterSpec{.key = "base_um", .unit = machine::units::um, .count = 6, .lower = -5000, .upper = 5000, .each = 3},
-      ParameterSpec{
-          .key = "platform_um", .unit = machine::units::um, .count = 6, .lower = -5000, .upper = 5000, .each = 3}};
+  static constexpr std::array parameters{ParameterSpec{.key = "base_um",
+                                                       .unit = machine::units::um,
+                                                       .count = 6,
+                                                       .lower = -5000,
+                                                       .upper = 5000,
+                                                       .each = 3,
+                                                       .uncertainty = "joint_position_um"},
+                                         ParameterSpec{.key = "platform_um",
+                                                       .unit = machine::units::um,
+                                                       .count = 6,
+                                                       .lower = -5000,
+                                                       .upper = 5000,
+                                                       .each = 3,
+                                                       .uncertainty = "joint_position_um"}};
   enum { kBase = 0, kPlatform = 18 };
   static constexpr bool own_strut_alone = true;
+  static constexpr bool geometry = true;
+  static constexpr bool rare = true;
 
   // dL_j = u_j . dq_j - u_j . R dp_j
   template <class T>

@@ -9,6 +9,7 @@ namespace plumbline::physics {
 /// Screws whose lead is off by a share.
 struct LeadError {
   static constexpr std::string_view name = "lead-error";
+  static constexpr bool rare = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "error_um_m", .unit = machine::units::um_m, .count = 6, .lower = -500, .upper = 500}};
 

@@ -9,8 +9,12 @@ namespace plumbline::physics {
 /// A machine that stands askew: gravity is turned by (rx, ry).
 struct Level {
   static constexpr std::string_view name = "level";
-  static constexpr std::array parameters{
-      ParameterSpec{.key = "tilt_mrad", .unit = machine::units::mrad, .count = 2, .lower = -10, .upper = 10}};
+  static constexpr std::array parameters{ParameterSpec{.key = "tilt_mrad",
+                                                       .unit = machine::units::mrad,
+                                                       .count = 2,
+                                                       .lower = -10,
+                                                       .upper = 10,
+                                                       .uncertainty = "level_mrad"}};
 
   // g += |g| (-ry, rx, 0), |g| of the model: the gravity vector (0, 0, -|g|) turned by +r
   template <class T>

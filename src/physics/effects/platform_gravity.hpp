@@ -9,7 +9,9 @@ namespace plumbline::physics {
 /// The weight of the platform: m_P g at its centre of mass  [Ibaraki et al., Eq. 4-5].
 struct PlatformGravity {
   static constexpr std::string_view name = "platform-gravity";
-  static constexpr std::array parameters{model_key("platform", "mass_kg"), model_key("platform", "centre_of_mass_mm")};
+  static constexpr std::array parameters{
+      model_key("platform", "mass_kg", {.uncertainty = "platform_mass_kg", .label = "platform mass"}),
+      model_key("platform", "centre_of_mass_mm", {.uncertainty = "centre_of_mass_mm", .label = "centre of mass"})};
   enum { kMass = 0, kCentre = 1 };
 
   template <class T>

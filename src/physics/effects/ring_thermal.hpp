@@ -9,6 +9,7 @@ namespace plumbline::physics {
 /// A ring of base joints that is warmer than the rest: it grows away from Z of W.
 struct RingThermal {
   static constexpr std::string_view name = "ring-thermal";
+  static constexpr bool rare = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "rise_K", .unit = machine::Unit{"K", 1, {}}, .lower = -40, .upper = 40}};
 

@@ -9,7 +9,8 @@ namespace plumbline::physics {
 /// Coulomb friction of the screws: lengthening pushes, so the tension drops.
 struct ScrewFriction {
   static constexpr std::string_view name = "screw-friction";
-  static constexpr std::array parameters{model_key("strut", "coulomb_friction_N")};
+  static constexpr std::array parameters{
+      model_key("strut", "coulomb_friction_N", {.uncertainty = "coulomb_friction_N", .label = "friction"})};
 
   // f_j = -f0_j s_j  [Ibaraki et al., Eq. 8; docs/physics.md]
   template <class T>

@@ -11,6 +11,7 @@ namespace plumbline::physics {
 /// Screws that turn in their nuts because universal joints hold both ends of a strut, as far as the control leaves it.
 struct ScrewRoll {
   static constexpr std::string_view name = "screw-roll";
+  static constexpr bool rare = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "share", .unit = machine::units::none, .lower = -1, .upper = 1}};
 

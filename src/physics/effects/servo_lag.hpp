@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "physics/bend.hpp"
+#include "physics/effects/strut_offset.hpp"
 #include "physics/situation.hpp"
 
 namespace plumbline::physics {
@@ -12,6 +14,18 @@ struct ServoLag {
   static constexpr bool dynamic = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "lag_ms", .unit = machine::units::ms, .lower = 0, .upper = 60}};
+
+  // per unit of a lag of tau all struts are longer by this. Small lags move the tip along its circle, where the bar
+  // does not see them.
+  static constexpr std::array kLags{10.0, 20.0, 35.0, 55.0};
+  static double behind(const StrutMoment& strut, double lag) { return lag * strut.acceleration - strut.speed; }
+  static constexpr Bend bend{.by = Bend::By::size,
+                             .size = "lag_ms",
+                             .shape = "lag_ms",
+                             .tried = kLags,
+                             .of = StrutOffset::name,
+                             .of_key = "length_um",
+                             .factor = behind};
 
   // dL_j = -tau Ldot_j + tau^2 Lddot_j
   template <class T>

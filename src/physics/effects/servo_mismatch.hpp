@@ -10,6 +10,7 @@ namespace plumbline::physics {
 struct ServoMismatch {
   static constexpr std::string_view name = "servo-mismatch";
   static constexpr bool dynamic = true;
+  static constexpr bool sums_to_zero = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "lag_ms", .unit = machine::units::ms, .count = 6, .lower = -5, .upper = 5}};
 

@@ -9,6 +9,7 @@ namespace plumbline::physics {
 /// A spindle that grows as it warms: the tip leaves the gauge point along the tool.
 struct SpindleGrowth {
   static constexpr std::string_view name = "spindle-growth";
+  static constexpr bool rare = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "length_um", .unit = machine::units::um, .lower = -1000, .upper = 1000},
       ParameterSpec{.key = "rate_um_h", .unit = machine::units::um_h, .lower = -1000, .upper = 1000}};

@@ -9,9 +9,13 @@ namespace plumbline::physics {
 /// The weight of the struts: their platform joints carry a share of it across the strut, their nuts the part along it.
 struct StrutGravity {
   static constexpr std::string_view name = "strut-gravity";
-  static constexpr std::array parameters{model_key("strut", "screw_mass_kg"),   model_key("strut", "joint_mass_kg"),
-                                         model_key("strut", "motor_mass_kg"),   model_key("strut", "motor_arm_mm"),
-                                         model_key("strut", "joint_length_mm"), model_key("strut", "screw_length_mm")};
+  static constexpr std::array parameters{
+      model_key("strut", "screw_mass_kg", {.shared = true, .uncertainty = "strut_mass_kg", .label = "screw mass"}),
+      model_key("strut", "joint_mass_kg", {.shared = true}),
+      model_key("strut", "motor_mass_kg", {.shared = true, .uncertainty = "motor_mass_kg", .label = "motor mass"}),
+      model_key("strut", "motor_arm_mm", {.shared = true}),
+      model_key("strut", "joint_length_mm", {.shared = true}),
+      model_key("strut", "screw_length_mm", {.shared = true})};
   enum { kScrew = 0, kJoint = 6, kMotor = 12, kMotorArm = 18, kJointLength = 24, kScrewLength = 30 };
 
   template <class T>

@@ -1,0 +1,141 @@
+#include "diagnose/description/term_columns.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/parallel.hpp"
+#include "physics/effects/generic.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+using identify::kRadial;
+using machine::kStruts;
+using physics::Generic;
+using Channel = Term::Channel;
+
+// The factors of the effect `generic`, in its units.
+std::array<double, Generic::kStrutFactors> strut_factors(const physics::MachineConstants& machine, const SampleState& s,
+                                                         int j) {
+  const double tension = s.nut_tension[j] * 1e-3;
+  const Vector3<double> u = s.struts.direction.col(j);
+  return {(s.struts.length[j] - machine.middle_length[j]) * 10,
+          s.speed[j] * 100,
+          s.sign[j],
+          tension,
+          std::abs(tension),
+          u.x(),
+          u.y(),
+          u.z()};
+}
+
+std::array<double, Generic::kSharedFactors> shared_factors(const SampleState& s) {
+  const Vector3<double>& x = s.pose.p_WT;
+  const Vector3<double> z = s.pose.R_WP.col(2);
+  return {x[0] * 10, x[1] * 10, (x[2] - Generic::kMiddleHeight) * 10, z[0], z[1], s.time / 3600};
+}
+
+template <std::size_t N>
+double product(const std::array<double, N>& factors, const std::array<int, N>& powers) {
+  double value = 1;
+  for (std::size_t k = 0; k < N; ++k) {
+    for (int n = 0; n < powers[k]; ++n) value *= factors[k];
+  }
+  return value;
+}
+
+bool is_per_strut(Channel channel) {
+  return channel == Channel::length || channel == Channel::drive || channel == Channel::torque;
+}
+
+ReadyRun ready_run(const Workbench& bench, const physics::ForceModel& forces, const LinearProblem& problem,
+                   std::size_t i) {
+  ReadyRun run;
+  run.raw = &problem.raw[i];
+  run.states = sample_states(bench.machine.rotation, forces, bench.runs[i]);
+  const Eigen::Index n = run.raw->samples;
+  const Eigen::Index rows = run.raw->residual.size();
+  run.drive = run.raw->slopes;
+  run.force.setZero(rows, 3);
+  run.tip.setZero(rows, 3);
+  const Vector3<double> ball = measure::ideal_ball(bench.runs[i]);
+  for (Eigen::Index s = 0; s < n; ++s) {
+    const SampleState& state = run.states[static_cast<std::size_t>(s)];
+    for (std::size_t c = 0; c < run.raw->channels.size(); ++c) {
+      const Eigen::Index row = static_cast<Eigen::Index>(c) * n + s;
+      const int channel = run.raw->channels[c];
+      for (int j = 0; j < kStruts; ++j) {
+        run.drive(row, j) *= physics::drive_compliance(forces, j, state.struts.length[j]);
+        if (channel == 1 + j) run.drive(row, j) += forces.machine.lead_per_radian(j);
+      }
+      if (channel == kRadial) run.tip.row(row) = (state.pose.p_WT - ball).normalized().transpose();
+    }
+    // a force at the tip: J^T t = (F, 0)
+    const machine::Lu6<double> lu(machine::jacobian(state.struts));
+    for (int a = 0; a < 3; ++a) {
+      machine::Vector6<double> load = machine::Vector6<double>::Zero();
+      load[a] = 1;
+      const machine::PerStrut<double> tension = lu.solve_transposed(load);
+      for (std::size_t c = 0; c < run.raw->channels.size(); ++c) {
+        const Eigen::Index row = static_cast<Eigen::Index>(c) * n + s;
+        run.force(row, a) = run.drive.row(row).dot(tension);
+      }
+    }
+  }
+  return run;
+}
+
+// The readings' change by one strut's (axis's) coefficient of a term, times cos or -sin of its wave.
+Eigen::VectorXd change_by_part(const ReadyRun& run, const physics::MachineConstants& machine, const Term& term,
+                               int part, bool sine) {
+  const Eigen::Index n = run.raw->samples;
+  const Eigen::Index rows = run.raw->residual.size();
+  Eigen::VectorXd f(n);
+  for (Eigen::Index s = 0; s < n; ++s) {
+    const SampleState& state = run.states[static_cast<std::size_t>(s)];
+    f[s] = product(shared_factors(state), term.shared_powers);
+    if (!is_per_strut(term.channel)) continue;
+    f[s] *= product(strut_factors(machine, state, part), term.strut_powers);
+    if (term.pitch > 0) {
+      const double turn = 2 * std::numbers::pi * state.struts.length[part] / term.pitch;
+      f[s] *= sine ? -std::sin(turn) : std::cos(turn);
+    }
+  }
+  const auto channels = static_cast<Eigen::Index>(run.raw->channels.size());
+  const Eigen::VectorXd all = f.replicate(channels, 1);
+  switch (term.channel) {
+    case Channel::length:
+      return run.raw->slopes.col(part).cwiseProduct(all);
+    case Channel::drive:
+      return run.drive.col(part).cwiseProduct(all);
+    case Channel::force:
+      return run.force.col(part).cwiseProduct(all);
+    case Channel::tip:
+      return run.tip.col(part).cwiseProduct(all);
+    case Channel::torque:
+      break;
+  }
+  Eigen::VectorXd torque = Eigen::VectorXd::Zero(rows);
+  for (std::size_t c = 0; c < run.raw->channels.size(); ++c) {
+    if (run.raw->channels[c] == 1 + part) torque.segment(static_cast<Eigen::Index>(c) * n, n) = f;
+  }
+  return torque;
+}
+
+}  // namespace
+
+std::vector<ReadyRun> ready_runs(const Workbench& bench, const physics::ForceModel& forces,
+                                 const LinearProblem& problem) {
+  std::vector<ReadyRun> runs(bench.runs.size());
+  for_each_index(runs.size(), [&](std::size_t i) { runs[i] = ready_run(bench, forces, problem, i); });
+  return runs;
+}
+
+Eigen::VectorXd change_by(const ReadyRun& run, const physics::MachineConstants& machine, const Term& term, bool sine) {
+  if (term.part >= 0) return change_by_part(run, machine, term, term.part, sine);
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(run.raw->residual.size());
+  for (int j = 0; j < kStruts; ++j) all += change_by_part(run, machine, term, j, sine);
+  return all;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,28 @@
+// How readings move with the terms of a description.
+#pragma once
+
+#include <vector>
+
+#include "diagnose/description/description.hpp"
+#include "diagnose/readings/sample_states.hpp"
+
+namespace plumbline::diagnose {
+
+/// A run made ready: what its samples are, and how its readings move with the channels of terms. Rows as the residual
+/// of `raw`, which belongs to the problem; SI.
+struct ReadyRun {
+  std::vector<SampleState> states;
+  const identify::RunEquations* raw = nullptr;
+  Eigen::MatrixXd drive;  // slopes by each strut's drive tension
+  Eigen::MatrixXd force;  // by a force at the tip, x y z
+  Eigen::MatrixXd tip;    // by the tip's displacement, x y z
+};
+
+/// All runs of the bench. Refuses with simulate-unreachable as measure::simulate_run does.
+std::vector<ReadyRun> ready_runs(const Workbench& bench, const physics::ForceModel& forces,
+                                 const LinearProblem& problem);
+
+/// The readings' change by the coefficient of a term, times the cosine of its wave, or minus the sine.
+Eigen::VectorXd change_by(const ReadyRun& run, const physics::MachineConstants& machine, const Term& term, bool sine);
+
+}  // namespace plumbline::diagnose

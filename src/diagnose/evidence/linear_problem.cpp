@@ -1,0 +1,71 @@
+#include "diagnose/evidence/linear_problem.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+
+#include "base/check.hpp"
+#include "base/parallel.hpp"
+#include "diagnose/candidates/run_columns.hpp"
+
+namespace plumbline::diagnose {
+Eigen::MatrixXd without_setup(const identify::RunEquations& equations, Eigen::MatrixXd columns,
+                              const identify::NoiseModel& noise) {
+  const Eigen::Index n = equations.samples;
+  for (std::size_t c = 0; c < equations.channels.size(); ++c) {
+    const identify::ChannelNoise& channel = noise.channels[static_cast<std::size_t>(equations.channels[c])];
+    identify::whiten(channel, columns.middleRows(static_cast<Eigen::Index>(c) * n, n));
+    if (equations.channels[c] != identify::kRadial) continue;
+    Eigen::MatrixXd setup = equations.setup_slopes;
+    identify::whiten(channel, setup);
+    const Eigen::MatrixXd Q = setup.householderQr().householderQ() * Eigen::MatrixXd::Identity(n, setup.cols());
+    auto radial = columns.middleRows(static_cast<Eigen::Index>(c) * n, n);
+    radial -= Q * (Q.transpose() * radial).eval();
+  }
+  return columns;
+}
+
+LinearProblem linearise(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
+                        const CandidateSet& candidates, const Eigen::VectorXd& values,
+                        const identify::NoiseModel& noise) {
+  identify::Objective objective(order, runs, candidates.unknowns, {.huber = 0});
+  objective.set_noise(noise);
+  LinearProblem problem;
+  problem.values = values;
+  problem.raw = objective.equations(values, true);
+  problem.blocks.resize(runs.size());
+  const physics::ForceModel forces = candidates.unknowns.at(values);
+  for_each_index(runs.size(), [&](std::size_t i) {
+    const std::vector<SampleState> states = sample_states(order, forces, runs[i]);
+    identify::RunEquations& raw = problem.raw[i];
+    problem.blocks[i].rows = without_setup(raw, RunColumns{candidates, forces.machine, states, raw}.all(), noise);
+    raw.slopes = Eigen::MatrixXd(
+        raw.slopes.middleCols(candidates.unknowns.find(physics::StrutOffset::name, "length_um", 0), machine::kStruts));
+    const Eigen::MatrixXd& rows = problem.blocks[i].rows;
+    Eigen::MatrixXd& gram = problem.blocks[i].gram;
+    gram.setZero(rows.cols(), rows.cols());
+    gram.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+    gram.triangularView<Eigen::StrictlyUpper>() = gram.transpose();
+  });
+  problem.gram = problem.blocks[0].gram;
+  for (std::size_t i = 1; i < problem.blocks.size(); ++i) problem.gram += problem.blocks[i].gram;
+  return problem;
+}
+
+Eigen::MatrixXd left_of(const LinearProblem& problem, const Marginalised& taken) {
+  const auto count = static_cast<Eigen::Index>(taken.columns.size());
+  const Eigen::Index r = problem.residual();
+  Eigen::MatrixXd G = problem.gram(Eigen::all, taken.columns);  // what they have in common with all columns
+  Eigen::MatrixXd own = G(taken.columns, Eigen::all);
+  own.diagonal() += taken.precision;
+  // rows of the priors: slope one, residual minus the departure
+  const Eigen::VectorXd pull = taken.precision.cwiseProduct(taken.departure);
+  G.row(r) -= pull.transpose();
+  Eigen::MatrixXd left = problem.gram;
+  left(r, r) += pull.dot(taken.departure);
+  const Eigen::LDLT<Eigen::MatrixXd> ldlt(own);
+  PLUMBLINE_CHECK(ldlt.info() == Eigen::Success && count == own.rows());
+  left -= G * ldlt.solve(G.transpose());
+  return left;
+}
+
+}  // namespace plumbline::diagnose

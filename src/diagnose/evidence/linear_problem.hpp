@@ -1,0 +1,48 @@
+// The linear problem about a model: what is left of the readings, and how they move with everything that may be wrong,
+// whitened, the set-up of each run taken out.
+#pragma once
+
+#include "diagnose/candidates/candidate_set.hpp"
+#include "identify/objective.hpp"
+
+namespace plumbline::diagnose {
+
+/// One run: rows are its readings; a column for each Column of the candidates, in its units, and the residual last.
+struct Block {
+  Eigen::MatrixXd rows;
+  Eigen::MatrixXd gram;  // rows^T rows
+};
+
+/// All runs about one point.
+struct LinearProblem {
+  Eigen::VectorXd values;     // of the candidates' unknowns, SI: where the slopes were taken
+  std::vector<Block> blocks;  // of the runs
+  Eigen::MatrixXd gram;       // sum of rows^T rows
+  // Not whitened, in SI: residuals, and of the slopes those by the length of each strut alone (six columns).
+  std::vector<identify::RunEquations> raw;
+
+  Eigen::Index residual() const { return gram.cols() - 1; }
+};
+
+/// What is left of the Gram matrix when some columns have taken what they can: G - G_T (G_TT + D)^-1 G_T^T, D the
+/// precision of what is known of them beforehand.
+struct Marginalised {
+  std::vector<int> columns;
+  Eigen::VectorXd precision;  // per column, in its units
+  Eigen::VectorXd departure;  // of the point from what is known beforehand, in its units
+};
+
+/// Schur complement of the columns that are taken; rows and columns of those stay in it, with what their prior leaves.
+/// The residual's own element is the misfit that is left, of data and priors together.
+Eigen::MatrixXd left_of(const LinearProblem& problem, const Marginalised& taken);
+
+/// Takes the slopes of all columns of the candidates at `values`. Refuses with simulate-unreachable.
+LinearProblem linearise(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
+                        const CandidateSet& candidates, const Eigen::VectorXd& values,
+                        const identify::NoiseModel& noise);
+
+/// Whitens the equations of one run (columns of slopes scaled already, residual last) and takes its set-up out.
+Eigen::MatrixXd without_setup(const identify::RunEquations& equations, Eigen::MatrixXd columns,
+                              const identify::NoiseModel& noise);
+
+}  // namespace plumbline::diagnose

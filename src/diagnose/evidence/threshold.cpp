@@ -1,0 +1,109 @@
+#include "diagnose/evidence/threshold.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <Eigen/Eigenvalues>
+
+namespace plumbline::diagnose {
+namespace {
+
+// A set of columns that acts together, made ready for many draws: the Gram matrix's own axes.
+struct Group {
+  std::vector<int> columns;
+  Eigen::MatrixXd axes;       // columns: eigenvectors
+  Eigen::VectorXd strengths;  // eigenvalues
+  double extra = 0;           // prior and what signs add, nats
+  std::vector<double> wide;   // tau^2 that are tried
+  std::vector<double> price;  // log det(1 + tau^2 A) of each
+};
+
+void add_group(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate, int mode,
+               const std::vector<int>& column_groups, const ScoreOptions& scoring, std::vector<Group>& groups) {
+  Group group;
+  const ActingMode& of = candidate.modes[static_cast<std::size_t>(mode)];
+  for (const int c : column_groups) {
+    const ColumnGroup& column_group = of.column_groups[static_cast<std::size_t>(c)];
+    group.columns.insert(group.columns.end(), column_group.begin(), column_group.end());
+  }
+  const Eigen::MatrixXd A = left(group.columns, group.columns);
+  const double mean = A.trace() / static_cast<double>(A.rows());
+  if (!(mean > 1e-9)) return;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(A);
+  group.axes = eigen.eigenvectors();
+  group.strengths = eigen.eigenvalues().cwiseMax(0);
+  group.extra = log_prior(candidate, mode, column_groups.size(), scoring);
+  for (const int c : group.columns) {
+    if (candidates.columns[static_cast<std::size_t>(c)].lower == 0) group.extra += std::log(2.0);
+  }
+  for (double wide = 1; wide < 1e6; wide *= 4) {
+    group.wide.push_back(wide / mean);
+    group.price.push_back((1 + group.strengths.array() * wide / mean).log().sum());
+  }
+  groups.push_back(std::move(group));
+}
+
+std::vector<Group> groups_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ScoreOptions& scoring) {
+  std::vector<Group> groups;
+  for (const Candidate& candidate : candidates.all) {
+    for (std::size_t w = 0; w < candidate.modes.size(); ++w) {
+      const ActingMode& mode = candidate.modes[w];
+      std::vector<int> all;
+      for (std::size_t c = 0; c < mode.column_groups.size(); ++c) all.push_back(static_cast<int>(c));
+      add_group(left, candidates, candidate, static_cast<int>(w), all, scoring, groups);
+      if (mode.all_or_none || all.size() == 1) continue;
+      for (const int c : all) add_group(left, candidates, candidate, static_cast<int>(w), {c}, scoring, groups);
+    }
+  }
+  return groups;
+}
+
+// max over tau of sum [tau^2 b^2 / (1 + tau^2 a) - log(1 + tau^2 a)] / 2
+double log_odds(const Group& group, const Eigen::VectorXd& scores) {
+  const Eigen::VectorXd b = group.axes.transpose() * scores(group.columns);
+  double best = -1e9;
+  for (std::size_t t = 0; t < group.wide.size(); ++t) {
+    const double gain = (b.array().square() / (1 / group.wide[t] + group.strengths.array())).sum();
+    best = std::max(best, 0.5 * (gain - group.price[t]));
+  }
+  return best + group.extra;
+}
+
+}  // namespace
+
+Threshold threshold(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ScoreOptions& scoring,
+                    const ThresholdOptions& options) {
+  const std::vector<Group> groups = groups_of(left, candidates, scoring);
+  const Eigen::Index n = left.cols() - 1;
+  // columns differ in size by orders of magnitude: drawn in units of their own length
+  const Eigen::VectorXd lengths = left.diagonal().head(n).cwiseMax(1e-300).cwiseSqrt();
+  const Eigen::VectorXd inverse = lengths.cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(inverse.asDiagonal() * left.topLeftCorner(n, n) *
+                                                             inverse.asDiagonal());
+  const Eigen::MatrixXd root =
+      lengths.asDiagonal() * eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+  std::mt19937_64 random(options.seed);
+  std::normal_distribution<double> normal;
+  std::vector<double> maxima;
+  constexpr int kBatch = 500;
+  Eigen::MatrixXd z(n, kBatch);
+  while (static_cast<int>(maxima.size()) < options.draws) {
+    for (Eigen::Index k = 0; k < kBatch; ++k) {
+      const double size = std::exp(options.noise_uncertainty * normal(random));
+      for (Eigen::Index i = 0; i < n; ++i) z(i, k) = size * normal(random);
+    }
+    const Eigen::MatrixXd scores = root * z;
+    for (Eigen::Index k = 0; k < kBatch; ++k) {
+      double most = -1e9;
+      for (const Group& group : groups) most = std::max(most, log_odds(group, scores.col(k)));
+      maxima.push_back(most);
+    }
+  }
+  const auto place =
+      maxima.begin() + static_cast<std::ptrdiff_t>((1 - options.false_alarms) * static_cast<double>(maxima.size()));
+  std::nth_element(maxima.begin(), place, maxima.end());
+  return {*place, static_cast<int>(maxima.size())};
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,80 @@
+#include "diagnose/evidence/visible.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "physics/effect_info.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+// A column, and its size that would pass, in units of its bound.
+struct Least {
+  int column = -1;
+  double size = std::numeric_limits<double>::infinity();  // units of the linear problem
+  double share = std::numeric_limits<double>::infinity();
+
+  bool operator<(const Least& other) const { return share < other.share; }
+};
+
+bool is_shape(const CandidateSet& candidates, const Column& column) {
+  return column.unknown >= 0 && candidates.unknowns[static_cast<std::size_t>(column.unknown)].shape;
+}
+
+Least least_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ColumnGroup& column_group,
+               double gain) {
+  Least least;
+  for (const int c : column_group) {
+    const Column& column = candidates.columns[static_cast<std::size_t>(c)];
+    const double bound = std::max(std::abs(column.lower), std::abs(column.upper));
+    if (!(left(c, c) > 0) || is_shape(candidates, column)) continue;
+    const double size = std::sqrt(gain / left(c, c));
+    least = std::min(least, Least{c, size, size / bound});
+  }
+  return least;
+}
+
+// The way in which it shows best, on the carrier that shows least.
+Least least_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate,
+               double threshold, const ScoreOptions& options) {
+  Least best;
+  for (std::size_t w = 0; w < candidate.modes.size(); ++w) {
+    const ActingMode& mode = candidate.modes[w];
+    // log B is about [gain - log(gain)] / 2 at the best spread of one size
+    const double nats = threshold - log_prior(candidate, static_cast<int>(w), 1, options);
+    const double gain = 2 * nats + std::log(std::max(2 * nats, 1.0)) + 1;
+    Least worst;
+    worst.share = 0;
+    for (const ColumnGroup& column_group : mode.column_groups)
+      worst = std::max(worst, least_of(left, candidates, column_group, gain));
+    best = std::min(best, worst);
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<Visible> visible_effects(const Eigen::MatrixXd& left, const CandidateSet& candidates, double threshold,
+                                     const ScoreOptions& options) {
+  std::vector<Visible> all;
+  for (const Candidate& candidate : candidates.all) {
+    Visible visible{candidate.name};
+    const Least least = least_of(left, candidates, candidate, threshold, options);
+    if (least.column >= 0) {
+      const Column& column = candidates.columns[static_cast<std::size_t>(least.column)];
+      visible.key = column.key;
+      for (const physics::ParameterSpec& spec :
+           physics::effect_infos()[physics::effect_index(candidate.name)].parameters) {
+        if (spec.key != visible.key) continue;
+        visible.unit = spec.unit.name;
+        visible.smallest = least.size * column.scale / spec.unit.si;
+      }
+      visible.shows = least.share <= 1;
+    }
+    all.push_back(std::move(visible));
+  }
+  return all;
+}
+
+}  // namespace plumbline::diagnose
