@@ -23,11 +23,13 @@ class Interpreter {
   bool deleted(const Block& block);
   /// The value of an expression of the block; refuses one that only the machine knows.
   double value_of(const Block& block, std::uint32_t code, Span span);
-  /// A subprogram begins. With parameters #1..#30 of its own, these are the arguments and zeros.
-  void enter_subprogram(bool own_parameters, const std::vector<double>& arguments);
-  /// A subprogram of a control with statements begins. Its variables 1 to `own_variables`, which begin without a value,
-  /// and its names are its own; -1: all are its caller's.
-  void enter_subprogram(int own_variables);
+  /// A subprogram of O words begins. Its own numbers are the arguments and zeros.
+  void enter_o_word(LocalNumbers numbers, const std::vector<double>& arguments);
+  /// A subprogram of a control with statements begins. Its variables 1 to `variables`, which begin without a value, and
+  /// its names are its own.
+  void enter_with_own(int variables);
+  /// The same; all variables and names are its caller's.
+  void enter_sharing();
   /// G65: gives the subprogram just entered its arguments.
   void set_macro_arguments();
   /// The settings of a block that steers.

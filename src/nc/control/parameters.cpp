@@ -52,9 +52,9 @@ void Parameters::set(std::string_view name, Value value) {
   }
 }
 
-void Parameters::enter(bool numbers) {
+void Parameters::enter(LocalNumbers numbers) {
   Scope scope;
-  if (numbers) {
+  if (numbers == LocalNumbers::own) {
     scope.callers.assign(numbered_.begin() + 1, numbered_.begin() + 1 + kLocalParameters);
     std::fill_n(numbered_.begin() + 1, kLocalParameters, Numbered{{}, true});
   }

@@ -27,6 +27,9 @@ struct Value {
   bool vacant = false;  // of a variable that nobody set, where the language has such; counts as 0
 };
 
+/// Whose #1..#30 a subprogram has.
+enum class LocalNumbers : std::uint8_t { own, callers };
+
 class Parameters {
  public:
   /// True if the program or its settings gave it a value. `number` is 1..kLastParameter.
@@ -41,8 +44,9 @@ class Parameters {
   void declare(std::string_view name, VariableType type);
   /// True if a subprogram that has ended, or a caller, set a name of its own that is called so.
   bool was_local_elsewhere(std::string_view name);
-  /// A subprogram begins: the names that do not begin with _ are its own; so are #1..#30 if `numbers` (then all zero).
-  void enter(bool numbers);
+  /// A subprogram begins: the names that do not begin with _ are its own; so are #1..#30 if `numbers` says so (then all
+  /// zero).
+  void enter(LocalNumbers numbers);
   /// The same with #1..#`count`, which begin without a value.
   void enter_with_own(int count);
   /// A subprogram begins that shares all names and numbers with its caller.

@@ -110,8 +110,8 @@ void restore_modes(Execution& run, const SavedModes& saved, const Block& block) 
   restore_shift(run, saved);
 }
 
-void Interpreter::enter_subprogram(bool own_parameters, const std::vector<double>& arguments) {
-  control_.parameters.enter(own_parameters);
+void Interpreter::enter_o_word(LocalNumbers numbers, const std::vector<double>& arguments) {
+  control_.parameters.enter(numbers);
   for (std::size_t i = 0; i < arguments.size(); ++i)
     control_.parameters.set(static_cast<int>(i) + 1, {arguments[i], true});
   control_.parameters.set("_value", {});
@@ -119,12 +119,13 @@ void Interpreter::enter_subprogram(bool own_parameters, const std::vector<double
   saved_.emplace_back();
 }
 
-void Interpreter::enter_subprogram(int own_variables) {
-  if (own_variables < 0) {
-    control_.parameters.enter_sharing();
-  } else {
-    control_.parameters.enter_with_own(own_variables);
-  }
+void Interpreter::enter_with_own(int variables) {
+  control_.parameters.enter_with_own(variables);
+  saved_.emplace_back();
+}
+
+void Interpreter::enter_sharing() {
+  control_.parameters.enter_sharing();
   saved_.emplace_back();
 }
 

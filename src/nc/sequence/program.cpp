@@ -10,7 +10,7 @@
 #include "nc/language/codes.hpp"
 #include "nc/language/guard_lines.hpp"
 #include "nc/language/refusal.hpp"
-#include "nc/sequence/flow.hpp"
+#include "nc/sequence/o_word_flow.hpp"
 #include "nc/sequence/statement_flow.hpp"
 #include "nc/syntax/parser.hpp"
 
@@ -55,8 +55,7 @@ bool ends_text(std::string_view text) {
 }
 
 std::unique_ptr<Sequencer> sequencer_of(const Dialect& dialect, const InputFile& file, Interpreter& interpreter) {
-  if (dialect.syntax.statements == Statements::o_words)
-    return std::make_unique<FlowControl>(file, dialect, interpreter);
+  if (dialect.syntax.statements == Statements::o_words) return std::make_unique<OWordFlow>(file, dialect, interpreter);
   return std::make_unique<StatementFlow>(file, dialect, interpreter);
 }
 

@@ -24,7 +24,7 @@ class Sequencer {
   /// True while lines are left out: all but those that begin with an O word.
   virtual bool skipping() const { return false; }
   /// True once something jumped, repeated or left out lines.
-  virtual bool used() const = 0;
+  bool used() const { return used_; }
   /// True inside a subprogram.
   virtual bool called() const = 0;
   /// Refuses with file-changed where a file that was read changed meanwhile.
@@ -46,6 +46,7 @@ class Sequencer {
 
  protected:
   FlowEntry entry_;
+  bool used_ = false;
 };
 
 }  // namespace plumbline::nc

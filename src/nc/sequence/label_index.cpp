@@ -1,0 +1,100 @@
+#include "nc/sequence/label_index.hpp"
+
+#include <algorithm>
+
+#include "nc/syntax/line_head.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+// What stands behind the second % of a tape never reaches the control; %_N_ of a SINUMERIK begins another program.
+bool ends_tape(std::string_view line, bool begun, const Dialect& dialect) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  const bool percent = first != std::string_view::npos && line[first] == '%';
+  return percent && begun && dialect.syntax.statements != Statements::high_level;
+}
+
+// What the lines of a tape begin with.
+template <class Take>
+void for_each_head(const InputFile& file, const Dialect& dialect, const Take& take) {
+  LineSource lines(file, dialect.syntax.goes_on);
+  bool begun = false;
+  for (Line line; lines.next(line);) {
+    if (ends_tape(line.text, begun, dialect)) return;
+    const LineHead head = head_of(line.text, dialect);
+    begun = begun || !head.empty;
+    take(head, line.place);
+  }
+}
+
+}  // namespace
+
+LabelIndex::Index& LabelIndex::programs_of(std::size_t file) {
+  const auto [at, is_new] = indices_.try_emplace(file);
+  Index& index = at->second;
+  if (!is_new) return index;
+  for_each_head(files_.file(file), dialect_, [&](const LineHead& head, const LinePlace& place) {
+    if (!head.program.empty()) index.programs.emplace_back(head.program, place);
+  });
+  return index;
+}
+
+const LabelIndex::Index& LabelIndex::labels_of(std::size_t file) {
+  Index& index = programs_of(file);
+  if (std::exchange(index.has_labels, true)) return index;
+  for_each_head(files_.file(file), dialect_, [&](const LineHead& head, const LinePlace& place) {
+    if (!head.number.empty()) index.labels[head.number].push_back(place);
+    if (!head.label.empty()) index.labels[head.label].push_back(place);
+  });
+  return index;
+}
+
+const LinePlace* LabelIndex::find_label(const std::string& label, std::size_t line, Direction direction) {
+  const Index& index = labels_of(files_.current());
+  const auto found = index.labels.find(label);
+  if (found == index.labels.end()) return nullptr;
+  std::size_t first = 0;
+  std::size_t end = std::string::npos;
+  for (const auto& [name, place] : index.programs) {
+    if (place.line > line) {
+      end = place.line;
+      break;
+    }
+    first = place.line;
+  }
+  const LinePlace* before = nullptr;
+  const LinePlace* nearest = nullptr;
+  const LinePlace* behind = nullptr;
+  for (const LinePlace& place : found->second) {
+    if (place.line < first || place.line >= end) continue;
+    if (place.line <= line) {
+      if (before == nullptr) before = &place;
+      nearest = &place;
+    } else if (behind == nullptr) {
+      behind = &place;
+    }
+  }
+  if (direction == Direction::forward) return behind;
+  if (direction == Direction::backward) return nearest;
+  return behind != nullptr ? behind : before;
+}
+
+std::optional<FilePlace> LabelIndex::find_in_open_files(const std::string& name) {
+  for (std::size_t file = 0; file < files_.size(); ++file) {
+    for (const auto& [program, place] : programs_of(file).programs) {
+      if (program == name) return FilePlace{file, place};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<FilePlace> LabelIndex::find_program(const std::string& name) {
+  if (const std::optional<FilePlace> found = find_in_open_files(name)) return found;
+  const std::optional<std::size_t> file = files_.open_beside(name);
+  if (!file) return std::nullopt;
+  auto& programs = programs_of(*file).programs;
+  if (programs.empty()) programs.emplace_back(name, LinePlace{});  // a file that names none holds the one of its name
+  return find_in_open_files(name);
+}
+
+}  // namespace plumbline::nc

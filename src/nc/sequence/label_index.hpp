@@ -1,0 +1,43 @@
+// Where the programs and labels of a program's files stand, looked up once, when something jumps for the first time.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "nc/language/block.hpp"
+#include "nc/language/dialect.hpp"
+#include "nc/sequence/program_files.hpp"
+
+namespace plumbline::nc {
+
+class LabelIndex {
+ public:
+  /// Both must outlive it.
+  LabelIndex(ProgramFiles& files, const Dialect& dialect) : files_(files), dialect_(dialect) {}
+
+  /// The label in the program around this line of the file that is read; null: there is none. Both directions: from the
+  /// line to the end of the program, then from its begin; backward: the nearest before the line. Holds while the index
+  /// does.
+  const LinePlace* find_label(const std::string& label, std::size_t line, Direction direction);
+  /// The program of that name: in the files that are open, else in one of its name beside the program.
+  std::optional<FilePlace> find_program(const std::string& name);
+
+ private:
+  struct Index {
+    std::vector<std::pair<std::string, LinePlace>> programs;
+    std::unordered_map<std::string, std::vector<LinePlace>> labels;
+    bool has_labels = false;
+  };
+  Index& programs_of(std::size_t file);
+  const Index& labels_of(std::size_t file);
+  std::optional<FilePlace> find_in_open_files(const std::string& name);
+
+  ProgramFiles& files_;
+  const Dialect& dialect_;
+  std::unordered_map<std::size_t, Index> indices_;  // by the number of the file
+};
+
+}  // namespace plumbline::nc

@@ -1,0 +1,46 @@
+// Parts of a program that are repeated by their labels (REPEAT, REPEATB) [A 1.13, 1.14].
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "nc/control/step.hpp"
+#include "nc/language/block.hpp"
+#include "nc/syntax/line_source.hpp"
+
+namespace plumbline::nc {
+
+struct RepeatedSection {
+  LinePlace begin;
+  std::size_t end = 0;     // the first line behind it
+  LinePlace back;          // where reading goes on when all passes are done
+  int remaining = 0;       // passes
+  std::size_t level = 0;   // of calls, in which it is repeated
+  std::uint64_t pass = 1;  // the text itself was the first
+};
+
+class RepeatedSections {
+ public:
+  /// Where reading goes on, and what the steps are told of it.
+  struct GoesOn {
+    LinePlace at;
+    std::optional<FlowEntry> entry;
+  };
+
+  /// Its first pass begins.
+  GoesOn begin(const RepeatedSection& section);
+  /// Of the line behind the part that this level of calls repeats; nothing: the line is none such.
+  std::optional<GoesOn> behind(const Line& line, std::size_t level);
+  /// Refuses a jump out of it: what the control does with the passes that are left is in no source.
+  void check_jump(const Block& block, const LinePlace& to, std::size_t level) const;
+  /// The call of this level ends.
+  void leave(std::size_t level);
+
+ private:
+  GoesOn next_pass();
+  std::vector<RepeatedSection> sections_;  // one inside the other
+};
+
+}  // namespace plumbline::nc

@@ -1,0 +1,58 @@
+// Also o_word_loops.cpp, whose words it hands on. tests/nc/programs/flow_*.ngc hold more, beside what LinuxCNC makes of
+// it.
+#include "nc/sequence/o_word_flow.hpp"
+
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "nc/programs.hpp"
+
+using namespace plumbline;
+using namespace plumbline::nc;
+using namespace plumbline::nc::tests;
+
+namespace {
+
+// The X of the moves.
+std::vector<double> visited_by_o_words(const std::string& text) {
+  std::vector<double> all;
+  for (const Motion& motion : motions_of("G90\n" + text + "M2\n")) all.push_back(motion.to[Axis::X]);
+  return all;
+}
+
+using Visited = std::vector<double>;
+
+}  // namespace
+
+TEST_CASE("a BREAK is forgotten at the end of a DO loop alone, as LinuxCNC does it") {
+  const std::string thrice = "#1=0\nO2 DO\n#1=[#1+1]\nG0 X#1\nO2 WHILE [#1 LT 3]\n";
+  CHECK(visited_by_o_words(thrice) == Visited{1, 2, 3});
+  CHECK(visited_by_o_words("O1 WHILE [1]\nO1 BREAK\nO1 ENDWHILE\n" + thrice) == Visited{1});
+  CHECK(visited_by_o_words("O1 DO\nO1 BREAK\nO1 WHILE [1]\n" + thrice) == Visited{1, 2, 3});
+}
+
+TEST_CASE("a REPEAT that was executed begins anew") {
+  CHECK(
+      visited_by_o_words("#2=0\n#3=0\nO1 REPEAT [2]\nO2 REPEAT [2]\n#2=[#2+1]\nG0 X#2\nO2 ENDREPEAT\nO1 ENDREPEAT\n") ==
+      Visited{1, 2, 3, 4});
+  CHECK(visited_by_o_words("O1 REPEAT [0]\nG0 X1\nO1 ENDREPEAT\nG0 X2\n") == Visited{2});
+}
+
+TEST_CASE("of the branches of an IF one is executed") {
+  for (const int value : {1, 2, 3}) {
+    CHECK(visited_by_o_words("#1=" + std::to_string(value) +
+                             "\nO1 IF [#1 EQ 1]\nG0 X1\nO1 ELSEIF [#1 EQ 2]\nG0 X2\nO1 ELSE\nG0 X3\nO1 ENDIF\n") ==
+          Visited{static_cast<double>(value)});
+  }
+}
+
+TEST_CASE("SUB is called by O CALL, a number by M98") {
+  CHECK(visited_by_o_words("O1 SUB\nG0 X#1\nO1 ENDSUB\nO1 CALL [4]\nO1 CALL [5]\n") == Visited{4, 5});
+  CHECK(visited_by_o_words("M98 P7 L2\nG0 X9\nM2\nO7\nG0 X1\nM99\n") == Visited{1, 1, 9});
+  CHECK(code_of("M98 P7\nM2\nO7 SUB\nG0 X1\nO7 ENDSUB\n") == "nc-flow-label");
+  CHECK(code_of("O7 CALL\nM2\nO7\nG0 X1\nM99\n") == "nc-flow-label");
+  CHECK(code_of("O1 SUB\nO1 ENDSUB\nO1 SUB\nO1 ENDSUB\n") == "nc-flow-label");
+  CHECK(code_of("O1 ENDWHILE\n") == "nc-flow-label");
+}

@@ -1,0 +1,69 @@
+// Also statement_loops.cpp, whose loops it hands on.
+#include "nc/sequence/statement_flow.hpp"
+
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "base/diagnostic.hpp"
+#include "nc/programs.hpp"
+
+using namespace plumbline;
+using namespace plumbline::nc;
+using namespace plumbline::nc::tests;
+
+namespace {
+
+std::vector<double> visited_by_statements(const std::string& text, std::string_view dialect_name) {
+  const ProgramFile program(text);
+  const InputFile file(program.path());
+  Program steps(file, dialect(dialect_name), empty_tables());
+  std::vector<double> all;
+  while (const Step* const step = steps.next()) {
+    for (const Motion& motion : step->motions) all.push_back(motion.to[Axis::X]);
+  }
+  return all;
+}
+
+std::string refused_statement(const std::string& text, std::string_view dialect_name) {
+  try {
+    visited_by_statements(text, dialect_name);
+  } catch (const Refusal& refusal) {
+    return refusal.diagnostic().code;
+  }
+  return {};
+}
+
+using Positions = std::vector<double>;
+
+}  // namespace
+
+TEST_CASE("FOR counts from its begin whenever it is reached from above") {
+  const std::string twice =
+      "R2=0\nLOOP\nR2=R2+1\nFOR R1=1 TO 2\nG0 X=R1+R2*10\nENDFOR\nIF R2==2 GOTOF ENDE\nENDLOOP\nENDE: M30\n";
+  CHECK(visited_by_statements(twice, "siemens") == Positions{11, 12, 21, 22});
+  CHECK(visited_by_statements("FOR R1=3 TO 2\nG0 X1\nENDFOR\nG0 X2\nM30\n", "siemens") == Positions{2});
+}
+
+TEST_CASE("loops of a subprogram are its own, and forgotten when it begins again") {
+  CHECK(visited_by_statements("O1\n#1=0\nWHILE [#1 LT 2] DO 1\n#1=#1+1\nM98 P2 L2\nEND 1\nM30\n"
+                              "O2\nWHILE [#1 LT 9] DO 1\nG0 X#1\nGOTO 5\nEND 1\nN5 M99\n",
+                              "fanuc") == Positions{1, 1, 2, 2});
+  CHECK(refused_statement("O1\nM98 P2\nM30\nO2\nG0 X1.\nEND 1\nM99\n", "fanuc") == "nc-flow-label");
+}
+
+TEST_CASE("what a condition leaves out ends at its own end") {
+  const std::string branches = "IF R1>0\nIF R1>1\nG0 X1\nELSE\nG0 X2\nENDIF\nELSE\nG0 X3\nENDIF\nM30\n";
+  CHECK(visited_by_statements("R1=2\n" + branches, "siemens") == Positions{1});
+  CHECK(visited_by_statements("R1=1\n" + branches, "siemens") == Positions{2});
+  CHECK(visited_by_statements("R1=0\n" + branches, "siemens") == Positions{3});
+  CHECK(refused_statement("IF R1>0\nG0 X1\nM30\n", "siemens") == "nc-flow-open");
+  CHECK(refused_statement("ENDLOOP\nM30\n", "siemens") == "nc-flow-label");
+}
+
+TEST_CASE("a program that runs into the next one of its file ends, a subprogram is refused") {
+  CHECK(visited_by_statements("O1\nG0 X1.\nO2\nG0 X2.\n", "fanuc") == Positions{1});
+  CHECK(refused_statement("O1\nM98 P2\nM30\nO2\nG0 X1.\nO3\nM99\n", "fanuc") == "nc-flow-open");
+  CHECK(refused_statement("O1\nGOTO 5\nM30\n", "fanuc") == "nc-flow-label");
+}
