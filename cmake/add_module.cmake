@@ -1,6 +1,7 @@
 # Options that every target of plumbline is compiled with.
 add_library(plumbline_options INTERFACE)
-target_include_directories(plumbline_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
+target_compile_features(plumbline_options INTERFACE cxx_std_20)
+target_include_directories(plumbline_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(plumbline_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wimplicit-fallthrough
   -Wno-missing-field-initializers  # Options{.tolerance = ...} leaves the others at their defaults
@@ -47,8 +48,8 @@ function(add_module_test name)
   foreach(used IN LISTS T_USES)
     target_link_libraries(${name}_test PRIVATE plumbline_${used})
   endforeach()
-  target_include_directories(${name}_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
-  target_compile_definitions(${name}_test PRIVATE PLUMBLINE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+  target_include_directories(${name}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(${name}_test PRIVATE PLUMBLINE_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                   PLUMBLINE_PROGRAM="$<TARGET_FILE_DIR:${name}_test>/plumbline")
   time_limit(limit 600)
   catch_discover_tests(${name}_test TEST_PREFIX "${name}: " PROPERTIES TIMEOUT ${limit}

@@ -5,7 +5,7 @@ function(embed target name)
   list(JOIN ARGN "|" files)
   add_custom_command(OUTPUT ${source}
     COMMAND ${CMAKE_COMMAND} -DNAME=${name} "-DFILES=${files}" -DSOURCE=${source}
-      -P ${CMAKE_SOURCE_DIR}/cmake/embed_file.cmake
-    DEPENDS ${ARGN} ${CMAKE_SOURCE_DIR}/cmake/embed_file.cmake VERBATIM)
+      -P ${PROJECT_SOURCE_DIR}/cmake/embed_file.cmake
+    DEPENDS ${ARGN} ${PROJECT_SOURCE_DIR}/cmake/embed_file.cmake VERBATIM)
   target_sources(${target} PRIVATE ${source})
 endfunction()

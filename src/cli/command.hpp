@@ -24,20 +24,26 @@ inline constexpr int kFound = 3;  // done, and what was looked for was found: li
 /// What was asked for, once the command line has been read; returns the exit code.
 using Run = std::function<int()>;
 
-// Each adds its command to `app`, and puts what it does into `run` when it is the one asked for.
-void add_calibrate(CLI::App& app, Run& run);
-void add_compensate(CLI::App& app, Run& run);
-void add_circularity(CLI::App& app, Run& run);
-void add_compare(CLI::App& app, Run& run);
-void add_diagnose(CLI::App& app, Run& run);
-void add_diff(CLI::App& app, Run& run);
-void add_identify(CLI::App& app, Run& run);
-void add_error(CLI::App& app, Run& run);
-void add_explain(CLI::App& app, Run& run);
-void add_plan(CLI::App& app, Run& run);
-void add_restore(CLI::App& app, Run& run);
-void add_check(CLI::App& app, Run& run);
-void add_simulate(CLI::App& app, Run& run);
-void add_trace(CLI::App& app, Run& run);
+// Every command, in the order in which help lists them. Each has a file NAME_command.cpp with add_NAME, which adds the
+// command to `app` and puts what it does into `run` when it is the one asked for.
+#define PLUMBLINE_COMMANDS(COMMAND) \
+  COMMAND(compensate)               \
+  COMMAND(restore)                  \
+  COMMAND(error)                    \
+  COMMAND(explain)                  \
+  COMMAND(trace)                    \
+  COMMAND(check)                    \
+  COMMAND(simulate)                 \
+  COMMAND(diagnose)                 \
+  COMMAND(diff)                     \
+  COMMAND(compare)                  \
+  COMMAND(circularity)              \
+  COMMAND(identify)                 \
+  COMMAND(calibrate)                \
+  COMMAND(plan)
+
+#define PLUMBLINE_DECLARE(NAME) void add_##NAME(CLI::App& app, Run& run);
+PLUMBLINE_COMMANDS(PLUMBLINE_DECLARE)
+#undef PLUMBLINE_DECLARE
 
 }  // namespace plumbline::cli

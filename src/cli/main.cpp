@@ -160,9 +160,9 @@ int main_of(int argc, const char* const* argv) {
   Run run;
   const std::span arguments(argv, static_cast<std::size_t>(argc));
   describe(app);
-  for (const auto add : {add_compensate, add_restore, add_error, add_explain, add_trace, add_check, add_simulate,
-                         add_diagnose, add_diff, add_compare, add_circularity, add_identify, add_calibrate, add_plan})
-    add(app, run);
+#define PLUMBLINE_ADD(NAME) add_##NAME(app, run);
+  PLUMBLINE_COMMANDS(PLUMBLINE_ADD)
+#undef PLUMBLINE_ADD
   add_diagnostics(app);
   say_as_json(asks_for_json(arguments));
   try {
