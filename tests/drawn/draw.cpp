@@ -16,7 +16,7 @@ void draw_options(settings::Options& options, Draws& draws) {
   if (draws.chance(10)) options.emit.time_tolerance = draws.between(0, 0.01);
   settings.cycle_tolerance_mm = 0.02;
   options.undo = draws.chance(50);
-  options.guard = options.dialect == "linuxcnc" && draws.chance(15);
+  options.guard = draws.chance(15) && options.dialect != "okuma";
   options.program.max_blocks = 100'000;
 }
 

@@ -30,6 +30,7 @@ class Fanuc final : public Writer {
   Fanuc(std::uint64_t seed, const Scene& scene) : Writer("fanuc", seed, scene, fanuc_manners()) {
     draw_work_offsets(systems_);
     draw_what_stays();
+    draw_rules(30);
     expressions_percent_ = draws_.chance(25) ? 8 : 0;
     if (draws_.chance(8)) turn_endlessly();
   }
@@ -71,6 +72,7 @@ class Fanuc final : public Writer {
   void piece() override {
     const int kind = draws_.whole(0, 99);
     if (kind < 2) return skippable();
+    if (kind < 5 && may_tilt()) return draws_.chance(60) ? directions() : tilted_plane();
     if (kind < 40) return put(feeding(line(true)));
     if (kind < 48) return put(line(false));
     if (kind < 61) return put(feeding(arc()));
@@ -203,6 +205,38 @@ class Fanuc final : public Writer {
     words.push_back(axis_word(Axis::Z));
     put(words);
     if (!known_) go_to_known_place();
+  }
+
+  void directions() {
+    if (feeds_ != Feeds::per_minute) return;
+    const int tool = draws_.whole(1, 3);
+    length_ = kToolLengths[tool - 1];
+    put({"G43.5", fmt::format("H{}", tool), code('G', 0), axis_word(Axis::Z)});
+    motion_ = 0;
+    for (int left = draws_.whole(1, 4); left > 0; --left) {
+      Words words{motion_code(draws_.chance(85) ? 1 : 0)};
+      for (std::string& word : axes(some(50, 0))) words.push_back(std::move(word));
+      const std::array<std::string, 3> d = direction();
+      for (std::size_t i = 0; i < 3; ++i) words.push_back("IJK"[i] + d[i]);
+      if (motion_ != 0) feed_word(words);
+      put(feeding(words));
+    }
+    length_ = 0;
+    put({"G49", code('G', 0), axis_word(Axis::Z)});
+    motion_ = 0;
+    go_to_known_place();
+  }
+
+  void tilted_plane() {
+    if (feeds_ != Feeds::per_minute) return;
+    const auto place = [&](Axis axis) { return letter(axis) + length(target(axis) / 2).text; };
+    known_ = false;
+    put({"G68.2", place(Axis::X), place(Axis::Y), place(Axis::Z), fmt::format("I{:.3f}", draws_.between(-180, 180)),
+         fmt::format("J{:.3f}", draws_.between(0.5, 8)), fmt::format("K{:.3f}", draws_.between(-180, 180))});
+    put({"G53.1"});
+    moves_on_plane();
+    put({"G69"});
+    go_to_known_place();
   }
 
   // As programs end a tool: up to the reference point, which nobody gave.

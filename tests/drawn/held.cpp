@@ -202,6 +202,8 @@ std::optional<Finding> Held::check_zero(const DrawnProgram& program) const {
   if (refused && refused->code.starts_with("limit-")) return std::nullopt;
   if (refused) throw Refusal(*refused);
   if (summary.identical && scratch_.text("zero.nc") == program.text()) return std::nullopt;
+  // Words of A, B and C may follow G43.5 in the output, which is said before it is known whether they do.
+  if (summary.changed_blocks == 0 && program.text().find("G43.5") != std::string::npos) return std::nullopt;
   return Finding{"zero", "a machine without errors: the program changes\n" + scratch_.text("zero.nc")};
 }
 

@@ -96,6 +96,7 @@ void LinuxCnc::head() {
 void LinuxCnc::tail() {
   if (draws_.chance(20)) put({"M9"});
   put_as_it_is(draws_.chance(50) ? "M2" : "M30");
+  for (const std::string& program : programs_) put_as_it_is(program);
 }
 
 void LinuxCnc::piece() {
@@ -264,7 +265,12 @@ void LinuxCnc::flow() {
   const std::string o = label();
   motion_ = -1;
   const std::string_view distance = incremental_ ? "G91" : "G90";
-  switch (draws_.whole(0, 5)) {
+  switch (draws_.whole(0, 6)) {
+    case 6: {
+      const int number = 9000 + static_cast<int>(programs_.size());
+      programs_.push_back(fmt::format("O{}\n{}\n{}\nM99", number, there_and_back(), distance));
+      return put_as_it_is(fmt::format("M98 P{}{}", number, draws_.chance(50) ? " L2" : ""));
+    }
     case 0:
       return put_as_it_is(
           fmt::format("{0} repeat [{1}]\n{2}\n{3}\n{0} endrepeat", o, draws_.whole(0, 3), there_and_back(), distance));

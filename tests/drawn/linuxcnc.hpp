@@ -52,6 +52,7 @@ class LinuxCnc final : public Writer {
   double length_ = 0;  // in force
   bool offsets_anew_ = false;
   int labels_ = 0;
+  std::vector<std::string> programs_;  // that M98 calls
   std::vector<std::pair<std::string, double>> parameters_;
 };
 

@@ -26,6 +26,7 @@ class Siemens final : public Writer {
   Siemens(std::uint64_t seed, const Scene& scene) : Writer("siemens", seed, scene, siemens_manners()) {
     draw_work_offsets(systems_);
     draw_what_stays();
+    draw_rules(75);
     endless_ = uses_rotary_ && keeps_at_tool_change_ && keeps_at_stop_ && draws_.chance(12);
   }
 
@@ -127,6 +128,7 @@ class Siemens final : public Writer {
     const int kind = draws_.whole(0, 99);
     if (kind < 2) return skippable();
     if (kind < 5) return through_point();
+    if (kind < 8 && may_tilt() && !shifted_) return draws_.chance(60) ? directions() : swivel();
     if (kind < 42) return put(line(true));
     if (kind < 50) return put(line(false));
     if (kind < 64) return put(arc());
@@ -163,6 +165,31 @@ class Siemens final : public Writer {
       default:
         if (turned_deg_ == 0) change_plane();
     }
+  }
+
+  void directions() {
+    if (feeds_ != Feeds::per_minute || endless_) return;
+    for (int left = draws_.whole(1, 3); left > 0; --left) {
+      Words words{motion_code(draws_.chance(85) ? 1 : 0)};
+      for (std::string& word : axes(some(50, 0))) words.push_back(std::move(word));
+      const std::array<std::string, 3> d = direction();
+      for (std::size_t i = 0; i < 3; ++i) words.push_back(fmt::format("{}3={}", "ABC"[i], d[i]));
+      if (motion_ != 0) feed_word(words);
+      put(words);
+    }
+  }
+
+  // A tilted plane, and back.
+  void swivel() {
+    if (feeds_ != Feeds::per_minute || endless_) return;
+    static constexpr std::array kModes{57, 39, 27, 45, 30, 54};
+    known_ = false;
+    put({fmt::format("CYCLE800({},\"TABLE\",0,{},0,0,0,{:.3f},{:.3f},{:.3f},0,0,0,{})", draws_.whole(0, 1),
+                     draws_.pick(kModes), draws_.between(-5, 5), draws_.between(-5, 5), draws_.between(-5, 5),
+                     draws_.chance(50) ? 1 : -1)});
+    moves_on_plane();
+    put({"CYCLE800()"});
+    go_to_known_place();
   }
 
   // As programs end a tool.

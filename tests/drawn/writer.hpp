@@ -56,6 +56,8 @@ class Writer {
   // Scene
   /// Where the work systems lie: the first in the box's corner. Given to the control as well.
   void draw_work_offsets(std::span<AxisWords> systems);
+  /// Which rule F follows, and what C does where a direction leaves it open: given to the control as well.
+  void draw_rules(int feed_rule_percent);
   /// Whether the axes stay where they are at M0, M1 and M6, and whether blocks with / are left out.
   void draw_what_stays();
 
@@ -90,6 +92,13 @@ class Writer {
   void change_unit(std::string_view inches, std::string_view millimetres);
   virtual void change_feed_mode();  // G93, G94, G95 with a turning spindle
   void change_plane();
+
+  // Tilts: where words of X, Y, Z and the direction of the tool say all
+  /// A direction near that of the tool, as three numbers; A, B and C stand there then.
+  std::array<std::string, 3> direction();
+  bool may_tilt() const;
+  /// A few moves of X, Y and Z about the zero of a tilted plane, where the axes are not followed.
+  void moves_on_plane();
 
   // Moves by increments, and back to where they began
   virtual std::string there_and_back();
