@@ -34,7 +34,7 @@ bool goes(const path::Curve& curve) {
 }
 
 // Of a tip from the nearest point of a path, mm; `fraction` is where to begin.
-double distance_mm(const OriginalPath& path, const Vector3<double>& tip_mm, double fraction) {
+double distance_mm(const MovePath& path, const Vector3<double>& tip_mm, double fraction) {
   double least = std::numeric_limits<double>::max();
   for (int i = 0; i <= kProjections; ++i) {
     const Target at = path.target(fraction, std::nullopt);
@@ -51,7 +51,7 @@ double distance_mm(const OriginalPath& path, const Vector3<double>& tip_mm, doub
 }
 
 // Of an orientation from the nearest one of a path, deg.
-double turn_deg(const Corrector& corrector, const OriginalPath& path, const Matrix3<double>& R_WP, double fraction) {
+double turn_deg(const Corrector& corrector, const MovePath& path, const Matrix3<double>& R_WP, double fraction) {
   double least = std::numeric_limits<double>::max();
   for (int i = 0; i <= kProjections; ++i) {
     const auto off_at = [&](double at) -> Vector3<double> {
@@ -85,15 +85,7 @@ double friction_guess(const machine::PerStrut<double>& effect, const machine::Pe
 
 }  // namespace
 
-Target OriginalPath::target(double fraction, std::optional<double> seconds) const {
-  path::CurvePoint point = curve.point(fraction);
-  for (const Axis axis : kAllAxes) {
-    if (at_zero.contains(axis)) point.at[axis] = 0;
-  }
-  return {frame.to_pose(point.at) + added, frame.turned(point.slope), frame.turned(point.bend), seconds};
-}
-
-void BetweenPoints::cut(const OriginalPath& path, std::optional<double> seconds, const AxisWords& begin,
+void BetweenPoints::cut(const MovePath& path, std::optional<double> seconds, const AxisWords& begin,
                         std::span<const SentPiece> pieces, bool as_it_stands) {
   if (!goes(path.curve)) return;
   play_waiting(&path);
@@ -141,7 +133,7 @@ double BetweenPoints::ChordGuess::next(const Vector3<double>& step, const Vector
   return left;
 }
 
-void BetweenPoints::find_guesses(const OriginalPath& path, const AxisWords& begin, std::span<const SentPiece> pieces) {
+void BetweenPoints::find_guesses(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces) {
   tip_.count = turned_.count = 0;
   const double bend = xyz(path.target(0.5, std::nullopt).bend).norm();
   ChordGuess places, turns;
@@ -198,7 +190,7 @@ void BetweenPoints::Ranking::learn(const Guess& guess, double found_value) {
   per_guess[guess.kind] = std::max(per_guess[guess.kind], found_value / guess.value);
 }
 
-void BetweenPoints::choose(const OriginalPath& path, const AxisWords& begin, std::span<const SentPiece> pieces,
+void BetweenPoints::choose(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces,
                            bool as_it_stands) {
   if (as_it_stands) {
     const AxisWords from = path.target(0, std::nullopt).pose;
@@ -225,12 +217,12 @@ void BetweenPoints::choose_from(Ranking& ranking, const AxisWords& begin, std::s
   }
 }
 
-void BetweenPoints::play_waiting(const OriginalPath* next) {
+void BetweenPoints::play_waiting(const MovePath* next) {
   for (const Part& part : waiting_) play(part, next);
   waiting_.clear();
 }
 
-std::optional<BetweenPoints::Off> BetweenPoints::off_at(const Part& part, double fraction, const OriginalPath* next) {
+std::optional<BetweenPoints::Off> BetweenPoints::off_at(const Part& part, double fraction, const MovePath* next) {
   const double at = std::clamp(part.from + fraction * part.share, 0.0, 1.0);
   Target told = here_->target(at, seconds_);
   if (!part.along_curve) {
@@ -247,7 +239,7 @@ std::optional<BetweenPoints::Off> BetweenPoints::off_at(const Part& part, double
   const Vector3<double> tip_mm = played->stands.p_WT / kMm;
   const Matrix3<double>& R_WP = played->stands.R_WP;
   Off off{distance_mm(*here_, tip_mm, at), turn_deg(corrector_, *here_, R_WP, at), played->speed};
-  const auto beside = [&](const OriginalPath& path, double from) {
+  const auto beside = [&](const MovePath& path, double from) {
     off.tip_mm = std::min(off.tip_mm, distance_mm(path, tip_mm, from));
     off.turned_deg = std::min(off.turned_deg, turn_deg(corrector_, path, R_WP, from));
   };
@@ -262,7 +254,7 @@ std::optional<BetweenPoints::Off> BetweenPoints::off_at(const Part& part, double
   return off;
 }
 
-BetweenPoints::Off BetweenPoints::sample(const Part& part, double fraction, const OriginalPath* next) {
+BetweenPoints::Off BetweenPoints::sample(const Part& part, double fraction, const MovePath* next) {
   const Off off = off_at(part, fraction, next).value_or(Off{});
   tip_.found.take(off.tip_mm, here_->line);
   turned_.found.take(off.turned_deg, here_->line);
@@ -271,7 +263,7 @@ BetweenPoints::Off BetweenPoints::sample(const Part& part, double fraction, cons
 
 // Its ends and its middle; both sides of the places where a strut turns; where that is promising, what lies between,
 // and the neighbourhood of the worst place.
-void BetweenPoints::play(const Part& part, const OriginalPath* next) {
+void BetweenPoints::play(const Part& part, const MovePath* next) {
   const AxisWords way = part.end - part.begin;
   if (!part.along_curve && length_mm(way) < kNoWayMm && largest_turn_deg(way) < kNoWayMm) return;
   const double tip_before = tip_.found.value;
@@ -294,7 +286,7 @@ void BetweenPoints::play(const Part& part, const OriginalPath* next) {
   turned_.learn(part.turned, found(turned_, turned_before, most(&Off::turned_deg)));
 }
 
-void BetweenPoints::look(const Part& part, double fraction, const OriginalPath* next) {
+void BetweenPoints::look(const Part& part, double fraction, const MovePath* next) {
   looked_.push_back({fraction, sample(part, fraction, next)});
 }
 
@@ -305,7 +297,7 @@ double BetweenPoints::most(double Off::*figure) const {
 }
 
 // Both sides of the places where the speed of a strut passes through zero, between the first and the last look.
-void BetweenPoints::look_beside_turns(const Part& part, const OriginalPath* next) {
+void BetweenPoints::look_beside_turns(const Part& part, const MovePath* next) {
   const machine::PerStrut<double> first = looked_.front().off.speed;
   const machine::PerStrut<double> change = looked_.back().off.speed - first;
   for (int j = 0; j < machine::kStruts; ++j) {
@@ -318,7 +310,7 @@ void BetweenPoints::look_beside_turns(const Part& part, const OriginalPath* next
 }
 
 // By thirds about the worst place that was looked at.
-void BetweenPoints::refine(const Part& part, double Off::*figure, const OriginalPath* next) {
+void BetweenPoints::refine(const Part& part, double Off::*figure, const MovePath* next) {
   const auto top = std::max_element(looked_.begin(), looked_.end(),
                                     [&](const Look& a, const Look& b) { return a.off.*figure < b.off.*figure; });
   double low = top == looked_.begin() ? 0 : std::prev(top)->fraction;

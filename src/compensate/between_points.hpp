@@ -10,22 +10,10 @@
 
 #include "base/axes.hpp"
 #include "compensate/corrector.hpp"
+#include "compensate/move.hpp"
 #include "compensate/summary.hpp"
-#include "nc/control/frame.hpp"
-#include "path/curve.hpp"
 
 namespace plumbline::compensate {
-
-/// A move of the original in W.
-struct OriginalPath {
-  path::Curve curve;  // in the work system
-  nc::Frame frame;
-  AxisWords added;  // to its poses: the error at the touch-off
-  AxisSet at_zero;  // axes that are taken to stand at zero
-  std::size_t line = 0;
-
-  Target target(double fraction, std::optional<double> seconds) const;
-};
 
 /// A straight piece of the output, in the order of the block.
 struct SentPiece {
@@ -42,7 +30,7 @@ class BetweenPoints {
 
   /// A move that cuts: what became of it, from where the control stood (pose in W). `seconds` is its time. Where it was
   /// left as it stands, `pieces` is its end alone, and `as_it_stands` true.
-  void cut(const OriginalPath& path, std::optional<double> seconds, const AxisWords& begin,
+  void cut(const MovePath& path, std::optional<double> seconds, const AxisWords& begin,
            std::span<const SentPiece> pieces, bool as_it_stands);
   /// A rapid, which is no path that the tip must keep to: `sign` of the struts as the correction of its end has them.
   void rapid(const machine::PerStrut<double>& sign);
@@ -103,25 +91,25 @@ class BetweenPoints {
     double fraction = 0;
     Off off;
   };
-  void find_guesses(const OriginalPath& path, const AxisWords& begin, std::span<const SentPiece> pieces);
-  void choose(const OriginalPath& path, const AxisWords& begin, std::span<const SentPiece> pieces, bool as_it_stands);
+  void find_guesses(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces);
+  void choose(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces, bool as_it_stands);
   void choose_from(Ranking& ranking, const AxisWords& begin, std::span<const SentPiece> pieces);
   bool must_play() const { return blocks_ <= kAllBlocks || blocks_ % kEvery == 0; }
-  void play_waiting(const OriginalPath* next);
-  void play(const Part& part, const OriginalPath* next);
-  void look(const Part& part, double fraction, const OriginalPath* next);
-  void look_beside_turns(const Part& part, const OriginalPath* next);
-  void refine(const Part& part, double Off::*figure, const OriginalPath* next);
+  void play_waiting(const MovePath* next);
+  void play(const Part& part, const MovePath* next);
+  void look(const Part& part, double fraction, const MovePath* next);
+  void look_beside_turns(const Part& part, const MovePath* next);
+  void refine(const Part& part, double Off::*figure, const MovePath* next);
   double most(double Off::*figure) const;
-  std::optional<Off> off_at(const Part& part, double fraction, const OriginalPath* next);
-  Off sample(const Part& part, double fraction, const OriginalPath* next);
+  std::optional<Off> off_at(const Part& part, double fraction, const MovePath* next);
+  Off sample(const Part& part, double fraction, const MovePath* next);
 
   static constexpr std::uint64_t kAllBlocks = 256;  // at the begin: played whatever is guessed of them
   static constexpr std::uint64_t kEvery = 16;       // after them, likewise
 
   const Corrector& corrector_;
-  std::optional<OriginalPath> before_, here_;  // the move before the one that waits, and that one
-  std::optional<double> seconds_;              // of that one
+  std::optional<MovePath> before_, here_;  // the move before the one that waits, and that one
+  std::optional<double> seconds_;          // of that one
   std::vector<Part> waiting_;
   std::vector<Look> looked_;  // of the part that is played
   Ranking tip_, turned_;

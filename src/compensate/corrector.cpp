@@ -116,7 +116,7 @@ Corrected Corrector::correct_with_fixed_axes(const Target& target) const {
     if (!corrected.converged) return corrected;
     double off = 0;
     for (const Axis axis : kAllAxes) {
-      if (!fixed_.contains(axis)) continue;
+      if (!target.fixed.contains(axis)) continue;
       const double rest = corrected.pose[axis] - target.pose[axis];
       standing.pose[axis] -= rest;
       off = std::max(off, std::abs(rest));
@@ -125,7 +125,7 @@ Corrected Corrector::correct_with_fixed_axes(const Target& target) const {
     corrected.converged = round + 1 < kMostRounds;
   }
   for (const Axis axis : kAllAxes) {
-    if (fixed_.contains(axis)) corrected.pose[axis] = target.pose[axis];
+    if (target.fixed.contains(axis)) corrected.pose[axis] = target.pose[axis];
   }
   return corrected;
 }
@@ -139,7 +139,7 @@ bool Corrector::holds(const Target& target, const AxisWords& commanded) const {
 }
 
 Corrected Corrector::correct(const Target& target) const {
-  Corrected corrected = fixed_.empty() ? correct_once(target) : correct_with_fixed_axes(target);
+  Corrected corrected = target.fixed.empty() ? correct_once(target) : correct_with_fixed_axes(target);
   corrected.converged = corrected.converged && holds(target, corrected.pose);
   return corrected;
 }

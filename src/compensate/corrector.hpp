@@ -33,12 +33,10 @@ struct PlayedTip {
 
 class Corrector {
  public:
-  /// The model must outlive it. `fixed`: rotary axes that may not be written; the tool tip alone is put right then,
-  /// with the orientation that these axes leave.
+  /// Both must outlive it.
   Corrector(const machine::MachineModel& model, const Settings& settings);
 
   void set_tool(const ToolInSpindle& tool);
-  void fix_axes(AxisSet fixed) { fixed_ = fixed; }
 
   /// What to command for a target. Not converged: no command within reach puts the tool there.
   Corrected correct(const Target& target) const;
@@ -96,7 +94,6 @@ class Corrector {
   physics::ForceModel physics_;
   physics::Environment environment_;
   double radius_ = 0;  // of the platform, m: turns a rotation into the speed of the joints
-  AxisSet fixed_;
 };
 
 }  // namespace plumbline::compensate

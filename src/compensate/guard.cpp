@@ -38,9 +38,10 @@ Kind kind_of(const machine::Violation& violation) {
 
 }  // namespace
 
-Place place_of(const nc::Block& block, std::string_view file) {
+Place place_of(const nc::Step& step) {
+  const nc::Block& block = *step.block;
   Place place;
-  place.file = file;
+  place.file = block.file;
   place.line = block.line;
   place.text = block.text;
   place.column = std::min(block.text.find_first_not_of(" \t"), block.text.size() - 1) + 1;
@@ -68,7 +69,7 @@ std::vector<machine::Violation> check_way(const Corrector& corrector, const mach
   std::vector<machine::Violation> broken;
   const int count = chord_steps(to.pose - from.pose);
   if (count == 1) return broken;
-  const Corrected start = corrector.correct({from.pose, {}, {}, std::nullopt});
+  const Corrected start = corrector.correct({from.pose, {}, {}, std::nullopt, from.fixed});
   const AxisWords& commanded_from = start.converged ? start.pose : from.pose;
   for (int i = 1; i < count; ++i) {
     const double fraction = static_cast<double>(i) / count;
@@ -102,9 +103,25 @@ Diagnostic diagnose(const machine::Violation& violation, const Place& place) {
   return {std::string(kind.code), machine::to_text(violation), std::string(kind.help), place, Severity::error};
 }
 
-void refuse_violations(const std::vector<machine::Violation>& violations, const nc::Block& block,
-                       std::string_view file) {
-  if (!violations.empty()) throw Refusal(diagnose(violations.front(), place_of(block, file)));
+void keep_worst(std::vector<machine::Violation>& kept, const std::vector<machine::Violation>& more) {
+  for (const machine::Violation& violation : more) {
+    const auto same = std::find_if(kept.begin(), kept.end(),
+                                   [&](const machine::Violation& known) { return known.what == violation.what; });
+    if (same == kept.end()) {
+      kept.push_back(violation);
+    } else if (violation.by_how_much > same->by_how_much) {
+      *same = violation;
+    }
+  }
+}
+
+void refuse_violations(const std::vector<machine::Violation>& violations, const nc::Step& step) {
+  if (violations.empty()) return;
+  if (violations.front().what == kOutOfReach) {
+    refuse("compensate-unreachable", "the machine cannot be made to stand here: no strut lengths put the tool there",
+           "move the part away from the edge of the workspace", place_of(step));
+  }
+  throw Refusal(diagnose(violations.front(), place_of(step)));
 }
 
 }  // namespace plumbline::compensate

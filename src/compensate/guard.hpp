@@ -11,8 +11,11 @@
 
 namespace plumbline::compensate {
 
-/// The place of a block, the whole of it underlined.
-Place place_of(const nc::Block& block, std::string_view file);
+/// The place of the block of a step, the whole of it underlined.
+Place place_of(const nc::Step& step);
+
+/// The kind of violation that no command puts the tool there, which no limit says.
+inline constexpr std::string_view kOutOfReach = "reach";
 
 /// What a target comes to: where the control is to be sent for it, and each limit that the programmed pose or the
 /// commanded one breaks. Not converged: no command puts the tool there.
@@ -41,8 +44,10 @@ std::vector<AxisWords> hole_places(const nc::Step& step, const nc::Hole& hole, c
 /// A violation as a diagnostic at a block; code limit-tilt, limit-travel, limit-strut or limit-condition.
 Diagnostic diagnose(const machine::Violation& violation, const Place& place);
 
-/// Throws the first violation, if there is any.
-void refuse_violations(const std::vector<machine::Violation>& violations, const nc::Block& block,
-                       std::string_view file);
+/// The worst of each kind.
+void keep_worst(std::vector<machine::Violation>& kept, const std::vector<machine::Violation>& more);
+
+/// Throws the first violation, if there is any; kOutOfReach as compensate-unreachable.
+void refuse_violations(const std::vector<machine::Violation>& violations, const nc::Step& step);
 
 }  // namespace plumbline::compensate

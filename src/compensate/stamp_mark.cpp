@@ -28,8 +28,6 @@ bool is_stamp(std::string_view line, std::string& plain) {
   return program != std::string::npos && plain.find(kMark, program) != std::string::npos;
 }
 
-}  // namespace
-
 void refuse_stamped(const InputFile& file) {
   nc::LineSource lines(file);
   std::string plain;
@@ -44,6 +42,16 @@ void refuse_stamped(const InputFile& file) {
     refuse("compensate-stamped", "this program was compensated already", "compensate the original program instead",
            std::move(place));
   }
+}
+
+}  // namespace
+
+void StampSearch::look_at_program() const { refuse_stamped(program_); }
+
+void StampSearch::look_at(std::string_view file) {
+  if (file == program_.name() || seen_.contains(file)) return;
+  seen_.emplace(file);
+  refuse_stamped(InputFile(std::string(file)));
 }
 
 }  // namespace plumbline::compensate

@@ -1,12 +1,29 @@
 // The mark of a compensated program.
 #pragma once
 
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+
 #include "base/files.hpp"
 
 namespace plumbline::compensate {
 
 /// A compensated program holds the corrections already; a second helping would double them. Refuses with
 /// compensate-stamped a file in which the mark stands anywhere, in whatever case and with whatever blanks.
-void refuse_stamped(const InputFile& file);
+class StampSearch {
+ public:
+  /// `program` must outlive it.
+  explicit StampSearch(const InputFile& program) : program_(program) {}
+
+  void look_at_program() const;
+  /// A file of subprograms: it is compensated with the program, and looked at once.
+  void look_at(std::string_view file);
+
+ private:
+  const InputFile& program_;
+  std::set<std::string, std::less<>> seen_;
+};
 
 }  // namespace plumbline::compensate

@@ -3,14 +3,14 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "compensate/pass.hpp"
+#include "compensate/pipeline.hpp"
 
 namespace plumbline::compensate {
 
-Stream::Stream(const InputFile& source, const nc::Dialect& dialect, const nc::ProgramSettings& program,
+Stream::Stream(const InputFile& source, const ProgramSurvey& survey, const nc::ProgramSettings& program,
                const machine::MachineModel& model, const Settings& settings, nc::EmitSettings emit, OutputFile& out)
     : source_(source),
-      dialect_(dialect),
+      survey_(survey),
       program_(program),
       model_(model),
       settings_(settings),
@@ -20,22 +20,22 @@ Stream::Stream(const InputFile& source, const nc::Dialect& dialect, const nc::Pr
 // Only the program knows whether it jumps, and only the model whether anything changes: the first reading finds out
 // both while it writes what most programs need. Memory does not grow with the program either way.
 Summary Stream::run(const Progress& progress) {
-  const auto pass_in = [&](nc::Form form) {
-    return Pass(source_, dialect_, program_, model_, settings_, emit_, out_, form);
+  const auto pipeline = [&](nc::Form form) {
+    return Pipeline(source_, survey_, program_, model_, settings_, emit_, out_, form);
   };
   {
-    Pass pass = pass_in(nc::Form::in_text_order);
-    if (undo_ != nullptr) pass.record(*undo_);
-    if (observer_) pass.show(observer_);
-    if (pass.run(progress)) return pass.summary();
+    Pipeline in_text_order = pipeline(nc::Form::in_text_order);
+    if (undo_ != nullptr) in_text_order.rewriter().record(*undo_);
+    if (observer_) in_text_order.rewriter().show(observer_);
+    if (in_text_order.run(progress)) return in_text_order.summary();
   }
   out_.restart();
   if (undo_ != nullptr) undo_->replaced_all();
-  Pass pass = pass_in(nc::Form::unrolled);
-  if (observer_) pass.show(observer_);
-  const bool done = pass.run(progress);
+  Pipeline unrolled = pipeline(nc::Form::unrolled);
+  if (observer_) unrolled.rewriter().show(observer_);
+  const bool done = unrolled.run(progress);
   PLUMBLINE_CHECK(done);
-  return pass.summary();
+  return unrolled.summary();
 }
 
 }  // namespace plumbline::compensate

@@ -3,6 +3,7 @@
 
 #include "base/files.hpp"
 #include "base/progress.hpp"
+#include "compensate/program_survey.hpp"
 #include "compensate/read_back.hpp"
 #include "compensate/settings.hpp"
 #include "compensate/summary.hpp"
@@ -17,7 +18,7 @@ namespace plumbline::compensate {
 class Stream {
  public:
   /// All references must outlive it.
-  Stream(const InputFile& source, const nc::Dialect& dialect, const nc::ProgramSettings& program,
+  Stream(const InputFile& source, const ProgramSurvey& survey, const nc::ProgramSettings& program,
          const machine::MachineModel& model, const Settings& settings, nc::EmitSettings emit, OutputFile& out);
 
   /// Notes what the output replaces; to be called before run(). `log` must outlive the stream.
@@ -32,7 +33,7 @@ class Stream {
 
  private:
   const InputFile& source_;
-  const nc::Dialect& dialect_;
+  const ProgramSurvey& survey_;
   const nc::ProgramSettings& program_;
   const machine::MachineModel& model_;
   const Settings& settings_;

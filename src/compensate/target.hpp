@@ -15,6 +15,7 @@ struct Target {
   AxisWords slope;                // derivative of the pose along the path, in any unit of the path
   AxisWords bend;                 // second derivative
   std::optional<double> seconds;  // that one such unit takes; nothing: only the direction counts
+  AxisSet fixed{};                // axes that get no word: the tip alone is put right, with the orientation they leave
 };
 
 /// How the machine moves there, at a steady feed: the pose, its velocity, and, where `environment` asks for what

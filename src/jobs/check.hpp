@@ -30,7 +30,8 @@ struct CheckSummary {
 };
 
 /// Checks the programmed poses (tilt) and the poses that compensation would command (tilt, travel, struts, condition)
-/// at every point of the path; a pose that no command can reach is of the kind "reach". Refuses what PathWalk refuses.
+/// at every point of the path; a pose that no command can reach is of the kind "reach". Refuses what
+/// compensate::MoveReader refuses.
 CheckSummary check_file(const std::string& program, const settings::Options& options, const Progress& progress = {});
 
 }  // namespace plumbline::jobs

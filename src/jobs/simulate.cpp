@@ -8,9 +8,9 @@
 #include "base/number_text.hpp"
 #include "base/units.hpp"
 #include "compensate/guard.hpp"
+#include "compensate/move_reader.hpp"
 #include "jobs/csv_columns.hpp"
 #include "jobs/open_program.hpp"
-#include "jobs/path_walk.hpp"
 #include "machine/axis_words.hpp"
 #include "machine/model_file.hpp"
 #include "physics/error.hpp"
@@ -55,18 +55,15 @@ class Player {
     environment_.tool_centre_P = model_.geometry.tool_tip_P - Vector3<double>(0, 0, tool.along);
   }
 
-  void play(const PathPoint& point) {
-    physics::Motion<double> motion = compensate::motion_at(model_.rotation, radius_, point.target, environment_);
-    motion.time = settings_.time_s.value_or(0);
-    const physics::TipError<double> error = physics::tip_error(forces_, environment_, motion);
-    if (!error.converged()) {
-      refuse("simulate-unreachable",
-             fmt::format("the machine cannot stand here: {}", physics::to_text(error.stopped_because)),
-             "check the work offset (--work-offset) and the pose",
-             compensate::place_of(*point.step->block, point.step->block->file));
+  /// The ends of its pieces; a rapid stands still at each, since nobody knows how fast it is.
+  void play(const compensate::Move& move, double begin_s) {
+    for (int i = 1; i <= move.pieces; ++i) {
+      const double fraction = move.fraction(i);
+      Point point{&move, {}, begin_s + fraction * move.seconds.value_or(0)};
+      point.target =
+          move.is_rapid() ? move.path.at_rest(move.path.curve.at(fraction)) : move.path.target(fraction, move.seconds);
+      play(point);
     }
-    write_row(point, motion.pose, error);
-    note(point, error.displacement.head<3>().norm() / kUm);
   }
 
   SimulationSummary take() {
@@ -75,9 +72,28 @@ class Player {
   }
 
  private:
-  void write_row(const PathPoint& point, const Pose<double>& pose, const physics::TipError<double>& error) {
+  struct Point {
+    const compensate::Move* move;
+    compensate::Target target;
+    double time_s;
+  };
+
+  void play(const Point& point) {
+    physics::Motion<double> motion = compensate::motion_at(model_.rotation, radius_, point.target, environment_);
+    motion.time = settings_.time_s.value_or(0);
+    const physics::TipError<double> error = physics::tip_error(forces_, environment_, motion);
+    if (!error.converged()) {
+      refuse("simulate-unreachable",
+             fmt::format("the machine cannot stand here: {}", physics::to_text(error.stopped_because)),
+             "check the work offset (--work-offset) and the pose", compensate::place_of(*point.move->step));
+    }
+    write_row(point, motion.pose, error);
+    note(point, error.displacement.head<3>().norm() / kUm);
+  }
+
+  void write_row(const Point& point, const Pose<double>& pose, const physics::TipError<double>& error) {
     line_.clear();
-    fmt::format_to(std::back_inserter(line_), "{},{},{:.6f}", point.step->block->line, name_of(point.motion->kind),
+    fmt::format_to(std::back_inserter(line_), "{},{},{:.6f}", point.move->path.line, name_of(point.move->motion->kind),
                    point.time_s);
     for (const Axis axis : kAllAxes) {
       line_ += ',';
@@ -92,13 +108,13 @@ class Player {
     out_.write(line_);
   }
 
-  void note(const PathPoint& point, double um) {
+  void note(const Point& point, double um) {
     ++summary_.points;
     squares_ += um * um;
     summary_.seconds = point.time_s;
     if (um <= summary_.largest_um) return;
     summary_.largest_um = um;
-    summary_.largest_line = point.step->block->line;
+    summary_.largest_line = point.move->path.line;
   }
 
   const machine::MachineModel& model_;
@@ -119,13 +135,16 @@ SimulationSummary simulate_program(const std::string& program, const settings::O
   const machine::MachineModel model = machine::read_model(options.paths.model);
   const auto [source, dialect, settings] = open_program(options, program, model);
 
-  PathWalk walk(source, dialect, settings, model, options.compensation.step);
+  compensate::MoveReader reader(
+      source, dialect, settings,
+      {nc::named_axes(source, dialect), options.compensation.step, model.reference_tool_mass, {}});
   Player player(model, options.compensation, out);
-  walk.on_tool = [&](const compensate::ToolInSpindle& tool) { player.set_tool(tool); };
-  walk.on_point = [&](const PathPoint& point) { player.play(point); };
-  walk.run(progress);
+  while (const compensate::Move* const move = reader.next_move(progress)) {
+    if (const auto tool = reader.new_tool()) player.set_tool(*tool);
+    player.play(*move, reader.begin_s());
+  }
   SimulationSummary summary = player.take();
-  summary.passed_moves = walk.passed_moves();
+  summary.passed_moves = reader.passed_moves();
   return summary;
 }
 

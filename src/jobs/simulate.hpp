@@ -22,7 +22,7 @@ struct SimulationSummary {
 /// Writes a row for every point of the path at the step settings, as CSV: line, motion, time (s; rapids take none), the
 /// pose asked for (mm, deg), the error of the tip (um) and of the orientation (urad, rotation vector) in W, commanded
 /// strut lengths (mm), nut tensions (N) and motor torques (N m). The program is taken as it stands, no limits. Refuses
-/// what PathWalk refuses, and simulate-unreachable.
+/// what compensate::MoveReader refuses, and simulate-unreachable.
 SimulationSummary simulate_program(const std::string& program, const settings::Options& options, OutputFile& out,
                                    const Progress& progress = {});
 

@@ -17,6 +17,7 @@ struct CurvePoint {
 /// control moves them. A circle whose two radii differ is a spiral, its radius linear in the angle.
 class Curve {
  public:
+  Curve() = default;  // stays at zero
   explicit Curve(const nc::Motion& motion);
 
   /// The position at `fraction`; exactly the motion's ends at 0 and 1. Work system, mm and deg.

@@ -23,7 +23,7 @@ double turn_deg(const AxisWords& delta) {
 }  // namespace
 
 Subdivision subdivide(const Curve& curve, std::optional<double> seconds, const StepSettings& settings,
-                      const Place& place) {
+                      const std::function<Place()>& place) {
   const double wanted =
       std::max({1.0, steps(curve.arc_deg(), settings.angle_deg), steps(turn_deg(curve.delta()), settings.angle_deg),
                 steps(curve.linear_mm(), settings.length_mm)});
@@ -32,7 +32,7 @@ Subdivision subdivide(const Curve& curve, std::optional<double> seconds, const S
     allowed = std::max(1.0, std::floor(*seconds / settings.least_time_s + kSlack));
   if (std::min(wanted, allowed) >= kMostPieces) {
     refuse("path-too-many-pieces", fmt::format("a single move would be cut into {:.3g} pieces", wanted),
-           "check its end, or give a larger --step-length or --step-angle", place);
+           "check its end, or give a larger --step-length or --step-angle", place ? place() : Place{});
   }
   const double pieces = std::ceil(wanted * (1 - kSlack));
   return {static_cast<int>(std::min(pieces, allowed)), pieces > allowed};

@@ -1,6 +1,7 @@
 // Into how many pieces a move is cut.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "base/diagnostic.hpp"
@@ -21,8 +22,9 @@ struct Subdivision {
 };
 
 /// Pieces of equal length for a move that takes `seconds` (nothing: not known, no least time). A rapid is never cut:
-/// do not ask. Refuses with path-too-many-pieces, and the place of the move, where one would take more than 200,000.
+/// do not ask. Refuses with path-too-many-pieces, and the place of the move, where one would take more than 200,000:
+/// only then is the place asked for.
 Subdivision subdivide(const Curve& curve, std::optional<double> seconds, const StepSettings& settings,
-                      const Place& place = {});
+                      const std::function<Place()>& place = {});
 
 }  // namespace plumbline::path

@@ -81,9 +81,9 @@ TEST_CASE("the correction is worth having, and the first order comes near it awa
 
 TEST_CASE("where rotary axes may not be written the tip is put right all the same") {
   Settings settings;
-  Corrector corrector(pm600(), settings);
-  corrector.fix_axes({Axis::A, Axis::B, Axis::C});
+  const Corrector corrector(pm600(), settings);
   for (Target target : poses(50)) {
+    target.fixed = AxisSet::rotary();
     target.pose[Axis::A] = target.pose[Axis::B] = target.pose[Axis::C] = 0;
     const Corrected corrected = corrector.correct(target);
     REQUIRE(corrected.converged);

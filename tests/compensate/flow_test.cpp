@@ -227,7 +227,7 @@ TEST_CASE("subprograms of files beside the program stand in the output, with the
   const auto compensate_with = [&](const nc::ProgramSettings& settings) {
     OutputFile out(folder / "out.ngc");
     compensate::Summary summary =
-        compensate::Stream(source, nc::dialect("linuxcnc"), settings, job.model, job.settings, job.emit, out).run();
+        compensate::Stream(source, surveyed(source, job), settings, job.model, job.settings, job.emit, out).run();
     out.commit();
     return summary;
   };

@@ -13,6 +13,7 @@
 #include "compensate/corrector.hpp"
 #include "compensate/stream.hpp"
 #include "machine/model_file.hpp"
+#include "nc/sequence/program.hpp"
 #include "path/duration.hpp"
 #include "path/subdivide.hpp"
 #include "support/scratch.hpp"
@@ -34,6 +35,11 @@ struct Job {
   std::string dialect = "linuxcnc";
   nc::EmitSettings emit = {.stamp = {"plumbline 0 compensated this program"}};
 };
+
+inline compensate::ProgramSurvey surveyed(const InputFile& source, const Job& job) {
+  const nc::Dialect& dialect = nc::dialect(job.dialect);
+  return {dialect, nc::named_axes(source, dialect)};
+}
 
 using Folder = testing::Scratch;
 
@@ -61,7 +67,8 @@ inline Result run(const std::string& text, const Job& job, const std::filesystem
   write_text(folder / "program.in", text);
   const InputFile source(folder / "program.in");
   OutputFile out(folder / "program.out");
-  compensate::Stream stream(source, nc::dialect(job.dialect), job.program, job.model, job.settings, job.emit, out);
+  const compensate::ProgramSurvey survey = surveyed(source, job);
+  compensate::Stream stream(source, survey, job.program, job.model, job.settings, job.emit, out);
   OutputFile undo(folder / "program.out.undo");
   nc::UndoLog log(undo);
   stream.record(log);

@@ -24,7 +24,8 @@ Meant compensated(const std::string& text, const Job& job) {
   write_text(folder / "program.in", text);
   const InputFile source(folder / "program.in");
   OutputFile out(folder / "program.out");
-  compensate::Stream stream(source, nc::dialect(job.dialect), job.program, job.model, job.settings, job.emit, out);
+  const compensate::ProgramSurvey survey = surveyed(source, job);
+  compensate::Stream stream(source, survey, job.program, job.model, job.settings, job.emit, out);
   Meant meant;
   stream.show([&](const compensate::IntendedBatch& batch) { meant.batches.push_back(batch); });
   meant.unrolled = stream.run().unrolled;
@@ -304,7 +305,8 @@ TEST_CASE("a difference names both lines, and nothing is written") {
   const Job job = with_second_system();
   {
     OutputFile out(folder / "program.out");
-    compensate::Stream stream(source, nc::dialect(job.dialect), job.program, job.model, job.settings, job.emit, out);
+    const compensate::ProgramSurvey survey = surveyed(source, job);
+    compensate::Stream stream(source, survey, job.program, job.model, job.settings, job.emit, out);
     stream.show(
         [](const compensate::IntendedBatch& batch) {  // as if the emitter had written another end than was meant
           auto& points = const_cast<compensate::IntendedBatch&>(batch).points;
@@ -364,7 +366,8 @@ TEST_CASE("a program that is refused in its middle leaves nothing, whatever was 
     const Job job = still();
     {
       OutputFile out(folder / "program.out");
-      compensate::Stream stream(source, nc::dialect(job.dialect), job.program, job.model, job.settings, job.emit, out);
+      const compensate::ProgramSurvey survey = surveyed(source, job);
+      compensate::Stream stream(source, survey, job.program, job.model, job.settings, job.emit, out);
       std::string code;
       try {
         stream.run();

@@ -64,7 +64,7 @@ bool compensated(const fs::path& program, const std::string& output, const Job& 
     const InputFile source(program.string());
     OutputFile out(output);
     const compensate::Summary summary =
-        compensate::Stream(source, nc::dialect("linuxcnc"), job.program, job.model, job.settings, job.emit, out).run();
+        compensate::Stream(source, surveyed(source, job), job.program, job.model, job.settings, job.emit, out).run();
     changed = !summary.identical;
     out.commit();
     return true;

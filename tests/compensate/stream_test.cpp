@@ -267,13 +267,13 @@ TEST_CASE("a compensated file of a subprogram is refused in every dialect") {
     write_text(folder / "in", example.program);
     INFO(example.dialect << " " << example.file);
     const InputFile source(folder / "in");
-    const Job job;
+    Job job;
+    job.dialect = example.dialect;
     OutputFile out(folder / "out");
     std::string code;
     std::string file;
     try {
-      compensate::Stream(source, nc::dialect(example.dialect), job.program, job.model, job.settings, job.emit, out)
-          .run();
+      compensate::Stream(source, surveyed(source, job), job.program, job.model, job.settings, job.emit, out).run();
     } catch (const Refusal& refusal) {
       code = refusal.diagnostic().code;
       file = refusal.diagnostic().place.file;

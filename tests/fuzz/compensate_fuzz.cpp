@@ -60,7 +60,8 @@ void run(const InputFile& source, std::string_view text, const nc::Dialect& dial
     OutputFile out(output);
     OutputFile log_file(undo);
     nc::UndoLog log(log_file);
-    compensate::Stream stream(source, dialect, settings, model(), compensation, emit, out);
+    const compensate::ProgramSurvey survey{dialect, nc::named_axes(source, dialect)};
+    compensate::Stream stream(source, survey, settings, model(), compensation, emit, out);
     stream.record(log);
     out.keep_hash();
     stream.run();

@@ -8,8 +8,8 @@
 #include "jobs/compensate/compensated_files.hpp"
 #include "jobs/compensate/guard_block.hpp"
 #include "jobs/compensate/stamp.hpp"
-#include "jobs/compensate/used_tools.hpp"
 #include "jobs/open_program.hpp"
+#include "jobs/survey_program.hpp"
 #include "machine/model_file.hpp"
 
 namespace plumbline::jobs {
@@ -40,22 +40,23 @@ compensate::Summary compensate_file(const std::string& program, const std::strin
                                     const settings::Options& options, const Progress& progress,
                                     const SummaryFile& summary_file) {
   const machine::MachineModel model = machine::read_model(options.paths.model);
-  const auto [source, dialect, settings] = open_program(options, program, model);
+  const OpenedProgram opened = open_program(options, program, model);
+  const auto& [source, dialect, settings] = opened;
 
   nc::EmitSettings emit = emit_settings(model.control, options);
   if (options.program.input_increment && dialect.behaviour.increment_mm > 0)
     emit.increment_ratio = *options.program.input_increment / dialect.behaviour.increment_mm;
-  const std::vector<nc::Tool> tools = used_tools(source, settings.tools, settings.tool_in_spindle);
-  emit.stamp = stamp(options, settings, model, tools, dialect);
+  const compensate::ProgramSurvey survey = survey_program(opened);
+  emit.stamp = stamp(options, settings, model, survey);
   if (options.guard) {
     refuse_guard_before_definitions(source, dialect);
-    emit.guard = guard_block(settings, tools, AxisSet::rotary() - nc::named_axes(source, dialect), dialect);
+    emit.guard = guard_block(settings, survey);
   }
   compensate::Settings compensation = options.compensation;
   compensation.step.least_time_s = model.control.block_time;
 
   CompensatedFiles files(output, options.undo, summary_file.path);
-  compensate::Stream stream(source, dialect, settings, model, compensation, std::move(emit), files.program());
+  compensate::Stream stream(source, survey, settings, model, compensation, std::move(emit), files.program());
   if (nc::UndoLog* const log = files.undo_log()) stream.record(*log);
   compensate::Summary summary = stream.run(progress);
   refuse_overwriting_subprogram(summary, output);

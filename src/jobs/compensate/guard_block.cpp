@@ -123,11 +123,12 @@ std::vector<std::string> linuxcnc_guard(const nc::ProgramSettings& program, std:
 
 }  // namespace
 
-std::vector<std::string> guard_block(const nc::ProgramSettings& program, std::span<const nc::Tool> tools,
-                                     AxisSet assumed, const nc::Dialect& dialect) {
+std::vector<std::string> guard_block(const nc::ProgramSettings& program, const compensate::ProgramSurvey& survey) {
+  const nc::Dialect& dialect = survey.dialect;
+  const AxisSet assumed = survey.unnamed();
   std::vector<std::string> lines;
   if (dialect.name == "linuxcnc") {
-    lines = linuxcnc_guard(program, tools, assumed);
+    lines = linuxcnc_guard(program, survey.tools, assumed);
   } else if (dialect.name == "fanuc") {
     lines = fanuc_guard(program, assumed, dialect);
   } else if (dialect.name == "siemens") {

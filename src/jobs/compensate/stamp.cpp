@@ -109,8 +109,8 @@ std::string comment_text(std::string_view text) {
 }
 
 std::vector<std::string> stamp(const settings::Options& options, const nc::ProgramSettings& program,
-                               const machine::MachineModel& model, std::span<const nc::Tool> tools,
-                               const nc::Dialect& dialect) {
+                               const machine::MachineModel& model, const compensate::ProgramSurvey& survey) {
+  const nc::Dialect& dialect = survey.dialect;
   const std::size_t signs = dialect.comment_open.size() + dialect.comment_close.size();
   const std::size_t width = std::min(kWidth, dialect.line_length - signs);
   std::vector<std::string> lines;
@@ -128,7 +128,7 @@ std::vector<std::string> stamp(const settings::Options& options, const nc::Progr
     const std::string turned = offset->rotation_deg == 0 ? "" : " R" + to_decimal(offset->rotation_deg);
     add(dialect.name_of_system(static_cast<int>(i) + 1) + words(offset->origin) + turned);
   }
-  for (const nc::Tool& tool : tools) add(tool_line(tool));
+  for (const nc::Tool& tool : survey.tools) add(tool_line(tool));
   return lines;
 }
 

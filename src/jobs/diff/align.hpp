@@ -13,7 +13,7 @@ namespace plumbline::jobs {
 
 class Aligner {
  public:
-  Aligner(MoveReader& a, MoveReader& b) : a_(a), b_(b), candidates_(a, b) {}
+  Aligner(MoveQueue& a, MoveQueue& b) : a_(a), b_(b), candidates_(a, b) {}
 
   /// Handles the next moves of both programs; false when both have ended.
   bool next();
@@ -32,8 +32,8 @@ class Aligner {
   void note_shift(const AxisWords& shift, std::size_t line_a, std::size_t line_b);
   void note_time(const DiffMove& move, std::size_t count);
 
-  MoveReader& a_;
-  MoveReader& b_;
+  MoveQueue& a_;
+  MoveQueue& b_;
   Candidates candidates_;
   std::map<std::pair<std::size_t, std::size_t>, double> ahead_;  // costs that were worked out
   DiffSummary summary_;

@@ -25,7 +25,7 @@ struct Standing {
 
 class Candidates {
  public:
-  Candidates(MoveReader& a, MoveReader& b) : a_(a), b_(b) {}
+  Candidates(MoveQueue& a, MoveQueue& b) : a_(a), b_(b) {}
 
   /// Of the move of A that is `i` ahead, from the move of B that is `j` ahead on; the best first. None: B does not make
   /// that move there.
@@ -43,8 +43,8 @@ class Candidates {
   std::optional<std::size_t> count_by_number(const DiffMove& move, std::size_t i, std::size_t j,
                                              const Standing& standing);
 
-  MoveReader& a_;
-  MoveReader& b_;
+  MoveQueue& a_;
+  MoveQueue& b_;
 };
 
 /// Whether both have numbers, and not the same.

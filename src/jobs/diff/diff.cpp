@@ -19,8 +19,8 @@ DiffSummary diff_files(const std::string& a, const std::string& b, const setting
   const OpenedProgram first = open_program(options, a);  // what both leave open cancels
   const InputFile file_b(b);
   refuse_unless_program_text(file_b);
-  MoveReader moves_a(first.file, first.dialect, first.settings);
-  MoveReader moves_b(file_b, first.dialect, first.settings);
+  MoveQueue moves_a(first.file, first.dialect, first.settings);
+  MoveQueue moves_b(file_b, first.dialect, first.settings);
   Aligner aligner(moves_a, moves_b);
   for (std::uint64_t i = 1; aligner.next(); ++i) {
     if (progress && i % kProgressEvery == 0) progress(moves_b.bytes_read(), file_b.size());

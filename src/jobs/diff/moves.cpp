@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "path/duration.hpp"
 
 namespace plumbline::jobs {
 namespace {
@@ -20,19 +19,20 @@ bool states_code(const nc::Block& block, const nc::Dialect& dialect) {
   });
 }
 
-DiffMove move_of(const nc::Step& step, const nc::Motion& motion, const nc::Dialect& dialect) {
-  const path::Curve curve(motion);
+DiffMove diff_move(const compensate::Move& read, const nc::Dialect& dialect) {
+  const nc::Step& step = *read.step;
+  const nc::Motion& motion = *read.motion;
+  const path::Curve& curve = read.path.curve;
   DiffMove move{motion.line,
                 std::string(step.block->at(step.block->number)),
                 motion.kind,
                 motion.in_machine_coordinates,
                 motion.in_machine_coordinates ? motion.machine : step.frame->to_pose(motion.to),
                 curve.linear_mm() + turn_deg(curve.delta()),
-                path::duration(motion, curve, dialect),
-                {},
+                read.duration,
+                read.seconds,
                 *step.frame,
                 curve};
-  if (motion.feed_mode != nc::FeedMode::per_revolution) move.seconds = move.effort;
   const bool alone = step.motions.size() == 1;
   if (alone || step.role == nc::BlockRole::plain) move.states_code = !alone || states_code(*step.block, dialect);
   return move;
@@ -45,11 +45,11 @@ double distance(const AxisWords& a, const AxisWords& b) {
   return std::hypot(d[Axis::X], d[Axis::Y], d[Axis::Z]) + turn_deg(d);
 }
 
-MoveReader::MoveReader(const InputFile& file, const nc::Dialect& dialect, const nc::ProgramSettings& settings)
-    : dialect_(dialect), program_(file, dialect, settings) {}
+MoveQueue::MoveQueue(const InputFile& file, const nc::Dialect& dialect, const nc::ProgramSettings& settings)
+    : dialect_(dialect), reader_(file, dialect, settings, {}) {}
 
-bool MoveReader::read_more() {
-  const nc::Step* const step = program_.next();
+bool MoveQueue::read_more() {
+  const nc::Step* const step = reader_.next();
   if (step == nullptr) return false;
   offset_ = step->block->offset;
   numbered_ = numbered_ || step->block->has_number();
@@ -57,7 +57,7 @@ bool MoveReader::read_more() {
     if (motion.kind == nc::MotionKind::dwell) {
       dwell_s_ += motion.dwell_s;
     } else if (step->role != nc::BlockRole::cycle || motion.from != motion.to) {  // cycles stop over where they stand
-      moves_ahead_.push_back(move_of(*step, motion, dialect_));
+      moves_ahead_.push_back(diff_move(reader_.move(*step, motion), dialect_));
       moves_ahead_.back().begins_numbered = std::exchange(numbered_, false);
       ++moves_;
     }
@@ -65,14 +65,14 @@ bool MoveReader::read_more() {
   return true;
 }
 
-const DiffMove* MoveReader::peek(std::size_t ahead) {
+const DiffMove* MoveQueue::peek(std::size_t ahead) {
   while (moves_ahead_.size() <= ahead) {
     if (!read_more()) return nullptr;
   }
   return &moves_ahead_[ahead];
 }
 
-void MoveReader::drop(std::size_t count) {
+void MoveQueue::drop(std::size_t count) {
   PLUMBLINE_CHECK(count <= moves_ahead_.size());
   moves_ahead_.erase(moves_ahead_.begin(), moves_ahead_.begin() + static_cast<std::ptrdiff_t>(count));
 }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/files.hpp"
-#include "nc/sequence/program.hpp"
+#include "compensate/move_reader.hpp"
 #include "path/curve.hpp"
 
 namespace plumbline::jobs {
@@ -35,10 +35,10 @@ struct DiffMove {
 double distance(const AxisWords& a, const AxisWords& b);
 
 /// Reads a program move by move and can look ahead.
-class MoveReader {
+class MoveQueue {
  public:
   /// References must outlive it.
-  MoveReader(const InputFile& file, const nc::Dialect& dialect, const nc::ProgramSettings& settings);
+  MoveQueue(const InputFile& file, const nc::Dialect& dialect, const nc::ProgramSettings& settings);
 
   /// The move `ahead` places from here; null behind the last one. Valid until the next drop().
   const DiffMove* peek(std::size_t ahead);
@@ -52,7 +52,7 @@ class MoveReader {
  private:
   bool read_more();
   const nc::Dialect& dialect_;
-  nc::Program program_;
+  compensate::MoveReader reader_;
   std::deque<DiffMove> moves_ahead_;
   bool numbered_ = false;  // an N was read behind the last move
   std::uint64_t moves_ = 0;

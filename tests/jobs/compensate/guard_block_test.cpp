@@ -16,6 +16,8 @@ using namespace plumbline;
 
 namespace {
 
+const AxisSet kAllButB = AxisSet::all() - AxisSet{Axis::B};  // that the program names
+
 // The state of a control, and what LinuxCNC's interpreter makes of a guard in it.
 struct Control {
   std::string set_up = "G21\nG10 L2 P1 X0 Y0 Z-1008 A0 B0 C0\nG10 L2 P2 X1.5 Y2 Z-7 C5 R30\n";  // a program
@@ -27,7 +29,7 @@ std::vector<std::string> guard() {
   program.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   program.work_offsets[1] = nc::WorkOffset{{{1.5, 2, -7, 0, 0, 5}}, 30};
   const std::vector<nc::Tool> tools{{1, 85, {}, {}, {}}};
-  return jobs::guard_block(program, tools, AxisSet{Axis::B}, nc::dialect("linuxcnc"));
+  return jobs::guard_block(program, {nc::dialect("linuxcnc"), kAllButB, tools});
 }
 
 // True if the program behind the guard is reached.
@@ -53,7 +55,7 @@ std::vector<std::string> fanuc_guard_lines() {
   nc::ProgramSettings program;
   program.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   program.work_offsets[1] = nc::WorkOffset{{{1, 0, 2, 0, 0, -5}}, 0};  // G55
-  return jobs::guard_block(program, {}, AxisSet{Axis::B}, nc::dialect("fanuc"));
+  return jobs::guard_block(program, {nc::dialect("fanuc"), kAllButB});
 }
 
 // Codes in force, machine and work positions, offsets: external, G54, G55.
@@ -159,11 +161,11 @@ TEST_CASE("Fanuc: what the guard writes the control can read") {
   }
   nc::ProgramSettings further;
   further.work_offsets[6 + 47] = nc::WorkOffset{{{1, 0, 2, 0, 0, -5}}, 0};  // G54.1 P48
-  CHECK(jobs::guard_block(further, {}, {}, nc::dialect("fanuc")).at(12) ==
+  CHECK(jobs::guard_block(further, {nc::dialect("fanuc"), AxisSet::all()}).at(12) ==
         "IF [ABS[#5206+#7946-[-5.0]] GT 0.001] THEN #3000=101(PLUMBLINE: G54.1 P48 C)");
   nc::ProgramSettings far;
   far.work_offsets[0] = nc::WorkOffset{{{-123456.7891, 0, 0, 0, 0, 0}}, 0};
-  CHECK(jobs::guard_block(far, {}, {}, nc::dialect("fanuc")).at(7).find("#5201+#5221-[-123456.79]") !=
+  CHECK(jobs::guard_block(far, {nc::dialect("fanuc"), AxisSet::all()}).at(7).find("#5201+#5221-[-123456.79]") !=
         std::string::npos);
 }
 
@@ -172,7 +174,7 @@ TEST_CASE("Siemens: the guard compares all frames of a system and its turn, and 
   program.work_offsets[0] = nc::WorkOffset{{{0, 1.5, -1008, 0, 0, 0}}, 0};
   program.work_offsets[4] = nc::WorkOffset{};  // G505
   program.start[index(Axis::B)] = 2;
-  const std::vector<std::string> lines = jobs::guard_block(program, {}, AxisSet{Axis::B}, nc::dialect("siemens"));
+  const std::vector<std::string> lines = jobs::guard_block(program, {nc::dialect("siemens"), kAllButB});
   CHECK(lines.front() == "; guard: the control must be set as this program was made for");
   CHECK(lines.back() == "; guard: passed");
   CHECK(lines.at(1) == "G54");
@@ -218,11 +220,17 @@ TEST_CASE("lines that move or set anything are no part of a guard") {
 }
 
 TEST_CASE("a guard is refused where it cannot be said") {
-  CHECK(testing::refusal_of([&] { jobs::guard_block({}, {}, {}, nc::dialect("okuma")); }).code == "guard-dialect");
+  CHECK(testing::refusal_of([&] {
+          jobs::guard_block({}, {nc::dialect("okuma"), AxisSet::all()});
+        }).code == "guard-dialect");
   nc::ProgramSettings beyond;
   beyond.work_offsets[6 + 48] = nc::WorkOffset{};  // G54.1 P49
-  CHECK(testing::refusal_of([&] { jobs::guard_block(beyond, {}, {}, nc::dialect("fanuc")); }).code == "guard-system");
+  CHECK(testing::refusal_of([&] {
+          jobs::guard_block(beyond, {nc::dialect("fanuc"), AxisSet::all()});
+        }).code == "guard-system");
   nc::ProgramSettings with_g92;
   with_g92.variables = {{5210, 1}, {5211, 3}};
-  CHECK(testing::refusal_of([&] { jobs::guard_block(with_g92, {}, {}, nc::dialect("linuxcnc")); }).code == "guard-g92");
+  CHECK(testing::refusal_of([&] {
+          jobs::guard_block(with_g92, {nc::dialect("linuxcnc"), AxisSet::all()});
+        }).code == "guard-g92");
 }

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/version.hpp"
-#include "jobs/compensate/used_tools.hpp"
+#include "jobs/used_tools.hpp"
 #include "machine/model_file.hpp"
 #include "settings/options.hpp"
 #include "support/scratch.hpp"
@@ -19,7 +19,7 @@ std::vector<std::string> stamp_of(const settings::Options& options, const std::s
   program.work_offsets[0] = nc::WorkOffset{{{0, 0.5, -1008, 0, 0, 0}}, 30};
   program.start[4] = 2;
   const std::vector<nc::Tool> tools{{1, 85, 16, 1.4, 22}, {2, 60.5, {}, {}, {}}};
-  return jobs::stamp(options, program, model, tools, nc::dialect("linuxcnc"));
+  return jobs::stamp(options, program, model, {nc::dialect("linuxcnc"), AxisSet::all(), tools});
 }
 
 std::vector<int> used_numbers(const std::string& program, const nc::ToolTable& table,

@@ -1,4 +1,4 @@
-#include "jobs/compensate/used_tools.hpp"
+#include "jobs/used_tools.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,0 +1,93 @@
+#include "compensate/move_corrector.hpp"
+
+#include <string>
+#include <utility>
+
+namespace plumbline::compensate {
+namespace {
+
+constexpr int kManyPieces = 10'000;
+
+}  // namespace
+
+const CorrectedMove& MoveCorrector::correct(const Move& move, const AxisWords& standing) {
+  begin(move, standing);
+  if (move.is_rapid()) {
+    correct_rapid();
+  } else {
+    correct_cut();
+  }
+  return result_;
+}
+
+const CorrectedMove& MoveCorrector::correct_places(const Move& move, std::span<const AxisWords> places,
+                                                   const AxisWords& standing) {
+  begin(move, standing);
+  for (const AxisWords& words : places) {
+    take(move.path.at_rest(words), words);
+    if (stops()) break;
+  }
+  return result_;
+}
+
+void MoveCorrector::begin(const Move& move, const AxisWords& standing) {
+  result_.move = move;
+  result_.standing = standing;
+  result_.points.clear();
+  result_.signs.clear();
+  result_.violations.clear();
+}
+
+void MoveCorrector::note(std::vector<machine::Violation> violations) {
+  if (at_violation_ == AtViolation::go_on) return keep_worst(result_.violations, violations);
+  for (machine::Violation& violation : violations) result_.violations.push_back(std::move(violation));
+}
+
+// False where no command leads there.
+bool MoveCorrector::take(const Target& target, const AxisWords& words) {
+  Command command = compensate::command(corrector_, limits_, target);
+  note(std::move(command.violations));
+  if (!command.corrected.converged) {
+    note({{std::string(kOutOfReach), 0, 0, 0, ""}});
+    return false;
+  }
+  const MovePath& path = result_.move.path;
+  AxisWords nominal = words;
+  AxisWords shift = path.frame.from_pose(command.corrected.pose) - nominal;
+  for (const Axis axis : kAllAxes) {
+    if (!path.at_zero.contains(axis)) continue;
+    nominal[axis] = 0;
+    shift[axis] = 0;
+  }
+  if (path.frame.tilted) {
+    for (const Axis axis : {Axis::A, Axis::B, Axis::C}) shift[axis] = result_.standing[axis];
+  }
+  result_.points.push_back({nominal, shift, 1});
+  result_.signs.push_back(command.corrected.sign);
+  return true;
+}
+
+void MoveCorrector::correct_rapid() {
+  const Move& move = result_.move;
+  const nc::Motion& motion = *move.motion;
+  const Target end = move.begin_known ? move.path.target(1, std::nullopt) : move.path.at_rest(motion.to);
+  if (!take(end, motion.to) || stops() || !move.begin_known) return;
+  note(check_way(corrector_, limits_, move.path.at_rest(motion.from), end, result_.commanded(0)));
+}
+
+void MoveCorrector::correct_cut() {
+  const Move& move = result_.move;
+  if (at_violation_ == AtViolation::stop && move.pieces > kManyPieces) {
+    // A slip is seen at its end, before all of them are corrected.
+    const Target end = move.path.target(1, move.seconds);
+    note(machine::check_programmed(limits_, corrector_.pose_of(end.pose)));
+    if (stops()) return;
+  }
+  for (int i = 1; i <= move.pieces; ++i) {
+    const path::CurvePoint point = move.path.curve.point(move.fraction(i));
+    if (take(move.path.target(point, move.seconds), point.at)) result_.points.back().share = 1.0 / move.pieces;
+    if (stops()) return;
+  }
+}
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,58 @@
+// Where the control is to be sent for a move, so that the deformed machine makes it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compensate/corrector.hpp"
+#include "compensate/guard.hpp"
+#include "compensate/move.hpp"
+#include "machine/limits.hpp"
+#include "nc/rewrite/emit_pieces.hpp"
+
+namespace plumbline::compensate {
+
+struct CorrectedMove {
+  Move move;
+  AxisWords standing;                            // by how much the control stands off the original before it
+  std::vector<nc::CorrectedPoint> points;        // ends of its pieces; of a rapid its end
+  std::vector<machine::PerStrut<double>> signs;  // of the struts' speeds at these
+  std::vector<machine::Violation> violations;    // of limits; kOutOfReach: no command leads there
+
+  /// Where the control is sent for a point, in W.
+  AxisWords commanded(std::size_t point) const {
+    return move.path.frame.to_pose(points[point].nominal + points[point].shift);
+  }
+};
+
+class MoveCorrector {
+ public:
+  /// Where a limit is broken the points end, or they go on and the worst violation of each kind is kept.
+  enum class AtViolation { stop, go_on };
+
+  /// Corrector and limits must outlive it.
+  MoveCorrector(const Corrector& corrector, const machine::Limits& limits, AtViolation at_violation)
+      : corrector_(corrector), limits_(limits), at_violation_(at_violation) {}
+
+  /// A move that was divided. `standing`: by how much the control stands off the original before it, in the work
+  /// system. Of a rapid the end alone is corrected; the control goes there as it likes, so the limits are checked on
+  /// the chord. Holds until the next call.
+  const CorrectedMove& correct(const Move& move, const AxisWords& standing);
+  /// Places of the work system where the machine stands still, one point each.
+  const CorrectedMove& correct_places(const Move& move, std::span<const AxisWords> places, const AxisWords& standing);
+
+ private:
+  void begin(const Move& move, const AxisWords& standing);
+  bool take(const Target& target, const AxisWords& words);
+  bool stops() const { return at_violation_ == AtViolation::stop && !result_.violations.empty(); }
+  void note(std::vector<machine::Violation> violations);
+  void correct_rapid();
+  void correct_cut();
+
+  const Corrector& corrector_;
+  const machine::Limits& limits_;
+  AtViolation at_violation_;
+  CorrectedMove result_;
+};
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,128 @@
+#include "compensate/move_reader.hpp"
+
+#include "base/units.hpp"
+#include "compensate/figures.hpp"
+#include "compensate/guard.hpp"
+#include "path/duration.hpp"
+
+namespace plumbline::compensate {
+namespace {
+
+void refuse_to_follow(const nc::Step& step, const UnknownPosition& unknown) {
+  const Place place = place_of(step);
+  if (!unknown.moved.empty()) {
+    refuse("walk-position-unknown",
+           "an axis was taken to stand at zero, since the program's own file never names it, and moves here",
+           "say where the machine stands with --start", place);
+  }
+  refuse("walk-position-unknown", "this move cuts, and where some axis stands is not known here",
+         "move all axes with G0 to a stated position first, or say where the machine stands: --start at the begin, "
+         "--keeps-position M6 after a tool change",
+         place);
+}
+
+}  // namespace
+
+std::optional<ToolInSpindle> SpindleTool::change(const nc::Step& step) {
+  const AxisWords& offset = step.frame->tool;
+  const int number = (step.moves_old_tool ? step.before : step.after)->tool_in_spindle;
+  if (offset_ == offset && number == number_) return std::nullopt;
+  offset_ = offset;
+  number_ = number;
+  const nc::Tool* const row = number >= 0 ? tools_.find(number) : nullptr;
+  has_mass_ = number < 0 || (row != nullptr && row->mass_kg);
+  ToolInSpindle tool{offset[Axis::Z] * kMm, reference_mass_, 0};
+  if (row != nullptr && row->mass_kg) {
+    tool.mass = *row->mass_kg;
+    tool.along = row->centre_of_mass_mm.value_or(0) * kMm;
+  }
+  return tool;
+}
+
+const nc::Step* MoveReader::next() {
+  const nc::Step* const step = program_.next();
+  if (step != nullptr) ++blocks_;
+  return step;
+}
+
+UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
+  UnknownPosition found;
+  found.moved = at_zero_ & step.named;
+  if (!found.moved.empty()) return found;
+  found.missing = AxisSet::all() - known;
+  if ((found.missing & AxisSet::rotary()).empty()) return found;
+  at_zero_ = AxisSet::rotary() - settings_.named;
+  const AxisWords origin = step.frame->to_pose({});
+  for (const Axis axis : kAllAxes) {
+    if (!at_zero_.contains(axis) || !found.missing.contains(axis)) continue;
+    if (origin[axis] != 0) {
+      found.turned.insert(axis);
+    } else {
+      found.missing.erase(axis);
+    }
+  }
+  return found;
+}
+
+UnknownPosition MoveReader::unknown(const nc::Step& step, const nc::Motion& motion) {
+  return unknown(step, is_cut(motion.kind) ? motion.known_after & motion.known_before : motion.known_after);
+}
+
+Move MoveReader::move(const nc::Step& step, const nc::Motion& motion) const {
+  Move move;
+  move.step = &step;
+  move.motion = &motion;
+  move.path = {path::Curve(motion), *step.frame, settings_.touch_off_error, at_zero_, fixed(step), step.block->line};
+  move.duration = path::duration(motion, move.path.curve, dialect_);
+  if (motion.feed_mode != nc::FeedMode::per_revolution) move.seconds = move.duration;
+  // Where a rapid comes from decides which way friction acts; not known, that is left out.
+  move.begin_known = motion.known_before.contains(AxisSet::all() - at_zero_);
+  return move;
+}
+
+void MoveReader::divide(Move& move) const {
+  if (move.is_rapid()) {
+    if (move.begin_known) move.pieces = chord_steps(move.path.curve.delta());
+    return;
+  }
+  const path::Subdivision cut =
+      path::subdivide(move.path.curve, move.seconds, settings_.step, [&] { return place_of(*move.step); });
+  move.pieces = cut.pieces;
+  move.widened = cut.widened;
+}
+
+// True if it can be followed, and move_ is that.
+bool MoveReader::take(const nc::Motion& motion) {
+  if (motion.kind == nc::MotionKind::dwell) {
+    end_s_ += motion.dwell_s;
+    return false;
+  }
+  if (!motion.in_machine_coordinates && motion.kind != nc::MotionKind::probe) {
+    const UnknownPosition not_known = unknown(*step_, motion);
+    if (!not_known.moved.empty() || (!not_known.none() && is_cut(motion.kind))) refuse_to_follow(*step_, not_known);
+    if (not_known.none()) {
+      move_ = move(*step_, motion);
+      divide(*move_);
+      begin_s_ = end_s_;
+      end_s_ += move_->seconds.value_or(0);
+      return true;
+    }
+  }
+  ++passed_moves_;
+  return false;
+}
+
+const Move* MoveReader::next_move(const Progress& progress) {
+  while (true) {
+    while (step_ != nullptr && motion_ < step_->motions.size()) {
+      if (take(step_->motions[motion_++])) return &*move_;
+    }
+    if (step_ != nullptr && progress && blocks_ % kProgressEvery == 0) progress(step_->block->offset, source_.size());
+    step_ = next();
+    motion_ = 0;
+    if (step_ == nullptr) return nullptr;
+    if (std::optional<ToolInSpindle> tool = new_tool(*step_)) changed_tool_ = tool;
+  }
+}
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,116 @@
+// Reads a program as moves of the machine: with the tool that makes them, and what is known of where they go.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "base/files.hpp"
+#include "base/progress.hpp"
+#include "compensate/corrector.hpp"
+#include "compensate/move.hpp"
+#include "nc/sequence/program.hpp"
+#include "path/subdivide.hpp"
+
+namespace plumbline::compensate {
+
+/// Length (G43) and load (M6) of the tool.
+class SpindleTool {
+ public:
+  /// `tools` must outlive it. `reference_mass`: of a tool whose mass nobody gave, kg.
+  SpindleTool(const nc::ToolTable& tools, double reference_mass) : tools_(tools), reference_mass_(reference_mass) {}
+
+  /// The tool, where the step brings another one; the first step always does.
+  std::optional<ToolInSpindle> change(const nc::Step& step);
+  /// False where the table does not give the mass of the tool that is in the spindle.
+  bool has_mass() const { return has_mass_; }
+
+ private:
+  const nc::ToolTable& tools_;
+  double reference_mass_;
+  std::optional<AxisWords> offset_;
+  int number_ = -1;
+  bool has_mass_ = true;
+};
+
+/// What keeps a position from being known.
+struct UnknownPosition {
+  AxisSet moved;    // axes that were taken to stand at zero, and are moved here
+  AxisSet missing;  // axes that no word said and nobody may take to stand at zero
+  AxisSet turned;   // of these: no word names them, but the work offset turns them
+
+  bool none() const { return moved.empty() && missing.empty(); }
+};
+
+struct ReaderSettings {
+  AxisSet named = AxisSet::all();  // axes that some word of the program names (nc::named_axes)
+  path::StepSettings step;
+  double reference_tool_mass = 0;  // kg
+  AxisWords touch_off_error;       // that every pose gets
+};
+
+class MoveReader {
+ public:
+  /// All but `settings` must outlive it.
+  MoveReader(const InputFile& source, const nc::Dialect& dialect, const nc::ProgramSettings& program,
+             const ReaderSettings& settings)
+      : source_(source),
+        dialect_(dialect),
+        settings_(settings),
+        program_(source, dialect, program),
+        spindle_(program.tools, settings.reference_tool_mass) {}
+
+  /// The next block of the program, as nc::Program gives it.
+  const nc::Step* next();
+  /// The tool that makes the moves of the step, where it is another one than before.
+  std::optional<ToolInSpindle> new_tool(const nc::Step& step) { return spindle_.change(step); }
+  bool tool_has_mass() const { return spindle_.has_mass(); }
+
+  /// Whether a position of which the axes in `known` are known is known as a whole. Rotary axes that no word of the
+  /// program names are taken to stand at zero from the first move on of which one is not known.
+  UnknownPosition unknown(const nc::Step& step, AxisSet known);
+  /// The same of what a move needs: where it ends, and of one that cuts where it begins.
+  UnknownPosition unknown(const nc::Step& step, const nc::Motion& motion);
+
+  /// A move of the step, or of one that was made of it, in one piece.
+  Move move(const nc::Step& step, const nc::Motion& motion) const;
+  /// Sets its pieces, at the step settings. Refuses with path-too-many-pieces.
+  void divide(Move& move) const;
+  AxisSet writable(const nc::Step& step) const { return AxisSet::all() - fixed(step); }
+
+  /// For who leaves the program as it is: the next move, divided; those in machine coordinates, to
+  /// unknown positions and probing moves are left out. Null at the end. Refuses with walk-position-unknown a move that
+  /// cuts from or to where nobody knows, and one of an axis that was taken to stand at zero.
+  const Move* next_move(const Progress& progress = {});
+  /// The tool that makes this move, where it is another one than before.
+  std::optional<ToolInSpindle> new_tool() { return std::exchange(changed_tool_, std::nullopt); }
+  /// When this move begins, s since the start; rapids, and what G95 times, left out.
+  double begin_s() const { return begin_s_; }
+  std::uint64_t passed_moves() const { return passed_moves_; }
+
+  std::uint64_t blocks() const { return blocks_; }
+  /// Axes that are taken to stand at zero.
+  AxisSet at_zero() const { return at_zero_; }
+
+ private:
+  AxisSet fixed(const nc::Step& step) const { return at_zero_ | (step.frame->tilted ? AxisSet::rotary() : AxisSet{}); }
+  bool take(const nc::Motion& motion);
+
+  const InputFile& source_;
+  const nc::Dialect& dialect_;
+  ReaderSettings settings_;
+  nc::Program program_;
+  SpindleTool spindle_;
+  AxisSet at_zero_;
+  std::uint64_t blocks_ = 0;
+
+  // For next_move()
+  const nc::Step* step_ = nullptr;
+  std::size_t motion_ = 0;  // of the step, the next
+  std::optional<Move> move_;
+  std::optional<ToolInSpindle> changed_tool_;
+  double begin_s_ = 0, end_s_ = 0;
+  std::uint64_t passed_moves_ = 0;
+};
+
+}  // namespace plumbline::compensate

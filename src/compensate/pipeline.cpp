@@ -1,0 +1,279 @@
+#include "compensate/pipeline.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "compensate/figures.hpp"
+#include "compensate/guard.hpp"
+
+namespace plumbline::compensate {
+namespace {
+
+constexpr double kNoWay = 1e-7;  // mm and deg
+
+// To where the tool stands already, but for the last digits of an expression: no F could keep its time.
+bool is_no_way(const Move& move) {
+  return move.motion->feed_mode != nc::FeedMode::inverse_time && move.path.curve.linear_mm() < kNoWay &&
+         largest_turn_deg(move.path.curve.delta()) < kNoWay;
+}
+
+void refuse_unknown(const nc::Step& step, const UnknownPosition& unknown) {
+  if (unknown.none()) return;
+  constexpr std::string_view kCode = "compensate-position-unknown";
+  const auto say_start = [] { return std::string("say where the machine stands with --start"); };
+  if (!unknown.moved.empty()) {
+    refuse(kCode,
+           fmt::format("{} was taken to stand at zero, since the program's own file never names it, and moves here",
+                       axis_list(unknown.moved)),
+           say_start(), place_of(step));
+  }
+  if (!unknown.turned.empty()) {
+    refuse(
+        kCode,
+        fmt::format("the program never says where {} stands, and the work offset turns it", axis_list(unknown.turned)),
+        say_start(), place_of(step));
+  }
+  const std::string missing = axis_list(unknown.missing);
+  refuse(kCode, fmt::format("this move cuts, and where {} stands is not known here", missing),
+         fmt::format("move {} with G0 to a stated position first, or say where the machine stands: --start at the "
+                     "begin, --keeps-position M6 after a tool change",
+                     missing),
+         place_of(step));
+}
+
+// G16: only the first of the pieces of such a block would be in its work system.
+void refuse_system_of_block(const nc::Step& step, const nc::Dialect& dialect) {
+  if (step.motions.empty() || step.role == nc::BlockRole::machine_move) return;
+  for (const nc::Word& word : step.block->words) {
+    const nc::CodeRow* const row = dialect.row_of(word);
+    if (row == nullptr || row->action != nc::Action::work_system_of_block) continue;
+    refuse("compensate-work-system", "this block moves in a work system that is in force for it alone",
+           "choose the work system before it and the other one behind it, as with G15 H", place_of(step));
+  }
+}
+
+// A tool of a hexapod lies along the spindle.
+void refuse_offset_beside_spindle(const nc::Step& step) {
+  for (const Axis axis : kAllAxes) {
+    if (axis == Axis::Z || step.frame->tool[axis] == 0) continue;
+    refuse("compensate-tool-offset", fmt::format("the tool offset has a part in {}", letter(axis)),
+           "a tool of a hexapod lies along the spindle: give its length alone", place_of(step));
+  }
+}
+
+// A rigid tap ends at any other motion: its blocks stay as they are, their holes shifted.
+void refuse_unless_in_place(const nc::Step& step, bool goes_on, const nc::Dialect& dialect) {
+  if (step.cycle != nc::CycleForm::spindle || !dialect.behaviour.fanuc_cycles) return;
+  if (goes_on) {
+    refuse("compensate-cycle", "this cycle goes on from one that is written out as moves",
+           "write G80 before it, and state all of its words", place_of(step));
+  }
+  if (nc::WrittenMoves::is_one_hole(step)) return;
+  refuse("compensate-cycle",
+         "a cycle that works the spindle is shifted hole by hole, and this block makes several, or counts from the one "
+         "before it (G91, K, L)",
+         "write each hole into a block of its own, with G90", place_of(step));
+}
+
+}  // namespace
+
+Pipeline::Pipeline(const InputFile& source, const ProgramSurvey& survey, const nc::ProgramSettings& program,
+                   const machine::MachineModel& model, const Settings& settings, const nc::EmitSettings& emit,
+                   OutputFile& out, nc::Form form)
+    : source_(source),
+      dialect_(survey.dialect),
+      corrector_(model, settings),
+      reader_(source, dialect_, program,
+              {survey.named, settings.step, model.reference_tool_mass, touch_off_error(corrector_, settings)}),
+      moves_(corrector_, model.limits, MoveCorrector::AtViolation::stop),
+      holes_(dialect_, corrector_, model.limits, settings, moves_),
+      steps_(dialect_, emit, form),
+      rewriter_(source, dialect_, program, emit, out, steps_, settings.read_back),
+      between_(corrector_),
+      tally_(source, dialect_, model, settings, corrector_),
+      stamps_(source) {}
+
+bool Pipeline::run(const Progress& progress) {
+  stamps_.look_at_program();
+  bool jumps = false;
+  while (const nc::Step* const step = reader_.next()) {
+    stamps_.look_at(step->block->file);
+    tally_.take_block(*step);
+    if (!jumps && step->jumped && !steps_.unrolled()) {
+      jumps = true;
+      rewriter_.only_look();
+    }
+    rewriter_.begin(*step);
+    take_block(*step);
+    if (must_unroll_ || (jumps && rewriter_.changed())) return false;
+    rewriter_.end();
+    if (progress && reader_.blocks() % kProgressEvery == 0) progress(step->block->offset, source_.size());
+  }
+  rewriter_.finish();
+  return true;
+}
+
+void Pipeline::take_block(const nc::Step& step) {
+  if (nc::dwells_first(step) && step.role == nc::BlockRole::plain && step.cycle == nc::CycleForm::none) {
+    nc::Step part = step;
+    part.motions = step.motions.first(1);
+    tally_.take_dwell(part.motions.front());
+    rewriter_.keep_wait(part);
+    part.motions = step.motions.subspan(1);
+    return take_block(part);
+  }
+  follow_tool(step);
+  const WrittenSteps::OfBlock written = steps_.of(step);
+  for (const nc::Step* const part : written.steps) take(*part);
+  if (written.steering) rewriter_.steer(*written.steering);
+}
+
+void Pipeline::follow_tool(const nc::Step& step) {
+  const std::optional<ToolInSpindle> tool = reader_.new_tool(step);
+  if (!tool) return;
+  refuse_offset_beside_spindle(step);
+  if (!reader_.tool_has_mass()) tally_.take_massless_tool(step);
+  between_.leave();
+  corrector_.set_tool(*tool);
+}
+
+void Pipeline::take(const nc::Step& step) {
+  refuse_system_of_block(step, dialect_);
+  if (step.cycle != nc::CycleForm::none) {
+    take_cycle(step);
+  } else if (step.role == nc::BlockRole::synchronised) {
+    take_synchronised(step);
+  } else if (is_corrected(step)) {
+    take_move(step);
+  } else {
+    copy_through(step);
+  }
+}
+
+// True for the moves that get a correction; refuses feed moves whose position is not known.
+bool Pipeline::is_corrected(const nc::Step& step) {
+  if (step.role != nc::BlockRole::plain || step.motions.size() != 1) return false;
+  const nc::Motion& motion = step.motions.front();
+  const bool cuts = is_cut(motion.kind);
+  if (motion.in_machine_coordinates || (!cuts && motion.kind != nc::MotionKind::rapid)) return false;
+  const UnknownPosition unknown = reader_.unknown(step, motion);
+  if (unknown.moved.empty() && !cuts) return unknown.none();
+  refuse_unknown(step, unknown);
+  return true;
+}
+
+void Pipeline::copy_through(const nc::Step& step) {
+  rewriter_.copy(step, step.motions.size() == 1 && step.motions.front().kind == nc::MotionKind::dwell);
+  const bool moves = std::any_of(step.motions.begin(), step.motions.end(),
+                                 [](const nc::Motion& motion) { return motion.kind != nc::MotionKind::dwell; });
+  if (moves || step.loses_position) between_.leave();
+  for (const nc::Motion& motion : step.motions) {
+    if (motion.kind == nc::MotionKind::dwell) {
+      tally_.take_dwell(motion);
+    } else {
+      tally_.take_passed_move();
+    }
+  }
+}
+
+const CorrectedMove& Pipeline::corrected(Move& move) {
+  reader_.divide(move);
+  const CorrectedMove& corrected = moves_.correct(move, rewriter_.standing(*move.step));
+  refuse_violations(corrected.violations, *move.step);
+  return corrected;
+}
+
+void Pipeline::take_move(const nc::Step& step) {
+  Move move = reader_.move(step, step.motions.front());
+  if (is_no_way(move)) move.duration = move.seconds = std::nullopt;
+  const CorrectedMove& corrected = this->corrected(move);
+  const WrittenMove& written = rewriter_.write(corrected);
+  if (move.is_rapid()) {
+    between_.rapid(corrected.signs.back());
+    tally_.take_rapid(corrected, written);
+  } else {
+    between_.cut(move.path, move.seconds, written.begin, written.pieces, !written.changed);
+    tally_.take_cut(corrected, written);
+  }
+}
+
+// The spindle leads: such a block cannot be divided, and its K would have to follow the corrections.
+void Pipeline::take_synchronised(const nc::Step& step) {
+  bool stays = rewriter_.stands_true(step, reader_.writable(step));
+  for (const nc::Motion& motion : step.motions) {
+    refuse_unknown(step, reader_.unknown(step, motion.known_before & motion.known_after));
+    const CorrectedMove& end =
+        moves_.correct_places(reader_.move(step, motion), {&motion.to, 1}, rewriter_.standing(step));
+    refuse_violations(end.violations, step);
+    stays = stays && rewriter_.are_none(step, end);
+  }
+  if (stays) return copy_through(step);
+  refuse("compensate-synchronised", "a move that follows the spindle (G33, G33.1) is not compensated",
+         "tap with G84, which is shifted as a whole, or mill the thread", place_of(step));
+}
+
+// Left as it is, written out move by move, or kept with its holes shifted.
+void Pipeline::take_cycle(const nc::Step& step) {
+  const std::span<const nc::Step* const> moves = steps_.of_cycle(step);
+  const bool goes_on = rewriter_.goes_on_from_written_out(step);
+  const bool point_by_point = step.ends_nurbs && steps_.unrolled();  // its points were left out
+  if (!goes_on && !point_by_point && cycle_stays(step, moves)) {
+    rewriter_.copy(step, true);
+    return tally_.take_cycle(step);
+  }
+  if (step.ends_nurbs && !point_by_point) {
+    must_unroll_ = true;  // the blocks of its points are behind us
+    return;
+  }
+  refuse_unless_in_place(step, goes_on, dialect_);
+  rewriter_.begin_cycle(step);
+  holes_.begin(step);
+  for (const nc::Step* const move : moves) {
+    if (move->cycle != nc::CycleForm::none) {
+      take_hole(*move);
+    } else {
+      take(*move);
+    }
+  }
+  rewriter_.end_cycle(step);
+}
+
+bool Pipeline::cycle_stays(const nc::Step& step, std::span<const nc::Step* const> moves) {
+  if (!rewriter_.stands_true(step, reader_.writable(step))) return false;
+  return std::all_of(moves.begin(), moves.end(), [&](const nc::Step* const move) {
+    if (move->cycle != nc::CycleForm::none) return rewriter_.are_none(*move, *corrected_hole(*move).at);
+    if (!is_corrected(*move)) return true;
+    Move part = reader_.move(*move, move->motions.front());
+    return rewriter_.stays(corrected(part));
+  });
+}
+
+CorrectedHole Pipeline::corrected_hole(const nc::Step& step) {
+  const nc::Motion& down = HoleCorrector::way_down(step);
+  refuse_unknown(step, reader_.unknown(step, down.known_before & down.known_after));
+  const CorrectedHole hole = holes_.correct(reader_.move(step, down), step.holes.front(), rewriter_.standing(step));
+  refuse_violations(hole.at->violations, step);
+  return hole;
+}
+
+void Pipeline::take_hole(const nc::Step& step) {
+  const CorrectedHole hole = corrected_hole(step);
+  holes_.check(hole);
+  tally_.take_hole(hole, rewriter_.write_hole(step, hole.shift));
+  tally_.take_cycle(step);
+}
+
+Summary Pipeline::summary() {
+  between_.leave();
+  Summary summary = tally_.summary();
+  summary.residual_mm = between_.tip_mm();
+  summary.residual_deg = between_.turned_deg();
+  summary.replayed = between_.plays();
+  summary.assumed_at_zero = reader_.at_zero();
+  rewriter_.describe(summary);
+  return summary;
+}
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,71 @@
+// One reading of a program through the model. Each block goes one way:
+//
+//   MoveReader -Step-> WrittenSteps -Step-> MoveReader -Move-> MoveCorrector -CorrectedMove-> Rewriter -WrittenMove->
+//   Tally
+#pragma once
+
+#include <span>
+
+#include "base/files.hpp"
+#include "base/progress.hpp"
+#include "compensate/between_points.hpp"
+#include "compensate/corrector.hpp"
+#include "compensate/hole_corrector.hpp"
+#include "compensate/move_corrector.hpp"
+#include "compensate/move_reader.hpp"
+#include "compensate/program_survey.hpp"
+#include "compensate/rewriter.hpp"
+#include "compensate/settings.hpp"
+#include "compensate/stamp_mark.hpp"
+#include "compensate/summary.hpp"
+#include "compensate/tally.hpp"
+#include "compensate/written_steps.hpp"
+#include "machine/model.hpp"
+#include "nc/rewrite/emit.hpp"
+
+namespace plumbline::compensate {
+
+class Pipeline {
+ public:
+  /// All references must outlive it. Refuses with compensate-touch-off.
+  Pipeline(const InputFile& source, const ProgramSurvey& survey, const nc::ProgramSettings& program,
+           const machine::MachineModel& model, const Settings& settings, const nc::EmitSettings& emit, OutputFile& out,
+           nc::Form form);
+
+  /// Where the output is recorded and shown: before run().
+  Rewriter& rewriter() { return rewriter_; }
+
+  /// Reads the program to its end, and writes it. False, and what was written is of no use: it is to be written in text
+  /// order, but jumps, and something in it must change. Refuses as Stream does.
+  bool run(const Progress& progress);
+  Summary summary();
+
+ private:
+  void follow_tool(const nc::Step& step);
+  void take_block(const nc::Step& step);
+  void take(const nc::Step& step);
+  void copy_through(const nc::Step& step);
+  bool is_corrected(const nc::Step& step);
+  void take_move(const nc::Step& step);
+  void take_synchronised(const nc::Step& step);
+  void take_cycle(const nc::Step& step);
+  bool cycle_stays(const nc::Step& step, std::span<const nc::Step* const> moves);
+  void take_hole(const nc::Step& step);
+  CorrectedHole corrected_hole(const nc::Step& step);
+  const CorrectedMove& corrected(Move& move);
+
+  const InputFile& source_;
+  const nc::Dialect& dialect_;
+  Corrector corrector_;
+  MoveReader reader_;
+  MoveCorrector moves_;
+  HoleCorrector holes_;
+  WrittenSteps steps_;
+  Rewriter rewriter_;
+  BetweenPoints between_;
+  Tally tally_;
+  StampSearch stamps_;
+  bool must_unroll_ = false;  // something changes that cannot be put in the place of its block
+};
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,246 @@
+#include "compensate/tally.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "compensate/figures.hpp"
+#include "path/duration.hpp"
+#include "physics/effect_info.hpp"
+
+namespace plumbline::compensate {
+namespace {
+
+constexpr std::uint64_t kReplayAll = 256;   // corrected moves at the begin
+constexpr std::uint64_t kReplayEvery = 16;  // behind them
+constexpr double kAlmost = 1 - 1e-6;        // pieces of exactly the time are not below it
+constexpr double kOffsetProbeMm = 1;
+constexpr double kLeastDriftMm = 1e-5;  // in an hour
+
+}  // namespace
+
+void Tally::take_block(const nc::Step& step) {
+  ++summary_.blocks;
+  const nc::Block& block = *step.block;
+  const bool percent = block.kind == nc::LineKind::percent;
+  if (block.kind == nc::LineKind::ignored || (block.words.empty() && !percent)) return;
+  ended_ = percent || std::any_of(block.words.begin(), block.words.end(), [&](const nc::Word& word) {
+             const nc::CodeRow* const row = word.letter == 'M' ? dialect_.row_of(word) : nullptr;
+             return row != nullptr && (row->action == nc::Action::end || row->action == nc::Action::end_program);
+           });
+  last_line_ = block.line;
+}
+
+void Tally::take_kept_time(double seconds) {
+  summary_.seconds_before += seconds;
+  summary_.seconds_after += seconds;
+}
+
+void Tally::take_cycle(const nc::Step& step) {
+  for (const nc::Motion& motion : step.motions) {
+    double seconds = motion.dwell_s;
+    if (motion.kind == nc::MotionKind::feed) {
+      seconds = clock_seconds(motion, path::duration(motion, path::Curve(motion), dialect_)).value_or(0);
+    }
+    take_kept_time(seconds);
+  }
+}
+
+void Tally::take_massless_tool(const nc::Step& step) {
+  massless_tools_.try_emplace(step.after->tool_in_spindle, place_of(step));
+}
+
+void Tally::take_rapid(const CorrectedMove& corrected, const WrittenMove& written) {
+  const std::size_t line = corrected.move.path.line;
+  note_point(corrected.points.front(), line);
+  note_written(written, std::nullopt, line);
+}
+
+void Tally::take_cut(const CorrectedMove& corrected, const WrittenMove& written) {
+  const Move& move = corrected.move;
+  const std::size_t line = move.path.line;
+  for (const nc::CorrectedPoint& point : corrected.points) note_point(point, line);
+  note_end(corrected);
+  if (move.widened) note_widened(corrected);
+  if (written.changed && move.seconds) note_short_pieces(written, *move.seconds, line);
+  note_written(written, move.seconds, line);
+}
+
+void Tally::take_hole(const CorrectedHole& hole, const nc::EmittedMove& written) {
+  const std::size_t line = hole.at->move.path.line;
+  for (const nc::CorrectedPoint& point : hole.at->points) note_point(point, line);
+  note_written(written, std::nullopt, line);
+}
+
+void Tally::note_point(const nc::CorrectedPoint& point, std::size_t line) {
+  ++summary_.points;
+  const double correction = length_mm(point.shift);
+  sum_of_squares_ += correction * correction;
+  summary_.correction_mm.take(correction, line);
+  summary_.correction_deg.take(largest_turn_deg(point.shift), line);
+}
+
+void Tally::note_written(const nc::EmittedMove& written, std::optional<double> seconds, std::size_t line) {
+  ++summary_.moves;
+  if (written.changed) ++summary_.changed_blocks;
+  summary_.rounding_mm.take(written.rounding_mm, line);
+  if (!seconds || *seconds <= 0) return;
+  const double after = written.seconds.value_or(*seconds);
+  summary_.seconds_before += *seconds;
+  summary_.seconds_after += after;
+  summary_.time_change.take(std::abs(after / *seconds - 1), line);
+}
+
+// Some ends of blocks are played on the model: the figures of the summary are not those of the formula that made them.
+void Tally::note_end(const CorrectedMove& corrected) {
+  const Move& move = corrected.move;
+  const Target target = move.path.target(1, move.seconds);
+  if (!sample_) {
+    sample_ = target;
+    summary_.zero_error = corrector_.error(target);
+    summary_.zero_error_line = move.path.line;
+  }
+  ++cuts_;
+  if (cuts_ > kReplayAll && cuts_ % kReplayEvery != 0) return;
+  summary_.condition.take(corrector_.condition(target), move.path.line);
+  note_offset_sensitivity(target, corrected.commanded(corrected.points.size() - 1));
+}
+
+// How far the offset may be off: the change of the correction with the place of the part.
+void Tally::note_offset_sensitivity(const Target& target, const AxisWords& commanded) {
+  const AxisWords correction = commanded - target.pose;
+  double squares = 0;
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
+    Target moved = target;
+    moved.pose[axis] += kOffsetProbeMm;
+    const Corrected corrected = corrector_.correct(moved);
+    if (!corrected.converged) continue;  // beyond the edge of what the machine can hold
+    const AxisWords there = corrected.pose - moved.pose;
+    const double change = length_mm(there - correction) / kOffsetProbeMm;
+    squares += change * change;
+  }
+  if (squares == 0) return;
+  summary_.offset_shift_for_1um_mm = std::min(summary_.offset_shift_for_1um_mm, kUm / kMm / std::sqrt(squares));
+}
+
+// What pieces longer than the steps cost: how far the middle of each lies from where it should be commanded.
+void Tally::note_widened(const CorrectedMove& corrected) {
+  const Move& move = corrected.move;
+  const std::vector<nc::CorrectedPoint>& points = corrected.points;
+  const auto count = static_cast<double>(points.size());
+  ++summary_.widened_blocks;
+  summary_.widened_step_mm.take(move.path.curve.linear_mm() / count, move.path.line);
+  AxisWords begin = move.motion->from + corrected.standing;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double middle = (static_cast<double>(i) + 0.5) / count;
+    const Target target = move.path.target(middle, move.seconds);
+    const AxisWords wanted = move.path.frame.from_pose(corrector_.correct(target).pose);
+    const AxisWords end = points[i].nominal + points[i].shift;
+    AxisWords off;
+    for (const Axis axis : kAllAxes) off[axis] = (begin[axis] + end[axis]) / 2 - wanted[axis];
+    summary_.widening_mm.take(length_mm(off), move.path.line);
+    begin = end;
+  }
+}
+
+void Tally::note_short_pieces(const WrittenMove& written, double seconds, std::size_t line) {
+  const double block_time = settings_.step.least_time_s;
+  ShortPieces& found = summary_.short_pieces;
+  for (const SentPiece& piece : written.pieces) {
+    const double lasts = piece.share * seconds;
+    const bool below_1_ms = lasts < kMs * kAlmost;
+    const bool below_block_time = lasts < block_time * kAlmost;
+    if (!below_1_ms && !below_block_time) continue;
+    if (below_1_ms) ++found.below_1_ms;
+    if (below_block_time) ++found.below_block_time;
+    if (written.pieces.size() == 1) ++found.whole_blocks;
+    if (lasts >= found.least_s) continue;
+    found.least_s = lasts;
+    found.line = line;
+  }
+}
+
+Summary Tally::summary() const {
+  Summary summary = summary_;
+  summary.bytes_before = source_.size();
+  if (summary.points > 0) summary.rms_correction_mm = std::sqrt(sum_of_squares_ / static_cast<double>(summary.points));
+  warn_of_no_end(summary);
+  warn_of_short_pieces(summary);
+  warn_of_silent_effects(summary);
+  warn_of_massless_tools(summary);
+  return summary;
+}
+
+void Tally::warn_of_no_end(Summary& summary) const {
+  if (ended_ || last_line_ == 0) return;
+  Place place;
+  place.file = source_.name();
+  place.line = last_line_;
+  summary.warnings.push_back({"compensate-no-end", "the program ends without M2 or M30",
+                              "some controls stop with an alarm there, and leave spindle and coolant on: add one",
+                              std::move(place), Severity::warning});
+}
+
+// A stated block time says what the control takes; a millisecond is what most take.
+void Tally::warn_of_short_pieces(Summary& summary) const {
+  const ShortPieces& found = summary_.short_pieces;
+  const double block_time = settings_.step.least_time_s;
+  const std::uint64_t count = block_time > 0 ? found.below_block_time : found.below_1_ms;
+  if (count == 0) return;
+  Place place;
+  place.file = source_.name();
+  place.line = found.line;
+  const std::string limit =
+      block_time > 0
+          ? fmt::format("the {:.4g} ms that the model gives as the control's time for a block", block_time / kMs)
+          : "1 ms";
+  const bool own = found.whole_blocks >= count;
+  summary.warnings.push_back({"compensate-short-pieces",
+                              fmt::format("{} of the output {} shorter than {}, the shortest {:.3g} ms",
+                                          count == 1 ? "a piece" : fmt::format("{} pieces", count),
+                                          count == 1 ? "is" : "are", limit, found.least_s / kMs),
+                              own ? "the program's own blocks are that short: a control that reads blocks more slowly "
+                                    "slows down there, with and "
+                                    "without the correction"
+                                  : "a control that reads blocks more slowly slows down there: take larger steps "
+                                    "(--step-length, --step-angle), "
+                                    "or state block_time_ms in [control] of the model",
+                              std::move(place), Severity::warning});
+}
+
+// What the model has and the correction leaves out, since nobody said that it may be counted on.
+void Tally::warn_of_silent_effects(Summary& summary) const {
+  for (const machine::EffectRow& row : model_.effects) {
+    const std::size_t effect = physics::effect_index(row.name);
+    if (settings_.dynamic || effect == physics::kEffects || !physics::effect_infos()[effect].dynamic) continue;
+    summary.warnings.push_back({"compensate-dynamic", fmt::format("{} of the model is not in the correction", row.name),
+                                "it hangs on how the control shapes the speed; --dynamic counts on the programmed feed",
+                                row.place, Severity::warning});
+  }
+  const std::optional<double> drift = sample_ ? corrector_.drift_per_hour_mm(*sample_) : std::nullopt;
+  if (settings_.time_s || drift.value_or(0) < kLeastDriftMm) return;
+  summary.warnings.push_back(
+      {"compensate-time",
+       fmt::format(
+           "the machine of the model drifts, by {:.2g} um an hour where the program begins to cut, and is taken "
+           "as it was when its measurements began",
+           *drift * kMm / kUm),
+       "say when the program runs: --at-time, in seconds from that moment",
+       {},
+       Severity::warning});
+}
+
+void Tally::warn_of_massless_tools(Summary& summary) const {
+  for (const auto& [tool, place] : massless_tools_) {
+    const std::optional<double> per_kg = sample_ ? corrector_.error_per_kg_mm(*sample_) : std::nullopt;
+    summary.warnings.push_back(
+        {"compensate-tool-mass",
+         fmt::format("tool {} has no mass{}", tool,
+                     per_kg ? fmt::format(": each kg moves the tip by {:.2g} um", *per_kg * kMm / kUm) : std::string()),
+         "state mass_kg and centre_of_mass_mm in the tool table (--tools)", place, Severity::warning});
+  }
+}
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,12 @@
+// What is found out about a program before it is executed, once for all who ask.
+#pragma once
+
+#include "compensate/program_survey.hpp"
+#include "jobs/open_program.hpp"
+
+namespace plumbline::jobs {
+
+/// The axes that its words name, and the tools of the settings' table that it may use (used_tools).
+compensate::ProgramSurvey survey_program(const OpenedProgram& program);
+
+}  // namespace plumbline::jobs
