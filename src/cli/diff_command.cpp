@@ -56,10 +56,11 @@ void add_diff(CLI::App& app, Run& run) {
   CLI::App* const command = app.add_subcommand(
       "diff",
       "Compare two programs by the poses of the tool tip in W; offsets, tools and start that are not given are "
-      "zero for both, and the settings file is that beside A");
+      "zero for both, without a model tilted planes and directions of the tool take ZYX as the order of rotations, and "
+      "the settings file is that beside A");
   const auto arguments = std::make_shared<DiffArguments>();
   add_files(*command, *arguments);
-  arguments->shared.add_to(*command, {settings::OptionGroup::program});
+  arguments->shared.add_to(*command, {settings::OptionGroup::model, settings::OptionGroup::program});
   command->callback([arguments, &run] { run = [arguments] { return diff(*arguments); }; });
 }
 

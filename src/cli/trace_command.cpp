@@ -33,14 +33,17 @@ int trace(const TraceArguments& arguments) {
 }  // namespace
 
 void add_trace(CLI::App& app, Run& run) {
-  CLI::App* const command = app.add_subcommand(
-      "trace", "Print the motion that a program makes, one JSON object a line, mm and deg; what nobody gave is zero");
+  CLI::App* const command =
+      app.add_subcommand("trace",
+                         "Print the motion that a program makes, one JSON object a line, mm and deg; what nobody gave "
+                         "is zero, and without a "
+                         "model tilted planes and directions of the tool take ZYX as the order of rotations");
   const auto arguments = std::make_shared<TraceArguments>();
   command->add_option("PROGRAM", arguments->program, "the NC program; - for standard input")
       ->type_name("FILE")
       ->required();
   command->add_option("-o,--output", arguments->output, "default standard output")->type_name("FILE");
-  arguments->shared.add_to(*command, {settings::OptionGroup::program});
+  arguments->shared.add_to(*command, {settings::OptionGroup::model, settings::OptionGroup::program});
   command->callback([arguments, &run] { run = [arguments] { return trace(*arguments); }; });
 }
 

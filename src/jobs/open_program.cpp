@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "jobs/program_dialect.hpp"
+#include "machine/model_file.hpp"
 
 namespace plumbline::jobs {
 namespace {
@@ -17,6 +18,7 @@ OpenedProgram opened(const settings::Options& options, const std::string& path, 
 
 OpenedProgram open_program(const settings::Options& options, const std::string& path) {
   nc::ProgramSettings settings = settings::program_settings(options);
+  if (!options.paths.model.empty()) settings.rotation_order = machine::read_model(options.paths.model).rotation.axes;
   settings.as_with_empty_tables = true;
   return opened(options, path, std::move(settings));
 }

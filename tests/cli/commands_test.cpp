@@ -44,6 +44,32 @@ TEST_CASE("trace prints a line of JSON for each motion") {
   CHECK(scratch.text("t.jsonl") == outcome.out);
 }
 
+TEST_CASE("trace and diff take the order of rotations from a model") {
+  const Scratch scratch;
+  std::string model = scratch.text(source_file("models/pm600-like.toml"));
+  REQUIRE(contains(model, "rotation = \"ZYX\""));
+  model.replace(model.find("\"ZYX\""), 5, "\"XYZ\"");
+  scratch.file("xyz.toml", model);
+  // The tool along (1 1 1): A, then B as turned, is not B, then A.
+  scratch.file("a.mpf", "G54 G0 X0 Y0 Z0 A0 B0 C0\nG1 X5 A3=1 B3=1 C3=1 F100\nM30\n");
+  scratch.file("b.mpf", "G54 G0 X0 Y0 Z0 A0 B0 C0\nG1 X5 A-45 B35.264389683 F100\nM30\n");
+  const auto last_to = [&](const std::string& options) {
+    const Outcome outcome = run(scratch, "trace a.mpf " + options);
+    CHECK(outcome.code == 0);
+    return json::parse(outcome.out.substr(outcome.out.rfind('\n', outcome.out.size() - 2) + 1)).at("to");
+  };
+  CHECK(std::abs(last_to("").at(3).get<double>() + 35.264389683) < 1e-6);
+  CHECK(std::abs(last_to("").at(4).get<double>() - 45) < 1e-6);
+  CHECK(last_to(kModel) == last_to(""));
+  CHECK(std::abs(last_to("-m xyz.toml").at(3).get<double>() + 45) < 1e-6);
+  CHECK(std::abs(last_to("-m xyz.toml").at(4).get<double>() - 35.264389683) < 1e-6);
+  CHECK(run(scratch, "diff a.mpf b.mpf --expect-equal").code == 3);
+  CHECK(run(scratch, "diff a.mpf b.mpf --expect-equal " + kModel).code == 3);
+  CHECK(run(scratch, "diff a.mpf b.mpf --expect-equal --model xyz.toml").code == 0);
+  scratch.file("plumbline.toml", "plumbline = \"settings 1\"\nmodel = \"xyz.toml\"\n");
+  CHECK(run(scratch, "diff a.mpf b.mpf --expect-equal").code == 0);
+}
+
 TEST_CASE("error tabulates the machine at rest") {
   const Scratch scratch;
   scratch.file("poses.csv", "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n0,0,-1008,0,0,0\n");
