@@ -59,7 +59,7 @@ TEST_CASE("what stands wrongly on the command line is named as its user would") 
         Case{"compensate p.ngc -o o.ngc q.ngc r.ngc", "is one too many"},
         Case{"compensate p.ngc -m a.toml -m b.toml -o o.ngc", "-m stands twice"},
         Case{"trace p.ngc --work-offset G54 0 0 -1008", "is one too many: the value of --work-offset"},
-        Case{"diff p.ngc p.ngc -m m.toml", "no option -m here: it belongs to compensate, "},
+        Case{"diff p.ngc p.ngc --step-length 3", "no option --step-length here: it belongs to compensate, "},
         Case{"check p.ngc --undo", "no option --undo here: it belongs to compensate"},
         Case{"check p.ngc -x", "no option -x\n"}, Case{"trace p.ngc --dialect fanuk", "did you mean fanuc?"}}) {
     INFO(c.arguments);
