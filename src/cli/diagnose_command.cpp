@@ -15,7 +15,7 @@
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "jobs/diagnose.hpp"
-#include "report/diagnosis_page.hpp"
+#include "report/page/diagnosis_page.hpp"
 #include "report/diagnosis_text.hpp"
 
 namespace plumbline::cli {

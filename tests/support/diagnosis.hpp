@@ -36,8 +36,8 @@ inline diagnose::Diagnosis small_diagnosis() {
   bar.waves[1] = 1e-6;
   bar.wave_noise.fill(0.1e-6);
   d.where.channels = {bar};
-  d.where.contrasts = {{"direction", 2, {0.5e-6, 0.05}, {2e-6, 0.1}}};
-  d.where.groups = {{"tilt_deg", 0, 5, 2, {3.1e-6, 0.06}}};
+  d.where.contrasts = {{diagnose::Difference::direction, 2, {0.5e-6, 0.05}, {2e-6, 0.1}}};
+  d.where.groups = {{diagnose::Grouping::tilt, 0, 5, 2, {3.1e-6, 0.06}}};
   d.where.reversals = {{0, 6, 4e-6, 0.5e-6, 0, 0}};
   return d;
 }

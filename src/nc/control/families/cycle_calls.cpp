@@ -47,6 +47,27 @@ constexpr Places kPlaces[] = {
 
 int last_digit(double value) { return static_cast<int>(std::abs(std::lround(value)) % 10); }
 
+// What stands in the brackets of a call.
+class CalledValues {
+ public:
+  CalledValues(const Execution& run, const CycleCall& call) : run_(run), call_(call) {}
+
+  [[noreturn]] void refuse(std::string message, std::string help) const {
+    run_.refuse(codes::kNotInterpreted, fmt::format("{}: {}", call_.row->name, message), std::move(help));
+  }
+  /// Nothing: the place is empty, or -1.
+  std::optional<double> value(int place) const {
+    if (place < 0 || static_cast<std::size_t>(place) >= call_.arguments.size()) return std::nullopt;
+    return call_.arguments[static_cast<std::size_t>(place)].value;
+  }
+  double number(int place) const { return value(place).value_or(0); }
+  double length_mm(int place) const { return number(place) * run_.control.length_unit(); }
+
+ private:
+  const Execution& run_;
+  const CycleCall& call_;
+};
+
 // One call of a cycle where the axes stand.
 class CalledHole {
  public:
@@ -54,6 +75,7 @@ class CalledHole {
       : run_(run),
         control_(run.control),
         call_(call),
+        given_(run, call),
         places_(*std::find_if(std::begin(kPlaces), std::end(kPlaces),
                               [&](const Places& places) { return places.code == call.row->value; })),
         axes_(axes_of(run.control.modal.plane)) {
@@ -63,15 +85,6 @@ class CalledHole {
   void make();
 
  private:
-  [[noreturn]] void refuse(std::string message, std::string help) const {
-    run_.refuse(codes::kNotInterpreted, fmt::format("{}: {}", call_.row->name, message), std::move(help));
-  }
-  std::optional<double> value(int place) const {
-    if (place < 0 || static_cast<std::size_t>(place) >= call_.arguments.size()) return std::nullopt;
-    return call_.arguments[static_cast<std::size_t>(place)].value;
-  }
-  double number(int place) const { return value(place).value_or(0); }
-  double length(int place) const { return number(place) * control_.length_unit(); }
   void check() const;
   void check_simple() const;
   void take_levels();
@@ -87,6 +100,7 @@ class CalledHole {
   Execution& run_;
   Control& control_;
   const CycleCall& call_;
+  CalledValues given_;
   const Places& places_;
   PlaneAxes axes_;
   Hole hole_;
@@ -94,26 +108,27 @@ class CalledHole {
 
 void CalledHole::check() const {
   if (static_cast<int>(call_.arguments.size()) > places_.last + 1) {
-    refuse("no source says what the last values in its brackets mean",
-           fmt::format("leave out what stands behind the first {}", places_.last + 1));
+    given_.refuse("no source says what the last values in its brackets mean",
+                  fmt::format("leave out what stands behind the first {}", places_.last + 1));
   }
-  if (!value(kRetractPlane) || !value(kReferencePlane) || (!value(kDepth) && !value(kRelativeDepth))) {
-    refuse("it needs a retraction plane, a reference plane and a depth", "write it as in CYCLE81(10,0,2,-15)");
+  if (!given_.value(kRetractPlane) || !given_.value(kReferencePlane) ||
+      (!given_.value(kDepth) && !given_.value(kRelativeDepth))) {
+    given_.refuse("it needs a retraction plane, a reference plane and a depth", "write it as in CYCLE81(10,0,2,-15)");
   }
-  if (number(places_.geometry) != 0) {
-    refuse("a depth that counts to the diameter depends on the shape of the tool", "give the depth of the tip");
+  if (given_.number(places_.geometry) != 0) {
+    given_.refuse("a depth that counts to the diameter depends on the shape of the tool", "give the depth of the tip");
   }
-  const int plane = last_digit(number(places_.plane));
+  const int plane = last_digit(given_.number(places_.plane));
   const int active = control_.modal.plane == Plane::xy ? 1 : control_.modal.plane == Plane::zx ? 2 : 3;
   if (plane != 0 && plane != active) {
-    refuse("it works in another plane than the one in force", "choose that plane before, with G17, G18 or G19");
+    given_.refuse("it works in another plane than the one in force", "choose that plane before, with G17, G18 or G19");
   }
-  const double axis = number(places_.axis);
+  const double axis = given_.number(places_.axis);
   if (axis != 0 && axis != static_cast<double>(index(axes_.third)) + 1) {
-    refuse("it drills along another axis than the normal of the plane in force", "leave its tool axis out");
+    given_.refuse("it drills along another axis than the normal of the plane in force", "leave its tool axis out");
   }
   if (control_.modal.feed_mode == FeedMode::inverse_time) {
-    refuse("it takes no inverse time", "write G94 before it");
+    given_.refuse("it takes no inverse time", "write G94 before it");
   }
   if (places_.code == kCalledDrill) check_simple();
 }
@@ -121,32 +136,32 @@ void CalledHole::check() const {
 // Newer controls have a dwell behind the depth of CYCLE81, posts write no place for it: where all is 0, both agree.
 void CalledHole::check_simple() const {
   for (int place = kDwell; place < static_cast<int>(call_.arguments.size()); ++place) {
-    const double given = number(place);
+    const double given = given_.number(place);
     if (given == 0 || (place >= 7 && given == 10)) continue;
-    refuse("sources disagree on what stands behind the relative depth", "leave it out, or use CYCLE82");
+    given_.refuse("sources disagree on what stands behind the relative depth", "leave it out, or use CYCLE82");
   }
 }
 
 double CalledHole::depth_mm() const {
-  const double reference = length(kReferencePlane);
-  const int how = last_digit(number(places_.how));
-  const bool relative = how == 1 || (how == 0 && value(kRelativeDepth) && number(kRelativeDepth) != 0);
-  const bool both = value(kDepth) && value(kRelativeDepth) && number(kRelativeDepth) != 0;
-  const double below = reference - std::abs(length(kRelativeDepth));
-  if (both && number(kDepth) != 0 && std::abs(below - length(kDepth)) > 1e-9) {
-    refuse("its two depths contradict each other", "leave out one of DP and DPR");
+  const double reference = given_.length_mm(kReferencePlane);
+  const int how = last_digit(given_.number(places_.how));
+  const bool relative = how == 1 || (how == 0 && given_.value(kRelativeDepth) && given_.number(kRelativeDepth) != 0);
+  const bool both = given_.value(kDepth) && given_.value(kRelativeDepth) && given_.number(kRelativeDepth) != 0;
+  const double below = reference - std::abs(given_.length_mm(kRelativeDepth));
+  if (both && given_.number(kDepth) != 0 && std::abs(below - given_.length_mm(kDepth)) > 1e-9) {
+    given_.refuse("its two depths contradict each other", "leave out one of DP and DPR");
   }
-  if (how > 2 || (how == 1 && !value(kRelativeDepth)) || (how == 2 && !value(kDepth))) {
-    refuse("its last value asks for a depth that is not there", "give the depth that it names, or leave it out");
+  if (how > 2 || (how == 1 && !given_.value(kRelativeDepth)) || (how == 2 && !given_.value(kDepth))) {
+    given_.refuse("its last value asks for a depth that is not there", "give the depth that it names, or leave it out");
   }
-  return relative ? below : length(kDepth);
+  return relative ? below : given_.length_mm(kDepth);
 }
 
 void CalledHole::take_levels() {
-  const double reference = length(kReferencePlane);
+  const double reference = given_.length_mm(kReferencePlane);
   hole_.code = places_.code;
-  hole_.r = reference + std::abs(length(kSafety));
-  hole_.clear = length(kRetractPlane);
+  hole_.r = reference + std::abs(given_.length_mm(kSafety));
+  hole_.clear = given_.length_mm(kRetractPlane);
   hole_.bottom = depth_mm();
   if (hole_.bottom >= reference || hole_.clear < reference) {
     run_.refuse(codes::kOutOfRange,
@@ -183,12 +198,13 @@ void CalledHole::make() {
 // Pitch x speed; without them F counts. CYCLE84 has a speed of its own on the way down, SST, and on the way up, SST1.
 double CalledHole::tapping_feed(bool up) const {
   const int pitch = places_.code == kCalledTap ? 8 : 10;
-  const double down_speed = places_.code == kCalledTap && number(10) != 0 ? number(10) : control_.spindle_speed;
-  const double speed = up && places_.code == kCalledTap && number(11) != 0 ? number(11) : down_speed;
-  const bool known = number(pitch) != 0 && number(places_.axis + 1) <= 1 && speed > 0;
-  if (known) return std::abs(length(pitch)) * speed;
+  const double down_speed =
+      places_.code == kCalledTap && given_.number(10) != 0 ? given_.number(10) : control_.spindle_speed;
+  const double speed = up && places_.code == kCalledTap && given_.number(11) != 0 ? given_.number(11) : down_speed;
+  const bool known = given_.number(pitch) != 0 && given_.number(places_.axis + 1) <= 1 && speed > 0;
+  if (known) return std::abs(given_.length_mm(pitch)) * speed;
   if (places_.code == kCalledFloatingTap) return feed_of_move(run_, true);
-  refuse("how fast it taps is not known", "give its pitch (PIT) in mm or inches and its speed (SST)");
+  given_.refuse("how fast it taps is not known", "give its pitch (PIT) in mm or inches and its speed (SST)");
 }
 
 double CalledHole::own_feed(double rate) const {
@@ -197,7 +213,7 @@ double CalledHole::own_feed(double rate) const {
 
 void CalledHole::at_hole() {
   const bool no_wait = places_.code == kCalledDrill || places_.code == kCalledBoreStop;
-  const double seconds = no_wait ? 0 : number(places_.code == kCalledDeep ? 8 : kDwell);
+  const double seconds = no_wait ? 0 : given_.number(places_.code == kCalledDeep ? 8 : kDwell);
   switch (places_.code) {
     case kCalledDeep:
       return pecks();
@@ -208,9 +224,9 @@ void CalledHole::at_hole() {
       go(MotionKind::feed, hole_.r, tapping_feed(true));
       break;
     case kCalledReam:
-      go(MotionKind::feed, hole_.bottom, own_feed(number(6)));
+      go(MotionKind::feed, hole_.bottom, own_feed(given_.number(6)));
       wait(seconds);
-      go(MotionKind::feed, hole_.r, own_feed(number(7)));
+      go(MotionKind::feed, hole_.r, own_feed(given_.number(7)));
       break;
     case kCalledBoreDwell:
       feed_to(hole_.bottom);
@@ -227,22 +243,23 @@ void CalledHole::at_hole() {
 
 // How deep each peck goes is the cycle's business: its moves are told from the first depth alone [C 2.1.4].
 void CalledHole::pecks() {
-  const double reference = length(kReferencePlane);
-  const double first = value(5) && number(5) != 0 ? reference - length(5) : std::abs(length(6));
-  const bool chips = number(11) == 0;
-  if (first > 0 && (hole_.r - hole_.bottom) / first <= 1e4 && number(7) == 0) {
+  const double reference = given_.length_mm(kReferencePlane);
+  const double first =
+      given_.value(5) && given_.number(5) != 0 ? reference - given_.length_mm(5) : std::abs(given_.length_mm(6));
+  const bool chips = given_.number(11) == 0;
+  if (first > 0 && (hole_.r - hole_.bottom) / first <= 1e4 && given_.number(7) == 0) {
     for (double depth = reference - first; depth > hole_.bottom + 1e-9; depth -= first) {
       feed_to(depth);
       if (chips) {
-        feed_to(std::min(depth + (number(14) > 0 ? length(14) : 1.0), hole_.r));
+        feed_to(std::min(depth + (given_.number(14) > 0 ? given_.length_mm(14) : 1.0), hole_.r));
       } else {
         go(MotionKind::rapid, hole_.r);
-        go(MotionKind::rapid, depth + (number(16) > 0 ? length(16) : 0.6));
+        go(MotionKind::rapid, depth + (given_.number(16) > 0 ? given_.length_mm(16) : 0.6));
       }
     }
   }
   feed_to(hole_.bottom);
-  wait(number(8));
+  wait(given_.number(8));
   go(MotionKind::rapid, hole_.clear);
 }
 
@@ -260,7 +277,8 @@ void CalledHole::go(MotionKind kind, double level, double feed) {
 void CalledHole::wait(double seconds) {
   if (seconds == 0) return;
   const bool turns = seconds < 0;
-  if (turns && control_.spindle_speed <= 0) refuse("a dwell in turns needs a turning spindle", "write S and M3 before");
+  if (turns && control_.spindle_speed <= 0)
+    given_.refuse("a dwell in turns needs a turning spindle", "write S and M3 before");
   Motion motion;
   motion.kind = MotionKind::dwell;
   motion.to = control_.position;

@@ -1,4 +1,4 @@
-#include "report/svg.hpp"
+#include "report/page/svg.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "report/diagnosis_page.hpp"
+#include "report/page/diagnosis_page.hpp"
 
 #include <algorithm>
 
@@ -7,8 +7,8 @@
 
 #include "base/units.hpp"
 #include "diagnose/verdict.hpp"
-#include "report/svg.hpp"
-#include "report/where_svg.hpp"
+#include "report/page/svg.hpp"
+#include "report/page/where_svg.hpp"
 
 namespace plumbline::report {
 namespace {

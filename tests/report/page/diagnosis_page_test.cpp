@@ -1,4 +1,4 @@
-#include "report/diagnosis_page.hpp"
+#include "report/page/diagnosis_page.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "report/where_svg.hpp"
+#include "report/page/where_svg.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
-#include "report/svg.hpp"
+#include "report/page/svg.hpp"
 
 namespace plumbline::report {
 namespace {

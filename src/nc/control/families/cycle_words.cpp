@@ -1,0 +1,120 @@
+// The words of a canned cycle, and what it inherits from the one before.
+#include "nc/control/families/cycle_words.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "nc/control/families/cycle_codes.hpp"
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr char kFeedOut = '1';  // FA=, as grammar/okuma.toml calls it
+
+class CycleWords {
+ public:
+  CycleWords(Execution& run, bool goes_on)
+      : run_(run),
+        cycle_(run.control.cycle),
+        code_(run.motion->value),
+        goes_on_(goes_on),
+        as_fanuc_(run.dialect.behaviour.fanuc_cycles) {}
+
+  void take_unit();
+  void take_words();
+
+ private:
+  void take_words_of_osp(bool is_new);
+  double inherited(char letter, double before, double value, bool needed) const;
+
+  Execution& run_;
+  Cycle& cycle_;
+  int code_;
+  bool goes_on_;
+  bool as_fanuc_;
+};
+
+double CycleWords::inherited(const char letter, double before, double value, bool needed) const {
+  if (run_.words.has(letter)) return value;
+  if (needed && !goes_on_) run_.need(letter, fmt::format("G{}", code_));
+  return before;
+}
+
+// What a cycle inherits is kept as numbers: after G20 the R of 5 mm is one of 5 inches [LinuxCNC, measured].
+void CycleWords::take_unit() {
+  const double unit = run_.control.length_unit();
+  const double ratio = unit / std::exchange(cycle_.unit_mm, unit);
+  if (ratio == 1 || !(goes_on_ || cycle_.begun)) return;
+  if (as_fanuc_) {
+    run_.refuse(run_.motion_code(), codes::kNotInterpreted,
+                "what the cycle inherits after a change of units depends on the control",
+                "write G80 before the change (G20, G21), and the cycle anew");
+  }
+  for (double* value :
+       {&cycle_.start, &cycle_.r, &cycle_.bottom, &cycle_.peck, &cycle_.ijk[0], &cycle_.ijk[1], &cycle_.ijk[2]}) {
+    *value *= ratio;
+  }
+}
+
+void CycleWords::take_words() {
+  const auto length = [&](char letter) {
+    const Word* const word = run_.words.find(letter);
+    return word == nullptr ? 0 : run_.length(*word);
+  };
+  const auto number = [&](char letter) {
+    const Word* const word = run_.words.find(letter);
+    return word == nullptr ? 0 : word->value;
+  };
+  cycle_.r = inherited('R', cycle_.r, length('R'), true);
+  const char normal = letter(axes_of(run_.control.modal.plane).third);
+  cycle_.bottom = inherited(normal, cycle_.bottom, length(normal), true);
+  const bool is_new = run_.dialect.behaviour.return_levels ? run_.motion_word != nullptr : as_fanuc_ && !goes_on_;
+  if (is_new) cycle_.dwell_s = 0;  // G80 and G0 end what was kept [Haas 96-8000, p. 185]
+  const bool dwells = code_ == kDrillDwell || code_ == kBoreStop || code_ == kBoreByHand || code_ == kBoreDwell;
+  cycle_.dwell_s = inherited('P', cycle_.dwell_s, number('P'), dwells && !as_fanuc_);
+  cycle_.dwell_s = run_.words.has('P') ? cycle_.dwell_s * run_.dialect.behaviour.dwell_p_s : cycle_.dwell_s;
+  const bool of_osp = run_.dialect.behaviour.return_levels;
+  const bool pecks = code_ == kChipBreaking || code_ == kPeck;
+  const char peck = of_osp && run_.words.has('I') ? 'I' : 'Q';
+  cycle_.peck = inherited(peck, cycle_.peck, length(peck), pecks);
+  for (std::size_t i = 0; i < 3; ++i) {
+    cycle_.ijk[i] = inherited(kCentreLetters[i], cycle_.ijk[i], length(kCentreLetters[i]), code_ == kBackBore);
+  }
+  if (const Word* const word = run_.words.find('P')) check_milliseconds(run_, *word);
+  if (of_osp) take_words_of_osp(is_new);
+  if (cycle_.dwell_s < 0) {
+    run_.refuse(*run_.words.find('P'), codes::kNegative, "the time to wait is negative", "write P0 or more");
+  }
+  if (pecks && cycle_.peck <= 0) {
+    const Word* const word = run_.words.find(peck);
+    run_.refuse(word != nullptr ? *word : run_.motion_code(), codes::kOutOfRange, "a peck has no depth",
+                fmt::format("write {} greater than 0", peck));
+  }
+}
+
+// With J the tool goes up to R whenever that depth has come together (setting); FA is the feed out of the hole.
+void CycleWords::take_words_of_osp(bool is_new) {
+  if (is_new) {
+    cycle_.stays = false;
+    cycle_.peck_to_r = cycle_.feed_out = 0;
+  }
+  cycle_.stays = cycle_.stays || (run_.words.letters() & run_.motion->stays_mask) != 0;
+  if (const Word* const depth = run_.words.find('J')) cycle_.peck_to_r = run_.length(*depth);
+  const Word* const feed = run_.words.find(kFeedOut);
+  if (feed == nullptr) return;
+  cycle_.feed_out = feed->value;
+  if (cycle_.feed_out > 0) return;
+  run_.refuse(*feed, codes::kNegative, "the feed out of the hole is none", "write a feed greater than 0");
+}
+
+}  // namespace
+
+void take_cycle_words(Execution& run, bool goes_on) {
+  CycleWords words(run, goes_on);
+  words.take_unit();
+  words.take_words();
+}
+
+}  // namespace plumbline::nc
