@@ -2,6 +2,7 @@
 
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
+#include "cli/messages.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
 #include "jobs/check.hpp"
@@ -23,6 +24,12 @@ int check(const CheckArguments& arguments) {
   ProgressLine line;
   const jobs::CheckSummary summary = jobs::check_file(arguments.program, options, line.progress());
   line.clear();
+  if (summary.refusal) {
+    Diagnostic warning = *summary.refusal;
+    warning.severity = Severity::warning;
+    warning.message = "compensate would refuse this: " + warning.message;
+    say(warning);
+  }
   json.give(report::check_text(summary), report::check_json(summary));
   return summary.violations == 0 ? kDone : kFound;
 }

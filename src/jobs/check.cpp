@@ -7,6 +7,7 @@
 #include "compensate/hole_corrector.hpp"
 #include "compensate/move_corrector.hpp"
 #include "compensate/move_reader.hpp"
+#include "jobs/compensate/compensate_file.hpp"
 #include "jobs/open_program.hpp"
 #include "machine/model_file.hpp"
 
@@ -78,7 +79,8 @@ class Checker {
 
 CheckSummary check_file(const std::string& program, const settings::Options& options, const Progress& progress) {
   const machine::MachineModel model = machine::read_model(options.paths.model);
-  const auto [source, dialect, settings] = open_program(options, program, model);
+  const OpenedProgram opened = open_program(options, program, model);
+  const auto& [source, dialect, settings] = opened;
   compensate::Settings compensation = options.compensation;
   compensation.step.least_time_s = model.control.block_time;
 
@@ -93,6 +95,9 @@ CheckSummary check_file(const std::string& program, const settings::Options& opt
   CheckSummary summary = checker.take();
   summary.blocks = reader.blocks();
   summary.passed_moves = reader.passed_moves();
+  if (summary.violations == 0) summary.refusal = refusal_of_writing(opened, model, options);
+  // Its output may be looked at, too.
+  if (summary.refusal && summary.refusal->code == "compensate-stamped") summary.refusal.reset();
   return summary;
 }
 

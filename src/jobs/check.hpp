@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/diagnostic.hpp"
 #include "base/progress.hpp"
 #include "machine/limits.hpp"
 #include "settings/options.hpp"
@@ -25,13 +27,14 @@ struct CheckSummary {
   std::uint64_t violations = 0;                // one for each kind and block
   std::map<std::string, std::uint64_t> kinds;  // blocks for each kind: "tilt", "X", "strut 3", "condition", "reach"
   std::vector<CheckFinding> findings;          // the first kMostFindings
+  std::optional<Diagnostic> refusal;           // of compensate, where all limits are kept
 
   static constexpr std::size_t kMostFindings = 1000;
 };
 
 /// Checks the programmed poses (tilt) and the poses that compensation would command (tilt, travel, struts, condition)
 /// at every point of the path; a pose that no command can reach is of the kind "reach". Refuses what
-/// compensate::MoveReader refuses.
+/// compensate::MoveReader refuses; what compensate refuses later, when it writes, is in the summary.
 CheckSummary check_file(const std::string& program, const settings::Options& options, const Progress& progress = {});
 
 }  // namespace plumbline::jobs

@@ -52,6 +52,14 @@ std::string check_json(const jobs::CheckSummary& summary) {
                         {"unit", f.violation.unit},
                         {"message", message_of(f.violation)}});
   }
+  Json refusal;  // null: none
+  if (const auto& r = summary.refusal) {
+    refusal = {{"code", r->code},
+               {"message", r->message},
+               {"help", r->help},
+               {"file", r->place.file},
+               {"line", r->place.line}};
+  }
   Json kinds = Json::object();
   for (const auto& [kind, count] : summary.kinds) kinds[kind] = count;
   const Json json{{"plumbline", "check 1"},
@@ -60,7 +68,8 @@ std::string check_json(const jobs::CheckSummary& summary) {
                   {"passed_moves", summary.passed_moves},
                   {"violations", summary.violations},
                   {"blocks_by_kind", kinds},
-                  {"findings", findings}};
+                  {"findings", findings},
+                  {"refusal", refusal}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -79,3 +79,30 @@ TEST_CASE("a violation in a subprogram of another file is found there") {
   CHECK(nlohmann::json::parse(report::check_json(s)).at("findings")[0].at("file") == sub);
   CHECK(report::check_text(s).starts_with(sub + ":2: tilt would be "));
 }
+
+TEST_CASE("check says what compensate would refuse when it writes, and nothing where it would not") {
+  struct Case {
+    std::string program, code;
+    std::size_t line;
+  };
+  const std::string head = "G0 X0 Y0 Z0 A0 B0 C0\n";
+  for (const Case& c :
+       {Case{head + "G1 X50 A10 F1000\nM2\n", "", 0}, Case{head + "G1 X50 F1000\nX60 M100\nM2\n", "nc-user-code", 3},
+        Case{head + "G1 X50 F1000\nG28.1\nM2\n", "emit-stores-position", 3},
+        Case{head + "G1 X50 F1000\nG33 Z-5 K1 S100 M3\nM2\n", "compensate-synchronised", 3},
+        Case{head + "M3 S500 F100\nG84 X5 Y5 Z-80 R2\nM2\n", "compensate-cycle", 3}}) {
+    INFO(c.program);
+    std::optional<Diagnostic> refused;
+    try {
+      refused = check_of(c.program).refusal;
+    } catch (const Refusal& refusal) {
+      refused = refusal.diagnostic();
+    }
+    CHECK((refused ? refused->code : "") == c.code);
+    if (refused) CHECK(refused->place.line == c.line);
+  }
+  const jobs::CheckSummary s = check_of(head + "G1 X50 F1000\nG28.1\nM2\n");
+  CHECK(s.violations == 0);
+  CHECK(nlohmann::json::parse(report::check_json(s)).at("refusal").at("code") == "emit-stores-position");
+  CHECK(nlohmann::json::parse(report::check_json(check_of(head))).at("refusal").is_null());
+}

@@ -15,14 +15,23 @@
 namespace plumbline::jobs {
 namespace {
 
-nc::EmitSettings emit_settings(const machine::ControlSettings& control, const settings::Options& options) {
+nc::EmitSettings emit_settings(const machine::ControlSettings& control, const nc::Dialect& dialect,
+                               const settings::Options& options) {
   nc::EmitSettings emit = options.emit;
   emit.digits_mm = control.digits_mm;
   emit.digits_deg = control.digits_deg;
   emit.digits_inch = control.digits_inch;
   emit.increment_mm = control.increment_mm;
   emit.increment_deg = control.increment_deg;
+  if (options.program.input_increment && dialect.behaviour.increment_mm > 0)
+    emit.increment_ratio = *options.program.input_increment / dialect.behaviour.increment_mm;
   return emit;
+}
+
+compensate::Settings compensation_settings(const machine::ControlSettings& control, const settings::Options& options) {
+  compensate::Settings compensation = options.compensation;
+  compensation.step.least_time_s = control.block_time;
+  return compensation;
 }
 
 // Which files are called shows only when the program has run.
@@ -43,17 +52,14 @@ compensate::Summary compensate_file(const std::string& program, const std::strin
   const OpenedProgram opened = open_program(options, program, model);
   const auto& [source, dialect, settings] = opened;
 
-  nc::EmitSettings emit = emit_settings(model.control, options);
-  if (options.program.input_increment && dialect.behaviour.increment_mm > 0)
-    emit.increment_ratio = *options.program.input_increment / dialect.behaviour.increment_mm;
+  nc::EmitSettings emit = emit_settings(model.control, dialect, options);
   const compensate::ProgramSurvey survey = survey_program(opened);
   emit.stamp = stamp(options, settings, model, survey);
   if (options.guard) {
     refuse_guard_before_definitions(source, dialect);
     emit.guard = guard_block(settings, survey);
   }
-  compensate::Settings compensation = options.compensation;
-  compensation.step.least_time_s = model.control.block_time;
+  const compensate::Settings compensation = compensation_settings(model.control, options);
 
   CompensatedFiles files(output, options.undo, summary_file.path);
   compensate::Stream stream(source, survey, settings, model, compensation, std::move(emit), files.program());
@@ -64,6 +70,22 @@ compensate::Summary compensate_file(const std::string& program, const std::strin
   summary.hash_after = files.program().hash();
   files.commit(source, summary_file.path.empty() ? std::string() : summary_file.text(summary));
   return summary;
+}
+
+std::optional<Diagnostic> refusal_of_writing(const OpenedProgram& opened, const machine::MachineModel& model,
+                                             const settings::Options& options) {
+  const compensate::ProgramSurvey survey = survey_program(opened);
+  compensate::Settings compensation = compensation_settings(model.control, options);
+  compensation.read_back = false;
+  OutputFile nowhere("/dev/null");
+  compensate::Stream stream(opened.file, survey, opened.settings, model, compensation,
+                            emit_settings(model.control, opened.dialect, options), nowhere);
+  try {
+    stream.run();
+  } catch (const Refusal& refusal) {
+    return refusal.diagnostic();
+  }
+  return std::nullopt;
 }
 
 }  // namespace plumbline::jobs

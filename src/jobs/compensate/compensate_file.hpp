@@ -2,10 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "base/diagnostic.hpp"
 #include "base/progress.hpp"
 #include "compensate/summary.hpp"
+#include "jobs/open_program.hpp"
+#include "machine/model.hpp"
 #include "settings/options.hpp"
 
 namespace plumbline::jobs {
@@ -21,5 +25,9 @@ struct SummaryFile {
 compensate::Summary compensate_file(const std::string& program, const std::string& output,
                                     const settings::Options& options, const Progress& progress = {},
                                     const SummaryFile& summary_file = {});
+
+/// What compensate_file would refuse, if anything; nothing is written. Its guard and its read-back are left out.
+std::optional<Diagnostic> refusal_of_writing(const OpenedProgram& opened, const machine::MachineModel& model,
+                                             const settings::Options& options);
 
 }  // namespace plumbline::jobs
