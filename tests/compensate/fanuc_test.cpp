@@ -315,3 +315,18 @@ TEST_CASE("increments that were cut into pieces end where the program said") {
   const AxisWords end = end_of(run(text, job).text, job);
   for (const Axis axis : {Axis::X, Axis::Y}) CHECK(std::abs(end[axis] - original[axis]) <= 0.05);
 }
+
+TEST_CASE("F under G93 that the control does not take is named as such, not as too short a piece") {
+  for (const std::string move : {"G93 G1 X10. A1. F60000.", "G93\nG1 A.5 F10000.", "G93 G2 X10. I5. F123456."}) {
+    INFO(move);
+    try {
+      run(kHead + move + "\nM30\n", fanuc());
+      FAIL("it was taken");
+    } catch (const Refusal& refusal) {
+      CHECK(refusal.diagnostic().code == "emit-feed-range");
+      CHECK(refusal.diagnostic().message.starts_with("this block has F"));
+      CHECK(refusal.diagnostic().help.find("G94") != std::string::npos);
+    }
+  }
+  CHECK(code_of(kHead + "G93 G1 X.001 F9999.999\nM30\n", fanuc()).empty());
+}

@@ -90,7 +90,7 @@ TEST_CASE("check says what compensate would refuse when it writes, and nothing w
        {Case{head + "G1 X50 A10 F1000\nM2\n", "", 0}, Case{head + "G1 X50 F1000\nX60 M100\nM2\n", "nc-user-code", 3},
         Case{head + "G1 X50 F1000\nG28.1\nM2\n", "emit-stores-position", 3},
         Case{head + "G1 X50 F1000\nG33 Z-5 K1 S100 M3\nM2\n", "compensate-synchronised", 3},
-        Case{head + "M3 S500 F100\nG84 X150 Y90 Z-150 R2\nM2\n", "compensate-cycle", 3}}) {
+        Case{head + "F100\nG1 X150 Y90\nG30.1\nM2\n", "emit-stores-position", 4}}) {
     INFO(c.program);
     std::optional<Diagnostic> refused;
     try {

@@ -363,6 +363,13 @@ double PiecePlanner::inverse_time(const Step& step, double per_minute) const {
   const double largest = std::pow(10, dialect_.behaviour.most_digits - 1) * least - least;  // 9999.999 of 0.001
   const double kept = std::round(per_minute / least) * least;
   if (kept <= largest && std::abs(kept - per_minute) <= settings_.time_tolerance * 10 * per_minute) return kept;
+  if (const double own = step.motions.front().feed; own > largest) {
+    refuse_block(*step.block, "emit-feed-range",
+                 fmt::format("this block has F{:.6g}, and F under G93 goes from {} to {}", own, to_decimal(least),
+                             to_decimal(largest, 3)),
+                 "the control does not take this F: under G93 it is one over the time of the block in minutes, so look "
+                 "whether G94 was meant");
+  }
   refuse_block(
       *step.block, "emit-feed-range",
       fmt::format("a piece of this block would need F{:.6g}, and F under G93 goes from {} to {} in steps of {}",
