@@ -121,29 +121,34 @@ std::vector<std::string> linuxcnc_guard(const nc::ProgramSettings& program, std:
   return guard.take();
 }
 
+std::vector<std::string> lines_of_guard(const nc::ProgramSettings& program, std::span<const nc::Tool> tools,
+                                        AxisSet assumed, const nc::Dialect& dialect) {
+  switch (dialect.guard) {
+    case nc::GuardLanguage::linuxcnc:
+      return linuxcnc_guard(program, tools, assumed);
+    case nc::GuardLanguage::macro_b:
+      return fanuc_guard(program, assumed, dialect);
+    case nc::GuardLanguage::sinumerik:
+      return siemens_guard(program, assumed, dialect);
+    case nc::GuardLanguage::none:
+      break;
+  }
+  refuse("guard-dialect", fmt::format("which variables of {} hold its offsets was found in no source", dialect.name),
+         "leave --guard out; the offsets stand in the comments at the start of the output");
+}
+
 }  // namespace
 
 std::vector<std::string> guard_block(const nc::ProgramSettings& program, const compensate::ProgramSurvey& survey) {
   const nc::Dialect& dialect = survey.dialect;
-  const AxisSet assumed = survey.unnamed();
-  std::vector<std::string> lines;
-  if (dialect.name == "linuxcnc") {
-    lines = linuxcnc_guard(program, survey.tools, assumed);
-  } else if (dialect.name == "fanuc") {
-    lines = fanuc_guard(program, assumed, dialect);
-  } else if (dialect.name == "siemens") {
-    lines = siemens_guard(program, assumed, dialect);
-  } else {
-    refuse("guard-dialect", fmt::format("which variables of {} hold its offsets was found in no source", dialect.name),
-           "leave --guard out; the offsets stand in the comments at the start of the output");
-  }
+  std::vector<std::string> lines = lines_of_guard(program, survey.tools, survey.unnamed(), dialect);
   lines.insert(lines.begin(), nc::guard_line(nc::kGuardBegins, dialect));
   lines.push_back(nc::guard_line(nc::kGuardEnds, dialect));
   return lines;
 }
 
 void refuse_guard_before_definitions(const InputFile& source, const nc::Dialect& dialect) {
-  if (dialect.syntax.statements != nc::Statements::high_level) return;
+  if (!dialect.syntax.declared) return;
   nc::LineSource lines(source);
   nc::Line line;
   while (lines.next(line)) {

@@ -268,9 +268,8 @@ void check_increment(const Execution& run, const Word& word, Axis axis) {
   if (!control.shifted.contains(axis) || !control.known.contains(axis)) return;
   if (word.value == 0 && run.chosen_row(Action::go_home) != nullptr)
     return;  // G91 G28 Z0 ends at home, whatever counts
-  const std::string absolute = run.dialect.syntax.statements == Statements::high_level
-                                   ? fmt::format("G90 or {}=AC(..)", letter(axis))
-                                   : std::string("G90");
+  const std::string absolute =
+      run.dialect.syntax.word_modes ? fmt::format("G90 or {}=AC(..)", letter(axis)) : std::string("G90");
   run.refuse(
       word, codes::kNotInterpreted,
       fmt::format("whether this increment brings along the offset that changed before it depends on the settings "

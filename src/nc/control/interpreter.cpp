@@ -189,7 +189,7 @@ void Interpreter::evaluate(Block& block) {
 // A word whose value is a vacant variable is as if not written [B-63174EN 13]; the control with EMPTY stops there.
 void Interpreter::leave_out_vacant_words(Block& block) {
   for (const Word& word : block.words) {
-    if (!word.vacant || run_.dialect.syntax.statements == Statements::macro_b) continue;
+    if (!word.vacant || run_.dialect.syntax.drops_vacant_words) continue;
     run_.refuse(word, codes::kParameterUnset, fmt::format("nobody gave {} a value", block.at(word.span)),
                 "set the variable before, or ask with EQ EMPTY");
   }
@@ -227,7 +227,7 @@ void Interpreter::evaluate_settings(const Block& block) {
 
 // In RS274/NGC all values of a block are found before any is set.
 Value Interpreter::value_before(const Block& block, std::uint32_t code, std::size_t settings) {
-  if (settings == 0 || run_.dialect.syntax.statements == Statements::o_words) return value(block, code);
+  if (settings == 0 || run_.dialect.syntax.settings_at_once) return value(block, code);
   ParametersOfBlock readings(system_parameters_, control_.parameters, {setting_numbers_.data(), settings});
   return evaluator_.run(block, code, readings);
 }
@@ -266,9 +266,9 @@ void Interpreter::set_parameter(const Block& block, const Setting& place, int nu
       control_.parameters.declare(block.at(block.names[place.name]), place.type);
     }
     control_.parameters.set(block.at(block.names[place.name]), value);
-  } else if (number == kAlarm && run_.dialect.syntax.statements == Statements::macro_b) {
+  } else if (number == run_.dialect.syntax.alarm_variable) {
     control_.ended = run_.step.alarms = true;
-  } else if (number == kMessage && run_.dialect.syntax.statements == Statements::macro_b) {
+  } else if (number == run_.dialect.syntax.message_variable) {
     run_.step.shows_message = true;
     if (!run_.settings.keeps_position.contains(0)) lose_position(run_, AxisSet::all());  // as behind M0
   } else {

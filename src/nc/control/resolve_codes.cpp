@@ -238,7 +238,7 @@ void gather(Execution& run) {
   if (machine_axis != nullptr) check_machine_axis(run, *machine_axis);
   if (run.words.polar()) plan_polar(run);
   if (run.chosen.size() > 1) {
-    if (run.dialect.syntax.statements != Statements::o_words) take_words_of_dwell(run);
+    if (run.dialect.behaviour.dwell_takes_words) take_words_of_dwell(run);
     check_groups(run);
   }
 }

@@ -30,21 +30,23 @@ bool is_common(int number) { return (number >= 100 && number <= 199) || (number 
 }  // namespace
 
 ParameterLimits SystemParameters::limits() const {
-  return {dialect_.syntax.statements == Statements::o_words ? 1 : 0, dialect_.syntax.last_variable};
+  return {dialect_.syntax.system_variables == SystemVariables::rs274 ? 1 : 0, dialect_.syntax.last_variable};
 }
 
 bool SystemParameters::is_read_only(int number) const {
-  if (dialect_.syntax.statements == Statements::macro_b) {
-    const bool free = (number >= 1 && number <= dialect_.syntax.local_variables) || is_common(number);
-    return !free && number != kSingleBlock && number != kFeedHold && number != kAlarm && number != kMessage;
+  const Syntax& syntax = dialect_.syntax;
+  if (syntax.system_variables == SystemVariables::macro_b) {
+    const bool free = (number >= 1 && number <= syntax.local_variables) || is_common(number);
+    return !free && number != kSingleBlock && number != kFeedHold && number != syntax.alarm_variable &&
+           number != syntax.message_variable;
   }
-  if (dialect_.syntax.names) return false;
+  if (syntax.system_variables == SystemVariables::none) return false;
   return (number >= kHomes && number <= kHomesEnd) || (number >= kG92InForce && number <= kSystemsEnd) ||
          (number >= kTool && number < kPositionEnd);
 }
 
 bool SystemParameters::is_read_only(std::string_view name) {
-  if (dialect_.syntax.names) return false;
+  if (dialect_.syntax.system_variables == SystemVariables::none) return false;
   return is_predefined(control_.parameters.plain(name));
 }
 
@@ -141,8 +143,9 @@ Value SystemParameters::read_macro_variable(const Block& block, int number, Span
 }
 
 Value SystemParameters::read(const Block& block, int number, Span span) {
-  if (dialect_.syntax.statements == Statements::macro_b) return read_macro_variable(block, number, span);
-  if (dialect_.syntax.names) {
+  const SystemVariables own = dialect_.syntax.system_variables;
+  if (own == SystemVariables::macro_b) return read_macro_variable(block, number, span);
+  if (own == SystemVariables::none) {
     if (control_.parameters.has(number)) return control_.parameters.get(number);
     const Value value = unset(block, span);
     return {value.number, value.known};  // zero, and not vacant as in macro B
@@ -183,8 +186,8 @@ bool SystemParameters::is_made(const Block& block, std::string_view plain, Span 
 
 Value SystemParameters::read(const Block& block, std::string_view name, Span span) {
   if (const Value* value = control_.parameters.find(name)) return *value;
-  if (dialect_.syntax.statements == Statements::user_task) return {0, true, true};  // EMPTY
-  if (dialect_.syntax.names) return unset(block, span);
+  if (dialect_.syntax.empty_names) return {0, true, true};
+  if (dialect_.syntax.system_variables == SystemVariables::none) return unset(block, span);
   const std::string plain(control_.parameters.plain(name));
   if (const std::optional<Axis> axis = position_named(plain)) return position(block, *axis, span);
   if (const std::optional<Axis> axis = machine_position_named(plain)) return machine_position(block, *axis, span);

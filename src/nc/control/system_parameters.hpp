@@ -7,7 +7,6 @@
 namespace plumbline::nc {
 
 // Macro B: what is set there stops the control, with an alarm or with a message, behind which it goes on [E].
-inline constexpr int kAlarm = 3000, kMessage = 3006;
 
 class SystemParameters : public ParameterReader {
  public:

@@ -151,13 +151,30 @@ struct CodeRow {
   std::string written_as;                  // the code that takes A, B and C in their place
 };
 
-/// How a program says where it goes on.
+/// How a program says where it goes on: which grammar its lines have.
 enum class Statements : std::uint8_t {
   o_words,     // RS274/NGC
   macro_b,     // IF [..] GOTO 10, WHILE [..] DO 1
   user_task,   // IF [..] NAME, GOTO NAME, CALL OSUB
   high_level,  // IF .. ELSE ENDIF, GOTOF NAME, SUB(1,2)
 };
+
+/// What a block that is jumped to begins with.
+enum class Labels : std::uint8_t {
+  numbers,         // N10
+  sequence_names,  // N10, NLAP
+  names,           // N10, NAME:
+};
+
+/// Which variables are the control's own.
+enum class SystemVariables : std::uint8_t {
+  rs274,    // #5161 and further, and names (#<_x>)
+  macro_b,  // #3000 and further
+  none,     // they have names of their own, or none is read
+};
+
+/// The language of the lines that a guard consists of.
+enum class GuardLanguage : std::uint8_t { none, linuxcnc, macro_b, sinumerik };
 
 /// What a name in a program means.
 struct NameMeaning {
@@ -175,27 +192,49 @@ struct NumberedVariables {
   int first = 0, last = 0, at = 0;
 };
 
-/// How the control reads what is written.
+inline constexpr int kNoVariable = -2;
+
+/// How the control reads what is written. dialect_keys.hpp says what is called so in a table.
 struct Syntax {
   Statements statements = Statements::o_words;
-  bool names = false;             // words, values and codes may be names
-  bool semicolon_comment = true;  // else the comment stands in ( ), and ; does as well where both are known
-  bool semicolon_ends = false;    // ; is the end of a block: nothing but comments in ( ) stands behind it
-  bool percent_text = false;      // behind the first % there may be text
-  bool open_assignment = false;   // what is assigned needs no brackets
-  bool one_sign = false;          // X--5 is a slip, not X5
-  bool repeated_ijk = false;      // I, J and K may stand more than once (arguments of a macro)
-  bool rounds_to_zero = false;    // FIX and FUP
-  bool bitwise = false;           // AND, OR, XOR work on the bits of whole numbers and bind like * and +
-  bool full_turn = false;         // ATAN gives 0 to 360
-  bool relations_last = false;    // == binds weaker than AND
-  bool declared = false;          // a variable that has a name is declared before it is set (DEF)
-  bool settings_alone = false;    // such a variable is set in a block without words, and has two letters or more
-  char open = '[';                // of expressions of a language with names
-  char goes_on = '\0';            // lines that begin with it belong to the block of the line before
-  double equal_within = 1e-4;     // EQ and NE
-  int local_variables = 30;       // #1... of a subprogram
+  bool names = false;               // words, values and codes may be names
+  bool semicolon_ends = false;      // ; is the end of a block: nothing but comments in ( ) stands behind it
+  bool percent_text = false;        // behind the first % there may be text
+  bool percent_pairs = false;       // % ends a program only if it began with one
+  bool archive_heads = false;       // %_N_NAME_MPF begins a program
+  bool skip_switches = false;       // /2: a block skip of its own switch
+  bool spindle_words = false;       // $ chooses one of several spindles
+  bool comma_corners = false;       // a comma begins a corner that the control works out (,C ,R ,A)
+  bool word_modes = false;          // X=AC(5), A=DC(5)
+  bool open_assignment = false;     // what is assigned needs no brackets
+  bool settings_at_once = false;    // all values of a block are found before any is set
+  bool one_sign = false;            // X--5 is a slip, not X5
+  bool repeated_ijk = false;        // I, J and K may stand more than once (arguments of a macro)
+  bool rounds_to_zero = false;      // FIX and FUP
+  bool bitwise = false;             // AND, OR, XOR work on the bits of whole numbers and bind like * and +
+  bool full_turn = false;           // ATAN gives 0 to 360
+  bool exists_numbers = false;      // EXISTS[#5] asks for a number as well
+  bool relations_last = false;      // == binds weaker than AND
+  bool declared = false;            // a variable that has a name is declared before it is set (DEF)
+  bool settings_alone = false;      // such a variable is set in a block without words, and has two letters or more
+  bool empty_names = false;         // one that nobody set has no value; else reading it is refused
+  bool drops_vacant_words = false;  // a word whose value is a vacant variable is as if not written
+  bool calls_by_name = false;       // a name that means nothing else is a subprogram
+  bool zero_calls_unknown = false;  // whether a call that asks for none is executed is not known
+  bool numbered_loops = false;      // DO 1 ends at END 1
+  bool branches = false;            // IF without a jump begins a branch: there is a keyword that ends it
+  bool case_of_files = false;       // the case of letters counts in names of subprograms' files
+  char call_letter = '\0';          // L10 calls the subprogram of that name
+  char program_letter = '\0';       // O and a name begin a program
+  char open = '[';                  // of expressions of a language with names
+  char goes_on = '\0';              // lines that begin with it belong to the block of the line before
+  Labels labels = Labels::numbers;
+  SystemVariables system_variables = SystemVariables::none;
+  double equal_within = 1e-4;  // EQ and NE
+  int local_variables = 30;    // #1... of a subprogram
   int last_variable = 5601;
+  int alarm_variable = kNoVariable;                       // setting it stops the control
+  int message_variable = kNoVariable;                     // setting it shows a message and stops as M0 does
   bool draws = false;                                     // DEF WORK ... END: the blank that the control draws
   bool truths_only = false;                               // AND, OR: whether they join truths or bits is not known
   std::string reserved;                                   // names of the control's own variables begin with this
@@ -263,6 +302,10 @@ struct ControlBehaviour {
   bool increment_unknown_after_length = false;  // D1, G43 H1
   bool increment_unknown_after_turn = false;    // ROT, G68
   bool turned_axis_alone_unknown = false;       // G68, then X without Y
+  bool dwell_takes_words = false;               // F and S beside G4 are its time
+  bool feed_mode_drops_feed = false;            // G94 drops the F before it even where it is in force already
+  bool change_stops_spindle = false;            // M6
+  bool local_shift_adds = false;                // to what ATRANS added: G58 of a SINUMERIK
 };
 
 struct Dialect {
@@ -282,6 +325,7 @@ struct Dialect {
   bool feed_before_units = false;  // F counts in the units that were in force before its block
   double feed_rate_min = 0;        // units/min under which length x F is lifted in inverse time mode
   std::size_t line_length = 255;   // characters, the line end not counted
+  GuardLanguage guard = GuardLanguage::none;
   std::string comment_open = "(";
   std::string comment_close = ")";
   int first_user_m_code = 0, last_user_m_code = -1;  // codes of the machine's builder

@@ -113,6 +113,24 @@ constexpr std::array kStatements{
     std::pair<std::string_view, Statements>{"high_level", Statements::high_level},
 };
 
+constexpr std::array kLabels{
+    std::pair<std::string_view, Labels>{"numbers", Labels::numbers},
+    std::pair<std::string_view, Labels>{"sequence_names", Labels::sequence_names},
+    std::pair<std::string_view, Labels>{"names", Labels::names},
+};
+
+constexpr std::array kSystemVariables{
+    std::pair<std::string_view, SystemVariables>{"rs274", SystemVariables::rs274},
+    std::pair<std::string_view, SystemVariables>{"macro_b", SystemVariables::macro_b},
+    std::pair<std::string_view, SystemVariables>{"none", SystemVariables::none},
+};
+
+constexpr std::array kGuards{
+    std::pair<std::string_view, GuardLanguage>{"linuxcnc", GuardLanguage::linuxcnc},
+    std::pair<std::string_view, GuardLanguage>{"macro_b", GuardLanguage::macro_b},
+    std::pair<std::string_view, GuardLanguage>{"sinumerik", GuardLanguage::sinumerik},
+};
+
 constexpr std::array kKeywords{
     std::pair<std::string_view, FlowWord>{"if", FlowWord::begin_if},
     std::pair<std::string_view, FlowWord>{"else", FlowWord::otherwise},
@@ -187,6 +205,9 @@ auto named(const Names& names, std::string_view name) {
 
 Action action_named(std::string_view name) { return named(kActions, name); }
 Statements statements_named(std::string_view name) { return named(kStatements, name); }
+Labels labels_named(std::string_view name) { return named(kLabels, name); }
+SystemVariables system_variables_named(std::string_view name) { return named(kSystemVariables, name); }
+GuardLanguage guard_named(std::string_view name) { return named(kGuards, name); }
 FlowWord keyword_named(std::string_view name) { return named(kKeywords, name); }
 Operation operation_named(std::string_view name) { return named(kOperations, name); }
 FeedRule feed_rule_named(std::string_view name) { return named(kFeedRules, name); }

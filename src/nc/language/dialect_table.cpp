@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +12,7 @@
 #include "base/number_text.hpp"
 #include "base/toml.hpp"
 #include "nc/language/block_words.hpp"
+#include "nc/language/dialect_keys.hpp"
 #include "nc/language/dialect_names.hpp"
 
 namespace plumbline::nc {
@@ -53,6 +56,7 @@ class TableReader {
     rows("g", dialect.g_codes, dialect.g_index);
     rows("m", dialect.m_codes, dialect.m_index);
     dialect.work_systems = static_cast<int>(number(root_, "work_systems", dialect.work_systems));
+    if (root_.find("guard") != nullptr) dialect.guard = guard_named(text(root_, "guard"));
     if (const TomlEntry* entry = root_.find("syntax")) read_syntax(entry->value, dialect.syntax);
     if (const TomlEntry* entry = root_.find("habits")) read_habits(entry->value, dialect.behaviour);
     texts("subprogram_files", dialect.syntax.subprogram_files);
@@ -101,28 +105,55 @@ class TableReader {
     return found->items;
   }
 
+  // Sets the members of those keys that the table has.
+  template <class Table, class Keys>
+  void read_keys(const TomlValue& from, Table& table, const Keys& keys) const {
+    for (const auto& key : keys) {
+      if (from.find(key.name) == nullptr) continue;
+      auto& member = table.*key.member;
+      using Member = std::remove_reference_t<decltype(member)>;
+      if constexpr (std::is_same_v<Member, bool>) {
+        member = flag(from, key.name);
+      } else if constexpr (std::is_same_v<Member, char>) {
+        member = text(from, key.name).at(0);
+      } else if constexpr (std::is_same_v<Member, std::string>) {
+        member = text(from, key.name);
+      } else {
+        member = static_cast<Member>(number(from, key.name, 0));
+      }
+    }
+  }
+
+  // A slip in a key would be a habit that the control does not have.
+  template <class... Keys>
+  void check_keys(const TomlValue& from, std::initializer_list<std::string_view> others, const Keys&... keys) const {
+    for (const TomlEntry& entry : from.entries) {
+      const auto is_this = [&](const auto& key) { return key.name == entry.key; };
+      const bool known = std::find(others.begin(), others.end(), entry.key) != others.end() ||
+                         (std::any_of(std::begin(keys), std::end(keys), is_this) || ...);
+      if (!known) complain(fmt::format("'{}' is no key", entry.key));
+    }
+  }
+
   void read_syntax(const TomlValue& from, Syntax& syntax) const {
+    check_keys(from, {"statements", "labels", "system_variables"}, kSyntaxFlags, kSyntaxLetters, kSyntaxNumbers,
+               kSyntaxIntegers, kSyntaxTexts);
     syntax.statements = statements_named(text(from, "statements"));
-    syntax.names = flag(from, "names");
-    syntax.semicolon_ends = flag(from, "semicolon_ends");
-    syntax.percent_text = flag(from, "percent_text");
-    syntax.declared = flag(from, "declared");
-    syntax.settings_alone = flag(from, "settings_alone");
-    syntax.open_assignment = flag(from, "open_assignment");
-    syntax.one_sign = flag(from, "one_sign");
-    syntax.repeated_ijk = flag(from, "repeated_ijk");
-    syntax.rounds_to_zero = flag(from, "rounds_to_zero");
-    syntax.bitwise = flag(from, "bitwise");
-    syntax.full_turn = flag(from, "full_turn");
-    syntax.relations_last = flag(from, "relations_last");
-    if (from.find("open") != nullptr) syntax.open = text(from, "open").at(0);
-    syntax.draws = flag(from, "draws");
-    syntax.truths_only = flag(from, "truths_only");
-    if (from.find("goes_on") != nullptr) syntax.goes_on = text(from, "goes_on").at(0);
-    if (from.find("reserved") != nullptr) syntax.reserved = text(from, "reserved");
-    syntax.equal_within = number(from, "equal_within", syntax.equal_within);
-    syntax.local_variables = static_cast<int>(number(from, "local_variables", syntax.local_variables));
-    syntax.last_variable = static_cast<int>(number(from, "last_variable", syntax.last_variable));
+    if (from.find("labels") != nullptr) syntax.labels = labels_named(text(from, "labels"));
+    syntax.system_variables = system_variables_named(text(from, "system_variables"));
+    read_keys(from, syntax, kSyntaxFlags);
+    read_keys(from, syntax, kSyntaxLetters);
+    read_keys(from, syntax, kSyntaxNumbers);
+    read_keys(from, syntax, kSyntaxIntegers);
+    read_keys(from, syntax, kSyntaxTexts);
+    read_names(syntax);
+    syntax.branches = std::any_of(syntax.meanings.begin(), syntax.meanings.end(), [](const auto& entry) {
+      return entry.second.kind == NameMeaning::Kind::keyword &&
+             entry.second.which == static_cast<int>(FlowWord::end_if);
+    });
+  }
+
+  void read_names(Syntax& syntax) const {
     using Kind = NameMeaning::Kind;
     const auto each = [&](std::string_view key, Kind kind, const auto& which) {
       if (root_.find(key) == nullptr) return;
@@ -144,61 +175,13 @@ class TableReader {
   }
 
   void read_habits(const TomlValue& from, ControlBehaviour& behaviour) const {
-    behaviour.last_of_group = flag(from, "last_of_group");
-    behaviour.bare_motion_code_is_mode = flag(from, "bare_motion_code_is_mode");
-    behaviour.group_0_takes_axes = flag(from, "group_0_takes_axes");
-    behaviour.no_work_system_at_start = flag(from, "no_work_system_at_start");
-    behaviour.always_point = flag(from, "always_point");
-    behaviour.increment_mm = number(from, "increment_mm", 0);
-    behaviour.increment_inch = number(from, "increment_inch", 0);
-    behaviour.increment_deg = number(from, "increment_deg", 0);
-    behaviour.increment_of_rest_unknown = flag(from, "increment_of_rest_unknown");
-    behaviour.keeps_increment = flag(from, "keeps_increment");
-    if (from.find("whole_words") != nullptr) behaviour.whole_words = text(from, "whole_words");
-    behaviour.most_digits = static_cast<int>(number(from, "most_digits", 0));
-    behaviour.m_beside_cut_unknown = flag(from, "m_beside_cut_unknown");
-    behaviour.change_beside_move_unknown = flag(from, "change_beside_move_unknown");
-    behaviour.inverse_time_increment = number(from, "inverse_time_increment", 0);
-    behaviour.inverse_time_by_radius = flag(from, "inverse_time_by_radius");
-    behaviour.helix_feed_along_circle = flag(from, "helix_feed_along_circle");
-    behaviour.feed_inch_increment_unknown = flag(from, "feed_inch_increment_unknown");
-    behaviour.feed_per_revolution_increment = number(from, "feed_per_revolution_increment", 0);
-    behaviour.machine_move_is_rapid = flag(from, "machine_move_is_rapid");
-    behaviour.offset_numbers_last = flag(from, "offset_numbers_last");
-    behaviour.increment_word_mm = number(from, "increment_word_mm", 0);
-    behaviour.increment_word_inch = number(from, "increment_word_inch", 0);
-    behaviour.increment_word_deg = number(from, "increment_word_deg", 0);
-    behaviour.machine_move_tool_unknown = flag(from, "machine_move_tool_unknown");
-    behaviour.h0_is_no_tool = flag(from, "h0_is_no_tool");
-    behaviour.tool_length_moves = flag(from, "tool_length_moves");
-    if (from.find("unknown_beside_unit") != nullptr) behaviour.unknown_beside_unit = text(from, "unknown_beside_unit");
-    behaviour.unit_change_drops_feed = flag(from, "unit_change_drops_feed");
-    behaviour.tool_length_at_change = flag(from, "tool_length_at_change");
-    behaviour.fanuc_cycles = flag(from, "fanuc_cycles");
-    behaviour.peck_gap_mm = number(from, "peck_gap_mm", behaviour.peck_gap_mm);
-    behaviour.passed_code_keeps_position = flag(from, "passed_code_keeps_position");
-    behaviour.most_m_codes = static_cast<int>(number(from, "most_m_codes", 0));
-    behaviour.call_with_moves = flag(from, "call_with_moves");
-    behaviour.least_calls = static_cast<int>(number(from, "least_calls", 0));
-    behaviour.call_repeat_digits = static_cast<int>(number(from, "call_repeat_digits", 0));
-    behaviour.table_increments = flag(from, "table_increments");
-    behaviour.end_returns = flag(from, "end_returns");
-    behaviour.turns_are_extra = flag(from, "turns_are_extra");
-    behaviour.dwell_p_s = number(from, "dwell_p_s", 1);
-    behaviour.inch_turn_unknown = flag(from, "inch_turn_unknown");
-    behaviour.inch_turn_per_revolution_unknown = flag(from, "inch_turn_per_revolution_unknown");
-    behaviour.dwell_unknown_per_revolution = flag(from, "dwell_unknown_per_revolution");
-    behaviour.dwell_unknown_inverse_time = flag(from, "dwell_unknown_inverse_time");
-    behaviour.h0_is_machine = flag(from, "h0_is_machine");
-    behaviour.travel_limit_mm = number(from, "travel_limit_mm", 0);
-    behaviour.return_levels = flag(from, "return_levels");
-    behaviour.cycle_off_stops_spindle = flag(from, "cycle_off_stops_spindle");
-    behaviour.rapid_behind_cycles = flag(from, "rapid_behind_cycles");
-    behaviour.inverse_time_arc_unknown = flag(from, "inverse_time_arc_unknown");
-    behaviour.set_position_unknown_elsewhere = flag(from, "set_position_unknown_elsewhere");
-    behaviour.radius_positive = flag(from, "radius_positive");
+    check_keys(from, {"beside_dwell", "increment_unknown_after"}, kHabitFlags, kHabitNumbers, kHabitIntegers,
+               kHabitTexts);
+    read_keys(from, behaviour, kHabitFlags);
+    read_keys(from, behaviour, kHabitNumbers);
+    read_keys(from, behaviour, kHabitIntegers);
+    read_keys(from, behaviour, kHabitTexts);
     if (from.find("beside_dwell") != nullptr) behaviour.beside_dwell = beside_named(text(from, "beside_dwell"));
-    behaviour.turned_axis_alone_unknown = flag(from, "turned_axis_alone_unknown");
     read_increments_after(from, behaviour);
   }
 

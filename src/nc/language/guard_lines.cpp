@@ -30,7 +30,7 @@ bool is_macro_b(std::string_view line) {
          line.find(')') + 1 == line.size();
 }
 
-bool is_high_level(std::string_view line) {
+bool is_sinumerik(std::string_view line) {
   constexpr std::array<std::string_view, 3> kBegins{"IF ABS($P_ACTFRAME[", "IF ABS($AA_IW[", "MSG(\"plumbline guard: "};
   return begins_with_one_of(line, kBegins) || line == "M0" || line == "M30" || line == "ENDIF" ||
          chooses_system(line) || (line.size() == 4 && line.starts_with("G5") && is_digit(line[2]) && is_digit(line[3]));
@@ -50,14 +50,14 @@ bool is_guard_line(std::string_view line, std::string_view text, const Dialect& 
 }
 
 bool is_part_of_guard(std::string_view line, const Dialect& dialect) {
-  switch (dialect.syntax.statements) {
-    case Statements::o_words:
+  switch (dialect.guard) {
+    case GuardLanguage::linuxcnc:
       return is_linuxcnc(line);
-    case Statements::macro_b:
+    case GuardLanguage::macro_b:
       return is_macro_b(line);
-    case Statements::high_level:
-      return is_high_level(line);
-    case Statements::user_task:
+    case GuardLanguage::sinumerik:
+      return is_sinumerik(line);
+    case GuardLanguage::none:
       break;
   }
   return false;

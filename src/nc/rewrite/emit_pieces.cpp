@@ -146,7 +146,7 @@ bool PiecePlanner::depends_on_start(const Step& step, Axis axis) {
 // The word that sends an axis which turns without end to `to`. Where it stands may not be known: then the way round is
 // the one that the original goes.
 double PiecePlanner::endless_word(const Step& step, Axis axis, double to, std::optional<double> from) const {
-  const bool direct = dialect_.syntax.statements == Statements::high_level;
+  const bool direct = dialect_.syntax.word_modes;
   const RotaryRule rule = direct ? RotaryRule::shortest : step.after->rule_of(axis);
   std::optional<double> word = within_one_turn(to);
   if (from) {
@@ -246,7 +246,7 @@ Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point,
   Piece piece;
   const AxisWords target = point.nominal + point.shift;
   const bool first = pieces_.empty();
-  piece.direct = dialect_.syntax.statements == Statements::high_level;
+  piece.direct = dialect_.syntax.word_modes;
   for (const Axis axis : kAllAxes) {
     const std::size_t i = index(axis);
     const Grid& g = grid_[i];

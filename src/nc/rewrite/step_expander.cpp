@@ -48,7 +48,7 @@ bool is_plain(const Step& step, bool keeps_settings) {
 
 // NAME: of a program that is written out, where nothing jumps there and the same name would stand more than once.
 Span StepExpander::label_of(const Block& block) const {
-  if (dialect_.syntax.statements != Statements::high_level || block.kind != LineKind::block) return {};
+  if (dialect_.syntax.labels != Labels::names || block.kind != LineKind::block) return {};
   if (head_of(block.text, dialect_).label.empty()) return {};
   const std::size_t before = std::max(block.number.end, block.slash.end);
   const std::size_t begin = block.text.find_first_not_of(" \t", before);

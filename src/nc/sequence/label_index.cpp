@@ -11,7 +11,7 @@ namespace {
 bool ends_tape(std::string_view line, bool begun, const Dialect& dialect) {
   const std::size_t first = line.find_first_not_of(" \t");
   const bool percent = first != std::string_view::npos && line[first] == '%';
-  return percent && begun && dialect.syntax.statements != Statements::high_level;
+  return percent && begun && !dialect.syntax.archive_heads;
 }
 
 // What the lines of a tape begin with.

@@ -113,7 +113,7 @@ const Step* Program::Parts::next() {
     if (flow.skipping() && !begins_with_flow(line.text)) continue;
     check_length(block, line, dialect);
     parser.parse(block);
-    const bool around_file = flow.called() && dialect.syntax.statements != Statements::o_words;
+    const bool around_file = flow.called() && !dialect.syntax.percent_pairs;
     if (block.kind == LineKind::percent && around_file) continue;  // of a subprogram
     if (block.kind == LineKind::percent) return percent();
     if (block.kind == LineKind::ignored) return &interpreter.pass(block);
@@ -219,7 +219,7 @@ void Program::Parts::refuse_guard(std::string_view what) const {
 // of theirs. RS274/NGC: the first line that is not blank may be %; then the program ends at the next one
 // [RS274/NGC 3.2].
 const Step* Program::Parts::percent() {
-  if (begun && !in_percents && dialect.syntax.statements == Statements::o_words) {
+  if (begun && !in_percents && dialect.syntax.percent_pairs) {
     const auto at = static_cast<std::uint32_t>(block.text.find('%'));
     refuse_at(block, {at, at + 1}, codes::kBadCharacter, "% ends a program that did not begin with %",
               "put % on the first line as well, or end with M2");

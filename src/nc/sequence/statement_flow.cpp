@@ -195,7 +195,7 @@ void StatementFlow::call(const Block& block) {
   if (block.flow.count != kLiteral) {
     call.remaining = number_of(interpreter_, block, block.flow.count, "the count of calls") - 1;
   }
-  if (call.remaining < 0 && dialect_.syntax.statements == Statements::user_task) {
+  if (call.remaining < 0 && dialect_.syntax.zero_calls_unknown) {
     refuse_flow(block, codes::kNotInterpreted, "whether a CALL with Q0 calls once or not at all was found in no source",
                 "write Q1 or more, or leave the call out");
   }
@@ -204,10 +204,7 @@ void StatementFlow::call(const Block& block) {
   }
   std::vector<Value> named;
   for (const Setting& setting : block.settings) named.push_back(interpreter_.value(block, setting.value));
-  if (call.remaining < 0 && dialect_.syntax.statements == Statements::high_level) {
-    refuse_flow(block, codes::kOutOfRange, "P asks for no call at all", "write P1 or more");
-  }
-  if (call.remaining < 0) return;
+  if (call.remaining < 0) refuse_flow(block, codes::kOutOfRange, "P asks for no call at all", "write P1 or more");
   enter(block, std::move(call), true);
   for (std::size_t i = 0; i < named.size(); ++i) interpreter_.set_variable(block, i, named[i]);
 }

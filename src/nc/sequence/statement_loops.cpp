@@ -47,7 +47,7 @@ void StatementLoops::begin_for(const Block& block) {
 
 // Those inside it were left by a jump.
 StatementLoops::Loop& StatementLoops::innermost(const Block& block, FlowWord word, int number) {
-  const bool by_number = dialect_.syntax.statements == Statements::macro_b;
+  const bool by_number = dialect_.syntax.numbered_loops;
   for (; !loops().empty(); loops().pop_back()) {
     Loop& loop = loops().back();
     if (by_number ? loop.number == number : loop.word == word) return loop;
@@ -100,7 +100,7 @@ void StatementLoops::pass_left_out() {
   const std::optional<LeftOut> left_out = std::exchange(left_out_, std::nullopt);
   if (!left_out) return;
   int depth = 1;
-  const bool by_number = dialect_.syntax.statements == Statements::macro_b;
+  const bool by_number = dialect_.syntax.numbered_loops;
   for (Line line; files_.next(line);) {
     const LineHead head = head_of(line.text, dialect_);
     if (!head.program.empty()) break;

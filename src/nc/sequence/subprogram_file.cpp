@@ -43,7 +43,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 fs::path subprogram_file(const std::string& program, const std::string& name, const Dialect& dialect) {
   const fs::path folder = fs::path(program).parent_path();
   const std::vector<std::string>& patterns = dialect.syntax.subprogram_files;
-  if (dialect.syntax.statements == Statements::o_words) {  // the case of letters counts
+  if (dialect.syntax.case_of_files) {
     for (const std::string& pattern : patterns) {
       const fs::path file = filled(pattern, name);
       if (fs::path path = folder / file; stays_inside(file) && is_file(path)) return path;

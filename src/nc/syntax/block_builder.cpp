@@ -33,7 +33,7 @@ namespace {
 
 // Several spindles are LinuxCNC's alone; other controls write $ for things of their own.
 void check_spindle_word(const Block& block, Span span, const Syntax& syntax) {
-  if (syntax.statements == Statements::o_words) return;
+  if (syntax.spindle_words) return;
   refuse_at(block, span, codes::kNotInterpreted, "$ words, which choose one of several spindles, are not interpreted",
             "leave out the spindle number");
 }

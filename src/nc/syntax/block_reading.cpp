@@ -46,7 +46,7 @@ void refuse_second_sign(const BlockReading& in) {
 // block skip = "/" , [ digits ]: the numbers are switches of the control, which here are one
 void read_block_skip(BlockReading& in) {
   Span slash = in.cursor.span();
-  if (in.syntax->statements != Statements::o_words) {
+  if (in.syntax->skip_switches) {
     in.cursor.pass_digits();
     slash.end = in.cursor.here();
   }

@@ -62,7 +62,7 @@ class HeadReader {
 
   LineHead percent() {
     const std::string_view rest = line_.substr(at_);
-    if (dialect_.syntax.statements == Statements::high_level && rest.starts_with("%_")) {
+    if (dialect_.syntax.archive_heads && rest.starts_with("%_")) {
       head_.program = canonical_program(rest);
     } else {
       head_.empty = true;
@@ -95,14 +95,15 @@ class HeadReader {
   }
 
   void names() {
-    const bool user_task = dialect_.syntax.statements == Statements::user_task;
-    if (user_task && next_is('O')) {
+    const Syntax& syntax = dialect_.syntax;
+    const bool sequence_names = syntax.labels == Labels::sequence_names;
+    if (syntax.program_letter != '\0' && next_is(syntax.program_letter)) {
       head_.program = canonical_program(identifier());
       return;
     }
-    if (next_is('N') && at_ + 1 < line_.size() && (user_task || is_digit(line_[at_ + 1]))) {
+    if (next_is('N') && at_ + 1 < line_.size() && (sequence_names || is_digit(line_[at_ + 1]))) {
       const std::size_t begin = at_++;
-      const std::string_view rest = user_task ? identifier() : digits();
+      const std::string_view rest = sequence_names ? identifier() : digits();
       head_.number = canonical_label(line_.substr(begin, 1 + rest.size()));
       blanks();
     } else if (next_is(':')) {
@@ -112,7 +113,7 @@ class HeadReader {
     }
     std::string_view name = identifier();
     blanks();
-    if (!user_task && !name.empty() && next_is(':')) {
+    if (syntax.labels == Labels::names && !name.empty() && next_is(':')) {
       head_.label = canonical_label(name);
       ++at_;
       blanks();

@@ -54,7 +54,7 @@ bool is_code_of_motion(const BlockReading& in) {
 // number = "N" , ( number | name ) | ":" , number; token() is what stands behind it
 void block_number(BlockReading& in) {
   TokenCursor& cursor = in.cursor;
-  const bool user_task = in.syntax->statements == Statements::user_task;
+  const bool may_be_name = in.syntax->labels == Labels::sequence_names;
   Span number = cursor.span();
   if (cursor.is_letter(TokenKind::word, 'N')) {
     if (cursor.token().begin[1] == '-' || cursor.token().begin[1] == '+') {
@@ -63,7 +63,7 @@ void block_number(BlockReading& in) {
   } else if (cursor.is(TokenKind::colon) && is_digit(cursor.next_byte())) {
     cursor.pass_digits();
     number.end = cursor.here();
-  } else if (!user_task || !cursor.is(TokenKind::identifier) || upper(*cursor.token().begin) != 'N' ||
+  } else if (!may_be_name || !cursor.is(TokenKind::identifier) || upper(*cursor.token().begin) != 'N' ||
              is_code_of_motion(in)) {
     return;
   }
@@ -73,9 +73,9 @@ void block_number(BlockReading& in) {
 
 // The line is the name of a program: O1000.
 bool program_name(BlockReading& in) {
-  if (in.syntax->statements != Statements::user_task) return false;
+  const char letter = in.syntax->program_letter;
   const bool is_name = in.cursor.is(TokenKind::identifier) || in.cursor.is(TokenKind::word);
-  if (!is_name || upper(*in.cursor.token().begin) != 'O') return false;
+  if (letter == '\0' || !is_name || upper(*in.cursor.token().begin) != letter) return false;
   const Span name = in.cursor.span();
   in.out.begin_flow(FlowWord::program, name).name = name;
   end_of_statement(in);
@@ -84,7 +84,7 @@ bool program_name(BlockReading& in) {
 
 // label = name , ":"
 void block_label(BlockReading& in) {
-  if (in.syntax->statements != Statements::high_level || !in.cursor.is(TokenKind::identifier)) return;
+  if (in.syntax->labels != Labels::names || !in.cursor.is(TokenKind::identifier)) return;
   if (!item_follows(in, TokenKind::colon)) return;
   in.out.add_name(in.cursor.span());
   in.cursor.take(lex_named_item);
@@ -101,7 +101,7 @@ void named_word(BlockReading& in) {
     return read_assigned_variable(in, span, meaning);
   }
   const char letter = in.cursor.token().letter;
-  if (in.syntax->statements == Statements::high_level && letter == 'L') return read_call_by_name(in, span);
+  if (letter == in.syntax->call_letter) return read_call_by_name(in, span);
   if (means(in.dialect->meaning({&letter, 1}), Kind::variable)) {
     in.cursor.refuse(span, codes::kAssignment, "a variable stands here without a word or a value",
                      fmt::format("set it as in {}1=3, or write the word that its value is for", letter));
@@ -128,7 +128,7 @@ void identifier(BlockReading& in) {
   if (means(meaning, Kind::keyword)) return read_named_statement(in, static_cast<FlowWord>(meaning->which));
   if (means(meaning, Kind::address)) return read_address(in, *meaning, span);
   const bool assigns = item_follows(in, TokenKind::equals) || item_follows(in, TokenKind::open);
-  if (!assigns && in.syntax->statements == Statements::high_level) return read_call_by_name(in, span);
+  if (!assigns && in.syntax->calls_by_name) return read_call_by_name(in, span);
   read_assigned_variable(in, span, meaning);
 }
 
@@ -182,7 +182,7 @@ void NamedGrammar::read(BlockReading& in) {
   if (in.syntax->draws && draws(in.out.block())) return in.out.set_kind(LineKind::ignored);
   cursor.take(lex_named_item);
   if (cursor.is(TokenKind::percent)) {
-    if (in.syntax->statements != Statements::high_level || cursor.next_byte() != '_') return read_percent(in);
+    if (!in.syntax->archive_heads || cursor.next_byte() != '_') return read_percent(in);
     const Span name{cursor.span().begin, static_cast<std::uint32_t>(text.size())};  // %_N_NAME_MPF
     in.out.begin_flow(FlowWord::program, name).name = name;
     return;

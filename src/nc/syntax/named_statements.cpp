@@ -24,13 +24,13 @@ Direction direction_of(std::string_view keyword) {
 Span jump_label(BlockReading& in) {
   TokenCursor& cursor = in.cursor;
   cursor.take(lex_named_item);
-  const bool user_task = in.syntax->statements == Statements::user_task;
+  const bool sequence_names = in.syntax->labels == Labels::sequence_names;
   const bool is_number = cursor.is_letter(TokenKind::word, 'N');
-  const bool is_name = cursor.is(TokenKind::identifier) && (!user_task || upper(*cursor.token().begin) == 'N');
+  const bool is_name = cursor.is(TokenKind::identifier) && (!sequence_names || upper(*cursor.token().begin) == 'N');
   if (!is_number && !is_name) {
-    cursor.refuse(
-        in.out.flow().span, codes::kFlowControl, "the label to go on at is missing behind this",
-        user_task ? "write it as in IF [VC1 GT 5] N100, or GOTO NEND" : "write it as in GOTOF ENDE, or GOTOB N100");
+    cursor.refuse(in.out.flow().span, codes::kFlowControl, "the label to go on at is missing behind this",
+                  sequence_names ? "write it as in IF [VC1 GT 5] N100, or GOTO NEND"
+                                 : "write it as in GOTOF ENDE, or GOTOB N100");
   }
   return cursor.span();
 }
@@ -52,7 +52,7 @@ void named_jump(BlockReading& in, bool conditional) {
   if (conditional) {
     flow.values.push_back(read_named_value(in));
     const bool jumps = goto_follows(in);
-    if (!jumps && in.syntax->statements == Statements::high_level) return;
+    if (!jumps && in.syntax->branches) return;
     keyword = jumps ? in.cursor.span() : Span{};
   }
   flow.word = FlowWord::go_to;

@@ -25,7 +25,7 @@ constexpr std::pair<std::string_view, WordMode> kModes[] = {{"AC", WordMode::abs
 
 // mode = ( "AC" | "IC" | "DC" | "ACP" | "ACN" ) , "("; modal: none stands here, and nothing is read.
 WordMode word_mode(BlockReading& in) {
-  if (in.syntax->statements != Statements::high_level) return WordMode::modal;
+  if (!in.syntax->word_modes) return WordMode::modal;
   const Token next = in.cursor.peek(lex_named_value);
   if (next.kind != TokenKind::identifier) return WordMode::modal;
   const std::string name = upper({next.begin, next.end});

@@ -193,7 +193,7 @@ void exists(BlockReading& in) {
   };
   expect(lex_value, TokenKind::open);
   expect(lex_value, TokenKind::hash);
-  if (in.cursor.peek(lex_value).kind != TokenKind::name && in.syntax->statements == Statements::o_words) {
+  if (in.cursor.peek(lex_value).kind != TokenKind::name && in.syntax->exists_numbers) {
     real_value(in);
     expect(lex_operation, TokenKind::close);
     return in.out.push(Operation::exists_number, span);

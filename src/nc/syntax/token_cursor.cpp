@@ -80,7 +80,7 @@ void TokenCursor::refuse_damage(Span span) const {
 
 // Bytes that say what was meant.
 void TokenCursor::refuse_byte(Span span, char c) const {
-  if (c == ',' && syntax_->statements == Statements::macro_b) {
+  if (c == ',' && syntax_->comma_corners) {
     refuse(span, codes::kNotInterpreted,
            "a comma begins what the control works out itself: a chamfer (,C), a rounding (,R) or an angle (,A)",
            "let the CAM system write the corner in G1, G2 and G3");

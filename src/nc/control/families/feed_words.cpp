@@ -13,10 +13,10 @@ void set_feed(Execution& run, const Word& word) {
   control.modal.feed_rotary = word.value;
 }
 
-// The F before it is dropped, with RS274/NGC even if the mode stays [LinuxCNC, measured].
+// The F before it is dropped, on some controls even if the mode stays.
 void set_feed_mode(Execution& run, FeedMode mode) {
   Control& control = run.control;
-  if (control.modal.feed_mode == mode && run.dialect.syntax.statements != Statements::o_words) return;
+  if (control.modal.feed_mode == mode && !run.dialect.behaviour.feed_mode_drops_feed) return;
   control.modal.feed_mode = mode;
   control.modal.feed = control.feed_linear = control.modal.feed_rotary = 0;
 }

@@ -120,7 +120,7 @@ void set_local_shift(Execution& run, const Word& code) {
                "end the turn before it");
   }
   // G58 keeps what ATRANS added; without axes it is a work system of smaller controls.
-  if (run.dialect.syntax.names && (run.axes.empty() || control.local_added)) {
+  if (run.dialect.behaviour.local_shift_adds && (run.axes.empty() || control.local_added)) {
     run.refuse(code, codes::kNotInterpreted,
                run.axes.empty()
                    ? fmt::format("{} without axis words means different things on different controls", name)

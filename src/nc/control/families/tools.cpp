@@ -172,8 +172,7 @@ void change_tool(Execution& run, const Chosen& chosen) {
     return;
   }
   control.modal.tool_in_spindle = control.selected_tool;
-  if (run.dialect.syntax.statements == Statements::o_words)
-    control.modal.switches.spindle = kSpindleStands;  // [LinuxCNC, measured]
+  if (run.dialect.behaviour.change_stops_spindle) control.modal.switches.spindle = kSpindleStands;
   if (run.dialect.behaviour.tool_length_at_change && control.edge != 0) {
     take_edge(run, *chosen.word, control.modal.tool_in_spindle);
   }
