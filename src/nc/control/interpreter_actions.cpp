@@ -172,7 +172,7 @@ void Interpreter::act_on_mode(const Chosen& chosen) {
   };
   switch (chosen.row->action) {
     case Action::motion_off:
-      if (run_.dialect.behaviour.cycle_off_stops_spindle) modal.switches.spindle = 5;
+      if (run_.dialect.behaviour.cycle_off_stops_spindle) modal.switches.spindle = kSpindleStands;
       if (run_.motion == nullptr && !sets_motion(run_)) end_motion();
       return;
     case Action::surface_speed:

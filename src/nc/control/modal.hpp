@@ -16,7 +16,11 @@ enum class MotionMode : std::uint8_t { none, rapid, feed, arc_cw, arc_ccw, cycle
 enum class PathControl : std::uint8_t { exact_path, exact_stop, continuous };  // G61, G61.1, G64
 
 // What the spindle does, as the rows of its codes say.
+// Codes of the spindle, the coolant and the overrides, by the `value` of their rows.
 inline constexpr int kClockwise = 3, kCounterClockwise = 4, kSpindleStands = 5;
+inline constexpr int kMist = 7, kFlood = 8, kCoolantOff = 9;
+inline constexpr int kOverridesOn = 48, kOverridesOff = 49, kFeedOverride = 50, kSpeedOverride = 51;
+inline constexpr int kAdaptiveFeed = 52, kFeedStop = 53;
 
 /// What is switched on or off and moves nothing: M3 to M5, M7 to M9, M48 to M53, G64 P Q, S. M70 and M73 keep it.
 struct Switches {

@@ -12,13 +12,13 @@ namespace {
 
 // The codes that stand for what mist and flood do; -1: none.
 int mist_code(const Switches& switches) {
-  if (switches.mist) return 7;
-  return switches.flood ? -1 : 9;
+  if (switches.mist) return kMist;
+  return switches.flood ? -1 : kCoolantOff;
 }
 
 int override_code(const Switches& switches) {
-  if (switches.feed_override) return switches.speed_override ? 48 : 50;
-  return switches.speed_override ? 51 : 49;
+  if (switches.feed_override) return switches.speed_override ? kOverridesOn : kFeedOverride;
+  return switches.speed_override ? kSpeedOverride : kOverridesOff;
 }
 
 // What has no code for "off" stays on, and M50 and M51 switch one override on and none off [interp_convert.cc,
@@ -28,15 +28,17 @@ void restore_switches(Switches& switches, const Switches& saved) {
   switches.spindle = saved.spindle;
   const int mist = mist_code(saved);
   if (mist != mist_code(found)) {
-    if (mist == 9) switches.mist = switches.flood = false;
-    if (mist == 7) switches.mist = true;
+    if (mist == kCoolantOff) switches.mist = switches.flood = false;
+    if (mist == kMist) switches.mist = true;
   }
   if (saved.flood && !found.flood) switches.flood = true;
   const int code = override_code(saved);
   if (code != override_code(found)) {
-    if (code == 48 || code == 49) switches.feed_override = switches.speed_override = code == 48;
-    if (code == 50) switches.feed_override = true;
-    if (code == 51) switches.speed_override = true;
+    if (code == kOverridesOn || code == kOverridesOff) {
+      switches.feed_override = switches.speed_override = code == kOverridesOn;
+    }
+    if (code == kFeedOverride) switches.feed_override = true;
+    if (code == kSpeedOverride) switches.speed_override = true;
   }
   switches.adaptive_feed = found.adaptive_feed || saved.adaptive_feed;
   switches.feed_stop = found.feed_stop || saved.feed_stop;

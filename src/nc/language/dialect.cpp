@@ -1,22 +1,17 @@
 #include "nc/language/dialect.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <mutex>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/characters.hpp"
 #include "base/diagnostic.hpp"
 #include "nc/language/codes.hpp"
+#include "nc/language/dialect_list.hpp"
 #include "nc/language/dialect_table.hpp"
-
-namespace plumbline::embedded {
-extern const std::string_view linuxcnc_toml;
-extern const std::string_view fanuc_toml;
-extern const std::string_view okuma_toml;
-extern const std::string_view siemens_toml;
-}  // namespace plumbline::embedded
 
 namespace plumbline::nc {
 namespace {
@@ -69,26 +64,33 @@ int Dialect::system_of_name(std::string_view text) const {
 }
 
 std::span<const std::string_view> dialect_names() {
-  static constexpr std::array<std::string_view, 4> kNames{"linuxcnc", "fanuc", "okuma", "siemens"};
-  return kNames;
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all;
+    for (const EmbeddedTable& table : embedded_tables()) all.push_back(table.name);
+    return all;
+  }();
+  return names;
 }
 
+namespace {
+
+// A table that is read when it is asked for.
+struct ReadTable {
+  std::once_flag once;
+  Dialect dialect;
+};
+
+}  // namespace
+
 const Dialect& dialect(std::string_view name) {
-  if (name == "linuxcnc") {
-    static const Dialect linuxcnc = read_dialect("grammar/linuxcnc.toml", embedded::linuxcnc_toml);
-    return linuxcnc;
-  }
-  if (name == "fanuc") {
-    static const Dialect fanuc = read_dialect("grammar/fanuc.toml", embedded::fanuc_toml);
-    return fanuc;
-  }
-  if (name == "okuma") {
-    static const Dialect okuma = read_dialect("grammar/okuma.toml", embedded::okuma_toml);
-    return okuma;
-  }
-  if (name == "siemens") {
-    static const Dialect siemens = read_dialect("grammar/siemens.toml", embedded::siemens_toml);
-    return siemens;
+  const std::span<const EmbeddedTable> tables = embedded_tables();
+  static std::vector<ReadTable> read(tables.size());
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    if (tables[i].name != name) continue;
+    std::call_once(read[i].once, [&] {
+      read[i].dialect = read_dialect(fmt::format("grammar/{}.toml", tables[i].name), *tables[i].text);
+    });
+    return read[i].dialect;
   }
   refuse(codes::kUnknownDialect, fmt::format("no dialect is named '{}'", name),
          fmt::format("there are: {}", fmt::join(dialect_names(), ", ")));

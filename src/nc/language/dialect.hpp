@@ -346,7 +346,7 @@ struct Dialect {
   int system_of_name(std::string_view text) const;
 };
 
-/// The dialects that there are.
+/// The dialects that there are. The first is what a program is in that shows nothing else.
 std::span<const std::string_view> dialect_names();
 
 /// The dialect of that name. Refuses with nc-unknown-dialect and the list of those that there are.

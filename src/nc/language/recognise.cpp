@@ -95,7 +95,7 @@ class Look {
     text();
     if (found_.empty()) found_ = by_name_;
     if (found_.empty()) found_ = weak_;
-    if (found_.empty()) return {&dialect("linuxcnc"), {}, 0};
+    if (found_.empty()) return {&dialect(dialect_names().front()), {}, 0};
     if (found_.size() == 1) return {found_.front().dialect, found_.front().text, found_.front().line};
     std::string list;
     for (const Evidence& e : found_) {

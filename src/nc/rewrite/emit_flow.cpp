@@ -171,17 +171,17 @@ void Emitter::restore_switches(const Switches& was, const Switches& is) {
     write_words(in_spelling(codes_.text_of(meaning, value), spelling_));
   };
   const bool off = (was.mist && !is.mist) || (was.flood && !is.flood);
-  if (off) write("coolant", 9);
-  if (is.mist && (off || !was.mist)) write("coolant", 7);
-  if (is.flood && (off || !was.flood)) write("coolant", 8);
+  if (off) write("coolant", kCoolantOff);
+  if (is.mist && (off || !was.mist)) write("coolant", kMist);
+  if (is.flood && (off || !was.flood)) write("coolant", kFlood);
   const auto override_switch = [&](bool before, bool after, int code) {
     if (before == after) return;
     write_words(in_spelling(fmt::format("{} P{}", codes_.text_of("override", code), after ? 1 : 0), spelling_));
   };
-  override_switch(was.feed_override, is.feed_override, 50);
-  override_switch(was.speed_override, is.speed_override, 51);
-  override_switch(was.adaptive_feed, is.adaptive_feed, 52);
-  override_switch(was.feed_stop, is.feed_stop, 53);
+  override_switch(was.feed_override, is.feed_override, kFeedOverride);
+  override_switch(was.speed_override, is.speed_override, kSpeedOverride);
+  override_switch(was.adaptive_feed, is.adaptive_feed, kAdaptiveFeed);
+  override_switch(was.feed_stop, is.feed_stop, kFeedStop);
 }
 
 // How far the level is off that cycles go back to: where the first of them began.

@@ -56,6 +56,11 @@ TEST_CASE("a table that does not hold together is a bug of plumbline") {
                   InternalError);
   CHECK_THROWS_AS(read_dialect("t", table("g = [{ code = \"1\", does = \"feed\", step = \"late\" }]\n")),
                   InternalError);
+  const std::string rows = "g = []\n[syntax]\nstatements = \"macro_b\"\nsystem_variables = \"none\"\n";
+  CHECK(read_dialect("t", table((rows + "bitwise = true\nlast_variable = 7\n").c_str())).syntax.last_variable == 7);
+  CHECK_THROWS_AS(read_dialect("t", table((rows + "bitwize = true\n").c_str())), InternalError);
+  CHECK_THROWS_AS(read_dialect("t", table((rows + "labels = \"none\"\n").c_str())), InternalError);
+  CHECK_THROWS_AS(read_dialect("t", table("g = []\n[habits]\nno_habit = 1\n")), InternalError);
   CHECK_THROWS_AS(read_dialect("t", table("g = [{ code = \"x\", does = \"feed\", step = \"motion\" }]\n")),
                   InternalError);
 }

@@ -52,9 +52,9 @@ void read_input(Execution& run) {
 }
 
 void switch_coolant(Switches& switches, int code) {
-  if (code == 9) switches.mist = switches.flood = false;
-  if (code == 7) switches.mist = true;
-  if (code == 8) switches.flood = true;
+  if (code == kCoolantOff) switches.mist = switches.flood = false;
+  if (code == kMist) switches.mist = true;
+  if (code == kFlood) switches.flood = true;
 }
 
 // M48 and M49 switch both overrides; M50 to M53 one each, by P: on unless it is 0.
@@ -62,11 +62,13 @@ void switch_override(const Execution& run, int code) {
   Switches& switches = run.control.modal.switches;
   const Word* const word = run.words.find('P');
   const bool on = word == nullptr || word->value != 0;
-  if (code == 48 || code == 49) switches.feed_override = switches.speed_override = code == 48;
-  if (code == 50) switches.feed_override = on;
-  if (code == 51) switches.speed_override = on;
-  if (code == 52) switches.adaptive_feed = on;
-  if (code == 53) switches.feed_stop = on;
+  if (code == kOverridesOn || code == kOverridesOff) {
+    switches.feed_override = switches.speed_override = code == kOverridesOn;
+  }
+  if (code == kFeedOverride) switches.feed_override = on;
+  if (code == kSpeedOverride) switches.speed_override = on;
+  if (code == kAdaptiveFeed) switches.adaptive_feed = on;
+  if (code == kFeedStop) switches.feed_stop = on;
 }
 
 void lose_unless_kept(Execution& run, int code) {

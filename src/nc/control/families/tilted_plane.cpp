@@ -13,6 +13,14 @@ namespace {
   run.refuse(word, codes::kTiltedPlane, std::move(message), std::move(help));
 }
 
+// The cycle that tilts planes, where the control has one.
+std::string_view swivel_cycle(const Dialect& dialect) {
+  for (const CodeRow& row : dialect.named_codes) {
+    if (row.action == Action::swivel) return row.name;
+  }
+  return {};
+}
+
 // A plane's words count from the work system alone: with another shift or turn in force no source says in which order
 // they act.
 void check_bare_frame(const Execution& run, const Word& code) {
@@ -23,7 +31,9 @@ void check_bare_frame(const Execution& run, const Word& code) {
                         fmt::format("{} while {} is in force: how the two go together is in no source", name, what),
                         fmt::format("write {} before it", way_out));
   };
-  if (control.frame.tilted) refuse_in_force("another tilted plane", run.dialect.syntax.names ? "CYCLE800()" : "G69");
+  if (control.frame.tilted)
+    refuse_in_force("another tilted plane",
+                    swivel_cycle(run.dialect).empty() ? "G69" : std::string(swivel_cycle(run.dialect)) + "()");
   if (control.turn_deg != 0 || control.frame.rotation_deg != 0) refuse_in_force("a turned system", "what ends it");
   if (control.frame.g92 != AxisWords{}) refuse_in_force("a shift by G92", "G92.1");
   if (control.local != AxisWords{}) refuse_in_force("a shift of the work system", "what ends it");
@@ -155,9 +165,9 @@ void check_on_plane(const Execution& run) {
   if (!control.frame.tilted) return;
   check_no_rotary_words(run);
   if (control.tool_on_plane) return;
-  refuse_beside_plane(
-      run, run.motion_code(), "a plane is tilted, and the tool was not turned along its Z yet",
-      run.dialect.syntax.names ? "let the cycle turn the axes: its direction 1 or -1" : "write G53.1 behind G68.2");
+  refuse_beside_plane(run, run.motion_code(), "a plane is tilted, and the tool was not turned along its Z yet",
+                      swivel_cycle(run.dialect).empty() ? "write G53.1 behind G68.2"
+                                                        : "let the cycle turn the axes: its direction 1 or -1");
 }
 
 // What the axes do then, and about which point, no source says.
