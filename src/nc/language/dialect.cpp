@@ -72,6 +72,11 @@ std::span<const std::string_view> dialect_names() {
   return names;
 }
 
+std::string dialect_list() {
+  const std::span<const std::string_view> names = dialect_names();
+  return fmt::format("{} or {}", fmt::join(names.first(names.size() - 1), ", "), names.back());
+}
+
 namespace {
 
 // A table that is read when it is asked for.

@@ -349,6 +349,9 @@ struct Dialect {
 /// The dialects that there are. The first is what a program is in that shows nothing else.
 std::span<const std::string_view> dialect_names();
 
+/// "linuxcnc, fanuc, okuma or siemens".
+std::string dialect_list();
+
 /// The dialect of that name. Refuses with nc-unknown-dialect and the list of those that there are.
 const Dialect& dialect(std::string_view name);
 

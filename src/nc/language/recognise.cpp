@@ -108,7 +108,7 @@ class Look {
     place.length = std::max<std::size_t>(found_.back().text.size(), 1);
     place.text = found_.back().whole;
     refuse(codes::kDialectAmbiguous, fmt::format("which control this program is for is not clear: {}", list),
-           "name it: --dialect linuxcnc, fanuc, okuma or siemens", std::move(place));
+           "name it: --dialect " + dialect_list(), std::move(place));
   }
 
  private:

@@ -87,22 +87,24 @@ bool turns_tool(const Block& block, const Dialect& dialect) {
   return has_action(block, dialect, Action::tool_on_plane) || has_action(block, dialect, Action::swivel);
 }
 
-// G0 to G3 with lengths and a feed, as most lines of a program are: nothing that is looked for stands in them, and
-// parsing takes its time.
-bool is_plain_move(std::string_view line) {
+// The axes of a line of G0 to G3 with lengths and a feed, as most lines of a program are: parsing them takes its time.
+// Nothing: the line is another one.
+std::optional<AxisSet> axes_of_plain_move(std::string_view line) {
+  AxisSet axes;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = lower(line[i]);
     if (c != 'g') {
-      if (is_digit(c) || is_blank(c) || std::string_view(".+-xyzfn").find(c) != std::string_view::npos) continue;
-      return false;
+      if (!is_digit(c) && !is_blank(c) && std::string_view(".+-xyzfn").find(c) == std::string_view::npos) return {};
+      if (const std::optional<Axis> axis = axis_of(upper(c))) axes.insert(*axis);
+      continue;
     }
     std::size_t end = i + 1;
     while (end < line.size() && line[end] == '0') ++end;
     if (end < line.size() && line[end] >= '1' && line[end] <= '3') ++end;
-    if (end == i + 1 || (end < line.size() && (is_digit(line[end]) || line[end] == '.'))) return false;
+    if (end == i + 1 || (end < line.size() && (is_digit(line[end]) || line[end] == '.'))) return {};
     i = end - 1;
   }
-  return true;
+  return axes;
 }
 
 class AxisSearch {
@@ -122,7 +124,11 @@ class AxisSearch {
     Line line;
     while (axes_ != AxisSet::all() && lines.next(line)) {
       // Executing the program refuses such a line; parsing one of 200,000 brackets would take as deep a stack.
-      if (!line.whole || longest_line(line.text) > dialect_.line_length || is_plain_move(line.text)) continue;
+      if (!line.whole || longest_line(line.text) > dialect_.line_length) continue;
+      if (const std::optional<AxisSet> named = axes_of_plain_move(line.text)) {
+        axes_ = axes_ | *named;
+        continue;
+      }
       block.file = file.name();
       block.text = line.text;
       block.line = line.place.line;
