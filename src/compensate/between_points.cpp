@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/units.hpp"
-#include "compensate/figures.hpp"
 #include "machine/orientation.hpp"
+#include "path/figures.hpp"
 
 namespace plumbline::compensate {
 namespace {
@@ -13,14 +13,11 @@ namespace {
 constexpr std::uint64_t kTurnsEvery = 512;  // pieces, at which the effect of a strut's friction is worked out again
 constexpr double kFirstCredit = 10'000;     // plays
 constexpr double kCreditPerPiece = 0.04;
-constexpr double kFirstRatio = 1.5;    // of what is found to what was guessed, as long as little was played
-constexpr std::uint64_t kLearnt = 16;  // pieces of a kind
-constexpr double kSafety = 1.3;        // on the largest such ratio that was met
-constexpr double kPromising = 0.6;     // of the largest found so far: from there on a part is looked at closely
-constexpr std::size_t kAlways = 24;    // of the pieces of a block, where the first blocks are played anyway
-constexpr double kEdge = 1e-6;         // of a piece: beside its ends
-constexpr double kNoWayMm = 1e-9;      // mm and deg
-constexpr double kSaturated = 2.65;    // tanh is 0.99
+constexpr double kPromising = 0.6;   // of the largest found so far: from there on a part is looked at closely
+constexpr std::size_t kAlways = 24;  // of the pieces of a block, where the first blocks are played anyway
+constexpr double kEdge = 1e-6;       // of a piece: beside its ends
+constexpr double kNoWayMm = 1e-9;    // mm and deg
+constexpr double kSaturated = 2.65;  // tanh is 0.99
 constexpr int kProjections = 6;
 constexpr int kRefinements = 10;
 constexpr std::array kFirstLook{kEdge, 0.5, 1 - kEdge};
@@ -30,7 +27,7 @@ Vector3<double> xyz(const AxisWords& words) { return {words[Axis::X], words[Axis
 Vector3<double> abc(const AxisWords& words) { return {words[Axis::A], words[Axis::B], words[Axis::C]}; }
 
 bool goes(const path::Curve& curve) {
-  return curve.linear_mm() > kNoWayMm || largest_turn_deg(curve.delta()) > kNoWayMm;
+  return curve.linear_mm() > kNoWayMm || path::largest_turn_deg(curve.delta()) > kNoWayMm;
 }
 
 // Of a tip from the nearest point of a path, mm; `fraction` is where to begin.
@@ -118,27 +115,13 @@ void BetweenPoints::leave() {
   sign_.setZero();
 }
 
-// What a piece leaves, of X Y Z or of A B C: a chord leaves its curve by an eighth of the second difference in its
-// middle; what its ends are off by rounding is added there.
-double BetweenPoints::ChordGuess::next(const Vector3<double>& step, const Vector3<double>& off, double arc) {
-  const Vector3<double> second = is_first_ ? Vector3<double>(Vector3<double>::Zero()) : Vector3<double>(step - step_);
-  Vector3<double> chord = second.squaredNorm() > second_.squaredNorm() ? second : second_;
-  if (chord.norm() < arc) chord *= arc / std::max(chord.norm(), kNoWayMm);
-  const double middle = std::max(((off + off_) / 2 + chord / 8).norm(), arc / 8);
-  const double left = std::max({middle, off.norm(), off_.norm()});
-  step_ = step;
-  second_ = second;
-  off_ = off;
-  is_first_ = false;
-  return left;
-}
-
 void BetweenPoints::find_guesses(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces) {
-  tip_.count = turned_.count = 0;
+  tip_.clear();
+  turned_.clear();
   const double bend = xyz(path.target(0.5, std::nullopt).bend).norm();
   ChordGuess places, turns;
   const AxisWords* last = &begin;
-  const bool among_many = pieces.size() > kGuesses;
+  const bool among_many = pieces.size() > PieceRanking::kGuesses;
   const machine::PerStrut<double>* sign = &sign_;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const SentPiece& piece = pieces[i];
@@ -146,48 +129,14 @@ void BetweenPoints::find_guesses(const MovePath& path, const AxisWords& begin, s
     const AxisWords off = piece.end - piece.wanted;
     const double left = places.next(xyz(step), xyz(off), bend * piece.share * piece.share);
     const double turned = turns.next(abc(step), abc(off), 0);
-    const Kind turning = i == 0 ? corner : turn;
+    const PieceGuess::Kind turning = i == 0 ? PieceGuess::corner : PieceGuess::turn;
     const double friction = corrector_.has_friction() ? friction_guess(friction_.tip_mm, *sign, piece.sign) : 0;
     const double friction_deg = corrector_.has_friction() ? friction_guess(friction_.turned_deg, *sign, piece.sign) : 0;
-    tip_.keep({left + friction, friction <= left ? smooth : turning, i, i}, among_many);
-    turned_.keep({turned + friction_deg, friction_deg <= turned ? smooth : turning, i, i}, among_many);
+    tip_.keep({left + friction, friction <= left ? PieceGuess::smooth : turning, i, i}, among_many);
+    turned_.keep({turned + friction_deg, friction_deg <= turned ? PieceGuess::smooth : turning, i, i}, among_many);
     last = &piece.wanted;
     sign = &piece.sign;
   }
-}
-
-// The largest guesses; of neighbours among many, in none of which friction counts most, one alone.
-void BetweenPoints::Ranking::keep(const Guess& guess, bool among_many) {
-  for (std::size_t k = 0; among_many && guess.kind == smooth && k < count; ++k) {
-    Guess& kept = guesses[k];
-    if (kept.last + 1 != guess.piece || kept.kind != smooth) continue;
-    if (guess.value > kept.value) kept = guess;
-    kept.last = guess.piece;
-    return;
-  }
-  if (count < kGuesses) {
-    guesses[count++] = guess;
-    return;
-  }
-  Guess& least = *std::min_element(guesses.begin(), guesses.end(),
-                                   [](const Guess& a, const Guess& b) { return a.value < b.value; });
-  if (guess.value > least.value) least = guess;
-}
-
-void BetweenPoints::Ranking::sort() {
-  std::sort(guesses.begin(), guesses.begin() + static_cast<std::ptrdiff_t>(count),
-            [](const Guess& a, const Guess& b) { return a.value > b.value; });
-}
-
-bool BetweenPoints::Ranking::promises(const Guess& guess) const {
-  const double ratio = played[guess.kind] < kLearnt ? kFirstRatio : kSafety * per_guess[guess.kind];
-  return guess.value * ratio > found.value;
-}
-
-void BetweenPoints::Ranking::learn(const Guess& guess, double found_value) {
-  if (guess.value <= 0) return;
-  ++played[guess.kind];
-  per_guess[guess.kind] = std::max(per_guess[guess.kind], found_value / guess.value);
 }
 
 void BetweenPoints::choose(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces,
@@ -201,11 +150,11 @@ void BetweenPoints::choose(const MovePath& path, const AxisWords& begin, std::sp
   choose_from(turned_, begin, pieces);
 }
 
-void BetweenPoints::choose_from(Ranking& ranking, const AxisWords& begin, std::span<const SentPiece> pieces) {
+void BetweenPoints::choose_from(PieceRanking& ranking, const AxisWords& begin, std::span<const SentPiece> pieces) {
   if (!must_play() && credit_ + kFirstCredit < static_cast<double>(plays_)) return;
-  ranking.sort();
-  for (std::size_t k = 0; k < ranking.count; ++k) {
-    const Guess& guess = ranking.guesses[k];
+  const std::span<const PieceGuess> guesses = ranking.sorted();
+  for (std::size_t k = 0; k < guesses.size(); ++k) {
+    const PieceGuess& guess = guesses[k];
     const bool must = must_play() && (k == 0 || (k < kAlways && blocks_ <= kAllBlocks));
     if (!must && !ranking.promises(guess)) continue;
     Part part{{}, pieces[guess.piece].end, 0, pieces[guess.piece].share, false, {}, {}};
@@ -226,7 +175,7 @@ std::optional<BetweenPoints::Off> BetweenPoints::off_at(const Part& part, double
   const double at = std::clamp(part.from + fraction * part.share, 0.0, 1.0);
   Target told = here_->target(at, seconds_);
   if (!part.along_curve) {
-    told.pose = between(part.begin, part.end, fraction);
+    told.pose = path::between(part.begin, part.end, fraction);
     told.slope = part.end - part.begin;
     for (double& value : told.slope.values) value /= part.share;
   }
@@ -265,12 +214,17 @@ BetweenPoints::Off BetweenPoints::sample(const Part& part, double fraction, cons
 // and the neighbourhood of the worst place.
 void BetweenPoints::play(const Part& part, const MovePath* next) {
   const AxisWords way = part.end - part.begin;
-  if (!part.along_curve && length_mm(way) < kNoWayMm && largest_turn_deg(way) < kNoWayMm) return;
+  if (!part.along_curve && path::length_mm(way) < kNoWayMm && path::largest_turn_deg(way) < kNoWayMm) return;
   const double tip_before = tip_.found.value;
   const double turned_before = turned_.found.value;
   looked_.clear();
   for (const double fraction : kFirstLook) look(part, fraction, next);
   look_beside_turns(part, next);
+  const auto most = [&](double Off::*figure) {
+    double largest = 0;
+    for (const Look& at : looked_) largest = std::max(largest, at.off.*figure);
+    return largest;
+  };
   const bool tip_promises = most(&Off::tip_mm) > kPromising * tip_before;
   const bool turn_promises = most(&Off::turned_deg) > kPromising * turned_before;
   if (tip_promises || turn_promises) {
@@ -279,7 +233,7 @@ void BetweenPoints::play(const Part& part, const MovePath* next) {
     if (tip_promises && most(&Off::tip_mm) > tip_before) refine(part, &Off::tip_mm, next);
     if (turn_promises && most(&Off::turned_deg) > turned_before) refine(part, &Off::turned_deg, next);
   }
-  const auto found = [](const Ranking& ranking, double before, double here) {
+  const auto found = [](const PieceRanking& ranking, double before, double here) {
     return ranking.found.value > before ? ranking.found.value : here;
   };
   tip_.learn(part.tip, found(tip_, tip_before, most(&Off::tip_mm)));
@@ -288,12 +242,6 @@ void BetweenPoints::play(const Part& part, const MovePath* next) {
 
 void BetweenPoints::look(const Part& part, double fraction, const MovePath* next) {
   looked_.push_back({fraction, sample(part, fraction, next)});
-}
-
-double BetweenPoints::most(double Off::*figure) const {
-  double most = 0;
-  for (const Look& at : looked_) most = std::max(most, at.off.*figure);
-  return most;
 }
 
 // Both sides of the places where the speed of a strut passes through zero, between the first and the last look.

@@ -2,7 +2,6 @@
 // played on the model where they promise to be worst.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -11,6 +10,7 @@
 #include "base/axes.hpp"
 #include "compensate/corrector.hpp"
 #include "compensate/move.hpp"
+#include "compensate/piece_ranking.hpp"
 #include "compensate/summary.hpp"
 
 namespace plumbline::compensate {
@@ -44,44 +44,11 @@ class BetweenPoints {
   std::size_t gave_way_line() const { return gave_way_line_; }
 
  private:
-  enum Kind : std::uint8_t { smooth, corner, turn };
-  static constexpr std::size_t kGuesses = 48;  // of a block
-  static constexpr std::size_t kKinds = 3;
-
-  struct Guess {  // of what a piece leaves
-    double value = 0;
-    Kind kind = smooth;
-    std::size_t piece = 0;
-    std::size_t last = 0;  // up to which it stands for its neighbours
-  };
-  /// The pieces of a block that promise most, by one figure: the tip's distance or the turn.
-  struct Ranking {
-    std::array<Guess, kGuesses> guesses{};
-    std::size_t count = 0;
-    std::array<double, kKinds> per_guess{};      // what was found over what was guessed: the largest
-    std::array<std::uint64_t, kKinds> played{};  // pieces
-    Worst found;
-
-    void keep(const Guess& guess, bool among_many);
-    void sort();  // the largest first
-    bool promises(const Guess& guess) const;
-    void learn(const Guess& guess, double found_value);
-  };
-  /// Guesses what the pieces of a block leave, one after the other, by one three of its axes.
-  class ChordGuess {
-   public:
-    double next(const Vector3<double>& step, const Vector3<double>& off, double arc);
-
-   private:
-    Vector3<double> step_ = Vector3<double>::Zero(), second_ = Vector3<double>::Zero();
-    Vector3<double> off_ = Vector3<double>::Zero();
-    bool is_first_ = true;
-  };
   struct Part {  // a piece that is to be played
     AxisWords begin, end;
     double from = 0, share = 1;  // of the block's time
     bool along_curve = false;
-    Guess tip, turned;
+    PieceGuess tip, turned;
   };
   struct Off {
     double tip_mm = 0, turned_deg = 0;
@@ -93,14 +60,13 @@ class BetweenPoints {
   };
   void find_guesses(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces);
   void choose(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces, bool as_it_stands);
-  void choose_from(Ranking& ranking, const AxisWords& begin, std::span<const SentPiece> pieces);
+  void choose_from(PieceRanking& ranking, const AxisWords& begin, std::span<const SentPiece> pieces);
   bool must_play() const { return blocks_ <= kAllBlocks || blocks_ % kEvery == 0; }
   void play_waiting(const MovePath* next);
   void play(const Part& part, const MovePath* next);
   void look(const Part& part, double fraction, const MovePath* next);
   void look_beside_turns(const Part& part, const MovePath* next);
   void refine(const Part& part, double Off::*figure, const MovePath* next);
-  double most(double Off::*figure) const;
   std::optional<Off> off_at(const Part& part, double fraction, const MovePath* next);
   Off sample(const Part& part, double fraction, const MovePath* next);
 
@@ -112,7 +78,7 @@ class BetweenPoints {
   std::optional<double> seconds_;          // of that one
   std::vector<Part> waiting_;
   std::vector<Look> looked_;  // of the part that is played
-  Ranking tip_, turned_;
+  PieceRanking tip_, turned_;
   machine::PerStrut<double> sign_ = machine::PerStrut<double>::Zero();  // where the control stands
   Corrector::FrictionTurns friction_;
   std::uint64_t blocks_ = 0;

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/diagnostic.hpp"
 #include "base/units.hpp"
-#include "compensate/figures.hpp"
 #include "machine/axis_words.hpp"
 #include "machine/condition.hpp"
 #include "machine/forward.hpp"
+#include "path/figures.hpp"
 
 namespace plumbline::compensate {
 namespace {
@@ -133,7 +134,7 @@ Corrected Corrector::correct_with_fixed_axes(const Target& target) const {
 // A large correction is one near a singularity, where the machine may give way under its load wherever it is sent.
 bool Corrector::holds(const Target& target, const AxisWords& commanded) const {
   const AxisWords shift = commanded - target.pose;
-  if (length_mm(shift) <= kSureMm && largest_turn_deg(shift) <= kSureDeg) return true;
+  if (path::length_mm(shift) <= kSureMm && path::largest_turn_deg(shift) <= kSureDeg) return true;
   const std::optional<double> off = tip_distance_mm(target, commanded);
   return off && (*off <= kHoldsMm || settings_.method == Method::first_order);
 }
@@ -213,6 +214,14 @@ std::optional<double> Corrector::drift_per_hour_mm(const Target& target) const {
   const physics::TipError<double> now = physics::tip_error(physics_, environment, motion);
   motion.time += kHour;
   return tips_apart_mm(now, physics::tip_error(physics_, environment, motion));
+}
+
+AxisWords touch_off_error(const Corrector& corrector, const Settings& settings) {
+  if (!settings.touch_off) return {};
+  const std::optional<AxisWords> error = corrector.error({*settings.touch_off, {}, {}, std::nullopt});
+  if (error) return *error;
+  refuse("compensate-touch-off", "the machine cannot stand at the touch-off pose",
+         "give the pose in W at which the work offset was probed: --touch-off X,Y,Z,A,B,C in mm and deg");
 }
 
 }  // namespace plumbline::compensate

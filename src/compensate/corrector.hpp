@@ -96,4 +96,8 @@ class Corrector {
   double radius_ = 0;  // of the platform, m: turns a rotation into the speed of the joints
 };
 
+/// The rest of a touch-off on the sagging machine, which every pose gets; zero where none is set. Refuses with
+/// compensate-touch-off.
+AxisWords touch_off_error(const Corrector& corrector, const Settings& settings);
+
 }  // namespace plumbline::compensate

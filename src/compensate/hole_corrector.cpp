@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
-#include "compensate/figures.hpp"
+#include "path/figures.hpp"
 
 namespace plumbline::compensate {
 namespace {
@@ -19,6 +19,17 @@ constexpr double kTurnOverMm = 100;
 std::size_t way_to_hole(const nc::Step& step) {
   const nc::Hole& hole = step.holes.front();
   return step.motions.size() - (hole.end - hole.begin);
+}
+
+// Where the tool stands from R to the bottom, in the work system; `above` is any place over it.
+std::vector<AxisWords> hole_places(const nc::Step& step, const nc::Hole& hole, const AxisWords& above, double step_mm) {
+  const Axis normal = nc::axes_of(step.after->plane).third;
+  const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(hole.r - hole.bottom) / step_mm)));
+  std::vector<AxisWords> places(static_cast<std::size_t>(pieces) + 1, above);
+  for (int i = 0; i <= pieces; ++i) {
+    places[static_cast<std::size_t>(i)][normal] = hole.r + (hole.bottom - hole.r) * i / pieces;
+  }
+  return places;
 }
 
 const nc::Step& step_of(const CorrectedHole& hole) { return *hole.at->move.step; }
@@ -50,7 +61,7 @@ void HoleCorrector::check(const CorrectedHole& hole) {
 void HoleCorrector::refuse_varying(const CorrectedHole& hole) const {
   for (const nc::CorrectedPoint& point : hole.at->points) {
     const AxisWords off = point.shift - hole.shift;
-    const double varies = std::max(length_mm(off), largest_turn_deg(off) * kDeg * kTurnOverMm);
+    const double varies = std::max(path::length_mm(off), path::largest_turn_deg(off) * kDeg * kTurnOverMm);
     if (varies <= settings_.cycle_tolerance_mm) continue;
     refuse(
         "compensate-cycle",

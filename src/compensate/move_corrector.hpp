@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compensate/corrector.hpp"
-#include "compensate/guard.hpp"
+#include "compensate/limits.hpp"
 #include "compensate/move.hpp"
 #include "machine/limits.hpp"
 #include "nc/rewrite/emit_pieces.hpp"

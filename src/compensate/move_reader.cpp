@@ -1,9 +1,9 @@
 #include "compensate/move_reader.hpp"
 
 #include "base/units.hpp"
-#include "compensate/figures.hpp"
-#include "compensate/guard.hpp"
+#include "compensate/limits.hpp"
 #include "path/duration.hpp"
+#include "path/figures.hpp"
 
 namespace plumbline::compensate {
 namespace {
@@ -65,7 +65,7 @@ UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
 }
 
 UnknownPosition MoveReader::unknown(const nc::Step& step, const nc::Motion& motion) {
-  return unknown(step, is_cut(motion.kind) ? motion.known_after & motion.known_before : motion.known_after);
+  return unknown(step, path::is_cut(motion.kind) ? motion.known_after & motion.known_before : motion.known_after);
 }
 
 Move MoveReader::move(const nc::Step& step, const nc::Motion& motion) const {
@@ -99,7 +99,8 @@ bool MoveReader::take(const nc::Motion& motion) {
   }
   if (!motion.in_machine_coordinates && motion.kind != nc::MotionKind::probe) {
     const UnknownPosition not_known = unknown(*step_, motion);
-    if (!not_known.moved.empty() || (!not_known.none() && is_cut(motion.kind))) refuse_to_follow(*step_, not_known);
+    if (!not_known.moved.empty() || (!not_known.none() && path::is_cut(motion.kind)))
+      refuse_to_follow(*step_, not_known);
     if (not_known.none()) {
       move_ = move(*step_, motion);
       divide(*move_);

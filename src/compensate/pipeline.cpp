@@ -1,22 +1,33 @@
 #include "compensate/pipeline.hpp"
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "compensate/figures.hpp"
-#include "compensate/guard.hpp"
+#include "compensate/limits.hpp"
+#include "path/figures.hpp"
 
 namespace plumbline::compensate {
 namespace {
 
 constexpr double kNoWay = 1e-7;  // mm and deg
 
+// "X, Y"
+std::string axis_list(AxisSet axes) {
+  std::string list;
+  for (const Axis axis : kAllAxes) {
+    if (axes.contains(axis)) list += fmt::format("{}{}", list.empty() ? "" : ", ", letter(axis));
+  }
+  return list;
+}
+
 // To where the tool stands already, but for the last digits of an expression: no F could keep its time.
 bool is_no_way(const Move& move) {
   return move.motion->feed_mode != nc::FeedMode::inverse_time && move.path.curve.linear_mm() < kNoWay &&
-         largest_turn_deg(move.path.curve.delta()) < kNoWay;
+         path::largest_turn_deg(move.path.curve.delta()) < kNoWay;
 }
 
 void refuse_unknown(const nc::Step& step, const UnknownPosition& unknown) {
@@ -156,7 +167,7 @@ void Pipeline::take(const nc::Step& step) {
 bool Pipeline::is_corrected(const nc::Step& step) {
   if (step.role != nc::BlockRole::plain || step.motions.size() != 1) return false;
   const nc::Motion& motion = step.motions.front();
-  const bool cuts = is_cut(motion.kind);
+  const bool cuts = path::is_cut(motion.kind);
   if (motion.in_machine_coordinates || (!cuts && motion.kind != nc::MotionKind::rapid)) return false;
   const UnknownPosition unknown = reader_.unknown(step, motion);
   if (unknown.moved.empty() && !cuts) return unknown.none();

@@ -7,9 +7,9 @@
 
 #include "base/files.hpp"
 #include "compensate/between_points.hpp"
-#include "compensate/intention.hpp"
 #include "compensate/move_corrector.hpp"
-#include "compensate/read_back.hpp"
+#include "compensate/read_back/intention.hpp"
+#include "compensate/read_back/read_back.hpp"
 #include "compensate/summary.hpp"
 #include "compensate/written_steps.hpp"
 #include "nc/rewrite/emit.hpp"

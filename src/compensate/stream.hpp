@@ -4,7 +4,7 @@
 #include "base/files.hpp"
 #include "base/progress.hpp"
 #include "compensate/program_survey.hpp"
-#include "compensate/read_back.hpp"
+#include "compensate/read_back/read_back.hpp"
 #include "compensate/settings.hpp"
 #include "compensate/summary.hpp"
 #include "machine/model.hpp"

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
-#include "compensate/figures.hpp"
 #include "path/duration.hpp"
+#include "path/figures.hpp"
 #include "physics/effect_info.hpp"
 
 namespace plumbline::compensate {
@@ -40,9 +40,11 @@ void Tally::take_kept_time(double seconds) {
 
 void Tally::take_cycle(const nc::Step& step) {
   for (const nc::Motion& motion : step.motions) {
+    const bool by_the_clock = motion.feed_mode != nc::FeedMode::per_revolution;
     double seconds = motion.dwell_s;
     if (motion.kind == nc::MotionKind::feed) {
-      seconds = clock_seconds(motion, path::duration(motion, path::Curve(motion), dialect_)).value_or(0);
+      const std::optional<double> duration = path::duration(motion, path::Curve(motion), dialect_);
+      seconds = by_the_clock ? duration.value_or(0) : 0;
     }
     take_kept_time(seconds);
   }
@@ -76,10 +78,10 @@ void Tally::take_hole(const CorrectedHole& hole, const nc::EmittedMove& written)
 
 void Tally::note_point(const nc::CorrectedPoint& point, std::size_t line) {
   ++summary_.points;
-  const double correction = length_mm(point.shift);
+  const double correction = path::length_mm(point.shift);
   sum_of_squares_ += correction * correction;
   summary_.correction_mm.take(correction, line);
-  summary_.correction_deg.take(largest_turn_deg(point.shift), line);
+  summary_.correction_deg.take(path::largest_turn_deg(point.shift), line);
 }
 
 void Tally::note_written(const nc::EmittedMove& written, std::optional<double> seconds, std::size_t line) {
@@ -118,7 +120,7 @@ void Tally::note_offset_sensitivity(const Target& target, const AxisWords& comma
     const Corrected corrected = corrector_.correct(moved);
     if (!corrected.converged) continue;  // beyond the edge of what the machine can hold
     const AxisWords there = corrected.pose - moved.pose;
-    const double change = length_mm(there - correction) / kOffsetProbeMm;
+    const double change = path::length_mm(there - correction) / kOffsetProbeMm;
     squares += change * change;
   }
   if (squares == 0) return;
@@ -140,7 +142,7 @@ void Tally::note_widened(const CorrectedMove& corrected) {
     const AxisWords end = points[i].nominal + points[i].shift;
     AxisWords off;
     for (const Axis axis : kAllAxes) off[axis] = (begin[axis] + end[axis]) / 2 - wanted[axis];
-    summary_.widening_mm.take(length_mm(off), move.path.line);
+    summary_.widening_mm.take(path::length_mm(off), move.path.line);
     begin = end;
   }
 }

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "compensate/block_effects.hpp"
-#include "compensate/guard.hpp"
+#include "compensate/limits.hpp"
+#include "compensate/read_back/block_effects.hpp"
 
 namespace plumbline::compensate {
 namespace {

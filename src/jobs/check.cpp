@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "compensate/corrector.hpp"
-#include "compensate/guard.hpp"
 #include "compensate/hole_corrector.hpp"
+#include "compensate/limits.hpp"
 #include "compensate/move_corrector.hpp"
 #include "compensate/move_reader.hpp"
 #include "jobs/compensate/compensate_file.hpp"

@@ -7,7 +7,7 @@
 
 #include "base/number_text.hpp"
 #include "base/units.hpp"
-#include "compensate/guard.hpp"
+#include "compensate/limits.hpp"
 #include "compensate/move_reader.hpp"
 #include "jobs/csv_columns.hpp"
 #include "jobs/open_program.hpp"

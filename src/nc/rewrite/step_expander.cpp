@@ -6,6 +6,7 @@
 #include "base/characters.hpp"
 #include "base/check.hpp"
 #include "base/number_text.hpp"
+#include "nc/language/active_comments.hpp"
 #include "nc/language/refusal.hpp"
 #include "nc/syntax/line_head.hpp"
 
@@ -25,8 +26,10 @@ bool shows_parameters(std::string_view comment) {
     if (c != ' ' && c != '\t') text += lower(c);
     if (text.size() > 6) break;
   }
-  const bool active = text.starts_with("debug,") || text.starts_with("print,") || text.starts_with("log,");
-  return active && comment.find('#') != std::string_view::npos;
+  const bool shows = std::any_of(kActiveComments.begin(), kActiveComments.end(), [&](const ActiveComment& active) {
+    return active.shows_parameters && text.starts_with(active.word) && text.substr(active.word.size(), 1) == ",";
+  });
+  return shows && comment.find('#') != std::string_view::npos;
 }
 
 bool is_plain(const Step& step, bool keeps_settings) {

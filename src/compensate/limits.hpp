@@ -1,4 +1,4 @@
-// Refuses what lies outside the machine's limits, by block, axis or strut, and by how much.
+// The machine's limits: which of them a move breaks, refused by block, axis or strut, and by how much.
 #pragma once
 
 #include <string_view>
@@ -32,14 +32,6 @@ std::vector<machine::Violation> check_way(const Corrector& corrector, const mach
 
 /// Into how many steps the straight line by `delta` (mm and deg) is cut for that.
 int chord_steps(const AxisWords& delta);
-
-/// The rest of a touch-off on the sagging machine, which every pose gets; zero where none is set. Refuses with
-/// compensate-touch-off.
-AxisWords touch_off_error(const Corrector& corrector, const Settings& settings);
-
-/// Where the tool stands along the hole of a cycle that works the spindle, from R to its bottom, in the work system;
-/// `above` is any place over it.
-std::vector<AxisWords> hole_places(const nc::Step& step, const nc::Hole& hole, const AxisWords& above, double step_mm);
 
 /// A violation as a diagnostic at a block; code limit-tilt, limit-travel, limit-strut or limit-condition.
 Diagnostic diagnose(const machine::Violation& violation, const Place& place);

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "base/files.hpp"
-#include "compensate/effect_check.hpp"
-#include "compensate/intended.hpp"
-#include "compensate/intention.hpp"
-#include "compensate/move_check.hpp"
-#include "compensate/summary.hpp"
+#include "compensate/read_back/effect_check.hpp"
+#include "compensate/read_back/figures.hpp"
+#include "compensate/read_back/intended.hpp"
+#include "compensate/read_back/intention.hpp"
+#include "compensate/read_back/move_check.hpp"
 #include "nc/language/dialect.hpp"
 #include "nc/rewrite/emit_pieces.hpp"
 #include "nc/sequence/program.hpp"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "compensate/intended.hpp"
+#include "compensate/read_back/intended.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"
 

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 
-#include "compensate/intended.hpp"
-#include "compensate/summary.hpp"
-#include "compensate/time_check.hpp"
+#include "compensate/read_back/figures.hpp"
+#include "compensate/read_back/intended.hpp"
+#include "compensate/read_back/time_check.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"
 
@@ -34,14 +33,12 @@ class MoveCheck {
   bool take_piece(const IntendedMove& meant, const nc::Motion& motion);
   void reach(const IntendedMove& meant, const AxisWords& wanted, const nc::Motion& motion);
   void go_to(const nc::Motion& motion);
+  [[noreturn]] void differ(const nc::Motion& motion) const;
   void note_point(const IntendedMove& meant, const AxisWords& wanted, const nc::Motion& motion);
-  void check_words(const IntendedMove& meant) const;
-  bool is_at(const AxisWords& point, const AxisWords& read, const IntendedMove& move, bool has_words) const;
   bool is_reached(const IntendedMove& move, std::size_t point) const;
   bool may_finish(const IntendedMove& meant) const;
   void finish_move();
   void leave_move();
-  std::string what_differs(const nc::Motion& motion) const;
 
   const nc::Dialect& dialect_;
   ReadBackFigures& figures_;

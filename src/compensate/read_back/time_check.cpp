@@ -1,14 +1,14 @@
-#include "compensate/time_check.hpp"
+#include "compensate/read_back/time_check.hpp"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
-#include "compensate/difference.hpp"
-#include "compensate/figures.hpp"
+#include "compensate/read_back/difference.hpp"
 #include "path/curve.hpp"
 #include "path/duration.hpp"
+#include "path/figures.hpp"
 
 namespace plumbline::compensate {
 namespace {
@@ -26,7 +26,7 @@ double way(const AxisWords& d) {
 }  // namespace
 
 void TimeCheck::spend(const IntendedMove& meant, const nc::Motion& motion) {
-  if (!is_cut(motion.kind)) return;
+  if (!path::is_cut(motion.kind)) return;
   const path::Curve curve(motion);
   length_ += way(curve.delta()) + curve.linear_mm();
   if (!meant.seconds) return;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/files.hpp"
-#include "compensate/intended.hpp"
+#include "compensate/read_back/intended.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"
 #include "nc/rewrite/emit_pieces.hpp"

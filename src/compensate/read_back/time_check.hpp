@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "compensate/intended.hpp"
-#include "compensate/summary.hpp"
+#include "compensate/read_back/figures.hpp"
+#include "compensate/read_back/intended.hpp"
 #include "nc/language/dialect.hpp"
 
 namespace plumbline::compensate {

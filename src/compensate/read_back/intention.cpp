@@ -1,4 +1,4 @@
-#include "compensate/intention.hpp"
+#include "compensate/read_back/intention.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,11 +6,11 @@
 #include "base/check.hpp"
 #include "base/number_text.hpp"
 #include "base/units.hpp"
-#include "compensate/block_effects.hpp"
-#include "compensate/figures.hpp"
+#include "compensate/read_back/block_effects.hpp"
 #include "nc/control/kept.hpp"
 #include "path/curve.hpp"
 #include "path/duration.hpp"
+#include "path/figures.hpp"
 
 namespace plumbline::compensate {
 namespace {
@@ -152,7 +152,7 @@ void Intention::keep(const nc::Step& step, bool counts, std::optional<double> se
     move.counts = counts && !motion.in_machine_coordinates;
     if (seconds) {
       move.seconds = seconds;
-    } else if (is_cut(motion.kind)) {
+    } else if (path::is_cut(motion.kind)) {
       move.seconds = path::duration(motion, path::Curve(motion), dialect_);
     }
     batch_.points.push_back(motion.machine + away_);
@@ -215,7 +215,7 @@ void Intention::shift(const nc::Step& hole, const AxisWords& by) {
     // No word of its block says the height that it comes from, and goes back to.
     const bool at_level = back || i < at.approach_end;
     if (at_level) move.tolerance[axes.third] = std::max(move.tolerance[axes.third], kLoose * level_written_);
-    if (is_cut(motion.kind)) move.seconds = path::duration(motion, path::Curve(motion), dialect_);
+    if (path::is_cut(motion.kind)) move.seconds = path::duration(motion, path::Curve(motion), dialect_);
     // Back to where the tool came in, which is not shifted as the hole is
     const double length = std::abs(end - motion.from[axes.third]);
     if (move.seconds && back && length > 0) {
@@ -239,14 +239,14 @@ void Intention::check_all_said() const {
     };
     // A cycle that goes back to where it began is entered from there.
     const bool enters = original_->cycle == nc::CycleForm::spindle;
-    while (enters && !stands(motion) && said < batch_.moves.size() && !is_it(batch_.moves[said]) &&
+    while (enters && !path::stands(motion) && said < batch_.moves.size() && !is_it(batch_.moves[said]) &&
            batch_.moves[said].motion.kind == nc::MotionKind::rapid) {
       ++said;
     }
     if (said < batch_.moves.size() && is_it(batch_.moves[said])) {
       ++said;
     } else {
-      PLUMBLINE_CHECK(stands(motion));
+      PLUMBLINE_CHECK(path::stands(motion));
     }
   }
 }

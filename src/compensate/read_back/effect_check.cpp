@@ -1,9 +1,10 @@
-#include "compensate/effect_check.hpp"
+#include "compensate/read_back/effect_check.hpp"
 
 #include <fmt/format.h>
 
-#include "compensate/block_effects.hpp"
-#include "compensate/difference.hpp"
+#include "compensate/read_back/block_effects.hpp"
+#include "compensate/read_back/difference.hpp"
+#include "nc/language/active_comments.hpp"
 #include "nc/rewrite/emit.hpp"
 
 namespace plumbline::compensate {
@@ -11,10 +12,10 @@ namespace {
 
 // Comments that show nothing and ask for nothing.
 bool is_passive(std::string_view comment) {
-  for (const std::string_view active : {"msg", "debug", "print", "log", "probeopen", "probeclose", "py", "abort"}) {
+  for (const nc::ActiveComment& active : nc::kActiveComments) {
     std::size_t at = comment.find_first_not_of("(; \t");
     bool same = at != std::string_view::npos;
-    for (const char c : active) {
+    for (const char c : active.word) {
       same = same && at < comment.size() && (comment[at] | 0x20) == c;
       ++at;
     }

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "base/files.hpp"
-#include "compensate/intention.hpp"
-#include "compensate/output_check.hpp"
-#include "compensate/summary.hpp"
+#include "compensate/read_back/figures.hpp"
+#include "compensate/read_back/intention.hpp"
+#include "compensate/read_back/output_check.hpp"
 
 namespace plumbline::compensate {
 

@@ -1,4 +1,4 @@
-#include "compensate/move_check.hpp"
+#include "compensate/read_back/move_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
-#include "compensate/difference.hpp"
-#include "compensate/figures.hpp"
+#include "compensate/read_back/difference.hpp"
+#include "path/figures.hpp"
 
 namespace plumbline::compensate {
 namespace {
@@ -34,6 +34,58 @@ std::string_view name_of(nc::MotionKind kind) {
   return "a dwell";
 }
 
+// In the axes of the words, which is where the control rounds.
+bool is_at(const AxisWords& point, const AxisWords& read, const IntendedMove& move, const nc::Step& step,
+           bool has_words) {
+  const AxisWords off = step.frame->turned_back(read - point);
+  return std::all_of(kAllAxes.begin(), kAllAxes.end(), [&](Axis axis) {
+    if (!move.motion.known_after.contains(axis)) return true;
+    const bool endless = step.after->rule_of(axis) != nc::RotaryRule::linear;
+    const double halves = endless ? kEndless : has_words && step.named.contains(axis) ? 1 : kLoose;
+    return std::abs(off[axis]) <= halves * move.tolerance[axis];
+  });
+}
+
+// A control cuts digits off that it does not keep: what was written must be what it reads.
+void check_words(const IntendedMove& meant, const nc::Step& step) {
+  for (const nc::Word& word : step.block->words) {
+    const std::optional<Axis> axis = axis_of(word.letter);
+    if (!axis) continue;
+    const double increment = meant.increment[*axis];
+    const double kept = increment > 0 ? std::round(word.value / increment) * increment : word.value;
+    const double digit = meant.digit[*axis];
+    const double noise = kNoise * std::max(1.0, std::abs(word.value));
+    const bool has_digits = std::pow(10, -word.decimals) > digit / 2;
+    if (has_digits && std::abs(kept - word.value) <= digit / 2 + noise) continue;
+    throw Difference{fmt::format("it has {}, and the control keeps steps of {}", step.block->at(word.span),
+                                 to_decimal(std::max(increment, digit)))};
+  }
+}
+
+// `wanted`: where it was to end.
+std::string what_differs(const IntendedMove& meant, const AxisWords& wanted, const nc::Motion& motion) {
+  const bool pieces = meant.form == IntendedMove::Form::pieces;
+  const nc::MotionKind kind = pieces && path::is_cut(meant.motion.kind) ? nc::MotionKind::feed : meant.motion.kind;
+  if (kind != motion.kind || meant.motion.in_machine_coordinates != motion.in_machine_coordinates) {
+    return fmt::format("it has {} where {} was meant", name_of(motion.kind), name_of(kind));
+  }
+  if (kind == nc::MotionKind::dwell) {
+    return fmt::format("it waits {} s, and {} s were meant", to_decimal(motion.dwell_s, 6),
+                       to_decimal(meant.motion.dwell_s, 6));
+  }
+  for (const Axis axis : kAllAxes) {
+    if (meant.motion.known_after.contains(axis) != motion.known_after.contains(axis)) {
+      return fmt::format("where {} stands is known only in one of the two", letter(axis));
+    }
+    if (!meant.motion.known_after.contains(axis)) continue;
+    if (std::abs(wanted[axis] - motion.machine[axis]) <= kLoose * meant.tolerance[axis]) continue;
+    return fmt::format("it ends at {}{} of the machine, and {} was meant", letter(axis),
+                       to_decimal(motion.machine[axis], 6), to_decimal(wanted[axis], 6));
+  }
+  if (kind == nc::MotionKind::arc) return "its arc is another one";
+  return "it ends elsewhere than was meant";
+}
+
 }  // namespace
 
 void MoveCheck::begin(const IntendedBatch& batch, const IntendedBlock& block) {
@@ -56,23 +108,12 @@ void MoveCheck::end() {
   while (move_ < last_move_) finish_move();
 }
 
-// In the axes of the words, which is where the control rounds.
-bool MoveCheck::is_at(const AxisWords& point, const AxisWords& read, const IntendedMove& move, bool has_words) const {
-  const AxisWords off = step_->frame->turned_back(read - point);
-  return std::all_of(kAllAxes.begin(), kAllAxes.end(), [&](Axis axis) {
-    if (!move.motion.known_after.contains(axis)) return true;
-    const bool endless = step_->after->rule_of(axis) != nc::RotaryRule::linear;
-    const double halves = endless ? kEndless : has_words && step_->named.contains(axis) ? 1 : kLoose;
-    return std::abs(off[axis]) <= halves * move.tolerance[axis];
-  });
-}
-
 // Its points need no piece: the control stands there already, as far as it can tell.
 bool MoveCheck::is_reached(const IntendedMove& move, std::size_t point) const {
   if (move.motion.kind == nc::MotionKind::dwell) return false;
-  if (move.form == IntendedMove::Form::kept && stands(move.motion)) return true;
+  if (move.form == IntendedMove::Form::kept && path::stands(move.motion)) return true;
   return stands_known_.contains(move.motion.known_after) &&
-         is_at(batch_->points[move.first_point + point], stands_, move, false);
+         is_at(batch_->points[move.first_point + point], stands_, move, *step_, false);
 }
 
 void MoveCheck::take_motion(const nc::Motion& motion) {
@@ -85,7 +126,7 @@ void MoveCheck::take_motion(const nc::Motion& motion) {
     finish_move();
   }
   const bool enters = block_->spindle_cycle && motion.kind == nc::MotionKind::rapid;
-  if (!stands(motion) && !enters) throw Difference{what_differs(motion)};
+  if (!path::stands(motion) && !enters) differ(motion);
   go_to(motion);
 }
 
@@ -95,30 +136,11 @@ void MoveCheck::go_to(const nc::Motion& motion) {
   stands_known_ = motion.known_after;
 }
 
-std::string MoveCheck::what_differs(const nc::Motion& motion) const {
-  if (move_ >= last_move_) return fmt::format("it has {} more than was meant", name_of(motion.kind));
+void MoveCheck::differ(const nc::Motion& motion) const {
+  if (move_ >= last_move_) throw Difference{fmt::format("it has {} more than was meant", name_of(motion.kind))};
   const IntendedMove& meant = batch_->moves[move_];
-  const bool pieces = meant.form == IntendedMove::Form::pieces;
-  const nc::MotionKind kind = pieces && is_cut(meant.motion.kind) ? nc::MotionKind::feed : meant.motion.kind;
-  if (kind != motion.kind || meant.motion.in_machine_coordinates != motion.in_machine_coordinates) {
-    return fmt::format("it has {} where {} was meant", name_of(motion.kind), name_of(kind));
-  }
-  if (kind == nc::MotionKind::dwell) {
-    return fmt::format("it waits {} s, and {} s were meant", to_decimal(motion.dwell_s, 6),
-                       to_decimal(meant.motion.dwell_s, 6));
-  }
   const AxisWords& wanted = batch_->points[meant.first_point + std::min(point_, meant.points - 1)];
-  for (const Axis axis : kAllAxes) {
-    if (meant.motion.known_after.contains(axis) != motion.known_after.contains(axis)) {
-      return fmt::format("where {} stands is known only in one of the two", letter(axis));
-    }
-    if (!meant.motion.known_after.contains(axis)) continue;
-    if (std::abs(wanted[axis] - motion.machine[axis]) <= kLoose * meant.tolerance[axis]) continue;
-    return fmt::format("it ends at {}{} of the machine, and {} was meant", letter(axis),
-                       to_decimal(motion.machine[axis], 6), to_decimal(wanted[axis], 6));
-  }
-  if (kind == nc::MotionKind::arc) return "its arc is another one";
-  return "it ends elsewhere than was meant";
+  throw Difference{what_differs(meant, wanted, motion)};
 }
 
 bool MoveCheck::take_kept(const IntendedMove& meant, const nc::Motion& motion) {
@@ -126,7 +148,8 @@ bool MoveCheck::take_kept(const IntendedMove& meant, const nc::Motion& motion) {
   if (original.kind != motion.kind || original.in_machine_coordinates != motion.in_machine_coordinates) return false;
   if (original.kind == nc::MotionKind::dwell) return take_dwell(meant, motion);
   const AxisWords& wanted = batch_->points[meant.first_point];
-  if (!(original.known_after == motion.known_after) || !is_at(wanted, motion.machine, meant, true)) return false;
+  if (!(original.known_after == motion.known_after) || !is_at(wanted, motion.machine, meant, *step_, true))
+    return false;
   if (original.kind == nc::MotionKind::arc) {
     bool same = original.arc.plane == motion.arc.plane && original.arc.turns == motion.arc.turns;
     for (std::size_t i = 0; i < original.arc.centre_mm.size(); ++i) {
@@ -152,12 +175,12 @@ bool MoveCheck::take_dwell(const IntendedMove& meant, const nc::Motion& motion) 
 }
 
 bool MoveCheck::take_piece(const IntendedMove& meant, const nc::Motion& motion) {
-  const bool cuts = is_cut(meant.motion.kind);
+  const bool cuts = path::is_cut(meant.motion.kind);
   const nc::MotionKind kind = cuts ? nc::MotionKind::feed : meant.motion.kind;
   if (motion.kind != kind || motion.in_machine_coordinates) return false;
   if (!(meant.motion.known_after == motion.known_after) && point_ + 1 == meant.points) return false;
   std::size_t at = point_;
-  while (at < meant.points && !is_at(batch_->points[meant.first_point + at], motion.machine, meant, true)) {
+  while (at < meant.points && !is_at(batch_->points[meant.first_point + at], motion.machine, meant, *step_, true)) {
     if (!is_reached(meant, at)) return false;
     ++at;
   }
@@ -169,26 +192,10 @@ bool MoveCheck::take_piece(const IntendedMove& meant, const nc::Motion& motion) 
 }
 
 void MoveCheck::reach(const IntendedMove& meant, const AxisWords& wanted, const nc::Motion& motion) {
-  if (meant.corrected) check_words(meant);
+  if (meant.corrected) check_words(meant, *step_);
   times_.spend(meant, motion);
   note_point(meant, wanted, motion);
   go_to(motion);
-}
-
-// A control cuts digits off that it does not keep: what was written must be what it reads.
-void MoveCheck::check_words(const IntendedMove& meant) const {
-  for (const nc::Word& word : step_->block->words) {
-    const std::optional<Axis> axis = axis_of(word.letter);
-    if (!axis) continue;
-    const double increment = meant.increment[*axis];
-    const double kept = increment > 0 ? std::round(word.value / increment) * increment : word.value;
-    const double digit = meant.digit[*axis];
-    const double noise = kNoise * std::max(1.0, std::abs(word.value));
-    const bool has_digits = std::pow(10, -word.decimals) > digit / 2;
-    if (has_digits && std::abs(kept - word.value) <= digit / 2 + noise) continue;
-    throw Difference{fmt::format("it has {}, and the control keeps steps of {}", step_->block->at(word.span),
-                                 to_decimal(std::max(increment, digit)))};
-  }
 }
 
 void MoveCheck::note_point(const IntendedMove& meant, const AxisWords& wanted, const nc::Motion& motion) {
@@ -199,7 +206,7 @@ void MoveCheck::note_point(const IntendedMove& meant, const AxisWords& wanted, c
   for (const Axis axis : kAllAxes) {
     if (motion.known_after.contains(axis)) off[axis] = motion.machine[axis] - wanted[axis];
   }
-  figures_.rounding_mm.take(length_mm(off), block_->line);
+  figures_.rounding_mm.take(path::length_mm(off), block_->line);
 }
 
 bool MoveCheck::may_finish(const IntendedMove& meant) const {

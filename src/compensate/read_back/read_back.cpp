@@ -1,4 +1,4 @@
-#include "compensate/read_back.hpp"
+#include "compensate/read_back/read_back.hpp"
 
 #include <algorithm>
 

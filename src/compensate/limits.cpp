@@ -1,11 +1,11 @@
-#include "compensate/guard.hpp"
+#include "compensate/limits.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "compensate/figures.hpp"
+#include "path/figures.hpp"
 
 namespace plumbline::compensate {
 namespace {
@@ -50,7 +50,7 @@ Place place_of(const nc::Step& step) {
 }
 
 int chord_steps(const AxisWords& delta) {
-  const double steps = std::max(length_mm(delta) / kChordStepMm, largest_turn_deg(delta) / kChordStepDeg);
+  const double steps = std::max(path::length_mm(delta) / kChordStepMm, path::largest_turn_deg(delta) / kChordStepDeg);
   return std::max(1, static_cast<int>(std::ceil(steps)));
 }
 
@@ -73,29 +73,12 @@ std::vector<machine::Violation> check_way(const Corrector& corrector, const mach
   const AxisWords& commanded_from = start.converged ? start.pose : from.pose;
   for (int i = 1; i < count; ++i) {
     const double fraction = static_cast<double>(i) / count;
-    append(broken, machine::check_programmed(limits, corrector.pose_of(between(from.pose, to.pose, fraction))));
-    append(broken, machine::check_compensated(limits, corrector.geometry(),
-                                              corrector.pose_of(between(commanded_from, commanded_to, fraction))));
+    append(broken, machine::check_programmed(limits, corrector.pose_of(path::between(from.pose, to.pose, fraction))));
+    append(broken,
+           machine::check_compensated(limits, corrector.geometry(),
+                                      corrector.pose_of(path::between(commanded_from, commanded_to, fraction))));
   }
   return broken;
-}
-
-AxisWords touch_off_error(const Corrector& corrector, const Settings& settings) {
-  if (!settings.touch_off) return {};
-  const std::optional<AxisWords> error = corrector.error({*settings.touch_off, {}, {}, std::nullopt});
-  if (error) return *error;
-  refuse("compensate-touch-off", "the machine cannot stand at the touch-off pose",
-         "give the pose in W at which the work offset was probed: --touch-off X,Y,Z,A,B,C in mm and deg");
-}
-
-std::vector<AxisWords> hole_places(const nc::Step& step, const nc::Hole& hole, const AxisWords& above, double step_mm) {
-  const Axis normal = nc::axes_of(step.after->plane).third;
-  const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(hole.r - hole.bottom) / step_mm)));
-  std::vector<AxisWords> places(static_cast<std::size_t>(pieces) + 1, above);
-  for (int i = 0; i <= pieces; ++i) {
-    places[static_cast<std::size_t>(i)][normal] = hole.r + (hole.bottom - hole.r) * i / pieces;
-  }
-  return places;
 }
 
 Diagnostic diagnose(const machine::Violation& violation, const Place& place) {

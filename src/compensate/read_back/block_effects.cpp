@@ -1,4 +1,4 @@
-#include "compensate/block_effects.hpp"
+#include "compensate/read_back/block_effects.hpp"
 
 #include <algorithm>
 #include <cmath>

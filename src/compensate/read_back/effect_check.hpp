@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "compensate/intended.hpp"
+#include "compensate/read_back/intended.hpp"
 #include "nc/language/block.hpp"
 
 namespace plumbline::compensate {

@@ -1,4 +1,4 @@
-#include "compensate/output_check.hpp"
+#include "compensate/read_back/output_check.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -7,8 +7,8 @@
 
 #include "base/check.hpp"
 #include "base/diagnostic.hpp"
-#include "compensate/block_effects.hpp"
-#include "compensate/difference.hpp"
+#include "compensate/read_back/block_effects.hpp"
+#include "compensate/read_back/difference.hpp"
 
 namespace plumbline::compensate {
 namespace {

@@ -1,13 +1,13 @@
 // What is read back: an output as it was written is what was meant, and every kind of fault in it is found.
-#include "compensate/read_back.hpp"
+#include "compensate/read_back/read_back.hpp"
 
 #include <filesystem>
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "compensate/output_check.hpp"
 #include "compensate/play.hpp"
+#include "compensate/read_back/output_check.hpp"
 
 using namespace plumbline;
 

@@ -1,0 +1,32 @@
+// What reading an output again tells of it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace plumbline::compensate {
+
+/// The largest of something, and the line of the program where it was.
+struct Worst {
+  double value = 0;
+  std::size_t line = 0;
+
+  void take(double candidate, std::size_t at_line) {
+    if (candidate <= value) return;
+    value = candidate;
+    line = at_line;
+  }
+};
+
+/// What the output says when it is read again.
+struct ReadBackFigures {
+  std::uint64_t blocks = 0;         // of the original that were held against it
+  std::uint64_t output_blocks = 0;  // that were read
+  std::uint64_t guard_lines = 0;    // which only the machine can decide, and were not
+  std::uint64_t points = 0;         // ends of corrected moves and of their pieces
+  double seconds = 0;               // of moves and dwells whose time the program sets
+  Worst time_change;                // of any block, as a share of its time
+  Worst rounding_mm;                // of a point against what was asked
+};
+
+}  // namespace plumbline::compensate
