@@ -11,19 +11,18 @@
 #include "base/check.hpp"
 #include "base/diagnostic.hpp"
 #include "base/parallel.hpp"
-#include "diagnose/candidates/kind.hpp"
 #include "diagnose/evidence/bounded.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-constexpr double kWeak = 1e-7;    // precision of effects, in their scales: keeps what the data cannot tell in place
-constexpr double kZeroSum = 1e6;  // precision of the sum of numbers that sum to zero
+constexpr double kUnbounded = 1e9;  // scales: a phase may go as far as it will
 
 class Fitter {
  public:
-  Fitter(const Workbench& bench, const std::vector<Pick>& picks, const identify::NoiseModel& noise)
-      : bench_(bench), unknowns_(identify::nuisances(bench.machine, bench.forces)), noise_(noise) {
+  Fitter(const Workbench& bench, const std::vector<Pick>& picks, const identify::NoiseModel& noise,
+         const RefitOptions& options)
+      : bench_(bench), unknowns_(identify::nuisances(bench.machine, bench.forces)), noise_(noise), options_(options) {
     for (std::size_t i = 0; i < unknowns_.size(); ++i) places_.push_back(static_cast<int>(i));
     for (const Pick& pick : picks) {
       for (const int place : pick.unknowns) {
@@ -35,7 +34,7 @@ class Fitter {
           effects_.push_back(static_cast<int>(unknowns_.add(u.effect, u.key, std::max(u.index, 0))));
           places_.push_back(place);
         }
-        zero_sums_.push_back(pick.candidate->modes[static_cast<std::size_t>(pick.mode)].sums_to_zero);
+        zero_sums_.push_back(pick.acts().sums_to_zero);
       }
     }
     const auto n = static_cast<Eigen::Index>(unknowns_.size());
@@ -44,13 +43,13 @@ class Fitter {
     for (Eigen::Index i = 0; i < n; ++i) {
       const identify::Unknown& u = unknowns_[static_cast<std::size_t>(i)];
       scales_[i] = u.scale;
-      precision_[i] = u.free() ? kWeak : 1;
+      precision_[i] = u.free() ? kWeakPrecision : 1;
     }
     objective_.emplace(bench.machine.rotation, bench.runs, unknowns_, identify::ObjectiveOptions{.huber = 0});
     objective_->set_noise(noise);
   }
 
-  Refit run(const Eigen::VectorXd& start, const RefitOptions& options) {
+  Refit run(const Eigen::VectorXd& start) {
     Eigen::VectorXd values = start(places_);
     Point now = tried(values);
     if (!std::isfinite(now.misfit)) {
@@ -58,15 +57,15 @@ class Fitter {
       now = at(values);
     }
     Refit result;
-    for (int i = 0; i < options.most_iterations && !result.converged; ++i) {
+    for (int i = 0; i < options_.most_iterations && !result.converged; ++i) {
       Eigen::VectorXd step = step_from(now, values);
       Point next = tried(values + step);
-      for (int half = 0; half < 5 && next.misfit > now.misfit + options.tolerance; ++half) {
+      for (int half = 0; half < options_.most_halvings && next.misfit > now.misfit + options_.tolerance; ++half) {
         step *= 0.5;
         next = tried(values + step);
       }
       const double drop = now.misfit - next.misfit;
-      result.converged = drop < options.tolerance;
+      result.converged = drop < options_.tolerance;
       if (drop < 0) break;
       values += step;
       now = std::move(next);
@@ -137,8 +136,8 @@ class Fitter {
       if (!zero_sums_[i]) continue;
       for (std::size_t k = 0; k < effects_.size(); ++k) {
         if (!zero_sums_[k]) continue;
-        A(effects_[i], effects_[k]) += kZeroSum;
-        b[effects_[i]] -= kZeroSum * z[effects_[k]];
+        A(effects_[i], effects_[k]) += options_.zero_sum_precision;
+        b[effects_[i]] -= options_.zero_sum_precision * z[effects_[k]];
       }
     }
   }
@@ -166,8 +165,8 @@ class Fitter {
         const int place = effects_[static_cast<std::size_t>(i)];
         const identify::Unknown& u = unknowns_[static_cast<std::size_t>(place)];
         const bool open = u.periodic;
-        lower[i] = open ? -1e9 : std::min(0.0, (u.lower - values[place]) / u.scale);
-        upper[i] = open ? 1e9 : std::max(0.0, (u.upper - values[place]) / u.scale);
+        lower[i] = open ? -kUnbounded : std::min(0.0, (u.lower - values[place]) / u.scale);
+        upper[i] = open ? kUnbounded : std::max(0.0, (u.upper - values[place]) / u.scale);
       }
       sizes = solve_bounded(S, s, lower, upper);
     }
@@ -208,7 +207,8 @@ class Fitter {
   const Workbench& bench_;
   identify::Unknowns unknowns_;
   identify::NoiseModel noise_;
-  std::vector<int> places_;   // of unknowns_ in the shelf
+  const RefitOptions& options_;
+  std::vector<int> places_;   // of unknowns_ among the candidates'
   std::vector<int> effects_;  // in unknowns_
   std::vector<bool> zero_sums_;
   Eigen::VectorXd scales_, precision_;
@@ -219,7 +219,7 @@ class Fitter {
 
 Refit refit(const Workbench& bench, const std::vector<Pick>& picks, const Eigen::VectorXd& start,
             const identify::NoiseModel& noise, const RefitOptions& options) {
-  return Fitter(bench, picks, noise).run(start, options);
+  return Fitter(bench, picks, noise, options).run(start);
 }
 
 std::vector<double> parameter_errors(const CandidateSet& candidates, const physics::ForceModel& forces,
@@ -232,48 +232,6 @@ std::vector<double> parameter_errors(const CandidateSet& candidates, const physi
     }
   }
   return errors;
-}
-
-Pick pick_of(const CandidateSet& candidates, const Candidate& candidate, const Score& score, Eigen::VectorXd& values) {
-  Pick pick{&candidate, score.mode, score.column_groups, {}};
-  const ActingMode& mode = candidate.modes[static_cast<std::size_t>(score.mode)];
-  for (const UnknownValue& number : candidate.kind->numbers(candidates, candidate, mode, score.columns, score.sizes)) {
-    PLUMBLINE_CHECK(number.unknown >= 0);
-    values[number.unknown] = number.value;
-    pick.unknowns.push_back(number.unknown);
-  }
-  return pick;
-}
-
-Marginalised taken_by(const CandidateSet& candidates, const std::vector<Pick>& picks, const Eigen::VectorXd& values) {
-  Marginalised taken;
-  std::vector<double> precision;
-  std::vector<double> departure;
-  std::vector<bool> free(candidates.nuisances, false);
-  std::vector<int> more;
-  for (const Pick& pick : picks) {
-    for (const int place : pick.unknowns) {
-      if (place < static_cast<int>(candidates.nuisances)) {
-        free[static_cast<std::size_t>(place)] = true;
-      } else {
-        more.push_back(place);
-      }
-    }
-  }
-  for (std::size_t i = 0; i < candidates.nuisances; ++i) {
-    const identify::Unknown& u = candidates.unknowns[i];
-    taken.columns.push_back(static_cast<int>(i));
-    precision.push_back(free[i] ? kWeak : 1);
-    departure.push_back(free[i] ? 0 : (values[static_cast<Eigen::Index>(i)] - u.start) / u.scale);
-  }
-  for (const int place : more) {
-    taken.columns.push_back(place);
-    precision.push_back(kWeak);
-    departure.push_back(0);
-  }
-  taken.precision = Eigen::Map<Eigen::VectorXd>(precision.data(), static_cast<Eigen::Index>(precision.size()));
-  taken.departure = Eigen::Map<Eigen::VectorXd>(departure.data(), static_cast<Eigen::Index>(departure.size()));
-  return taken;
 }
 
 }  // namespace plumbline::diagnose

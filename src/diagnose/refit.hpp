@@ -2,22 +2,15 @@
 #pragma once
 
 #include "diagnose/candidates/workbench.hpp"
-#include "diagnose/evidence/linear_problem.hpp"
-#include "diagnose/evidence/score.hpp"
+#include "diagnose/picks.hpp"
 
 namespace plumbline::diagnose {
 
-/// An effect that was picked, and which of its numbers are fitted.
-struct Pick {
-  const Candidate* candidate = nullptr;
-  int mode = 0;
-  std::vector<int> column_groups;
-  std::vector<int> unknowns;  // of the candidates
-};
-
 struct RefitOptions {
   int most_iterations = 8;
-  double tolerance = 0.02;  // of the misfit, at which it ends
+  double tolerance = 0.02;          // of the misfit, at which it ends
+  int most_halvings = 5;            // of a step that makes the misfit larger
+  double zero_sum_precision = 1e6;  // of the sum of numbers that sum to zero, in scales: firm beside any data
 };
 
 struct Refit {
@@ -39,11 +32,5 @@ Refit refit(const Workbench& bench, const std::vector<Pick>& picks, const Eigen:
 /// Standard errors of a force model's parameters that the unknowns of the candidates stand for, SI; others zero.
 std::vector<double> parameter_errors(const CandidateSet& candidates, const physics::ForceModel& forces,
                                      const Refit& fit);
-
-/// A pick as its score has it; puts the sizes found into `values`.
-Pick pick_of(const CandidateSet& candidates, const Candidate& candidate, const Score& score, Eigen::VectorXd& values);
-
-/// The columns of the linear problem that these picks and the nuisances stand for at `values`.
-Marginalised taken_by(const CandidateSet& candidates, const std::vector<Pick>& picks, const Eigen::VectorXd& values);
 
 }  // namespace plumbline::diagnose

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
-
-#include "diagnose/evidence/bounded.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -44,24 +43,10 @@ std::vector<std::string> alternatives_of(const Workbench& bench, const Model& mo
     if (&candidate == pick.candidate) continue;
     double most = 0;
     for (const ActingMode& mode : candidate.modes) {
-      std::vector<int> columns;
-      for (const ColumnGroup& column_group : mode.column_groups)
-        columns.insert(columns.end(), column_group.begin(), column_group.end());
-      Eigen::MatrixXd A = left(columns, columns);
-      const double mean = A.trace() / static_cast<double>(A.rows());
-      if (!(mean > 1e-9)) continue;
-      A.diagonal().array() += 1e-9 * mean;
-      if (mode.sums_to_zero) A.array() += 1e3 * mean;
-      const Eigen::VectorXd b = seen(columns);
-      Eigen::VectorXd lower(b.size());
-      Eigen::VectorXd upper(b.size());
-      for (Eigen::Index i = 0; i < b.size(); ++i) {
-        const Column& column = bench.candidates.columns[static_cast<std::size_t>(columns[static_cast<std::size_t>(i)])];
-        lower[i] = column.lower;
-        upper[i] = column.upper;
-      }
-      const Eigen::VectorXd x = solve_bounded(A, b, lower, upper);
-      most = std::max(most, 2 * x.dot(b) - x.dot(A * x));
+      std::vector<int> all(mode.column_groups.size());
+      std::iota(all.begin(), all.end(), 0);
+      const ModeFit fit = fit_mode(left, bench.candidates, mode, all, seen);
+      if (fit.seen) most = std::max(most, fit.gain);
     }
     if (most > options.same_signature * options.same_signature * length2) names.push_back(candidate.name);
   }

@@ -11,55 +11,21 @@
 namespace plumbline::diagnose {
 namespace {
 
-constexpr std::size_t kMostSubsets = 6;  // carriers of which every subset is tried
-constexpr double kRidge = 1e-9;          // relative: keeps matrices of what the plan cannot tell apart regular
-constexpr double kFirmZeroSum = 1e3;     // relative to the Gram matrix: how firmly numbers sum to zero
+constexpr double kWidest = 1e7;  // tau^2 in units of what the data tell: wider ones are never better
+constexpr double kNever = -1e9;  // nats: what the runs do not see
 
 double log_choose(std::size_t n, std::size_t k) {
   return std::lgamma(static_cast<double>(n) + 1) - std::lgamma(static_cast<double>(k) + 1) -
          std::lgamma(static_cast<double>(n - k) + 1);
 }
 
-// One set of columns and what they make of the residual.
-class Trial {
- public:
-  Trial(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ActingMode& mode,
-        const std::vector<int>& column_groups) {
-    for (const int c : column_groups) {
-      const ColumnGroup& column_group = mode.column_groups[static_cast<std::size_t>(c)];
-      score_.columns.insert(score_.columns.end(), column_group.begin(), column_group.end());
-    }
-    score_.column_groups = column_groups;
-    const Eigen::Index r = left.cols() - 1;
-    Eigen::MatrixXd A = left(score_.columns, score_.columns);
-    const Eigen::VectorXd b = left(score_.columns, r);
-    const double mean = A.trace() / static_cast<double>(A.rows());
-    if (!(mean > 1e-9)) return;  // the plan does not see it
-    if (mode.sums_to_zero) A.array() += kFirmZeroSum * mean;
-    A.diagonal().array() += kRidge * mean;
-    Eigen::VectorXd lower(b.size());
-    Eigen::VectorXd upper(b.size());
-    int one_sided = 0;
-    for (Eigen::Index i = 0; i < b.size(); ++i) {
-      const Column& column = candidates.columns[static_cast<std::size_t>(score_.columns[static_cast<std::size_t>(i)])];
-      lower[i] = column.lower;
-      upper[i] = column.upper;
-      if (column.lower == 0) ++one_sided;
-    }
-    score_.sizes = solve_bounded(A, b, lower, upper);
-    score_.gain = 2 * b.dot(score_.sizes) - score_.sizes.dot(A * score_.sizes);
-    score_.log_odds = log_bayes_factor(A, score_.gain, score_.sizes, one_sided);
-  }
-  Score score_{-1e9};
-};
-
-std::vector<std::vector<int>> subsets_of(const ActingMode& mode) {
+std::vector<std::vector<int>> subsets_of(const ActingMode& mode, std::size_t most) {
   const std::size_t n = mode.column_groups.size();
   std::vector<int> all(n);
   for (std::size_t i = 0; i < n; ++i) all[i] = static_cast<int>(i);
   if (mode.all_or_none || n == 1) return {all};
   std::vector<std::vector<int>> subsets;
-  if (n > kMostSubsets) {
+  if (n > most) {
     for (const int i : all) subsets.push_back({i});
     subsets.push_back(all);
     return subsets;
@@ -75,12 +41,39 @@ std::vector<std::vector<int>> subsets_of(const ActingMode& mode) {
 
 }  // namespace
 
+ModeFit fit_mode(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ActingMode& mode,
+                 const std::vector<int>& column_groups, const Eigen::VectorXd& right, const ScoreOptions& options) {
+  ModeFit fit;
+  for (const int g : column_groups) {
+    const ColumnGroup& group = mode.column_groups[static_cast<std::size_t>(g)];
+    fit.columns.insert(fit.columns.end(), group.begin(), group.end());
+  }
+  fit.information = left(fit.columns, fit.columns);
+  const Eigen::VectorXd b = right(fit.columns);
+  const double mean = fit.information.trace() / static_cast<double>(fit.information.rows());
+  if (!(mean > options.least_seen)) return fit;
+  fit.seen = true;
+  if (mode.sums_to_zero) fit.information.array() += options.zero_sum * mean;
+  fit.information.diagonal().array() += options.ridge * mean;
+  Eigen::VectorXd lower(b.size());
+  Eigen::VectorXd upper(b.size());
+  for (Eigen::Index i = 0; i < b.size(); ++i) {
+    const Column& column = candidates.columns[static_cast<std::size_t>(fit.columns[static_cast<std::size_t>(i)])];
+    lower[i] = column.lower;
+    upper[i] = column.upper;
+    if (column.lower == 0) ++fit.one_sided;
+  }
+  fit.sizes = solve_bounded(fit.information, b, lower, upper);
+  fit.gain = 2 * b.dot(fit.sizes) - fit.sizes.dot(fit.information * fit.sizes);
+  return fit;
+}
+
 double log_bayes_factor(const Eigen::MatrixXd& A, double gain, const Eigen::VectorXd& sizes, int one_sided) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(A, Eigen::EigenvaluesOnly);
   const double mean = A.trace() / static_cast<double>(A.rows());
   const double squares = sizes.squaredNorm();
-  double best = -1e9;
-  for (double wide = 1; wide < 1e7; wide *= 2) {  // tau^2 of the mean column
+  double best = kNever;
+  for (double wide = 1; wide < kWidest; wide *= 2) {  // tau^2 of the mean column
     const double tau2 = wide / mean;
     const double determinant = (1 + tau2 * eigen.eigenvalues().array().max(0)).log().sum();
     best = std::max(best, 0.5 * (gain - squares / tau2 - determinant));
@@ -104,17 +97,24 @@ double log_prior(const Candidate& candidate, int mode, std::size_t column_groups
 
 Score score_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate, int mode,
                const std::vector<int>& column_groups, const ScoreOptions& options) {
-  Score score = Trial(left, candidates, candidate.modes[static_cast<std::size_t>(mode)], column_groups).score_;
+  const ModeFit fit = fit_mode(left, candidates, candidate.modes[static_cast<std::size_t>(mode)], column_groups,
+                               left.rightCols<1>(), options);
+  Score score;
   score.mode = mode;
+  score.column_groups = column_groups;
+  score.columns = fit.columns;
+  score.sizes = fit.sizes;
+  score.gain = fit.gain;
+  score.log_odds = fit.seen ? log_bayes_factor(fit.information, fit.gain, fit.sizes, fit.one_sided) : kNever;
   score.log_odds += log_prior(candidate, mode, column_groups.size(), options);
   return score;
 }
 
 Score best_score(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate,
                  const ScoreOptions& options) {
-  Score best{-1e9};
+  Score best{kNever};
   for (std::size_t w = 0; w < candidate.modes.size(); ++w) {
-    for (const std::vector<int>& subset : subsets_of(candidate.modes[w])) {
+    for (const std::vector<int>& subset : subsets_of(candidate.modes[w], options.most_subsets)) {
       Score score = score_of(left, candidates, candidate, static_cast<int>(w), subset, options);
       if (score.log_odds > best.log_odds) best = std::move(score);
     }

@@ -1,0 +1,125 @@
+#include "diagnose/conclusion.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "diagnose/doubt.hpp"
+#include "diagnose/held_values.hpp"
+#include "diagnose/unexplained.hpp"
+#include "diagnose/verdict.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+using identify::RunEquations;
+using measure::Run;
+
+// What would separate the strongest effect from the others of the confidence set: rivals, refitted in its place.
+std::vector<Separation> separations_of(const Workbench& bench, const Model& model, const Conclusion& conclusion,
+                                       const NextTestOptions& options) {
+  std::vector<Separation> all;
+  const auto like = std::max_element(bench.runs.begin(), bench.runs.end(), [](const Run& a, const Run& b) {
+    const auto kinds = [](const Run& run) { return (run.has_radial() ? 1 : 0) + (run.has_torque() ? 1 : 0); };
+    return kinds(a) < kinds(b);
+  });
+  for (const std::string& name : conclusion.confidence_set) {
+    for (const Rival& rival : model.found.front().rivals) {
+      if (rival.pick.candidate->name != name || !rival.refitted) continue;
+      const physics::ForceModel other = bench.candidates.unknowns.at(rival.fit.values);
+      all.push_back({name, next_test(bench.machine, conclusion.forces, other, *like, model.noise, options)});
+    }
+  }
+  return all;
+}
+
+void add_names(const Case& of, const Model& model, const DiagnoseOptions& options, Conclusion& conclusion) {
+  const Workbench& bench = of.bench;
+  for (std::size_t place = 0; place < model.found.size(); ++place) {
+    const Found& found = model.found[place];
+    conclusion.effects.push_back({found.pick.candidate->name, alternatives_of(bench, model, place, options.verdict),
+                                  parameters_of(bench, found.pick, model.fit), found.log_odds, found.left_out});
+  }
+  conclusion.confidence_set = confidence_set_of(model, conclusion.effects, options.verdict);
+  const std::vector<Rival>& rivals = model.found.front().rivals;
+  if (!rivals.empty()) {
+    conclusion.runner_up = rivals.front().pick.candidate->name;
+    const physics::ForceModel second = bench.candidates.unknowns.at(rivals.front().fit.values);
+    conclusion.residuals.second = residuals(bench.machine, of.runs, second, model.noise);
+  }
+  conclusion.next = separations_of(bench, model, conclusion, options.next_test);
+}
+
+// The model with what was found, but for a shift of the tip that circles do not show.
+void hold_back(const Case& of, const Model& model, const DiagnoseOptions& options, const Say& say,
+               Conclusion& conclusion) {
+  const Workbench& bench = of.bench;
+  const identify::Held held = held_values(bench, bench.forces, picks_of(model), model.fit, options.hold);
+  say(fmt::format("the tip as a whole would move by {:.1f} um, +- {:.1f}: {:.1f} um of it held back", held.shift / kUm,
+                  held.shift_doubt / kUm, held.back / kUm));
+  conclusion.forces = bench.candidates.unknowns.at(held.values);
+  conclusion.residuals.after = residuals(bench.machine, of.runs, conclusion.forces, model.noise);
+}
+
+// The base model: no effect of the catalogue is believed.
+void describe_beside_base(const Case& of, const Model& model, const Assessment& assessment,
+                          const DiagnoseOptions& options, Conclusion& conclusion) {
+  const CandidateSet& candidates = of.bench.candidates;
+  Unexplained beside = unexplained({of.bench, model.base, conclusion.residuals.base,
+                                    recurring(assessment.where.contrasts, options.verdict), model.noise},
+                                   of.runs, of.out, options);
+  conclusion.description = std::move(beside.left);
+  if (!beside.borne_out && assessment.remainder) conclusion.description.terms.clear();  // it says enough
+  conclusion.forces = std::move(beside.fitted.forces);
+  conclusion.errors = std::move(beside.fitted.errors);
+  conclusion.taken = taken_by(candidates, {}, model.base.fit.values);
+  // with terms that the runs held out bear out, nuisances are others than those of the base model alone
+  if (beside.borne_out && !conclusion.description.terms.empty()) conclusion.taken.departure.setZero();
+  conclusion.residuals.after = std::move(beside.residuals);
+}
+
+}  // namespace
+
+Conclusion conclude(const Case& of, const Model& model, Assessment assessment, const DiagnoseOptions& options,
+                    const Say& say) {
+  const CandidateSet& candidates = of.bench.candidates;
+  Conclusion conclusion{.forces = candidates.unknowns.at(model.fit.values)};
+  conclusion.errors = parameter_errors(candidates, conclusion.forces, model.fit);
+  conclusion.taken = taken_by(candidates, picks_of(model), model.fit.values);
+  conclusion.residuals = std::move(assessment.residuals);
+  if (assessment.verdict == Verdict::unknown) {
+    describe_beside_base(of, model, assessment, options, conclusion);
+    return conclusion;
+  }
+  conclusion.description = std::move(assessment.description);
+  if (assessment.verdict == Verdict::named) add_names(of, model, options, conclusion);
+  hold_back(of, model, options, say, conclusion);
+  return conclusion;
+}
+
+std::string objection_to(const Conclusion& conclusion, const Case& of, Verdict verdict, const VerdictOptions& options) {
+  const CandidateSet& candidates = of.bench.candidates;
+  if (const std::optional<Remainder> off = strained(candidates, conclusion.taken, options)) return off->text;
+  const double together = strain_of_all(candidates, conclusion.taken);
+  if (together > options.nuisances_together) {
+    return fmt::format(
+        "all that [uncertainty] lists would be further off together than it says, the sum of squares by {:.0f} of its "
+        "standard deviations",
+        together);
+  }
+  const Rms before = rms_of(of.given, of.out, true);
+  const Rms after = rms_of(conclusion.residuals.after, of.out, true);
+  if (before.radial && *after.radial > *before.radial)
+    return "the model as given is nearer to the bar's readings held out";
+  if (before.torque && *after.torque > *before.torque * options.held_out_rise) {
+    return "the model as given is nearer to the torques held out";
+  }
+  if (verdict == Verdict::named) return {};
+  const Recurs recurs = recurring(contrasts_of(of.runs, conclusion.residuals.after), options);
+  const Gap whole{rms_of(of.given, of.out, false), {}, rms_of(conclusion.residuals.after, of.out, false)};
+  return open_gap(recurs, whole, options.open_share, options).value_or("");
+}
+
+}  // namespace plumbline::diagnose

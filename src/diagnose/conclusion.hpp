@@ -1,0 +1,29 @@
+// From an assessment to what is handed back: names, or a description beside the base model, and the model with its
+// numbers.
+#pragma once
+
+#include "diagnose/assessment.hpp"
+
+namespace plumbline::diagnose {
+
+struct Conclusion {
+  // named
+  std::vector<NamedEffect> effects;
+  std::vector<std::string> confidence_set;
+  std::string runner_up;
+  std::vector<Separation> next;
+  // in any case
+  physics::ForceModel forces;
+  std::vector<double> errors;  // of its parameters, SI
+  Marginalised taken;          // nuisances, and how far they departed
+  Description description;     // of what nothing explains; no terms: nothing is left to tell
+  StageResiduals residuals;    // with that model
+};
+
+Conclusion conclude(const Case& of, const Model& model, Assessment assessment, const DiagnoseOptions& options,
+                    const Say& say);
+
+/// Why what was learnt is not to be believed, be it named or not; empty: nothing speaks against it.
+std::string objection_to(const Conclusion& conclusion, const Case& of, Verdict verdict, const VerdictOptions& options);
+
+}  // namespace plumbline::diagnose

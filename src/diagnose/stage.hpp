@@ -1,0 +1,26 @@
+// One stage of the search: a model with some effects, its fit, its noise, and the linear problem about it.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "diagnose/search_options.hpp"
+
+namespace plumbline::diagnose {
+
+/// Is told of each step, in words.
+using Say = std::function<void(const std::string&)>;
+
+struct FittedStage {
+  std::vector<Pick> picks;
+  Refit fit;
+  identify::NoiseModel noise;
+  LinearProblem problem;  // about the fit, all columns
+};
+
+/// Fits these picks from `start`, estimates the noise anew from what they leave, and takes all slopes there. `noise` is
+/// what it was before; where no channel has any, it begins with what the model as stated leaves.
+FittedStage fitted_stage(const Workbench& bench, std::vector<Pick> picks, const Eigen::VectorXd& start,
+                         const identify::NoiseModel& noise, const SearchOptions& options, const Say& say);
+
+}  // namespace plumbline::diagnose
