@@ -2,7 +2,7 @@
 // Blanks mean nothing outside comments [RS274/NGC 3.3.1], so each rule lets them stand between its characters.
 #include <charconv>
 
-#include "base/characters.hpp"
+#include "base/text/characters.hpp"
 #include "nc/language/block.hpp"
 #include "nc/syntax/lexer.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "base/version.hpp"
 #include "jobs/compensate/compensate_file.hpp"
 #include "jobs/trace.hpp"

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "base/diagnostic.hpp"
-#include "base/printable.hpp"
+#include "base/text/printable.hpp"
 #include "cli/command.hpp"
 #include "cli/messages.hpp"
 #include "measure/dataset.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 
 namespace plumbline::cli {
 

@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"

@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "base/diagnostic.hpp"
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "report/identification_text.hpp"

@@ -12,7 +12,7 @@
 
 #include "base/check.hpp"
 #include "base/diagnostic.hpp"
-#include "base/ending_signals.hpp"
+#include "base/files/ending_signals.hpp"
 #include "base/version.hpp"
 #include "cli/command.hpp"
 #include "cli/messages.hpp"

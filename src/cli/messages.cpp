@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/printable.hpp"
+#include "base/text/printable.hpp"
 #include "report/diagnostic_json.hpp"
 
 namespace plumbline::cli {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "base/progress.hpp"
 #include "compensate/corrector.hpp"
 #include "compensate/move.hpp"

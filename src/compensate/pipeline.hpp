@@ -6,7 +6,7 @@
 
 #include <span>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "base/progress.hpp"
 #include "compensate/between_points.hpp"
 #include "compensate/corrector.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "compensate/between_points.hpp"
 #include "compensate/move_corrector.hpp"
 #include "compensate/read_back/intention.hpp"

@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/characters.hpp"
 #include "base/diagnostic.hpp"
+#include "base/text/characters.hpp"
 #include "nc/syntax/line_source.hpp"
 
 namespace plumbline::compensate {

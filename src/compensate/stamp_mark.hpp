@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 
 namespace plumbline::compensate {
 

@@ -1,7 +1,7 @@
 // A program through the model: read block by block, corrected, written.
 #pragma once
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "base/progress.hpp"
 #include "compensate/program_survey.hpp"
 #include "compensate/read_back/read_back.hpp"

@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "compensate/hole_corrector.hpp"
 #include "compensate/move_corrector.hpp"
 #include "compensate/rewriter.hpp"

@@ -32,15 +32,16 @@ Assessment assess(const Case& of, const Model& model, const DiagnoseOptions& opt
   const physics::ForceModel complete = candidates.unknowns.at(model.fit.values);
   const physics::ForceModel base = candidates.unknowns.at(model.base.fit.values);
   Assessment found;
-  found.description = describe(of.bench, complete, model.problem, taken_by(candidates, picks, model.problem.values),
-                               model.noise, options.description);
+  found.description =
+      describe(of.bench, complete, model.problem, marginalised_by(candidates, picks, model.problem.values), model.noise,
+               options.description);
   say(fmt::format("remainder: gain {:.1f}, {:.1f} nats", found.description.gain, found.description.log_odds));
   if (model.found.size() > 1) say(fmt::format("resemblance of the two: {:.3f}", resemblance(of.bench, model, 0, 1)));
 
   found.residuals = {
       residuals(machine, of.runs, base, model.noise), {}, residuals(machine, of.runs, complete, model.noise)};
-  found.where = where_of(machine.rotation, of.runs, base, found.residuals.base, model.noise, options.where);
-  found.remainder = strained(candidates, taken_by(candidates, picks, model.fit.values), options.verdict);
+  found.gap_map = gap_map_of(machine.rotation, of.runs, base, found.residuals.base, model.noise, options.gap_map);
+  found.remainder = strained(candidates, marginalised_by(candidates, picks, model.fit.values), options.verdict);
   const Recurs recurs = recurring(contrasts_of(of.runs, found.residuals.after), options.verdict);
   if (!found.remainder) found.remainder = remainder_of(recurs);
   found.doubt = doubt_of(of, model, found, recurs, options.verdict);

@@ -15,7 +15,7 @@ struct Case {
 
 struct Assessment {
   StageResiduals residuals;            // with the base model and with what was found
-  GapMap where;                        // with the base model
+  GapMap gap_map;                      // with the base model
   Description description;             // of what nothing explains beside what was found
   std::optional<Remainder> remainder;  // nuisances that are too far off, or what comes again
   std::string doubt;  // why effects that were found are not believed; empty: none was found, or they are

@@ -68,15 +68,15 @@ void describe_beside_base(const Case& of, const Model& model, const Assessment& 
                           const DiagnoseOptions& options, Conclusion& conclusion) {
   const CandidateSet& candidates = of.bench.candidates;
   Unexplained beside = unexplained({of.bench, model.base, conclusion.residuals.base,
-                                    recurring(assessment.where.contrasts, options.verdict), model.noise},
+                                    recurring(assessment.gap_map.contrasts, options.verdict), model.noise},
                                    of.runs, of.out, options);
-  conclusion.description = std::move(beside.left);
+  conclusion.description = std::move(beside.description);
   if (!beside.borne_out && assessment.remainder) conclusion.description.terms.clear();  // it says enough
   conclusion.forces = std::move(beside.fitted.forces);
   conclusion.errors = std::move(beside.fitted.errors);
-  conclusion.taken = taken_by(candidates, {}, model.base.fit.values);
+  conclusion.marginalised = marginalised_by(candidates, {}, model.base.fit.values);
   // with terms that the runs held out bear out, nuisances are others than those of the base model alone
-  if (beside.borne_out && !conclusion.description.terms.empty()) conclusion.taken.departure.setZero();
+  if (beside.borne_out && !conclusion.description.terms.empty()) conclusion.marginalised.departure.setZero();
   conclusion.residuals.after = std::move(beside.residuals);
 }
 
@@ -87,7 +87,7 @@ Conclusion conclude(const Case& of, const Model& model, Assessment assessment, c
   const CandidateSet& candidates = of.bench.candidates;
   Conclusion conclusion{.forces = candidates.unknowns.at(model.fit.values)};
   conclusion.errors = parameter_errors(candidates, conclusion.forces, model.fit);
-  conclusion.taken = taken_by(candidates, picks_of(model), model.fit.values);
+  conclusion.marginalised = marginalised_by(candidates, picks_of(model), model.fit.values);
   conclusion.residuals = std::move(assessment.residuals);
   if (assessment.verdict == Verdict::unknown) {
     describe_beside_base(of, model, assessment, options, conclusion);
@@ -101,8 +101,8 @@ Conclusion conclude(const Case& of, const Model& model, Assessment assessment, c
 
 std::string objection_to(const Conclusion& conclusion, const Case& of, Verdict verdict, const VerdictOptions& options) {
   const CandidateSet& candidates = of.bench.candidates;
-  if (const std::optional<Remainder> off = strained(candidates, conclusion.taken, options)) return off->text;
-  const double together = strain_of_all(candidates, conclusion.taken);
+  if (const std::optional<Remainder> off = strained(candidates, conclusion.marginalised, options)) return off->text;
+  const double together = strain_of_all(candidates, conclusion.marginalised);
   if (together > options.nuisances_together) {
     return fmt::format(
         "all that [uncertainty] lists would be further off together than it says, the sum of squares by {:.0f} of its "

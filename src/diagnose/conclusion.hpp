@@ -15,7 +15,7 @@ struct Conclusion {
   // in any case
   physics::ForceModel forces;
   std::vector<double> errors;  // of its parameters, SI
-  Marginalised taken;          // nuisances, and how far they departed
+  Marginalised marginalised;   // nuisances, and how far they departed
   Description description;     // of what nothing explains; no terms: nothing is left to tell
   StageResiduals residuals;    // with that model
 };

@@ -48,7 +48,7 @@ Diagnosis undiagnosed(const machine::MachineModel& machine, const std::vector<Ru
   diagnosis.doubt = std::move(flaw);
   diagnosis.noise = noise_of(given);
   diagnosis.errors.assign(diagnosis.forces.parameters.size(), 0);
-  diagnosis.where = where_of(machine.rotation, runs, diagnosis.forces, given, diagnosis.noise, options.where);
+  diagnosis.gap_map = gap_map_of(machine.rotation, runs, diagnosis.forces, given, diagnosis.noise, options.gap_map);
   diagnosis.fit = gap_of(as_given, out, false);
   diagnosis.held_out = gap_of(as_given, out, true);
   diagnosis.runs = run_gaps(machine, runs, out, as_given, diagnosis.forces, options.compensated);
@@ -84,17 +84,18 @@ Diagnosis diagnosis_of(const Case& of, const Model& model, Assessment assessment
   diagnosis.threshold = model.threshold;
   diagnosis.doubt = std::move(assessment.doubt);
   diagnosis.remainder = std::move(assessment.remainder);
-  if (const Description& left = conclusion.description; is_gap(left, options.verdict)) {
-    diagnosis.remainder = {std::sqrt(left.gain), left.terms, formula_of(left.terms)};
+  if (const Description& description = conclusion.description; is_gap(description, options.verdict)) {
+    diagnosis.remainder = {std::sqrt(description.gain), description.terms, formula_of(description.terms)};
   }
   diagnosis.next = std::move(conclusion.next);
   diagnosis.noise = model.noise;
-  diagnosis.where = std::move(assessment.where);
+  diagnosis.gap_map = std::move(assessment.gap_map);
   diagnosis.runs = run_gaps(machine, of.runs, of.out, conclusion.residuals, conclusion.forces, options.compensated);
   diagnosis.fit = gap_of(conclusion.residuals, of.out, false);
   diagnosis.held_out = gap_of(conclusion.residuals, of.out, true);
-  diagnosis.visible = visible_effects(left_of(model.base.problem, taken_by(candidates, {}, model.base.problem.values)),
-                                      candidates, model.threshold, options.search.scoring);
+  diagnosis.visible =
+      visible_effects(reduced_gram(model.base.problem, marginalised_by(candidates, {}, model.base.problem.values)),
+                      candidates, model.threshold, options.search.scoring);
   diagnosis.converged = model.fit.converged;
   diagnosis.withheld = objection_to(conclusion, of, assessment.verdict, options.verdict);
   diagnosis.errors.assign(forces.parameters.size(), 0);

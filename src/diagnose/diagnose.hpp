@@ -46,7 +46,7 @@ struct DiagnoseOptions {
   DescriptionOptions description;
   VerdictOptions verdict;
   NextTestOptions next_test;
-  GapMapOptions where;
+  GapMapOptions gap_map;
   ChannelOptions channels;
   CompensatedOptions compensated;
   identify::HoldOptions hold;
@@ -134,7 +134,7 @@ struct Diagnosis {
   std::optional<Remainder> remainder;
   std::vector<Separation> next;  // for each other effect of the confidence set
   identify::NoiseModel noise;
-  GapMap where;  // with the base model, nuisances refitted, all runs
+  GapMap gap_map;  // with the base model, nuisances refitted, all runs
   std::vector<RunGap> runs;
   Gap fit, held_out;
   std::vector<Visible> visible;  // what the fitted runs could have shown

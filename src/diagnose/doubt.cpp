@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "identify/prior_strain.hpp"
 
 namespace plumbline::diagnose {
 
@@ -15,8 +16,8 @@ std::optional<double> not_predicted(const std::vector<identify::RunEquations>& r
   std::vector<double> fitted;  // mean squares of single runs
   std::vector<double> held_out;
   for (std::size_t i = 0; i < residuals.size(); ++i) {
-    const MeanSquare left = left_of(residuals[i]).*kind;
-    if (left.count > 0) (out[i] ? held_out : fitted).push_back(left.mean());
+    const MeanSquare sum = residual_sums(residuals[i]).*kind;
+    if (sum.count > 0) (out[i] ? held_out : fitted).push_back(sum.mean());
   }
   if (fitted.size() < 3 || held_out.empty()) return std::nullopt;
   const auto each = [](std::vector<double>& values) {
@@ -89,16 +90,14 @@ std::optional<Remainder> remainder_of(const Recurs& recurs) {
   return if_any(std::move(remainder));
 }
 
-std::optional<Remainder> strained(const CandidateSet& candidates, const Marginalised& taken,
+std::optional<Remainder> strained(const CandidateSet& candidates, const Marginalised& marginalised,
                                   const VerdictOptions& options) {
   Remainder remainder;
   for (std::size_t i = 0; i < candidates.nuisances; ++i) {
     const identify::Unknown& u = candidates.unknowns[i];
-    const double sigmas = taken.departure[static_cast<Eigen::Index>(i)];
+    const double sigmas = marginalised.departure[static_cast<Eigen::Index>(i)];
     if (std::abs(sigmas) < options.nuisance_sigmas) continue;
-    add_line(remainder, sigmas,
-             fmt::format("{} is {:.4g} {} off, {:.0f} times what [uncertainty] says of it", u.label,
-                         sigmas * u.sigma / u.unit.si, u.unit.name, std::abs(sigmas)));
+    add_line(remainder, sigmas, identify::strain_text(u, sigmas, 0));
   }
   return if_any(std::move(remainder));
 }
@@ -120,15 +119,13 @@ std::optional<std::string> open_gap(const Recurs& recurs, const Gap& gap, double
   return std::nullopt;
 }
 
-double strain_of_all(const CandidateSet& candidates, const Marginalised& taken) {
-  const Eigen::VectorXd nuisances = taken.departure.head(static_cast<Eigen::Index>(candidates.nuisances));
-  if (nuisances.size() == 0) return 0;
-  const auto count = static_cast<double>(nuisances.size());
-  return (nuisances.squaredNorm() - count) / std::sqrt(2 * count);
+double strain_of_all(const CandidateSet& candidates, const Marginalised& marginalised) {
+  const Eigen::VectorXd nuisances = marginalised.departure.head(static_cast<Eigen::Index>(candidates.nuisances));
+  return identify::prior_strain(nuisances).excess();
 }
 
-bool is_gap(const Description& left, const VerdictOptions& options) {
-  return left.gain >= options.remainder_gain && !left.terms.empty();
+bool is_gap(const Description& description, const VerdictOptions& options) {
+  return description.gain >= options.remainder_gain && !description.terms.empty();
 }
 
 namespace {
@@ -197,15 +194,17 @@ std::string gap_doubt(const Model& model, const Gap& fit, const Gap& held_out, c
   return open ? fmt::format("with {} {}", names, *open) : std::string();
 }
 
-std::string doubt_about(const Model& model, const Description& left, const std::vector<identify::RunEquations>& after,
-                        const std::vector<bool>& out, const VerdictOptions& options) {
+std::string doubt_about(const Model& model, const Description& description,
+                        const std::vector<identify::RunEquations>& after, const std::vector<bool>& out,
+                        const VerdictOptions& options) {
   if (model.found.empty()) return {};
   const std::string names = names_of(model);
   if (model.one_more) return fmt::format("{} are not enough: one more effect would pass the threshold", names);
   double explained = 0;
   for (const Found& found : model.found) explained += 2 * found.log_odds;
-  if (is_gap(left, options) && left.gain > std::max(options.remainder_most, options.remainder_share * explained)) {
-    return fmt::format("{} would leave too much: {:.0f} times the noise in all", names, std::sqrt(left.gain));
+  if (is_gap(description, options) &&
+      description.gain > std::max(options.remainder_most, options.remainder_share * explained)) {
+    return fmt::format("{} would leave too much: {:.0f} times the noise in all", names, std::sqrt(description.gain));
   }
   struct Kind {
     std::string_view what;

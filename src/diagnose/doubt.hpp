@@ -33,15 +33,15 @@ std::optional<Remainder> remainder_of(const Recurs& recurs);
 std::optional<std::string> open_gap(const Recurs& recurs, const Gap& gap, double share, const VerdictOptions& options);
 
 /// Chi-square of all nuisances together, less what it should be, in its standard deviations.
-double strain_of_all(const CandidateSet& candidates, const Marginalised& taken);
+double strain_of_all(const CandidateSet& candidates, const Marginalised& marginalised);
 
 /// Nuisances that had to go further than [uncertainty] makes believable, a line each. Those that an effect stands for
 /// are none any more: they are not `taken`.
-std::optional<Remainder> strained(const CandidateSet& candidates, const Marginalised& taken,
+std::optional<Remainder> strained(const CandidateSet& candidates, const Marginalised& marginalised,
                                   const VerdictOptions& options);
 
 /// Whether what is left is large enough to be more than noise.
-bool is_gap(const Description& left, const VerdictOptions& options);
+bool is_gap(const Description& description, const VerdictOptions& options);
 
 /// Why effects that were found are not to be named: a number of theirs stands at its bound; empty: none does.
 std::string bound_doubt(const CandidateSet& candidates, const Model& model, const VerdictOptions& options);
@@ -52,7 +52,8 @@ std::string gap_doubt(const Model& model, const Gap& fit, const Gap& held_out, c
 
 /// Why the effects found, which leave `after` of all runs, cannot be the whole story; empty if they can. `out`: runs
 /// held out.
-std::string doubt_about(const Model& model, const Description& left, const std::vector<identify::RunEquations>& after,
-                        const std::vector<bool>& out, const VerdictOptions& options);
+std::string doubt_about(const Model& model, const Description& description,
+                        const std::vector<identify::RunEquations>& after, const std::vector<bool>& out,
+                        const VerdictOptions& options);
 
 }  // namespace plumbline::diagnose

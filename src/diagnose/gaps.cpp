@@ -27,7 +27,7 @@ std::optional<Circularity> circularity_of(const machine::MachineModel& machine, 
 }  // namespace
 
 Rms rms_of(const std::vector<RunEquations>& runs, const std::vector<bool>& out, bool held_out) {
-  const ResidualSums all = left_of(runs, out, held_out);
+  const ResidualSums all = residual_sums(runs, out, held_out);
   return {rms_if_any(all.radial), rms_if_any(all.torque)};
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "identify/noise.hpp"
+#include "identify/equations/noise.hpp"
 #include "machine/model.hpp"
 #include "measure/dataset.hpp"
 #include "physics/force_model.hpp"

@@ -30,8 +30,9 @@ Pick pick_of(const CandidateSet& candidates, const Candidate& candidate, const S
   return pick;
 }
 
-Marginalised taken_by(const CandidateSet& candidates, const std::vector<Pick>& picks, const Eigen::VectorXd& values) {
-  Marginalised taken;
+Marginalised marginalised_by(const CandidateSet& candidates, const std::vector<Pick>& picks,
+                             const Eigen::VectorXd& values) {
+  Marginalised marginalised;
   std::vector<double> precision;
   std::vector<double> departure;
   std::vector<bool> free(candidates.nuisances, false);
@@ -47,18 +48,18 @@ Marginalised taken_by(const CandidateSet& candidates, const std::vector<Pick>& p
   }
   for (std::size_t i = 0; i < candidates.nuisances; ++i) {
     const identify::Unknown& u = candidates.unknowns[i];
-    taken.columns.push_back(static_cast<int>(i));
+    marginalised.columns.push_back(static_cast<int>(i));
     precision.push_back(free[i] ? kWeakPrecision : 1);
     departure.push_back(free[i] ? 0 : (values[static_cast<Eigen::Index>(i)] - u.start) / u.scale);
   }
   for (const int place : more) {
-    taken.columns.push_back(place);
+    marginalised.columns.push_back(place);
     precision.push_back(kWeakPrecision);
     departure.push_back(0);
   }
-  taken.precision = Eigen::Map<Eigen::VectorXd>(precision.data(), static_cast<Eigen::Index>(precision.size()));
-  taken.departure = Eigen::Map<Eigen::VectorXd>(departure.data(), static_cast<Eigen::Index>(departure.size()));
-  return taken;
+  marginalised.precision = Eigen::Map<Eigen::VectorXd>(precision.data(), static_cast<Eigen::Index>(precision.size()));
+  marginalised.departure = Eigen::Map<Eigen::VectorXd>(departure.data(), static_cast<Eigen::Index>(departure.size()));
+  return marginalised;
 }
 
 }  // namespace plumbline::diagnose

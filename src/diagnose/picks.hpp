@@ -28,6 +28,7 @@ std::vector<Pick> without(std::vector<Pick> picks, std::size_t place);
 Pick pick_of(const CandidateSet& candidates, const Candidate& candidate, const Score& score, Eigen::VectorXd& values);
 
 /// The columns of the linear problem that these picks and the nuisances stand for at `values`.
-Marginalised taken_by(const CandidateSet& candidates, const std::vector<Pick>& picks, const Eigen::VectorXd& values);
+Marginalised marginalised_by(const CandidateSet& candidates, const std::vector<Pick>& picks,
+                             const Eigen::VectorXd& values);
 
 }  // namespace plumbline::diagnose

@@ -78,7 +78,7 @@ class Fitter {
       result.values[places_[i]] = value;
     }
     finish(now, values, result);
-    result.left = std::move(now.left);
+    result.residuals = std::move(now.residuals);
     return result;
   }
 
@@ -86,7 +86,7 @@ class Fitter {
   struct Point {
     Eigen::MatrixXd gram;  // of all unknowns in scales, residual last; of data alone
     double misfit = 0;
-    std::vector<identify::RunEquations> left;
+    std::vector<identify::RunEquations> residuals;
   };
 
   Eigen::VectorXd departure(const Eigen::VectorXd& values) const {
@@ -105,7 +105,7 @@ class Fitter {
       equations[i].slopes.resize(0, 0);
     });
     Point point;
-    point.left = std::move(equations);
+    point.residuals = std::move(equations);
     point.gram.setZero(scales_.size() + 1, scales_.size() + 1);
     for (const Eigen::MatrixXd& gram : grams) point.gram += gram;
     point.gram.triangularView<Eigen::StrictlyUpper>() = point.gram.transpose();
@@ -152,13 +152,13 @@ class Fitter {
     const auto m = static_cast<Eigen::Index>(effects_.size());
     const Eigen::MatrixXd cross = A(others, effects_);
     const Eigen::LDLT<Eigen::MatrixXd> inner(Eigen::MatrixXd(A(others, others)));
-    Eigen::MatrixXd taken(cross.rows(), m);
-    if (cross.size() > 0) taken = inner.solve(cross);  // Eigen reads an element of an empty one
+    Eigen::MatrixXd inner_cross(cross.rows(), m);
+    if (cross.size() > 0) inner_cross = inner.solve(cross);  // Eigen reads an element of an empty one
     const Eigen::VectorXd b_others = b(others);
     Eigen::VectorXd sizes(m);
     if (m > 0) {
-      const Eigen::MatrixXd S = A(effects_, effects_) - cross.transpose() * taken;
-      const Eigen::VectorXd s = b(effects_) - taken.transpose() * b_others;
+      const Eigen::MatrixXd S = A(effects_, effects_) - cross.transpose() * inner_cross;
+      const Eigen::VectorXd s = b(effects_) - inner_cross.transpose() * b_others;
       Eigen::VectorXd lower(m);
       Eigen::VectorXd upper(m);
       for (Eigen::Index i = 0; i < m; ++i) {
@@ -171,7 +171,7 @@ class Fitter {
       sizes = solve_bounded(S, s, lower, upper);
     }
     step(effects_) = sizes;
-    if (!others.empty()) step(others) = inner.solve(b_others) - taken * sizes;
+    if (!others.empty()) step(others) = inner.solve(b_others) - inner_cross * sizes;
     return step.cwiseProduct(scales_);
   }
 

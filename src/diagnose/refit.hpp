@@ -21,7 +21,7 @@ struct Refit {
   std::vector<double> errors;  // standard errors of the candidates' unknowns that were fitted, SI; others zero
   std::vector<int> places;     // of the candidates' unknowns that were fitted,
   Eigen::MatrixXd covariance;  // and theirs, SI
-  std::vector<identify::RunEquations> left;  // residuals, not whitened; no slopes
+  std::vector<identify::RunEquations> residuals;  // residuals, not whitened; no slopes
   bool converged = false;
 };
 

@@ -21,11 +21,12 @@ void add_to_residual(Eigen::MatrixXd& gram, int column, double size) {
   gram.row(r) += size * gram.row(column);
 }
 
-LeftOut left_out(const Workbench& bench, const LinearProblem& problem, const Marginalised& taken, const Score& score) {
+LeftOut left_out(const Workbench& bench, const LinearProblem& problem, const Marginalised& marginalised,
+                 const Score& score) {
   std::vector<int> runs(bench.runs.size());
   std::iota(runs.begin(), runs.end(), 0);
-  return {left_out_nats(problem, taken, score.columns, score.sizes, poses_of(bench.runs)),
-          left_out_nats(problem, taken, score.columns, score.sizes, runs)};
+  return {left_out_nats(problem, marginalised, score.columns, score.sizes, poses_of(bench.runs)),
+          left_out_nats(problem, marginalised, score.columns, score.sizes, runs)};
 }
 
 bool is_picked(const std::vector<Pick>& picks, const Candidate& candidate) {
@@ -70,8 +71,8 @@ std::vector<Rival> rivals_for(const Workbench& bench, const FittedStage& stage, 
   const std::vector<Pick> others = without(stage.picks, place);
   const LinearProblem without_pick = replaces ? taken_back(bench, stage, place, values) : LinearProblem{};
   const LinearProblem& problem = replaces ? without_pick : stage.problem;
-  const Marginalised taken = taken_by(bench.candidates, others, values);
-  const std::vector<Ranked> ranked = ranking(left_of(problem, taken), bench.candidates, options.scoring);
+  const Marginalised marginalised = marginalised_by(bench.candidates, others, values);
+  const std::vector<Ranked> ranked = ranking(reduced_gram(problem, marginalised), bench.candidates, options.scoring);
   // what was fitted with that pick in its prior's place is a departure only without it
   const Refit fit_without = replaces ? refit(bench, others, values, stage.noise, options.refit) : stage.fit;
   std::vector<Rival> all;
@@ -90,7 +91,7 @@ std::vector<Rival> rivals_for(const Workbench& bench, const FittedStage& stage, 
       rival.log_odds += 0.5 * (fit_without.misfit - rival.fit.misfit - r.score.gain);
       rival.refitted = true;
       best = std::max(best, rival.log_odds);
-      if (replaces) rival.left_out = left_out(bench, problem, taken, r.score);
+      if (replaces) rival.left_out = left_out(bench, problem, marginalised, r.score);
     }
     all.push_back(std::move(rival));
   }

@@ -21,8 +21,9 @@ class Search {
   Model run() {
     settle({}, bench_.candidates.unknowns.start());
     base_ = stage_;
-    const Eigen::MatrixXd left = left_of(stage_.problem, taken_by(bench_.candidates, {}, stage_.fit.values));
-    threshold_ = threshold(left, bench_.candidates, options_.scoring, options_.threshold).log_odds;
+    const Eigen::MatrixXd reduced =
+        reduced_gram(stage_.problem, marginalised_by(bench_.candidates, {}, stage_.fit.values));
+    threshold_ = threshold(reduced, bench_.candidates, options_.scoring, options_.threshold).log_odds;
     say_(fmt::format("threshold {:.1f} nats", threshold_));
     // what is dropped may be added again: rounds are counted
     for (int round = 0; round < 2 * options_.most_effects; ++round) {
@@ -98,9 +99,10 @@ class Search {
     if (pick.column_groups.size() == pick.acts().column_groups.size()) return pick;
     Eigen::VectorXd values = stage_.fit.values;
     const LinearProblem problem = taken_back(bench_, stage_, place, values);
-    const Eigen::MatrixXd left = left_of(problem, taken_by(bench_.candidates, without(stage_.picks, place), values));
+    const Eigen::MatrixXd reduced =
+        reduced_gram(problem, marginalised_by(bench_.candidates, without(stage_.picks, place), values));
     const auto score = [&](const std::vector<int>& column_groups) {
-      return score_of(left, bench_.candidates, *pick.candidate, pick.mode, column_groups, options_.scoring);
+      return score_of(reduced, bench_.candidates, *pick.candidate, pick.mode, column_groups, options_.scoring);
     };
     std::vector<int> all(pick.acts().column_groups.size());
     std::iota(all.begin(), all.end(), 0);

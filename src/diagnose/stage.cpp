@@ -53,7 +53,7 @@ FittedStage fitted_stage(const Workbench& bench, std::vector<Pick> picks, const 
   for (int round = 0; round < options.most_noise_rounds; ++round) {
     stage.fit = refit(bench, stage.picks, from, stage.noise, options.refit);
     from = stage.fit.values;
-    const NoiseModel next = noise_of(stage.fit.left);
+    const NoiseModel next = noise_of(stage.fit.residuals);
     if (alike(next, stage.noise, options)) break;
     if (round + 1 < options.most_noise_rounds) stage.noise = next;
   }

@@ -66,7 +66,7 @@ Fitted described(const Workbench& bench, const FittedStage& stage, const std::ve
 
 Description describe_base(const Workbench& bench, const FittedStage& stage, const DiagnoseOptions& options) {
   return describe(bench, bench.candidates.unknowns.at(stage.fit.values), stage.problem,
-                  taken_by(bench.candidates, {}, stage.fit.values), stage.noise, options.description);
+                  marginalised_by(bench.candidates, {}, stage.fit.values), stage.noise, options.description);
 }
 
 }  // namespace
@@ -75,21 +75,21 @@ Unexplained unexplained(const Base& base, const std::vector<measure::Run>& runs,
                         const DiagnoseOptions& options) {
   const Workbench& bench = base.bench;
   const FittedStage* stage = &base.stage;
-  Description left = describe_base(bench, *stage, options);
+  Description description = describe_base(bench, *stage, options);
   std::optional<FittedStage> quieter;
-  if (!is_gap(left, options.verdict)) {
+  if (!is_gap(description, options.verdict)) {
     quieter = without_what_recurs(bench, base.stage, base.recurs, options);
-    if (quieter) left = describe_base(bench, *(stage = &*quieter), options);
+    if (quieter) description = describe_base(bench, *(stage = &*quieter), options);
   }
-  if (!is_gap(left, options.verdict)) left.terms.clear();
-  Fitted fitted = described(bench, *stage, left.terms, options);
+  if (!is_gap(description, options.verdict)) description.terms.clear();
+  Fitted fitted = described(bench, *stage, description.terms, options);
   auto of_fitted = residuals(bench.machine, runs, fitted.forces, base.noise);
   if (held_out_misfit(of_fitted, out, base.noise) > held_out_misfit(base.left, out, base.noise)) {
     Fitted plain = described(bench, base.stage, {}, options);
     of_fitted = residuals(bench.machine, runs, plain.forces, base.noise);
-    return {std::move(left), std::move(plain), std::move(of_fitted), false};
+    return {std::move(description), std::move(plain), std::move(of_fitted), false};
   }
-  return {std::move(left), std::move(fitted), std::move(of_fitted)};
+  return {std::move(description), std::move(fitted), std::move(of_fitted)};
 }
 
 }  // namespace plumbline::diagnose

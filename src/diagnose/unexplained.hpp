@@ -22,8 +22,8 @@ struct Base {
 };
 
 struct Unexplained {
-  Description left;  // beside the base model; no terms: there are none to tell
-  Fitted fitted;     // with these terms where the runs held out bear them out, else the base model
+  Description description;  // beside the base model; no terms: there are none to tell
+  Fitted fitted;            // with these terms where the runs held out bear them out, else the base model
   std::vector<identify::RunEquations> residuals;  // of all runs
   bool borne_out = true;
 };

@@ -32,10 +32,11 @@ std::vector<std::string> alternatives_of(const Workbench& bench, const Model& mo
   for (std::size_t i = 0; i < model.found.size(); ++i) {
     if (i != place) others.push_back(model.found[i].pick);
   }
-  const Eigen::MatrixXd left = left_of(model.problem, taken_by(bench.candidates, others, model.problem.values));
+  const Eigen::MatrixXd reduced =
+      reduced_gram(model.problem, marginalised_by(bench.candidates, others, model.problem.values));
   const Pick& pick = model.found[place].pick;
-  const Eigen::VectorXd signature = signature_of(bench, pick, model.fit, left.cols());
-  const Eigen::VectorXd seen = left * signature;
+  const Eigen::VectorXd signature = signature_of(bench, pick, model.fit, reduced.cols());
+  const Eigen::VectorXd seen = reduced * signature;
   const double length2 = signature.dot(seen);
   std::vector<std::string> names;
   if (!(length2 > 0)) return names;
@@ -45,7 +46,7 @@ std::vector<std::string> alternatives_of(const Workbench& bench, const Model& mo
     for (const ActingMode& mode : candidate.modes) {
       std::vector<int> all(mode.column_groups.size());
       std::iota(all.begin(), all.end(), 0);
-      const ModeFit fit = fit_mode(left, bench.candidates, mode, all, seen);
+      const ModeFit fit = fit_mode(reduced, bench.candidates, mode, all, seen);
       if (fit.seen) most = std::max(most, fit.gain);
     }
     if (most > options.same_signature * options.same_signature * length2) names.push_back(candidate.name);
@@ -54,11 +55,12 @@ std::vector<std::string> alternatives_of(const Workbench& bench, const Model& mo
 }
 
 double resemblance(const Workbench& bench, const Model& model, std::size_t one, std::size_t other) {
-  const Eigen::MatrixXd left = left_of(model.problem, taken_by(bench.candidates, {}, model.problem.values));
-  const Eigen::VectorXd a = signature_of(bench, model.found[one].pick, model.fit, left.cols());
-  const Eigen::VectorXd b = signature_of(bench, model.found[other].pick, model.fit, left.cols());
-  const Eigen::VectorXd seen = left * b;
-  const double lengths = std::sqrt(a.dot(left * a) * b.dot(seen));
+  const Eigen::MatrixXd reduced =
+      reduced_gram(model.problem, marginalised_by(bench.candidates, {}, model.problem.values));
+  const Eigen::VectorXd a = signature_of(bench, model.found[one].pick, model.fit, reduced.cols());
+  const Eigen::VectorXd b = signature_of(bench, model.found[other].pick, model.fit, reduced.cols());
+  const Eigen::VectorXd seen = reduced * b;
+  const double lengths = std::sqrt(a.dot(reduced * a) * b.dot(seen));
   return lengths > 0 ? std::abs(a.dot(seen)) / lengths : 0;
 }
 

@@ -42,8 +42,9 @@ measure::Run drawn_run(const machine::MachineModel& machine, const CandidateOpti
   }
   // even over the disc of tilts
   const double tilt = options.tilt_share * machine.limits.tilt * std::sqrt(uniform(random));
-  const double way = 2 * std::numbers::pi * uniform(random);
-  run.tilt = {rounded(tilt * std::cos(way), options.tilt_step), rounded(tilt * std::sin(way), options.tilt_step), 0};
+  const double angle = 2 * std::numbers::pi * uniform(random);
+  run.tilt = {rounded(tilt * std::cos(angle), options.tilt_step), rounded(tilt * std::sin(angle), options.tilt_step),
+              0};
   run.direction = uniform(random) < 0.5 ? measure::Direction::ccw : measure::Direction::cw;
   run.feed = one_of(options.feeds, random);
   run.payload_mass = one_of(options.payloads, random);

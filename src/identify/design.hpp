@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "identify/objective.hpp"
+#include "identify/equations/objective.hpp"
 
 namespace plumbline::identify {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "identify/objective.hpp"
+#include "identify/equations/objective.hpp"
 
 namespace plumbline::identify {
 

@@ -8,7 +8,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 
-#include "identify/geometry.hpp"
+#include "identify/unknowns/geometry.hpp"
 
 namespace plumbline::identify {
 namespace {

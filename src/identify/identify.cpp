@@ -8,7 +8,7 @@
 #include "base/diagnostic.hpp"
 #include "base/mean_square.hpp"
 #include "base/units.hpp"
-#include "identify/named_keys.hpp"
+#include "identify/unknowns/named_keys.hpp"
 
 namespace plumbline::identify {
 namespace {

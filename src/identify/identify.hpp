@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "identify/geometry.hpp"
 #include "identify/held.hpp"
 #include "identify/observability.hpp"
 #include "identify/plausible.hpp"
+#include "identify/unknowns/geometry.hpp"
 #include "measure/dataset.hpp"
 
 namespace plumbline::identify {

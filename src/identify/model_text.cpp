@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/check.hpp"
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "base/units.hpp"
 
 namespace plumbline::identify {
@@ -20,7 +20,7 @@ constexpr int kJointDecimals = 5;        // mm
 constexpr int kDigits = 9;               // where no standard error is known
 
 struct Splice {
-  Span span;  // that is replaced; length 0: inserted
+  TextSpan span;  // that is replaced; length 0: inserted
   std::string text;
 };
 
@@ -84,7 +84,7 @@ class Numbers {
 };
 
 // Spans of the numbers of a value, nested arrays flattened.
-void collect(const TomlValue& value, std::vector<Span>& spans) {
+void collect(const TomlValue& value, std::vector<TextSpan>& spans) {
   if (value.kind != TomlValue::Kind::array) spans.push_back(value.span);
   for (const TomlValue& item : value.items) collect(item, spans);
 }
@@ -152,12 +152,12 @@ class Writer {
     const TomlValue& row = rows.items[i - physics::kBaseEffects];
     const TomlEntry* const entry = row.find(spec.key);
     if (entry == nullptr) {  // an optional key: a line of its own below the name
-      const Span name = row.find("name")->value.span;
+      const TextSpan name = row.find("name")->value.span;
       const std::size_t end = std::min(document().text.find('\n', name.offset), document().text.size());
       splices_.push_back({{end, 0}, fmt::format("\n{} = {}", spec.key, numbers.text())});
       return;
     }
-    std::vector<Span> spans;
+    std::vector<TextSpan> spans;
     collect(entry->value, spans);
     PLUMBLINE_CHECK(spans.size() == static_cast<std::size_t>(spec.size()));
     splice_each(spans, numbers);
@@ -183,7 +183,7 @@ class Writer {
     }
   }
 
-  void splice_each(const std::vector<Span>& spans, const Numbers& numbers) {
+  void splice_each(const std::vector<TextSpan>& spans, const Numbers& numbers) {
     for (std::size_t i = 0; i < spans.size(); ++i) {
       const int k = static_cast<int>(i);
       if (numbers.changed(k)) splices_.push_back({spans[i], numbers.text(k)});
@@ -220,7 +220,7 @@ class Writer {
     std::string words = changes_.provenance;
     std::erase_if(words, [](char c) { return c == '"' || c == '\'' || c == '\\' || c == '\n'; });
     if (!value.given()) {
-      const Span name = machine_.value("", "name").span;
+      const TextSpan name = machine_.value("", "name").span;
       const std::size_t end = std::min(text.find('\n', name.offset + name.length), text.size());
       splices_.push_back({{end, 0}, fmt::format("\nprovenance = \"{}\"", words)});
       return;

@@ -7,7 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
-#include "identify/geometry.hpp"
+#include "identify/unknowns/geometry.hpp"
 
 namespace plumbline::identify {
 namespace {

@@ -8,7 +8,8 @@
 
 #include "base/mean_square.hpp"
 #include "base/units.hpp"
-#include "identify/geometry.hpp"
+#include "identify/prior_strain.hpp"
+#include "identify/unknowns/geometry.hpp"
 
 namespace plumbline::identify {
 namespace {
@@ -16,17 +17,6 @@ namespace {
 constexpr double kSamePlace = 1e-6;  // m, rad
 constexpr std::size_t kMostNamed = 5;
 
-constexpr double kLeastTold = 0.03;  // of a direction's prior variance: below that the data say nothing of it
-
-// The normal deviate that is as rare as chi2  [Wilson and Hilferty 1931].
-double deviate_of(double chi2, double degrees) {
-  const double spread = 2 / (9 * degrees);
-  return (std::cbrt(chi2 / degrees) - (1 - spread)) / std::sqrt(spread);
-}
-
-// Before the data an unknown is normal with the prior's covariance P, after them with C about the value found. So what
-// is found is itself normal about the start, with P - C: the data cannot move what they do not tell. Along the common
-// axes of both, in sigmas of the priors, it has the variance 1 - c, and the sum of squares over that is chi-square.
 void add_chi2(const Fit& fit, const std::vector<Eigen::Index>& places, Plausibility& found) {
   if (places.empty()) return;
   Eigen::VectorXd sigmas(static_cast<Eigen::Index>(places.size()));
@@ -39,15 +29,10 @@ void add_chi2(const Fit& fit, const std::vector<Eigen::Index>& places, Plausibil
   }
   const Eigen::MatrixXd left =
       sigmas.cwiseInverse().asDiagonal() * fit.covariance(places, places) * sigmas.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(left);
-  for (Eigen::Index k = 0; k < sigmas.size(); ++k) {
-    const double told = 1 - axes.eigenvalues()[k];
-    if (told < kLeastTold) continue;
-    const double along = axes.eigenvectors().col(k).dot(off);
-    found.chi2 += along * along / told;
-    ++found.degrees;
-  }
-  if (found.degrees > 0) found.all_sigmas = deviate_of(found.chi2, found.degrees);
+  const PriorStrain strain = prior_strain(off, left);
+  found.chi2 = strain.chi2;
+  found.degrees = strain.degrees;
+  found.all_sigmas = strain.deviate();
 }
 
 void add_strain(const Fit& fit, const PlausibleOptions& options, Plausibility& found) {
@@ -65,7 +50,8 @@ void add_strain(const Fit& fit, const PlausibleOptions& options, Plausibility& f
 }
 
 // What the readings of a run leave once its set-up is fitted to them, by kind.
-void add_left(const RunEquations& equations, const Eigen::MatrixXd& residual, MeanSquare& radial, MeanSquare& torque) {
+void add_residuals(const RunEquations& equations, const Eigen::MatrixXd& residual, MeanSquare& radial,
+                   MeanSquare& torque) {
   const Eigen::Index n = equations.samples;
   for (std::size_t c = 0; c < equations.channels.size(); ++c) {
     Eigen::MatrixXd rows = residual.middleRows(static_cast<Eigen::Index>(c) * n, n);
@@ -78,16 +64,17 @@ void add_left(const RunEquations& equations, const Eigen::MatrixXd& residual, Me
   }
 }
 
-struct Left {
+// What a model leaves of all readings.
+struct KindSums {
   MeanSquare radial, torque;
 };
 
-Left left_at_start(Objective& objective, const Fit& fit) {
-  Left left;
+KindSums sums_at_start(Objective& objective, const Fit& fit) {
+  KindSums sums;
   for (const RunEquations& run : objective.equations(fit.unknowns.start())) {
-    add_left(run, run.residual, left.radial, left.torque);
+    add_residuals(run, run.residual, sums.radial, sums.torque);
   }
-  return left;
+  return sums;
 }
 
 // To first order the fit without some runs is where the others' misfit and the priors have their least:
@@ -100,7 +87,7 @@ void predict_left_out(const machine::RotationOrder& order, const std::vector<mea
 
   Objective objective(order, runs, fit.unknowns, fitted_with.objective);
   objective.set_noise(fit.noise);
-  const Left before = left_at_start(objective, fit);
+  const KindSums before = sums_at_start(objective, fit);
   const std::vector<RunEquations> equations = objective.equations(fit.values, true);
   const auto size = static_cast<Eigen::Index>(fit.unknowns.size());
   std::vector<Eigen::MatrixXd> information(static_cast<std::size_t>(count), Eigen::MatrixXd::Zero(size, size));
@@ -115,8 +102,8 @@ void predict_left_out(const machine::RotationOrder& order, const std::vector<mea
   }
   const Eigen::VectorXd scales = fit.unknowns.scales();
   found.left_out.resize(size, count);
-  Left left;
-  Left doubt;  // how far off the fit to the others must expect to be, being unsure of its unknowns
+  KindSums sums;
+  KindSums doubt;  // how far off the fit to the others must expect to be, being unsure of its unknowns
   for (int pose = 0; pose < count; ++pose) {
     const auto k = static_cast<std::size_t>(pose);
     const auto others = (all - information[k]).completeOrthogonalDecomposition();
@@ -125,21 +112,19 @@ void predict_left_out(const machine::RotationOrder& order, const std::vector<mea
     found.left_out.col(pose) = step;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       if (poses[i] != pose) continue;
-      add_left(equations[i], equations[i].residual - equations[i].slopes * step, left.radial, left.torque);
-      add_left(equations[i], equations[i].slopes * spread, doubt.radial, doubt.torque);
+      add_residuals(equations[i], equations[i].residual - equations[i].slopes * step, sums.radial, sums.torque);
+      add_residuals(equations[i], equations[i].slopes * spread, doubt.radial, doubt.torque);
     }
   }
   const auto columns = std::sqrt(static_cast<double>(size));  // doubt is summed over them, not averaged
-  found.radial = {before.radial.root(), left.radial.root(), columns * doubt.radial.root(), left.radial.count};
-  found.torque = {before.torque.root(), left.torque.root(), columns * doubt.torque.root(), left.torque.count};
+  found.radial = {before.radial.root(), sums.radial.root(), columns * doubt.radial.root(), sums.radial.count};
+  found.torque = {before.torque.root(), sums.torque.root(), columns * doubt.torque.root(), sums.torque.count};
 }
 
-std::string strain_text(const Fit& fit, const std::vector<Strain>& strained) {
+std::string strains_text(const Fit& fit, const std::vector<Strain>& strained) {
   std::vector<std::string> each;
   for (std::size_t i = 0; i < std::min(strained.size(), kMostNamed); ++i) {
-    const Unknown& u = fit.unknowns[strained[i].unknown];
-    each.push_back(fmt::format("{} is {:.4g} {} off, {:.1f} times what [uncertainty] says of it", u.label,
-                               strained[i].sigmas * u.sigma / u.unit.si, u.unit.name, std::abs(strained[i].sigmas)));
+    each.push_back(strain_text(fit.unknowns[strained[i].unknown], strained[i].sigmas, 1));
   }
   if (strained.size() > kMostNamed) each.push_back(fmt::format("and {} more", strained.size() - kMostNamed));
   return fmt::format("{}", fmt::join(each, "; "));
@@ -199,7 +184,7 @@ std::string all_strained(const Plausibility& plausible, const PlausibleOptions& 
 }
 
 std::string objection(const Fit& fit, const Plausibility& plausible, bool borne_out, const PlausibleOptions& options) {
-  if (!plausible.strained.empty()) return strain_text(fit, plausible.strained);
+  if (!plausible.strained.empty()) return strains_text(fit, plausible.strained);
   if (std::string all = all_strained(plausible, options); !borne_out && !all.empty()) return all;
   const auto worse = [](const Predicted& of, double unit, std::string_view what, std::string_view unit_name) {
     return fmt::format(

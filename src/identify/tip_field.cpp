@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "identify/equations/sensitivity.hpp"
 #include "identify/plausible.hpp"
-#include "identify/sensitivity.hpp"
 #include "measure/circular_motion.hpp"
 
 namespace plumbline::identify {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "identify/unknowns.hpp"
+#include "identify/unknowns/unknowns.hpp"
 #include "measure/dataset.hpp"
 
 namespace plumbline::identify {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "jobs/pose_table.hpp"
 #include "machine/model.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "base/files.hpp"
-#include "base/hash.hpp"
+#include "base/files/files.hpp"
+#include "base/text/hash.hpp"
 #include "base/version.hpp"
 #include "diagnose/doubt.hpp"
 #include "identify/model_text.hpp"

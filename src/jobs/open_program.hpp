@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "machine/model.hpp"
 #include "nc/language/dialect.hpp"
 #include "settings/options.hpp"
@@ -17,8 +17,8 @@ struct OpenedProgram {
 };
 
 /// Opens `path` ("-": standard input), reads the tables that the options name, and takes the dialect that they say or
-/// that the text shows. What nobody gave (offsets, tools, start) is zero; A, B and C turn in the order of the model that
-/// the options name, else as ZYX. Refuses as InputFile, the readers of tables and models, and dialect_of do.
+/// that the text shows. What nobody gave (offsets, tools, start) is zero; A, B and C turn in the order of the model
+/// that the options name, else as ZYX. Refuses as InputFile, the readers of tables and models, and dialect_of do.
 OpenedProgram open_program(const settings::Options& options, const std::string& path);
 /// The same for the machine of a model; what nobody gave stays open, so that the interpreter asks for it.
 OpenedProgram open_program(const settings::Options& options, const std::string& path,

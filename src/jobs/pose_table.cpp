@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "base/files.hpp"
-#include "base/input_name.hpp"
-#include "base/number_table.hpp"
+#include "base/files/files.hpp"
+#include "base/files/input_name.hpp"
+#include "base/text/number_table.hpp"
 
 namespace plumbline::jobs {
 

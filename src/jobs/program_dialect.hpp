@@ -1,7 +1,7 @@
 // The dialect of a program: the one that was named, else the one that its text shows.
 #pragma once
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "nc/language/dialect.hpp"
 #include "settings/options.hpp"
 

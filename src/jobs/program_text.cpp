@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "base/characters.hpp"
 #include "base/diagnostic.hpp"
+#include "base/text/characters.hpp"
 
 namespace plumbline::jobs {
 namespace {

@@ -1,7 +1,7 @@
 // What is given as a program and is none: refused before a dialect is looked for in it.
 #pragma once
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 
 namespace plumbline::jobs {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "compensate/limits.hpp"
 #include "compensate/move_reader.hpp"

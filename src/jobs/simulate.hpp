@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "base/progress.hpp"
 #include "settings/options.hpp"
 

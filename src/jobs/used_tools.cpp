@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/characters.hpp"
+#include "base/text/characters.hpp"
 #include "nc/syntax/line_source.hpp"
 
 namespace plumbline::jobs {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "nc/language/tool_table.hpp"
 
 namespace plumbline::jobs {

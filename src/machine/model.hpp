@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/toml.hpp"
+#include "base/text/toml.hpp"
 #include "machine/geometry.hpp"
 #include "machine/orientation.hpp"
 
@@ -19,10 +19,10 @@ namespace plumbline::machine {
 struct ModelValue {
   std::string table;  // empty: before the first table
   std::string key;
-  std::vector<double> values;  // SI; a number for all six struts is spread to six
-  std::string text;            // of a text
-  Span span;                   // of the value; of what the file leaves out: length 0
-  std::vector<Span> spans;     // of each number
+  std::vector<double> values;   // SI; a number for all six struts is spread to six
+  std::string text;             // of a text
+  TextSpan span;                // of the value; of what the file leaves out: length 0
+  std::vector<TextSpan> spans;  // of each number
 
   bool given() const { return span.length > 0; }
 };

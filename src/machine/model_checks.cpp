@@ -73,7 +73,7 @@ void check_lengths(const MachineModel& model) {
 
 void check_home(const MachineModel& model) {
   const StrutGeometry<double> struts = strut_geometry(model.geometry, home_pose(model));
-  const Span span = model.value("platform", "joints_mm").span;
+  const TextSpan span = model.value("platform", "joints_mm").span;
   if (struts.length.minCoeff() < kSmallestMachine) {
     refuse("model-singular-home", "in the middle of the travel a strut has no length",
            "check that [base] joints_mm are in W, [platform] joints_mm in P, and the travel is of the tool tip",

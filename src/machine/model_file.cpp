@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "base/files.hpp"
-#include "base/hash.hpp"
-#include "base/input_name.hpp"
+#include "base/files/files.hpp"
+#include "base/files/input_name.hpp"
+#include "base/text/hash.hpp"
 #include "machine/effect_rows.hpp"
 #include "machine/model_checks.hpp"
 #include "machine/model_values.hpp"

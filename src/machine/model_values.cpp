@@ -39,7 +39,7 @@ std::string_view shape_text(Shape shape) {
   return "six points of three numbers each, as [[x, y, z], ...]";
 }
 
-Span start_of_file() { return {0, 1}; }
+TextSpan start_of_file() { return {0, 1}; }
 
 // --- which tables and keys there may be ---
 
@@ -163,7 +163,7 @@ class Reader {
              document_.place(table == nullptr ? start_of_file() : table->key_span));
     }
     read_.values.assign(count_of(spec_.shape), spec_.fallback * spec_.unit.si);
-    read_.spans.assign(count_of(spec_.shape), Span{});
+    read_.spans.assign(count_of(spec_.shape), TextSpan{});
     return std::move(read_);
   }
 

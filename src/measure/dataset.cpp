@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "base/files.hpp"
-#include "base/input_name.hpp"
+#include "base/files/files.hpp"
+#include "base/files/input_name.hpp"
 #include "base/units.hpp"
 #include "machine/model_values.hpp"
 #include "machine/nearest_name.hpp"
@@ -160,7 +160,7 @@ void check_top(const TomlDocument& document) {
   if (marker == nullptr || marker->value.kind != Kind::text || marker->value.text != kMarker) {
     refuse("dataset-marker", "this file does not say that it is a dataset",
            "a dataset begins with plumbline = \"dataset 1\"; a machine model is given with -m",
-           document.place(marker == nullptr ? Span{0, 1} : marker->value.span));
+           document.place(marker == nullptr ? TextSpan{0, 1} : marker->value.span));
   }
   for (const TomlEntry& entry : document.root.entries) {
     if (std::find(kTopKeys.begin(), kTopKeys.end(), entry.key) != kTopKeys.end()) continue;

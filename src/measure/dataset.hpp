@@ -8,7 +8,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/pose.hpp"
-#include "base/toml.hpp"
+#include "base/text/toml.hpp"
 #include "machine/geometry.hpp"
 
 namespace plumbline::measure {

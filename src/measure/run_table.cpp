@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "base/csv.hpp"
-#include "base/files.hpp"
-#include "base/number_text.hpp"
+#include "base/files/files.hpp"
+#include "base/text/csv.hpp"
+#include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "machine/nearest_name.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "base/files.hpp"
-#include "base/input_name.hpp"
-#include "base/number_table.hpp"
+#include "base/files/files.hpp"
+#include "base/files/input_name.hpp"
+#include "base/text/number_table.hpp"
 #include "base/units.hpp"
 
 namespace plumbline::measure {

@@ -158,7 +158,7 @@ std::string diagnosis_json(const Diagnosis& d) {
   }
   json["noise"] = noise_json(d.noise);
   json["circularity_um"] = circularity_json(circularity_of(d.runs));
-  json["where"] = where_json(d.where);
+  json["where"] = where_json(d.gap_map);
   json["runs"] = Json::array();
   for (const diagnose::RunGap& run : d.runs) json["runs"].push_back(run_json(run));
   json["converged"] = d.converged;

@@ -6,6 +6,7 @@
 
 #include "base/units.hpp"
 #include "jobs/diagnose.hpp"
+#include "report/next_test_text.hpp"
 #include "report/where_json.hpp"
 
 namespace plumbline::report {
@@ -15,19 +16,6 @@ using diagnose::Diagnosis;
 using diagnose::Gap;
 using diagnose::NamedEffect;
 using diagnose::NamedParameter;
-
-std::string test_text(const diagnose::Separation& separation) {
-  if (!separation.test) {
-    return fmt::format("no circular test separates it from {}\n", separation.from);
-  }
-  const measure::Run& run = separation.test->run;
-  return fmt::format(
-      "next test, to separate it from {} (by {:.0f} sigma): centre {:.0f}, {:.0f}, {:.0f} mm, A {:.1f} B {:.1f} "
-      "deg, {}, F{:.0f}{}\n",
-      separation.from, separation.test->separation, run.centre_W.x() / kMm, run.centre_W.y() / kMm,
-      run.centre_W.z() / kMm, run.tilt.x() / kDeg, run.tilt.y() / kDeg, measure::to_text(run.direction),
-      run.feed / kMmPerMin, run.payload_mass > 0 ? fmt::format(", {:.0f} kg at the tip", run.payload_mass) : "");
-}
 
 std::string list_of(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
@@ -97,9 +85,10 @@ std::string diagnosis_text(const Diagnosis& d) {
     }
     for (const NamedParameter& parameter : effect.parameters) text += parameter_text(parameter);
   }
+  if (!d.effects.empty()) text += fmt::format("({})\n", kNats);
   if (d.verdict == diagnose::Verdict::nothing_missing) text += could_show_text(d.visible);
   if (d.confidence_set.size() > 1) text += fmt::format("not ruled out: {}\n", list_of(d.confidence_set));
-  for (const diagnose::Separation& separation : d.next) text += test_text(separation);
+  for (const diagnose::Separation& separation : d.next) text += next_test_text(separation) + '\n';
   if (!d.doubt.empty()) text += d.doubt + '\n';
   if (d.remainder) {
     text += fmt::format("not explained by the catalogue (a description, not a cause; strength {:.0f}):\n{}\n",

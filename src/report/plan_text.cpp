@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/units.hpp"
-#include "identify/geometry.hpp"
+#include "identify/unknowns/geometry.hpp"
 
 namespace plumbline::report {
 namespace {

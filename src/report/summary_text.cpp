@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "base/hash.hpp"
+#include "base/text/hash.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
 #include "report/text_table.hpp"

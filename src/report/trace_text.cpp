@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 
 namespace plumbline::report {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "nc/control/motion.hpp"
 
 namespace plumbline::report {

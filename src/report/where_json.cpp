@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "base/units.hpp"
 
 namespace plumbline::report {
@@ -25,7 +25,7 @@ Json two_json(const diagnose::BarAndTorque& rms) {
   return {{"radial_um", rounded(rms.radial / kUm)}, {"torque_Nm", rounded(rms.torque)}};
 }
 
-Json channel_json(const diagnose::ChannelWhere& channel) {
+Json channel_json(const diagnose::ChannelResiduals& channel) {
   const bool radial = channel.channel == identify::kRadial;
   const double unit = radial ? kUm : 1;
   return {{"channel", std::string(identify::channel_name(channel.channel)) + (radial ? "_um" : "_Nm")},
@@ -55,13 +55,13 @@ Json rounded(double value) {
   return number ? Json(*number) : Json(nullptr);
 }
 
-Json where_json(const diagnose::GapMap& where) {
+Json where_json(const diagnose::GapMap& map) {
   Json json{{"channels", Json::array()},
             {"contrasts", Json::array()},
             {"groups", Json::array()},
             {"reversals", Json::array()}};
-  for (const diagnose::ChannelWhere& channel : where.channels) json["channels"].push_back(channel_json(channel));
-  for (const diagnose::Contrast& c : where.contrasts) {
+  for (const diagnose::ChannelResiduals& channel : map.channels) json["channels"].push_back(channel_json(channel));
+  for (const diagnose::Contrast& c : map.contrasts) {
     json["contrasts"].push_back(
         {{"by", to_text(c.by)},
          {"pairs", c.pairs},
@@ -69,14 +69,14 @@ Json where_json(const diagnose::GapMap& where) {
          {"differs_rms", two_json(c.differs)},
          {"correlation", {{"radial", rounded(c.radial.correlation)}, {"torque", rounded(c.torque.correlation)}}}});
   }
-  for (const diagnose::RunGroup& group : where.groups) {
+  for (const diagnose::RunGroup& group : map.groups) {
     json["groups"].push_back({{"by", to_text(group.by)},
                               {"from", rounded(group.from)},
                               {"to", rounded(group.to)},
                               {"runs", group.runs},
                               {"rms", two_json(group.rms)}});
   }
-  for (const diagnose::Reversal& reversal : where.reversals) json["reversals"].push_back(reversal_json(reversal));
+  for (const diagnose::Reversal& reversal : map.reversals) json["reversals"].push_back(reversal_json(reversal));
   return json;
 }
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "base/characters.hpp"
-#include "base/number_text.hpp"
+#include "base/text/characters.hpp"
+#include "base/text/number_text.hpp"
 #include "machine/nearest_name.hpp"
 #include "settings/variables_file.hpp"
 

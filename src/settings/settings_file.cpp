@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
-#include "base/files.hpp"
-#include "base/input_name.hpp"
-#include "base/toml.hpp"
+#include "base/files/files.hpp"
+#include "base/files/input_name.hpp"
+#include "base/text/toml.hpp"
 
 namespace plumbline::settings {
 namespace {
@@ -63,7 +63,7 @@ class SettingsReader {
   // A value as the command line would spell it, and where it stands.
   struct Stated {
     std::string text;
-    Span span;
+    TextSpan span;
   };
 
   std::string beside_file(const std::string& path) const {

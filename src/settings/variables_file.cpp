@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
-#include "base/files.hpp"
-#include "base/input_name.hpp"
-#include "base/number_text.hpp"
+#include "base/files/files.hpp"
+#include "base/files/input_name.hpp"
+#include "base/text/number_text.hpp"
 #include "nc/control/parameters.hpp"
 
 namespace plumbline::settings {

@@ -7,7 +7,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "nc/rewrite/emit.hpp"
 #include "nc/sequence/program.hpp"
 #include "nc/syntax/line_source.hpp"

@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "base/units.hpp"
 #include "machine/model_file.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/characters.hpp"
-#include "base/files.hpp"
+#include "base/files/files.hpp"
+#include "base/text/characters.hpp"
 #include "compensate/play.hpp"
 #include "compensate/random_program.hpp"
 

@@ -1,7 +1,7 @@
 // White noise of the usual size, for the tests of this module.
 #pragma once
 
-#include "identify/noise.hpp"
+#include "identify/equations/noise.hpp"
 
 namespace plumbline::testing {
 

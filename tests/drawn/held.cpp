@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "drawn/drawn_program.hpp"
 #include "jobs/check.hpp"
 #include "jobs/compensate/compensate_file.hpp"

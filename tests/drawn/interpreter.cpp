@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "base/units.hpp"
 #include "nc/canon.hpp"
 #include "nc/sequence/program.hpp"

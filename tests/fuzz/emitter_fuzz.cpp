@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "base/hash.hpp"
+#include "base/text/hash.hpp"
 #include "fuzz/programs.hpp"
 #include "nc/rewrite/emit.hpp"
 #include "nc/rewrite/undo.hpp"

@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 
 #include "identify/fit.hpp"
-#include "identify/geometry.hpp"
 #include "identify/plans.hpp"
+#include "identify/unknowns/geometry.hpp"
 #include "measure/planned_run.hpp"
 
 using namespace plumbline;

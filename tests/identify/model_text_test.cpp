@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "machine/machines.hpp"
 
 using namespace plumbline;

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "identify/unknowns.hpp"
+#include "identify/unknowns/unknowns.hpp"
 #include "machine/machines.hpp"
 #include "measure/runs.hpp"
 #include "measure/simulation.hpp"

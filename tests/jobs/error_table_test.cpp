@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "machine/model_file.hpp"
 #include "support/scratch.hpp"
 

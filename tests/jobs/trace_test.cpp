@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "report/trace_text.hpp"
 
 using namespace plumbline;

@@ -10,7 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/diagnostic.hpp"
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 
 namespace plumbline::testing {
 

@@ -24,7 +24,7 @@ TEST_CASE("a model is read in SI, with the places of its values") {
   CHECK(model.value("strut", "compliance_per_length_um_N_m").values[0] == Approx(1.287e-8));
   const ModelValue& friction = model.value("strut", "coulomb_friction_N");
   CHECK(friction.values == std::vector<double>{110, 130, 160, 130, 160, 160});
-  const auto cut = [&](Span span) { return model.document.text.substr(span.offset, span.length); };
+  const auto cut = [&](TextSpan span) { return model.document.text.substr(span.offset, span.length); };
   CHECK(cut(friction.span) == "[110, 130, 160, 130, 160, 160]");
   CHECK(cut(friction.spans[2]) == "160");
   CHECK(cut(model.value("platform", "mass_kg").span) == "100");

@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/recognise.hpp"
 #include "nc/language/tool_table.hpp"

@@ -11,8 +11,8 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "base/files.hpp"
-#include "base/number_text.hpp"
+#include "base/files/files.hpp"
+#include "base/text/number_text.hpp"
 #include "nc/language/recognise.hpp"
 #include "nc/language/tool_table.hpp"
 #include "nc/programs.hpp"

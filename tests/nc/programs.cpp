@@ -4,7 +4,7 @@
 
 #include <unistd.h>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 
 namespace plumbline::nc::tests {
 namespace fs = std::filesystem;

@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "nc/canon.hpp"
 #include "nc/language/tool_table.hpp"
 #include "nc/programs.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "machine/axis_words.hpp"
 #include "machine/machines.hpp"
 

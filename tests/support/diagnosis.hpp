@@ -31,14 +31,14 @@ inline diagnose::Diagnosis small_diagnosis() {
   }
   d.runs[0].circularity = diagnose::Circularity{20e-6, 9e-6, 4e-6};
   d.evidence[0].left_out = diagnose::LeftOut{31.5, 33.5};
-  diagnose::ChannelWhere bar{identify::kRadial, 3.1e-6};
+  diagnose::ChannelResiduals bar{identify::kRadial, 3.1e-6};
   bar.arcs[3] = 5e-6;
   bar.waves[1] = 1e-6;
   bar.wave_noise.fill(0.1e-6);
-  d.where.channels = {bar};
-  d.where.contrasts = {{diagnose::Difference::direction, 2, {0.5e-6, 0.05}, {2e-6, 0.1}}};
-  d.where.groups = {{diagnose::Grouping::tilt, 0, 5, 2, {3.1e-6, 0.06}}};
-  d.where.reversals = {{0, 6, 4e-6, 0.5e-6, 0, 0}};
+  d.gap_map.channels = {bar};
+  d.gap_map.contrasts = {{diagnose::Difference::direction, 2, {0.5e-6, 0.05}, {2e-6, 0.1}}};
+  d.gap_map.groups = {{diagnose::Grouping::tilt, 0, 5, 2, {3.1e-6, 0.06}}};
+  d.gap_map.reversals = {{0, 6, 4e-6, 0.5e-6, 0, 0}};
   return d;
 }
 

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "base/diagnostic.hpp"
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 
 namespace plumbline::testing {
 

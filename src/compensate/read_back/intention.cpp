@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "compensate/read_back/block_effects.hpp"
 #include "nc/control/kept.hpp"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "compensate/read_back/intended.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "compensate/read_back/difference.hpp"
 #include "path/figures.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "compensate/read_back/effect_check.hpp"
 #include "compensate/read_back/figures.hpp"
 #include "compensate/read_back/intended.hpp"

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "compensate/read_back/figures.hpp"
 #include "compensate/read_back/intention.hpp"
 #include "compensate/read_back/output_check.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "identify/unknowns.hpp"
+#include "identify/unknowns/unknowns.hpp"
 
 namespace plumbline::diagnose {
 

@@ -3,7 +3,7 @@
 
 #include "diagnose/candidates/candidate_set.hpp"
 #include "diagnose/readings/sample_states.hpp"
-#include "identify/run_model.hpp"
+#include "identify/equations/run_model.hpp"
 #include "physics/bend.hpp"
 
 namespace plumbline::diagnose {

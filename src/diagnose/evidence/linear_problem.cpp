@@ -51,21 +51,21 @@ LinearProblem linearise(const machine::RotationOrder& order, const std::vector<m
   return problem;
 }
 
-Eigen::MatrixXd left_of(const LinearProblem& problem, const Marginalised& taken) {
-  const auto count = static_cast<Eigen::Index>(taken.columns.size());
+Eigen::MatrixXd reduced_gram(const LinearProblem& problem, const Marginalised& marginalised) {
+  const auto count = static_cast<Eigen::Index>(marginalised.columns.size());
   const Eigen::Index r = problem.residual();
-  Eigen::MatrixXd G = problem.gram(Eigen::all, taken.columns);  // what they have in common with all columns
-  Eigen::MatrixXd own = G(taken.columns, Eigen::all);
-  own.diagonal() += taken.precision;
+  Eigen::MatrixXd G = problem.gram(Eigen::all, marginalised.columns);  // what they have in common with all columns
+  Eigen::MatrixXd own = G(marginalised.columns, Eigen::all);
+  own.diagonal() += marginalised.precision;
   // rows of the priors: slope one, residual minus the departure
-  const Eigen::VectorXd pull = taken.precision.cwiseProduct(taken.departure);
+  const Eigen::VectorXd pull = marginalised.precision.cwiseProduct(marginalised.departure);
   G.row(r) -= pull.transpose();
-  Eigen::MatrixXd left = problem.gram;
-  left(r, r) += pull.dot(taken.departure);
+  Eigen::MatrixXd reduced = problem.gram;
+  reduced(r, r) += pull.dot(marginalised.departure);
   const Eigen::LDLT<Eigen::MatrixXd> ldlt(own);
   PLUMBLINE_CHECK(ldlt.info() == Eigen::Success && count == own.rows());
-  left -= G * ldlt.solve(G.transpose());
-  return left;
+  reduced -= G * ldlt.solve(G.transpose());
+  return reduced;
 }
 
 }  // namespace plumbline::diagnose

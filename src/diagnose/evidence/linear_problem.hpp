@@ -3,7 +3,7 @@
 #pragma once
 
 #include "diagnose/candidates/candidate_set.hpp"
-#include "identify/objective.hpp"
+#include "identify/equations/objective.hpp"
 
 namespace plumbline::diagnose {
 
@@ -34,7 +34,7 @@ struct Marginalised {
 
 /// Schur complement of the columns that are taken; rows and columns of those stay in it, with what their prior leaves.
 /// The residual's own element is the misfit that is left, of data and priors together.
-Eigen::MatrixXd left_of(const LinearProblem& problem, const Marginalised& taken);
+Eigen::MatrixXd reduced_gram(const LinearProblem& problem, const Marginalised& marginalised);
 
 /// Takes the slopes of all columns of the candidates at `values`. Refuses with simulate-unreachable.
 LinearProblem linearise(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,

@@ -41,14 +41,14 @@ std::vector<std::vector<int>> subsets_of(const ActingMode& mode, std::size_t mos
 
 }  // namespace
 
-ModeFit fit_mode(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ActingMode& mode,
+ModeFit fit_mode(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, const ActingMode& mode,
                  const std::vector<int>& column_groups, const Eigen::VectorXd& right, const ScoreOptions& options) {
   ModeFit fit;
   for (const int g : column_groups) {
     const ColumnGroup& group = mode.column_groups[static_cast<std::size_t>(g)];
     fit.columns.insert(fit.columns.end(), group.begin(), group.end());
   }
-  fit.information = left(fit.columns, fit.columns);
+  fit.information = reduced(fit.columns, fit.columns);
   const Eigen::VectorXd b = right(fit.columns);
   const double mean = fit.information.trace() / static_cast<double>(fit.information.rows());
   if (!(mean > options.least_seen)) return fit;
@@ -95,10 +95,10 @@ double log_prior(const Candidate& candidate, int mode, std::size_t column_groups
   return prior;
 }
 
-Score score_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate, int mode,
+Score score_of(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, const Candidate& candidate, int mode,
                const std::vector<int>& column_groups, const ScoreOptions& options) {
-  const ModeFit fit = fit_mode(left, candidates, candidate.modes[static_cast<std::size_t>(mode)], column_groups,
-                               left.rightCols<1>(), options);
+  const ModeFit fit = fit_mode(reduced, candidates, candidate.modes[static_cast<std::size_t>(mode)], column_groups,
+                               reduced.rightCols<1>(), options);
   Score score;
   score.mode = mode;
   score.column_groups = column_groups;
@@ -110,22 +110,23 @@ Score score_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, cons
   return score;
 }
 
-Score best_score(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate,
+Score best_score(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, const Candidate& candidate,
                  const ScoreOptions& options) {
   Score best{kNever};
   for (std::size_t w = 0; w < candidate.modes.size(); ++w) {
     for (const std::vector<int>& subset : subsets_of(candidate.modes[w], options.most_subsets)) {
-      Score score = score_of(left, candidates, candidate, static_cast<int>(w), subset, options);
+      Score score = score_of(reduced, candidates, candidate, static_cast<int>(w), subset, options);
       if (score.log_odds > best.log_odds) best = std::move(score);
     }
   }
   return best;
 }
 
-std::vector<Ranked> ranking(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ScoreOptions& options) {
+std::vector<Ranked> ranking(const Eigen::MatrixXd& reduced, const CandidateSet& candidates,
+                            const ScoreOptions& options) {
   std::vector<Ranked> all;
   for (const Candidate& candidate : candidates.all) {
-    all.push_back({&candidate, best_score(left, candidates, candidate, options)});
+    all.push_back({&candidate, best_score(reduced, candidates, candidate, options)});
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const Ranked& a, const Ranked& b) { return a.score.log_odds > b.score.log_odds; });

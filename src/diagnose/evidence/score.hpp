@@ -39,7 +39,7 @@ struct ModeFit {
 
 /// `left`: the Gram matrix of all columns with what has been taken out, the residual last; `right`: their products with
 /// the right side.
-ModeFit fit_mode(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ActingMode& mode,
+ModeFit fit_mode(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, const ActingMode& mode,
                  const std::vector<int>& column_groups, const Eigen::VectorXd& right, const ScoreOptions& options = {});
 
 /// The evidence of columns that add `gain` to the fit and of which the data tell A (Gram, nuisances out): Bayes factor
@@ -51,11 +51,11 @@ double log_bayes_factor(const Eigen::MatrixXd& A, double gain, const Eigen::Vect
 
 /// The best that a candidate makes of what is left (Gram matrix with what has been taken out, residual last): over its
 /// ways and over the struts that carry it.
-Score best_score(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate,
+Score best_score(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, const Candidate& candidate,
                  const ScoreOptions& options = {});
 
 /// The same for one way and one set of its carriers.
-Score score_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate, int mode,
+Score score_of(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, const Candidate& candidate, int mode,
                const std::vector<int>& column_groups, const ScoreOptions& options = {});
 
 /// Scores of all candidates, the best first.
@@ -63,7 +63,7 @@ struct Ranked {
   const Candidate* candidate;
   Score score;
 };
-std::vector<Ranked> ranking(const Eigen::MatrixXd& left, const CandidateSet& candidates,
+std::vector<Ranked> ranking(const Eigen::MatrixXd& reduced, const CandidateSet& candidates,
                             const ScoreOptions& options = {});
 
 /// What is less likely beforehand: of a rare effect, of each of its ways, of just those carriers among

@@ -19,7 +19,7 @@ struct Group {
   std::vector<double> price;  // log det(1 + tau^2 A) of each
 };
 
-void add_group(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate, int mode,
+void add_group(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, const Candidate& candidate, int mode,
                const std::vector<int>& column_groups, const ScoreOptions& scoring, std::vector<Group>& groups) {
   Group group;
   const ActingMode& of = candidate.modes[static_cast<std::size_t>(mode)];
@@ -27,7 +27,7 @@ void add_group(const Eigen::MatrixXd& left, const CandidateSet& candidates, cons
     const ColumnGroup& column_group = of.column_groups[static_cast<std::size_t>(c)];
     group.columns.insert(group.columns.end(), column_group.begin(), column_group.end());
   }
-  const Eigen::MatrixXd A = left(group.columns, group.columns);
+  const Eigen::MatrixXd A = reduced(group.columns, group.columns);
   const double mean = A.trace() / static_cast<double>(A.rows());
   if (!(mean > 1e-9)) return;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(A);
@@ -44,16 +44,17 @@ void add_group(const Eigen::MatrixXd& left, const CandidateSet& candidates, cons
   groups.push_back(std::move(group));
 }
 
-std::vector<Group> groups_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ScoreOptions& scoring) {
+std::vector<Group> groups_of(const Eigen::MatrixXd& reduced, const CandidateSet& candidates,
+                             const ScoreOptions& scoring) {
   std::vector<Group> groups;
   for (const Candidate& candidate : candidates.all) {
     for (std::size_t w = 0; w < candidate.modes.size(); ++w) {
       const ActingMode& mode = candidate.modes[w];
       std::vector<int> all;
       for (std::size_t c = 0; c < mode.column_groups.size(); ++c) all.push_back(static_cast<int>(c));
-      add_group(left, candidates, candidate, static_cast<int>(w), all, scoring, groups);
+      add_group(reduced, candidates, candidate, static_cast<int>(w), all, scoring, groups);
       if (mode.all_or_none || all.size() == 1) continue;
-      for (const int c : all) add_group(left, candidates, candidate, static_cast<int>(w), {c}, scoring, groups);
+      for (const int c : all) add_group(reduced, candidates, candidate, static_cast<int>(w), {c}, scoring, groups);
     }
   }
   return groups;
@@ -72,14 +73,14 @@ double log_odds(const Group& group, const Eigen::VectorXd& scores) {
 
 }  // namespace
 
-Threshold threshold(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ScoreOptions& scoring,
+Threshold threshold(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, const ScoreOptions& scoring,
                     const ThresholdOptions& options) {
-  const std::vector<Group> groups = groups_of(left, candidates, scoring);
-  const Eigen::Index n = left.cols() - 1;
+  const std::vector<Group> groups = groups_of(reduced, candidates, scoring);
+  const Eigen::Index n = reduced.cols() - 1;
   // columns differ in size by orders of magnitude: drawn in units of their own length
-  const Eigen::VectorXd lengths = left.diagonal().head(n).cwiseMax(1e-300).cwiseSqrt();
+  const Eigen::VectorXd lengths = reduced.diagonal().head(n).cwiseMax(1e-300).cwiseSqrt();
   const Eigen::VectorXd inverse = lengths.cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(inverse.asDiagonal() * left.topLeftCorner(n, n) *
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(inverse.asDiagonal() * reduced.topLeftCorner(n, n) *
                                                              inverse.asDiagonal());
   const Eigen::MatrixXd root =
       lengths.asDiagonal() * eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();

@@ -22,7 +22,7 @@ struct Threshold {
 /// Parametric bootstrap of the maximum over the whole catalogue with nothing missing. What noise makes of the slopes of
 /// all columns is normal with covariance `left` (Gram matrix, what has been taken out, residual last): drawn directly,
 /// without readings. Struts one by one and all together are tried, bounds left out, which errs on the safe side.
-Threshold threshold(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ScoreOptions& scoring = {},
+Threshold threshold(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, const ScoreOptions& scoring = {},
                     const ThresholdOptions& options = {});
 
 }  // namespace plumbline::diagnose

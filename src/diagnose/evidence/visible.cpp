@@ -22,21 +22,21 @@ bool is_shape(const CandidateSet& candidates, const Column& column) {
   return column.unknown >= 0 && candidates.unknowns[static_cast<std::size_t>(column.unknown)].shape;
 }
 
-Least least_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, const ColumnGroup& column_group,
+Least least_of(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, const ColumnGroup& column_group,
                double gain) {
   Least least;
   for (const int c : column_group) {
     const Column& column = candidates.columns[static_cast<std::size_t>(c)];
     const double bound = std::max(std::abs(column.lower), std::abs(column.upper));
-    if (!(left(c, c) > 0) || is_shape(candidates, column)) continue;
-    const double size = std::sqrt(gain / left(c, c));
+    if (!(reduced(c, c) > 0) || is_shape(candidates, column)) continue;
+    const double size = std::sqrt(gain / reduced(c, c));
     least = std::min(least, Least{c, size, size / bound});
   }
   return least;
 }
 
 // The way in which it shows best, on the carrier that shows least.
-Least least_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, const Candidate& candidate,
+Least least_of(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, const Candidate& candidate,
                double threshold, const ScoreOptions& options) {
   Least best;
   for (std::size_t w = 0; w < candidate.modes.size(); ++w) {
@@ -47,7 +47,7 @@ Least least_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, cons
     Least worst;
     worst.share = 0;
     for (const ColumnGroup& column_group : mode.column_groups)
-      worst = std::max(worst, least_of(left, candidates, column_group, gain));
+      worst = std::max(worst, least_of(reduced, candidates, column_group, gain));
     best = std::min(best, worst);
   }
   return best;
@@ -55,12 +55,12 @@ Least least_of(const Eigen::MatrixXd& left, const CandidateSet& candidates, cons
 
 }  // namespace
 
-std::vector<Visible> visible_effects(const Eigen::MatrixXd& left, const CandidateSet& candidates, double threshold,
+std::vector<Visible> visible_effects(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, double threshold,
                                      const ScoreOptions& options) {
   std::vector<Visible> all;
   for (const Candidate& candidate : candidates.all) {
     Visible visible{candidate.name};
-    const Least least = least_of(left, candidates, candidate, threshold, options);
+    const Least least = least_of(reduced, candidates, candidate, threshold, options);
     if (least.column >= 0) {
       const Column& column = candidates.columns[static_cast<std::size_t>(least.column)];
       visible.key = column.key;

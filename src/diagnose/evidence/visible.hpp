@@ -18,7 +18,7 @@ struct Visible {
 /// For each effect of the candidates, from what is left when the nuisances took their part: a size s of a column c
 /// shows by s^2 <c, c>, and must beat the threshold (nats), what is less likely beforehand, and the cost of a free
 /// size.
-std::vector<Visible> visible_effects(const Eigen::MatrixXd& left, const CandidateSet& candidates, double threshold,
+std::vector<Visible> visible_effects(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, double threshold,
                                      const ScoreOptions& options = {});
 
 }  // namespace plumbline::diagnose

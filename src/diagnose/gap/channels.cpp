@@ -23,9 +23,9 @@ std::complex<double> wave_of(const Eigen::VectorXd& e, const std::vector<double>
   return sum / static_cast<double>(e.size());
 }
 
-ChannelWhere around_the_circle(const std::vector<Run>& runs, const std::vector<RunEquations>& residuals, int channel,
-                               const identify::ChannelNoise& noise) {
-  ChannelWhere where{channel};
+ChannelResiduals around_the_circle(const std::vector<Run>& runs, const std::vector<RunEquations>& residuals,
+                                   int channel, const identify::ChannelNoise& noise) {
+  ChannelResiduals around{channel};
   MeanSquare all;
   std::array<MeanSquare, kArcs> arcs;
   std::array<MeanSquare, kWaves> waves;
@@ -45,13 +45,13 @@ ChannelWhere around_the_circle(const std::vector<Run>& runs, const std::vector<R
       floors.at(place).add(std::sqrt(2 / n * noise_power(noise, (k + 1) / n)));
     }
   }
-  where.rms = all.root();
-  for (std::size_t a = 0; a < kArcs; ++a) where.arcs.at(a) = arcs.at(a).root();
+  around.rms = all.root();
+  for (std::size_t a = 0; a < kArcs; ++a) around.arcs.at(a) = arcs.at(a).root();
   for (std::size_t k = 0; k < kWaves; ++k) {
-    where.waves.at(k) = waves.at(k).root();
-    where.wave_noise.at(k) = floors.at(k).root();
+    around.waves.at(k) = waves.at(k).root();
+    around.wave_noise.at(k) = floors.at(k).root();
   }
-  return where;
+  return around;
 }
 
 }  // namespace plumbline::diagnose

@@ -18,7 +18,7 @@ inline constexpr int kArcs = 12;   // of a circle
 inline constexpr int kWaves = 10;  // orders 1 to 10 of a circle
 
 /// The residuals of one channel around the circle, all runs together. SI.
-struct ChannelWhere {
+struct ChannelResiduals {
   int channel = 0;
   double rms = 0;
   std::array<double, kArcs> arcs{};         // rms in each twelfth, counted from angle 0
@@ -49,8 +49,8 @@ double within_turn(double angle);
 std::complex<double> wave_of(const Eigen::VectorXd& e, const std::vector<double>& angle, int order);
 
 /// All runs together, with the noise as estimated.
-ChannelWhere around_the_circle(const std::vector<measure::Run>& runs,
-                               const std::vector<identify::RunEquations>& residuals, int channel,
-                               const identify::ChannelNoise& noise);
+ChannelResiduals around_the_circle(const std::vector<measure::Run>& runs,
+                                   const std::vector<identify::RunEquations>& residuals, int channel,
+                                   const identify::ChannelNoise& noise);
 
 }  // namespace plumbline::diagnose

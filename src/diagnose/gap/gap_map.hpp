@@ -10,7 +10,7 @@
 namespace plumbline::diagnose {
 
 struct GapMap {
-  std::vector<ChannelWhere> channels;
+  std::vector<ChannelResiduals> channels;
   std::vector<Contrast> contrasts;
   std::vector<RunGroup> groups;
   std::vector<Reversal> reversals;
@@ -22,8 +22,8 @@ struct GapMapOptions {
 };
 
 /// `residuals` are those of `runs` (all of them) beside `forces`, the set-ups fitted.
-GapMap where_of(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
-                const physics::ForceModel& forces, const std::vector<identify::RunEquations>& residuals,
-                const identify::NoiseModel& noise, const GapMapOptions& options = {});
+GapMap gap_map_of(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
+                  const physics::ForceModel& forces, const std::vector<identify::RunEquations>& residuals,
+                  const identify::NoiseModel& noise, const GapMapOptions& options = {});
 
 }  // namespace plumbline::diagnose

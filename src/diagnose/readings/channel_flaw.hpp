@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "identify/run_model.hpp"
+#include "identify/equations/run_model.hpp"
 #include "measure/dataset.hpp"
 
 namespace plumbline::diagnose {

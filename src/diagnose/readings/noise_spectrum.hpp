@@ -1,7 +1,7 @@
 // The noise of the readings from their spectrum: what a wrong model leaves weighs little in it.
 #pragma once
 
-#include "identify/noise.hpp"
+#include "identify/equations/noise.hpp"
 
 namespace plumbline::diagnose {
 

@@ -12,28 +12,29 @@ std::vector<identify::RunEquations> residuals(const machine::MachineModel& machi
   return objective.equations(Eigen::VectorXd(0));
 }
 
-ResidualSums left_of(const identify::RunEquations& run) {
-  ResidualSums left;
+ResidualSums residual_sums(const identify::RunEquations& run) {
+  ResidualSums sums;
   for (std::size_t c = 0; c < run.channels.size(); ++c) {
     const auto first = static_cast<Eigen::Index>(c) * run.samples;
-    (run.channels[c] == identify::kRadial ? left.radial : left.torque).add(run.residual.segment(first, run.samples));
+    (run.channels[c] == identify::kRadial ? sums.radial : sums.torque).add(run.residual.segment(first, run.samples));
   }
-  return left;
+  return sums;
 }
 
-ResidualSums left_of(const std::vector<identify::RunEquations>& runs, const std::vector<bool>& out, bool held_out) {
-  ResidualSums left;
+ResidualSums residual_sums(const std::vector<identify::RunEquations>& runs, const std::vector<bool>& out,
+                           bool held_out) {
+  ResidualSums sums;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (out[i] == held_out) left += left_of(runs[i]);
+    if (out[i] == held_out) sums += residual_sums(runs[i]);
   }
-  return left;
+  return sums;
 }
 
 double held_out_misfit(const std::vector<identify::RunEquations>& residuals, const std::vector<bool>& out,
                        const identify::NoiseModel& noise) {
-  const ResidualSums left = left_of(residuals, out, true);
-  return left.radial.sum / std::pow(noise.channels[identify::kRadial].sigma, 2) +
-         left.torque.sum / std::pow(noise.channels[identify::kRadial + 1].sigma, 2);
+  const ResidualSums sums = residual_sums(residuals, out, true);
+  return sums.radial.sum / std::pow(noise.channels[identify::kRadial].sigma, 2) +
+         sums.torque.sum / std::pow(noise.channels[identify::kRadial + 1].sigma, 2);
 }
 
 }  // namespace plumbline::diagnose

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/mean_square.hpp"
-#include "identify/objective.hpp"
+#include "identify/equations/objective.hpp"
 
 namespace plumbline::diagnose {
 
@@ -23,9 +23,10 @@ struct ResidualSums {
     return *this;
   }
 };
-ResidualSums left_of(const identify::RunEquations& run);
+ResidualSums residual_sums(const identify::RunEquations& run);
 /// Of the runs held out (`out`), or of the others.
-ResidualSums left_of(const std::vector<identify::RunEquations>& runs, const std::vector<bool>& out, bool held_out);
+ResidualSums residual_sums(const std::vector<identify::RunEquations>& runs, const std::vector<bool>& out,
+                           bool held_out);
 
 /// How far off the runs held out (`out`) are, in units of the noise, squared.
 double held_out_misfit(const std::vector<identify::RunEquations>& residuals, const std::vector<bool>& out,

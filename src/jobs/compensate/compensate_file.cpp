@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "compensate/stream.hpp"
 #include "jobs/compensate/compensated_files.hpp"
 #include "jobs/compensate/guard_block.hpp"

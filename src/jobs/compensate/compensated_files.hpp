@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "nc/rewrite/undo.hpp"
 
 namespace plumbline::jobs {

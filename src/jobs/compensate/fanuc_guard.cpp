@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "jobs/compensate/guards.hpp"
 
 namespace plumbline::jobs {

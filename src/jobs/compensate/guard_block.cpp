@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "jobs/compensate/guards.hpp"
 #include "nc/control/parameters.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "compensate/program_survey.hpp"
 #include "nc/sequence/program.hpp"
 

@@ -3,7 +3,7 @@
 // are named X Y Z A B C (setting).
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "jobs/compensate/guards.hpp"
 
 namespace plumbline::jobs {

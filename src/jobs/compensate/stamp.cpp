@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "base/hash.hpp"
-#include "base/number_text.hpp"
+#include "base/text/hash.hpp"
+#include "base/text/number_text.hpp"
 #include "base/version.hpp"
 
 namespace plumbline::jobs {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "compensate/move_reader.hpp"
 #include "path/curve.hpp"
 

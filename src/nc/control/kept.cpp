@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 
 namespace plumbline::nc {
 namespace {

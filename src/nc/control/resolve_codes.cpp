@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "base/characters.hpp"
 #include "base/check.hpp"
+#include "base/text/characters.hpp"
 #include "nc/control/execution.hpp"
 #include "nc/control/expression.hpp"
 #include "nc/language/codes.hpp"

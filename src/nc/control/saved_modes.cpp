@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "nc/control/interpreter.hpp"
 #include "nc/language/codes.hpp"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/characters.hpp"
+#include "base/text/characters.hpp"
 
 namespace plumbline::nc {
 

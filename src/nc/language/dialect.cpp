@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "base/characters.hpp"
 #include "base/diagnostic.hpp"
+#include "base/text/characters.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/dialect_list.hpp"
 #include "nc/language/dialect_table.hpp"

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "base/check.hpp"
-#include "base/number_text.hpp"
-#include "base/toml.hpp"
+#include "base/text/number_text.hpp"
+#include "base/text/toml.hpp"
 #include "nc/language/block_words.hpp"
 #include "nc/language/dialect_keys.hpp"
 #include "nc/language/dialect_names.hpp"

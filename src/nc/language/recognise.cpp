@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "base/characters.hpp"
 #include "base/diagnostic.hpp"
+#include "base/text/characters.hpp"
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {

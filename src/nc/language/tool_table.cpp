@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/characters.hpp"
 #include "base/diagnostic.hpp"
-#include "base/files.hpp"
-#include "base/input_name.hpp"
-#include "base/toml.hpp"
+#include "base/files/files.hpp"
+#include "base/files/input_name.hpp"
+#include "base/text/characters.hpp"
+#include "base/text/toml.hpp"
 
 namespace plumbline::nc {
 namespace {

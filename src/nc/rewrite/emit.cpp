@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/check.hpp"
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "nc/language/refusal.hpp"
 #include "nc/rewrite/feed.hpp"
 #include "nc/syntax/line_source.hpp"

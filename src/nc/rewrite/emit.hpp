@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "nc/control/control.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"

@@ -1,7 +1,7 @@
 // Holes of called cycles, shifted: a move to above the hole, and the call with its levels.
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "nc/rewrite/emit.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "nc/language/block_words.hpp"
 #include "nc/rewrite/emit.hpp"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "nc/control/kept.hpp"
 #include "nc/rewrite/emit_text.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/characters.hpp"
-#include "base/number_text.hpp"
+#include "base/text/characters.hpp"
+#include "base/text/number_text.hpp"
 #include "nc/language/refusal.hpp"
 
 namespace plumbline::nc {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/characters.hpp"
 #include "base/check.hpp"
-#include "base/number_text.hpp"
+#include "base/text/characters.hpp"
+#include "base/text/number_text.hpp"
 #include "nc/language/active_comments.hpp"
 #include "nc/language/refusal.hpp"
 #include "nc/syntax/line_head.hpp"

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
-#include "base/hash.hpp"
+#include "base/text/hash.hpp"
 
 namespace plumbline::nc {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 
 namespace plumbline::nc {
 

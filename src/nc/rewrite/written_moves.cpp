@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "base/characters.hpp"
-#include "base/number_text.hpp"
+#include "base/text/characters.hpp"
+#include "base/text/number_text.hpp"
 #include "nc/control/kept.hpp"
 #include "nc/language/refusal.hpp"
 #include "nc/rewrite/emit_text.hpp"

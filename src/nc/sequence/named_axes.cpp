@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "base/characters.hpp"
 #include "base/diagnostic.hpp"
+#include "base/text/characters.hpp"
 #include "nc/sequence/program.hpp"
 #include "nc/sequence/subprogram_file.hpp"
 #include "nc/syntax/line_head.hpp"

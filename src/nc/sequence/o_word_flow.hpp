@@ -7,7 +7,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "nc/control/interpreter.hpp"
 #include "nc/language/block.hpp"
 #include "nc/language/dialect.hpp"

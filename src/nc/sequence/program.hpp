@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "nc/control/program_settings.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "nc/language/dialect.hpp"
 #include "nc/syntax/line_source.hpp"
 

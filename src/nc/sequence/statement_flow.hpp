@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "nc/control/interpreter.hpp"
 #include "nc/language/dialect.hpp"
 #include "nc/sequence/call_stack.hpp"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 
 namespace plumbline::nc {
 

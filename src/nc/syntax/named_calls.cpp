@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/characters.hpp"
+#include "base/text/characters.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/syntax/named_values.hpp"
 #include "nc/syntax/named_words.hpp"

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "base/axes.hpp"
-#include "base/characters.hpp"
-#include "base/number_text.hpp"
+#include "base/text/characters.hpp"
+#include "base/text/number_text.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/tool_table.hpp"
 #include "nc/syntax/named_values.hpp"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "base/characters.hpp"
+#include "base/text/characters.hpp"
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/characters.hpp"
+#include "base/text/characters.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
 

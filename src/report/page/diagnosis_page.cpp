@@ -7,6 +7,7 @@
 
 #include "base/units.hpp"
 #include "diagnose/verdict.hpp"
+#include "report/next_test_text.hpp"
 #include "report/page/svg.hpp"
 #include "report/page/where_svg.hpp"
 
@@ -88,7 +89,7 @@ std::string polar_plots(const Diagnosis& d) {
 
 // What the base model leaves, cut in the ways in which effects show.
 std::string where_tables(const Diagnosis& d) {
-  if (d.where.channels.empty()) return {};
+  if (d.gap_map.channels.empty()) return {};
   return "<h3>Around the circle, before</h3>" + circle_map(d) + "<h3>Pairs of runs, before</h3>" + contrast_table(d) +
          "<p class=quiet>rms in units of the noise; 1: nothing but noise. What differs with direction is odd in "
          "it.</p><h3>Groups of runs, before</h3>" +
@@ -106,7 +107,8 @@ std::string left_out_table(const Diagnosis& d) {
                         e.log_odds, e.left_out->poses, e.left_out->runs);
   }
   if (rows.empty()) return {};
-  return "<table><tr><th>nats</th><th>all fitted runs</th><th>each pose predicted from the others</th><th>each "
+  return fmt::format("<p class=quiet>{}</p>", kNats) +
+         "<table><tr><th>nats</th><th>all fitted runs</th><th>each pose predicted from the others</th><th>each "
          "run</th></tr>" +
          rows + "</table>";
 }
@@ -150,19 +152,7 @@ std::string effects(const Diagnosis& d) {
 
 std::string next_tests(const Diagnosis& d) {
   std::string html;
-  for (const diagnose::Separation& next : d.next) {
-    if (!next.test) {
-      html += fmt::format("<p>No circular test within the limits separates it from {}.</p>", escaped(next.from));
-      continue;
-    }
-    const measure::Run& run = next.test->run;
-    html += fmt::format(
-        "<p>To separate it from {}: centre ({:.0f}, {:.0f}, {:.0f}) mm, A {:.1f}, B {:.1f} deg, {}, F{:.0f}, {:.0f} kg "
-        "at the "
-        "tip. The two would then differ by {:.0f} sigma.</p>",
-        escaped(next.from), run.centre_W.x() / kMm, run.centre_W.y() / kMm, run.centre_W.z() / kMm, run.tilt.x() / kDeg,
-        run.tilt.y() / kDeg, to_text(run.direction), run.feed / kMmPerMin, run.payload_mass, next.test->separation);
-  }
+  for (const diagnose::Separation& next : d.next) html += fmt::format("<p>{}</p>", escaped(next_test_text(next)));
   return html;
 }
 

@@ -77,7 +77,7 @@ double longest(const std::vector<diagnose::Reversal>& all, bool length) {
 std::string circle_map(const Diagnosis& d) {
   const int second = kMapLeft + diagnose::kWaves * kMapCell + 30;
   const int width = second + diagnose::kArcs * kMapCell + 10;
-  std::string svg = opened(width, 40 + kMapRow * static_cast<int>(d.where.channels.size()));
+  std::string svg = opened(width, 40 + kMapRow * static_cast<int>(d.gap_map.channels.size()));
   svg +=
       text_at(kMapLeft, 12, "waves around the circle, by order") + text_at(second, 12, "arcs of the circle, from deg");
   for (int k = 0; k < diagnose::kWaves; ++k) {
@@ -87,7 +87,7 @@ std::string circle_map(const Diagnosis& d) {
     svg += text_at(second + a * kMapCell + kMapCell / 2.0, 30, std::to_string(a * kArcDeg), "middle");
   }
   int y = 36;
-  for (const diagnose::ChannelWhere& channel : d.where.channels) {
+  for (const diagnose::ChannelResiduals& channel : d.gap_map.channels) {
     const std::string name = short_name(channel.channel);
     svg += text_at(kMapLeft - 6, y + 13, name, "end");
     for (int k = 0; k < diagnose::kWaves; ++k) {
@@ -109,7 +109,7 @@ std::string contrast_table(const Diagnosis& d) {
   std::string html =
       "<table><tr><th>pairs of runs alike but for</th><th>pairs</th><th>bar: alike in both</th><th>torque</th><th>bar: "
       "differs</th><th>torque</th><th>bar: correlation</th><th>torque</th></tr>";
-  for (const diagnose::Contrast& c : d.where.contrasts) {
+  for (const diagnose::Contrast& c : d.gap_map.contrasts) {
     html += fmt::format("<tr><td>{}</td><td>{}</td>{}{}<td>{:.2f}</td><td>{:.2f}</td></tr>", to_text(c.by), c.pairs,
                         two_cells(d, c.common), two_cells(d, c.differs), c.radial.correlation, c.torque.correlation);
   }
@@ -118,7 +118,7 @@ std::string contrast_table(const Diagnosis& d) {
 
 std::string group_table(const Diagnosis& d) {
   std::string html = "<table><tr><th>runs</th><th>how many</th><th>bar</th><th>torque</th></tr>";
-  for (const diagnose::RunGroup& group : d.where.groups) {
+  for (const diagnose::RunGroup& group : d.gap_map.groups) {
     html += fmt::format("<tr><td>{}</td><td>{}</td>{}</tr>", group_name(group), group.runs, two_cells(d, group.rms));
   }
   return html + "</table>";
@@ -126,13 +126,13 @@ std::string group_table(const Diagnosis& d) {
 
 std::string reversal_bars(const Diagnosis& d) {
   constexpr double kHalf = 110;  // px
-  const double length = longest(d.where.reversals, true);
-  const double torque = longest(d.where.reversals, false);
-  std::string svg = opened(620, 40 + kMapRow * static_cast<int>(d.where.reversals.size()));
+  const double length = longest(d.gap_map.reversals, true);
+  const double torque = longest(d.gap_map.reversals, false);
+  std::string svg = opened(620, 40 + kMapRow * static_cast<int>(d.gap_map.reversals.size()));
   svg += text_at(kMapLeft, 12, fmt::format("as a length; the widest reaches {:.2f} um", length / kUm));
   svg += text_at(kMapLeft + 290, 12, fmt::format("as a torque; the widest reaches {:.3f} N m", torque));
   double y = 26;
-  for (const diagnose::Reversal& r : d.where.reversals) {
+  for (const diagnose::Reversal& r : d.gap_map.reversals) {
     svg += text_at(kMapLeft - 6, y + 10, fmt::format("strut {}", r.strut + 1), "end");
     if (r.length_error > 0) svg += signed_bar(kMapLeft + kHalf, y, r.length, r.length_error, kHalf / length);
     if (r.torque_error > 0) svg += signed_bar(kMapLeft + 290 + kHalf, y, r.torque, r.torque_error, kHalf / torque);

@@ -24,7 +24,7 @@ Description description_of(const physics::ForceModel& hiding, std::uint64_t seed
   noise.channels[identify::kRadial].sigma = 0.5e-6;
   const Eigen::VectorXd start = candidates.unknowns.start();
   const LinearProblem problem = linearise(machine.rotation, runs, candidates, start, noise);
-  return describe(bench, forces, problem, taken_by(candidates, {}, start), noise);
+  return describe(bench, forces, problem, marginalised_by(candidates, {}, start), noise);
 }
 
 TEST_CASE("a product that acts on one strut is described as that product, with its size") {

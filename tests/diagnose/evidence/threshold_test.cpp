@@ -36,12 +36,12 @@ ThresholdOptions certain_noise() {
 double of_deviation(double z) { return 0.5 * (z * z - 1 - std::log(z * z)); }
 
 TEST_CASE("the threshold of one number is the quantile of a normal deviate") {
-  const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(2, 2) * 49;
+  const Eigen::MatrixXd reduced = Eigen::MatrixXd::Identity(2, 2) * 49;
   // |z| > 2.968 in 0.3 % of draws
-  CHECK(threshold(left, shelf_of(1), {}, certain_noise()).log_odds == Approx(of_deviation(2.968)).margin(0.25));
+  CHECK(threshold(reduced, shelf_of(1), {}, certain_noise()).log_odds == Approx(of_deviation(2.968)).margin(0.25));
   ThresholdOptions often = certain_noise();
   often.false_alarms = 0.05;
-  CHECK(threshold(left, shelf_of(1), {}, often).log_odds == Approx(of_deviation(1.96)).margin(0.12));
+  CHECK(threshold(reduced, shelf_of(1), {}, often).log_odds == Approx(of_deviation(1.96)).margin(0.12));
 }
 
 TEST_CASE("the more effects there are, the more the best of them reaches by chance") {
@@ -56,21 +56,21 @@ TEST_CASE("the more effects there are, the more the best of them reaches by chan
 }
 
 TEST_CASE("noise that is less well known asks for more") {
-  const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(2, 2);
+  const Eigen::MatrixXd reduced = Eigen::MatrixXd::Identity(2, 2);
   ThresholdOptions unsure = certain_noise();
   unsure.noise_uncertainty = 0.3;
-  CHECK(threshold(left, shelf_of(1), {}, unsure).log_odds >
-        threshold(left, shelf_of(1), {}, certain_noise()).log_odds + 0.5);
+  CHECK(threshold(reduced, shelf_of(1), {}, unsure).log_odds >
+        threshold(reduced, shelf_of(1), {}, certain_noise()).log_odds + 0.5);
 }
 
 TEST_CASE("a threshold is the same for the same seed") {
   ThresholdOptions options = certain_noise();
   options.draws = 2000;
-  const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(4, 4);
-  const double one = threshold(left, shelf_of(3), {}, options).log_odds;
-  CHECK(threshold(left, shelf_of(3), {}, options).log_odds == one);
+  const Eigen::MatrixXd reduced = Eigen::MatrixXd::Identity(4, 4);
+  const double one = threshold(reduced, shelf_of(3), {}, options).log_odds;
+  CHECK(threshold(reduced, shelf_of(3), {}, options).log_odds == one);
   options.seed = 2;
-  CHECK(threshold(left, shelf_of(3), {}, options).log_odds != one);
+  CHECK(threshold(reduced, shelf_of(3), {}, options).log_odds != one);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ std::vector<Visible> visible_in(const std::vector<measure::Run>& runs, double th
   const CandidateSet candidates = make_candidate_set(machine, physics::ForceModel(machine));
   const LinearProblem problem =
       linearise(machine.rotation, runs, candidates, candidates.unknowns.start(), testing::usual_noise());
-  return visible_effects(left_of(problem, taken_by(candidates, {}, problem.values)), candidates, threshold);
+  return visible_effects(reduced_gram(problem, marginalised_by(candidates, {}, problem.values)), candidates, threshold);
 }
 
 Visible of(const std::vector<Visible>& all, const std::string& name) {

@@ -37,7 +37,7 @@ RunEquations residual_of(const Run& run, const std::function<double(double)>& ra
 
 GapMap where(const std::vector<Run>& runs, const std::vector<RunEquations>& residuals) {
   const machine::MachineModel machine = testing::pm600_like();
-  return where_of(machine.rotation, runs, physics::ForceModel(machine), residuals, testing::usual_noise());
+  return gap_map_of(machine.rotation, runs, physics::ForceModel(machine), residuals, testing::usual_noise());
 }
 
 const Contrast& by(const GapMap& where, Difference what) {
@@ -97,7 +97,7 @@ TEST_CASE("waves and arcs show where on the circle the gap is") {
   };
   const GapMap found = where(runs, {residual_of(runs[0], wave, arc)});
   REQUIRE(found.channels.size() == 7);
-  const ChannelWhere& radial = found.channels[0];
+  const ChannelResiduals& radial = found.channels[0];
   CHECK(radial.rms == Approx(3 * kBar / std::sqrt(2)));
   CHECK(radial.waves[3] == Approx(3 * kBar / std::sqrt(2)));
   CHECK(radial.waves[2] < 1e-9);

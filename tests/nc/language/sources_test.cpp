@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "base/files.hpp"
-#include "base/toml.hpp"
+#include "base/files/files.hpp"
+#include "base/text/toml.hpp"
 
 using namespace plumbline;
 

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/files.hpp"
+#include "base/files/files.hpp"
 #include "support/scratch.hpp"
 
 using namespace plumbline;

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "nc/control/execution.hpp"
 #include "nc/language/codes.hpp"
 

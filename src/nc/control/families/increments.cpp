@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "nc/control/execution.hpp"
 #include "nc/control/expression.hpp"
 #include "nc/control/kept.hpp"

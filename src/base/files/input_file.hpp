@@ -1,0 +1,70 @@
+// Input that can be sought in, and that is noticed to change.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/files/descriptor.hpp"
+
+namespace plumbline {
+
+/// The name by which standard input and output are asked for on the command line.
+inline constexpr std::string_view kStandardStream = "-";
+
+/// A file open for reading at any offset. Standard input ("-"), a pipe or a device is copied to an unnamed temporary
+/// file first.
+/// Refuses with file-missing, file-is-folder or file-unreadable.
+class InputFile {
+ public:
+  explicit InputFile(const std::string& path);
+  virtual ~InputFile() = default;
+  InputFile(InputFile&&) = default;
+  InputFile& operator=(InputFile&&) = default;
+
+  /// As the user wrote it; "<stdin>" for standard input.
+  const std::string& name() const { return name_; }
+  std::uint64_t size() const { return size_; }
+  /// Reads up to `count` bytes at `offset`; returns how many there were.
+  virtual std::size_t read(std::uint64_t offset, char* into, std::size_t count) const;
+  /// True if `path` names this very file, links followed.
+  bool is_same_as(const std::string& path) const;
+  /// To be called when all was read that is used. Refuses with file-changed if it was written to, cut or replaced since
+  /// it was opened: what was read may then be part of both.
+  virtual void check_unchanged() const;
+
+ protected:
+  struct Unopened {
+    std::string name;
+  };
+  /// For who gives bytes of its own.
+  explicit InputFile(Unopened file) : name_(std::move(file.name)) {}
+
+ private:
+  // What tells that a file was written to.
+  struct State {
+    std::uint64_t device = 0;
+    std::uint64_t number = 0;
+    std::uint64_t size = 0;
+    std::int64_t changed_s = 0;
+    std::int64_t changed_ns = 0;
+    bool operator==(const State&) const = default;
+  };
+  State state_of(int descriptor) const;
+  void open(const std::string& path);
+  void spool(int from);
+  [[noreturn]] void refuse_changed() const;
+
+  std::string name_;
+  Descriptor descriptor_;
+  std::uint64_t size_ = 0;
+  State state_;
+  bool is_spooled_ = false;
+};
+
+/// The whole of a small file (models, tables). Refuses as InputFile does, and with file-too-large beyond a gigabyte.
+std::string read_text(const std::string& path);
+
+}  // namespace plumbline

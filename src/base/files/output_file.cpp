@@ -1,0 +1,121 @@
+#include "base/files/output_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "base/check.hpp"
+#include "base/diagnostic.hpp"
+#include "base/files/output_set.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr std::size_t kBufferedOutput = std::size_t{1} << 18U;
+constexpr unsigned kUsualMode = 0666;  // what the umask lets through of it
+
+}  // namespace
+
+OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(output_target(path_)) {
+  if (target_.kind != OutputTarget::Kind::file) {
+    descriptor_ = open_unnamed_temporary();
+    return;
+  }
+  sweep_temporary_files(target_.folder());
+  const unsigned mode = target_.replaced ? target_.replaced->mode & kUsualMode : kUsualMode;
+  std::optional<TemporaryFile> made = make_temporary_file(target_.folder(), mode);
+  if (!made) refuse_write(errno);
+  temporary_ = std::move(made->name);
+  descriptor_ = std::move(made->descriptor);
+}
+
+void OutputFile::refuse_write(int error, std::string_view also) const {
+  Place place;
+  place.file = path_;
+  refuse("file-unwritable", fmt::format("cannot be written: {}{}", std::strerror(error), also),
+         fmt::format("check that {} exists, may be written to and has room",
+                     target_.kind == OutputTarget::Kind::file ? target_.folder() : path_),
+         place);
+}
+
+void OutputFile::write(std::string_view bytes) {
+  buffer_ += bytes;
+  size_ += bytes.size();
+  if (hash_) hash_ = fnv1a(bytes, *hash_);
+  if (buffer_.size() >= kBufferedOutput) flush();
+}
+
+void OutputFile::flush() {
+  if (!write_all(descriptor_.number(), buffer_.data(), buffer_.size())) refuse_write(errno);
+  buffer_.clear();
+}
+
+void OutputFile::copy_to(OutputFile& other) {
+  flush();
+  std::vector<char> chunk(kBufferedOutput);
+  for (std::uint64_t at = 0;;) {
+    const std::size_t got = read(at, chunk.data(), chunk.size());
+    if (got == 0) return;
+    other.write({chunk.data(), got});
+    at += got;
+  }
+}
+
+std::size_t OutputFile::read(std::uint64_t offset, char* into, std::size_t count) const {
+  std::size_t got = 0;
+  while (got < count) {
+    const ssize_t n = pread(descriptor_.number(), into + got, count - got, static_cast<off_t>(offset + got));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) refuse_write(errno);
+    if (n == 0) break;
+    got += static_cast<std::size_t>(n);
+  }
+  return got;
+}
+
+void OutputFile::restart() {
+  buffer_.clear();
+  size_ = 0;
+  if (hash_) hash_ = fnv1a({});
+  if (ftruncate(descriptor_.number(), 0) != 0 || lseek(descriptor_.number(), 0, SEEK_SET) < 0) refuse_write(errno);
+}
+
+void OutputFile::commit() {
+  OutputSet alone;
+  alone.add(*this);
+  alone.commit();
+}
+
+// All of it lasts, still under its passing name.
+void OutputFile::finish() {
+  PLUMBLINE_CHECK(descriptor_.is_open());
+  flush();
+  if (!temporary_) return;
+  if (target_.replaced) adopt(descriptor_.number(), *target_.replaced);
+  if (fsync(descriptor_.number()) != 0) refuse_write(errno);
+}
+
+// What was spooled goes to an open file, or into the device or pipe that the path names.
+void OutputFile::send() {
+  Descriptor named;
+  if (target_.kind == OutputTarget::Kind::device) {
+    named = Descriptor(::open(target_.path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+    if (!named.is_open()) refuse_write(errno);
+  }
+  const int stream = named.is_open() ? named.number() : target_.descriptor;
+  const bool copied = lseek(descriptor_.number(), 0, SEEK_SET) == 0 && copy_all(descriptor_.number(), stream);
+  if (!copied || !named.close()) refuse_write(errno);
+  descriptor_.close();
+}
+
+void write_text(const std::string& path, std::string_view text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace plumbline

@@ -1,0 +1,43 @@
+#include "identify/prior_strain.hpp"
+
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
+namespace plumbline::identify {
+namespace {
+
+constexpr double kLeastTold = 0.03;  // of a direction's prior variance: below that the data say nothing of it
+
+}  // namespace
+
+double PriorStrain::deviate() const {
+  if (!(degrees > 0)) return 0;
+  const double spread = 2 / (9 * degrees);
+  return (std::cbrt(chi2 / degrees) - (1 - spread)) / std::sqrt(spread);
+}
+
+double PriorStrain::excess() const { return degrees > 0 ? (chi2 - degrees) / std::sqrt(2 * degrees) : 0; }
+
+PriorStrain prior_strain(const Eigen::VectorXd& off) { return {off.squaredNorm(), static_cast<double>(off.size())}; }
+
+PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& left) {
+  PriorStrain strain;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(left);
+  for (Eigen::Index k = 0; k < off.size(); ++k) {
+    const double told = 1 - axes.eigenvalues()[k];
+    if (told < kLeastTold) continue;
+    const double along = axes.eigenvectors().col(k).dot(off);
+    strain.chi2 += along * along / told;
+    ++strain.degrees;
+  }
+  return strain;
+}
+
+std::string strain_text(const Unknown& unknown, double sigmas, int decimals) {
+  return fmt::format("{} is {:.4g} {} off, {:.{}f} times what [uncertainty] says of it", unknown.label,
+                     sigmas * unknown.sigma / unknown.unit.si, unknown.unit.name, std::abs(sigmas), decimals);
+}
+
+}  // namespace plumbline::identify

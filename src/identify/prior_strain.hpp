@@ -1,0 +1,32 @@
+// How far a fit moves what was known beforehand, all of it together: chi-square of the priors.
+#pragma once
+
+#include <string>
+
+#include "identify/unknowns/unknowns.hpp"
+
+namespace plumbline::identify {
+
+struct PriorStrain {
+  double chi2 = 0;     // sum of squares, in sigmas of the priors
+  double degrees = 0;  // of freedom
+
+  /// chi2 as the normal deviate that is as rare  [Wilson and Hilferty 1931]; 0 where nothing was told.
+  double deviate() const;
+  /// How far chi2 is above its mean, in its standard deviations: of many degrees about the same.
+  double excess() const;
+};
+
+/// `off`: how far each unknown was moved, in sigmas of its prior; each counts as one degree.
+PriorStrain prior_strain(const Eigen::VectorXd& off);
+
+/// The same by what the data tell. `left` is what they leave of the priors' covariance, in sigmas of these: before the
+/// data an unknown is normal with the prior's covariance P, after them with C about the value found. So what is found
+/// is itself normal about the start, with P - C: the data cannot move what they do not tell. Along the common axes of
+/// both it has the variance 1 - c, and the sum of squares over that is chi-square.
+PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& left);
+
+/// "level tilt_mrad x is 1.2 mrad off, 8.0 times what [uncertainty] says of it"
+std::string strain_text(const Unknown& unknown, double sigmas, int decimals);
+
+}  // namespace plumbline::identify

@@ -1,0 +1,32 @@
+#include "identify/prior_strain.hpp"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+namespace plumbline::identify {
+
+TEST_CASE("chi-square of the priors counts what the data tell alone") {
+  const Eigen::Vector3d off(2, 0, -1);
+  CHECK(prior_strain(off).chi2 == Approx(5));
+  CHECK(prior_strain(off).degrees == 3);
+  // told: the first in full, the second by half, the third not at all
+  Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
+  left.diagonal() << 0, 0.5, 1;
+  CHECK(prior_strain(off, left).chi2 == Approx(4));
+  CHECK(prior_strain(off, left).degrees == 2);
+  CHECK(prior_strain(Eigen::Vector3d(0, 1, 0), left).chi2 == Approx(2));
+  CHECK(prior_strain(Eigen::VectorXd(0)).excess() == 0);
+  CHECK(PriorStrain{}.deviate() == 0);
+}
+
+TEST_CASE("chi-square as a deviate and in its standard deviations agree where degrees are many") {
+  // tables of chi-square: 99.9 % of 10 degrees lie below 29.59, of 100 below 149.45
+  CHECK(PriorStrain{29.59, 10}.deviate() == Approx(3.09).margin(0.02));
+  CHECK(PriorStrain{149.45, 100}.deviate() == Approx(3.09).margin(0.01));
+  const PriorStrain many{1e4 + 3 * std::sqrt(2e4), 1e4};
+  CHECK(many.excess() == Approx(3));
+  CHECK(many.deviate() == Approx(3).margin(0.05));
+}
+
+}  // namespace plumbline::identify
