@@ -9,6 +9,7 @@
 #include "compensate/move_reader.hpp"
 #include "jobs/compensate/compensate_file.hpp"
 #include "jobs/open_program.hpp"
+#include "jobs/survey_program.hpp"
 #include "machine/model_file.hpp"
 
 namespace plumbline::jobs {
@@ -84,10 +85,11 @@ CheckSummary check_file(const std::string& program, const settings::Options& opt
   compensate::Settings compensation = options.compensation;
   compensation.step.least_time_s = model.control.block_time;
 
+  const compensate::ProgramSurvey survey = survey_program(opened);
   Checker checker(dialect, model, compensation);
   compensate::MoveReader reader(
       source, dialect, settings,
-      {nc::named_axes(source, dialect), compensation.step, model.reference_tool_mass, checker.touch_off_error()});
+      {survey.named, compensation.step, model.reference_tool_mass, checker.touch_off_error()});
   while (const compensate::Move* const move = reader.next_move(progress)) {
     if (const auto tool = reader.new_tool()) checker.set_tool(*tool);
     checker.look_at(*move);
@@ -95,7 +97,7 @@ CheckSummary check_file(const std::string& program, const settings::Options& opt
   CheckSummary summary = checker.take();
   summary.blocks = reader.blocks();
   summary.passed_moves = reader.passed_moves();
-  if (summary.violations == 0) summary.refusal = refusal_of_writing(opened, model, options);
+  if (summary.violations == 0) summary.refusal = refusal_of_writing(opened, survey, model, options);
   // Its output may be looked at, too.
   if (summary.refusal && summary.refusal->code == "compensate-stamped") summary.refusal.reset();
   return summary;

@@ -1,3 +1,4 @@
+// target.cpp is tested here as well: what a target means shows in its correction.
 #include "compensate/corrector.hpp"
 
 #include <cmath>

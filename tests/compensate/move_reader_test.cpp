@@ -1,3 +1,4 @@
+// move.cpp is tested here as well, since the reader alone makes moves.
 #include "compensate/move_reader.hpp"
 
 #include <vector>

@@ -1,3 +1,5 @@
+// Whole programs, so that pipeline.cpp and stamp_mark.cpp are tested here as well: what they do shows in an output
+// alone.
 #include "compensate/stream.hpp"
 
 #include <algorithm>

@@ -72,9 +72,8 @@ compensate::Summary compensate_file(const std::string& program, const std::strin
   return summary;
 }
 
-std::optional<Diagnostic> refusal_of_writing(const OpenedProgram& opened, const machine::MachineModel& model,
-                                             const settings::Options& options) {
-  const compensate::ProgramSurvey survey = survey_program(opened);
+std::optional<Diagnostic> refusal_of_writing(const OpenedProgram& opened, const compensate::ProgramSurvey& survey,
+                                             const machine::MachineModel& model, const settings::Options& options) {
   compensate::Settings compensation = compensation_settings(model.control, options);
   compensation.read_back = false;
   OutputFile nowhere("/dev/null");

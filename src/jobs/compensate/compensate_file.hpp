@@ -7,6 +7,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/progress.hpp"
+#include "compensate/program_survey.hpp"
 #include "compensate/summary.hpp"
 #include "jobs/open_program.hpp"
 #include "machine/model.hpp"
@@ -27,7 +28,7 @@ compensate::Summary compensate_file(const std::string& program, const std::strin
                                     const SummaryFile& summary_file = {});
 
 /// What compensate_file would refuse, if anything; nothing is written. Its guard and its read-back are left out.
-std::optional<Diagnostic> refusal_of_writing(const OpenedProgram& opened, const machine::MachineModel& model,
-                                             const settings::Options& options);
+std::optional<Diagnostic> refusal_of_writing(const OpenedProgram& opened, const compensate::ProgramSurvey& survey,
+                                             const machine::MachineModel& model, const settings::Options& options);
 
 }  // namespace plumbline::jobs

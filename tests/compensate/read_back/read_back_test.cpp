@@ -1,4 +1,6 @@
 // What is read back: an output as it was written is what was meant, and every kind of fault in it is found.
+// block_effects.cpp, effect_check.cpp, intention.cpp, move_check.cpp, output_check.cpp and time_check.cpp are tested
+// here as well: each fault goes through all of them, and it counts that one of them finds it.
 #include "compensate/read_back/read_back.hpp"
 
 #include <filesystem>
