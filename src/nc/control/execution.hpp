@@ -87,7 +87,15 @@ void check_extended(const Execution& run, const CodeRow& row, const Word& word);
 /// Gives words without a decimal point the value that they have where the control counts its increments.
 void count_increments(const Execution& run, Block& block);
 
+/// Does what the code says, in its turn: actions.cpp
+void act(Execution& run, const Chosen& chosen);
+
 // What codes do, one file a family.
+void set_motion_mode(Execution& run, const CodeRow& row);  // motion_modes.cpp
+/// G80.
+void end_motion(Execution& run);
+/// The move that the motion of the block makes.
+void make_motion(Execution& run);
 bool move_as_it_stands(Execution& run);  // machine_ways.cpp; false: an ordinary move
 void set_tool_tip(Execution& run, const Chosen& chosen);
 void set_return_level(Execution& run, const Word& code);  // cycle_levels.cpp

@@ -1,11 +1,12 @@
 // Executes blocks one after the other, as the control would.
 #pragma once
 
+#include <vector>
+
+#include "nc/control/block_values.hpp"
 #include "nc/control/control.hpp"
 #include "nc/control/execution.hpp"
-#include "nc/control/expression.hpp"
 #include "nc/control/saved_modes.hpp"
-#include "nc/control/system_parameters.hpp"
 
 namespace plumbline::nc {
 
@@ -22,7 +23,7 @@ class Interpreter {
   /// True if block delete leaves the block out; refuses when nobody said.
   bool deleted(const Block& block);
   /// The value of an expression of the block; refuses one that only the machine knows.
-  double value_of(const Block& block, std::uint32_t code, Span span);
+  double value_of(const Block& block, std::uint32_t code, Span span) { return values_.value_of(block, code, span); }
   /// A subprogram of O words begins. Its own numbers are the arguments and zeros.
   void enter_o_word(LocalNumbers numbers, const std::vector<double>& arguments);
   /// A subprogram of a control with statements begins. Its variables 1 to `variables`, which begin without a value, and
@@ -33,11 +34,13 @@ class Interpreter {
   /// G65: gives the subprogram just entered its arguments.
   void set_macro_arguments();
   /// The settings of a block that steers.
-  void assign(const Block& block);
-  Value value(const Block& block, std::uint32_t code);
+  void assign(const Block& block) { values_.assign(block); }
+  Value value(const Block& block, std::uint32_t code) { return values_.value(block, code); }
   /// The variable that a setting of the block sets.
-  Value variable(const Block& block, std::size_t setting);
-  void set_variable(const Block& block, std::size_t setting, Value value);
+  Value variable(const Block& block, std::size_t setting) { return values_.variable(block, setting); }
+  void set_variable(const Block& block, std::size_t setting, Value value) {
+    values_.set_variable(block, setting, value);
+  }
   /// It ends; M73 brings modes back.
   void leave_subprogram(const Block& block);
   /// The step just made, to be added to.
@@ -51,36 +54,14 @@ class Interpreter {
  private:
   void begin(const Block& block);
   void finish();
-  void evaluate(Block& block);
-  void leave_out_vacant_words(Block& block);
-  int setting_number(const Block& block, const Setting& setting);
-  void number_settings(const Block& block);
-  void evaluate_settings(const Block& block);
-  Value value_before(const Block& block, std::uint32_t code, std::size_t settings);
-  void apply_settings(const Block& block);
-  bool passes_variables(const Block& block);
-  void check_variable(const Block& block, const Setting& place);
-  void set_parameter(const Block& block, const Setting& place, int number, Value value);
-  void act(const Chosen& chosen);
-  void act_on_position(const Chosen& chosen);
-  void act_on_mode(const Chosen& chosen);
-  void end_motion();
-  void change_unit(bool inches);
-  void set_motion_mode(const CodeRow& row);
-  void move();
-  void check_ends_cycle(Action action) const;
-  bool moves_specially(Action action);
-  void act_on_saved_modes(const Chosen& chosen);
+  bool act_on_saved_modes(const Chosen& chosen);
 
   Control control_;
   Modal before_;
-  Frame frame_of_block_;  // where the work system is that of one block alone
-  SystemParameters system_parameters_;
-  Evaluator evaluator_;
+  Frame frame_of_block_;                         // where the work system is that of one block alone
   std::vector<SavedModes> saved_{SavedModes{}};  // one a call level, the program itself first
-  std::vector<Value> setting_values_;
-  std::vector<int> setting_numbers_;
   Execution run_;
+  BlockValues values_;
 };
 
 }  // namespace plumbline::nc

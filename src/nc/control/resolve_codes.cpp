@@ -80,20 +80,20 @@ const CodeRow* m_row(const Execution& run, const Word& word) {
 
 void choose(Execution& run, const CodeRow* row, const Word& word) { run.chosen.push_back({row, &word}); }
 
-bool is_code(char letter) { return letter == 'G' || letter == 'M' || letter == kNamedCode; }
+bool is_of_group(const Chosen& code) {
+  return code.word->letter == 'G' && code.row->group != 0 && code.row->action != Action::motion_off;
+}
 
 // Where the control takes the last one of a group, those before it are as if not written.
 void keep_last_of_groups(Execution& run) {
-  for (std::size_t i = 0; i < run.chosen.size(); ++i) {
-    const Chosen& code = run.chosen[i];
-    if (code.word->letter != 'G' || code.row->group == 0 || code.row->action == Action::motion_off) continue;
-    const bool last = std::none_of(run.chosen.begin() + static_cast<std::ptrdiff_t>(i) + 1, run.chosen.end(),
-                                   [&](const Chosen& later) {
-                                     return later.word->letter == 'G' && later.row->group == code.row->group &&
-                                            later.row->action != Action::motion_off;
-                                   });
-    if (!last) run.chosen.erase(run.chosen.begin() + static_cast<std::ptrdiff_t>(i--));
+  std::vector<Chosen>& chosen = run.chosen;
+  std::size_t kept = 0;
+  for (auto code = chosen.begin(); code != chosen.end(); ++code) {
+    const auto replaces = [&](const Chosen& next) { return is_of_group(next) && next.row->group == code->row->group; };
+    if (is_of_group(*code) && std::any_of(code + 1, chosen.end(), replaces)) continue;
+    chosen[kept++] = *code;
   }
+  chosen.resize(kept);
 }
 
 // Two codes of one modal group cannot both act.
@@ -105,7 +105,7 @@ void check_groups(Execution& run) {
   std::uint64_t seen_g = 0;
   std::uint64_t seen_m = 0;
   for (const Chosen& chosen : run.chosen) {
-    if (!is_code(chosen.word->letter)) continue;
+    if (!is_code(*chosen.word)) continue;
     if (chosen.row->group < 0 || chosen.row->action == Action::motion_off)
       continue;  // gives way to another motion [LinuxCNC, measured]
     const int group = chosen.row == &run.dialect.user_row ? kUserGroup : chosen.row->group;
@@ -358,7 +358,7 @@ void check_words_used(const Execution& run) {
   const std::uint32_t left = run.words.letters() & ~taken;
   if (left == 0) return;
   for (const Word& word : run.block->words) {
-    if (is_code(word.letter) || (letter_bit(word.letter) & left) == 0) continue;
+    if (is_code(word) || (letter_bit(word.letter) & left) == 0) continue;
     if (is_exponent(run, word)) {
       run.refuse(word, codes::kWordUnused, "numbers have no exponent: the control reads E as a word of its own",
                  "write the number out, X0.0000001 or X0, and have the post-processor write fixed decimals");

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "base/text/number_text.hpp"
-#include "nc/control/interpreter.hpp"
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {
@@ -110,52 +109,6 @@ void restore_modes(Execution& run, const SavedModes& saved, const Block& block) 
   if (saved.tool_length != (control.frame.tool != AxisWords{})) restore_tool_length(run, saved.tool_length);
   if (modal.work_system != saved.modal.work_system) choose_work_system(run, saved.modal.work_system);
   restore_shift(run, saved);
-}
-
-void Interpreter::enter_o_word(LocalNumbers numbers, const std::vector<double>& arguments) {
-  control_.parameters.enter(numbers);
-  for (std::size_t i = 0; i < arguments.size(); ++i)
-    control_.parameters.set(static_cast<int>(i) + 1, {arguments[i], true});
-  control_.parameters.set("_value", {});
-  control_.parameters.set("_value_returned", {});
-  saved_.emplace_back();
-}
-
-void Interpreter::enter_with_own(int variables) {
-  control_.parameters.enter_with_own(variables);
-  saved_.emplace_back();
-}
-
-void Interpreter::enter_sharing() {
-  control_.parameters.enter_sharing();
-  saved_.emplace_back();
-}
-
-void Interpreter::set_macro_arguments() {
-  for (const auto& [number, value] : run_.arguments) control_.parameters.set(number, value);
-}
-
-void Interpreter::leave_subprogram(const Block& block) {
-  control_.parameters.leave();
-  const SavedModes modes = saved_.back();
-  saved_.pop_back();
-  if (modes.valid && modes.of_call) restore_modes(run_, modes, block);
-}
-
-void Interpreter::act_on_saved_modes(const Chosen& chosen) {
-  run_.step.saves_modes = true;
-  switch (chosen.row->action) {
-    case Action::forget_modes:
-      saved_.back().valid = false;
-      return;
-    case Action::restore_modes:
-      if (!saved_.back().valid) {
-        run_.refuse(*chosen.word, codes::kModesNotSaved, "no modes were saved here", "save them with M70 before");
-      }
-      return restore_modes(run_, saved_.back(), *run_.block);
-    default:
-      saved_.back() = save_modes(control_, chosen.row->action == Action::save_modes_of_call);
-  }
 }
 
 }  // namespace plumbline::nc

@@ -1,4 +1,6 @@
-// What is known, what is lost, what needs to be given: the part of the interpreter that no other control can vouch for.
+// Also actions.cpp, motion_modes.cpp and saved_modes.cpp, which it calls: the programs beside this test run through
+// them. What is known, what is lost, what needs to be given: the part of the interpreter that no other control can
+// vouch for.
 #include "nc/control/interpreter.hpp"
 
 #include <functional>

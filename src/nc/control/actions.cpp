@@ -1,0 +1,221 @@
+// Which code does what.
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "nc/control/execution.hpp"
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+// Modes that are one value each; false: the action is none of these.
+bool set_mode(Modal& modal, Action action) {
+  switch (action) {
+    case Action::plane_xy:
+      modal.plane = Plane::xy;
+      return true;
+    case Action::plane_zx:
+      modal.plane = Plane::zx;
+      return true;
+    case Action::plane_yz:
+      modal.plane = Plane::yz;
+      return true;
+    case Action::absolute:
+    case Action::incremental:
+      modal.incremental = action == Action::incremental;
+      return true;
+    case Action::arc_centre_absolute:
+    case Action::arc_centre_incremental:
+      modal.arc_centre_absolute = action == Action::arc_centre_absolute;
+      return true;
+    case Action::exact_path:
+      modal.path_control = PathControl::exact_path;
+      return true;
+    case Action::exact_stop:
+      modal.path_control = PathControl::exact_stop;
+      return true;
+    case Action::retract_to_start:
+    case Action::retract_to_r:
+      modal.retract_to_r = action == Action::retract_to_r;
+      return true;
+    default:
+      return false;
+  }
+}
+
+// G0 G80 G91 G28 Z0: the mode is G0, whichever stands first.
+bool sets_motion(const Execution& run) {
+  return std::any_of(run.chosen.begin(), run.chosen.end(), [](const Chosen& code) {
+    return code.row->group == kMotionGroup && code.row->action != Action::motion_off && code.word->letter != 'M';
+  });
+}
+
+// The feed stays what it is in mm/min; F of a rotary move stays what was written [LinuxCNC, measured].
+void change_unit(Execution& run, bool inches) {
+  if (run.control.modal.inches == inches) return;
+  run.control.modal.inches = inches;
+  run.control.modal.feed = run.control.feed_linear / run.control.length_unit();
+  if (!run.dialect.behaviour.unit_change_drops_feed) return;
+  // What F is worth then stands in no source.
+  run.control.modal.feed = run.control.feed_linear = run.control.modal.feed_rotary = 0;
+}
+
+void act_on_mode(Execution& run, const Chosen& chosen) {
+  Modal& modal = run.control.modal;
+  if (set_mode(modal, chosen.row->action)) return;
+  // Of another code of the block it would be something else: P is TURN= beside G64 of the 840D.
+  const auto own = [&](char letter) -> std::optional<double> {
+    if (chosen.row->words.find(letter) == std::string::npos || !run.words.has(letter)) return std::nullopt;
+    return run.words.find(letter)->value;
+  };
+  switch (chosen.row->action) {
+    case Action::motion_off:
+      if (run.dialect.behaviour.cycle_off_stops_spindle) modal.switches.spindle = kSpindleStands;
+      if (run.motion == nullptr && !sets_motion(run)) end_motion(run);
+      return;
+    case Action::surface_speed:
+      run.control.surface_speed = chosen.row->value == 1;
+      return;
+    case Action::inches:
+      return change_unit(run, true);
+    case Action::millimetres:
+      return change_unit(run, false);
+    case Action::inverse_time:
+      return set_feed_mode(run, FeedMode::inverse_time);
+    case Action::per_minute:
+      return set_feed_mode(run, FeedMode::per_minute);
+    case Action::per_revolution:
+      return set_feed_mode(run, FeedMode::per_revolution);
+    case Action::continuous:
+      modal.path_control = PathControl::continuous;
+      modal.switches.path_tolerance = own('P').value_or(0);
+      modal.switches.naive_tolerance = own('Q').value_or(modal.switches.path_tolerance);
+      return;
+    case Action::work_system:
+      return choose_work_system(run, chosen.row->value);
+    default:
+      return;  // compensation_off, machine_coordinates, no_motion
+  }
+}
+
+// Work systems and frames, tilted planes among them; false: another code.
+bool act_on_frame(Execution& run, const Chosen& chosen) {
+  switch (chosen.row->action) {
+    case Action::set_work_table:
+      set_work_table(run);
+      return true;
+    case Action::work_system_by_word:
+    case Action::work_system_of_block:
+      nc::choose_work_system(run, chosen);
+      return true;
+    case Action::local_shift:
+    case Action::turn_on:
+    case Action::turn_off:
+    case Action::frame_new:
+    case Action::frame_added:
+      change_programmed_frame(run, chosen);
+      return true;
+    case Action::tilted_plane:
+      define_tilted_plane(run, chosen);
+      return true;
+    case Action::tool_on_plane:
+      turn_tool(run, chosen);
+      return true;
+    default:
+      return false;
+  }
+}
+
+// Offsets, homes, tools, and turns of the coordinates.
+void act_on_position(Execution& run, const Chosen& chosen) {
+  if (act_on_frame(run, chosen)) return;
+  switch (chosen.row->action) {
+    case Action::set_table:
+      return set_table(run);
+    case Action::set_position:
+      return set_position(run);
+    case Action::clear_position:
+    case Action::suspend_position:
+    case Action::restore_position:
+      return clear_position(run, chosen.row->action);
+    case Action::go_home:
+      return go_home(run, chosen.row->value);
+    case Action::store_home:
+      return store_home(run, chosen.row->value);
+    case Action::tool_length:
+    case Action::tool_length_by_words:
+    case Action::tool_length_added:
+    case Action::tool_length_off:
+      return set_tool_length(run, chosen);
+    case Action::no_next_tool:
+      run.control.selected_tool = 0;
+      return;
+    case Action::tool_tip_on:
+    case Action::tool_tip_off:
+      return set_tool_tip(run, chosen);
+    case Action::return_level:
+      return set_return_level(run, *chosen.word);
+    case Action::change_tool:
+    case Action::set_tool:
+      return change_tool(run, chosen);
+    case Action::feed_group:
+      return set_feed_group(run, chosen);
+    case Action::tool_edge:
+      return choose_edge(run, *chosen.word);
+    case Action::modal_call:
+      return set_modal_call(run);
+    case Action::called_cycle:
+      return call_cycle(run, *chosen.row);
+    case Action::swivel:
+      return swivel(run, chosen);
+    case Action::home_or_unit:
+      return home_or_unit(run, chosen);
+    case Action::lose_position:
+      run.step.role = BlockRole::machine_move;
+      return nc::lose_position(run, AxisSet::all());
+    default:
+      return chosen.word->letter == 'M' ? machine_code(run, chosen) : act_on_mode(run, chosen);
+  }
+}
+
+}  // namespace
+
+void act(Execution& run, const Chosen& chosen) {
+  switch (chosen.row->action) {
+    case Action::rapid:
+    case Action::feed:
+    case Action::arc_cw:
+    case Action::arc_ccw:
+    case Action::arc_through_point:
+    case Action::cycle:
+    case Action::cubic_spline:
+    case Action::quadratic_spline:
+    case Action::nurbs_point:
+    case Action::nurbs_end:
+    case Action::synchronised:
+    case Action::rigid_tap:
+    case Action::probe:
+      if (run.motion == nullptr) return set_motion_mode(run, *chosen.row);
+      return make_motion(run);
+    case Action::feed_word:
+      return set_feed(run, *chosen.word);
+    case Action::speed_word:
+      if (chosen.word->value < 0) {
+        run.refuse(*chosen.word, codes::kNegative, "the spindle speed is negative",
+                   "write S0 or more; M4 turns backwards");
+      }
+      run.control.spindle_speed = run.control.modal.switches.speed = chosen.word->value;
+      return;
+    case Action::tool_word:
+      return select_tool(run, *chosen.word);
+    case Action::dwell:
+      return dwell(run, *chosen.word);
+    case Action::call_macro:
+      return call_macro(run);
+    default:
+      return act_on_position(run, chosen);
+  }
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,233 @@
+#include "nc/control/block_values.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "base/text/characters.hpp"
+#include "nc/language/codes.hpp"
+#include "nc/language/refusal.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr int kNamed = -1;  // in place of the number of a named parameter
+
+bool may_be_unknown(char letter) { return letter == 'S'; }
+
+// Reads what nothing sets among the block's first settings: whether that gives the value before or behind stands in no
+// source but RS274/NGC's.
+class ParametersOfBlock final : public ParameterReader {
+ public:
+  ParametersOfBlock(SystemParameters& readings, Parameters& parameters, std::span<const int> set)
+      : system_parameters_(readings), parameters_(parameters), set_(set) {}
+  Value read(const Block& block, int number, Span span) override {
+    if (std::find(set_.begin(), set_.end(), number) != set_.end()) refuse_set(block, span);
+    return system_parameters_.read(block, number, span);
+  }
+  Value read(const Block& block, std::string_view name, Span span) override {
+    const std::string plain(parameters_.plain(name));
+    for (std::size_t i = 0; i < set_.size(); ++i) {
+      if (set_[i] != kNamed) continue;
+      if (parameters_.plain(block.at(block.names[block.settings[i].name])) == plain) refuse_set(block, span);
+    }
+    return system_parameters_.read(block, name, span);
+  }
+  Value exists(std::string_view name) override { return system_parameters_.exists(name); }
+  ParameterLimits limits() const override { return system_parameters_.limits(); }
+
+ private:
+  [[noreturn]] static void refuse_set(const Block& block, Span span) {
+    refuse_at(block, span, codes::kNotInterpreted,
+              fmt::format("{} is set and used in one block, and no source says which value that gives", block.at(span)),
+              "set it in a block of its own");
+  }
+  SystemParameters& system_parameters_;
+  Parameters& parameters_;
+  std::span<const int> set_;  // their numbers, kNamed of names
+};
+
+// A misread address would be a word left out: what is set must be a variable beyond doubt.
+void check_variable(const Execution& run, const Block& block, const Setting& place) {
+  const Syntax& syntax = run.dialect.syntax;
+  if (!syntax.declared && !syntax.settings_alone) return;
+  const std::string_view name = block.at(block.names[place.name]);
+  if (syntax.declared && block.flow.word != FlowWord::define && run.control.parameters.find(name) == nullptr) {
+    constexpr std::string_view kExtended = "MSTHD";
+    const bool extended = kExtended.find(upper(name.front())) != std::string_view::npos &&
+                          std::all_of(name.begin() + 1, name.end(), is_digit);
+    if (extended) {
+      refuse_at(block, place.span, codes::kNotInterpreted,
+                fmt::format("{}= speaks to a spindle or a tool holder of its own, which is not interpreted", name),
+                "of spindles the first is known: S1= and M1=, or S and M alone");
+    }
+    refuse_at(block, place.span, codes::kUnknownCode,
+              fmt::format("{} is neither declared nor a word of this control that is known here", name),
+              fmt::format("if it is a variable, declare it: DEF REAL {}", name));
+  }
+  const bool like_an_axis = std::all_of(name.begin() + 1, name.end(), is_digit);
+  if (!syntax.settings_alone || (block.words.empty() && !like_an_axis)) return;
+  refuse_at(block, place.span, codes::kUnknownCode,
+            fmt::format("{} is no word of this control that is known here", name),
+            "a variable needs a block of its own, and a name that begins with two letters");
+}
+
+bool belongs_to_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+
+}  // namespace
+
+BlockValues::BlockValues(Execution& run)
+    : run_(run),
+      system_parameters_(run.control, run.settings, run.dialect),
+      evaluator_(run.dialect.syntax.equal_within) {}
+
+double BlockValues::value_of(const Block& block, std::uint32_t code, Span span) {
+  const Value value = evaluator_.run(block, code, system_parameters_);
+  if (value.known) return value.number;
+  refuse_at(block, span, codes::kValueUnknown, "where the program goes on is known only when the machine runs",
+            "a program that depends on a probe or an input cannot be compensated beforehand");
+}
+
+void BlockValues::evaluate(Block& block) {
+  if (block.code.empty()) return;
+  number_settings(block);
+  bool vacant = false;
+  for (Word& word : block.words) {
+    if (word.expression == kLiteral) continue;
+    const Value value = value_before(block, word.expression, block.settings.size());
+    word.vacant = value.vacant;
+    vacant = vacant || value.vacant;
+    if (!value.known && !may_be_unknown(word.letter)) {
+      run_.refuse(word, codes::kValueUnknown, "this value is known only when the machine runs",
+                  "a program that depends on a probe or an input cannot be compensated beforehand");
+    }
+    word.value = value.number;
+    word.unknown = !value.known;
+  }
+  if (vacant) leave_out_vacant_words(block);
+  for (Argument& argument : block.arguments) {
+    if (argument.expression == kLiteral) continue;
+    argument.value = value_of(block, argument.expression, argument.span);
+  }
+  evaluate_settings(block);
+}
+
+// A word whose value is a vacant variable is as if not written [B-63174EN 13]; the control with EMPTY stops there.
+void BlockValues::leave_out_vacant_words(Block& block) {
+  for (const Word& word : block.words) {
+    if (!word.vacant || run_.dialect.syntax.drops_vacant_words) continue;
+    run_.refuse(word, codes::kParameterUnset, fmt::format("nobody gave {} a value", block.at(word.span)),
+                "set the variable before, or ask with EQ EMPTY");
+  }
+  for (const Word& word : block.words) {
+    if (word.vacant) block.left_out.push_back(word.span);
+  }
+  std::erase_if(block.words, [](const Word& word) { return word.vacant; });
+}
+
+int BlockValues::setting_number(const Block& block, const Setting& setting) {
+  int number = kNamed;
+  if (setting.target != kLiteral) {
+    number = parameter_number(block, setting.span, evaluator_.run(block, setting.target, system_parameters_),
+                              system_parameters_.limits());
+  }
+  if (number == kNamed ? system_parameters_.is_read_only(block.at(block.names[setting.name]))
+                       : system_parameters_.is_read_only(number)) {
+    refuse_at(block, setting.span, codes::kParameterReadOnly, "this parameter shows the control's own state",
+              "change offsets with G10 or G92, tools with G10 L1, stored positions with G28.1 and G30.1");
+  }
+  return number;
+}
+
+void BlockValues::number_settings(const Block& block) {
+  setting_numbers_.clear();
+  for (const Setting& setting : block.settings) setting_numbers_.push_back(setting_number(block, setting));
+}
+
+void BlockValues::evaluate_settings(const Block& block) {
+  setting_values_.clear();
+  for (std::size_t i = 0; i < block.settings.size(); ++i) {
+    setting_values_.push_back(value_before(block, block.settings[i].value, i));
+  }
+}
+
+// In RS274/NGC all values of a block are found before any is set.
+Value BlockValues::value_before(const Block& block, std::uint32_t code, std::size_t settings) {
+  if (settings == 0 || run_.dialect.syntax.settings_at_once) return value(block, code);
+  ParametersOfBlock readings(system_parameters_, run_.control.parameters, {setting_numbers_.data(), settings});
+  return evaluator_.run(block, code, readings);
+}
+
+void BlockValues::assign(const Block& block) {
+  number_settings(block);
+  evaluate_settings(block);
+  apply(block);
+}
+
+Value BlockValues::value(const Block& block, std::uint32_t code) {
+  return evaluator_.run(block, code, system_parameters_);
+}
+
+Value BlockValues::variable(const Block& block, std::size_t setting) {
+  const Setting& place = block.settings[setting];
+  const int number = setting_number(block, place);
+  return number == kNamed ? system_parameters_.read(block, block.at(block.names[place.name]), place.span)
+                          : system_parameters_.read(block, number, place.span);
+}
+
+void BlockValues::set_variable(const Block& block, std::size_t setting, Value value) {
+  const Setting& place = block.settings[setting];
+  set_parameter(block, place, setting_number(block, place), value);
+}
+
+void BlockValues::set_parameter(const Block& block, const Setting& place, int number, Value value) {
+  if (run_.control.modal_call.by_variables) {
+    refuse_at(block, place.span, codes::kNotInterpreted,
+              "a variable is set while a cycle with variables in its brackets is called after each move, and no source "
+              "says whether the call takes the new value",
+              "end the call with MCALL before, and call it anew after");
+  }
+  if (number == kNamed) {
+    if (place.type != VariableType::real) {
+      run_.control.parameters.declare(block.at(block.names[place.name]), place.type);
+    }
+    run_.control.parameters.set(block.at(block.names[place.name]), value);
+  } else if (number == run_.dialect.syntax.alarm_variable) {
+    run_.control.ended = run_.step.alarms = true;
+  } else if (number == run_.dialect.syntax.message_variable) {
+    run_.step.shows_message = true;
+    if (!run_.settings.keeps_position.contains(0)) lose_position(run_, AxisSet::all());  // as behind M0
+  } else {
+    run_.control.parameters.set(number, value);
+  }
+}
+
+void BlockValues::apply(const Block& block) {
+  for (std::size_t i = 0; i < block.settings.size(); ++i) {
+    if (setting_numbers_[i] == kNamed) check_variable(run_, block, block.settings[i]);
+    set_parameter(block, block.settings[i], setting_numbers_[i], setting_values_[i]);
+  }
+}
+
+// SPOS=R1*90, CYCLE832(TOLERANCE,1)
+bool passes_variables(const Execution& run, const Block& block) {
+  for (const Word& word : block.words) {
+    if (word.letter != kNamedCode) continue;
+    const CodeRow& row = run.dialect.named_codes[static_cast<std::size_t>(word.value)];
+    const std::string_view text = block.at(word.span);
+    bool in_text = false;
+    for (std::size_t at = row.has_arguments ? row.name.size() : text.size(); at < text.size();) {
+      const std::size_t begin = at++;
+      if (text[begin] == '"') in_text = !in_text;
+      if (in_text || !belongs_to_name(text[begin]) || is_digit(text[begin])) continue;
+      while (at < text.size() && belongs_to_name(text[at])) ++at;
+      const std::string_view name = text.substr(begin, at - begin);
+      const bool is_r = upper(name.front()) == 'R' && std::all_of(name.begin() + 1, name.end(), is_digit);
+      if (is_r || run.control.parameters.find(name) != nullptr) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace plumbline::nc

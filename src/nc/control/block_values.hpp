@@ -1,0 +1,53 @@
+// What the expressions of a block are worth, and what its settings set.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "nc/control/execution.hpp"
+#include "nc/control/expression.hpp"
+#include "nc/control/system_parameters.hpp"
+
+namespace plumbline::nc {
+
+class BlockValues {
+ public:
+  /// It must outlive this.
+  explicit BlockValues(Execution& run);
+
+  /// Gives the words and arguments of the block their values, and finds those of its settings. Refuses what only the
+  /// machine knows.
+  void evaluate(Block& block);
+  /// Sets what the settings of the block set, to the values that evaluate() found.
+  void apply(const Block& block);
+  /// Both, of a block that steers.
+  void assign(const Block& block);
+
+  Value value(const Block& block, std::uint32_t code);
+  /// The same; refuses one that only the machine knows.
+  double value_of(const Block& block, std::uint32_t code, Span span);
+  /// The variable that a setting of the block sets.
+  Value variable(const Block& block, std::size_t setting);
+  void set_variable(const Block& block, std::size_t setting, Value value);
+
+ private:
+  void leave_out_vacant_words(Block& block);
+  int setting_number(const Block& block, const Setting& setting);
+  void number_settings(const Block& block);
+  void evaluate_settings(const Block& block);
+  Value value_before(const Block& block, std::uint32_t code, std::size_t settings);
+  void set_parameter(const Block& block, const Setting& place, int number, Value value);
+
+  Execution& run_;
+  SystemParameters system_parameters_;
+  Evaluator evaluator_;
+  std::vector<Value> setting_values_;
+  std::vector<int> setting_numbers_;
+};
+
+/// Whether what stands in the brackets of a name of the block, and is not looked into, names variables:
+/// SPOS=R1*90, CYCLE832(TOLERANCE,1).
+bool passes_variables(const Execution& run, const Block& block);
+
+}  // namespace plumbline::nc

@@ -1,0 +1,86 @@
+// The motion in force: what sets it, what ends it, and the move that it makes.
+#include "nc/control/execution.hpp"
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+// Splines, probing and what the spindle leads; false: some other motion.
+bool moves_specially(Execution& run, Action action) {
+  const bool spline = action == Action::cubic_spline || action == Action::quadratic_spline;
+  const bool nurbs = action == Action::nurbs_point || action == Action::nurbs_end;
+  const bool spindle_leads = action == Action::synchronised || action == Action::rigid_tap;
+  if (!spline && !nurbs && !spindle_leads && action != Action::probe) return false;
+  if (run.machine_word != nullptr) {
+    run.refuse(*run.machine_word, codes::kMachineMove, "G53 needs G0 or G1",
+               "write the motion code into the block of G53");
+  }
+  if (spline) move_spline(run);
+  if (!spline) run.control.spline_end.reset();
+  if (action == Action::nurbs_point) add_nurbs_point(run);
+  if (action == Action::nurbs_end) move_nurbs(run);
+  if (spindle_leads) move_synchronised(run);
+  if (action == Action::probe) move_probe(run);
+  if (spline) return true;  // in force for its own block alone; the motion before goes on [LinuxCNC, measured]
+  run.control.nurbs_ended = action == Action::nurbs_end;
+  run.control.motion_off = false;
+  run.control.motion_row = run.control.nurbs_ended ? nullptr : run.motion;
+  run.control.modal.motion = run.control.nurbs_ended ? MotionMode::none : MotionMode::special;
+  return true;
+}
+
+// On an OSP G1 and a cycle are of different groups: whether the one ends the other was found in no source; posts write
+// G0 or G80.
+void check_ends_cycle(const Execution& run, Action action) {
+  const bool in_cycle = run.control.motion_row != nullptr && run.control.motion_row->action == Action::cycle;
+  if (!run.dialect.behaviour.return_levels || !in_cycle || action == Action::rapid) return;
+  run.refuse(run.motion_code(), codes::kNotInterpreted,
+             "whether this ends the drilling cycle that is in force was found in no source",
+             "write G80 (which stops the spindle) or a block with G0 before it");
+}
+
+}  // namespace
+
+void set_motion_mode(Execution& run, const CodeRow& row) {
+  run.control.cycle.begun = false;
+  run.control.motion_row =
+      row.action == Action::arc_through_point ? nullptr : &row;  // CIP is stated anew in each block
+  run.control.modal.motion = row.action == Action::rapid    ? MotionMode::rapid
+                             : row.action == Action::feed   ? MotionMode::feed
+                             : row.action == Action::arc_cw ? MotionMode::arc_cw
+                                                            : MotionMode::arc_ccw;
+}
+
+void end_motion(Execution& run) {
+  Modal& modal = run.control.modal;
+  const CodeRow* const goes_on = row_behind_cycle(run);
+  run.control.cycle.begun = false;
+  run.control.spline_end.reset();
+  modal.motion = goes_on != nullptr ? MotionMode::rapid : MotionMode::none;
+  run.control.motion_row = goes_on;
+  run.control.motion_off = true;
+  run.control.nurbs_ended = false;
+}
+
+void make_motion(Execution& run) {
+  const Action action = run.motion->action;
+  if (action == Action::cycle) return move_in_cycle(run);
+  check_ends_cycle(run, action);
+  if (run.machine_word != nullptr && run.dialect.behaviour.machine_move_is_rapid) {
+    move_straight(run);
+    if (run.motion_word != nullptr) set_motion_mode(run, *run.motion);  // G53 G0: G0 is the mode from here on
+    return;
+  }
+  run.control.cycle.begun = false;
+  if (moves_specially(run, action)) return;
+  run.control.spline_end.reset();
+  set_motion_mode(run, *run.motion);
+  if (action != Action::rapid && action != Action::feed) {
+    move_arc(run);
+  } else {
+    move_straight(run);
+  }
+  drill_after_move(run);
+}
+
+}  // namespace plumbline::nc
