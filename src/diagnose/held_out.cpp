@@ -7,13 +7,6 @@
 #include "diagnose/readings/poses.hpp"
 
 namespace plumbline::diagnose {
-namespace {
-
-constexpr double kUsualRadial = 0.5e-6;
-constexpr double kUsualTorque = 0.05;
-
-}  // namespace
-
 std::vector<bool> held_out(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
                            const CandidateSet& candidates, const HeldOutOptions& options) {
   const std::vector<int> poses = poses_of(runs);
@@ -23,7 +16,7 @@ std::vector<bool> held_out(const machine::RotationOrder& order, const std::vecto
 
   identify::NoiseModel noise;
   for (std::size_t c = 0; c < noise.channels.size(); ++c) {
-    noise.channels[c].sigma = c == identify::kRadial ? kUsualRadial : kUsualTorque;
+    noise.channels[c].sigma = c == identify::kRadial ? options.usual_radial : options.usual_torque;
   }
   const LinearProblem problem = linearise(order, runs, candidates, candidates.unknowns.start(), noise);
   const Eigen::VectorXd all = problem.gram.diagonal();

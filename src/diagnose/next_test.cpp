@@ -45,8 +45,9 @@ double separation(const machine::MachineModel& machine, const physics::ForceMode
 std::vector<Run> designs(const machine::MachineModel& machine, const Run& like, const NextTestOptions& options) {
   const Vector3<double> middle = machine::home_pose(machine).p_WT;
   const double tilt = options.tilt_share * machine.limits.tilt;
-  const std::vector<std::pair<double, double>> tilts{
-      {0, 0}, {tilt, 0}, {-tilt, 0}, {0, tilt}, {0, -tilt}, {0.7 * tilt, 0.7 * tilt}, {-0.7 * tilt, -0.7 * tilt}};
+  const double both = options.both_axes * tilt;
+  const std::vector<std::pair<double, double>> tilts{{0, 0},     {tilt, 0},    {-tilt, 0},    {0, tilt},
+                                                     {0, -tilt}, {both, both}, {-both, -both}};
   std::vector<Run> all;
   for (const double x : {-1.0, 0.0, 1.0}) {
     for (const double y : {-1.0, 0.0, 1.0}) {
@@ -80,11 +81,11 @@ std::optional<NextTest> next_test(const machine::MachineModel& machine, const ph
   std::size_t best = 0;
   for (std::size_t i = 1; i < all.size(); ++i) {
     // a simpler test (earlier: ccw, no payload, slow) is preferred unless another is clearly better
-    if (separations[i] > 1.02 * separations[best]) best = i;
+    if (separations[i] > options.clearly_better * separations[best]) best = i;
   }
   // as many more samples as a run has tell so much more
   const double more = std::sqrt(static_cast<double>(like.samples()) / options.samples);
-  if (separations.empty() || separations[best] * more < 1) return std::nullopt;
+  if (separations.empty() || separations[best] * more < options.least_separation) return std::nullopt;
   return NextTest{all[best], separations[best] * more};
 }
 

@@ -17,7 +17,10 @@ struct NextTestOptions {
   double tilt_share = 0.8;  // of the limit of tilt
   std::vector<double> feeds_mm_min{1000, 6000};
   std::vector<double> payloads_kg{0, 20};
-  int samples = 24;  // of each test that is tried
+  int samples = 24;              // of each test that is tried
+  double both_axes = 0.7;        // of that tilt in A and B, where a test is tilted about both
+  double clearly_better = 1.02;  // times as far apart must a test show the two that is less simple than another
+  double least_separation = 1;   // sigma: a test that shows less separates nothing
 };
 
 struct NextTest {

@@ -27,7 +27,9 @@ struct DescriptionOptions {
   int most_terms = 3;
   int most_looked_at = 60;       // terms that are compared exactly
   int waves_looked_at = 12;      // of periodic ones
+  int peaks = 4;                 // of them, of each channel and strut
   double finest_pitch = 1.2e-3;  // m
+  double fewest_cycles = 10;     // per metre: longer waves are products
   double wave_step = 1;          // cycles per metre between pitches that are tried
   double least_log_odds = 6;     // nats, all terms that were tried counted, that a term must reach
 };

@@ -12,9 +12,6 @@ namespace {
 using machine::kStruts;
 using Channel = Term::Channel;
 
-constexpr double kFewestCycles = 10;  // per metre: longer waves are products
-constexpr int kPeaks = 4;             // of a channel and strut
-
 // W^T r of a channel of a run, r its whitened residual, and what W makes of a unit at a sample, squared, on average.
 struct Back {
   Eigen::VectorXd residual;
@@ -73,13 +70,13 @@ std::vector<Term> waves_of(const std::vector<Pull>& pulls, Channel channel, int 
   double weight = 0;
   for (std::size_t i = 0; i < count; ++i) {
     weight += 0.5 * pulls[i].weight;
-    c[i] = std::cos(kTurn * kFewestCycles * pulls[i].length);
-    s[i] = std::sin(kTurn * kFewestCycles * pulls[i].length);
+    c[i] = std::cos(kTurn * options.fewest_cycles * pulls[i].length);
+    s[i] = std::sin(kTurn * options.fewest_cycles * pulls[i].length);
     dc[i] = std::cos(kTurn * options.wave_step * pulls[i].length);
     ds[i] = std::sin(kTurn * options.wave_step * pulls[i].length);
   }
   std::vector<Term> all;
-  for (double f = kFewestCycles; f < 1 / options.finest_pitch; f += options.wave_step) {
+  for (double f = options.fewest_cycles; f < 1 / options.finest_pitch; f += options.wave_step) {
     double cosine = 0;
     double sine = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -97,7 +94,7 @@ std::vector<Term> waves_of(const std::vector<Pull>& pulls, Channel channel, int 
     all.push_back(term);
   }
   tried += static_cast<double>(all.size());
-  return foremost(std::move(all), kPeaks);
+  return foremost(std::move(all), options.peaks);
 }
 
 }  // namespace

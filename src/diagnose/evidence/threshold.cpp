@@ -20,7 +20,8 @@ struct Group {
 };
 
 void add_group(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, const Candidate& candidate, int mode,
-               const std::vector<int>& column_groups, const ScoreOptions& scoring, std::vector<Group>& groups) {
+               const std::vector<int>& column_groups, const ScoreOptions& scoring, const ThresholdOptions& options,
+               std::vector<Group>& groups) {
   Group group;
   const ActingMode& of = candidate.modes[static_cast<std::size_t>(mode)];
   for (const int c : column_groups) {
@@ -29,7 +30,7 @@ void add_group(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, c
   }
   const Eigen::MatrixXd A = reduced(group.columns, group.columns);
   const double mean = A.trace() / static_cast<double>(A.rows());
-  if (!(mean > 1e-9)) return;
+  if (!(mean > scoring.least_seen)) return;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(A);
   group.axes = eigen.eigenvectors();
   group.strengths = eigen.eigenvalues().cwiseMax(0);
@@ -37,7 +38,7 @@ void add_group(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, c
   for (const int c : group.columns) {
     if (candidates.columns[static_cast<std::size_t>(c)].lower == 0) group.extra += std::log(2.0);
   }
-  for (double wide = 1; wide < 1e6; wide *= 4) {
+  for (double wide = 1; wide < options.widest; wide *= options.wider_times) {
     group.wide.push_back(wide / mean);
     group.price.push_back((1 + group.strengths.array() * wide / mean).log().sum());
   }
@@ -45,16 +46,17 @@ void add_group(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, c
 }
 
 std::vector<Group> groups_of(const Eigen::MatrixXd& reduced, const CandidateSet& candidates,
-                             const ScoreOptions& scoring) {
+                             const ScoreOptions& scoring, const ThresholdOptions& options) {
   std::vector<Group> groups;
   for (const Candidate& candidate : candidates.all) {
     for (std::size_t w = 0; w < candidate.modes.size(); ++w) {
       const ActingMode& mode = candidate.modes[w];
       std::vector<int> all;
       for (std::size_t c = 0; c < mode.column_groups.size(); ++c) all.push_back(static_cast<int>(c));
-      add_group(reduced, candidates, candidate, static_cast<int>(w), all, scoring, groups);
+      add_group(reduced, candidates, candidate, static_cast<int>(w), all, scoring, options, groups);
       if (mode.all_or_none || all.size() == 1) continue;
-      for (const int c : all) add_group(reduced, candidates, candidate, static_cast<int>(w), {c}, scoring, groups);
+      for (const int c : all)
+        add_group(reduced, candidates, candidate, static_cast<int>(w), {c}, scoring, options, groups);
     }
   }
   return groups;
@@ -75,7 +77,7 @@ double log_odds(const Group& group, const Eigen::VectorXd& scores) {
 
 Threshold threshold(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, const ScoreOptions& scoring,
                     const ThresholdOptions& options) {
-  const std::vector<Group> groups = groups_of(reduced, candidates, scoring);
+  const std::vector<Group> groups = groups_of(reduced, candidates, scoring, options);
   const Eigen::Index n = reduced.cols() - 1;
   // columns differ in size by orders of magnitude: drawn in units of their own length
   const Eigen::VectorXd lengths = reduced.diagonal().head(n).cwiseMax(1e-300).cwiseSqrt();

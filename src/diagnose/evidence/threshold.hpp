@@ -12,6 +12,10 @@ struct ThresholdOptions {
   int draws = 20000;
   double noise_uncertainty = 0.1;  // relative, of the noise's size: one sigma
   std::uint64_t seed = 1;
+  // spreads of sizes that are tried, tau^2 in units of what the data tell: coarser than for one effect, since there are
+  // thousands of draws
+  double widest = 1e6;
+  double wider_times = 4;
 };
 
 struct Threshold {

@@ -132,8 +132,8 @@ void estimate(const std::vector<RunEquations>& runs, const std::vector<int>& cha
   double best = 1e300;
   double memory = 0;
   double white = 0;
-  for (double m = 0; m < 0.96; m += 0.05) {
-    for (double w = 0; w < 0.96; w += 0.05) {
+  for (double m = 0; m < options.most_colour; m += options.colour_step) {
+    for (double w = 0; w < options.most_colour; w += options.colour_step) {
       if (m == 0 && w > 0) continue;
       const double d = deviance(bands, m, w);
       if (d < best) {
