@@ -33,7 +33,7 @@ bool is_picked(const std::vector<Pick>& picks, const Candidate& candidate) {
   return std::any_of(picks.begin(), picks.end(), [&](const Pick& pick) { return pick.candidate == &candidate; });
 }
 
-// "place 0: backlash 41.2* (38, 40)/6 cyclic 12.0": * is fitted, in brackets nats on poses and runs left out, behind
+// "place 0: backlash 41.2* (38, 40)/6 cyclic 12.0": * is fitted, in brackets nats on poses and runs left out, after
 // the stroke on how many struts
 std::string rivals_text(const std::vector<Rival>& all, std::size_t place, std::size_t most) {
   std::string text = fmt::format("place {}:", place);

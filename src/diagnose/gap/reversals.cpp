@@ -56,14 +56,14 @@ std::vector<Reversal> reversals_of(const std::vector<Run>& runs, const std::vect
                                                     static_cast<Eigen::Index>(runs[r].angle.size()));
       for (std::size_t s = 0; s + 1 < states[r].size(); ++s) {
         const double before = states[r][s].speed[j];
-        const double behind = states[r][s + 1].speed[j];
-        if ((before < 0) == (behind < 0)) continue;
+        const double after = states[r][s + 1].speed[j];
+        if ((before < 0) == (after < 0)) continue;
         ++reversal.count;
         const double there = angle[static_cast<Eigen::Index>(s)] +
-                             before / (before - behind) *
+                             before / (before - after) *
                                  (angle[static_cast<Eigen::Index>(s + 1)] - angle[static_cast<Eigen::Index>(s)]);
         // a step towards greater angles, as one towards greater speed
-        const double sign = runs[r].turn() * (behind > before ? 1 : -1);
+        const double sign = runs[r].turn() * (after > before ? 1 : -1);
         const auto add = [&](const std::optional<Eigen::VectorXd>& e, double slope, std::vector<Step>& steps) {
           if (!e) return;
           const auto step = measure::reversal_step({angle, *e}, there, options.window);
