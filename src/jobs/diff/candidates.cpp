@@ -167,7 +167,8 @@ std::vector<Candidate> Candidates::of_cut(const DiffMove& move, std::size_t i, s
     if (!goes_on) break;
     if (!in_time && !on_way) continue;
     const double off = distance(next->end, wanted);
-    if (off > allowed + (in_time && standing.has_shift ? kMostOfShift * size(standing.shift) : 0)) continue;
+    const double more = kLengthShare * move.length + (standing.has_shift ? kMostOfShift * size(standing.shift) : 0);
+    if (off > allowed + (in_time ? more : 0)) continue;
     const bool both_vanish = way <= kStandstill && move.length <= kVanishes;
     const double for_time = has_time && !both_vanish ? time_cost(gone, seconds, share) : 0;
     const double for_way = std::min(std::abs(way - move.length) / shift_unit(standing), kMostForWay);

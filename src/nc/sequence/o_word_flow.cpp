@@ -116,7 +116,7 @@ void OWordFlow::enter(const Block& block, Call call) {
   used_ = true;
   calls_.check_room(block);
   std::vector<double> arguments;
-  for (const std::uint32_t code : block.flow.values) {
+  for (const std::uint32_t code : block.flow.values) {  // M98 has none
     arguments.push_back(interpreter_.value_of(block, code, block.flow.span));
   }
   if (arguments.size() > static_cast<std::size_t>(kLocalParameters)) {

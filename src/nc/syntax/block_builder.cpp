@@ -20,7 +20,7 @@ void BlockBuilder::begin(Block& block) {
   block.names.clear();
   block.left_out.clear();
   block.arguments.clear();
-  block.flow.word = FlowWord::none;
+  if (block.flow.word != FlowWord::none) block.flow = Flow{};  // plain lines leave it as it is
   seen_ = 0;
 }
 

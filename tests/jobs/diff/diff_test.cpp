@@ -161,6 +161,18 @@ TEST_CASE("near the edge of the workspace shifts are large and change fast, and 
   }
 }
 
+TEST_CASE("a last move whose end the correction moves by millimetres is in line, since its pieces take its time") {
+  const std::string begin = "G0 X216.313 Y-32.084 Z89.15 A-3.269 B-9.072 C-6.437\nG1 B-3.753 F905\nY174.804 Z128\n";
+  for (const char* const last : {"A-14.837 B13\n", "A-14.8 B13.05\n", "A-14.7 B13.1\n", "A-14.9 B12.9\n"}) {
+    INFO(last);
+    const testing::Scratch scratch;
+    const DiffSummary s = diff_of(begin + last, compensated(scratch, begin + last, 2.70219927, 5.49456401));
+    CHECK(s.out_of_line_a == 0);
+    CHECK(s.out_of_line_b == 0);
+    CHECK(s.shift[index(Axis::Z)].largest > 0.5);
+  }
+}
+
 TEST_CASE("pieces of micrometres are in line one by one, though rounding makes some a tenth longer") {
   const std::string begin = "G0 X3.0859 Y-4.845 Z-17.0213 A0.622 B4.9755 C-3.700267\nF483.1\n";
   for (const std::string points :
