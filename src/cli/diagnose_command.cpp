@@ -15,8 +15,8 @@
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "jobs/diagnose.hpp"
-#include "report/page/diagnosis_page.hpp"
 #include "report/diagnosis_text.hpp"
+#include "report/page/diagnosis_page.hpp"
 
 namespace plumbline::cli {
 namespace {
