@@ -17,6 +17,8 @@
 #include "nc/rewrite/emit_pieces.hpp"
 #include "nc/rewrite/emit_state.hpp"
 #include "nc/rewrite/emit_text.hpp"
+#include "nc/rewrite/entry_comments.hpp"
+#include "nc/rewrite/output_text.hpp"
 #include "nc/rewrite/undo.hpp"
 
 namespace plumbline::nc {
@@ -37,12 +39,6 @@ enum class Form : std::uint8_t {
 /// The comment that stands for a block in which every axis stands already.
 inline constexpr std::string_view kAllStand = "every axis of this block stands there already";
 
-/// A file of subprograms that stands in the output now.
-struct InlinedFile {
-  std::string name;
-  std::uint64_t hash = 0;
-};
-
 /// The rules that it keeps are numbered in docs/rewriting.md: 3, 5, 13-19.
 class Emitter {
  public:
@@ -52,10 +48,10 @@ class Emitter {
           Form form = Form::in_text_order);
 
   /// Notes what the output replaces; to be called before the first block. `log` must outlive the emitter.
-  void record(UndoLog& log) { undo_ = &log; }
+  void record(UndoLog& log) { text_.record(log); }
 
   /// From here on what is written does not matter, only whether changed(): the steps left the order of the text.
-  void only_look() { only_looks_ = true; }
+  void only_look() { text_.only_look(); }
 
   /// Unrolled: a line that steers the program, or keeps or restores modes. A comment says what is entered; modes that
   /// come back are written as the codes that bring them back. Refuses with emit-modes.
@@ -63,15 +59,15 @@ class Emitter {
 
   /// True if a move through `points` may stay as it stands.
   bool stays(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable) {
-    return planner_.stays(step, points, writable, control_);
+    return planner_.words().stays(step, points, writable, control_);
   }
   /// True if a shift is none as the words of the block are written.
   bool rounds_to_zero(const Step& step, const AxisWords& shift, AxisSet writable) const {
-    return planner_.rounds_to_zero(step, shift, writable);
+    return planner_.words().rounds_to_zero(step, shift, writable);
   }
   /// True if the control stands where the original has it, as far as it can tell.
   bool stands_true(const Step& step, AxisSet writable) const {
-    return planner_.rounds_to_zero(step, control_.work_shift(*step.frame), writable);
+    return planner_.words().rounds_to_zero(step, control_.work_shift(*step.frame), writable);
   }
 
   /// What is written between these two stands for the block of `step`.
@@ -92,82 +88,37 @@ class Emitter {
                    std::optional<double> seconds);
 
   /// To be called after the last block. A program with no changed block comes out identical, without a stamp.
-  void finish();
+  void finish() { text_.finish(); }
 
   /// What the last move() that changed something became.
   const PiecePlanner& pieces() const { return planner_; }
 
-  bool changed() const { return changed_; }
+  bool changed() const { return text_.changed(); }
   /// Where the lines of the guard stand in the output; empty as long as they were not written.
-  std::pair<std::uint64_t, std::uint64_t> guard_span() const { return guard_span_; }
+  std::pair<std::uint64_t, std::uint64_t> guard_span() const { return text_.guard_span(); }
   const OutputState& control() const { return control_; }
-  const std::vector<InlinedFile>& inlined() const { return inlined_; }
+  const std::vector<InlinedFile>& inlined() const { return entries_.inlined(); }
 
  private:
-  struct Replacement {  // of a whole block's text, before anything else of the program was changed
-    std::uint64_t offset;
-    std::string original;
-    std::string text;
-  };
-
-  struct Pending {  // an entry whose first block was not met yet
-    FlowEntry::Kind kind;
-    std::string name;
-    std::size_t line;
-    std::string text;
-  };
-
-  bool unrolls() const { return form_ == Form::unrolled; }
-  void note_header(const Step& step);
-  void note_entry(const FlowEntry& entry);
-  std::string entry_text(const FlowEntry& entry);
-  void write_entries();
-  void restore_modes(const Step& step, bool other_length);
-  void restore_switches(const Switches& was, const Switches& is);
-  void write_words(const std::string& text);
-  void note_cycle_level(const Step& step);
+  void follow(const Step& step);
   void begin_change(const Step& step);
-  void copy_source(std::uint64_t from, std::uint64_t to);
-  void write_stamp();
-  void write_line(const Step& step, std::string_view text);
-  void note_replaced(const Step& step, std::uint64_t begin);
+  void note_cycle_level(const Step& step);
   void restore_feed_state(const Step& step, bool has_feed_word);
   void add_offset_shifts(const Step& step);
-  void refuse_if_shifted(const Step& step) const;
-  void refuse_if_shared(const Step& step) const;
-  void refuse_beside_unit(const Step& step) const;
-  void refuse_if_turned(const Step& step) const;
-  void refuse_builders_codes(const Step& step) const;
   void copy_with_choice_applied(const Step& step);
   void end_modal_call(const Step& step);
   EmittedMove called_hole(const Step& step, const AxisWords& shift);
-  std::string_view line_end(const Step& step) const;
 
-  const InputFile& source_;
   const Dialect& dialect_;
   EmitSettings settings_;
-  OutputFile& out_;
+  OutputText text_;
   OutputState control_;
   PiecePlanner planner_;
   CodeWriter codes_;
   PieceWriter writer_;
-  Form form_;
-  UndoLog* undo_ = nullptr;
-  bool only_looks_ = false;
-  bool grouping_ = false;
-  std::uint64_t group_begin_ = 0;
+  EntryComments entries_;
   double cycle_level_shift_ = 0;  // mm
-  std::pair<std::uint64_t, std::uint64_t> guard_span_;
-  int percents_ = 0;
-  AxisWords tool_;  // length that the output has in force
-  std::vector<Pending> entries_;
-  std::vector<InlinedFile> inlined_;
-  bool changed_ = false;
-  bool in_header_ = true;
-  std::uint64_t header_end_ = 0;
-  std::uint64_t source_end_ = 0;
-  std::string newline_ = "\n";
-  std::vector<Replacement> before_change_;
+  AxisWords tool_;                // length that the output has in force
   Spelling spelling_;
   BlockEditor editor_;
   std::string line_;

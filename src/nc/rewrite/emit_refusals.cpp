@@ -1,0 +1,69 @@
+#include "nc/rewrite/emit_refusals.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "nc/language/refusal.hpp"
+#include "nc/rewrite/emit_text.hpp"
+
+namespace plumbline::nc {
+
+void refuse_if_shifted(const Step& step, const OutputState& control) {
+  for (const Axis axis : kAllAxes) {
+    if (std::abs(control.shift[axis]) <= 1e-9) continue;
+    refuse_block(
+        *step.block, "emit-stores-position",
+        fmt::format("this block stores where the control stands, which is {:.4f} {} off in {} after the correction",
+                    control.shift[axis], is_rotary(axis) ? "deg" : "mm", letter(axis)),
+        "store the position before the program runs, or move there in machine coordinates (G53) first");
+  }
+}
+
+void refuse_if_turned(const Step& step, const OutputState& control) {
+  if (step.motions.empty() || step.named.empty() || step.after->incremental) return;
+  const AxisWords shift = control.work_shift(*step.frame);
+  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
+    const bool endless = step.named.contains(axis) && step.after->rule_of(axis) != RotaryRule::linear;
+    if (!endless || std::abs(shift[axis]) <= 1e-9) continue;
+    refuse_block(*step.block, "emit-rotary-word",
+                 fmt::format("{} stands {:.6g} deg off after the correction, and this block, which is not corrected, "
+                             "counts its word from there",
+                             letter(axis), shift[axis]),
+                 "move it by increments (G91), or leave it out of the block");
+  }
+}
+
+void refuse_if_shared(const Step& step, const CodeWriter& codes) {
+  const Word* const taker = codes.codes_of(*step.block).axis_taker;
+  if (taker == nullptr || step.named.empty()) return;
+  refuse_at(*step.block, taker->span, "emit-shared-words",
+            fmt::format("{} and the motion of this block both take its axis words", step.block->at(taker->span)),
+            "put the two into blocks of their own");
+}
+
+void refuse_beside_unit(const Step& step, const Dialect& dialect) {
+  if (dialect.behaviour.unknown_beside_unit.find('X') == std::string::npos || step.before->inches == step.after->inches)
+    return;
+  refuse_block(*step.block, "emit-shared-words",
+               "this block changes the unit and moves, and the move must be corrected",
+               "put the change of units into a block of its own");
+}
+
+void refuse_builders_codes(const Step& step, const Dialect& dialect) {
+  if (!dialect.behaviour.m_beside_cut_unknown) return;
+  for (const Word& word : step.block->words) {
+    if (word.letter != 'M') continue;
+    const CodeRow* const row = dialect.row_of(word);
+    const bool known = row != nullptr && row->action != Action::refused;
+    if (known && !row->order_unknown) continue;
+    refuse_at(
+        *step.block, word.span, "emit-m-code",
+        fmt::format("whether {} acts before the move of its block or behind it is the machine builder's choice, and "
+                    "the corrected move has several blocks",
+                    step.block->at(word.span)),
+        "put it into a block of its own, before or behind the move");
+  }
+}
+
+}  // namespace plumbline::nc

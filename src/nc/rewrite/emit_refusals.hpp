@@ -1,0 +1,29 @@
+// What cannot be corrected without changing something else.
+#pragma once
+
+#include "nc/control/step.hpp"
+#include "nc/language/dialect.hpp"
+#include "nc/rewrite/emit_codes.hpp"
+#include "nc/rewrite/emit_state.hpp"
+
+namespace plumbline::nc {
+
+/// Of a block that stores where the control stands, which the correction moved: emit-stores-position.
+void refuse_if_shifted(const Step& step, const OutputState& control);
+
+/// Off by a little, an axis whose words count from where it stands may turn all the way round: emit-rotary-word.
+void refuse_if_turned(const Step& step, const OutputState& control);
+
+/// G43.1 Z-8 G0 X1 moves to Z-8 and makes that the length of the tool: a correction of the one would change the other:
+/// emit-shared-words.
+void refuse_if_shared(const Step& step, const CodeWriter& codes);
+
+/// The words that a correction adds would stand beside a change of units, where nobody knows in which they count:
+/// emit-shared-words.
+void refuse_beside_unit(const Step& step, const Dialect& dialect);
+
+/// With several pieces in its place the block's M code acts beside the first, or behind the last; its builder decides:
+/// emit-m-code.
+void refuse_builders_codes(const Step& step, const Dialect& dialect);
+
+}  // namespace plumbline::nc

@@ -1,0 +1,198 @@
+#include "nc/rewrite/piece_feeds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "base/text/number_text.hpp"
+#include "base/units.hpp"
+#include "nc/rewrite/emit_text.hpp"
+#include "nc/rewrite/feed.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr double kAlikeSpeeds = 0.02;  // pieces of a block whose speeds differ less share one F
+constexpr double kSameFeed = 1e-12;    // relative
+constexpr double kLeastFeed = 1e-6;
+constexpr double kLargestFeed = 1e12;
+
+bool turns(const Motion& motion) {
+  return std::any_of(kAllAxes.begin(), kAllAxes.end(),
+                     [&](Axis axis) { return is_rotary(axis) && motion.to[axis] != motion.from[axis]; });
+}
+
+[[noreturn]] void refuse_feed_rule(const Step& step, const Dialect& dialect) {
+  const Motion& motion = step.motions.front();
+  const std::string what = !turns(motion)
+                               ? "nothing turns in this block, but its correction does, as much as it moves: "
+                           : distance_mm(motion.to - motion.from) > 0 ? "this block moves and turns: "
+                                                                      : "this block turns, and its correction moves: ";
+  refuse_block(*step.block, "emit-feed-rule",
+               fmt::format("{}dialect {} does not say which speed F is then", what, dialect.name),
+               "say how the control counts: --feed-rule xyz (F is the speed along X, Y, Z) or --feed-rule all (degrees "
+               "count as mm); or program the block in inverse time (G93)");
+}
+
+[[noreturn]] void refuse_turn_alone(const Step& step) {
+  refuse_block(
+      *step.block, "emit-feed-rule",
+      "F is the speed of the tool's tip here, and A, B, C turn where the tip stands still: how long that takes "
+      "no program says, and beside the micrometres of the correction F would mean another time",
+      "program the block in inverse time (G93), or say which speed F is on this control: --feed-rule xyz or "
+      "all");
+}
+
+bool tip_stands(const Motion& motion) {
+  const AxisWords delta = motion.to - motion.from;
+  return motion.feed_rule == FeedRule::tool_tip && motion.feed_mode != FeedMode::inverse_time && motion.feed > 0 &&
+         motion.kind == MotionKind::feed && distance_mm(delta) == 0 &&
+         std::abs(delta[Axis::A]) + std::abs(delta[Axis::B]) + std::abs(delta[Axis::C]) > kSamePlace;
+}
+
+// F as written: six digits that count, so that it is within 5e-6 of what was asked.
+double rounded_feed(const Step& step, double feed) {
+  if (!(feed > kLeastFeed && feed < kLargestFeed)) {
+    refuse_block(*step.block, "emit-feed-range", fmt::format("this block would need F{:.6g} to keep its time", feed),
+                 "check its feed, or let several such blocks be one");
+  }
+  const int decimals = std::clamp(5 - static_cast<int>(std::floor(std::log10(feed))), 0, kMostDecimals);
+  return from_ticks(to_ticks(feed, decimals), decimals);
+}
+
+}  // namespace
+
+double PieceFeeds::choose(const AxisWords& start, double seconds, OutputState& control) {
+  set_lengths(start);
+  control.change_unit(*step_.before, *step_.after);
+  return step_.after->feed_mode == FeedMode::inverse_time ? choose_inverse_times(seconds, control)
+                                                          : choose_rates(seconds, control);
+}
+
+void PieceFeeds::keep(bool has_time, OutputState& control) const {
+  const Motion& motion = step_.motions.front();
+  if (tip_stands(motion)) refuse_turn_alone(step_);
+  const bool cuts = motion.kind == MotionKind::feed || motion.kind == MotionKind::arc;
+  const AxisWords way = motion.to - motion.from;
+  if (cuts && !has_time && motion.feed > 0 && !feed_length(distance_mm(way), way, motion.feed_rule, motion.mm_per_unit))
+    refuse_feed_rule(step_, dialect_);
+  control.change_unit(*step_.before, *step_.after);
+  if (find_word(*step_.block, 'F') == nullptr) return;
+  control.feed = step_.after->feed;
+  control.feed_rotary = step_.after->feed_rotary;
+}
+
+void PieceFeeds::set_lengths(const AxisWords& start) {
+  AxisWords at = start;
+  const Motion& motion = step_.motions.front();
+  const bool little = motion.feed_rule == FeedRule::unknown && !turns(motion) &&
+                      turns_count_little(start, ends_, motion.mm_per_unit, settings_.time_tolerance / 2);
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const AxisWords delta = ends_[i] - at;
+    const double linear = distance_mm(delta);
+    const FeedRule rule = little ? FeedRule::xyz_first : motion.feed_rule;
+    const std::optional<double> length = feed_length(linear, delta, rule, motion.mm_per_unit);
+    if (!length && motion.feed_rule == FeedRule::tool_tip && motion.feed_mode != FeedMode::inverse_time)
+      refuse_turn_alone(step_);
+    if (!length && motion.feed_rule != FeedRule::tool_tip) refuse_feed_rule(step_, dialect_);
+    pieces_[i].in_degrees = feed_length_is_angle(linear);
+    pieces_[i].length = pieces_[i].in_degrees ? length.value_or(0) : *length / motion.mm_per_unit;
+    at = ends_[i];
+  }
+}
+
+// Degrees a minute do not follow a change of units; lengths a minute do.
+double PieceFeeds::in_force(const Piece& piece, const OutputState& control) {
+  return piece.in_degrees ? control.feed_rotary : control.feed;
+}
+
+// Where the control reads F before the units of its own block, it counts in those that were in force before it.
+void PieceFeeds::state_feed(Piece& piece, double feed, OutputState& control) const {
+  const bool of_block = &piece == &pieces_.front() && dialect_.feed_before_units;
+  const bool changes = of_block && step_.before->inches != step_.after->inches;
+  const double ratio = !changes ? 1 : step_.after->inches ? kMmPerInch : 1 / kMmPerInch;
+  const double written = piece.in_degrees ? feed : feed * ratio;
+  const Word* const word = find_word(*step_.block, 'F');
+  const bool as_written = word != nullptr && !differs(word->value, written, kSameFeed);
+  piece.feed = as_written ? word->value : changes ? rounded_feed(step_, written) : feed;
+  control.feed = *piece.feed / ratio;
+  control.feed_rotary = *piece.feed;
+}
+
+// The F of each piece under G94 and G95: the program's where that keeps the time of the block; one other F for all
+// pieces where their speeds are alike; else each its own, as where a turn gains micrometres of X, Y, Z.
+double PieceFeeds::choose_rates(double seconds, OutputState& control) {
+  const double unit = step_.after->feed_mode == FeedMode::per_minute ? kMinute : 1;
+  const double time = seconds / unit;
+  double total = 0;
+  for (const Piece& piece : pieces_) total += piece.length;
+  const bool turns = std::all_of(pieces_.begin(), pieces_.end(), [](const Piece& piece) { return piece.in_degrees; });
+  const double programmed = turns ? step_.after->feed_rotary : step_.after->feed;
+  const bool keeps = !differs(total / programmed, time, settings_.time_tolerance);
+  const double mean = total / time;
+  const bool alike = std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
+    return !differs(piece.length, piece.share * total, kAlikeSpeeds);
+  });
+  pieces_.front().restates_mode = control.feed_mode != step_.after->feed_mode;
+  if (pieces_.front().restates_mode) control.drop_feed();
+  control.feed_mode = step_.after->feed_mode;
+  double spent = 0;
+  for (Piece& piece : pieces_) {
+    double feed = programmed;
+    if (!keeps && piece.length > 0) feed = rounded_feed(step_, alike ? mean : piece.length / (piece.share * time));
+    const bool stated = &piece == &pieces_.front() && find_word(*step_.block, 'F') != nullptr;
+    const double allowed = keeps ? 0 : settings_.time_tolerance / 4;
+    const double standing = in_force(piece, control);
+    if (stated || standing <= 0 || differs(feed, standing, allowed)) state_feed(piece, feed, control);
+    spent += piece.length / in_force(piece, control);
+  }
+  return spent * unit;
+}
+
+// F under G93, as the control keeps it.
+double PieceFeeds::inverse_time(double per_minute) const {
+  const double least = dialect_.behaviour.inverse_time_increment;
+  if (least <= 0) return rounded_feed(step_, per_minute);
+  const double largest = std::pow(10, dialect_.behaviour.most_digits - 1) * least - least;  // 9999.999 of 0.001
+  const double kept = std::round(per_minute / least) * least;
+  if (kept <= largest && std::abs(kept - per_minute) <= settings_.time_tolerance * 10 * per_minute) return kept;
+  if (const double own = step_.motions.front().feed; own > largest) {
+    refuse_block(*step_.block, "emit-feed-range",
+                 fmt::format("this block has F{:.6g}, and F under G93 goes from {} to {}", own, to_decimal(least),
+                             to_decimal(largest, 3)),
+                 "the control does not take this F: under G93 it is one over the time of the block in minutes, so look "
+                 "whether G94 was meant");
+  }
+  refuse_block(
+      *step_.block, "emit-feed-range",
+      fmt::format("a piece of this block would need F{:.6g}, and F under G93 goes from {} to {} in steps of {}",
+                  per_minute, to_decimal(least), to_decimal(largest, 3), to_decimal(least)),
+      kept > largest ? "let pieces be longer: --step-length, --step-angle, or block_time_ms in the model"
+                     : "let pieces be shorter: --step-length, --step-angle");
+}
+
+// G93: each piece its share of the time; where the control would lift length x F to its least rate, that piece goes
+// under G94 with the rate itself.
+double PieceFeeds::choose_inverse_times(double seconds, OutputState& control) {
+  double spent = 0;
+  for (Piece& piece : pieces_) {
+    const double minutes = piece.share * seconds / kMinute;
+    const double rate = piece.length / minutes;
+    piece.leaves_inverse_time = rate < dialect_.feed_rate_min && piece.length > 0;
+    const FeedMode mode = piece.leaves_inverse_time ? FeedMode::per_minute : FeedMode::inverse_time;
+    piece.restates_mode = mode != control.feed_mode;
+    control.feed_mode = mode;
+    const bool whole = pieces_.size() == 1 && !piece.leaves_inverse_time;
+    const double feed = piece.leaves_inverse_time ? rounded_feed(step_, rate) : inverse_time(1 / minutes);
+    const bool keep = whole && !differs(step_.motions.front().feed, feed, settings_.time_tolerance);
+    if (!keep && piece.leaves_inverse_time) state_feed(piece, feed, control);
+    if (!keep && !piece.leaves_inverse_time) piece.feed = feed;
+    spent += piece.leaves_inverse_time ? piece.length / feed : 1 / (keep ? step_.motions.front().feed : feed);
+  }
+  control.drop_feed();
+  return spent * kMinute;
+}
+
+}  // namespace plumbline::nc

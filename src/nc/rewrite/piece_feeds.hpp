@@ -1,0 +1,63 @@
+// The F of the pieces of a move.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/axes.hpp"
+#include "nc/control/step.hpp"
+#include "nc/language/dialect.hpp"
+#include "nc/rewrite/emit_state.hpp"
+#include "nc/rewrite/word_grid.hpp"
+
+namespace plumbline::nc {
+
+/// One block of the output.
+struct Piece {
+  AxisWords value;                  // to be written: position, or increment under G91; in the program's unit
+  std::array<int, kAxes> digits{};  // decimals of each
+  AxisSet moved;                    // axes whose word must be written
+  AxisSet endless;                  // axes whose absolute words count turns: those that do not move get no word
+  bool direct = false;              // their words are written as A=DC(5)
+  double share = 0;
+  double length = 0;                 // that the feed is the speed along, in the program's unit or deg
+  bool in_degrees = false;           // it is deg
+  std::optional<double> feed;        // F to be written
+  bool leaves_inverse_time = false;  // under G94 although the original is under G93
+  bool restates_mode = false;        // its feed mode differs from the one before it
+};
+
+/// The pieces of one move, which get their feeds.
+class PieceFeeds {
+ public:
+  /// `start`, `ends`: where the control stands before them and after each, work system, mm and deg. All must outlive
+  /// it.
+  PieceFeeds(const Dialect& dialect, const EmitSettings& settings, const Step& step, std::span<Piece> pieces,
+             std::span<const AxisWords> ends)
+      : dialect_(dialect), settings_(settings), step_(step), pieces_(pieces), ends_(ends) {}
+
+  /// Chooses them so that the move takes `seconds` (revolutions under G95), and returns what it takes; the control is
+  /// left with the last. Refuses with emit-feed-rule and emit-feed-range.
+  double choose(const AxisWords& start, double seconds, OutputState& control);
+  /// A move whose time nobody knows keeps its F. Refuses with emit-feed-rule where the correction would change what
+  /// that F means.
+  void keep(bool has_time, OutputState& control) const;
+
+ private:
+  void set_lengths(const AxisWords& start);
+  static double in_force(const Piece& piece, const OutputState& control);
+  void state_feed(Piece& piece, double feed, OutputState& control) const;
+  double choose_rates(double seconds, OutputState& control);
+  double inverse_time(double per_minute) const;
+  double choose_inverse_times(double seconds, OutputState& control);
+
+  const Dialect& dialect_;
+  const EmitSettings& settings_;
+  const Step& step_;
+  std::span<Piece> pieces_;
+  std::span<const AxisWords> ends_;
+};
+
+}  // namespace plumbline::nc

@@ -1,0 +1,140 @@
+#include "nc/rewrite/word_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "nc/control/kept.hpp"
+#include "nc/rewrite/emit_text.hpp"
+#include "nc/rewrite/feed.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr double kLargestWord = 1e6;  // with nine decimals this still is exact in a double
+constexpr double kArcStart = 1e-7;    // mm
+
+}  // namespace
+
+WordGrid::Grid WordGrid::grid(const Step& step, Axis axis) const {
+  const Word* word = find_word(*step.block, letter(axis));
+  const int written = word != nullptr ? word->decimals : 0;
+  const bool inches = step.after->inches && !is_rotary(axis);
+  const double per_unit = inches ? kMmPerInch : 1.0;
+  const int least = is_rotary(axis) ? settings_.digits_deg : (inches ? settings_.digits_inch : settings_.digits_mm);
+  const ControlBehaviour& behaviour = dialect_.behaviour;
+  const Kept kept =
+      kept_of_axis_word(behaviour, is_rotary(axis), inches, settings_.increment_ratio, step.after->incremental);
+  const double increment = (is_rotary(axis) ? settings_.increment_deg : settings_.increment_mm) / per_unit;
+  return {written_number(kept, std::max(least, written), increment), per_unit};
+}
+
+bool WordGrid::stays(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
+                     const OutputState& control) const {
+  const AxisWords standing = control.work_shift(*step.frame);
+  const Motion& motion = step.motions.front();
+  const bool arc = motion.kind == MotionKind::arc;
+  for (const Axis axis : kAllAxes) {
+    if (!writable.contains(axis)) continue;
+    const Grid g = grid(step, axis);
+    const double half = g.quantum * g.per_unit / 2;
+    // An arc may be none at all where its start is a little off its end, and an axis turn all the way round.
+    const double allowed = counts_turns(step, axis) ? kSamePlace : arc ? std::min(half, kArcStart) : half;
+    if (depends_on_start(step, axis) && motion.known_before.contains(axis) && std::abs(standing[axis]) >= allowed)
+      return false;
+    for (const CorrectedPoint& point : points) {
+      if (std::abs(point.shift[axis]) >= half) return false;
+    }
+  }
+  return keeps_time(step, standing);
+}
+
+// A cut whose start was rounded to another place is longer or shorter: one of some micrometres needs another F.
+bool WordGrid::keeps_time(const Step& step, const AxisWords& standing) const {
+  const Motion& motion = step.motions.front();
+  if (motion.kind != MotionKind::feed || motion.feed_mode == FeedMode::inverse_time) return true;
+  AxisWords off;
+  for (const Axis axis : kAllAxes) {
+    if (motion.known_before.contains(axis) && !depends_on_start(step, axis)) off[axis] = standing[axis];
+  }
+  const AxisWords way = motion.to - motion.from;
+  const auto length = [&](const AxisWords& d) {
+    return feed_length(distance_mm(d), d, motion.feed_rule, motion.mm_per_unit).value_or(0);
+  };
+  const double before = length(way);
+  return before <= kSamePlace || !differs(length(way - off), before, settings_.time_tolerance);
+}
+
+// Its absolute words are counted from where it stands.
+bool WordGrid::counts_turns(const Step& step, Axis axis) {
+  return step.named.contains(axis) && !step.after->incremental && step.after->rule_of(axis) != RotaryRule::linear;
+}
+
+bool WordGrid::depends_on_start(const Step& step, Axis axis) {
+  const bool all = step.after->incremental || step.polar || step.motions.front().kind == MotionKind::arc;
+  if (all || !step.named.contains(axis) || counts_turns(step, axis)) return true;
+  const Word* const word = find_word(*step.block, letter(axis));
+  return word != nullptr && word->mode == WordMode::incremental;
+}
+
+// The word that sends an axis which turns without end to `to`. Where it stands may not be known: then the way round is
+// the one that the original goes.
+double WordGrid::endless_word(const Step& step, Axis axis, double to, std::optional<double> from) const {
+  const bool direct = dialect_.syntax.word_modes;
+  const RotaryRule rule = direct ? RotaryRule::shortest : step.after->rule_of(axis);
+  std::optional<double> word = within_one_turn(to);
+  if (from) {
+    word = rotary_word(rule, to, *from);
+  } else if (rule != RotaryRule::shortest) {
+    const Word* const written = find_word(*step.block, letter(axis));
+    const double place = written != nullptr ? within_one_turn(std::abs(written->value)) : *word;
+    if (std::abs(place - *word) > kFullTurn / 2) word.reset();
+    if (word && written != nullptr && rule == RotaryRule::sign && std::signbit(written->value)) word = -*word;
+  }
+  const bool in_first_turn =
+      from || !word || std::abs(rotary_end(rule, *word, std::signbit(*word), {}) - to) < kSamePlace;
+  if (word && in_first_turn) return *word;
+  refuse_block(*step.block, "emit-rotary-word",
+               fmt::format("no word sends {} to {:.6g}, where the corrected move ends: its words count within a turn",
+                           letter(axis), to),
+               from ? "turn there in two blocks, or by increments (G91)"
+                    : "say where the axis stands (--start), so that the way round is known");
+}
+
+bool WordGrid::rounds_to_zero(const Step& step, const AxisWords& shift, AxisSet writable) const {
+  return std::all_of(kAllAxes.begin(), kAllAxes.end(), [&](Axis axis) {
+    const Grid g = grid(step, axis);
+    return !writable.contains(axis) || std::abs(shift[axis]) < g.quantum * g.per_unit / 2;
+  });
+}
+
+// Numbers that cannot be written with all their digits.
+void WordGrid::check_word(const Step& step, double value) {
+  if (std::abs(value) < kLargestWord) return;
+  refuse_block(*step.block, "emit-out-of-range", fmt::format("this block would need the number {:.6g}", value),
+               "check the words and offsets of the block: no machine goes there");
+}
+
+void WordGrid::check_digits(const Step& step, double value, int decimals) const {
+  const int most = dialect_.behaviour.most_digits;
+  if (most == 0 || std::abs(value) < std::pow(10, most - decimals)) return;
+  refuse_block(
+      *step.block, "emit-out-of-range",
+      fmt::format("this block would need the number {:.3f}, and {} takes {} digits", value, dialect_.name, most),
+      "check the words and offsets of the block: no machine goes there");
+}
+
+double WordGrid::rounded(const Step& step, Axis axis, double value) const {
+  check_word(step, value);
+  return grid(step, axis).kept(value);
+}
+
+double WordGrid::offset_word(const Step& step, Axis axis, double value) const {
+  if (dialect_.behaviour.keeps_increment) return rounded(step, axis, value);
+  check_word(step, value);
+  return value;
+}
+
+}  // namespace plumbline::nc
