@@ -51,7 +51,7 @@ UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
   if (!found.moved.empty()) return found;
   found.missing = AxisSet::all() - known;
   if ((found.missing & AxisSet::rotary()).empty()) return found;
-  at_zero_ = AxisSet::rotary() - settings_.named;
+  at_zero_ = at_zero_ | ((found.missing & AxisSet::rotary()) - settings_.named - away_);
   const AxisWords origin = step.frame->to_pose({});
   for (const Axis axis : kAllAxes) {
     if (!at_zero_.contains(axis) || !found.missing.contains(axis)) continue;
@@ -65,6 +65,9 @@ UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
 }
 
 UnknownPosition MoveReader::unknown(const nc::Step& step, const nc::Motion& motion) {
+  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
+    if (motion.known_after.contains(axis) && motion.machine[axis] != 0) away_.insert(axis);
+  }
   return unknown(step, path::is_cut(motion.kind) ? motion.known_after & motion.known_before : motion.known_after);
 }
 

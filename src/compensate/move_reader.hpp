@@ -58,7 +58,11 @@ class MoveReader {
         dialect_(dialect),
         settings_(settings),
         program_(source, dialect, program),
-        spindle_(program.tools, settings.reference_tool_mass) {}
+        spindle_(program.tools, settings.reference_tool_mass) {
+    for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
+      if (program.start[index(axis)].value_or(0) != 0) away_.insert(axis);
+    }
+  }
 
   /// The next block of the program, as nc::Program gives it.
   const nc::Step* next();
@@ -67,7 +71,8 @@ class MoveReader {
   bool tool_has_mass() const { return spindle_.has_mass(); }
 
   /// Whether a position of which the axes in `known` are known is known as a whole. Rotary axes that no word of the
-  /// program names are taken to stand at zero from the first move on of which one is not known.
+  /// program names are taken to stand at zero from the first move on of which they are not known; not so where they
+  /// stood elsewhere before.
   UnknownPosition unknown(const nc::Step& step, AxisSet known);
   /// The same of what a move needs: where it ends, and of one that cuts where it begins.
   UnknownPosition unknown(const nc::Step& step, const nc::Motion& motion);
@@ -102,6 +107,7 @@ class MoveReader {
   nc::Program program_;
   SpindleTool spindle_;
   AxisSet at_zero_;
+  AxisSet away_;  // rotary axes that are known to have stood elsewhere
   std::uint64_t blocks_ = 0;
 
   // For next_move()

@@ -1,8 +1,12 @@
 #include "jobs/compensate/compensate_file.hpp"
 
+#include <memory>
+#include <optional>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "jobs/simulate.hpp"
 #include "nc/rewrite/undo.hpp"
 #include "nc/sequence/program.hpp"
 #include "report/summary_text.hpp"
@@ -178,4 +182,42 @@ TEST_CASE("tools that only a subprogram in another file uses stand in stamp and 
   const Diagnostic d = testing::refusal_of([&] { jobs::compensate_file(program, scratch.path("drill.ngc"), how); });
   CHECK(d.code == "file-overwrites-input");
   CHECK(scratch.text("drill.ngc").starts_with("o<drill> sub"));
+}
+
+TEST_CASE("of axes that no word names only those are taken to stand at zero that nobody placed") {
+  const testing::Scratch scratch;
+  const std::string program = scratch.file("a.ngc", "G0 X0 Y0 Z0\nG1 X30 F500\nY20\nM2\n");
+  const auto with = [&](std::optional<double> a, std::optional<double> b, std::optional<double> c) {
+    settings::Options how = options();
+    how.program.start = {0.0, 0.0, 0.0, a, b, c};
+    return jobs::compensate_file(program, scratch.path("b.ngc"), how).assumed_at_zero;
+  };
+  const auto writes = [&](const char* word) {
+    const std::string text = scratch.text("b.ngc");
+    return text.find(word, text.find("\nG0 X")) != std::string::npos;
+  };
+  CHECK(with({}, {}, {}) == AxisSet::rotary());
+  CHECK_FALSE(writes(" A"));
+  CHECK(with(5, {}, {}) == AxisSet{Axis::B, Axis::C});
+  CHECK(writes(" A4.99"));
+  CHECK(with({}, -7, {}) == AxisSet{Axis::A, Axis::C});
+  CHECK(writes(" B-6.99"));
+  CHECK(with(5, -7, 0) == AxisSet{});
+}
+
+TEST_CASE("an axis that stood elsewhere and may have been moved since is not taken to stand at zero") {
+  const testing::Scratch scratch;
+  settings::Options how = options();
+  how.program.start = {0.0, 0.0, 0.0, 5.0, 0.0, 0.0};
+  for (const char* const program :
+       {"G0 X0 Y0 Z0\nM0\nG0 X0 Y0 Z0\nG1 X30 F500\nM2\n", "M0\nG0 X0 Y0 Z0\nG1 X30 F500\nM2\n",
+        "G0 X0 Y0 Z0\nG1 X10 F500\nM1\nG0 X0 Y0 Z0\nG1 Y30\nM2\n"}) {
+    INFO(program);
+    const std::string path = scratch.file("a.ngc", program);
+    CHECK(testing::refusal_of([&] { jobs::compensate_file(path, scratch.path("b.ngc"), how); }).code ==
+          "compensate-position-unknown");
+    CHECK(testing::refusal_of([&] {
+            jobs::simulate_program(path, how, *std::make_unique<OutputFile>(scratch.path("s.csv")));
+          }).code == "walk-position-unknown");
+  }
 }
