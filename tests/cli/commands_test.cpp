@@ -1,4 +1,14 @@
-// What each command gives.
+// What each command gives. The files of src/cli have no tests of their own: they take options from argv, call a job and
+// print its words, which shows in the whole program alone. Each is held by a test that runs it:
+//   compensate_command, trace_command, error_command, check_command, simulate_command, diff_command   here
+//   compare_command, circularity_command, identify_command, calibrate_command (both write with identified_output),
+//   plan_command, diagnose_command                                         dataset_commands_test.cpp
+//   explain_command, messages                                              diagnostics_test.cpp
+//   restore_command                                                        outputs_test.cpp
+//   command_files, shared_options (with the settings file)                 files_test.cpp
+//   main (help, version, exit codes), suggest, values of shared_options    usage_test.cpp
+//   progress_line    here, that it is silent where standard error is no terminal; what a terminal gets depends on how
+//                    long the work takes, and is not tested
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
