@@ -168,8 +168,8 @@ bool same(const Motion& ours, const CanonMotion& theirs, double tolerance) {
   if (ours.kind == MotionKind::dwell) return std::abs(ours.dwell_s - other.dwell_s) <= tolerance;
   const double mm = tolerance * theirs.unit_mm;
   if (!near(ours.to, other.to, mm, tolerance)) return false;
-  if (!near(ours.machine, other.machine, 3 * tolerance * theirs.offsets_unit_mm, 3 * tolerance))
-    return false;  // a sum of four rounded numbers
+  const double machine_mm = 3 * tolerance * std::max(theirs.unit_mm, theirs.offsets_unit_mm);
+  if (!near(ours.machine, other.machine, machine_mm, 3 * tolerance)) return false;  // a sum of four rounded numbers
   if (ours.kind == MotionKind::arc && !same_arc(ours.arc, other.arc, mm)) return false;
   const bool linear = (ours.to[Axis::X] != ours.from[Axis::X] || ours.to[Axis::Y] != ours.from[Axis::Y] ||
                        ours.to[Axis::Z] != ours.from[Axis::Z]);
