@@ -1,3 +1,9 @@
+// The steps of a diagnosis that hand on what the tested parts below them find have no tests of their own, since each
+// takes a whole search: stage (a fit and its noise), assessment (verdict and doubt), conclusion (names and numbers),
+// held_values (what is held back), unexplained (what is described beside the base model). The first test here goes
+// through assessment and conclusion to a name, the second through unexplained, the third to a machine that lacks
+// nothing; ../blind scores all of them on many machines. What they decide by is in doubt_test.cpp, verdict_test.cpp and
+// identify/held_test.cpp.
 #include "diagnose/diagnose.hpp"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// The kinds of candidates have no tests of their own: what they do is to agree with the physics. The columns of
+// bent_by_setting, bent_by_size and bent_by_phase, filled by run_columns, are held here against the readings that the
+// effect makes when it acts. Those of straight are the slopes of identify/equations/sensitivity_test.cpp; its groups
+// and numbers are held by ../search_test.cpp and ../refit_test.cpp, which find an effect's number on the strut where it
+// acts.
 #include "diagnose/candidates/candidate_set.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,9 @@
+// term_columns and waves have no tests of their own: a column is right if what it describes comes out of readings that
+// a machine with that term makes. The first test holds the products of term_columns so, the second waves, the third
+// that neither finds anything in noise.
 #include "diagnose/description/description.hpp"
+
+#include <cmath>
 
 #include <catch2/catch.hpp>
 
@@ -45,6 +50,22 @@ TEST_CASE("a product that acts on one strut is described as that product, with i
   const std::vector<double> parameters = generic_parameters(term);
   CHECK(parameters[Generic::kLength + 4] == Approx(4e-6).epsilon(0.15));
   CHECK(parameters[Generic::kLength + 3] == 0);
+}
+
+TEST_CASE("a wave in the length of one strut is described as that wave, with its pitch and its size") {
+  physics::ForceModel forces(testing::pm600_like());
+  const auto first = static_cast<std::size_t>(forces.add("generic"));
+  forces.parameters[first + Generic::kLength + 4] = 4e-6;
+  forces.parameters[first + Generic::kPitch] = 0.05;
+  forces.parameters[first + Generic::kPhase] = 1;
+  const Description found = description_of(forces, 10);
+  REQUIRE_FALSE(found.terms.empty());
+  const Term& term = found.terms.front();
+  CHECK(term.channel == Term::Channel::length);
+  CHECK(term.part == 4);
+  CHECK(1 / term.pitch == Approx(20).margin(1));  // cycles per metre are tried one by one
+  CHECK(std::hypot(term.cosine, term.sine) == Approx(4e-6).epsilon(0.2));
+  CHECK(found.log_odds > 6);
 }
 
 TEST_CASE("noise is not described") {
