@@ -1,5 +1,7 @@
 #include "nc/rewrite/emit_text.hpp"
 
+#include <string>
+
 #include <catch2/catch.hpp>
 
 #include "nc/syntax/parsed.hpp"

@@ -1,5 +1,9 @@
 #include "nc/rewrite/piece_feeds.hpp"
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include <catch2/catch.hpp>
 
 #include "nc/rewrite/last_step.hpp"

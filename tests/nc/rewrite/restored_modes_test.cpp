@@ -1,5 +1,7 @@
 #include "nc/rewrite/restored_modes.hpp"
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>

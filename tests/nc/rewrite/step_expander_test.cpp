@@ -1,5 +1,7 @@
 #include "nc/rewrite/step_expander.hpp"
 
+#include <string>
+
 #include <catch2/catch.hpp>
 
 #include "nc/rewrite/last_step.hpp"

@@ -1,6 +1,8 @@
 #include "nc/rewrite/word_grid.hpp"
 
 #include <array>
+#include <optional>
+#include <utility>
 
 #include <catch2/catch.hpp>
 

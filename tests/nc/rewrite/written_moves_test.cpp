@@ -1,5 +1,6 @@
 #include "nc/rewrite/written_moves.hpp"
 
+#include <string>
 #include <vector>
 
 #include <catch2/catch.hpp>
