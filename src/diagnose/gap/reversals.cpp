@@ -59,9 +59,9 @@ std::vector<Reversal> reversals_of(const std::vector<Run>& runs, const std::vect
         const double after = states[r][s + 1].speed[j];
         if ((before < 0) == (after < 0)) continue;
         ++reversal.count;
-        const double there = angle[static_cast<Eigen::Index>(s)] +
-                             before / (before - after) *
-                                 (angle[static_cast<Eigen::Index>(s + 1)] - angle[static_cast<Eigen::Index>(s)]);
+        const double there =
+            angle[static_cast<Eigen::Index>(s)] +
+            before / (before - after) * (angle[static_cast<Eigen::Index>(s + 1)] - angle[static_cast<Eigen::Index>(s)]);
         // a step towards greater angles, as one towards greater speed
         const double sign = runs[r].turn() * (after > before ? 1 : -1);
         const auto add = [&](const std::optional<Eigen::VectorXd>& e, double slope, std::vector<Step>& steps) {
