@@ -97,8 +97,10 @@ void PieceFeeds::set_lengths(const AxisWords& start) {
     if (!length && motion.feed_rule == FeedRule::tool_tip && motion.feed_mode != FeedMode::inverse_time)
       refuse_turn_alone(step_);
     if (!length && motion.feed_rule != FeedRule::tool_tip) refuse_feed_rule(step_, dialect_);
-    pieces_[i].in_degrees = feed_length_is_angle(linear);
-    pieces_[i].length = pieces_[i].in_degrees ? length.value_or(0) : *length / motion.mm_per_unit;
+    // A feed a revolution counts degrees as it counts millimetres, and follows the unit.
+    const bool turns_alone = feed_length_is_angle(linear);
+    pieces_[i].in_degrees = turns_alone && motion.feed_mode != FeedMode::per_revolution;
+    pieces_[i].length = (turns_alone ? length.value_or(0) : *length) / (pieces_[i].in_degrees ? 1 : motion.mm_per_unit);
     at = ends_[i];
   }
 }
