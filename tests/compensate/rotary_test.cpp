@@ -133,3 +133,15 @@ TEST_CASE("where nobody knows in which turn an axis stands, its words end in the
   }
   CHECK(refused > 0);
 }
+
+TEST_CASE("a word with a sign names its place after a stop, too") {
+  const Job job = job_for("linuxcnc", nc::RotaryRule::sign);
+  for (const char* const moves : {"A-10 B5 C-3", "A-0.5 B-7 C12", "A10 B-5 C-1"}) {
+    const std::string text =
+        std::string("G0 X0 Y0 Z0 A20 B0 C0\nM0\nG0 X0 Y0 Z0 ").append(moves).append("\nG1 X20 F500\nM2\n");
+    INFO(text);
+    const Played played = play(text, run(text, job).text, job);
+    CHECK(played.blocks > 0);
+    CHECK(played.at_points_um <= 0.3);
+  }
+}

@@ -169,7 +169,7 @@ TEST_CASE("linuxcnc: F under G95 counts degrees as it counts millimetres, in inc
   const std::vector<std::string> programs{
       "G20\nG0 X0 Y0 Z0 A0 B0 C0\nG95 S1000\nG1 B-1.0416 F.0148\nA-6.7155\nB-0.4381\nM2\n",
       "G20 G95\nM3 S500\nG0 X0 Y0 Z0 A0 B0 C0\nG1 A5 B-3 F.2\nX1\nC4\nM2\n",
-      "G21\nG0 X0 Y0 Z0 A0 B0 C0\nG95\nG1 A4 F.3\nG20\nA-4 F.3\nG21\nA2\nM2\n"};
+      "G21\nM3 S500\nG0 X0 Y0 Z0 A0 B0 C0\nG95\nG1 A4 F.3\nG20\nA-4 F.3\nG21\nA2\nM2\n"};
   check_taken("linuxcnc", programs);
   const auto moves = moves_of(programs[0], for_dialect("linuxcnc").program, "linuxcnc");
   REQUIRE(moves.size() >= 3);

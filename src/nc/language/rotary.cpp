@@ -19,7 +19,9 @@ double within_one_turn(double angle) {
 
 double rotary_end(RotaryRule rule, double place, bool negative, std::optional<double> known_from) {
   if (rule == RotaryRule::linear) return place;
-  if (!known_from) return kFirstTurn + within_one_turn(place - kFirstTurn);
+  // The sign of a word is no part of its place.
+  if (!known_from)
+    return kFirstTurn + within_one_turn((rule == RotaryRule::sign ? std::abs(place) : place) - kFirstTurn);
   const double from = *known_from;
   switch (rule) {
     case RotaryRule::sign: {  // as LinuxCNC's interpreter does it [measured]

@@ -45,6 +45,11 @@ TEST_CASE("the sign of a word says which way round") {
     INFO(i);
     CHECK(ends[i] == Approx(canon[i]).margin(1e-9));
   }
+  // Where the axis stands is not known, the sign is no part of the place either.
+  CHECK(rotary_end(RotaryRule::sign, -10, true, {}) == Approx(10));
+  CHECK(rotary_end(RotaryRule::sign, -350, true, {}) == Approx(-10));
+  CHECK(rotary_end(RotaryRule::sign, 10, false, {}) == Approx(10));
+  CHECK(rotary_end(RotaryRule::shortest, -10, true, {}) == Approx(-10));
   CHECK(code_of("G0 C360\n", with_rule(RotaryRule::sign)) == "nc-out-of-range");
   CHECK(code_of("G91 G0 C360\n", with_rule(RotaryRule::sign)).empty());
 }
