@@ -19,7 +19,7 @@ struct SampleState {
   double time = 0;                         // on the clock of the dataset
 };
 
-/// All samples of a run. Refuses with simulate-unreachable as measure::simulate_run does.
+/// All samples of a run. The machine is taken to reach them: identify::simulate_run refuses what it does not.
 std::vector<SampleState> sample_states(const machine::RotationOrder& order, const physics::ForceModel& forces,
                                        const measure::Run& run);
 
