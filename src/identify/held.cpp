@@ -8,6 +8,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 
+#include "identify/fit.hpp"
 #include "identify/unknowns/geometry.hpp"
 
 namespace plumbline::identify {

@@ -7,6 +7,7 @@
 
 #include "base/text/number_text.hpp"
 #include "base/units.hpp"
+#include "nc/language/block_words.hpp"
 #include "nc/rewrite/emit.hpp"
 
 namespace plumbline::nc {
