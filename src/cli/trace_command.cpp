@@ -35,9 +35,9 @@ int trace(const TraceArguments& arguments) {
 void add_trace(CLI::App& app, Run& run) {
   CLI::App* const command =
       app.add_subcommand("trace",
-                         "Print the motion that a program makes, one JSON object a line, mm and deg; what nobody gave "
-                         "is zero, and without a "
-                         "model tilted planes and directions of the tool take ZYX as the order of rotations");
+                         "Print the motion that a program makes, one JSON object a line, mm and deg; what is not "
+                         "given counts as zero, and without a model tilted planes and directions of the tool take ZYX "
+                         "as the order of rotations");
   const auto arguments = std::make_shared<TraceArguments>();
   command->add_option("PROGRAM", arguments->program, "the NC program; - for standard input")
       ->type_name("FILE")

@@ -41,8 +41,19 @@ std::optional<ToolInSpindle> SpindleTool::change(const nc::Step& step) {
 
 const nc::Step* MoveReader::next() {
   const nc::Step* const step = program_.next();
-  if (step != nullptr) ++blocks_;
+  if (step == nullptr) return nullptr;
+  ++blocks_;
+  note_away(*step);
   return step;
+}
+
+void MoveReader::note_away(const nc::Step& step) {
+  if (settings_.named.contains(AxisSet::rotary())) return;
+  for (const nc::Motion& motion : step.motions) {
+    for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
+      if (motion.known_after.contains(axis) && motion.machine[axis] != 0) away_.insert(axis);
+    }
+  }
 }
 
 UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
@@ -65,9 +76,6 @@ UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
 }
 
 UnknownPosition MoveReader::unknown(const nc::Step& step, const nc::Motion& motion) {
-  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
-    if (motion.known_after.contains(axis) && motion.machine[axis] != 0) away_.insert(axis);
-  }
   return unknown(step, path::is_cut(motion.kind) ? motion.known_after & motion.known_before : motion.known_after);
 }
 

@@ -17,7 +17,7 @@ namespace plumbline::compensate {
 /// Length (G43) and load (M6) of the tool.
 class SpindleTool {
  public:
-  /// `tools` must outlive it. `reference_mass`: of a tool whose mass nobody gave, kg.
+  /// `tools` must outlive it. `reference_mass`: of a tool without a stated mass, kg.
   SpindleTool(const nc::ToolTable& tools, double reference_mass) : tools_(tools), reference_mass_(reference_mass) {}
 
   /// The tool, where the step brings another one; the first step always does.
@@ -99,6 +99,7 @@ class MoveReader {
 
  private:
   AxisSet fixed(const nc::Step& step) const { return at_zero_ | (step.frame->tilted ? AxisSet::rotary() : AxisSet{}); }
+  void note_away(const nc::Step& step);
   bool take(const nc::Motion& motion);
 
   const InputFile& source_;

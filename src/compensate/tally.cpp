@@ -78,7 +78,7 @@ void Tally::take_hole(const CorrectedHole& hole, const nc::EmittedMove& written)
 
 void Tally::note_point(const nc::CorrectedPoint& point, std::size_t line) {
   ++summary_.points;
-  const double correction = path::length_mm(point.shift);
+  const double correction = length_mm(point.shift);
   sum_of_squares_ += correction * correction;
   summary_.correction_mm.take(correction, line);
   summary_.correction_deg.take(path::largest_turn_deg(point.shift), line);
@@ -120,7 +120,7 @@ void Tally::note_offset_sensitivity(const Target& target, const AxisWords& comma
     const Corrected corrected = corrector_.correct(moved);
     if (!corrected.converged) continue;  // beyond the edge of what the machine can hold
     const AxisWords there = corrected.pose - moved.pose;
-    const double change = path::length_mm(there - correction) / kOffsetProbeMm;
+    const double change = length_mm(there - correction) / kOffsetProbeMm;
     squares += change * change;
   }
   if (squares == 0) return;
@@ -142,7 +142,7 @@ void Tally::note_widened(const CorrectedMove& corrected) {
     const AxisWords end = points[i].nominal + points[i].shift;
     AxisWords off;
     for (const Axis axis : kAllAxes) off[axis] = (begin[axis] + end[axis]) / 2 - wanted[axis];
-    summary_.widening_mm.take(path::length_mm(off), move.path.line);
+    summary_.widening_mm.take(length_mm(off), move.path.line);
     begin = end;
   }
 }
@@ -217,9 +217,10 @@ void Tally::warn_of_silent_effects(Summary& summary) const {
   for (const machine::EffectRow& row : model_.effects) {
     const std::size_t effect = physics::effect_index(row.name);
     if (settings_.dynamic || effect == physics::kEffects || !physics::effect_infos()[effect].dynamic) continue;
-    summary.warnings.push_back({"compensate-dynamic", fmt::format("{} of the model is not in the correction", row.name),
-                                "it hangs on how the control shapes the speed; --dynamic counts on the programmed feed",
-                                row.place, Severity::warning});
+    summary.warnings.push_back(
+        {"compensate-dynamic", fmt::format("{} of the model is not in the correction", row.name),
+         "it depends on how the control shapes the speed; --dynamic counts on the programmed feed", row.place,
+         Severity::warning});
   }
   const std::optional<double> drift = sample_ ? corrector_.drift_per_hour_mm(*sample_) : std::nullopt;
   if (settings_.time_s || drift.value_or(0) < kLeastDriftMm) return;

@@ -82,8 +82,7 @@ CheckSummary check_file(const std::string& program, const settings::Options& opt
   const machine::MachineModel model = machine::read_model(options.paths.model);
   const OpenedProgram opened = open_program(options, program, model);
   const auto& [source, dialect, settings] = opened;
-  compensate::Settings compensation = options.compensation;
-  compensation.step.least_time_s = model.control.block_time;
+  const compensate::Settings compensation = compensation_settings(model.control, options);
 
   const compensate::ProgramSurvey survey = survey_program(opened);
   Checker checker(dialect, model, compensation);

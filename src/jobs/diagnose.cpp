@@ -18,15 +18,13 @@ namespace {
 using diagnose::Diagnosis;
 using diagnose::NamedEffect;
 
-std::string list_of(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
-
 std::vector<std::string> notes_of(const Diagnosis& diagnosis) {
   std::vector<std::string> notes{fmt::format("diagnosis: {}", headline(diagnosis))};
   if (!diagnosis.withheld.empty()) notes.push_back("the numbers are those given: " + diagnosis.withheld);
   for (const NamedEffect& effect : diagnosis.effects) {
     notes.push_back(effect.alternatives.empty() ? effect.name
                                                 : fmt::format("{}, which these data do not tell from {}", effect.name,
-                                                              list_of(effect.alternatives)));
+                                                              fmt::join(effect.alternatives, ", ")));
   }
   if (diagnosis.verdict == diagnose::Verdict::unknown) {
     notes.emplace_back("the effects named generic describe what was seen; they are no cause");

@@ -4,14 +4,8 @@
 namespace plumbline::diagnose {
 namespace {
 
-class BentBySetting : public CandidateKind {
+class BentBySetting : public TriedShapes {
  public:
-  void add_modes(const physics::EffectInfo& info, CandidateSet& set, Candidate& candidate) const override {
-    add_mode_for_each_shape(info, set, candidate);
-  }
-  void fill(const RunColumns& run, const Candidate& candidate, Eigen::MatrixXd& all) const override {
-    fill_each_shape(run, candidate, all);
-  }
   std::vector<UnknownValue> numbers(const CandidateSet& set, const Candidate& candidate, const ActingMode& mode,
                                     const std::vector<int>& columns, const Eigen::VectorXd& sizes) const override {
     const physics::Bend& bend = *info_of(candidate).bend;

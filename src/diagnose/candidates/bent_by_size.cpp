@@ -7,14 +7,8 @@
 namespace plumbline::diagnose {
 namespace {
 
-class BentBySize : public CandidateKind {
+class BentBySize : public TriedShapes {
  public:
-  void add_modes(const physics::EffectInfo& info, CandidateSet& set, Candidate& candidate) const override {
-    add_mode_for_each_shape(info, set, candidate);
-  }
-  void fill(const RunColumns& run, const Candidate& candidate, Eigen::MatrixXd& all) const override {
-    fill_each_shape(run, candidate, all);
-  }
   std::vector<UnknownValue> numbers(const CandidateSet& set, const Candidate& candidate, const ActingMode& mode,
                                     const std::vector<int>& columns, const Eigen::VectorXd& sizes) const override {
     const Column& column = set.columns[static_cast<std::size_t>(columns.front())];

@@ -49,7 +49,7 @@ int add_made_column(CandidateSet& set, int unknown) {
   return static_cast<int>(set.columns.size()) - 1;
 }
 
-void add_mode_for_each_shape(const physics::EffectInfo& info, CandidateSet& set, Candidate& candidate) {
+void TriedShapes::add_modes(const physics::EffectInfo& info, CandidateSet& set, Candidate& candidate) const {
   const int size = set.unknowns.find(info.name, info.bend->size);
   for (const double shape : info.bend->tried) {
     ActingMode mode{{{add_made_column(set, size)}}};
@@ -58,7 +58,7 @@ void add_mode_for_each_shape(const physics::EffectInfo& info, CandidateSet& set,
   }
 }
 
-void fill_each_shape(const RunColumns& run, const Candidate& candidate, Eigen::MatrixXd& all) {
+void TriedShapes::fill(const RunColumns& run, const Candidate& candidate, Eigen::MatrixXd& all) const {
   const physics::Bend& bend = *info_of(candidate).bend;
   for (const ActingMode& mode : candidate.modes) {
     const int column = mode.column_groups[0][0];

@@ -38,6 +38,13 @@ class CandidateKind {
                                                     const Eigen::VectorXd& values) const;
 };
 
+/// Of effects that try shapes: a mode for each, with a column of its own.
+class TriedShapes : public CandidateKind {
+ public:
+  void add_modes(const physics::EffectInfo& info, CandidateSet& set, Candidate& candidate) const override;
+  void fill(const RunColumns& run, const Candidate& candidate, Eigen::MatrixXd& all) const override;
+};
+
 /// One for each file of this folder.
 const CandidateKind& straight();
 const CandidateKind& bent_by_setting();
@@ -51,9 +58,6 @@ const CandidateKind& kind_of(const physics::EffectInfo& info);
 
 /// Adds a column that is made from others, about that of an unknown; returns its place.
 int add_made_column(CandidateSet& set, int unknown);
-/// Of an effect that tries shapes: a mode for each, with a column of its own.
-void add_mode_for_each_shape(const physics::EffectInfo& info, CandidateSet& set, Candidate& candidate);
-void fill_each_shape(const RunColumns& run, const Candidate& candidate, Eigen::MatrixXd& all);
 const physics::EffectInfo& info_of(const Candidate& candidate);
 
 }  // namespace plumbline::diagnose

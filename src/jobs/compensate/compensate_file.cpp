@@ -28,12 +28,6 @@ nc::EmitSettings emit_settings(const machine::ControlSettings& control, const nc
   return emit;
 }
 
-compensate::Settings compensation_settings(const machine::ControlSettings& control, const settings::Options& options) {
-  compensate::Settings compensation = options.compensation;
-  compensation.step.least_time_s = control.block_time;
-  return compensation;
-}
-
 // Which files are called shows only when the program has run.
 void refuse_overwriting_subprogram(const compensate::Summary& summary, const std::string& output) {
   for (const compensate::Summary::InlinedFile& file : summary.inlined_files) {
@@ -44,6 +38,12 @@ void refuse_overwriting_subprogram(const compensate::Summary& summary, const std
 }
 
 }  // namespace
+
+compensate::Settings compensation_settings(const machine::ControlSettings& control, const settings::Options& options) {
+  compensate::Settings compensation = options.compensation;
+  compensation.step.least_time_s = control.block_time;
+  return compensation;
+}
 
 compensate::Summary compensate_file(const std::string& program, const std::string& output,
                                     const settings::Options& options, const Progress& progress,

@@ -8,6 +8,7 @@
 #include "base/diagnostic.hpp"
 #include "base/progress.hpp"
 #include "compensate/program_survey.hpp"
+#include "compensate/settings.hpp"
 #include "compensate/summary.hpp"
 #include "jobs/open_program.hpp"
 #include "machine/model.hpp"
@@ -20,6 +21,9 @@ struct SummaryFile {
   std::string path;  // empty: none is wanted
   std::function<std::string(const compensate::Summary&)> text{};
 };
+
+/// How a program is compensated for a control: the options, and the time that the model says a block takes.
+compensate::Settings compensation_settings(const machine::ControlSettings& control, const settings::Options& options);
 
 /// Compensates `program` into `output` ("-": standard input and output) as `options` say, which name the model.
 /// Nothing is written unless all of it succeeds. Refuses what the readers, the interpreter and the compensation refuse.

@@ -19,13 +19,12 @@ double within_one_turn(double angle) {
 
 double rotary_end(RotaryRule rule, double place, bool negative, std::optional<double> known_from) {
   if (rule == RotaryRule::linear) return place;
-  // The sign of a word is no part of its place.
-  if (!known_from)
-    return kFirstTurn + within_one_turn((rule == RotaryRule::sign ? std::abs(place) : place) - kFirstTurn);
+  if (rule == RotaryRule::sign) place = std::abs(place);  // the sign says the way round
+  if (!known_from) return kFirstTurn + within_one_turn(place - kFirstTurn);
   const double from = *known_from;
   switch (rule) {
     case RotaryRule::sign: {  // as LinuxCNC's interpreter does it [measured]
-      const double end = std::abs(place) + begin_of_turn(from);
+      const double end = place + begin_of_turn(from);
       if (std::abs(end - from) < kSameAngle) return end;
       if (negative) return end > from ? end - kFullTurn : end;
       return end < from ? end + kFullTurn : end;
