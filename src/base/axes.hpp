@@ -3,10 +3,12 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <string>
 
 namespace plumbline {
 
@@ -75,5 +77,21 @@ struct AxisWords {
   friend constexpr AxisWords operator-(AxisWords a, const AxisWords& b) { return a -= b; }
   constexpr bool operator==(const AxisWords&) const = default;
 };
+
+/// Length of a way in X, Y, Z, mm.
+inline double length_mm(const AxisWords& way) {
+  return std::sqrt(way[Axis::X] * way[Axis::X] + way[Axis::Y] * way[Axis::Y] + way[Axis::Z] * way[Axis::Z]);
+}
+
+/// "X, Y"
+inline std::string axis_list(AxisSet axes) {
+  std::string list;
+  for (const Axis axis : kAllAxes) {
+    if (!axes.contains(axis)) continue;
+    if (!list.empty()) list += ", ";
+    list += letter(axis);
+  }
+  return list;
+}
 
 }  // namespace plumbline

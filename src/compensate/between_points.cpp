@@ -214,7 +214,7 @@ BetweenPoints::Off BetweenPoints::sample(const Part& part, double fraction, cons
 // and the neighbourhood of the worst place.
 void BetweenPoints::play(const Part& part, const MovePath* next) {
   const AxisWords way = part.end - part.begin;
-  if (!part.along_curve && path::length_mm(way) < kNoWayMm && path::largest_turn_deg(way) < kNoWayMm) return;
+  if (!part.along_curve && length_mm(way) < kNoWayMm && path::largest_turn_deg(way) < kNoWayMm) return;
   const double tip_before = tip_.found.value;
   const double turned_before = turned_.found.value;
   looked_.clear();

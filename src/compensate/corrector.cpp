@@ -134,7 +134,7 @@ Corrected Corrector::correct_with_fixed_axes(const Target& target) const {
 // A large correction is one near a singularity, where the machine may give way under its load wherever it is sent.
 bool Corrector::holds(const Target& target, const AxisWords& commanded) const {
   const AxisWords shift = commanded - target.pose;
-  if (path::length_mm(shift) <= kSureMm && path::largest_turn_deg(shift) <= kSureDeg) return true;
+  if (length_mm(shift) <= kSureMm && path::largest_turn_deg(shift) <= kSureDeg) return true;
   const std::optional<double> off = tip_distance_mm(target, commanded);
   return off && (*off <= kHoldsMm || settings_.method == Method::first_order);
 }

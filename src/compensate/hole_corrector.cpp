@@ -61,7 +61,7 @@ void HoleCorrector::check(const CorrectedHole& hole) {
 void HoleCorrector::refuse_varying(const CorrectedHole& hole) const {
   for (const nc::CorrectedPoint& point : hole.at->points) {
     const AxisWords off = point.shift - hole.shift;
-    const double varies = std::max(path::length_mm(off), path::largest_turn_deg(off) * kDeg * kTurnOverMm);
+    const double varies = std::max(length_mm(off), path::largest_turn_deg(off) * kDeg * kTurnOverMm);
     if (varies <= settings_.cycle_tolerance_mm) continue;
     refuse(
         "compensate-cycle",

@@ -50,7 +50,7 @@ Place place_of(const nc::Step& step) {
 }
 
 int chord_steps(const AxisWords& delta) {
-  const double steps = std::max(path::length_mm(delta) / kChordStepMm, path::largest_turn_deg(delta) / kChordStepDeg);
+  const double steps = std::max(length_mm(delta) / kChordStepMm, path::largest_turn_deg(delta) / kChordStepDeg);
   return std::max(1, static_cast<int>(std::ceil(steps)));
 }
 

@@ -15,15 +15,6 @@ namespace {
 
 constexpr double kNoWay = 1e-7;  // mm and deg
 
-// "X, Y"
-std::string axis_list(AxisSet axes) {
-  std::string list;
-  for (const Axis axis : kAllAxes) {
-    if (axes.contains(axis)) list += fmt::format("{}{}", list.empty() ? "" : ", ", letter(axis));
-  }
-  return list;
-}
-
 // To where the tool stands already, but for the last digits of an expression: no F could keep its time.
 bool is_no_way(const Move& move) {
   return move.motion->feed_mode != nc::FeedMode::inverse_time && move.path.curve.linear_mm() < kNoWay &&

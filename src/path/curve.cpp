@@ -30,8 +30,7 @@ Curve::Curve(const nc::Motion& motion) : from_(motion.from), to_(motion.to), del
     set_arc(motion.arc);
     return;
   }
-  linear_mm_ = std::sqrt(delta_[Axis::X] * delta_[Axis::X] + delta_[Axis::Y] * delta_[Axis::Y] +
-                         delta_[Axis::Z] * delta_[Axis::Z]);
+  linear_mm_ = length_mm(delta_);
 }
 
 void Curve::set_arc(const nc::Arc& arc) {

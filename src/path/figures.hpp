@@ -9,10 +9,6 @@
 
 namespace plumbline::path {
 
-inline double length_mm(const AxisWords& d) {
-  return std::sqrt(d[Axis::X] * d[Axis::X] + d[Axis::Y] * d[Axis::Y] + d[Axis::Z] * d[Axis::Z]);
-}
-
 inline double largest_turn_deg(const AxisWords& d) {
   return std::max({std::abs(d[Axis::A]), std::abs(d[Axis::B]), std::abs(d[Axis::C])});
 }

@@ -25,14 +25,6 @@ std::string change_text(double before, double after) {
   return before > 0 ? fmt::format("{:+.3f} %", (after / before - 1) * 100) : "no change";
 }
 
-std::string axis_list(AxisSet axes) {
-  std::string list;
-  for (const Axis axis : kAllAxes) {
-    if (axes.contains(axis)) list += fmt::format("{}{}", list.empty() ? "" : ", ", letter(axis));
-  }
-  return list;
-}
-
 void add_counts(TextTable& table, const Summary& s) {
   table.add("blocks", fmt::format("{} read, {} moves changed of {}", count_text(s.blocks), count_text(s.changed_blocks),
                                   count_text(s.moves)));

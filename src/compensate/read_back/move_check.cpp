@@ -206,7 +206,7 @@ void MoveCheck::note_point(const IntendedMove& meant, const AxisWords& wanted, c
   for (const Axis axis : kAllAxes) {
     if (motion.known_after.contains(axis)) off[axis] = motion.machine[axis] - wanted[axis];
   }
-  figures_.rounding_mm.take(path::length_mm(off), block_->line);
+  figures_.rounding_mm.take(length_mm(off), block_->line);
 }
 
 bool MoveCheck::may_finish(const IntendedMove& meant) const {

@@ -31,8 +31,7 @@ bool is_blank_line(std::string_view line) { return line.find_first_not_of(" \t")
 bool turns_alone(const Motion& motion) {
   if (motion.kind != MotionKind::feed || motion.feed_mode != FeedMode::per_minute) return false;
   const AxisWords delta = motion.to - motion.from;
-  const double linear = std::hypot(delta[Axis::X], delta[Axis::Y], delta[Axis::Z]);
-  return linear == 0 && delta != AxisWords{} && feed_length_is_angle(linear);
+  return delta != AxisWords{} && feed_length_is_angle(length_mm(delta));
 }
 
 // What the control is off, in the words of a block that sets an offset: G10 L20 may name a system that is turned

@@ -90,7 +90,7 @@ Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point,
       piece.value[axis] = 0;
     }
   }
-  rounding_mm_ = std::max(rounding_mm_, distance_mm(at - target));
+  rounding_mm_ = std::max(rounding_mm_, length_mm(at - target));
   return piece;
 }
 

@@ -47,8 +47,4 @@ bool turns_count_little(const AxisWords& start, std::span<const AxisWords> ends,
   return all - linear <= share * linear;
 }
 
-double distance_mm(const AxisWords& way) {
-  return std::sqrt(way[Axis::X] * way[Axis::X] + way[Axis::Y] * way[Axis::Y] + way[Axis::Z] * way[Axis::Z]);
-}
-
 }  // namespace plumbline::nc

@@ -23,9 +23,6 @@ bool turns_count_little(const AxisWords& start, std::span<const AxisWords> ends,
 /// True where the length counts in degrees: the F of such a block does not change with the length unit.
 inline bool feed_length_is_angle(double linear_mm) { return linear_mm == 0; }
 
-/// Length of the way in X, Y, Z, mm.
-double distance_mm(const AxisWords& way);
-
 /// True if `a` is off `b` by more than this share of it.
 inline bool differs(double a, double b, double tolerance) { return std::abs(a - b) > tolerance * std::abs(b); }
 

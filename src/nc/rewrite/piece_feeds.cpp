@@ -28,8 +28,8 @@ bool turns(const Motion& motion) {
   const Motion& motion = step.motions.front();
   const std::string what = !turns(motion)
                                ? "nothing turns in this block, but its correction does, as much as it moves: "
-                           : distance_mm(motion.to - motion.from) > 0 ? "this block moves and turns: "
-                                                                      : "this block turns, and its correction moves: ";
+                           : length_mm(motion.to - motion.from) > 0 ? "this block moves and turns: "
+                                                                    : "this block turns, and its correction moves: ";
   refuse_block(*step.block, "emit-feed-rule",
                fmt::format("{}dialect {} does not say which speed F is then", what, dialect.name),
                "say how the control counts: --feed-rule xyz (F is the speed along X, Y, Z) or --feed-rule all (degrees "
@@ -48,7 +48,7 @@ bool turns(const Motion& motion) {
 bool tip_stands(const Motion& motion) {
   const AxisWords delta = motion.to - motion.from;
   return motion.feed_rule == FeedRule::tool_tip && motion.feed_mode != FeedMode::inverse_time && motion.feed > 0 &&
-         motion.kind == MotionKind::feed && distance_mm(delta) == 0 &&
+         motion.kind == MotionKind::feed && length_mm(delta) == 0 &&
          std::abs(delta[Axis::A]) + std::abs(delta[Axis::B]) + std::abs(delta[Axis::C]) > kSamePlace;
 }
 
@@ -76,7 +76,7 @@ void PieceFeeds::keep(bool has_time, OutputState& control) const {
   if (tip_stands(motion)) refuse_turn_alone(step_);
   const bool cuts = motion.kind == MotionKind::feed || motion.kind == MotionKind::arc;
   const AxisWords way = motion.to - motion.from;
-  if (cuts && !has_time && motion.feed > 0 && !feed_length(distance_mm(way), way, motion.feed_rule, motion.mm_per_unit))
+  if (cuts && !has_time && motion.feed > 0 && !feed_length(length_mm(way), way, motion.feed_rule, motion.mm_per_unit))
     refuse_feed_rule(step_, dialect_);
   control.change_unit(*step_.before, *step_.after);
   if (find_word(*step_.block, 'F') == nullptr) return;
@@ -91,7 +91,7 @@ void PieceFeeds::set_lengths(const AxisWords& start) {
                       turns_count_little(start, ends_, motion.mm_per_unit, settings_.time_tolerance / 2);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const AxisWords delta = ends_[i] - at;
-    const double linear = distance_mm(delta);
+    const double linear = length_mm(delta);
     const FeedRule rule = little ? FeedRule::xyz_first : motion.feed_rule;
     const std::optional<double> length = feed_length(linear, delta, rule, motion.mm_per_unit);
     if (!length && motion.feed_rule == FeedRule::tool_tip && motion.feed_mode != FeedMode::inverse_time)

@@ -61,7 +61,7 @@ bool WordGrid::keeps_time(const Step& step, const AxisWords& standing) const {
   }
   const AxisWords way = motion.to - motion.from;
   const auto length = [&](const AxisWords& d) {
-    return feed_length(distance_mm(d), d, motion.feed_rule, motion.mm_per_unit).value_or(0);
+    return feed_length(length_mm(d), d, motion.feed_rule, motion.mm_per_unit).value_or(0);
   };
   const double before = length(way);
   return before <= kSamePlace || !differs(length(way - off), before, settings_.time_tolerance);
