@@ -202,6 +202,7 @@ void Aligner::note_time(const DiffMove& move, std::size_t count) {
   double way = 0;
   bool is_known = move.seconds.has_value();
   for (std::size_t k = 0; k < count; ++k) {
+    if (move.cuts() && !b_.peek(k)->cuts()) continue;  // a tiny way to where it begins
     is_known = is_known && b_.peek(k)->seconds.has_value();
     after += b_.peek(k)->seconds.value_or(0);
     way += b_.peek(k)->length;

@@ -23,7 +23,9 @@ constexpr double kShiftUnit = 0.03;  // of a change of shift, and of what it mak
 constexpr double kUnitShare = 0.3;   // and as much of the shift itself
 constexpr double kMostForWay = 1;
 constexpr double kMostForTime = 8;
-constexpr double kVanishing = 0.5;  // of a move without a counterpart, and as much again for each:
+constexpr double kMuchForPlace = 20;   // where the time says that it is the end, the place says little more than this,
+constexpr double kBeyondShare = 0.05;  // since one far end must not outweigh all ends before it
+constexpr double kVanishing = 0.5;     // of a move without a counterpart, and as much again for each:
 constexpr double kVanishingUnit = 0.0005;
 constexpr double kUneven = 0.3;           // of a rapid more or less
 constexpr std::size_t kMostRapids = 3;    // that a rapid may have become: there, over the hole, down to R
@@ -39,6 +41,11 @@ double shift_unit(const Standing& standing) { return kShiftUnit + kUnitShare * s
 
 // What rounding makes of the length of a short move, it makes of its time.
 double time_share(const DiffMove& move) { return kTimeShare + kRounded / std::max(move.length, kRounded); }
+
+double place_cost(double off, const Standing& standing, bool in_time) {
+  const double cost = off / shift_unit(standing);
+  return in_time && cost > kMuchForPlace ? kMuchForPlace + kBeyondShare * (cost - kMuchForPlace) : cost;
+}
 
 double time_cost(double gone, double seconds, double share) {
   return std::min(std::abs(gone / seconds - 1) / share, kMostForTime);
@@ -136,9 +143,31 @@ std::optional<std::size_t> Candidates::count_by_number(const DiffMove& move, std
   return ends_there ? std::optional(count) : std::nullopt;
 }
 
-// Pieces take the time of the move together, or are as long as it, and end where it does.
+// A hole of a cycle that begins where the one before it ended has no way there in A, but a tiny one in B, which the
+// correction of another hole moves elsewhere.
+std::size_t Candidates::tiny_rapids(std::size_t j) {
+  std::size_t count = 0;
+  for (const DiffMove* next = b_.peek(j); next != nullptr && !next->cuts() && next->length <= kSlack;
+       next = b_.peek(j + count)) {
+    if (next->in_machine_coordinates || ++count == kMostRapids) break;
+  }
+  return count;
+}
+
+// As it is, or after tiny rapids that A does not have.
 std::vector<Candidate> Candidates::of_cut(const DiffMove& move, std::size_t i, std::size_t j,
                                           const Standing& standing) {
+  const std::size_t before = tiny_rapids(j);
+  std::vector<Candidate> candidates = pieces_of_cut(move, i, j + before, standing);
+  for (Candidate& candidate : candidates) {
+    if (candidate.count > 0) candidate.count += before;
+  }
+  return candidates;
+}
+
+// Pieces take the time of the move together, or are as long as it, and end where it does.
+std::vector<Candidate> Candidates::pieces_of_cut(const DiffMove& move, std::size_t i, std::size_t j,
+                                                 const Standing& standing) {
   if (const auto count = count_by_number(move, i, j, standing)) return {{*count, 0}};
   const AxisWords wanted = move.end + standing.shift;
   const double allowed = slack(move, standing);
@@ -173,7 +202,7 @@ std::vector<Candidate> Candidates::of_cut(const DiffMove& move, std::size_t i, s
     const double for_time = has_time && !both_vanish ? time_cost(gone, seconds, share) : 0;
     const double for_way = std::min(std::abs(way - move.length) / shift_unit(standing), kMostForWay);
     candidates.push_back(
-        {k, off / shift_unit(standing) + for_way + for_time + (has_code && has_none ? kNoCode : 0), in_time});
+        {k, place_cost(off, standing, in_time) + for_way + for_time + (has_code && has_none ? kNoCode : 0), in_time});
   }
   return candidates;
 }

@@ -121,6 +121,25 @@ TEST_CASE("tiny rapids behind a long one belong to it, whatever comes next") {
   }
 }
 
+TEST_CASE("a tiny rapid before a cut belongs to it where the first program stands there already") {
+  const std::string before = "G0 X0 Y0 Z5\nM3 S500\n";
+  const std::string after = "G0 Z9\n";
+  for (const auto& [hole, tiny] : {std::pair("G1 Z-2 F100\nG1 Z5\n", "G0 B0.00045\n"),
+                                   std::pair("G1 X3 Z-2 F100\nG1 Z5\n", "G0 A0.0004\nG0 B0.0003\n"),
+                                   std::pair("G1 X0 Y4 F80\nG2 X6 Y4 I3\n", "G0 C0.001\n")}) {
+    const std::string a = before + hole + hole + after;
+    const std::string b = before + hole + tiny + hole + after;
+    INFO(b);
+    const DiffSummary s = diff_of(a, b);
+    CHECK(s.out_of_line_a == 0);
+    CHECK(s.out_of_line_b == 0);
+    CHECK(s.matched == s.moves_a);
+    CHECK(s.time_change.value < 1e-3);
+  }
+  const DiffSummary far = diff_of(before + "G1 X3 F100\n", before + "G0 Y0.5\nG1 X3 F100\n");
+  CHECK(far.out_of_line_b > 0);
+}
+
 TEST_CASE("the way to a hole that the correction divides is in line, over the hole and down to its R") {
   for (const char* const holes :
        {"G99 G84 X11.5 Y-21.5 Z3.9 R6.8 F2173.5\nX-35.2\n", "G86 X-1.5 Y-0.1 Z2.6 R4.9 P0.1 F90\nY-8.4\nX5\n",
@@ -149,7 +168,9 @@ TEST_CASE("near the edge of the workspace shifts are large and change fast, and 
         "C-14.0931\nG0 X-123.339 Y131.128 Z134.8333 A-13.6823\nG1 B11.316 F900\n",
         "G0 X-54.4021 Y-51.561 Z-18.4052 A-7.2167 B-13.6852 C4.3\nG0 X253.6928 Y226.8 Z162.1407 A-16.5905 B10.1721 "
         "C-1.1319\n"
-        "G1 X240 F800\nG2 X230 Y216.8 I-10\nG2 X228 Y214.8 I-2\n"}) {
+        "G1 X240 F800\nG2 X230 Y216.8 I-10\nG2 X228 Y214.8 I-2\n",
+        "G0 X-226.7289 Y160.1473 Z-209.9314 A13.9337 B-17.0887 C-12.6932\nG1 B19.8827 C-19.7995 F265.3\nG3 J2.1172\n"
+        "G1 X221.7527 Y260.1235 Z200.3035\n"}) {
     INFO(moves);
     const testing::Scratch scratch;
     const DiffSummary s = diff_of(moves, compensated(scratch, moves, 7, 1));
