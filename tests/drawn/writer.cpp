@@ -195,9 +195,9 @@ std::string Writer::axis_word_to(Axis axis, double work) {
   return letter(axis) + number.text;
 }
 
-// C is an axis whose words count within a turn. Where it stands at first is known then.
+// C is an axis whose words count within a turn. Where it stands is always known then: else any turn is as good.
 void Writer::turn_endlessly() {
-  if (!uses_rotary_) return;
+  if (!uses_rotary_ || !keeps_at_stop_ || !keeps_at_tool_change_) return;
   program_.options.program.rotary[2] = draws_.chance(50) ? nc::RotaryRule::shortest : nc::RotaryRule::sign;
   if (!program_.options.program.start[index(Axis::C)]) program_.options.program.start[index(Axis::C)] = 0;
 }

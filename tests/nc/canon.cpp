@@ -200,13 +200,18 @@ std::string first_difference(const std::vector<Motion>& ours, const std::vector<
       while (i < ours.size() && ours[i].goes_on) ++i;
       continue;
     }
-    if (i >= ours.size()) return fmt::format("{} motions, theirs {} and more", ours.size(), j);
-    if (same(ours[i], theirs[j], tolerance)) continue;
-    // Up to the level R, where the tool stands to the last bit or one bit below it
-    if (goes_nowhere(theirs[j].motion, tolerance * theirs[j].unit_mm)) {
+    // Up to the level R, where the tool stands to the last bit or one bit below it: one of both moves there
+    const double nowhere = tolerance * theirs[j].unit_mm;
+    if (i < ours.size() && same(ours[i], theirs[j], tolerance)) continue;
+    if (i + 1 < ours.size() && goes_nowhere(ours[i], nowhere) && same(ours[i + 1], theirs[j], tolerance)) {
+      ++i;
+      continue;
+    }
+    if (goes_nowhere(theirs[j].motion, nowhere)) {
       --i;
       continue;
     }
+    if (i >= ours.size()) return fmt::format("{} motions, theirs {} and more", ours.size(), j);
     return fmt::format("motion {}:\nours   {}\ntheirs {}", i + 1, text_of(ours[i]), text_of(theirs[j].motion));
   }
   if (ours.size() == i) return "";
