@@ -25,7 +25,8 @@ void refuse_to_follow(const nc::Step& step, const UnknownPosition& unknown) {
 
 std::optional<ToolInSpindle> SpindleTool::change(const nc::Step& step) {
   const AxisWords& offset = step.frame->tool;
-  const int number = (step.moves_old_tool ? step.before : step.after)->tool_in_spindle;
+  const bool moves_old_tool = step.tool_change == nc::ToolChange::after_motion;
+  const int number = (moves_old_tool ? step.before : step.after)->tool_in_spindle;
   if (offset_ == offset && number == number_) return std::nullopt;
   offset_ = offset;
   number_ = number;

@@ -66,6 +66,8 @@ class MoveReader {
 
   /// The next block of the program, as nc::Program gives it.
   const nc::Step* next();
+  /// True once a block was read that does not come next in the text.
+  bool jumped() const { return program_.jumped(); }
   /// The tool that makes the moves of the step, where it is another one than before.
   std::optional<ToolInSpindle> new_tool(const nc::Step& step) { return spindle_.change(step); }
   bool tool_has_mass() const { return spindle_.has_mass(); }

@@ -103,7 +103,7 @@ bool Pipeline::run(const Progress& progress) {
   while (const nc::Step* const step = reader_.next()) {
     stamps_.look_at(step->block->file);
     tally_.take_block(*step);
-    if (!jumps && step->jumped && !steps_.unrolled()) {
+    if (!jumps && reader_.jumped() && !steps_.unrolled()) {
       jumps = true;
       rewriter_.only_look();
     }
@@ -220,12 +220,12 @@ void Pipeline::take_synchronised(const nc::Step& step) {
 void Pipeline::take_cycle(const nc::Step& step) {
   const std::span<const nc::Step* const> moves = steps_.of_cycle(step);
   const bool goes_on = rewriter_.goes_on_from_written_out(step);
-  const bool point_by_point = step.ends_nurbs && steps_.unrolled();  // its points were left out
+  const bool point_by_point = step.nurbs == nc::NurbsBlock::end && steps_.unrolled();  // its points were left out
   if (!goes_on && !point_by_point && cycle_stays(step, moves)) {
     rewriter_.copy(step, true);
     return tally_.take_cycle(step);
   }
-  if (step.ends_nurbs && !point_by_point) {
+  if (step.nurbs == nc::NurbsBlock::end && !point_by_point) {
     must_unroll_ = true;  // the blocks of its points are behind us
     return;
   }

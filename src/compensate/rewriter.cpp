@@ -34,7 +34,7 @@ void Rewriter::finish() {
 
 // Where one block has A, B and C in place of its vector, or its code says that they follow, all behind it have.
 bool Rewriter::writes_vector(const nc::Step& step) const {
-  if (!step.tool_vector) return false;
+  if (step.end_words != nc::EndWords::tool_vector) return false;
   return emitter_.changed() ||
          std::any_of(step.block->words.begin(), step.block->words.end(), [&](const nc::Word& word) {
            const nc::CodeRow* const row = nc::is_code(word) ? dialect_.row_of(word) : nullptr;
@@ -78,7 +78,7 @@ const WrittenMove& Rewriter::write(const CorrectedMove& corrected) {
   const AxisSet writable = move.path.writable();
   const std::span<const nc::CorrectedPoint> points = corrected.points;
   nc::EmittedMove& emitted = written_;
-  const bool in_other_words = (step.polar || step.tool_vector) && (writes_vector(step) || !stays(corrected));
+  const bool in_other_words = step.end_words != nc::EndWords::axes && (writes_vector(step) || !stays(corrected));
   if (in_other_words) {
     emitter_.begin_group(step);
     emitted = emitter_.move(steps_.in_other_words(step), points, writable, move.duration);

@@ -9,10 +9,10 @@ namespace plumbline::compensate {
 namespace {
 
 void refuse_what_stops(const nc::Step& step) {
-  if (!step.flow || (!step.alarms && !step.shows_message)) return;
+  if (!step.flow || step.stop == nc::StopByVariable::none) return;
   refuse("compensate-flow",
          fmt::format("the program stops here with {}, on a condition that the output does not hold",
-                     step.alarms ? "an alarm" : "a message"),
+                     step.stop == nc::StopByVariable::alarm ? "an alarm" : "a message"),
          "look at the condition: with the offsets and variables given here it holds", place_of(step));
 }
 
@@ -44,7 +44,7 @@ WrittenSteps::OfBlock WrittenSteps::of(const nc::Step& step) {
   if (step.flow || step.saves_modes) return of_steering(step);
   refuse_handed_variables(step);
   const nc::Step* const plain = expander_.plain(step, false);
-  if (plain == nullptr || !plain->nurbs_point) return only(plain);
+  if (plain == nullptr || plain->nurbs != nc::NurbsBlock::point) return only(plain);
   return {moves_.of(*plain), std::nullopt};  // its curve is written out at its end
 }
 
@@ -53,7 +53,8 @@ WrittenSteps::OfBlock WrittenSteps::of_steering(const nc::Step& step) {
   const bool acts = acts_beside_flow(step, dialect_);
   OfBlock written = only(expander_.beside_flow(step, acts));
   written.steering = step;
-  if (acts && step.entry.kind != nc::FlowEntry::Kind::none) written.steering->before = step.after;  // that is done
+  const bool enters = step.flow && step.flow->kind != nc::FlowEntry::Kind::none;
+  if (acts && enters) written.steering->before = step.after;  // that is done
   return written;
 }
 

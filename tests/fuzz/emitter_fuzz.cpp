@@ -39,7 +39,8 @@ class Draw {
 };
 
 bool is_rewritable(const nc::Step& step) {
-  if (step.role != nc::BlockRole::plain || step.motions.size() != 1 || step.polar) return false;
+  if (step.role != nc::BlockRole::plain || step.motions.size() != 1 || step.end_words == nc::EndWords::polar)
+    return false;
   const nc::Motion& motion = step.motions.front();
   if (motion.in_machine_coordinates || motion.kind == nc::MotionKind::dwell || motion.kind == nc::MotionKind::probe) {
     return false;
@@ -79,8 +80,8 @@ Rewritten rewrite(const InputFile& source, const nc::Dialect& dialect, Draw* dra
     emitter.record(log);
     out.keep_hash();
     while (const nc::Step* step = program.next()) {
-      if ((draw != nullptr && (step->motions.size() > 1 || cuts_blindly(*step))) || step->flow || step->jumped ||
-          step->role == nc::BlockRole::cycle || step->polar || !is_within_reach(*step)) {
+      if ((draw != nullptr && (step->motions.size() > 1 || cuts_blindly(*step))) || step->flow || program.jumped() ||
+          step->role == nc::BlockRole::cycle || step->end_words == nc::EndWords::polar || !is_within_reach(*step)) {
         refuse("fuzz", "not rewritten", "none");
       }
       if (draw == nullptr || !is_rewritable(*step)) {

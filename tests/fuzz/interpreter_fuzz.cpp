@@ -24,7 +24,7 @@ void run(const InputFile& file, std::string_view text, const nc::Dialect& dialec
   const bool whole = fuzz::is_taken([&] {
     nc::Program program(file, dialect, std::move(settings));
     while (const nc::Step* step = program.next()) {
-      jumped = jumped || step->jumped || step->flow;
+      jumped = jumped || program.jumped() || step->flow;
       if (!jumped) {
         blocks += step->block->text;
         blocks += step->block->line_end;

@@ -70,11 +70,11 @@ void Intention::begin(const nc::Step& original) {
   if (source.file != source_.name()) block.file = source.file;
   block.steers = unrolled_ && (original.flow || original.saves_modes);
   block.spindle_cycle = original.cycle == nc::CycleForm::spindle;
-  block.left_out = original.skipped;
+  block.left_out = original.block_delete == nc::BlockDelete::left_out;
   block.number = source.at(source.number);
   block.first_move = batch_.moves.size();
   block.first_effect = batch_.effects.size();
-  if (!original.skipped) append_effects(original, dialect_, batch_.effects);
+  if (!block.left_out) append_effects(original, dialect_, batch_.effects);
   block.effects = batch_.effects.size() - block.first_effect;
   batch_.blocks.push_back(std::move(block));
 }

@@ -194,9 +194,10 @@ void BlockValues::set_parameter(const Block& block, const Setting& place, int nu
     }
     run_.control.parameters.set(block.at(block.names[place.name]), value);
   } else if (number == run_.dialect.syntax.alarm_variable) {
-    run_.control.ended = run_.step.alarms = true;
+    run_.control.ended = true;
+    run_.step.stop = StopByVariable::alarm;
   } else if (number == run_.dialect.syntax.message_variable) {
-    run_.step.shows_message = true;
+    if (run_.step.stop == StopByVariable::none) run_.step.stop = StopByVariable::message;
     if (!run_.settings.keeps_position.contains(0)) lose_position(run_, AxisSet::all());  // as behind M0
   } else {
     run_.control.parameters.set(number, value);

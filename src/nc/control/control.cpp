@@ -52,10 +52,10 @@ Control::Control(const Dialect& dialect, const ProgramSettings& settings)
   parameters.set("_value", {});
   parameters.set("_value_returned", {});
   parameters.set("_task", {settings.as_with_empty_tables ? 0.0 : 1.0, true});  // 0: rs274 and previews
-  g92_known = given(parameters, kG92, suspended_g92) == AxisSet::all() || settings.as_with_empty_tables;
-  if (settings.as_with_empty_tables) g92_applied = false;
-  if (parameters.has(kG92InForce)) g92_applied = parameters.get(kG92InForce).number != 0;
-  if (g92_applied.value_or(false)) frame.g92 = suspended_g92;
+  g92.known = given(parameters, kG92, g92.suspended) == AxisSet::all() || settings.as_with_empty_tables;
+  if (settings.as_with_empty_tables) g92.applied = false;
+  if (parameters.has(kG92InForce)) g92.applied = parameters.get(kG92InForce).number != 0;
+  if (g92.applied.value_or(false)) frame.g92 = g92.suspended;
   frame.origin = active().origin;
   frame.rotation_deg = active().rotation_deg;
   modal.tool_in_spindle = settings.tool_in_spindle.value_or(-1);

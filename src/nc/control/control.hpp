@@ -63,6 +63,13 @@ struct CycleCall {
   bool by_variables = false;  // some value is no plain number
 };
 
+/// The offset of G92, which the control keeps from program to program.
+struct KeptShift {
+  AxisWords suspended;          // what G92.3 brings back
+  bool known = false;           // that
+  std::optional<bool> applied;  // whether G92, G52 or G92.3 put it in force
+};
+
 /// A row of the control's tool table, as far as it is known.
 struct ToolRow {
   AxisWords offset;
@@ -88,9 +95,7 @@ struct Control {
   std::optional<std::array<double, 2>> spline_end;  // P and Q of the G5 before, mm
   std::vector<NurbsPoint> nurbs;                    // begun by G5.2
   int nurbs_order = 3;
-  AxisWords suspended_g92;                 // what G92.3 brings back
-  bool g92_known = false;                  // that: the control keeps it from program to program
-  std::optional<bool> g92_applied;         // the same: whether G92, G52 or G92.3 put it in force
+  KeptShift g92;
   AxisWords local;                         // G52, TRANS: added to the origin of the work system
   bool local_added = false;                // by ATRANS
   AxisWords local_before_turn;             // G68 changes it, G69 brings it back
@@ -106,15 +111,15 @@ struct Control {
   bool edge_unknown = false;               // after D0 a tool was changed: D0 or D1, as the control is set
   double spindle_speed = 0;
   bool surface_speed = false;  // G96
-  bool motion_off = false;     // G80 was executed, and no motion code since
-  bool nurbs_ended = false;    // the same of G5.3
   double feed_linear = 0;      // the F in force as mm/min (mm/rev under G95)
   Parameters parameters;
   bool tool_in_inches = false;     // the unit in force when the tool's offset was taken
   bool ended = false;              // M2, M30
   bool in_machine_system = false;  // G15 H0
-  bool length_by_tip = false;      // the length in force is that of G169 H
-  bool length_unknown = false;     // G170 behind it: whether that ends the length is in no source
+  /// The code of which no motion code came after.
+  enum class MotionEnd : std::uint8_t { none, off, nurbs_end } motion_end = MotionEnd::none;  // G80, G5.3
+  /// Where the length in force comes from; unknown: G170 after G169 H, as no source says whether that ends the length.
+  enum class Length : std::uint8_t { by_code, by_tip, unknown } length = Length::by_code;
   enum class Return : std::uint8_t { unknown, level, r } cycle_return = Return::unknown;  // M53, M54
   std::optional<double> return_level;  // G71, in machine coordinates along the normal of the plane
 

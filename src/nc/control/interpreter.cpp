@@ -36,7 +36,7 @@ const Step& Interpreter::execute(Block& block) {
   begin(block);
   run_.block_in_machine_system = false;
   if (block.block_delete && deleted(block)) {
-    run_.step.skipped = true;
+    run_.step.block_delete = BlockDelete::left_out;
     for (const Word& word : block.words) {
       if (!is_code(word)) run_.words.add(word);
     }
@@ -60,7 +60,8 @@ const Step& Interpreter::execute(Block& block) {
   }
   if (!moved) make_motion(run_);
   // Whether the change of tools comes before the move or after it is the builder's choice.
-  const bool where_unknown = run_.dialect.behaviour.change_beside_move_unknown && run_.step.changes_tool;
+  const bool where_unknown =
+      run_.dialect.behaviour.change_beside_move_unknown && run_.step.tool_change != ToolChange::none;
   if (where_unknown && run_.motion != nullptr && !run_.settings.keeps_position.contains(kChangeCode)) {
     lose_position(run_, AxisSet::all());
   }
@@ -106,7 +107,7 @@ bool Interpreter::deleted(const Block& block) {
               "whether this block is executed depends on a switch of the control",
               "say how it stands: --block-delete on leaves the block out, off executes it");
   }
-  run_.step.executed_delete = !harmless;
+  if (!harmless) run_.step.block_delete = BlockDelete::executed;
   return false;
 }
 
@@ -135,9 +136,9 @@ void Interpreter::set_macro_arguments() {
 
 void Interpreter::leave_subprogram(const Block& block) {
   control_.parameters.leave();
-  const SavedModes modes = saved_.back();
+  const std::optional<SavedModes> modes = saved_.back();
   saved_.pop_back();
-  if (modes.valid && modes.of_call) restore_modes(run_, modes, block);
+  if (modes && modes->of_call) restore_modes(run_, *modes, block);
 }
 
 // M70 to M73; false: another code.
@@ -148,13 +149,13 @@ bool Interpreter::act_on_saved_modes(const Chosen& chosen) {
   run_.step.saves_modes = true;
   switch (action) {
     case Action::forget_modes:
-      saved_.back().valid = false;
+      saved_.back().reset();
       return true;
     case Action::restore_modes:
-      if (!saved_.back().valid) {
+      if (!saved_.back()) {
         run_.refuse(*chosen.word, codes::kModesNotSaved, "no modes were saved here", "save them with M70 before");
       }
-      restore_modes(run_, saved_.back(), *run_.block);
+      restore_modes(run_, *saved_.back(), *run_.block);
       return true;
     default:
       saved_.back() = save_modes(control_, action == Action::save_modes_of_call);

@@ -88,8 +88,8 @@ Value selected_tool(const Control& control, const ProgramSettings& settings) {
 // What was in force before the first motion code depends on what ran before.
 Value motion_mode(const Control& control, const ProgramSettings& settings) {
   if (control.motion_row != nullptr) return {static_cast<double>(control.motion_row->code), true};
-  if (control.nurbs_ended) return {kNoMotionMode, true};
-  return {kMotionOff, control.motion_off || settings.as_with_empty_tables};
+  if (control.motion_end == Control::MotionEnd::nurbs_end) return {kNoMotionMode, true};
+  return {kMotionOff, control.motion_end == Control::MotionEnd::off || settings.as_with_empty_tables};
 }
 
 }  // namespace

@@ -129,7 +129,7 @@ void plan_polar(Execution& run) {
                "give either X and Y or radius and angle");
   }
   run.axes = run.axes | plane;
-  run.step.polar = true;
+  run.step.end_words = EndWords::polar;
 }
 
 const Word& polar_word(const Execution& run) {
@@ -226,7 +226,7 @@ void gather(Execution& run) {
     }
     if (run.dialect.syntax.repeated_ijk && run.words.has(word.letter)) refuse_twice(run, word);
     if (word.mode != WordMode::modal) take_word_mode(run, word);
-    if (word.machine_axis) machine_axis = &word;
+    if (word.use == WordUse::machine_axis) machine_axis = &word;
     if (!(std::abs(word.value) <= kLargestValue)) refuse_large(run, word);
     if ((letter_bit(word.letter) & kUninterpretedLetters) != 0) {
       run.refuse(word, codes::kNotInterpreted, fmt::format("{} words are not interpreted", word.letter),

@@ -72,8 +72,8 @@ void restore_feed_and_speed(Execution& run, const SavedModes& saved) {
 // Whether the shift of G92 is in force comes back, not its words.
 void restore_shift(Execution& run, const SavedModes& saved) {
   const Control& control = run.control;
-  if (saved.g92_applied == control.g92_applied) return;
-  const bool same_either_way = control.g92_known && control.suspended_g92 == control.frame.g92;
+  if (saved.g92_applied == control.g92.applied) return;
+  const bool same_either_way = control.g92.known && control.g92.suspended == control.frame.g92;
   if (!saved.g92_applied && same_either_way && control.frame.g92 == AxisWords{}) return;
   if (!saved.g92_applied) {
     run.refuse(codes::kWorkOffsetUnknown,
@@ -87,7 +87,7 @@ void restore_shift(Execution& run, const SavedModes& saved) {
 }  // namespace
 
 SavedModes save_modes(const Control& control, bool of_call) {
-  return {true, of_call, control.modal, control.surface_speed, control.frame.tool != AxisWords{}, control.g92_applied};
+  return {of_call, control.modal, control.surface_speed, control.frame.tool != AxisWords{}, control.g92.applied};
 }
 
 // The length unit comes back in a block of its own, the others together [interp_convert.cc, restore_settings].

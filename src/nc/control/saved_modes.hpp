@@ -8,7 +8,6 @@
 namespace plumbline::nc {
 
 struct SavedModes {
-  bool valid = false;
   bool of_call = false;  // M73: come back at the end of the subprogram
   Modal modal;
   bool surface_speed = false;

@@ -23,7 +23,7 @@ enum class BlockRole : std::uint8_t {
   stores_position,  // G28.1, G30.1: stores where the control stands; cannot be made up for
 };
 
-/// Where the program goes on at a subprogram or at another pass of a loop.
+/// What a line that steers the program enters: a subprogram, another pass of a loop, or nothing.
 struct FlowEntry {
   enum class Kind : std::uint8_t { none, call, pass };
   Kind kind = Kind::none;
@@ -31,6 +31,37 @@ struct FlowEntry {
   std::string_view file;   // that it stands in, if that is not the program's own
   std::size_t line = 0;    // of the call, or of where the loop begins
   std::uint64_t pass = 1;  // of a loop, or of M98 with L
+};
+
+/// What became of a block with "/" that moves or changes modal state.
+enum class BlockDelete : std::uint8_t {
+  none,      // not such a block
+  left_out,  // block delete is on: nothing of the block was executed
+  executed,  // block delete is off
+};
+
+/// A block that stops the control by setting a variable.
+enum class StopByVariable : std::uint8_t {
+  none,
+  message,  // #3006=1: the program goes on
+  alarm,    // #3000=1: the program ends
+};
+
+/// Whether a block changes the tool (M6, M61), and which tool makes its motion.
+enum class ToolChange : std::uint8_t { none, before_motion, after_motion };
+
+/// In which words a block gives where its move ends.
+enum class EndWords : std::uint8_t {
+  axes,
+  polar,        // @ and ^
+  tool_vector,  // the direction of the tool for A, B and C: by its words, or its code says that they follow
+};
+
+/// A block of a NURBS curve (G5.2).
+enum class NurbsBlock : std::uint8_t {
+  none,
+  point,  // its curve is moved along at the G5.3 after it
+  end,    // G5.3
 };
 
 /// How a cycle may be rewritten.
@@ -62,11 +93,19 @@ struct CycleCall;
 
 /// M98 and G65 call a program, M99 ends it.
 struct ProgramCall {
-  bool calls = false, ends = false;
-  bool macro = false;  // G65: the program has variables of its own
+  enum class Kind : std::uint8_t {
+    none,
+    program,  // M98
+    macro,    // G65: the program has variables of its own
+    end,      // M99
+  };
+  Kind kind = Kind::none;
   int number = 0;
   int count = 1;
   std::optional<int> return_to;  // M99 P: the N at which the caller goes on
+
+  bool calls() const { return kind == Kind::program || kind == Kind::macro; }
+  bool ends() const { return kind == Kind::end; }
 };
 
 /// Everything points into the interpreter and holds until the next block is executed.
@@ -80,27 +119,19 @@ struct Step {
   AxisSet known;                    // of which this is known
   AxisSet named;                    // axes whose words stand in the block
   BlockRole role = BlockRole::plain;
-  double offset_rotation_deg = 0;         // sets_offset: of the work system that its words are in, active or not
-  bool alarms = false;                    // #3000=1: the control stops, and the program ends
-  bool shows_message = false;             // #3006=1: it stops, and goes on
-  bool flow = false;                      // the line steers the program: an O word, M98, M99 that ends a subprogram
-  FlowEntry entry = {};                   // what it enters, if anything
+  double offset_rotation_deg = 0;  // sets_offset: of the work system that its words are in, active or not
+  BlockDelete block_delete = BlockDelete::none;
+  StopByVariable stop = StopByVariable::none;
+  std::optional<FlowEntry> flow = {};     // the line steers the program: an O word, M98, M99 that ends a subprogram
   bool saves_modes = false;               // M70 to M73: modes are kept or come back
   std::optional<bool> g92_restored = {};  // by that: the shift of G92 came back into force, or went out of it
   CycleForm cycle = CycleForm::none;
   std::span<const Hole> holes = {};  // of a cycle
   const CycleCall* call = nullptr;   // that made its hole
-  bool calls_modally = false;        // MCALL: a call after each move begins or ends
-  bool nurbs_point = false;          // G5.2: its curve is moved along at the G5.3 behind it
-  bool ends_nurbs = false;
+  NurbsBlock nurbs = NurbsBlock::none;
   std::optional<Orienting> orienting = {};  // it turns the tool along a direction (G53.1)
-  bool tool_vector = false;                 // words of it give the direction of the tool, or its code says they do
-  bool polar = false;                       // its end is given by @ and ^
-  bool jumped = false;            // something jumped or repeated before: steps are not in the order of the text
-  bool skipped = false;           // block delete is on for it: nothing of it was executed
-  bool executed_delete = false;   // block delete is off for it, and it moves or changes modal state
-  bool changes_tool = false;      // M6, M61
-  bool moves_old_tool = false;    // its motion comes before that
+  EndWords end_words = EndWords::axes;
+  ToolChange tool_change = ToolChange::none;
   bool passes_variables = false;  // what stands in the brackets of a name, and is not looked into, names variables
   bool loses_position = false;    // M0, M6, user M code, G28...: some axis may stand elsewhere now
 };

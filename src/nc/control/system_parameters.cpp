@@ -99,9 +99,9 @@ std::optional<double> SystemParameters::table_value(int number) const {
     const int at = (number - kHomes) % kParametersPerRow;
     return known(home.known, at) ? std::optional(of(home.machine, at)) : std::nullopt;
   }
-  if (number < kG92End && !control_.g92_known) return std::nullopt;
-  if (number == kG92InForce) return control_.g92_applied.value_or(false) ? 1 : 0;
-  if (number < kG92End) return of(control_.suspended_g92, number - kG92InForce - 1);
+  if (number < kG92End && !control_.g92.known) return std::nullopt;
+  if (number == kG92InForce) return control_.g92.applied.value_or(false) ? 1 : 0;
+  if (number < kG92End) return of(control_.g92.suspended, number - kG92InForce - 1);
   if (number == kActiveSystem) return control_.modal.work_system;
   if (number <= kSystemsEnd) {
     const WorkSystem& row = control_.systems[static_cast<std::size_t>((number - kSystems) / kParametersPerRow)];

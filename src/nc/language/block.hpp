@@ -31,6 +31,14 @@ enum class WordMode : std::uint8_t {
   negative,     // A=ACN(5)
 };
 
+/// What a word stands for where its letter alone does not say it.
+enum class WordUse : std::uint8_t {
+  of_letter,
+  tool_name,     // T="MILL10": the tool table says which number that is
+  machine_axis,  // X1=0: of the machine's axis of this name, not of the work's X
+  tool_vector,   // A3=0: I of the direction of the tool, not of an arc
+};
+
 /// A letter and its value, as in or Y[#1+2]. Of a code written as a name the value is its row in
 /// Dialect::named_codes.
 struct Word {
@@ -43,9 +51,7 @@ struct Word {
   bool point = false;                   // a literal with a decimal point
   bool vacant = false;                  // an expression without a value
   WordMode mode = WordMode::modal;
-  bool named = false;         // T="MILL10": the tool table says which number that is
-  bool machine_axis = false;  // X1=0: of the machine's axis of this name, not of the work's X
-  bool tool_vector = false;   // A3=0: I of the direction of the tool, not of an arc
+  WordUse use = WordUse::of_letter;
 };
 
 /// G, M or a code that is a name: several may stand in a block, and none of them is a value.

@@ -98,10 +98,7 @@ void Emitter::copy(const Step& step) {
   if (step.role == BlockRole::stores_position) refuse_if_shifted(step, control_);
   if (text_.changed()) refuse_if_turned(step, control_);
   if (step.cycle != CycleForm::none) note_cycle_level(step);
-  if (step.skipped || step.executed_delete) {
-    copy_with_choice_applied(step);
-    return;
-  }
+  if (step.block_delete != BlockDelete::none) return copy_with_choice_applied(step);
   const bool offset_words = step.role == BlockRole::sets_offset && shifts_words(step, offset_shift(step, control_));
   const bool motion_missing = text_.changed() && !step.motions.empty() && codes.motion == nullptr &&
                               control_.motion != step.after->motion &&
@@ -125,7 +122,7 @@ void Emitter::copy(const Step& step) {
     text_.end_block(step);
     text_.note_replaced(step, begin, line_);
   }
-  control_.follow(step, codes.motion != nullptr, codes.feed_mode != nullptr, codes.feed != nullptr);
+  control_.follow(step, codes);
 }
 
 // The control works the offset out from where it stands; its words grow by what it is off, so that the offset is the
@@ -154,8 +151,9 @@ void Emitter::add_offset_shifts(const Step& step) {
 // Block delete: what the control's switch would decide is decided in the text.
 void Emitter::copy_with_choice_applied(const Step& step) {
   const Block& block = *step.block;
+  const bool left_out = step.block_delete == BlockDelete::left_out;
   std::string text;
-  if (step.skipped) {
+  if (left_out) {
     text = dialect_.comment_open + std::string(kSkipped) + dialect_.comment_close;
   } else {
     editor_.start(block, spelling_);
@@ -167,15 +165,14 @@ void Emitter::copy_with_choice_applied(const Step& step) {
     text_.hold(step, text);
   } else {
     const std::uint64_t begin = text_.size();
-    if (!step.skipped) restore_feed_state(step, find_word(block, 'F') != nullptr);
+    if (!left_out) restore_feed_state(step, find_word(block, 'F') != nullptr);
     text_.write_line(step, text);
     text_.end_block(step);
     line_ = text;
     text_.note_replaced(step, begin, line_);
   }
-  if (step.skipped) return;
-  const BlockCodes codes = codes_.codes_of(block);
-  control_.follow(step, codes.motion != nullptr, codes.feed_mode != nullptr, codes.feed != nullptr);
+  if (left_out) return;
+  control_.follow(step, codes_.codes_of(block));
 }
 
 EmittedMove Emitter::move(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
@@ -222,7 +219,7 @@ void Emitter::steer(const Step& step) {
   }
   const bool other_length = step.frame->tool != tool_;
   follow(step);
-  if (step.entry.kind != FlowEntry::Kind::none) entries_.note(step.entry);
+  if (step.flow && step.flow->kind != FlowEntry::Kind::none) entries_.note(*step.flow);
   write_restored_modes(step, other_length, codes_, spelling_, control_, [&](const std::string& line) {
     if (line.empty()) return;
     entries_.write(text_);

@@ -58,7 +58,7 @@ void PieceWriter::append_first(std::string& out, const Step& step, const Piece& 
   const Block& block = *step.block;
   const BlockCodes codes = codes_.codes_of(block);
   editor_.start(block, spelling);
-  if (step.executed_delete) editor_.replace(block.slash, "");
+  if (step.block_delete == BlockDelete::executed) editor_.replace(block.slash, "");
   for (const Span& span : block.left_out) editor_.replace(span, "");  // the words added may be of the same letter
   const std::string before = codes_before(step, piece, codes, standing, is_last);
   place_words(step, before, change_axis_words(step, piece));

@@ -79,6 +79,7 @@ BlockCodes CodeWriter::codes_of(const Block& block) const {
           ends && (codes.motion != nullptr || dialect_.behaviour.rapid_behind_cycles);  // G80 beside G3
       if (row->group == kMotionGroup && !gives_way) codes.motion = &word;
       if (row->group == kFeedModeGroup) codes.feed_mode = &word;
+      if (row->action == Action::modal_call) codes.modal_call = &word;
       if (is_path_control(row->action)) codes.path_control = &word;
       if (row->group != kMotionGroup && row->takes_axes) codes.axis_taker = &word;
     } else if (row->order == Order::after_motion) {

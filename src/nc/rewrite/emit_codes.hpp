@@ -21,6 +21,7 @@ struct BlockCodes {
   const Word* feed_mode = nullptr;     // G93, G94, G95
   const Word* path_control = nullptr;  // G61, G61.1, G64
   const Word* feed = nullptr;          // F
+  const Word* modal_call = nullptr;    // MCALL
   const Word* axis_taker = nullptr;    // G43.1: the axis words are its own, too
 
   /// M0, M2...: executed once the motion is done.

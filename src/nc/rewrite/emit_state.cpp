@@ -19,15 +19,15 @@ void OutputState::change_unit(const Modal& before, const Modal& after) {
   feed = after.inches ? feed / kMmPerInch : feed * kMmPerInch;
 }
 
-void OutputState::follow(const Step& step, bool has_motion_word, bool has_feed_mode_word, bool has_feed_word) {
-  if (has_motion_word) motion = step.after->motion;
-  if (step.calls_modally) modal_call = step.after->modal_call;
-  if (has_feed_mode_word) {
+void OutputState::follow(const Step& step, const BlockCodes& codes) {
+  if (codes.motion != nullptr) motion = step.after->motion;
+  if (codes.modal_call != nullptr) modal_call = step.after->modal_call;
+  if (codes.feed_mode != nullptr) {
     if (feed_mode != step.after->feed_mode) drop_feed();  // a control drops the F of the other mode
     feed_mode = step.after->feed_mode;
   }
   change_unit(*step.before, *step.after);
-  if (has_feed_word || step.after->feed == 0) {
+  if (codes.feed != nullptr || step.after->feed == 0) {
     feed = step.after->feed;
     feed_rotary = step.after->feed_rotary;
   }

@@ -4,6 +4,7 @@
 #include "base/axes.hpp"
 #include "nc/control/frame.hpp"
 #include "nc/control/step.hpp"
+#include "nc/rewrite/emit_codes.hpp"
 
 namespace plumbline::nc {
 
@@ -28,8 +29,8 @@ struct OutputState {
 
   /// Takes over the modal state of the original.
   void adopt(const Modal& modal);
-  /// Follows a block that was passed through as it stands; words_* say which words it holds itself.
-  void follow(const Step& step, bool has_motion_word, bool has_feed_mode_word, bool has_feed_word);
+  /// Follows a block that was passed through as it stands, and has these codes.
+  void follow(const Step& step, const BlockCodes& codes);
 };
 
 }  // namespace plumbline::nc

@@ -14,7 +14,6 @@ MadeStep& MadeSteps::next(const Step& like) {
   made.step.frame = like.frame;
   made.step.position = like.position;
   made.step.known = like.known;
-  made.step.jumped = like.jumped;
   return made;
 }
 

@@ -100,7 +100,7 @@ void OutputText::hold(const Step& step, std::string text) {
 
 // What was written since `begin` stands for the block, unless it is the block.
 void OutputText::note_replaced(const Step& step, std::uint64_t begin, std::string_view line) {
-  if (undo_ == nullptr || grouping_ || unrolls_) return;
+  if (undo_ == nullptr || group_begin_ || unrolls_) return;
   const Block& block = *step.block;
   const std::string_view original = without_mark(block, block.text);
   const std::uint64_t size = out_.size() - begin;
@@ -118,14 +118,12 @@ void OutputText::write_line(const Step& step, std::string_view text) {
   out_.write(without_mark(*step.block, text));
 }
 
-void OutputText::begin_group() {
-  grouping_ = true;
-  group_begin_ = out_.size();
-}
+void OutputText::begin_group() { group_begin_ = out_.size(); }
 
 void OutputText::end_group(const Step& step) {
-  grouping_ = false;
-  note_replaced(step, group_begin_, {});
+  const std::uint64_t begin = group_begin_.value();
+  group_begin_.reset();
+  note_replaced(step, begin, {});
 }
 
 void OutputText::finish() {

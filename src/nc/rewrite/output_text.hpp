@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -72,8 +73,7 @@ class OutputText {
   bool changed_;
   UndoLog* undo_ = nullptr;
   bool only_looks_ = false;
-  bool grouping_ = false;
-  std::uint64_t group_begin_ = 0;
+  std::optional<std::uint64_t> group_begin_;  // of the text of blocks that stand for one together
   std::pair<std::uint64_t, std::uint64_t> guard_span_;
   int percents_ = 0;
   bool in_header_ = true;

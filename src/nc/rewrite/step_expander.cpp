@@ -17,6 +17,8 @@ constexpr double kWholeCode = 1e-9;  // how far G54 may be from a whole number
 
 bool is_polar(const Word& word) { return word.letter == '@' || word.letter == '^'; }
 
+bool turns_tool(const Step& step) { return step.end_words == EndWords::tool_vector; }
+
 constexpr std::string_view kWordsOfCall = "PL";
 
 // Active comments that show parameters, which a program without parameters has not.
@@ -34,10 +36,10 @@ bool shows_parameters(std::string_view comment) {
 
 bool is_plain(const Step& step, bool keeps_settings) {
   const Block& block = *step.block;
-  if (step.tool_vector) return false;
+  if (turns_tool(step)) return false;
   if (!keeps_settings && !block.settings.empty()) return false;
   if (!block.left_out.empty()) return false;
-  if (step.polar && step.cycle == CycleForm::none && step.motions.size() == 1) return false;
+  if (step.end_words == EndWords::polar && step.cycle == CycleForm::none && step.motions.size() == 1) return false;
   for (const Comment& comment : block.comments) {
     if (!keeps_settings && shows_parameters(block.at(comment.span))) return false;
   }
@@ -64,10 +66,10 @@ Span StepExpander::label_of(const Block& block) const {
 const Step* StepExpander::plain(const Step& step, bool keeps_settings) {
   made_.clear();
   const Block& block = *step.block;
-  if (step.alarms || step.shows_message) return &step;
+  if (step.stop != StopByVariable::none) return &step;
   const Span label = keeps_settings ? Span{} : label_of(block);
   const bool has_label = label.end > label.begin;
-  if (step.skipped || (is_plain(step, keeps_settings) && !has_label)) return &step;
+  if (step.block_delete == BlockDelete::left_out || (is_plain(step, keeps_settings) && !has_label)) return &step;
   const bool vanishes = (!block.settings.empty() || has_label) && block.comments.empty();
   if (!keeps_settings && block.words.empty() && vanishes) return nullptr;
   spelling_ = spelling_of(block, spelling_);
@@ -82,8 +84,7 @@ const Step* StepExpander::plain(const Step& step, bool keeps_settings) {
   editor_.apply(own.text);
   if (!is_blank(block.text.front())) own.text.erase(0, own.text.find_first_not_of(" \t"));
   own.step = step;
-  if (step.cycle == CycleForm::none) own.step.polar = false;
-  own.step.tool_vector = false;
+  if (step.cycle == CycleForm::none || turns_tool(step)) own.step.end_words = EndWords::axes;
   made_.parse(own, step);
   // As many decimals as the control needs are written where the block changes, not as many as the value has.
   auto word = own.block.words.begin();
@@ -93,7 +94,7 @@ const Step* StepExpander::plain(const Step& step, bool keeps_settings) {
     const bool end = is_end_in_other_words(step, before);
     if (end && end_seen) continue;
     end_seen = end_seen || end;
-    for (int i = !end ? 1 : step.tool_vector ? 3 : 2; i > 0; --i, ++word) {
+    for (int i = !end ? 1 : turns_tool(step) ? 3 : 2; i > 0; --i, ++word) {
       PLUMBLINE_CHECK(word != own.block.words.end());
       if (!end && !code) word->value = before.value;  // where the text does not say it: increments, X=IC(5)
       if (before.expression != kLiteral || end) word->decimals = 0;
@@ -150,13 +151,13 @@ void StepExpander::write_values(const Step& step, bool keeps_settings, std::stri
 
 // X and Y for @ and ^, A, B and C for the direction of the tool.
 bool StepExpander::is_end_in_other_words(const Step& step, const Word& word) {
-  const bool vector = step.tool_vector && word.letter >= 'I' && word.letter <= 'K';
+  const bool vector = turns_tool(step) && word.letter >= 'I' && word.letter <= 'K';
   return vector || (is_polar(word) && step.cycle == CycleForm::none);
 }
 
 // "43.4" of G43.5, which takes A, B and C; empty for other words.
 std::string_view StepExpander::code_without_vectors(const Step& step, const Word& word) const {
-  const CodeRow* const row = step.tool_vector && is_code(word) ? dialect_.row_of(word) : nullptr;
+  const CodeRow* const row = turns_tool(step) && is_code(word) ? dialect_.row_of(word) : nullptr;
   return row != nullptr ? std::string_view(row->written_as) : std::string_view{};
 }
 
@@ -169,7 +170,7 @@ void StepExpander::write_end(const Step& step, bool& written, Span span) {
       append_word(text, letter(axis), value, decimals,
                   {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
     };
-    if (step.tool_vector) {
+    if (turns_tool(step)) {
       for (const Axis axis : {Axis::A, Axis::B, Axis::C}) add(axis, angle_.kept(motion.to[axis]), angle_.digits);
     } else {
       for (const Axis axis : {Axis::X, Axis::Y}) {
@@ -206,9 +207,9 @@ const Step* StepExpander::beside_flow(const Step& step, bool acts) {
     }
   }
   own.step = step;
-  own.step.flow = own.step.saves_modes = false;
-  if (acts) own.step.polar = own.step.tool_vector = false;
-  own.step.entry = {};
+  own.step.flow.reset();
+  own.step.saves_modes = false;
+  if (acts) own.step.end_words = EndWords::axes;
   if (!acts) own.step.motions = {};
   made_.parse(own, step);
   return &own.step;

@@ -73,7 +73,8 @@ bool WordGrid::counts_turns(const Step& step, Axis axis) {
 }
 
 bool WordGrid::depends_on_start(const Step& step, Axis axis) {
-  const bool all = step.after->incremental || step.polar || step.motions.front().kind == MotionKind::arc;
+  const bool all =
+      step.after->incremental || step.end_words == EndWords::polar || step.motions.front().kind == MotionKind::arc;
   if (all || !step.named.contains(axis) || counts_turns(step, axis)) return true;
   const Word* const word = find_word(*step.block, letter(axis));
   return word != nullptr && word->mode == WordMode::incremental;

@@ -86,7 +86,7 @@ void WrittenMoves::add_rest(const Step& step) {
       ++left;
     }
   }
-  if (step.executed_delete) editor_.replace(block.slash, "");
+  if (step.block_delete == BlockDelete::executed) editor_.replace(block.slash, "");
   if (left + block.comments.size() + block.settings.size() == 0) {
     number_ = block.at(block.number);
     return;
@@ -96,7 +96,7 @@ void WrittenMoves::add_rest(const Step& step) {
   own.text.erase(0, std::min(own.text.find_first_not_of(" \t"), own.text.size()));
   own.before = *step.before;
   own.after.motion = step.before->motion;
-  own.step.changes_tool = step.changes_tool;
+  own.step.tool_change = step.tool_change;
   if (dwells_first(step)) {
     own.motion = step.motions.front();
     own.step.motions = {&own.motion, 1};
@@ -236,7 +236,7 @@ void WrittenMoves::add_hole_in_place(const Step& step) {
   const Hole& hole = step.holes.front();
   const PlaneAxes axes = axes_of(step.after->plane);
   editor_.start(block, spelling_);
-  if (step.executed_delete) editor_.replace(block.slash, "");
+  if (step.block_delete == BlockDelete::executed) editor_.replace(block.slash, "");
   std::string missing;
   const auto state = [&](char letter, double mm) {
     std::string text;
@@ -256,7 +256,7 @@ void WrittenMoves::add_hole_in_place(const Step& step) {
   editor_.apply(own.text);
   own.before = *step.before;
   make_hole(own, step, hole, 0);
-  own.step.changes_tool = step.changes_tool;
+  own.step.tool_change = step.tool_change;
   own.after.motion = mode_ = MotionMode::cycle;
   made_.parse(own, step);
   for (Word& word : own.block.words) word.decimals = 0;

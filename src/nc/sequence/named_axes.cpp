@@ -82,7 +82,7 @@ bool may_jump(const Block& block, const Dialect& dialect) {
 bool turns_tool(const Block& block, const Dialect& dialect) {
   for (const Word& word : block.words) {
     const bool is_plain_code = word.letter == 'G' && action_of(word, dialect).has_value();
-    if (word.tool_vector || (is_plain_code && dialect.row_of(word)->tool_vectors)) return true;
+    if (word.use == WordUse::tool_vector || (is_plain_code && dialect.row_of(word)->tool_vectors)) return true;
   }
   return has_action(block, dialect, Action::tool_on_plane) || has_action(block, dialect, Action::swivel);
 }

@@ -79,11 +79,15 @@ struct Program::Parts {
   const std::unique_ptr<Sequencer> sequencer;
   Sequencer& flow;
   Block block;
-  bool begun = false;        // a line that is not blank was read
-  bool in_percents = false;  // the program began with %
-  bool behind_end = false;   // M2, M30 or the second % was executed
-  bool in_guard = false;     // of a compensated program
-  Place guard_line;          // the last one of it
+  enum class Stage : std::uint8_t {
+    blank,        // no line was read but blank ones
+    text,         // without a % before it
+    in_percents,  // the program began with %
+    ended,        // M2, M30 or the second % was executed
+  } stage = Stage::blank;
+  bool jumped = false;    // before the block of the last step
+  bool in_guard = false;  // of a compensated program
+  Place guard_line;       // the last one of it
 
   std::uint64_t executed = 0;
 
@@ -101,15 +105,15 @@ struct Program::Parts {
 const Step* Program::Parts::next() {
   Line line;
   while (true) {
-    if (behind_end && flow.used()) return nullptr;
+    if (stage == Stage::ended && flow.used()) return nullptr;
     if (!flow.next(line)) {
       if (in_guard) refuse_guard("the program ends inside its guard");
       return nullptr;
     }
     place_block(block, line, flow.file());
-    if (behind_end) return ignore();
+    if (stage == Stage::ended) return ignore();
     if (in_guard || (is_guard_line(block.text, kGuardBegins, dialect) && !flow.skipping())) return pass_guard();
-    if (flow.skipping() && in_percents && ends_text(line.text)) flow.end_of_text();
+    if (flow.skipping() && stage == Stage::in_percents && ends_text(line.text)) flow.end_of_text();
     if (flow.skipping() && !begins_with_flow(line.text)) continue;
     check_length(block, line, dialect);
     parser.parse(block);
@@ -117,7 +121,7 @@ const Step* Program::Parts::next() {
     if (block.kind == LineKind::percent && around_file) continue;  // of a subprogram
     if (block.kind == LineKind::percent) return percent();
     if (block.kind == LineKind::ignored) return &interpreter.pass(block);
-    begun = begun || !holds_nothing(block.text);
+    if (stage == Stage::blank && !holds_nothing(block.text)) stage = Stage::text;
     if (flow.used()) count(1);
     if (block.flow.word == FlowWord::none) return execute();
     if (const Step* const step = steer()) return step;
@@ -128,21 +132,20 @@ const Step* Program::Parts::execute() {
   interpreter.execute(block);
   Step& step = interpreter.step();
   count_moves(step);
-  step.jumped = flow.used();
-  behind_end = interpreter.ended();
+  jumped = flow.used();
   const ProgramCall& call = interpreter.program_call();
-  if (behind_end && flow.called() && dialect.behaviour.end_returns) {
+  if (interpreter.ended() && flow.called() && dialect.behaviour.end_returns) {
     interpreter.go_on();
-    behind_end = false;
-    step.flow = true;
+    step.flow.emplace();
     flow.end_program(block, call);
     return &step;
   }
-  const bool jumps_back = call.ends && call.return_to.has_value();
-  step.flow = call.calls || jumps_back || (call.ends && flow.called());
-  if (call.calls) flow.call_program(block, call);
-  if (call.ends && !flow.end_program(block, call)) behind_end = true;
-  step.entry = flow.take_entry();
+  if (interpreter.ended()) stage = Stage::ended;
+  const bool steers = call.calls() || (call.ends() && (call.return_to || flow.called()));
+  if (call.calls()) flow.call_program(block, call);
+  if (call.ends() && !flow.end_program(block, call)) stage = Stage::ended;
+  const FlowEntry entry = flow.take_entry();
+  if (steers) step.flow = entry;
   return &step;
 }
 
@@ -152,17 +155,17 @@ const Step* Program::Parts::steer() {
   if (block.block_delete && interpreter.deleted(block)) {
     if (flow.skipping()) return nullptr;
     Step& left_out = interpreter.step();
-    left_out.skipped = true;
-    left_out.jumped = flow.used();
+    left_out.block_delete = BlockDelete::left_out;
+    jumped = flow.used();
     return &left_out;
   }
   if (!flow.take(block)) return nullptr;
-  behind_end = behind_end || interpreter.ended();
-  if (flow.ended()) behind_end = true;
+  if (interpreter.ended() || flow.ended()) stage = Stage::ended;
   Step& step = interpreter.step();
-  step.flow = (block.flow.word != FlowWord::program && block.flow.word != FlowWord::define) || flow.used();
-  step.jumped = flow.used();
-  step.entry = flow.take_entry();
+  jumped = flow.used();
+  const bool declares = block.flow.word == FlowWord::program || block.flow.word == FlowWord::define;
+  const FlowEntry entry = flow.take_entry();
+  if (!declares || jumped) step.flow = entry;
   return &step;
 }
 
@@ -219,13 +222,12 @@ void Program::Parts::refuse_guard(std::string_view what) const {
 // of theirs. RS274/NGC: the first line that is not blank may be %; then the program ends at the next one
 // [RS274/NGC 3.2].
 const Step* Program::Parts::percent() {
-  if (begun && !in_percents && dialect.syntax.percent_pairs) {
+  if (stage == Stage::text && dialect.syntax.percent_pairs) {
     const auto at = static_cast<std::uint32_t>(block.text.find('%'));
     refuse_at(block, {at, at + 1}, codes::kBadCharacter, "% ends a program that did not begin with %",
               "put % on the first line as well, or end with M2");
   }
-  behind_end = begun;
-  begun = in_percents = true;
+  stage = stage == Stage::blank ? Stage::in_percents : Stage::ended;
   return &interpreter.pass(block);
 }
 
@@ -239,5 +241,7 @@ const Step* Program::next() {
   if (step == nullptr) parts_->flow.check_files();
   return step;
 }
+
+bool Program::jumped() const { return parts_->jumped; }
 
 }  // namespace plumbline::nc

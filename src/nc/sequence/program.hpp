@@ -21,10 +21,12 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  /// Executes the next block; null at the end. As long as nothing jumped (Step::jumped) the texts of all blocks, with
-  /// their line ends, put one after the other are the file. Refuses with nc-... and the place of what it cannot take,
+  /// Executes the next block; null at the end. As long as nothing jumped the texts of all blocks, with their line ends,
+  /// put one after the other are the file. Refuses with nc-... and the place of what it cannot take,
   /// and at the end with file-changed where a file was written to meanwhile.
   const Step* next();
+  /// True once something jumped or repeated before the block of the last step: steps are not in the order of the text.
+  bool jumped() const;
 
  private:
   struct Parts;

@@ -216,8 +216,9 @@ void StatementFlow::call_program(const Block& block, const ProgramCall& program)
   call.name = std::to_string(program.number);
   call.by = CalledBy::code;
   call.remaining = program.count - 1;
-  enter(block, std::move(call), program.macro);
-  if (program.macro) interpreter_.set_macro_arguments();
+  const bool macro = program.kind == ProgramCall::Kind::macro;
+  enter(block, std::move(call), macro);
+  if (macro) interpreter_.set_macro_arguments();
 }
 
 void StatementFlow::enter(const Block& block, Call call, bool own_variables) {

@@ -47,8 +47,11 @@ void tool_by_name(BlockReading& in, Span span) {
   span.end = in.cursor.span().end;
   in.out.see('T', span);
   Word word{.letter = 'T', .span = span};
-  word.named = !is_tool_number(name);
-  if (!word.named) word.value = parse_number(name).value_or(0);
+  if (is_tool_number(name)) {
+    word.value = parse_number(name).value_or(0);
+  } else {
+    word.use = WordUse::tool_name;
+  }
   in.out.add(word);
 }
 
@@ -128,10 +131,10 @@ void value_arguments(BlockReading& in, Span name) {
 
 }  // namespace
 
-void read_assigned_word(BlockReading& in, char letter, Span span, bool machine_axis) {
+void read_assigned_word(BlockReading& in, char letter, Span span, WordUse use) {
   if (letter == 'T' && item_follows(in, TokenKind::string)) return tool_by_name(in, span);
   in.out.see(letter, span);
-  Word word{.letter = letter, .expression = in.out.next_code(), .mode = word_mode(in), .machine_axis = machine_axis};
+  Word word{.letter = letter, .expression = in.out.next_code(), .mode = word_mode(in), .use = use};
   read_named_value(in);
   if (word.mode == WordMode::modal) {
     make_literal(in, word);
@@ -145,8 +148,10 @@ void read_assigned_word(BlockReading& in, char letter, Span span, bool machine_a
 void read_address(BlockReading& in, const NameMeaning& meaning, Span span) {
   expect_equals(in, span);
   const char letter = static_cast<char>(meaning.which);
-  read_assigned_word(in, letter, span, axis_of(letter).has_value());
-  in.out.last_word().tool_vector = meaning.tool_vector;
+  const WordUse use = meaning.tool_vector ? WordUse::tool_vector
+                      : axis_of(letter)   ? WordUse::machine_axis
+                                          : WordUse::of_letter;
+  read_assigned_word(in, letter, span, use);
 }
 
 void read_assigned_variable(BlockReading& in, Span name, const NameMeaning* meaning) {

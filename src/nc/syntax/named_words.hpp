@@ -7,9 +7,8 @@
 
 namespace plumbline::nc {
 
-/// The value of the word that `letter` at `span` begins; its = has been read. machine_axis: of the machine's axis of
-/// this name.
-void read_assigned_word(BlockReading& in, char letter, Span span, bool machine_axis = false);
+/// The value of the word that `letter` at `span` begins; its = has been read.
+void read_assigned_word(BlockReading& in, char letter, Span span, WordUse use = WordUse::of_letter);
 
 /// CR=5; X1=0, whose axis is the machine's.
 void read_address(BlockReading& in, const NameMeaning& meaning, Span span);

@@ -81,7 +81,7 @@ bool goes_on_at_fanuc(const std::map<int, double>& variables) {
   bool alarms = false;
   while (const nc::Step* step = program.next()) {
     reached = reached || !step->motions.empty();
-    alarms = alarms || step->alarms;
+    alarms = alarms || step->stop == nc::StopByVariable::alarm;
   }
   CHECK(reached != alarms);
   return reached;

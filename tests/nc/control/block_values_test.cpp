@@ -57,15 +57,18 @@ TEST_CASE("the variables of a table stop the control, or show a message") {
   Parsed alarm("#3000=1", "fanuc");
   Valued fanuc("fanuc");
   fanuc.give(alarm);
-  CHECK(fanuc.run.step.alarms);
+  CHECK(fanuc.run.step.stop == StopByVariable::alarm);
   CHECK(fanuc.control.ended);
   Parsed message("#3006=1", "fanuc");
   fanuc.give(message);
-  CHECK(fanuc.run.step.shows_message);
+  CHECK(fanuc.run.step.stop == StopByVariable::alarm);  // the program ends all the same
+  Valued shows("fanuc");
+  shows.give(message);
+  CHECK(shows.run.step.stop == StopByVariable::message);
   Parsed elsewhere("#3000=1");
   Valued linuxcnc("linuxcnc");
   linuxcnc.give(elsewhere);
-  CHECK_FALSE(linuxcnc.run.step.alarms);
+  CHECK(linuxcnc.run.step.stop == StopByVariable::none);
 }
 
 TEST_CASE("brackets that are not looked into may name variables") {

@@ -22,7 +22,9 @@ struct Kept {
   AxisWords position;
   BlockRole role;
   Modal after;
-  bool skipped, executed_delete, changes_tool, loses_position;
+  BlockDelete block_delete;
+  ToolChange tool_change;
+  bool loses_position;
   std::vector<Motion> motions;
 };
 
@@ -37,9 +39,8 @@ std::vector<Kept> run(std::string_view text, const ProgramSettings& settings) {
                     s->position,
                     s->role,
                     *s->after,
-                    s->skipped,
-                    s->executed_delete,
-                    s->changes_tool,
+                    s->block_delete,
+                    s->tool_change,
                     s->loses_position,
                     {s->motions.begin(), s->motions.end()}});
   }
@@ -143,14 +144,14 @@ TEST_CASE("block delete is a choice wherever it matters") {
   }
   settings.block_delete = true;
   const auto on = run("/G0 X1\n/M8\n", settings);
-  CHECK(on[0].skipped);
+  CHECK(on[0].block_delete == BlockDelete::left_out);
   CHECK(on[0].motions.empty());
-  CHECK(on[1].skipped);
+  CHECK(on[1].block_delete == BlockDelete::left_out);
   settings.block_delete = false;
   const auto off = run("/G0 X1\n/M8\n", settings);
-  CHECK(off[0].executed_delete);
+  CHECK(off[0].block_delete == BlockDelete::executed);
   CHECK(off[0].motions.size() == 1);
-  CHECK_FALSE(off[1].executed_delete);
+  CHECK(off[1].block_delete == BlockDelete::none);
 }
 
 TEST_CASE("values that only the machine knows may turn the spindle and no more") {
@@ -176,7 +177,7 @@ TEST_CASE("tools take their length from the table and say whose it is") {
   ProgramSettings settings = at_zero();
   settings.tools = ToolTable({Tool{3, 100, {}, {}, {}}});
   const auto steps = run("T3 M6\nG43\nG0 X0 Y0 Z0\nG49\nG43 H3\nM61 Q5\nG43.1 Z7\n", settings);
-  CHECK(steps[0].changes_tool);
+  CHECK(steps[0].tool_change == ToolChange::before_motion);
   CHECK(steps[0].after.tool_in_spindle == 3);
   CHECK(steps[1].after.tool_of_offset == 3);
   CHECK(steps[2].motions[0].machine[Axis::Z] == 100);

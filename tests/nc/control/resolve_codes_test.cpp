@@ -70,7 +70,7 @@ TEST_CASE("the motion of a block is its own code") {
 TEST_CASE("radius and angle stand for X and Y") {
   const Resolved polar("G0 @10 ^90");
   CHECK(polar.run.axes == AxisSet{Axis::X, Axis::Y});
-  CHECK(polar.run.step.polar);
+  CHECK(polar.run.step.end_words == EndWords::polar);
   CHECK(refused("G0 @10 ^90 X1").code == "nc-axes-twice");
 }
 

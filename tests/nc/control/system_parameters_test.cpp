@@ -121,9 +121,9 @@ TEST_CASE("the tables of LinuxCNC are read as far as somebody gave them") {
   CHECK(read.read(5250).number == 45);  // its rotation
   read.control.homes[1] = {{{7, 8, 9, 0, 0, 0}}, AxisSet::all()};
   CHECK(read.read(5183).number == 9);
-  read.control.g92_known = true;
-  read.control.g92_applied = true;
-  read.control.suspended_g92[Axis::C] = 15;
+  read.control.g92.known = true;
+  read.control.g92.applied = true;
+  read.control.g92.suspended[Axis::C] = 15;
   CHECK(read.read(5210).number == 1);
   CHECK(read.read(5216).number == 15);
   CHECK(ReadControl("linuxcnc", with_empty_tables()).read(5221).number == 0);

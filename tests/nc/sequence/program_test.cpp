@@ -25,9 +25,8 @@ std::string round_trip(const std::string& text) { return text_of_blocks(ProgramF
 bool jumps(const std::string& path) {
   const InputFile file(path);
   Program program(file, dialect("linuxcnc"), empty_tables());
-  bool jumped = false;
-  while (const Step* step = program.next()) jumped = jumped || step->jumped;
-  return jumped;
+  while (program.next() != nullptr) continue;
+  return program.jumped();
 }
 
 AxisSet axes_named_in(const std::string& text) {

@@ -27,7 +27,7 @@ TEST_CASE("words have values that are names, modes and numbers") {
   CHECK(p.block.words[3].expression == kLiteral);
   CHECK(p.block.words[4].letter == 'R');
   CHECK(p.block.words[4].decimals == 2);
-  CHECK(p.block.words[5].machine_axis);
+  CHECK(p.block.words[5].use == WordUse::machine_axis);
   CHECK_THROWS_AS(siemens("X=IC 5"), Refusal);
 }
 

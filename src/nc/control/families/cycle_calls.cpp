@@ -307,7 +307,6 @@ CycleCall call_of(const Execution& run, const CodeRow& row) {
 
 void set_modal_call(Execution& run) {
   Control& control = run.control;
-  run.step.calls_modally = true;
   control.modal_call = CycleCall{};
   if (const CodeRow* const row = run.chosen_row(Action::called_cycle)) control.modal_call = call_of(run, *row);
   control.modal.modal_call = control.modal_call.row != nullptr;

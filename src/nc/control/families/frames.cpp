@@ -106,9 +106,9 @@ void set_shift_of_g92(Execution& run, const Word& code) {
   for (const Axis axis : kAllAxes) {
     if (run.axes.contains(axis)) next.g92[axis] = run.value(axis);
   }
-  control.suspended_g92 = next.g92;
-  control.g92_known = true;
-  control.g92_applied = true;
+  control.g92.suspended = next.g92;
+  control.g92.known = true;
+  control.g92.applied = true;
   control.change_frame(next);
 }
 

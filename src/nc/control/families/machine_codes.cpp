@@ -85,8 +85,7 @@ void call_program(Execution& run, const Chosen& chosen) {
     run.refuse(word, codes::kFlowControl, "M98 and M99 stand alone in their block",
                "put the other words into a block of their own");
   }
-  run.call.calls = calls;
-  run.call.ends = !calls;
+  run.call.kind = calls ? ProgramCall::Kind::program : ProgramCall::Kind::end;
   if (!calls) {
     if (const Word* to = run.words.find('P')) run.call.return_to = run.whole(*to, 0, kNoLimit);
     return;

@@ -72,8 +72,8 @@ bool move_as_it_stands(Execution& run) {
 void set_tool_tip(Execution& run, const Chosen& chosen) {
   Control& control = run.control;
   if (chosen.row->action == Action::tool_tip_off) {
-    control.length_unknown = control.length_by_tip;
-    control.length_by_tip = false;
+    const bool by_tip = control.length == Control::Length::by_tip;
+    control.length = by_tip ? Control::Length::unknown : Control::Length::by_code;
     return;
   }
   if (run.words.has('H')) set_tool_length(run, chosen);

@@ -22,7 +22,7 @@ constexpr int kSets = 10;  // of I J K by specification II: #4 #5 #6, #7 #8 #9..
 
 void call_macro(Execution& run) {
   run.arguments.clear();
-  run.call.calls = run.call.macro = true;
+  run.call.kind = ProgramCall::Kind::macro;
   run.call.number = -1;
   bool behind = false;
   int set[3] = {0, 0, 0};

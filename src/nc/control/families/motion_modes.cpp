@@ -22,10 +22,10 @@ bool moves_specially(Execution& run, Action action) {
   if (spindle_leads) move_synchronised(run);
   if (action == Action::probe) move_probe(run);
   if (spline) return true;  // in force for its own block alone; the motion before goes on [LinuxCNC, measured]
-  run.control.nurbs_ended = action == Action::nurbs_end;
-  run.control.motion_off = false;
-  run.control.motion_row = run.control.nurbs_ended ? nullptr : run.motion;
-  run.control.modal.motion = run.control.nurbs_ended ? MotionMode::none : MotionMode::special;
+  const bool nurbs_ended = action == Action::nurbs_end;
+  run.control.motion_end = nurbs_ended ? Control::MotionEnd::nurbs_end : Control::MotionEnd::none;
+  run.control.motion_row = nurbs_ended ? nullptr : run.motion;
+  run.control.modal.motion = nurbs_ended ? MotionMode::none : MotionMode::special;
   return true;
 }
 
@@ -58,8 +58,7 @@ void end_motion(Execution& run) {
   run.control.spline_end.reset();
   modal.motion = goes_on != nullptr ? MotionMode::rapid : MotionMode::none;
   run.control.motion_row = goes_on;
-  run.control.motion_off = true;
-  run.control.nurbs_ended = false;
+  run.control.motion_end = Control::MotionEnd::off;
 }
 
 void make_motion(Execution& run) {

@@ -171,7 +171,7 @@ void need_offsets(const Execution& run) {
                "source",
                "choose a work system before it, as with G15 H1");
   }
-  if (run.control.length_unknown) {
+  if (run.control.length == Control::Length::unknown) {
     run.refuse(run.motion_code(), codes::kNotInterpreted,
                "whether the end of tool-tip mode ends the tool length that it began with was found in no source",
                "write G56 H or G53 before this move");

@@ -147,9 +147,9 @@ void set_position(Execution& run) {
     control.frame.g92[axis] += control.position[axis] - run.value(axis);
     control.position[axis] = run.value(axis);
   }
-  control.suspended_g92 = control.frame.g92;
-  control.g92_known = true;
-  control.g92_applied = true;
+  control.g92.suspended = control.frame.g92;
+  control.g92.known = true;
+  control.g92.applied = true;
   run.step.role = BlockRole::sets_offset;
   run.step.offset_rotation_deg = control.frame.rotation_deg;
 }
@@ -169,8 +169,8 @@ void preset_named_axes(Execution& run) {
   for (const Axis axis : kAllAxes) {
     if (run.axes.contains(axis)) next.g92[axis] = 0;
   }
-  control.suspended_g92 = next.g92;
-  control.g92_applied = next.g92 != AxisWords{};
+  control.g92.suspended = next.g92;
+  control.g92.applied = next.g92 != AxisWords{};
   control.change_frame(next);
 }
 
@@ -183,17 +183,17 @@ void clear_position(Execution& run, Action action) {
     return preset_named_axes(run);
   }
   const bool restores = action == Action::restore_position;
-  if (restores && !control.g92_known) {
+  if (restores && !control.g92.known) {
     run.refuse(codes::kWorkOffsetUnknown,
                "the control keeps the offset of G92 from programs before, and nobody gave it",
                "write G92 in this program, or give the control's #5211 to #5216: --variables FILE");
   }
   Frame next = control.frame;
-  next.g92 = restores ? control.suspended_g92 : AxisWords{};
-  control.g92_applied = restores;
+  next.g92 = restores ? control.g92.suspended : AxisWords{};
+  control.g92.applied = restores;
   if (action == Action::clear_position) {
-    control.suspended_g92 = AxisWords{};
-    control.g92_known = true;
+    control.g92.suspended = AxisWords{};
+    control.g92.known = true;
   }
   control.change_frame(next);
 }

@@ -190,7 +190,7 @@ void add_nurbs_point(Execution& run) {
   const Word* const order = run.words.find('L');
   const int asked = order != nullptr ? run.whole(*order, 1, kMostOrder) : kLeastOrder;
   if (asked > kLeastOrder) control.nurbs_order = asked;
-  run.step.nurbs_point = true;
+  run.step.nurbs = NurbsBlock::point;
   if (of_start) return;
   const AxisWords words = end_of_move(run);
   control.nurbs.push_back({words[Axis::X], words[Axis::Y], weight->value});
@@ -211,7 +211,7 @@ void move_nurbs(Execution& run) {
   }
   const std::vector<NurbsPoint> points = std::exchange(control.nurbs, {});
   follow(run, points, control.nurbs_order);
-  run.step.ends_nurbs = true;
+  run.step.nurbs = NurbsBlock::end;
 }
 
 }  // namespace plumbline::nc

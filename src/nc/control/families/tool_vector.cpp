@@ -136,7 +136,7 @@ void find_tool_vector(Execution& run) {
   for (const char letter : kCentreLetters) {
     const Word* const word = run.words.find(letter);
     if (word == nullptr || run.vector != nullptr) continue;
-    if (word->tool_vector || (by_code && !is_taken(run, letter))) run.vector = word;
+    if (word->use == WordUse::tool_vector || (by_code && !is_taken(run, letter))) run.vector = word;
   }
 }
 
@@ -160,7 +160,7 @@ void check_tool_vector(Execution& run) {
                   "write A, B and C, or leave --rotary out");
   }
   run.axes = run.axes | AxisSet::rotary();
-  run.step.tool_vector = true;
+  run.step.end_words = EndWords::tool_vector;
 }
 
 void end_along_vector(const Execution& run, Motion& motion) {

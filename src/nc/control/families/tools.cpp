@@ -99,7 +99,7 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
   const bool has_rule = chosen.row->feed_rule != FeedRule::unknown;
   if (has_rule) check_no_plane(run, *chosen.word);
   control.tool_vectors = chosen.row->tool_vectors;
-  if (control.tool_vectors) run.step.tool_vector = true;
+  if (control.tool_vectors) run.step.end_words = EndWords::tool_vector;
   control.feed_rule = run.settings.feed_rule.value_or(has_rule ? chosen.row->feed_rule : run.dialect.feed_rule);
   switch (chosen.row->action) {
     case Action::tool_tip_on:
@@ -124,8 +124,8 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
       break;
   }
   take_offset(run, offset);
-  control.length_by_tip = chosen.row->action == Action::tool_tip_on && offset != AxisWords{};
-  control.length_unknown = false;
+  const bool by_tip = chosen.row->action == Action::tool_tip_on && offset != AxisWords{};
+  control.length = by_tip ? Control::Length::by_tip : Control::Length::by_code;
   const bool may_move =
       run.dialect.behaviour.tool_length_moves && !run.words.has('Z') && !run.settings.as_with_empty_tables;
   if (may_move) control.known.erase(Axis::Z);
@@ -160,13 +160,14 @@ void choose_edge(Execution& run, const Word& word) {
 }
 
 void select_tool(Execution& run, const Word& word) {
-  run.control.selected_tool = word.named ? tool_by_name(run, word) : tool_number(run, word, "the number of a tool");
+  run.control.selected_tool =
+      word.use == WordUse::tool_name ? tool_by_name(run, word) : tool_number(run, word, "the number of a tool");
 }
 
 void change_tool(Execution& run, const Chosen& chosen) {
   Control& control = run.control;
-  run.step.changes_tool = true;
-  run.step.moves_old_tool = chosen.row->order == Order::after_motion && run.motion != nullptr;
+  const bool after_motion = chosen.row->order == Order::after_motion && run.motion != nullptr;
+  run.step.tool_change = after_motion ? ToolChange::after_motion : ToolChange::before_motion;
   if (chosen.row->action == Action::set_tool) {
     control.modal.tool_in_spindle = tool_number(run, run.need('Q', "M61"), "the number of a tool");
     return;
