@@ -9,7 +9,8 @@
 #include "jobs/compensate/compensate_file.hpp"
 #include "jobs/trace.hpp"
 #include "machine/model_file.hpp"
-#include "report/trace_text.hpp"
+#include "report/program/error_text.hpp"
+#include "report/program/trace_text.hpp"
 
 namespace plumbline::api {
 namespace {
@@ -42,7 +43,9 @@ ErrorSummary error(const std::string& poses, const std::string& model, const std
   const machine::MachineModel machine = machine::read_model(model);
   const std::vector<jobs::PoseRow> rows = jobs::read_poses(poses);
   OutputFile out(output);
-  const ErrorSummary summary = jobs::write_error_table(machine, rows, out);
+  report::ErrorTable table(out);
+  const ErrorSummary summary =
+      jobs::error_table(machine, rows, [&](const jobs::PoseError& error) { table.add(error); });
   out.commit();
   return summary;
 }

@@ -6,7 +6,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
 #include "jobs/check.hpp"
-#include "report/check_text.hpp"
+#include "report/program/check_text.hpp"
 
 namespace plumbline::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "jobs/circularity.hpp"
-#include "report/circularity_text.hpp"
+#include "report/measured/circularity_text.hpp"
 
 namespace plumbline::cli {
 namespace {

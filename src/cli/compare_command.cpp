@@ -6,7 +6,7 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "jobs/compare.hpp"
-#include "report/compare_text.hpp"
+#include "report/measured/compare_text.hpp"
 
 namespace plumbline::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include "cli/shared_options.hpp"
 #include "jobs/compensate/compensate_file.hpp"
 #include "jobs/compensate/compensated_files.hpp"
-#include "report/summary_text.hpp"
+#include "report/program/summary_text.hpp"
 
 namespace plumbline::cli {
 namespace {

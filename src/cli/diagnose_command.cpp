@@ -14,8 +14,9 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
-#include "jobs/diagnose.hpp"
-#include "report/diagnosis_text.hpp"
+#include "report/measured/diagnosis_text.hpp"
+#include "report/measured/model_file.hpp"
+#include "report/measured/thinning_text.hpp"
 #include "report/page/diagnosis_page.hpp"
 
 namespace plumbline::cli {
@@ -70,11 +71,11 @@ int diagnose(const DiagnoseArguments& arguments) {
     if (is_followed) say_note(step + "\n");
   });
   const std::string numbers = report::diagnosis_json(result.diagnosis);
-  write_folder(arguments.folder, {{json, numbers},
-                                  {page, report::diagnosis_page(result.diagnosis, "Diagnosis of " + result.machine)},
-                                  {model, result.model_toml}});
-  std::string words = report::diagnosis_text(result.diagnosis);
-  if (!result.thinning.empty()) words += result.thinning + '\n';
+  write_folder(arguments.folder,
+               {{json, numbers},
+                {page, report::diagnosis_page(result.diagnosis, "Diagnosis of " + result.machine.name)},
+                {model, report::model_file(result)}});
+  const std::string words = report::diagnosis_text(result.diagnosis) + report::thinning_text(result.thinning);
   print_result(arguments.json ? numbers : words);
   if (result.diagnosis.converged) return kDone;
   say({"diagnose-not-converged",

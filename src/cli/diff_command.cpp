@@ -5,7 +5,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
 #include "jobs/diff/diff.hpp"
-#include "report/diff_text.hpp"
+#include "report/program/diff_text.hpp"
 
 namespace plumbline::cli {
 namespace {

@@ -1,15 +1,11 @@
-#include <cstdio>
 #include <memory>
-
-#include <fmt/format.h>
 
 #include "base/files/files.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
-#include "jobs/error_table.hpp"
 #include "machine/model_file.hpp"
-#include "report/text_table.hpp"
+#include "report/program/error_text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -24,10 +20,11 @@ int error(const ErrorArguments& arguments) {
   const machine::MachineModel model = machine::read_model(arguments.model);
   const std::vector<jobs::PoseRow> poses = jobs::read_poses(arguments.poses);
   OutputFile out(arguments.output);
-  const jobs::ErrorTableSummary summary = jobs::write_error_table(model, poses, out);
+  report::ErrorTable table(out);
+  const jobs::ErrorTableSummary summary =
+      jobs::error_table(model, poses, [&](const jobs::PoseError& error) { table.add(error); });
   out.commit();
-  say_note(
-      fmt::format("{}, the tip up to {:.3f} um off\n", report::count_text(summary.poses, "pose"), summary.largest_um));
+  say_note(report::error_text(summary));
   return kDone;
 }
 

@@ -5,7 +5,10 @@
 #include "base/files/files.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
-#include "report/identification_text.hpp"
+#include "report/measured/identification_text.hpp"
+#include "report/measured/model_file.hpp"
+#include "report/measured/objection_text.hpp"
+#include "report/measured/thinning_text.hpp"
 
 namespace plumbline::cli {
 
@@ -48,8 +51,7 @@ int write_identified(const std::vector<std::string>& inputs, const IdentifiedOut
   OutputFile out(output.model);
   JsonResult json_result(output.json);
   const jobs::IdentifiedModel identified = make();
-  std::string words = report::identification_text(identified.found);
-  if (!identified.thinning.empty()) words += identified.thinning + '\n';
+  std::string words = report::identification_text(identified.found) + report::thinning_text(identified.thinning);
   if (output.model == kStandardStream) {
     say_note(words);
     words.clear();
@@ -61,13 +63,13 @@ int write_identified(const std::vector<std::string>& inputs, const IdentifiedOut
            "give fewer unknowns by --free, or priors for them in [uncertainty]; check that the dataset belongs to "
            "this machine");
   }
-  if (!identified.objection.empty()) {
+  if (identified.objected()) {
     if (!output.force) json_result.give(words, numbers);
-    object(identified.objection, output);
+    object(report::objection_text(identified), output);
   }
   OutputSet files;
   json_result.add_to(files, numbers);
-  out.write(identified.text);
+  out.write(report::model_file(identified));
   files.add(out);
   files.commit();
   if (!json_result.takes_standard_output()) print_result(words);

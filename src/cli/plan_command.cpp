@@ -4,7 +4,7 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "jobs/plan.hpp"
-#include "report/plan_text.hpp"
+#include "report/measured/plan_text.hpp"
 
 namespace plumbline::cli {
 namespace {

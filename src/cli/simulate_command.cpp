@@ -1,17 +1,13 @@
 #include <memory>
 #include <string>
 
-#include <fmt/format.h>
-
 #include "base/files/files.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
-#include "jobs/simulate.hpp"
-#include "jobs/simulate_dataset.hpp"
-#include "report/text_table.hpp"
+#include "report/program/simulation_text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -30,24 +26,8 @@ int simulate_dataset(const SimulateArguments& arguments) {
   require_model(options);
   const jobs::DatasetSimulationSummary summary =
       jobs::simulate_dataset(options.paths.model, arguments.dataset, arguments.output);
-  say_note(
-      fmt::format("{}, {}\n", report::count_text(summary.runs, "run"), report::count_text(summary.samples, "sample")));
+  say_note(report::dataset_simulation_text(summary));
   return kDone;
-}
-
-std::string words_of(const jobs::SimulationSummary& summary) {
-  std::string words =
-      fmt::format("{} in {}", report::count_text(summary.points, "point"), report::time_text(summary.seconds));
-  if (summary.points > 0) {
-    words += fmt::format(": the tip up to {:.3f} um off (line {}), rms {:.3f} um", summary.largest_um,
-                         summary.largest_line, summary.rms_um);
-  }
-  words += '\n';
-  if (summary.passed_moves > 0) {
-    words += fmt::format("{} left out of the table: machine coordinates, probing, or from where nobody knows\n",
-                         report::count_text(summary.passed_moves, "move"));
-  }
-  return words;
 }
 
 int simulate(const SimulateArguments& arguments) {
@@ -57,11 +37,13 @@ int simulate(const SimulateArguments& arguments) {
   require_model(options);
   check_outputs(files_read(arguments.program, options), {arguments.output});
   OutputFile out(arguments.output);
+  report::SimulationTable table(out);
   ProgressLine line;
-  const jobs::SimulationSummary summary = jobs::simulate_program(arguments.program, options, out, line.progress());
+  const jobs::SimulationSummary summary = jobs::simulate_program(
+      arguments.program, options, [&](const jobs::SimulatedPoint& point) { table.add(point); }, line.progress());
   line.clear();
   out.commit();
-  say_note(words_of(summary));
+  say_note(report::simulation_text(summary));
   return kDone;
 }
 

@@ -6,7 +6,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
 #include "jobs/trace.hpp"
-#include "report/trace_text.hpp"
+#include "report/program/trace_text.hpp"
 
 namespace plumbline::cli {
 namespace {

@@ -8,19 +8,8 @@
 namespace plumbline::diagnose {
 namespace {
 
-std::string doubt_of(const Case& of, const Model& model, const Assessment& so_far, const Recurs& recurs,
-                     const VerdictOptions& options) {
-  std::string doubt = bound_doubt(of.bench.candidates, model, options);
-  if (doubt.empty()) {
-    doubt = gap_doubt(model, gap_of(so_far.residuals, of.out, false), gap_of(so_far.residuals, of.out, true), recurs,
-                      options);
-  }
-  if (doubt.empty()) doubt = doubt_about(model, so_far.description, so_far.residuals.after, of.out, options);
-  return doubt;
-}
-
 Verdict verdict_of(const Model& model, const Assessment& so_far, const VerdictOptions& options) {
-  if (!model.found.empty()) return so_far.doubt.empty() ? Verdict::named : Verdict::unknown;
+  if (!model.found.empty()) return !so_far.doubt ? Verdict::named : Verdict::unknown;
   return is_gap(so_far.description, options) || so_far.remainder ? Verdict::unknown : Verdict::nothing_missing;
 }
 
@@ -41,11 +30,15 @@ Assessment assess(const Case& of, const Model& model, const DiagnoseOptions& opt
   found.residuals = {
       residuals(machine, of.runs, base, model.noise), {}, residuals(machine, of.runs, complete, model.noise)};
   found.gap_map = gap_map_of(machine.rotation, of.runs, base, found.residuals.base, model.noise, options.gap_map);
-  found.remainder = strained(candidates, marginalised_by(candidates, picks, model.fit.values), options.verdict);
+  found.remainder =
+      remainder_of(strained(candidates, marginalised_by(candidates, picks, model.fit.values), options.verdict));
   const Recurs recurs = recurring(contrasts_of(of.runs, found.residuals.after), options.verdict);
   if (!found.remainder) found.remainder = remainder_of(recurs);
-  found.doubt = doubt_of(of, model, found, recurs, options.verdict);
-  if (!found.doubt.empty()) say("doubt: " + found.doubt);
+  found.doubt = doubt_of(candidates,
+                         {model, found.description, found.residuals.after, of.out,
+                          gap_of(found.residuals, of.out, false), gap_of(found.residuals, of.out, true), recurs},
+                         options.verdict);
+  if (found.doubt) say("something speaks against the effects found");
   found.verdict = verdict_of(model, found, options.verdict);
   return found;
 }

@@ -18,7 +18,7 @@ struct Assessment {
   GapMap gap_map;                      // with the base model
   Description description;             // of what nothing explains beside what was found
   std::optional<Remainder> remainder;  // nuisances that are too far off, or what comes again
-  std::string doubt;  // why effects that were found are not believed; empty: none was found, or they are
+  std::optional<Doubt> doubt;          // why effects that were found are not believed; nothing: none was, or they are
   Verdict verdict = Verdict::nothing_missing;
 };
 

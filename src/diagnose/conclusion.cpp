@@ -99,27 +99,21 @@ Conclusion conclude(const Case& of, const Model& model, Assessment assessment, c
   return conclusion;
 }
 
-std::string objection_to(const Conclusion& conclusion, const Case& of, Verdict verdict, const VerdictOptions& options) {
+std::optional<Objection> objection_to(const Conclusion& conclusion, const Case& of, Verdict verdict,
+                                      const VerdictOptions& options) {
   const CandidateSet& candidates = of.bench.candidates;
-  if (const std::optional<Remainder> off = strained(candidates, conclusion.marginalised, options)) return off->text;
+  if (auto off = strained(candidates, conclusion.marginalised, options); !off.empty()) return off;
   const double together = strain_of_all(candidates, conclusion.marginalised);
-  if (together > options.nuisances_together) {
-    return fmt::format(
-        "all that [uncertainty] lists would be further off together than it says, the sum of squares by {:.0f} of its "
-        "standard deviations",
-        together);
-  }
+  if (together > options.nuisances_together) return StrainedTogether{together};
   const Rms before = rms_of(of.given, of.out, true);
   const Rms after = rms_of(conclusion.residuals.after, of.out, true);
-  if (before.radial && *after.radial > *before.radial)
-    return "the model as given is nearer to the bar's readings held out";
-  if (before.torque && *after.torque > *before.torque * options.held_out_rise) {
-    return "the model as given is nearer to the torques held out";
-  }
-  if (verdict == Verdict::named) return {};
+  if (before.radial && *after.radial > *before.radial) return GivenIsNearer{ReadingKind::radial};
+  if (before.torque && *after.torque > *before.torque * options.held_out_rise)
+    return GivenIsNearer{ReadingKind::torque};
+  if (verdict == Verdict::named) return std::nullopt;
   const Recurs recurs = recurring(contrasts_of(of.runs, conclusion.residuals.after), options);
   const Gap whole{rms_of(of.given, of.out, false), {}, rms_of(conclusion.residuals.after, of.out, false)};
-  return open_gap(recurs, whole, options.open_share, options).value_or("");
+  return open_gap(recurs, whole, options.open_share, options);
 }
 
 }  // namespace plumbline::diagnose

@@ -23,7 +23,8 @@ struct Conclusion {
 Conclusion conclude(const Case& of, const Model& model, Assessment assessment, const DiagnoseOptions& options,
                     const Say& say);
 
-/// Why what was learnt is not to be believed, be it named or not; empty: nothing speaks against it.
-std::string objection_to(const Conclusion& conclusion, const Case& of, Verdict verdict, const VerdictOptions& options);
+/// Why what was learnt is not to be believed, be it named or not; nothing: nothing speaks against it.
+std::optional<Objection> objection_to(const Conclusion& conclusion, const Case& of, Verdict verdict,
+                                      const VerdictOptions& options);
 
 }  // namespace plumbline::diagnose

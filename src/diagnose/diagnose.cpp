@@ -7,22 +7,12 @@
 #include "base/diagnostic.hpp"
 #include "diagnose/conclusion.hpp"
 #include "diagnose/doubt.hpp"
-#include "physics/generic_formula.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
 using identify::RunEquations;
 using measure::Run;
-
-std::string formula_of(const std::vector<Term>& terms) {
-  std::string text;
-  for (const Term& term : terms) {
-    if (!text.empty()) text += '\n';
-    text += physics::generic_formula(generic_parameters(term));
-  }
-  return text;
-}
 
 std::vector<Evidence> evidence_of(const Model& model) {
   std::vector<Evidence> all;
@@ -38,14 +28,14 @@ std::vector<Evidence> evidence_of(const Model& model) {
 }
 
 // Nothing is learnt from readings that no machine makes so.
-Diagnosis undiagnosed(const machine::MachineModel& machine, const std::vector<Run>& runs, std::string flaw,
+Diagnosis undiagnosed(const machine::MachineModel& machine, const std::vector<Run>& runs, ChannelFlaw flaw,
                       const std::vector<RunEquations>& given, const DiagnoseOptions& options) {
   Diagnosis diagnosis{physics::ForceModel(machine)};
   const std::vector<bool> out(runs.size(), false);
   const StageResiduals as_given{given, {}, given};
   diagnosis.verdict = Verdict::unknown;
   diagnosis.withheld = flaw;
-  diagnosis.doubt = std::move(flaw);
+  diagnosis.doubt = Doubt{{}, std::move(flaw)};
   diagnosis.noise = noise_of(given);
   diagnosis.errors.assign(diagnosis.forces.parameters.size(), 0);
   diagnosis.gap_map = gap_map_of(machine.rotation, runs, diagnosis.forces, given, diagnosis.noise, options.gap_map);
@@ -85,7 +75,7 @@ Diagnosis diagnosis_of(const Case& of, const Model& model, Assessment assessment
   diagnosis.doubt = std::move(assessment.doubt);
   diagnosis.remainder = std::move(assessment.remainder);
   if (const Description& description = conclusion.description; is_gap(description, options.verdict)) {
-    diagnosis.remainder = {std::sqrt(description.gain), description.terms, formula_of(description.terms)};
+    diagnosis.remainder = {std::sqrt(description.gain), description.terms};
   }
   diagnosis.next = std::move(conclusion.next);
   diagnosis.noise = model.noise;
@@ -99,7 +89,7 @@ Diagnosis diagnosis_of(const Case& of, const Model& model, Assessment assessment
   diagnosis.converged = model.fit.converged;
   diagnosis.withheld = objection_to(conclusion, of, assessment.verdict, options.verdict);
   diagnosis.errors.assign(forces.parameters.size(), 0);
-  if (diagnosis.withheld.empty()) {
+  if (!diagnosis.withheld) {
     diagnosis.forces = std::move(conclusion.forces);
     diagnosis.errors = std::move(conclusion.errors);
   }
@@ -126,8 +116,8 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
   const physics::ForceModel forces(machine);
   const CandidateSet candidates = make_candidate_set(machine, forces, options.candidates);
   const std::vector<RunEquations> given = residuals(machine, runs, forces, {});
-  if (std::string flaw = channel_flaw(runs, given, options.channels); !flaw.empty()) {
-    return undiagnosed(machine, runs, std::move(flaw), given, options);
+  if (std::optional<ChannelFlaw> flaw = channel_flaw(runs, given, options.channels)) {
+    return undiagnosed(machine, runs, std::move(*flaw), given, options);
   }
   std::vector<std::string> steps;
   const Say tell = [&](const std::string& text) {

@@ -12,7 +12,7 @@
 #include "diagnose/gap/gap_map.hpp"
 #include "diagnose/held_out.hpp"
 #include "diagnose/next_test.hpp"
-#include "diagnose/readings/channel_flaw.hpp"
+#include "diagnose/objection.hpp"
 #include "diagnose/search.hpp"
 #include "identify/held.hpp"
 
@@ -116,13 +116,6 @@ struct Separation {
   std::optional<NextTest> test;  // nothing: no circular test does
 };
 
-/// What the catalogue does not explain.
-struct Remainder {
-  double snr = 0;
-  std::vector<Term> terms;
-  std::string text;  // the formula
-};
-
 struct Diagnosis {
   Verdict verdict = Verdict::nothing_missing;
   std::vector<NamedEffect> effects;  // the strongest first
@@ -130,17 +123,17 @@ struct Diagnosis {
   std::vector<Evidence> evidence;  // all effects of the catalogue in the place of the strongest, best first
   std::string runner_up;           // empty: none
   double threshold = 0;            // nats
-  std::string doubt;               // unknown: why effects that were found are not believed; empty: none was found
+  std::optional<Doubt> doubt;      // unknown: why effects that were found are not believed; nothing: none was found
   std::optional<Remainder> remainder;
   std::vector<Separation> next;  // for each other effect of the confidence set
   identify::NoiseModel noise;
   GapMap gap_map;  // with the base model, nuisances refitted, all runs
   std::vector<RunGap> runs;
   Gap fit, held_out;
-  std::vector<Visible> visible;  // what the fitted runs could have shown
-  std::string withheld;  // why the model stays as given: what was learnt is not to be believed; empty: it was learnt
-  physics::ForceModel forces;  // with what was found and the nuisances refitted, or as given
-  std::vector<double> errors;  // of its parameters, SI
+  std::vector<Visible> visible;       // what the fitted runs could have shown
+  std::optional<Objection> withheld;  // why the model stays as given; nothing: the model is what was learnt
+  physics::ForceModel forces;         // with what was found and the nuisances refitted, or as given
+  std::vector<double> errors;         // of its parameters, SI
   bool converged = true;
   std::vector<std::string> steps;  // what was done, in words
 

@@ -4,8 +4,6 @@
 #include <numbers>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "base/units.hpp"
 #include "identify/prior_strain.hpp"
 
@@ -62,61 +60,40 @@ Recurs recurring(const std::vector<Contrast>& contrasts, const VerdictOptions& o
           recurring(contrasts, &Contrast::torque, &BarAndTorque::torque, options.least_recurring_Nm, options)};
 }
 
-namespace {
-
-void add_line(Remainder& remainder, double sigmas, const std::string& line) {
-  remainder.snr = std::hypot(remainder.snr, sigmas);
-  if (!remainder.text.empty()) remainder.text += '\n';
-  remainder.text += line;
-}
-
-std::optional<Remainder> if_any(Remainder remainder) {
-  return remainder.text.empty() ? std::nullopt : std::optional(std::move(remainder));
-}
-
-}  // namespace
-
 std::optional<Remainder> remainder_of(const Recurs& recurs) {
-  Remainder remainder;
-  const auto add = [&](std::string_view what, const std::optional<Recurring>& of) {
-    if (!of) return;
-    add_line(remainder, of->sigmas,
-             fmt::format("what is left of {} is no noise: in runs at one pose that differ by {} alone it is {}, with a "
-                         "correlation of {:.2f}",
-                         what, to_text(of->by), of->correlation > 0 ? "alike" : "opposite", of->correlation));
-  };
-  add("the readings of the bar", recurs.radial);
-  add("the torques", recurs.torque);
-  return if_any(std::move(remainder));
+  double snr = 0;
+  for (const std::optional<Recurring>* const of : {&recurs.radial, &recurs.torque}) {
+    if (*of) snr = std::hypot(snr, (*of)->sigmas);
+  }
+  return recurs.radial || recurs.torque ? std::optional(Remainder{snr, recurs}) : std::nullopt;
 }
 
-std::optional<Remainder> strained(const CandidateSet& candidates, const Marginalised& marginalised,
-                                  const VerdictOptions& options) {
-  Remainder remainder;
+std::vector<StrainedUnknown> strained(const CandidateSet& candidates, const Marginalised& marginalised,
+                                      const VerdictOptions& options) {
+  std::vector<StrainedUnknown> all;
   for (std::size_t i = 0; i < candidates.nuisances; ++i) {
-    const identify::Unknown& u = candidates.unknowns[i];
     const double sigmas = marginalised.departure[static_cast<Eigen::Index>(i)];
-    if (std::abs(sigmas) < options.nuisance_sigmas) continue;
-    add_line(remainder, sigmas, identify::strain_text(u, sigmas, 0));
+    if (std::abs(sigmas) >= options.nuisance_sigmas) all.push_back({candidates.unknowns[i], sigmas});
   }
-  return if_any(std::move(remainder));
+  return all;
 }
 
-std::optional<std::string> open_gap(const Recurs& recurs, const Gap& gap, double share, const VerdictOptions& options) {
-  const auto open = [&](const std::optional<Recurring>& of, const std::optional<double>& before,
-                        const std::optional<double>& after) {
-    return of && before && after && std::abs(of->correlation) > options.open_correlation && *after > share * *before;
+std::optional<Remainder> remainder_of(std::vector<StrainedUnknown> strained) {
+  if (strained.empty()) return std::nullopt;
+  double snr = 0;
+  for (const StrainedUnknown& one : strained) snr = std::hypot(snr, one.sigmas);
+  return Remainder{snr, std::move(strained)};
+}
+
+std::optional<OpenGap> open_gap(const Recurs& recurs, const Gap& gap, double share, const VerdictOptions& options) {
+  const auto open = [&](ReadingKind kind, const std::optional<Recurring>& of, const std::optional<double>& before,
+                        const std::optional<double>& after) -> std::optional<OpenGap> {
+    const bool is_open =
+        of && before && after && std::abs(of->correlation) > options.open_correlation && *after > share * *before;
+    return is_open ? std::optional(OpenGap{{kind, *before, *after}}) : std::nullopt;
   };
-  if (open(recurs.radial, gap.before.radial, gap.after.radial)) {
-    return fmt::format("the gap of the bar's readings stays open, {:.3g} um of {:.3g}, and is no noise",
-                       *gap.after.radial / kUm, *gap.before.radial / kUm);
-  }
-  if (open(recurs.torque, gap.before.torque, gap.after.torque)) {
-    return fmt::format(
-        "the gap of the torques stays open, {:.3g} N m of {:.3g}, and is no noise: check unit and sign of each torque",
-        *gap.after.torque, *gap.before.torque);
-  }
-  return std::nullopt;
+  const auto radial = open(ReadingKind::radial, recurs.radial, gap.before.radial, gap.after.radial);
+  return radial ? radial : open(ReadingKind::torque, recurs.torque, gap.before.torque, gap.after.torque);
 }
 
 double strain_of_all(const CandidateSet& candidates, const Marginalised& marginalised) {
@@ -130,26 +107,7 @@ bool is_gap(const Description& description, const VerdictOptions& options) {
 
 namespace {
 
-std::string names_of(const Model& model) {
-  std::string text;
-  for (const Found& found : model.found) text += (text.empty() ? "" : " and ") + found.pick.candidate->name;
-  return text;
-}
-
-}  // namespace
-
-namespace {
-
-// What of a measurement to look at when an effect would have to be larger than it can be.
-std::string_view suspect_of(std::string_view effect) {
-  return physics::effect_infos()[physics::effect_index(effect)].reading_alone
-             ? "check unit and sign of each torque"
-             : "check units and signs of the channels, and what the dataset says of its runs";
-}
-
-}  // namespace
-
-std::string bound_doubt(const CandidateSet& candidates, const Model& model, const VerdictOptions& options) {
+std::optional<AtBound> at_bound(const CandidateSet& candidates, const Model& model, const VerdictOptions& options) {
   for (const Found& found : model.found) {
     int fitted = 0;
     int at = 0;
@@ -167,57 +125,55 @@ std::string bound_doubt(const CandidateSet& candidates, const Model& model, cons
       one = &u;
       sure = sure || std::abs(value) > options.bound_sigmas * model.fit.errors[static_cast<std::size_t>(place)];
     }
-    if (one == nullptr || !(sure || at == fitted)) continue;
-    return fmt::format("{} would stand at its bound of {:.4g} {}, as far as it can be at all: {}",
-                       found.pick.candidate->name, one->upper / one->unit.si, one->unit.name,
-                       suspect_of(found.pick.candidate->name));
+    if (one != nullptr && (sure || at == fitted)) return AtBound{found.pick.candidate->name, *one};
   }
-  return {};
+  return std::nullopt;
 }
 
-std::string gap_doubt(const Model& model, const Gap& fit, const Gap& held_out, const Recurs& recurs,
-                      const VerdictOptions& options) {
-  if (model.found.empty()) return {};
-  const auto rises = [&](const std::optional<double>& before, const std::optional<double>& after) {
-    return before && after && *after > options.held_out_rise * *before;
+std::optional<FurtherOff> further_off(const Gap& held_out, const VerdictOptions& options) {
+  const auto rises = [&](ReadingKind kind, const std::optional<double>& before,
+                         const std::optional<double>& after) -> std::optional<FurtherOff> {
+    const bool is_further = before && after && *after > options.held_out_rise * *before;
+    return is_further ? std::optional(FurtherOff{{kind, *before, *after}}) : std::nullopt;
   };
-  const std::string names = names_of(model);
-  if (rises(held_out.before.radial, held_out.after.radial)) {
-    return fmt::format("with {} the bar's readings of the runs held out would be further off, {:.3g} um for {:.3g}",
-                       names, *held_out.after.radial / kUm, *held_out.before.radial / kUm);
-  }
-  if (rises(held_out.before.torque, held_out.after.torque)) {
-    return fmt::format("with {} the torques of the runs held out would be further off, {:.3g} N m for {:.3g}", names,
-                       *held_out.after.torque, *held_out.before.torque);
-  }
-  const std::optional<std::string> open = open_gap(recurs, fit, options.open_share, options);
-  return open ? fmt::format("with {} {}", names, *open) : std::string();
+  const auto radial = rises(ReadingKind::radial, held_out.before.radial, held_out.after.radial);
+  return radial ? radial : rises(ReadingKind::torque, held_out.before.torque, held_out.after.torque);
 }
 
-std::string doubt_about(const Model& model, const Description& description,
-                        const std::vector<identify::RunEquations>& after, const std::vector<bool>& out,
-                        const VerdictOptions& options) {
-  if (model.found.empty()) return {};
-  const std::string names = names_of(model);
-  if (model.one_more) return fmt::format("{} are not enough: one more effect would pass the threshold", names);
+std::optional<LargeRemainder> large_remainder(const Model& model, const Description& description,
+                                              const VerdictOptions& options) {
   double explained = 0;
   for (const Found& found : model.found) explained += 2 * found.log_odds;
-  if (is_gap(description, options) &&
-      description.gain > std::max(options.remainder_most, options.remainder_share * explained)) {
-    return fmt::format("{} would leave too much: {:.0f} times the noise in all", names, std::sqrt(description.gain));
-  }
-  struct Kind {
-    std::string_view what;
-    MeanSquare ResidualSums::*of;
+  const bool is_large = is_gap(description, options) &&
+                        description.gain > std::max(options.remainder_most, options.remainder_share * explained);
+  return is_large ? std::optional(LargeRemainder{std::sqrt(description.gain)}) : std::nullopt;
+}
+
+std::optional<NotPredicted> not_predicted(const std::vector<identify::RunEquations>& after,
+                                          const std::vector<bool>& out, const VerdictOptions& options) {
+  if (const auto times = not_predicted(after, out, &ResidualSums::radial, options))
+    return NotPredicted{ReadingKind::radial, *times};
+  if (const auto times = not_predicted(after, out, &ResidualSums::torque, options))
+    return NotPredicted{ReadingKind::torque, *times};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Doubt> doubt_of(const CandidateSet& candidates, const Doubted& of, const VerdictOptions& options) {
+  if (of.model.found.empty()) return std::nullopt;
+  Doubt doubt;
+  for (const Found& found : of.model.found) doubt.effects.push_back(found.pick.candidate->name);
+  const auto says = [&](auto why) {
+    if (why) doubt.why = std::move(*why);
+    return why.has_value();
   };
-  for (const Kind& kind :
-       {Kind{"the readings of the bar", &ResidualSums::radial}, Kind{"the torques", &ResidualSums::torque}}) {
-    if (const std::optional<double> times = not_predicted(after, out, kind.of, options)) {
-      return fmt::format("{} would explain the runs fitted, but {} of the runs held out are {:.1f} times as far off",
-                         names, kind.what, *times);
-    }
-  }
-  return {};
+  const std::optional<OneMore> more = of.model.one_more ? std::optional<OneMore>(OneMore{}) : std::nullopt;
+  const bool doubted = says(at_bound(candidates, of.model, options)) || says(further_off(of.held_out, options)) ||
+                       says(open_gap(of.recurs, of.fit, options.open_share, options)) || says(more) ||
+                       says(large_remainder(of.model, of.description, options)) ||
+                       says(not_predicted(of.after, of.out, options));
+  return doubted ? std::optional(std::move(doubt)) : std::nullopt;
 }
 
 }  // namespace plumbline::diagnose

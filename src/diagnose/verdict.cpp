@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include <fmt/format.h>
-
 namespace plumbline::diagnose {
 namespace {
 
@@ -96,21 +94,6 @@ std::vector<NamedParameter> parameters_of(const Workbench& bench, const Pick& pi
     parameters.push_back(std::move(parameter));
   }
   return parameters;
-}
-
-std::string names_text(const Diagnosis& diagnosis) {
-  const std::vector<std::string>& set = diagnosis.confidence_set;
-  std::size_t of_set = 0;
-  std::string beside;
-  for (const NamedEffect& effect : diagnosis.effects) {
-    if (std::find(set.begin(), set.end(), effect.name) != set.end()) {
-      ++of_set;
-    } else {
-      beside += "; and " + effect.name;
-    }
-  }
-  const std::string_view several = set.size() == of_set ? "" : of_set == 1 ? "one of " : "two of ";
-  return fmt::format("{}{}{}", several, fmt::join(set, ", "), beside);
 }
 
 }  // namespace plumbline::diagnose

@@ -21,7 +21,4 @@ std::vector<std::string> confidence_set_of(const Model& model, const std::vector
 /// The numbers of an effect as the fit has them.
 std::vector<NamedParameter> parameters_of(const Workbench& bench, const Pick& pick, const Refit& fit);
 
-/// What is missing, the whole confidence set where the data leave several: "one of backlash, cyclic".
-std::string names_text(const Diagnosis& diagnosis);
-
 }  // namespace plumbline::diagnose

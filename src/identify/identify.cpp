@@ -7,7 +7,6 @@
 
 #include "base/diagnostic.hpp"
 #include "base/mean_square.hpp"
-#include "base/units.hpp"
 #include "identify/unknowns/named_keys.hpp"
 
 namespace plumbline::identify {
@@ -35,18 +34,6 @@ std::vector<measure::Run> only(const std::vector<measure::Run>& runs, Readings w
              : "the paper's second stage needs radial_um; without it use --stages joint");
 }
 
-constexpr const char* kYetForetold =
-    ". Something is missing in the model: run plumbline diagnose. Circles that a fit to the others did not see are "
-    "predicted all the same, so that these numbers are better than those before, if not the machine's";
-
-std::string held_text(const Held& held) {
-  return fmt::format(
-      "circles do not show where the tip stands as a whole: {:.0f} % of its shift stay out ({:.1f} um), as the model "
-      "as "
-      "given might be nearer; what is between places is as found, and a zero that is touched off takes the rest",
-      100 * held.share, held.back / kUm);
-}
-
 Stage run_stage(std::string name, const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
                 const Unknowns& unknowns, const IdentifyOptions& options, const Tracked* tracked = nullptr) {
   if (unknowns.size() == 0) {
@@ -65,14 +52,11 @@ Stage run_stage(std::string name, const machine::MachineModel& machine, const st
     held = hold_unsure(machine.rotation, runs, unknowns.forces(), unknowns, found.values, doubt_of(found, plausible),
                        options.hold);
     found.values = held->values;
-    if (held->share > 0) known.statements.push_back(held_text(*held));
   }
   const bool sound = held && borne_out(plausible, std::max(held->whole.chance, held->off_the_part.chance), believed);
-  std::string against = objection(found, plausible, sound, believed);
-  if (const std::string all = all_strained(plausible, believed); sound && against.empty() && !all.empty())
-    known.statements.push_back(all + kYetForetold);
-  return {std::move(name), std::move(found),  std::move(held), std::move(known), std::move(plausible),
-          sound,           std::move(against)};
+  const std::optional<Objection> against = objection(plausible, sound, believed);
+  return {
+      std::move(name), std::move(found), std::move(held), std::move(known), std::move(plausible), sound, against, {}};
 }
 
 Misfit misfit_of(const machine::MachineModel& machine, const std::vector<measure::Run>& runs, const Tracked* tracked,
@@ -111,11 +95,9 @@ bool Identification::converged() const {
   return std::all_of(stages.begin(), stages.end(), [](const Stage& stage) { return stage.fit.converged; });
 }
 
-std::string Identification::objection() const {
-  for (const Stage& stage : stages) {
-    if (!stage.objection.empty()) return stage.objection;
-  }
-  return {};
+const Stage* Identification::objected() const {
+  const auto stage = std::find_if(stages.begin(), stages.end(), [](const Stage& s) { return s.objection.has_value(); });
+  return stage == stages.end() ? nullptr : &*stage;
 }
 
 bool Identification::borne_out() const {
@@ -148,10 +130,8 @@ Stage joint_stage(const machine::MachineModel& machine, const std::vector<measur
   Stage stage =
       run_stage(calibration ? "calibration" : "joint", machine,
                 tracked != nullptr && runs.empty() ? runs : only(runs, Readings::all), unknowns, options, tracked);
-  if (!calibration) return stage;
-  for (std::string& statement :
-       geometry_statements(machine.geometry, stage.fit.unknowns, stage.fit.covariance, options.observability.little)) {
-    stage.observability.statements.push_back(std::move(statement));
+  if (calibration) {
+    stage.geometry = shown_geometry(machine.geometry, stage.fit.unknowns, stage.fit.covariance, options.observability);
   }
   return stage;
 }

@@ -51,8 +51,9 @@ struct Stage {
   std::optional<Held> held;  // nothing: there were no circles, or no priors that could have taken anything back
   Observability observability;
   Plausibility plausible;
-  bool borne_out = false;  // by circles that a fit to the others did not see, and at the tip
-  std::string objection;   // why it is not to be believed; empty: nothing speaks against it
+  bool borne_out = false;                 // by circles that a fit to the others did not see, and at the tip
+  std::optional<Objection> objection;     // why it is not to be believed
+  std::optional<ShownGeometry> geometry;  // of a calibration
 };
 
 struct Identification {
@@ -62,8 +63,8 @@ struct Identification {
 
   /// Whether all fits converged.
   bool converged() const;
-  /// The first objection of a stage; empty: none.
-  std::string objection() const;
+  /// The first stage that something speaks against; null: nothing does.
+  const Stage* objected() const;
   /// Whether all stages are borne out.
   bool borne_out() const;
 };

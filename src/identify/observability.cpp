@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
-#include <fmt/format.h>
-
-#include "identify/unknowns/geometry.hpp"
 
 namespace plumbline::identify {
 namespace {
@@ -61,41 +58,12 @@ std::vector<Confusion> confusions_of(const Fit& fit, const Observability& known,
   return found;
 }
 
-std::string circles_text(const std::vector<measure::Run>& runs, double one_height) {
-  if (runs.empty()) return "these poses";
+MeasuredAt measured_at(const std::vector<measure::Run>& runs, double one_height) {
+  if (runs.empty()) return MeasuredAt::poses;
   const auto [lowest, highest] = std::minmax_element(
       runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.centre_W.z() < b.centre_W.z(); });
-  return highest->centre_W.z() - lowest->centre_W.z() <= one_height ? "circles at one height" : "these circles";
-}
-
-std::string confusion_text(const Confusion& c, const Unknowns& unknowns, const std::string& circles) {
-  const Unknown& a = unknowns[c.first];
-  const Unknown& b = unknowns[c.second];
-  // K1 and K2 are lengths apart; others in the units of the file
-  const bool compliances = a.label == "K1" && b.label == "K2";
-  const double weight = compliances ? c.weight : c.weight * a.unit.si / b.unit.si;
-  return fmt::format(
-      "{} and {} cannot be told apart from {} (correlation {:.3f}): what they tell is {:.4g}{} x {} + {} "
-      "= {:.6g} +- {:.2g} {}",
-      a.label, b.label, circles, c.correlation, weight, compliances ? " m" : "", a.label, b.label, c.value / b.unit.si,
-      c.standard_error / b.unit.si, b.unit.name);
-}
-
-// Numbers of the geometry by how many there are: "strut-offset (6 of 6), joint-position (30 of 36), level tilt_mrad x".
-std::string names_of(const std::vector<std::size_t>& which, const Unknowns& unknowns) {
-  std::map<std::string, std::size_t> geometry;
-  std::vector<std::string> names;
-  for (const std::size_t i : which) {
-    if (is_geometry(unknowns[i])) {
-      ++geometry[unknowns[i].effect];
-    } else {
-      names.push_back(unknowns[i].label);
-    }
-  }
-  for (const auto& [effect, count] : geometry) {
-    names.push_back(fmt::format("{} ({} of {})", effect, count, unknowns.of_effect(effect).size()));
-  }
-  return fmt::format("{}", fmt::join(names, ", "));
+  return highest->centre_W.z() - lowest->centre_W.z() <= one_height ? MeasuredAt::circles_at_one_height
+                                                                    : MeasuredAt::circles;
 }
 
 }  // namespace
@@ -114,17 +82,31 @@ Observability observability(const Fit& fit, const std::vector<measure::Run>& run
     }
   }
   found.confusions = confusions_of(fit, found, options.apart);
-
-  if (!found.nothing.empty()) {
-    found.statements.push_back("nothing in these data tells " + names_of(found.nothing, fit.unknowns));
-  }
-  const std::string circles = circles_text(runs, options.one_height);
-  for (const Confusion& c : found.confusions) found.statements.push_back(confusion_text(c, fit.unknowns, circles));
-  if (!found.little.empty()) {
-    found.statements.push_back("these data tell little beyond [uncertainty] of " +
-                               names_of(found.little, fit.unknowns));
-  }
+  found.measured_at = measured_at(runs, options.one_height);
   return found;
+}
+
+std::optional<ShownGeometry> shown_geometry(const machine::Geometry& geometry, const Unknowns& unknowns,
+                                            const Eigen::MatrixXd& covariance, const ObservabilityOptions& options) {
+  std::vector<Eigen::Index> places;
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    if (is_geometry(unknowns[i]) && !unknowns[i].free()) places.push_back(static_cast<Eigen::Index>(i));
+  }
+  if (places.empty()) return std::nullopt;
+  Eigen::MatrixXd of_priors = covariance(places, places);
+  for (Eigen::Index i = 0; i < of_priors.rows(); ++i) {
+    const double sigma = unknowns[static_cast<std::size_t>(places[static_cast<std::size_t>(i)])].sigma;
+    of_priors.row(i) /= sigma;
+    of_priors.col(i) /= sigma;
+  }
+  const Eigen::VectorXd shares =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(of_priors, Eigen::EigenvaluesOnly).eigenvalues();
+  ShownGeometry shown{
+      places.size(), static_cast<std::size_t>((shares.array() < options.better * options.better).count()), {}};
+  for (WholeMotion& motion : whole_motions(geometry, unknowns)) {
+    if (left_of_prior(motion, unknowns, covariance) > options.little) shown.hidden.push_back(std::move(motion));
+  }
+  return shown;
 }
 
 }  // namespace plumbline::identify

@@ -4,10 +4,8 @@
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
-#include <fmt/format.h>
 
 #include "base/mean_square.hpp"
-#include "base/units.hpp"
 #include "identify/prior_strain.hpp"
 #include "identify/unknowns/geometry.hpp"
 
@@ -15,7 +13,6 @@ namespace plumbline::identify {
 namespace {
 
 constexpr double kSamePlace = 1e-6;  // m, rad
-constexpr std::size_t kMostNamed = 5;
 
 void add_chi2(const Fit& fit, const std::vector<Eigen::Index>& places, Plausibility& found) {
   if (places.empty()) return;
@@ -45,6 +42,7 @@ void add_strain(const Fit& fit, const PlausibleOptions& options, Plausibility& f
     if (std::abs(sigmas) > options.most_sigmas) found.strained.push_back({i, sigmas});
   }
   add_chi2(fit, places, found);
+  found.all_strained = found.all_sigmas > options.most_sigmas_all;
   std::sort(found.strained.begin(), found.strained.end(),
             [](const Strain& a, const Strain& b) { return std::abs(a.sigmas) > std::abs(b.sigmas); });
 }
@@ -121,15 +119,6 @@ void predict_left_out(const machine::RotationOrder& order, const std::vector<mea
   found.torque = {before.torque.root(), sums.torque.root(), columns * doubt.torque.root(), sums.torque.count};
 }
 
-std::string strains_text(const Fit& fit, const std::vector<Strain>& strained) {
-  std::vector<std::string> each;
-  for (std::size_t i = 0; i < std::min(strained.size(), kMostNamed); ++i) {
-    each.push_back(strain_text(fit.unknowns[strained[i].unknown], strained[i].sigmas, 1));
-  }
-  if (strained.size() > kMostNamed) each.push_back(fmt::format("and {} more", strained.size() - kMostNamed));
-  return fmt::format("{}", fmt::join(each, "; "));
-}
-
 }  // namespace
 
 std::vector<int> poses_of(const std::vector<measure::Run>& runs) {
@@ -175,26 +164,12 @@ bool borne_out(const Plausibility& plausible, double chance, const PlausibleOpti
   return plausible.radial.predicted() > options.predicted && chance <= options.may_be_worse;
 }
 
-std::string all_strained(const Plausibility& plausible, const PlausibleOptions& options) {
-  if (plausible.all_sigmas <= options.most_sigmas_all) return {};
-  return fmt::format(
-      "all that [uncertainty] lists would be further off together than it says: chi-square is {:.0f} where {:.0f} is "
-      "expected, as in less than one of a thousand machines",
-      plausible.chi2, plausible.degrees);
-}
-
-std::string objection(const Fit& fit, const Plausibility& plausible, bool borne_out, const PlausibleOptions& options) {
-  if (!plausible.strained.empty()) return strains_text(fit, plausible.strained);
-  if (std::string all = all_strained(plausible, options); !borne_out && !all.empty()) return all;
-  const auto worse = [](const Predicted& of, double unit, std::string_view what, std::string_view unit_name) {
-    return fmt::format(
-        "a fit to the other circles leaves {:.3g} {} of {} on those that it did not see, and the model as given {:.3g}",
-        of.after / unit, unit_name, what, of.before / unit);
-  };
-  if (plausible.radial.worse(options, options.least_radial))
-    return worse(plausible.radial, kUm, "the bar's readings", "um");
-  if (plausible.torque.worse(options, options.least_torque)) return worse(plausible.torque, 1, "the torques", "N m");
-  return {};
+std::optional<Objection> objection(const Plausibility& plausible, bool borne_out, const PlausibleOptions& options) {
+  if (!plausible.strained.empty()) return Objection::strained;
+  if (plausible.all_strained && !borne_out) return Objection::all_strained;
+  if (plausible.radial.worse(options, options.least_radial)) return Objection::radial_worse;
+  if (plausible.torque.worse(options, options.least_torque)) return Objection::torque_worse;
+  return std::nullopt;
 }
 
 }  // namespace plumbline::identify

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cmath>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "identify/fit.hpp"
@@ -48,6 +48,7 @@ struct Plausibility {
   double chi2 = 0;               // of all priors together: how far the data moved what they tell
   double degrees = 0;            // of freedom: directions of the unknowns that the data tell
   double all_sigmas = 0;         // chi2 as the normal deviate that is as rare
+  bool all_strained = false;     // and that is beyond most_sigmas_all
   Eigen::MatrixXd left_out;      // how far each unknown moves when a pose is left out, SI: a column for each pose
   Predicted radial, torque;      // poses left out in turn; no readings: too few poses
 };
@@ -69,12 +70,16 @@ std::vector<int> poses_of(const std::vector<measure::Run>& runs);
 /// lacks, though it says it in other words.
 bool borne_out(const Plausibility& plausible, double chance, const PlausibleOptions& options = {});
 
-/// Why a fit is not to be believed, in words; empty: nothing speaks against it. Of one that is borne out, that priors
-/// together are refuted does not.
-std::string objection(const Fit& fit, const Plausibility& plausible, bool borne_out,
-                      const PlausibleOptions& options = {});
+/// What speaks against a fit; the numbers are in its Plausibility.
+enum class Objection {
+  strained,      // single priors are refuted
+  all_strained,  // the priors together are
+  radial_worse,  // circles that a fit to the others did not see are further off than with the model as given:
+  torque_worse,  // readings of the bar, or torques
+};
 
-/// That all priors together are further off than they should be; empty: they are not.
-std::string all_strained(const Plausibility& plausible, const PlausibleOptions& options = {});
+/// Why a fit is not to be believed; nothing speaks against it where there is none. That priors together are refuted
+/// does not speak against a fit that is borne out.
+std::optional<Objection> objection(const Plausibility& plausible, bool borne_out, const PlausibleOptions& options = {});
 
 }  // namespace plumbline::identify

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
-#include <fmt/format.h>
 
 namespace plumbline::identify {
 namespace {
@@ -33,11 +32,6 @@ PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& left
     ++strain.degrees;
   }
   return strain;
-}
-
-std::string strain_text(const Unknown& unknown, double sigmas, int decimals) {
-  return fmt::format("{} is {:.4g} {} off, {:.{}f} times what [uncertainty] says of it", unknown.label,
-                     sigmas * unknown.sigma / unknown.unit.si, unknown.unit.name, std::abs(sigmas), decimals);
 }
 
 }  // namespace plumbline::identify

@@ -1,9 +1,7 @@
 // How far a fit moves what was known beforehand, all of it together: chi-square of the priors.
 #pragma once
 
-#include <string>
-
-#include "identify/unknowns/unknowns.hpp"
+#include <Eigen/Core>
 
 namespace plumbline::identify {
 
@@ -25,8 +23,5 @@ PriorStrain prior_strain(const Eigen::VectorXd& off);
 /// is itself normal about the start, with P - C: the data cannot move what they do not tell. Along the common axes of
 /// both it has the variance 1 - c, and the sum of squares over that is chi-square.
 PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& left);
-
-/// "level tilt_mrad x is 1.2 mrad off, 8.0 times what [uncertainty] says of it"
-std::string strain_text(const Unknown& unknown, double sigmas, int decimals);
 
 }  // namespace plumbline::identify

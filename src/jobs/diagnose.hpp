@@ -1,4 +1,4 @@
-// What the command `diagnose` does: a model and a dataset in, the diagnosis and a model file out.
+// What the command `diagnose` does: a model and a dataset in, the diagnosis out.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagnose/diagnose.hpp"
+#include "measure/thinning.hpp"
 
 namespace plumbline::jobs {
 
@@ -16,16 +17,12 @@ struct DiagnoseJob {
 };
 
 struct DiagnoseResult {
+  machine::MachineModel machine;  // as given
   diagnose::Diagnosis diagnosis;
-  std::string machine;     // its name
-  std::string model_toml;  // the model with what was found
-  std::string thinning;    // how long records were made short; empty: none was
+  measure::Thinning thinning;  // how long records were made short
 };
 
 /// Refuses as read_model, read_dataset and diagnose::diagnose do.
 DiagnoseResult diagnose(const DiagnoseJob& job, const diagnose::Say& say = {});
-
-/// The verdict in a few words, the whole confidence set where it has several names: "named: one of backlash, cyclic".
-std::string headline(const diagnose::Diagnosis& diagnosis);
 
 }  // namespace plumbline::jobs

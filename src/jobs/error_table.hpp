@@ -1,25 +1,32 @@
-// Where the machine at rest stands when it is sent to a pose: the error of the tool tip and what makes it, as a table.
+// Where the machine at rest stands when it is sent to a pose: the error of the tool tip and what makes it.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
-#include <string>
 
-#include "base/files/files.hpp"
 #include "jobs/pose_table.hpp"
 #include "machine/model.hpp"
 
 namespace plumbline::jobs {
+
+/// A pose, and how the machine stands there.
+struct PoseError {
+  AxisWords pose;                         // asked for, mm and deg
+  machine::PerStrut<double> lengths;      // commanded, m
+  machine::PerStrut<double> nut_tension;  // N
+  machine::PerStrut<double> stretch;      // m
+  machine::Vector6<double> error;         // of the tip (m) and its rotation vector (rad), in W
+};
 
 struct ErrorTableSummary {
   std::uint64_t poses = 0;
   double largest_um = 0;  // distance of the tip from its pose
 };
 
-/// Writes one row per pose: the pose, commanded strut lengths (mm), nut tensions (N), stretches (um), the error of the
-/// tip (um) and its rotation vector (urad), in W. No friction, no limits. Refuses with error-unreachable a pose where
-/// the machine cannot stand, and what physics::ForceModel refuses.
-ErrorTableSummary write_error_table(const machine::MachineModel& model, std::span<const PoseRow> poses,
-                                    OutputFile& out);
+/// Hands over pose after pose. No friction, no limits. Refuses with error-unreachable a pose where the machine cannot
+/// stand, and what physics::ForceModel refuses.
+ErrorTableSummary error_table(const machine::MachineModel& model, std::span<const PoseRow> poses,
+                              const std::function<void(const PoseError&)>& take);
 
 }  // namespace plumbline::jobs

@@ -1,22 +1,45 @@
-// Identification and calibration from files: a model and measurements in, a model with what was learnt out.
+// Identification and calibration from files: a model and measurements in, what was learnt out.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "diagnose/objection.hpp"
 #include "identify/identify.hpp"
+#include "identify/model_text.hpp"
 #include "measure/dataset.hpp"
+#include "measure/thinning.hpp"
 
 namespace plumbline::jobs {
 
-struct IdentifiedModel {
-  identify::Identification found;
-  std::string text;       // of the new model file
-  std::string thinning;   // how long records were made short; empty: none was
-  std::string objection;  // why the model is not to be believed; empty: nothing speaks against it
+/// Measurements that something was learnt from.
+struct MeasuredFile {
+  enum class Kind { runs, poses };
+  std::string path;
+  std::uint64_t hash = 0;  // FNV-1a, of a dataset and the tables that it names
+  std::size_t count = 0;
+  Kind kind = Kind::runs;
 };
 
-/// Reads both, identifies, and writes the new model's text; nothing is written to files. Refuses what the readers of
-/// models and datasets, physics::ForceModel and identify::identify refuse.
+struct IdentifiedModel {
+  machine::MachineModel machine;  // as given
+  identify::Identification found;
+  std::vector<MeasuredFile> measured;
+  measure::Thinning thinning;                      // how long records were made short
+  std::optional<diagnose::OpenGap> open_gap;       // that the fit left, where no stage of it has an objection
+  physics::ForceModel forces;                      // as a model file is to have them
+  std::vector<double> errors;                      // of its parameters, SI
+  std::optional<identify::BelievedJoints> joints;  // for the controller
+  bool calibrated = false;
+
+  /// Whether something speaks against the model.
+  bool objected() const { return found.objected() != nullptr || open_gap.has_value(); }
+};
+
+/// Reads both and identifies. Refuses what the readers of models and datasets, physics::ForceModel and
+/// identify::identify refuse.
 IdentifiedModel identify_model(const std::string& model, const std::string& dataset,
                                const identify::IdentifyOptions& options);
 

@@ -10,11 +10,11 @@
 
 #include "base/diagnostic.hpp"
 #include "base/parallel.hpp"
-#include "base/units.hpp"
 #include "identify/unknowns/geometry.hpp"
 #include "identify/unknowns/named_keys.hpp"
 #include "machine/model_file.hpp"
 #include "machine/nearest_name.hpp"
+#include "measure/dataset_text.hpp"
 #include "measure/planned_run.hpp"
 #include "measure/simulation.hpp"
 
@@ -117,20 +117,6 @@ void fill(Fit& fit, const Eigen::MatrixXd& information) {
 
 // --- the plan as a dataset ---
 
-std::string three_text(const Vector3<double>& v, double unit) {
-  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v[0] / unit, v[1] / unit, v[2] / unit);
-}
-
-std::string row_text(const measure::Run& run) {
-  std::string text = fmt::format("\n[[run]]\nid = \"{}\"\nfile = \"{}\"\ncentre_mm = {}\nradius_mm = {:.6g}\n", run.id,
-                                 run.file, three_text(run.centre_W, kMm), run.radius / kMm);
-  if (run.bar) text += fmt::format("bar_mm = {:.6g}\n", *run.bar / kMm);
-  text += fmt::format("tilt_deg = {}\ndirection = \"{}\"\nfeed_mm_min = {:.6g}\nstart_s = {:.6g}\n",
-                      three_text(run.tilt, kDeg), to_text(run.direction), run.feed / kMmPerMin, run.start);
-  if (run.payload_mass > 0) text += fmt::format("payload_kg = {:.6g}\n", run.payload_mass);
-  return text;
-}
-
 std::vector<measure::TableColumn> columns_of(const PlanJob& job) {
   using measure::Column;
   std::vector<measure::TableColumn> columns{{Column::time, 4}, {Column::angle, 4}};
@@ -144,10 +130,6 @@ std::vector<measure::TableColumn> columns_of(const PlanJob& job) {
 measure::Dataset dataset_of(const machine::MachineModel& machine, const PlanJob& job, std::vector<measure::Run> runs) {
   measure::Dataset dataset;
   dataset.machine = machine.name;
-  std::string text = fmt::format(
-      "# A plan by plumbline. Its tables hold what the model {} predicts, until they are measured.\n"
-      "plumbline = \"dataset 1\"\nmachine = \"{}\"\n",
-      machine.name, machine.name);
   double now = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     measure::Run& run = runs[i];
@@ -157,11 +139,13 @@ measure::Dataset dataset_of(const machine::MachineModel& machine, const PlanJob&
     now += 2 * std::numbers::pi * run.radius / run.feed + job.pause;
     run.columns = columns_of(job);
     measure::lay_samples(run, job.samples, job.candidates.bar_readings, job.candidates.torques);
-    text += row_text(run);
   }
   dataset.runs = std::move(runs);
   dataset = measure::simulated(machine, physics::ForceModel(machine), std::move(dataset));
-  dataset.document = parse_toml(std::move(text), "");
+  dataset.document = parse_toml(
+      fmt::format("# A plan by plumbline. Its tables hold what the model {} predicts, until they are measured.\n{}",
+                  machine.name, measure::dataset_text(dataset)),
+      "");
   return dataset;
 }
 
@@ -210,10 +194,8 @@ PlannedTests plan_tests(const PlanJob& job) {
       plan.apart.push_back(std::sqrt(identify::noncentrality(unknowns, design.information, these, those)));
     }
   }
-  plan.unseen = identify::observability(plan.after, plan.dataset.runs).statements;
-  for (std::string& statement : identify::geometry_statements(machine.geometry, unknowns, plan.after.covariance)) {
-    plan.unseen.push_back(std::move(statement));
-  }
+  plan.unseen = identify::observability(plan.after, plan.dataset.runs);
+  plan.geometry = identify::shown_geometry(machine.geometry, unknowns, plan.after.covariance);
   return plan;
 }
 

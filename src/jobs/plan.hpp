@@ -1,6 +1,7 @@
 // A plan of circular tests: those that tell most of what is asked for, as a dataset that waits to be measured.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,12 @@ struct PlanJob {
 struct PlannedTests {
   explicit PlannedTests(identify::Unknowns of) : before(of), after(std::move(of)) {}
 
-  measure::Dataset dataset;         // its tables hold what the model predicts
-  identify::Fit before, after;      // what is known without the plan and with it: values at their start
-  std::vector<std::size_t> asked;   // of the unknowns
-  std::vector<double> criterion;    // after each run
-  std::vector<std::string> unseen;  // in words, what the plan does not tell
+  measure::Dataset dataset;        // its tables hold what the model predicts
+  identify::Fit before, after;     // what is known without the plan and with it: values at their start
+  std::vector<std::size_t> asked;  // of the unknowns
+  std::vector<double> criterion;   // after each run
+  identify::Observability unseen;  // what the plan does not tell
+  std::optional<identify::ShownGeometry> geometry;
   std::size_t candidates = 0;
   std::vector<double> apart;  // of --separate: smallest distance of each effect from the other, in sigma
 };

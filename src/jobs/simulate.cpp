@@ -1,15 +1,12 @@
 #include "jobs/simulate.hpp"
 
 #include <cmath>
-#include <string_view>
 
 #include <fmt/format.h>
 
-#include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "compensate/limits.hpp"
 #include "compensate/move_reader.hpp"
-#include "jobs/csv_columns.hpp"
 #include "jobs/open_program.hpp"
 #include "machine/axis_words.hpp"
 #include "machine/model_file.hpp"
@@ -18,35 +15,19 @@
 namespace plumbline::jobs {
 namespace {
 
-constexpr std::string_view kSimulationColumns =
-    "line,motion,time_s,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,dx_um,dy_um,dz_um,rx_urad,ry_urad,rz_urad,"
-    "length1_mm,length2_mm,length3_mm,length4_mm,length5_mm,length6_mm,"
-    "nut_tension1_N,nut_tension2_N,nut_tension3_N,nut_tension4_N,nut_tension5_N,nut_tension6_N,"
-    "torque1_Nm,torque2_Nm,torque3_Nm,torque4_Nm,torque5_Nm,torque6_Nm\n";
-
-std::string_view name_of(nc::MotionKind kind) {
-  switch (kind) {
-    case nc::MotionKind::rapid:
-      return "rapid";
-    case nc::MotionKind::arc:
-      return "arc";
-    default:
-      return "feed";
-  }
-}
+using Take = std::function<void(const SimulatedPoint&)>;
 
 class Player {
  public:
-  Player(const machine::MachineModel& model, const compensate::Settings& settings, OutputFile& out)
+  Player(const machine::MachineModel& model, const compensate::Settings& settings, const Take& take)
       : model_(model),
         settings_(settings),
         forces_(model),
         environment_(forces_.environment()),
         radius_(machine::platform_radius(model.geometry)),
-        out_(out) {
+        take_(take) {
     environment_.friction = settings.friction;
     environment_.dynamic = settings.dynamic;
-    out_.write(kSimulationColumns);
   }
 
   void set_tool(const compensate::ToolInSpindle& tool) {
@@ -78,43 +59,35 @@ class Player {
     double time_s;
   };
 
-  void play(const Point& point) {
-    physics::Motion<double> motion = compensate::motion_at(model_.rotation, radius_, point.target, environment_);
+  void play(const Point& at) {
+    physics::Motion<double> motion = compensate::motion_at(model_.rotation, radius_, at.target, environment_);
     motion.time = settings_.time_s.value_or(0);
     const physics::TipError<double> error = physics::tip_error(forces_, environment_, motion);
     if (!error.converged()) {
       refuse("simulate-unreachable",
              fmt::format("the machine cannot stand here: {}", physics::to_text(error.stopped_because)),
-             "check the work offset (--work-offset) and the pose", compensate::place_of(*point.move->step));
+             "check the work offset (--work-offset) and the pose", compensate::place_of(*at.move->step));
     }
-    write_row(point, motion.pose, error);
-    note(point, error.displacement.head<3>().norm() / kUm);
+    const SimulatedPoint point{at.move->path.line,
+                               at.move->motion->kind,
+                               at.time_s,
+                               at.target.pose,
+                               error.displacement,
+                               machine::strut_lengths<double>(forces_.machine.geometry, motion.pose),
+                               error.loads.nut_tension,
+                               error.loads.torque};
+    take_(point);
+    note(point);
   }
 
-  void write_row(const Point& point, const Pose<double>& pose, const physics::TipError<double>& error) {
-    line_.clear();
-    fmt::format_to(std::back_inserter(line_), "{},{},{:.6f}", point.move->path.line, name_of(point.move->motion->kind),
-                   point.time_s);
-    for (const Axis axis : kAllAxes) {
-      line_ += ',';
-      append_decimal(line_, point.target.pose[axis], 6);
-    }
-    append_columns(line_, error.displacement.head<3>(), kUm, 4);
-    append_columns(line_, error.displacement.tail<3>(), kUrad, 4);
-    append_columns(line_, machine::strut_lengths<double>(forces_.machine.geometry, pose), kMm, 7);
-    append_columns(line_, error.loads.nut_tension, 1, 4);
-    append_columns(line_, error.loads.torque, 1, 6);
-    line_ += '\n';
-    out_.write(line_);
-  }
-
-  void note(const Point& point, double um) {
+  void note(const SimulatedPoint& point) {
+    const double um = point.error.head<3>().norm() / kUm;
     ++summary_.points;
     squares_ += um * um;
     summary_.seconds = point.time_s;
     if (um <= summary_.largest_um) return;
     summary_.largest_um = um;
-    summary_.largest_line = point.move->path.line;
+    summary_.largest_line = point.line;
   }
 
   const machine::MachineModel& model_;
@@ -122,23 +95,22 @@ class Player {
   physics::ForceModel forces_;
   physics::Environment environment_;
   double radius_;
-  OutputFile& out_;
-  std::string line_;
+  const Take& take_;
   SimulationSummary summary_;
   double squares_ = 0;
 };
 
 }  // namespace
 
-SimulationSummary simulate_program(const std::string& program, const settings::Options& options, OutputFile& out,
-                                   const Progress& progress) {
+SimulationSummary simulate_program(const std::string& program, const settings::Options& options,
+                                   const std::function<void(const SimulatedPoint&)>& take, const Progress& progress) {
   const machine::MachineModel model = machine::read_model(options.paths.model);
   const auto [source, dialect, settings] = open_program(options, program, model);
 
   compensate::MoveReader reader(
       source, dialect, settings,
       {nc::named_axes(source, dialect), options.compensation.step, model.reference_tool_mass, {}});
-  Player player(model, options.compensation, out);
+  Player player(model, options.compensation, take);
   while (const compensate::Move* const move = reader.next_move(progress)) {
     if (const auto tool = reader.new_tool()) player.set_tool(*tool);
     player.play(*move, reader.begin_s());

@@ -2,28 +2,42 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
-#include "base/files/files.hpp"
+#include "base/axes.hpp"
 #include "base/progress.hpp"
+#include "machine/geometry.hpp"
+#include "nc/control/motion.hpp"
 #include "settings/options.hpp"
 
 namespace plumbline::jobs {
 
+/// A point of the path, and how the machine stands there.
+struct SimulatedPoint {
+  std::size_t line = 0;
+  nc::MotionKind motion = nc::MotionKind::feed;
+  double time_s = 0;                      // rapids take none
+  AxisWords pose;                         // asked for, mm and deg
+  machine::Vector6<double> error;         // of the tip (m) and of the orientation (rotation vector, rad), in W
+  machine::PerStrut<double> lengths;      // commanded, m
+  machine::PerStrut<double> nut_tension;  // N
+  machine::PerStrut<double> torque;       // N m, of the motors
+};
+
 struct SimulationSummary {
   std::uint64_t points = 0;
-  std::uint64_t passed_moves = 0;  // in machine coordinates or to unknown positions: not in the table
+  std::uint64_t passed_moves = 0;  // in machine coordinates or to unknown positions: not looked at
   double largest_um = 0;           // distance of the tip from its pose
   std::size_t largest_line = 0;
   double rms_um = 0;
   double seconds = 0;
 };
 
-/// Writes a row for every point of the path at the step settings, as CSV: line, motion, time (s; rapids take none), the
-/// pose asked for (mm, deg), the error of the tip (um) and of the orientation (urad, rotation vector) in W, commanded
-/// strut lengths (mm), nut tensions (N) and motor torques (N m). The program is taken as it stands, no limits. Refuses
-/// what compensate::MoveReader refuses, and simulate-unreachable.
-SimulationSummary simulate_program(const std::string& program, const settings::Options& options, OutputFile& out,
+/// Hands over every point of the path at the step settings, in order. The program is taken as it stands, no limits.
+/// Refuses what compensate::MoveReader refuses, and simulate-unreachable.
+SimulationSummary simulate_program(const std::string& program, const settings::Options& options,
+                                   const std::function<void(const SimulatedPoint&)>& take,
                                    const Progress& progress = {});
 
 }  // namespace plumbline::jobs

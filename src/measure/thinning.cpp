@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 namespace plumbline::measure {
 namespace {
 
@@ -39,29 +37,19 @@ void wrap(std::vector<double>& angle) {
 }  // namespace
 
 Thinned thinned(std::vector<Run> runs, const ThinningOptions& options) {
-  Thinned result;
+  Thinning thinning{.runs = runs.size()};
   for (Run& run : runs) {
-    result.longest = std::max(result.longest, run.samples());
+    thinning.longest = std::max(thinning.longest, run.samples());
     const std::size_t each = run.samples() / options.enough;
     if (each < 2) continue;
-    ++result.thinned;
-    result.largest = std::max(result.largest, each);
+    ++thinning.thinned;
+    thinning.largest = std::max(thinning.largest, each);
     follow(run.angle, each);
     for (auto* const column : {&run.time, &run.angle, &run.radial}) average(*column, each);
     for (auto& column : run.torque) average(column, each);
     wrap(run.angle);
   }
-  result.runs = std::move(runs);
-  return result;
-}
-
-std::string Thinned::text() const {
-  if (thinned == 0) return {};
-  return fmt::format(
-      "{} of {} runs have up to {} samples: means of up to {} consecutive ones were used, and the noise stated is that "
-      "of "
-      "these means",
-      thinned, runs.size(), longest, largest);
+  return {std::move(runs), thinning};
 }
 
 }  // namespace plumbline::measure

@@ -1,7 +1,6 @@
 // Long records made short: consecutive samples averaged.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "measure/dataset.hpp"
@@ -13,14 +12,16 @@ struct ThinningOptions {
 };
 
 /// What became of records that were longer than a fit needs.
-struct Thinned {
-  std::vector<Run> runs;
-  std::size_t thinned = 0;  // how many runs were
+struct Thinning {
+  std::size_t runs = 0;     // how many there are
+  std::size_t thinned = 0;  // how many of them were
   std::size_t largest = 1;  // most samples that one mean is made of
   std::size_t longest = 0;  // samples of the longest record
+};
 
-  /// In words, for people; empty: nothing was averaged.
-  std::string text() const;
+struct Thinned {
+  std::vector<Run> runs;
+  Thinning thinning;
 };
 
 /// Runs of twice `enough` samples and more: means of so many consecutive samples each that `enough` are left, of time,

@@ -15,8 +15,8 @@
 #include "jobs/diff/diff.hpp"
 #include "nc/rewrite/undo.hpp"
 #include "nc/sequence/program.hpp"
-#include "report/check_text.hpp"
-#include "report/diff_text.hpp"
+#include "report/program/check_text.hpp"
+#include "report/program/diff_text.hpp"
 #include "settings/options.hpp"
 
 namespace plumbline::drawn {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "report/check_text.hpp"
+#include "report/program/check_text.hpp"
 #include "settings/options.hpp"
 #include "support/scratch.hpp"
 

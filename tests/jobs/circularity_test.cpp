@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jobs/dataset_files.hpp"
-#include "report/circularity_text.hpp"
+#include "report/measured/circularity_text.hpp"
 
 using namespace plumbline;
 using namespace plumbline::testing;

@@ -6,7 +6,7 @@
 
 #include "jobs/dataset_files.hpp"
 #include "jobs/simulate_dataset.hpp"
-#include "report/compare_text.hpp"
+#include "report/measured/compare_text.hpp"
 
 using namespace plumbline;
 using namespace plumbline::testing;

@@ -36,8 +36,9 @@ inline std::string plan_text(const Scratch& scratch) {
   return run_text("b", "cw", run_text("a", "ccw", "plumbline = \"dataset 1\"\nmachine = \"pm600-like\"\n"));
 }
 
-/// A table with `by` added to every number of a column (1: the second).
-inline std::string shifted(const std::string& table, double by, int column = 1) {
+/// A table with every number of a column (1: the second) changed.
+template <class Change>
+std::string changed(const std::string& table, int column, const Change& change) {
   std::istringstream lines(table);
   std::string line;
   std::getline(lines, line);
@@ -47,11 +48,19 @@ inline std::string shifted(const std::string& table, double by, int column = 1) 
     std::string cell;
     for (int i = 0; std::getline(cells, cell, ','); ++i) {
       text += i == 0 ? "" : ",";
-      text += i == column ? fmt::format("{:.6f}", *parse_number(cell) + by) : cell;
+      text += i == column ? fmt::format("{:.6f}", change(*parse_number(cell))) : cell;
     }
     text += "\n";
   }
   return text;
+}
+
+/// With `by` added, or times `by`.
+inline std::string shifted(const std::string& table, double by, int column = 1) {
+  return changed(table, column, [by](double number) { return number + by; });
+}
+inline std::string scaled(const std::string& table, double by, int column) {
+  return changed(table, column, [by](double number) { return number * by; });
 }
 
 }  // namespace plumbline::testing

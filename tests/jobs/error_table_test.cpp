@@ -6,6 +6,7 @@
 
 #include "base/text/number_text.hpp"
 #include "machine/model_file.hpp"
+#include "report/program/error_text.hpp"
 #include "support/scratch.hpp"
 
 using namespace plumbline;
@@ -31,7 +32,9 @@ machine::MachineModel pm600() { return machine::read_model(testing::source_file(
 
 std::string table_of(const testing::Scratch& scratch, const std::string& poses) {
   OutputFile out(scratch.path("out.csv"));
-  jobs::write_error_table(pm600(), jobs::read_poses(scratch.file("in.csv", poses)), out);
+  report::ErrorTable table(out);
+  jobs::error_table(pm600(), jobs::read_poses(scratch.file("in.csv", poses)),
+                    [&](const jobs::PoseError& error) { table.add(error); });
   out.commit();
   return scratch.text("out.csv");
 }

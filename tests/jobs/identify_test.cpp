@@ -3,9 +3,11 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/text/hash.hpp"
 #include "jobs/dataset_files.hpp"
 #include "jobs/simulate_dataset.hpp"
-#include "report/identification_text.hpp"
+#include "report/measured/identification_text.hpp"
+#include "report/measured/model_file.hpp"
 
 using namespace plumbline;
 using namespace plumbline::testing;
@@ -19,14 +21,16 @@ TEST_CASE("identification of exact data changes next to nothing, and records whe
   const jobs::IdentifiedModel same = jobs::identify_model(model, dataset, {});
   CHECK(same.found.converged());
   CHECK(same.found.after.radial_rms < 1e-9);
-  CHECK(same.text.find("; refitted by plumbline 0.") != std::string::npos);
-  CHECK(same.text.find("sim/dataset.toml (fnv1a ") != std::string::npos);
-  CHECK(same.text.find("#   K1: 0.01287 -> 0.012") != std::string::npos);
+  CHECK(same.thinning.runs == 2);
+  const std::string text = report::model_file(same);
+  CHECK(text.find("; refitted by plumbline 0.") != std::string::npos);
+  CHECK(text.find("sim/dataset.toml (fnv1a " + to_hex(same.measured[0].hash) + ", 2 runs), model fnv1a ") !=
+        std::string::npos);
+  CHECK(text.find("#   K1: 0.01287 -> 0.012") != std::string::npos);
 
   // another table, another fingerprint
-  const auto fingerprint = [](const std::string& text) { return text.substr(text.find("(fnv1a "), 24); };
   scratch.file("sim/a.csv", shifted(scratch.text("sim/a.csv"), 1));
-  CHECK(fingerprint(jobs::identify_model(model, dataset, {}).text) != fingerprint(same.text));
+  CHECK(jobs::identify_model(model, dataset, {}).measured[0].hash != same.measured[0].hash);
 }
 
 TEST_CASE("the JSON of an identification holds every unknown with its error and correlations") {

@@ -5,9 +5,11 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/units.hpp"
 #include "jobs/compensate/compensate_file.hpp"
 #include "jobs/error_table.hpp"
 #include "machine/model_file.hpp"
+#include "report/program/simulation_text.hpp"
 #include "settings/options.hpp"
 #include "support/scratch.hpp"
 
@@ -26,7 +28,9 @@ settings::Options playback() {
 std::vector<std::vector<double>> simulate(const testing::Scratch& scratch, const std::string& program,
                                           const settings::Options& how) {
   OutputFile out(scratch.path("sim.csv"));
-  jobs::simulate_program(scratch.file("sim.ngc", program), how, out);
+  report::SimulationTable table(out);
+  jobs::simulate_program(scratch.file("sim.ngc", program), how,
+                         [&](const jobs::SimulatedPoint& point) { table.add(point); });
   out.commit();
   std::istringstream text(scratch.text("sim.csv"));
   std::vector<std::vector<double>> rows;
@@ -53,18 +57,13 @@ TEST_CASE("a simulation without friction has the errors and tensions of the tabl
   jobs::PoseRow pose;
   for (std::size_t i = 0; i < kAxes; ++i) pose.pose.values[i] = rows.back()[3 + i];
   CHECK(pose.pose == AxisWords{{60, -10, -1008, 10, -5, 0}});
-  OutputFile out(scratch.path("rest.csv"));
-  jobs::write_error_table(model, std::span(&pose, 1), out);
-  out.commit();
-  std::istringstream text(scratch.text("rest.csv"));
-  std::string line;
-  std::getline(text, line);
-  std::vector<double> rest;
-  for (std::string cell; std::getline(text, cell, ',');) rest.push_back(std::atof(cell.c_str()));
+  jobs::PoseError rest;
+  jobs::error_table(model, std::span(&pose, 1), [&](const jobs::PoseError& error) { rest = error; });
   for (std::size_t i = 0; i < 6; ++i) {
-    CHECK(rows.back()[9 + i] == Approx(rest[24 + i]).margin(1e-3));   // error
-    CHECK(rows.back()[15 + i] == Approx(rest[6 + i]).margin(1e-6));   // length
-    CHECK(rows.back()[21 + i] == Approx(rest[12 + i]).margin(1e-3));  // tension
+    const auto k = static_cast<Eigen::Index>(i);
+    CHECK(rows.back()[9 + i] == Approx(rest.error[k] / kUm).margin(1e-3));
+    CHECK(rows.back()[15 + i] == Approx(rest.lengths[k] / kMm).margin(1e-6));
+    CHECK(rows.back()[21 + i] == Approx(rest.nut_tension[k]).margin(1e-3));
   }
 }
 

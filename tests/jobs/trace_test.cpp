@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "base/files/files.hpp"
-#include "report/trace_text.hpp"
+#include "report/program/trace_text.hpp"
 
 using namespace plumbline;
 namespace fs = std::filesystem;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include <fmt/format.h>
-
 namespace plumbline::diagnose {
 namespace {
 
@@ -36,44 +34,26 @@ std::array<Factor, kStruts> factors_of(const std::vector<measure::Run>& runs,
   return factors;
 }
 
-std::string motors_text(const std::vector<std::size_t>& motors) {
-  std::vector<std::string> names;
-  for (const std::size_t j : motors) names.push_back(fmt::format("torque{}_Nm", j + 1));
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
 }  // namespace
 
-std::string channel_flaw(const std::vector<measure::Run>& runs, const std::vector<identify::RunEquations>& residuals,
-                         const ChannelOptions& options) {
+std::optional<ChannelFlaw> channel_flaw(const std::vector<measure::Run>& runs,
+                                        const std::vector<identify::RunEquations>& residuals,
+                                        const ChannelOptions& options) {
   const std::array<Factor, kStruts> factors = factors_of(runs, residuals);
-  std::vector<std::size_t> opposite;
-  std::vector<std::size_t> scaled;
-  std::vector<std::string> sizes;
+  ChannelFlaw sign{ChannelFlaw::Kind::sign, {}, {}};
+  ChannelFlaw unit{ChannelFlaw::Kind::unit, {}, {}};
   for (std::size_t j = 0; j < kStruts; ++j) {
     if (!factors[j].follows(options.follows)) continue;
     const double size = factors[j].size();
-    if (size < options.opposite) {
-      opposite.push_back(j);
-    } else if (size < options.least || size > options.most) {
-      scaled.push_back(j);
-      sizes.push_back(fmt::format("{:.3g}", size));
-    }
+    const bool opposite = size < options.opposite;
+    if (!opposite && size >= options.least && size <= options.most) continue;
+    ChannelFlaw& flaw = opposite ? sign : unit;
+    flaw.motors.push_back(j);
+    flaw.factors.push_back(size);
   }
-  if (!opposite.empty()) {
-    return fmt::format(
-        "{} of 6 torques ({}) run against the model's in all runs: no effect does that; check the sign of each channel "
-        "(positive where the strut is pulled)",
-        opposite.size(), motors_text(opposite));
-  }
-  if (!scaled.empty()) {
-    return fmt::format(
-        "{} of 6 torques ({}) are {} times the model's: no effect does that; check the unit of each channel (N m at "
-        "the "
-        "screw, not per cent of the rated torque, not a current)",
-        scaled.size(), motors_text(scaled), fmt::join(sizes, ", "));
-  }
-  return {};
+  if (!sign.motors.empty()) return sign;
+  if (!unit.motors.empty()) return unit;
+  return std::nullopt;
 }
 
 }  // namespace plumbline::diagnose

@@ -1,7 +1,7 @@
 // Readings that no fault of a machine makes so: a channel in another unit, or with the other sign.
 #pragma once
 
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "identify/equations/run_model.hpp"
@@ -16,9 +16,18 @@ struct ChannelOptions {
   double most = 1.9;       // of masses and scales allow
 };
 
-/// What is wrong with the torques of all runs, in words; empty: nothing. `residuals` are those of the base model.
-/// Each motor's torque is held against the model's: T = k T_model by least squares.
-std::string channel_flaw(const std::vector<measure::Run>& runs, const std::vector<identify::RunEquations>& residuals,
-                         const ChannelOptions& options = {});
+/// What is wrong with the torques of some motors, in all runs.
+struct ChannelFlaw {
+  enum class Kind { sign, unit };
+  Kind kind = Kind::sign;
+  std::vector<std::size_t> motors;  // from 0
+  std::vector<double> factors;      // k of each
+};
+
+/// Each motor's torque is held against the model's: T = k T_model by least squares. Nothing: there is no flaw.
+/// `residuals` are those of the base model.
+std::optional<ChannelFlaw> channel_flaw(const std::vector<measure::Run>& runs,
+                                        const std::vector<identify::RunEquations>& residuals,
+                                        const ChannelOptions& options = {});
 
 }  // namespace plumbline::diagnose

@@ -1,15 +1,10 @@
 #include "identify/unknowns/geometry.hpp"
 
 #include <cmath>
-#include <map>
-
-#include <Eigen/Eigenvalues>
-#include <fmt/format.h>
+#include <utility>
 
 namespace plumbline::identify {
 namespace {
-
-constexpr double kHalf = 0.5;  // of the prior's sigma left: the data tell more than was known
 
 using machine::kStruts;
 using machine::StrutVectors;
@@ -24,8 +19,8 @@ void complete(Unknowns& unknowns, std::string_view effect, const char* key, int 
 }
 
 // How each joint of a ring moves with the motion, as a direction of the unknowns.
-WholeMotion of_ring(std::string name, const char* key, const StrutVectors<double>& moves, const Unknowns& unknowns) {
-  WholeMotion motion{std::move(name), Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns.size()))};
+WholeMotion of_ring(WholeMotion motion, const char* key, const StrutVectors<double>& moves, const Unknowns& unknowns) {
+  motion.direction = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns.size()));
   for (int i = 0; i < 3 * kStruts; ++i) {
     const int place = unknowns.find(JointPosition::name, key, i);
     if (place >= 0) motion.direction[place] = moves(i % 3, i / 3);
@@ -33,9 +28,9 @@ WholeMotion of_ring(std::string name, const char* key, const StrutVectors<double
   return motion;
 }
 
-void add_ring(std::vector<WholeMotion>& motions, std::string_view ring, const char* key,
+void add_ring(std::vector<WholeMotion>& motions, WholeMotion::Ring ring, const char* key,
               const StrutVectors<double>& joints, const Vector3<double>& centre, const Unknowns& unknowns) {
-  constexpr std::string_view kAxes = "XYZ";
+  using Kind = WholeMotion::Kind;
   const StrutVectors<double> arms = joints.colwise() - centre;
   for (int axis = 0; axis < 3; ++axis) {
     const Vector3<double> e = Vector3<double>::Unit(axis);
@@ -45,13 +40,12 @@ void add_ring(std::vector<WholeMotion>& motions, std::string_view ring, const ch
       shift.col(j) = e;
       turn.col(j) = e.cross(arms.col(j));
     }
-    motions.push_back(
-        of_ring(fmt::format("a shift of the {} joints along {}", ring, kAxes[axis]), key, shift, unknowns));
-    motions.push_back(of_ring(fmt::format("a turn of the {} joints about {}", ring, kAxes[axis]), key, turn, unknowns));
+    motions.push_back(of_ring({Kind::shift, ring, axis, {}}, key, shift, unknowns));
+    motions.push_back(of_ring({Kind::turn, ring, axis, {}}, key, turn, unknowns));
   }
   StrutVectors<double> wider = arms;
   wider.row(2).setZero();
-  motions.push_back(of_ring(fmt::format("a wider ring of {} joints", ring), key, wider, unknowns));
+  motions.push_back(of_ring({Kind::wider_ring, ring, 0, {}}, key, wider, unknowns));
 }
 
 }  // namespace
@@ -77,12 +71,15 @@ Unknowns geometry_unknowns(const machine::MachineModel& machine, const physics::
 std::vector<WholeMotion> whole_motions(const machine::Geometry& geometry, const Unknowns& unknowns) {
   std::vector<WholeMotion> motions;
   if (!unknowns.of_effect(JointPosition::name).empty()) {
-    add_ring(motions, "base", "base_um", geometry.base_joints_W, geometry.base_joints_W.rowwise().mean(), unknowns);
-    add_ring(motions, "platform", "platform_um", geometry.platform_joints_P, geometry.tool_tip_P, unknowns);
+    add_ring(motions, WholeMotion::Ring::base, "base_um", geometry.base_joints_W,
+             geometry.base_joints_W.rowwise().mean(), unknowns);
+    add_ring(motions, WholeMotion::Ring::platform, "platform_um", geometry.platform_joints_P, geometry.tool_tip_P,
+             unknowns);
   }
   const std::vector<std::size_t> offsets = unknowns.of_effect(StrutOffset::name);
   if (!offsets.empty()) {
-    WholeMotion longer{"all struts longer together", Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns.size()))};
+    WholeMotion longer{
+        WholeMotion::Kind::longer_struts, {}, 0, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns.size()))};
     for (const std::size_t i : offsets) longer.direction[static_cast<Eigen::Index>(i)] = 1;
     motions.push_back(std::move(longer));
   }
@@ -104,37 +101,6 @@ double left_of_prior(const WholeMotion& motion, const Unknowns& unknowns, const 
   }
   const double before = weights.dot(motion.direction(moved));
   return before > 0 ? std::sqrt(weights.dot(covariance(moved, moved) * weights) / before) : 0;
-}
-
-std::vector<std::string> geometry_statements(const machine::Geometry& geometry, const Unknowns& unknowns,
-                                             const Eigen::MatrixXd& covariance, double little) {
-  std::vector<Eigen::Index> places;
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    if (is_geometry(unknowns[i]) && !unknowns[i].free()) places.push_back(static_cast<Eigen::Index>(i));
-  }
-  std::vector<std::string> statements;
-  if (places.empty()) return statements;
-  Eigen::MatrixXd of_priors = covariance(places, places);
-  for (Eigen::Index i = 0; i < of_priors.rows(); ++i) {
-    const double sigma = unknowns[static_cast<std::size_t>(places[static_cast<std::size_t>(i)])].sigma;
-    of_priors.row(i) /= sigma;
-    of_priors.col(i) /= sigma;
-  }
-  const Eigen::VectorXd shares =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(of_priors, Eigen::EigenvaluesOnly).eigenvalues();
-  statements.push_back(
-      fmt::format("of {} directions of the geometry these data tell {} better than to half of what was known",
-                  places.size(), (shares.array() < kHalf * kHalf).count()));
-  std::vector<std::string> unseen;
-  for (const WholeMotion& motion : whole_motions(geometry, unknowns)) {
-    if (left_of_prior(motion, unknowns, covariance) > little) unseen.push_back(motion.name);
-  }
-  if (!unseen.empty()) {
-    statements.push_back(
-        fmt::format("these data do not show {}: what is known beforehand alone holds them where they are",
-                    fmt::join(unseen, ", ")));
-  }
-  return statements;
 }
 
 }  // namespace plumbline::identify

@@ -2,7 +2,6 @@
 // that is measured.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "identify/unknowns/unknowns.hpp"
@@ -25,7 +24,12 @@ Unknowns geometry_unknowns(const machine::MachineModel& machine, const physics::
 
 /// A motion of the geometry as a whole.
 struct WholeMotion {
-  std::string name;           // "a shift of the base joints along X"
+  enum class Kind { shift, turn, wider_ring, longer_struts };
+  enum class Ring { base, platform };
+
+  Kind kind = Kind::shift;
+  Ring ring = Ring::base;     // of joints; of no meaning for struts
+  int axis = 0;               // of W, along which the joints are shifted or about which they are turned: 0 is X
   Eigen::VectorXd direction;  // of the unknowns, SI: what each does in it
 };
 
@@ -35,10 +39,5 @@ std::vector<WholeMotion> whole_motions(const machine::Geometry& geometry, const 
 /// How much of what is not known of a motion beforehand is left after the data: standard error over the prior's sigma
 /// of the motion's share in the unknowns.
 double left_of_prior(const WholeMotion& motion, const Unknowns& unknowns, const Eigen::MatrixXd& covariance);
-
-/// In words: how many directions of the geometry the data tell, and which motions as a whole they do not show (more
-/// than `little` of the prior left). Empty if the geometry is not among the unknowns.
-std::vector<std::string> geometry_statements(const machine::Geometry& geometry, const Unknowns& unknowns,
-                                             const Eigen::MatrixXd& covariance, double little = 0.9);
 
 }  // namespace plumbline::identify

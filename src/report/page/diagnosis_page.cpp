@@ -7,7 +7,7 @@
 
 #include "base/units.hpp"
 #include "diagnose/verdict.hpp"
-#include "report/next_test_text.hpp"
+#include "report/measured/next_test_text.hpp"
 #include "report/page/svg.hpp"
 #include "report/page/where_svg.hpp"
 
@@ -37,7 +37,7 @@ std::string verdict_text(const Diagnosis& d) {
     case diagnose::Verdict::named:
       break;
   }
-  return fmt::format("The model misses: {}.", escaped(diagnose::names_text(d)));
+  return fmt::format("The model misses: {}.", escaped(names_text(d)));
 }
 
 std::string figure(const std::optional<double>& value, double unit, int decimals) {
@@ -177,7 +177,8 @@ std::string diagnosis_page(const Diagnosis& d, const std::string& title) {
       "<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport content=\"width=device-width\">"
       "<title>{0}</title><style>{1}</style><h1>{0}</h1><p class=verdict>{2}</p>",
       escaped(title), kStyle, verdict_text(d));
-  if (!d.withheld.empty()) html += fmt::format("<p>The model stays as it was given: {}.</p>", escaped(d.withheld));
+  if (d.withheld)
+    html += fmt::format("<p>The model stays as it was given: {}.</p>", escaped(objection_text(*d.withheld)));
   if (d.verdict == diagnose::Verdict::nothing_missing) html += could_show(d);
   if (d.confidence_set.size() > 1) {
     html += fmt::format("<p>Not ruled out: {}.</p>", escaped(fmt::format("{}", fmt::join(d.confidence_set, ", "))));
@@ -195,12 +196,12 @@ std::string diagnosis_page(const Diagnosis& d, const std::string& title) {
             left_out_table(d);
   }
   if (!d.effects.empty()) html += "<h2>What was found</h2>" + effects(d);
-  if (!d.doubt.empty()) html += fmt::format("<h2>What was not believed</h2><p>{}.</p>", escaped(d.doubt));
+  if (d.doubt) html += fmt::format("<h2>What was not believed</h2><p>{}.</p>", escaped(doubt_text(*d.doubt)));
   if (d.remainder) {
     html += fmt::format(
         "<h2>What the catalogue does not explain</h2><p>A description, not a cause; {:.0f} times the noise in "
         "all.</p><pre>{}</pre>",
-        d.remainder->snr, escaped(d.remainder->text));
+        d.remainder->snr, escaped(remainder_text(*d.remainder)));
   }
   html += circles(d);
   if (!d.next.empty()) html += "<h2>What next</h2>" + next_tests(d);

@@ -9,7 +9,7 @@
 #include "jobs/simulate.hpp"
 #include "nc/rewrite/undo.hpp"
 #include "nc/sequence/program.hpp"
-#include "report/summary_text.hpp"
+#include "report/program/summary_text.hpp"
 #include "settings/options.hpp"
 #include "support/scratch.hpp"
 
@@ -216,8 +216,7 @@ TEST_CASE("an axis that stood elsewhere and may have been moved since is not tak
     const std::string path = scratch.file("a.ngc", program);
     CHECK(testing::refusal_of([&] { jobs::compensate_file(path, scratch.path("b.ngc"), how); }).code ==
           "compensate-position-unknown");
-    CHECK(testing::refusal_of([&] {
-            jobs::simulate_program(path, how, *std::make_unique<OutputFile>(scratch.path("s.csv")));
-          }).code == "walk-position-unknown");
+    const auto ignore = [](const jobs::SimulatedPoint&) {};
+    CHECK(testing::refusal_of([&] { jobs::simulate_program(path, how, ignore); }).code == "walk-position-unknown");
   }
 }

@@ -8,7 +8,7 @@
 #include "compensate/random_program.hpp"
 #include "jobs/compensate/compensate_file.hpp"
 #include "jobs/diff/diff.hpp"
-#include "report/diff_text.hpp"
+#include "report/program/diff_text.hpp"
 #include "settings/options.hpp"
 #include "support/scratch.hpp"
 

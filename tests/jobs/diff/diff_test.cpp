@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jobs/compensate/compensate_file.hpp"
-#include "report/diff_text.hpp"
+#include "report/program/diff_text.hpp"
 #include "settings/options.hpp"
 #include "support/scratch.hpp"
 

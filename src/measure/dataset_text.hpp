@@ -1,0 +1,13 @@
+// The text of a dataset.toml that was made by the program.
+#pragma once
+
+#include <string>
+
+#include "measure/dataset.hpp"
+
+namespace plumbline::measure {
+
+/// Marker, machine and a [[run]] for each run, in the units of the file; its tables are not in it.
+std::string dataset_text(const Dataset& dataset);
+
+}  // namespace plumbline::measure

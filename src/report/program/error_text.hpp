@@ -1,0 +1,27 @@
+// The error of the machine at rest, pose by pose: a table as CSV, and words.
+#pragma once
+
+#include <string>
+
+#include "base/files/files.hpp"
+#include "jobs/error_table.hpp"
+
+namespace plumbline::report {
+
+/// Writes a row for every pose: the pose (mm, deg), commanded strut lengths (mm), nut tensions (N), stretches (um), the
+/// error of the tip (um) and its rotation vector (urad), in W.
+class ErrorTable {
+ public:
+  /// Writes the names of the columns. `output` is kept by reference.
+  explicit ErrorTable(OutputFile& output);
+  void add(const jobs::PoseError& error);
+
+ private:
+  OutputFile& output_;
+  std::string row_;
+};
+
+/// "12 poses, the tip up to 41.203 um off"
+std::string error_text(const jobs::ErrorTableSummary& summary);
+
+}  // namespace plumbline::report

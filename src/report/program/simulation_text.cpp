@@ -1,0 +1,71 @@
+#include "report/program/simulation_text.hpp"
+
+#include <iterator>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/text/number_text.hpp"
+#include "base/units.hpp"
+#include "report/program/csv_columns.hpp"
+#include "report/text_table.hpp"
+
+namespace plumbline::report {
+namespace {
+
+constexpr std::string_view kSimulationColumns =
+    "line,motion,time_s,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,dx_um,dy_um,dz_um,rx_urad,ry_urad,rz_urad,"
+    "length1_mm,length2_mm,length3_mm,length4_mm,length5_mm,length6_mm,"
+    "nut_tension1_N,nut_tension2_N,nut_tension3_N,nut_tension4_N,nut_tension5_N,nut_tension6_N,"
+    "torque1_Nm,torque2_Nm,torque3_Nm,torque4_Nm,torque5_Nm,torque6_Nm\n";
+
+std::string_view simulated_name(nc::MotionKind kind) {
+  switch (kind) {
+    case nc::MotionKind::rapid:
+      return "rapid";
+    case nc::MotionKind::arc:
+      return "arc";
+    default:
+      return "feed";
+  }
+}
+
+}  // namespace
+
+SimulationTable::SimulationTable(OutputFile& output) : output_(output) { output_.write(kSimulationColumns); }
+
+void SimulationTable::add(const jobs::SimulatedPoint& point) {
+  row_.clear();
+  fmt::format_to(std::back_inserter(row_), "{},{},{:.6f}", point.line, simulated_name(point.motion), point.time_s);
+  for (const Axis axis : kAllAxes) {
+    row_ += ',';
+    append_decimal(row_, point.pose[axis], 6);
+  }
+  append_columns(row_, point.error.head<3>(), kUm, 4);
+  append_columns(row_, point.error.tail<3>(), kUrad, 4);
+  append_columns(row_, point.lengths, kMm, 7);
+  append_columns(row_, point.nut_tension, 1, 4);
+  append_columns(row_, point.torque, 1, 6);
+  row_ += '\n';
+  output_.write(row_);
+}
+
+std::string simulation_text(const jobs::SimulationSummary& summary) {
+  std::string text = fmt::format("{} in {}", count_text(summary.points, "point"), time_text(summary.seconds));
+  if (summary.points > 0) {
+    text += fmt::format(": the tip up to {:.3f} um off (line {}), rms {:.3f} um", summary.largest_um,
+                        summary.largest_line, summary.rms_um);
+  }
+  text += '\n';
+  if (summary.passed_moves > 0) {
+    text += fmt::format("{} left out of the table: machine coordinates, probing, or from where nobody knows\n",
+                        count_text(summary.passed_moves, "move"));
+  }
+  return text;
+}
+
+std::string dataset_simulation_text(const jobs::DatasetSimulationSummary& summary) {
+  return fmt::format("{}, {}\n", count_text(summary.runs, "run"), count_text(summary.samples, "sample"));
+}
+
+}  // namespace plumbline::report

@@ -1,0 +1,30 @@
+// A program or a dataset that was simulated: a table as CSV, and words.
+#pragma once
+
+#include <string>
+
+#include "base/files/files.hpp"
+#include "jobs/simulate.hpp"
+#include "jobs/simulate_dataset.hpp"
+
+namespace plumbline::report {
+
+/// Writes a row for every point: line, motion, time (s), the pose asked for (mm, deg), the error of the tip (um) and of
+/// the orientation (urad, rotation vector) in W, commanded strut lengths (mm), nut tensions (N), motor torques (N m).
+class SimulationTable {
+ public:
+  /// Writes the names of the columns. `output` is kept by reference.
+  explicit SimulationTable(OutputFile& output);
+  void add(const jobs::SimulatedPoint& point);
+
+ private:
+  OutputFile& output_;
+  std::string row_;
+};
+
+/// How many points, how long the program takes, how far the tip is off.
+std::string simulation_text(const jobs::SimulationSummary& summary);
+/// "26 runs, 3,120 samples"
+std::string dataset_simulation_text(const jobs::DatasetSimulationSummary& summary);
+
+}  // namespace plumbline::report

@@ -1,0 +1,225 @@
+#include "report/program/summary_text.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/text/hash.hpp"
+#include "base/units.hpp"
+#include "base/version.hpp"
+#include "report/text_table.hpp"
+
+namespace plumbline::report {
+namespace {
+
+using compensate::Summary;
+using compensate::Worst;
+using Json = nlohmann::ordered_json;
+
+constexpr double kUmPerMm = kMm / kUm;
+
+std::string at_line(std::size_t line) { return line == 0 ? std::string() : fmt::format(" (line {})", line); }
+
+std::string change_text(double before, double after) {
+  return before > 0 ? fmt::format("{:+.3f} %", (after / before - 1) * 100) : "no change";
+}
+
+void add_counts(TextTable& table, const Summary& s) {
+  table.add("blocks", fmt::format("{} read, {} moves changed of {}", count_text(s.blocks), count_text(s.changed_blocks),
+                                  count_text(s.moves)));
+  if (s.unrolled) {
+    table.add("form", "unrolled: loops and subprograms written out as they are executed, parameters as values");
+  }
+  for (const Summary::InlinedFile& file : s.inlined_files) {
+    table.add("subprograms from", fmt::format("{} (hash {})", file.name, to_hex(file.hash)));
+  }
+  if (s.passed_moves > 0) table.add("left as they stand", count_text(s.passed_moves, "move"));
+  table.add("points", count_text(s.points));
+}
+
+void add_corrections(TextTable& table, const Summary& s) {
+  table.add("largest correction",
+            fmt::format("{:.4f} mm{}, {:.5f} deg{}", s.correction_mm.value, at_line(s.correction_mm.line),
+                        s.correction_deg.value, at_line(s.correction_deg.line)));
+  table.add("rms correction", fmt::format("{:.4f} mm", s.rms_correction_mm));
+}
+
+void add_time(TextTable& table, const Summary& s) {
+  if (s.seconds_before <= 0) return;
+  table.add("cutting time", fmt::format("{} before, {} after ({})", time_text(s.seconds_before),
+                                        time_text(s.seconds_after), change_text(s.seconds_before, s.seconds_after)));
+  table.add("worst of a block", fmt::format("{:.3f} %{}", s.time_change.value * 100, at_line(s.time_change.line)));
+}
+
+void add_quality(TextTable& table, const Summary& s) {
+  if (s.replayed > 0) {
+    table.add(
+        "left at the tip",
+        fmt::format("at most {:.3f} um{}, {:.5f} deg, between its points too: by rounding, subdivision and friction "
+                    "that turns, {} played on the model",
+                    s.residual_mm.value * kUmPerMm, at_line(s.residual_mm.line), s.residual_deg.value,
+                    count_text(s.replayed, "point")));
+    table.add("", "how far the machine itself is from its model comes on top: plumbline compare tells");
+  }
+  table.add("rounding",
+            fmt::format("at most {:.3f} um{}", s.rounding_mm.value * kUmPerMm, at_line(s.rounding_mm.line)));
+  table.add("condition number", fmt::format("at most {:.1f}{}", s.condition.value, at_line(s.condition.line)));
+  if (s.widened_blocks > 0) {
+    table.add("wider steps", fmt::format("{}, up to {:.3f} mm{}: the control's block time asks for it",
+                                         count_text(s.widened_blocks, "block"), s.widened_step_mm.value,
+                                         at_line(s.widened_step_mm.line)));
+    table.add("", fmt::format("between their points the tip is up to {:.3f} um off{}", s.widening_mm.value * kUmPerMm,
+                              at_line(s.widening_mm.line)));
+  }
+}
+
+void add_short_pieces(TextTable& table, const Summary& s) {
+  const compensate::ShortPieces& found = s.short_pieces;
+  if (found.below_1_ms == 0 && found.below_block_time == 0) return;
+  std::string counts = fmt::format("{} below 1 ms", count_text(found.below_1_ms));
+  if (found.below_block_time > 0) {
+    counts += fmt::format(", {} below the control's block time", count_text(found.below_block_time));
+  }
+  table.add("short pieces",
+            fmt::format("{}, the shortest {:.3g} ms{}", counts, found.least_s / kMs, at_line(found.line)));
+  if (found.whole_blocks > 0)
+    table.add("", fmt::format("{} of them as short in the program itself", count_text(found.whole_blocks)));
+}
+
+void add_offsets(TextTable& table, const Summary& s, const settings::Options& options) {
+  if (std::isfinite(s.offset_shift_for_1um_mm)) {
+    table.add("work offset", fmt::format("good to {:.3g} mm: that much off costs 1 um", s.offset_shift_for_1um_mm));
+  }
+  if (s.zero_error && !options.compensation.touch_off) {
+    const AxisWords& e = *s.zero_error;
+    table.add("zero", fmt::format("the machine stands X{:+.1f} Y{:+.1f} Z{:+.1f} um off at the first cutting block{}",
+                                  e[Axis::X] * kUmPerMm, e[Axis::Y] * kUmPerMm, e[Axis::Z] * kUmPerMm,
+                                  at_line(s.zero_error_line)));
+    table.add("", "an offset probed on the machine holds that already: say where with --touch-off");
+  }
+  if (!s.assumed_at_zero.empty()) {
+    table.add("taken to be zero", fmt::format("{}: no word of the program names them", axis_list(s.assumed_at_zero)));
+  }
+}
+
+void add_read_back(TextTable& table, const Summary& s) {
+  if (!s.read_back) return;
+  table.add("read back", fmt::format("{}, {} of the output: all as meant", count_text(s.read_back->blocks, "block"),
+                                     count_text(s.read_back->output_blocks)));
+  if (s.read_back->guard_lines > 0) {
+    table.add("", fmt::format("{} of the guard left out: only the machine decides there",
+                              count_text(s.read_back->guard_lines, "line")));
+  }
+}
+
+void add_files(TextTable& table, const Summary& s, const settings::Options& options) {
+  const double growth =
+      s.bytes_before > 0 ? static_cast<double>(s.bytes_after) / static_cast<double>(s.bytes_before) : 1;
+  table.add("file", fmt::format("{} bytes before, {} after ({:.2f} times)", count_text(s.bytes_before),
+                                count_text(s.bytes_after), growth));
+  if (!options.paths.settings_file.empty()) table.add("settings from", options.paths.settings_file);
+}
+
+Json worst(const Worst& value, double unit = 1) { return {{"value", value.value * unit}, {"line", value.line}}; }
+
+Json axis_values(const AxisWords& words) {
+  Json json;
+  for (const Axis axis : kAllAxes) {
+    const char lower = static_cast<char>(letter(axis) - 'A' + 'a');
+    json[std::string(1, lower) + (is_rotary(axis) ? "_deg" : "_mm")] = words[axis];
+  }
+  return json;
+}
+
+Json short_pieces_json(const compensate::ShortPieces& found) {
+  const bool any = found.line > 0;
+  return {{"below_1_ms", found.below_1_ms},
+          {"below_block_time", found.below_block_time},
+          {"whole_blocks", found.whole_blocks},
+          {"shortest_ms", any ? Json(found.least_s / kMs) : Json()},
+          {"line", any ? Json(found.line) : Json()}};
+}
+
+Json read_back_json(const Summary& s) {
+  if (!s.read_back) return {};
+  return {{"blocks", s.read_back->blocks},
+          {"output_blocks", s.read_back->output_blocks},
+          {"guard_lines", s.read_back->guard_lines}};
+}
+
+Json warnings_json(const std::vector<Diagnostic>& warnings) {
+  Json list = Json::array();
+  for (const Diagnostic& w : warnings) {
+    list.push_back({{"code", w.code}, {"message", w.message}, {"help", w.help}, {"line", w.place.line}});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string summary_text(const Summary& summary, const settings::Options& options) {
+  TextTable table;
+  add_counts(table, summary);
+  if (summary.moves > 0) {
+    add_corrections(table, summary);
+    add_time(table, summary);
+    add_quality(table, summary);
+    add_short_pieces(table, summary);
+    add_offsets(table, summary, options);
+  }
+  add_read_back(table, summary);
+  add_files(table, summary, options);
+  const std::string same = summary.identical ? "nothing had to change: the output is the input\n" : "";
+  return same + table.text();
+}
+
+std::string summary_json(const Summary& s, const settings::Options& options) {
+  Json assumed = Json::array();
+  for (const Axis axis : kAllAxes) {
+    if (s.assumed_at_zero.contains(axis)) assumed.push_back(std::string(1, letter(axis)));
+  }
+  Json inlined = Json::array();
+  for (const Summary::InlinedFile& file : s.inlined_files) {
+    inlined.push_back({{"name", file.name}, {"hash", to_hex(file.hash)}});
+  }
+  Json json{
+      {"plumbline", "compensation 1"},
+      {"version", version()},
+      {"identical", s.identical},
+      {"unrolled", s.unrolled},
+      {"inlined_files", inlined},
+      {"blocks", s.blocks},
+      {"moves", s.moves},
+      {"changed_blocks", s.changed_blocks},
+      {"passed_moves", s.passed_moves},
+      {"points", s.points},
+      {"largest_correction_mm", worst(s.correction_mm)},
+      {"largest_correction_deg", worst(s.correction_deg)},
+      {"rms_correction_mm", s.rms_correction_mm},
+      {"time_before_s", s.seconds_before},
+      {"time_after_s", s.seconds_after},
+      {"worst_block_time_change", worst(s.time_change)},
+      {"worst_rounding_um", worst(s.rounding_mm, kUmPerMm)},
+      {"worst_residual_um", s.replayed > 0 ? worst(s.residual_mm, kUmPerMm) : Json()},
+      {"worst_residual_deg", s.replayed > 0 ? worst(s.residual_deg) : Json()},
+      {"replayed_points", s.replayed},
+      {"largest_condition", worst(s.condition)},
+      {"widened_blocks", s.widened_blocks},
+      {"widest_step_mm", s.widened_blocks > 0 ? worst(s.widened_step_mm) : Json()},
+      {"widening_cost_um", s.widened_blocks > 0 ? worst(s.widening_mm, kUmPerMm) : Json()},
+      {"short_pieces", short_pieces_json(s.short_pieces)},
+      {"offset_shift_for_1um_mm", std::isfinite(s.offset_shift_for_1um_mm) ? Json(s.offset_shift_for_1um_mm) : Json()},
+      {"zero_error", s.zero_error ? axis_values(*s.zero_error) : Json()},
+      {"zero_error_line", s.zero_error ? Json(s.zero_error_line) : Json()},
+      {"assumed_at_zero", assumed},
+      {"read_back", read_back_json(s)},
+      {"bytes_before", s.bytes_before},
+      {"bytes_after", s.bytes_after},
+      {"hash_after", to_hex(s.hash_after)},
+      {"settings_file", options.paths.settings_file.empty() ? Json() : Json(options.paths.settings_file)},
+      {"warnings", warnings_json(s.warnings)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace plumbline::report
