@@ -52,7 +52,8 @@ std::span<const PieceGuess> PieceRanking::sorted() {
 }
 
 bool PieceRanking::promises(const PieceGuess& guess) const {
-  const double ratio = played_[guess.kind] < kLearnt ? kFirstRatio : kSafety * per_guess_[guess.kind];
+  const double learnt = kSafety * per_guess_[guess.kind];
+  const double ratio = played_[guess.kind] < kLearnt ? std::max(kFirstRatio, learnt) : learnt;
   return guess.value * ratio > found.value;
 }
 

@@ -158,6 +158,10 @@ TEST_CASE("what is left between the points of drawn arcs, turns and splines is s
   }
 }
 
+TEST_CASE("a strut that turns where a spline of many blocks was played little is found") {
+  CHECK(honesty(Kind::spline, 137, 137, 16).off_tip == 0);
+}
+
 TEST_CASE("what is left between the points of 480 drawn moves is said to a tenth, turns too, but for one of a hundred",
           "[.long]") {
   for (const Kind kind : kAllKinds) {
