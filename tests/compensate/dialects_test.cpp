@@ -89,6 +89,21 @@ TEST_CASE("a program for Okuma in which nothing turns needs no feed rule, though
   }
 }
 
+TEST_CASE("under G93 no feed rule is needed, whatever turns") {
+  const Job job = job_for("okuma");
+  const std::string head = "G15 H1\nG0 X0 Y0 Z20 A0 B0 C0\n";
+  for (const char* const cuts :
+       {"G93 G1 X11 A0.3 B0.1 F30\nX12 A0.6 B0.3 F25\n", "G93\nG1 A2 F3\nB1 C3 F4\nX5 C2 F10\n",
+        "G93 G1 X0.001 C-4 F2.5\nY9 A1 F6\nG94 X30 F500\n"}) {
+    const std::string text = head + cuts + "M2\n";
+    INFO(text);
+    const Result result = run(text, job);
+    check(text, result.text, job);
+    CHECK(result.summary.time_change.value < 1e-3);
+  }
+  CHECK(code_of(head + "G93 G1 X5 F10\nG94 X9 A3 F500\nM2\n", job) == "emit-feed-rule");
+}
+
 TEST_CASE("a block of several lines is joined where it changes, and stays as it is where it does not") {
   const Job job = job_for("okuma");
   const std::string text =

@@ -96,11 +96,13 @@ void PieceFeeds::set_lengths(const AxisWords& start) {
     const std::optional<double> length = feed_length(linear, delta, rule, motion.mm_per_unit);
     if (!length && motion.feed_rule == FeedRule::tool_tip && motion.feed_mode != FeedMode::inverse_time)
       refuse_turn_alone(step_);
-    if (!length && motion.feed_rule != FeedRule::tool_tip) refuse_feed_rule(step_, dialect_);
+    // The time is F alone under G93, unless the control lifts the speed to its least rate.
+    const bool needless = motion.feed_mode == FeedMode::inverse_time && dialect_.feed_rate_min <= 0;
+    if (!length && motion.feed_rule != FeedRule::tool_tip && !needless) refuse_feed_rule(step_, dialect_);
     // A feed a revolution counts degrees as it counts millimetres, and follows the unit.
     const bool turns_alone = feed_length_is_angle(linear);
     pieces_[i].in_degrees = turns_alone && motion.feed_mode != FeedMode::per_revolution;
-    pieces_[i].length = (turns_alone ? length.value_or(0) : *length) / (pieces_[i].in_degrees ? 1 : motion.mm_per_unit);
+    pieces_[i].length = length.value_or(turns_alone ? 0 : linear) / (pieces_[i].in_degrees ? 1 : motion.mm_per_unit);
     at = ends_[i];
   }
 }
