@@ -2,11 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "diagnose/evidence/linear_problem.hpp"
 #include "diagnose/readings/poses.hpp"
 
 namespace plumbline::diagnose {
+namespace {
+
+constexpr double kLeastKept = 1e-6;  // share of a column: the only pose to show it costs much, and not infinitely much
+
+}  // namespace
+
 std::vector<bool> held_out(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
                            const CandidateSet& candidates, const HeldOutOptions& options) {
   const std::vector<int> poses = poses_of(runs);
@@ -27,13 +34,13 @@ std::vector<bool> held_out(const machine::RotationOrder& order, const std::vecto
       if (poses[i] == pose) own += problem.blocks[i].rows.colwise().squaredNorm().transpose();
     }
     for (Eigen::Index c = 0; c < problem.residual(); ++c) {
-      if (all[c] > 0) cost[static_cast<std::size_t>(pose)] -= std::log(std::max(1 - own[c] / all[c], 1e-6));
+      if (all[c] > 0) cost[static_cast<std::size_t>(pose)] -= std::log(std::max(1 - own[c] / all[c], kLeastKept));
     }
   }
   for (int k = 0; k < std::max(1, count / options.poses_of); ++k) {
     const auto cheapest = std::min_element(cost.begin(), cost.end());
     const int pose = static_cast<int>(cheapest - cost.begin());
-    *cheapest = 1e300;
+    *cheapest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < runs.size(); ++i) out[i] = out[i] || poses[i] == pose;
   }
   return out;

@@ -16,8 +16,8 @@
 namespace plumbline::identify {
 namespace {
 
-constexpr int kTriesPerCandidate = 60;     // draws, of which most may lie outside of the machine's limits
-constexpr double kFreeInformation = 1e-9;  // in scales, of what is free and not told by anything
+// In scales, of what is free and not told by anything: keeps logarithms finite, and weighs nothing beside one reading.
+constexpr double kFreeInformation = 1e-9;
 
 // From 0 to 1, the same everywhere: distributions of the standard library are not.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
@@ -80,7 +80,7 @@ Best best_addition(const std::vector<Eigen::MatrixXd>& candidates, const Eigen::
 std::vector<measure::Run> candidate_runs(const machine::MachineModel& machine, const CandidateOptions& options) {
   std::mt19937_64 random(options.seed);
   std::vector<measure::Run> runs;
-  for (std::size_t tries = options.most * kTriesPerCandidate; tries > 0 && runs.size() < options.most; --tries) {
+  for (std::size_t tries = options.most * options.tries; tries > 0 && runs.size() < options.most; --tries) {
     measure::Run run = drawn_run(machine, options, random);
     if (measure::within_limits(machine, run)) runs.push_back(std::move(run));
   }

@@ -21,6 +21,7 @@ struct CandidateOptions {
   bool torques = true;
   std::size_t samples = 36;  // of each candidate
   std::size_t most = 400;    // candidates
+  std::size_t tries = 60;    // draws for each of them: most circles that are drawn go beyond the machine's limits
   std::uint64_t seed = 1;
 };
 

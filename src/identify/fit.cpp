@@ -13,6 +13,9 @@ namespace {
 // Eigenvalues of an information matrix below this share of the largest count as none.
 constexpr double kLeastInformation = 1e-14;
 
+// A direction that nothing tells leaves an unknown open whose part in it is more than rounding.
+constexpr double kPartOfDirection = 1e-6;
+
 // What Ceres sees of the objective, in scales from the unknowns' start: as many residuals as unknowns and one more,
 // whose square, gradient and Gauss-Newton matrix are those of the thousands of readings. With the normal equations
 // H = V diag(h) V^T and gradient g:  r = diag(h)^(-1/2) V^T g,  dr/dz = diag(h)^(1/2) V^T, and a last residual that
@@ -202,7 +205,7 @@ Eigen::MatrixXd posterior_covariance(const Unknowns& unknowns, const Eigen::Matr
   for (Eigen::Index k = 0; k < inverse.size(); ++k) {
     if (inverse[k] > 0) continue;
     for (Eigen::Index i = 0; i < V.rows(); ++i) {
-      if (std::abs(V(i, k)) > 1e-6) covariance(i, i) = std::numeric_limits<double>::infinity();
+      if (std::abs(V(i, k)) > kPartOfDirection) covariance(i, i) = std::numeric_limits<double>::infinity();
     }
   }
   return covariance;

@@ -26,6 +26,7 @@ struct TipGain {
 };
 
 struct HoldOptions {
+  TipFieldOptions places;
   double may_be_worse = 0.01;  // chance that is taken; beyond it a shift is held
   int steps = 4;               // from none of a shift to all of it
   double matters = 1e-6;       // m, rms; to be less than that further off is to be no worse

@@ -12,9 +12,10 @@
 namespace plumbline::identify {
 namespace {
 
-constexpr double kSamePlace = 1e-6;  // m, rad
+constexpr double kSamePlace = 1e-6;  // m, rad: files write places to a micrometre
 
-void add_chi2(const Fit& fit, const std::vector<Eigen::Index>& places, Plausibility& found) {
+void add_chi2(const Fit& fit, const std::vector<Eigen::Index>& places, const PlausibleOptions& options,
+              Plausibility& found) {
   if (places.empty()) return;
   Eigen::VectorXd sigmas(static_cast<Eigen::Index>(places.size()));
   Eigen::VectorXd off(sigmas.size());
@@ -26,7 +27,7 @@ void add_chi2(const Fit& fit, const std::vector<Eigen::Index>& places, Plausibil
   }
   const Eigen::MatrixXd left =
       sigmas.cwiseInverse().asDiagonal() * fit.covariance(places, places) * sigmas.cwiseInverse().asDiagonal();
-  const PriorStrain strain = prior_strain(off, left);
+  const PriorStrain strain = prior_strain(off, left, options.least_share);
   found.chi2 = strain.chi2;
   found.degrees = strain.degrees;
   found.all_sigmas = strain.deviate();
@@ -41,7 +42,7 @@ void add_strain(const Fit& fit, const PlausibleOptions& options, Plausibility& f
     const double sigmas = (fit.values[places.back()] - u.start) / u.sigma;
     if (std::abs(sigmas) > options.most_sigmas) found.strained.push_back({i, sigmas});
   }
-  add_chi2(fit, places, found);
+  add_chi2(fit, places, options, found);
   found.all_strained = found.all_sigmas > options.most_sigmas_all;
   std::sort(found.strained.begin(), found.strained.end(),
             [](const Strain& a, const Strain& b) { return std::abs(a.sigmas) > std::abs(b.sigmas); });

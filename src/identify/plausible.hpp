@@ -13,15 +13,17 @@ namespace plumbline::identify {
 struct PlausibleOptions {
   double most_sigmas = 6;         // that one unknown may be off from what was known of it
   double most_sigmas_all = 3.09;  // as a normal deviate, of what all of them together may be: one machine of a thousand
-  double worse_times = 1.1;       // as far off as the base model may the fit be on circles that it did not see
+  double least_share = 0.03;    // of a direction's prior variance that the data take away, from which they say anything
+  double worse_times = 1.1;     // as far off as the base model may the fit be on circles that it did not see
   double expected_times = 2;    // as far off as it must expect, unsure of its unknowns as it is, may it be beside that
   double least_radial = 2e-8;   // m; less than that is rounding
   double least_torque = 1e-3;   // N m
   std::size_t least_poses = 3;  // with fewer no pose can be spared
   // a fit is borne out, though priors together are not, where
-  double predicted = 0.5;     // more than so much of what the bar says beside the base model is predicted
-  double may_be_worse = 0.1;  // and no more than that is the chance that the tip comes out further off
-  bool joints_seen = false;   // a tracker measured where the joints are: that they are far off is what it is for
+  double predicted = 0.5;       // more than so much of what the bar says beside the base model is predicted
+  double may_be_worse = 0.1;    // and no more than that is the chance that the tip comes out further off
+  double open_share = 1.0 / 3;  // of the gap before: a gap that is no noise is open where more is left of it
+  bool joints_seen = false;     // a tracker measured where the joints are: that they are far off is what it is for
 };
 
 /// An unknown with a prior, and how many of its sigmas the fit moved it.

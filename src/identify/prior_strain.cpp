@@ -5,11 +5,6 @@
 #include <Eigen/Eigenvalues>
 
 namespace plumbline::identify {
-namespace {
-
-constexpr double kLeastTold = 0.03;  // of a direction's prior variance: below that the data say nothing of it
-
-}  // namespace
 
 double PriorStrain::deviate() const {
   if (!(degrees > 0)) return 0;
@@ -21,12 +16,12 @@ double PriorStrain::excess() const { return degrees > 0 ? (chi2 - degrees) / std
 
 PriorStrain prior_strain(const Eigen::VectorXd& off) { return {off.squaredNorm(), static_cast<double>(off.size())}; }
 
-PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& left) {
+PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& left, double least_share) {
   PriorStrain strain;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(left);
   for (Eigen::Index k = 0; k < off.size(); ++k) {
     const double told = 1 - axes.eigenvalues()[k];
-    if (told < kLeastTold) continue;
+    if (told < least_share) continue;
     const double along = axes.eigenvectors().col(k).dot(off);
     strain.chi2 += along * along / told;
     ++strain.degrees;

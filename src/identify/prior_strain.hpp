@@ -21,7 +21,8 @@ PriorStrain prior_strain(const Eigen::VectorXd& off);
 /// The same by what the data tell. `left` is what they leave of the priors' covariance, in sigmas of these: before the
 /// data an unknown is normal with the prior's covariance P, after them with C about the value found. So what is found
 /// is itself normal about the start, with P - C: the data cannot move what they do not tell. Along the common axes of
-/// both it has the variance 1 - c, and the sum of squares over that is chi-square.
-PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& left);
+/// both it has the variance 1 - c, and the sum of squares over that is chi-square. Of directions with less than
+/// `least_share` of that variance the data say nothing: they do not count.
+PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& left, double least_share);
 
 }  // namespace plumbline::identify

@@ -13,29 +13,25 @@
 namespace plumbline::identify {
 namespace {
 
-constexpr std::size_t kTilts = 4;    // at each circle
-constexpr std::size_t kAngles = 12;  // of each circle
-constexpr std::size_t kMost = 16;    // circles
-constexpr double kMiddle = 0.5;      // of what was measured: parts are set up in the middle of it
-
 // The first run at each pose; of many poses some.
-std::vector<std::size_t> one_of_each(const std::vector<measure::Run>& runs) {
+std::vector<std::size_t> one_of_each(const std::vector<measure::Run>& runs, std::size_t most) {
   const std::vector<int> poses = poses_of(runs);
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (poses[i] == static_cast<int>(all.size())) all.push_back(i);
   }
-  if (all.size() <= kMost) return all;
+  if (all.size() <= most) return all;
   std::vector<std::size_t> some;
-  for (std::size_t k = 0; k < kMost; ++k) some.push_back(all[k * all.size() / kMost]);
+  for (std::size_t k = 0; k < most; ++k) some.push_back(all[k * all.size() / most]);
   return some;
 }
 
 // As many about each pose.
 std::vector<std::vector<physics::Motion<double>>> motions_over(const machine::RotationOrder& order,
-                                                               const std::vector<measure::Run>& runs) {
-  const std::vector<std::size_t> first = one_of_each(runs);
-  const std::size_t tilts = std::min(kTilts, first.size());
+                                                               const std::vector<measure::Run>& runs,
+                                                               const TipFieldOptions& options) {
+  const std::vector<std::size_t> first = one_of_each(runs, options.most_circles);
+  const std::size_t tilts = std::min(options.tilts, first.size());
   Vector3<double> middle = Vector3<double>::Zero();
   Vector3<double> middle_tilt = Vector3<double>::Zero();
   for (const std::size_t i : first) {
@@ -45,18 +41,18 @@ std::vector<std::vector<physics::Motion<double>>> motions_over(const machine::Ro
   std::vector<std::vector<physics::Motion<double>>> motions(first.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     measure::Run run = runs[first[i]];
-    run.centre_W = middle + kMiddle * (run.centre_W - middle);
-    run.radius *= kMiddle;
+    run.centre_W = middle + options.middle * (run.centre_W - middle);
+    run.radius *= options.middle;
     run.angle.clear();
-    for (std::size_t a = 0; a < kAngles; ++a)
-      run.angle.push_back(2 * std::numbers::pi * static_cast<double>(a) / kAngles);
-    run.time.assign(kAngles, 0);
+    for (std::size_t a = 0; a < options.angles; ++a)
+      run.angle.push_back(2 * std::numbers::pi * static_cast<double>(a) / static_cast<double>(options.angles));
+    run.time.assign(options.angles, 0);
     run.start = 0;
     for (std::size_t t = 0; t < tilts; ++t) {
-      run.tilt =
-          middle_tilt + kMiddle * (runs[first[(i + t * first.size() / tilts) % first.size()]].tilt - middle_tilt);
+      run.tilt = middle_tilt +
+                 options.middle * (runs[first[(i + t * first.size() / tilts) % first.size()]].tilt - middle_tilt);
       run.direction = t % 2 == 0 ? measure::Direction::ccw : measure::Direction::cw;
-      for (std::size_t a = 0; a < kAngles; ++a) motions[i].push_back(measure::circular_motion(order, run, a));
+      for (std::size_t a = 0; a < options.angles; ++a) motions[i].push_back(measure::circular_motion(order, run, a));
     }
   }
   return motions;
@@ -65,14 +61,15 @@ std::vector<std::vector<physics::Motion<double>>> motions_over(const machine::Ro
 }  // namespace
 
 TipField tip_field(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
-                   const physics::ForceModel& given, const Unknowns& unknowns, const Eigen::VectorXd& values) {
+                   const physics::ForceModel& given, const Unknowns& unknowns, const Eigen::VectorXd& values,
+                   const TipFieldOptions& options) {
   const physics::ForceModel after = unknowns.at(values);
   const Sensitivity sensitivity(after, unknowns);
   physics::Environment environment = after.environment();
   environment.dynamic = false;
   std::vector<physics::Motion<double>> motions;
   std::vector<std::size_t> pose;
-  const auto about = motions_over(order, runs);
+  const auto about = motions_over(order, runs, options);
   for (std::size_t i = 0; i < about.size(); ++i) {
     motions.insert(motions.end(), about[i].begin(), about[i].end());
     pose.resize(motions.size(), i);

@@ -19,11 +19,20 @@ struct TipField {
   Eigen::Index places() const { return moved.size() / 3; }
 };
 
+/// Which places.
+struct TipFieldOptions {
+  std::size_t most_circles = 16;  // of the poses measured, evenly among them where there are more
+  std::size_t angles = 12;        // of each circle
+  std::size_t tilts = 4;          // at each circle: its own and those of others, as parts are tilted anywhere
+  double middle = 0.5;            // how far from the middle of what was measured, as a share: parts are set up there
+};
+
 /// Places in the middle of what `runs` measured, where parts are set up: on their circles, each with its own tilt and
-/// with those of up to three others, all of it half as far from the middle. As `compensate` has it: at the feed of the
+/// with those of others, all of it nearer to the middle. As `compensate` has it: at the feed of the
 /// run, no inertia and no following error, at time zero. Places that the machine cannot reach are left out.
 TipField tip_field(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
-                   const physics::ForceModel& given, const Unknowns& unknowns, const Eigen::VectorXd& values);
+                   const physics::ForceModel& given, const Unknowns& unknowns, const Eigen::VectorXd& values,
+                   const TipFieldOptions& options = {});
 
 /// The same without the mean over all places: what is left once the zero was touched off on the machine.
 TipField touched_off(TipField field);

@@ -37,11 +37,9 @@ void believe_joints(IdentifiedModel& model) {
   model.joints = joints;
 }
 
-constexpr double kOpen = 1.0 / 3;  // of what was left before; with more, a gap that is no noise is open
-
 // A gap that is no noise, and that the fit did not close; where it is borne out, another model would not close it.
 std::optional<diagnose::OpenGap> open_gap(const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
-                                          const Identification& found) {
+                                          const Identification& found, double share) {
   if (runs.empty() || found.objected() != nullptr || found.borne_out()) return std::nullopt;
   const auto rms = [](const identify::Misfit& of) {
     return diagnose::Rms{of.radial_readings > 0 ? std::optional(of.radial_rms) : std::nullopt,
@@ -49,7 +47,7 @@ std::optional<diagnose::OpenGap> open_gap(const machine::MachineModel& machine, 
   };
   const auto residuals = diagnose::residuals(machine, runs, found.forces, found.stages.back().fit.noise);
   return diagnose::open_gap(diagnose::recurring(diagnose::contrasts_of(runs, residuals), {}),
-                            {rms(found.before), {}, rms(found.after)}, kOpen, {});
+                            {rms(found.before), {}, rms(found.after)}, share, {});
 }
 
 // Of a parameter that several stages fitted, the largest.
@@ -67,7 +65,7 @@ IdentifiedModel identified(machine::MachineModel machine, std::vector<measure::R
                            const identify::Tracked* tracked = nullptr) {
   const measure::Thinned thinned = measure::thinned(std::move(runs));
   Identification found = identify::identify(machine, thinned.runs, options, tracked);
-  const std::optional<diagnose::OpenGap> open = open_gap(machine, thinned.runs, found);
+  const std::optional<diagnose::OpenGap> open = open_gap(machine, thinned.runs, found, options.plausible.open_share);
   physics::ForceModel forces = found.forces;
   std::vector<double> errors = errors_of(found);
   return {std::move(machine), std::move(found), std::move(measured), thinned.thinning, open,

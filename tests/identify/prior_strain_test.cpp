@@ -13,9 +13,9 @@ TEST_CASE("chi-square of the priors counts what the data tell alone") {
   // told: the first in full, the second by half, the third not at all
   Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
   left.diagonal() << 0, 0.5, 1;
-  CHECK(prior_strain(off, left).chi2 == Approx(4));
-  CHECK(prior_strain(off, left).degrees == 2);
-  CHECK(prior_strain(Eigen::Vector3d(0, 1, 0), left).chi2 == Approx(2));
+  CHECK(prior_strain(off, left, 0.03).chi2 == Approx(4));
+  CHECK(prior_strain(off, left, 0.03).degrees == 2);
+  CHECK(prior_strain(Eigen::Vector3d(0, 1, 0), left, 0.03).chi2 == Approx(2));
   CHECK(prior_strain(Eigen::VectorXd(0)).excess() == 0);
   CHECK(PriorStrain{}.deviate() == 0);
 }

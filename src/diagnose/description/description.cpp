@@ -19,6 +19,8 @@ using physics::Generic;
 using Channel = Term::Channel;
 
 constexpr int kVectorParts = 3;
+constexpr double kNoColumn = 1e-12;  // squared length, in units of the noise: a term that the runs do not show
+constexpr double kRidge = 1e-6;      // of a squared length: terms that are nearly alike stay solvable
 
 // All products of up to two factors, and some of three, of which factors 0 to 7 are a strut's and 8 to 13 shared.
 std::vector<Term> products(Channel channel, bool per_strut) {
@@ -153,7 +155,7 @@ class Describer {
       const Projected p = projected(chunk, std::vector<bool>(chunk.size(), false), false);
       for (std::size_t t = 0; t < chunk.size(); ++t) {
         const auto c = static_cast<Eigen::Index>(t);
-        all[first + t].gain = p.gram(c, c) > 1e-12 ? p.with_residual[c] * p.with_residual[c] / p.gram(c, c) : 0;
+        all[first + t].gain = p.gram(c, c) > kNoColumn ? p.with_residual[c] * p.with_residual[c] / p.gram(c, c) : 0;
       }
     }
     return foremost(std::move(all), options_.most_looked_at);
@@ -220,7 +222,7 @@ class Describer {
     Eigen::MatrixXd A = p.gram(in, in);
     const Eigen::VectorXd length = A.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     A = length.asDiagonal() * A * length.asDiagonal();
-    A.diagonal().array() += 1e-6;
+    A.diagonal().array() += kRidge;
     return length.cwiseProduct(A.ldlt().solve(length.cwiseProduct(p.with_residual(in))));
   }
   static double gain_of(const Projected& p, const std::vector<Eigen::Index>& in) {

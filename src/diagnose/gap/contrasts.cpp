@@ -37,10 +37,14 @@ class Interpolated {
   std::vector<std::pair<double, double>> points_;
 };
 
+constexpr double kSameFeed = 1e-6;  // relative: feeds of files differ by rounding
+// One arc may be missing between the last sample and the first.
+constexpr double kWholeTurn = kFullCircle * (kArcs - 1) / kArcs;
+
 // Whether two runs at one pose differ in this alone. Time passes between any two: it counts only between repeats.
 bool differ_by(Difference difference, const Run& a, const Run& b) {
   const bool direction = a.direction != b.direction;
-  const bool feed = std::abs(a.feed - b.feed) > 1e-6 * a.feed;
+  const bool feed = std::abs(a.feed - b.feed) > kSameFeed * a.feed;
   const bool payload = a.payload_mass != b.payload_mass;
   switch (difference) {
     case Difference::direction:
@@ -74,7 +78,7 @@ constexpr int first_order(int channel) { return channel == kRadial ? 2 : 1; }
 // On less than a circle waves of different orders are no different waves.
 bool goes_round(const Run& run) {
   const auto [least, most] = std::minmax_element(run.angle.begin(), run.angle.end());
-  return run.samples() > 2 * kWaves && *most - *least > kFullCircle * 11 / 12;
+  return run.samples() > 2 * kWaves && *most - *least > kWholeTurn;
 }
 
 using CommonWaves = std::array<std::array<CommonWave, kWaves>, identify::kChannels>;

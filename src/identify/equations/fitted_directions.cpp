@@ -10,7 +10,6 @@
 namespace plumbline::identify {
 namespace {
 
-constexpr double kLeastShare = 0.03;        // directions of less change no estimate of the noise
 constexpr double kLeastPrecision = 1e-14;   // of the largest: less counts as unknown
 constexpr double kLeastSetupSlope = 1e-12;  // of the largest: a frame's shift turns no platform
 
@@ -37,7 +36,8 @@ Eigen::MatrixXd channel_information(const RunEquations& run, int channel, const 
 
 }  // namespace
 
-FittedDirections fitted_directions(const std::vector<RunEquations>& runs, int channel, const FittedUnknowns& fitted) {
+FittedDirections fitted_directions(const std::vector<RunEquations>& runs, int channel, const FittedUnknowns& fitted,
+                                   double least_share) {
   std::vector<Eigen::MatrixXd> each(runs.size());
   for_each_index(runs.size(), [&](std::size_t i) { each[i] = channel_information(runs[i], channel, fitted); });
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(fitted.scales.size(), fitted.scales.size());
@@ -52,7 +52,7 @@ FittedDirections fitted_directions(const std::vector<RunEquations>& runs, int ch
 
   FittedDirections directions;
   directions.degrees = told.eigenvalues().cwiseMax(0.0).cwiseMin(1.0).sum();
-  const auto kept = (told.eigenvalues().array() > kLeastShare).count();  // ascending: the last ones
+  const auto kept = (told.eigenvalues().array() > least_share).count();  // ascending: the last ones
   directions.share = told.eigenvalues().tail(kept).cwiseMin(1.0);
   directions.changes = fitted.scales.asDiagonal() * whole * told.eigenvectors().rightCols(kept);
   return directions;

@@ -15,8 +15,9 @@ struct FittedDirections {
   double degrees = 0;       // degrees of freedom that the fit took from this channel: the sum of all shares
 };
 
-/// The directions whose share is not small, under the noise that `fitted` names; none of a channel that was not
-/// measured. `runs` need their slopes.
-FittedDirections fitted_directions(const std::vector<RunEquations>& runs, int channel, const FittedUnknowns& fitted);
+/// The directions whose share is more than `least_share`, under the noise that `fitted` names; none of a channel that
+/// was not measured. `runs` need their slopes.
+FittedDirections fitted_directions(const std::vector<RunEquations>& runs, int channel, const FittedUnknowns& fitted,
+                                   double least_share = NoiseOptions().least_share);
 
 }  // namespace plumbline::identify

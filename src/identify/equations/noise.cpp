@@ -170,14 +170,13 @@ Trial trial(const std::vector<Channel>& channels, double memory, double white) {
 }
 
 // The memory of the smallest deviance without a white part: golden section, the deviance having one minimum.
-Trial best_memory(const std::vector<Channel>& channels, double most) {
+Trial best_memory(const std::vector<Channel>& channels, double most, double tolerance) {
   constexpr double kGolden = 0.6180339887498949;
-  constexpr double kTolerance = 3e-3;
   double lower = -most;
   double upper = most;
   Trial a = trial(channels, upper - kGolden * (upper - lower), 0);
   Trial b = trial(channels, lower + kGolden * (upper - lower), 0);
-  while (upper - lower > kTolerance) {
+  while (upper - lower > tolerance) {
     if (a.deviance < b.deviance) {
       upper = b.memory;
       b = a;
@@ -193,19 +192,20 @@ Trial best_memory(const std::vector<Channel>& channels, double most) {
 
 // From one colour by steps each way that shrink where none helps; the white part is held where it has none to begin
 // with.
-Trial best_near(const std::vector<Channel>& channels, const NoiseOptions& options, Trial from, double step,
-                double least_step) {
+Trial best_near(const std::vector<Channel>& channels, const NoiseOptions& options, Trial from,
+                const ColourSearch::Steps& steps) {
   Trial best = trial(channels, from.memory, from.white);
   const bool beside_white = from.white > 0;
   const double most = beside_white ? options.most_memory_beside_white : options.most_memory;
   const auto consider = [&](double memory, double white) {
-    if (std::abs(memory) > most || white < 0 || white > 0.98) return false;
+    if (std::abs(memory) > most || white < 0 || white > options.most_white) return false;
     const Trial one = trial(channels, memory, white);
     if (one.deviance >= best.deviance) return false;
     best = one;
     return true;
   };
-  while (step > least_step) {
+  double step = steps.first;
+  while (step > steps.least) {
     const Trial now = best;
     const double away = std::min(1.0, 4 * (1 - now.memory));  // near 1 the memory means more
     bool better = consider(now.memory + step * away, now.white) || consider(now.memory - step * away, now.white);
@@ -231,21 +231,22 @@ Channel residuals_alone(const Channel& channel) {
 // Memory alone, or memory beside a white part if that is so much likelier. The residuals say where to look, and the
 // directions that were fitted, if any were, what is best there.
 Trial best_colour(const std::vector<Channel>& channels, const NoiseOptions& options) {
+  const ColourSearch& search = options.search;
   std::vector<Channel> bare;
   for (const Channel& channel : channels) bare.push_back(residuals_alone(channel));
-  Trial simple = best_memory(bare, options.most_memory);
+  Trial simple = best_memory(bare, options.most_memory, search.memory_tolerance);
   Trial beside;
-  for (const double memory : {0.5, 0.75, 0.9, 0.97}) {
-    for (const double white : {0.2, 0.5, 0.8}) {
+  for (const double memory : search.memories) {
+    for (const double white : search.whites) {
       const Trial one = trial(bare, memory, white);
       if (one.deviance < beside.deviance) beside = one;
     }
   }
-  beside = best_near(bare, options, beside, 0.1, 0.01);
+  beside = best_near(bare, options, beside, search.residuals);
   const auto fitted = [](const Channel& channel) { return channel.elsewhere.size() > 0; };
   if (std::any_of(channels.begin(), channels.end(), fitted)) {
-    simple = best_near(channels, options, simple, 0.04, 0.003);
-    beside = best_near(channels, options, beside, 0.05, 0.01);
+    simple = best_near(channels, options, simple, search.fitted_memory);
+    beside = best_near(channels, options, beside, search.fitted);
   }
   Eigen::Index readings = 0;
   for (const Channel& channel : channels) {
@@ -267,9 +268,10 @@ Channel clipped(const ChannelResiduals& all, double most) {
 }
 
 // A channel beside the directions of the unknowns that its readings were fitted with.
-Channel channel_of(const std::vector<RunEquations>& runs, int channel, double most, const FittedUnknowns* fitted) {
+Channel channel_of(const std::vector<RunEquations>& runs, int channel, double most, const NoiseOptions& options,
+                   const FittedUnknowns* fitted) {
   if (fitted == nullptr) return clipped(residuals_of(runs, channel), most);
-  const FittedDirections directions = fitted_directions(runs, channel, *fitted);
+  const FittedDirections directions = fitted_directions(runs, channel, *fitted, options.least_share);
   Channel one = clipped(residuals_of(runs, channel, &directions.changes), most);
   if (one.runs.empty()) return one;
   const ChannelNoise& noise = fitted->noise.channels[static_cast<std::size_t>(channel)];
@@ -291,7 +293,7 @@ void estimate_white(const std::vector<RunEquations>& runs, int channel, const No
   const bool both = noise.channels[kTracker].samples > 0 && noise.channels[kTrackerTilt].samples > 0;
   double squares = 0;
   auto degrees = static_cast<double>(found.samples);
-  if (fitted != nullptr) degrees -= fitted_directions(runs, channel, *fitted).degrees;
+  if (fitted != nullptr) degrees -= fitted_directions(runs, channel, *fitted, options.least_share).degrees;
   for (std::size_t r = 0; r < all.residuals.size(); ++r) {
     squares += all.residuals[r].cwiseMax(-most).cwiseMin(most).squaredNorm();
     degrees -= static_cast<double>(all.setups[r].cols()) / (both ? 2 : 1);
@@ -319,7 +321,7 @@ NoiseModel estimate_noise(const std::vector<RunEquations>& runs, const NoiseOpti
     std::vector<Channel> channels;
     for (const int channel : group) {
       const ChannelNoise& rough = noise.channels[static_cast<std::size_t>(channel)];
-      channels.push_back(channel_of(runs, channel, options.clip * rough.sigma, fitted));
+      channels.push_back(channel_of(runs, channel, options.clip * rough.sigma, options, fitted));
     }
     const auto measured = [](const Channel& c) { return !c.runs.empty(); };
     if (std::none_of(channels.begin(), channels.end(), measured)) continue;

@@ -21,11 +21,31 @@ struct NoiseModel {
   std::array<ChannelNoise, kAllChannels> channels;
 };
 
+/// How memory and white part of the noise are searched for.
+struct ColourSearch {
+  double memory_tolerance = 3e-3;  // of a memory alone: a tenth of its standard error from a thousand readings
+  // a memory beside a white part: all pairs of these are tried, and from the best of them steps are made
+  std::vector<double> memories{0.5, 0.75, 0.9, 0.97};
+  std::vector<double> whites{0.2, 0.5, 0.8};
+  /// Steps each way, halved where none is better.
+  struct Steps {
+    double first = 0;
+    double least = 0;
+  };
+  Steps residuals{0.1, 0.01};        // beside the residuals alone
+  Steps fitted{0.05, 0.01};          // again beside the directions of the unknowns that were fitted to them
+  Steps fitted_memory{0.04, 0.003};  // likewise, of a memory alone
+};
+
 struct NoiseOptions {
   double clip = 4;  // residuals beyond that many sigma count as outliers and are cut back
   double most_memory = 0.999;
   double most_memory_beside_white = 0.98;  // more is an offset, which set-ups take
-  double least_sigma_um = 1e-3;            // what is less is rounding
+  double most_white = 0.98;                // more leaves no part that remembers
+  double least_share = 0.03;  // of a direction's information that a channel gives: with less, the fit of that direction
+                              // took nothing of its noise that counts
+  ColourSearch search;
+  double least_sigma_um = 1e-3;  // what is less is rounding
   double least_sigma_Nm = 1e-5;
   double least_sigma_rad = 1e-9;
 };
