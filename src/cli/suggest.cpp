@@ -8,14 +8,14 @@
 
 #include <fmt/format.h>
 
-#include "machine/nearest_name.hpp"
+#include "base/text/nearest_name.hpp"
 
 namespace plumbline::cli {
 namespace {
 
 std::string unknown(std::string_view kind, std::string_view name, const std::vector<std::string>& known) {
   const std::vector<std::string_view> candidates(known.begin(), known.end());
-  const std::string_view nearest = machine::nearest_name(name, candidates);
+  const std::string_view nearest = nearest_name(name, candidates);
   return fmt::format("no {} {}{}", kind, name, nearest.empty() ? "" : fmt::format(": did you mean {}?", nearest));
 }
 

@@ -13,7 +13,7 @@
 #include "diagnose/held_out.hpp"
 #include "diagnose/next_test.hpp"
 #include "diagnose/objection.hpp"
-#include "diagnose/search.hpp"
+#include "diagnose/search/search.hpp"
 #include "identify/held.hpp"
 
 namespace plumbline::diagnose {

@@ -1,7 +1,7 @@
 // The values of a fit without what might make the tip worse than the model as given does.
 #pragma once
 
-#include "diagnose/refit.hpp"
+#include "diagnose/search/refit.hpp"
 #include "identify/held.hpp"
 
 namespace plumbline::diagnose {

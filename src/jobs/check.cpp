@@ -8,8 +8,8 @@
 #include "compensate/move_corrector.hpp"
 #include "compensate/move_reader.hpp"
 #include "jobs/compensate/compensate_file.hpp"
-#include "jobs/open_program.hpp"
-#include "jobs/survey_program.hpp"
+#include "jobs/program/open_program.hpp"
+#include "jobs/program/survey_program.hpp"
 #include "machine/model_file.hpp"
 
 namespace plumbline::jobs {

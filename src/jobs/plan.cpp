@@ -10,10 +10,10 @@
 
 #include "base/diagnostic.hpp"
 #include "base/parallel.hpp"
+#include "base/text/nearest_name.hpp"
 #include "identify/unknowns/geometry.hpp"
 #include "identify/unknowns/named_keys.hpp"
 #include "machine/model_file.hpp"
-#include "machine/nearest_name.hpp"
 #include "measure/dataset_text.hpp"
 #include "measure/planned_run.hpp"
 #include "measure/simulation.hpp"
@@ -72,7 +72,7 @@ Places asked_for(Unknowns& unknowns, const std::vector<std::string>& names) {
 Places effect_numbers(Unknowns& unknowns, const std::string& name) {
   const std::vector<std::string_view> known = physics::cause_names();
   if (std::find(known.begin(), known.end(), name) == known.end()) {
-    refuse("plan-unknown-effect", fmt::format("no effect is called {}", name), machine::suggestion(name, known));
+    refuse("plan-unknown-effect", fmt::format("no effect is called {}", name), suggestion(name, known));
   }
   if (unknowns.of_effect(name).empty()) unknowns.add_effect(name);
   Places places = unknowns.of_effect(name);

@@ -7,7 +7,7 @@
 #include "base/units.hpp"
 #include "compensate/limits.hpp"
 #include "compensate/move_reader.hpp"
-#include "jobs/open_program.hpp"
+#include "jobs/program/open_program.hpp"
 #include "machine/axis_words.hpp"
 #include "machine/model_file.hpp"
 #include "physics/error.hpp"

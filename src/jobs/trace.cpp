@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "jobs/open_program.hpp"
+#include "jobs/program/open_program.hpp"
 #include "nc/sequence/program.hpp"
 
 namespace plumbline::jobs {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "machine/nearest_name.hpp"
+#include "base/text/nearest_name.hpp"
 
 namespace plumbline::machine {
 namespace {

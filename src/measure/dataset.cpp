@@ -10,9 +10,9 @@
 
 #include "base/files/files.hpp"
 #include "base/files/input_name.hpp"
+#include "base/text/nearest_name.hpp"
 #include "base/units.hpp"
 #include "machine/model_values.hpp"
-#include "machine/nearest_name.hpp"
 #include "machine/unit.hpp"
 #include "measure/run_table.hpp"
 
@@ -58,7 +58,7 @@ class RunReader {
     for (const TomlEntry& entry : table_.entries) {
       if (std::find(kRunKeys.begin(), kRunKeys.end(), entry.key) != kRunKeys.end()) continue;
       refuse("dataset-unknown-key", fmt::format("{} is no key of a [[run]]", entry.key),
-             machine::suggestion(entry.key, kRunKeys), document_.place(entry.key_span));
+             suggestion(entry.key, kRunKeys), document_.place(entry.key_span));
     }
     Run run;
     run.id = text("id", "a name of the run, in quotes");
@@ -164,8 +164,8 @@ void check_top(const TomlDocument& document) {
   }
   for (const TomlEntry& entry : document.root.entries) {
     if (std::find(kTopKeys.begin(), kTopKeys.end(), entry.key) != kTopKeys.end()) continue;
-    refuse("dataset-unknown-key", fmt::format("{} is no key of a dataset", entry.key),
-           machine::suggestion(entry.key, kTopKeys), document.place(entry.key_span));
+    refuse("dataset-unknown-key", fmt::format("{} is no key of a dataset", entry.key), suggestion(entry.key, kTopKeys),
+           document.place(entry.key_span));
   }
 }
 

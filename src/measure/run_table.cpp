@@ -8,9 +8,9 @@
 
 #include "base/files/files.hpp"
 #include "base/text/csv.hpp"
+#include "base/text/nearest_name.hpp"
 #include "base/text/number_text.hpp"
 #include "base/units.hpp"
-#include "machine/nearest_name.hpp"
 
 namespace plumbline::measure {
 
@@ -93,7 +93,7 @@ class TableReader {
     std::vector<std::string_view> names;
     for (const ColumnSpec& spec : kColumns) names.push_back(spec.name);
     refuse("table-unknown-column", fmt::format("\"{}\" is no column of a run", field.text),
-           machine::suggestion(field.text, names), lines_.place(field));
+           suggestion(field.text, names), lines_.place(field));
   }
 
   void check_header() const {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/check.hpp"
+#include "base/text/nearest_name.hpp"
 #include "machine/model_values.hpp"
-#include "machine/nearest_name.hpp"
 
 namespace plumbline::physics {
 namespace {
@@ -55,7 +55,7 @@ void check_keys(const EffectRow& row, const EffectInfo& info) {
   for (const EffectValue& value : row.values) {
     if (std::find(known.begin(), known.end(), value.key) != known.end()) continue;
     refuse("effect-unknown-key", fmt::format("the effect {} has no key {}", row.name, value.key),
-           machine::suggestion(value.key, known), value.key_place);
+           suggestion(value.key, known), value.key_place);
   }
 }
 
@@ -94,8 +94,8 @@ void ForceModel::add_base(const machine::MachineModel& model, std::size_t effect
 void ForceModel::add_row(const EffectRow& row) {
   const std::size_t effect = effect_index(row.name);
   if (effect == kEffects || effect_infos()[effect].base) {
-    refuse("effect-unknown", fmt::format("no effect is called {}", row.name),
-           machine::suggestion(row.name, catalogue_names()), row.place);
+    refuse("effect-unknown", fmt::format("no effect is called {}", row.name), suggestion(row.name, catalogue_names()),
+           row.place);
   }
   const EffectInfo& info = effect_infos()[effect];
   check_keys(row, info);

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
-#include "machine/nearest_name.hpp"
+#include "base/text/nearest_name.hpp"
 
 namespace plumbline::embedded {
 extern const std::string_view diagnostics_md;
@@ -81,7 +81,7 @@ std::string explain_text(std::string_view code) {
   if (page != nullptr) return fmt::format("{}\n\n{}\n", page->code, without_links(page->text));
   std::vector<std::string_view> codes;
   for (const CodePage& known : code_pages()) codes.push_back(known.code);
-  const std::string_view nearest = machine::nearest_name(code, codes);
+  const std::string_view nearest = nearest_name(code, codes);
   refuse("explain-unknown-code", fmt::format("there is no diagnostic {}", code),
          nearest.empty() ? "plumbline explain lists all of them" : fmt::format("did you mean {}?", nearest));
 }

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "base/text/characters.hpp"
+#include "base/text/nearest_name.hpp"
 #include "base/text/number_text.hpp"
-#include "machine/nearest_name.hpp"
 #include "settings/variables_file.hpp"
 
 namespace plumbline::settings {
@@ -165,7 +165,7 @@ void set_start(Options& options, std::string_view text) {
 void set_dialect(Options& options, std::string_view text) {
   const auto names = nc::dialect_names();
   if (std::find(names.begin(), names.end(), text) == names.end()) {
-    const std::string_view nearest = machine::nearest_name(text, {names.begin(), names.end()});
+    const std::string_view nearest = nearest_name(text, {names.begin(), names.end()});
     throw OptionError(fmt::format("expected one of {}{}", fmt::join(names, ", "),
                                   nearest.empty() ? "" : fmt::format(": did you mean {}?", nearest)));
   }

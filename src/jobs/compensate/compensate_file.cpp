@@ -8,8 +8,8 @@
 #include "jobs/compensate/compensated_files.hpp"
 #include "jobs/compensate/guard_block.hpp"
 #include "jobs/compensate/stamp.hpp"
-#include "jobs/open_program.hpp"
-#include "jobs/survey_program.hpp"
+#include "jobs/program/open_program.hpp"
+#include "jobs/program/survey_program.hpp"
 #include "machine/model_file.hpp"
 
 namespace plumbline::jobs {

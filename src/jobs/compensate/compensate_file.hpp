@@ -10,7 +10,7 @@
 #include "compensate/program_survey.hpp"
 #include "compensate/settings.hpp"
 #include "compensate/summary.hpp"
-#include "jobs/open_program.hpp"
+#include "jobs/program/open_program.hpp"
 #include "machine/model.hpp"
 #include "settings/options.hpp"
 

@@ -1,8 +1,8 @@
 #include "jobs/diff/diff.hpp"
 
 #include "jobs/diff/align.hpp"
-#include "jobs/open_program.hpp"
-#include "jobs/program_text.hpp"
+#include "jobs/program/open_program.hpp"
+#include "jobs/program/program_text.hpp"
 
 namespace plumbline::jobs {
 

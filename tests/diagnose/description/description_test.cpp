@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "diagnose/refit.hpp"
+#include "diagnose/search/refit.hpp"
 #include "identify/plans.hpp"
 #include "physics/effects/generic.hpp"
 

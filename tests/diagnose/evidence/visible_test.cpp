@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "diagnose/evidence/linear_problem.hpp"
-#include "diagnose/refit.hpp"
+#include "diagnose/search/refit.hpp"
 #include "diagnose/usual_noise.hpp"
 #include "identify/plans.hpp"
 

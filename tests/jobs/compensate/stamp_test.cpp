@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/version.hpp"
-#include "jobs/used_tools.hpp"
+#include "jobs/program/used_tools.hpp"
 #include "machine/model_file.hpp"
 #include "settings/options.hpp"
 #include "support/scratch.hpp"

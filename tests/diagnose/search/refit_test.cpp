@@ -1,4 +1,4 @@
-#include "diagnose/refit.hpp"
+#include "diagnose/search/refit.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "compensate/program_survey.hpp"
-#include "jobs/open_program.hpp"
+#include "jobs/program/open_program.hpp"
 
 namespace plumbline::jobs {
 

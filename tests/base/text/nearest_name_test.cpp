@@ -1,8 +1,8 @@
-#include "machine/nearest_name.hpp"
+#include "base/text/nearest_name.hpp"
 
 #include <catch2/catch.hpp>
 
-using namespace plumbline::machine;
+using namespace plumbline;
 
 TEST_CASE("the nearest name is offered, but nothing far away") {
   const std::vector<std::string_view> names{"screw_mass_kg", "motor_mass_kg", "lead_mm"};

@@ -1,8 +1,8 @@
-#include "jobs/open_program.hpp"
+#include "jobs/program/open_program.hpp"
 
 #include <utility>
 
-#include "jobs/program_dialect.hpp"
+#include "jobs/program/program_dialect.hpp"
 #include "machine/model_file.hpp"
 
 namespace plumbline::jobs {

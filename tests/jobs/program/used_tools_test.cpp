@@ -1,5 +1,5 @@
 // Tools of names, of the spindle and of subprograms are in compensate/stamp_test.cpp, as a stamp lists them.
-#include "jobs/used_tools.hpp"
+#include "jobs/program/used_tools.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 // Which effects are missing: the strongest first, then again on what is left, each pick reconsidered.
 #pragma once
 
-#include "diagnose/rivals.hpp"
+#include "diagnose/search/rivals.hpp"
 
 namespace plumbline::diagnose {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace plumbline::machine {
+namespace plumbline {
 
 /// The candidate that the fewest insertions, deletions and exchanges of a letter turn into `name`; empty if all need
 /// more than a third of its letters.
@@ -14,4 +14,4 @@ std::string_view nearest_name(std::string_view name, const std::vector<std::stri
 /// "did you mean `x`?" and, in any case, the whole list of what is known.
 std::string suggestion(std::string_view name, const std::vector<std::string_view>& candidates);
 
-}  // namespace plumbline::machine
+}  // namespace plumbline

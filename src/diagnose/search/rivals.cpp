@@ -1,4 +1,4 @@
-#include "diagnose/rivals.hpp"
+#include "diagnose/search/rivals.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "diagnose/evidence/score.hpp"
 #include "diagnose/evidence/threshold.hpp"
-#include "diagnose/refit.hpp"
+#include "diagnose/search/refit.hpp"
 
 namespace plumbline::diagnose {
 

@@ -1,5 +1,5 @@
 // The search, and the rivals that it weighs: on readings with one thing hidden.
-#include "diagnose/search.hpp"
+#include "diagnose/search/search.hpp"
 
 #include <algorithm>
 

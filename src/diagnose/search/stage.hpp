@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "diagnose/search_options.hpp"
+#include "diagnose/search/search_options.hpp"
 
 namespace plumbline::diagnose {
 

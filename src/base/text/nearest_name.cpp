@@ -1,11 +1,11 @@
-#include "machine/nearest_name.hpp"
+#include "base/text/nearest_name.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace plumbline::machine {
+namespace plumbline {
 namespace {
 
 // Edit distance, row by row  [Wagner and Fischer 1974]
@@ -45,4 +45,4 @@ std::string suggestion(std::string_view name, const std::vector<std::string_view
   return nearest.empty() ? known : fmt::format("did you mean `{}`? {}", nearest, known);
 }
 
-}  // namespace plumbline::machine
+}  // namespace plumbline

@@ -1,6 +1,6 @@
-#include "jobs/survey_program.hpp"
+#include "jobs/program/survey_program.hpp"
 
-#include "jobs/used_tools.hpp"
+#include "jobs/program/used_tools.hpp"
 #include "nc/sequence/program.hpp"
 
 namespace plumbline::jobs {

@@ -1,9 +1,9 @@
-#include "jobs/program_dialect.hpp"
+#include "jobs/program/program_dialect.hpp"
 
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
-#include "jobs/program_text.hpp"
+#include "jobs/program/program_text.hpp"
 #include "nc/language/recognise.hpp"
 
 namespace plumbline::jobs {

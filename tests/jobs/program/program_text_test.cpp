@@ -1,4 +1,4 @@
-#include "jobs/program_text.hpp"
+#include "jobs/program/program_text.hpp"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "diagnose/picks.hpp"
+#include "diagnose/search/picks.hpp"
 
 #include "base/check.hpp"
 #include "diagnose/candidates/kind.hpp"

@@ -1,4 +1,4 @@
-#include "jobs/survey_program.hpp"
+#include "jobs/program/survey_program.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "diagnose/stage.hpp"
+#include "diagnose/search/stage.hpp"
 
 #include <algorithm>
 #include <cmath>

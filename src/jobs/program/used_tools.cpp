@@ -1,4 +1,4 @@
-#include "jobs/used_tools.hpp"
+#include "jobs/program/used_tools.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "jobs/open_program.hpp"
+#include "jobs/program/open_program.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "jobs/program_dialect.hpp"
+#include "jobs/program/program_dialect.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "diagnose/search.hpp"
+#include "diagnose/search/search.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "diagnose/evidence/left_out.hpp"
-#include "diagnose/stage.hpp"
+#include "diagnose/search/stage.hpp"
 
 namespace plumbline::diagnose {
 

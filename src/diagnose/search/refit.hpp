@@ -2,7 +2,7 @@
 #pragma once
 
 #include "diagnose/candidates/workbench.hpp"
-#include "diagnose/picks.hpp"
+#include "diagnose/search/picks.hpp"
 
 namespace plumbline::diagnose {
 
