@@ -4,7 +4,7 @@
 
 #include "base/text/characters.hpp"
 #include "nc/language/block.hpp"
-#include "nc/syntax/lexer.hpp"
+#include "nc/syntax/reading/lexer.hpp"
 
 namespace plumbline::nc {
 namespace {

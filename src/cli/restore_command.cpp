@@ -4,7 +4,7 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "jobs/compensate/compensated_files.hpp"
-#include "nc/rewrite/undo.hpp"
+#include "nc/rewrite/output/undo.hpp"
 
 namespace plumbline::cli {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/axes.hpp"
 #include "compensate/target.hpp"
-#include "nc/control/frame.hpp"
+#include "nc/control/state/frame.hpp"
 #include "nc/control/step.hpp"
 #include "path/curve.hpp"
 

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "nc/rewrite/emit.hpp"
-#include "nc/rewrite/step_expander.hpp"
-#include "nc/rewrite/written_moves.hpp"
+#include "nc/rewrite/unrolled/step_expander.hpp"
+#include "nc/rewrite/unrolled/written_moves.hpp"
 
 namespace plumbline::compensate {
 

@@ -8,7 +8,7 @@
 #include "base/axes.hpp"
 #include "base/progress.hpp"
 #include "machine/geometry.hpp"
-#include "nc/control/motion.hpp"
+#include "nc/control/state/motion.hpp"
 #include "settings/options.hpp"
 
 namespace plumbline::jobs {

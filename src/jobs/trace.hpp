@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/progress.hpp"
-#include "nc/control/motion.hpp"
+#include "nc/control/state/motion.hpp"
 #include "settings/options.hpp"
 
 namespace plumbline::jobs {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "base/axes.hpp"
-#include "nc/control/motion.hpp"
+#include "nc/control/state/motion.hpp"
 
 namespace plumbline::path {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "nc/control/motion.hpp"
+#include "nc/control/state/motion.hpp"
 #include "nc/language/dialect.hpp"
 #include "path/curve.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/axes.hpp"
-#include "nc/control/motion.hpp"
+#include "nc/control/state/motion.hpp"
 
 namespace plumbline::path {
 

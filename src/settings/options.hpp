@@ -15,7 +15,7 @@
 
 #include "compensate/settings.hpp"
 #include "machine/model.hpp"
-#include "nc/control/program_settings.hpp"
+#include "nc/control/state/program_settings.hpp"
 #include "nc/rewrite/emit_pieces.hpp"
 
 namespace plumbline::settings {

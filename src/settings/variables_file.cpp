@@ -8,7 +8,7 @@
 #include "base/files/files.hpp"
 #include "base/files/input_name.hpp"
 #include "base/text/number_text.hpp"
-#include "nc/control/parameters.hpp"
+#include "nc/control/parameters/parameters.hpp"
 
 namespace plumbline::settings {
 namespace {

@@ -44,11 +44,13 @@ std::string layer_of(const Layers& layers, fs::path file) {
   return file.generic_string();
 }
 
-/// Who may include `nc` may include each of its rooms, as what stands beside these rooms may.
-bool may_include(const Layers& layers, const std::string& module, const std::string& used) {
+/// Who may include `nc` may include each of its rooms and their rooms, as what stands beside these rooms may.
+bool may_include(const Layers& layers, const std::string& module, const fs::path& used) {
   const std::set<std::string>& allowed = layers.at(module);
-  const std::string house = used.substr(0, used.find('/'));
-  return used == module || house == module || allowed.contains(used) || allowed.contains(house);
+  for (fs::path house = used; !house.empty(); house = house.parent_path()) {
+    if (house == module || allowed.contains(house.generic_string())) return true;
+  }
+  return false;
 }
 
 bool is_code(const fs::path& file) {

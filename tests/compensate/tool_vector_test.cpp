@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "compensate/heavy_tool.hpp"
-#include "nc/control/tilt.hpp"
+#include "nc/control/state/tilt.hpp"
 
 using namespace plumbline;
 

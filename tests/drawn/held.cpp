@@ -13,7 +13,7 @@
 #include "jobs/compensate/compensate_file.hpp"
 #include "jobs/compensate/compensated_files.hpp"
 #include "jobs/diff/diff.hpp"
-#include "nc/rewrite/undo.hpp"
+#include "nc/rewrite/output/undo.hpp"
 #include "nc/sequence/program.hpp"
 #include "report/program/check_text.hpp"
 #include "report/program/diff_text.hpp"

@@ -11,7 +11,7 @@
 
 #include "drawn/drawn_program.hpp"
 #include "drawn/draws.hpp"
-#include "nc/control/motion.hpp"
+#include "nc/control/state/motion.hpp"
 
 namespace plumbline::drawn {
 

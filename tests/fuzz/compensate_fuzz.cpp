@@ -5,7 +5,7 @@
 #include "compensate/stream.hpp"
 #include "fuzz/programs.hpp"
 #include "machine/model_file.hpp"
-#include "nc/rewrite/undo.hpp"
+#include "nc/rewrite/output/undo.hpp"
 
 using namespace plumbline;
 

@@ -9,7 +9,7 @@
 #include "base/text/hash.hpp"
 #include "fuzz/programs.hpp"
 #include "nc/rewrite/emit.hpp"
-#include "nc/rewrite/undo.hpp"
+#include "nc/rewrite/output/undo.hpp"
 #include "path/curve.hpp"
 #include "path/duration.hpp"
 

@@ -1,7 +1,7 @@
 // Any bytes as an undo file, "=====" and the program that it shall belong to. What is given back has the size and the
 // hash that the undo file promised; anything else is refused.
 #include "fuzz/fuzz.hpp"
-#include "nc/rewrite/undo.hpp"
+#include "nc/rewrite/output/undo.hpp"
 
 using namespace plumbline;
 

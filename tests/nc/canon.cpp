@@ -11,7 +11,7 @@
 
 #include "base/text/number_text.hpp"
 #include "base/units.hpp"
-#include "nc/control/frame.hpp"
+#include "nc/control/state/frame.hpp"
 
 namespace plumbline::nc::tests {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "nc/control/motion.hpp"
+#include "nc/control/state/motion.hpp"
 
 namespace plumbline::nc::tests {
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "base/axes.hpp"
-#include "nc/control/frame.hpp"
-#include "nc/control/modal.hpp"
-#include "nc/control/motion.hpp"
+#include "nc/control/state/frame.hpp"
+#include "nc/control/state/modal.hpp"
+#include "nc/control/state/motion.hpp"
 
 namespace plumbline::compensate {
 

@@ -7,7 +7,7 @@
 #include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "compensate/read_back/block_effects.hpp"
-#include "nc/control/kept.hpp"
+#include "nc/control/state/kept.hpp"
 #include "path/curve.hpp"
 #include "path/duration.hpp"
 #include "path/figures.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/files/files.hpp"
-#include "nc/rewrite/undo.hpp"
+#include "nc/rewrite/output/undo.hpp"
 
 namespace plumbline::jobs {
 

@@ -8,7 +8,7 @@
 #include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "jobs/compensate/guards.hpp"
-#include "nc/control/parameters.hpp"
+#include "nc/control/parameters/parameters.hpp"
 #include "nc/language/guard_lines.hpp"
 #include "nc/syntax/line_head.hpp"
 #include "nc/syntax/line_source.hpp"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "nc/control/execution.hpp"
-#include "nc/control/expression.hpp"
-#include "nc/control/system_parameters.hpp"
+#include "nc/control/parameters/expression.hpp"
+#include "nc/control/state/system_parameters.hpp"
 
 namespace plumbline::nc {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "nc/control/control.hpp"
+#include "nc/control/state/control.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/block_words.hpp"
 
@@ -66,7 +66,7 @@ struct Execution {
   const Word& need(char letter, std::string_view code_text) const;
 };
 
-// How the block is read: plan.cpp
+// How the block is read: resolve_codes.cpp
 /// Finds the rows of all codes, their order, the motion; refuses what does not go together.
 void resolve_codes(Execution& run);
 /// The motion in force behind G80: the G0 from before the cycle, where the dialect has it so; null: none.
@@ -116,7 +116,9 @@ void set_tool_length(Execution& run, const Chosen& chosen);  // tools.cpp: G43 G
 void restore_tool_length(Execution& run, bool in_force);
 /// Refuses at `word` when the length unit has changed under the tool length in force.
 void check_tool_unit(const Execution& run, const Word& word);
-void set_tool_row(Execution& run);                                   // tool_rows.cpp: G10 L1
+/// The offset of a tool that a code names; refuses one that no table has: tool_table.cpp
+AxisWords needed_offset(const Execution& run, const Word& named, int number);
+void set_tool_row(Execution& run);                                   // G10 L1
 void set_tool_row_here(Execution& run, bool in_probe_table_system);  // G10 L10 L11
 void select_tool(Execution& run, const Word& word);                  // T
 void change_tool(Execution& run, const Chosen& chosen);              // M6 M61

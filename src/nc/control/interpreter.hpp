@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "nc/control/block_values.hpp"
-#include "nc/control/control.hpp"
 #include "nc/control/execution.hpp"
 #include "nc/control/saved_modes.hpp"
+#include "nc/control/state/control.hpp"
 
 namespace plumbline::nc {
 

@@ -7,7 +7,7 @@
 #include "base/check.hpp"
 #include "base/text/characters.hpp"
 #include "nc/control/execution.hpp"
-#include "nc/control/expression.hpp"
+#include "nc/control/parameters/expression.hpp"
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {

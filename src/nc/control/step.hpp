@@ -6,9 +6,9 @@
 #include <span>
 #include <string_view>
 
-#include "nc/control/frame.hpp"
-#include "nc/control/modal.hpp"
-#include "nc/control/motion.hpp"
+#include "nc/control/state/frame.hpp"
+#include "nc/control/state/modal.hpp"
+#include "nc/control/state/motion.hpp"
 #include "nc/language/block.hpp"
 
 namespace plumbline::nc {

@@ -10,7 +10,7 @@
 #include "nc/language/refusal.hpp"
 #include "nc/rewrite/emit_refusals.hpp"
 #include "nc/rewrite/feed.hpp"
-#include "nc/rewrite/restored_modes.hpp"
+#include "nc/rewrite/unrolled/restored_modes.hpp"
 
 namespace plumbline::nc {
 namespace {

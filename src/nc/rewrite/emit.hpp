@@ -9,17 +9,17 @@
 #include <vector>
 
 #include "base/files/files.hpp"
-#include "nc/control/control.hpp"
+#include "nc/control/state/control.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"
 #include "nc/rewrite/emit_block.hpp"
-#include "nc/rewrite/emit_codes.hpp"
 #include "nc/rewrite/emit_pieces.hpp"
-#include "nc/rewrite/emit_state.hpp"
-#include "nc/rewrite/emit_text.hpp"
-#include "nc/rewrite/entry_comments.hpp"
-#include "nc/rewrite/output_text.hpp"
-#include "nc/rewrite/undo.hpp"
+#include "nc/rewrite/output/emit_codes.hpp"
+#include "nc/rewrite/output/emit_state.hpp"
+#include "nc/rewrite/output/emit_text.hpp"
+#include "nc/rewrite/output/output_text.hpp"
+#include "nc/rewrite/output/undo.hpp"
+#include "nc/rewrite/unrolled/entry_comments.hpp"
 
 namespace plumbline::nc {
 

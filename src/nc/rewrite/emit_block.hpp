@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "nc/rewrite/emit_codes.hpp"
 #include "nc/rewrite/emit_pieces.hpp"
-#include "nc/rewrite/emit_text.hpp"
+#include "nc/rewrite/output/emit_codes.hpp"
+#include "nc/rewrite/output/emit_text.hpp"
 
 namespace plumbline::nc {
 

@@ -7,9 +7,9 @@
 
 #include "base/text/number_text.hpp"
 #include "base/units.hpp"
-#include "nc/control/kept.hpp"
-#include "nc/rewrite/emit_text.hpp"
+#include "nc/control/state/kept.hpp"
 #include "nc/rewrite/feed.hpp"
+#include "nc/rewrite/output/emit_text.hpp"
 
 namespace plumbline::nc {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "nc/language/refusal.hpp"
-#include "nc/rewrite/emit_text.hpp"
+#include "nc/rewrite/output/emit_text.hpp"
 
 namespace plumbline::nc {
 

@@ -3,8 +3,8 @@
 
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"
-#include "nc/rewrite/emit_codes.hpp"
-#include "nc/rewrite/emit_state.hpp"
+#include "nc/rewrite/output/emit_codes.hpp"
+#include "nc/rewrite/output/emit_state.hpp"
 
 namespace plumbline::nc {
 

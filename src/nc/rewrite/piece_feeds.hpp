@@ -9,7 +9,7 @@
 #include "base/axes.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"
-#include "nc/rewrite/emit_state.hpp"
+#include "nc/rewrite/output/emit_state.hpp"
 #include "nc/rewrite/word_grid.hpp"
 
 namespace plumbline::nc {

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
-#include "nc/control/kept.hpp"
-#include "nc/rewrite/emit_text.hpp"
+#include "nc/control/state/kept.hpp"
 #include "nc/rewrite/feed.hpp"
+#include "nc/rewrite/output/emit_text.hpp"
 
 namespace plumbline::nc {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "nc/control/parameters.hpp"
+#include "nc/control/parameters/parameters.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/block.hpp"
 #include "nc/sequence/program_files.hpp"

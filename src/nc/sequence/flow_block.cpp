@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "nc/control/expression.hpp"
+#include "nc/control/parameters/expression.hpp"
 #include "nc/language/refusal.hpp"
 
 namespace plumbline::nc {

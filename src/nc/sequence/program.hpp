@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "base/files/files.hpp"
-#include "nc/control/program_settings.hpp"
+#include "nc/control/state/program_settings.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"
 

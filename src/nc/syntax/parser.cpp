@@ -1,6 +1,6 @@
 #include "nc/syntax/parser.hpp"
 
-#include "nc/syntax/rs274_grammar.hpp"
+#include "nc/syntax/rs274/rs274_grammar.hpp"
 
 namespace plumbline::nc {
 

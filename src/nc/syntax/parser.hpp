@@ -3,8 +3,8 @@
 
 #include "nc/language/block.hpp"
 #include "nc/language/dialect.hpp"
-#include "nc/syntax/block_reading.hpp"
-#include "nc/syntax/named_grammar.hpp"
+#include "nc/syntax/named/named_grammar.hpp"
+#include "nc/syntax/reading/block_reading.hpp"
 
 namespace plumbline::nc {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/files/files.hpp"
-#include "nc/control/motion.hpp"
+#include "nc/control/state/motion.hpp"
 
 namespace plumbline::report {
 

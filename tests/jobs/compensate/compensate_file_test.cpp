@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jobs/simulate.hpp"
-#include "nc/rewrite/undo.hpp"
+#include "nc/rewrite/output/undo.hpp"
 #include "nc/sequence/program.hpp"
 #include "report/program/summary_text.hpp"
 #include "settings/options.hpp"

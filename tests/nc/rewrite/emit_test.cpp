@@ -1,11 +1,9 @@
 // The emitter alone: corrections made up here, so that every digit of the output can be predicted.
 //
 // With it the parts that show in whole blocks alone: emit_block.cpp (a piece becomes a line), emit_pieces.cpp (points
-// become pieces), output_text.cpp (stamp, line ends, the order of the text; its undo records: undo_test.cpp). In
-// programs that are compensated: emit_holes.cpp in tests/compensate/fanuc_test.cpp, siemens_cycles_test.cpp and
-// flow_test.cpp; emit_refusals.cpp there too, in dialects_test.cpp and rotary_test.cpp; entry_comments.cpp in
-// flow_test.cpp, "loops and subprograms are written out pass by pass". made_steps.cpp: step_expander_test.cpp and
-// written_moves_test.cpp.
+// become pieces), output/output_text.cpp (stamp, line ends, the order of the text). In programs that are compensated:
+// emit_holes.cpp in tests/compensate/fanuc_test.cpp, siemens_cycles_test.cpp and flow_test.cpp; emit_refusals.cpp there
+// too, in dialects_test.cpp and rotary_test.cpp.
 #include "nc/rewrite/emit.hpp"
 
 #include <functional>

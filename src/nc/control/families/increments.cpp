@@ -5,8 +5,8 @@
 
 #include "base/text/number_text.hpp"
 #include "nc/control/execution.hpp"
-#include "nc/control/expression.hpp"
-#include "nc/control/kept.hpp"
+#include "nc/control/parameters/expression.hpp"
+#include "nc/control/state/kept.hpp"
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {

@@ -6,7 +6,7 @@
 
 #include "base/units.hpp"
 #include "nc/control/execution.hpp"
-#include "nc/control/expression.hpp"
+#include "nc/control/parameters/expression.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "nc/control/execution.hpp"
-#include "nc/control/expression.hpp"
+#include "nc/control/parameters/expression.hpp"
 #include "nc/language/block_words.hpp"
 #include "nc/language/codes.hpp"
 

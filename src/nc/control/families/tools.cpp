@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "nc/control/execution.hpp"
-#include "nc/control/expression.hpp"
-#include "nc/control/tool_rows.hpp"
+#include "nc/control/parameters/expression.hpp"
+#include "nc/control/state/tool_rows.hpp"
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {

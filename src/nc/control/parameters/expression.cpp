@@ -1,0 +1,241 @@
+#include "nc/control/parameters/expression.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/check.hpp"
+#include "base/units.hpp"
+#include "nc/language/codes.hpp"
+#include "nc/language/refusal.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr double kWhole = 1e-4;
+constexpr double kLargestWhole = 1e9;
+
+constexpr double kTurn = 360;
+
+bool is_binary(Operation operation) {
+  return (operation >= Operation::power && operation <= Operation::remainder) || operation == Operation::arc_tangent ||
+         operation == Operation::arc_tangent_turn;
+}
+
+double truth(bool value) { return value ? 1 : 0; }
+
+// Every number that a parameter may have is one's [LinuxCNC, measured].
+Value number_exists(const Block& block, Span span, Value value, ParameterLimits limits) {
+  if (!value.known) return {0, false};
+  const int number = whole_number(block, span, value.number, "the number of a parameter");
+  return {truth(number >= limits.first && number <= limits.last), true};
+}
+
+double modulo(double a, double b) {
+  const double rest = std::fmod(a, b);
+  return rest < 0 ? rest + std::abs(b) : rest;
+}
+
+double of_two(Operation operation, double a, double b, double equal_within) {
+  switch (operation) {
+    case Operation::arc_tangent:
+      return std::atan2(a, b) / kDeg;
+    case Operation::arc_tangent_turn: {
+      const double angle = std::atan2(a, b) / kDeg;
+      return angle < 0 ? angle + kTurn : angle;
+    }
+    case Operation::whole_quotient:
+      return std::trunc(a / b);
+    case Operation::remainder:
+      return std::fmod(a, b);
+    case Operation::power:
+      return std::pow(a, b);
+    case Operation::times:
+      return a * b;
+    case Operation::divide:
+      return a / b;
+    case Operation::modulo:
+      return modulo(a, b);
+    case Operation::plus:
+      return a + b;
+    case Operation::minus:
+      return a - b;
+    case Operation::equal:
+      return truth(a == b || std::abs(a - b) < equal_within);
+    case Operation::not_equal:
+      return truth(a != b && std::abs(a - b) >= equal_within);
+    case Operation::greater:
+      return truth(a > b);
+    case Operation::greater_equal:
+      return truth(a >= b);
+    case Operation::less:
+      return truth(a < b);
+    case Operation::less_equal:
+      return truth(a <= b);
+    case Operation::logical_and:
+      return truth(a != 0 && b != 0);
+    case Operation::logical_or:
+      return truth(a != 0 || b != 0);
+    case Operation::exclusive_or:
+      return truth((a != 0) != (b != 0));
+    default:
+      break;
+  }
+  PLUMBLINE_CHECK(false);
+  return 0;
+}
+
+// A whole number as the control holds it for AND, OR and XOR.
+std::int64_t bits_of(const Block& block, Span span, const Value& value) {
+  const int number = value.known ? whole_number(block, span, value.number, "what AND, OR and XOR work on") : 0;
+  if (number >= 0) return number;
+  refuse_at(block, span, codes::kNegative, "AND, OR and XOR of a negative number are not interpreted",
+            "which bits it has depends on the control; keep to 0 and more");
+}
+
+double of_bits(const Block& block, const Instruction& step, const Value& a, const Value& b) {
+  const std::int64_t left = bits_of(block, step.span, a);
+  const std::int64_t right = bits_of(block, step.span, b);
+  const bool both = step.operation == Operation::bit_and;
+  return static_cast<double>(both ? left & right : step.operation == Operation::bit_or ? left | right : left ^ right);
+}
+
+bool is_of_bits(Operation operation) {
+  return operation >= Operation::bit_and && operation <= Operation::bit_exclusive_or;
+}
+
+double of_one(Operation operation, double a) {
+  switch (operation) {
+    case Operation::negate:
+      return -a;
+    case Operation::absolute:
+      return std::abs(a);
+    case Operation::truncate:
+      return std::trunc(a);
+    case Operation::round_away:
+      return a < 0 ? std::floor(a) : std::ceil(a);
+    case Operation::arc_tangent_of_one:
+      return std::atan(a) / kDeg;
+    case Operation::square:
+      return a * a;
+    case Operation::logical_not:
+      return truth(a == 0);
+    case Operation::arc_cosine:
+      return std::acos(a) / kDeg;
+    case Operation::arc_sine:
+      return std::asin(a) / kDeg;
+    case Operation::cosine:
+      return std::cos(a * kDeg);
+    case Operation::exponential:
+      return std::exp(a);
+    case Operation::round_down:
+      return std::floor(a);
+    case Operation::round_up:
+      return std::ceil(a);
+    case Operation::logarithm:
+      return std::log(a);
+    case Operation::round:
+      return std::round(a);
+    case Operation::sine:
+      return std::sin(a * kDeg);
+    case Operation::square_root:
+      return std::sqrt(a);
+    case Operation::tangent:
+      return std::tan(a * kDeg);
+    default:
+      break;
+  }
+  PLUMBLINE_CHECK(false);
+  return 0;
+}
+
+}  // namespace
+
+// AND and OR give the same for 0 and 1, whether they join truths or bits.
+void Evaluator::check_truths(const Block& block, const Instruction& step) const {
+  for (std::size_t i = stack_.size() - 2; i < stack_.size(); ++i) {
+    const Value& value = stack_[i];
+    if (!value.known || value.number == 0 || value.number == 1) continue;
+    refuse_at(block, step.span, codes::kNotInterpreted,
+              fmt::format("{} joins {:.6g}: whether the control joins truths or bits was found in no source",
+                          block.at(step.span), value.number),
+              "join conditions, which are 0 or 1, as in [VC1 EQ 3] AND [VC2 LT 4]");
+  }
+}
+
+Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& parameters) {
+  stack_.clear();
+  for (const Instruction* step = &block.code[code]; step->operation != Operation::end; ++step) {
+    switch (step->operation) {
+      case Operation::number:
+        stack_.push_back({step->number, true});
+        continue;
+      case Operation::vacant:
+        stack_.push_back({0, true, true});
+        continue;
+      case Operation::name:
+        stack_.push_back(parameters.read(block, block.at(block.names[step->name]), step->span));
+        continue;
+      case Operation::exists:
+        stack_.push_back(parameters.exists(block.at(block.names[step->name])));
+        continue;
+      case Operation::exists_number:
+        stack_.back() = number_exists(block, step->span, stack_.back(), parameters.limits());
+        continue;
+      case Operation::parameter:
+        stack_.back() =
+            parameters.read(block, parameter_number(block, step->span, stack_.back(), parameters.limits()), step->span);
+        continue;
+      case Operation::check_truths:
+        check_truths(block, *step);
+        continue;
+      default:
+        break;
+    }
+    const Value b = stack_.back();
+    Value result{0, b.known};
+    if (is_binary(step->operation)) {
+      stack_.pop_back();
+      const Value a = stack_.back();
+      result.known = a.known && b.known;
+      result.number = is_of_bits(step->operation) ? of_bits(block, *step, a, b)
+                                                  : of_two(step->operation, a.number, b.number, equal_within_);
+      // To be vacant is not to be zero, for EQ and NE alone [B-63174EN, 13.1].
+      if (a.vacant != b.vacant && step->operation == Operation::equal) result.number = 0;
+      if (a.vacant != b.vacant && step->operation == Operation::not_equal) result.number = 1;
+    } else {
+      result.number = of_one(step->operation, b.number);
+      result.vacant = b.vacant && step->operation == Operation::negate;
+    }
+    if (result.known && !std::isfinite(result.number)) {
+      refuse_at(block, step->span, codes::kArithmetic, fmt::format("{} has no value here", block.at(step->span)),
+                "look for a division by zero, a root or logarithm of a negative number, an angle's sine over 1");
+    }
+    stack_.back() = result;
+  }
+  PLUMBLINE_CHECK(stack_.size() == 1);
+  return stack_.back();
+}
+
+int whole_number(const Block& block, Span span, double value, std::string_view what) {
+  const double whole = std::round(value);
+  if (std::abs(value - whole) > kWhole || std::abs(whole) > kLargestWhole) {
+    refuse_at(block, span, codes::kNotWhole, fmt::format("{} is no whole number", what), "write a whole number");
+  }
+  return static_cast<int>(whole);
+}
+
+int parameter_number(const Block& block, Span span, Value value, ParameterLimits limits) {
+  if (!value.known) {
+    refuse_at(block, span, codes::kValueUnknown, "which parameter this is depends on what only the machine knows",
+              "write the number of the parameter itself");
+  }
+  const int number = whole_number(block, span, value.number, "the number of a parameter");
+  if (number < limits.first || number > limits.last) {
+    refuse_at(block, span, codes::kParameterNumber, fmt::format("there is no parameter #{}", number),
+              fmt::format("parameters have the numbers {} to {}", limits.first, limits.last));
+  }
+  return number;
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,49 @@
+// Values of expressions: runs the postfix code that the parser made.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "nc/control/parameters/parameters.hpp"
+#include "nc/language/block.hpp"
+
+namespace plumbline::nc {
+
+/// The numbers that parameters may have.
+struct ParameterLimits {
+  int first = 1;
+  int last = kLastParameter;
+};
+
+/// Who knows what a parameter is worth now.
+class ParameterReader {
+ public:
+  virtual ~ParameterReader() = default;
+  virtual Value read(const Block& block, int number, Span span) = 0;
+  virtual Value read(const Block& block, std::string_view name, Span span) = 0;
+  /// 1 or 0; not known where only the machine knows.
+  virtual Value exists(std::string_view name) = 0;
+  virtual ParameterLimits limits() const { return {}; }
+};
+
+class Evaluator {
+ public:
+  /// `equal_within`: of EQ and NE; 1e-4 [LinuxCNC, measured].
+  explicit Evaluator(double equal_within = 1e-4) : equal_within_(equal_within) {}
+  /// The value of the code that begins at `code` in block.code. Refuses what the control would: nc-arithmetic and the
+  /// like.
+  Value run(const Block& block, std::uint32_t code, ParameterReader& parameters);
+
+ private:
+  double equal_within_;
+  void check_truths(const Block& block, const Instruction& step) const;
+  std::vector<Value> stack_;
+};
+
+/// A whole number near `value`; refuses with nc-not-whole. Whole within 1e-4 [LinuxCNC, measured].
+int whole_number(const Block& block, Span span, double value, std::string_view what);
+
+/// The number of a parameter; refuses one that is not whole or out of limits.
+int parameter_number(const Block& block, Span span, Value value, ParameterLimits limits = {});
+
+}  // namespace plumbline::nc

@@ -1,0 +1,88 @@
+#include "nc/control/parameters/parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace plumbline::nc {
+
+std::string_view Parameters::plain(std::string_view name) {
+  plain_.clear();
+  for (const char c : name) {
+    if (c == ' ' || c == '\t' || c == '\r') continue;
+    plain_ += c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
+  }
+  return plain_;
+}
+
+const Value* Parameters::find(std::string_view name) {
+  plain(name);
+  const Names& names = scope_of(plain_);
+  const auto at = names.find(plain_);
+  return at == names.end() ? nullptr : &at->second;
+}
+
+// From REAL to INT what is 0.5 or more is rounded up, the rest down; any value but 0 is TRUE [6FC5398-2BP40-0BA0 p.
+// 54].
+Value Parameters::converted(Value value) {
+  std::size_t at = scopes_.size() - 1;
+  while (scopes_[at].shared) --at;
+  const auto type = scopes_[at].types.find(plain_);
+  if (type == scopes_[at].types.end() || !value.known || value.vacant) return value;
+  value.number = type->second == VariableType::whole ? std::round(value.number) : value.number != 0 ? 1 : 0;
+  return value;
+}
+
+void Parameters::declare(std::string_view name, VariableType type) {
+  plain(name);
+  std::size_t at = scopes_.size() - 1;
+  while (scopes_[at].shared) --at;
+  if (type != VariableType::real) scopes_[at].types[plain_] = type;
+}
+
+void Parameters::set(std::string_view name, Value value) {
+  plain(name);
+  value = converted(value);
+  Names& names = scope_of(plain_);
+  const auto at = names.find(plain_);
+  if (at != names.end()) {
+    at->second = value;
+  } else {
+    names.emplace(plain_, value);
+  }
+}
+
+void Parameters::enter(LocalNumbers numbers) {
+  Scope scope;
+  if (numbers == LocalNumbers::own) {
+    scope.callers.assign(numbered_.begin() + 1, numbered_.begin() + 1 + kLocalParameters);
+    std::fill_n(numbered_.begin() + 1, kLocalParameters, Numbered{{}, true});
+  }
+  scopes_.push_back(std::move(scope));
+}
+
+void Parameters::enter_with_own(int count) {
+  Scope scope;
+  scope.callers.assign(numbered_.begin() + 1, numbered_.begin() + 1 + count);
+  std::fill_n(numbered_.begin() + 1, count, Numbered{});
+  scopes_.push_back(std::move(scope));
+}
+
+void Parameters::enter_sharing() {
+  scopes_.emplace_back();
+  scopes_.back().shared = true;
+}
+
+bool Parameters::was_local_elsewhere(std::string_view name) {
+  plain(name);
+  return left_.contains(plain_) ||
+         std::any_of(scopes_.begin(), scopes_.end(), [&](const Scope& scope) { return scope.names.contains(plain_); });
+}
+
+void Parameters::leave() {
+  for (const auto& [name, value] : scopes_.back().names) left_.insert(name);
+  std::copy(scopes_.back().callers.begin(), scopes_.back().callers.end(), numbered_.begin() + 1);
+  scopes_.pop_back();
+}
+
+}  // namespace plumbline::nc

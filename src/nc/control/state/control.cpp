@@ -1,0 +1,130 @@
+#include "nc/control/state/control.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr int kFirstHome = 5161;  // parameters of G28, twenty further G30 [LinuxCNC; RS274/NGC 3.2.1]
+constexpr int kG92 = 5211;
+constexpr double kNoShift = 1e-9;  // mm and deg
+
+// Those of six parameters in a row that somebody gave.
+AxisSet given(const Parameters& parameters, int first, AxisWords& into) {
+  AxisSet axes;
+  for (const Axis axis : kAllAxes) {
+    const int number = first + static_cast<int>(index(axis));
+    if (!parameters.has(number)) continue;
+    into[axis] = parameters.get(number).number;
+    axes.insert(axis);
+  }
+  return axes;
+}
+
+}  // namespace
+
+Control::Control(const Dialect& dialect, const ProgramSettings& settings)
+    : behaviour(dialect.behaviour), feed_rule(settings.feed_rule.value_or(dialect.feed_rule)) {
+  for (const CodeRow& row : dialect.at_start) {
+    if (row.action == Action::retract_to_start) modal.retract_to_r = false;
+    if (row.action == Action::exact_stop) modal.path_control = PathControl::exact_stop;
+    if (row.action == Action::work_system) modal.work_system = row.value;
+  }
+  modal.rotary = settings.rotary;
+  if (dialect.behaviour.no_work_system_at_start) modal.work_system = 0;
+  if (settings.as_with_empty_tables) no_system.known = AxisSet::all();
+  for (const auto& [number, value] : settings.variables) {
+    if (number >= 1 && number <= kLastParameter) parameters.set(number, {value, true});
+  }
+  for (std::size_t i = 0; i < systems.size(); ++i) {
+    if (settings.as_with_empty_tables) systems[i].known = AxisSet::all();
+    if (!settings.work_offsets[i]) continue;
+    systems[i] = {settings.work_offsets[i]->origin, settings.work_offsets[i]->rotation_deg, AxisSet::all()};
+  }
+  for (std::size_t i = 0; i < homes.size(); ++i) {
+    const int first = kFirstHome + kParametersPerRow * static_cast<int>(i);
+    homes[i].known = given(parameters, first, homes[i].machine);
+    if (settings.as_with_empty_tables) homes[i].known = AxisSet::all();
+  }
+  parameters.set("_value", {});
+  parameters.set("_value_returned", {});
+  parameters.set("_task", {settings.as_with_empty_tables ? 0.0 : 1.0, true});  // 0: rs274 and previews
+  g92.known = given(parameters, kG92, g92.suspended) == AxisSet::all() || settings.as_with_empty_tables;
+  if (settings.as_with_empty_tables) g92.applied = false;
+  if (parameters.has(kG92InForce)) g92.applied = parameters.get(kG92InForce).number != 0;
+  if (g92.applied.value_or(false)) frame.g92 = g92.suspended;
+  frame.origin = active().origin;
+  frame.rotation_deg = active().rotation_deg;
+  modal.tool_in_spindle = settings.tool_in_spindle.value_or(-1);
+  for (const Axis axis : kAllAxes) {
+    const auto& start = settings.start[index(axis)];
+    position[axis] = start.value_or(0);
+    const bool stands = start.has_value() && active().known.contains(axis);
+    if (stands || settings.as_with_empty_tables) known.insert(axis);
+  }
+}
+
+double Control::length_unit() const { return modal.inches ? kMmPerInch : 1; }
+
+// Axes whose increments may bring the change along, or not: nobody knows.
+AxisSet Control::shifted_by(const Frame& next, const AxisWords& moved) const {
+  AxisSet axes;
+  for (const Axis axis : kAllAxes) {
+    const bool offset = frame.origin[axis] != next.origin[axis] || frame.g92[axis] != next.g92[axis];
+    const bool unknown = (behaviour.increment_unknown_after_offset && offset) ||
+                         (behaviour.increment_unknown_after_length && frame.tool[axis] != next.tool[axis]) ||
+                         (behaviour.increment_unknown_after_turn &&
+                          (frame.rotation_deg != next.rotation_deg || frame.plane != next.plane));
+    if (unknown && std::abs(position[axis] - moved[axis]) > kNoShift) axes.insert(axis);
+  }
+  return axes;
+}
+
+void Control::change_frame(const Frame& next) {
+  const AxisWords machine = frame.to_machine(position);
+  const AxisWords moved = next.from_machine(machine);
+  shifted = shifted | shifted_by(next, moved);
+  const auto same = [&](Axis axis) {
+    return frame.origin[axis] == next.origin[axis] && frame.g92[axis] == next.g92[axis] &&
+           frame.tool[axis] == next.tool[axis];
+  };
+  const AxisSet mixed = frame.mixed() | next.mixed();
+  const bool same_turn =
+      frame.rotation_deg == next.rotation_deg && frame.tilted == next.tilted && frame.plane == next.plane;
+  // The length of a tool on a tilted plane counts along the plane's Z alone.
+  const auto same_shift = [&](Axis axis) {
+    const bool same_tool = frame.tool[axis] == next.tool[axis] || frame.tilted;
+    return frame.origin[axis] == next.origin[axis] && frame.g92[axis] == next.g92[axis] && same_tool;
+  };
+  const bool same_mixed = same_turn && std::all_of(kAllAxes.begin(), kAllAxes.end(), [&](Axis axis) {
+                            return same_shift(axis) || !mixed.contains(axis);
+                          });
+  for (const Axis axis : kAllAxes) {
+    if (same(axis) && (same_mixed || !mixed.contains(axis))) continue;
+    position[axis] = moved[axis];
+  }
+  // A turned X is made of both X and Y.
+  if (!same_mixed && !known.contains(mixed)) known = known - mixed;
+  frame = next;
+}
+
+void Control::use_active_system() {
+  Frame next = frame;
+  next.origin = active().origin + local + plane_origin;
+  next.rotation_deg = active().rotation_deg + turn_deg;
+  change_frame(next);
+}
+
+// The control leaves the shift of G92 out when it turns where it stands into the new row's words, so that in a turned
+// work system it takes itself to stand elsewhere [LinuxCNC, measured].
+void Control::use_changed_row() {
+  const AxisWords shift = frame.g92;
+  frame.g92 = AxisWords{};
+  use_active_system();
+  frame.g92 = shift;
+}
+
+}  // namespace plumbline::nc

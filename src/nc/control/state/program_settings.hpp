@@ -1,0 +1,50 @@
+// What is said about a program besides its text: options, tables, the machine's own ways.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "base/axes.hpp"
+#include "nc/control/state/tilt.hpp"
+#include "nc/language/feed_rule.hpp"
+#include "nc/language/rotary.hpp"
+#include "nc/language/tool_table.hpp"
+
+namespace plumbline::nc {
+
+inline constexpr int kWorkSystems = 306;  // of any control; Dialect::work_systems says how many it has
+
+struct WorkOffset {
+  AxisWords origin;
+  double rotation_deg = 0;
+};
+
+/// What the program's text alone does not say.
+struct ProgramSettings {
+  std::array<std::optional<WorkOffset>, kWorkSystems> work_offsets;
+  ToolTable tools;
+  std::optional<int> tool_in_spindle;              // at the start
+  std::array<std::optional<double>, kAxes> start;  // where the axes stand at the start, in the first work system
+  std::map<int, double> variables;                 // numbered parameters set before the program
+  std::set<int> passed_m_codes;                    // --pass
+  std::set<int> keeps_position;                    // --keeps-position, M codes
+  std::optional<FeedRule> feed_rule;               // --feed-rule, in place of the dialect's
+  std::optional<bool> helix_feed_along_circle;     // --helix-feed, in place of the dialect's
+  RotaryRules rotary{};                            // --rotary, of A, B and C
+  RotationOrder rotation_order{2, 1, 0};           // how A, B and C compose: of the machine's model
+  FreeRotation free_rotation{};                    // --free-rotation, where a direction of the tool leaves C open
+  std::optional<bool> calculator_type;             // --calculator-type: a number without a point counts units
+  std::optional<double> input_increment;           // --input-increment: what it counts, mm and deg
+  std::uint64_t max_blocks = 10'000'000;           // --max-blocks: lines that a program with jumps may execute
+  std::optional<bool> block_delete;                // --block-delete on|off
+  /// Expressions may read where the control stands (#5420..., #<_x>...): true for who only looks, since a rewritten
+  /// program would read something else.
+  bool position_may_be_read = false;
+  /// trace alone: what nobody gave is what a control with empty tables has (zero), M codes of the user pass.
+  bool as_with_empty_tables = false;
+};
+
+}  // namespace plumbline::nc

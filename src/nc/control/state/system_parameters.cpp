@@ -1,0 +1,209 @@
+#include "nc/control/state/system_parameters.hpp"
+
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "nc/control/state/named_parameters.hpp"
+#include "nc/control/state/tool_rows.hpp"
+#include "nc/language/codes.hpp"
+#include "nc/language/refusal.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+// Parameters of the control's tables, in the machine's unit (mm, deg) [LinuxCNC, "Parameters"].
+constexpr int kHomes = 5161, kHomesEnd = 5190;
+constexpr int kG92End = 5220;
+constexpr int kActiveSystem = 5220, kSystems = 5221, kSystemsEnd = 5401 - 11;
+constexpr int kTool = 5400, kToolEnd = 5413, kPosition = 5420, kPositionEnd = 5429;
+constexpr int kRotation = 9;
+constexpr int kToolChanger = 5600;  // and 5601: whether it failed, and why, whatever was set
+
+// Variables of macro B [B-63174EN 13]
+constexpr int kClocks = 3001, kClocksEnd = 3002, kDate = 3011, kTime = 3012;
+constexpr int kSingleBlock = 3003, kFeedHold = 3004;  // whether stops act: no matter for the path
+constexpr int kBlockEnd = 5001, kPositionNow = 5041, kMacroSystems = 5221, kMacroSystemsEnd = 5340;
+bool is_common(int number) { return (number >= 100 && number <= 199) || (number >= 500 && number <= 999); }
+
+}  // namespace
+
+ParameterLimits SystemParameters::limits() const {
+  return {dialect_.syntax.system_variables == SystemVariables::rs274 ? 1 : 0, dialect_.syntax.last_variable};
+}
+
+bool SystemParameters::is_read_only(int number) const {
+  const Syntax& syntax = dialect_.syntax;
+  if (syntax.system_variables == SystemVariables::macro_b) {
+    const bool free = (number >= 1 && number <= syntax.local_variables) || is_common(number);
+    return !free && number != kSingleBlock && number != kFeedHold && number != syntax.alarm_variable &&
+           number != syntax.message_variable;
+  }
+  if (syntax.system_variables == SystemVariables::none) return false;
+  return (number >= kHomes && number <= kHomesEnd) || (number >= kG92InForce && number <= kSystemsEnd) ||
+         (number >= kTool && number < kPositionEnd);
+}
+
+bool SystemParameters::is_read_only(std::string_view name) {
+  if (dialect_.syntax.system_variables == SystemVariables::none) return false;
+  return is_predefined(control_.parameters.plain(name));
+}
+
+// Names that begin with _ are kept from program to program, and those of the INI file and of HAL are the machine's.
+Value SystemParameters::exists(std::string_view name) {
+  if (is_read_only(name) || control_.parameters.find(name) != nullptr) return {1, true};
+  const bool global = control_.parameters.plain(name).starts_with('_');
+  return {0, !global || settings_.as_with_empty_tables};
+}
+
+Value SystemParameters::position(const Block& block, Axis axis, Span span) const {
+  if (!settings_.as_with_empty_tables && !settings_.position_may_be_read) {
+    refuse_at(block, span, codes::kPositionRead, "the program reads where the control stands",
+              "that changes when the program is compensated; write the position itself");
+  }
+  if (!control_.known.contains(axis)) {
+    refuse_at(block, span, codes::kPositionUnknown, fmt::format("where {} stands is not known", letter(axis)),
+              "move the axis to a programmed position first, or say where the axes start: --start");
+  }
+  const double value = control_.position[axis];
+  return {is_rotary(axis) ? value : value / control_.length_unit(), true};
+}
+
+// What the control's display shows: all offsets, the rotation and the tool's length in it.
+Value SystemParameters::machine_position(const Block& block, Axis axis, Span span) const {
+  const AxisWords& tool = control_.frame.tool;
+  if (tool != AxisWords{} && control_.tool_in_inches != control_.modal.inches) {
+    refuse_at(block, span, codes::kNotInterpreted, "the control takes the tool length in force for one in the new unit",
+              "write G49 before the change of units (G20, G21) and G43 after it");
+  }
+  const AxisSet mixed = control_.frame.mixed();
+  for (const Axis other : kAllAxes) {
+    if (mixed.contains(axis) && mixed.contains(other) && other != axis) position(block, other, span);
+  }
+  position(block, axis, span);
+  const double value = control_.frame.to_machine(control_.position)[axis];
+  return {is_rotary(axis) ? value : value / control_.length_unit(), true};
+}
+
+// A value of the tables, if somebody gave it.
+std::optional<double> SystemParameters::table_value(int number) const {
+  const auto of = [](const AxisWords& words, int at) {
+    return at < static_cast<int>(kAxes) ? words.values[static_cast<std::size_t>(at)] : 0.0;
+  };
+  const auto known = [](AxisSet set, int at) {
+    return at >= static_cast<int>(kAxes) || set.contains(kAllAxes[static_cast<std::size_t>(at)]);
+  };
+  if (number >= kHomes && number <= kHomesEnd) {
+    const Home& home = control_.homes[static_cast<std::size_t>((number - kHomes) / kParametersPerRow)];
+    const int at = (number - kHomes) % kParametersPerRow;
+    return known(home.known, at) ? std::optional(of(home.machine, at)) : std::nullopt;
+  }
+  if (number < kG92End && !control_.g92.known) return std::nullopt;
+  if (number == kG92InForce) return control_.g92.applied.value_or(false) ? 1 : 0;
+  if (number < kG92End) return of(control_.g92.suspended, number - kG92InForce - 1);
+  if (number == kActiveSystem) return control_.modal.work_system;
+  if (number <= kSystemsEnd) {
+    const WorkSystem& row = control_.systems[static_cast<std::size_t>((number - kSystems) / kParametersPerRow)];
+    const int at = (number - kSystems) % kParametersPerRow;
+    if (at == kRotation) return row.known.empty() ? std::nullopt : std::optional(row.rotation_deg);
+    return known(row.known, at) ? std::optional(of(row.origin, at)) : std::nullopt;
+  }
+  return number <= kToolEnd ? tool_parameter(control_, settings_, number) : std::optional(0.0);
+}
+
+Value SystemParameters::unset(const Block& block, Span span) const {
+  if (settings_.as_with_empty_tables) return {0, true, true};
+  refuse_at(block, span, codes::kParameterUnset, fmt::format("nobody gave {} a value", block.at(span)),
+            "set it in the program before, or give the control's variables: --variables FILE");
+}
+
+// A local variable that was not set is vacant; a common one may hold what another program left there.
+Value SystemParameters::read_macro_variable(const Block& block, int number, Span span) const {
+  const auto axis_from = [&](int first) { return kAllAxes[static_cast<std::size_t>(number - first)]; };
+  const auto is_axis_from = [&](int first) { return number >= first && number < first + static_cast<int>(kAxes); };
+  if (number == 0) return {0, true, true};
+  if (control_.parameters.has(number)) return control_.parameters.get(number);
+  if (number <= dialect_.syntax.local_variables) return {0, true, true};
+  if (is_common(number)) return unset(block, span);
+  if ((number >= kClocks && number <= kClocksEnd) || number == kDate || number == kTime) return {0, false};
+  if (is_axis_from(kBlockEnd)) return position(block, axis_from(kBlockEnd), span);
+  if (is_axis_from(kPositionNow)) return position(block, axis_from(kPositionNow), span);
+  if (number >= kMacroSystems && number <= kMacroSystemsEnd &&
+      (number - kMacroSystems) % kParametersPerRow < static_cast<int>(kAxes)) {
+    const auto at = static_cast<std::size_t>((number - kMacroSystems) / kParametersPerRow);
+    const Axis axis = kAllAxes[static_cast<std::size_t>((number - kMacroSystems) % kParametersPerRow)];
+    if (!control_.systems[at].known.contains(axis)) return unset(block, span);
+    const double value = control_.systems[at].origin[axis];
+    return {is_rotary(axis) ? value : value / control_.length_unit(), true};
+  }
+  refuse_at(block, span, codes::kNotInterpreted,
+            fmt::format("#{} is a variable of the control itself, which is not interpreted", number),
+            "write the value itself; #1 to #33, #100 to #199 and #500 to #999 are the program's");
+}
+
+Value SystemParameters::read(const Block& block, int number, Span span) {
+  const SystemVariables own = dialect_.syntax.system_variables;
+  if (own == SystemVariables::macro_b) return read_macro_variable(block, number, span);
+  if (own == SystemVariables::none) {
+    if (control_.parameters.has(number)) return control_.parameters.get(number);
+    const Value value = unset(block, span);
+    return {value.number, value.known};  // zero, and not vacant as in macro B
+  }
+  if (number >= kToolChanger) return {0, settings_.as_with_empty_tables};
+  if (number >= kPosition && number < kPosition + static_cast<int>(kAxes)) {
+    return position(block, kAllAxes[static_cast<std::size_t>(number - kPosition)], span);
+  }
+  if (is_read_only(number)) {
+    if (const std::optional<double> value = table_value(number)) return {*value, true};
+  } else if (control_.parameters.has(number)) {
+    return control_.parameters.get(number);
+  }
+  if (settings_.as_with_empty_tables) return {0, true};
+  const bool of_tool = number >= kTool && number <= kToolEnd;
+  if (of_tool && control_.modal.tool_in_spindle < 0) {
+    refuse_at(block, span, codes::kToolUnknown, "which tool is in the spindle is not known",
+              "put T and M6 before it, or say which it is: --tool-in-spindle");
+  }
+  if (of_tool) {
+    refuse_at(block, span, codes::kToolUnknown,
+              fmt::format("nobody gave #{} of tool {}", number, control_.modal.tool_in_spindle),
+              "add the tool and its diameter_mm to a tool table (--tools), or set it with G10 L1");
+  }
+  refuse_at(block, span, codes::kParameterUnset, fmt::format("nobody gave #{} a value", number),
+            "set it in the program before, or give the control's variables: --variables FILE");
+}
+
+// The control makes a name, with 0, where it reads it in front of a "=": the first #<i>=[#<i>+1] sets 1
+// [interp_read.cc].
+bool SystemParameters::is_made(const Block& block, std::string_view plain, Span span) {
+  for (const Setting& setting : block.settings) {
+    if (setting.target != kLiteral || setting.span.begin >= span.begin) continue;
+    if (std::string(control_.parameters.plain(block.at(block.names[setting.name]))) == plain) return true;
+  }
+  return false;
+}
+
+Value SystemParameters::read(const Block& block, std::string_view name, Span span) {
+  if (const Value* value = control_.parameters.find(name)) return *value;
+  if (dialect_.syntax.empty_names) return {0, true, true};
+  if (dialect_.syntax.system_variables == SystemVariables::none) return unset(block, span);
+  const std::string plain(control_.parameters.plain(name));
+  if (const std::optional<Axis> axis = position_named(plain)) return position(block, *axis, span);
+  if (const std::optional<Axis> axis = machine_position_named(plain)) return machine_position(block, *axis, span);
+  if (plain == "_current_tool") return read(block, kTool, span);
+  if (const std::optional<Value> value = predefined(control_, settings_, plain)) return *value;
+  if (plain == "_line") return {static_cast<double>(block.line), settings_.as_with_empty_tables};  // of the text
+  if (plain == "_call_level") return {static_cast<double>(control_.parameters.depth()), true};
+  if (is_made(block, plain, span) && (!plain.starts_with('_') || settings_.as_with_empty_tables)) return {0, true};
+  if (control_.parameters.was_local_elsewhere(plain)) {
+    refuse_at(
+        block, span, codes::kParameterUnset,
+        fmt::format("#<{}> has no value here: each subprogram, and the program itself, has names of its own", plain),
+        fmt::format("call it #<_{}> where it is set and where it is read: names with _ are seen everywhere", plain));
+  }
+  refuse_at(block, span, codes::kParameterUnset, fmt::format("#<{}> has no value here", plain),
+            "set it in the program before it is read");
+}
+
+}  // namespace plumbline::nc

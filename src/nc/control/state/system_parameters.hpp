@@ -1,0 +1,35 @@
+// Parameters that show the control's own state: positions, offsets, the tool, modes.
+#pragma once
+
+#include "nc/control/parameters/expression.hpp"
+#include "nc/control/state/control.hpp"
+
+namespace plumbline::nc {
+
+// Macro B: what is set there stops the control, with an alarm or with a message, behind which it goes on [E].
+
+class SystemParameters : public ParameterReader {
+ public:
+  SystemParameters(Control& control, const ProgramSettings& settings, const Dialect& dialect)
+      : control_(control), settings_(settings), dialect_(dialect) {}
+  Value read(const Block& block, int number, Span span) override;
+  Value read(const Block& block, std::string_view name, Span span) override;
+  Value exists(std::string_view name) override;
+  ParameterLimits limits() const override;
+  /// True for parameters that a program may read but not set.
+  bool is_read_only(int number) const;
+  bool is_read_only(std::string_view name);
+
+ private:
+  Value position(const Block& block, Axis axis, Span span) const;
+  Value machine_position(const Block& block, Axis axis, Span span) const;
+  std::optional<double> table_value(int number) const;
+  Value read_macro_variable(const Block& block, int number, Span span) const;
+  Value unset(const Block& block, Span span) const;
+  bool is_made(const Block& block, std::string_view plain, Span span);
+  Control& control_;
+  const ProgramSettings& settings_;
+  const Dialect& dialect_;
+};
+
+}  // namespace plumbline::nc

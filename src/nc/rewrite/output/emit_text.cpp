@@ -1,0 +1,127 @@
+#include "nc/rewrite/output/emit_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text/characters.hpp"
+#include "base/text/number_text.hpp"
+#include "nc/language/refusal.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+char in_case(char c, bool lower) { return lower ? plumbline::lower(c) : c; }
+
+// A block that is rewritten stands on one line: lines that begin with a mark and go on with it are joined.
+void append_joined(std::string& out, std::string_view text) {
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    out += text.substr(0, end);
+    while (!out.empty() && is_blank(out.back())) out.pop_back();
+    out += ' ';
+    const std::size_t next = text.find_first_not_of(" \t", end + 2);
+    text.remove_prefix(std::min(next, text.size()));
+  }
+  out += text;
+}
+
+}  // namespace
+
+Spelling spelling_of(const Block& block, const Spelling& like) {
+  if (block.words.empty()) return like;
+  const Span last = block.words.back().span;
+  const bool lower_case = std::islower(static_cast<unsigned char>(block.text[last.begin])) != 0;
+  if (block.words.size() == 1) return {lower_case, like.spaced, like.point, like.most_digits};
+  const std::string_view before = block.text.substr(0, last.begin);
+  const bool first_of_line = before.find_last_of('\n') == before.size() - 2;
+  return {lower_case, first_of_line || is_blank(before.back()), like.point, like.most_digits};
+}
+
+void BlockEditor::start(const Block& block, const Spelling& spelling) {
+  block_ = &block;
+  spelling_ = spelling;
+  used_ = 0;
+}
+
+void BlockEditor::add(Span span, std::string_view text) {
+  if (used_ == edits_.size()) edits_.emplace_back();
+  Edit& edit = edits_[used_];
+  edit.span = span;
+  edit.order = static_cast<int>(used_);
+  edit.text = text;
+  ++used_;
+}
+
+void BlockEditor::replace(Span span, std::string_view text) {
+  if (text.empty()) {
+    while (span.begin > 0 && is_blank(block_->text[span.begin - 1])) --span.begin;
+  }
+  add(span, text);
+}
+
+void BlockEditor::insert_before(std::uint32_t at, std::string_view word) {
+  std::string text = in_spelling(word, spelling_);
+  if (spelling_.spaced) text += ' ';
+  add({at, at}, text);
+}
+
+void BlockEditor::insert_after(std::uint32_t at, std::string_view word) {
+  std::string text;
+  const bool at_begin = at == 0 || is_blank(block_->text[at - 1]);
+  if (spelling_.spaced && !at_begin) text += ' ';
+  text += in_spelling(word, spelling_);
+  add({at, at}, text);
+}
+
+void BlockEditor::apply(std::string& out) {
+  if (used_ == 0) {
+    out += block_->text;
+    return;
+  }
+  const auto end = edits_.begin() + static_cast<std::ptrdiff_t>(used_);
+  std::sort(edits_.begin(), end, [](const Edit& a, const Edit& b) {
+    if (a.span.begin != b.span.begin) return a.span.begin < b.span.begin;
+    const bool a_inserts = a.span.end == a.span.begin;
+    const bool b_inserts = b.span.end == b.span.begin;
+    return a_inserts != b_inserts ? a_inserts : a.order < b.order;
+  });
+  std::uint32_t at = 0;
+  for (auto edit = edits_.begin(); edit != end; ++edit) {
+    const std::uint32_t begin = std::max(edit->span.begin, at);  // two removals may claim the same blank
+    append_joined(out, block_->text.substr(at, begin - at));
+    out += edit->text;
+    at = std::max(at, edit->span.end);
+  }
+  append_joined(out, block_->text.substr(at));
+}
+
+std::string in_spelling(std::string_view code, const Spelling& spelling) {
+  std::string text;
+  for (const char c : code) text += in_case(c, spelling.lower_case);
+  return text;
+}
+
+void append_code(std::string& out, std::string_view code, const Spelling& spelling) {
+  if (spelling.spaced && !out.empty() && !is_blank(out.back())) out += ' ';
+  out += in_spelling(code, spelling);
+}
+
+void append_word(std::string& out, char letter, double value, int decimals, const Spelling& spelling) {
+  if (spelling.spaced && !out.empty() && !is_blank(out.back())) out += ' ';
+  out += in_case(letter, spelling.lower_case);
+  constexpr double kExact = 1e15;  // units of the last decimal that a double counts
+  while (decimals > 0 && std::abs(value) > kExact * from_ticks(1, decimals)) --decimals;
+  if (spelling.most_digits > 0) {
+    int before = 1;
+    for (double rest = std::abs(value); rest >= 10; rest /= 10) ++before;
+    decimals = std::clamp(spelling.most_digits - before, 0, decimals);
+  }
+  const std::size_t begin = out.size();
+  append_decimal(out, value, decimals);
+  if (spelling.point && out.find('.', begin) == std::string::npos) out += '.';
+}
+
+void refuse_block(const Block& block, std::string_view code, std::string message, std::string help) {
+  refuse_at(block, {0, static_cast<std::uint32_t>(block.text.size())}, code, std::move(message), std::move(help));
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,52 @@
+// Steps as a program would hold them that has no parameters and no polar words: the same motion, written with values.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "nc/control/state/control.hpp"
+#include "nc/control/state/kept.hpp"
+#include "nc/rewrite/output/emit_codes.hpp"
+#include "nc/rewrite/output/emit_text.hpp"
+#include "nc/rewrite/unrolled/made_steps.hpp"
+
+namespace plumbline::nc {
+
+class StepExpander {
+ public:
+  /// The dialect must outlive it. `angle`: how A, B and C are written.
+  explicit StepExpander(const Dialect& dialect, WrittenNumber angle = {})
+      : dialect_(dialect), made_(dialect), angle_(angle) {
+    spelling_.point = dialect.behaviour.always_point;
+    spelling_.most_digits = dialect.behaviour.most_digits;
+  }
+
+  /// The step with a block that holds values where the original has expressions, X and Y in place of @ and ^, and A, B
+  /// and C in place of the direction of the tool.
+  /// Values come with nine decimals, and count as written with none. Its parameter settings go too unless
+  /// `keeps_settings`; null if nothing else was in it. Holds until the next call. Refuses a value that only the machine
+  /// knows (emit-value-unknown).
+  const Step* plain(const Step& step, bool keeps_settings);
+
+  /// What else stands in a line that steers: where it `acts`, all but the call or the end of a program, else its
+  /// comments; null if there are none. Holds until the next call.
+  const Step* beside_flow(const Step& step, bool acts);
+
+ private:
+  std::string with_value(std::string_view text, const Word& word) const;
+  void write_values(const Step& step, bool keeps_settings, std::string_view without = {});
+  void write_without_call(const Step& step, std::string& text);
+  static bool is_end_in_other_words(const Step& step, const Word& word);
+  std::string_view code_without_vectors(const Step& step, const Word& word) const;
+  void write_end(const Step& step, bool& written, Span span);
+  void defuse_comments(const Block& block);
+  Span label_of(const Block& block) const;
+
+  const Dialect& dialect_;
+  MadeSteps made_;
+  WrittenNumber angle_;
+  BlockEditor editor_;
+  Spelling spelling_;
+};
+
+}  // namespace plumbline::nc

@@ -1,0 +1,149 @@
+#include "nc/syntax/named/named_calls.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text/characters.hpp"
+#include "nc/language/codes.hpp"
+#include "nc/syntax/named/named_values.hpp"
+#include "nc/syntax/named/named_words.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+void check_stands_alone(const BlockReading& in, Span name) {
+  const Block& block = in.out.block();
+  const CodeRow* const before = block.words.empty() ? nullptr : in.dialect->row_of(block.words.back());
+  if (before != nullptr && before->action == Action::modal_call) {
+    in.cursor.refuse(name, codes::kNotInterpreted,
+                     fmt::format("{} of a program of one's own is not interpreted", before->name),
+                     "call the program by its name in each of the blocks behind the moves");
+  }
+  if (block.words.empty() && block.settings.empty()) return;
+  in.cursor.refuse(name, codes::kUnknownCode, fmt::format("{} is no word of this control", block.at(name)),
+                   "look for a slip; the name of a subprogram stands alone in its block");
+}
+
+// arguments = "(" , [ value , { "," , value } ] , ")"
+void call_arguments(BlockReading& in, Span name) {
+  if (!item_follows(in, TokenKind::parenthesis)) return;
+  in.cursor.take(lex_named_item);
+  if (item_follows(in, TokenKind::closing_parenthesis)) return in.cursor.take(lex_named_item);
+  do {
+    in.out.flow().values.push_back(read_named_value(in));
+    in.cursor.take(lex_named_operation);
+  } while (in.cursor.is(TokenKind::comma));
+  if (in.cursor.is(TokenKind::closing_parenthesis)) return;
+  in.cursor.refuse(name, codes::kBracketOpen, "the bracket ( is not closed", "add the missing )");
+}
+
+[[noreturn]] void refuse_call(const BlockReading& in, std::string_view code, std::string message) {
+  in.cursor.refuse(in.out.flow().span, code, std::move(message), "write it as in EXTCALL(\"POCKET\")");
+}
+
+// The name of the program in "path/NAME.SPF".
+Span name_in_path(const BlockReading& in, Span text) {
+  Span name{text.begin + 1, text.end - 1};
+  const std::size_t folder = in.out.at(name).find_last_of("/\\:");
+  if (folder != std::string_view::npos) name.begin += static_cast<std::uint32_t>(folder + 1);
+  const std::string file = upper(in.out.at(name));
+  if (file.ends_with(".SPF") || file.ends_with(".MPF")) name.end -= 4;
+  return name;
+}
+
+// parameters = "(" , [ type , name , { "," , type , name } ] , ")"
+void parameters(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  cursor.take(lex_named_item);
+  cursor.take(lex_named_item);
+  while (cursor.is(TokenKind::identifier)) {
+    const VariableType type = variable_type(in, "parameters");
+    cursor.take(lex_named_item);
+    if (!cursor.is(TokenKind::identifier)) cursor.refuse_token("a name");
+    in.out.declare(cursor.span(), type);
+    cursor.take(lex_named_item);
+    if (cursor.is(TokenKind::comma)) cursor.take(lex_named_item);
+  }
+  if (!cursor.is(TokenKind::closing_parenthesis)) cursor.refuse_token(")");
+}
+
+}  // namespace
+
+// call = name , [ arguments ] , [ "P" , number ]
+void read_call_by_name(BlockReading& in, Span name) {
+  check_stands_alone(in, name);
+  Flow& flow = in.out.begin_flow(FlowWord::call, name);
+  flow.name = name;
+  call_arguments(in, name);
+  const Token next = in.cursor.peek(lex_named_item);
+  if (next.kind == TokenKind::word && next.letter == 'P') {
+    in.cursor.go_behind(next);
+    flow.count = in.out.add_number(next.value, in.cursor.span_of(next));
+  }
+  end_of_statement(in);
+}
+
+// call = "CALL" , program name , [ "Q" , number ] , { variable , "=" , value }
+void read_call_statement(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  Flow& flow = in.out.flow();
+  cursor.take(lex_named_item);
+  const bool named = cursor.is(TokenKind::identifier) || cursor.is(TokenKind::word);
+  if (!named || upper(*cursor.token().begin) != 'O') {
+    cursor.refuse(flow.span, codes::kFlowControl, "the name of a program is missing behind this",
+                  "write it as in CALL O1000 Q3 PX=10");
+  }
+  flow.name = cursor.span();
+  cursor.take(lex_named_item);
+  for (; !cursor.is(TokenKind::end); cursor.take(lex_named_item)) {
+    if (cursor.is(TokenKind::parenthesis)) {
+      pass_comment(in);
+    } else if (cursor.is_letter(TokenKind::word, 'Q')) {
+      flow.count = in.out.add_number(cursor.token().value, cursor.span());
+    } else if (cursor.is_letter(TokenKind::letter, 'Q') && item_follows(in, TokenKind::equals)) {
+      cursor.take(lex_named_item);
+      flow.count = read_named_value(in);
+    } else if (cursor.is(TokenKind::identifier)) {
+      read_assigned_variable(in, cursor.span(), nullptr);
+    } else {
+      cursor.refuse_token("an argument");
+    }
+  }
+}
+
+// external call = "EXTCALL" , [ "(" ] , '"' , [ path ] , name , [ ".SPF" ] , '"' , [ ")" ]
+void read_external_call(BlockReading& in) {
+  const bool bracket = item_follows(in, TokenKind::parenthesis);
+  if (bracket) in.cursor.take(lex_named_item);
+  in.cursor.take(lex_named_item);
+  if (!in.cursor.is(TokenKind::string)) {
+    refuse_call(in, codes::kNotInterpreted, "the name of the program that this calls is no text here");
+  }
+  const Span name = name_in_path(in, in.cursor.span());
+  if (name.end <= name.begin) {
+    refuse_call(in, codes::kFlowControl, "the name of the program that this calls is empty");
+  }
+  in.out.flow().word = FlowWord::call;
+  in.out.flow().name = name;
+  if (bracket) expect_behind_value(in, TokenKind::closing_parenthesis, ")");
+}
+
+// head = "PROC" , name , [ parameters ] , { attribute }
+void read_subprogram_head(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  cursor.take(lex_named_item);
+  if (!cursor.is(TokenKind::identifier) && !cursor.is(TokenKind::word)) cursor.refuse_token("a name");
+  in.out.flow().name = cursor.span();
+  if (item_follows(in, TokenKind::parenthesis)) parameters(in);
+  while (item_follows(in, TokenKind::identifier)) {
+    if (read_keyword(in) != "SAVE") continue;  // DISPLOF, SBLOF: for the operator
+    cursor.refuse(cursor.span(), codes::kNotInterpreted,
+                  "SAVE brings the modes of the caller back at the end of the subprogram, which is not interpreted",
+                  "leave it out, and write the codes that the caller needs behind the call");
+  }
+}
+
+}  // namespace plumbline::nc

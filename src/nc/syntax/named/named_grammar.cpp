@@ -1,0 +1,199 @@
+#include "nc/syntax/named/named_grammar.hpp"
+
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/text/characters.hpp"
+#include "nc/language/codes.hpp"
+#include "nc/syntax/named/named_calls.hpp"
+#include "nc/syntax/named/named_statements.hpp"
+#include "nc/syntax/named/named_values.hpp"
+#include "nc/syntax/named/named_words.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+using Kind = NameMeaning::Kind;
+
+bool means(const NameMeaning* meaning, Kind kind) { return meaning != nullptr && meaning->kind == kind; }
+
+[[noreturn]] void refuse_goes_on(const BlockReading& in, std::uint32_t at) {
+  const char goes_on = in.syntax->goes_on;
+  in.cursor.refuse({at, at + 1}, codes::kBadCharacter,
+                   fmt::format("{} goes on with the block of the line before, and there is none", goes_on),
+                   fmt::format("take the {} away, or end the head of the program with %", goes_on));
+}
+
+// $NAME.MIN%
+void header(BlockReading& in) {
+  const std::string_view text = in.out.block().text;
+  if (text[text.find_last_not_of(" \t\r")] != '%') refuse_goes_on(in, 0);
+  in.out.set_kind(LineKind::percent);
+}
+
+// A line that goes on needs words before it to go on with.
+void check_goes_on(const BlockReading& in) {
+  const std::string_view text = in.out.block().text;
+  const std::size_t next = in.syntax->goes_on == '\0' ? std::string_view::npos : text.find('\n');
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (next != std::string_view::npos && (first == next || text[first] == '(')) {
+    refuse_goes_on(in, static_cast<std::uint32_t>(next + 1));
+  }
+}
+
+// NCYL is a code, whatever else begins with N a label.
+bool is_code_of_motion(const BlockReading& in) {
+  const NameMeaning* const meaning = in.dialect->meaning(in.out.at(in.cursor.span()));
+  return means(meaning, Kind::code) &&
+         in.dialect->named_codes[static_cast<std::size_t>(meaning->which)].action == Action::no_hole;
+}
+
+// number = "N" , ( number | name ) | ":" , number; token() is what stands behind it
+void block_number(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  const bool may_be_name = in.syntax->labels == Labels::sequence_names;
+  Span number = cursor.span();
+  if (cursor.is_letter(TokenKind::word, 'N')) {
+    if (cursor.token().begin[1] == '-' || cursor.token().begin[1] == '+') {
+      cursor.refuse(number, codes::kLineNumber, "N without a line number", "write digits behind the N");
+    }
+  } else if (cursor.is(TokenKind::colon) && is_digit(cursor.next_byte())) {
+    cursor.pass_digits();
+    number.end = cursor.here();
+  } else if (!may_be_name || !cursor.is(TokenKind::identifier) || upper(*cursor.token().begin) != 'N' ||
+             is_code_of_motion(in)) {
+    return;
+  }
+  in.out.set_number(number);
+  cursor.take(lex_named_item);
+}
+
+// The line is the name of a program: O1000.
+bool program_name(BlockReading& in) {
+  const char letter = in.syntax->program_letter;
+  const bool is_name = in.cursor.is(TokenKind::identifier) || in.cursor.is(TokenKind::word);
+  if (letter == '\0' || !is_name || upper(*in.cursor.token().begin) != letter) return false;
+  const Span name = in.cursor.span();
+  in.out.begin_flow(FlowWord::program, name).name = name;
+  end_of_statement(in);
+  return true;
+}
+
+// label = name , ":"
+void block_label(BlockReading& in) {
+  if (in.syntax->labels != Labels::names || !in.cursor.is(TokenKind::identifier)) return;
+  if (!item_follows(in, TokenKind::colon)) return;
+  in.out.add_name(in.cursor.span());
+  in.cursor.take(lex_named_item);
+  in.cursor.take(lex_named_item);
+}
+
+// word = letter , number | letter , number , "=" , value
+void named_word(BlockReading& in) {
+  const Span span = in.cursor.span();
+  if (item_follows(in, TokenKind::equals)) {
+    const NameMeaning* const meaning = in.dialect->meaning(in.out.at(span));
+    if (means(meaning, Kind::code)) return read_named_code(in, span, meaning->which);
+    if (means(meaning, Kind::address)) return read_address(in, *meaning, span);
+    return read_assigned_variable(in, span, meaning);
+  }
+  const char letter = in.cursor.token().letter;
+  if (letter == in.syntax->call_letter) return read_call_by_name(in, span);
+  if (means(in.dialect->meaning({&letter, 1}), Kind::variable)) {
+    in.cursor.refuse(span, codes::kAssignment, "a variable stands here without a word or a value",
+                     fmt::format("set it as in {}1=3, or write the word that its value is for", letter));
+  }
+  in.out.add_literal(in.cursor.token(), span);
+}
+
+// word = letter , "=" , value
+void named_letter(BlockReading& in) {
+  const Span span = in.cursor.span();
+  const char letter = in.cursor.token().letter;
+  const NameMeaning* const meaning = in.dialect->meaning({&letter, 1});
+  if (means(meaning, Kind::variable)) return read_assigned_variable(in, span, meaning);
+  in.cursor.look(lex_named_item);
+  if (!in.cursor.is(TokenKind::equals)) in.cursor.refuse_token("a value");
+  in.cursor.pass();
+  read_assigned_word(in, letter, span);
+}
+
+void identifier(BlockReading& in) {
+  const Span span = in.cursor.span();
+  const NameMeaning* const meaning = in.dialect->meaning(in.out.at(span));
+  if (means(meaning, Kind::code)) return read_named_code(in, span, meaning->which);
+  if (means(meaning, Kind::keyword)) return read_named_statement(in, static_cast<FlowWord>(meaning->which));
+  if (means(meaning, Kind::address)) return read_address(in, *meaning, span);
+  const bool assigns = item_follows(in, TokenKind::equals) || item_follows(in, TokenKind::open);
+  if (!assigns && in.syntax->calls_by_name) return read_call_by_name(in, span);
+  read_assigned_variable(in, span, meaning);
+}
+
+// item = word | setting | code | comment | statement; false: it is the end of the block
+bool named_item(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  switch (cursor.token().kind) {
+    case TokenKind::word:
+      named_word(in);
+      return true;
+    case TokenKind::letter:
+      named_letter(in);
+      return true;
+    case TokenKind::identifier:
+      identifier(in);
+      return true;
+    case TokenKind::comment:
+      in.out.add_comment(cursor.span());
+      return true;
+    case TokenKind::parenthesis:
+      if (in.syntax->open == '(') break;
+      pass_comment(in);
+      return true;
+    case TokenKind::end:
+      if (!cursor.is_at_end_of_block()) break;
+      return false;
+    default:
+      break;
+  }
+  cursor.refuse_token("a word");
+}
+
+}  // namespace
+
+// DEF WORK ... END: the shape that the control draws.
+bool NamedGrammar::draws(const Block& block) {
+  std::string words;
+  for (const char c : block.text.substr(0, block.text.find('('))) {
+    if (!is_blank(c)) words += upper(c);
+  }
+  const bool within = drawing_;
+  drawing_ = within ? words != "END" : words == "DEFWORK";
+  return within || drawing_;
+}
+
+void NamedGrammar::read(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  const std::string_view text = in.out.block().text;
+  if (in.syntax->goes_on != '\0' && text.starts_with(in.syntax->goes_on)) return header(in);
+  check_goes_on(in);
+  if (in.syntax->draws && draws(in.out.block())) return in.out.set_kind(LineKind::ignored);
+  cursor.take(lex_named_item);
+  if (cursor.is(TokenKind::percent)) {
+    if (!in.syntax->archive_heads || cursor.next_byte() != '_') return read_percent(in);
+    const Span name{cursor.span().begin, static_cast<std::uint32_t>(text.size())};  // %_N_NAME_MPF
+    in.out.begin_flow(FlowWord::program, name).name = name;
+    return;
+  }
+  if (cursor.is(TokenKind::slash)) {
+    read_block_skip(in);
+    cursor.take(lex_named_item);
+  }
+  block_number(in);
+  if (program_name(in)) return;
+  block_label(in);
+  while (named_item(in) && in.out.flow().word == FlowWord::none) cursor.take(lex_named_item);
+}
+
+}  // namespace plumbline::nc

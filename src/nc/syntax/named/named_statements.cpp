@@ -1,0 +1,207 @@
+#include "nc/syntax/named/named_statements.hpp"
+
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/text/characters.hpp"
+#include "nc/language/codes.hpp"
+#include "nc/syntax/named/named_calls.hpp"
+#include "nc/syntax/named/named_values.hpp"
+#include "nc/syntax/named/named_words.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+// GOTOF, GOTOB; a label behind the condition itself may stand anywhere
+Direction direction_of(std::string_view keyword) {
+  if (keyword.empty()) return Direction::both;
+  const char last = upper(keyword.back());
+  return last == 'F' ? Direction::forward : last == 'B' ? Direction::backward : Direction::both;
+}
+
+Span jump_label(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  cursor.take(lex_named_item);
+  const bool sequence_names = in.syntax->labels == Labels::sequence_names;
+  const bool is_number = cursor.is_letter(TokenKind::word, 'N');
+  const bool is_name = cursor.is(TokenKind::identifier) && (!sequence_names || upper(*cursor.token().begin) == 'N');
+  if (!is_number && !is_name) {
+    cursor.refuse(in.out.flow().span, codes::kFlowControl, "the label to go on at is missing behind this",
+                  sequence_names ? "write it as in IF [VC1 GT 5] N100, or GOTO NEND"
+                                 : "write it as in GOTOF ENDE, or GOTOB N100");
+  }
+  return cursor.span();
+}
+
+bool goto_follows(BlockReading& in) {
+  const Token next = in.cursor.peek(lex_named_item);
+  if (next.kind != TokenKind::identifier) return false;
+  const NameMeaning* const meaning = in.dialect->meaning({next.begin, static_cast<std::size_t>(next.end - next.begin)});
+  if (meaning == nullptr || meaning->kind != NameMeaning::Kind::keyword) return false;
+  if (static_cast<FlowWord>(meaning->which) != FlowWord::go_to) return false;
+  in.cursor.accept(next);
+  return true;
+}
+
+// jump = [ "IF" , value ] , ( "GOTO" , label | label | ) ; without either it begins a branch
+void named_jump(BlockReading& in, bool conditional) {
+  Flow& flow = in.out.flow();
+  Span keyword = flow.span;
+  if (conditional) {
+    flow.values.push_back(read_named_value(in));
+    const bool jumps = goto_follows(in);
+    if (!jumps && in.syntax->branches) return;
+    keyword = jumps ? in.cursor.span() : Span{};
+  }
+  flow.word = FlowWord::go_to;
+  flow.direction = direction_of(in.out.at(keyword));
+  flow.name = jump_label(in);
+}
+
+// for = "FOR" , variable , "=" , value , "TO" , value
+void for_statement(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  cursor.take(lex_named_item);
+  const bool is_variable =
+      cursor.is(TokenKind::identifier) || cursor.is(TokenKind::word) || cursor.is(TokenKind::letter);
+  if (!is_variable) cursor.refuse_token("a variable");
+  const Span name = cursor.span();
+  read_assigned_variable(in, name, in.dialect->meaning(in.out.at(name)));
+  if (read_keyword(in) != "TO") {
+    cursor.refuse(in.out.flow().span, codes::kFlowControl, "TO is missing in this loop",
+                  "write it as in FOR R1=1 TO 10");
+  }
+  in.out.flow().values.push_back(read_named_value(in));
+}
+
+// choice = ( constant | "DEFAULT" ) , jump
+Choice choice(BlockReading& in, const Token& next) {
+  Choice choice;
+  if (next.kind == TokenKind::identifier && upper({next.begin, next.end}) == "DEFAULT") {
+    in.cursor.go_behind(next);
+  } else {
+    choice.value = read_named_value(in);
+  }
+  const std::string jump = read_keyword(in);
+  if (jump != "GOTO" && jump != "GOTOF" && jump != "GOTOB") {
+    in.cursor.refuse(in.out.flow().span, codes::kFlowControl, "a choice goes nowhere",
+                     "write GOTOF or GOTOB and a label behind each constant");
+  }
+  choice.direction = direction_of(jump);
+  choice.label = in.out.flow().name = jump_label(in);
+  return choice;
+}
+
+// case = "CASE" , value , "OF" , { choice }
+void case_statement(BlockReading& in) {
+  Flow& flow = in.out.flow();
+  flow.values.push_back(read_named_value(in));
+  if (read_keyword(in) != "OF") {
+    in.cursor.refuse(flow.span, codes::kFlowControl, "OF is missing in this choice",
+                     "write it as in CASE R1 OF 1 GOTOF ONE 2 GOTOF TWO DEFAULT GOTOF REST");
+  }
+  while (true) {
+    const Token next = in.cursor.peek(lex_named_item);
+    if (next.kind == TokenKind::end || next.kind == TokenKind::comment) return;
+    flow.choices.push_back(choice(in, next));
+  }
+}
+
+// repeat = "REPEAT" , [ label , [ label ] , [ "P" , [ "=" ] , count ] ] | "REPEATB" , label , [ "P" , ... ]
+void repeat_statement(BlockReading& in, bool block_alone) {
+  TokenCursor& cursor = in.cursor;
+  Flow& flow = in.out.flow();
+  Token next = cursor.peek(lex_named_item);
+  for (; next.kind == TokenKind::identifier; next = cursor.peek(lex_named_item)) {
+    flow.choices.push_back({.label = cursor.span_of(next)});
+    cursor.go_behind(next);
+  }
+  if (flow.choices.empty() && !block_alone) return;
+  if (flow.choices.empty() || flow.choices.size() > (block_alone ? 1U : 2U)) {
+    cursor.refuse(flow.span, codes::kFlowControl,
+                  "this repeats a part of the program, whose labels are missing or too many",
+                  "write it as in REPEAT BEGIN P=3, REPEAT BEGIN LAST P=3 or REPEATB HOLE P=3");
+  }
+  flow.word = block_alone ? FlowWord::repeat_line : FlowWord::repeat_section;
+  if (next.letter != 'P' || (next.kind != TokenKind::word && next.kind != TokenKind::letter)) return;
+  cursor.go_behind(next);
+  if (next.kind == TokenKind::word) {
+    flow.count = in.out.add_number(next.value, cursor.span_of(next));
+  } else {
+    expect_equals(in, cursor.span_of(next));
+    flow.count = read_named_value(in);
+  }
+}
+
+// definition = "DEF" , type , variable , [ "=" , value ] , { "," , variable , [ "=" , value ] }
+void define_statement(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  cursor.take(lex_named_item);
+  const VariableType type = variable_type(in, "variables");
+  do {
+    cursor.take(lex_named_item);
+    if (!cursor.is(TokenKind::identifier)) cursor.refuse_token("a name");
+    const Span name = cursor.span();
+    if (item_follows(in, TokenKind::equals)) {
+      read_assigned_variable(in, name, nullptr);
+      in.out.last_setting().type = type;
+    } else {
+      if (item_follows(in, TokenKind::open)) {
+        cursor.refuse(name, codes::kNotInterpreted, "fields are not interpreted",
+                      "write a variable for each of its elements");
+      }
+      in.out.declare(name, type);
+    }
+    cursor.take(lex_named_operation);
+  } while (cursor.is(TokenKind::comma));
+  cursor.go_before(cursor.token());
+}
+
+}  // namespace
+
+void read_named_statement(BlockReading& in, FlowWord word) {
+  Flow& flow = in.out.begin_flow(word, in.cursor.span());
+  if (!in.out.block().words.empty()) {
+    in.cursor.refuse(flow.span, codes::kFlowControl, fmt::format("{} stands behind other words", in.out.at(flow.span)),
+                     "put it into a block of its own");
+  }
+  switch (word) {
+    case FlowWord::begin_if:
+    case FlowWord::go_to:
+      named_jump(in, word == FlowWord::begin_if);
+      break;
+    case FlowWord::begin_while:
+    case FlowWord::until:
+      flow.values.push_back(read_named_value(in));
+      break;
+    case FlowWord::begin_for:
+      for_statement(in);
+      break;
+    case FlowWord::choose:
+      case_statement(in);
+      break;
+    case FlowWord::begin_repeat:
+    case FlowWord::repeat_line:
+      repeat_statement(in, word == FlowWord::repeat_line);
+      break;
+    case FlowWord::external_call:
+      read_external_call(in);
+      break;
+    case FlowWord::define:
+      define_statement(in);
+      break;
+    case FlowWord::sub:
+      read_subprogram_head(in);
+      break;
+    case FlowWord::call:
+      read_call_statement(in);
+      return;
+    default:
+      break;
+  }
+  end_of_statement(in);
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,257 @@
+#include "nc/syntax/named/named_values.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/text/characters.hpp"
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+void named_value(BlockReading& in);
+void named_term(BlockReading& in);
+
+bool is_logical(Operation operation) {
+  return operation == Operation::logical_and || operation == Operation::logical_or ||
+         operation == Operation::exclusive_or;
+}
+
+// The binding of operators: in the 840D relations bind weakest [PGA 1.8], else logic does.
+int named_precedence(Operation operation, const Syntax& syntax) {
+  switch (operation) {
+    case Operation::times:
+    case Operation::divide:
+    case Operation::modulo:
+    case Operation::remainder:
+    case Operation::whole_quotient:
+      return 8;
+    case Operation::plus:
+    case Operation::minus:
+      return 7;
+    case Operation::logical_and:
+      return 5;
+    case Operation::exclusive_or:
+      return 4;
+    case Operation::logical_or:
+      return 3;
+    default:
+      return syntax.relations_last ? 1 : 6;
+  }
+}
+
+std::string_view text_of(const Token& token) {
+  return {token.begin, static_cast<std::size_t>(token.end - token.begin)};
+}
+
+// The operator that token() is, be it written as a sign or as a name; nothing if it is none.
+std::optional<Operation> operator_at(const BlockReading& in) {
+  if (in.cursor.is(TokenKind::operation)) return in.cursor.operation();
+  if (!in.cursor.is(TokenKind::identifier)) return std::nullopt;
+  const NameMeaning* const meaning = in.dialect->meaning(text_of(in.cursor.token()));
+  if (meaning == nullptr || meaning->kind != NameMeaning::Kind::operation) return std::nullopt;
+  return static_cast<Operation>(meaning->which);
+}
+
+// Which of AND, OR and a comparison binds first is in no source of such a control: brackets must say it. `joined_by`:
+// the comparison or the logical operator of this bracket so far.
+void refuse_unknown_binding(const BlockReading& in, Operation operation, std::optional<Operation>& joined_by) {
+  const bool compares = operation >= Operation::equal && operation <= Operation::less_equal;
+  if (!in.syntax->truths_only || !(compares || is_logical(operation))) return;
+  if (joined_by && (compares || *joined_by != operation)) {
+    const Span span = in.cursor.span();
+    in.cursor.refuse(
+        span, codes::kNotInterpreted,
+        fmt::format("which binds first, {} or the operator before it, was found in no source", in.out.at(span)),
+        "write brackets around each condition, as in [[VC1 EQ 1] AND [VC2 EQ 2]]");
+  }
+  joined_by = operation;
+}
+
+// Precedence climbing; token() is the operation behind the value just read, and again on return.
+void named_operations(BlockReading& in, int least_precedence, std::optional<Operation>& joined_by) {
+  while (const std::optional<Operation> operation = operator_at(in)) {
+    const int precedence = named_precedence(*operation, *in.syntax);
+    if (precedence < least_precedence) return;
+    refuse_unknown_binding(in, *operation, joined_by);
+    const Span span = in.cursor.span();
+    in.cursor.pass();
+    named_term(in);
+    in.cursor.look(lex_named_operation);
+    named_operations(in, precedence + 1, joined_by);
+    if (in.syntax->truths_only && is_logical(*operation)) in.out.push(Operation::check_truths, span);
+    in.out.push(*operation, span);
+  }
+}
+
+TokenKind opening(const Syntax& syntax) { return syntax.open == '[' ? TokenKind::open : TokenKind::parenthesis; }
+TokenKind closing(const Syntax& syntax) {
+  return syntax.open == '[' ? TokenKind::close : TokenKind::closing_parenthesis;
+}
+
+void call_function(BlockReading& in, const NameMeaning& meaning, Span span) {
+  const auto operation = static_cast<Operation>(meaning.which);
+  if (meaning.arguments == 0) return in.out.push(operation, span, meaning.value);
+  if (operation == Operation::logical_not) {  // NOT takes what follows, with brackets or without
+    named_term(in);
+    return in.out.push(operation, span);
+  }
+  in.cursor.take(lex_named_value);
+  if (!in.cursor.is(opening(*in.syntax))) {
+    in.cursor.refuse(span, codes::kFunction, "a function needs its argument in brackets",
+                     fmt::format("write {} and its closing bracket around it", in.syntax->open));
+  }
+  for (int i = 1; i < meaning.arguments; ++i) add_named_value_until(in, TokenKind::comma);
+  add_named_value_until(in, closing(*in.syntax));
+  in.out.push(operation, span);
+}
+
+void named_identifier(BlockReading& in) {
+  const Span span = in.cursor.span();
+  const std::string_view name = in.out.at(span);
+  const NameMeaning* const meaning = in.dialect->meaning(name);
+  if (meaning != nullptr && meaning->kind == NameMeaning::Kind::function) return call_function(in, *meaning, span);
+  if (is_numbered_variable(in, name)) {
+    add_numbered_variable(in, span);
+    return in.out.push(Operation::parameter, span);
+  }
+  if (is_reserved(in, name)) refuse_reserved(in, span);
+  if (meaning != nullptr) in.cursor.refuse_token("a value");
+  if (item_follows(in, TokenKind::open) || item_follows(in, TokenKind::parenthesis)) {
+    in.cursor.refuse(span, codes::kNotInterpreted,
+                     fmt::format("{} is a field or a function that is not interpreted", name),
+                     "write its value itself");
+  }
+  in.out.push(Operation::name, span, 0, in.out.add_name(span));
+}
+
+// term = number | sign , term | bracketed value | variable | function
+void named_term(BlockReading& in) {
+  in.cursor.take(lex_named_value);
+  const Span span = in.cursor.span();
+  switch (in.cursor.token().kind) {
+    case TokenKind::number:
+      return in.out.push(Operation::number, span, in.cursor.token().value);
+    case TokenKind::sign: {
+      const bool negative = in.cursor.token().letter == '-';
+      refuse_second_sign(in);
+      named_term(in);
+      if (negative) in.out.push(Operation::negate, span);
+      return;
+    }
+    case TokenKind::open:
+    case TokenKind::parenthesis:
+      if (in.cursor.is(opening(*in.syntax))) return add_named_value_until(in, closing(*in.syntax));
+      break;
+    case TokenKind::identifier:
+      return named_identifier(in);
+    default:
+      break;
+  }
+  in.cursor.refuse_token("a value");
+}
+
+// value = term , { operation , term }; token() is what stands behind it
+void named_value(BlockReading& in) {
+  std::optional<Operation> joined_by;
+  named_term(in);
+  in.cursor.look(lex_named_operation);
+  named_operations(in, 0, joined_by);
+}
+
+}  // namespace
+
+bool item_follows(const BlockReading& in, TokenKind kind) { return in.cursor.peek(lex_named_item).kind == kind; }
+
+std::string read_keyword(BlockReading& in) {
+  in.cursor.take(lex_named_item);
+  return in.cursor.is(TokenKind::identifier) ? upper(text_of(in.cursor.token())) : std::string();
+}
+
+void expect_behind_value(BlockReading& in, TokenKind kind, std::string_view what) {
+  in.cursor.take(lex_named_operation);
+  if (in.cursor.is(kind)) return;
+  in.cursor.refuse(in.cursor.span(), codes::kBracketOpen, fmt::format("{} is missing here", what), "add it");
+}
+
+void expect_equals(BlockReading& in, Span name) {
+  in.cursor.take(lex_named_item);
+  if (in.cursor.is(TokenKind::equals)) return;
+  in.cursor.refuse(name, codes::kAssignment, fmt::format("{} stands here without a value", in.out.at(name)),
+                   "write = and its value behind it");
+}
+
+std::uint32_t read_named_value(BlockReading& in) {
+  const std::uint32_t begin = in.out.next_code();
+  named_value(in);
+  in.out.end_code();
+  return begin;
+}
+
+void add_named_value_until(BlockReading& in, TokenKind kind) {
+  const Span open = in.cursor.span();
+  named_value(in);
+  in.cursor.take(lex_named_operation);
+  if (in.cursor.is(kind)) return;
+  if (in.cursor.is(TokenKind::end)) {
+    in.cursor.refuse(open, codes::kBracketOpen, "the bracket is not closed", "add the one that closes it");
+  }
+  in.cursor.refuse(in.cursor.span(), codes::kOperator,
+                   fmt::format("{} is no operator", shown(*in.cursor.token().begin)),
+                   "between two values stands an operator, behind the last one the closing bracket");
+}
+
+namespace {
+
+// R of R12: the name without the digits at its end.
+std::string_view without_number(std::string_view name) {
+  while (!name.empty() && is_digit(name.back())) name.remove_suffix(1);
+  return name;
+}
+
+}  // namespace
+
+bool is_numbered_variable(const BlockReading& in, std::string_view name) {
+  const NameMeaning* const meaning = in.dialect->meaning(without_number(name));
+  return meaning != nullptr && meaning->kind == NameMeaning::Kind::variable;
+}
+
+void add_numbered_variable(BlockReading& in, Span span) {
+  const std::string_view name = in.out.at(span);
+  const std::string_view letters = without_number(name);
+  const NameMeaning* const meaning = in.dialect->meaning(letters);
+  const NumberedVariables& family = in.syntax->variables[static_cast<std::size_t>(meaning->which)];
+  if (letters.size() == name.size()) {
+    in.cursor.take(lex_named_item);
+    if (!in.cursor.is(TokenKind::open)) {
+      in.cursor.refuse(span, codes::kAssignment, fmt::format("{} stands here without a number", name),
+                       fmt::format("write it as in {}{}", family.name, family.first));
+    }
+    add_named_value_until(in, TokenKind::close);
+    in.out.push(Operation::number, span, family.at - family.first);
+    in.out.push(Operation::plus, span);
+    return;
+  }
+  double number = 0;
+  for (const char c : name.substr(letters.size())) number = std::min(number * 10 + (c - '0'), 1e6);
+  if (number < family.first || number > family.last) {
+    in.cursor.refuse(span, codes::kParameterNumber, fmt::format("there is no variable {}", name),
+                     fmt::format("they have the numbers {} to {}", family.first, family.last));
+  }
+  in.out.push(Operation::number, span, number - family.first + family.at);
+}
+
+bool is_reserved(const BlockReading& in, std::string_view name) {
+  return !in.syntax->reserved.empty() && upper(name.front()) == in.syntax->reserved.front();
+}
+
+void refuse_reserved(const BlockReading& in, Span span) {
+  in.cursor.refuse(
+      span, codes::kNotInterpreted,
+      fmt::format("{} is a variable of the control itself, which is not interpreted", in.out.at(span)),
+      "it reads or sets what only this machine has: tables, counters, screens; write the values themselves");
+}
+
+}  // namespace plumbline::nc

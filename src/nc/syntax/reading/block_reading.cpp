@@ -1,0 +1,64 @@
+#include "nc/syntax/reading/block_reading.hpp"
+
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+
+void pass_comment(BlockReading& in) {
+  const Span open = in.cursor.span();
+  const std::string_view text = in.out.block().text;
+  const std::size_t close = text.find_first_of(")\n", open.begin);
+  if (close == std::string_view::npos || text[close] == '\n') {
+    in.cursor.refuse(open, codes::kCommentOpen, "the comment ( is not closed", "add the missing )");
+  }
+  in.out.add_any_comment({open.begin, static_cast<std::uint32_t>(close + 1)});
+  in.cursor.go_to(close + 1);
+}
+
+void end_of_statement(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  const auto lex = in.syntax->names ? lex_named_item : lex_item;
+  const bool in_brackets = in.syntax->open != '(';  // else RET("LABEL") is no comment
+  for (cursor.take(lex);; cursor.take(lex)) {
+    if (cursor.is(TokenKind::comment)) {
+      in.out.add_comment(cursor.span());
+    } else if (in_brackets && cursor.is(TokenKind::parenthesis)) {
+      pass_comment(in);
+    } else {
+      break;
+    }
+  }
+  if (cursor.is_at_end_of_block()) return;
+  cursor.refuse(cursor.span(), codes::kFlowControl, "nothing but a comment stands behind this",
+                "write words into a block of their own");
+}
+
+void read_percent(BlockReading& in) {
+  in.out.set_kind(LineKind::percent);
+  in.cursor.take(lex_item);
+  if (in.cursor.is(TokenKind::end) || in.syntax->percent_text) return;
+  in.cursor.refuse(in.cursor.span(), codes::kPercentText, "text behind %",
+                   "leave % alone on its line; the control refuses anything else there");
+}
+
+// X--5
+void refuse_second_sign(const BlockReading& in) {
+  if (!in.syntax->one_sign) return;
+  const std::string_view text = in.out.block().text;
+  const std::size_t next = text.find_first_not_of(" \t\r", in.cursor.here());
+  if (next == std::string_view::npos || (text[next] != '-' && text[next] != '+')) return;
+  const auto begin = static_cast<std::uint32_t>(next);
+  in.cursor.refuse({begin, begin + 1}, codes::kBadNumber, "two signs in a row", "leave one of them");
+}
+
+// block skip = "/" , [ digits ]: the numbers are switches of the control, which here are one
+void read_block_skip(BlockReading& in) {
+  Span slash = in.cursor.span();
+  if (in.syntax->skip_switches) {
+    in.cursor.pass_digits();
+    slash.end = in.cursor.here();
+  }
+  in.out.set_slash(slash);
+}
+
+}  // namespace plumbline::nc

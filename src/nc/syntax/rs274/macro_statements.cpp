@@ -1,0 +1,116 @@
+#include "nc/syntax/rs274/macro_statements.hpp"
+
+#include <fmt/format.h>
+
+#include "base/text/characters.hpp"
+#include "nc/language/codes.hpp"
+#include "nc/syntax/rs274/rs274_values.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+// Bytes that the name of a program takes from `begin` on: <PART-1>, where O1234 may stand, or :1234, as ISO tapes have
+// it. 0: none.
+std::size_t size_of_program_name(std::string_view text, std::size_t begin) {
+  if (text[begin] == '<') {
+    const std::size_t close = text.find('>', begin);
+    return close == std::string_view::npos ? 0 : close + 1 - begin;
+  }
+  std::size_t end = begin + 1;
+  while (end < text.size() && is_digit(text[end])) ++end;
+  return text[begin] == ':' && end > begin + 1 ? end - begin : 0;
+}
+
+bool read_name_of_program(BlockReading& in) {
+  const std::uint32_t begin = in.cursor.span().begin;
+  const std::size_t size = size_of_program_name(in.out.block().text, begin);
+  if (size == 0) return false;
+  const auto end = begin + static_cast<std::uint32_t>(size);
+  in.out.begin_flow(FlowWord::program, {begin, end});
+  in.cursor.go_to(end);
+  end_of_statement(in);
+  return true;
+}
+
+// POPEN, DPRNT[..], PCLOS: what the program sends to somebody else.
+void refuse_output(const BlockReading& in) {
+  const std::uint32_t begin = in.cursor.span().begin;
+  const std::string_view rest = in.out.block().text.substr(begin);
+  for (const std::string_view command : {"POPEN", "PCLOS", "DPRNT", "BPRNT"}) {
+    if (upper(rest.substr(0, command.size())) != command) continue;
+    in.cursor.refuse({begin, begin + static_cast<std::uint32_t>(command.size())}, codes::kNotInterpreted,
+                     fmt::format("{} sends values out of the control, which is not interpreted", command),
+                     "leave it out, or send the values from a program that does not move");
+  }
+}
+
+bool keyword_follows(BlockReading& in, FlowWord wanted) {
+  const Token keyword = in.cursor.peek(lex_statement);
+  if (keyword.kind != TokenKind::flow || static_cast<FlowWord>(keyword.operation) != wanted) return false;
+  in.cursor.accept(keyword);
+  return true;
+}
+
+void condition(BlockReading& in) {
+  in.cursor.take(lex_value);
+  if (!in.cursor.is(TokenKind::open)) {
+    in.cursor.refuse(in.out.flow().span, codes::kFlowControl, "a condition in brackets is missing behind this",
+                     "write it as in IF [#1 GT 5] GOTO 100");
+  }
+  in.out.flow().values.push_back(read_brackets(in));
+}
+
+MacroLine statement(BlockReading& in, FlowWord word) {
+  Flow& flow = in.out.flow();
+  if (word == FlowWord::begin_if) {
+    condition(in);
+    if (keyword_follows(in, FlowWord::if_then)) {
+      flow.word = FlowWord::if_then;
+      in.cursor.take(lex_item);
+      return MacroLine::assignments;
+    }
+    if (!keyword_follows(in, FlowWord::go_to)) {
+      in.cursor.refuse(flow.span, codes::kFlowControl, "GOTO or THEN is missing behind this condition",
+                       "write it as in IF [#1 GT 5] GOTO 100");
+    }
+    flow.word = FlowWord::go_to;
+  } else if (word == FlowWord::begin_while) {
+    condition(in);
+    if (!keyword_follows(in, FlowWord::begin_do)) {
+      in.cursor.refuse(flow.span, codes::kFlowControl, "DO is missing behind this condition",
+                       "write it as in WHILE [#1 LT 5] DO 1");
+    }
+  }
+  flow.label = read_value(in);
+  flow.span.end = in.cursor.here();
+  end_of_statement(in);
+  return MacroLine::whole;
+}
+
+}  // namespace
+
+// statement = "IF" , expression , ( "GOTO" , value | "THEN" , { setting } ) | "WHILE" , expression , "DO" , value
+//           | "DO" , value | "END" , value | "GOTO" , value
+MacroLine read_macro_statement(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  if (!cursor.is(TokenKind::end) && read_name_of_program(in)) return MacroLine::whole;
+  if (!cursor.is(TokenKind::letter) || cursor.token().letter == 'O') return MacroLine::words;
+  refuse_output(in);
+  Token keyword;
+  lex_statement(cursor.token().begin, keyword);
+  if (keyword.kind != TokenKind::flow) return MacroLine::words;
+  const auto word = static_cast<FlowWord>(keyword.operation);
+  in.out.begin_flow(word, cursor.span_of(keyword));
+  if (word == FlowWord::if_then) cursor.refuse_token("a word");
+  cursor.go_behind(keyword);
+  return statement(in, word);
+}
+
+void check_assignments_alone(const BlockReading& in) {
+  const std::vector<Word>& words = in.out.block().words;
+  if (words.empty()) return;
+  in.cursor.refuse(words.front().span, codes::kFlowControl, "THEN takes nothing but an assignment",
+                   "write IF [..] GOTO, and the words into blocks of their own");
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,103 @@
+#include "nc/syntax/rs274/rs274_grammar.hpp"
+
+#include "nc/language/codes.hpp"
+#include "nc/syntax/rs274/macro_statements.hpp"
+#include "nc/syntax/rs274/o_words.hpp"
+#include "nc/syntax/rs274/rs274_values.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+void line_number(BlockReading& in) {
+  const Token& token = in.cursor.token();
+  const Span span = in.cursor.span();
+  in.out.set_number(span);
+  if (token.kind == TokenKind::letter || token.begin[1] == '-' || token.begin[1] == '+') {
+    in.cursor.refuse(span, codes::kLineNumber, "N without a line number", "write digits behind the N, or leave it out");
+  }
+}
+
+// word = letter , real value
+void word(BlockReading& in) {
+  const Span span = in.cursor.span();
+  const char letter = in.cursor.token().letter;
+  in.out.see(letter, span);
+  const std::uint32_t code = read_value(in);
+  in.out.add({letter, 0, code, {span.begin, in.cursor.here()}, 0, false, false, false, WordMode::modal});
+}
+
+// setting = "#" , ( name | real value ) , "=" , real value
+void setting(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  Setting setting;
+  setting.span = cursor.span();
+  cursor.look(lex_value);
+  if (cursor.is(TokenKind::name)) {
+    cursor.pass();
+    setting.name = read_name(in);
+  } else {
+    setting.target = read_value(in);
+  }
+  setting.span.end = cursor.here();
+  cursor.take(lex_item);
+  if (!cursor.is(TokenKind::equals)) {
+    cursor.refuse(setting.span, codes::kAssignment, "a parameter stands here without a word or a value",
+                  "set it as in #5 = 3, or write the letter that its value is for");
+  }
+  setting.value = in.syntax->open_assignment ? read_open_value(in) : read_value(in);
+  setting.whole = {setting.span.begin, cursor.here()};
+  in.out.add_setting(setting);
+}
+
+// items = { word | setting | comment }; token() is the first
+void items(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  for (;; cursor.take(lex_item)) {
+    switch (cursor.token().kind) {
+      case TokenKind::word:
+        in.out.add_literal(cursor.token(), cursor.span());
+        break;
+      case TokenKind::letter:
+        word(in);
+        break;
+      case TokenKind::comment:
+        in.out.add_comment(cursor.span());
+        break;
+      case TokenKind::hash:
+        setting(in);
+        break;
+      case TokenKind::end:
+        if (!cursor.is_at_end_of_block()) cursor.refuse_token("a word");
+        return;
+      default:
+        cursor.refuse_token("a word");
+    }
+  }
+}
+
+}  // namespace
+
+void read_rs274_block(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  const auto begins_with = [&](char letter) {
+    return cursor.token().letter == letter && (cursor.is(TokenKind::word) || cursor.is(TokenKind::letter));
+  };
+  cursor.take(lex_item);
+  if (cursor.is(TokenKind::percent)) return read_percent(in);
+  if (cursor.is(TokenKind::slash)) {
+    read_block_skip(in);
+    cursor.take(lex_item);
+  }
+  if (begins_with('N')) {
+    line_number(in);
+    cursor.take(lex_item);
+  }
+  const bool macro_b = in.syntax->statements == Statements::macro_b;
+  const MacroLine line = macro_b ? read_macro_statement(in) : MacroLine::words;
+  if (line == MacroLine::whole) return;
+  if (line == MacroLine::words && begins_with('O')) return read_o_word(in);
+  items(in);
+  if (line == MacroLine::assignments) check_assignments_alone(in);
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,267 @@
+#include "nc/syntax/rs274/rs274_values.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/text/characters.hpp"
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+void real_value(BlockReading& in);
+
+// Binary operators bind in this order, each from the left [RS274/NGC 3.3.2.3; LinuxCNC: relations and logic below].
+int precedence(Operation operation) {
+  switch (operation) {
+    case Operation::power:
+      return 5;
+    case Operation::times:
+    case Operation::divide:
+    case Operation::modulo:
+    case Operation::remainder:
+    case Operation::bit_and:  // as multiplication, and the others as addition [B-63174EN 13.3]
+      return 4;
+    case Operation::plus:
+    case Operation::minus:
+    case Operation::bit_or:
+    case Operation::bit_exclusive_or:
+      return 3;
+    case Operation::logical_and:
+    case Operation::logical_or:
+    case Operation::exclusive_or:
+      return 1;
+    default:
+      return 2;
+  }
+}
+
+bool is_relation(Operation operation) { return operation >= Operation::equal && operation <= Operation::less_equal; }
+
+Operation of_bits(Operation operation) {
+  if (operation == Operation::logical_and) return Operation::bit_and;
+  if (operation == Operation::logical_or) return Operation::bit_or;
+  return operation == Operation::exclusive_or ? Operation::bit_exclusive_or : operation;
+}
+
+// Precedence climbing; token() is the operation behind the value just read, and again on return. `compared`: this
+// bracket has compared already.
+void operations(BlockReading& in, int least_precedence, bool& compared) {
+  TokenCursor& cursor = in.cursor;
+  while (cursor.is(TokenKind::operation)) {
+    Operation operation = cursor.operation();
+    if (in.syntax->bitwise) operation = of_bits(operation);
+    if (precedence(operation) < least_precedence) return;
+    if (in.syntax->bitwise && is_relation(operation)) {
+      if (compared) {
+        cursor.refuse(cursor.span(), codes::kOperator, "a second comparison without brackets around each",
+                      "write it as in [[#1 EQ 1] AND [#2 EQ 2]]");
+      }
+      compared = true;
+    }
+    if (operation == Operation::modulo && in.syntax->rounds_to_zero) operation = Operation::remainder;
+    const Span span = cursor.span();
+    cursor.pass();
+    real_value(in);
+    cursor.look(lex_operation);
+    operations(in, precedence(operation) + 1, compared);
+    in.out.push(operation, span);
+  }
+}
+
+// value = real value , { operation , real value }; token() is what stands behind it
+void open_value(BlockReading& in) {
+  bool compared = false;
+  real_value(in);
+  in.cursor.look(lex_operation);
+  operations(in, 1, compared);
+}
+
+[[noreturn]] void refuse_open_bracket(const BlockReading& in, Span open) {
+  in.cursor.refuse(open, codes::kBracketOpen, "the bracket [ is not closed", "add the missing ]");
+}
+
+// expression = "[" , real value , { operation , real value } , "]"; token() is the [
+void expression(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  const Span open = cursor.span();
+  open_value(in);
+  if (cursor.is(TokenKind::end)) refuse_open_bracket(in, open);
+  if (!cursor.is(TokenKind::close)) {
+    cursor.refuse(
+        cursor.span(), codes::kOperator, fmt::format("{} is no operator", shown(*cursor.token().begin)),
+        "between two values stands one of ** * / MOD + - EQ NE GT GE LT LE AND OR XOR, behind the last one ]");
+  }
+  cursor.pass();
+}
+
+void signed_value(BlockReading& in) {
+  const bool negative = in.cursor.token().letter == '-';
+  const Span span = in.cursor.span();
+  refuse_second_sign(in);
+  real_value(in);
+  if (negative) in.out.push(Operation::negate, span);
+}
+
+// parameter = "#" , ( name | real value )
+void parameter(BlockReading& in) {
+  Span span = in.cursor.span();
+  in.cursor.look(lex_value);
+  if (in.cursor.is(TokenKind::name)) {
+    in.cursor.pass();
+    const std::uint32_t name = read_name(in);
+    span.end = in.cursor.here();
+    return in.out.push(Operation::name, span, 0, name);
+  }
+  real_value(in);
+  span.end = in.cursor.here();
+  in.out.push(Operation::parameter, span);
+}
+
+void bracketed_argument(BlockReading& in, Span function, std::string_view help) {
+  in.cursor.take(lex_value);
+  if (!in.cursor.is(TokenKind::open)) {
+    in.cursor.refuse(function, codes::kFunction, "a function needs its argument in brackets", std::string(help));
+  }
+  expression(in);
+}
+
+// ATAN[y]/[x]
+void arc_tangent(BlockReading& in, Span span) {
+  constexpr std::string_view kHelp = "write ATAN[y]/[x]";
+  bracketed_argument(in, span, kHelp);
+  in.cursor.look(lex_operation);
+  if (!in.cursor.is(TokenKind::operation) || in.cursor.operation() != Operation::divide) {
+    in.cursor.refuse(span, codes::kFunction, "ATAN needs two arguments", std::string(kHelp));
+  }
+  in.cursor.pass();
+  bracketed_argument(in, span, kHelp);
+  in.out.push(Operation::arc_tangent, span);
+}
+
+// ATAN[y]/[x], ATAN[y,x] or ATAN[y], of a full turn
+void macro_arc_tangent(BlockReading& in, Span span) {
+  TokenCursor& cursor = in.cursor;
+  cursor.take(lex_value);
+  if (!cursor.is(TokenKind::open)) {
+    cursor.refuse(span, codes::kFunction, "a function needs its argument in brackets", "write ATAN[y]/[x]");
+  }
+  const Span open = cursor.span();
+  open_value(in);
+  if (cursor.is(TokenKind::bad) && *cursor.token().begin == ',') {
+    cursor.pass();
+    open_value(in);
+    if (!cursor.is(TokenKind::close)) refuse_open_bracket(in, open);
+    cursor.pass();
+    return in.out.push(Operation::arc_tangent_turn, span);
+  }
+  if (!cursor.is(TokenKind::close)) refuse_open_bracket(in, open);
+  cursor.pass();
+  cursor.look(lex_operation);
+  if (!cursor.is(TokenKind::operation) || cursor.operation() != Operation::divide) {
+    return in.out.push(Operation::arc_tangent_of_one, span);
+  }
+  Token next;
+  lex_value(cursor.token().end, next);
+  if (next.kind != TokenKind::open) return in.out.push(Operation::arc_tangent_of_one, span);
+  cursor.accept(next);
+  expression(in);
+  in.out.push(Operation::arc_tangent_turn, span);
+}
+
+// function = "ATAN" , expression , "/" , expression | function name , expression
+void function(BlockReading& in) {
+  Operation operation = in.cursor.operation();
+  const Span span = in.cursor.span();
+  if (operation == Operation::arc_tangent) {
+    return in.syntax->full_turn ? macro_arc_tangent(in, span) : arc_tangent(in, span);
+  }
+  if (in.syntax->rounds_to_zero && operation == Operation::round_down) operation = Operation::truncate;
+  if (in.syntax->rounds_to_zero && operation == Operation::round_up) operation = Operation::round_away;
+  bracketed_argument(in, span, "write it as in SIN[30]");
+  in.out.push(operation, span);
+}
+
+// exists = "EXISTS" , "[" , "#" , ( name | real value ) , "]"
+void exists(BlockReading& in) {
+  const Span span = in.cursor.span();
+  const auto expect = [&](Lexer lex, TokenKind kind) {
+    in.cursor.take(lex);
+    if (in.cursor.is(kind)) return;
+    in.cursor.refuse(span, codes::kFunction, "EXISTS asks for a parameter", "write EXISTS[#<name>] or EXISTS[#5]");
+  };
+  expect(lex_value, TokenKind::open);
+  expect(lex_value, TokenKind::hash);
+  if (in.cursor.peek(lex_value).kind != TokenKind::name && in.syntax->exists_numbers) {
+    real_value(in);
+    expect(lex_operation, TokenKind::close);
+    return in.out.push(Operation::exists_number, span);
+  }
+  expect(lex_value, TokenKind::name);
+  const std::uint32_t name = read_name(in);
+  expect(lex_operation, TokenKind::close);
+  in.out.push(Operation::exists, span, 0, name);
+}
+
+// real value = number | "[" expression "]" | parameter | sign , real value | function
+void real_value(BlockReading& in) {
+  in.cursor.take(lex_value);
+  switch (in.cursor.token().kind) {
+    case TokenKind::number:
+      return in.out.push(Operation::number, in.cursor.span(), in.cursor.token().value);
+    case TokenKind::open:
+      return expression(in);
+    case TokenKind::hash:
+      return parameter(in);
+    case TokenKind::sign:
+      return signed_value(in);
+    case TokenKind::function:
+      return function(in);
+    case TokenKind::exists:
+      return exists(in);
+    default:
+      in.cursor.refuse_token("a value");
+  }
+}
+
+}  // namespace
+
+std::uint32_t read_value(BlockReading& in) {
+  const std::uint32_t begin = in.out.next_code();
+  real_value(in);
+  in.out.end_code();
+  return begin;
+}
+
+std::uint32_t read_open_value(BlockReading& in) {
+  const std::uint32_t begin = in.out.next_code();
+  open_value(in);
+  in.out.end_code();
+  return begin;
+}
+
+std::uint32_t read_brackets(BlockReading& in) {
+  const std::uint32_t begin = in.out.next_code();
+  expression(in);
+  in.out.end_code();
+  return begin;
+}
+
+// name = "<" , { character } , ">"
+std::uint32_t read_name(BlockReading& in) {
+  const Span whole = in.cursor.span();
+  const Span inside{whole.begin + 1, whole.end - 1};
+  const std::string_view text = in.out.at(inside);
+  if (std::all_of(text.begin(), text.end(), [](char c) { return is_blank(c); })) {
+    in.cursor.refuse(whole, codes::kName, "a parameter without a name", "write a name between < and >");
+  }
+  for (const char c : text) {
+    if (static_cast<unsigned char>(c) < 0x80 && c != '(' && c != ';') continue;
+    in.cursor.refuse(whole, codes::kName, fmt::format("{} in the name of a parameter", shown(c)),
+                     "name parameters with ASCII letters, digits and _");
+  }
+  return in.out.add_name(inside);
+}
+
+}  // namespace plumbline::nc

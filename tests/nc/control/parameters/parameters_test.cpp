@@ -1,0 +1,24 @@
+#include "nc/control/parameters/parameters.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace plumbline::nc;
+
+TEST_CASE("numbered parameters are unset until somebody sets them") {
+  Parameters parameters;
+  CHECK_FALSE(parameters.has(31));
+  parameters.set(31, {2.5, true});
+  CHECK(parameters.has(31));
+  CHECK(parameters.get(31).number == 2.5);
+  parameters.set(kLastParameter, {1, false});
+  CHECK_FALSE(parameters.get(kLastParameter).known);
+}
+
+TEST_CASE("names do not depend on case and blanks") {
+  Parameters parameters;
+  CHECK(parameters.find("depth") == nullptr);
+  parameters.set("Depth Of Cut", {3, true});
+  REQUIRE(parameters.find("depthofcut") != nullptr);
+  parameters.set("DEPTHOFCUT", {4, true});
+  CHECK(parameters.find("d e p t h o f c u t")->number == 4);
+}
