@@ -60,15 +60,20 @@ struct Execution {
   int whole(const Word& word, int least, int most) const;
   /// The code of the block's motion, or its first word where the mode in force goes on.
   const Word& motion_code() const;
+  /// The word as it is written.
+  std::string_view text_of(const Word& word) const { return block->at(word.span); }
   /// The row of the block's code that does this; null if it has none.
   const CodeRow* chosen_row(Action action) const;
   /// The word of that letter; refuses when it is missing.
   const Word& need(char letter, std::string_view code_text) const;
 };
 
-// How the block is read: resolve_codes.cpp
-/// Finds the rows of all codes, their order, the motion; refuses what does not go together.
+// How the block is read.
+/// Finds the rows of all codes, their order, the motion; refuses what does not go together: resolve_codes.cpp
 void resolve_codes(Execution& run);
+/// Finds its words and the rows of its codes, as they stand in the block; refuses words that stand for nothing, and two
+/// codes of a group: gather_codes.cpp
+void gather_codes(Execution& run);
 /// The motion in force behind G80: the G0 from before the cycle, where the dialect has it so; null: none.
 const CodeRow* row_behind_cycle(const Execution& run);
 /// Refuses what stands beside a code that stands alone in its block: alone.cpp

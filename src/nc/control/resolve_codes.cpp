@@ -1,28 +1,20 @@
-// Which codes a block holds, whether they go together, and in which order they act.
+// Which motion a block makes, whether all of its words are used, and in which order its codes act.
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/check.hpp"
 #include "base/text/characters.hpp"
 #include "nc/control/execution.hpp"
-#include "nc/control/parameters/expression.hpp"
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {
 namespace {
 
-constexpr double kCodeTolerance = 1e-3;  // of ten times a G code [LinuxCNC, measured]
-constexpr int kUserGroup = 63;
-constexpr std::uint32_t kUninterpretedLetters = letter_bit('U') | letter_bit('V') | letter_bit('W');
 constexpr std::uint32_t kAxisLetters =
     letter_bit('X') | letter_bit('Y') | letter_bit('Z') | letter_bit('A') | letter_bit('B') | letter_bit('C');
-constexpr double kLargestValue = 1e9;  // so that sums of them can be written with all that a double holds of them
 constexpr std::uint32_t kFreeLetters = letter_bit('F') | letter_bit('S') | letter_bit('T');  // need no code
 constexpr std::uint32_t kCentreBits = letter_bit('I') | letter_bit('J') | letter_bit('K');
-
-std::string text_of(const Execution& run, const Word& word) { return std::string(run.block->at(word.span)); }
 
 bool is_arc(const CodeRow* row) {
   return row != nullptr &&
@@ -33,105 +25,6 @@ bool is_tool_length(Action action) {
   return action == Action::tool_length_by_words || action == Action::tool_length_added;
 }
 
-[[noreturn]] void refuse_row(const Execution& run, const CodeRow& row, const Word& word) {
-  run.refuse(word, codes::kNotInterpreted, fmt::format("{} {}", text_of(run, word), row.why),
-             "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system");
-}
-
-const CodeRow* g_row(const Execution& run, const Word& word) {
-  const double times_ten = word.value * 10;
-  const double whole = std::round(times_ten);
-  const CodeRow* row = nullptr;
-  if (std::abs(times_ten - whole) < kCodeTolerance && whole >= 0 && whole < 1e4) {
-    row = run.dialect.g_code(static_cast<int>(whole));
-  }
-  if (row == nullptr) {
-    run.refuse(word, codes::kUnknownCode, fmt::format("{} is no G code of this control", text_of(run, word)),
-               "look for a slip, or choose another dialect");
-  }
-  if (row->action == Action::compensation_on) {
-    run.refuse(word, codes::kNotInterpreted,
-               fmt::format("{} lets the control offset the path by the tool's radius", text_of(run, word)),
-               "let the CAM system write the path of the tool's centre: an offset at the control would turn the "
-               "corrections of the path into others");
-  }
-  if (row->action == Action::refused) refuse_row(run, *row, word);
-  return row;
-}
-
-const CodeRow* m_row(const Execution& run, const Word& word) {
-  const int code = whole_number(*run.block, word.span, word.value, "an M code");
-  const CodeRow* row = code < 0 || code > 1000 ? nullptr : run.dialect.m_code(code * 10);
-  if (row != nullptr && row->action != Action::refused) return row;
-  if (row != nullptr && !run.settings.passed_m_codes.contains(code)) refuse_row(run, *row, word);
-  const bool users = code >= run.dialect.first_user_m_code;
-  if (run.settings.passed_m_codes.contains(code) || (users && run.settings.as_with_empty_tables)) {
-    return &run.dialect.user_row;
-  }
-  if (!users) {
-    run.refuse(
-        word, codes::kUnknownCode, fmt::format("{} is no M code of this control", text_of(run, word)),
-        fmt::format("look for a slip; a code that the control's builder added goes through with --pass M{}", code));
-  }
-  run.refuse(
-      word, codes::kUserCode, fmt::format("M{} is a code of the machine's builder", code),
-      fmt::format("it may change kinematics, offsets or position; if it changes none of them: --pass M{}", code));
-}
-
-void choose(Execution& run, const CodeRow* row, const Word& word) { run.chosen.push_back({row, &word}); }
-
-bool is_of_group(const Chosen& code) {
-  return code.word->letter == 'G' && code.row->group != 0 && code.row->action != Action::motion_off;
-}
-
-// Where the control takes the last one of a group, those before it are as if not written.
-void keep_last_of_groups(Execution& run) {
-  std::vector<Chosen>& chosen = run.chosen;
-  std::size_t kept = 0;
-  for (auto code = chosen.begin(); code != chosen.end(); ++code) {
-    const auto replaces = [&](const Chosen& next) { return is_of_group(next) && next.row->group == code->row->group; };
-    if (is_of_group(*code) && std::any_of(code + 1, chosen.end(), replaces)) continue;
-    chosen[kept++] = *code;
-  }
-  chosen.resize(kept);
-}
-
-// Two codes of one modal group cannot both act.
-void check_groups(Execution& run) {
-  if (run.dialect.behaviour.last_of_group) {
-    check_cycle_beside_motion(run);
-    return keep_last_of_groups(run);
-  }
-  std::uint64_t seen_g = 0;
-  std::uint64_t seen_m = 0;
-  for (const Chosen& chosen : run.chosen) {
-    if (!is_code(*chosen.word)) continue;
-    if (chosen.row->group < 0 || chosen.row->action == Action::motion_off)
-      continue;  // gives way to another motion [LinuxCNC, measured]
-    const int group = chosen.row == &run.dialect.user_row ? kUserGroup : chosen.row->group;
-    std::uint64_t& seen = chosen.word->letter == 'M' ? seen_m : seen_g;
-    if ((seen >> static_cast<unsigned>(group) & 1U) != 0) {
-      run.refuse(
-          *chosen.word, codes::kSameGroup,
-          fmt::format("{} contradicts another code of its modal group in this block", text_of(run, *chosen.word)),
-          "put them into blocks of their own");
-    }
-    seen |= std::uint64_t{1} << static_cast<unsigned>(group);
-  }
-}
-
-// @ and ^ stand for X and Y.
-void plan_polar(Execution& run) {
-  const AxisSet plane{Axis::X, Axis::Y};
-  for (const Axis axis : {Axis::X, Axis::Y}) {
-    if (!run.axes.contains(axis)) continue;
-    run.refuse(*run.words.find(axis), codes::kAxesTwice, "the end is given by @ and ^ as well",
-               "give either X and Y or radius and angle");
-  }
-  run.axes = run.axes | plane;
-  run.step.end_words = EndWords::polar;
-}
-
 const Word& polar_word(const Execution& run) {
   const Word* const radius = run.words.find('@');
   const Word* const word = radius != nullptr ? radius : run.words.find('^');
@@ -139,108 +32,13 @@ const Word& polar_word(const Execution& run) {
   return *word;
 }
 
-// F and S of a dwell are its time, not a feed and a speed; G131 has an F of its own.
-void take_words_of_dwell(Execution& run) {
-  const auto dwell = std::find_if(run.chosen.begin(), run.chosen.end(), [](const Chosen& chosen) {
-    return chosen.row->action == Action::dwell || chosen.row->action == Action::no_motion;
-  });
-  if (dwell == run.chosen.end()) return;
-  const std::uint32_t taken = dwell->row->word_mask;
-  std::erase_if(run.chosen, [&](const Chosen& chosen) {
-    return (chosen.word->letter == 'F' || chosen.word->letter == 'S') && (letter_bit(chosen.word->letter) & taken) != 0;
-  });
-}
-
-void refuse_twice(const Execution& run, const Word& word) {
-  run.refuse(word, codes::kWordTwice, fmt::format("two {} words in one block", word.letter), "leave one of them");
-}
-
-// Only an axis that turns without end has a shorter or a positive way round; G90 counts within its turn then (setting).
-void take_word_mode(Execution& run, const Word& word) {
-  run.has_word_modes = true;
-  const std::optional<Axis> axis = axis_of(word.letter);
-  if (word.mode == WordMode::absolute || word.mode == WordMode::incremental || !axis || !is_rotary(*axis)) return;
-  RotaryRule& rule = run.control.modal.rotary[index(*axis) - 3];
-  if (rule == RotaryRule::linear) rule = RotaryRule::one_turn;
-}
-
-[[noreturn]] void refuse_large(const Execution& run, const Word& word) {
-  run.refuse(word, codes::kOutOfRange, fmt::format("{} is worth {:.6g}", word.letter, word.value),
-             fmt::format("look for a slip or a missing point; words may be worth up to {:.0e}", kLargestValue));
-}
-
-// G74 X1=0: a move of struts and carriages to marks of their own.
-void check_machine_axis(const Execution& run, const Word& word) {
-  const bool taken = std::any_of(run.chosen.begin(), run.chosen.end(),
-                                 [](const Chosen& chosen) { return chosen.row->action == Action::lose_position; });
-  if (taken) return;
-  run.refuse(word, codes::kNotInterpreted, fmt::format("{} moves an axis of the machine itself", text_of(run, word)),
-             "write X, Y and Z; axes of the machine stand in a block with G74 or G75");
-}
-
 // Spindle 0 is the only one that is followed here; -1 is all of them.
 void check_spindle(const Execution& run, const Word& word) {
   const bool moves = run.motion != nullptr && run.motion->takes_axes;
   if (word.value == 0 || (word.value == -1 && !moves)) return;
   run.refuse(word, codes::kNotInterpreted,
-             fmt::format("{} is a spindle that is not interpreted", run.block->at(word.span)),
+             fmt::format("{} is a spindle that is not interpreted", run.text_of(word)),
              "programs that turn several spindles are not read; the first one is $0");
-}
-
-void gather(Execution& run) {
-  run.chosen.clear();
-  run.has_word_modes = false;
-  bool calls_macro = false;
-  const Word* machine_axis = nullptr;
-  for (const Word& word : run.block->words) {
-    if (calls_macro) continue;  // its words are arguments
-    switch (word.letter) {
-      case 'G':
-        choose(run, g_row(run, word), word);
-        calls_macro = calls_macro || run.chosen.back().row->action == Action::call_macro;
-        continue;
-      case kNamedCode: {
-        const CodeRow& row = run.dialect.named_codes[static_cast<std::size_t>(word.value)];
-        if (row.action == Action::refused) refuse_row(run, row, word);
-        choose(run, &row, word);
-        continue;
-      }
-      case 'M':
-        choose(run, m_row(run, word), word);
-        check_extended(run, *run.chosen.back().row, word);
-        continue;
-      case 'F':
-        choose(run, &run.dialect.feed_row, word);
-        break;
-      case 'S':
-        choose(run, &run.dialect.speed_row, word);
-        break;
-      case 'T':
-        choose(run, &run.dialect.tool_row, word);
-        break;
-      case 'D':
-        if (run.dialect.has_edges) choose(run, &run.dialect.edge_row, word);
-        break;
-      default:
-        break;
-    }
-    if (run.dialect.syntax.repeated_ijk && run.words.has(word.letter)) refuse_twice(run, word);
-    if (word.mode != WordMode::modal) take_word_mode(run, word);
-    if (word.use == WordUse::machine_axis) machine_axis = &word;
-    if (!(std::abs(word.value) <= kLargestValue)) refuse_large(run, word);
-    if ((letter_bit(word.letter) & kUninterpretedLetters) != 0) {
-      run.refuse(word, codes::kNotInterpreted, fmt::format("{} words are not interpreted", word.letter),
-                 "the axes are X, Y, Z, A, B and C");
-    }
-    run.words.add(word);
-  }
-  run.axes = run.words.axes();
-  if (machine_axis != nullptr) check_machine_axis(run, *machine_axis);
-  if (run.words.polar()) plan_polar(run);
-  if (run.chosen.size() > 1) {
-    if (run.dialect.behaviour.dwell_takes_words) take_words_of_dwell(run);
-    check_groups(run);
-  }
 }
 
 const Word& first_axis_word(const Execution& run) {
@@ -300,8 +98,8 @@ void find_motion(Execution& run) {
     if (takers.other != nullptr && run.dialect.behaviour.group_0_takes_axes) return;
     if (takers.other != nullptr) {
       run.refuse(*takers.motion->word, codes::kAxesTwice,
-                 fmt::format("{} and {} both take the axis words", text_of(run, *takers.motion->word),
-                             text_of(run, *takers.other->word)),
+                 fmt::format("{} and {} both take the axis words", run.text_of(*takers.motion->word),
+                             run.text_of(*takers.other->word)),
                  "put them into blocks of their own");
     }
     run.motion = takers.motion->row;
@@ -374,7 +172,7 @@ int turn_of(const Chosen& chosen) { return chosen.row->step * 2 + (chosen.row->g
 
 void resolve_codes(Execution& run) {
   run.machine_word = nullptr;
-  gather(run);
+  gather_codes(run);
   if (!run.chosen.empty() && run.chosen.back().row->action == Action::call_macro) {
     check_words_before_call(run);
     run.motion = nullptr;

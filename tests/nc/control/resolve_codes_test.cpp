@@ -1,5 +1,6 @@
-// Also contexts.cpp and alone.cpp, which it calls: what stands beside others. fanuc_contexts_test.cpp, okuma_test.cpp,
-// siemens_test.cpp and the files of tests/nc/bad have a program for each of their refusals.
+// Also gather_codes.cpp, contexts.cpp and alone.cpp, which it calls: the codes of a block, and what stands beside
+// others. fanuc_contexts_test.cpp, okuma_test.cpp, siemens_test.cpp and the files of tests/nc/bad have a program for
+// each of their refusals.
 #include <string>
 #include <utility>
 #include <vector>

@@ -1,0 +1,215 @@
+// Which codes a block holds, each with its row, and its other words; whether they go together.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "nc/control/execution.hpp"
+#include "nc/control/parameters/expression.hpp"
+#include "nc/language/codes.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr double kCodeTolerance = 1e-3;  // of ten times a G code [LinuxCNC, measured]
+constexpr int kUserGroup = 63;
+constexpr std::uint32_t kUninterpretedLetters = letter_bit('U') | letter_bit('V') | letter_bit('W');
+constexpr double kLargestValue = 1e9;  // so that sums of them can be written with all that a double holds of them
+
+[[noreturn]] void refuse_row(const Execution& run, const CodeRow& row, const Word& word) {
+  run.refuse(word, codes::kNotInterpreted, fmt::format("{} {}", run.text_of(word), row.why),
+             "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system");
+}
+
+const CodeRow* g_row(const Execution& run, const Word& word) {
+  const double times_ten = word.value * 10;
+  const double whole = std::round(times_ten);
+  const CodeRow* row = nullptr;
+  if (std::abs(times_ten - whole) < kCodeTolerance && whole >= 0 && whole < 1e4) {
+    row = run.dialect.g_code(static_cast<int>(whole));
+  }
+  if (row == nullptr) {
+    run.refuse(word, codes::kUnknownCode, fmt::format("{} is no G code of this control", run.text_of(word)),
+               "look for a slip, or choose another dialect");
+  }
+  if (row->action == Action::compensation_on) {
+    run.refuse(word, codes::kNotInterpreted,
+               fmt::format("{} lets the control offset the path by the tool's radius", run.text_of(word)),
+               "let the CAM system write the path of the tool's centre: an offset at the control would turn the "
+               "corrections of the path into others");
+  }
+  if (row->action == Action::refused) refuse_row(run, *row, word);
+  return row;
+}
+
+const CodeRow* m_row(const Execution& run, const Word& word) {
+  const int code = whole_number(*run.block, word.span, word.value, "an M code");
+  const CodeRow* row = code < 0 || code > 1000 ? nullptr : run.dialect.m_code(code * 10);
+  if (row != nullptr && row->action != Action::refused) return row;
+  if (row != nullptr && !run.settings.passed_m_codes.contains(code)) refuse_row(run, *row, word);
+  const bool users = code >= run.dialect.first_user_m_code;
+  if (run.settings.passed_m_codes.contains(code) || (users && run.settings.as_with_empty_tables)) {
+    return &run.dialect.user_row;
+  }
+  if (!users) {
+    run.refuse(
+        word, codes::kUnknownCode, fmt::format("{} is no M code of this control", run.text_of(word)),
+        fmt::format("look for a slip; a code that the control's builder added goes through with --pass M{}", code));
+  }
+  run.refuse(
+      word, codes::kUserCode, fmt::format("M{} is a code of the machine's builder", code),
+      fmt::format("it may change kinematics, offsets or position; if it changes none of them: --pass M{}", code));
+}
+
+void choose(Execution& run, const CodeRow* row, const Word& word) { run.chosen.push_back({row, &word}); }
+
+bool is_of_group(const Chosen& code) {
+  return code.word->letter == 'G' && code.row->group != 0 && code.row->action != Action::motion_off;
+}
+
+// Where the control takes the last one of a group, those before it are as if not written.
+void keep_last_of_groups(Execution& run) {
+  std::vector<Chosen>& chosen = run.chosen;
+  std::size_t kept = 0;
+  for (auto code = chosen.begin(); code != chosen.end(); ++code) {
+    const auto replaces = [&](const Chosen& next) { return is_of_group(next) && next.row->group == code->row->group; };
+    if (is_of_group(*code) && std::any_of(code + 1, chosen.end(), replaces)) continue;
+    chosen[kept++] = *code;
+  }
+  chosen.resize(kept);
+}
+
+// Two codes of one modal group cannot both act.
+void check_groups(Execution& run) {
+  if (run.dialect.behaviour.last_of_group) {
+    check_cycle_beside_motion(run);
+    return keep_last_of_groups(run);
+  }
+  std::uint64_t seen_g = 0;
+  std::uint64_t seen_m = 0;
+  for (const Chosen& chosen : run.chosen) {
+    if (!is_code(*chosen.word)) continue;
+    if (chosen.row->group < 0 || chosen.row->action == Action::motion_off)
+      continue;  // gives way to another motion [LinuxCNC, measured]
+    const int group = chosen.row == &run.dialect.user_row ? kUserGroup : chosen.row->group;
+    std::uint64_t& seen = chosen.word->letter == 'M' ? seen_m : seen_g;
+    if ((seen >> static_cast<unsigned>(group) & 1U) != 0) {
+      run.refuse(*chosen.word, codes::kSameGroup,
+                 fmt::format("{} contradicts another code of its modal group in this block", run.text_of(*chosen.word)),
+                 "put them into blocks of their own");
+    }
+    seen |= std::uint64_t{1} << static_cast<unsigned>(group);
+  }
+}
+
+// @ and ^ stand for X and Y.
+void take_polar(Execution& run) {
+  const AxisSet plane{Axis::X, Axis::Y};
+  for (const Axis axis : {Axis::X, Axis::Y}) {
+    if (!run.axes.contains(axis)) continue;
+    run.refuse(*run.words.find(axis), codes::kAxesTwice, "the end is given by @ and ^ as well",
+               "give either X and Y or radius and angle");
+  }
+  run.axes = run.axes | plane;
+  run.step.end_words = EndWords::polar;
+}
+
+// F and S of a dwell are its time, not a feed and a speed; G131 has an F of its own.
+void take_words_of_dwell(Execution& run) {
+  const auto dwell = std::find_if(run.chosen.begin(), run.chosen.end(), [](const Chosen& chosen) {
+    return chosen.row->action == Action::dwell || chosen.row->action == Action::no_motion;
+  });
+  if (dwell == run.chosen.end()) return;
+  const std::uint32_t taken = dwell->row->word_mask;
+  std::erase_if(run.chosen, [&](const Chosen& chosen) {
+    return (chosen.word->letter == 'F' || chosen.word->letter == 'S') && (letter_bit(chosen.word->letter) & taken) != 0;
+  });
+}
+
+void refuse_twice(const Execution& run, const Word& word) {
+  run.refuse(word, codes::kWordTwice, fmt::format("two {} words in one block", word.letter), "leave one of them");
+}
+
+// Only an axis that turns without end has a shorter or a positive way round; G90 counts within its turn then (setting).
+void take_word_mode(Execution& run, const Word& word) {
+  run.has_word_modes = true;
+  const std::optional<Axis> axis = axis_of(word.letter);
+  if (word.mode == WordMode::absolute || word.mode == WordMode::incremental || !axis || !is_rotary(*axis)) return;
+  RotaryRule& rule = run.control.modal.rotary[index(*axis) - 3];
+  if (rule == RotaryRule::linear) rule = RotaryRule::one_turn;
+}
+
+[[noreturn]] void refuse_large(const Execution& run, const Word& word) {
+  run.refuse(word, codes::kOutOfRange, fmt::format("{} is worth {:.6g}", word.letter, word.value),
+             fmt::format("look for a slip or a missing point; words may be worth up to {:.0e}", kLargestValue));
+}
+
+// G74 X1=0: a move of struts and carriages to marks of their own.
+void check_machine_axis(const Execution& run, const Word& word) {
+  const bool taken = std::any_of(run.chosen.begin(), run.chosen.end(),
+                                 [](const Chosen& chosen) { return chosen.row->action == Action::lose_position; });
+  if (taken) return;
+  run.refuse(word, codes::kNotInterpreted, fmt::format("{} moves an axis of the machine itself", run.text_of(word)),
+             "write X, Y and Z; axes of the machine stand in a block with G74 or G75");
+}
+
+}  // namespace
+
+void gather_codes(Execution& run) {
+  run.chosen.clear();
+  run.has_word_modes = false;
+  bool calls_macro = false;
+  const Word* machine_axis = nullptr;
+  for (const Word& word : run.block->words) {
+    if (calls_macro) continue;  // its words are arguments
+    switch (word.letter) {
+      case 'G':
+        choose(run, g_row(run, word), word);
+        calls_macro = calls_macro || run.chosen.back().row->action == Action::call_macro;
+        continue;
+      case kNamedCode: {
+        const CodeRow& row = run.dialect.named_codes[static_cast<std::size_t>(word.value)];
+        if (row.action == Action::refused) refuse_row(run, row, word);
+        choose(run, &row, word);
+        continue;
+      }
+      case 'M':
+        choose(run, m_row(run, word), word);
+        check_extended(run, *run.chosen.back().row, word);
+        continue;
+      case 'F':
+        choose(run, &run.dialect.feed_row, word);
+        break;
+      case 'S':
+        choose(run, &run.dialect.speed_row, word);
+        break;
+      case 'T':
+        choose(run, &run.dialect.tool_row, word);
+        break;
+      case 'D':
+        if (run.dialect.has_edges) choose(run, &run.dialect.edge_row, word);
+        break;
+      default:
+        break;
+    }
+    if (run.dialect.syntax.repeated_ijk && run.words.has(word.letter)) refuse_twice(run, word);
+    if (word.mode != WordMode::modal) take_word_mode(run, word);
+    if (word.use == WordUse::machine_axis) machine_axis = &word;
+    if (!(std::abs(word.value) <= kLargestValue)) refuse_large(run, word);
+    if ((letter_bit(word.letter) & kUninterpretedLetters) != 0) {
+      run.refuse(word, codes::kNotInterpreted, fmt::format("{} words are not interpreted", word.letter),
+                 "the axes are X, Y, Z, A, B and C");
+    }
+    run.words.add(word);
+  }
+  run.axes = run.words.axes();
+  if (machine_axis != nullptr) check_machine_axis(run, *machine_axis);
+  if (run.words.polar()) take_polar(run);
+  if (run.chosen.size() > 1) {
+    if (run.dialect.behaviour.dwell_takes_words) take_words_of_dwell(run);
+    check_groups(run);
+  }
+}
+
+}  // namespace plumbline::nc
