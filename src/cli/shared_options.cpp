@@ -21,10 +21,10 @@ void SharedOptions::add(CLI::App& command, const settings::OptionRow& row) {
   const std::string name = row.name == "model" ? "-m,--model" : fmt::format("--{}", row.name);
   if (row.value.empty()) {
     command.add_flag_callback(
-        name, [&given] { given.texts.assign(1, "on"); }, std::string(row.help));
+        name, [&given] { given.texts.assign(1, "on"); }, settings::help_of(row));
     return;
   }
-  CLI::Option* const option = command.add_option(name, given.texts, std::string(row.help));
+  CLI::Option* const option = command.add_option(name, given.texts, settings::help_of(row));
   option->type_name(std::string(row.value))->type_size(1)->allow_extra_args(false);
   option->multi_option_policy(row.is_repeatable ? CLI::MultiOptionPolicy::TakeAll : CLI::MultiOptionPolicy::Throw);
   if (!row.is_repeatable) option->expected(1);

@@ -9,6 +9,7 @@
 #include "base/text/characters.hpp"
 #include "base/text/nearest_name.hpp"
 #include "base/text/number_text.hpp"
+#include "nc/language/dialect.hpp"
 #include "settings/variables_file.hpp"
 
 namespace plumbline::settings {
@@ -176,9 +177,10 @@ void set_touch_off(Options& options, std::string_view text) { options.compensati
 
 using Text = std::string_view;
 
+constexpr std::string_view kDialects = "{dialects}";  // of a help
+
 constexpr std::array kRows{
-    OptionRow{"dialect", "NAME",
-              "language of the program: linuxcnc, fanuc, okuma, siemens (default: as its text shows)",
+    OptionRow{"dialect", "NAME", "language of the program: {dialects} (default: as its text shows)",
               OptionGroup::program, false, false, set_dialect},
     OptionRow{
         "calculator-type", "on|off",
@@ -298,6 +300,13 @@ constexpr std::array kRows{
 }  // namespace
 
 std::span<const OptionRow> option_rows() { return kRows; }
+
+std::string help_of(const OptionRow& row) {
+  std::string help(row.help);
+  const std::size_t at = help.find(kDialects);
+  if (at != std::string::npos) help.replace(at, kDialects.size(), nc::dialect_list());
+  return help;
+}
 
 const OptionRow* find_option(std::string_view name) {
   const auto* const found =

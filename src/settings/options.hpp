@@ -16,7 +16,7 @@
 #include "compensate/settings.hpp"
 #include "machine/model.hpp"
 #include "nc/control/state/program_settings.hpp"
-#include "nc/rewrite/emit_pieces.hpp"
+#include "nc/rewrite/output/emit_settings.hpp"
 
 namespace plumbline::settings {
 
@@ -53,7 +53,7 @@ enum class OptionGroup : std::uint8_t { program, model, step, compensation };
 struct OptionRow {
   std::string_view name;   // without --
   std::string_view value;  // how help names its value; empty: a switch, whose text is "on" or "off"
-  std::string_view help;
+  std::string_view help;   // help_of() gives it whole
   OptionGroup group;
   bool is_repeatable;
   bool is_path;
@@ -62,6 +62,8 @@ struct OptionRow {
 
 /// All options, in the order in which help lists them.
 std::span<const OptionRow> option_rows();
+/// What the option does, as help shows it: the names of the dialects come from the list of them.
+std::string help_of(const OptionRow& row);
 /// Null: there is none of that name.
 const OptionRow* find_option(std::string_view name);
 

@@ -183,7 +183,7 @@ std::vector<CanonMotion> read_canon(const std::string& path) {
   std::ifstream in(path);
   if (!in) throw std::runtime_error("cannot read " + path);
   CanonReader reader;
-  // No blank stands behind a line number of five digits or more.
+  // No blank stands after a line number of five digits or more.
   const std::regex call(R"(^\s*\d+\s+N[0-9.]*\s*([A-Z][A-Z_0-9]*)(\(.*\))\s*$)");
   for (std::string line; std::getline(in, line);) {
     std::smatch match;

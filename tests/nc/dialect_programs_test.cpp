@@ -67,7 +67,7 @@ void read_setting(Trace& trace, std::istringstream& words, const Dialect& dialec
 }
 
 // rapid X1 Y2 | Z3 F4   feed ... F100   cw|ccw X1 Y2 I3 J4 K5 (centre) N2 (turns begun)   dwell 1.5
-// Behind | stands the display of the machine, from there on the words are its.
+// After | stands the display of the machine, from there on the words are its.
 Trace read_trace(const fs::path& path, const Dialect& dialect) {
   std::ifstream in(path);
   REQUIRE(in);

@@ -57,7 +57,7 @@ void check_refused_at(const std::vector<RefusedAt>& cases) {
 
 }  // namespace
 
-TEST_CASE("increments of X and Y behind G69 are refused until absolute words stand") {
+TEST_CASE("increments of X and Y after G69 are refused until absolute words stand") {
   check_refused_at(
       {{"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nX5. Y5.\nG69\nG91 X5.\n", 5, 5},
        {"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nX5. Y5.\nG69 G91 Y5.\n", 4, 9},
@@ -69,14 +69,14 @@ TEST_CASE("increments of X and Y behind G69 are refused until absolute words sta
   CHECK(ran.end[Axis::X] == 2);
 }
 
-TEST_CASE("X without Y as the first move behind a turn is refused, Z alone is not") {
+TEST_CASE("X without Y as the first move after a turn is refused, Z alone is not") {
   check_refused_at({{"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nX5.\n", 3, 1},
                     {"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nG1 Y5. Z1. F100.\n", 3, 4},
                     {"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nX5. Y5.\nG69\nX0\n", 5, 1}});
   CHECK(reading_of("G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nZ5.\nX1. Y1.\nX2.\nG69\nZ50.\n", true).code.empty());
 }
 
-TEST_CASE("increments of Z behind G43 and G49 alone are refused until Z is stated") {
+TEST_CASE("increments of Z after G43 and G49 alone are refused until Z is stated") {
   check_refused_at({{"G90 G54 G0 X0 Y0 Z50.\nG43 H1\nG91 Z-10.\n", 3, 5},
                     {"G90 G54 G0 X0 Y0 Z50.\nG43 H1 Z50.\nG49\nG91 G1 X1. Z-10. F100.\n", 4, 12},
                     {"G90 G54 G0 X0 Y0 Z50.\nG43.4 H1\nG91 X1.\nG1 Z-1. F100.\n", 4, 4},

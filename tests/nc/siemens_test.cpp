@@ -296,7 +296,7 @@ TEST_CASE("a tool changed while D0 is in force leaves open which edge counts, un
   }
 }
 
-TEST_CASE("R parameters that nobody gave are zero where tables count as empty") {
+TEST_CASE("R parameters that were never given are zero where tables count as empty") {
   for (const std::string text : {"IF R1==0\nG0 X5\nENDIF\n", "G0 X=5+R3\n", "IF R1<>0 GOTOF AA1\nG0 X5\nAA1:\n",
                                  "R2=R1\nIF R2>=0\nG0 X5\nENDIF\n"}) {
     const Outcome ran = outcome_of("G54 G71 G90 G94 G17\nG0 X0 Y0 Z0\n" + text + "M30\n");

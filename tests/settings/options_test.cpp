@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "nc/language/dialect.hpp"
 #include "support/scratch.hpp"
 
 using namespace plumbline;
@@ -108,5 +109,14 @@ TEST_CASE("a rule of rotary words holds for all axes or for those that are named
   for (const char* const wrong : {"", "wrapped", "X=sign", "=sign", "A=", "A=sign;B=sign"}) {
     INFO(wrong);
     CHECK_THROWS_AS(with("rotary", wrong), OptionError);
+  }
+}
+
+TEST_CASE("help names the dialects that there are") {
+  const std::string help = settings::help_of(*settings::find_option("dialect"));
+  for (const std::string_view name : nc::dialect_names()) CHECK(help.find(name) != std::string::npos);
+  for (const settings::OptionRow& row : settings::option_rows()) {
+    INFO(row.name);
+    CHECK(settings::help_of(row).find('{') == std::string::npos);
   }
 }

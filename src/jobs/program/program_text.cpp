@@ -9,6 +9,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/text/characters.hpp"
+#include "nc/language/dialect.hpp"
 
 namespace plumbline::jobs {
 namespace {
@@ -23,6 +24,7 @@ struct Signature {
 };
 constexpr std::string_view kUnpack = "unpack it, and name the program that is in it";
 constexpr std::string_view kSaveAs = "save it as plain text (ASCII or UTF-8)";
+constexpr std::string_view kPost = "post it for ";  // and the dialects
 constexpr std::string_view kOther = "name the NC program: a text of G and M codes";
 constexpr Signature kSignatures[] = {
     {"\x1F\x8B"sv, "packed with gzip", kUnpack},
@@ -45,8 +47,8 @@ constexpr Signature kSignatures[] = {
     {"solid "sv, "a body in STL", "name the program that a CAM system made for it"},
     {"ISO-10303-21"sv, "a body in STEP", "name the program that a CAM system made for it"},
     {"<"sv, "XML or a web page", kOther},
-    {"0 BEGIN PGM"sv, "a program in Heidenhain's plain text", "post it for linuxcnc, fanuc, okuma or siemens"},
-    {"BEGIN PGM"sv, "a program in Heidenhain's plain text", "post it for linuxcnc, fanuc, okuma or siemens"},
+    {"0 BEGIN PGM"sv, "a program in Heidenhain's plain text", kPost},
+    {"BEGIN PGM"sv, "a program in Heidenhain's plain text", kPost},
 };
 
 [[noreturn]] void refuse_as(std::string_view code, const InputFile& program, std::string message,
@@ -63,7 +65,9 @@ void refuse_unless_program_text(const InputFile& program) {
   begin.resize(program.read(0, begin.data(), begin.size()));
   for (const Signature& kind : kSignatures) {
     if (!begin.starts_with(kind.begins)) continue;
-    refuse_as("file-not-text", program, fmt::format("this is no NC program: it is {}", kind.is), kind.help);
+    const std::string dialects = kind.help == kPost ? nc::dialect_list() : std::string();
+    refuse_as("file-not-text", program, fmt::format("this is no NC program: it is {}", kind.is),
+              fmt::format("{}{}", kind.help, dialects));
   }
   const auto controls = static_cast<std::size_t>(std::count_if(begin.begin(), begin.end(), is_control));
   if (controls * kControlShare > begin.size()) {

@@ -16,7 +16,7 @@ constexpr int kNamed = -1;  // in place of the number of a named parameter
 
 bool may_be_unknown(char letter) { return letter == 'S'; }
 
-// Reads what nothing sets among the block's first settings: whether that gives the value before or behind stands in no
+// Reads what nothing sets among the block's first settings: whether that gives the value before or after stands in no
 // source but RS274/NGC's.
 class ParametersOfBlock final : public ParameterReader {
  public:
@@ -117,7 +117,7 @@ void BlockValues::evaluate(Block& block) {
 void BlockValues::leave_out_vacant_words(Block& block) {
   for (const Word& word : block.words) {
     if (!word.vacant || run_.dialect.syntax.drops_vacant_words) continue;
-    run_.refuse(word, codes::kParameterUnset, fmt::format("nobody gave {} a value", block.at(word.span)),
+    run_.refuse(word, codes::kParameterUnset, fmt::format("{} was never given a value", block.at(word.span)),
                 "set the variable before, or ask with EQ EMPTY");
   }
   for (const Word& word : block.words) {
@@ -198,7 +198,7 @@ void BlockValues::set_parameter(const Block& block, const Setting& place, int nu
     run_.step.stop = StopByVariable::alarm;
   } else if (number == run_.dialect.syntax.message_variable) {
     if (run_.step.stop == StopByVariable::none) run_.step.stop = StopByVariable::message;
-    if (!run_.settings.keeps_position.contains(0)) lose_position(run_, AxisSet::all());  // as behind M0
+    if (!run_.settings.keeps_position.contains(0)) lose_position(run_, AxisSet::all());  // as after M0
   } else {
     run_.control.parameters.set(number, value);
   }

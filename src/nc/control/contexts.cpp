@@ -24,7 +24,7 @@ void check_named_axes(const Execution& run, const Chosen& code) {
     if (!code.row->takes_axes || !run.axes.contains(axis) || run.words.find(axis)->value == 0) continue;
     run.refuse(*run.words.find(axis), codes::kNotInterpreted,
                fmt::format("{} names the axes that it works on, by 0", run.block->at(code.word->span)),
-               "write 0 behind the axis, or put the move into a block of its own");
+               "write 0 after the axis, or put the move into a block of its own");
   }
 }
 
@@ -53,7 +53,7 @@ void check_moves_beside(const Execution& run) {
     run.refuse(*code.word, codes::kNotInterpreted,
                fmt::format("{} beside a move is not interpreted: the control takes it in a block of its own",
                            run.block->at(code.word->span)),
-               "put the move into the block behind it");
+               "put the move into the block after it");
   }
 }
 
@@ -179,7 +179,7 @@ void check_edge_known(const Execution& run) {
     run.refuse(*run.words.find(axis), codes::kNotInterpreted,
                "a tool was changed while D0 was in force, and whether its length counts from then on depends on the "
                "settings of the control",
-               "write D1 (or D0) behind the change of the tool");
+               "write D1 (or D0) after the change of the tool");
   }
 }
 
@@ -285,7 +285,7 @@ void check_cycle_beside_motion(const Execution& run) {
   const Chosen* const off = find_code(run, Action::motion_off);
   if (off != nullptr && off->word > cycle->word) {
     run.refuse(*off->word, codes::kSameGroup,
-               fmt::format("{} behind a canned cycle, in its block", run.block->at(off->word->span)),
+               fmt::format("{} after a canned cycle, in its block", run.block->at(off->word->span)),
                "put them into blocks of their own");
   }
   for (const Chosen& code : run.chosen) {
@@ -331,7 +331,7 @@ void check_words_before_call(const Execution& run) {
     if (row != nullptr && row->action == Action::call_macro) return;
     run.refuse(word, codes::kNotInterpreted,
                fmt::format("{} before the call of a macro is no argument of it", run.block->at(word.span)),
-               "put it into a block of its own before, or, as an argument, behind the call");
+               "put it into a block of its own before, or, as an argument, after the call");
   }
 }
 

@@ -37,7 +37,7 @@ struct Execution {
   bool uses_position_axes = false;       // the axis words are those of a code of group 0
   const Word* vector = nullptr;          // the first word of the direction of the tool: A3=, or I J K under G43.5
   bool has_word_modes = false;           // some axis word says itself how it counts: X=IC(5)
-  int work_system_before = 0;            // G16: to be brought back behind the block; 0: none
+  int work_system_before = 0;            // G16: to be brought back after the block; 0: none
   bool block_in_machine_system = false;  // G16 H0
 
   Step step = {};
@@ -74,8 +74,8 @@ void resolve_codes(Execution& run);
 /// Finds its words and the rows of its codes, as they stand in the block; refuses words that stand for nothing, and two
 /// codes of a group: gather_codes.cpp
 void gather_codes(Execution& run);
-/// The motion in force behind G80: the G0 from before the cycle, where the dialect has it so; null: none.
-const CodeRow* row_behind_cycle(const Execution& run);
+/// The motion in force after G80: the G0 from before the cycle, where the dialect has it so; null: none.
+const CodeRow* row_after_cycle(const Execution& run);
 /// Refuses what stands beside a code that stands alone in its block: alone.cpp
 void check_alone(const Execution& run);
 /// Refuses what no source covers for a code beside the others of its block, or in the modes in force: contexts.cpp
@@ -146,7 +146,7 @@ void define_tilted_plane(Execution& run, const Chosen& chosen);  // tilted_plane
 void turn_tool(Execution& run, const Chosen& chosen);            // G53.1
 void turn_tool_on_plane(Execution& run, const Word& code);
 void end_tilted_plane(Execution& run);  // G69
-/// What C does where a direction leaves it open; refuses where nobody said.
+/// What C does where a direction leaves it open; refuses where no option says.
 FreeRotation free_rotation(const Execution& run, const Word& word, std::string_view code);
 /// Refuses a move that a tilted plane does not allow.
 void check_on_plane(const Execution& run);

@@ -121,9 +121,10 @@ void take_words_of_dwell(Execution& run) {
     return chosen.row->action == Action::dwell || chosen.row->action == Action::no_motion;
   });
   if (dwell == run.chosen.end()) return;
-  const std::uint32_t taken = dwell->row->word_mask;
+  const std::uint32_t of_dwell = dwell->row->word_mask;
   std::erase_if(run.chosen, [&](const Chosen& chosen) {
-    return (chosen.word->letter == 'F' || chosen.word->letter == 'S') && (letter_bit(chosen.word->letter) & taken) != 0;
+    return (chosen.word->letter == 'F' || chosen.word->letter == 'S') &&
+           (letter_bit(chosen.word->letter) & of_dwell) != 0;
   });
 }
 
@@ -147,9 +148,9 @@ void take_word_mode(Execution& run, const Word& word) {
 
 // G74 X1=0: a move of struts and carriages to marks of their own.
 void check_machine_axis(const Execution& run, const Word& word) {
-  const bool taken = std::any_of(run.chosen.begin(), run.chosen.end(),
-                                 [](const Chosen& chosen) { return chosen.row->action == Action::lose_position; });
-  if (taken) return;
+  const bool takes_axes = std::any_of(run.chosen.begin(), run.chosen.end(),
+                                      [](const Chosen& chosen) { return chosen.row->action == Action::lose_position; });
+  if (takes_axes) return;
   run.refuse(word, codes::kNotInterpreted, fmt::format("{} moves an axis of the machine itself", run.text_of(word)),
              "write X, Y and Z; axes of the machine stand in a block with G74 or G75");
 }

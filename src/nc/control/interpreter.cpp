@@ -51,7 +51,7 @@ const Step& Interpreter::execute(Block& block) {
   values_.apply(block);
   bool moved = run_.motion == nullptr || run_.motion_word != nullptr;
   for (const Chosen& chosen : run_.chosen) {
-    // The motion in force takes its turn before the codes behind it.
+    // The motion in force takes its turn before the codes after it.
     if (!moved && chosen.row->step > run_.motion->step) {
       make_motion(run_);
       moved = true;

@@ -20,7 +20,7 @@ class Interpreter {
   const Step& execute(Block& block);
   /// A line that the control does not execute.
   const Step& pass(const Block& block);
-  /// True if block delete leaves the block out; refuses when nobody said.
+  /// True if block delete leaves the block out; refuses where no option says.
   bool deleted(const Block& block);
   /// The value of an expression of the block; refuses one that only the machine knows.
   double value_of(const Block& block, std::uint32_t code, Span span) { return values_.value_of(block, code, span); }

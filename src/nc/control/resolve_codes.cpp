@@ -36,8 +36,7 @@ const Word& polar_word(const Execution& run) {
 void check_spindle(const Execution& run, const Word& word) {
   const bool moves = run.motion != nullptr && run.motion->takes_axes;
   if (word.value == 0 || (word.value == -1 && !moves)) return;
-  run.refuse(word, codes::kNotInterpreted,
-             fmt::format("{} is a spindle that is not interpreted", run.text_of(word)),
+  run.refuse(word, codes::kNotInterpreted, fmt::format("{} is a spindle that is not interpreted", run.text_of(word)),
              "programs that turn several spindles are not read; the first one is $0");
 }
 
@@ -109,7 +108,7 @@ void find_motion(Execution& run) {
     return;
   }
   if (takers.other != nullptr || takers.tool_length) return;
-  const CodeRow* const mode = takers.turns_off ? row_behind_cycle(run) : run.control.motion_row;
+  const CodeRow* const mode = takers.turns_off ? row_after_cycle(run) : run.control.motion_row;
   const bool centre = is_arc(mode) && (run.words.letters() & kCentreBits) != 0;
   if (run.axes.empty() && !centre && run.vector == nullptr) return;
   if (mode == nullptr) {
@@ -146,17 +145,17 @@ std::uint32_t numbers_without_offset(const Execution& run) {
 }
 
 void check_words_used(const Execution& run) {
-  std::uint32_t taken = kFreeLetters | kAxisLetters;
-  if (run.dialect.has_edges) taken |= letter_bit('D');
-  if (run.dialect.behaviour.offset_numbers_last) taken |= numbers_without_offset(run);
-  if (run.motion != nullptr && run.machine_word == nullptr) taken |= letter_bit('@') | letter_bit('^');
-  if (run.motion != nullptr) taken |= run.motion->word_mask;
-  if (run.vector != nullptr) taken |= kCentreBits;
-  for (const Chosen& chosen : run.chosen) taken |= chosen.row->word_mask;
-  const std::uint32_t left = run.words.letters() & ~taken;
-  if (left == 0) return;
+  std::uint32_t used = kFreeLetters | kAxisLetters;
+  if (run.dialect.has_edges) used |= letter_bit('D');
+  if (run.dialect.behaviour.offset_numbers_last) used |= numbers_without_offset(run);
+  if (run.motion != nullptr && run.machine_word == nullptr) used |= letter_bit('@') | letter_bit('^');
+  if (run.motion != nullptr) used |= run.motion->word_mask;
+  if (run.vector != nullptr) used |= kCentreBits;
+  for (const Chosen& chosen : run.chosen) used |= chosen.row->word_mask;
+  const std::uint32_t unused = run.words.letters() & ~used;
+  if (unused == 0) return;
   for (const Word& word : run.block->words) {
-    if (is_code(word) || (letter_bit(word.letter) & left) == 0) continue;
+    if (is_code(word) || (letter_bit(word.letter) & unused) == 0) continue;
     if (is_exponent(run, word)) {
       run.refuse(word, codes::kWordUnused, "numbers have no exponent: the control reads E as a word of its own",
                  "write the number out, X0.0000001 or X0, and have the post-processor write fixed decimals");

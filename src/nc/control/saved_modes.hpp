@@ -12,7 +12,7 @@ struct SavedModes {
   Modal modal;
   bool surface_speed = false;
   bool tool_length = false;         // some length was in force: G43, else G49
-  std::optional<bool> g92_applied;  // whether an offset of G92 or G52 was; nothing: nobody knows
+  std::optional<bool> g92_applied;  // whether an offset of G92 or G52 was; nothing: not known
 };
 
 SavedModes save_modes(const Control& control, bool of_call);

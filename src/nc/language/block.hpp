@@ -117,7 +117,7 @@ enum class Operation : std::uint8_t {
   square,
   logical_not,
   check_truths,  // refuses two values that are not 0 or 1
-  vacant,        // pushes the value of a variable that nobody set
+  vacant,        // pushes the value of a variable that was never set
 };
 
 /// One step of an expression's code, in postfix order; Operation::end closes it.
@@ -186,7 +186,7 @@ struct Choice {
   Direction direction = Direction::both;
 };
 
-/// What steers the program: the O word of a line, or its IF, GOTO, CALL..., and what stands behind it.
+/// What steers the program: the O word of a line, or its IF, GOTO, CALL..., and what stands after it.
 struct Flow {
   FlowWord word = FlowWord::none;
   Span span;                          // O, label and keyword
@@ -202,7 +202,7 @@ struct Flow {
 enum class LineKind : std::uint8_t {
   block,    // words, comments, or nothing
   percent,  // % at the begin or the end of the program
-  ignored,  // text behind the end of the program
+  ignored,  // text after the end of the program
 };
 
 struct Block {
@@ -218,7 +218,7 @@ struct Block {
   Span number;                // the N word; begin == end: none
   std::vector<Comment> comments;
   std::vector<Setting> settings;
-  std::vector<Instruction> code;    // of all expressions of the block, one behind the other
+  std::vector<Instruction> code;    // of all expressions of the block, one after the other
   Flow flow;                        // of a line that steers
   std::vector<Argument> arguments;  // of the one code that has such
   std::vector<Span> left_out;       // words whose value is that of a vacant variable

@@ -59,7 +59,7 @@ inline constexpr std::string_view kArcTurns = "nc-arc-turns";
 inline constexpr std::string_view kMachineMove = "nc-machine-move";
 inline constexpr std::string_view kSpindleStands = "nc-spindle-stands";
 
-// What the program needs and nobody gave
+// What the program needs and was never given
 inline constexpr std::string_view kWorkOffsetUnknown = "nc-work-offset-unknown";
 inline constexpr std::string_view kPositionUnknown = "nc-position-unknown";
 inline constexpr std::string_view kToolUnknown = "nc-tool-unknown";

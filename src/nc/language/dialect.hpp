@@ -132,21 +132,21 @@ struct CodeRow {
   std::uint32_t stays_mask = 0;     // of a cycle: with one of these words its holes stay cycles
   bool takes_axes = false;          // the axis words of the block are its own
   bool loses_position = false;      // the axes may stand elsewhere after it
-  bool harmless = false;            // may stand behind / without a choice
+  bool harmless = false;            // may stand after / without a choice
   std::string name;                 // of a code that is no letter and number
   std::string why;                  // refused, alone or with other values than those of `only`: why
   char only_letter = 0;             // 0: any value; else the word whose value must be one of these
   std::vector<double> only;
   bool alone = false;                      // no move stands beside it
-  bool needs_axes = false;                 // without an axis word nobody knows what it does
+  bool needs_axes = false;                 // without an axis word it is not known what it does
   bool absolute_alone = false;             // what it does under G91 is not known
   bool unturned = false;                   // not while the work system is turned by the program
   char not_beside = 0;                     // a letter that makes another code of it where it stands in the block
   FeedRule feed_rule = FeedRule::unknown;  // of a tool length: with it in force; unknown: the dialect's
-  bool has_arguments = false;              // a name with ( ) behind it, which the interpreter does not look into
+  bool has_arguments = false;              // a name with ( ) after it, which the interpreter does not look into
   bool order_unknown = false;              // whether it acts before the move of its block or after it
   std::string levels;                      // which of these are heights of the work, digits that count from 0
-  bool has_values = false;                 // a name with values in ( ) behind it
+  bool has_values = false;                 // a name with values in ( ) after it
   bool tool_vectors = false;               // of a tool length: I, J, K are the direction of the tool with it in force
   std::string written_as;                  // the code that takes A, B and C in their place
 };
@@ -198,8 +198,8 @@ inline constexpr int kNoVariable = -2;
 struct Syntax {
   Statements statements = Statements::o_words;
   bool names = false;               // words, values and codes may be names
-  bool semicolon_ends = false;      // ; is the end of a block: nothing but comments in ( ) stands behind it
-  bool percent_text = false;        // behind the first % there may be text
+  bool semicolon_ends = false;      // ; is the end of a block: nothing but comments in ( ) stands after it
+  bool percent_text = false;        // after the first % there may be text
   bool percent_pairs = false;       // % ends a program only if it began with one
   bool archive_heads = false;       // %_N_NAME_MPF begins a program
   bool skip_switches = false;       // /2: a block skip of its own switch
@@ -217,7 +217,7 @@ struct Syntax {
   bool relations_last = false;      // == binds weaker than AND
   bool declared = false;            // a variable that has a name is declared before it is set (DEF)
   bool settings_alone = false;      // such a variable is set in a block without words, and has two letters or more
-  bool empty_names = false;         // one that nobody set has no value; else reading it is refused
+  bool empty_names = false;         // one that was never set has no value; else reading it is refused
   bool drops_vacant_words = false;  // a word whose value is a vacant variable is as if not written
   bool calls_by_name = false;       // a name that means nothing else is a subprogram
   bool zero_calls_unknown = false;  // whether a call that asks for none is executed is not known
@@ -268,8 +268,8 @@ struct ControlBehaviour {
   bool machine_move_tool_unknown = false;  // whether G53 counts to the tip while a length is in force
   bool h0_is_no_tool = false;
   bool tool_length_moves = false;       // whether G43 without Z moves depends on the control's parameters
-  std::string unknown_beside_unit;      // words of which nobody knows in which unit they count beside G20, G21
-  bool unit_change_drops_feed = false;  // what F is worth behind G20, G21 is not known
+  std::string unknown_beside_unit;      // words of which it is not known in which unit they count beside G20, G21
+  bool unit_change_drops_feed = false;  // what F is worth after G20, G21 is not known
   bool tool_length_at_change = false;   // M6 puts the length of the tool in force
   bool fanuc_cycles = false;            // over the hole first, then to R; K repeats; taps and bores feed to R alone
   double peck_gap_mm = 0.254;
@@ -293,7 +293,7 @@ struct ControlBehaviour {
   double travel_limit_mm = 0;             // a rapid to this or more goes to the end of the axis' travel; 0: none does
   bool return_levels = false;             // cycles go back to the level of G71 or to R, as M53 and M54 say
   bool cycle_off_stops_spindle = false;   // G80
-  bool rapid_behind_cycles = false;       // G80 ends the cycle alone: the G0 from before it is in force again
+  bool rapid_after_cycles = false;        // G80 ends the cycle alone: the G0 from before it is in force again
   bool inverse_time_arc_unknown = false;  // what F of an arc says under G93
   bool set_position_unknown_elsewhere = false;  // what G92 is under G91, and in another work system
   bool radius_positive = false;                 // R of an arc: what less than 0 asks for is not known

@@ -97,7 +97,7 @@ inline constexpr Key<bool ControlBehaviour::*> kHabitFlags[] = {
     {"h0_is_machine", &ControlBehaviour::h0_is_machine},
     {"return_levels", &ControlBehaviour::return_levels},
     {"cycle_off_stops_spindle", &ControlBehaviour::cycle_off_stops_spindle},
-    {"rapid_behind_cycles", &ControlBehaviour::rapid_behind_cycles},
+    {"rapid_after_cycles", &ControlBehaviour::rapid_after_cycles},
     {"inverse_time_arc_unknown", &ControlBehaviour::inverse_time_arc_unknown},
     {"set_position_unknown_elsewhere", &ControlBehaviour::set_position_unknown_elsewhere},
     {"radius_positive", &ControlBehaviour::radius_positive},

@@ -53,24 +53,24 @@ bool holds(std::string_view mark, std::string_view line, bool first) {
   return false;
 }
 
-// What a < behind this begins is a name of the program's own: #<x>, o<x>.
-bool names_behind(std::string_view out) {
+// What a < after this begins is a name of the program's own: #<x>, o<x>.
+bool names_after(std::string_view out) {
   if (out.ends_with('#')) return true;
   return out.ends_with('O') && (out.size() < 2 || !begins_name(out[out.size() - 2]));
 }
 
-// Upper case, without what may say anything: comments in ( ) and behind ;, names in < >, texts in " ". A bracket
-// behind a name is no comment.
+// Upper case, without what may say anything: comments in ( ) and after ;, names in < >, texts in " ". A bracket
+// after a name is no comment.
 std::string plain(std::string_view line) {
   std::string out;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == ';' && !line.substr(i).starts_with(";$PATH")) break;
-    const bool behind_name = !out.empty() && begins_name(out.back());
-    if (line[i] == '(' && !behind_name) {
+    const bool after_name = !out.empty() && begins_name(out.back());
+    if (line[i] == '(' && !after_name) {
       i = std::min(line.find(')', i), line.size());
       continue;
     }
-    const char end = line[i] == '"' ? '"' : line[i] == '<' && names_behind(out) ? '>' : '\0';
+    const char end = line[i] == '"' ? '"' : line[i] == '<' && names_after(out) ? '>' : '\0';
     out += upper(line[i]);
     if (end != '\0') i = std::min(line.find(end, i + 1), line.size());
   }

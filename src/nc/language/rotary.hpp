@@ -8,7 +8,7 @@
 namespace plumbline::nc {
 
 /// How a control counts the absolute words of an axis that turns. Positions count on, whichever the rule: 370 is
-/// behind 360.
+/// after 360.
 enum class RotaryRule : std::uint8_t {
   linear,    // a place on a scale without end
   sign,      // 0 to 360; the sign says which way round [LinuxCNC WRAPPED_ROTARY; Fanuc 1008 ROA and RAB]

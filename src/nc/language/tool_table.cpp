@@ -106,7 +106,7 @@ class ToolReader {
     if (entry.value.kind != TomlValue::Kind::text || text.empty() || std::any_of(text.begin(), text.end(), [](char c) {
           return static_cast<unsigned char>(c) < ' ' || c == '"' || c == '\'';
         })) {
-      refuse("tools-value", "'name' is no name of a tool", "write what stands behind T=, as in name = \"MILL10\"",
+      refuse("tools-value", "'name' is no name of a tool", "write what stands after T=, as in name = \"MILL10\"",
              place);
     }
     if (is_tool_number(text)) {

@@ -139,7 +139,7 @@ void Emitter::add_offset_shifts(const Step& step) {
                    fmt::format("{} sets an offset from where the control stands, which after the correction is no "
                                "multiple of what it keeps of a word",
                                letter(*axis)),
-                   "write G20, G21 and G68 behind this block, or move there in machine coordinates (G53) first");
+                   "write G20, G21 and G68 after this block, or move there in machine coordinates (G53) first");
     }
     std::string text;
     append_word(text, word.letter, kept, kMostDecimals,

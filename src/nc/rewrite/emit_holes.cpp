@@ -25,8 +25,8 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
   restore_feed_state(step, find_word(*step.block, 'F') != nullptr);
   const PlaneAxes axes = axes_of(step.after->plane);
   note_cycle_level(step);
-  AxisWords left = control_.work_shift(*step.frame);
-  if (!step.after->retract_to_r) left[axes.third] = cycle_level_shift_;
+  AxisWords end_shift = control_.work_shift(*step.frame);
+  if (!step.after->retract_to_r) end_shift[axes.third] = cycle_level_shift_;
   // It went up to R before the cycle then, and comes back to the higher of the two.
   const bool comes_from_below = !step.after->retract_to_r && !dialect_.behaviour.fanuc_cycles &&
                                 std::abs(step.holes.front().clear - step.holes.front().r) <= kSameHeight;
@@ -41,20 +41,20 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
     const double off = (value - word.value) * per_unit;
     const bool goes_back_there = word.letter == 'R' && step.after->retract_to_r;
     const bool in_plane = word.letter == letter(axes.first) || word.letter == letter(axes.second);
-    if (goes_back_there || in_plane) left[*axis] = off;
-    if (word.letter == 'R' && comes_from_below) left[*axis] = std::max(left[*axis], off);
+    if (goes_back_there || in_plane) end_shift[*axis] = off;
+    if (word.letter == 'R' && comes_from_below) end_shift[*axis] = std::max(end_shift[*axis], off);
     std::string text;
     append_word(text, word.letter, value, kMostDecimals,
                 {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
     editor_.replace(word.span, text);
   }
   if (dialect_.behaviour.return_levels && !step.after->retract_to_r)
-    left[axes.third] = 0;  // the level of G71, as it is
+    end_shift[axes.third] = 0;  // the level of G71, as it is
   line_.clear();
   editor_.apply(line_);
   text_.write_line(step, line_);
   text_.end_block(step);
-  control_.set_work_shift(*step.frame, left);
+  control_.set_work_shift(*step.frame, end_shift);
   control_.motion = MotionMode::cycle;
   if (find_word(*step.block, 'F') != nullptr) control_.set_feed(step.after->feed);
   return {true, 1, std::nullopt, 0};
@@ -75,12 +75,12 @@ EmittedMove Emitter::called_hole(const Step& step, const AxisWords& shift) {
   const PlaneAxes axes = axes_of(step.after->plane);
   const Hole& hole = step.holes.front();
   const double per_unit = step.after->inches ? kMmPerInch : 1;
-  AxisWords left = control_.work_shift(*step.frame);
+  AxisWords end_shift = control_.work_shift(*step.frame);
   line_.clear();
   append_code(line_, codes_.motion(MotionMode::rapid), spelling_);
   for (const auto& [axis, position] : {std::pair{axes.first, hole.first}, std::pair{axes.second, hole.second}}) {
     const double value = planner_.words().rounded(step, axis, (position + shift[axis]) / per_unit);
-    left[axis] = value * per_unit - position;
+    end_shift[axis] = value * per_unit - position;
     const std::size_t begin = line_.size();
     append_word(line_, letter(axis), value, kMostDecimals, spelling_);
     if (!step.after->incremental) continue;
@@ -94,7 +94,7 @@ EmittedMove Emitter::called_hole(const Step& step, const AxisWords& shift) {
     if (place >= step.call->arguments.size() || !step.call->arguments[place].value) return;
     const double value = *step.call->arguments[place].value;
     const double moved = planner_.words().rounded(step, axes.third, value + shift[axes.third] / per_unit);
-    if (place == 0) left[axes.third] = (moved - value) * per_unit;
+    if (place == 0) end_shift[axes.third] = (moved - value) * per_unit;
     std::string text;
     append_decimal(text, moved, kMostDecimals);
     editor_.replace(step.block->arguments[place].span, text);
@@ -104,7 +104,7 @@ EmittedMove Emitter::called_hole(const Step& step, const AxisWords& shift) {
   editor_.apply(line_);
   text_.write_line(step, line_);
   text_.end_block(step);
-  control_.set_work_shift(*step.frame, left);
+  control_.set_work_shift(*step.frame, end_shift);
   control_.motion = MotionMode::rapid;
   return {true, 1, std::nullopt, 0};
 }

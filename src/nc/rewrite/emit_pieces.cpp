@@ -42,15 +42,15 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
     ends_.push_back(at);
   }
   pieces_.back().share += waiting;
-  AxisWords left;
-  for (const Axis axis : kAllAxes) left[axis] = motion.known_after.contains(axis) ? at[axis] - motion.to[axis] : 0;
+  AxisWords end_shift;
+  for (const Axis axis : kAllAxes) end_shift[axis] = motion.known_after.contains(axis) ? at[axis] - motion.to[axis] : 0;
   PieceFeeds feeds(dialect_, settings_, step, pieces_, ends_);
   if (seconds && *seconds > 0) {
     seconds_ = feeds.choose(start, *seconds, control);
   } else {
     feeds.keep(seconds.has_value(), control);
   }
-  control.set_work_shift(*step.frame, left);
+  control.set_work_shift(*step.frame, end_shift);
   return pieces_;
 }
 

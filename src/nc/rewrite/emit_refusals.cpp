@@ -59,10 +59,10 @@ void refuse_builders_codes(const Step& step, const Dialect& dialect) {
     if (known && !row->order_unknown) continue;
     refuse_at(
         *step.block, word.span, "emit-m-code",
-        fmt::format("whether {} acts before the move of its block or behind it is the machine builder's choice, and "
+        fmt::format("whether {} acts before the move of its block or after it is the machine builder's choice, and "
                     "the corrected move has several blocks",
                     step.block->at(word.span)),
-        "put it into a block of its own, before or behind the move");
+        "put it into a block of its own, before or after the move");
   }
 }
 

@@ -18,11 +18,11 @@ void refuse_if_turned(const Step& step, const OutputState& control);
 /// emit-shared-words.
 void refuse_if_shared(const Step& step, const CodeWriter& codes);
 
-/// The words that a correction adds would stand beside a change of units, where nobody knows in which they count:
+/// The words that a correction adds would stand beside a change of units, where it is not known in which they count:
 /// emit-shared-words.
 void refuse_beside_unit(const Step& step, const Dialect& dialect);
 
-/// With several pieces in its place the block's M code acts beside the first, or behind the last; its builder decides:
+/// With several pieces in its place the block's M code acts beside the first, or after the last; its builder decides:
 /// emit-m-code.
 void refuse_builders_codes(const Step& step, const Dialect& dialect);
 

@@ -75,8 +75,9 @@ void PieceFeeds::keep(bool has_time, OutputState& control) const {
   const Motion& motion = step_.motions.front();
   if (tip_stands(motion)) refuse_turn_alone(step_);
   const bool cuts = motion.kind == MotionKind::feed || motion.kind == MotionKind::arc;
-  const AxisWords way = motion.to - motion.from;
-  if (cuts && !has_time && motion.feed > 0 && !feed_length(length_mm(way), way, motion.feed_rule, motion.mm_per_unit))
+  const AxisWords travel = motion.to - motion.from;
+  if (cuts && !has_time && motion.feed > 0 &&
+      !feed_length(length_mm(travel), travel, motion.feed_rule, motion.mm_per_unit))
     refuse_feed_rule(step_, dialect_);
   control.change_unit(*step_.before, *step_.after);
   if (find_word(*step_.block, 'F') == nullptr) return;

@@ -41,7 +41,7 @@ class PieceFeeds {
   /// Chooses them so that the move takes `seconds` (revolutions under G95), and returns what it takes; the control is
   /// left with the last. Refuses with emit-feed-rule and emit-feed-range.
   double choose(const AxisWords& start, double seconds, OutputState& control);
-  /// A move whose time nobody knows keeps its F. Refuses with emit-feed-rule where the correction would change what
+  /// A move whose time is not known keeps its F. Refuses with emit-feed-rule where the correction would change what
   /// that F means.
   void keep(bool has_time, OutputState& control) const;
 

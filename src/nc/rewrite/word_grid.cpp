@@ -59,12 +59,12 @@ bool WordGrid::keeps_time(const Step& step, const AxisWords& standing) const {
   for (const Axis axis : kAllAxes) {
     if (motion.known_before.contains(axis) && !depends_on_start(step, axis)) off[axis] = standing[axis];
   }
-  const AxisWords way = motion.to - motion.from;
+  const AxisWords travel = motion.to - motion.from;
   const auto length = [&](const AxisWords& d) {
     return feed_length(length_mm(d), d, motion.feed_rule, motion.mm_per_unit).value_or(0);
   };
-  const double before = length(way);
-  return before <= kSamePlace || !differs(length(way - off), before, settings_.time_tolerance);
+  const double before = length(travel);
+  return before <= kSamePlace || !differs(length(travel - off), before, settings_.time_tolerance);
 }
 
 // Its absolute words are counted from where it stands.

@@ -7,7 +7,7 @@
 namespace plumbline::nc {
 namespace {
 
-// What stands behind the second % of a tape never reaches the control; %_N_ of a SINUMERIK begins another program.
+// What stands after the second % of a tape never reaches the control; %_N_ of a SINUMERIK begins another program.
 bool ends_tape(std::string_view line, bool begun, const Dialect& dialect) {
   const std::size_t first = line.find_first_not_of(" \t");
   const bool percent = first != std::string_view::npos && line[first] == '%';
@@ -64,19 +64,19 @@ const LinePlace* LabelIndex::find_label(const std::string& label, std::size_t li
   }
   const LinePlace* before = nullptr;
   const LinePlace* nearest = nullptr;
-  const LinePlace* behind = nullptr;
+  const LinePlace* after = nullptr;
   for (const LinePlace& place : found->second) {
     if (place.line < first || place.line >= end) continue;
     if (place.line <= line) {
       if (before == nullptr) before = &place;
       nearest = &place;
-    } else if (behind == nullptr) {
-      behind = &place;
+    } else if (after == nullptr) {
+      after = &place;
     }
   }
-  if (direction == Direction::forward) return behind;
+  if (direction == Direction::forward) return after;
   if (direction == Direction::backward) return nearest;
-  return behind != nullptr ? behind : before;
+  return after != nullptr ? after : before;
 }
 
 std::optional<FilePlace> LabelIndex::find_in_open_files(const std::string& name) {

@@ -39,7 +39,7 @@ bool ends_program(const Block& block, const Dialect& dialect) {
   return !block.block_delete && has_action(block, dialect, Action::end);
 }
 
-// Behind G65 letters are arguments.
+// After G65 letters are arguments.
 void add_axes(const Block& block, const Dialect& dialect, AxisSet& axes) {
   for (const Word& word : block.words) {
     if (action_of(word, dialect) == Action::call_macro) return;
@@ -72,7 +72,7 @@ std::string called_name(const Block& block, const Dialect& dialect) {
   return fmt::format("{}", number);
 }
 
-// Behind the end of the program nothing is executed unless something jumps there.
+// After the end of the program nothing is executed unless something jumps there.
 bool may_jump(const Block& block, const Dialect& dialect) {
   return block.flow.word == FlowWord::call || block.flow.word == FlowWord::go_to ||
          has_action(block, dialect, Action::call_program) || has_action(block, dialect, Action::call_macro);

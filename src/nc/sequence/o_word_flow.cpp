@@ -52,7 +52,7 @@ bool OWordFlow::next(Line& line) {
 void OWordFlow::end_of_text() {
   if (!left_out_) return;
   refuse(codes::kFlowOpen, fmt::format("the file ends before {} was found", left_out_->what),
-         "add it, or put the subprogram into a file of its name beside the program; the control reads nothing behind "
+         "add it, or put the subprogram into a file of its name beside the program; the control reads nothing after "
          "the % that ends a program, and no % around a file that a program with % calls",
          left_out_->from);
 }
@@ -104,7 +104,7 @@ void OWordFlow::define(const Block& block, const std::string& label) {
   if (is_sought || !called()) {
     if (!subprograms_.try_emplace(label, FilePlace{files_.current(), place_of_line(block)}).second) {
       refuse_flow(block, codes::kFlowLabel, "this subprogram was called or defined before",
-                  "define it once, before the first move or behind the end of the program (M2)");
+                  "define it once, before the first move or after the end of the program (M2)");
     }
   }
   left_out_.reset();

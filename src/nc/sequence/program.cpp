@@ -40,7 +40,7 @@ void check_length(const Block& block, const Line& line, const Dialect& dialect) 
          "break it into several blocks, or shorten its comment", std::move(place));
 }
 
-// Behind "/" and N, as the lines that are left out are looked through for O words.
+// After "/" and N, as the lines that are left out are looked through for O words.
 bool begins_with_flow(std::string_view text) {
   std::size_t at = text.find_first_not_of(" \t\r/");
   if (at != std::string_view::npos && (text[at] == 'N' || text[at] == 'n')) {
@@ -218,7 +218,7 @@ void Program::Parts::refuse_guard(std::string_view what) const {
          guard_line);
 }
 
-// Controls with statements take % for the begin of the file as well as for its end, and what stands behind that is none
+// Controls with statements take % for the begin of the file as well as for its end, and what stands after that is none
 // of theirs. RS274/NGC: the first line that is not blank may be %; then the program ends at the next one
 // [RS274/NGC 3.2].
 const Step* Program::Parts::percent() {

@@ -17,7 +17,7 @@ RepeatedSections::GoesOn RepeatedSections::next_pass() {
   return {section.begin, FlowEntry{FlowEntry::Kind::pass, {}, {}, section.begin.line, section.pass}};
 }
 
-std::optional<RepeatedSections::GoesOn> RepeatedSections::behind(const Line& line, std::size_t level) {
+std::optional<RepeatedSections::GoesOn> RepeatedSections::after(const Line& line, std::size_t level) {
   if (sections_.empty() || sections_.back().level != level || line.place.line < sections_.back().end) {
     return std::nullopt;
   }

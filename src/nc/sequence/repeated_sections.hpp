@@ -14,7 +14,7 @@ namespace plumbline::nc {
 
 struct RepeatedSection {
   LinePlace begin;
-  std::size_t end = 0;     // the first line behind it
+  std::size_t end = 0;     // the first line after it
   LinePlace back;          // where reading goes on when all passes are done
   int remaining = 0;       // passes
   std::size_t level = 0;   // of calls, in which it is repeated
@@ -31,8 +31,8 @@ class RepeatedSections {
 
   /// Its first pass begins.
   GoesOn begin(const RepeatedSection& section);
-  /// Of the line behind the part that this level of calls repeats; nothing: the line is none such.
-  std::optional<GoesOn> behind(const Line& line, std::size_t level);
+  /// Of the line after the part that this level of calls repeats; nothing: the line is none such.
+  std::optional<GoesOn> after(const Line& line, std::size_t level);
   /// Refuses a jump out of it: what the control does with the passes that are left is in no source.
   void check_jump(const Block& block, const LinePlace& to, std::size_t level) const;
   /// The call of this level ends.

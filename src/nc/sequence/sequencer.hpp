@@ -32,7 +32,7 @@ class Sequencer {
   /// True once the program ran into the next one of its file.
   virtual bool ended() const { return false; }
 
-  /// % ends the text here, though lines behind it may be looked for; refuses where they are.
+  /// % ends the text here, though lines after it may be looked for; refuses where they are.
   virtual void end_of_text() {}
 
   /// A line that steers; false: it belongs to what is left out.

@@ -23,7 +23,7 @@ StatementFlow::StatementFlow(const InputFile& program, const Dialect& dialect, I
 bool StatementFlow::next(Line& line) {
   loops_.pass_left_out();
   while (files_.next(line)) {
-    if (const auto there = sections_.behind(line, calls_.depth())) {
+    if (const auto there = sections_.after(line, calls_.depth())) {
       go_on(*there);
       continue;
     }
@@ -59,7 +59,7 @@ bool StatementFlow::take(const Block& block) {
       if (called()) {
         leave(block);
       } else {
-        reading_ = Reading::behind_end;
+        reading_ = Reading::after_end;
       }
       return true;
     case FlowWord::end_if:
@@ -105,7 +105,7 @@ void StatementFlow::steer(const Block& block) {
   }
 }
 
-// The name of a program: of the one that begins here, or of the one behind it.
+// The name of a program: of the one that begins here, or of the one after it.
 void StatementFlow::head(const Block& block) {
   if (reading_ == Reading::head || block.flow.word == FlowWord::sub) {
     reading_ = Reading::body;
@@ -120,7 +120,7 @@ void StatementFlow::head(const Block& block) {
     refuse_flow(block, codes::kFlowOpen, fmt::format("subprogram {} runs into the next program", calls_.top().name),
                 "end it with M99, RTS, M17 or RET, as its control has it");
   }
-  reading_ = Reading::behind_end;
+  reading_ = Reading::after_end;
 }
 
 void StatementFlow::jump(const Block& block, const std::string& label, Direction direction) {
@@ -166,7 +166,7 @@ RepeatedSection StatementFlow::section_of(const Block& block) {
     const LinePlace* const place = labels_.find_label(label, block.line, Direction::backward);
     if (place == nullptr) {
       refuse_flow(block, codes::kFlowLabel, fmt::format("there is no label {} before this line", label),
-                  "a part of a program is repeated from behind it: check the label, or call a subprogram");
+                  "REPEAT stands after the part that it repeats: check the label, or call a subprogram");
     }
     return *place;
   };

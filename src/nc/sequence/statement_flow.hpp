@@ -26,7 +26,7 @@ class StatementFlow : public Sequencer {
   const std::string& file() const override { return files_.name(); }
   bool called() const override { return !calls_.empty(); }
   void check_files() const override { files_.check_unchanged(); }
-  bool ended() const override { return reading_ == Reading::behind_end; }
+  bool ended() const override { return reading_ == Reading::after_end; }
   bool take(const Block& block) override;
   void call_program(const Block& block, const ProgramCall& program) override;
   bool end_program(const Block& block, const ProgramCall& program) override;
@@ -34,7 +34,7 @@ class StatementFlow : public Sequencer {
  private:
   static constexpr std::size_t kProgramLevels = 10;
   /// What is read of the program, or of the subprogram on top.
-  enum class Reading : std::uint8_t { head, body, behind_end };
+  enum class Reading : std::uint8_t { head, body, after_end };
 
   void steer(const Block& block);
   void choose(const Block& block);

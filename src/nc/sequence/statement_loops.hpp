@@ -25,7 +25,7 @@ class StatementLoops {
   void begin_for(const Block& block);
   /// Gives the pass that begins, if one does. Refuses with nc-flow-label the end of what was not begun.
   FlowEntry end(const Block& block);
-  /// IF and ELSE: reading goes on behind the ENDIF; of an IF behind its ELSE, if it has one.
+  /// IF and ELSE: reading goes on after the ENDIF; of an IF after its ELSE, if it has one.
   void leave_out_branch(const Block& block);
   /// Passes over what was left out last. Those lines are not parsed, as the control does not.
   void pass_left_out();
@@ -40,7 +40,7 @@ class StatementLoops {
     FlowWord word = FlowWord::none;
     int number = 0;     // of DO
     LinePlace begin;    // of the line that begins it
-    LinePlace content;  // of the line behind
+    LinePlace content;  // of the line after
     std::uint64_t pass = 1;
     bool counts_on = false;  // FOR is reached from its end
   };

@@ -9,7 +9,7 @@ namespace plumbline::nc {
 LineSource::LineSource(const InputFile& file, char goes_on, std::size_t window)
     : file_(file), goes_on_(goes_on), window_(window + 1) {}
 
-// Moves what is left to the front and reads behind it; a NUL follows.
+// Moves what is left to the front and reads after it; a NUL follows.
 void LineSource::fill() {
   std::memmove(window_.data(), window_.data() + begin_, end_ - begin_);
   end_ -= begin_;

@@ -8,7 +8,7 @@
 
 namespace plumbline::nc {
 
-/// Reads block.text into the rest of the block. Behind the text there must be a line end or a NUL.
+/// Reads block.text into the rest of the block. After the text there must be a line end or a NUL.
 /// block.file, text, line_end, line and offset are the caller's.
 class Parser {
  public:

@@ -49,7 +49,7 @@ TEST_CASE("what all dialects have is read as LinuxCNC's, unless the program begi
   CHECK(dialect_of("O1234\nG15 H1\n") == "okuma");
 }
 
-TEST_CASE("an NE behind a bracket is no label") {
+TEST_CASE("an NE after a bracket is no label") {
   CHECK(dialect_of("#3=2\no527 if [[#3+1] NE 3]\nG0 X1\no527 endif\n") == "linuxcnc");
   CHECK(dialect_of("#1=[[2*3] ne #<depth>]\nG0 X1\n") == "linuxcnc");
   CHECK(dialect_of("#<a>=1\nG0 X[[1]NE[2]]\n") == "linuxcnc");

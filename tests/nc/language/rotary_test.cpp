@@ -63,7 +63,7 @@ TEST_CASE("the shorter way round") {
   for (std::size_t i = 0; i < manual.size(); ++i) CHECK(ends[i] == Approx(manual[i]).margin(1e-9));
 }
 
-TEST_CASE("behind DC, ACP and ACN absolute words count within the turn") {
+TEST_CASE("after DC, ACP and ACN absolute words count within the turn") {
   const ProgramSettings settings = empty_tables();
   const std::vector<double> ends =
       ends_of_c("G54 G0 C350\nC=DC(10)\nC20\nC=ACN(350)\nC340\nC=ACP(340)\nC=IC(30)\nC20\nM30\n", settings, "siemens");

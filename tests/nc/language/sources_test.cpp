@@ -32,7 +32,7 @@ bool names_source(const std::string& text, const std::set<std::string>& sources)
   return text.rfind("setting", 0) == 0 || sources.count(text.substr(0, text.find(' '))) > 0;
 }
 
-// "[P 4.2]" or "(setting)" behind the #.
+// "[P 4.2]" or "(setting)" after the #.
 bool comment_names_source(const std::string& line, const std::set<std::string>& sources) {
   const std::size_t comment = line.find('#');
   if (comment == std::string::npos) return false;

@@ -92,13 +92,13 @@ TEST_CASE("without a correction the output is the input, byte for byte") {
   CHECK(rewrite(text, lift(0.00004)) == text);  // rounds to zero at four digits
 }
 
-TEST_CASE("only the words that must change do; new ones stand behind the last axis word, spelt like it") {
+TEST_CASE("only the words that must change do; new ones stand after the last axis word, spelt like it") {
   CHECK(rewrite("G0 X1 Y2 Z3\n", lift(0.01)) == "(stamped)\nG0 X1 Y2 Z3.01\n");
   CHECK(rewrite("g0x1y2\n", lift(0.01)) == "(stamped)\ng0x1y2z0.01\n");
   CHECK(rewrite("G0 X1.500 Y2 (there) M8\n", lift(-0.01)) == "(stamped)\nG0 X1.500 Y2 Z-0.01 (there) M8\n");
 }
 
-TEST_CASE("the stamp stands behind %, and the comments that the program begins with") {
+TEST_CASE("the stamp stands after %, and the comments that the program begins with") {
   CHECK(rewrite("%\n(part 7)\n\n(by hand)\n\nG21\nG0 X1\n", lift(0.01)) ==
         "%\n(part 7)\n\n(by hand)\n(stamped)\n\nG21\nG0 X1 Z0.01\n");
 }

@@ -46,7 +46,7 @@ TEST_CASE("a program is looked for in the file, then in one of its name") {
   CHECK(index.find_program("9")->file == 2);
 }
 
-TEST_CASE("behind the second % of a tape stands nothing that the control knows") {
+TEST_CASE("after the second % of a tape stands nothing that the control knows") {
   const testing::Scratch scratch;
   const InputFile program(scratch.file("main.nc", "%\nO1\nM30\n%\nN10 G0\n"));
   ProgramFiles files(program, dialect("fanuc"));

@@ -11,7 +11,7 @@
 using namespace plumbline;
 using namespace plumbline::nc;
 
-TEST_CASE("reading goes on in a file beside the program, and comes back to the line behind the call") {
+TEST_CASE("reading goes on in a file beside the program, and comes back to the line after the call") {
   const testing::Scratch scratch;
   scratch.file("side.ngc", "A1\nA2\n");
   const InputFile program(scratch.file("main.ngc", "X1\nX2\nX3\n"));

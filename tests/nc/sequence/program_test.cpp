@@ -50,8 +50,8 @@ TEST_CASE("the texts of all blocks are the program, byte for byte") {
     INFO(text);
     CHECK(round_trip(text) == text);
   }
-  const std::string behind = "M2\n" + std::string(1'000'000, 'x') + "\n" + std::string("\0\0\n", 3);
-  CHECK(round_trip(behind) == behind);
+  const std::string after = "M2\n" + std::string(1'000'000, 'x') + "\n" + std::string("\0\0\n", 3);
+  CHECK(round_trip(after) == after);
 }
 
 TEST_CASE("the programs of others come out byte for byte as far as they are read") {
@@ -142,7 +142,7 @@ TEST_CASE("steps tell what they are") {
   CHECK(steps.next() == nullptr);
 }
 
-TEST_CASE("the control reads nothing behind the second %") {
+TEST_CASE("the control reads nothing after the second %") {
   const std::string subprogram = "o100 sub\nG1 X5\no100 endsub\n";
   CHECK(code_of("%\nF100\no100 call\nM2\n%\n" + subprogram) == "nc-flow-open");
   CHECK(code_of("%\nF100\nM98 P100\nM2\n%\nO100\nG1 X5\nM99\n%\n") == "nc-flow-open");

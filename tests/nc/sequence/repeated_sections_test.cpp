@@ -27,22 +27,22 @@ RepeatedSection lines_3_to_5() {
 
 }  // namespace
 
-TEST_CASE("a part is read again from its begin, then reading goes on behind the line that repeats it") {
+TEST_CASE("a part is read again from its begin, then reading goes on after the line that repeats it") {
   RepeatedSections sections;
   const auto first = sections.begin(lines_3_to_5());
   CHECK(first.at.line == 3);
   CHECK(first.entry->pass == 2);
-  CHECK_FALSE(sections.behind(line_at(5), 1).has_value());
-  CHECK_FALSE(sections.behind(line_at(6), 2).has_value());  // of a subprogram that it calls
-  const auto second = sections.behind(line_at(6), 1);
+  CHECK_FALSE(sections.after(line_at(5), 1).has_value());
+  CHECK_FALSE(sections.after(line_at(6), 2).has_value());  // of a subprogram that it calls
+  const auto second = sections.after(line_at(6), 1);
   REQUIRE(second.has_value());
   CHECK(second->at.line == 3);
   CHECK(second->entry->pass == 3);
-  const auto back = sections.behind(line_at(6), 1);
+  const auto back = sections.after(line_at(6), 1);
   REQUIRE(back.has_value());
   CHECK(back->at.line == 8);
   CHECK_FALSE(back->entry.has_value());
-  CHECK_FALSE(sections.behind(line_at(6), 1).has_value());
+  CHECK_FALSE(sections.after(line_at(6), 1).has_value());
 }
 
 TEST_CASE("a jump stays inside the part that is repeated, or leaves it with its call") {

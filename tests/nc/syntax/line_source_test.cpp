@@ -27,7 +27,7 @@ std::vector<Read> read_all(const std::string& text, std::size_t window, char goe
   std::vector<Read> all;
   Line line;
   while (lines.next(line)) {
-    // NOLINTBEGIN(readability-simplify-subscript-expr): behind the end, where [] may not look
+    // NOLINTBEGIN(readability-simplify-subscript-expr): after the end, where [] may not look
     CHECK((line.text.data()[line.text.size()] == '\0' || line.text.data()[line.text.size()] == '\n' ||
            line.text.data()[line.text.size()] == '\r' || !line.whole));
     // NOLINTEND(readability-simplify-subscript-expr)

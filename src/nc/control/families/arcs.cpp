@@ -154,7 +154,7 @@ int turns_of(const Execution& run, bool clockwise) {
   return clockwise ? -turns : turns;
 }
 
-// Each axis of the plane must be known where the arc starts, else nobody knows the circle.
+// Each axis of the plane must be known where the arc starts, else the circle is not known.
 void check_start(const Execution& run, const PlaneAxes& axes) {
   for (const Axis axis : {axes.first, axes.second}) {
     if (run.control.known.contains(axis)) continue;

@@ -109,7 +109,7 @@ class CalledHole {
 void CalledHole::check() const {
   if (static_cast<int>(call_.arguments.size()) > places_.last + 1) {
     given_.refuse("no source says what the last values in its brackets mean",
-                  fmt::format("leave out what stands behind the first {}", places_.last + 1));
+                  fmt::format("leave out what stands after the first {}", places_.last + 1));
   }
   if (!given_.value(kRetractPlane) || !given_.value(kReferencePlane) ||
       (!given_.value(kDepth) && !given_.value(kRelativeDepth))) {
@@ -133,12 +133,12 @@ void CalledHole::check() const {
   if (places_.code == kCalledDrill) check_simple();
 }
 
-// Newer controls have a dwell behind the depth of CYCLE81, posts write no place for it: where all is 0, both agree.
+// Newer controls have a dwell after the depth of CYCLE81, posts write no place for it: where all is 0, both agree.
 void CalledHole::check_simple() const {
   for (int place = kDwell; place < static_cast<int>(call_.arguments.size()); ++place) {
     const double given = given_.number(place);
     if (given == 0 || (place >= 7 && given == 10)) continue;
-    given_.refuse("sources disagree on what stands behind the relative depth", "leave it out, or use CYCLE82");
+    given_.refuse("sources disagree on what stands after the relative depth", "leave it out, or use CYCLE82");
   }
 }
 
@@ -291,12 +291,12 @@ CycleCall call_of(const Execution& run, const CodeRow& row) {
   CycleCall call;
   call.row = &row;
   for (const Argument& argument : run.block->arguments) {
-    CallArgument& taken = call.arguments.emplace_back();
-    if (argument.expression != kLiteral) taken.value = argument.value;
+    CallArgument& given = call.arguments.emplace_back();
+    if (argument.expression != kLiteral) given.value = argument.value;
     if (argument.plain) {
-      taken.text = std::string(run.block->at(argument.span));
+      given.text = std::string(run.block->at(argument.span));
     } else {
-      append_decimal(taken.text, argument.value, kMostDecimals);
+      append_decimal(given.text, argument.value, kMostDecimals);
       call.by_variables = true;
     }
   }

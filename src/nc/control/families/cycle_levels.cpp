@@ -65,9 +65,9 @@ void check_cycle_start(const Execution& run, std::array<double, 2> hole, double 
 }
 
 // G80 is of another group than G0, which a cycle leaves in force. Of G1, G2 and G3 no source says it.
-const CodeRow* row_behind_cycle(const Execution& run) {
+const CodeRow* row_after_cycle(const Execution& run) {
   const Control& control = run.control;
-  if (!run.dialect.behaviour.rapid_behind_cycles) return nullptr;
+  if (!run.dialect.behaviour.rapid_after_cycles) return nullptr;
   const CodeRow* const before =
       control.modal.motion == MotionMode::cycle ? control.row_before_cycle : control.motion_row;
   return before != nullptr && before->action == Action::rapid ? before : nullptr;

@@ -144,7 +144,7 @@ void CycleRun::check_distance_mode() {
   if (goes_on_ && inherits && cycle_.incremental != control_.modal.incremental) {
     run_.refuse(run_.motion_code(), codes::kNotInterpreted,
                 "what R and the depth of the cycle mean after the change between G90 and G91 depends on the control",
-                "state both again behind the change");
+                "state both again after the change");
   }
   cycle_.incremental = control_.modal.incremental;
 }

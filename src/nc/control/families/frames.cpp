@@ -213,7 +213,7 @@ void set_work_table(Execution& run) {
   for (const Axis axis : kAllAxes) {
     if (!run.axes.contains(axis)) continue;
     if (control.modal.incremental && !row.known.contains(axis)) {
-      run.refuse(*run.words.find(axis), codes::kWorkOffsetUnknown, "G91 adds to an offset that nobody gave",
+      run.refuse(*run.words.find(axis), codes::kWorkOffsetUnknown, "G91 adds to an offset that was never given",
                  fmt::format("give it, or write G90 before: --work-offset"));
     }
     row.origin[axis] = run.value(axis) + (control.modal.incremental ? row.origin[axis] : 0);

@@ -19,7 +19,7 @@ void orient_spindle(Execution& run) {
   if (angle != nullptr && (angle->value < 0 || angle->value > kFullTurn)) {
     run.refuse(*angle, codes::kOutOfRange, "the spindle's angle is out of range", "write R0 to R360");
   }
-  if (const Word* way = run.words.find('P')) run.whole(*way, 0, 2);
+  if (const Word* direction = run.words.find('P')) run.whole(*direction, 0, 2);
 }
 
 void set_output(const Execution& run, const Chosen& chosen) {

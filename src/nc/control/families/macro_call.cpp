@@ -24,21 +24,21 @@ void call_macro(Execution& run) {
   run.arguments.clear();
   run.call.kind = ProgramCall::Kind::macro;
   run.call.number = -1;
-  bool behind = false;
+  bool after_call = false;
   int set[3] = {0, 0, 0};
   for (const Word& word : run.block->words) {
-    if (word.letter == 'G' && !behind) {
+    if (word.letter == 'G' && !after_call) {
       const CodeRow* const row = run.dialect.row_of(word);
-      behind = row != nullptr && row->action == Action::call_macro;
+      after_call = row != nullptr && row->action == Action::call_macro;
       continue;
     }
-    if (!behind) continue;
+    if (!after_call) continue;
     if (word.letter == 'P') {
       run.call.number = run.whole(word, 0, kNoLimit);
     } else if (word.letter == 'L') {
       run.call.count = run.whole(word, run.dialect.behaviour.least_calls, kNoLimit);
     } else if (word.letter >= 'I' && word.letter <= 'K') {
-      // The first, second... I, J or K: an I behind a J or K belongs to the next set.
+      // The first, second... I, J or K: an I after a J or K belongs to the next set.
       const int which = word.letter - 'I';
       int number = set[which];
       for (int i = which + 1; i < 3; ++i) number = std::max(number, set[i]);

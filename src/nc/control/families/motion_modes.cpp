@@ -53,7 +53,7 @@ void set_motion_mode(Execution& run, const CodeRow& row) {
 
 void end_motion(Execution& run) {
   Modal& modal = run.control.modal;
-  const CodeRow* const goes_on = row_behind_cycle(run);
+  const CodeRow* const goes_on = row_after_cycle(run);
   run.control.cycle.begun = false;
   run.control.spline_end.reset();
   modal.motion = goes_on != nullptr ? MotionMode::rapid : MotionMode::none;

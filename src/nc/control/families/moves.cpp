@@ -144,7 +144,7 @@ AxisSet absolute_words(const Execution& run) {
   return stated;
 }
 
-// An increment behind it may bring along a shift that it has not followed yet.
+// An increment after it may bring along a shift that it has not followed yet.
 AxisSet shifted_after(const Execution& run, const Motion& motion) {
   const AxisSet shifted = run.control.shifted;
   if (motion.kind == MotionKind::dwell) return shifted;

@@ -125,7 +125,7 @@ void set_table(Execution& run) {
     case 0:  // the table is read anew, and is the one that --tools gives
       if (run.control.modal.tool_in_spindle <= 0) return;
       run.refuse(word, codes::kNotInterpreted, "the control stops at G10 L0 while a tool is in the spindle",
-                 "leave it out, or put it before T and M6, or behind T0 M6");
+                 "leave it out, or put it before T and M6, or after T0 M6");
     default:
       run.refuse(word, codes::kOutOfRange, fmt::format("there is no G10 L{}", table), "write L1, L2, L10, L11 or L20");
   }
@@ -185,7 +185,7 @@ void clear_position(Execution& run, Action action) {
   const bool restores = action == Action::restore_position;
   if (restores && !control.g92.known) {
     run.refuse(codes::kWorkOffsetUnknown,
-               "the control keeps the offset of G92 from programs before, and nobody gave it",
+               "the control keeps the offset of G92 from programs before, and it was never given",
                "write G92 in this program, or give the control's #5211 to #5216: --variables FILE");
   }
   Frame next = control.frame;

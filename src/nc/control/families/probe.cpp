@@ -14,11 +14,11 @@ constexpr double kBackOffMm = 0.254, kBackOffInch = 0.01;
 // Where rs274, which has no probe, takes the tool to stand: a little before the end [measured].
 AxisWords backed_off(const Execution& run, const Motion& motion) {
   AxisWords stands = motion.to;
-  const AxisWords way = motion.to - motion.from;
-  const double length = std::hypot(way[Axis::X], way[Axis::Y], way[Axis::Z]);
+  const AxisWords travel = motion.to - motion.from;
+  const double length = std::hypot(travel[Axis::X], travel[Axis::Y], travel[Axis::Z]);
   if (length == 0) return stands;
   const double back = run.control.modal.inches ? kBackOffInch * run.control.length_unit() : kBackOffMm;
-  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) stands[axis] -= back * way[axis] / length;
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) stands[axis] -= back * travel[axis] / length;
   return stands;
 }
 

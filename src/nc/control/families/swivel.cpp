@@ -64,9 +64,10 @@ class Swivel {
 
   /// Whether the axes turn; else the plane alone changes.
   bool turns() const {
-    const double way = value(kWay);
-    if (way != 0 && std::abs(way) != 1) refuse(kWay, fmt::format("has the direction {}", way), "write -1, 0 or 1");
-    return way != 0;
+    const double direction = value(kWay);
+    if (direction != 0 && std::abs(direction) != 1)
+      refuse(kWay, fmt::format("has the direction {}", direction), "write -1, 0 or 1");
+    return direction != 0;
   }
 
  private:

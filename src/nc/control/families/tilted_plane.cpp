@@ -166,7 +166,7 @@ void check_on_plane(const Execution& run) {
   check_no_rotary_words(run);
   if (control.tool_on_plane) return;
   refuse_beside_plane(run, run.motion_code(), "a plane is tilted, and the tool was not turned along its Z yet",
-                      swivel_cycle(run.dialect).empty() ? "write G53.1 behind G68.2"
+                      swivel_cycle(run.dialect).empty() ? "write G53.1 after G68.2"
                                                         : "let the cycle turn the axes: its direction 1 or -1");
 }
 
@@ -188,7 +188,7 @@ void check_no_plane(const Execution& run, const Word& word) {
   refuse_beside_plane(run, word,
                       fmt::format("{} in a tilted plane is not interpreted: no source says in which system it counts",
                                   run.block->at(word.span)),
-                      "end the plane before it, and define it again behind it");
+                      "end the plane before it, and define it again after it");
 }
 
 }  // namespace plumbline::nc

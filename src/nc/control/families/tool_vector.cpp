@@ -111,18 +111,18 @@ double angle_deg(const ToolDirection& a, const ToolDirection& b) {
   return 2 * std::asin(std::min(chord / 2, 1.0)) / kDeg;
 }
 
-// F counts the ways of A, B and C, or the angle between the directions [F p. 277].
+// F counts the travel of A, B and C, or the angle between the directions [F p. 277].
 void check_feed(const Execution& run, const Motion& motion, double angle) {
   const bool counts_turns = run.control.feed_rule == FeedRule::all_axes_as_mm && !run.settings.feed_rule;
   if (!counts_turns || run.control.modal.feed_mode == FeedMode::inverse_time) return;
-  const AxisWords way = motion.to - run.control.position;
-  const double linear = std::hypot(way[Axis::X], way[Axis::Y], way[Axis::Z]);
-  const double by_axes = std::hypot(way[Axis::A], way[Axis::B], way[Axis::C]);
+  const AxisWords travel = motion.to - run.control.position;
+  const double linear = std::hypot(travel[Axis::X], travel[Axis::Y], travel[Axis::Z]);
+  const double by_axes = std::hypot(travel[Axis::A], travel[Axis::B], travel[Axis::C]);
   if (std::abs(std::hypot(linear, by_axes) - std::hypot(linear, angle)) <= kSameTime * std::hypot(linear, angle))
     return;
   refuse_vector(run,
-                "the tool turns in this block, and whether F counts the angle between the directions or the ways of A, "
-                "B and C depends on the settings of the control",
+                "the tool turns in this block, and whether F counts the angle between the directions or the travel of "
+                "A, B and C depends on the settings of the control",
                 "write FGROUP(X,Y,Z), or say how the control counts: --feed-rule xyz (F is the speed along X, Y, Z) or "
                 "--feed-rule all");
 }

@@ -49,7 +49,7 @@ const Word& word_of_length(const Execution& run, const Chosen& chosen) {
   return word != nullptr ? *word : *chosen.word;
 }
 
-// A length that counts as zero because nobody gave it is not zero at the machine.
+// A length that counts as zero because it was never given is not zero at the machine.
 void mark_unknown_length(Execution& run, int number) {
   const bool given = run.settings.tools.find(number) != nullptr || run.control.tools.contains(number);
   if (number > 0 && !given && run.dialect.behaviour.increment_unknown_after_length) run.control.shifted.insert(Axis::Z);

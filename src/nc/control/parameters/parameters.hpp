@@ -16,7 +16,7 @@ namespace plumbline::nc {
 
 inline constexpr int kLocalParameters = 30;   // #1..#30 belong to a subprogram
 inline constexpr int kLastParameter = 5601;   // [LinuxCNC; RS274/NGC has 5400]
-inline constexpr int kG92InForce = 5210;      // 1 where the six behind it hold an offset
+inline constexpr int kG92InForce = 5210;      // 1 where the six after it hold an offset
 inline constexpr int kParametersPerRow = 20;  // from that of a work system or home to that of the next one
 inline constexpr int kMostParameters = 9999;  // of any control
 
@@ -24,7 +24,7 @@ inline constexpr int kMostParameters = 9999;  // of any control
 struct Value {
   double number = 0;
   bool known = true;
-  bool vacant = false;  // of a variable that nobody set, where the language has such; counts as 0
+  bool vacant = false;  // of a variable that was never set, where the language has such; counts as 0
 };
 
 /// Whose #1..#30 a subprogram has.

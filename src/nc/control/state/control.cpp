@@ -69,7 +69,7 @@ Control::Control(const Dialect& dialect, const ProgramSettings& settings)
 
 double Control::length_unit() const { return modal.inches ? kMmPerInch : 1; }
 
-// Axes whose increments may bring the change along, or not: nobody knows.
+// Axes whose increments may bring the change along or not: which of both is not known.
 AxisSet Control::shifted_by(const Frame& next, const AxisWords& moved) const {
   AxisSet axes;
   for (const Axis axis : kAllAxes) {

@@ -7,7 +7,7 @@ namespace plumbline::nc {
 namespace {
 
 constexpr double kMotionOff = 800;       // G80
-constexpr double kNoMotionMode = -1;     // behind a NURBS [LinuxCNC, measured]
+constexpr double kNoMotionMode = -1;     // after a NURBS [LinuxCNC, measured]
 constexpr double kNoCompensation = 400;  // G40
 
 struct Name {
@@ -53,7 +53,7 @@ constexpr std::array kNames{
     Name{"_feed_override", [](const Control& c) { return flag(c.modal.switches.feed_override); }},
     Name{"_adaptive_feed", [](const Control& c) { return flag(c.modal.switches.adaptive_feed); }},
     Name{"_feed_hold", [](const Control& c) { return flag(c.modal.switches.feed_stop); }},
-    // The number behind F: a change of units leaves it as it is [LinuxCNC, measured].
+    // The number after F: a change of units leaves it as it is [LinuxCNC, measured].
     Name{"_feed",
          [](const Control& c) {
            return Value{c.modal.feed_rotary, c.modal.feed_mode != FeedMode::inverse_time};

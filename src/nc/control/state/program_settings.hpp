@@ -43,7 +43,7 @@ struct ProgramSettings {
   /// Expressions may read where the control stands (#5420..., #<_x>...): true for who only looks, since a rewritten
   /// program would read something else.
   bool position_may_be_read = false;
-  /// trace alone: what nobody gave is what a control with empty tables has (zero), M codes of the user pass.
+  /// trace alone: what was not given is what a control with empty tables has (zero), M codes of the user pass.
   bool as_with_empty_tables = false;
 };
 

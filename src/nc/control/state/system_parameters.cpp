@@ -114,7 +114,7 @@ std::optional<double> SystemParameters::table_value(int number) const {
 
 Value SystemParameters::unset(const Block& block, Span span) const {
   if (settings_.as_with_empty_tables) return {0, true, true};
-  refuse_at(block, span, codes::kParameterUnset, fmt::format("nobody gave {} a value", block.at(span)),
+  refuse_at(block, span, codes::kParameterUnset, fmt::format("{} was never given a value", block.at(span)),
             "set it in the program before, or give the control's variables: --variables FILE");
 }
 
@@ -167,10 +167,10 @@ Value SystemParameters::read(const Block& block, int number, Span span) {
   }
   if (of_tool) {
     refuse_at(block, span, codes::kToolUnknown,
-              fmt::format("nobody gave #{} of tool {}", number, control_.modal.tool_in_spindle),
+              fmt::format("#{} of tool {} was never given", number, control_.modal.tool_in_spindle),
               "add the tool and its diameter_mm to a tool table (--tools), or set it with G10 L1");
   }
-  refuse_at(block, span, codes::kParameterUnset, fmt::format("nobody gave #{} a value", number),
+  refuse_at(block, span, codes::kParameterUnset, fmt::format("#{} was never given a value", number),
             "set it in the program before, or give the control's variables: --variables FILE");
 }
 

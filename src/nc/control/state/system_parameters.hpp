@@ -6,8 +6,6 @@
 
 namespace plumbline::nc {
 
-// Macro B: what is set there stops the control, with an alarm or with a message, behind which it goes on [E].
-
 class SystemParameters : public ParameterReader {
  public:
   SystemParameters(Control& control, const ProgramSettings& settings, const Dialect& dialect)

@@ -43,7 +43,7 @@ struct Orienting {
   double c_deg = 0;  // where C stood, of the machine
 };
 
-/// How far A, B and C are off behind it where they were off by `shift` before it.
+/// How far A, B and C are off after it where they were off by `shift` before it.
 AxisWords shift_after(const Orienting& orienting, AxisWords shift);
 
 }  // namespace plumbline::nc

@@ -5,7 +5,7 @@
 namespace plumbline::nc {
 namespace {
 
-// #5400 is the tool in the spindle, those behind it are its row [LinuxCNC, "Numbered Parameters"].
+// #5400 is the tool in the spindle, those after it are its row [LinuxCNC, "Numbered Parameters"].
 constexpr int kNumber = 5400, kOffset = 5401, kDiameter = 5410, kDetails = 5411;
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace plumbline::nc {
 /// What the tool adds to the control's display; nothing where no table has it.
 std::optional<AxisWords> offset_of_tool(const Control& control, const ProgramSettings& settings, int number);
 
-/// Of #5400 to #5413 and the tool in the spindle, in mm and deg; nothing where nobody gave it.
+/// Of #5400 to #5413 and the tool in the spindle, in mm and deg; nothing where it was not given.
 std::optional<double> tool_parameter(const Control& control, const ProgramSettings& settings, int number);
 
 }  // namespace plumbline::nc

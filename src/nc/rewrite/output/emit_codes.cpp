@@ -76,7 +76,7 @@ BlockCodes CodeWriter::codes_of(const Block& block) const {
     if (word.letter != 'M' && row->order != Order::after_motion) {
       const bool ends = row->action == Action::motion_off;
       const bool gives_way =
-          ends && (codes.motion != nullptr || dialect_.behaviour.rapid_behind_cycles);  // G80 beside G3
+          ends && (codes.motion != nullptr || dialect_.behaviour.rapid_after_cycles);  // G80 beside G3
       if (row->group == kMotionGroup && !gives_way) codes.motion = &word;
       if (row->group == kFeedModeGroup) codes.feed_mode = &word;
       if (row->action == Action::modal_call) codes.modal_call = &word;

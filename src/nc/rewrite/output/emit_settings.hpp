@@ -16,7 +16,7 @@ struct EmitSettings {
   double increment_ratio = 1;           // --input-increment over the dialect's own
   double time_tolerance = 1e-3;         // F is written only where a block's time would change by more than this share
   std::vector<std::string> stamp;       // texts of the comments that mark the output
-  std::vector<std::string> guard = {};  // whole lines behind the stamp
+  std::vector<std::string> guard = {};  // whole lines after the stamp
 };
 
 }  // namespace plumbline::nc

@@ -41,7 +41,7 @@ void OutputText::copy_source(std::uint64_t from, std::uint64_t to) {
   }
 }
 
-// The stamp stands behind %, a program number and the comments that the program begins with.
+// The stamp stands after %, a program number and the comments that the program begins with.
 void OutputText::follow(const Step& step) {
   const Block& block = *step.block;
   source_end_ = block.offset + block.text.size() + block.line_end.size();

@@ -16,7 +16,7 @@
 
 namespace plumbline::nc {
 
-/// Copies the source up to the first change, with the stamp behind its header; from there on takes lines, and notes
+/// Copies the source up to the first change, with the stamp after its header; from there on takes lines, and notes
 /// what they replaced. Unrolled, the stamp is written once the header is over, and nothing is copied.
 class OutputText {
  public:

@@ -46,7 +46,7 @@ struct Part {
   std::uint64_t original_size = 0, output_size = 0, original_hash = 0, output_hash = 0;
 };
 
-// A span of the output and, behind `at` in the undo file, what it stands for.
+// A span of the output and, after `at` in the undo file, what it stands for.
 struct Replaced {
   std::uint64_t offset = 0, size = 0, original_size = 0, at = 0;
 };
@@ -70,8 +70,8 @@ class UndoReader {
     if (!text.starts_with(kReplaced)) refuse_format();
     const auto numbers = numbers_of<3>(std::string_view(text).substr(kReplaced.size()), 3);
     const Replaced span{numbers[0], numbers[1], numbers[2], at_};
-    const std::uint64_t left = file_.size() - std::min(at_, file_.size());
-    if (span.offset < covered_ || span.size > kMost - span.offset || span.original_size >= left) refuse_format();
+    const std::uint64_t remaining = file_.size() - std::min(at_, file_.size());
+    if (span.offset < covered_ || span.size > kMost - span.offset || span.original_size >= remaining) refuse_format();
     written_ += span.offset - covered_ + span.original_size;
     covered_ = span.offset + span.size;
     at_ += span.original_size + 1;
@@ -104,7 +104,7 @@ class UndoReader {
     return std::string(read.substr(0, end));
   }
 
-  // Numbers between blanks, those behind the first `decimals` hexadecimal.
+  // Numbers between blanks, those after the first `decimals` hexadecimal.
   template <std::size_t kCount>
   std::array<std::uint64_t, kCount> numbers_of(std::string_view rest, std::size_t decimals) const {
     std::array<std::uint64_t, kCount> numbers{};

@@ -33,7 +33,7 @@ class UndoLog {
   bool all_ = false;
 };
 
-/// Writes the original that `rewritten` was made from. Undo files may hold one part behind the other; the one that fits
+/// Writes the original that `rewritten` was made from. Undo files may hold one part after the other; the one that fits
 /// counts. Refuses with undo-format where the undo file is none or is cut short, undo-mismatch where it belongs to
 /// another program, or the program was changed since; before anything is written, but where the undo file itself was
 /// changed.

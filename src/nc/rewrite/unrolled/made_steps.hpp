@@ -29,7 +29,7 @@ class MadeSteps {
   /// Those given so far are free again.
   void clear() { used_ = 0; }
 
-  /// A step without text, in the state behind `like`. Holds until clear().
+  /// A step without text, in the state after `like`. Holds until clear().
   MadeStep& next(const Step& like);
 
   /// Reads its text as if it stood where the block of `like` stands.

@@ -57,7 +57,7 @@ std::span<const Step* const> WrittenMoves::of(const Step& step) {
     const std::size_t waits = dwells_first(step) ? 1 : 0;  // which the rest of the block does
     for (const Motion& motion : step.motions.subspan(waits)) add_move(step, motion);
   }
-  add_words_behind(step);
+  add_words_after(step);
   if (list_.empty()) return list_;
   // Every line but the last needs an end, which the last of a file may lack.
   for (MadeStep* const own : owned_) {
@@ -73,21 +73,22 @@ void WrittenMoves::add_rest(const Step& step) {
   const Block& block = *step.block;
   const BlockCodes codes = codes_.codes_of(block);
   editor_.start(block, spelling_);
-  std::size_t left = 0;
+  std::size_t words_left = 0;
   for (const Word& word : block.words) {
-    const auto behind = codes.after_motion();
-    const bool waits = std::any_of(behind.begin(), behind.end(), [&](const Word* other) { return other == &word; });
+    const auto after_motion = codes.after_motion();
+    const bool waits =
+        std::any_of(after_motion.begin(), after_motion.end(), [&](const Word* other) { return other == &word; });
     const bool of_cycle = of_motion.find(word.letter) != std::string_view::npos
                               ? !codes_.other_code_takes(block, word.letter)
                               : codes_.is_motion(word) || codes_.is_call(word);
     if (waits || of_cycle) {
       editor_.replace(word.span, "");
     } else {
-      ++left;
+      ++words_left;
     }
   }
   if (step.block_delete == BlockDelete::executed) editor_.replace(block.slash, "");
-  if (left + block.comments.size() + block.settings.size() == 0) {
+  if (words_left + block.comments.size() + block.settings.size() == 0) {
     number_ = block.at(block.number);
     return;
   }
@@ -115,11 +116,11 @@ void WrittenMoves::refuse_words_of_cycle(const Step& step, const BlockCodes& cod
               fmt::format("{} beside a drilling cycle acts before the hole is drilled, and the cycle is written out in "
                           "several blocks",
                           step.block->at(word->span)),
-              "put it into a block of its own, before the cycle or behind it");
+              "put it into a block of its own, before the cycle or after it");
   }
 }
 
-void WrittenMoves::add_words_behind(const Step& step) {
+void WrittenMoves::add_words_after(const Step& step) {
   const BlockCodes codes = codes_.codes_of(*step.block);
   if (codes.after_motion().empty()) return;
   if (step.cycle != CycleForm::none && dialect_.behaviour.fanuc_cycles) refuse_words_of_cycle(step, codes);

@@ -22,7 +22,7 @@ class WrittenMoves {
   }
 
   /// A cycle as blocks of one motion each, in order: what else its block holds, its moves and dwells with G0, G1 and
-  /// G4, and the words that act behind the motion. Cycles that work the spindle keep one block a hole, with every word
+  /// G4, and the words that act after the motion. Cycles that work the spindle keep one block a hole, with every word
   /// of it (Step::holes holds one entry). `step` is one of StepExpander. Holds until the next call.
   std::span<const Step* const> of(const Step& step);
 
@@ -32,7 +32,7 @@ class WrittenMoves {
  private:
   void add(MadeStep& own);
   void add_rest(const Step& step);
-  void add_words_behind(const Step& step);
+  void add_words_after(const Step& step);
   void refuse_words_of_cycle(const Step& step, const BlockCodes& codes) const;
   void add_move(const Step& step, const Motion& motion);
   void add_hole(const Step& step, const Hole& hole);

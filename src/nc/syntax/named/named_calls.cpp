@@ -20,7 +20,7 @@ void check_stands_alone(const BlockReading& in, Span name) {
   if (before != nullptr && before->action == Action::modal_call) {
     in.cursor.refuse(name, codes::kNotInterpreted,
                      fmt::format("{} of a program of one's own is not interpreted", before->name),
-                     "call the program by its name in each of the blocks behind the moves");
+                     "call the program by its name in each of the blocks after the moves");
   }
   if (block.words.empty() && block.settings.empty()) return;
   in.cursor.refuse(name, codes::kUnknownCode, fmt::format("{} is no word of this control", block.at(name)),
@@ -80,7 +80,7 @@ void read_call_by_name(BlockReading& in, Span name) {
   call_arguments(in, name);
   const Token next = in.cursor.peek(lex_named_item);
   if (next.kind == TokenKind::word && next.letter == 'P') {
-    in.cursor.go_behind(next);
+    in.cursor.go_after(next);
     flow.count = in.out.add_number(next.value, in.cursor.span_of(next));
   }
   end_of_statement(in);
@@ -93,7 +93,7 @@ void read_call_statement(BlockReading& in) {
   cursor.take(lex_named_item);
   const bool named = cursor.is(TokenKind::identifier) || cursor.is(TokenKind::word);
   if (!named || upper(*cursor.token().begin) != 'O') {
-    cursor.refuse(flow.span, codes::kFlowControl, "the name of a program is missing behind this",
+    cursor.refuse(flow.span, codes::kFlowControl, "the name of a program is missing after this",
                   "write it as in CALL O1000 Q3 PX=10");
   }
   flow.name = cursor.span();
@@ -128,7 +128,7 @@ void read_external_call(BlockReading& in) {
   }
   in.out.flow().word = FlowWord::call;
   in.out.flow().name = name;
-  if (bracket) expect_behind_value(in, TokenKind::closing_parenthesis, ")");
+  if (bracket) expect_after_value(in, TokenKind::closing_parenthesis, ")");
 }
 
 // head = "PROC" , name , [ parameters ] , { attribute }
@@ -142,7 +142,7 @@ void read_subprogram_head(BlockReading& in) {
     if (read_keyword(in) != "SAVE") continue;  // DISPLOF, SBLOF: for the operator
     cursor.refuse(cursor.span(), codes::kNotInterpreted,
                   "SAVE brings the modes of the caller back at the end of the subprogram, which is not interpreted",
-                  "leave it out, and write the codes that the caller needs behind the call");
+                  "leave it out, and write the codes that the caller needs after the call");
   }
 }
 

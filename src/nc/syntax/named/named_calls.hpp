@@ -8,13 +8,13 @@ namespace plumbline::nc {
 /// SUB(1,2) P3: the name, at `name`, has been read; it stands alone in its block. Reads the line to its end.
 void read_call_by_name(BlockReading& in, Span name);
 
-/// What stands behind CALL: a program's name, how often, and values of variables. The flow of the block is begun.
+/// What stands after CALL: a program's name, how often, and values of variables. The flow of the block is begun.
 void read_call_statement(BlockReading& in);
 
-/// What stands behind EXTCALL: a text with the name of a file.
+/// What stands after EXTCALL: a text with the name of a file.
 void read_external_call(BlockReading& in);
 
-/// What stands behind PROC: the name of this subprogram and its parameters, which become
+/// What stands after PROC: the name of this subprogram and its parameters, which become
 /// settings.
 void read_subprogram_head(BlockReading& in);
 

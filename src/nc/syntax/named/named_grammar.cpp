@@ -50,14 +50,14 @@ bool is_code_of_motion(const BlockReading& in) {
          in.dialect->named_codes[static_cast<std::size_t>(meaning->which)].action == Action::no_hole;
 }
 
-// number = "N" , ( number | name ) | ":" , number; token() is what stands behind it
+// number = "N" , ( number | name ) | ":" , number; token() is what stands after it
 void block_number(BlockReading& in) {
   TokenCursor& cursor = in.cursor;
   const bool may_be_name = in.syntax->labels == Labels::sequence_names;
   Span number = cursor.span();
   if (cursor.is_letter(TokenKind::word, 'N')) {
     if (cursor.token().begin[1] == '-' || cursor.token().begin[1] == '+') {
-      cursor.refuse(number, codes::kLineNumber, "N without a line number", "write digits behind the N");
+      cursor.refuse(number, codes::kLineNumber, "N without a line number", "write digits after the N");
     }
   } else if (cursor.is(TokenKind::colon) && is_digit(cursor.next_byte())) {
     cursor.pass_digits();

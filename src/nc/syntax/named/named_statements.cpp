@@ -14,7 +14,7 @@
 namespace plumbline::nc {
 namespace {
 
-// GOTOF, GOTOB; a label behind the condition itself may stand anywhere
+// GOTOF, GOTOB; a label after the condition itself may stand anywhere
 Direction direction_of(std::string_view keyword) {
   if (keyword.empty()) return Direction::both;
   const char last = upper(keyword.back());
@@ -28,7 +28,7 @@ Span jump_label(BlockReading& in) {
   const bool is_number = cursor.is_letter(TokenKind::word, 'N');
   const bool is_name = cursor.is(TokenKind::identifier) && (!sequence_names || upper(*cursor.token().begin) == 'N');
   if (!is_number && !is_name) {
-    cursor.refuse(in.out.flow().span, codes::kFlowControl, "the label to go on at is missing behind this",
+    cursor.refuse(in.out.flow().span, codes::kFlowControl, "the label to go on at is missing after this",
                   sequence_names ? "write it as in IF [VC1 GT 5] N100, or GOTO NEND"
                                  : "write it as in GOTOF ENDE, or GOTOB N100");
   }
@@ -80,14 +80,14 @@ void for_statement(BlockReading& in) {
 Choice choice(BlockReading& in, const Token& next) {
   Choice choice;
   if (next.kind == TokenKind::identifier && upper({next.begin, next.end}) == "DEFAULT") {
-    in.cursor.go_behind(next);
+    in.cursor.go_after(next);
   } else {
     choice.value = read_named_value(in);
   }
   const std::string jump = read_keyword(in);
   if (jump != "GOTO" && jump != "GOTOF" && jump != "GOTOB") {
     in.cursor.refuse(in.out.flow().span, codes::kFlowControl, "a choice goes nowhere",
-                     "write GOTOF or GOTOB and a label behind each constant");
+                     "write GOTOF or GOTOB and a label after each constant");
   }
   choice.direction = direction_of(jump);
   choice.label = in.out.flow().name = jump_label(in);
@@ -116,7 +116,7 @@ void repeat_statement(BlockReading& in, bool block_alone) {
   Token next = cursor.peek(lex_named_item);
   for (; next.kind == TokenKind::identifier; next = cursor.peek(lex_named_item)) {
     flow.choices.push_back({.label = cursor.span_of(next)});
-    cursor.go_behind(next);
+    cursor.go_after(next);
   }
   if (flow.choices.empty() && !block_alone) return;
   if (flow.choices.empty() || flow.choices.size() > (block_alone ? 1U : 2U)) {
@@ -126,7 +126,7 @@ void repeat_statement(BlockReading& in, bool block_alone) {
   }
   flow.word = block_alone ? FlowWord::repeat_line : FlowWord::repeat_section;
   if (next.letter != 'P' || (next.kind != TokenKind::word && next.kind != TokenKind::letter)) return;
-  cursor.go_behind(next);
+  cursor.go_after(next);
   if (next.kind == TokenKind::word) {
     flow.count = in.out.add_number(next.value, cursor.span_of(next));
   } else {
@@ -164,7 +164,7 @@ void define_statement(BlockReading& in) {
 void read_named_statement(BlockReading& in, FlowWord word) {
   Flow& flow = in.out.begin_flow(word, in.cursor.span());
   if (!in.out.block().words.empty()) {
-    in.cursor.refuse(flow.span, codes::kFlowControl, fmt::format("{} stands behind other words", in.out.at(flow.span)),
+    in.cursor.refuse(flow.span, codes::kFlowControl, fmt::format("{} stands after other words", in.out.at(flow.span)),
                      "put it into a block of its own");
   }
   switch (word) {

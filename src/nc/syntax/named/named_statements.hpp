@@ -6,7 +6,7 @@
 namespace plumbline::nc {
 
 /// token() is the keyword that means `word`. Reads the line to its end. Refuses a statement that is not whole, or that
-/// stands behind words.
+/// stands after words.
 void read_named_statement(BlockReading& in, FlowWord word);
 
 }  // namespace plumbline::nc

@@ -70,7 +70,7 @@ void refuse_unknown_binding(const BlockReading& in, Operation operation, std::op
   joined_by = operation;
 }
 
-// Precedence climbing; token() is the operation behind the value just read, and again on return.
+// Precedence climbing; token() is the operation after the value just read, and again on return.
 void named_operations(BlockReading& in, int least_precedence, std::optional<Operation>& joined_by) {
   while (const std::optional<Operation> operation = operator_at(in)) {
     const int precedence = named_precedence(*operation, *in.syntax);
@@ -153,7 +153,7 @@ void named_term(BlockReading& in) {
   in.cursor.refuse_token("a value");
 }
 
-// value = term , { operation , term }; token() is what stands behind it
+// value = term , { operation , term }; token() is what stands after it
 void named_value(BlockReading& in) {
   std::optional<Operation> joined_by;
   named_term(in);
@@ -170,7 +170,7 @@ std::string read_keyword(BlockReading& in) {
   return in.cursor.is(TokenKind::identifier) ? upper(text_of(in.cursor.token())) : std::string();
 }
 
-void expect_behind_value(BlockReading& in, TokenKind kind, std::string_view what) {
+void expect_after_value(BlockReading& in, TokenKind kind, std::string_view what) {
   in.cursor.take(lex_named_operation);
   if (in.cursor.is(kind)) return;
   in.cursor.refuse(in.cursor.span(), codes::kBracketOpen, fmt::format("{} is missing here", what), "add it");
@@ -180,7 +180,7 @@ void expect_equals(BlockReading& in, Span name) {
   in.cursor.take(lex_named_item);
   if (in.cursor.is(TokenKind::equals)) return;
   in.cursor.refuse(name, codes::kAssignment, fmt::format("{} stands here without a value", in.out.at(name)),
-                   "write = and its value behind it");
+                   "write = and its value after it");
 }
 
 std::uint32_t read_named_value(BlockReading& in) {
@@ -200,7 +200,7 @@ void add_named_value_until(BlockReading& in, TokenKind kind) {
   }
   in.cursor.refuse(in.cursor.span(), codes::kOperator,
                    fmt::format("{} is no operator", shown(*in.cursor.token().begin)),
-                   "between two values stands an operator, behind the last one the closing bracket");
+                   "between two values stands an operator, after the last one the closing bracket");
 }
 
 namespace {

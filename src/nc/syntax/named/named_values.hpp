@@ -12,13 +12,13 @@ namespace plumbline::nc {
 /// Whether the next token, where a word may stand, is of that kind.
 bool item_follows(const BlockReading& in, TokenKind kind);
 
-/// The identifier that stands next, in capital letters; "" where something else does. Reading goes on behind it.
+/// The identifier that stands next, in capital letters; "" where something else does. Reading goes on after it.
 std::string read_keyword(BlockReading& in);
 
-/// Refuses where something else than `kind`, which messages call `what`, stands behind a value.
-void expect_behind_value(BlockReading& in, TokenKind kind, std::string_view what);
+/// Refuses where something else than `kind`, which messages call `what`, stands after a value.
+void expect_after_value(BlockReading& in, TokenKind kind, std::string_view what);
 
-/// Refuses where no = stands behind the name.
+/// Refuses where no = stands after the name.
 void expect_equals(BlockReading& in, Span name);
 
 /// The code of the value that stands next.
@@ -30,7 +30,7 @@ void add_named_value_until(BlockReading& in, TokenKind kind);
 /// `name`, which stands at `span`, is one of those variables that have numbers: R1, R[2], VC3, VC[4].
 bool is_numbered_variable(const BlockReading& in, std::string_view name);
 
-/// Adds the number of the parameter that a numbered variable is kept as, [ ] behind its name included.
+/// Adds the number of the parameter that a numbered variable is kept as, [ ] after its name included.
 void add_numbered_variable(BlockReading& in, Span span);
 
 /// A variable of the control itself, whose names begin with Syntax::reserved.

@@ -139,7 +139,7 @@ void read_assigned_word(BlockReading& in, char letter, Span span, WordUse use) {
   if (word.mode == WordMode::modal) {
     make_literal(in, word);
   } else {
-    expect_behind_value(in, TokenKind::closing_parenthesis, ")");
+    expect_after_value(in, TokenKind::closing_parenthesis, ")");
   }
   word.span = {span.begin, in.cursor.here()};
   in.out.add(word);

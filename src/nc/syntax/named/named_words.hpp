@@ -20,7 +20,7 @@ void read_assigned_variable(BlockReading& in, Span name, const NameMeaning* mean
 /// has the type.
 VariableType variable_type(const BlockReading& in, std::string_view what);
 
-/// A code that is a name, of this row of Dialect::named_codes, with what stands in brackets behind it.
+/// A code that is a name, of this row of Dialect::named_codes, with what stands in brackets after it.
 void read_named_code(BlockReading& in, Span span, int row);
 
 }  // namespace plumbline::nc

@@ -64,7 +64,7 @@ void BlockBuilder::add_literal(const Token& token, Span span) {
       {token.letter, token.value, kLiteral, span, token.decimals, false, token.point, false, WordMode::modal});
 }
 
-// A control to which ; is the end of the block would execute what stands behind it.
+// A control to which ; is the end of the block would execute what stands after it.
 void BlockBuilder::add_comment(Span span) {
   block_->comments.push_back({span});
   if (!syntax_->semicolon_ends || block_->at(span).front() != ';') return;
@@ -78,7 +78,7 @@ void BlockBuilder::add_comment(Span span) {
     at = close + 1;
   }
   refuse_at(*block_, {static_cast<std::uint32_t>(at), span.end}, codes::kNotInterpreted,
-            "; ends the block on this control, and what stands behind it is a block of its own",
+            "; ends the block on this control, and what stands after it is a block of its own",
             "put it on a line of its own, or, if it is a comment, into ( )");
 }
 

@@ -30,7 +30,7 @@ class BlockBuilder {
   void add_literal(const Token& token, Span span);
   void add(const Word& word) { block_->words.push_back(word); }
   Word& last_word() { return block_->words.back(); }
-  /// Refuses what stands behind a ; that ends the block.
+  /// Refuses what stands after a ; that ends the block.
   void add_comment(Span span);
   /// One that may hold anything.
   void add_any_comment(Span span) { block_->comments.push_back({span}); }

@@ -29,7 +29,7 @@ void end_of_statement(BlockReading& in) {
     }
   }
   if (cursor.is_at_end_of_block()) return;
-  cursor.refuse(cursor.span(), codes::kFlowControl, "nothing but a comment stands behind this",
+  cursor.refuse(cursor.span(), codes::kFlowControl, "nothing but a comment stands after this",
                 "write words into a block of their own");
 }
 
@@ -37,7 +37,7 @@ void read_percent(BlockReading& in) {
   in.out.set_kind(LineKind::percent);
   in.cursor.take(lex_item);
   if (in.cursor.is(TokenKind::end) || in.syntax->percent_text) return;
-  in.cursor.refuse(in.cursor.span(), codes::kPercentText, "text behind %",
+  in.cursor.refuse(in.cursor.span(), codes::kPercentText, "text after %",
                    "leave % alone on its line; the control refuses anything else there");
 }
 

@@ -18,10 +18,10 @@ struct BlockReading {
   BlockBuilder out;
 };
 
-/// token() is ( of a comment that may hold anything: it is added, and reading goes on behind its ).
+/// token() is ( of a comment that may hold anything: it is added, and reading goes on after its ).
 void pass_comment(BlockReading& in);
 
-/// token() is %, with which a program begins or ends. Refuses what stands behind it where the control does.
+/// token() is %, with which a program begins or ends. Refuses what stands after it where the control does.
 void read_percent(BlockReading& in);
 
 /// Refuses whatever else stands on this line than comments.

@@ -24,7 +24,7 @@ enum class TokenKind : std::uint8_t {
   operation,
   function,
   exists,
-  flow,        // a keyword behind O
+  flow,        // a keyword after O
   identifier,  // a name of two letters or more
   string,      // "text" or 'text'
   parenthesis,
@@ -46,11 +46,11 @@ struct Token {
 };
 
 /// The places in a block; a letter means something else in each. A lexer reads up to a line end or a NUL, which
-/// must stand behind the text.
+/// must stand after the text.
 void lex_item(const char* cursor, Token& token);       // where a word begins
 void lex_value(const char* cursor, Token& token);      // where a value begins
-void lex_operation(const char* cursor, Token& token);  // behind a value, inside brackets
-void lex_flow(const char* cursor, Token& token);       // behind the label of an O word
+void lex_operation(const char* cursor, Token& token);  // after a value, inside brackets
+void lex_flow(const char* cursor, Token& token);       // after the label of an O word
 void lex_statement(const char* cursor, Token& token);  // where a line of macro B may begin with IF, WHILE, GOTO...
 
 /// The same for languages in which words, values and codes may be names (X=LENGTH, TRAORI).

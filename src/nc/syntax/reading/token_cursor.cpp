@@ -56,7 +56,7 @@ void TokenCursor::refuse_token(std::string_view expected) const {
     refuse(place, codes::kValueMissing, "a value is missing here",
            "write a number, [expression], #parameter or function");
   }
-  if (c == '.') refuse(place, codes::kBadNumber, "this is no number", "write digits before or behind one point");
+  if (c == '.') refuse(place, codes::kBadNumber, "this is no number", "write digits before or after one point");
   refuse(place, codes::kBadCharacter, fmt::format("{} cannot stand here", shown(c)),
          fmt::format("expected {}", expected));
 }

@@ -20,7 +20,7 @@ class TokenCursor {
  public:
   /// The syntax must outlive it.
   explicit TokenCursor(const Syntax& syntax) : syntax_(&syntax) {}
-  /// Reading begins at this byte of the block's text, behind which there must be a line end or a NUL.
+  /// Reading begins at this byte of the block's text, after which there must be a line end or a NUL.
   void begin(const Block& block, std::size_t at);
 
   /// The token that take(), look() or accept() came to.
@@ -32,7 +32,7 @@ class TokenCursor {
   /// The span of a token, as far as it lies in the block.
   Span span_of(const Token& token) const;
 
-  /// The next token; reading goes on behind it.
+  /// The next token; reading goes on after it.
   void take(Lexer lex) {
     look(lex);
     at_ = token_.end;
@@ -46,13 +46,13 @@ class TokenCursor {
     read(lex, next);
     return next;
   }
-  /// Comes to a token that peek() gave; reading goes on behind it.
+  /// Comes to a token that peek() gave; reading goes on after it.
   void accept(const Token& next) {
     token_ = next;
     at_ = next.end;
   }
 
-  void go_behind(const Token& token) { at_ = token.end; }
+  void go_after(const Token& token) { at_ = token.end; }
   void go_before(const Token& token) { at_ = token.begin; }
 
   /// The next byte to be read; 0 may be the end of the text.

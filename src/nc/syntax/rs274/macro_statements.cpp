@@ -54,7 +54,7 @@ bool keyword_follows(BlockReading& in, FlowWord wanted) {
 void condition(BlockReading& in) {
   in.cursor.take(lex_value);
   if (!in.cursor.is(TokenKind::open)) {
-    in.cursor.refuse(in.out.flow().span, codes::kFlowControl, "a condition in brackets is missing behind this",
+    in.cursor.refuse(in.out.flow().span, codes::kFlowControl, "a condition in brackets is missing after this",
                      "write it as in IF [#1 GT 5] GOTO 100");
   }
   in.out.flow().values.push_back(read_brackets(in));
@@ -70,14 +70,14 @@ MacroLine statement(BlockReading& in, FlowWord word) {
       return MacroLine::assignments;
     }
     if (!keyword_follows(in, FlowWord::go_to)) {
-      in.cursor.refuse(flow.span, codes::kFlowControl, "GOTO or THEN is missing behind this condition",
+      in.cursor.refuse(flow.span, codes::kFlowControl, "GOTO or THEN is missing after this condition",
                        "write it as in IF [#1 GT 5] GOTO 100");
     }
     flow.word = FlowWord::go_to;
   } else if (word == FlowWord::begin_while) {
     condition(in);
     if (!keyword_follows(in, FlowWord::begin_do)) {
-      in.cursor.refuse(flow.span, codes::kFlowControl, "DO is missing behind this condition",
+      in.cursor.refuse(flow.span, codes::kFlowControl, "DO is missing after this condition",
                        "write it as in WHILE [#1 LT 5] DO 1");
     }
   }
@@ -102,7 +102,7 @@ MacroLine read_macro_statement(BlockReading& in) {
   const auto word = static_cast<FlowWord>(keyword.operation);
   in.out.begin_flow(word, cursor.span_of(keyword));
   if (word == FlowWord::if_then) cursor.refuse_token("a word");
-  cursor.go_behind(keyword);
+  cursor.go_after(keyword);
   return statement(in, word);
 }
 

@@ -14,11 +14,11 @@ enum class MacroLine : std::uint8_t {
   assignments,  // IF [..] THEN: assignments follow from token() on, and nothing else
 };
 
-/// token() is the first of the line behind its number. Refuses a statement that is not whole, and what sends values out
+/// token() is the first of the line after its number. Refuses a statement that is not whole, and what sends values out
 /// of the control.
 MacroLine read_macro_statement(BlockReading& in);
 
-/// Refuses words behind THEN.
+/// Refuses words after THEN.
 void check_assignments_alone(const BlockReading& in);
 
 }  // namespace plumbline::nc

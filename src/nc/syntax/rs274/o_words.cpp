@@ -52,7 +52,7 @@ void flow_values(BlockReading& in, FlowWord word) {
     }
   }
   if (!needs_value(word) || !flow.values.empty()) return;
-  in.cursor.refuse(flow.span, codes::kFlowControl, "a value in brackets is missing behind this",
+  in.cursor.refuse(flow.span, codes::kFlowControl, "a value in brackets is missing after this",
                    "write it as in O100 WHILE [#1 LT 5]");
 }
 
@@ -77,8 +77,8 @@ void read_o_word(BlockReading& in) {
   }
   for (cursor.take(lex_item); cursor.is(TokenKind::comment); cursor.take(lex_item)) in.out.add_comment(cursor.span());
   if (cursor.is_at_end_of_block()) return;
-  cursor.refuse(cursor.span(), codes::kFlowControl, "nothing but a comment stands behind an O word",
-                "write SUB, CALL, IF, WHILE or another keyword behind the label, and words into a block of their own");
+  cursor.refuse(cursor.span(), codes::kFlowControl, "nothing but a comment stands after an O word",
+                "write SUB, CALL, IF, WHILE or another keyword after the label, and words into a block of their own");
 }
 
 }  // namespace plumbline::nc

@@ -13,7 +13,7 @@ void line_number(BlockReading& in) {
   const Span span = in.cursor.span();
   in.out.set_number(span);
   if (token.kind == TokenKind::letter || token.begin[1] == '-' || token.begin[1] == '+') {
-    in.cursor.refuse(span, codes::kLineNumber, "N without a line number", "write digits behind the N, or leave it out");
+    in.cursor.refuse(span, codes::kLineNumber, "N without a line number", "write digits after the N, or leave it out");
   }
 }
 

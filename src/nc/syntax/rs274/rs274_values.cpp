@@ -45,7 +45,7 @@ Operation of_bits(Operation operation) {
   return operation == Operation::exclusive_or ? Operation::bit_exclusive_or : operation;
 }
 
-// Precedence climbing; token() is the operation behind the value just read, and again on return. `compared`: this
+// Precedence climbing; token() is the operation after the value just read, and again on return. `compared`: this
 // bracket has compared already.
 void operations(BlockReading& in, int least_precedence, bool& compared) {
   TokenCursor& cursor = in.cursor;
@@ -70,7 +70,7 @@ void operations(BlockReading& in, int least_precedence, bool& compared) {
   }
 }
 
-// value = real value , { operation , real value }; token() is what stands behind it
+// value = real value , { operation , real value }; token() is what stands after it
 void open_value(BlockReading& in) {
   bool compared = false;
   real_value(in);
@@ -89,9 +89,8 @@ void expression(BlockReading& in) {
   open_value(in);
   if (cursor.is(TokenKind::end)) refuse_open_bracket(in, open);
   if (!cursor.is(TokenKind::close)) {
-    cursor.refuse(
-        cursor.span(), codes::kOperator, fmt::format("{} is no operator", shown(*cursor.token().begin)),
-        "between two values stands one of ** * / MOD + - EQ NE GT GE LT LE AND OR XOR, behind the last one ]");
+    cursor.refuse(cursor.span(), codes::kOperator, fmt::format("{} is no operator", shown(*cursor.token().begin)),
+                  "between two values stands one of ** * / MOD + - EQ NE GT GE LT LE AND OR XOR, after the last one ]");
   }
   cursor.pass();
 }

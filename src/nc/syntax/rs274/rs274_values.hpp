@@ -11,7 +11,7 @@ namespace plumbline::nc {
 /// is none.
 std::uint32_t read_value(BlockReading& in);
 
-/// The same, with operators behind it that need no brackets.
+/// The same, with operators after it that need no brackets.
 std::uint32_t read_open_value(BlockReading& in);
 
 /// The code of the expression whose [ is token().

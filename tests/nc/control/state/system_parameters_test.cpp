@@ -129,7 +129,7 @@ TEST_CASE("the tables of LinuxCNC are read as far as somebody gave them") {
   CHECK(ReadControl("linuxcnc", with_empty_tables()).read(5221).number == 0);
 }
 
-TEST_CASE("what nobody set is refused, zero with empty tables, and vacant where the language has that") {
+TEST_CASE("what was never set is refused, zero with empty tables, and vacant where the language has that") {
   ReadControl linuxcnc;
   CHECK(linuxcnc.refusal(31) == "nc-parameter-unset");
   CHECK(linuxcnc.refusal("depth") == "nc-parameter-unset");

@@ -132,7 +132,7 @@ TEST_CASE("what C is off goes on into A and B where C stays, and is gone where i
   for (const Axis axis : {Axis::A, Axis::B, Axis::C}) CHECK(zero[axis] == 0);
 }
 
-TEST_CASE("on a tilted plane X, Y and Z are to be stated anew, at its begin and behind it") {
+TEST_CASE("on a tilted plane X, Y and Z are to be stated anew, at its begin and after it") {
   const ProgramSettings settings = fanuc_at_zero(FreeRotation::c_zero);
   CHECK(ran(kPlane, settings).known == AxisSet::rotary());
   const Ran turned = ran(kPlane + "G53.1\n", settings);

@@ -44,7 +44,7 @@ TEST_CASE("a control that knows no exact path has its pieces written under conti
   CHECK(fanuc.path_control(PathControl::exact_stop) == "G61");
 }
 
-TEST_CASE("the seconds of a dwell stand behind the letter of the dialect") {
+TEST_CASE("the seconds of a dwell stand after the letter of the dialect") {
   CHECK(CodeWriter(dialect("linuxcnc")).dwell_letter() == 'P');
   CHECK(CodeWriter(dialect("fanuc")).dwell_letter() == 'P');
   CHECK(CodeWriter(dialect("siemens")).dwell_letter() == 'F');

@@ -57,7 +57,7 @@ TEST_CASE("what is not edited comes out byte for byte") {
   CHECK(edited.text() == "N7  g1\tX3Y2(c) ; d");
 }
 
-TEST_CASE("words are put before, behind and in place of others; one that goes takes its blanks along") {
+TEST_CASE("words are put before, after and in place of others; one that goes takes its blanks along") {
   Edited edited("N7 G1  X1 Y2 (c)");
   edited.editor.insert_after(edited.span('Y').end, "Z3");
   edited.editor.replace(edited.span('Y'), "Y2.5");

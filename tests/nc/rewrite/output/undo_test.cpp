@@ -78,7 +78,7 @@ TEST_CASE("an undo file that is none, or cut short, is refused") {
   CHECK(code_of(folder) == "undo-format");
 }
 
-TEST_CASE("parts of several programs stand behind each other, and each finds its own") {
+TEST_CASE("parts of several programs stand after each other, and each finds its own") {
   const Folder folder;
   write_case(folder);
   const std::string first = read_text(folder / "undo");

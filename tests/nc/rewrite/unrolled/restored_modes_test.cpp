@@ -13,7 +13,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-// The modes before and behind the end of a subprogram, and what is written of their difference.
+// The modes before and after the end of a subprogram, and what is written of their difference.
 struct Restored {
   Modal was, is;
   Frame frame;
@@ -73,7 +73,7 @@ TEST_CASE("path control comes back with its tolerances") {
   CHECK(modes.lines().empty());
 }
 
-TEST_CASE("F comes behind its mode, which drops it, and in the unit that is back") {
+TEST_CASE("F comes after its mode, which drops it, and in the unit that is back") {
   Restored mode;
   mode.is.feed_mode = FeedMode::per_revolution;
   mode.is.feed = 0.2;

@@ -61,7 +61,7 @@ TEST_CASE("on a Fanuc the block of one hole stays where it stands, with its othe
         Texts{"G84 X10. R2. Z-3. P250 Y0. (tap)"});
 }
 
-TEST_CASE("words that act behind the motion stand behind it; what would act before the hole is refused") {
+TEST_CASE("words that act after the motion stand after it; what would act before the hole is refused") {
   CHECK(written("G99 G0 Z2 F100\nG81 R2 Z-3 M0\n") == Texts{"G1 Z-3", "G0 Z2", "M0"});
   const auto beside = [&] { written("G99 G0 Z2. F100.\nG81 R2. Z-3. M0\n", "fanuc"); };
   const Diagnostic refused = testing::refusal_of(beside);

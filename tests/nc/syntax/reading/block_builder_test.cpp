@@ -30,7 +30,7 @@ TEST_CASE("a letter stands once in a block, a code as often as it likes") {
   builder.see('X', {0, 2});
 }
 
-TEST_CASE("what is behind a ; that ends the block is a comment, or refused") {
+TEST_CASE("what is after a ; that ends the block is a comment, or refused") {
   Syntax syntax;
   syntax.semicolon_ends = true;
   BlockBuilder builder(syntax);

@@ -27,7 +27,7 @@ TEST_CASE("a comment in a line of names ends with its bracket, on the line where
   CHECK(open.place.column == 7);
 }
 
-TEST_CASE("nothing but comments stands behind a statement") {
+TEST_CASE("nothing but comments stands after a statement") {
   CHECK(Parsed("GOTO 10 (a note)", "fanuc").block.comments.size() == 1);
   CHECK(Parsed("GOTOF MARK ; a note", "siemens").block.comments.size() == 1);
   const Diagnostic words = refusal_to_parse("GOTO 10 X5.", "fanuc");
@@ -43,7 +43,7 @@ TEST_CASE("a second sign is refused where the control takes one") {
   CHECK(refusal_to_parse("G0 X-5.", "fanuc").code.empty());
 }
 
-TEST_CASE("the switch behind / is a part of it where the control has several") {
+TEST_CASE("the switch after / is a part of it where the control has several") {
   const Parsed second("/2 G0 X1.", "fanuc");
   CHECK(second.block.block_delete);
   CHECK(second.at(second.block.slash) == "/2");

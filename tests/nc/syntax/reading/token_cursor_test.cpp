@@ -53,7 +53,7 @@ TEST_CASE("looking and peeking leave the cursor where it is, taking and passing 
   CHECK(cursor.token().letter == 'G');
 }
 
-TEST_CASE("a token behind a line end belongs to the block where the line goes on") {
+TEST_CASE("a token after a line end belongs to the block where the line goes on") {
   Syntax syntax;
   const std::string text = "G1\n$X2";
   Block block;

@@ -15,7 +15,7 @@ FlowWord word_of(const char* line) { return Parsed(line, "fanuc").block.flow.wor
 
 }  // namespace
 
-TEST_CASE("statements of macro B are found behind the number of their line") {
+TEST_CASE("statements of macro B are found after the number of their line") {
   const Parsed jump("N10 IF [#1 GT 5] GOTO 100 (on)", "fanuc");
   CHECK(jump.block.flow.word == FlowWord::go_to);
   CHECK(jump.block.flow.values.size() == 1);

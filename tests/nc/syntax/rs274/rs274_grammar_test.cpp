@@ -10,7 +10,7 @@ using namespace plumbline;
 using namespace plumbline::nc;
 using nc::tests::Parsed;
 
-TEST_CASE("% may have text behind it where the control passes over it") {
+TEST_CASE("% may have text after it where the control passes over it") {
   CHECK_THROWS_AS(Parsed("% 3"), Refusal);
   CHECK(Parsed("% 3", "fanuc").block.kind == LineKind::percent);
 }
