@@ -194,7 +194,7 @@ std::optional<BetweenPoints::Off> BetweenPoints::off_at(const Part& part, double
   };
   const bool begins = part.from == 0;
   const bool ends = part.from + part.share > 1 - kEdge;
-  // A circle comes by again, the one before or behind too.
+  // A circle comes by again, the one before or after it too.
   for (const double end : {0.0, 1.0}) {
     if (begins || ends) beside(*here_, end);
     if (before_ && begins) beside(*before_, end);

@@ -52,7 +52,7 @@ void refuse_system_of_block(const nc::Step& step, const nc::Dialect& dialect) {
     const nc::CodeRow* const row = dialect.row_of(word);
     if (row == nullptr || row->action != nc::Action::work_system_of_block) continue;
     refuse("compensate-work-system", "this block moves in a work system that is in force for it alone",
-           "choose the work system before it and the other one behind it, as with G15 H", place_of(step));
+           "choose the work system before it and the other one after it, as with G15 H", place_of(step));
   }
 }
 
@@ -226,7 +226,7 @@ void Pipeline::take_cycle(const nc::Step& step) {
     return tally_.take_cycle(step);
   }
   if (step.nurbs == nc::NurbsBlock::end && !point_by_point) {
-    must_unroll_ = true;  // the blocks of its points are behind us
+    must_unroll_ = true;  // the blocks of its points are written already
     return;
   }
   refuse_unless_in_place(step, goes_on, dialect_);

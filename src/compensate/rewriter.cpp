@@ -32,7 +32,7 @@ void Rewriter::finish() {
   if (read_back_ && emitter_.changed()) figures_ = read_back_->finish(intention_, emitter_.guard_span());
 }
 
-// Where one block has A, B and C in place of its vector, or its code says that they follow, all behind it have.
+// Where one block has A, B and C in place of its vector, or its code says that they follow, all after it have.
 bool Rewriter::writes_vector(const nc::Step& step) const {
   if (step.end_words != nc::EndWords::tool_vector) return false;
   return emitter_.changed() ||

@@ -14,7 +14,7 @@ namespace plumbline::compensate {
 namespace {
 
 constexpr std::uint64_t kReplayAll = 256;   // corrected moves at the begin
-constexpr std::uint64_t kReplayEvery = 16;  // behind them
+constexpr std::uint64_t kReplayEvery = 16;  // after them
 constexpr double kAlmost = 1 - 1e-6;        // pieces of exactly the time are not below it
 constexpr double kOffsetProbeMm = 1;
 constexpr double kLeastDriftMm = 1e-5;  // in an hour

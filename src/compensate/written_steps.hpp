@@ -18,7 +18,7 @@ class WrittenSteps {
 
   struct OfBlock {
     std::span<const nc::Step* const> steps;  // in order
-    std::optional<nc::Step> steering;        // Emitter::steer, behind them
+    std::optional<nc::Step> steering;        // Emitter::steer, after them
   };
   /// Holds until the next call. Refuses with compensate-flow what nothing can stand for.
   OfBlock of(const nc::Step& step);

@@ -14,7 +14,7 @@ namespace plumbline::settings {
 namespace {
 
 constexpr int kFirstWorkOffset = 5221;
-constexpr int kRotation = 9;  // behind the first of a work system
+constexpr int kRotation = 9;  // after the first of a work system
 constexpr std::string_view kBlanks = " \t\r";
 constexpr std::string_view kForm = R"(write "#NUMBER VALUE", as in "#100 12.5")";
 

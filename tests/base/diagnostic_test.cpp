@@ -39,7 +39,7 @@ TEST_CASE("the caret stays below its column in a long line and under control cha
   CHECK(text.find('\t') == std::string::npos);
 }
 
-TEST_CASE("the caret stands below its character behind letters of several bytes, in any line") {
+TEST_CASE("the caret stands below its character after letters of several bytes, in any line") {
   const std::string line = "(M\xc3\xbcller, \xc3\xbc\xc3\xb6) Q\xc3\xa4 5";
   const std::size_t column = line.find('Q') + 1;
   CHECK(to_text({"c", "m", "", {"f", 1234567, column, 3, line}, Severity::error}) ==

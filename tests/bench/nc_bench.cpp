@@ -75,7 +75,7 @@ void parse_and_interpret(benchmark::State& state) {
   count_bytes(state, file);
 }
 
-// The first feed is corrected, so that all blocks behind it are written one by one.
+// The first feed is corrected, so that all blocks after it are written one by one.
 void parse_interpret_and_emit(benchmark::State& state) {
   const InputFile file(program_file());
   const nc::Dialect& dialect = nc::dialect("linuxcnc");

@@ -94,7 +94,7 @@ TEST_CASE("an undo file serves the program that stands beside it") {
   scratch.file("q.ngc", long_program());
   REQUIRE(run(scratch, compensation("p.ngc -o a.ngc --undo")).code == 0);
   REQUIRE(run(scratch, compensation("q.ngc -o b.ngc --undo")).code == 0);
-  // As they are between the two renames: one undo file behind the other serves both.
+  // As they are between the two renames: one undo file after the other serves both.
   scratch.file("a.ngc.undo", scratch.text("b.ngc.undo") + scratch.text("a.ngc.undo"));
   CHECK(run(scratch, "restore a.ngc -o -").out == kPart);
   CHECK(run(scratch, "restore b.ngc --undo a.ngc.undo -o -").out == long_program());

@@ -58,7 +58,7 @@ TEST_CASE("a program for Fanuc comes out for Fanuc") {
   CHECK(result.summary.changed_blocks > 5);
   INFO(result.text);
   CHECK_FALSE(holds(result.text, "[XYZABCF]-?[0-9]+( |$|[A-Z])"));  // each number that was written has its point
-  CHECK(holds(result.text, "^O0042 \\(POCKET\\)\n\\(plumbline"));   // the stamp behind the number
+  CHECK(holds(result.text, "^O0042 \\(POCKET\\)\n\\(plumbline"));   // the stamp after the number
   CHECK_FALSE(holds(result.text, "M98|M99|^O1$"));
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("a block of several lines is joined where it changes, and stays as it 
   CHECK_FALSE(holds(result.text, "^\\$ *[YR]"));
 }
 
-TEST_CASE("a tool that Okuma's control changes behind a move is not carried along it") {
+TEST_CASE("a tool that Okuma's control changes after a move is not carried along it") {
   Job job = job_for("okuma");
   job.program.feed_rule = nc::FeedRule::xyz_first;
   job.program.tool_in_spindle = 1;
@@ -140,7 +140,7 @@ TEST_CASE("a tool that Okuma's control changes behind a move is not carried alon
   CHECK(run(before + "G1 X40 Y10 F500\nM6\nM2\n", job).text != apart);
 }
 
-TEST_CASE("what Okuma's control does when the axes have arrived stands behind the last piece") {
+TEST_CASE("what Okuma's control does when the axes have arrived stands after the last piece") {
   Job job = job_for("okuma");
   job.program.feed_rule = nc::FeedRule::xyz_first;
   const std::string text = "G15 H1\nG0 X0 Y0 Z20 A0 B0 C0\nG1 X40 Y10 Z0 F500 M3 M8\nG1 X0 Y0 M5 M9\nM2\n";
@@ -260,7 +260,7 @@ TEST_CASE("a work system of one block alone cannot hold for its pieces") {
   CHECK(code_of(text, job) == "compensate-work-system");
 }
 
-TEST_CASE("a block that moves and calls moves first, and what is called stands behind it") {
+TEST_CASE("a block that moves and calls moves first, and what is called stands after it") {
   const Job job = job_for("fanuc");
   const std::string text =
       "<PART-1>\nG0 X0 Y0 Z20. A0 B0 C0 D0 H0\nG1 F500 X5. M98 P8\nY2. M98 P8 L2 M8\nM30\nO8\nX6.\nX4. M99\n";

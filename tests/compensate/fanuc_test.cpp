@@ -50,7 +50,7 @@ TEST_CASE("a rigid tap keeps its words, its blocks and its mode at every hole") 
             "X[-0-9. YZR]+\nG98 Y[-0-9. XZR]+ \\(last\\)\nG80$"));
 }
 
-TEST_CASE("behind a cycle that became moves, the G0 that goes on is in force again") {
+TEST_CASE("after a cycle that became moves, the G0 that goes on is in force again") {
   const Job job = fanuc();
   for (const std::string cycle :
        {"G81 X5. Y5. Z-8. R1. F200.", "G85 X5. Y5. Z-8. R1. F200.", "G83 X5. Z-8. R1. Q3. F9."}) {
@@ -183,7 +183,7 @@ TEST_CASE("the speed of the tip is kept where it moves and turns under G43.4") {
   CHECK(play(text, result.text, job).time_change <= 2e-3);
 }
 
-TEST_CASE("M5, M9 and M19 stand behind the last piece, codes of the builder beside a cut are refused") {
+TEST_CASE("M5, M9 and M19 stand after the last piece, codes of the builder beside a cut are refused") {
   Job job = fanuc();
   job.program.passed_m_codes = {88, 51};
   const std::string out = run(kHead + "G1 X40. Y10. Z0. F500. M3 M8\nX0. Y0. M5 M9\nX5. M19\nM30\n", job).text;
@@ -283,7 +283,7 @@ TEST_CASE("M codes that wait for a move are refused beside a cycle that is writt
   CHECK(has(out, "^(F200\\. )?M8\n(.*\n)*G1 Z"));
 }
 
-TEST_CASE("behind a change of tools beside a move nobody knows where the axes stand") {
+TEST_CASE("after a change of tools beside a move nobody knows where the axes stand") {
   Job job = fanuc();
   CHECK(code_of(kHead + "T1\nX5. M6\nG1 X9. F100.\nM30\n", job) == "compensate-position-unknown");
   CHECK(code_of(kHead + "G1 X9. F100. T1 M6\nY9.\nM30\n", job) == "compensate-position-unknown");

@@ -184,7 +184,7 @@ TEST_CASE("splines become straight moves, each corrected") {
   check_unrolled(kStart + "G5.2 X10 Y20 P1 L3 F500\nX20 Y20 P.5\nX20 Y0 P1\nG5.3\nG1 Z3\nM2\n");
 }
 
-TEST_CASE("probes go through as they stand, and nothing is known behind them") {
+TEST_CASE("probes go through as they stand, and nothing is known after them") {
   const std::string probe = kStart + "G1 X5 F100\nG38.2 Z-9 F30\n";
   const Result result = run(probe + "G0 X1 Y1 Z9 A0 B0 C0\nG1 X2\n", without_friction());
   CHECK(result.text.find("\nG38.2 Z-9 F30\n") != std::string::npos);

@@ -73,7 +73,7 @@ TEST_CASE("linuxcnc: a tap goes back to where the tool came in, at the feed of i
                            "G20\nG0 X.2 Y-.1 Z.1\nM3 S500\nF5\nG98 G84 X.3 Z.09 R.12\nG80\nM2\n"});
 }
 
-TEST_CASE("linuxcnc: behind a hole that the tool came to from below R it stands on the higher of two levels") {
+TEST_CASE("linuxcnc: after a hole that the tool came to from below R it stands on the higher of two levels") {
   check_taken("linuxcnc",
               {"G0 X5 Y-1 Z1\nM3 S500\nF300\nG98 G84 X7 Z1.2 R1.5\nX9\nG80\nM2\n",
                "G0 X5 Y-1 Z1.4 A0 B2 C0\nM3 S500\nF300\nG98 G84 X7 Z-1.2 R1.5\nX7.01\nX7.02 Y-1.01\nG80\nM2\n",

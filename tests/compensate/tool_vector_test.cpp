@@ -174,7 +174,7 @@ TEST_CASE("in inches a direction is the same") {
   CHECK(worst_deg(result.text, job, {{{12.7, 0, 0}, {0.1, 0, 1}}, {{25.4, 0, 0}, {0.12, 0, 1}}}) < 1.5e-3);
 }
 
-TEST_CASE("a direction beside X, Y or Z that nobody knows goes through as it stands, and behind a change as A, B, C") {
+TEST_CASE("a direction beside X, Y or Z that nobody knows goes through as it stands, and after a change as A, B, C") {
   Job job = vector_job("siemens");
   const std::string text =
       "G54 G90 G94\nD1\nFGROUP(X,Y,Z)\nG0 Z40 A3=0 B3=0 C3=1\nG0 X0 Y0\nG1 X10 A3=0.02 B3=0 C3=1 F500\nM0\n"

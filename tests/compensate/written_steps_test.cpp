@@ -11,7 +11,7 @@ using namespace plumbline;
 
 namespace {
 
-// The text of what stands for each block, "steer" for one that steers behind it.
+// The text of what stands for each block, "steer" for one that steers after it.
 std::vector<std::string> written(const std::string& text, nc::Form form) {
   const Opened opened(text);
   compensate::MoveReader reader = reader_of(opened);

@@ -15,7 +15,7 @@ namespace plumbline::drawn {
 /// One line, or a few that belong together: a loop, a subprogram with its calls.
 struct DrawnBlock {
   std::string text;               // without the last line end
-  std::optional<AxisWords> ends;  // where the axes stand behind it, in the work system then active: mm and deg
+  std::optional<AxisWords> ends;  // where the axes stand after it, in the work system then active: mm and deg
 };
 
 struct DrawnProgram {

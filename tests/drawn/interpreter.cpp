@@ -42,7 +42,7 @@ std::string continued(const std::string& text, std::uint64_t nth) {
   return out;
 }
 
-// The line behind "executing", without the numbers in it.
+// The line after "executing", without the numbers in it.
 std::string reason(const std::string& said) {
   std::istringstream in(said);
   std::string line;

@@ -20,7 +20,7 @@ class Interpreter {
  public:
   explicit Interpreter(const Scene& scene);
 
-  /// Runs all of them one behind the other, each from the same state, and holds rs274's motions against ours. Where
+  /// Runs all of them one after the other, each from the same state, and holds rs274's motions against ours. Where
   /// they differ each is run alone: the findings, by place in `pairs`.
   std::vector<std::pair<std::size_t, Finding>> check(const std::vector<Pair>& pairs, Tally& tally);
   std::optional<Finding> check(const Pair& pair);

@@ -45,7 +45,7 @@ class Run {
       if (found) note(*found, pair.program, [&](const DrawnProgram& less) { return held_.check(less, of_one); });
       if (!interprets) continue;
       const bool wraps = pair.program.options.program.rotary[2] != nc::RotaryRule::linear;  // an INI file would say so
-      const bool calls = pair.program.text().find("M98") != std::string::npos;  // whose programs stand behind the end
+      const bool calls = pair.program.text().find("M98") != std::string::npos;  // whose programs stand after the end
       if (of_one.refused.empty() && !wraps && !calls) pairs_.push_back(std::move(pair));
       if (pairs_.size() >= kTogether) interpret();
     }

@@ -52,7 +52,7 @@ def comments(program):
 
 
 def block_ends(program):
-    """Where all six axes stand after each numbered block, the pieces behind it (which have no number) included."""
+    """Where all six axes stand after each numbered block, the pieces after it (which have no number) included."""
     ends, at, number = {}, {}, None
     for line in program.splitlines():
         if line.startswith(("(", "%")):

@@ -1,4 +1,4 @@
-// What stands in a summary of two columns behind a name.
+// What stands in a summary of two columns after a name.
 #pragma once
 
 #include <string>

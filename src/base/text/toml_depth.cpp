@@ -19,7 +19,7 @@ std::size_t end_of_long_text(std::string_view text, std::size_t at, char quote) 
   return at;
 }
 
-// The offset behind a text in quotes that begins at `at`.
+// The offset after a text in quotes that begins at `at`.
 std::size_t end_of_text(std::string_view text, std::size_t at) {
   const char quote = text[at];
   if (text.substr(at).starts_with(quote == '"' ? "\"\"\"" : "'''")) return end_of_long_text(text, at + 3, quote);

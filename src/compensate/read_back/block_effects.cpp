@@ -13,7 +13,7 @@ namespace {
 constexpr double kAlike = 2e-9;        // of values as they stand in the text: nine decimals
 constexpr double kOffsetAlike = 1e-6;  // mm and deg: what G92 is off by where the control keeps nine decimals of inches
 
-// What the moves of the block, its time or the state behind it show.
+// What the moves of the block, its time or the state after it show.
 bool shows_otherwise(nc::Action action) {
   switch (action) {
     case nc::Action::rapid:

@@ -49,7 +49,7 @@ struct IntendedMove {
   bool corrected = false;         // its points are in the summary
 };
 
-/// Modes and offsets in force behind a block.
+/// Modes and offsets in force after a block.
 struct IntendedState {
   nc::Modal modal;
   nc::Frame frame;

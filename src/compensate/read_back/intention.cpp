@@ -114,7 +114,7 @@ IntendedMove& Intention::add(const nc::Motion& motion, IntendedMove::Form form) 
 
 AxisWords Intention::work_shift(const nc::Frame& frame) const { return frame.turned_back(away_); }
 
-// Where the control stands behind a move that goes through as it stands: axes that the block states are where the
+// Where the control stands after a move that goes through as it stands: axes that the block states are where the
 // original has them.
 void Intention::move_away(const nc::Step& step, const nc::Motion& motion, bool last) {
   if (step.orienting) {

@@ -138,7 +138,7 @@ void OutputCheck::finish_block() {
   }
   if (step_ == nullptr) return;
   const std::string other = difference(batch_->states[block_->state], {*step_->after, *step_->frame});
-  if (!other.empty()) differ(fmt::format("{} behind it is not as it was meant", other));
+  if (!other.empty()) differ(fmt::format("{} after it is not as it was meant", other));
 }
 
 void OutputCheck::finish() {
@@ -147,7 +147,7 @@ void OutputCheck::finish() {
     if (step_->block->kind != nc::LineKind::ignored) append_effects(*step_, dialect_, read_effects_);
     const bool nothing = std::all_of(read_effects_.begin(), read_effects_.end(),
                                      [](const BlockEffect& effect) { return effect.text == "%"; });
-    if (!nothing || !step_->motions.empty()) differ("the output goes on behind the end");
+    if (!nothing || !step_->motions.empty()) differ("the output goes on after the end");
   }
   if (stamp_ < emit_.stamp.size()) differ("the comments that mark the output are missing");
 }

@@ -25,7 +25,7 @@ std::pair<InputFile, InputFile> open_pair(const std::string& program, const std:
   return {std::move(first), InputFile(undo)};
 }
 
-// The undo file of the program that will be replaced, behind the new one; false if there is none that fits it.
+// The undo file of the program that will be replaced, after the new one; false if there is none that fits it.
 bool CompensatedFiles::join_old_undo(OutputFile& both) const {
   const std::string undo = undo_name(program_.name());
   std::error_code ignored;

@@ -81,7 +81,7 @@ double Aligner::cost_ahead(std::size_t i, std::size_t j, std::size_t depth) {
   return least;
 }
 
-// Where several ends of B may be that of the move, the one from which the moves behind it go on best.
+// Where several ends of B may be that of the move, the one from which the moves after it go on best.
 bool Aligner::align(const DiffMove& move) {
   std::vector<Candidate> candidates = candidates_.of(0, 0, standing(0, 0));
   const bool is_clear = !candidates.empty() && candidates.front().cost <= kClear &&

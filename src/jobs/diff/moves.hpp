@@ -24,7 +24,7 @@ struct DiffMove {
   nc::Frame frame;
   path::Curve curve;                  // in the work system
   std::optional<bool> states_code{};  // the block says how it moves: G1; nothing: one of several moves of a cycle
-  bool begins_numbered = false;       // an N stands behind the move before it, maybe in a block that does not move
+  bool begins_numbered = false;       // an N stands after the move before it, maybe in a block that does not move
 
   bool cuts() const { return kind == nc::MotionKind::feed || kind == nc::MotionKind::arc; }
   /// The point at a fraction of the move, in W.
@@ -40,9 +40,9 @@ class MoveQueue {
   /// References must outlive it.
   MoveQueue(const InputFile& file, const nc::Dialect& dialect, const nc::ProgramSettings& settings);
 
-  /// The move `ahead` places from here; null behind the last one. Valid until the next drop().
+  /// The move `ahead` places from here; null after the last one. Valid until the next drop().
   const DiffMove* peek(std::size_t ahead);
-  /// Goes on behind the next `count` moves, which were looked at before.
+  /// Goes on after the next `count` moves, which were looked at before.
   void drop(std::size_t count);
 
   std::uint64_t moves() const { return moves_; }        // read so far
@@ -54,7 +54,7 @@ class MoveQueue {
   const nc::Dialect& dialect_;
   compensate::MoveReader reader_;
   std::deque<DiffMove> moves_ahead_;
-  bool numbered_ = false;  // an N was read behind the last move
+  bool numbered_ = false;  // an N was read after the last move
   std::uint64_t moves_ = 0;
   std::uint64_t offset_ = 0;
   double dwell_s_ = 0;

@@ -51,7 +51,7 @@ TEST_CASE("a file that starts again forgets what was flushed, too") {
   CHECK(scratch.text("out") == "right");
 }
 
-TEST_CASE("a copy gets all that was written so far, behind what it holds") {
+TEST_CASE("a copy gets all that was written so far, after what it holds") {
   const testing::Scratch scratch;
   OutputFile from(scratch / "from");
   OutputFile to(scratch / "to");

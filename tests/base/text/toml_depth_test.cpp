@@ -37,7 +37,7 @@ TEST_CASE("points in texts and comments are none of a key") {
   }
 }
 
-TEST_CASE("texts end where the parser ends them: what stands behind them counts") {
+TEST_CASE("texts end where the parser ends them: what stands after them counts") {
   for (const std::string text : {R"(a = """x"""" )", R"(a = """x""""" )", R"(a = '''x''''' )", R"(a = "x\\" )",
                                  R"(a = '\' )", R"(a = """\"""" )", R"(a = "" )"}) {
     INFO(text);

@@ -62,7 +62,7 @@ std::string found(Meant meant, const Job& job, std::size_t at, std::size_t size,
   return {};
 }
 
-// The same with the first `what` behind `behind` exchanged.
+// The same with the first `what` after `behind` exchanged.
 std::string found(const Meant& meant, const Job& job, const std::string& behind, const std::string& what,
                   const std::string& by) {
   const std::size_t begin = meant.output.find(behind);

@@ -78,7 +78,7 @@ TEST_CASE("what fails writes nothing") {
   CHECK(scratch.text("b.ngc") == "old");
 }
 
-TEST_CASE("a guard stands behind the stamp") {
+TEST_CASE("a guard stands after the stamp") {
   const testing::Scratch scratch;
   settings::Options how = options();
   how.guard = true;

@@ -32,7 +32,7 @@ std::vector<std::string> guard() {
   return jobs::guard_block(program, {nc::dialect("linuxcnc"), kAllButB, tools});
 }
 
-// True if the program behind the guard is reached.
+// True if the program after the guard is reached.
 bool goes_on(const Control& control, const std::string& units = "") {
   const testing::Scratch scratch;
   std::string text = control.set_up + units;
@@ -65,7 +65,7 @@ const std::map<int, double> kFanucAsMeant{{4006, 21}, {4008, 49}, {4014, 54},   
                                           {5221, 0},  {5222, 0},  {5223, -1008}, {5224, 0},  {5225, 0},  {5226, 0},
                                           {5241, 1},  {5242, 0},  {5243, 2},     {5244, 0},  {5245, 0},  {5246, -5}};
 
-// True if what stands behind the guard is reached; its lines are read as any macro is.
+// True if what stands after the guard is reached; its lines are read as any macro is.
 bool goes_on_at_fanuc(const std::map<int, double>& variables) {
   const testing::Scratch scratch;
   std::string text = "O0001\n";

@@ -68,7 +68,7 @@ TEST_CASE("a way that B leaves out is out of line up to where both end in one pl
   CHECK(s.seconds_b == Approx(3));
 }
 
-TEST_CASE("what one program has behind the end of the other is out of line, a place each") {
+TEST_CASE("what one program has after the end of the other is out of line, a place each") {
   const jobs::DiffSummary longer_b = aligned("G0 Z5\nG1 X10 F600\n", "G0 Z5\nG1 X10 F600\nG1 X20\nG0 Z50\n");
   CHECK(longer_b.matched == 2);
   CHECK(longer_b.out_of_line_a == 0);

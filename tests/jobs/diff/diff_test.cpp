@@ -108,7 +108,7 @@ TEST_CASE("tiny rapids of one side alone belong to those beside them") {
   }
 }
 
-TEST_CASE("tiny rapids behind a long one belong to it, whatever comes next") {
+TEST_CASE("tiny rapids after a long one belong to it, whatever comes next") {
   for (const char* const next : {"G1 Z-2 F100\nG0 Z5\n", "G0 X9 Y9\nG1 Z1 F100\n", "G4 P1\nG1 X3 F9\n"}) {
     const std::string a = "G0 X0 Y0 Z5\nG0 X20\n" + std::string(next);
     const std::string b = "G0 X0 Y0 Z5\nG0 X20\nG0 Z4.9975\n" + std::string(next);

@@ -28,7 +28,7 @@ TEST_CASE("a number is read as a control reads it: zeros in front, a sign, blank
   CHECK(tools_used_by("T99999999999999999999 M6\n").empty());
 }
 
-TEST_CASE("comments use no tools, and behind them the line goes on") {
+TEST_CASE("comments use no tools, and after them the line goes on") {
   CHECK(tools_used_by("(T1) G43 H12\n") == std::vector{12});
   CHECK(tools_used_by("G0 X1 ; T1\n").empty());
   CHECK(tools_used_by("G0 X1 (T1\nT12\n") == std::vector{12});
