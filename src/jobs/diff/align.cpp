@@ -207,11 +207,14 @@ void Aligner::note_time(const DiffMove& move, std::size_t count) {
     after += b_.peek(k)->seconds.value_or(0);
     way += b_.peek(k)->length;
   }
-  const double before = move.seconds.value_or(0);
+  if (!is_known) {
+    if (move.cuts()) summary_.untimed.add(move.line);
+    return;
+  }
+  const double before = *move.seconds;
   summary_.seconds_a += before;
   summary_.seconds_b += after;
-  if (is_known && way > kNoWay && before > kLeastSeconds)
-    summary_.time_change.take(std::abs(after / before - 1), move.line);
+  if (way > kNoWay && before > kLeastSeconds) summary_.time_change.take(std::abs(after / before - 1), move.line);
 }
 
 DiffSummary Aligner::take() {

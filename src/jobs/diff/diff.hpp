@@ -27,15 +27,27 @@ struct OutOfLine {
   std::size_t first_line_b = 0, last_line_b = 0;
 };
 
+/// Cutting moves of A whose time, or that of their pieces, is not known: turns without a feed rule, G95 without a
+/// speed.
+struct UntimedMoves {
+  std::uint64_t count = 0;
+  std::size_t first_line = 0;
+
+  void add(std::size_t line) {
+    if (count++ == 0) first_line = line;
+  }
+};
+
 struct DiffSummary {
   std::uint64_t moves_a = 0;
   std::uint64_t moves_b = 0;
   std::uint64_t matched = 0;  // moves of A that have their counterpart in B, whole or in pieces
   std::uint64_t points = 0;   // that were compared: ends of B's moves
   std::array<AxisShift, kAxes> shift;
-  double seconds_a = 0;  // of cutting moves and dwells; G95 left out
+  double seconds_a = 0;  // of cutting moves and dwells, those left out whose time is not known in both
   double seconds_b = 0;
-  compensate::Worst time_change;    // of a move, as a share of its time in A; the line is A's
+  compensate::Worst time_change;  // of a move, as a share of its time in A; the line is A's
+  UntimedMoves untimed;
   std::uint64_t out_of_line_a = 0;  // moves
   std::uint64_t out_of_line_b = 0;
   std::vector<OutOfLine> out_of_line;  // the first kMostListed places

@@ -45,6 +45,10 @@ std::string diff_text(const jobs::DiffSummary& s) {
   table.add("worst of a move",
             fmt::format("{:.3f} %{}", s.time_change.value * 100,
                         s.time_change.line > 0 ? fmt::format(" (line {})", s.time_change.line) : ""));
+  if (s.untimed.count > 0) {
+    table.add("time not known", fmt::format("of {} of A, first in line {} (no feed rule or spindle speed is given)",
+                                            count_text(s.untimed.count, "move"), s.untimed.first_line));
+  }
   table.add("out of line",
             fmt::format("{} of A, {} of B", count_text(s.out_of_line_a, "move"), count_text(s.out_of_line_b)));
   const std::size_t shown = std::min(kOutOfLineShown, s.out_of_line.size());
@@ -84,6 +88,7 @@ std::string diff_json(const jobs::DiffSummary& s) {
                   {"time_b_s", s.seconds_b},
                   {"time_difference_s", s.seconds_b - s.seconds_a},
                   {"worst_move_time_change", {{"value", s.time_change.value}, {"line", s.time_change.line}}},
+                  {"moves_without_time", s.untimed.count},
                   {"out_of_line_a", s.out_of_line_a},
                   {"out_of_line_b", s.out_of_line_b},
                   {"out_of_line", places}};

@@ -16,9 +16,9 @@ using jobs::DiffSummary;
 
 namespace {
 
-DiffSummary diff_of(const std::string& a, const std::string& b) {
+DiffSummary diff_of(const std::string& a, const std::string& b, const settings::Options& options = {}) {
   const testing::Scratch scratch;
-  return jobs::diff_files(scratch.file("a.ngc", a), scratch.file("b.ngc", b), {});
+  return jobs::diff_files(scratch.file("a.ngc", a), scratch.file("b.ngc", b), options);
 }
 
 // A path with straight moves, arcs, a full circle, tiny moves and rapids.
@@ -325,6 +325,19 @@ TEST_CASE("another feed shows in the time") {
   CHECK(s.seconds_b == Approx(21));
   CHECK(s.time_change.value == Approx(1));
   CHECK(s.time_change.line == 2);
+}
+
+TEST_CASE("moves whose time only one program tells are in neither sum") {
+  const std::string turn = "G1 F100 X10\nG1 A5\nX20\n";  // A alone has a time in both
+  const std::string mixed = "G1 F100 X10\nG1 A5 Y0.001\nX20\n";
+  settings::Options options;
+  options.program.feed_rule = nc::FeedRule::unknown;
+  const DiffSummary s = diff_of(turn, mixed, options);
+  CHECK(s.matched == 3);
+  CHECK(s.seconds_a == Approx(12));
+  CHECK(s.seconds_b == Approx(12));
+  CHECK(s.untimed.count == 1);
+  CHECK(s.untimed.first_line == 2);
 }
 
 TEST_CASE("a diff is JSON for scripts") {

@@ -48,6 +48,16 @@ TEST_CASE("times are compared where A takes any") {
   CHECK(summary_row(report::diff_text(s), "worst of a move") == "0.000 %");
 }
 
+TEST_CASE("moves without a time are counted where there are any") {
+  jobs::DiffSummary s = two_programs();
+  CHECK(report::diff_text(s).find("time not known") == std::string::npos);
+  s.untimed.add(9);
+  s.untimed.add(12);
+  CHECK(summary_row(report::diff_text(s), "time not known") ==
+        "of 2 moves of A, first in line 9 (no feed rule or spindle speed is given)");
+  CHECK(nlohmann::json::parse(report::diff_json(s))["moves_without_time"] == 2);
+}
+
 TEST_CASE("moves out of line are told by the lines of both programs, twenty places at most") {
   jobs::DiffSummary s = two_programs();
   const std::string text = report::diff_text(s);
