@@ -95,7 +95,7 @@ void BlockValues::evaluate(Block& block) {
   bool vacant = false;
   for (Word& word : block.words) {
     if (word.expression == kLiteral) continue;
-    const Value value = value_before(block, word.expression, block.settings.size());
+    const Value value = value_before(block, word.expression, block.settings.size(), rounding_of(run_, block, word));
     word.vacant = value.vacant;
     vacant = vacant || value.vacant;
     if (!value.known && !may_be_unknown(word.letter)) {
@@ -153,10 +153,12 @@ void BlockValues::evaluate_settings(const Block& block) {
 }
 
 // In RS274/NGC all values of a block are found before any is set.
-Value BlockValues::value_before(const Block& block, std::uint32_t code, std::size_t settings) {
-  if (settings == 0 || run_.dialect.syntax.settings_at_once) return value(block, code);
+Value BlockValues::value_before(const Block& block, std::uint32_t code, std::size_t settings,
+                                const Rounding& rounding) {
+  if (settings == 0 || run_.dialect.syntax.settings_at_once)
+    return evaluator_.run(block, code, system_parameters_, rounding);
   ParametersOfBlock readings(system_parameters_, run_.control.parameters, {setting_numbers_.data(), settings});
-  return evaluator_.run(block, code, readings);
+  return evaluator_.run(block, code, readings, rounding);
 }
 
 void BlockValues::assign(const Block& block) {

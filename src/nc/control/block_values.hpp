@@ -36,7 +36,7 @@ class BlockValues {
   int setting_number(const Block& block, const Setting& setting);
   void number_settings(const Block& block);
   void evaluate_settings(const Block& block);
-  Value value_before(const Block& block, std::uint32_t code, std::size_t settings);
+  Value value_before(const Block& block, std::uint32_t code, std::size_t settings, const Rounding& rounding = {});
   void set_parameter(const Block& block, const Setting& place, int number, Value value);
 
   Execution& run_;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "nc/control/parameters/expression.hpp"
 #include "nc/control/state/control.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/block_words.hpp"
@@ -91,6 +92,8 @@ void check_words_before_call(const Execution& run);
 void check_extended(const Execution& run, const CodeRow& row, const Word& word);
 /// Gives words without a decimal point the value that they have where the control counts its increments.
 void count_increments(const Execution& run, Block& block);
+/// What ROUND in the value of a word of this block rounds to.
+Rounding rounding_of(const Execution& run, const Block& block, const Word& word);
 
 /// Does what the code says, in its turn: actions.cpp
 void act(Execution& run, const Chosen& chosen);

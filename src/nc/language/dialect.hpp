@@ -253,8 +253,9 @@ struct ControlBehaviour {
   double increment_mm = 0, increment_inch = 0, increment_deg = 0;  // what a number without a point counts; 0: units
   bool increment_of_rest_unknown = false;  // where another is set, of numbers with a point: refused
   double feed_per_revolution_increment = 0;
-  bool keeps_increment = false;  // of a number no more than these are kept
-  std::string whole_words;       // letters whose values are whole numbers, and written without a point
+  bool keeps_increment = false;        // of a number no more than these are kept
+  bool round_keeps_increment = false;  // ROUND in the value of a word rounds to these, too
+  std::string whole_words;             // letters whose values are whole numbers, and written without a point
   double increment_word_mm = 0, increment_word_inch = 0, increment_word_deg = 0;  // kept of a word under G91; 0: all
   int most_digits = 0;                                                            // of a number; 0: any
   bool m_beside_cut_unknown = false;         // when codes of the builder act beside a move

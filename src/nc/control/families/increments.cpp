@@ -162,4 +162,18 @@ void count_increments(const Execution& run, Block& block) {
   }
 }
 
+// In a statement ROUND gives whole numbers, in the value of an axis word what the control keeps of it [H, macros, notes on functions].
+Rounding rounding_of(const Execution& run, const Block& block, const Word& word) {
+  const ControlBehaviour& behaviour = run.dialect.behaviour;
+  if (!behaviour.round_keeps_increment || behaviour.whole_words.find(word.letter) != std::string::npos) return {};
+  const std::uint32_t letter = letter_bit(word.letter);
+  const bool angle = (letter & kAngles) != 0;
+  const bool inches = run.control.modal.inches;
+  const bool of_another = has_code(run, block, Action::call_macro) ||
+                          (inches && (has_code(run, block, Action::turn_on) || has_code(run, block, Action::dwell))) ||
+                          (run.control.tool_vectors && (letter & kDirection) != 0);
+  if (of_another || (!angle && (letter & letters_of_lengths(behaviour)) == 0)) return {1, false};
+  return {kept_of(behaviour, angle, inches, increment_ratio(run)).quantum, true};
+}
+
 }  // namespace plumbline::nc

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/check.hpp"
+#include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
@@ -134,8 +135,6 @@ double of_one(Operation operation, double a) {
       return std::ceil(a);
     case Operation::logarithm:
       return std::log(a);
-    case Operation::round:
-      return std::round(a);
     case Operation::sine:
       return std::sin(a * kDeg);
     case Operation::square_root:
@@ -163,7 +162,21 @@ void Evaluator::check_truths(const Block& block, const Instruction& step) const 
   }
 }
 
-Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& parameters) {
+double Evaluator::rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding) const {
+  const double whole = std::round(value);
+  if (rounding.known && rounding.quantum == 1) return whole;
+  if (rounding.known && std::abs(value) > kLargestWhole) return value;
+  if (rounding.known)
+    return from_ticks(to_ticks(std::round(value / rounding.quantum) * rounding.quantum, kMostDecimals), kMostDecimals);
+  if (std::abs(value - whole) <= kWhole) return whole;
+  refuse_at(block, step.span, codes::kNotInterpreted,
+            fmt::format("ROUND of {:.6g}: in a word it rounds to what the control keeps of that word, and for this one "
+                        "no source says what that is",
+                        value),
+            "round it before, into a variable: that gives whole numbers");
+}
+
+Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& parameters, const Rounding& rounding) {
   stack_.clear();
   for (const Instruction* step = &block.code[code]; step->operation != Operation::end; ++step) {
     switch (step->operation) {
@@ -203,6 +216,8 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
       // To be vacant is not to be zero, for EQ and NE alone [B-63174EN, 13.1].
       if (a.vacant != b.vacant && step->operation == Operation::equal) result.number = 0;
       if (a.vacant != b.vacant && step->operation == Operation::not_equal) result.number = 1;
+    } else if (step->operation == Operation::round) {
+      result.number = rounded(block, *step, b.number, rounding);
     } else {
       result.number = of_one(step->operation, b.number);
       result.vacant = b.vacant && step->operation == Operation::negate;

@@ -26,16 +26,23 @@ class ParameterReader {
   virtual ParameterLimits limits() const { return {}; }
 };
 
+/// What ROUND rounds to: whole numbers, or what the control keeps of a word.
+struct Rounding {
+  double quantum = 1;
+  bool known = true;  // not known: only whole numbers are
+};
+
 class Evaluator {
  public:
   /// `equal_within`: of EQ and NE; 1e-4 [LinuxCNC, measured].
   explicit Evaluator(double equal_within = 1e-4) : equal_within_(equal_within) {}
   /// The value of the code that begins at `code` in block.code. Refuses what the control would: nc-arithmetic and the
   /// like.
-  Value run(const Block& block, std::uint32_t code, ParameterReader& parameters);
+  Value run(const Block& block, std::uint32_t code, ParameterReader& parameters, const Rounding& rounding = {});
 
  private:
   double equal_within_;
+  double rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding) const;
   void check_truths(const Block& block, const Instruction& step) const;
   std::vector<Value> stack_;
 };

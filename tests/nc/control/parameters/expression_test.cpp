@@ -73,6 +73,22 @@ TEST_CASE("functions take degrees and round as the control does") {
   CHECK(value("SQRT[ABS[-16]]") == 4);
 }
 
+TEST_CASE("ROUND rounds to what it is told, and where that is not known only whole numbers are") {
+  const auto rounded = [](const std::string& expression, const Rounding& rounding) {
+    Block block;
+    const std::string text = "X" + expression;
+    block.text = text;
+    Parser(dialect("linuxcnc")).parse(block);
+    SomeParameters parameters;
+    return Evaluator().run(block, block.words.at(0).expression, parameters, rounding).number;
+  };
+  CHECK(rounded("ROUND[1.2346]", {}) == 1);
+  CHECK(rounded("[ROUND[1.2346]+ROUND[-0.0007]]", {0.001, true}) == Approx(1.234));
+  CHECK(rounded("[2*ROUND[0.12346]]", {0.0001, true}) == Approx(0.247));
+  CHECK(rounded("ROUND[17]", {1, false}) == 17);
+  CHECK_THROWS_AS(rounded("ROUND[17.5]", {1, false}), Refusal);
+}
+
 TEST_CASE("parameters by number, by the value of another, by name") {
   CHECK(value("#3") == 30);
   CHECK(value("#[1+1]") == 20);
