@@ -37,7 +37,7 @@ struct DiagnoseArguments {
          "name a folder that can be written with -o", place);
 }
 
-// Before the work; the folder itself is made behind it, so that work that fails leaves none.
+// Before the work; the folder itself is made after it, so that work that fails leaves none.
 void check_folder(const std::string& folder) {
   std::error_code missing;
   fs::path there = fs::absolute(folder);
@@ -46,7 +46,7 @@ void check_folder(const std::string& folder) {
   if (access(there.c_str(), W_OK) != 0) refuse_folder(folder, std::strerror(errno));
 }
 
-// The model last: who has it has what it rests on.
+// The model last: where it is, the files that it rests on are, too.
 void write_folder(const std::string& folder, const std::vector<std::pair<std::string, std::string>>& texts) {
   NewFolder made(folder);
   OutputSet files;
@@ -102,7 +102,7 @@ void add_diagnose(CLI::App& app, Run& run) {
   command->add_option("--without", arguments->job.without, "effects to leave out of the catalogue")
       ->type_name("NAME,...")
       ->delimiter(',');
-  command->add_option("--seed", arguments->job.seed, "of the random numbers behind the threshold")
+  command->add_option("--seed", arguments->job.seed, "of the random numbers that the threshold is computed with")
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "print the result as JSON");
   command->callback([arguments, &run] { run = [arguments] { return diagnose(*arguments); }; });

@@ -12,7 +12,7 @@ void add_explain(CLI::App& app, Run& run) {
                          "Say what the code of a message means, as in nc-unknown-code, and what to do; without a code "
                          "list them all");
   const auto code = std::make_shared<std::string>();
-  command->add_option("CODE", *code, "the code, as it stands in brackets behind a message")->type_name("TEXT");
+  command->add_option("CODE", *code, "the code, as it stands in brackets after a message")->type_name("TEXT");
   command->callback([code, &run] {
     run = [code] {
       print_result(code->empty() ? report::explain_list() : report::explain_text(*code));

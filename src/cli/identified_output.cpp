@@ -31,9 +31,9 @@ namespace {
 void object(const std::string& objection, const IdentifiedOutput& output) {
   Diagnostic diagnostic{
       "identify-not-plausible", objection + fmt::format(": {} is not written", output.model),
-      "something else is missing in the model, or a channel has another unit or sign than it says: run plumbline "
-      "diagnose "
-      "on the same data. If [uncertainty] is too narrow, widen it; --force writes the model all the same"};
+      "something else is missing in the model, or a channel has another unit or sign than it says: run "
+      "plumbline diagnose on the same data. If [uncertainty] is too narrow, widen it; --force writes the model all the "
+      "same"};
   if (!output.force) throw Refusal(diagnostic);
   diagnostic.severity = Severity::warning;
   diagnostic.message = objection;

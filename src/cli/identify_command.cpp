@@ -41,7 +41,7 @@ void add_identify(CLI::App& app, Run& run) {
   command
       ->add_option("--free", arguments->options.free,
                    "fit these keys, too, without a prior: table.key of the model file, or effect.key, as "
-                   "strut.motor_mass_kg,backlash.width_um")
+                   "strut.motor_mass_kg,level.tilt_mrad")
       ->type_name("KEY,...")
       ->delimiter(',');
   command->callback([arguments, &run] { run = [arguments] { return identify_model(*arguments); }; });

@@ -72,7 +72,7 @@ bool asks_for_json(std::span<const char* const> arguments) {
   return false;
 }
 
-// Before the command and behind it.
+// Before the command and after it.
 void add_diagnostics(CLI::App& app) {
   static std::string form;
   std::vector<CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });

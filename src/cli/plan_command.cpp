@@ -50,7 +50,7 @@ void add_aim(CLI::App& command, PlanArguments& arguments) {
       .add_option(
           "--for", arguments.job.asked,
           "what the plan is to tell: geometry, elasticity, friction, masses, centre-of-mass, level, all, or keys "
-          "as strut.motor_mass_kg and backlash.width_um")
+          "as strut.motor_mass_kg and cyclic.amplitude_um")
       ->type_name("NAME,...")
       ->delimiter(',')
       ->capture_default_str();

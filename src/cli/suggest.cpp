@@ -82,7 +82,7 @@ const CLI::Option* find(const CLI::App& app, const CLI::App& command, std::strin
   return own != nullptr ? own : app.get_option_no_throw(std::string(name));
 }
 
-// Goes through what stands behind the command, as it is read: each option with its value, and the rest in order.
+// Goes through what follows the command, as it is read: each option with its value, and the rest in order.
 class Walk {
  public:
   Walk(const CLI::App& app, const CLI::App& command) : app_(app), command_(command) {
@@ -160,8 +160,8 @@ std::optional<std::string> what_is_wrong(const CLI::App& app, std::span<const ch
   if (asked.empty()) return fmt::format("name a command: {}", list_of(command_names(app)));
   const auto command = std::find(arguments.begin(), arguments.end(), asked.front()->get_name());
   if (command == arguments.end()) return std::nullopt;
-  const auto behind = static_cast<std::size_t>(command - arguments.begin()) + 1;
-  if (const auto wrong = Walk(app, *asked.front()).take(arguments.subspan(behind))) return wrong;
+  const auto after = static_cast<std::size_t>(command - arguments.begin()) + 1;
+  if (const auto wrong = Walk(app, *asked.front()).take(arguments.subspan(after))) return wrong;
   return missing_in(*asked.front());
 }
 

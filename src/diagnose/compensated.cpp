@@ -9,8 +9,8 @@ namespace plumbline::diagnose {
 namespace {
 
 double circularity_of(const measure::Profile& profile) {
-  const Eigen::VectorXd left = measure::without_setup(profile, measure::least_squares_circle(profile));
-  return left.maxCoeff() - left.minCoeff();
+  const Eigen::VectorXd rest = measure::without_setup(profile, measure::least_squares_circle(profile));
+  return rest.maxCoeff() - rest.minCoeff();
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ Unexplained unexplained(const Base& base, const std::vector<measure::Run>& runs,
   if (!is_gap(description, options.verdict)) description.terms.clear();
   Fitted fitted = described(bench, *stage, description.terms, options);
   auto of_fitted = residuals(bench.machine, runs, fitted.forces, base.noise);
-  if (held_out_misfit(of_fitted, out, base.noise) > held_out_misfit(base.left, out, base.noise)) {
+  if (held_out_misfit(of_fitted, out, base.noise) > held_out_misfit(base.residuals, out, base.noise)) {
     Fitted plain = described(bench, base.stage, {}, options);
     of_fitted = residuals(bench.machine, runs, plain.forces, base.noise);
     return {std::move(description), std::move(plain), std::move(of_fitted), false};

@@ -16,9 +16,9 @@ struct Fitted {
 struct Base {
   const Workbench& bench;
   const FittedStage& stage;
-  const std::vector<identify::RunEquations>& left;  // of all runs
-  Recurs recurs;                                    // in them
-  const identify::NoiseModel& noise;                // that runs held out are measured by
+  const std::vector<identify::RunEquations>& residuals;  // of all runs
+  Recurs recurs;                                         // in them
+  const identify::NoiseModel& noise;                     // that runs held out are measured by
 };
 
 struct Unexplained {

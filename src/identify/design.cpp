@@ -16,7 +16,8 @@
 namespace plumbline::identify {
 namespace {
 
-// In scales, of what is free and not told by anything: keeps logarithms finite, and weighs nothing beside one reading.
+// In scales, of what is free and not determined by anything: keeps logarithms finite, and weighs nothing beside a
+// reading.
 constexpr double kFreeInformation = 1e-9;
 
 // From 0 to 1, the same everywhere: distributions of the standard library are not.
@@ -167,18 +168,18 @@ Design design(const std::vector<Eigen::MatrixXd>& candidates, const Eigen::Matri
     if (plan.exchanges == before) break;
   }
   // what tells most comes first
-  std::vector<std::size_t> left = plan.chosen;
+  std::vector<std::size_t> remaining = plan.chosen;
   plan.chosen.clear();
   plan.information = known;
-  while (!left.empty()) {
-    std::vector<double> values(left.size());
-    for_each_index(left.size(),
-                   [&](std::size_t i) { values[i] = criterion(plan.information + weight * candidates[left[i]]); });
+  while (!remaining.empty()) {
+    std::vector<double> values(remaining.size());
+    for_each_index(remaining.size(),
+                   [&](std::size_t i) { values[i] = criterion(plan.information + weight * candidates[remaining[i]]); });
     const auto best = std::max_element(values.begin(), values.end()) - values.begin();
-    plan.chosen.push_back(left[static_cast<std::size_t>(best)]);
+    plan.chosen.push_back(remaining[static_cast<std::size_t>(best)]);
     plan.criterion.push_back(values[static_cast<std::size_t>(best)]);
     plan.information += weight * candidates[plan.chosen.back()];
-    left.erase(left.begin() + best);
+    remaining.erase(remaining.begin() + best);
   }
   return plan;
 }

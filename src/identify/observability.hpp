@@ -10,7 +10,7 @@
 namespace plumbline::identify {
 
 struct ObservabilityOptions {
-  double apart = 0.95;       // correlation from which two unknowns count as not told apart
+  double apart = 0.95;       // correlation from which two unknowns count as not separated
   double little = 0.9;       // share of the prior's sigma that is left from which data count as telling little
   double one_height = 0.01;  // m, within which circles count as lying at one height
   double better = 0.5;       // share of the prior's sigma below which data tell more of a direction than was known

@@ -25,9 +25,9 @@ void add_chi2(const Fit& fit, const std::vector<Eigen::Index>& places, const Pla
     sigmas[k] = u.sigma;
     off[k] = (fit.values[i] - u.start) / u.sigma;
   }
-  const Eigen::MatrixXd left =
+  const Eigen::MatrixXd posterior =
       sigmas.cwiseInverse().asDiagonal() * fit.covariance(places, places) * sigmas.cwiseInverse().asDiagonal();
-  const PriorStrain strain = prior_strain(off, left, options.least_share);
+  const PriorStrain strain = prior_strain(off, posterior, options.least_share);
   found.chi2 = strain.chi2;
   found.degrees = strain.degrees;
   found.all_sigmas = strain.deviate();

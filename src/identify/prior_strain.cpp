@@ -16,14 +16,14 @@ double PriorStrain::excess() const { return degrees > 0 ? (chi2 - degrees) / std
 
 PriorStrain prior_strain(const Eigen::VectorXd& off) { return {off.squaredNorm(), static_cast<double>(off.size())}; }
 
-PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& left, double least_share) {
+PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& posterior, double least_share) {
   PriorStrain strain;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(left);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(posterior);
   for (Eigen::Index k = 0; k < off.size(); ++k) {
-    const double told = 1 - axes.eigenvalues()[k];
-    if (told < least_share) continue;
+    const double moved = 1 - axes.eigenvalues()[k];
+    if (moved < least_share) continue;
     const double along = axes.eigenvectors().col(k).dot(off);
-    strain.chi2 += along * along / told;
+    strain.chi2 += along * along / moved;
     ++strain.degrees;
   }
   return strain;

@@ -9,7 +9,7 @@ struct PriorStrain {
   double chi2 = 0;     // sum of squares, in sigmas of the priors
   double degrees = 0;  // of freedom
 
-  /// chi2 as the normal deviate that is as rare  [Wilson and Hilferty 1931]; 0 where nothing was told.
+  /// chi2 as the normal deviate that is as rare  [Wilson and Hilferty 1931]; 0 where the data say nothing.
   double deviate() const;
   /// How far chi2 is above its mean, in its standard deviations: of many degrees about the same.
   double excess() const;
@@ -18,11 +18,11 @@ struct PriorStrain {
 /// `off`: how far each unknown was moved, in sigmas of its prior; each counts as one degree.
 PriorStrain prior_strain(const Eigen::VectorXd& off);
 
-/// The same by what the data tell. `left` is what they leave of the priors' covariance, in sigmas of these: before the
+/// The same by what the data tell. `posterior` is the covariance after the data, in sigmas of the priors: before the
 /// data an unknown is normal with the prior's covariance P, after them with C about the value found. So what is found
 /// is itself normal about the start, with P - C: the data cannot move what they do not tell. Along the common axes of
 /// both it has the variance 1 - c, and the sum of squares over that is chi-square. Of directions with less than
 /// `least_share` of that variance the data say nothing: they do not count.
-PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& left, double least_share);
+PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& posterior, double least_share);
 
 }  // namespace plumbline::identify

@@ -67,8 +67,8 @@ Places asked_for(Unknowns& unknowns, const std::vector<std::string>& names) {
   return places;
 }
 
-// The numbers of an effect that is to be told from another one; nothing is known of it beforehand, even if it is among
-// what [uncertainty] lists.
+// The numbers of an effect that is to be separated from another one; nothing is known of it beforehand, even if
+// [uncertainty] lists it.
 Places effect_numbers(Unknowns& unknowns, const std::string& name) {
   const std::vector<std::string_view> known = physics::cause_names();
   if (std::find(known.begin(), known.end(), name) == known.end()) {
@@ -171,13 +171,13 @@ PlannedTests plan_tests(const PlanJob& job) {
            "choose a smaller --radius, or look at [limits] of the model", {machine.document.file});
   }
   const identify::NoiseModel noise = noise_of(job);
-  const std::vector<Eigen::MatrixXd> told = informations(machine, candidates, unknowns, noise);
+  const std::vector<Eigen::MatrixXd> information = informations(machine, candidates, unknowns, noise);
   const Eigen::MatrixXd known = known_already(machine, job.measured, unknowns, noise);
   identify::DesignOptions options = job.design;
   options.readings_per_sample = static_cast<double>(job.samples) / static_cast<double>(job.candidates.samples);
   const identify::Criterion criterion =
       job.separate.empty() ? identify::d_optimal(unknowns, asked) : identify::separating(unknowns, asked, other);
-  const identify::Design design = identify::design(told, known, criterion, options);
+  const identify::Design design = identify::design(information, known, criterion, options);
 
   PlannedTests plan(unknowns);
   fill(plan.before, known);

@@ -14,8 +14,8 @@ namespace plumbline::jobs {
 struct PlanJob {
   std::string model;
   std::string measured;  // a dataset that is there already; empty: none
-  /// What is to be told: groups (geometry, elasticity, friction, masses, centre-of-mass, level, all) and keys
-  /// ("strut.motor_mass_kg", "backlash.width_um").
+  /// What is to be determined: groups (geometry, elasticity, friction, masses, centre-of-mass, level, all) and keys
+  /// ("strut.motor_mass_kg", "cyclic.amplitude_um").
   std::vector<std::string> asked{"geometry"};
   std::vector<std::string>
       separate;  // two effects of the catalogue that the plan is to tell apart, in place of `asked`

@@ -10,7 +10,7 @@
 
 namespace plumbline::machine {
 
-/// What may stand behind a key.
+/// What the value of a key may be.
 enum class Shape {
   text,
   number,

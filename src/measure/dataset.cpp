@@ -48,7 +48,7 @@ constexpr NumberSpec kBar{"bar_mm", units::mm, 1, 3000, "length of the bar"};
 constexpr NumberSpec kTilt{"tilt_deg", units::deg, -180, 180, "orientation of the platform, [A, B, C]"};
 constexpr NumberSpec kFeed{"feed_mm_min", kFeedUnit, 1, 2e5, "speed of the tip along the circle"};
 constexpr NumberSpec kStart{"start_s", kSecond, 0, 1e8, "when the run began, on the clock of the dataset"};
-constexpr NumberSpec kPayload{"payload_kg", units::kg, 0, 1000, "known mass hung at the tool tip"};
+constexpr NumberSpec kPayload{"payload_kg", units::kg, 0, 1000, "known mass suspended from the tool tip"};
 
 class RunReader {
  public:

@@ -44,7 +44,7 @@ struct Run {
   Direction direction = Direction::ccw;
   double feed = 0;          // m/s
   double start = 0;         // on the clock of the dataset, s
-  double payload_mass = 0;  // known, hung at the tool tip, kg
+  double payload_mass = 0;  // known, suspended from the tool tip, kg
   Place place;              // of centre_mm in the dataset; no file: the run was made
 
   // Columns, one number per sample. time and angle are always there: one that was not measured follows from the other

@@ -11,7 +11,7 @@ struct TableOptions {
   std::size_t fewest_samples = 8;
   double most_turns = 1.0 + 1e-3;    // that the angles go around
   double most_turns_by_time = 1.05;  // where only time and feed tell: the feed may be a little off
-  double least_turns = 1.0 / 12;     // of a shorter arc, neither centre nor mean can be told
+  double least_turns = 1.0 / 12;     // of a shorter arc, neither centre nor mean can be found
   double feed_tolerance = 0.25;      // by which the table's own speed may differ from the stated feed
 };
 

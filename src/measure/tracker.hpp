@@ -14,7 +14,7 @@ namespace plumbline::measure {
 struct TrackedPose {
   Vector3<double> position_W = Vector3<double>::Zero();  // that the tip was sent to, m
   Vector3<double> tilt = Vector3<double>::Zero();        // and A, B, C, rad
-  double payload_mass = 0;                               // known, hung at the tool tip, kg
+  double payload_mass = 0;                               // known, suspended from the tool tip, kg
   Vector3<double> measured = Vector3<double>::Zero();    // where the tracker saw the tip, in its own frame, m
   std::optional<Vector3<double>> measured_tilt;          // A, B, C in its frame, rad
 

@@ -57,18 +57,18 @@ std::vector<Term> products(Channel channel, bool per_strut) {
 class Describer {
  public:
   Describer(const Workbench& bench, const physics::ForceModel& forces, const LinearProblem& problem,
-            const Marginalised& taken, const identify::NoiseModel& noise, const DescriptionOptions& options)
+            const Marginalised& marginalised, const identify::NoiseModel& noise, const DescriptionOptions& options)
       : runs_(ready_runs(bench, forces, problem)),
         forces_(forces),
         problem_(problem),
-        taken_(taken),
+        marginalised_(marginalised),
         noise_(noise),
         options_(options) {
-    Eigen::MatrixXd own = problem.gram(taken.columns, taken.columns);
-    own.diagonal() += taken.precision;
+    Eigen::MatrixXd own = problem.gram(marginalised.columns, marginalised.columns);
+    own.diagonal() += marginalised.precision;
     nuisances_.compute(own);
-    Eigen::VectorXd pull = problem.gram(taken.columns, problem.residual());
-    pull -= taken.precision.cwiseProduct(taken.departure);
+    Eigen::VectorXd pull = problem.gram(marginalised.columns, problem.residual());
+    pull -= marginalised.precision.cwiseProduct(marginalised.departure);
     by_nuisances_ = nuisances_.solve(pull);
   }
 
@@ -103,7 +103,7 @@ class Describer {
       }
       columns = without_setup(*runs_[i].raw, std::move(columns), noise_);
       const Eigen::MatrixXd& rows = problem_.blocks[i].rows;
-      sums[i].cross = rows(Eigen::all, taken_.columns).transpose() * columns;
+      sums[i].cross = rows(Eigen::all, marginalised_.columns).transpose() * columns;
       sums[i].residual = columns.transpose() * rows.col(problem_.residual());
       sums[i].own = full ? Eigen::MatrixXd(columns.transpose() * columns)
                          : Eigen::MatrixXd(columns.colwise().squaredNorm().asDiagonal());
@@ -233,7 +233,7 @@ class Describer {
   std::vector<ReadyRun> runs_;
   const physics::ForceModel& forces_;
   const LinearProblem& problem_;
-  const Marginalised& taken_;
+  const Marginalised& marginalised_;
   const identify::NoiseModel& noise_;
   const DescriptionOptions& options_;
   Eigen::LDLT<Eigen::MatrixXd> nuisances_;
@@ -243,8 +243,9 @@ class Describer {
 }  // namespace
 
 Description describe(const Workbench& bench, const physics::ForceModel& forces, const LinearProblem& problem,
-                     const Marginalised& taken, const identify::NoiseModel& noise, const DescriptionOptions& options) {
-  return Describer(bench, forces, problem, taken, noise, options).run();
+                     const Marginalised& marginalised, const identify::NoiseModel& noise,
+                     const DescriptionOptions& options) {
+  return Describer(bench, forces, problem, marginalised, noise, options).run();
 }
 
 std::vector<double> generic_parameters(const Term& term) {

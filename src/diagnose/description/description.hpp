@@ -41,9 +41,9 @@ struct Description {
   double tried = 0;         // how many
 };
 
-/// The best sparse description of what `taken` leaves of the problem.
+/// The best sparse description of what `marginalised` leaves of the problem.
 Description describe(const Workbench& bench, const physics::ForceModel& forces, const LinearProblem& problem,
-                     const Marginalised& taken, const identify::NoiseModel& noise,
+                     const Marginalised& marginalised, const identify::NoiseModel& noise,
                      const DescriptionOptions& options = {});
 
 /// The parameters of the effect `generic` that a term stands for, SI, as a ForceModel has them.

@@ -45,9 +45,9 @@ double predicted(const LinearProblem& problem, const Normal& normal, const std::
 
 }  // namespace
 
-double left_out_nats(const LinearProblem& problem, const Marginalised& taken, const std::vector<int>& columns,
+double left_out_nats(const LinearProblem& problem, const Marginalised& marginalised, const std::vector<int>& columns,
                      const Eigen::VectorXd& sizes, const std::vector<int>& groups) {
-  Normal normal{taken.columns, taken.precision, taken.departure};
+  Normal normal{marginalised.columns, marginalised.precision, marginalised.departure};
   normal.columns.push_back(static_cast<int>(problem.residual()));
   const double without = predicted(problem, normal, groups);
 

@@ -19,7 +19,7 @@ struct LeftOut {
 /// in log predictive density, with these columns of the problem and without them  [Geisser and Eddy 1979]. What is
 /// `taken` is refitted each time within its priors; so are the effect's sizes, normal beforehand with the spread of
 /// `sizes`. All of it exactly, from the Gram matrices of the runs.
-double left_out_nats(const LinearProblem& problem, const Marginalised& taken, const std::vector<int>& columns,
+double left_out_nats(const LinearProblem& problem, const Marginalised& marginalised, const std::vector<int>& columns,
                      const Eigen::VectorXd& sizes, const std::vector<int>& groups);
 
 }  // namespace plumbline::diagnose

@@ -27,9 +27,9 @@ std::pair<double, double> size_of(const std::vector<Step>& steps) {
   }
   if (steps.size() < 3 || !(square > 0)) return {0, 0};
   const double size = cross / square;
-  double left = 0;
-  for (const Step& s : steps) left += std::pow(s.step - s.slope * size, 2);
-  return {size, std::sqrt(left / static_cast<double>(steps.size() - 1) / square)};
+  double squares = 0;
+  for (const Step& s : steps) squares += std::pow(s.step - s.slope * size, 2);
+  return {size, std::sqrt(squares / static_cast<double>(steps.size() - 1) / square)};
 }
 
 // dx = J^-1 dL: how the bar moves with the length of a strut

@@ -9,7 +9,7 @@ struct SpectrumOptions {
   double trimmed = 0.25;         // share of the runs, those of most power at a frequency, that are left out
   int bands = 24;                // of frequencies that are taken together
   double colour_step = 0.05;     // of the grid on which memory and white share are looked for
-  double most_colour = 0.96;     // above that noise is no longer told from drift
+  double most_colour = 0.96;     // above that noise and drift are no longer distinguished
   double least_sigma_um = 1e-3;  // what is less is rounding
   double least_sigma_Nm = 1e-5;
 };

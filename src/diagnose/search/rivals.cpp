@@ -99,7 +99,7 @@ std::vector<Rival> rivals_for(const Workbench& bench, const FittedStage& stage, 
     if (a.refitted != b.refitted) return a.refitted;
     return a.log_odds > b.log_odds;
   });
-  say(rivals_text(all, place, options.most_told));
+  say(rivals_text(all, place, options.most_listed));
   return all;
 }
 

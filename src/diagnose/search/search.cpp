@@ -135,7 +135,7 @@ class Search {
       found.left_out = mine->left_out;
       found.rivals.erase(mine);
     }
-    if (!found.rivals.empty() && !found.rivals.front().refitted) {  // the gap is shown with it, however far behind
+    if (!found.rivals.empty() && !found.rivals.front().refitted) {  // the gap is shown with it, however unlikely
       Rival& second = found.rivals.front();
       second.fit = refit(bench_, with(stage_.picks, second.pick, place), second.start, stage_.noise, options_.refit);
     }

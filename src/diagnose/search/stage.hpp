@@ -8,7 +8,7 @@
 
 namespace plumbline::diagnose {
 
-/// Is told of each step, in words.
+/// Gets each step in words, as it is done.
 using Say = std::function<void(const std::string&)>;
 
 struct FittedStage {

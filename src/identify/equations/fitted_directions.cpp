@@ -48,13 +48,13 @@ FittedDirections fitted_directions(const std::vector<RunEquations>& runs, int ch
   const Eigen::VectorXd deviation =
       known.eigenvalues().unaryExpr([least](double value) { return value > least ? 1 / std::sqrt(value) : 0; });
   const Eigen::MatrixXd whole = known.eigenvectors() * deviation.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> told(whole.transpose() * information * whole);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> shares(whole.transpose() * information * whole);
 
   FittedDirections directions;
-  directions.degrees = told.eigenvalues().cwiseMax(0.0).cwiseMin(1.0).sum();
-  const auto kept = (told.eigenvalues().array() > least_share).count();  // ascending: the last ones
-  directions.share = told.eigenvalues().tail(kept).cwiseMin(1.0);
-  directions.changes = fitted.scales.asDiagonal() * whole * told.eigenvectors().rightCols(kept);
+  directions.degrees = shares.eigenvalues().cwiseMax(0.0).cwiseMin(1.0).sum();
+  const auto kept = (shares.eigenvalues().array() > least_share).count();  // ascending: the last ones
+  directions.share = shares.eigenvalues().tail(kept).cwiseMin(1.0);
+  directions.changes = fitted.scales.asDiagonal() * whole * shares.eigenvectors().rightCols(kept);
   return directions;
 }
 

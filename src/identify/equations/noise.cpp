@@ -260,9 +260,9 @@ Channel clipped(const ChannelResiduals& all, double most) {
   Channel channel;
   for (std::size_t r = 0; r < all.residuals.size(); ++r) {
     channel.setups.push_back(all.setups[r].cols());
-    const Eigen::MatrixXd told = all.slopes.empty() ? Eigen::MatrixXd(all.residuals[r].size(), 0) : all.slopes[r];
-    channel.runs.emplace_back(all.residuals[r].size(), all.setups[r].cols() + told.cols() + 1);
-    channel.runs.back() << all.setups[r], told, all.residuals[r].cwiseMax(-most).cwiseMin(most);
+    const Eigen::MatrixXd slopes = all.slopes.empty() ? Eigen::MatrixXd(all.residuals[r].size(), 0) : all.slopes[r];
+    channel.runs.emplace_back(all.residuals[r].size(), all.setups[r].cols() + slopes.cols() + 1);
+    channel.runs.back() << all.setups[r], slopes, all.residuals[r].cwiseMax(-most).cwiseMin(most);
   }
   return channel;
 }

@@ -77,19 +77,19 @@ RunEquations tracker_equations(const machine::RotationOrder& order, const Tracke
 TrackerFrame first_frame(const Tracked& tracked, double most) {
   const std::vector<measure::TrackedPose>& poses = tracked.table.poses;
   const auto count = static_cast<Eigen::Index>(poses.size());
-  Eigen::Matrix3Xd told(3, count);
+  Eigen::Matrix3Xd commanded(3, count);
   Eigen::Matrix3Xd seen(3, count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    told.col(i) = poses[static_cast<std::size_t>(i)].position_W;
+    commanded.col(i) = poses[static_cast<std::size_t>(i)].position_W;
     seen.col(i) = poses[static_cast<std::size_t>(i)].measured;
   }
   TrackerFrame frame;
   if (!tracked.frame_known) {
-    const Eigen::Matrix4d rigid = Eigen::umeyama(told, seen, false);
+    const Eigen::Matrix4d rigid = Eigen::umeyama(commanded, seen, false);
     frame = {rigid.topLeftCorner<3, 3>(), rigid.topRightCorner<3, 1>()};
   }
   Eigen::Index worst = 0;
-  const double off = (((frame.R * told).colwise() + frame.t) - seen).colwise().norm().maxCoeff(&worst);
+  const double off = (((frame.R * commanded).colwise() + frame.t) - seen).colwise().norm().maxCoeff(&worst);
   if (off > most) {
     refuse("tracker-far",
            fmt::format("pose {} of {} was measured {:.3g} mm from where the machine was sent", worst + 1,

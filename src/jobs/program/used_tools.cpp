@@ -59,7 +59,7 @@ class Scan {
   }
 
  private:
-  // Names of two letters or more, and numbers behind letters that programs are called with: few in any program.
+  // Names of two letters or more, and numbers after letters that programs are called with: few in any program.
   void note_name(std::string_view line, std::size_t at) {
     std::size_t end = at;
     while (end < line.size() && (is_name_letter(line[end]) || is_digit(line[end]))) ++end;

@@ -8,7 +8,7 @@
 
 namespace plumbline::jobs {
 
-/// The tools whose number or name stands behind a T, H or Q anywhere in the program's text, comments left out, or in
+/// The tools whose number or name follows a T, H or Q anywhere in the program's text, comments left out, or in
 /// that of a file beside it whose name it holds, and the one in the spindle; all of the table where one of these
 /// letters takes an expression. More rather than fewer: the program is not executed.
 std::vector<nc::Tool> used_tools(const InputFile& program, const nc::ToolTable& tools,

@@ -11,6 +11,7 @@
 #include "identify/unknowns/geometry.hpp"
 #include "report/measured/objection_text.hpp"
 #include "report/measured/observability_text.hpp"
+#include "report/text_table.hpp"
 
 namespace plumbline::report {
 namespace {
@@ -39,7 +40,8 @@ std::string values_text(const Fit& fit) {
                         fit.standard_error(i) / si, u.free() ? "-" : fmt::format("{:.2g}", u.sigma / si), u.unit.name);
   }
   for (const auto& [effect, crowd] : crowds) {
-    text += fmt::format("{:<32}{} numbers, moved by up to {:.2f} um\n", effect, crowd.first, crowd.second);
+    text += fmt::format("{:<32}{}, moved by up to {:.2f} um\n", effect,
+                        count_text(static_cast<std::uint64_t>(crowd.first), "number"), crowd.second);
   }
   return text;
 }
@@ -88,7 +90,8 @@ std::string noise_text(const identify::NoiseModel& noise) {
 std::string stage_text(const Stage& stage) {
   const Fit& fit = stage.fit;
   std::string text =
-      fmt::format("{} fit: {} readings, {} unknowns, {}\n", stage.name, fit.readings, fit.unknowns.size(),
+      fmt::format("{} fit: {}, {}, {}\n", stage.name, count_text(static_cast<std::uint64_t>(fit.readings), "reading"),
+                  count_text(fit.unknowns.size(), "unknown"),
                   fit.converged ? "converged" : "NOT CONVERGED: " + fit.stopped_because);
   text += values_text(fit);
   if (stage.name == "calibration") text += geometry_text(fit);

@@ -55,16 +55,16 @@ std::string text_of(const diagnose::ChannelFlaw& flaw) {
   for (const std::size_t motor : flaw.motors) names.push_back(fmt::format("torque{}_Nm", motor + 1));
   if (flaw.kind == diagnose::ChannelFlaw::Kind::sign) {
     return fmt::format(
-        "{} of 6 torques ({}) run against the model's in all runs: no effect does that; check the sign of each channel "
-        "(positive where the strut is pulled)",
-        names.size(), fmt::join(names, ", "));
+        "{} of 6 torques ({}) {} the sign opposite to the model's in all runs: no effect does that; check the sign "
+        "of each channel (positive where the strut is pulled)",
+        names.size(), fmt::join(names, ", "), names.size() == 1 ? "has" : "have");
   }
   std::vector<std::string> factors;
   for (const double factor : flaw.factors) factors.push_back(fmt::format("{:.3g}", factor));
   return fmt::format(
-      "{} of 6 torques ({}) are {} times the model's: no effect does that; check the unit of each channel (N m at the "
+      "{} of 6 torques ({}) {} {} times the model's: no effect does that; check the unit of each channel (N m at the "
       "screw, not per cent of the rated torque, not a current)",
-      names.size(), fmt::join(names, ", "), fmt::join(factors, ", "));
+      names.size(), fmt::join(names, ", "), names.size() == 1 ? "is" : "are", fmt::join(factors, ", "));
 }
 
 std::string text_of(const diagnose::OpenGap& gap) {
@@ -115,6 +115,7 @@ std::string text_of(const diagnose::Recurs& recurs) {
 // Each reason beside the names of the effects found, "backlash and level".
 struct DoubtWords {
   std::string names;
+  bool several = false;
 
   std::string operator()(const diagnose::ChannelFlaw& flaw) const { return text_of(flaw); }
 
@@ -136,7 +137,7 @@ struct DoubtWords {
   std::string operator()(const diagnose::OpenGap& gap) const { return fmt::format("with {} {}", names, text_of(gap)); }
 
   std::string operator()(const diagnose::OneMore&) const {
-    return fmt::format("{} are not enough: one more effect would pass the threshold", names);
+    return fmt::format("{} {} not enough: one more effect would pass the threshold", names, several ? "are" : "is");
   }
 
   std::string operator()(const diagnose::LargeRemainder& remainder) const {
@@ -188,7 +189,8 @@ std::string objection_text(const diagnose::Objection& objection) {
 }
 
 std::string doubt_text(const diagnose::Doubt& doubt) {
-  return std::visit(DoubtWords{fmt::format("{}", fmt::join(doubt.effects, " and "))}, doubt.why);
+  return std::visit(DoubtWords{fmt::format("{}", fmt::join(doubt.effects, " and ")), doubt.effects.size() > 1},
+                    doubt.why);
 }
 
 std::string remainder_text(const diagnose::Remainder& remainder) {

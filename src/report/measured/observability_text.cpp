@@ -36,9 +36,9 @@ std::string confusion_text(const Confusion& c, const Unknowns& unknowns, std::st
   const bool compliances = a.label == "K1" && b.label == "K2";
   const double weight = compliances ? c.weight : c.weight * a.unit.si / b.unit.si;
   return fmt::format(
-      "{} and {} cannot be told apart from {} (correlation {:.3f}): what they tell is {:.4g}{} x {} + {} "
-      "= {:.6g} +- {:.2g} {}",
-      a.label, b.label, circles, c.correlation, weight, compliances ? " m" : "", a.label, b.label, c.value / b.unit.si,
+      "{} cannot separate {} from {} (correlation {:.3f}): what they determine is "
+      "{:.4g}{} x {} + {} = {:.6g} +- {:.2g} {}",
+      circles, a.label, b.label, c.correlation, weight, compliances ? " m" : "", a.label, b.label, c.value / b.unit.si,
       c.standard_error / b.unit.si, b.unit.name);
 }
 
@@ -61,9 +61,9 @@ std::string unknowns_text(const std::vector<std::size_t>& which, const Unknowns&
 
 std::string held_text(const identify::Held& held) {
   return fmt::format(
-      "circles do not show where the tip stands as a whole: {:.0f} % of its shift stay out ({:.1f} um), as the model "
-      "as "
-      "given might be nearer; what is between places is as found, and a zero that is touched off takes the rest",
+      "circles do not show where the tip stands as a whole: {:.0f} % of its shift is left out ({:.1f} um), since "
+      "the model as given may be nearer there; differences between places are as found, and touching off the zero on "
+      "the machine removes the shift in any case",
       100 * held.share, held.back / kUm);
 }
 
@@ -72,11 +72,12 @@ std::string held_text(const identify::Held& held) {
 std::vector<std::string> observability_text(const identify::Fit& fit, const identify::Observability& known) {
   std::vector<std::string> sentences;
   if (!known.nothing.empty())
-    sentences.push_back("nothing in these data tells " + unknowns_text(known.nothing, fit.unknowns));
+    sentences.push_back("these data say nothing about " + unknowns_text(known.nothing, fit.unknowns));
   for (const Confusion& c : known.confusions)
     sentences.push_back(confusion_text(c, fit.unknowns, circles_text(known.measured_at)));
   if (!known.little.empty()) {
-    sentences.push_back("these data tell little beyond [uncertainty] of " + unknowns_text(known.little, fit.unknowns));
+    sentences.push_back("these data add little to what [uncertainty] says of " +
+                        unknowns_text(known.little, fit.unknowns));
   }
   return sentences;
 }
@@ -100,13 +101,13 @@ std::string motion_text(const identify::WholeMotion& motion) {
 
 std::vector<std::string> shown_geometry_text(const identify::ShownGeometry& shown) {
   std::vector<std::string> sentences{
-      fmt::format("of {} directions of the geometry these data tell {} better than to half of what was known",
-                  shown.directions, shown.better)};
+      fmt::format("these data determine {} of {} directions of the geometry to better than half of what was known",
+                  shown.better, shown.directions)};
   std::vector<std::string> hidden;
   for (const identify::WholeMotion& motion : shown.hidden) hidden.push_back(motion_text(motion));
   if (!hidden.empty()) {
     sentences.push_back(
-        fmt::format("these data do not show {}: what is known beforehand alone holds them where they are",
+        fmt::format("these data do not show {}: only what was known beforehand holds them where they are",
                     fmt::join(hidden, ", ")));
   }
   return sentences;
@@ -118,8 +119,9 @@ std::vector<std::string> observability_text(const identify::Stage& stage) {
   if (stage.borne_out && !stage.objection && stage.plausible.all_strained) {
     sentences.push_back(
         all_strained_text(stage.plausible) +
-        ". Something is missing in the model: run plumbline diagnose. Circles that a fit to the others did not see are "
-        "predicted all the same, so that these numbers are better than those before, if not the machine's");
+        ". Something is missing in the model: run plumbline diagnose. Still, circles that a fit to the others did not "
+        "see are predicted better than before: use these numbers rather than those given, but they are not the "
+        "machine's own");
   }
   if (stage.geometry) {
     std::vector<std::string> geometry = shown_geometry_text(*stage.geometry);

@@ -11,6 +11,7 @@
 #include "base/units.hpp"
 #include "identify/unknowns/geometry.hpp"
 #include "report/measured/observability_text.hpp"
+#include "report/text_table.hpp"
 
 namespace plumbline::report {
 namespace {
@@ -104,7 +105,8 @@ ordered_json planned_run_json(const measure::Run& run, double criterion) {
 }  // namespace
 
 std::string plan_text(const jobs::PlannedTests& plan) {
-  std::string text = fmt::format("{} runs of {} candidates\n", plan.dataset.runs.size(), plan.candidates);
+  std::string text =
+      fmt::format("{} of {}\n", count_text(plan.dataset.runs.size(), "run"), count_text(plan.candidates, "candidate"));
   text += runs_text(plan) + "\n" + errors_text(plan);
   if (!plan.apart.empty()) {
     text += fmt::format(

@@ -2,14 +2,17 @@
 
 #include <fmt/format.h>
 
+#include "report/text_table.hpp"
+
 namespace plumbline::report {
 
 std::string thinning_text(const measure::Thinning& thinning) {
   if (thinning.thinned == 0) return {};
   return fmt::format(
-      "{} of {} runs have up to {} samples: means of up to {} consecutive ones were used, and the noise stated is that "
+      "{} of {} {} up to {} samples: means of up to {} consecutive ones were used, and the noise stated is that "
       "of these means\n",
-      thinning.thinned, thinning.runs, thinning.longest, thinning.largest);
+      thinning.thinned, count_text(thinning.runs, "run"), thinning.thinned == 1 ? "has" : "have", thinning.longest,
+      thinning.largest);
 }
 
 }  // namespace plumbline::report

@@ -52,7 +52,7 @@ TEST_CASE("doubt, a remainder, the next test and a model that stays are told whe
   d.next = {{"cyclic", {}}};
   d.withheld = diagnose::StrainedTogether{7};
   CHECK(says(d, "unknown: there is a gap, and no effect of the catalogue is it\n"));
-  CHECK(says(d, "backlash are not enough: one more effect would pass the threshold\n"));
+  CHECK(says(d, "backlash is not enough: one more effect would pass the threshold\n"));
   CHECK(says(d,
              "not explained by the catalogue (a description, not a cause; strength 12):\nwhat is left of the readings "
              "of the bar "));

@@ -51,7 +51,7 @@ TEST_CASE("an identification is told with its values, its noise and the gap") {
         "                                      before       found          +-    known to   unit\n" +
             label + std::string(32 - label.size(), ' ') +
             "           0         4.1         0.1           -   um\n"
-            "joint-position                  1 numbers, moved by up to 12.50 um\n"
+            "joint-position                  1 number, moved by up to 12.50 um\n"
             "noise of the bar: 0.500 um\n"
             "noise of the torques: 0.0500 N m\n"
             "\n"
@@ -72,7 +72,7 @@ TEST_CASE("a fit that did not converge, notes and other readings are told") {
   found.before.tracker_rms = 100e-6;
   found.before.tracker_readings = 90;
   CHECK(says(found, "joint fit: 240 readings, 2 unknowns, NOT CONVERGED: 40 iterations\n"));
-  CHECK(says(found, "note: nothing in these data tells " + stage.fit.unknowns[0].label + "\n"));
+  CHECK(says(found, "note: these data say nothing about " + stage.fit.unknowns[0].label + "\n"));
   CHECK(says(found, "noise of the tracker: 12.50 um\n"));
   CHECK(says(found, "noise of the tracker's angles: 20.00 urad\n"));
   CHECK(says(found, "torques: rms 0.2500 -> 0.0000 N m, mean error 0.1250 -> 0.0000 N m\n"));

@@ -81,11 +81,11 @@ TEST_CASE("an identified model is objected to for its stage first, then for a ga
 TEST_CASE("what speaks against a diagnosis is said with its numbers and what to check") {
   using diagnose::ChannelFlaw;
   CHECK(report::objection_text(ChannelFlaw{ChannelFlaw::Kind::sign, {0, 3}, {-1, -1}}) ==
-        "2 of 6 torques (torque1_Nm, torque4_Nm) run against the model's in all runs: no effect does that; check the "
+        "2 of 6 torques (torque1_Nm, torque4_Nm) have the sign opposite to the model's in all runs: no effect does "
+        "that; check the "
         "sign of each channel (positive where the strut is pulled)");
-  CHECK(
-      report::objection_text(ChannelFlaw{ChannelFlaw::Kind::unit, {2}, {6.25}})
-          .starts_with("1 of 6 torques (torque3_Nm) are 6.25 times the model's: no effect does that; check the unit"));
+  CHECK(report::objection_text(ChannelFlaw{ChannelFlaw::Kind::unit, {2}, {6.25}})
+            .starts_with("1 of 6 torques (torque3_Nm) is 6.25 times the model's: no effect does that; check the unit"));
   CHECK(report::objection_text(std::vector<diagnose::StrainedUnknown>{{width(), 8}, {width(), -7}}) ==
         "backlash width_um strut 1 is 16 um off, 8 times what [uncertainty] says of it\n"
         "backlash width_um strut 1 is -14 um off, 7 times what [uncertainty] says of it");
@@ -109,6 +109,8 @@ TEST_CASE("a doubt names the effects that it is about") {
   CHECK(text(diagnose::OpenGap{{ReadingKind::radial, 10e-6, 6e-6}}) ==
         "with backlash and level the gap of the bar's readings stays open, 6 um of 10, and is no noise");
   CHECK(text(diagnose::OneMore{}) == "backlash and level are not enough: one more effect would pass the threshold");
+  CHECK(report::doubt_text({{"level"}, diagnose::OneMore{}}) ==
+        "level is not enough: one more effect would pass the threshold");
   CHECK(text(diagnose::LargeRemainder{12.4}) == "backlash and level would leave too much: 12 times the noise in all");
   CHECK(text(diagnose::NotPredicted{ReadingKind::radial, 2.04}) ==
         "backlash and level would explain the runs fitted, but the readings of the bar of the runs held out are 2.0 "

@@ -30,8 +30,8 @@ TEST_CASE("what data cannot tell is said by name, numbers of the geometry by how
   known.nothing = {2, 3};
   known.little = {1, 2};
   CHECK(report::observability_text(fit, known) ==
-        std::vector<std::string>{"nothing in these data tells joint-position (2 of 2)",
-                                 "these data tell little beyond [uncertainty] of K2, joint-position (1 of 2)"});
+        std::vector<std::string>{"these data say nothing about joint-position (2 of 2)",
+                                 "these data add little to what [uncertainty] says of K2, joint-position (1 of 2)"});
 }
 
 TEST_CASE("two unknowns that are not told apart are said with what is told instead, and by which circles") {
@@ -43,8 +43,8 @@ TEST_CASE("two unknowns that are not told apart are said with what is told inste
                                   std::pair(identify::MeasuredAt::circles_at_one_height, "circles at one height")}) {
     known.measured_at = at;
     CHECK(report::observability_text(fit, known).front() ==
-          std::string("K1 and K2 cannot be told apart from ") + words +
-              " (correlation -0.987): what they tell is 1.25 m x K1 + K2 = 0.0239 +- 0.0002 um/N");
+          words + std::string(" cannot separate K1 from K2") +
+              " (correlation -0.987): what they determine is 1.25 m x K1 + K2 = 0.0239 +- 0.0002 um/N");
   }
 }
 
@@ -58,11 +58,10 @@ TEST_CASE("motions of the geometry that stay hidden are named") {
   CHECK(name(WholeMotion::Kind::longer_struts, WholeMotion::Ring::base, 0) == "all struts longer together");
   CHECK(report::shown_geometry_text({42, 30, {}}) ==
         std::vector<std::string>{
-            "of 42 directions of the geometry these data tell 30 better than to half of what was known"});
-  CHECK(
-      report::shown_geometry_text({42, 30, {{WholeMotion::Kind::shift, WholeMotion::Ring::base, 1, {}}}}).back() ==
-      "these data do not show a shift of the base joints along Y: what is known beforehand alone holds them where they "
-      "are");
+            "these data determine 30 of 42 directions of the geometry to better than half of what was known"});
+  CHECK(report::shown_geometry_text({42, 30, {{WholeMotion::Kind::shift, WholeMotion::Ring::base, 1, {}}}}).back() ==
+        "these data do not show a shift of the base joints along Y: only what was known beforehand holds them where "
+        "they are");
 }
 
 TEST_CASE("of a stage, a shift that was held and priors that are refuted though it is borne out are said, too") {
@@ -77,10 +76,10 @@ TEST_CASE("of a stage, a shift that was held and priors that are refuted though 
   stage.geometry = identify::ShownGeometry{42, 30, {}};
   const std::vector<std::string> sentences = report::observability_text(stage);
   REQUIRE(sentences.size() == 3);
-  CHECK(sentences[0].find("50 % of its shift stay out (3.0 um)") != std::string::npos);
+  CHECK(sentences[0].find("50 % of its shift is left out (3.0 um)") != std::string::npos);
   CHECK(sentences[1].find("chi-square is 90 where 40 is expected") != std::string::npos);
   CHECK(sentences[1].find("run plumbline diagnose") != std::string::npos);
-  CHECK(sentences[2].starts_with("of 42 directions"));
+  CHECK(sentences[2].starts_with("these data determine 30 of 42 directions"));
   stage.objection = identify::Objection::torque_worse;
   CHECK(report::observability_text(stage).size() == 2);
 }

@@ -45,7 +45,7 @@ TEST_CASE("a plan lists its runs, and what is known before and after") {
   const jobs::PlannedTests plan = one_circle();
   const std::string label = plan.after.unknowns[0].label;
   CHECK(report::plan_text(plan) ==
-        "1 runs of 500 candidates\n"
+        "1 run of 500 candidates\n"
         "run                    centre, mm   radius         A, B, deg         mm/min   payload   criterion\n"
         "c01               100, -50, -1000      150            10, -5   ccw     1000         -       12.25\n"
         "\n"
@@ -65,8 +65,8 @@ TEST_CASE("a payload, a distance and what stays unseen are told where there are 
   CHECK(text.find("    1000     20 kg       12.25\n") != std::string::npos);
   CHECK(text.find("from the other effect: 3.5 and 12 sigma for a hundredth of its range\n") != std::string::npos);
   CHECK(text.ends_with(
-      "note: nothing in these data tells " + plan.after.unknowns[0].label +
-      "\nnote: of 36 directions of the geometry these data tell 20 better than to half of what was known\n"));
+      "note: these data say nothing about " + plan.after.unknowns[0].label +
+      "\nnote: these data determine 20 of 36 directions of the geometry to better than half of what was known\n"));
 }
 
 TEST_CASE("a plan as JSON has its runs to be measured, and null for what nothing tells") {
