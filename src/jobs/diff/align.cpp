@@ -17,6 +17,7 @@ constexpr int kProjections = 2;                   // Newton steps onto a curve
 constexpr double kProbe = 1e-4;                   // fraction of a curve
 constexpr double kShortest = 1e-9;                // mm and deg, that a projection divides by
 constexpr double kNoWay = 1e-9;                   // mm and deg: of a move whose end rounds to its start
+constexpr double kTurnsLittle = 0.1;              // deg for a mm and deg, as a correction may
 constexpr double kLeastSeconds = 1e-6;            // of a move whose change of time is a share
 
 double dot(const AxisWords& a, const AxisWords& b) {
@@ -200,13 +201,20 @@ void Aligner::note_shift(const AxisWords& shift, std::size_t line_a, std::size_t
 void Aligner::note_time(const DiffMove& move, std::size_t count) {
   double after = 0;
   double way = 0;
+  double turned = 0;  // deg, where nobody says whether F counts that
   bool is_known = move.seconds.has_value();
   for (std::size_t k = 0; k < count; ++k) {
     if (move.cuts() && !b_.peek(k)->cuts()) continue;  // a tiny way to where it begins
-    is_known = is_known && b_.peek(k)->seconds.has_value();
-    after += b_.peek(k)->seconds.value_or(0);
-    way += b_.peek(k)->length;
+    const DiffMove& piece = *b_.peek(k);
+    // What turns in B alone is the correction.
+    const bool guessed = !piece.seconds && move.seconds;
+    const std::optional<double> seconds = guessed ? piece.effort : piece.seconds;
+    is_known = is_known && seconds.has_value();
+    after += seconds.value_or(0);
+    way += piece.length;
+    if (guessed) turned += piece.length - piece.curve.linear_mm();
   }
+  is_known = is_known && turned <= kTurnsLittle * way;
   if (!is_known) {
     if (move.cuts()) summary_.untimed.add(move.line);
     return;

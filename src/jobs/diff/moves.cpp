@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "path/duration.hpp"
 
 namespace plumbline::jobs {
 namespace {
@@ -19,6 +20,14 @@ bool states_code(const nc::Block& block, const nc::Dialect& dialect) {
   });
 }
 
+// Where nobody says whether F counts turns: as if it did not, which is true of what a correction turns.
+std::optional<double> effort(const compensate::Move& read, const nc::Dialect& dialect) {
+  if (read.duration || read.motion->feed_rule != nc::FeedRule::unknown) return read.duration;
+  nc::Motion counted = *read.motion;
+  counted.feed_rule = nc::FeedRule::xyz_first;
+  return path::duration(counted, read.path.curve, dialect);
+}
+
 DiffMove diff_move(const compensate::Move& read, const nc::Dialect& dialect) {
   const nc::Step& step = *read.step;
   const nc::Motion& motion = *read.motion;
@@ -29,7 +38,7 @@ DiffMove diff_move(const compensate::Move& read, const nc::Dialect& dialect) {
                 motion.in_machine_coordinates,
                 motion.in_machine_coordinates ? motion.machine : step.frame->to_pose(motion.to),
                 curve.linear_mm() + turn_deg(curve.delta()),
-                read.duration,
+                effort(read, dialect),
                 read.seconds,
                 *step.frame,
                 curve};

@@ -20,7 +20,7 @@ struct DiffMove {
   AxisWords end;                  // tool tip in W, mm and deg; in machine coordinates: the control's display
   double length = 0;              // mm of path and deg of turn together
   std::optional<double> effort;   // seconds, or revolutions under G95; rapids: not known
-  std::optional<double> seconds;  // rapids and G95: not known
+  std::optional<double> seconds;  // rapids and G95: not known; nor where it turns and nobody says whether F counts that
   nc::Frame frame;
   path::Curve curve;                  // in the work system
   std::optional<bool> states_code{};  // the block says how it moves: G1; nothing: one of several moves of a cycle
