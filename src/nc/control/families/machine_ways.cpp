@@ -72,8 +72,7 @@ bool move_as_it_stands(Execution& run) {
 void set_tool_tip(Execution& run, const Chosen& chosen) {
   Control& control = run.control;
   if (chosen.row->action == Action::tool_tip_off) {
-    const bool by_tip = control.length == Control::Length::by_tip;
-    control.length = by_tip ? Control::Length::unknown : Control::Length::by_code;
+    if (control.length == Control::Length::by_tip) control.length = Control::Length::unknown;
     return;
   }
   if (run.words.has('H')) set_tool_length(run, chosen);
