@@ -204,6 +204,7 @@ struct Syntax {
   bool archive_heads = false;       // %_N_NAME_MPF begins a program
   bool skip_switches = false;       // /2: a block skip of its own switch
   bool spindle_words = false;       // $ chooses one of several spindles
+  bool polar_words = false;         // @ and ^ give an end in X and Y by radius and angle
   bool comma_corners = false;       // a comma begins a corner that the control works out (,C ,R ,A)
   bool word_modes = false;          // X=AC(5), A=DC(5)
   bool open_assignment = false;     // what is assigned needs no brackets

@@ -34,6 +34,7 @@ inline constexpr Key<bool Syntax::*> kSyntaxFlags[] = {
     {"archive_heads", &Syntax::archive_heads},
     {"skip_switches", &Syntax::skip_switches},
     {"spindle_words", &Syntax::spindle_words},
+    {"polar_words", &Syntax::polar_words},
     {"comma_corners", &Syntax::comma_corners},
     {"word_modes", &Syntax::word_modes},
     {"settings_at_once", &Syntax::settings_at_once},

@@ -38,11 +38,19 @@ void check_spindle_word(const Block& block, Span span, const Syntax& syntax) {
             "leave out the spindle number");
 }
 
+// LinuxCNC alone has words for radius and angle.
+void check_polar_word(const Block& block, Span span, const Syntax& syntax) {
+  if (syntax.polar_words) return;
+  refuse_at(block, span, codes::kBadCharacter, fmt::format("{} begins no word of this control", block.at(span).front()),
+            "give the end in X and Y");
+}
+
 }  // namespace
 
 void BlockBuilder::see(char letter, Span span) {
   if (letter == 'G' || letter == 'M') return;
   if (letter == '$') check_spindle_word(*block_, span, *syntax_);
+  if (letter == '@' || letter == '^') check_polar_word(*block_, span, *syntax_);
   const std::uint32_t bit = letter_bit(letter);
   if (letter == 'O') {
     refuse_at(*block_, span, codes::kFlowControl, "an O word inside a block",

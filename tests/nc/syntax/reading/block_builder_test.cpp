@@ -30,6 +30,20 @@ TEST_CASE("a letter stands once in a block, a code as often as it likes") {
   builder.see('X', {0, 2});
 }
 
+TEST_CASE("@ and ^ are words of the controls that have them") {
+  Syntax syntax;
+  Block block;
+  const std::string text = "@1 ^2";
+  block.text = text;
+  BlockBuilder builder(syntax);
+  builder.begin(block);
+  CHECK_THROWS_AS(builder.see('@', {0, 2}), Refusal);
+  CHECK_THROWS_AS(builder.see('^', {3, 5}), Refusal);
+  syntax.polar_words = true;
+  builder.see('@', {0, 2});
+  builder.see('^', {3, 5});
+}
+
 TEST_CASE("what is after a ; that ends the block is a comment, or refused") {
   Syntax syntax;
   syntax.semicolon_ends = true;
