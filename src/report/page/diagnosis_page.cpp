@@ -6,8 +6,9 @@
 #include <fmt/ranges.h>
 
 #include "base/units.hpp"
-#include "diagnose/verdict.hpp"
+#include "report/measured/diagnosis_text.hpp"
 #include "report/measured/next_test_text.hpp"
+#include "report/measured/objection_text.hpp"
 #include "report/page/svg.hpp"
 #include "report/page/where_svg.hpp"
 
