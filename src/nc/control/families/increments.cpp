@@ -162,7 +162,8 @@ void count_increments(const Execution& run, Block& block) {
   }
 }
 
-// In a statement ROUND gives whole numbers, in the value of an axis word what the control keeps of it [H, macros, notes on functions].
+// In a statement ROUND gives whole numbers, in the value of an axis word what the control keeps of it [H, macros, notes
+// on functions].
 Rounding rounding_of(const Execution& run, const Block& block, const Word& word) {
   const ControlBehaviour& behaviour = run.dialect.behaviour;
   if (!behaviour.round_keeps_increment || behaviour.whole_words.find(word.letter) != std::string::npos) return {};
