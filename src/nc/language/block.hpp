@@ -80,6 +80,7 @@ enum class Operation : std::uint8_t {
   absolute,
   arc_cosine,
   arc_sine,
+  macro_arc_sine,  // of a negative number: refused
   arc_tangent,
   cosine,
   exponential,

@@ -213,7 +213,7 @@ struct Syntax {
   bool repeated_ijk = false;        // I, J and K may stand more than once (arguments of a macro)
   bool rounds_to_zero = false;      // FIX and FUP
   bool bitwise = false;             // AND, OR, XOR work on the bits of whole numbers and bind like * and +
-  bool full_turn = false;           // ATAN gives 0 to 360
+  bool full_turn = false;           // ATAN gives 0 to 360, ASIN of a negative number is refused
   bool exists_numbers = false;      // EXISTS[#5] asks for a number as well
   bool relations_last = false;      // == binds weaker than AND
   bool declared = false;            // a variable that has a name is declared before it is set (DEF)

@@ -124,6 +124,7 @@ double of_one(Operation operation, double a) {
     case Operation::arc_cosine:
       return std::acos(a) / kDeg;
     case Operation::arc_sine:
+    case Operation::macro_arc_sine:
       return std::asin(a) / kDeg;
     case Operation::cosine:
       return std::cos(a * kDeg);
@@ -146,6 +147,16 @@ double of_one(Operation operation, double a) {
   }
   PLUMBLINE_CHECK(false);
   return 0;
+}
+
+// A parameter of the control (6004#0, NAT) says whether angles go on to 360 or come from -90.
+void check_arc_sine(const Block& block, const Instruction& step, const Value& value) {
+  if (step.operation != Operation::macro_arc_sine || !value.known || value.number >= 0) return;
+  refuse_at(block, step.span, codes::kNotInterpreted,
+            fmt::format("ASIN of {:.6g}: whether that is an angle below 0 or one below 360 depends on a parameter of "
+                        "the control (6004, NAT)",
+                        value.number),
+            "write the angle itself, or -ASIN of the number without its sign");
 }
 
 }  // namespace
@@ -219,6 +230,7 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
     } else if (step->operation == Operation::round) {
       result.number = rounded(block, *step, b.number, rounding);
     } else {
+      check_arc_sine(block, *step, b);
       result.number = of_one(step->operation, b.number);
       result.vacant = b.vacant && step->operation == Operation::negate;
     }

@@ -178,6 +178,7 @@ void function(BlockReading& in) {
   }
   if (in.syntax->rounds_to_zero && operation == Operation::round_down) operation = Operation::truncate;
   if (in.syntax->rounds_to_zero && operation == Operation::round_up) operation = Operation::round_away;
+  if (in.syntax->full_turn && operation == Operation::arc_sine) operation = Operation::macro_arc_sine;
   bracketed_argument(in, span, "write it as in SIN[30]");
   in.out.push(operation, span);
 }
