@@ -155,13 +155,13 @@ std::optional<std::string> missing_in(const CLI::App& command) {
 }  // namespace
 
 std::optional<std::string> what_is_wrong(const CLI::App& app, std::span<const char* const> arguments) {
-  if (const auto unknown = what_is_unknown(app, arguments)) return unknown;
+  if (auto unknown = what_is_unknown(app, arguments)) return unknown;
   const std::vector<CLI::App*> asked = const_cast<CLI::App&>(app).get_subcommands();
   if (asked.empty()) return fmt::format("name a command: {}", list_of(command_names(app)));
   const auto command = std::find(arguments.begin(), arguments.end(), asked.front()->get_name());
   if (command == arguments.end()) return std::nullopt;
   const auto after = static_cast<std::size_t>(command - arguments.begin()) + 1;
-  if (const auto wrong = Walk(app, *asked.front()).take(arguments.subspan(after))) return wrong;
+  if (auto wrong = Walk(app, *asked.front()).take(arguments.subspan(after))) return wrong;
   return missing_in(*asked.front());
 }
 

@@ -117,16 +117,16 @@ bool OutputSet::appear(OutputFile& file) {
 // Says what could not be taken back.
 std::string OutputSet::take_back() {
   std::string left;
-  for (auto one = changed_.rbegin(); one != changed_.rend(); ++one) {
-    const std::string& path = one->path;
-    const bool done = one->was_there ? one->before && put_back(one->before->path(), path) : unlink(path.c_str()) == 0;
+  for (; !changed_.empty(); changed_.pop_back()) {
+    Changed& one = changed_.back();
+    const std::string& path = one.path;
+    const bool done = one.was_there ? one.before && put_back(one.before->path(), path) : unlink(path.c_str()) == 0;
     if (done) continue;
     left += fmt::format("; {} is new already and does not belong to what stands beside it", path);
-    if (!one->before) continue;
-    left += fmt::format(", what stood there is {}", one->before->path());
-    one->before->let_go();
+    if (!one.before) continue;
+    left += fmt::format(", what stood there is {}", one.before->path());
+    one.before->let_go();
   }
-  changed_.clear();
   return left;
 }
 

@@ -10,7 +10,6 @@
 namespace plumbline::diagnose {
 namespace {
 
-using identify::kChannels;
 using identify::kRadial;
 using identify::RunEquations;
 
