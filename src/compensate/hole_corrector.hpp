@@ -35,7 +35,7 @@ class HoleCorrector {
  private:
   void refuse_varying(const CorrectedHole& hole) const;
   void check_way_to(const CorrectedHole& hole) const;
-  void check_level(const CorrectedHole& hole) const;
+  void check_level(const CorrectedHole& corrected) const;
 
   const nc::Dialect& dialect_;
   const Corrector& corrector_;

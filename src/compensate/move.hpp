@@ -26,7 +26,7 @@ struct MovePath {
   /// A place of the work system, where the machine stands still.
   Target at_rest(const AxisWords& work) const;
   /// What the words of the work system say in W, the error at the touch-off left out: mm and deg.
-  AxisWords in_W(AxisWords work) const;
+  AxisWords in_base_frame(AxisWords work) const;
   AxisSet writable() const { return AxisSet::all() - fixed; }
 };
 

@@ -101,9 +101,9 @@ void Rewriter::note_pieces(const CorrectedMove& corrected) {
   const Move& move = corrected.move;
   if (move.is_rapid()) return;
   const MovePath& path = move.path;
-  written_.begin = path.in_W(move.motion->from + corrected.standing);
+  written_.begin = path.in_base_frame(move.motion->from + corrected.standing);
   if (!written_.changed) {
-    const AxisWords end = path.in_W(move.motion->to);
+    const AxisWords end = path.in_base_frame(move.motion->to);
     written_.pieces.push_back({end, end, 1, corrected.signs.back()});
     return;
   }
@@ -116,8 +116,8 @@ void Rewriter::note_pieces(const CorrectedMove& corrected) {
     const double at = std::round(share * static_cast<double>(count));
     const std::size_t point = std::clamp<std::size_t>(static_cast<std::size_t>(at), 1, count) - 1;
     const nc::CorrectedPoint& asked = corrected.points[point];
-    const AxisWords wanted = path.in_W(asked.nominal + asked.shift);
-    written_.pieces.push_back({path.in_W(ends[i]), wanted, pieces[i].share, corrected.signs[point]});
+    const AxisWords wanted = path.in_base_frame(asked.nominal + asked.shift);
+    written_.pieces.push_back({path.in_base_frame(ends[i]), wanted, pieces[i].share, corrected.signs[point]});
   }
 }
 

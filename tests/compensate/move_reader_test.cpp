@@ -134,5 +134,5 @@ TEST_CASE("every pose gets the error at the touch-off") {
   const compensate::Move* const move = reader.next_move();
   REQUIRE(move != nullptr);
   CHECK(move->path.at_rest(move->motion->to).pose == AxisWords{{1.5, 2, -1004.75, 0, 0, 0}});
-  CHECK(move->path.in_W(move->motion->to) == AxisWords{{1, 2, -1005, 0, 0, 0}});
+  CHECK(move->path.in_base_frame(move->motion->to) == AxisWords{{1, 2, -1005, 0, 0, 0}});
 }

@@ -36,7 +36,7 @@ InputFile::InputFile(const std::string& path) : name_(path) {
   size_ = state_.size;
 }
 
-InputFile::State InputFile::state_of(int descriptor) const {
+InputFile::State InputFile::state_of(int descriptor) {
   struct stat status {};
   PLUMBLINE_CHECK(fstat(descriptor, &status) == 0);
   return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec,

@@ -52,7 +52,7 @@ class InputFile {
     std::int64_t changed_ns = 0;
     bool operator==(const State&) const = default;
   };
-  State state_of(int descriptor) const;
+  static State state_of(int descriptor);
   void open(const std::string& path);
   void spool(int from);
   [[noreturn]] void refuse_changed() const;
