@@ -103,7 +103,8 @@ void find_motion(Execution& run) {
     }
     run.motion = takers.motion->row;
     run.motion_word = takers.motion->word;
-    if (run.dialect.behaviour.bare_motion_code_is_mode && run.axes.empty() && !goes_without_axes(run) && !run.vector)
+    if (run.dialect.behaviour.bare_motion_code_is_mode && run.axes.empty() && !goes_without_axes(run) &&
+        run.vector == nullptr)
       run.motion = nullptr;
     return;
   }

@@ -52,10 +52,8 @@ void CycleWords::take_unit() {
                 "what the cycle inherits after a change of units depends on the control",
                 "write G80 before the change (G20, G21), and the cycle anew");
   }
-  for (double* value :
-       {&cycle_.start, &cycle_.r, &cycle_.bottom, &cycle_.peck, &cycle_.ijk[0], &cycle_.ijk[1], &cycle_.ijk[2]}) {
-    *value *= ratio;
-  }
+  for (double* value : {&cycle_.start, &cycle_.r, &cycle_.bottom, &cycle_.peck}) *value *= ratio;
+  for (double& value : cycle_.ijk) value *= ratio;
 }
 
 void CycleWords::take_words() {

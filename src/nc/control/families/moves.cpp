@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/check.hpp"
 #include "base/units.hpp"
 #include "nc/control/execution.hpp"
 #include "nc/control/parameters/expression.hpp"
@@ -92,6 +93,7 @@ double distance(const std::array<double, 2>& a, const std::array<double, 2>& b) 
 std::array<double, 2> polar_end(const Execution& run, double x, double y) {
   const Word* const radius_word = run.words.find('@');
   const Word* const angle_word = run.words.find('^');
+  PLUMBLINE_CHECK(radius_word != nullptr || angle_word != nullptr);
   const Word& word = radius_word != nullptr ? *radius_word : *angle_word;
   const Control& control = run.control;
   if (control.modal.plane != Plane::xy) {

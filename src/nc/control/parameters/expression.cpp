@@ -173,7 +173,7 @@ void Evaluator::check_truths(const Block& block, const Instruction& step) const 
   }
 }
 
-double Evaluator::rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding) const {
+double Evaluator::rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding) {
   const double whole = std::round(value);
   if (rounding.known && rounding.quantum == 1) return whole;
   if (rounding.known && std::abs(value) > kLargestWhole) return value;

@@ -42,7 +42,7 @@ class Evaluator {
 
  private:
   double equal_within_;
-  double rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding) const;
+  static double rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding);
   void check_truths(const Block& block, const Instruction& step) const;
   std::vector<Value> stack_;
 };

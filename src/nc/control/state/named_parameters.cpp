@@ -74,7 +74,7 @@ constexpr std::array<std::string_view, 7> kOthers{"_line",          "_call_level
                                                   "_selected_tool", "_value",      "_value_returned"};
 
 std::optional<Axis> axis_named(const std::array<std::string_view, kAxes>& names, std::string_view plain) {
-  const auto at = std::find(names.begin(), names.end(), plain);
+  const auto* const at = std::find(names.begin(), names.end(), plain);
   if (at == names.end()) return std::nullopt;
   return kAllAxes[static_cast<std::size_t>(at - names.begin())];
 }

@@ -91,7 +91,7 @@ void OutputText::begin_change(const Step& step) {
   before_change_.clear();
 }
 
-void OutputText::hold(const Step& step, std::string text) {
+void OutputText::hold(const Step& step, const std::string& text) {
   const Block& block = *step.block;
   if (only_looks_) return;
   before_change_.push_back({block.offset + byte_order_mark_size(block), std::string(without_mark(block, block.text)),

@@ -37,7 +37,7 @@ class OutputText {
   /// From this block on what is written is not the source: what stands before it goes out now.
   void begin_change(const Step& step);
   /// In text order, before anything changed: the block's text becomes this one, should there be a change later.
-  void hold(const Step& step, std::string text);
+  void hold(const Step& step, const std::string& text);
 
   /// Text of the block, without its line end. Refuses with emit-line-too-long.
   void write_line(const Step& step, std::string_view text);
