@@ -93,7 +93,7 @@ void BetweenPoints::cut(const MovePath& path, std::optional<double> seconds, con
   }
   ++blocks_;
   credit_ += kCreditPerPiece * static_cast<double>(pieces.size());
-  before_ = std::move(here_);
+  before_ = here_;
   here_ = path;
   seconds_ = seconds;
   find_guesses(path, begin, pieces);
@@ -119,7 +119,8 @@ void BetweenPoints::find_guesses(const MovePath& path, const AxisWords& begin, s
   tip_.clear();
   turned_.clear();
   const double bend = xyz(path.target(0.5, std::nullopt).bend).norm();
-  ChordGuess places, turns;
+  ChordGuess places;
+  ChordGuess turns;
   const AxisWords* last = &begin;
   const bool among_many = pieces.size() > PieceRanking::kGuesses;
   const machine::PerStrut<double>* sign = &sign_;
@@ -204,7 +205,7 @@ std::optional<BetweenPoints::Off> BetweenPoints::off_at(const Part& part, double
 }
 
 BetweenPoints::Off BetweenPoints::sample(const Part& part, double fraction, const MovePath* next) {
-  const Off off = off_at(part, fraction, next).value_or(Off{});
+  Off off = off_at(part, fraction, next).value_or(Off{});
   tip_.found.take(off.tip_mm, here_->line);
   turned_.found.take(off.turned_deg, here_->line);
   return off;

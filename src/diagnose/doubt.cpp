@@ -50,7 +50,7 @@ std::optional<Recurring> recurring(const std::vector<Contrast>& contrasts, Recur
   }
   if (count == 0) return std::nullopt;
   found.sigmas = (chi2 - count) / std::sqrt(2.0 * count);
-  return found.sigmas > options.recurrence_sigmas ? std::optional(std::move(found)) : std::nullopt;
+  return found.sigmas > options.recurrence_sigmas ? std::optional(found) : std::nullopt;
 }
 
 }  // namespace

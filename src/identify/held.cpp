@@ -44,7 +44,7 @@ class Parts {
   Parts(const TipField& field, const Eigen::MatrixXd& root, bool zeros_touched_off = false) : parts_(parts_of(field)) {
     for (TipField& part : parts_) {
       if (zeros_touched_off) part = touched_off(std::move(part));
-      spread_.push_back(part.slopes * root);
+      spread_.emplace_back(part.slopes * root);
     }
   }
 

@@ -11,9 +11,10 @@ void trace_file(const std::string& program, const settings::Options& options,
                 const std::function<void(const nc::Motion&)>& take, const Progress& progress) {
   OpenedProgram source = open_program(options, program);
   nc::Program steps(source.file, source.dialect, std::move(source.settings));
-  for (std::uint64_t i = 1; const nc::Step* step = steps.next(); ++i) {
+  std::uint64_t count = 0;
+  while (const nc::Step* const step = steps.next()) {
     for (const nc::Motion& motion : step->motions) take(motion);
-    if (progress && i % kProgressEvery == 0) progress(step->block->offset, source.file.size());
+    if (progress && ++count % kProgressEvery == 0) progress(step->block->offset, source.file.size());
   }
 }
 

@@ -22,7 +22,7 @@ constexpr int kBlocks = 1'000'000;
 // A program of kBlocks blocks `N.. G1 X Y Z A B C`, written once.
 const std::string& program_file() {
   static const std::string path = [] {
-    const std::string name = (std::filesystem::temp_directory_path() / "plumbline-nc-bench.ngc").string();
+    std::string name = (std::filesystem::temp_directory_path() / "plumbline-nc-bench.ngc").string();
     std::mt19937 random(20240501);
     std::uniform_real_distribution<double> step(-0.5, 0.5);
     double at[6] = {};
@@ -45,7 +45,7 @@ void count_bytes(benchmark::State& state, const InputFile& file) {
 
 void parse(benchmark::State& state) {
   const InputFile file(program_file());
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     nc::LineSource lines(file);
     nc::Parser parser(nc::dialect("linuxcnc"));
     nc::Block block;
@@ -66,7 +66,7 @@ void parse_and_interpret(benchmark::State& state) {
   const InputFile file(program_file());
   nc::ProgramSettings settings;
   settings.as_with_empty_tables = true;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     nc::Program program(file, nc::dialect("linuxcnc"), settings);
     std::size_t motions = 0;
     while (const nc::Step* step = program.next()) motions += step->motions.size();
@@ -82,7 +82,7 @@ void parse_interpret_and_emit(benchmark::State& state) {
   nc::ProgramSettings settings;
   settings.as_with_empty_tables = true;
   std::uint64_t written = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     nc::Program program(file, dialect, settings);
     OutputFile out(program_file() + ".out");  // its bytes are written, but never take that name
     nc::Emitter emitter(file, dialect, {}, out);

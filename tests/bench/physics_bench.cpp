@@ -58,7 +58,7 @@ template <class T, class Work>
 void run(benchmark::State& state, Work work) {
   const std::vector<Motion<T>> motions = circle<T>();
   std::size_t n = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     auto result = work(motions[n]);
     benchmark::DoNotOptimize(result);
     n = n + 1 == motions.size() ? 0 : n + 1;

@@ -180,11 +180,14 @@ inline std::vector<double> places(const Machine& machine, const Timed& piece, in
   for (int k = 0; k <= per_piece; ++k) all.push_back(std::clamp(1.0 * k / per_piece, 1e-9, 1 - 1e-9));
   constexpr int kIntervals = 16;
   for (int k = 0; k < kIntervals; ++k) {
-    const double begin = 1.0 * k / kIntervals, end = 1.0 * (k + 1) / kIntervals;
-    const machine::PerStrut<double> first = machine.speeds(piece, begin), last = machine.speeds(piece, end);
+    const double begin = 1.0 * k / kIntervals;
+    const double end = 1.0 * (k + 1) / kIntervals;
+    const machine::PerStrut<double> first = machine.speeds(piece, begin);
+    const machine::PerStrut<double> last = machine.speeds(piece, end);
     for (int j = 0; j < machine::kStruts; ++j) {
       if (first[j] * last[j] > 0 || first[j] == last[j]) continue;
-      double low = begin, high = end;
+      double low = begin;
+      double high = end;
       for (int i = 0; i < 40; ++i) {
         const double middle = (low + high) / 2;
         (machine.speeds(piece, middle)[j] * first[j] > 0 ? low : high) = middle;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "compensate/move_reader.hpp"
 #include "compensate/play.hpp"
@@ -9,8 +10,8 @@
 namespace plumbline {
 
 struct Opened {
-  explicit Opened(const std::string& text, const Job& given = {})
-      : job(given), source(folder.file("program.in", text)), dialect(nc::dialect(job.dialect)) {}
+  explicit Opened(const std::string& text, Job given = {})
+      : job(std::move(given)), source(folder.file("program.in", text)), dialect(nc::dialect(job.dialect)) {}
 
   compensate::ReaderSettings reader_settings() const {
     return {nc::named_axes(source, dialect), job.settings.step, job.model.reference_tool_mass, {}};

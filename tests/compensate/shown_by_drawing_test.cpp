@@ -36,7 +36,7 @@ TEST_CASE("fanuc: R, I, J and K are cut to what the control keeps, as X, Y and Z
                         "O1\nG21\nG0 X0 Y0 Z10.\nG2 X20.0009 Y0 I10.00049 J0.00049 F500.\nM30\n"});
   const auto moves =
       moves_of("O1\nG21\nG0 X0 Y0 Z0\nG2 X20. Y0 I10.0009 J-.0009 F500.\nM30\n", for_dialect("fanuc").program, "fanuc");
-  REQUIRE(moves.size() >= 1);
+  REQUIRE_FALSE(moves.empty());
   CHECK(moves.back().motion.arc.centre_mm[0] == 10.0);
   CHECK(moves.back().motion.arc.centre_mm[1] == 0.0);
 }

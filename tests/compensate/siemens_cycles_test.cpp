@@ -95,7 +95,7 @@ TEST_CASE("codes whose place beside a cut is the builder's choice are refused wh
   for (const char* const block : {"G1 X20 M5", "M8 G1 X20", "G0 X20 M9"}) {
     const std::string output = run(kDrillStart + block + "\nM30\n", job).text;
     INFO(output);
-    CHECK(output.find("M", output.find("A0 B0 C0")) < output.find('\n', output.find("G", output.find("A0 B0 C0"))));
+    CHECK(output.find('M', output.find("A0 B0 C0")) < output.find('\n', output.find('G', output.find("A0 B0 C0"))));
   }
 }
 

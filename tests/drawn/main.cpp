@@ -1,5 +1,7 @@
 // Draws programs, compensates them, and holds against each other all that reads them: scripts/drawn.
+#include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -114,9 +116,7 @@ int show(const Arguments& arguments) {
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int draw_and_hold(int argc, char** argv) {
   Arguments arguments;
   CLI::App app("Drawn programs, compensated, read back, and read by others");
   app.add_option("--dialect", arguments.dialect, "linuxcnc, fanuc, okuma, siemens");
@@ -129,4 +129,16 @@ int main(int argc, char** argv) {
   app.add_flag("!--no-diff", arguments.with_diff, "leave diff out");
   CLI11_PARSE(app, argc, argv);
   return arguments.show ? show(arguments) : Run(arguments).all();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return draw_and_hold(argc, argv);
+  } catch (const std::exception& problem) {
+    std::fputs(problem.what(), stderr);
+    std::fputc('\n', stderr);
+    return 1;
+  }
 }

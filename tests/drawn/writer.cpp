@@ -111,7 +111,7 @@ Spelled Writer::angle(double deg) {
 
 std::string Writer::expression(Spelled& number) { return number.text; }
 
-std::string Writer::code(char letter, int number) {
+std::string Writer::code(char letter, int number) const {
   return fmt::format("{}{:0{}}", letter, number, zeros_in_codes_ ? 2 : 1);
 }
 

@@ -68,7 +68,7 @@ class Writer {
   Spelled angle(double deg);
   virtual std::string expression(Spelled& number);  // an expression of its value; its text as it is
   std::string joined(Words words);
-  std::string code(char letter, int number);  // G1 or G01
+  std::string code(char letter, int number) const;  // G1 or G01
 
   // Blocks
   void put(const Words& words);

@@ -73,7 +73,8 @@ void check_same_edge(const std::string& dialect, const std::string& text) {
   OnTheEdge program(dialect, text);
   for (const Edge& edge : kEdges) {
     INFO(edge.key);
-    double kept = edge.kept, broken = edge.broken;
+    double kept = edge.kept;
+    double broken = edge.broken;
     REQUIRE_FALSE(program.compensate_breaks(edge, kept));
     if (!program.compensate_breaks(edge, broken)) continue;
     while (std::abs(kept - broken) > kFine) {

@@ -104,7 +104,7 @@ TEST_CASE("a compensated pose stands where it was programmed to") {
 }
 
 TEST_CASE("derivatives of the error by a parameter equal finite differences, and packs equal scalars") {
-  using Jet = ceres::Jet<double, 1>;
+  using ByMass = ceres::Jet<double, 1>;
   Random random(40);
   const machine::MachineModel model = pm600_like();
   ForceModel forces(model);
@@ -112,10 +112,10 @@ TEST_CASE("derivatives of the error by a parameter equal finite differences, and
   std::vector<Motion<double>> lanes;
   for (int n = 0; n < 20; ++n) {
     lanes.push_back(moment_within(model.limits, random));
-    std::vector<Jet> jets = parameters_as<Jet>(forces);
+    std::vector<ByMass> jets = parameters_as<ByMass>(forces);
     jets[mass].v[0] = 1;
     const Environment environment = forces.environment();
-    const auto by_jet = tip_error(forces, jets.data(), environment, cast<Jet>(lanes.back()));
+    const auto by_jet = tip_error(forces, jets.data(), environment, cast<ByMass>(lanes.back()));
     ForceModel more = forces;
     ForceModel less = forces;
     more.parameters[mass] += 0.01;

@@ -5,12 +5,15 @@
 namespace plumbline {
 namespace {
 
+// What a text of several lines stands between.
+std::string_view long_quote(char quote) { return quote == '"' ? R"(""")" : "'''"; }
+
 // Three quotes that end a text may have up to two of its own before them.
 std::size_t end_of_long_text(std::string_view text, std::size_t at, char quote) {
   for (; at < text.size(); ++at) {
     if (quote == '"' && text[at] == '\\') {
       ++at;
-    } else if (text.substr(at).starts_with(std::string_view(quote == '"' ? "\"\"\"" : "'''"))) {
+    } else if (text.substr(at).starts_with(long_quote(quote))) {
       at += 3;
       for (int own = 0; own < 2 && at < text.size() && text[at] == quote; ++own) ++at;
       return at;
@@ -22,7 +25,7 @@ std::size_t end_of_long_text(std::string_view text, std::size_t at, char quote) 
 // The offset after a text in quotes that begins at `at`.
 std::size_t end_of_text(std::string_view text, std::size_t at) {
   const char quote = text[at];
-  if (text.substr(at).starts_with(quote == '"' ? "\"\"\"" : "'''")) return end_of_long_text(text, at + 3, quote);
+  if (text.substr(at).starts_with(long_quote(quote))) return end_of_long_text(text, at + 3, quote);
   for (++at; at < text.size() && text[at] != quote && text[at] != '\n'; ++at) {
     if (quote == '"' && text[at] == '\\') ++at;
   }

@@ -156,8 +156,8 @@ std::vector<Contrast> contrasts_of(const std::vector<Run>& runs, const std::vect
   const std::vector<int> poses = poses_of(runs);
   std::vector<Contrast> contrasts;
   for (const Difference by : {Difference::direction, Difference::feed, Difference::payload, Difference::time}) {
-    Contrast contrast = contrast_of(by, runs, poses, residuals);
-    if (contrast.pairs > 0) contrasts.push_back(std::move(contrast));
+    const Contrast contrast = contrast_of(by, runs, poses, residuals);
+    if (contrast.pairs > 0) contrasts.push_back(contrast);
   }
   return contrasts;
 }

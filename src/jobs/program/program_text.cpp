@@ -42,7 +42,7 @@ constexpr Signature kSignatures[] = {
      "a program for computers", kOther},
     {"plumbline ="sv, "a machine model, a dataset or a table of plumbline", kOther},
     {"plumbline="sv, "a machine model, a dataset or a table of plumbline", kOther},
-    {"{\""sv, "JSON", kOther},
+    {R"({")"sv, "JSON", kOther},
     {"{\n"sv, "JSON", kOther},
     {"solid "sv, "a body in STL", "name the program that a CAM system made for it"},
     {"ISO-10303-21"sv, "a body in STEP", "name the program that a CAM system made for it"},

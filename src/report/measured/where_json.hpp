@@ -11,7 +11,7 @@ namespace plumbline::report {
 nlohmann::ordered_json rounded(double value);
 
 /// The key "where" of a diagnosis, in the units of files.
-nlohmann::ordered_json where_json(const diagnose::GapMap& where);
+nlohmann::ordered_json where_json(const diagnose::GapMap& map);
 
 /// Predicted circularity of all runs that have readings of the bar, m.
 struct CircularityOfRuns {

@@ -13,10 +13,9 @@ TEST_CASE("what steers a terminal is shown, all else stays") {
   CHECK(printable_lines("two\nlines\t\x1b") == "two\nlines\t\\x1b");
   CHECK(printable("Fr\xc3\xa4sen \xe2\x82\xac \xf0\x9f\x94\xa9") == "Fr\xc3\xa4sen \xe2\x82\xac \xf0\x9f\x94\xa9");
   CHECK(printable("\xc2\x9b"
-                  "31m") == "\\u009b31m");                    // CSI as one character
-  CHECK(printable("\x9b \xff \xc3") == "\\x9b \\xff \\xc3");  // bytes that are no UTF-8
-  CHECK(printable("a\xe2\x80\xae"
-                  "b") == "a\\u202eb");
+                  "31m") == "\\u009b31m");                                   // CSI as one character
+  CHECK(printable("\x9b \xff \xc3") == "\\x9b \\xff \\xc3");                 // bytes that are no UTF-8
+  CHECK(printable(std::string("a\xe2\x80") + "\xae" + "b") == "a\\u202eb");  // from right to left
   CHECK(printable_lines("{\"id\": \"\\u001b\xc2\x9b\x7f\"}\n") == "{\"id\": \"\\u001b\\u009b\\u007f\"}\n");  // JSON
   CHECK(blanked("a\x1b\xc2\x9b\xff!") == "a    !");
 }

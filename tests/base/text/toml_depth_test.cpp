@@ -30,8 +30,9 @@ TEST_CASE("depth counts points of keys and brackets") {
 TEST_CASE("points in texts and comments are none of a key") {
   const std::string points = repeated(".", 100);
   for (const std::string& text :
-       {"a = \"" + points + "\"", "a = '" + points + "'", "# " + points, "a = \"\"\"\n" + points + "\n\"\"\"",
-        "a = '''\n" + points + "\n'''", "a = \"\\\"" + points + "\"", "a = 1 # [[[" + points}) {
+       {"a = \"" + points + "\"", "a = '" + points + "'", "# " + points,
+        std::string(R"(a = """)") + "\n" + points + "\n" + R"(""")", "a = '''\n" + points + "\n'''",
+        R"(a = "\")" + points + "\"", "a = 1 # [[[" + points}) {
     INFO(text);
     CHECK_FALSE(too_deep(text + "\nb = 1\n", 2));
   }

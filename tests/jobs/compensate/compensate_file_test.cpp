@@ -202,7 +202,7 @@ TEST_CASE("of axes that no word names only those are taken to stand at zero that
   CHECK(writes(" A4.99"));
   CHECK(with({}, -7, {}) == AxisSet{Axis::A, Axis::C});
   CHECK(writes(" B-6.99"));
-  CHECK(with(5, -7, 0) == AxisSet{});
+  CHECK(with(5, -7, 0).empty());
 }
 
 TEST_CASE("an axis that stood elsewhere and may have been moved since is not taken to stand at zero") {

@@ -29,7 +29,7 @@ std::set<std::string> sources_of(const TomlValue& root) {
 }
 
 bool names_source(const std::string& text, const std::set<std::string>& sources) {
-  return text.rfind("setting", 0) == 0 || sources.count(text.substr(0, text.find(' '))) > 0;
+  return text.starts_with("setting") || sources.contains(text.substr(0, text.find(' ')));
 }
 
 // "[P 4.2]" or "(setting)" after the #.
@@ -72,8 +72,8 @@ TEST_CASE("every habit of a control has a source, or is called a setting") {
     std::istringstream lines(text);
     bool inside = false;
     for (std::string line; std::getline(lines, line);) {
-      if (line.rfind('[', 0) == 0) inside = line == "[syntax]" || line == "[habits]";
-      if (!inside || line.find(" = ") == std::string::npos || line.rfind("#", 0) == 0) continue;
+      if (line.starts_with('[')) inside = line == "[syntax]" || line == "[habits]";
+      if (!inside || line.find(" = ") == std::string::npos || line.starts_with('#')) continue;
       INFO(name << ": " << line);
       CHECK(comment_names_source(line, sources));
     }

@@ -24,8 +24,8 @@ nc::Motion to_x(double x, nc::MotionKind kind) {
 }
 
 std::string until_feed(double x) {
-  return "{\"line\": 12, \"motion\": \"rapid\", \"to\": [" + (x == 0 ? "0" : std::to_string(static_cast<int>(x))) +
-         ", 0, 0, 0, 0, 0], \"machine\": [0, 0, 0, 0, 0, 0], ";
+  return R"({"line": 12, "motion": "rapid", "to": [)" + (x == 0 ? "0" : std::to_string(static_cast<int>(x))) +
+         R"(, 0, 0, 0, 0, 0], "machine": [0, 0, 0, 0, 0, 0], )";
 }
 
 }  // namespace

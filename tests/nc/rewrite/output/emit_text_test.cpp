@@ -72,7 +72,7 @@ TEST_CASE("words are put before, after and in place of others; one that goes tak
   Edited all("G1 X1");
   all.editor.replace(all.span('G'), "");
   all.editor.replace(all.span('X'), "");
-  CHECK(all.text() == "");
+  CHECK(all.text().empty());
 }
 
 TEST_CASE("a block of several lines becomes one where it changes, and stays as it is where not") {
