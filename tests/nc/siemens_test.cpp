@@ -222,7 +222,7 @@ TEST_CASE("parts of a program are repeated by their labels") {
 
 TEST_CASE("programs called by EXTCALL are looked for beside the program, by their name alone") {
   for (const char* const call :
-       {R"n(EXTCALL("KURZ"))n", R"(EXTCALL "KURZ.SPF")", "N5 EXTCALL (\"//srv/nc\\part/kurz.spf\") ; it"}) {
+       {R"n(EXTCALL("KURZ"))n", R"(EXTCALL "KURZ.SPF")", R"(N5 EXTCALL ("//srv/nc\part/kurz.spf") ; it)"}) {
     const Outcome ran = outcome_of(fmt::format("G54 G0 X1\n{}\nX3\nM30\n%_N_KURZ_SPF\nX7\nRET\n", call));
     INFO(call << " " << ran.code << " " << ran.line);
     REQUIRE(ran.motions.size() == 3);
