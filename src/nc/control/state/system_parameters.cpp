@@ -18,7 +18,7 @@ constexpr int kHomes = 5161, kHomesEnd = 5190;
 constexpr int kG92End = 5220;
 constexpr int kActiveSystem = 5220, kSystems = 5221, kSystemsEnd = 5401 - 11;
 constexpr int kTool = 5400, kToolEnd = 5413, kPosition = 5420, kPositionEnd = 5429;
-constexpr int kRotation = 9;
+constexpr int kRotation = 9;        // in the row of a work system, after X Y Z A B C U V W
 constexpr int kToolChanger = 5600;  // and 5601: whether it failed, and why, whatever was set
 
 // Variables of macro B [B-63174EN 13]
@@ -26,6 +26,17 @@ constexpr int kClocks = 3001, kClocksEnd = 3002, kDate = 3011, kTime = 3012;
 constexpr int kSingleBlock = 3003, kFeedHold = 3004;  // whether stops act: no matter for the path
 constexpr int kBlockEnd = 5001, kPositionNow = 5041, kMacroSystems = 5221, kMacroSystemsEnd = 5340;
 bool is_common(int number) { return (number >= 100 && number <= 199) || (number >= 500 && number <= 999); }
+
+// The numbers between the rows (#5170 to #5180, #5231 to #5240 and so on) are free: tool changers keep pockets in them.
+bool is_in_row(int number, int first, int last, int used) {
+  return number >= first && number <= last && (number - first) % kParametersPerRow < used;
+}
+
+bool is_of_tables(int number) {
+  return is_in_row(number, kHomes, kHomesEnd, kRotation) || (number >= kG92InForce && number <= kActiveSystem) ||
+         is_in_row(number, kSystems, kSystemsEnd, kRotation + 1) || (number >= kTool && number <= kToolEnd) ||
+         (number >= kPosition && number < kPositionEnd);
+}
 
 }  // namespace
 
@@ -40,9 +51,7 @@ bool SystemParameters::is_read_only(int number) const {
     return !free && number != kSingleBlock && number != kFeedHold && number != syntax.alarm_variable &&
            number != syntax.message_variable;
   }
-  if (syntax.system_variables == SystemVariables::none) return false;
-  return (number >= kHomes && number <= kHomesEnd) || (number >= kG92InForce && number <= kSystemsEnd) ||
-         (number >= kTool && number < kPositionEnd);
+  return syntax.system_variables == SystemVariables::rs274 && is_of_tables(number);
 }
 
 bool SystemParameters::is_read_only(std::string_view name) {

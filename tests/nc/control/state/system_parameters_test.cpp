@@ -53,8 +53,9 @@ ProgramSettings with_readable_position() {
 
 TEST_CASE("a program may set the parameters that are no tables of the control") {
   const ReadControl linuxcnc;
-  for (const int number : {1, 31, 5000, 5160, 5429, 5500}) CHECK_FALSE(linuxcnc.parameters.is_read_only(number));
-  for (const int number : {5161, 5190, 5210, 5220, 5221, 5390, 5400, 5413, 5420, 5428}) {
+  for (const int number : {1, 31, 5000, 5160, 5170, 5180, 5190, 5200, 5231, 5240, 5251, 5391, 5414, 5419, 5429, 5500})
+    CHECK_FALSE(linuxcnc.parameters.is_read_only(number));
+  for (const int number : {5161, 5169, 5181, 5189, 5210, 5220, 5221, 5230, 5241, 5250, 5390, 5400, 5413, 5420, 5428}) {
     INFO(number);
     CHECK(linuxcnc.parameters.is_read_only(number));
   }
