@@ -68,6 +68,7 @@ class MoveReader {
   const nc::Step* next();
   /// True once a block was read that does not come next in the text.
   bool jumped() const { return program_.jumped(); }
+  bool position_read() const { return program_.position_read(); }
   /// The tool that makes the moves of the step, where it is another one than before.
   std::optional<ToolInSpindle> new_tool(const nc::Step& step) { return spindle_.change(step); }
   bool tool_has_mass() const { return spindle_.has_mass(); }

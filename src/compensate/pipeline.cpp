@@ -99,17 +99,17 @@ Pipeline::Pipeline(const InputFile& source, const ProgramSurvey& survey, const n
 
 bool Pipeline::run(const Progress& progress) {
   stamps_.look_at_program();
-  bool jumps = false;
+  bool values_alone = false;  // what changes is written unrolled
   while (const nc::Step* const step = reader_.next()) {
     stamps_.look_at(step->block->file);
     tally_.take_block(*step);
-    if (!jumps && reader_.jumped() && !steps_.unrolled()) {
-      jumps = true;
+    if (!values_alone && (reader_.jumped() || reader_.position_read()) && !steps_.unrolled()) {
+      values_alone = true;
       rewriter_.only_look();
     }
     rewriter_.begin(*step);
     take_block(*step);
-    if (must_unroll_ || (jumps && rewriter_.changed())) return false;
+    if (must_unroll_ || (values_alone && rewriter_.changed())) return false;
     rewriter_.end();
     if (progress && reader_.blocks() % kProgressEvery == 0) progress(step->block->offset, source_.size());
   }

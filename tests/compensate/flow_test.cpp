@@ -54,6 +54,17 @@ TEST_CASE("loops and subprograms are written out pass by pass, with a comment at
   CHECK(output.find("pass 4") == std::string::npos);
 }
 
+TEST_CASE("where the control stands is read from the original, and written as a value") {
+  check_unrolled(kStart + "G1 X5 F100\n#1=#5420\nG1 Y[#1+2]\nG1 Z[#5422-1]\nM2\n");
+  check_unrolled(kStart +
+                 "o1 if [#<_z> LT 8]\nG0 Z8\no1 endif\nG1 X5 F100\no2 while [#<_x> GT 1]\nG1 X[#<_x>-2]\n"
+                 "o2 endwhile\nM2\n");
+  check_unrolled(kStart + "G20\nG1 X[#<_x>+.5] F10\nG21\nG91\nG1 Y[#5420/2]\nM2\n");
+  check_unrolled(kStart + "G92 X2\nG1 Y[#<_abs_z>+1010] X#<_x> F100\nG1 X[#<_abs_x>-1]\nM2\n");
+  // The first of two blocks has been written already when the position is read.
+  check_unrolled(kStart + "G1 X5 F100\nG2 X9 I2\n(MSG, at #<_x>)\nG1 Z-#<_x>\nM2\n");
+}
+
 TEST_CASE("every kind of loop and call is unrolled") {
   check_unrolled(kStart + "o1 repeat [2]\nG91 G1 X5 F100\nG90\no1 endrepeat\n");
   check_unrolled(kStart + "#1=0\no1 do\n#1=[#1+1]\nG1 X#1 F100\no1 while [#1 lt 4]\nM2\n");

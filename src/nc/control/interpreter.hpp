@@ -47,6 +47,7 @@ class Interpreter {
   Step& step() { return run_.step; }
   const ProgramCall& program_call() const { return run_.call; }
   bool ended() const { return control_.ended; }
+  bool position_read() const { return control_.position_read; }
   /// M30 ended a subprogram alone.
   void go_on() { control_.ended = false; }
   Control& control() { return control_; }

@@ -244,4 +244,6 @@ const Step* Program::next() {
 
 bool Program::jumped() const { return parts_->jumped; }
 
+bool Program::position_read() const { return parts_->interpreter.position_read(); }
+
 }  // namespace plumbline::nc

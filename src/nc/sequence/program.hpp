@@ -27,6 +27,8 @@ class Program {
   const Step* next();
   /// True once something jumped or repeated before the block of the last step: steps are not in the order of the text.
   bool jumped() const;
+  /// True once an expression read where the control stands, which differs in a rewritten program.
+  bool position_read() const;
 
  private:
   struct Parts;

@@ -168,8 +168,6 @@ TEST_CASE("variables and positions are read where somebody gave them") {
   settings.variables = {{31, 4.0}};
   CHECK(motions_of("G0 X#31\n", settings)[0].to[Axis::X] == 4);
   CHECK(code_of("G0 X#32\n", settings) == "nc-parameter-unset");
-  CHECK(code_of("G0 X#5420\n", settings) == "nc-position-read");
-  settings.position_may_be_read = true;
   CHECK(motions_of("G0 X5\nG0 Y#5420\n", settings)[1].to[Axis::Y] == 5);
 }
 

@@ -115,6 +115,7 @@ struct Control {
   Parameters parameters;
   bool tool_in_inches = false;     // the unit in force when the tool's offset was taken
   bool ended = false;              // M2, M30
+  bool position_read = false;      // by an expression: what is written must hold its value
   bool in_machine_system = false;  // G15 H0
   /// The code of which no motion code came after.
   enum class MotionEnd : std::uint8_t { none, off, nurbs_end } motion_end = MotionEnd::none;  // G80, G5.3

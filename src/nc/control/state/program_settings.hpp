@@ -40,7 +40,7 @@ struct ProgramSettings {
   std::optional<double> input_increment;           // --input-increment: what it counts, mm and deg
   std::uint64_t max_blocks = 10'000'000;           // --max-blocks: lines that a program with jumps may execute
   std::optional<bool> block_delete;                // --block-delete on|off
-  /// Expressions may read where the control stands (#5420..., #<_x>...): true for who only looks, since a rewritten
+  /// Expressions may read where the axes are (#5001 and up of macro B): true for who only looks, since a rewritten
   /// program would read something else.
   bool position_may_be_read = false;
   /// trace alone: what was not given is what a control with empty tables has (zero), M codes of the user pass.

@@ -67,7 +67,10 @@ Value SystemParameters::exists(std::string_view name) {
 }
 
 Value SystemParameters::position(const Block& block, Axis axis, Span span) const {
-  if (!settings_.as_with_empty_tables && !settings_.position_may_be_read) {
+  // Macro B reads where the axes are while they move; RS274/NGC where the program has put them, which a rewritten
+  // program holds as a value.
+  const bool programmed = dialect_.syntax.system_variables == SystemVariables::rs274;
+  if (!programmed && !settings_.as_with_empty_tables && !settings_.position_may_be_read) {
     refuse_at(block, span, codes::kPositionRead, "the program reads where the control stands",
               "that changes when the program is compensated; write the position itself");
   }
@@ -75,6 +78,7 @@ Value SystemParameters::position(const Block& block, Axis axis, Span span) const
     refuse_at(block, span, codes::kPositionUnknown, fmt::format("where {} stands is not known", letter(axis)),
               "move the axis to a programmed position first, or say where the axes start: --start");
   }
+  control_.position_read = true;
   const double value = control_.position[axis];
   return {is_rotary(axis) ? value : value / control_.length_unit(), true};
 }

@@ -75,13 +75,20 @@ TEST_CASE("parameters begin with 1 or 0 and end where the control has no more") 
   CHECK(ReadControl("siemens").parameters.limits().last == 999);
 }
 
-TEST_CASE("where the control stands is read by who only looks, in the unit of the program") {
-  ReadControl locked;
+TEST_CASE("where the axes of macro B are is read by who only looks") {
+  ReadControl locked("fanuc");
   locked.control.known = AxisSet::all();
-  CHECK(locked.refusal(5420) == "nc-position-read");
-  CHECK(locked.refusal("_x") == "nc-position-read");
-  ReadControl read("linuxcnc", with_readable_position());
+  CHECK(locked.refusal(5041) == "nc-position-read");
+  ReadControl read("fanuc", with_readable_position());
+  read.control.known = AxisSet::all();
+  read.control.position = {{50.8, 0, 0, 30, 0, 0}};
+  CHECK(read.read(5041).number == 50.8);
+}
+
+TEST_CASE("where a program of RS274/NGC has put the control is read, in the unit of the program") {
+  ReadControl read;
   CHECK(read.refusal(5420) == "nc-position-unknown");
+  CHECK_FALSE(read.control.position_read);
   read.control.known = AxisSet{Axis::X, Axis::A};
   read.control.position = {{50.8, 0, 0, 30, 0, 0}};
   CHECK(read.read(5420).number == 50.8);
