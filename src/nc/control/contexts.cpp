@@ -92,11 +92,17 @@ bool belongs_to_dwell(const Execution& run, const CodeRow& dwell, const Word& wo
   return run.dialect.row_of(word) == &dwell || (!is_code(word) && (letter_bit(word.letter) & dwell.word_mask) != 0);
 }
 
+// Whatever it does, no axis is known after it; whether a tool's length goes on counting is another matter.
+bool goes_home_unknown(const Execution& run, const CodeRow& row) {
+  return row.action == Action::go_home && run.dialect.behaviour.bare_home_loses_position &&
+         run.control.frame.tool == AxisWords{};
+}
+
 // G28 alone: all axes, or none.
 void check_axes_needed(const Execution& run) {
   if (!run.axes.empty()) return;
   for (const Chosen& code : run.chosen) {
-    if (!code.row->needs_axes) continue;
+    if (!code.row->needs_axes || goes_home_unknown(run, *code.row)) continue;
     run.refuse(
         *code.word, codes::kAxesMissing,
         fmt::format("{} names no axis, and what it does then depends on the control", run.block->at(code.word->span)),

@@ -81,6 +81,14 @@ bool goes_without_axes(const Execution& run) {
   return run.motion->action == Action::cycle || (is_arc(run.motion) && (run.words.letters() & kCentreBits) != 0);
 }
 
+// Before the first motion code: where no F is known either, a control that begins with G1 stops with an alarm.
+const CodeRow* motion_before_codes(const Execution& run) {
+  const Control& control = run.control;
+  const bool fed = control.modal.feed != 0 || run.words.has('F');
+  if (!run.dialect.behaviour.rapid_before_codes || control.motion_stated || fed) return nullptr;
+  return run.dialect.g_code(0);
+}
+
 // An explicit motion, or the one in force if there are words for it that nobody else takes.
 void find_motion(Execution& run) {
   const AxisTakers takers = axis_takers(run);
@@ -94,6 +102,7 @@ void find_motion(Execution& run) {
   }
   run.uses_position_axes = takers.other != nullptr;
   if (takers.motion != nullptr) {
+    run.control.motion_stated = true;
     if (takers.other != nullptr && run.dialect.behaviour.group_0_takes_axes) return;
     if (takers.other != nullptr) {
       run.refuse(*takers.motion->word, codes::kAxesTwice,
@@ -109,9 +118,10 @@ void find_motion(Execution& run) {
     return;
   }
   if (takers.other != nullptr || takers.tool_length) return;
-  const CodeRow* const mode = takers.turns_off ? row_after_cycle(run) : run.control.motion_row;
+  const CodeRow* mode = takers.turns_off ? row_after_cycle(run) : run.control.motion_row;
   const bool centre = is_arc(mode) && (run.words.letters() & kCentreBits) != 0;
   if (run.axes.empty() && !centre && run.vector == nullptr) return;
+  if (mode == nullptr) mode = motion_before_codes(run);
   if (mode == nullptr) {
     run.refuse(first_axis_word(run), codes::kAxesUnused, "no motion code is in force for these axis words",
                "write G0, G1, G2 or G3 before them");

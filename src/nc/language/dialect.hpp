@@ -248,6 +248,8 @@ struct Syntax {
 struct ControlBehaviour {
   bool last_of_group = false;             // of two codes of a group the last one counts
   bool bare_motion_code_is_mode = false;  // G1 F500 alone moves nothing
+  bool bare_home_loses_position = false;  // G28 without axes: all go home, or none
+  bool rapid_before_codes = false;        // axis words before the first motion code and the first F
   bool group_0_takes_axes = false;        // G0 G91 G28 Z0: the words are G28's, and G0 is the mode from here on
   bool no_work_system_at_start = false;
   bool always_point = false;                                       // numbers are written with a decimal point

@@ -68,6 +68,8 @@ inline constexpr Key<std::string Syntax::*> kSyntaxTexts[] = {
 inline constexpr Key<bool ControlBehaviour::*> kHabitFlags[] = {
     {"last_of_group", &ControlBehaviour::last_of_group},
     {"bare_motion_code_is_mode", &ControlBehaviour::bare_motion_code_is_mode},
+    {"bare_home_loses_position", &ControlBehaviour::bare_home_loses_position},
+    {"rapid_before_codes", &ControlBehaviour::rapid_before_codes},
     {"group_0_takes_axes", &ControlBehaviour::group_0_takes_axes},
     {"no_work_system_at_start", &ControlBehaviour::no_work_system_at_start},
     {"always_point", &ControlBehaviour::always_point},

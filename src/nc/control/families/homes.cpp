@@ -20,6 +20,7 @@ void go_home(Execution& run, int which) {
   check_tool_unit(run, run.block->words.front());
   check_no_rotary_words(run);
   run.step.role = BlockRole::machine_move;
+  if (run.axes.empty() && run.dialect.behaviour.bare_home_loses_position) return lose_position(run, AxisSet::all());
   Motion through;
   through.in_machine_coordinates = true;
   through.to = end_of_move(run);

@@ -73,7 +73,7 @@ void make_motion(Execution& run) {
   run.control.cycle.begun = false;
   if (moves_specially(run, action)) return;
   run.control.spline_end.reset();
-  set_motion_mode(run, *run.motion);
+  if (run.control.motion_stated) set_motion_mode(run, *run.motion);
   if (action != Action::rapid && action != Action::feed) {
     move_arc(run);
   } else {

@@ -255,6 +255,10 @@ void add_motion(Execution& run, const Motion& planned) {
   control.shifted = shifted_after(run, motion);
   control.position = motion.to;
   control.known = motion.known_after;
+  if (control.edge_unknown) {  // where the tip stands then depends on which edge is in force
+    motion.known_before.erase(Axis::Z);
+    motion.known_after.erase(Axis::Z);
+  }
 }
 
 void lose_position(Execution& run, AxisSet axes) {

@@ -83,6 +83,7 @@ struct Control {
   const ControlBehaviour& behaviour;
   Modal modal;
   const CodeRow* motion_row = nullptr;        // of the motion mode in force
+  bool motion_stated = false;                 // by a code of the program
   const CodeRow* row_before_cycle = nullptr;  // of the one before the cycle that is in force
   Frame frame;
   AxisWords position;  // in the active work system

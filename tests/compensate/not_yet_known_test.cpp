@@ -1,0 +1,87 @@
+// Rapids before the control's state is settled: the edge after a change of tools, the motion code, where home is.
+#include <regex>
+
+#include <catch2/catch.hpp>
+
+#include "compensate/play.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+Job kept_over_changes(const std::string& dialect) {
+  Job job;
+  job.dialect = dialect;
+  job.settings.friction = false;
+  job.program.keeps_position = {6};
+  job.program.tool_in_spindle = 1;
+  nc::Tool tool;
+  tool.number = 1;
+  tool.length_mm = 100;
+  tool.mass_kg = 0;
+  job.program.tools = nc::ToolTable({tool});
+  return job;
+}
+
+bool finds(const std::string& text, const std::string& pattern) {
+  return std::regex_search(text, std::regex(pattern, std::regex::multiline));
+}
+
+// From the first cut on.
+std::string cuts_of(const std::string& text) { return text.substr(text.find("\nG1 ")); }
+
+}  // namespace
+
+TEST_CASE("until D is written after a change of tools, rapids in X and Y go through as they stand") {
+  const Job job = kept_over_changes("siemens");
+  const std::string start = "G54 G17 G710 G90 G94\nG0 X0 Y0 Z80 A0 B0 C0\n";
+  const std::string rest = "G1 Z30 F300\nX40 F800\nG0 Z60\nM30\n";
+  const std::string settled = run(start + "T1\nM6\nD1\nG0 X10 Y5.5\nZ40\n" + rest, job).text;
+  for (const std::string change :
+       {"D0\nT1\nM6\nS800 M3\nN22 G0 X10 Y5.5\nM8\nG0 Z40 D1\n",
+        "G0 SUPA Z-900 D0\nT1 M6\nX3\nN22 G0 X10 Y5.5\nG0 Z40 D1\n", "D0\nT1\nM6\nN22 G0 X10 Y5.5\nD1\nG0 Z40\n"}) {
+    INFO(change);
+    const std::string out = run(start + change + rest, job).text;
+    INFO(out);
+    CHECK(finds(out, "^N22 G0 X10 Y5.5$"));
+    CHECK(finds(out, "^G0 Z[0-9.]+ X[0-9.]+ Y[0-9.]+ "));
+    CHECK(cuts_of(out) == cuts_of(settled));
+  }
+  CHECK(code_of(start + "D0\nT1\nM6\nG1 X10 F300\nM30\n", job) == "compensate-position-unknown");
+}
+
+TEST_CASE("axis words before the first motion code and F are rapids, in the output too") {
+  Job job = kept_over_changes("fanuc");
+  for (auto& axis : job.program.start) axis = 0;
+  const std::string start = "O0001\nG21 G90 G40 G49 G80\n";
+  const std::string rest = "G1 Z5. F300.\nX20. F600.\nM30\n";
+  for (const std::string head : {"G90 G43 H1 Z50.\nG0 X-60. Y0.\n", "G54 X10. Y20. S2000 M3\nG43 H1 Z50.\nX12. A1.\n",
+                                 "G80 Z5.\nG90 X5.\nG43 H1 Z40.\n"}) {
+    INFO(head);
+    const std::string out = run(start + head + rest, job).text;
+    INFO(out);
+    CHECK(cuts_of(out) == cuts_of(run(start + "G0\n" + head + rest, job).text));
+    CHECK(moves_of(out, job.program, job.dialect).front().motion.kind == nc::MotionKind::rapid);
+  }
+  CHECK(code_of(start + "F200.\nG43 H1 Z50.\nM30\n", job) == "nc-axes-unused");
+  CHECK(code_of(start + "G43 H1 Z50.\nZ5. F200.\nM30\n", job) == "nc-axes-unused");
+  job.dialect = "okuma";
+  CHECK(code_of("G15 H1\nG56 H1 Z50\nM2\n", job) == "nc-axes-unused");
+}
+
+TEST_CASE("after G28 without axes nobody knows where they stand") {
+  const Job job = kept_over_changes("fanuc");
+  const std::string start = "O0001\nG21 G90 G17 G40 G49 G80\n";
+  const std::string rest = "G0 X-10. Y-10. S2000 M3\nG43 H1 Z20.\nG1 Z-2. F300.\nX20. F600.\nG0 Z20.\nG49 M9\nM30\n";
+  for (const std::string home : {"G28", "G30", "G28 M5"}) {
+    INFO(home);
+    const std::string out = run(start + home + "\n" + rest, job).text;
+    INFO(out);
+    CHECK(finds(out, "^" + home + "$"));
+    CHECK(finds(out, "^G0 X-10. Y-10. S2000 M3$"));  // Z is not known yet
+    CHECK(cuts_of(out) == cuts_of(run(start + rest, job).text));
+    const std::string placed = start + "G0 X0. Y0. Z20. A0. B0. C0.\n";
+    CHECK(code_of(placed + home + "\nG1 X5. F100.\nM30\n", job) == "compensate-position-unknown");
+    CHECK(code_of(placed + "G43 H1 Z20.\n" + home + "\nG0 X5.\nM30\n", job) == "nc-axes-missing");
+  }
+}

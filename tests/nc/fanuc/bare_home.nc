@@ -1,0 +1,12 @@
+%
+O0012 (G28 and G30 without axes)
+G21 G90 G17 G40 G80
+G28
+G0 G54 X1. Y2. Z30.
+G1 Z-1. F100.
+G0 Z30.
+G30 P2
+X3. Y4. Z20.
+N9 G49 G28 M5
+M30
+%

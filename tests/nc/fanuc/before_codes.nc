@@ -1,0 +1,14 @@
+%
+O0011 (no motion code before the first cut)
+G90 G80 G40 G17 G21 G49
+G54 X10. Y20. S2000 M3
+Z30.
+G10 L10 P3 R75.
+G43 H3 Z10. M8
+X12.
+G80 Y22.
+G91 Z-1.
+G90 G1 Z-1. F100.
+X20.
+M30
+%
