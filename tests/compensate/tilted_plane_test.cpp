@@ -117,3 +117,18 @@ TEST_CASE("loops and expressions on a tilted plane are unrolled") {
   CHECK(result.text.find("WHILE") == std::string::npos);
   CHECK(left_um(text, result.text, job) < 1.5);
 }
+
+TEST_CASE("Fanuc: holes of one drilling cycle lie on a tilted plane") {
+  const Job job = heavy_tool_job("fanuc", nc::FreeRotation::c_stays);
+  for (const std::string holes :
+       {"G98 G81 X5. Y5. Z-8. R2. F100.\nX12.\nY20.\n", "G99 G83 X5. Y5. Z-8. R2. Q3. F100.\nX12. Y-4.\n",
+        "G98 G85 X5. Y5. Z-8. R2. F100.\nX1.\nX9. Z-9.\n"}) {
+    const std::string text = kFanucHead + "G68.2 X10. Y5. Z0. I30. J15. K-20.\nG53.1\nG0 X0. Y0. Z20.\n" + holes +
+                             "G80\nG0 Z50.\nG69\nG0 X0. Y0. Z60.\nM30\n";
+    INFO(text);
+    const std::string output = run(text, job).text;
+    INFO(output);
+    CHECK(left_um(text, output, job) <= 3);
+    CHECK_FALSE(turns_in_plane(output, "G53.1", "G69"));
+  }
+}

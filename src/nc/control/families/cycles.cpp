@@ -151,7 +151,8 @@ void CycleRun::check_distance_mode() {
 
 // Whether the level where the cycles began, and R, are kept as words or as places of the machine is not known.
 void CycleRun::check_shift() {
-  const double shift = control_.frame.to_machine(control_.position)[axes_.third] - control_.position[axes_.third];
+  const AxisWords at = control_.frame.tilted ? AxisWords{} : control_.position;  // askew, each hole has its own
+  const double shift = control_.frame.to_machine(at)[axes_.third] - at[axes_.third];
   if (goes_on_ && std::abs(shift - cycle_.shift) > kSameShift) {
     run_.refuse(run_.motion_code(), codes::kNotInterpreted,
                 fmt::format("what a drilling cycle keeps of its levels when the zero of {} changes is not known",
