@@ -1,11 +1,13 @@
 // Programs that drawn ones have shown to be misread or refused once, made small; others of the same cause beside them.
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "compensate/play.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 
@@ -146,6 +148,20 @@ TEST_CASE("okuma: a cycle whose tool the correction puts elsewhere than the leve
     CHECK(code_of("G15 H1\n" + part + "G80\nM2\n", for_dialect("okuma")) == "compensate-cycle");
   }
   check_taken("okuma", {"G15 H1\nG0 X1 Y2 Z20 A5 B-8 C0\nG71 Z20\nG82 X9. Y4. Z12. R18. P1 F138 M53\nX3\nG80\nM2\n"});
+}
+
+TEST_CASE("okuma: the message on a cycle that begins off its level tells of the original, not of the correction") {
+  for (const auto& [levels, level] :
+       std::map<std::string, std::string>{{"G71 Z30\nG82 X1 Y2 Z12. R18. P1 F138 M53\n", "30"},
+                                          {"G71 Z15\nM3 S500\nG84 Z-9. R12. F120 M53\n", "15"},
+                                          {"G71 Z25.5\nG89 Z12. R18. P1 F138 M53\n", "25.5"}}) {
+    INFO(levels);
+    const Diagnostic refused = testing::refusal_of(
+        [&] { run("G15 H1\nG0 X1 Y2 Z20 A5 B-8 C0\n" + levels + "G80\nM2\n", for_dialect("okuma")); });
+    CHECK(refused.code == "compensate-cycle");
+    CHECK(refused.message.find("the tool stands at Z20 and not on the level of G71, Z" + level) != std::string::npos);
+    CHECK(refused.help == "move to Z" + level + " with G0 before the cycle");
+  }
 }
 
 TEST_CASE("fanuc: axes that a block does not name stand where another unit wrote them") {

@@ -81,7 +81,8 @@ Rewritten rewrite(const InputFile& source, const nc::Dialect& dialect, Draw* dra
     out.keep_hash();
     while (const nc::Step* step = program.next()) {
       if ((draw != nullptr && (step->motions.size() > 1 || cuts_blindly(*step))) || step->flow || program.jumped() ||
-          step->role == nc::BlockRole::cycle || step->end_words == nc::EndWords::polar || !is_within_reach(*step)) {
+          program.position_read() || step->role == nc::BlockRole::cycle || step->end_words == nc::EndWords::polar ||
+          !is_within_reach(*step)) {
         refuse("fuzz", "not rewritten", "none");
       }
       if (draw == nullptr || !is_rewritable(*step)) {

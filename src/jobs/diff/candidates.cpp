@@ -37,6 +37,9 @@ constexpr std::size_t kMostOthers = 4;
 
 double size(const AxisWords& shift) { return distance(shift, {}); }
 
+// Of a rapid that a change of the shift alone may have made.
+double tiny(const Standing& standing) { return kSlack + (standing.has_shift ? kShiftShare * size(standing.shift) : 0); }
+
 double shift_unit(const Standing& standing) { return kShiftUnit + kUnitShare * size(standing.shift); }
 
 // What rounding makes of the length of a short move, it makes of its time.
@@ -114,10 +117,10 @@ std::vector<Candidate> Candidates::of_rapid(const DiffMove& move, std::size_t j,
   std::size_t far = 0;
   for (std::size_t moves = 1; moves <= kMostRapids && corresponds(move, j + moves - 1); ++moves) {
     const DiffMove& last = *b_.peek(j + moves - 1);
-    if (last.length > kSlack && ++far > 1) break;
+    if (last.length > tiny(standing) && ++far > 1) break;
     consider(moves, last.end);
   }
-  if (move.length <= kSlack && standing.has_shift) consider(0, standing.b);
+  if (move.length <= tiny(standing) && standing.has_shift) consider(0, standing.b);
   return candidates;
 }
 
@@ -133,7 +136,9 @@ const DiffMove* Candidates::piece(const DiffMove& move, std::size_t j, std::size
 std::optional<std::size_t> Candidates::count_by_number(const DiffMove& move, std::size_t i, std::size_t j,
                                                        const Standing& standing) {
   const DiffMove* const next = a_.peek(i + 1);
-  if (move.number.empty() || (next != nullptr && next->cuts() && next->number.empty())) return std::nullopt;
+  // Not where A goes on: to a block without a number, or to the next point of the spline that this block ends.
+  const bool goes_on = next != nullptr && next->cuts() && (next->number.empty() || !next->begins_numbered);
+  if (move.number.empty() || goes_on) return std::nullopt;
   const DiffMove* const first = b_.peek(j);
   if (first == nullptr || first->number != move.number) return std::nullopt;
   std::size_t count = 0;
@@ -145,9 +150,9 @@ std::optional<std::size_t> Candidates::count_by_number(const DiffMove& move, std
 
 // A hole of a cycle that begins where the one before it ended has no way there in A, but a tiny one in B, which the
 // correction of another hole moves elsewhere.
-std::size_t Candidates::tiny_rapids(std::size_t j) {
+std::size_t Candidates::tiny_rapids(std::size_t j, const Standing& standing) {
   std::size_t count = 0;
-  for (const DiffMove* next = b_.peek(j); next != nullptr && !next->cuts() && next->length <= kSlack;
+  for (const DiffMove* next = b_.peek(j); next != nullptr && !next->cuts() && next->length <= tiny(standing);
        next = b_.peek(j + count)) {
     if (next->in_machine_coordinates || ++count == kMostRapids) break;
   }
@@ -157,7 +162,7 @@ std::size_t Candidates::tiny_rapids(std::size_t j) {
 // As it is, or after tiny rapids that A does not have.
 std::vector<Candidate> Candidates::of_cut(const DiffMove& move, std::size_t i, std::size_t j,
                                           const Standing& standing) {
-  const std::size_t before = tiny_rapids(j);
+  const std::size_t before = tiny_rapids(j, standing);
   std::vector<Candidate> candidates = pieces_of_cut(move, i, j + before, standing);
   for (Candidate& candidate : candidates) {
     if (candidate.count > 0) candidate.count += before;

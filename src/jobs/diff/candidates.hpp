@@ -37,7 +37,7 @@ class Candidates {
  private:
   std::vector<Candidate> of_cut(const DiffMove& move, std::size_t i, std::size_t j, const Standing& standing);
   std::vector<Candidate> pieces_of_cut(const DiffMove& move, std::size_t i, std::size_t j, const Standing& standing);
-  std::size_t tiny_rapids(std::size_t j);
+  std::size_t tiny_rapids(std::size_t j, const Standing& standing);
   std::vector<Candidate> of_rapid(const DiffMove& move, std::size_t j, const Standing& standing);
   double cost_of_codes(std::size_t i, std::size_t j);
   bool corresponds(const DiffMove& move, std::size_t ahead);
