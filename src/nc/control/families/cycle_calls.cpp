@@ -27,6 +27,9 @@ enum CalledCycle {
 // Places in the brackets [C 2.1.2 to 2.1.11; the order is that of the posts, too].
 constexpr std::size_t kRetractPlane = 0, kReferencePlane = 1, kSafety = 2, kDepth = 3, kRelativeDepth = 4, kDwell = 5;
 
+constexpr double kMostPecks = 1e4;    // that are told one by one
+constexpr double kChipBreakMm = 1.0;  // where no way back is given
+
 /// What else stands in the brackets of a cycle; -1: nothing of the kind.
 struct Places {
   int code;
@@ -91,6 +94,7 @@ class CalledHole {
   double depth_mm() const;
   void at_hole();
   void pecks();
+  void tap_in_strokes();
   double own_feed(double rate) const;
   double tapping_feed(bool up) const;
   void go(MotionKind kind, double level, double feed = 0);
@@ -218,6 +222,8 @@ void CalledHole::at_hole() {
     case kCalledDeep:
       return pecks();
     case kCalledTap:
+      tap_in_strokes();
+      [[fallthrough]];
     case kCalledFloatingTap:
       go(MotionKind::feed, hole_.bottom, tapping_feed(false));
       wait(seconds);
@@ -247,11 +253,11 @@ void CalledHole::pecks() {
   const double first =
       given_.value(5) && given_.number(5) != 0 ? reference - given_.length_mm(5) : std::abs(given_.length_mm(6));
   const bool chips = given_.number(11) == 0;
-  if (first > 0 && (hole_.r - hole_.bottom) / first <= 1e4 && given_.number(7) == 0) {
+  if (first > 0 && (hole_.r - hole_.bottom) / first <= kMostPecks && given_.number(7) == 0) {
     for (double depth = reference - first; depth > hole_.bottom + 1e-9; depth -= first) {
       feed_to(depth);
       if (chips) {
-        feed_to(std::min(depth + (given_.number(14) > 0 ? given_.length_mm(14) : 1.0), hole_.r));
+        feed_to(std::min(depth + (given_.number(14) > 0 ? given_.length_mm(14) : kChipBreakMm), hole_.r));
       } else {
         go(MotionKind::rapid, hole_.r);
         go(MotionKind::rapid, depth + (given_.number(16) > 0 ? given_.length_mm(16) : 0.6));
@@ -261,6 +267,23 @@ void CalledHole::pecks() {
   feed_to(hole_.bottom);
   wait(given_.number(8));
   go(MotionKind::rapid, hole_.clear);
+}
+
+// Before the last stroke: deep holes are tapped in strokes of DAM, each way back by the pitch as well, by VRT to break
+// the chips (VARI 1) or out of the hole (VARI 2) [C 2.1.5].
+void CalledHole::tap_in_strokes() {
+  const int kind = last_digit(given_.number(15));
+  const double stroke = std::abs(given_.length_mm(16));
+  if (kind == 0) return;
+  if (kind > 2) given_.refuse("no source says what its kind of work is", "give VARI as 0, 1 or 2");
+  if (stroke == 0) given_.refuse("it taps in strokes, and how deep each goes is missing", "give DAM, or VARI as 0");
+  const double reference = given_.length_mm(kReferencePlane);
+  if ((reference - hole_.bottom) / stroke > kMostPecks) return;
+  const double back = given_.number(17) > 0 ? given_.length_mm(17) : kChipBreakMm;
+  for (double depth = reference - stroke; depth > hole_.bottom + 1e-9; depth -= stroke) {
+    go(MotionKind::feed, depth, tapping_feed(false));
+    go(MotionKind::feed, kind == 2 ? hole_.r : std::min(depth + back, hole_.r), tapping_feed(true));
+  }
 }
 
 void CalledHole::go(MotionKind kind, double level, double feed) {
