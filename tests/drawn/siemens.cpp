@@ -66,7 +66,8 @@ class Siemens final : public Writer {
     if (endless_ && axis == Axis::C && (known_ || direct_) && !incremental_) return direct_word();
     if (goes_to_known_place_ || !draws_.chance(4) || inches_) return Writer::axis_word(axis);
     const double to = target(axis);
-    if (draws_.chance(50)) {
+    const bool within_turn = direct_ && axis == Axis::C;  // AC too says a place within the turn then
+    if (draws_.chance(50) || within_turn) {
       const Spelled by = spell(to - at_[axis], 3, 3);
       at_[axis] += by.value;
       return fmt::format("{}=IC({})", letter(axis), by.text);
