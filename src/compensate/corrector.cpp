@@ -136,7 +136,18 @@ bool Corrector::holds(const Target& target, const AxisWords& commanded) const {
   const AxisWords shift = commanded - target.pose;
   if (length_mm(shift) <= kSureMm && path::largest_turn_deg(shift) <= kSureDeg) return true;
   const std::optional<double> off = tip_distance_mm(target, commanded);
-  return off && (*off <= kHoldsMm || settings_.method == Method::first_order);
+  if (!off || *off <= kHoldsMm) return off.has_value();
+  return settings_.method == Method::first_order && can_stand_on(target);
+}
+
+// The first order leaves more near a singularity. It counts where the exact method finds a command.
+bool Corrector::can_stand_on(const Target& target) const {
+  const Load load = load_at(target);
+  Pose<double> commanded = load.pose;
+  if (load.stretch.jacobian.singular() || !move_struts(load, commanded)) return false;
+  commanded = machine::displaced<double>(commanded, -load.stretch.tip);
+  const std::optional<double> off = tip_distance_mm(target, machine::words_of(model_.rotation, commanded, target.pose));
+  return off && *off <= kHoldsMm;
 }
 
 Corrected Corrector::correct(const Target& target) const {

@@ -87,6 +87,7 @@ class Corrector {
   Corrected correct_once(const Target& target) const;
   Corrected correct_with_fixed_axes(const Target& target) const;
   bool holds(const Target& target, const AxisWords& commanded) const;
+  bool can_stand_on(const Target& target) const;
   physics::Motion<double> motion_of(const Target& target, physics::Environment& environment) const;
 
   const machine::MachineModel& model_;

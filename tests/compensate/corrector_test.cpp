@@ -80,6 +80,21 @@ TEST_CASE("the correction is worth having, and the first order comes near it awa
   }
 }
 
+TEST_CASE("where no command puts the tool on the target the first order finds none either") {
+  Settings first;
+  first.method = compensate::Method::first_order;
+  Corrector linear(pm600(), first);
+  linear.set_tool({.length = 0.085, .mass = 1.4, .along = 0.02});
+  for (const AxisWords& beyond :
+       {AxisWords{{-72.5, 3.14, -830.9, -16.526, 17.761, 16.99}}, AxisWords{{-72.5, 3.14, -830.9, -16.8, 18, 16.99}},
+        AxisWords{{-72.5, 3.14, -825, -16.526, 17.761, 16.99}}}) {
+    CHECK_FALSE(linear.correct(at(beyond)).converged);
+  }
+  const Target within = at({{-72.5, 3.14, -930, -12, 12, 16.99}});
+  CHECK(linear.correct(within).converged);
+  CHECK(distance(linear.correct(within).pose, within.pose) < 0.5);
+}
+
 TEST_CASE("where rotary axes may not be written the tip is put right all the same") {
   Settings settings;
   const Corrector corrector(pm600(), settings);
