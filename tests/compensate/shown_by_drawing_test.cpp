@@ -151,16 +151,17 @@ TEST_CASE("okuma: a cycle whose tool the correction puts elsewhere than the leve
 }
 
 TEST_CASE("okuma: the message on a cycle that begins off its level tells of the original, not of the correction") {
-  for (const auto& [levels, level] :
-       std::map<std::string, std::string>{{"G71 Z30\nG82 X1 Y2 Z12. R18. P1 F138 M53\n", "30"},
-                                          {"G71 Z15\nM3 S500\nG84 Z-9. R12. F120 M53\n", "15"},
-                                          {"G71 Z25.5\nG89 Z12. R18. P1 F138 M53\n", "25.5"}}) {
-    INFO(levels);
+  const std::map<std::string, std::string> levels_of{{"G71 Z30\nG82 X1 Y2 Z12. R18. P1 F138 M53\n", "30"},
+                                                     {"G71 Z15\nM3 S500\nG84 Z-9. R12. F120 M53\n", "15"},
+                                                     {"G71 Z25.5\nG89 Z12. R18. P1 F138 M53\n", "25.5"}};
+  for (const auto& holes : levels_of) {
+    INFO(holes.first);
     const Diagnostic refused = testing::refusal_of(
-        [&] { run("G15 H1\nG0 X1 Y2 Z20 A5 B-8 C0\n" + levels + "G80\nM2\n", for_dialect("okuma")); });
+        [&] { run("G15 H1\nG0 X1 Y2 Z20 A5 B-8 C0\n" + holes.first + "G80\nM2\n", for_dialect("okuma")); });
     CHECK(refused.code == "compensate-cycle");
-    CHECK(refused.message.find("the tool stands at Z20 and not on the level of G71, Z" + level) != std::string::npos);
-    CHECK(refused.help == "move to Z" + level + " with G0 before the cycle");
+    CHECK(refused.message.find("the tool stands at Z20 and not on the level of G71, Z" + holes.second) !=
+          std::string::npos);
+    CHECK(refused.help == "move to Z" + holes.second + " with G0 before the cycle");
   }
 }
 
