@@ -62,7 +62,8 @@ TEST_CASE("increments of X and Y after G69 are refused until absolute words stan
       {{"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nX5. Y5.\nG69\nG91 X5.\n", 5, 5},
        {"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nX5. Y5.\nG69 G91 Y5.\n", 4, 9},
        {"G90 G54 G0 X10. Y10. Z50.\nG68 X1. Y2. R90.\nG91 G1 X1. F100.\n", 3, 8},
-       {"G90 G54 G0 X10. Y10. Z50.\nG68 X1. Y2. R90.\nX0 Y0\nG69\nG99 G91 G81 X1. R-40. Z-5. F100.\n", 5, 13}});
+       {"G90 G54 G0 X10. Y10. Z50.\nG68 X1. Y2. R90.\nX0 Y0\nG69\nG99 G91 G81 X1. R-40. Z-5. F100.\n", 5, 13},
+       {"G90 G54 G0 X10. Y10. Z50.\nG68 X1. Y2. R90.\nX0 Y0\nG69 G99 G91 G81 X1. R-40. Z-5. F100.\n", 4, 17}});
   const Reading ran =
       reading_of("G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R90.\nX5. Y5.\nG91 X1.\nG69\nG90 X0 Y0\nG91 X2.\n", true);
   CHECK(ran.code.empty());
@@ -72,7 +73,9 @@ TEST_CASE("increments of X and Y after G69 are refused until absolute words stan
 TEST_CASE("X without Y as the first move after a turn is refused, Z alone is not") {
   check_refused_at({{"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nX5.\n", 3, 1},
                     {"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nG1 Y5. Z1. F100.\n", 3, 4},
-                    {"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nX5. Y5.\nG69\nX0\n", 5, 1}});
+                    {"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nX5. Y5.\nG69\nX0\n", 5, 1},
+                    {"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nX5. Y5.\nG69 X0\n", 4, 5},
+                    {"G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R-8.\nX5. Y5.\nG69 G1 Y2. F100.\n", 4, 8}});
   CHECK(reading_of("G90 G54 G0 X10. Y10. Z50.\nG68 X0 Y0 R30.\nZ5.\nX1. Y1.\nX2.\nG69\nZ50.\n", true).code.empty());
 }
 

@@ -241,10 +241,14 @@ void check_contexts(const Execution& run) {
   check_word_modes(run);
   check_turned(run);
   check_not_beside(run);
-  check_alone_after_turn(run);
-  check_cycle_increments(run);
   check_beside_cycle(run);
   check_edge_known(run);
+}
+
+// A turn or a work offset of the block itself counts already.
+void check_offsets_of_motion(const Execution& run) {
+  check_alone_after_turn(run);
+  check_cycle_increments(run);
 }
 
 // What the control does with other words beside G4 is in no source.

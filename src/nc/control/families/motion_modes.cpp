@@ -63,6 +63,7 @@ void end_motion(Execution& run) {
 
 void make_motion(Execution& run) {
   const Action action = run.motion->action;
+  check_offsets_of_motion(run);
   if (action == Action::cycle) return move_in_cycle(run);
   check_ends_cycle(run, action);
   if (run.machine_word != nullptr && run.dialect.behaviour.machine_move_is_rapid) {
