@@ -90,13 +90,13 @@ bool Corrector::move_struts(const Load& load, Pose<double>& pose) const {
 }
 
 // Exact: T_c = FK(IK(T) - dL(T)).  First order: T_c = T - J^-1 dL(T).  [docs/physics.md, Compensation]
-Corrected Corrector::correct_once(const Target& target) const {
+Corrected Corrector::correct_once(const Target& target, Method method) const {
   const Load load = load_at(target);
   Corrected corrected;
   corrected.sign = load.sign;
   if (load.stretch.jacobian.singular()) return corrected;
   Pose<double> commanded = load.pose;
-  if (settings_.method == Method::first_order) {
+  if (method == Method::first_order) {
     commanded = machine::displaced<double>(commanded, -load.stretch.jacobian.solve(load.stretch.stretch));
     corrected.converged = true;
   } else {
@@ -113,7 +113,7 @@ Corrected Corrector::correct_with_fixed_axes(const Target& target) const {
   Target standing = target;
   Corrected corrected;
   for (int round = 0; round < kMostRounds; ++round) {
-    corrected = correct_once(standing);
+    corrected = correct_once(standing, settings_.method);
     if (!corrected.converged) return corrected;
     double off = 0;
     for (const Axis axis : kAllAxes) {
@@ -142,16 +142,14 @@ bool Corrector::holds(const Target& target, const AxisWords& commanded) const {
 
 // The first order leaves more near a singularity. It counts where the exact method finds a command.
 bool Corrector::can_stand_on(const Target& target) const {
-  const Load load = load_at(target);
-  Pose<double> commanded = load.pose;
-  if (load.stretch.jacobian.singular() || !move_struts(load, commanded)) return false;
-  commanded = machine::displaced<double>(commanded, -load.stretch.tip);
-  const std::optional<double> off = tip_distance_mm(target, machine::words_of(model_.rotation, commanded, target.pose));
+  const Corrected exact = correct_once(target, Method::exact);
+  if (!exact.converged) return false;
+  const std::optional<double> off = tip_distance_mm(target, exact.pose);
   return off && *off <= kHoldsMm;
 }
 
 Corrected Corrector::correct(const Target& target) const {
-  Corrected corrected = target.fixed.empty() ? correct_once(target) : correct_with_fixed_axes(target);
+  Corrected corrected = target.fixed.empty() ? correct_once(target, settings_.method) : correct_with_fixed_axes(target);
   corrected.converged = corrected.converged && holds(target, corrected.pose);
   return corrected;
 }

@@ -84,7 +84,7 @@ class Corrector {
   };
   Load load_at(const Target& target) const;
   bool move_struts(const Load& load, Pose<double>& pose) const;
-  Corrected correct_once(const Target& target) const;
+  Corrected correct_once(const Target& target, Method method) const;
   Corrected correct_with_fixed_axes(const Target& target) const;
   bool holds(const Target& target, const AxisWords& commanded) const;
   bool can_stand_on(const Target& target) const;

@@ -100,7 +100,6 @@ void HoleCorrector::check_level(const CorrectedHole& corrected) const {
   const double level = to_r ? r : hole.clear;
   const double stands = stands_at_ + corrected.at->standing[normal];
   if (std::abs(stands - level) < (goes_to_start ? kStandsOnR : nc::kSameLevel) && r <= level) return;
-  const char* const name = to_r ? "R" : "the level of G71";
   if (!to_r && std::abs(stands_at_ - level) >= kStandsOnR) {
     refuse(
         "compensate-cycle",
@@ -112,7 +111,7 @@ void HoleCorrector::check_level(const CorrectedHole& corrected) const {
   refuse("compensate-cycle",
          fmt::format("the correction puts the tool {:.3f} mm off {}, on which it stands in the original: how it comes "
                      "to the hole and back from there was found in no source",
-                     stands - level, name),
+                     stands - level, to_r ? "R" : "the level of G71"),
          goes_to_start ? "move the tool above R before the cycle, or write G99"
          : to_r        ? "state all six axes before the cycle, so that the move to above the hole is corrected as well"
                        : "drill the hole with moves (G0, G1), or where the correction is smaller",

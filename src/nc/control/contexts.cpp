@@ -164,7 +164,7 @@ void check_not_beside(const Execution& run) {
 // X alone: whether Y stays where it stands or goes to its old word in the turned system is a setting of the control.
 void check_alone_after_turn(const Execution& run) {
   const AxisSet named = run.axes & kTurningAxes;
-  if (!run.dialect.behaviour.turned_axis_alone_unknown || run.motion == nullptr || named.empty()) return;
+  if (!run.dialect.behaviour.turned_axis_alone_unknown || named.empty()) return;
   const AxisSet other = kTurningAxes - named;
   if (other.empty() || (run.control.shifted & other).empty() || !run.control.known.contains(other)) return;
   if (run.control.modal.incremental || run.machine_word != nullptr) return;
@@ -191,7 +191,7 @@ void check_edge_known(const Execution& run) {
 
 // R and the depth of a cycle count from where the axis stands.
 void check_cycle_increments(const Execution& run) {
-  if (run.motion == nullptr || run.motion->action != Action::cycle || !counts_increments(run)) return;
+  if (run.motion->action != Action::cycle || !counts_increments(run)) return;
   const Axis normal = axes_of(run.control.modal.plane).third;
   const bool with_length =
       run.dialect.behaviour.increment_unknown_after_length && find_code(run, Action::tool_length) != nullptr;
