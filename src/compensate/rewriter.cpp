@@ -92,6 +92,8 @@ const WrittenMove& Rewriter::write(const CorrectedMove& corrected) {
   } else {
     emitted = emitter_.move(step, points, writable, move.duration);
   }
+  says_angles_ = says_angles_ || as_angles;
+  written_.reworded = says_angles_ && are_none(step, corrected);
   if (emitted.changed) {
     intention_.divide(step, points, writable, move.duration);
   } else {

@@ -81,6 +81,7 @@ class Rewriter {
   std::optional<ReadBackFigures> figures_;
   std::uint64_t unchanged_blocks_ = 0;  // before the first that changed
   WrittenMove written_;
+  bool says_angles_ = false;  // A, B and C stand rounded where the program gives directions
 };
 
 }  // namespace plumbline::compensate

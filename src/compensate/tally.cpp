@@ -86,7 +86,7 @@ void Tally::note_point(const nc::CorrectedPoint& point, std::size_t line) {
 
 void Tally::note_written(const nc::EmittedMove& written, std::optional<double> seconds, std::size_t line) {
   ++summary_.moves;
-  if (written.changed) ++summary_.changed_blocks;
+  if (written.changed && !written.reworded) ++summary_.changed_blocks;
   summary_.rounding_mm.take(written.rounding_mm, line);
   if (!seconds || *seconds <= 0) return;
   const double after = written.seconds.value_or(*seconds);

@@ -198,6 +198,7 @@ TEST_CASE("a program whose directions need no change keeps them; G43.5 is writte
       "G1 X20. I0.12 K1. F500.\nM30\n";
   const Result result = run(fanuc, other);
   INFO(result.text);
+  CHECK(result.summary.changed_blocks == 0);
   CHECK(contains_text(result.text, "G43.4 H1 Z40.\nG0 X10. A0. B5.711 C0.\nG1 X20. A0. B6.843 C0. F500.\nM30\n"));
 }
 

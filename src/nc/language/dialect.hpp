@@ -271,12 +271,13 @@ struct ControlBehaviour {
   bool offset_numbers_last = false;  // D and H stay in force without a code that uses them: G43 needs an H of its own
   bool machine_move_tool_unknown = false;  // whether G53 counts to the tip while a length is in force
   bool h0_is_no_tool = false;
-  bool tool_length_moves = false;       // whether G43 without Z moves depends on the control's parameters
-  std::string unknown_beside_unit;      // words of which it is not known in which unit they count beside G20, G21
-  bool unit_change_drops_feed = false;  // what F is worth after G20, G21 is not known
-  bool tool_length_at_change = false;   // M6 puts the length of the tool in force
-  bool fanuc_cycles = false;            // over the hole first, then to R; K repeats; taps and bores feed to R alone
-  double peck_gap_mm = 0.254;
+  bool tool_length_moves = false;           // whether G43 without Z moves depends on the control's parameters
+  std::string unknown_beside_unit;          // words of which it is not known in which unit they count beside G20, G21
+  bool unit_change_drops_feed = false;      // what F is worth after G20, G21 is not known
+  bool tool_length_at_change = false;       // M6 puts the length of the tool in force
+  bool fanuc_cycles = false;                // over the hole first, then to R; K repeats; taps and bores feed to R alone
+  double peck_gap_mm = 0.254;               // a peck begins so far above the one before
+  double chip_break_mm = 1;                 // the way back that breaks the chips, where a called cycle gives none
   bool passed_code_keeps_position = false;  // who passes it says so
   int most_m_codes = 0;                     // that a block may hold; 0: any
   bool call_with_moves = false;             // M98 may stand in a block that moves

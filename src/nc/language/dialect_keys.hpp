@@ -121,6 +121,7 @@ inline constexpr Key<double ControlBehaviour::*> kHabitNumbers[] = {
     {"increment_word_inch", &ControlBehaviour::increment_word_inch},
     {"increment_word_deg", &ControlBehaviour::increment_word_deg},
     {"peck_gap_mm", &ControlBehaviour::peck_gap_mm},
+    {"chip_break_mm", &ControlBehaviour::chip_break_mm},
     {"dwell_p_s", &ControlBehaviour::dwell_p_s},
     {"travel_limit_mm", &ControlBehaviour::travel_limit_mm},
 };

@@ -29,6 +29,7 @@ struct EmittedMove {
   int pieces = 1;                 // blocks that it became
   std::optional<double> seconds;  // that the control takes for them; revolutions under G95
   double rounding_mm = 0;         // largest distance between a point as the control keeps it and as it was asked
+  bool reworded = false;          // for a direction said in A, B and C alone, not for a correction
 };
 
 enum class Form : std::uint8_t {

@@ -15,6 +15,11 @@ inline jobs::DiffSummary diff_of(const std::string& a, const std::string& b, con
   return jobs::diff_files(scratch.file("a.ngc", a), scratch.file("b.ngc", b), options);
 }
 
+/// Each move of the one has found its own in the other.
+inline bool is_whole(const jobs::DiffSummary& s) {
+  return s.out_of_line_a == 0 && s.out_of_line_b == 0 && s.matched == s.moves_a;
+}
+
 inline std::string compensated(const Scratch& scratch, const std::string& program, double step_mm = 1,
                                double step_deg = 0.1, double time_tolerance = 1e-3) {
   settings::Options options;

@@ -8,6 +8,7 @@ using namespace plumbline;
 using jobs::DiffSummary;
 using testing::compensated;
 using testing::diff_of;
+using testing::is_whole;
 
 TEST_CASE("a cycle that begins where the tool stands is aligned, though a correction makes a tiny way there") {
   for (const double clear : {2.0, 4.5, 5.0}) {
@@ -20,9 +21,7 @@ TEST_CASE("a cycle that begins where the tool stands is aligned, though a correc
     const std::string output = compensated(scratch, program);
     INFO(output);
     const DiffSummary s = diff_of(program, output);
-    CHECK(s.out_of_line_a == 0);
-    CHECK(s.out_of_line_b == 0);
-    CHECK(s.matched == s.moves_a);
+    CHECK(is_whole(s));
     for (const Axis axis : kAllAxes) CHECK(s.shift[index(axis)].largest < 0.05);
   }
 }
@@ -31,9 +30,7 @@ TEST_CASE("tiny rapids of one side alone belong to those beside them") {
   const std::string a = "G0 X0 Y0 Z5\nG0 Z3.5\nG1 Z-2 F100\nG0 Z5\n";
   const std::string b = "G0 X0 Y0 Z5\nG0 X0.0004\nG0 Z3.5\nG1 Z-2 F100\nG0 Z5\n";
   for (const DiffSummary& s : {diff_of(a, b), diff_of(b, a)}) {
-    CHECK(s.out_of_line_a == 0);
-    CHECK(s.out_of_line_b == 0);
-    CHECK(s.matched == s.moves_a);
+    CHECK(is_whole(s));
     CHECK(s.shift[0].largest == Approx(0.0004));
     CHECK(s.shift[2].largest == 0);
   }
@@ -62,9 +59,7 @@ TEST_CASE("a tiny rapid before a cut belongs to it where the first program stand
     const std::string b = before + hole + tiny + hole + after;
     INFO(b);
     const DiffSummary s = diff_of(a, b);
-    CHECK(s.out_of_line_a == 0);
-    CHECK(s.out_of_line_b == 0);
-    CHECK(s.matched == s.moves_a);
+    CHECK(is_whole(s));
     CHECK(s.time_change.value < 1e-3);
   }
   const DiffSummary far = diff_of(before + "G1 X3 F100\n", before + "G0 Y0.5\nG1 X3 F100\n");
@@ -83,9 +78,7 @@ TEST_CASE("the way to a hole that the correction divides is in line, over the ho
     const std::string output = compensated(scratch, program);
     INFO(output);
     for (const DiffSummary& s : {diff_of(program, output), diff_of(output, program)}) {
-      CHECK(s.out_of_line_a == 0);
-      CHECK(s.out_of_line_b == 0);
-      CHECK(s.matched == s.moves_a);
+      CHECK(is_whole(s));
       for (const Axis axis : kAllAxes) CHECK(s.shift[index(axis)].largest < 0.05);
     }
   }
@@ -101,8 +94,6 @@ TEST_CASE("the way that the corrections of two holes are apart belongs to the se
     const testing::Scratch scratch;
     const DiffSummary s = diff_of(program, compensated(scratch, program, 2.2, 4.1));
     CHECK(s.shift[index(Axis::Z)].largest > 0.2);
-    CHECK(s.out_of_line_a == 0);
-    CHECK(s.out_of_line_b == 0);
-    CHECK(s.matched == s.moves_a);
+    CHECK(is_whole(s));
   }
 }

@@ -15,6 +15,7 @@ using namespace plumbline;
 using jobs::DiffSummary;
 using testing::compensated;
 using testing::diff_of;
+using testing::is_whole;
 
 namespace {
 
@@ -54,9 +55,7 @@ TEST_CASE("an unrolled program and written-out cycles are aligned with their ori
   const std::string output = compensated(scratch, program);
   CHECK(output.find("o1 ") == std::string::npos);
   const DiffSummary s = diff_of(program, output);
-  CHECK(s.out_of_line_a == 0);
-  CHECK(s.out_of_line_b == 0);
-  CHECK(s.matched == s.moves_a);
+  CHECK(is_whole(s));
   CHECK(s.moves_b > s.moves_a);
   CHECK(s.shift[index(Axis::Z)].largest < 0.05);
   CHECK(s.shift[index(Axis::Z)].largest > 0.005);
@@ -77,9 +76,7 @@ TEST_CASE("near the edge of the workspace shifts are large and change fast, and 
     INFO(moves);
     const testing::Scratch scratch;
     const DiffSummary s = diff_of(moves, compensated(scratch, moves, 7, 1));
-    CHECK(s.out_of_line_a == 0);
-    CHECK(s.out_of_line_b == 0);
-    CHECK(s.matched == s.moves_a);
+    CHECK(is_whole(s));
     CHECK(s.shift[index(Axis::Z)].largest > 0.2);
     CHECK(s.time_change.value <= 0.0016);
   }
@@ -109,9 +106,7 @@ TEST_CASE("pieces of micrometres are in line one by one, though rounding makes s
     const testing::Scratch scratch;
     const std::string output = compensated(scratch, program, 10, 5, 0.0085);
     const DiffSummary s = diff_of(program, output);
-    CHECK(s.out_of_line_a == 0);
-    CHECK(s.out_of_line_b == 0);
-    CHECK(s.matched == s.moves_a);
+    CHECK(is_whole(s));
     for (const Axis axis : kAllAxes) CHECK(s.shift[index(axis)].largest < 0.05);
     CHECK(s.time_change.value <= 0.01);
   }
@@ -127,9 +122,7 @@ TEST_CASE("an N on a line before a move ends the pieces of the move before it") 
     const std::string output = compensated(scratch, a + next, 5, 5);
     INFO(output);
     const DiffSummary s = diff_of(a + next, output);
-    CHECK(s.out_of_line_a == 0);
-    CHECK(s.out_of_line_b == 0);
-    CHECK(s.matched == s.moves_a);
+    CHECK(is_whole(s));
     CHECK(s.time_change.value <= 0.0016);
   }
 }
@@ -143,9 +136,7 @@ TEST_CASE("the number of a block that ends a spline is that of all of its points
     INFO(program);
     const testing::Scratch scratch;
     const DiffSummary s = diff_of(program, compensated(scratch, program, 5, 5));
-    CHECK(s.out_of_line_a == 0);
-    CHECK(s.out_of_line_b == 0);
-    CHECK(s.matched == s.moves_a);
+    CHECK(is_whole(s));
   }
 }
 
@@ -165,9 +156,7 @@ TEST_CASE("a compensated program is in line with its source, with numbers and wi
       INFO("numbered " << numbered << ", step " << step);
       const std::string source = winding(numbered);
       const DiffSummary s = diff_of(source, compensated(scratch, source, step));
-      CHECK(s.out_of_line_a == 0);
-      CHECK(s.out_of_line_b == 0);
-      CHECK(s.matched == s.moves_a);
+      CHECK(is_whole(s));
       CHECK(s.moves_b > s.moves_a);
       CHECK(s.points >= s.moves_b);
       CHECK(s.shift[2].largest > 0.01);
@@ -304,9 +293,7 @@ TEST_CASE("tiny circles, tiny moves in front of long ones and last pieces beyond
       const testing::Scratch scratch;
       const std::string source = head + moves + "M2\n";
       const DiffSummary s = diff_of(source, compensated(scratch, source, 1, step_deg));
-      CHECK(s.out_of_line_a == 0);
-      CHECK(s.out_of_line_b == 0);
-      CHECK(s.matched == s.moves_a);
+      CHECK(is_whole(s));
       CHECK(s.time_change.value <= 0.0016);
       for (const Axis axis : kAllAxes) CHECK(s.shift[index(axis)].largest < 0.06);
     }

@@ -27,8 +27,7 @@ enum CalledCycle {
 // Places in the brackets [C 2.1.2 to 2.1.11; the order is that of the posts, too].
 constexpr std::size_t kRetractPlane = 0, kReferencePlane = 1, kSafety = 2, kDepth = 3, kRelativeDepth = 4, kDwell = 5;
 
-constexpr double kMostPecks = 1e4;    // that are told one by one
-constexpr double kChipBreakMm = 1.0;  // where no way back is given
+constexpr double kMostPecks = 1e4;  // that are told one by one
 
 /// What else stands in the brackets of a cycle; -1: nothing of the kind.
 struct Places {
@@ -65,11 +64,20 @@ class CalledValues {
   }
   double number(int place) const { return value(place).value_or(0); }
   double length_mm(int place) const { return number(place) * run_.control.length_unit(); }
+  /// Where the place is empty or 0: `otherwise`.
+  double length_mm(int place, double otherwise) const { return number(place) > 0 ? length_mm(place) : otherwise; }
 
  private:
   const Execution& run_;
   const CycleCall& call_;
 };
+
+// Each depth but the last; so many that nobody reads them are left out.
+template <class Make>
+void in_strokes(double from, double to, double stroke, Make make) {
+  if ((from - to) / stroke > kMostPecks) return;
+  for (double depth = from - stroke; depth > to + 1e-9; depth -= stroke) make(depth);
+}
 
 // One call of a cycle where the axes stand.
 class CalledHole {
@@ -253,16 +261,14 @@ void CalledHole::pecks() {
   const double first =
       given_.value(5) && given_.number(5) != 0 ? reference - given_.length_mm(5) : std::abs(given_.length_mm(6));
   const bool chips = given_.number(11) == 0;
-  if (first > 0 && (hole_.r - hole_.bottom) / first <= kMostPecks && given_.number(7) == 0) {
-    for (double depth = reference - first; depth > hole_.bottom + 1e-9; depth -= first) {
+  const ControlBehaviour& habits = run_.dialect.behaviour;
+  if (first > 0 && given_.number(7) == 0) {
+    in_strokes(reference, hole_.bottom, first, [&](double depth) {
       feed_to(depth);
-      if (chips) {
-        feed_to(std::min(depth + (given_.number(14) > 0 ? given_.length_mm(14) : kChipBreakMm), hole_.r));
-      } else {
-        go(MotionKind::rapid, hole_.r);
-        go(MotionKind::rapid, depth + (given_.number(16) > 0 ? given_.length_mm(16) : 0.6));
-      }
-    }
+      if (chips) return feed_to(std::min(depth + given_.length_mm(14, habits.chip_break_mm), hole_.r));
+      go(MotionKind::rapid, hole_.r);
+      go(MotionKind::rapid, depth + given_.length_mm(16, habits.peck_gap_mm));
+    });
   }
   feed_to(hole_.bottom);
   wait(given_.number(8));
@@ -270,20 +276,19 @@ void CalledHole::pecks() {
 }
 
 // Before the last stroke: deep holes are tapped in strokes of DAM, each way back by the pitch as well, by VRT to break
-// the chips (VARI 1) or out of the hole (VARI 2) [C 2.1.5].
+// the chips (VARI 1) or out of the hole (VARI 2) [B].
 void CalledHole::tap_in_strokes() {
   const int kind = last_digit(given_.number(15));
   const double stroke = std::abs(given_.length_mm(16));
   if (kind == 0) return;
   if (kind > 2) given_.refuse("no source says what its kind of work is", "give VARI as 0, 1 or 2");
   if (stroke == 0) given_.refuse("it taps in strokes, and how deep each goes is missing", "give DAM, or VARI as 0");
-  const double reference = given_.length_mm(kReferencePlane);
-  if ((reference - hole_.bottom) / stroke > kMostPecks) return;
-  const double back = given_.number(17) > 0 ? given_.length_mm(17) : kChipBreakMm;
-  for (double depth = reference - stroke; depth > hole_.bottom + 1e-9; depth -= stroke) {
+  in_strokes(given_.length_mm(kReferencePlane), hole_.bottom, stroke, [&](double depth) {
     go(MotionKind::feed, depth, tapping_feed(false));
-    go(MotionKind::feed, kind == 2 ? hole_.r : std::min(depth + back, hole_.r), tapping_feed(true));
-  }
+    go(MotionKind::feed,
+       kind == 2 ? hole_.r : std::min(depth + given_.length_mm(17, run_.dialect.behaviour.chip_break_mm), hole_.r),
+       tapping_feed(true));
+  });
 }
 
 void CalledHole::go(MotionKind kind, double level, double feed) {
