@@ -9,7 +9,7 @@
 #include "base/progress.hpp"
 #include "compensate/corrector.hpp"
 #include "compensate/move.hpp"
-#include "nc/sequence/program.hpp"
+#include "nc/sequence/program_ahead.hpp"
 #include "path/subdivide.hpp"
 
 namespace plumbline::compensate {
@@ -108,7 +108,7 @@ class MoveReader {
   const InputFile& source_;
   const nc::Dialect& dialect_;
   ReaderSettings settings_;
-  nc::Program program_;
+  nc::ProgramAhead program_;
   SpindleTool spindle_;
   AxisSet at_zero_;
   AxisSet away_;  // rotary axes that are known to have stood elsewhere

@@ -22,10 +22,13 @@ double power_of_ten(int decimals) {
 
 }  // namespace
 
+// Halves away from zero, as std::round has it: what is cut off is exact.
 std::int64_t to_ticks(double value, int decimals) {
-  const double scaled = std::round(value * power_of_ten(decimals));
+  const double scaled = value * power_of_ten(decimals);
   PLUMBLINE_CHECK(std::abs(scaled) < kLargestExact);
-  return static_cast<std::int64_t>(scaled);
+  const auto whole = static_cast<std::int64_t>(scaled);
+  const double rest = scaled - static_cast<double>(whole);
+  return whole + (rest >= 0.5 ? 1 : rest <= -0.5 ? -1 : 0);
 }
 
 double from_ticks(std::int64_t ticks, int decimals) { return static_cast<double>(ticks) / power_of_ten(decimals); }
@@ -37,31 +40,27 @@ void append_decimal(std::string& out, double value, int decimals, int least) {
     fmt::format_to(std::back_inserter(out), "{:.0f}", value);
     return;
   }
-  std::int64_t ticks = to_ticks(value, decimals);
-  if (ticks < 0) {
-    out += '-';
-    ticks = -ticks;
-  }
-  while (decimals > least && ticks % 10 == 0) {
-    ticks /= 10;
+  const std::int64_t ticks = to_ticks(value, decimals);
+  auto left = static_cast<std::uint64_t>(std::abs(ticks));
+  while (decimals > least && left % 10 == 0) {
+    left /= 10;
     --decimals;
   }
-  std::array<char, 24> digits{};
-  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), ticks).ptr;
-  auto count = static_cast<int>(end - digits.data());
-  if (decimals == 0) {
-    out.append(digits.data(), end);
-    return;
+  std::array<char, 24> text{};  // from its end: 16 digits at most, point, sign
+  char* const end = text.data() + text.size();
+  char* begin = end;
+  const auto put_digit = [&] {
+    *--begin = static_cast<char>('0' + left % 10);
+    left /= 10;
+  };
+  if (decimals > 0) {
+    for (int i = 0; i < decimals; ++i) put_digit();
+    *--begin = '.';
   }
-  if (count <= decimals) {
-    out += "0.";
-    out.append(static_cast<std::size_t>(decimals - count), '0');
-    out.append(digits.data(), end);
-    return;
-  }
-  out.append(digits.data(), static_cast<std::size_t>(count - decimals));
-  out += '.';
-  out.append(digits.data() + (count - decimals), end);
+  do put_digit();
+  while (left > 0);
+  if (ticks < 0) *--begin = '-';
+  out.append(begin, end);
 }
 
 std::string to_decimal(double value, int decimals, int least) {

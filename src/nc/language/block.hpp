@@ -2,11 +2,14 @@
 // reading a program allocates nothing.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "base/axes.hpp"
 #include "base/text/characters.hpp"
 
 namespace plumbline::nc {
@@ -240,6 +243,16 @@ inline const Word* find_word(const Block& block, char letter) {
     if (word.letter == letter) return &word;
   }
   return nullptr;
+}
+
+/// The first word of each axis; null where there is none.
+inline std::array<const Word*, kAxes> axis_words(const Block& block) {
+  std::array<const Word*, kAxes> words{};
+  for (const Word& word : block.words) {
+    const std::optional<Axis> axis = axis_of(word.letter);
+    if (axis && words[index(*axis)] == nullptr) words[index(*axis)] = &word;
+  }
+  return words;
 }
 
 }  // namespace plumbline::nc

@@ -189,7 +189,8 @@ EmittedMove Emitter::move(const Step& step, std::span<const CorrectedPoint> poin
 EmittedMove Emitter::rewrite(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
                              std::optional<double> seconds) {
   PLUMBLINE_CHECK(step.motions.size() == 1 && !points.empty());
-  refuse_if_shared(step, codes_);
+  const BlockCodes codes = codes_.codes_of(*step.block);
+  refuse_if_shared(step, codes);
   refuse_beside_unit(step, dialect_);
   follow(step);
   begin_change(step);
@@ -200,10 +201,10 @@ EmittedMove Emitter::rewrite(const Step& step, std::span<const CorrectedPoint> p
     const bool is_last = i + 1 == pieces.size();
     line_.clear();
     if (i == 0) {
-      writer_.append_first(line_, step, pieces[i], spelling_, control_.motion, is_last);
+      writer_.append_first(line_, step, pieces[i], spelling_, codes, control_.motion, is_last);
       if (is_blank_line(line_)) line_ = dialect_.comment_open + std::string(kAllStand) + dialect_.comment_close;
     } else {
-      writer_.append_further(line_, step, pieces[i], spelling_, is_last);
+      writer_.append_further(line_, step, pieces[i], spelling_, codes, is_last);
     }
     text_.write_line(step, line_);
     if (is_last) {

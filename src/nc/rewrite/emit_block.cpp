@@ -1,6 +1,7 @@
 #include "nc/rewrite/emit_block.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/text/number_text.hpp"
@@ -54,9 +55,8 @@ std::string PieceWriter::codes_before(const Step& step, const Piece& piece, cons
 
 // The block itself, its words changed; what runs after the motion waits for the last piece.
 void PieceWriter::append_first(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
-                               MotionMode standing, bool is_last) {
+                               const BlockCodes& codes, MotionMode standing, bool is_last) {
   const Block& block = *step.block;
-  const BlockCodes codes = codes_.codes_of(block);
   editor_.start(block, spelling);
   if (step.block_delete == BlockDelete::executed) editor_.replace(block.slash, "");
   for (const Span& span : block.left_out) editor_.replace(span, "");  // the words added may be of the same letter
@@ -70,8 +70,7 @@ void PieceWriter::append_first(std::string& out, const Step& step, const Piece& 
 }
 
 void PieceWriter::append_further(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
-                                 bool is_last) const {
-  const BlockCodes codes = codes_.codes_of(*step.block);
+                                 const BlockCodes& codes, bool is_last) const {
   if (piece.restates_mode) {
     append_code(out, codes_.feed_mode(piece.leaves_inverse_time ? FeedMode::per_minute : step.after->feed_mode),
                 spelling);
@@ -99,14 +98,16 @@ void PieceWriter::append_axis_word(std::string& out, const Piece& piece, Axis ax
 }
 
 // Words that stand in the block get their new values; gives the ones that must be added.
-std::string PieceWriter::change_axis_words(const Step& step, const Piece& piece) {
-  std::string added;
-  Spelling plain = editor_.spelling();
+const std::string& PieceWriter::change_axis_words(const Step& step, const Piece& piece) {
+  added_.clear();
+  const Spelling& spelling = editor_.spelling();
+  const Spelling alone{spelling.lower_case, false, spelling.point, spelling.most_digits};
+  const std::array<const Word*, kAxes> words = axis_words(*step.block);
   for (const Axis axis : kAllAxes) {
-    const Word* word = find_word(*step.block, letter(axis));
+    const Word* const word = words[index(axis)];
     const bool moves = piece.moved.contains(axis);
     if (word == nullptr) {
-      if (moves) append_axis_word(added, piece, axis, plain);
+      if (moves) append_axis_word(added_, piece, axis, spelling);
       continue;
     }
     if (!moves && piece.endless.contains(axis)) {
@@ -114,14 +115,14 @@ std::string PieceWriter::change_axis_words(const Step& step, const Piece& piece)
       continue;
     }
     if (word->mode == WordMode::modal && std::abs(word->value - piece.value[axis]) < 1e-12) continue;
-    std::string text;
-    append_axis_word(text, piece, axis, {plain.lower_case, false, plain.point, plain.most_digits});
-    editor_.replace(word->span, text);
+    append_axis_word(editor_.replace(word->span), piece, axis, alone);
   }
-  return added;
+  return added_;
 }
 
 void PieceWriter::place_words(const Step& step, const std::string& codes_before, const std::string& words) {
+  const bool arc = step.motions.front().kind == MotionKind::arc;
+  if (codes_before.empty() && words.empty() && !arc) return;
   const Block& block = *step.block;
   const Word* first_axis = first_axis_word(block);
   const Word* last_axis = first_axis;
@@ -130,8 +131,8 @@ void PieceWriter::place_words(const Step& step, const std::string& codes_before,
   both += words;
   for (const Word& word : block.words) {
     if (is_axis_letter(word.letter)) last_axis = &word;
-    const bool of_arc = step.motions.front().kind == MotionKind::arc &&
-                        (is_arc_letter(word.letter) || (word.letter == 'P' && !codes_.other_code_takes(block, 'P')));
+    const bool of_arc =
+        arc && (is_arc_letter(word.letter) || (word.letter == 'P' && !codes_.other_code_takes(block, 'P')));
     if (!of_arc) continue;
     const bool takes_words = first_axis == nullptr && !both.empty();
     editor_.replace(word.span, takes_words ? in_spelling(both, editor_.spelling()) : "");
@@ -150,14 +151,11 @@ void PieceWriter::change_feed_word(const Step& step, const Piece& piece) {
   if (!piece.feed) return;
   const Word* word = find_word(*step.block, 'F');
   if (word != nullptr && word->value == *piece.feed) return;
-  std::string text;
   Spelling plain = editor_.spelling();
   plain.spaced = false;
+  if (word != nullptr) return append_word(editor_.replace(word->span), 'F', *piece.feed, kMostDecimals, plain);
+  std::string text;
   append_word(text, 'F', *piece.feed, kMostDecimals, plain);
-  if (word != nullptr) {
-    editor_.replace(word->span, text);
-    return;
-  }
   const Block& block = *step.block;
   std::uint32_t at = 0;
   for (const Word& other : block.words) at = std::max(at, other.span.end);

@@ -14,21 +14,22 @@ class PieceWriter {
  public:
   explicit PieceWriter(const CodeWriter& codes) : codes_(codes) {}
 
-  /// `standing`: the motion mode that the control is in when the line begins.
+  /// `codes`: of the step's block. `standing`: the motion mode that the control is in when the line begins.
   void append_first(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
-                    MotionMode standing, bool is_last);
+                    const BlockCodes& codes, MotionMode standing, bool is_last);
   void append_further(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
-                      bool is_last) const;
+                      const BlockCodes& codes, bool is_last) const;
 
  private:
   std::string codes_before(const Step& step, const Piece& piece, const BlockCodes& codes, MotionMode standing,
                            bool is_last);
-  std::string change_axis_words(const Step& step, const Piece& piece);
+  const std::string& change_axis_words(const Step& step, const Piece& piece);
   static void append_axis_word(std::string& out, const Piece& piece, Axis axis, const Spelling& spelling);
   void place_words(const Step& step, const std::string& codes_before, const std::string& words);
   void change_feed_word(const Step& step, const Piece& piece);
   const CodeWriter& codes_;
   BlockEditor editor_;
+  std::string added_;  // words that the block does not hold
 };
 
 /// The first word of the block that names an axis; null if there is none.

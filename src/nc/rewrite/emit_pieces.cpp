@@ -21,7 +21,7 @@ constexpr double kMoves = 0.25;  // of a quantum: less than this is the noise of
 std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
                                     std::optional<double> seconds, OutputState& control) {
   const Motion& motion = step.motions.front();
-  for (const Axis axis : kAllAxes) grids_[index(axis)] = words_.grid(step, axis);
+  grids_ = words_.grids(step);
   pieces_.clear();
   ends_.clear();
   rounding_mm_ = 0;
@@ -62,7 +62,7 @@ Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point,
   piece.direct = dialect_.syntax.word_modes;
   for (const Axis axis : kAllAxes) {
     const std::size_t i = index(axis);
-    const WordGrid::Grid& g = grids_[i];
+    const WordGrid::Grid& g = *grids_[i];
     piece.digits[i] = g.digits;
     if (!writable.contains(axis)) {
       at[axis] = target[axis];

@@ -39,7 +39,7 @@ class PiecePlanner {
   const Dialect& dialect_;
   const EmitSettings& settings_;
   WordGrid words_;
-  std::array<WordGrid::Grid, kAxes> grids_{};
+  WordGrid::AxisGrids grids_{};
   std::vector<Piece> pieces_;
   std::vector<AxisWords> ends_;  // where the control stands after each piece, work system, mm and deg
   double rounding_mm_ = 0;

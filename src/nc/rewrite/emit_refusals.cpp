@@ -34,8 +34,8 @@ void refuse_if_turned(const Step& step, const OutputState& control) {
   }
 }
 
-void refuse_if_shared(const Step& step, const CodeWriter& codes) {
-  const Word* const taker = codes.codes_of(*step.block).axis_taker;
+void refuse_if_shared(const Step& step, const BlockCodes& codes) {
+  const Word* const taker = codes.axis_taker;
   if (taker == nullptr || step.named.empty()) return;
   refuse_at(*step.block, taker->span, "emit-shared-words",
             fmt::format("{} and the motion of this block both take its axis words", step.block->at(taker->span)),

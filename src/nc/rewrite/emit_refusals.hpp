@@ -16,7 +16,7 @@ void refuse_if_turned(const Step& step, const OutputState& control);
 
 /// G43.1 Z-8 G0 X1 moves to Z-8 and makes that the length of the tool: a correction of the one would change the other:
 /// emit-shared-words.
-void refuse_if_shared(const Step& step, const CodeWriter& codes);
+void refuse_if_shared(const Step& step, const BlockCodes& codes);
 
 /// The words that a correction adds would stand beside a change of units, where it is not known in which they count:
 /// emit-shared-words.

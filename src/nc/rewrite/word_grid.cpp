@@ -18,17 +18,34 @@ constexpr double kArcStart = 1e-7;    // mm
 
 }  // namespace
 
-WordGrid::Grid WordGrid::grid(const Step& step, Axis axis) const {
-  const Word* word = find_word(*step.block, letter(axis));
-  const int written = word != nullptr ? word->decimals : 0;
+WordGrid::WordGrid(const Dialect& dialect, const EmitSettings& settings) : dialect_(dialect), settings_(settings) {
+  for (const bool rotary : {false, true}) {
+    for (const bool inches : {false, true}) {
+      for (const bool incremental : {false, true}) {
+        const double per_unit = inches && !rotary ? kMmPerInch : 1.0;
+        const int least = rotary ? settings.digits_deg : (inches ? settings.digits_inch : settings.digits_mm);
+        const double increment = (rotary ? settings.increment_deg : settings.increment_mm) / per_unit;
+        const Kept kept = kept_of_axis_word(dialect.behaviour, rotary, inches, settings.increment_ratio, incremental);
+        for (int written = 0; written <= kMostDecimals; ++written) {
+          grids_[kind(rotary, inches, incremental)][static_cast<std::size_t>(written)] = {
+              written_number(kept, std::max(least, written), increment), per_unit};
+        }
+      }
+    }
+  }
+}
+
+const WordGrid::Grid& WordGrid::grid(const Step& step, Axis axis, const Word* word) const {
+  const int written = word != nullptr ? std::clamp<int>(word->decimals, 0, kMostDecimals) : 0;
   const bool inches = step.after->inches && !is_rotary(axis);
-  const double per_unit = inches ? kMmPerInch : 1.0;
-  const int least = is_rotary(axis) ? settings_.digits_deg : (inches ? settings_.digits_inch : settings_.digits_mm);
-  const ControlBehaviour& behaviour = dialect_.behaviour;
-  const Kept kept =
-      kept_of_axis_word(behaviour, is_rotary(axis), inches, settings_.increment_ratio, step.after->incremental);
-  const double increment = (is_rotary(axis) ? settings_.increment_deg : settings_.increment_mm) / per_unit;
-  return {written_number(kept, std::max(least, written), increment), per_unit};
+  return grids_[kind(is_rotary(axis), inches, step.after->incremental)][static_cast<std::size_t>(written)];
+}
+
+WordGrid::AxisGrids WordGrid::grids(const Step& step) const {
+  AxisGrids grids{};
+  const std::array<const Word*, kAxes> words = axis_words(*step.block);
+  for (const Axis axis : kAllAxes) grids[index(axis)] = &grid(step, axis, words[index(axis)]);
+  return grids;
 }
 
 bool WordGrid::stays(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
@@ -36,9 +53,10 @@ bool WordGrid::stays(const Step& step, std::span<const CorrectedPoint> points, A
   const AxisWords standing = control.work_shift(*step.frame);
   const Motion& motion = step.motions.front();
   const bool arc = motion.kind == MotionKind::arc;
+  const AxisGrids grids = this->grids(step);
   for (const Axis axis : kAllAxes) {
     if (!writable.contains(axis)) continue;
-    const Grid g = grid(step, axis);
+    const Grid& g = *grids[index(axis)];
     const double half = g.quantum * g.per_unit / 2;
     // An arc may be none at all where its start is a little off its end, and an axis turn all the way round.
     const double allowed = counts_turns(step, axis) ? kSamePlace : arc ? std::min(half, kArcStart) : half;
@@ -105,8 +123,9 @@ double WordGrid::endless_word(const Step& step, Axis axis, double to, std::optio
 }
 
 bool WordGrid::rounds_to_zero(const Step& step, const AxisWords& shift, AxisSet writable) const {
+  const AxisGrids grids = this->grids(step);
   return std::all_of(kAllAxes.begin(), kAllAxes.end(), [&](Axis axis) {
-    const Grid g = grid(step, axis);
+    const Grid& g = *grids[index(axis)];
     return !writable.contains(axis) || std::abs(shift[axis]) < g.quantum * g.per_unit / 2;
   });
 }
@@ -129,7 +148,7 @@ void WordGrid::check_digits(const Step& step, double value, int decimals) const 
 
 double WordGrid::rounded(const Step& step, Axis axis, double value) const {
   check_word(step, value);
-  return grid(step, axis).kept(value);
+  return grids(step)[index(axis)]->kept(value);
 }
 
 double WordGrid::offset_word(const Step& step, Axis axis, double value) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/axes.hpp"
+#include "base/text/number_text.hpp"
 #include "nc/control/state/kept.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"
@@ -28,12 +29,14 @@ inline constexpr double kSamePlace = 1e-9;  // mm and deg
 /// What can be said of the axes in the words of a step's block.
 class WordGrid {
  public:
-  WordGrid(const Dialect& dialect, const EmitSettings& settings) : dialect_(dialect), settings_(settings) {}
+  /// Both must outlive it, and stay as they are.
+  WordGrid(const Dialect& dialect, const EmitSettings& settings);
 
   struct Grid : WrittenNumber {  // of one axis
     double per_unit = 1;         // mm or deg per unit of the program
   };
-  Grid grid(const Step& step, Axis axis) const;
+  using AxisGrids = std::array<const Grid*, kAxes>;
+  AxisGrids grids(const Step& step) const;
 
   /// True if the block may stay as it stands: every shift rounds to zero, and the control stands where the block takes
   /// it to stand.
@@ -57,12 +60,17 @@ class WordGrid {
   void check_digits(const Step& step, double value, int decimals) const;
 
  private:
+  static constexpr std::size_t kind(bool rotary, bool inches, bool incremental) {
+    return (rotary ? 4U : 0U) + (inches ? 2U : 0U) + (incremental ? 1U : 0U);
+  }
+  const Grid& grid(const Step& step, Axis axis, const Word* word) const;
   bool keeps_time(const Step& step, const AxisWords& standing) const;
   static bool counts_turns(const Step& step, Axis axis);
   static bool depends_on_start(const Step& step, Axis axis);
 
   const Dialect& dialect_;
   const EmitSettings& settings_;
+  std::array<std::array<Grid, kMostDecimals + 1>, 8> grids_{};  // by kind(), and by the decimals of the word
 };
 
 }  // namespace plumbline::nc

@@ -47,20 +47,20 @@ ProgramSettings endless(RotaryRule rule) {
 TEST_CASE("an axis has the decimals that are asked for, or those of its word, in the unit of the program") {
   const Words words;
   const LastStep step("G0 X1.123456 Y1\n");
-  CHECK(words.grid.grid(*step, Axis::X).digits == 6);
-  CHECK(words.grid.grid(*step, Axis::X).quantum == Approx(1e-6));
-  CHECK(words.grid.grid(*step, Axis::Y).digits == 4);
-  CHECK(words.grid.grid(*step, Axis::Z).digits == 4);
-  CHECK(words.grid.grid(*step, Axis::A).digits == 5);
+  CHECK(words.grid.grids(*step)[index(Axis::X)]->digits == 6);
+  CHECK(words.grid.grids(*step)[index(Axis::X)]->quantum == Approx(1e-6));
+  CHECK(words.grid.grids(*step)[index(Axis::Y)]->digits == 4);
+  CHECK(words.grid.grids(*step)[index(Axis::Z)]->digits == 4);
+  CHECK(words.grid.grids(*step)[index(Axis::A)]->digits == 5);
   const LastStep inches("G20 G0 X1\n");
-  CHECK(words.grid.grid(*inches, Axis::X).digits == 6);
-  CHECK(words.grid.grid(*inches, Axis::X).per_unit == 25.4);
-  CHECK(words.grid.grid(*inches, Axis::A).per_unit == 1);
+  CHECK(words.grid.grids(*inches)[index(Axis::X)]->digits == 6);
+  CHECK(words.grid.grids(*inches)[index(Axis::X)]->per_unit == 25.4);
+  CHECK(words.grid.grids(*inches)[index(Axis::A)]->per_unit == 1);
 }
 
 TEST_CASE("a control that keeps its increments bounds the decimals, and so does --increment") {
   const LastStep step("G0 X1.12345 Y0.\n", "fanuc");
-  CHECK(Words("fanuc").grid.grid(*step, Axis::X).digits == 3);
+  CHECK(Words("fanuc").grid.grids(*step)[index(Axis::X)]->digits == 3);
   CHECK(Words("fanuc").grid.rounded(*step, Axis::X, 1.23456) == 1.235);
   EmitSettings coarse;
   coarse.increment_mm = 0.005;

@@ -17,6 +17,7 @@ struct Frame {
   bool tilted = false;   // a plane lies askew (G68.2): then rotation_deg and g92 are zero, the origin is the plane's,
   Turn plane = kNoTurn;  // and this its axes; the tool's length counts along its Z
 
+  bool operator==(const Frame&) const = default;
   /// The tool tip in W: every offset but the tool's, whose length is part of the machine's geometry.
   AxisWords to_pose(const AxisWords& work) const;
   AxisWords from_pose(const AxisWords& pose) const;

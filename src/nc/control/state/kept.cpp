@@ -19,6 +19,7 @@ Kept kept_of(const ControlBehaviour& behaviour, bool angle, bool inches, double 
   const double quantum = ratio * (angle    ? behaviour.increment_deg
                                   : inches ? behaviour.increment_inch
                                            : behaviour.increment_mm);
+  if (quantum <= 0) return {0, kMostDecimals};
   const int decimals = static_cast<int>(std::ceil(-std::log10(quantum) - kWholeTicks));
   return {quantum, std::clamp(decimals, 0, kMostDecimals)};
 }
@@ -28,6 +29,7 @@ Kept kept_of_axis_word(const ControlBehaviour& behaviour, bool angle, bool inche
   const double quantum = angle    ? behaviour.increment_word_deg
                          : inches ? behaviour.increment_word_inch
                                   : behaviour.increment_word_mm;
+  if (quantum <= 0) return {0, kMostDecimals};
   return {quantum, static_cast<int>(std::lround(-std::log10(quantum)))};
 }
 

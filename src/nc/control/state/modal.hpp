@@ -50,6 +50,7 @@ struct Modal {
   RotaryRules rotary{};              // how absolute words of A, B and C count
   Switches switches;
 
+  bool operator==(const Modal&) const = default;
   /// mm, or deg, of a word of this axis that says 1.
   double unit_of(Axis axis) const { return inches && !is_rotary(axis) ? kMmPerInch : 1; }
   RotaryRule rule_of(Axis axis) const { return is_rotary(axis) ? rotary[index(axis) - 3] : RotaryRule::linear; }

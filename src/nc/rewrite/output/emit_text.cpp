@@ -32,77 +32,93 @@ Spelling spelling_of(const Block& block, const Spelling& like) {
   const bool lower_case = std::islower(static_cast<unsigned char>(block.text[last.begin])) != 0;
   if (block.words.size() == 1) return {lower_case, like.spaced, like.point, like.most_digits};
   const std::string_view before = block.text.substr(0, last.begin);
-  const bool first_of_line = before.find_last_of('\n') == before.size() - 2;
+  const bool first_of_line = before.size() >= 2 && before[before.size() - 2] == '\n' && before.back() != '\n';
   return {lower_case, first_of_line || is_blank(before.back()), like.point, like.most_digits};
 }
 
 void BlockEditor::start(const Block& block, const Spelling& spelling) {
   block_ = &block;
   spelling_ = spelling;
-  used_ = 0;
+  edits_.clear();
+  texts_.clear();
 }
 
-void BlockEditor::add(Span span, std::string_view text) {
-  if (used_ == edits_.size()) edits_.emplace_back();
-  Edit& edit = edits_[used_];
-  edit.span = span;
-  edit.order = static_cast<int>(used_);
-  edit.text = text;
-  ++used_;
+std::string& BlockEditor::add(Span span) {
+  edits_.push_back({span, texts_.size()});
+  return texts_;
 }
+
+std::string& BlockEditor::replace(Span span) { return add(span); }
 
 void BlockEditor::replace(Span span, std::string_view text) {
   if (text.empty()) {
     while (span.begin > 0 && is_blank(block_->text[span.begin - 1])) --span.begin;
   }
-  add(span, text);
+  add(span) += text;
 }
 
 void BlockEditor::insert_before(std::uint32_t at, std::string_view word) {
-  std::string text = in_spelling(word, spelling_);
+  std::string& text = add({at, at});
+  append_in_spelling(text, word, spelling_);
   if (spelling_.spaced) text += ' ';
-  add({at, at}, text);
 }
 
 void BlockEditor::insert_after(std::uint32_t at, std::string_view word) {
-  std::string text;
+  std::string& text = add({at, at});
   const bool at_begin = at == 0 || is_blank(block_->text[at - 1]);
   if (spelling_.spaced && !at_begin) text += ' ';
-  text += in_spelling(word, spelling_);
-  add({at, at}, text);
+  append_in_spelling(text, word, spelling_);
+}
+
+// What is put in comes before what is replaced there.
+bool BlockEditor::comes_before(const Edit& a, const Edit& b) {
+  if (a.span.begin != b.span.begin) return a.span.begin < b.span.begin;
+  return a.span.end == a.span.begin && b.span.end != b.span.begin;
 }
 
 void BlockEditor::apply(std::string& out) {
-  if (used_ == 0) {
+  if (edits_.empty()) {
     out += block_->text;
     return;
   }
-  const auto end = edits_.begin() + static_cast<std::ptrdiff_t>(used_);
-  std::sort(edits_.begin(), end, [](const Edit& a, const Edit& b) {
-    if (a.span.begin != b.span.begin) return a.span.begin < b.span.begin;
-    const bool a_inserts = a.span.end == a.span.begin;
-    const bool b_inserts = b.span.end == b.span.begin;
-    return a_inserts != b_inserts ? a_inserts : a.order < b.order;
-  });
-  std::uint32_t at = 0;
-  for (auto edit = edits_.begin(); edit != end; ++edit) {
-    const std::uint32_t begin = std::max(edit->span.begin, at);  // two removals may claim the same blank
-    append_joined(out, block_->text.substr(at, begin - at));
-    out += edit->text;
-    at = std::max(at, edit->span.end);
+  for (std::size_t i = 0; i < edits_.size(); ++i) {
+    edits_[i].end = i + 1 < edits_.size() ? edits_[i + 1].begin : texts_.size();
   }
-  append_joined(out, block_->text.substr(at));
+  if (!std::is_sorted(edits_.begin(), edits_.end(), comes_before)) {
+    std::stable_sort(edits_.begin(), edits_.end(), comes_before);
+  }
+  const bool joins = block_->text.find('\n') != std::string_view::npos;
+  const auto append = [&](std::string_view text) {
+    if (joins) return append_joined(out, text);
+    out += text;
+  };
+  std::uint32_t at = 0;
+  for (const Edit& edit : edits_) {
+    const std::uint32_t begin = std::max(edit.span.begin, at);  // two removals may claim the same blank
+    append(block_->text.substr(at, begin - at));
+    out.append(texts_, edit.begin, edit.end - edit.begin);
+    at = std::max(at, edit.span.end);
+  }
+  append(block_->text.substr(at));
+}
+
+void append_in_spelling(std::string& out, std::string_view code, const Spelling& spelling) {
+  if (!spelling.lower_case) {
+    out += code;
+    return;
+  }
+  for (const char c : code) out += plumbline::lower(c);
 }
 
 std::string in_spelling(std::string_view code, const Spelling& spelling) {
   std::string text;
-  for (const char c : code) text += in_case(c, spelling.lower_case);
+  append_in_spelling(text, code, spelling);
   return text;
 }
 
 void append_code(std::string& out, std::string_view code, const Spelling& spelling) {
   if (spelling.spaced && !out.empty() && !is_blank(out.back())) out += ' ';
-  out += in_spelling(code, spelling);
+  append_in_spelling(out, code, spelling);
 }
 
 void append_word(std::string& out, char letter, double value, int decimals, const Spelling& spelling) {

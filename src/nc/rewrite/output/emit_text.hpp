@@ -25,6 +25,8 @@ class BlockEditor {
   void start(const Block& block, const Spelling& spelling);
   /// Puts `text` where the span stands. An empty text takes the blanks before it away too.
   void replace(Span span, std::string_view text);
+  /// The same, its text appended to what this gives until the next call.
+  std::string& replace(Span span);
   /// Adds a word before / after byte `at`, with the spelling of the block.
   void insert_before(std::uint32_t at, std::string_view word);
   void insert_after(std::uint32_t at, std::string_view word);
@@ -35,17 +37,19 @@ class BlockEditor {
  private:
   struct Edit {
     Span span;
-    int order;
-    std::string text;
+    std::size_t begin;  // of its text in texts_, which ends where the next begins
+    std::size_t end = 0;
   };
-  void add(Span span, std::string_view text);
+  static bool comes_before(const Edit& a, const Edit& b);
+  std::string& add(Span span);
   const Block* block_ = nullptr;
   Spelling spelling_;
-  std::vector<Edit> edits_;
-  std::size_t used_ = 0;  // of edits_, whose strings are kept for the next block
+  std::vector<Edit> edits_;  // as they were asked for
+  std::string texts_;
 };
 
 /// A code as the block spells its own: "G1" or "g1".
+void append_in_spelling(std::string& out, std::string_view code, const Spelling& spelling);
 std::string in_spelling(std::string_view code, const Spelling& spelling);
 
 /// A code, with a blank before it where the block has blanks and the line does not begin here.

@@ -1,0 +1,139 @@
+#include "nc/sequence/program_ahead.hpp"
+
+#include <array>
+#include <condition_variable>
+#include <mutex>
+#include <system_error>
+#include <thread>
+
+#include "base/parallel.hpp"
+#include "nc/sequence/kept_steps.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+constexpr std::size_t kBatches = 4;
+
+}  // namespace
+
+// Batches go round between the two threads: those from taken_ to filled_ wait to be taken.
+struct ProgramAhead::Reader {
+  explicit Reader(Program& program_) : program(program_), thread([this] { read(); }) {}
+  ~Reader() {
+    {
+      const std::lock_guard lock(mutex);
+      stopped = true;
+    }
+    changed.notify_all();
+    thread.join();
+  }
+  Reader(Reader&&) = delete;
+  Reader& operator=(Reader&&) = delete;
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  void read();
+  bool fill(KeptSteps& batch);
+  KeptSteps* empty_batch();
+  const KeptSteps::Kept* next();
+
+  Program& program;
+  FileNames files;
+  std::array<KeptSteps, kBatches> batches;
+  const Step* waiting = nullptr;  // a step that did not fit into the batch before
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::size_t filled = 0, taken = 0;  // batches so far
+  bool stopped = false;
+  std::size_t at = 0;  // of the batch that is taken from, the next step
+  std::thread thread;  // the last: it begins when all else is there
+};
+
+KeptSteps* ProgramAhead::Reader::empty_batch() {
+  std::unique_lock lock(mutex);
+  changed.wait(lock, [&] { return stopped || filled - taken < kBatches; });
+  return stopped ? nullptr : &batches[filled % kBatches];
+}
+
+// False: it is the last.
+bool ProgramAhead::Reader::fill(KeptSteps& batch) {
+  batch.clear();
+  try {
+    while (true) {
+      const Step* const step = waiting != nullptr ? waiting : program.next();
+      waiting = nullptr;
+      if (step == nullptr) {
+        batch.end();
+        return false;
+      }
+      if (batch.add(*step, program.jumped(), program.position_read(), files)) continue;
+      waiting = step;
+      return true;
+    }
+  } catch (...) {
+    batch.end(std::current_exception());
+    return false;
+  }
+}
+
+void ProgramAhead::Reader::read() {
+  for (bool goes_on = true; goes_on;) {
+    KeptSteps* const batch = empty_batch();
+    if (batch == nullptr) return;
+    goes_on = fill(*batch);
+    {
+      const std::lock_guard lock(mutex);
+      ++filled;
+    }
+    changed.notify_all();
+  }
+}
+
+const KeptSteps::Kept* ProgramAhead::Reader::next() {
+  while (true) {
+    {
+      std::unique_lock lock(mutex);
+      changed.wait(lock, [&] { return filled > taken; });
+    }
+    const KeptSteps& batch = batches[taken % kBatches];
+    if (at < batch.size()) return &batch[at++];
+    if (batch.refusal()) std::rethrow_exception(batch.refusal());
+    if (batch.is_last()) return nullptr;
+    at = 0;
+    {
+      const std::lock_guard lock(mutex);
+      ++taken;
+    }
+    changed.notify_all();
+  }
+}
+
+ProgramAhead::ProgramAhead(const InputFile& file, const Dialect& dialect, ProgramSettings settings)
+    : program_(file, dialect, std::move(settings)) {
+  if (processors() == 1) return;
+  try {
+    reader_ = std::make_unique<Reader>(program_);
+  } catch (const std::system_error&) {
+    reader_ = nullptr;  // no thread to be had
+  }
+}
+
+ProgramAhead::~ProgramAhead() = default;
+
+const Step* ProgramAhead::next_in_place() {
+  const Step* const step = program_.next();
+  jumped_ = program_.jumped();
+  position_read_ = program_.position_read();
+  return step;
+}
+
+const Step* ProgramAhead::next() {
+  if (!reader_) return next_in_place();
+  const KeptSteps::Kept* const kept = reader_->next();
+  if (kept == nullptr) return nullptr;
+  jumped_ = kept->jumped;
+  position_read_ = kept->position_read;
+  return &kept->step;
+}
+
+}  // namespace plumbline::nc
