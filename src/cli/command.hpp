@@ -40,7 +40,8 @@ using Run = std::function<int()>;
   COMMAND(circularity)              \
   COMMAND(identify)                 \
   COMMAND(calibrate)                \
-  COMMAND(plan)
+  COMMAND(plan)                     \
+  COMMAND(control)
 
 #define PLUMBLINE_DECLARE(NAME) void add_##NAME(CLI::App& app, Run& run);
 PLUMBLINE_COMMANDS(PLUMBLINE_DECLARE)

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/check.hpp"
 #include "settings/settings_file.hpp"
 
 namespace plumbline::cli {
@@ -14,6 +15,14 @@ void SharedOptions::add_to(CLI::App& command, std::initializer_list<settings::Op
   }
   command.add_flag("--no-settings", no_settings_,
                    fmt::format("read no {} beside the program", settings::kSettingsFileName));
+}
+
+void SharedOptions::add_named(CLI::App& command, std::initializer_list<std::string_view> names) {
+  for (const std::string_view name : names) {
+    const settings::OptionRow* const row = settings::find_option(name);
+    PLUMBLINE_CHECK(row != nullptr);
+    add(command, *row);
+  }
 }
 
 void SharedOptions::add(CLI::App& command, const settings::OptionRow& row) {
@@ -47,9 +56,14 @@ bool SharedOptions::has(const settings::OptionRow& row) const {
                      [&](const Given& given) { return given.row == &row && !given.texts.empty(); });
 }
 
-settings::Options SharedOptions::read(const std::string& program) const {
+settings::Options SharedOptions::given() const {
   settings::Options options;
-  apply(options);  // first of all: wrong usage shows before any file is read
+  apply(options);
+  return options;
+}
+
+settings::Options SharedOptions::read(const std::string& program) const {
+  settings::Options options = given();  // first of all: wrong usage shows before any file is read
   const std::string settings = no_settings_ ? std::string() : settings::settings_file_beside(program);
   if (settings.empty()) return options;
   options = {};

@@ -17,6 +17,12 @@ class SharedOptions {
   /// Adds the options of these groups to a command; must live as long as the command line is read.
   void add_to(CLI::App& command, std::initializer_list<settings::OptionGroup> groups);
 
+  /// Adds these options alone, by their names; no settings file.
+  void add_named(CLI::App& command, std::initializer_list<std::string_view> names);
+
+  /// What the command line says. Throws UsageError for values that are none.
+  settings::Options given() const;
+
   /// What the command line says, and where it is silent the settings file beside `program`, unless --no-settings asks
   /// for none. Throws UsageError for values that are none, and refuses as read_settings_file does.
   settings::Options read(const std::string& program) const;

@@ -1,6 +1,7 @@
 // What each command gives. The files of src/cli have no tests of their own: they take options from argv, call a job and
 // print its words, which shows in the whole program alone. Each is held by a test that runs it:
-//   compensate_command, trace_command, error_command, check_command, simulate_command, diff_command   here
+//   compensate_command, trace_command, error_command, check_command, simulate_command, diff_command, control_command
+//                                                                          here
 //   compare_command, circularity_command, identify_command, calibrate_command (both write with identified_output),
 //   plan_command, diagnose_command                                         dataset_commands_test.cpp
 //   explain_command, messages                                              diagnostics_test.cpp
@@ -16,6 +17,25 @@
 
 using namespace plumbline::testing;
 using nlohmann::json;
+
+TEST_CASE("control writes the configuration of a simulated machine, once") {
+  const Scratch scratch;
+  const Outcome written = run(scratch, "control linuxcnc -o sim" + kOffset + kModel);
+  CHECK(written.code == 0);
+  CHECK(written.out.empty());
+  CHECK(contains(written.err, "linuxcnc sim/hexapod.ini"));
+  CHECK(contains(scratch.text("sim/hexapod.var"), "5223 -1008\n"));
+  CHECK(contains(scratch.text("sim/hexapod.ini"), "MAX_LINEAR_VELOCITY = 200\n"));
+  const Outcome again = run(scratch, "control linuxcnc --speed 6000 -o sim " + kModel);
+  CHECK(again.code == 1);
+  CHECK(contains(again.err, "control-folder-taken"));
+  CHECK(contains(scratch.text("sim/hexapod.ini"), "MAX_LINEAR_VELOCITY = 200\n"));
+  CHECK(run(scratch, "control linuxcnc -o other").code == 2);
+  const Outcome unknown = run(scratch, "control heidenhain -o other " + kModel);
+  CHECK(unknown.code == 2);
+  CHECK(contains(unknown.err, "linuxcnc"));
+  CHECK_FALSE(scratch.has("other"));
+}
 
 TEST_CASE("compensate writes a program, a summary and JSON") {
   const Scratch scratch;

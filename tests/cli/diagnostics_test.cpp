@@ -54,6 +54,7 @@ const std::map<std::string, std::string> kRefused{
     {"calibrate", "calibrate -d missing.toml -o out.toml " + kModel},
     {"plan", "plan --for backlash.witdh_um " + kModel},
     {"diagnose", "diagnose -d missing.toml -o out " + kModel},
+    {"control", "control linuxcnc -o out --work-offset G54.1P1=0,0,0,0,0,0 " + kModel},
 };
 
 }  // namespace
