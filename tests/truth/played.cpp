@@ -21,26 +21,6 @@ bool jumps(const Program& program, double t) {
   return (program.path(t + 2 * kPiece).x - program.path(t - 2 * kPiece).x).norm() > kFastest * 4 * kPiece;
 }
 
-// When the path that was meant is nearest to a place, about a time.
-double nearest(const Program& meant, const Vec& place, double about) {
-  const auto off = [&](double t) { return (meant.path(t).x - place).squaredNorm(); };
-  double best = about;
-  for (double t = about - kWindow; t <= about + kWindow; t += kCoarse) {
-    if (off(t) < off(best)) best = t;
-  }
-  double low = best - kCoarse;
-  double high = best + kCoarse;
-  while (high - low > kFine) {
-    const double third = (high - low) / 3;
-    if (off(low + third) < off(high - third)) {
-      high -= third;
-    } else {
-      low += third;
-    }
-  }
-  return (low + high) / 2;
-}
-
 // Where the struts are behind what they are told, m: of a lag of first order, int exp(-s / lag) / lag (L(t - s) - L(t))
 // ds. The series -lag v + lag^2 a that stands for it on a circle runs away at the corners of a program. Nothing while
 // the lag still remembers a rapid.
@@ -64,6 +44,25 @@ struct Miss {
 };
 
 }  // namespace
+
+double nearest(const Program& meant, const Vec& place, double about) {
+  const auto off = [&](double t) { return (meant.path(t).x - place).squaredNorm(); };
+  double best = about;
+  for (double t = about - kWindow; t <= about + kWindow; t += kCoarse) {
+    if (off(t) < off(best)) best = t;
+  }
+  double low = best - kCoarse;
+  double high = best + kCoarse;
+  while (high - low > kFine) {
+    const double third = (high - low) / 3;
+    if (off(low + third) < off(high - third)) {
+      high -= third;
+    } else {
+      low += third;
+    }
+  }
+  return (low + high) / 2;
+}
 
 Played play(const Truth& truth, const Program& meant, const Program& run, FrictionLaw law, double step) {
   Follower follower(truth.machine, run.path, kPiece, law);

@@ -13,6 +13,9 @@ struct Played {
   int samples = 0;
 };
 
+/// When the path that was meant is nearest to a place, about a time.
+double nearest(const Program& meant, const Vec& place, double about);
+
 /// Plays `run` on a machine and looks every `step` seconds where its tip is beside the path of `meant`. What a tip is
 /// late or early along its path does not count: it cuts nothing wrong.
 Played play(const Truth& truth, const Program& meant, const Program& run, FrictionLaw law, double step);
