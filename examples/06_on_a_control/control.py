@@ -45,6 +45,7 @@ def prepare(folder, configuration, programs):
     (folder / "sampler.hal").write_text(SAMPLER.format(nets=nets))
     ini = (folder / "hexapod.ini").read_text()
     ini = re.sub(r"(?m)^DISPLAY = .*$", "DISPLAY = ./operate.py", ini)
+    ini = re.sub(r"(?m)^APP = .*\n", "", ini)
     ini = re.sub(r"(?m)^(HALFILE = hexapod\.hal)$", r"\1\nHALFILE = sampler.hal", ini)
     (folder / "hexapod.ini").write_text(ini)
     lines = (f"{pathlib.Path(program).name} {pathlib.Path(program).stem}.samples\n" for program in programs)

@@ -17,6 +17,10 @@
 #include "machine/model_file.hpp"
 #include "nc/language/dialect.hpp"
 
+namespace plumbline::embedded {
+extern const std::string_view linuxcnc_view_py;
+}
+
 namespace plumbline::jobs {
 namespace {
 
@@ -47,9 +51,7 @@ std::string limits_text(double lower, double upper, double speed, double acceler
                      to_decimal(upper), to_decimal(speed), to_decimal(acceleration));
 }
 
-std::string general_text(const machine::MachineModel& model, double speed, double acceleration) {
-  const Vector3<double> home = machine::home_pose(model).p_WT;
-  return fmt::format(R"(# LinuxCNC simulates a hexapod with the geometry of the model "{0}":
+constexpr std::string_view kGeneral = R"(# LinuxCNC simulates a hexapod with the geometry of the model "{0}":
 #   linuxcnc hexapod.ini
 # Written by plumbline. Travel, tilt and strut lengths are the model's. Velocities (mm/s, deg/s) and accelerations are the
 # simulation's: the model states none.
@@ -86,6 +88,9 @@ TOOL_TABLE = hexapod.tbl
 [HAL]
 HALFILE = hexapod.hal
 
+[APPLICATIONS]
+APP = /usr/bin/python3 hexapod_view.py
+
 [KINS]
 KINEMATICS = genhexkins
 JOINTS = {2}
@@ -103,8 +108,11 @@ DEFAULT_ANGULAR_VELOCITY = {6}
 MAX_ANGULAR_VELOCITY = {6}
 DEFAULT_ANGULAR_ACCELERATION = {7}
 MAX_ANGULAR_ACCELERATION = {7}
-)",
-                     printable(model.name), kServoPeriod * 1e9, machine::kStruts, mm(home.x()), mm(home.y()),
+)";
+
+std::string general_text(const machine::MachineModel& model, double speed, double acceleration) {
+  const Vector3<double> home = machine::home_pose(model).p_WT;
+  return fmt::format(kGeneral, printable(model.name), kServoPeriod * 1e9, machine::kStruts, mm(home.x()), mm(home.y()),
                      mm(home.z()), to_decimal(speed), to_decimal(acceleration));
 }
 
@@ -236,6 +244,7 @@ std::vector<ControlFile> linuxcnc_configuration(const machine::MachineModel& mod
       {"hexapod.hal", hal_text(model)},
       {"hexapod.tbl", tool_table_text(settings.tools)},
       {"hexapod.var", variables_text(settings)},
+      {"hexapod_view.py", std::string(embedded::linuxcnc_view_py)},
       {"hexapod.ini", general_text(model, speed, acceleration) + axes_text(model, settings.tools, speed, acceleration) +
                           joints_text(model, settings.tools, speed, acceleration)}};
 }

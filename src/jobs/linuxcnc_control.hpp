@@ -25,10 +25,10 @@ struct ControlFile {
   std::string text;
 };
 
-/// hexapod.hal, hexapod.tbl, hexapod.var and, last, hexapod.ini, for LinuxCNC 2.9. Struts are the joints of genhexkins,
-/// which takes joints of the platform from the tool tip, mm; the machine stands homed at machine::home_pose. Each drive
-/// is where it is told to be. Refuses with control-rotation a model that does not turn as genhexkins does, and
-/// with control-home one whose home pose breaks its limits.
+/// hexapod.hal, hexapod.tbl, hexapod.var, hexapod_view.py, which draws it, and, last, hexapod.ini, for LinuxCNC 2.9.
+/// Struts are the joints of genhexkins, which takes joints of the platform from the tool tip, mm; the machine stands
+/// homed at machine::home_pose. Each drive is where it is told to be. Refuses with control-rotation a model that does
+/// not turn as genhexkins does, and with control-home one whose home pose breaks its limits.
 std::vector<ControlFile> linuxcnc_configuration(const machine::MachineModel& model, const nc::ProgramSettings& settings,
                                                 const SimulatedDrives& drives);
 

@@ -15,13 +15,26 @@ import xml.etree.ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLE = ROOT / "examples" / "06_on_a_control"
-sys.path.insert(0, str(EXAMPLE))
+sys.path[:0] = [str(EXAMPLE), str(ROOT / "src" / "jobs")]
 import control  # noqa: E402
 import deviation_plot  # noqa: E402
+import linuxcnc_view  # noqa: E402
 import make_program  # noqa: E402
 
 
 class Input(unittest.TestCase):
+    def test_the_view_draws_struts_that_are_as_long_as_the_formula_says(self):
+        model = tomllib.loads((ROOT / "models" / "pm600-like.toml").read_text())
+        tip_mm = model["platform"]["tool_tip_mm"]
+        platform = [[p - t for p, t in zip(joint, tip_mm)] for joint in model["platform"]["joints_mm"]]
+        # the control's Z contains the tool
+        tip, spindle, joints = linuxcnc_view.stand((11, -20, -1003 + 85, 10, -12, 7), 85, platform)
+        self.assertEqual(tip, (11, -20, -1003))
+        self.assertAlmostEqual(math.dist(tip, spindle), 85)
+        words = {"A": 10, "B": -12, "C": 7}
+        for base, joint, length in zip(model["base"]["joints_mm"], joints, strut_lengths(model, 85, tip, words)):
+            self.assertAlmostEqual(math.dist(base, joint), length, places=9)
+
     def test_every_block_of_the_wave_states_six_axes_within_the_tilt(self):
         wave = [line for line in make_program.program().splitlines() if line.startswith("X")]
         self.assertEqual(len(wave), make_program.BLOCKS)

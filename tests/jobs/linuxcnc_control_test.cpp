@@ -143,6 +143,6 @@ TEST_CASE("a configuration is not written over another one") {
         "control-folder-taken");
   CHECK_FALSE(scratch.has("a/hexapod.ini"));
   jobs::write_linuxcnc_control(options, {}, scratch.path("b/c"));
-  for (const char* name : {"hexapod.ini", "hexapod.hal", "hexapod.tbl", "hexapod.var"})
+  for (const char* name : {"hexapod.ini", "hexapod.hal", "hexapod.tbl", "hexapod.var", "hexapod_view.py"})
     CHECK(scratch.has(std::string("b/c/") + name));
 }
