@@ -39,7 +39,7 @@ struct TipError {
 /// machine was thought to stand and solves J dx = IK(T) + dL - L there: Newton's method for the forward kinematics and
 /// the fixed point in one. Of a pack, all lanes stop together. A result that has not converged must not be used.
 template <class T>
-TipError<T> tip_error(const ForceModel& model, const T* parameters, const Environment& environment,
+TipError<T> tip_error(const ForceModel& model, const Parameter<T>* parameters, const Environment& environment,
                       const Motion<T>& motion, const ErrorOptions& options = {}) {
   const machine::Geometry& geometry = model.machine.geometry;
   const machine::StrutGeometry<T> commanded = machine::strut_geometry(geometry, motion.pose);

@@ -47,9 +47,9 @@ class ForceModel {
   std::array<std::vector<int>, kEffects> by_effect_;
 };
 
-/// The model's parameters as scalars of another type: packs, or what derivatives are taken by.
+/// The model's parameters for a calculation in T: a pack's lanes share them, what derivatives are taken by has its own.
 template <class T>
-std::vector<T> parameters_as(const ForceModel& model) {
+std::vector<Parameter<T>> parameters_as(const ForceModel& model) {
   return {model.parameters.begin(), model.parameters.end()};
 }
 

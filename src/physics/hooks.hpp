@@ -31,7 +31,7 @@ namespace plumbline::physics {
 
 /// Calls apply(Effect, parameters) for each instance of each effect.
 template <class T, class Apply>
-void for_each_instance(const ForceModel& model, const T* parameters, Apply&& apply) {
+void for_each_instance(const ForceModel& model, const Parameter<T>* parameters, Apply&& apply) {
   for_each_effect([&]<class Effect>(std::size_t i) {
     for (const int first : model.instances_of(i)) apply.template operator()<Effect>(Values<T>(parameters + first));
   });
@@ -42,7 +42,7 @@ void for_each_instance(const ForceModel& model, const T* parameters, Apply&& app
 // NOLINTBEGIN(bugprone-macro-parentheses): the name of a member takes none
 #define PLUMBLINE_ASK(hook, Sum)                                                                    \
   template <class T>                                                                                \
-  void ask_##hook(const ForceModel& model, const T* parameters, const Situation<T>& at, Sum& sum) { \
+  void ask_##hook(const ForceModel& model, const Parameter<T>* parameters, const Situation<T>& at, Sum& sum) { \
     for_each_instance<T>(model, parameters, [&]<class Effect>(Values<T> p) {                        \
       if constexpr (requires { &Effect::template hook<T>; }) Effect::hook(p, at, sum);              \
     });                                                                                             \

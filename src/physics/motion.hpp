@@ -40,9 +40,10 @@ struct StrutRates {
 /// Ldot_j = u_j . v_j, v_j = v + w x b_j the velocity of the platform joint; v_perp,j = v_j - (u_j . v_j) u_j;
 /// Lddot_j = u_j . a_j + |v_perp,j|^2 / L_j, a_j = a + alpha x b_j + w x (w x b_j); s_j = tanh(Ldot_j / v0)
 /// [docs/physics.md]
+/// `per_sign_speed` is 1 / v0. Accelerations are zero where the environment has no use for them.
 template <class T>
 StrutRates<T> strut_rates(const machine::StrutGeometry<T>& struts, const Motion<T>& motion,
-                          const Environment& environment) {
+                          const Environment& environment, const T& per_sign_speed) {
   using std::tanh;
   StrutRates<T> rates;
   if (!environment.friction) {
@@ -58,15 +59,23 @@ StrutRates<T> strut_rates(const machine::StrutGeometry<T>& struts, const Motion<
     const Vector3<T> u = struts.direction.col(j);
     const Vector3<T> turning = w.cross(b);
     const Vector3<T> v = motion.twist.v_WT + turning;
-    const Vector3<T> a = motion.acceleration.v_WT + motion.acceleration.w_WP.cross(b) + w.cross(turning);
     const T speed = u.dot(v);
     const Vector3<T> across = v - speed * u;
     rates.speed[j] = speed;
-    rates.acceleration[j] = u.dot(a) + across.squaredNorm() / struts.length[j];
-    rates.sign[j] = tanh(speed * T(1.0 / environment.sign_speed));
+    rates.acceleration[j] = T(0.0);
+    if (environment.dynamic) {
+      const Vector3<T> a = motion.acceleration.v_WT + motion.acceleration.w_WP.cross(b) + w.cross(turning);
+      rates.acceleration[j] = u.dot(a) + across.squaredNorm() / struts.length[j];
+    }
+    rates.sign[j] = tanh(speed * per_sign_speed);
     rates.transverse.col(j) = across;
   }
   return rates;
+}
+template <class T>
+StrutRates<T> strut_rates(const machine::StrutGeometry<T>& struts, const Motion<T>& motion,
+                          const Environment& environment) {
+  return strut_rates(struts, motion, environment, T(1.0 / environment.sign_speed));
 }
 
 }  // namespace plumbline::physics

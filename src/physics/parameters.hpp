@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string_view>
+#include <type_traits>
 
+#include "base/scalar.hpp"
 #include "machine/model_keys.hpp"
 #include "machine/unit.hpp"
 
@@ -51,15 +53,19 @@ constexpr ParameterSpec model_key(std::string_view table, std::string_view key, 
           .label = traits.label};
 }
 
+/// What the parameters are stored as for a calculation in T: lanes share them.
+template <class T>
+using Parameter = std::conditional_t<kIsPack<T>, double, T>;
+
 /// The parameters of one instance of an effect, one after the other as its table lists them, in SI.
 template <class T>
 class Values {
  public:
-  explicit Values(const T* first) : first_(first) {}
-  const T& operator[](int i) const { return first_[i]; }
+  explicit Values(const Parameter<T>* first) : first_(first) {}
+  std::conditional_t<kIsPack<T>, T, const T&> operator[](int i) const { return first_[i]; }
 
  private:
-  const T* first_;
+  const Parameter<T>* first_;
 };
 
 }  // namespace plumbline::physics

@@ -27,7 +27,7 @@ struct StrutStretch {
 
 /// From gravity and masses: what pulls at the platform. `transverse` are the forces at its joints, N_j.
 template <class T>
-Wrench<T> wrench_from_conditions(const ForceModel& model, const T* parameters, const Situation<T>& at,
+Wrench<T> wrench_from_conditions(const ForceModel& model, const Parameter<T>* parameters, const Situation<T>& at,
                                  machine::StrutVectors<T>& transverse) {
   Wrench<T> wrench;
   ask_wrench(model, parameters, at, wrench);
@@ -38,7 +38,7 @@ Wrench<T> wrench_from_conditions(const ForceModel& model, const T* parameters, c
 
 /// From the tensions of the platform joints: t_nut,j, into the situation.
 template <class T>
-void nut_from_joint_tension(const ForceModel& model, const T* parameters, Situation<T>& at,
+void nut_from_joint_tension(const ForceModel& model, const Parameter<T>* parameters, Situation<T>& at,
                             const machine::PerStrut<T>& tension) {
   at.nut_tension = tension;
   ask_nut_tension(model, parameters, at, at.nut_tension);
@@ -46,14 +46,14 @@ void nut_from_joint_tension(const ForceModel& model, const T* parameters, Situat
 
 /// From the tensions of the nuts: t_nut,j + f_j, into the situation.
 template <class T>
-void drive_from_nut_tension(const ForceModel& model, const T* parameters, Situation<T>& at) {
+void drive_from_nut_tension(const ForceModel& model, const Parameter<T>* parameters, Situation<T>& at) {
   at.drive_tension = at.nut_tension;
   ask_drive_tension(model, parameters, at, at.drive_tension);
 }
 
 /// From the tensions of the drives: dL_j, what each strut is longer than commanded, m.
 template <class T>
-machine::PerStrut<T> stretch_from_drive_tension(const ForceModel& model, const T* parameters, const Situation<T>& at) {
+machine::PerStrut<T> stretch_from_drive_tension(const ForceModel& model, const Parameter<T>* parameters, const Situation<T>& at) {
   machine::PerStrut<T> stretch = machine::PerStrut<T>::Zero();
   ask_length(model, parameters, at, stretch);
   return stretch;
@@ -61,7 +61,7 @@ machine::PerStrut<T> stretch_from_drive_tension(const ForceModel& model, const T
 
 /// From the tensions of the drives: displacement of the tip that no strut makes, m and rad in W.
 template <class T>
-machine::Vector6<T> tip_from_drive_tension(const ForceModel& model, const T* parameters, const Situation<T>& at) {
+machine::Vector6<T> tip_from_drive_tension(const ForceModel& model, const Parameter<T>* parameters, const Situation<T>& at) {
   machine::Vector6<T> tip = machine::Vector6<T>::Zero();
   ask_tip(model, parameters, at, tip);
   return tip;
@@ -69,7 +69,7 @@ machine::Vector6<T> tip_from_drive_tension(const ForceModel& model, const T* par
 
 /// From the tensions of the drives: the torques of the motors, into the situation, and as they are read, N m.
 template <class T>
-machine::PerStrut<T> reading_from_drive_tension(const ForceModel& model, const T* parameters, Situation<T>& at) {
+machine::PerStrut<T> reading_from_drive_tension(const ForceModel& model, const Parameter<T>* parameters, Situation<T>& at) {
   at.torque = model.machine.torque(at.drive_tension);
   machine::PerStrut<T> reading = at.torque;
   ask_reading(model, parameters, at, reading);
@@ -80,7 +80,7 @@ machine::PerStrut<T> reading_from_drive_tension(const ForceModel& model, const T
 /// `parameters` are the model's, or others in their place (parameters_as). No heap, no state: points may be computed in
 /// any order.
 template <class T>
-StrutStretch<T> strut_stretch_at(const ForceModel& model, const T* parameters, const Environment& environment,
+StrutStretch<T> strut_stretch_at(const ForceModel& model, const Parameter<T>* parameters, const Environment& environment,
                                  const Motion<T>& motion, const StrutRates<T>& rates, const Pose<T>& pose,
                                  const machine::StrutGeometry<T>& struts) {
   Situation<T> at{model.machine, environment, motion, rates, pose, struts, {}};
@@ -107,7 +107,7 @@ StrutStretch<T> strut_stretch_at(const ForceModel& model, const T* parameters, c
 /// The same for a machine that stands where it is commanded: what the compensated pose is made from,
 /// T_c = FK(IK(T) - dL(T)).
 template <class T>
-StrutStretch<T> strut_stretch(const ForceModel& model, const T* parameters, const Environment& environment,
+StrutStretch<T> strut_stretch(const ForceModel& model, const Parameter<T>* parameters, const Environment& environment,
                               const Motion<T>& motion) {
   const machine::StrutGeometry<T> struts = machine::strut_geometry(model.machine.geometry, motion.pose);
   const StrutRates<T> rates = strut_rates(struts, motion, environment);

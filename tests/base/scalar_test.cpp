@@ -9,12 +9,16 @@
 using namespace plumbline;
 
 TEST_CASE("a pack chooses, swaps and compares lane by lane, as double does alone") {
-  const Pack a([](int lane) { return lane - 1.5; });
-  const Pack b([](int lane) { return 1.0 - lane; });
+  Pack a;
+  Pack b;
+  for (int lane = 0; lane < Pack::size(); ++lane) {
+    a.set(lane, lane - 1.5);
+    b.set(lane, 1.0 - lane);
+  }
   Pack x = a;
   Pack y = b;
   swap_where<Pack>(a < b, x, y);
-  for (std::size_t i = 0; i < Pack::size(); ++i) {
+  for (int i = 0; i < Pack::size(); ++i) {
     const double p = a[i];
     const double q = b[i];
     double u = p;

@@ -62,24 +62,25 @@ TEST_CASE("each lane of a pack is solved as alone, singular ones beside sound on
   Vector6<Pack> r;
   std::vector<Matrix6<double>> lanes;
   std::vector<Vector6<double>> sides;
-  for (std::size_t lane = 0; lane < Pack::size(); ++lane) {
+  for (int lane = 0; lane < Pack::size(); ++lane) {
     lanes.push_back(random_matrix(random));
     if (lane == 0) lanes[0].col(5).setZero();
     sides.emplace_back(random_matrix(random).col(0));
     for (int i = 0; i < 6; ++i) {
-      r[i][lane] = sides[lane][i];
-      for (int k = 0; k < 6; ++k) A(i, k)[lane] = lanes[lane](i, k);
+      r[i].set(lane, sides.back()[i]);
+      for (int k = 0; k < 6; ++k) A(i, k).set(lane, lanes.back()(i, k));
     }
   }
   const Lu6<Pack> lu(A);
   const Vector6<Pack> x = lu.solve(r);
   const Vector6<Pack> y = lu.solve_transposed(r);
-  for (std::size_t lane = 0; lane < Pack::size(); ++lane) {
-    const Lu6<double> alone(lanes[lane]);
+  for (int lane = 0; lane < Pack::size(); ++lane) {
+    const Lu6<double> alone(lanes[static_cast<std::size_t>(lane)]);
+    const Vector6<double>& side = sides[static_cast<std::size_t>(lane)];
     CHECK(lu.singular()[lane] == alone.singular());
     for (int i = 0; i < 6; ++i) {
-      CHECK(x[i][lane] == alone.solve(sides[lane])[i]);
-      CHECK(y[i][lane] == alone.solve_transposed(sides[lane])[i]);
+      CHECK(x[i][lane] == alone.solve(side)[i]);
+      CHECK(y[i][lane] == alone.solve_transposed(side)[i]);
     }
     CHECK(lu.determinant()[lane] == alone.determinant());
   }

@@ -300,12 +300,12 @@ TEST_CASE("every effect gives a pack of poses what it gives each of them") {
   for (std::size_t effect = 0; effect < kEffects; ++effect) {
     INFO(effect_infos()[effect].name);
     const ForceModel model = model_with(effect, ordinary_values(effect_infos()[effect], random));
-    const std::vector<Pack> parameters = parameters_as<Pack>(model);
     std::vector<Motion<double>> lanes;
-    for (std::size_t lane = 0; lane < Pack::size(); ++lane) lanes.push_back(moment_within(pm600_like().limits, random));
-    const auto packed = outcome(strut_stretch(model, parameters.data(), model.environment(), packed_motion(lanes)));
-    for (std::size_t lane = 0; lane < Pack::size(); ++lane) {
-      const auto alone = outcome(strut_stretch(model, model.environment(), lanes[lane]));
+    for (int lane = 0; lane < Pack::size(); ++lane) lanes.push_back(moment_within(pm600_like().limits, random));
+    const auto packed = outcome(strut_stretch(model, model.parameters.data(), model.environment(), packed_motion(lanes)));
+    for (int lane = 0; lane < Pack::size(); ++lane) {
+      const Motion<double>& motion = lanes[static_cast<std::size_t>(lane)];
+      const auto alone = outcome(strut_stretch(model, model.environment(), motion));
       for (int k = 0; k < alone.size(); ++k) {
         CHECK(std::abs(packed[k][lane] - alone[k]) * kScale[k] <= 1e-9 * (1 + std::abs(alone[k] * kScale[k])));
       }

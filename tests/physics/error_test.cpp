@@ -125,11 +125,10 @@ TEST_CASE("derivatives of the error by a parameter equal finite differences, and
                                            0.02;
     for (int a = 0; a < 6; ++a) CHECK(std::abs(by_jet.displacement[a].v[0] - slope[a]) < 1e-12 + 1e-6 * slope.norm());
   }
-  lanes.resize(Pack::size());
-  const std::vector<Pack> parameters = parameters_as<Pack>(forces);
-  const auto packed = tip_error(forces, parameters.data(), forces.environment(), packed_motion(lanes));
-  for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
-    const auto alone = tip_error(forces, forces.environment(), lanes[lane]);
+  lanes.resize(static_cast<std::size_t>(Pack::size()));
+  const auto packed = tip_error(forces, forces.parameters.data(), forces.environment(), packed_motion(lanes));
+  for (int lane = 0; lane < Pack::size(); ++lane) {
+    const auto alone = tip_error(forces, forces.environment(), lanes[static_cast<std::size_t>(lane)]);
     for (int a = 0; a < 6; ++a) CHECK(std::abs(packed.displacement[a][lane] - alone.displacement[a]) < 1e-11);
   }
 }

@@ -30,17 +30,17 @@ physics::Motion<T> cast(const physics::Motion<double>& m) {
 /// One moment in each lane.
 inline physics::Motion<Pack> packed_motion(const std::vector<physics::Motion<double>>& lanes) {
   physics::Motion<Pack> packed = cast<Pack>(lanes.front());
-  for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
-    const physics::Motion<double>& m = lanes[lane];
+  for (int lane = 0; lane < Pack::size(); ++lane) {
+    const physics::Motion<double>& m = lanes[static_cast<std::size_t>(lane)];
     for (int a = 0; a < 3; ++a) {
-      packed.pose.p_WT[a][lane] = m.pose.p_WT[a];
-      for (int b = 0; b < 3; ++b) packed.pose.R_WP(a, b)[lane] = m.pose.R_WP(a, b);
-      packed.twist.v_WT[a][lane] = m.twist.v_WT[a];
-      packed.twist.w_WP[a][lane] = m.twist.w_WP[a];
-      packed.acceleration.v_WT[a][lane] = m.acceleration.v_WT[a];
-      packed.acceleration.w_WP[a][lane] = m.acceleration.w_WP[a];
+      packed.pose.p_WT[a].set(lane, m.pose.p_WT[a]);
+      for (int b = 0; b < 3; ++b) packed.pose.R_WP(a, b).set(lane, m.pose.R_WP(a, b));
+      packed.twist.v_WT[a].set(lane, m.twist.v_WT[a]);
+      packed.twist.w_WP[a].set(lane, m.twist.w_WP[a]);
+      packed.acceleration.v_WT[a].set(lane, m.acceleration.v_WT[a]);
+      packed.acceleration.w_WP[a].set(lane, m.acceleration.w_WP[a]);
     }
-    packed.time[lane] = m.time;
+    packed.time.set(lane, m.time);
   }
   return packed;
 }

@@ -20,6 +20,9 @@ struct JointFriction {
   // direction]
   template <class T>
   static void transverse_force(Values<T> p, const Situation<T>& at, machine::StrutVectors<T>& sum) {
+    if constexpr (kIsPack<T>) {
+      if (all(p[kViscous] == T(0.0) && p[kCoulomb] == T(0.0))) return;  // no more than speed: zeros add nothing
+    }
     for (int j = 0; j < machine::kStruts; ++j) {
       const Vector3<T> v = at.rates.transverse.col(j);
       const T per_length = T(1.0) / at.struts.length[j];

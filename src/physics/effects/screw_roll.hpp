@@ -29,11 +29,12 @@ struct ScrewRoll {
     return atan2(u.dot(below.cross(above)), below.dot(above));
   }
 
-  static double roll_at_home(const machine::Geometry& geometry, int j) {
+  template <class T>
+  static T roll_at_home(const machine::Geometry& geometry, int j) {
     const Vector3<double> tip(0, 0, kHomeHeight);
     const Vector3<double> along =
         tip + geometry.platform_joints_P.col(j) - geometry.tool_tip_P - geometry.base_joints_W.col(j);
-    return roll<double>(geometry, j, along.normalized(), Matrix3<double>::Identity());
+    return roll<T>(geometry, j, along.normalized().template cast<T>(), Matrix3<T>::Identity());
   }
 
   // dL_j = k lead_j / (2 pi) (rho_j - rho_j at home), rho_j the roll: a right-handed screw held by its ends lengthens
@@ -42,7 +43,7 @@ struct ScrewRoll {
     const machine::Geometry& geometry = at.machine.geometry;
     for (int j = 0; j < machine::kStruts; ++j) {
       const Vector3<T> u = at.struts.direction.col(j);
-      const T rolled = roll<T>(geometry, j, u, at.pose.R_WP) - T(roll_at_home(geometry, j));
+      const T rolled = roll<T>(geometry, j, u, at.pose.R_WP) - roll_at_home<T>(geometry, j);
       sum[j] += p[0] * T(at.machine.lead_per_radian(j)) * rolled;
     }
   }

@@ -1,0 +1,260 @@
+// The exact correction of as many poses as T has lanes: T_c = FK(IK(T) - dL(T))  [docs/physics.md, Compensation]. Every
+// lane goes its own way: one that has converged is frozen, one that cannot be sure of its answer says so.
+#pragma once
+
+#include "base/units.hpp"
+#include "compensate/exact/pose_block.hpp"
+#include "compensate/exact/setup.hpp"
+#include "machine/axis_turns.hpp"
+#include "machine/displacement.hpp"
+#include "machine/ordered_lu6.hpp"
+#include "physics/strut_stretch.hpp"
+
+namespace plumbline::compensate::exact {
+
+constexpr double kSpeedOverSign = 100;    // as in compensate/target.cpp
+constexpr double kLengthTolerance = 1e-12;  // m
+constexpr int kMostSteps = 8;
+
+template <class T>
+struct Asked {
+  Vector3<T> linear, rotary;  // mm, deg
+  Vector3<T> linear_slope, rotary_slope;
+  Vector3<T> linear_bend;
+  T seconds;
+};
+
+template <class T>
+struct Struts {
+  machine::PerStrut<T> lengths;
+  MaskOf<T> fit;  // all of them within the tolerance
+};
+
+template <class T>
+PLUMBLINE_INLINE T squared(const Vector3<T>& v) {
+  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+}
+
+template <class T>
+PLUMBLINE_INLINE Asked<T> read(const AskedBlock& block, std::size_t lane) {
+  Asked<T> asked;
+  for (int a = 0; a < 3; ++a) {
+    const auto x = static_cast<std::size_t>(a);
+    asked.linear[a] = T::load(&block.pose[x][lane]);
+    asked.rotary[a] = T::load(&block.pose[x + 3][lane]);
+    asked.linear_slope[a] = T::load(&block.slope[x][lane]);
+    asked.rotary_slope[a] = T::load(&block.slope[x + 3][lane]);
+    asked.linear_bend[a] = T::load(&block.bend[x][lane]);
+  }
+  asked.seconds = T::load(&block.seconds[lane]);
+  return asked;
+}
+
+/// The commanded motion, and in `per_sign_speed` 1 / v0: v0 grows with the feed, so that the correction turns smoothly
+/// where a strut turns around  [docs/physics.md, Friction].
+template <class T>
+PLUMBLINE_INLINE physics::Motion<T> motion_of(const Setup& setup, const Asked<T>& asked,
+                                              const machine::AxisTurns<T>& turns, T& per_sign_speed) {
+  physics::Motion<T> motion;
+  motion.time = T(setup.time);
+  motion.pose.p_WT = asked.linear * T(kMm);
+  motion.pose.R_WP = machine::rotation(setup.rotation, turns);
+  const T model_speed(setup.environment.sign_speed);
+  per_sign_speed = T(1.0) / model_speed;
+  if (!setup.environment.friction) return motion;
+  const Vector3<T> rate = asked.rotary_slope * T(kDeg);
+  const machine::Turning<T> turning = machine::turning(setup.rotation, turns, rate);
+  const Vector3<T> along = asked.linear_slope * T(kMm);
+  const T size = sqrt(squared(along) + T(setup.radius * setup.radius) * squared(turning.velocity));
+  const auto timed = asked.seconds >= T(0.0);
+  const T direction_alone =
+      T(kSpeedOverSign) * model_speed / select<T>(size > T(0.0), size, T(__builtin_inf()));
+  const T per_second = select<T>(timed, T(1.0) / select<T>(timed, asked.seconds, T(1.0)), direction_alone);
+  motion.twist.v_WT = along * per_second;
+  motion.twist.w_WP = turning.velocity * per_second;
+  const T feed_share = T(setup.sign_width_of_feed) * (size * per_second);
+  per_sign_speed = T(1.0) / select<T>(feed_share > model_speed, feed_share, model_speed);
+  if (setup.environment.dynamic) {
+    const T twice = select<T>(timed, per_second * per_second, T(0.0));
+    motion.acceleration.v_WT = asked.linear_bend * (T(kMm) * twice);
+    motion.acceleration.w_WP = turning.acceleration * twice;
+  }
+  return motion;
+}
+
+/// The strut lengths at a pose against those that are wanted; `misfit`: wanted minus had.
+template <class T>
+PLUMBLINE_INLINE Struts<T> struts_at(const Setup& setup, const Pose<T>& pose, const machine::PerStrut<T>& wanted,
+                                     machine::PerStrut<T>& misfit) {
+  Struts<T> struts;
+  const auto& base = setup.forces->machine.geometry.base_joints_W;
+#pragma GCC unroll 6
+  for (int j = 0; j < machine::kStruts; ++j) {
+    T squares(0.0);
+#pragma GCC unroll 3
+    for (int a = 0; a < 3; ++a) {
+      const T d = (pose.p_WT[a] - T(base(a, j))) +
+                  (pose.R_WP(a, 0) * T(setup.arms_P(0, j)) + pose.R_WP(a, 1) * T(setup.arms_P(1, j)) +
+                   pose.R_WP(a, 2) * T(setup.arms_P(2, j)));
+      squares += d * d;
+    }
+    struts.lengths[j] = sqrt(squares);
+    misfit[j] = wanted[j] - struts.lengths[j];
+    const auto fits = absolute<T>(misfit[j]) <= T(kLengthTolerance);
+    struts.fit = j == 0 ? fits : (struts.fit && fits);
+  }
+  return struts;
+}
+
+/// R <- exp(w) R to the sixth order of w, as machine::small_rotation has it.
+template <class T>
+PLUMBLINE_INLINE Matrix3<T> turned(const Vector3<T>& w, const Matrix3<T>& R) {
+  const T t2 = squared(w);
+  const T a = T(1.0) - t2 * (T(1.0 / 6.0) - t2 * T(1.0 / 120.0));
+  const T b = T(0.5) - t2 * (T(1.0 / 24.0) - t2 * T(1.0 / 720.0));
+  Matrix3<T> result;
+#pragma GCC unroll 3
+  for (int q = 0; q < 3; ++q) {
+    const Vector3<T> r(R(0, q), R(1, q), R(2, q));
+    const Vector3<T> once(w[1] * r[2] - w[2] * r[1], w[2] * r[0] - w[0] * r[2], w[0] * r[1] - w[1] * r[0]);
+    result(0, q) = r[0] + a * once[0] + b * (w[1] * once[2] - w[2] * once[1]);
+    result(1, q) = r[1] + a * once[1] + b * (w[2] * once[0] - w[0] * once[2]);
+    result(2, q) = r[2] + a * once[2] + b * (w[0] * once[1] - w[1] * once[0]);
+  }
+  return result;
+}
+
+/// From a pose to the one whose struts are longer by `change`: Newton's chord method, as machine::forward_near has it,
+/// each lane until it has converged.
+template <class T>
+PLUMBLINE_INLINE Struts<T> move_struts(const Setup& setup, const machine::OrderedLu6<T>& lu,
+                                       const machine::PerStrut<T>& lengths, const machine::PerStrut<T>& change,
+                                       Pose<T>& pose) {
+  const machine::PerStrut<T> wanted = lengths + change;
+  machine::PerStrut<T> misfit = change;
+  Struts<T> struts{lengths, MaskOf<T>(false)};
+  for (int step = 0; step < kMostSteps && !all(struts.fit || !lu.sound()); ++step) {
+    const auto frozen = struts.fit;
+    const machine::Vector6<T> by = lu.solve(misfit);
+    const Matrix3<T> next = turned<T>(Vector3<T>(by[3], by[4], by[5]), pose.R_WP);
+    for (int a = 0; a < 3; ++a) {
+      pose.p_WT[a] = select<T>(frozen, pose.p_WT[a], pose.p_WT[a] + by[a]);
+      for (int q = 0; q < 3; ++q) pose.R_WP(a, q) = select<T>(frozen, pose.R_WP(a, q), next(a, q));
+    }
+    struts = struts_at(setup, pose, wanted, misfit);
+  }
+  return struts;
+}
+
+template <class T>
+PLUMBLINE_INLINE MaskOf<T> upright(const Matrix3<T>& R_WP, double squared_sine) {
+  return R_WP(2, 2) > T(0.0) && R_WP(0, 2) * R_WP(0, 2) + R_WP(1, 2) * R_WP(1, 2) <= T(squared_sine);
+}
+
+/// machine::condition_bound at a pose, by the row order of home.
+template <class T>
+PLUMBLINE_INLINE MaskOf<T> well_conditioned(const Setup& setup, const Pose<T>& pose) {
+  machine::Matrix6<T> J = machine::jacobian(machine::strut_geometry(setup.forces->machine.geometry, pose));
+  T squares(0.0);
+  for (int i = 0; i < 6; ++i) {
+    for (int k = 0; k < 6; ++k) {
+      if (k >= 3) J(i, k) *= T(1.0 / setup.condition_radius);
+      squares += J(i, k) * J(i, k);
+    }
+  }
+  const machine::OrderedLu6<T> lu(J, setup.rows);
+  T inverse(0.0);
+  for (int j = 0; j < 6; ++j) {
+    const machine::Vector6<T> column = lu.solve(machine::Vector6<T>::Unit(j));
+    for (int i = 0; i < 6; ++i) inverse += column[i] * column[i];
+  }
+  return lu.sound() && squares * inverse < T(setup.bounds.condition_max * setup.bounds.condition_max);
+}
+
+/// Whether a commanded pose, whose struts have these lengths, surely keeps to the limits.
+template <class T>
+PLUMBLINE_INLINE MaskOf<T> surely_within(const Setup& setup, const Pose<T>& pose,
+                                         const machine::PerStrut<T>& lengths) {
+  const SureBounds& bounds = setup.bounds;
+  MaskOf<T> within = upright(pose.R_WP, bounds.commanded_tilt);
+  for (int a = 0; a < 3; ++a) {
+    const machine::Range& range = bounds.travel[static_cast<std::size_t>(a)];
+    within = within && pose.p_WT[a] >= T(range.lower) && pose.p_WT[a] <= T(range.upper);
+  }
+  for (int j = 0; j < machine::kStruts; ++j) {
+    within = within && lengths[j] >= T(bounds.length_min[j]) && lengths[j] <= T(bounds.length_max[j]);
+  }
+  if (bounds.condition_max < __builtin_inf()) within = within && well_conditioned(setup, pose);
+  return within;
+}
+
+/// The words of the commanded pose, and what is sure of them.
+template <class T>
+PLUMBLINE_INLINE void write(const Setup& setup, const Asked<T>& asked, const machine::AxisTurns<T>& turns,
+                            const Pose<T>& asked_pose, const Pose<T>& commanded, MaskOf<T> found, const MaskOf<T>& within,
+                            AnsweredBlock& answer, std::size_t lane) {
+  const machine::AngleChange<T> change = machine::angle_change(setup.rotation, turns, commanded.R_WP);
+  found = found && change.sure;
+  MaskOf<T> small = found;
+  T squares(0.0);
+  for (int a = 0; a < 3; ++a) {
+    const auto x = static_cast<std::size_t>(a);
+    const T shift = (commanded.p_WT[a] - asked_pose.p_WT[a]) * T(1 / kMm);
+    const T turn = change.abc[a] * T(1 / kDeg);
+    squares += shift * shift;
+    small = small && absolute<T>(turn) <= T(setup.small_deg);
+    (asked.linear[a] + shift).store(&answer.pose[x][lane]);
+    (asked.rotary[a] + turn).store(&answer.pose[x + 3][lane]);
+  }
+  small = small && squares <= T(setup.small_mm * setup.small_mm);
+  const T state = select<T>(found, T(double(kFound)), T(0.0)) + select<T>(within, T(double(kWithin)), T(0.0)) +
+                  select<T>(small, T(double(kSmall)), T(0.0));
+  state.store(&answer.state[lane]);
+}
+
+/// The lanes of a block from `lane` on.
+template <class T>
+void correct_lanes(const Setup& setup, const AskedBlock& block, AnsweredBlock& answer, std::size_t lane) {
+  const physics::ForceModel& forces = *setup.forces;
+  const double* const parameters = forces.parameters.data();
+  const Asked<T> asked = read<T>(block, lane);
+  const machine::AxisTurns<T> turns = machine::axis_turns<T>(setup.rotation, asked.rotary * T(kDeg));
+  T per_sign_speed;
+  const physics::Motion<T> motion = motion_of(setup, asked, turns, per_sign_speed);
+  const machine::StrutGeometry<T> struts = machine::strut_geometry(forces.machine.geometry, motion.pose);
+  const physics::StrutRates<T> rates = physics::strut_rates(struts, motion, setup.environment, per_sign_speed);
+  for (std::size_t j = 0; j < 6; ++j) rates.sign[static_cast<int>(j)].store(&answer.sign[j][lane]);
+
+  physics::Situation<T> at{forces.machine, setup.environment, motion, rates, motion.pose, struts, {}};
+  at.conditions.gravity = forces.machine.gravity.template cast<T>();
+  physics::ask_conditions(forces, parameters, at, at.conditions);
+  machine::StrutVectors<T> transverse = machine::StrutVectors<T>::Zero();
+  const physics::Wrench<T> wrench = physics::wrench_from_conditions(forces, parameters, at, transverse);
+  machine::Vector6<T> load;
+  load << wrench.force, wrench.moment;
+  const machine::OrderedLu6<T> lu(machine::jacobian(struts), setup.rows);
+  physics::nut_from_joint_tension<T>(forces, parameters, at, lu.solve_transposed(load));
+  physics::drive_from_nut_tension(forces, parameters, at);
+  const machine::PerStrut<T> stretch = physics::stretch_from_drive_tension(forces, parameters, at);
+
+  Pose<T> commanded = motion.pose;
+  const Struts<T> reached = move_struts<T>(setup, lu, struts.length, -stretch, commanded);
+  machine::PerStrut<T> lengths = reached.lengths;
+  if (setup.has_tip) {
+    commanded = machine::displaced<T>(commanded, -physics::tip_from_drive_tension(forces, parameters, at));
+    lengths = machine::strut_lengths(forces.machine.geometry, commanded);
+  }
+  const auto within = upright(motion.pose.R_WP, setup.bounds.programmed_tilt) &&
+                      surely_within(setup, commanded, lengths);
+  write<T>(setup, asked, turns, motion.pose, commanded, reached.fit && lu.sound(), within, answer, lane);
+}
+
+/// `count` poses, each of them in the lanes of T.
+template <class T>
+void correct_blocks(const Setup& setup, const AskedBlock* asked, AnsweredBlock* answered, std::size_t count) {
+  for (std::size_t i = 0; i < count; i += static_cast<std::size_t>(T::size())) {
+    correct_lanes<T>(setup, asked[i / kBlock], answered[i / kBlock], i % kBlock);
+  }
+}
+
+}  // namespace plumbline::compensate::exact

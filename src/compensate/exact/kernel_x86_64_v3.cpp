@@ -1,0 +1,16 @@
+// x86-64-v3: 4 doubles in a register of AVX2.
+#include "compensate/exact/kernel.hpp"
+#include "compensate/exact/kernel_units.hpp"
+
+namespace plumbline::compensate::exact {
+namespace {
+
+struct X86V3 {};
+
+}  // namespace
+
+void correct_on_x86_64_v3(const Setup& setup, const AskedBlock* asked, AnsweredBlock* answered, std::size_t poses) {
+  correct_blocks<Lanes<X86V3, 4>>(setup, asked, answered, poses);
+}
+
+}  // namespace plumbline::compensate::exact

@@ -1,0 +1,16 @@
+// x86-64-v4: 8 doubles in a register of AVX-512.
+#include "compensate/exact/kernel.hpp"
+#include "compensate/exact/kernel_units.hpp"
+
+namespace plumbline::compensate::exact {
+namespace {
+
+struct X86V4 {};
+
+}  // namespace
+
+void correct_on_x86_64_v4(const Setup& setup, const AskedBlock* asked, AnsweredBlock* answered, std::size_t poses) {
+  correct_blocks<Lanes<X86V4, 8>>(setup, asked, answered, poses);
+}
+
+}  // namespace plumbline::compensate::exact

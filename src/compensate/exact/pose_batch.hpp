@@ -1,0 +1,47 @@
+// Any number of poses, corrected together: they go in one by one and come out in the same order. What a pose gets does
+// not depend on those beside it, nor on the processor.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "base/axes.hpp"
+#include "compensate/exact/pose_block.hpp"
+#include "compensate/exact/setup.hpp"
+
+namespace plumbline::compensate::exact {
+
+/// Code of the kernel for one kind of processor.
+struct InstructionSet {
+  std::string_view name;
+  int lanes;
+  void (*correct)(const Setup&, const AskedBlock*, AnsweredBlock*, std::size_t poses);
+};
+
+/// Those that this processor has: one lane alone first, the fastest last. All give the same bits.
+std::span<const InstructionSet> instruction_sets();
+
+class PoseBatch {
+ public:
+  void clear() { count_ = 0; }
+  std::size_t size() const { return count_; }
+  /// See compensate/target.hpp. `seconds` below zero: only the direction counts.
+  void add(const AxisWords& pose, const AxisWords& slope, const AxisWords& bend, double seconds);
+
+  /// Corrects all poses that were added since clear().
+  void correct(const Setup& setup);
+  void correct(const Setup& setup, const InstructionSet& with);
+
+  // of the pose that was added as number i; hold after correct()
+  AxisWords commanded(std::size_t i) const;
+  machine::PerStrut<double> sign(std::size_t i) const;
+  int state(std::size_t i) const { return static_cast<int>(answered_[i / kBlock].state[i % kBlock]); }
+
+ private:
+  std::size_t count_ = 0;
+  std::vector<AskedBlock> asked_;
+  std::vector<AnsweredBlock> answered_;
+};
+
+}  // namespace plumbline::compensate::exact
