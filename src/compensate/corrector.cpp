@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/diagnostic.hpp"
 #include "base/units.hpp"
@@ -38,12 +39,26 @@ Corrector::Corrector(const machine::MachineModel& model, const Settings& setting
       radius_(machine::platform_radius(model.geometry)) {
   environment_.friction = settings.friction;
   environment_.dynamic = settings.dynamic;
+  setup_.rotation = model.rotation;
+  setup_.bounds = exact::sure_bounds(model.limits);
+  setup_.radius = radius_;
+  setup_.sign_width_of_feed = settings.sign_width_of_feed;
+  setup_.time = settings.time_s.value_or(0);
+  setup_.small_mm = kSureMm;
+  setup_.small_deg = kSureDeg;
+  take_geometry();
 }
 
 void Corrector::set_tool(const ToolInSpindle& tool) {
   physics_.machine.geometry = machine::with_tool(model_.geometry, tool.length);
   environment_.tool_mass = tool.mass - model_.reference_tool_mass;
   environment_.tool_centre_P = model_.geometry.tool_tip_P - Vector3<double>(0, 0, tool.along);
+  take_geometry();
+}
+
+void Corrector::take_geometry() {
+  setup_.environment = environment_;
+  setup_.take_geometry(physics_, machine::home_pose(model_));
 }
 
 Pose<double> Corrector::pose_of(const AxisWords& words) const { return machine::pose_of(model_.rotation, words); }
@@ -108,27 +123,19 @@ Corrected Corrector::correct_once(const Target& target, Method method) const {
 }
 
 // The axes that may not be written stay where they are, so the machine does not stand quite upright on the target: its
-// orientation is sought with which the tip is on it.
-Corrected Corrector::correct_with_fixed_axes(const Target& target) const {
-  Target standing = target;
-  Corrected corrected;
-  for (int round = 0; round < kMostRounds; ++round) {
-    corrected = correct_once(standing, settings_.method);
-    if (!corrected.converged) return corrected;
-    double off = 0;
-    for (const Axis axis : kAllAxes) {
-      if (!target.fixed.contains(axis)) continue;
-      const double rest = corrected.pose[axis] - target.pose[axis];
-      standing.pose[axis] -= rest;
-      off = std::max(off, std::abs(rest));
-    }
-    if (off <= kFixedAxisDeg) break;
-    corrected.converged = round + 1 < kMostRounds;
+// orientation is sought with which the tip is on it. False: not found yet.
+bool Corrector::settle_fixed_axes(const Target& target, Corrected& corrected, Target& standing) const {
+  double off = 0;
+  for (const Axis axis : kAllAxes) {
+    if (!target.fixed.contains(axis)) continue;
+    const double rest = corrected.pose[axis] - target.pose[axis];
+    standing.pose[axis] -= rest;
+    off = std::max(off, std::abs(rest));
   }
   for (const Axis axis : kAllAxes) {
     if (target.fixed.contains(axis)) corrected.pose[axis] = target.pose[axis];
   }
-  return corrected;
+  return off <= kFixedAxisDeg;
 }
 
 // A large correction is one near a singularity, where the machine may give way under its load wherever it is sent.
@@ -149,9 +156,57 @@ bool Corrector::can_stand_on(const Target& target) const {
 }
 
 Corrected Corrector::correct(const Target& target) const {
-  Corrected corrected = target.fixed.empty() ? correct_once(target, settings_.method) : correct_with_fixed_axes(target);
-  corrected.converged = corrected.converged && holds(target, corrected.pose);
-  return corrected;
+  Corrections alone;
+  correct({&target, 1}, alone);
+  return alone[0];
+}
+
+// The open targets where they stand now: in packs, and what these are not sure of one by one.
+void Corrector::correct_standing(Corrections& corrections, int round) const {
+  const std::vector<std::size_t>& open = corrections.open_;
+  exact::PoseBatch& batch = corrections.batch_;
+  batch.clear();
+  if (settings_.method == Method::exact) {
+    for (const std::size_t i : open) {
+      const Target& at = corrections.standing_[i];
+      batch.add(at.pose, at.slope, at.bend, at.seconds.value_or(-1));
+    }
+    batch.correct(setup_);
+  }
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    Corrected& corrected = corrections.corrected_[open[k]];
+    const int state = batch.size() > 0 ? batch.state(k) : 0;
+    if ((state & exact::kFound) == 0) {
+      corrected = correct_once(corrections.standing_[open[k]], settings_.method);
+      continue;
+    }
+    corrected = {batch.commanded(k), true, round == 0 && (state & exact::kWithin) != 0, batch.sign(k)};
+  }
+}
+
+void Corrector::correct(std::span<const Target> targets, Corrections& corrections) const {
+  corrections.corrected_.resize(targets.size());
+  corrections.standing_.assign(targets.begin(), targets.end());
+  corrections.open_.resize(targets.size());
+  std::iota(corrections.open_.begin(), corrections.open_.end(), std::size_t{0});
+  for (int round = 0; round < kMostRounds && !corrections.open_.empty(); ++round) {
+    correct_standing(corrections, round);
+    corrections.still_open_.clear();
+    for (const std::size_t i : corrections.open_) {
+      const Target& target = targets[i];
+      Corrected& corrected = corrections.corrected_[i];
+      if (corrected.converged && !target.fixed.empty()) {
+        corrected.within_limits = false;  // it was asked of another pose
+        if (!settle_fixed_axes(target, corrected, corrections.standing_[i])) {
+          corrected.converged = round + 1 < kMostRounds;
+          if (corrected.converged) corrections.still_open_.push_back(i);
+          continue;
+        }
+      }
+      corrected.converged = corrected.converged && holds(target, corrected.pose);
+    }
+    corrections.open_.swap(corrections.still_open_);
+  }
 }
 
 std::optional<AxisWords> Corrector::error(const Target& target) const {

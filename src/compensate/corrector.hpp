@@ -2,8 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "base/axes.hpp"
+#include "compensate/exact/pose_batch.hpp"
 #include "compensate/settings.hpp"
 #include "compensate/target.hpp"
 #include "machine/model.hpp"
@@ -21,7 +24,23 @@ struct ToolInSpindle {
 struct Corrected {
   AxisWords pose;  // to be commanded
   bool converged = false;
+  bool within_limits = false;  // surely, neither the target nor the pose to be commanded breaks one
   machine::PerStrut<double> sign = machine::PerStrut<double>::Zero();  // of each strut's speed, smoothed
+};
+
+/// Targets that are corrected together, and what is kept from one such call to the next.
+class Corrections {
+ public:
+  /// Of the target in the same place.
+  const Corrected& operator[](std::size_t i) const { return corrected_[i]; }
+
+ private:
+  friend class Corrector;
+  std::vector<Corrected> corrected_;
+  std::vector<Target> standing_;  // where each is corrected: its fixed axes turned until they end where they were
+  std::vector<std::size_t> open_;
+  std::vector<std::size_t> still_open_;
+  exact::PoseBatch batch_;
 };
 
 /// A machine that was told to go somewhere, as the model has it: its friction turns as fast as the model says, not as
@@ -40,6 +59,9 @@ class Corrector {
 
   /// What to command for a target. Not converged: no command within reach puts the tool there.
   Corrected correct(const Target& target) const;
+  /// The same for many, in packs: what each gets does not depend on the others. Several threads may do so at once, each
+  /// with corrections of its own.
+  void correct(std::span<const Target> targets, Corrections& corrections) const;
 
   /// dT: where the deformed machine stands when told to go to the target, minus the target; mm and deg.
   /// Nothing where that does not converge.
@@ -84,8 +106,10 @@ class Corrector {
   };
   Load load_at(const Target& target) const;
   bool move_struts(const Load& load, Pose<double>& pose) const;
+  void take_geometry();
   Corrected correct_once(const Target& target, Method method) const;
-  Corrected correct_with_fixed_axes(const Target& target) const;
+  void correct_standing(Corrections& corrections, int round) const;
+  bool settle_fixed_axes(const Target& target, Corrected& corrected, Target& standing) const;
   bool holds(const Target& target, const AxisWords& commanded) const;
   bool can_stand_on(const Target& target) const;
   physics::Motion<double> motion_of(const Target& target, physics::Environment& environment) const;
@@ -94,6 +118,7 @@ class Corrector {
   const Settings& settings_;
   physics::ForceModel physics_;
   physics::Environment environment_;
+  exact::Setup setup_;
   double radius_ = 0;  // of the platform, m: turns a rotation into the speed of the joints
 };
 

@@ -55,10 +55,15 @@ int chord_steps(const AxisWords& delta) {
 }
 
 Command command(const Corrector& corrector, const machine::Limits& limits, const Target& target) {
-  Command command;
+  return command(corrector, limits, target, corrector.correct(target));
+}
+
+Command command(const Corrector& corrector, const machine::Limits& limits, const Target& target,
+                const Corrected& corrected) {
+  Command command{corrected, {}};
+  if (corrected.converged && corrected.within_limits) return command;
   command.violations = machine::check_programmed(limits, corrector.pose_of(target.pose));
-  command.corrected = corrector.correct(target);
-  if (!command.corrected.converged) return command;
+  if (!corrected.converged) return command;
   append(command.violations,
          machine::check_compensated(limits, corrector.geometry(), corrector.pose_of(command.corrected.pose)));
   return command;

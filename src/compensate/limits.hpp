@@ -24,6 +24,9 @@ struct Command {
   std::vector<machine::Violation> violations;
 };
 Command command(const Corrector& corrector, const machine::Limits& limits, const Target& target);
+/// The same of a target that was corrected before.
+Command command(const Corrector& corrector, const machine::Limits& limits, const Target& target,
+                const Corrected& corrected);
 
 /// A rapid goes to the command of its end as the control likes: the limits broken along the straight line there from
 /// the command of its start, every 10 mm or 1 deg, its ends left out.

@@ -1,5 +1,6 @@
 #include "compensate/move_corrector.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -7,6 +8,7 @@ namespace plumbline::compensate {
 namespace {
 
 constexpr int kManyPieces = 10'000;
+constexpr int kTogether = 256;  // pieces: their targets stay in the cache
 
 }  // namespace
 
@@ -43,9 +45,13 @@ void MoveCorrector::note(std::vector<machine::Violation> violations) {
   for (machine::Violation& violation : violations) result_.violations.push_back(std::move(violation));
 }
 
-// False where no command leads there.
 bool MoveCorrector::take(const Target& target, const AxisWords& words) {
-  Command command = compensate::command(corrector_, limits_, target);
+  return take(target, words, corrector_.correct(target));
+}
+
+// False where no command leads there.
+bool MoveCorrector::take(const Target& target, const AxisWords& words, const Corrected& corrected) {
+  Command command = compensate::command(corrector_, limits_, target, corrected);
   note(std::move(command.violations));
   if (!command.corrected.converged) {
     note({{std::string(kOutOfReach), 0, 0, 0, ""}});
@@ -83,10 +89,19 @@ void MoveCorrector::correct_cut() {
     note(machine::check_programmed(limits_, corrector_.pose_of(end.pose)));
     if (stops()) return;
   }
-  for (int i = 1; i <= move.pieces; ++i) {
-    const path::CurvePoint point = move.path.curve.point(move.fraction(i));
-    if (take(move.path.target(point, move.seconds), point.at)) result_.points.back().share = 1.0 / move.pieces;
-    if (stops()) return;
+  for (int first = 1; first <= move.pieces; first += kTogether) {
+    const int last = std::min(first + kTogether - 1, move.pieces);
+    points_.clear();
+    targets_.clear();
+    for (int i = first; i <= last; ++i) {
+      points_.push_back(move.path.curve.point(move.fraction(i)));
+      targets_.push_back(move.path.target(points_.back(), move.seconds));
+    }
+    corrector_.correct(targets_, corrections_);
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      if (take(targets_[i], points_[i].at, corrections_[i])) result_.points.back().share = 1.0 / move.pieces;
+      if (stops()) return;
+    }
   }
 }
 

@@ -44,6 +44,7 @@ class MoveCorrector {
  private:
   void begin(const Move& move, const AxisWords& standing);
   bool take(const Target& target, const AxisWords& words);
+  bool take(const Target& target, const AxisWords& words, const Corrected& corrected);
   bool stops() const { return at_violation_ == AtViolation::stop && !result_.violations.empty(); }
   void note(std::vector<machine::Violation> violations);
   void correct_rapid();
@@ -53,6 +54,9 @@ class MoveCorrector {
   const machine::Limits& limits_;
   AtViolation at_violation_;
   CorrectedMove result_;
+  std::vector<path::CurvePoint> points_;  // of pieces that are corrected together
+  std::vector<Target> targets_;
+  Corrections corrections_;
 };
 
 }  // namespace plumbline::compensate

@@ -20,6 +20,7 @@ class OrderedLu6 {
     for (int i = 0; i < kSize; ++i) {
       for (int k = 0; k < kSize; ++k) lu_[i][k] = A(rows[static_cast<std::size_t>(i)], k);
     }
+    T growth(0.0);
 #pragma GCC unroll 6
     for (int k = 0; k < kSize; ++k) {
       inverse_[k] = T(1.0) / lu_[k][k];
@@ -27,13 +28,12 @@ class OrderedLu6 {
       for (int i = k + 1; i < kSize; ++i) {
         const T factor = lu_[i][k] * inverse_[k];
         lu_[i][k] = factor;
-        const MaskOf<T> small = absolute<T>(factor) < T(kLargestFactor);  // false for NaN
-        sound_ = i == 1 && k == 0 ? small : (sound_ && small);
+        growth += factor * factor;
 #pragma GCC unroll 6
         for (int c = k + 1; c < kSize; ++c) lu_[i][c] -= factor * lu_[k][c];
       }
     }
-    sound_ = sound_ && absolute<T>(inverse_[5]) < T(kLargestFactor * kLargestFactor);
+    sound_ = growth < T(kMostGrowth) && inverse_[5] * inverse_[5] < T(kMostGrowth * kMostGrowth);  // false for NaN
   }
 
   /// True where no factor has grown so much that the order costs digits: three of sixteen at most. The solutions mean
@@ -82,7 +82,7 @@ class OrderedLu6 {
 
  private:
   static constexpr int kSize = 6;
-  static constexpr double kLargestFactor = 1e3;
+  static constexpr double kMostGrowth = 1e6;  // squared factors, all together
 
   const RowOrder& rows_;
   T lu_[kSize][kSize];

@@ -57,13 +57,13 @@ std::vector<std::string_view> catalogue_names();
 /// Those of them that are causes, no descriptions.
 std::vector<std::string_view> cause_names();
 
-/// Calls apply.template operator()<Effect>(index) for each effect of the list, at compile time.
-template <class Apply>
+/// Calls apply.template operator()<Effect>(index) for each effect of the list from one to another, at compile time.
+template <std::size_t kFrom = 0, std::size_t kTo = kEffects, class Apply>
 void for_each_effect(Apply&& apply) {
   [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (apply.template operator()<std::tuple_element_t<I, Effects>>(I), ...);
+    (apply.template operator()<std::tuple_element_t<kFrom + I, Effects>>(kFrom + I), ...);
   }
-  (std::make_index_sequence<kEffects>{});
+  (std::make_index_sequence<kTo - kFrom>{});
 }
 
 }  // namespace plumbline::physics

@@ -27,6 +27,8 @@ class ForceModel {
   double sign_speed = 0;           // v0 that the model states, m/s
 
   const std::vector<Instance>& instances() const { return instances_; }
+  /// Whether any effect acts besides the base effects.
+  bool has_catalogue_effects() const { return instances_.size() > kBaseEffects; }
   /// First parameters of the instances of one effect.
   const std::vector<int>& instances_of(std::size_t effect) const { return by_effect_[effect]; }
 

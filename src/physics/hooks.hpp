@@ -32,20 +32,22 @@ namespace plumbline::physics {
 /// Calls apply(Effect, parameters) for each instance of each effect.
 template <class T, class Apply>
 void for_each_instance(const ForceModel& model, const Parameter<T>* parameters, Apply&& apply) {
-  for_each_effect([&]<class Effect>(std::size_t i) {
+  const auto each = [&]<class Effect>(std::size_t i) {
     for (const int first : model.instances_of(i)) apply.template operator()<Effect>(Values<T>(parameters + first));
-  });
+  };
+  for_each_effect<0, kBaseEffects>(each);
+  if (model.has_catalogue_effects()) for_each_effect<kBaseEffects, kEffects>(each);
 }
 
 // One function per hook: asks every instance of every effect that has the hook. The name alone decides, so that a hook
 // whose arguments are wrong does not compile.
 // NOLINTBEGIN(bugprone-macro-parentheses): the name of a member takes none
-#define PLUMBLINE_ASK(hook, Sum)                                                                    \
-  template <class T>                                                                                \
+#define PLUMBLINE_ASK(hook, Sum)                                                                               \
+  template <class T>                                                                                           \
   void ask_##hook(const ForceModel& model, const Parameter<T>* parameters, const Situation<T>& at, Sum& sum) { \
-    for_each_instance<T>(model, parameters, [&]<class Effect>(Values<T> p) {                        \
-      if constexpr (requires { &Effect::template hook<T>; }) Effect::hook(p, at, sum);              \
-    });                                                                                             \
+    for_each_instance<T>(model, parameters, [&]<class Effect>(Values<T> p) {                                   \
+      if constexpr (requires { &Effect::template hook<T>; }) Effect::hook(p, at, sum);                         \
+    });                                                                                                        \
   }
 // NOLINTEND(bugprone-macro-parentheses)
 PLUMBLINE_HOOKS(PLUMBLINE_ASK)

@@ -12,7 +12,7 @@
 
 namespace plumbline::compensate::exact {
 
-constexpr double kSpeedOverSign = 100;    // as in compensate/target.cpp
+constexpr double kSpeedOverSign = 100;      // as in compensate/target.cpp
 constexpr double kLengthTolerance = 1e-12;  // m
 constexpr int kMostSteps = 8;
 
@@ -22,12 +22,6 @@ struct Asked {
   Vector3<T> linear_slope, rotary_slope;
   Vector3<T> linear_bend;
   T seconds;
-};
-
-template <class T>
-struct Struts {
-  machine::PerStrut<T> lengths;
-  MaskOf<T> fit;  // all of them within the tolerance
 };
 
 template <class T>
@@ -67,8 +61,7 @@ PLUMBLINE_INLINE physics::Motion<T> motion_of(const Setup& setup, const Asked<T>
   const Vector3<T> along = asked.linear_slope * T(kMm);
   const T size = sqrt(squared(along) + T(setup.radius * setup.radius) * squared(turning.velocity));
   const auto timed = asked.seconds >= T(0.0);
-  const T direction_alone =
-      T(kSpeedOverSign) * model_speed / select<T>(size > T(0.0), size, T(__builtin_inf()));
+  const T direction_alone = T(kSpeedOverSign) * model_speed / select<T>(size > T(0.0), size, T(__builtin_inf()));
   const T per_second = select<T>(timed, T(1.0) / select<T>(timed, asked.seconds, T(1.0)), direction_alone);
   motion.twist.v_WT = along * per_second;
   motion.twist.w_WP = turning.velocity * per_second;
@@ -82,11 +75,18 @@ PLUMBLINE_INLINE physics::Motion<T> motion_of(const Setup& setup, const Asked<T>
   return motion;
 }
 
-/// The strut lengths at a pose against those that are wanted; `misfit`: wanted minus had.
+/// What Newton's chord method looks for and how far off it is. Squares take the place of lengths: (w^2 - l^2) / 2 L is
+/// w - l to first order, and a chord needs no more.
 template <class T>
-PLUMBLINE_INLINE Struts<T> struts_at(const Setup& setup, const Pose<T>& pose, const machine::PerStrut<T>& wanted,
-                                     machine::PerStrut<T>& misfit) {
-  Struts<T> struts;
+struct Search {
+  machine::PerStrut<T> squares;     // of the lengths that are wanted, m^2
+  machine::PerStrut<T> per_length;  // 1 / 2 L at the begin
+  machine::PerStrut<T> misfit;      // wanted minus had, m
+  MaskOf<T> fits;                   // all of them within the tolerance
+};
+
+template <class T>
+PLUMBLINE_INLINE void measure(const Setup& setup, const Pose<T>& pose, Search<T>& search) {
   const auto& base = setup.forces->machine.geometry.base_joints_W;
 #pragma GCC unroll 6
   for (int j = 0; j < machine::kStruts; ++j) {
@@ -98,12 +98,10 @@ PLUMBLINE_INLINE Struts<T> struts_at(const Setup& setup, const Pose<T>& pose, co
                    pose.R_WP(a, 2) * T(setup.arms_P(2, j)));
       squares += d * d;
     }
-    struts.lengths[j] = sqrt(squares);
-    misfit[j] = wanted[j] - struts.lengths[j];
-    const auto fits = absolute<T>(misfit[j]) <= T(kLengthTolerance);
-    struts.fit = j == 0 ? fits : (struts.fit && fits);
+    search.misfit[j] = (search.squares[j] - squares) * search.per_length[j];
+    const auto fits = absolute<T>(search.misfit[j]) <= T(kLengthTolerance);
+    search.fits = j == 0 ? fits : (search.fits && fits);
   }
-  return struts;
 }
 
 /// R <- exp(w) R to the sixth order of w, as machine::small_rotation has it.
@@ -124,26 +122,31 @@ PLUMBLINE_INLINE Matrix3<T> turned(const Vector3<T>& w, const Matrix3<T>& R) {
   return result;
 }
 
-/// From a pose to the one whose struts are longer by `change`: Newton's chord method, as machine::forward_near has it,
-/// each lane until it has converged.
+/// From a pose to the one whose struts are longer by `change`, as machine::forward_near has it, each lane until it has
+/// converged. True where it has.
 template <class T>
-PLUMBLINE_INLINE Struts<T> move_struts(const Setup& setup, const machine::OrderedLu6<T>& lu,
+PLUMBLINE_INLINE MaskOf<T> move_struts(const Setup& setup, const machine::OrderedLu6<T>& lu,
                                        const machine::PerStrut<T>& lengths, const machine::PerStrut<T>& change,
                                        Pose<T>& pose) {
-  const machine::PerStrut<T> wanted = lengths + change;
-  machine::PerStrut<T> misfit = change;
-  Struts<T> struts{lengths, MaskOf<T>(false)};
-  for (int step = 0; step < kMostSteps && !all(struts.fit || !lu.sound()); ++step) {
-    const auto frozen = struts.fit;
-    const machine::Vector6<T> by = lu.solve(misfit);
+  Search<T> search;
+  for (int j = 0; j < machine::kStruts; ++j) {
+    const T wanted = lengths[j] + change[j];
+    search.squares[j] = wanted * wanted;
+    search.per_length[j] = T(0.5) / lengths[j];
+  }
+  search.misfit = change;
+  search.fits = MaskOf<T>(false);
+  for (int step = 0; step < kMostSteps && !all(search.fits || !lu.sound()); ++step) {
+    const auto frozen = search.fits;
+    const machine::Vector6<T> by = lu.solve(search.misfit);
     const Matrix3<T> next = turned<T>(Vector3<T>(by[3], by[4], by[5]), pose.R_WP);
     for (int a = 0; a < 3; ++a) {
       pose.p_WT[a] = select<T>(frozen, pose.p_WT[a], pose.p_WT[a] + by[a]);
       for (int q = 0; q < 3; ++q) pose.R_WP(a, q) = select<T>(frozen, pose.R_WP(a, q), next(a, q));
     }
-    struts = struts_at(setup, pose, wanted, misfit);
+    measure(setup, pose, search);
   }
-  return struts;
+  return search.fits && lu.sound();
 }
 
 template <class T>
@@ -154,7 +157,8 @@ PLUMBLINE_INLINE MaskOf<T> upright(const Matrix3<T>& R_WP, double squared_sine) 
 /// machine::condition_bound at a pose, by the row order of home.
 template <class T>
 PLUMBLINE_INLINE MaskOf<T> well_conditioned(const Setup& setup, const Pose<T>& pose) {
-  machine::Matrix6<T> J = machine::jacobian(machine::strut_geometry(setup.forces->machine.geometry, pose));
+  machine::Matrix6<T> J =
+      machine::jacobian(machine::strut_geometry(setup.forces->machine.geometry, setup.arms_P, pose));
   T squares(0.0);
   for (int i = 0; i < 6; ++i) {
     for (int k = 0; k < 6; ++k) {
@@ -173,8 +177,7 @@ PLUMBLINE_INLINE MaskOf<T> well_conditioned(const Setup& setup, const Pose<T>& p
 
 /// Whether a commanded pose, whose struts have these lengths, surely keeps to the limits.
 template <class T>
-PLUMBLINE_INLINE MaskOf<T> surely_within(const Setup& setup, const Pose<T>& pose,
-                                         const machine::PerStrut<T>& lengths) {
+PLUMBLINE_INLINE MaskOf<T> surely_within(const Setup& setup, const Pose<T>& pose, const machine::PerStrut<T>& lengths) {
   const SureBounds& bounds = setup.bounds;
   MaskOf<T> within = upright(pose.R_WP, bounds.commanded_tilt);
   for (int a = 0; a < 3; ++a) {
@@ -191,8 +194,8 @@ PLUMBLINE_INLINE MaskOf<T> surely_within(const Setup& setup, const Pose<T>& pose
 /// The words of the commanded pose, and what is sure of them.
 template <class T>
 PLUMBLINE_INLINE void write(const Setup& setup, const Asked<T>& asked, const machine::AxisTurns<T>& turns,
-                            const Pose<T>& asked_pose, const Pose<T>& commanded, MaskOf<T> found, const MaskOf<T>& within,
-                            AnsweredBlock& answer, std::size_t lane) {
+                            const Pose<T>& asked_pose, const Pose<T>& commanded, MaskOf<T> found,
+                            const MaskOf<T>& within, AnsweredBlock& answer, std::size_t lane) {
   const machine::AngleChange<T> change = machine::angle_change(setup.rotation, turns, commanded.R_WP);
   found = found && change.sure;
   MaskOf<T> small = found;
@@ -221,7 +224,7 @@ void correct_lanes(const Setup& setup, const AskedBlock& block, AnsweredBlock& a
   const machine::AxisTurns<T> turns = machine::axis_turns<T>(setup.rotation, asked.rotary * T(kDeg));
   T per_sign_speed;
   const physics::Motion<T> motion = motion_of(setup, asked, turns, per_sign_speed);
-  const machine::StrutGeometry<T> struts = machine::strut_geometry(forces.machine.geometry, motion.pose);
+  const machine::StrutGeometry<T> struts = machine::strut_geometry(forces.machine.geometry, setup.arms_P, motion.pose);
   const physics::StrutRates<T> rates = physics::strut_rates(struts, motion, setup.environment, per_sign_speed);
   for (std::size_t j = 0; j < 6; ++j) rates.sign[static_cast<int>(j)].store(&answer.sign[j][lane]);
 
@@ -238,15 +241,15 @@ void correct_lanes(const Setup& setup, const AskedBlock& block, AnsweredBlock& a
   const machine::PerStrut<T> stretch = physics::stretch_from_drive_tension(forces, parameters, at);
 
   Pose<T> commanded = motion.pose;
-  const Struts<T> reached = move_struts<T>(setup, lu, struts.length, -stretch, commanded);
-  machine::PerStrut<T> lengths = reached.lengths;
+  const auto found = move_struts<T>(setup, lu, struts.length, -stretch, commanded);
+  machine::PerStrut<T> lengths = struts.length - stretch;
   if (setup.has_tip) {
     commanded = machine::displaced<T>(commanded, -physics::tip_from_drive_tension(forces, parameters, at));
-    lengths = machine::strut_lengths(forces.machine.geometry, commanded);
+    lengths = machine::strut_geometry(forces.machine.geometry, setup.arms_P, commanded).length;
   }
-  const auto within = upright(motion.pose.R_WP, setup.bounds.programmed_tilt) &&
-                      surely_within(setup, commanded, lengths);
-  write<T>(setup, asked, turns, motion.pose, commanded, reached.fit && lu.sound(), within, answer, lane);
+  const auto within =
+      upright(motion.pose.R_WP, setup.bounds.programmed_tilt) && surely_within(setup, commanded, lengths);
+  write<T>(setup, asked, turns, motion.pose, commanded, found, within, answer, lane);
 }
 
 /// `count` poses, each of them in the lanes of T.

@@ -34,7 +34,7 @@ SureBounds sure_bounds(const machine::Limits& limits) {
 void Setup::take_geometry(const physics::ForceModel& model, const Pose<double>& home) {
   forces = &model;
   const machine::Geometry& geometry = model.machine.geometry;
-  arms_P = geometry.platform_joints_P.colwise() - geometry.tool_tip_P;
+  arms_P = machine::arms_of(geometry);
   condition_radius = machine::platform_radius(geometry);
   has_tip = false;
   physics::for_each_effect([&]<class Effect>(std::size_t i) {
