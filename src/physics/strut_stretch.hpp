@@ -53,7 +53,8 @@ void drive_from_nut_tension(const ForceModel& model, const Parameter<T>* paramet
 
 /// From the tensions of the drives: dL_j, what each strut is longer than commanded, m.
 template <class T>
-machine::PerStrut<T> stretch_from_drive_tension(const ForceModel& model, const Parameter<T>* parameters, const Situation<T>& at) {
+machine::PerStrut<T> stretch_from_drive_tension(const ForceModel& model, const Parameter<T>* parameters,
+                                                const Situation<T>& at) {
   machine::PerStrut<T> stretch = machine::PerStrut<T>::Zero();
   ask_length(model, parameters, at, stretch);
   return stretch;
@@ -61,7 +62,8 @@ machine::PerStrut<T> stretch_from_drive_tension(const ForceModel& model, const P
 
 /// From the tensions of the drives: displacement of the tip that no strut makes, m and rad in W.
 template <class T>
-machine::Vector6<T> tip_from_drive_tension(const ForceModel& model, const Parameter<T>* parameters, const Situation<T>& at) {
+machine::Vector6<T> tip_from_drive_tension(const ForceModel& model, const Parameter<T>* parameters,
+                                           const Situation<T>& at) {
   machine::Vector6<T> tip = machine::Vector6<T>::Zero();
   ask_tip(model, parameters, at, tip);
   return tip;
@@ -69,7 +71,8 @@ machine::Vector6<T> tip_from_drive_tension(const ForceModel& model, const Parame
 
 /// From the tensions of the drives: the torques of the motors, into the situation, and as they are read, N m.
 template <class T>
-machine::PerStrut<T> reading_from_drive_tension(const ForceModel& model, const Parameter<T>* parameters, Situation<T>& at) {
+machine::PerStrut<T> reading_from_drive_tension(const ForceModel& model, const Parameter<T>* parameters,
+                                                Situation<T>& at) {
   at.torque = model.machine.torque(at.drive_tension);
   machine::PerStrut<T> reading = at.torque;
   ask_reading(model, parameters, at, reading);
@@ -80,9 +83,9 @@ machine::PerStrut<T> reading_from_drive_tension(const ForceModel& model, const P
 /// `parameters` are the model's, or others in their place (parameters_as). No heap, no state: points may be computed in
 /// any order.
 template <class T>
-StrutStretch<T> strut_stretch_at(const ForceModel& model, const Parameter<T>* parameters, const Environment& environment,
-                                 const Motion<T>& motion, const StrutRates<T>& rates, const Pose<T>& pose,
-                                 const machine::StrutGeometry<T>& struts) {
+StrutStretch<T> strut_stretch_at(const ForceModel& model, const Parameter<T>* parameters,
+                                 const Environment& environment, const Motion<T>& motion, const StrutRates<T>& rates,
+                                 const Pose<T>& pose, const machine::StrutGeometry<T>& struts) {
   Situation<T> at{model.machine, environment, motion, rates, pose, struts, {}};
   at.conditions.gravity = model.machine.gravity.template cast<T>();
   ask_conditions(model, parameters, at, at.conditions);

@@ -21,7 +21,7 @@ const machine::MachineModel& model() {
 template <class T>
 constexpr int lanes() {
   if constexpr (kIsPack<T>) {
-    return static_cast<int>(T::size());
+    return T::size();
   } else {
     return 1;
   }
@@ -42,8 +42,8 @@ std::vector<Motion<T>> circle() {
     motion.pose.R_WP = R.cast<T>();
     for (int a = 0; a < 3; ++a) {
       if constexpr (kIsPack<T>) {
-        motion.pose.p_WT[a][static_cast<std::size_t>(n) % T::size()] = x[a];
-        motion.twist.v_WT[a][static_cast<std::size_t>(n) % T::size()] = v[a];
+        motion.pose.p_WT[a].set(n % T::size(), x[a]);
+        motion.twist.v_WT[a].set(n % T::size(), v[a]);
       } else {
         motion.pose.p_WT[a] = x[a];
         motion.twist.v_WT[a] = v[a];

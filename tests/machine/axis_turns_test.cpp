@@ -18,7 +18,7 @@ using One = Lanes<AnyProcessor, 1>;
 Vector3<double> plain(const Vector3<One>& v) { return {v[0][0], v[1][0], v[2][0]}; }
 double largest(const Vector3<double>& v) { return v.cwiseAbs().maxCoeff(); }
 
-constexpr const char* kOrders[] = {"XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"};
+constexpr const char* kAllOrders[] = {"XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"};
 
 Vector3<double> angles(Random& random) {
   return {uniform(random, -7, 7), uniform(random, -7, 7), uniform(random, -7, 7)};
@@ -28,7 +28,7 @@ Vector3<double> angles(Random& random) {
 
 TEST_CASE("sines and cosines of A, B, C make the orientation that the angles make, in every order") {
   Random random(5);
-  for (const char* const text : kOrders) {
+  for (const char* const text : kAllOrders) {
     const RotationOrder order = rotation_order(text).value();
     for (int n = 0; n < 100; ++n) {
       const Vector3<double> abc = angles(random);
@@ -43,7 +43,7 @@ TEST_CASE("sines and cosines of A, B, C make the orientation that the angles mak
 
 TEST_CASE("rates of A, B, C make the angular velocity, and its derivative is the angular acceleration") {
   Random random(6);
-  for (const char* const text : kOrders) {
+  for (const char* const text : kAllOrders) {
     const RotationOrder order = rotation_order(text).value();
     for (int n = 0; n < 100; ++n) {
       const Vector3<double> abc = angles(random);
@@ -61,7 +61,7 @@ TEST_CASE("rates of A, B, C make the angular velocity, and its derivative is the
 
 TEST_CASE("the change of A, B, C leads to the orientation, and says where it cannot be sure") {
   Random random(7);
-  for (const char* const text : kOrders) {
+  for (const char* const text : kAllOrders) {
     const RotationOrder order = rotation_order(text).value();
     int sure = 0;
     for (int n = 0; n < 500; ++n) {

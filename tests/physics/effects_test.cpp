@@ -302,7 +302,8 @@ TEST_CASE("every effect gives a pack of poses what it gives each of them") {
     const ForceModel model = model_with(effect, ordinary_values(effect_infos()[effect], random));
     std::vector<Motion<double>> lanes;
     for (int lane = 0; lane < Pack::size(); ++lane) lanes.push_back(moment_within(pm600_like().limits, random));
-    const auto packed = outcome(strut_stretch(model, model.parameters.data(), model.environment(), packed_motion(lanes)));
+    const auto packed =
+        outcome(strut_stretch(model, model.parameters.data(), model.environment(), packed_motion(lanes)));
     for (int lane = 0; lane < Pack::size(); ++lane) {
       const Motion<double>& motion = lanes[static_cast<std::size_t>(lane)];
       const auto alone = outcome(strut_stretch(model, model.environment(), motion));

@@ -13,8 +13,8 @@
 namespace plumbline::compensate::exact {
 
 constexpr double kSpeedOverSign = 100;      // as in compensate/target.cpp
-constexpr double kLengthTolerance = 1e-12;  // m
-constexpr int kMostSteps = 8;
+constexpr double kLengthTolerance = 1e-13;  // m
+constexpr int kMostSteps = 16;
 
 template <class T>
 struct Asked {
