@@ -1,6 +1,7 @@
 #include "compensate/between_points.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/units.hpp"
@@ -172,20 +173,23 @@ void BetweenPoints::play_waiting(const MovePath* next) {
   waiting_.clear();
 }
 
-std::optional<BetweenPoints::Off> BetweenPoints::off_at(const Part& part, double fraction, const MovePath* next) {
-  const double at = std::clamp(part.from + fraction * part.share, 0.0, 1.0);
-  Target told = here_->target(at, seconds_);
-  if (!part.along_curve) {
-    told.pose = path::between(part.begin, part.end, fraction);
-    told.slope = part.end - part.begin;
-    for (double& value : told.slope.values) value /= part.share;
-  }
+Target BetweenPoints::told_at(const Part& part, double fraction) const {
+  Target told = here_->target(path_fraction(part, fraction), seconds_);
+  if (part.along_curve) return told;
+  told.pose = path::between(part.begin, part.end, fraction);
+  told.slope = part.end - part.begin;
+  for (double& value : told.slope.values) value /= part.share;
+  return told;
+}
+
+BetweenPoints::Off BetweenPoints::off_at(const Part& part, double fraction, const std::optional<PlayedTip>& played,
+                                         const MovePath* next) {
   ++plays_;
-  const std::optional<PlayedTip> played = corrector_.play(told);
   if (!played) {
     if (gave_way_line_ == 0) gave_way_line_ = here_->line;
-    return std::nullopt;
+    return {};
   }
+  const double at = path_fraction(part, fraction);
   const Vector3<double> tip_mm = played->stands.p_WT / kMm;
   const Matrix3<double>& R_WP = played->stands.R_WP;
   Off off{distance_mm(*here_, tip_mm, at), turn_deg(corrector_, *here_, R_WP, at), played->speed};
@@ -204,11 +208,20 @@ std::optional<BetweenPoints::Off> BetweenPoints::off_at(const Part& part, double
   return off;
 }
 
-BetweenPoints::Off BetweenPoints::sample(const Part& part, double fraction, const MovePath* next) {
-  Off off = off_at(part, fraction, next).value_or(Off{});
-  tip_.found.take(off.tip_mm, here_->line);
-  turned_.found.take(off.turned_deg, here_->line);
-  return off;
+// The part at these fractions, played together: their looks, which hold until the next call.
+std::span<const BetweenPoints::Look> BetweenPoints::sample(const Part& part, std::span<const double> fractions,
+                                                           const MovePath* next) {
+  told_.clear();
+  for (const double fraction : fractions) told_.push_back(told_at(part, fraction));
+  corrector_.play(told_, played_);
+  sampled_.clear();
+  for (std::size_t i = 0; i < fractions.size(); ++i) {
+    const Off off = off_at(part, fractions[i], played_[i], next);
+    tip_.found.take(off.tip_mm, here_->line);
+    turned_.found.take(off.turned_deg, here_->line);
+    sampled_.push_back({fractions[i], off});
+  }
+  return sampled_;
 }
 
 // Its ends and its middle; both sides of the places where a strut turns; where that is promising, what lies between,
@@ -219,7 +232,7 @@ void BetweenPoints::play(const Part& part, const MovePath* next) {
   const double tip_before = tip_.found.value;
   const double turned_before = turned_.found.value;
   looked_.clear();
-  for (const double fraction : kFirstLook) look(part, fraction, next);
+  look(part, kFirstLook, next);
   look_beside_turns(part, next);
   const auto most = [&](double Off::*figure) {
     double largest = 0;
@@ -229,7 +242,7 @@ void BetweenPoints::play(const Part& part, const MovePath* next) {
   const bool tip_promises = most(&Off::tip_mm) > kPromising * tip_before;
   const bool turn_promises = most(&Off::turned_deg) > kPromising * turned_before;
   if (tip_promises || turn_promises) {
-    for (const double fraction : kCloseLook) look(part, fraction, next);
+    look(part, kCloseLook, next);
     std::sort(looked_.begin(), looked_.end(), [](const Look& a, const Look& b) { return a.fraction < b.fraction; });
     if (tip_promises && most(&Off::tip_mm) > tip_before) refine(part, &Off::tip_mm, next);
     if (turn_promises && most(&Off::turned_deg) > turned_before) refine(part, &Off::turned_deg, next);
@@ -241,21 +254,24 @@ void BetweenPoints::play(const Part& part, const MovePath* next) {
   turned_.learn(part.turned, found(turned_, turned_before, most(&Off::turned_deg)));
 }
 
-void BetweenPoints::look(const Part& part, double fraction, const MovePath* next) {
-  looked_.push_back({fraction, sample(part, fraction, next)});
+void BetweenPoints::look(const Part& part, std::span<const double> fractions, const MovePath* next) {
+  const std::span<const Look> seen = sample(part, fractions, next);
+  looked_.insert(looked_.end(), seen.begin(), seen.end());
 }
 
 // Both sides of the places where the speed of a strut passes through zero, between the first and the last look.
 void BetweenPoints::look_beside_turns(const Part& part, const MovePath* next) {
   const machine::PerStrut<double> first = looked_.front().off.speed;
   const machine::PerStrut<double> change = looked_.back().off.speed - first;
+  std::vector<double> beside_turns;
   for (int j = 0; j < machine::kStruts; ++j) {
     if (!(first[j] * (first[j] + change[j]) < 0)) continue;
     const double beside = kSaturated * corrector_.turning_speed() / std::abs(change[j]);
     for (const double fraction : {-first[j] / change[j] - beside, -first[j] / change[j] + beside}) {
-      if (fraction > 0 && fraction < 1) look(part, fraction, next);
+      if (fraction > 0 && fraction < 1) beside_turns.push_back(fraction);
     }
   }
+  if (!beside_turns.empty()) look(part, beside_turns, next);
 }
 
 // By thirds about the worst place that was looked at.
@@ -267,7 +283,8 @@ void BetweenPoints::refine(const Part& part, double Off::*figure, const MovePath
   for (int i = 0; i < kRefinements; ++i) {
     const double a = low + (high - low) / 3;
     const double b = high - (high - low) / 3;
-    const bool rises = sample(part, a, next).*figure < sample(part, b, next).*figure;
+    const std::span<const Look> both = sample(part, std::array{a, b}, next);
+    const bool rises = both[0].off.*figure < both[1].off.*figure;
     (rises ? low : high) = rises ? a : b;
   }
 }

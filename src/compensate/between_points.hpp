@@ -2,6 +2,7 @@
 // played on the model where they promise to be worst.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -64,11 +65,15 @@ class BetweenPoints {
   bool must_play() const { return blocks_ <= kAllBlocks || blocks_ % kEvery == 0; }
   void play_waiting(const MovePath* next);
   void play(const Part& part, const MovePath* next);
-  void look(const Part& part, double fraction, const MovePath* next);
+  void look(const Part& part, std::span<const double> fractions, const MovePath* next);
   void look_beside_turns(const Part& part, const MovePath* next);
   void refine(const Part& part, double Off::*figure, const MovePath* next);
-  std::optional<Off> off_at(const Part& part, double fraction, const MovePath* next);
-  Off sample(const Part& part, double fraction, const MovePath* next);
+  Target told_at(const Part& part, double fraction) const;
+  static double path_fraction(const Part& part, double fraction) {
+    return std::clamp(part.from + fraction * part.share, 0.0, 1.0);
+  }
+  Off off_at(const Part& part, double fraction, const std::optional<PlayedTip>& played, const MovePath* next);
+  std::span<const Look> sample(const Part& part, std::span<const double> fractions, const MovePath* next);
 
   static constexpr std::uint64_t kAllBlocks = 256;  // at the begin: played whatever is guessed of them
   static constexpr std::uint64_t kEvery = 16;       // after them, likewise
@@ -77,7 +82,10 @@ class BetweenPoints {
   std::optional<MovePath> before_, here_;  // the move before the one that waits, and that one
   std::optional<double> seconds_;          // of that one
   std::vector<Part> waiting_;
-  std::vector<Look> looked_;  // of the part that is played
+  std::vector<Look> looked_;   // of the part that is played
+  std::vector<Look> sampled_;  // the last of these
+  std::vector<Target> told_;   // for them
+  Plays played_;
   PieceRanking tip_, turned_;
   machine::PerStrut<double> sign_ = machine::PerStrut<double>::Zero();  // where the control stands
   Corrector::FrictionTurns friction_;

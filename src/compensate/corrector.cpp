@@ -139,11 +139,31 @@ bool Corrector::settle_fixed_axes(const Target& target, Corrected& corrected, Ta
 }
 
 // A large correction is one near a singularity, where the machine may give way under its load wherever it is sent.
-bool Corrector::holds(const Target& target, const AxisWords& commanded) const {
-  const AxisWords shift = commanded - target.pose;
-  if (length_mm(shift) <= kSureMm && path::largest_turn_deg(shift) <= kSureDeg) return true;
-  const std::optional<double> off = tip_distance_mm(target, commanded);
-  if (!off || *off <= kHoldsMm) return off.has_value();
+void Corrector::confirm(std::span<const Target> targets, Corrections& corrections) const {
+  std::vector<std::size_t>& large = corrections.open_;
+  exact::PoseBatch& batch = corrections.batch_;
+  large.clear();
+  batch.clear();
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const Corrected& corrected = corrections.corrected_[i];
+    const AxisWords shift = corrected.pose - targets[i].pose;
+    const bool small = length_mm(shift) <= kSureMm && path::largest_turn_deg(shift) <= kSureDeg;
+    if (!corrected.converged || small) continue;
+    large.push_back(i);
+    batch.add(corrected.pose, targets[i].slope, targets[i].bend, targets[i].seconds.value_or(-1));
+  }
+  batch.play(setup_, exact::Friction::smoothed);
+  for (std::size_t k = 0; k < large.size(); ++k) {
+    const Target& target = targets[large[k]];
+    Corrected& corrected = corrections.corrected_[large[k]];
+    const std::optional<double> off = batch.stands(k) ? tip_distance(batch.stands_at(k), pose_of(target.pose)) / kMm
+                                                      : tip_distance_mm(target, corrected.pose);
+    corrected.converged = holds(target, off);
+  }
+}
+
+bool Corrector::holds(const Target& target, std::optional<double> off_mm) const {
+  if (!off_mm || *off_mm <= kHoldsMm) return off_mm.has_value();
   return settings_.method == Method::first_order && can_stand_on(target);
 }
 
@@ -197,16 +217,14 @@ void Corrector::correct(std::span<const Target> targets, Corrections& correction
       Corrected& corrected = corrections.corrected_[i];
       if (corrected.converged && !target.fixed.empty()) {
         corrected.within_limits = false;  // it was asked of another pose
-        if (!settle_fixed_axes(target, corrected, corrections.standing_[i])) {
-          corrected.converged = round + 1 < kMostRounds;
-          if (corrected.converged) corrections.still_open_.push_back(i);
-          continue;
-        }
+        if (settle_fixed_axes(target, corrected, corrections.standing_[i])) continue;
+        corrected.converged = round + 1 < kMostRounds;
+        if (corrected.converged) corrections.still_open_.push_back(i);
       }
-      corrected.converged = corrected.converged && holds(target, corrected.pose);
     }
     corrections.open_.swap(corrections.still_open_);
   }
+  confirm(targets, corrections);
 }
 
 std::optional<AxisWords> Corrector::error(const Target& target) const {
@@ -215,6 +233,21 @@ std::optional<AxisWords> Corrector::error(const Target& target) const {
   const physics::TipError<double> error = physics::tip_error(physics_, environment, motion);
   if (!error.converged()) return std::nullopt;
   return machine::words_of(model_.rotation, error.pose, target.pose) - target.pose;
+}
+
+void Corrector::play(std::span<const Target> told, Plays& plays) const {
+  exact::PoseBatch& batch = plays.batch_;
+  batch.clear();
+  for (const Target& at : told) batch.add(at.pose, at.slope, at.bend, at.seconds.value_or(-1));
+  batch.play(setup_, exact::Friction::as_modelled);
+  plays.played_.clear();
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    if (batch.stands(i)) {
+      plays.played_.emplace_back(PlayedTip{batch.stands_at(i), batch.speed(i)});
+    } else {
+      plays.played_.push_back(play(told[i]));
+    }
+  }
 }
 
 std::optional<PlayedTip> Corrector::play(const Target& told) const {
@@ -262,6 +295,10 @@ std::optional<double> Corrector::tip_distance_mm(const Target& target, const Axi
 
 double Corrector::condition(const Target& target) const {
   return machine::condition_number(machine::strut_geometry(geometry(), pose_of(target.pose)), radius_);
+}
+
+double Corrector::condition_ceiling(const Target& target) const {
+  return machine::condition_ceiling(machine::strut_geometry(geometry(), pose_of(target.pose)), radius_);
 }
 
 std::optional<double> Corrector::error_per_kg_mm(const Target& target) const {

@@ -50,6 +50,18 @@ struct PlayedTip {
   machine::PerStrut<double> speed;  // of the struts, as commanded, m/s
 };
 
+/// Machines that were told to go somewhere, played together.
+class Plays {
+ public:
+  /// Of the told target in the same place; nothing where the machine gives way.
+  const std::optional<PlayedTip>& operator[](std::size_t i) const { return played_[i]; }
+
+ private:
+  friend class Corrector;
+  std::vector<std::optional<PlayedTip>> played_;
+  exact::PoseBatch batch_;
+};
+
 class Corrector {
  public:
   /// Both must outlive it.
@@ -74,6 +86,8 @@ class Corrector {
   /// Where the deformed machine stands when the control is told `told`, and moves as it says. Nothing where that does
   /// not converge: it gives way.
   std::optional<PlayedTip> play(const Target& told) const;
+  /// The same for many, in packs.
+  void play(std::span<const Target> told, Plays& plays) const;
 
   /// How far the tip moves and turns where the friction of a strut turns from one sign to the other.
   struct FrictionTurns {
@@ -88,6 +102,8 @@ class Corrector {
 
   /// Condition number of the Jacobian where the machine stands on the target.
   double condition(const Target& target) const;
+  /// Never below that, and cheaper: machine::condition_ceiling.
+  double condition_ceiling(const Target& target) const;
 
   /// How far each kg hung at the tool tip moves it, mm.
   std::optional<double> error_per_kg_mm(const Target& target) const;
@@ -110,7 +126,8 @@ class Corrector {
   Corrected correct_once(const Target& target, Method method) const;
   void correct_standing(Corrections& corrections, int round) const;
   bool settle_fixed_axes(const Target& target, Corrected& corrected, Target& standing) const;
-  bool holds(const Target& target, const AxisWords& commanded) const;
+  void confirm(std::span<const Target> targets, Corrections& corrections) const;
+  bool holds(const Target& target, std::optional<double> off_mm) const;
   bool can_stand_on(const Target& target) const;
   physics::Motion<double> motion_of(const Target& target, physics::Environment& environment) const;
 

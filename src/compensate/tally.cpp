@@ -1,6 +1,7 @@
 #include "compensate/tally.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -106,20 +107,22 @@ void Tally::note_end(const CorrectedMove& corrected) {
   }
   ++cuts_;
   if (cuts_ > kReplayAll && cuts_ % kReplayEvery != 0) return;
-  summary_.condition.take(corrector_.condition(target), move.path.line);
+  if (corrector_.condition_ceiling(target) > summary_.condition.value) {
+    summary_.condition.take(corrector_.condition(target), move.path.line);
+  }
   note_offset_sensitivity(target, corrected.commanded(corrected.points.size() - 1));
 }
 
 // How far the offset may be off: the change of the correction with the place of the part.
 void Tally::note_offset_sensitivity(const Target& target, const AxisWords& commanded) {
   const AxisWords correction = commanded - target.pose;
+  std::array<Target, 3> moved{target, target, target};
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) moved[index(axis)].pose[axis] += kOffsetProbeMm;
+  corrector_.correct(moved, corrections_);
   double squares = 0;
-  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
-    Target moved = target;
-    moved.pose[axis] += kOffsetProbeMm;
-    const Corrected corrected = corrector_.correct(moved);
-    if (!corrected.converged) continue;  // beyond the edge of what the machine can hold
-    const AxisWords there = corrected.pose - moved.pose;
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    if (!corrections_[i].converged) continue;  // beyond the edge of what the machine can hold
+    const AxisWords there = corrections_[i].pose - moved[i].pose;
     const double change = length_mm(there - correction) / kOffsetProbeMm;
     squares += change * change;
   }
@@ -134,11 +137,14 @@ void Tally::note_widened(const CorrectedMove& corrected) {
   const auto count = static_cast<double>(points.size());
   ++summary_.widened_blocks;
   summary_.widened_step_mm.take(move.path.curve.linear_mm() / count, move.path.line);
+  std::vector<Target> middles;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    middles.push_back(move.path.target((static_cast<double>(i) + 0.5) / count, move.seconds));
+  }
+  corrector_.correct(middles, corrections_);
   AxisWords begin = move.motion->from + corrected.standing;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double middle = (static_cast<double>(i) + 0.5) / count;
-    const Target target = move.path.target(middle, move.seconds);
-    const AxisWords wanted = move.path.frame.from_pose(corrector_.correct(target).pose);
+    const AxisWords wanted = move.path.frame.from_pose(corrections_[i].pose);
     const AxisWords end = points[i].nominal + points[i].shift;
     AxisWords off;
     for (const Axis axis : kAllAxes) off[axis] = (begin[axis] + end[axis]) / 2 - wanted[axis];

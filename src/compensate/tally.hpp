@@ -59,6 +59,7 @@ class Tally {
   bool ended_ = false;                   // the last thing that was executed ends a program
   std::size_t last_line_ = 0;            // that holds a word
   std::map<int, Place> massless_tools_;  // and where each came into the spindle
+  Corrections corrections_;              // of targets beside those of the program
   std::optional<Target> sample_;         // where the error per kg of a tool is worked out
   double sum_of_squares_ = 0;
   std::uint64_t cuts_ = 0;

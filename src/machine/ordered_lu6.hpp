@@ -40,6 +40,13 @@ class OrderedLu6 {
   /// nothing elsewhere.
   const MaskOf<T>& sound() const { return sound_; }
 
+  /// det A, or -det A where an odd number of exchanges makes the order.
+  T determinant() const {
+    T product = lu_[0][0];
+    for (int k = 1; k < kSize; ++k) product = product * lu_[k][k];
+    return product;
+  }
+
   /// x with A x = r.
   Vector6<T> solve(const Vector6<T>& r) const {
     T x[kSize];
@@ -84,7 +91,7 @@ class OrderedLu6 {
   static constexpr int kSize = 6;
   static constexpr double kMostGrowth = 1e6;  // squared factors, all together
 
-  const RowOrder& rows_;
+  RowOrder rows_;
   T lu_[kSize][kSize];
   T inverse_[kSize];  // of the pivots
   MaskOf<T> sound_;

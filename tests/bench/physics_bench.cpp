@@ -81,7 +81,7 @@ void factorise(benchmark::State& state) {
 template <class T>
 void loads(benchmark::State& state) {
   const ForceModel forces(model());
-  const std::vector<T> parameters = parameters_as<T>(forces);
+  const std::vector<Parameter<T>> parameters = parameters_as<T>(forces);
   const Environment environment = forces.environment();
   run<T>(state, [&](const Motion<T>& motion) {
     return strut_stretch(forces, parameters.data(), environment, motion).stretch;
@@ -92,7 +92,7 @@ void loads(benchmark::State& state) {
 template <class T>
 void compensated_pose(benchmark::State& state) {
   const ForceModel forces(model());
-  const std::vector<T> parameters = parameters_as<T>(forces);
+  const std::vector<Parameter<T>> parameters = parameters_as<T>(forces);
   const Environment environment = forces.environment();
   run<T>(state, [&](const Motion<T>& motion) {
     const StrutStretch<T> s = strut_stretch(forces, parameters.data(), environment, motion);
@@ -103,7 +103,7 @@ void compensated_pose(benchmark::State& state) {
 template <class T>
 void exact_error(benchmark::State& state) {
   const ForceModel forces(model());
-  const std::vector<T> parameters = parameters_as<T>(forces);
+  const std::vector<Parameter<T>> parameters = parameters_as<T>(forces);
   const Environment environment = forces.environment();
   run<T>(state, [&](const Motion<T>& motion) {
     return tip_error(forces, parameters.data(), environment, motion).displacement;

@@ -39,3 +39,22 @@ TEST_CASE("parallel struts are singular") {
   CHECK(condition_number(struts, 0.1) > 1e12);
   CHECK(condition_bound(struts, 0.1) > 1e12);
 }
+
+TEST_CASE("the ceiling of the condition number lies above it, and near it") {
+  Random random(31);
+  for (const MachineModel& model : three_machines()) {
+    const double radius = platform_radius(model.geometry);
+    for (int n = 0; n < 500; ++n) {
+      const auto struts = strut_geometry(model.geometry, pose_within(model.limits, random));
+      const double number = condition_number(struts, radius);
+      const double ceiling = condition_ceiling(struts, radius);
+      if (number > 1e9) continue;
+      CHECK(ceiling >= number);
+      CHECK(ceiling <= 1.06 * number);
+    }
+  }
+  StrutGeometry<double> flat = strut_geometry(pm600_like().geometry, home_pose(pm600_like()));
+  flat.direction.col(1) = flat.direction.col(0);
+  flat.arm.col(1) = flat.arm.col(0);
+  CHECK(std::isinf(condition_ceiling(flat, 0.1)));
+}

@@ -1,5 +1,6 @@
 // Any processor: what the compiler makes of two doubles side by side, and of one.
-#include "compensate/exact/kernel.hpp"
+#include "compensate/exact/kernel_correct.hpp"
+#include "compensate/exact/kernel_play.hpp"
 #include "compensate/exact/kernel_units.hpp"
 
 namespace plumbline::compensate::exact {
@@ -13,8 +14,18 @@ void correct_one_by_one(const Setup& setup, const AskedBlock* asked, AnsweredBlo
   correct_blocks<Lanes<Here, 1>>(setup, asked, answered, poses);
 }
 
+void play_one_by_one(const Setup& setup, Friction friction, const AskedBlock* asked, PlayedBlock* played,
+                     std::size_t poses) {
+  play_blocks<Lanes<Here, 1>>(setup, friction, asked, played, poses);
+}
+
 void correct_on_any(const Setup& setup, const AskedBlock* asked, AnsweredBlock* answered, std::size_t poses) {
   correct_blocks<Lanes<Here, 2>>(setup, asked, answered, poses);
+}
+
+void play_on_any(const Setup& setup, Friction friction, const AskedBlock* asked, PlayedBlock* played,
+                 std::size_t poses) {
+  play_blocks<Lanes<Here, 2>>(setup, friction, asked, played, poses);
 }
 
 }  // namespace plumbline::compensate::exact

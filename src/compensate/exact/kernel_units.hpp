@@ -8,13 +8,21 @@
 namespace plumbline::compensate::exact {
 
 void correct_one_by_one(const Setup& setup, const AskedBlock* asked, AnsweredBlock* answered, std::size_t poses);
+void play_one_by_one(const Setup& setup, Friction friction, const AskedBlock* asked, PlayedBlock* played,
+                     std::size_t poses);
 void correct_on_any(const Setup& setup, const AskedBlock* asked, AnsweredBlock* answered, std::size_t poses);
+void play_on_any(const Setup& setup, Friction friction, const AskedBlock* asked, PlayedBlock* played,
+                 std::size_t poses);
 
 #ifdef PLUMBLINE_X86_64_UNITS
 void correct_on_x86_64_v3(const Setup& setup, const AskedBlock* asked, AnsweredBlock* answered, std::size_t poses);
+void play_on_x86_64_v3(const Setup& setup, Friction friction, const AskedBlock* asked, PlayedBlock* played,
+                       std::size_t poses);
 void correct_on_x86_64_v4(const Setup& setup, const AskedBlock* asked, AnsweredBlock* answered, std::size_t poses);
+void play_on_x86_64_v4(const Setup& setup, Friction friction, const AskedBlock* asked, PlayedBlock* played,
+                       std::size_t poses);
 
-/// Whether this processor has all that the unit may use.
+/// Whether this processor has all that a unit may use.
 inline bool has_x86_64_v3() {
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
          __builtin_cpu_supports("bmi2");

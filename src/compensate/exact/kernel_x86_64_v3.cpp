@@ -1,5 +1,6 @@
 // x86-64-v3: 4 doubles in a register of AVX2.
-#include "compensate/exact/kernel.hpp"
+#include "compensate/exact/kernel_correct.hpp"
+#include "compensate/exact/kernel_play.hpp"
 #include "compensate/exact/kernel_units.hpp"
 
 namespace plumbline::compensate::exact {
@@ -11,6 +12,11 @@ struct X86V3 {};
 
 void correct_on_x86_64_v3(const Setup& setup, const AskedBlock* asked, AnsweredBlock* answered, std::size_t poses) {
   correct_blocks<Lanes<X86V3, 4>>(setup, asked, answered, poses);
+}
+
+void play_on_x86_64_v3(const Setup& setup, Friction friction, const AskedBlock* asked, PlayedBlock* played,
+                       std::size_t poses) {
+  play_blocks<Lanes<X86V3, 4>>(setup, friction, asked, played, poses);
 }
 
 }  // namespace plumbline::compensate::exact

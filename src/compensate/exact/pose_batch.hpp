@@ -1,5 +1,5 @@
-// Any number of poses, corrected together: they go in one by one and come out in the same order. What a pose gets does
-// not depend on those beside it, nor on the processor.
+// Any number of poses, corrected or played on the model together: they go in one by one and come out in the same order.
+// What a pose gets does not depend on those beside it, nor on the processor.
 #pragma once
 
 #include <span>
@@ -12,11 +12,12 @@
 
 namespace plumbline::compensate::exact {
 
-/// Code of the kernel for one kind of processor.
+/// Code of the kernels for one kind of processor.
 struct InstructionSet {
   std::string_view name;
   int lanes;
   void (*correct)(const Setup&, const AskedBlock*, AnsweredBlock*, std::size_t poses);
+  void (*play)(const Setup&, Friction, const AskedBlock*, PlayedBlock*, std::size_t poses);
 };
 
 /// Those that this processor has: one lane alone first, the fastest last. All give the same bits.
@@ -33,15 +34,26 @@ class PoseBatch {
   void correct(const Setup& setup);
   void correct(const Setup& setup, const InstructionSet& with);
 
+  /// Finds where the deformed machine stands when it is sent to these poses.
+  void play(const Setup& setup, Friction friction);
+  void play(const Setup& setup, Friction friction, const InstructionSet& with);
+
   // of the pose that was added as number i; hold after correct()
   AxisWords commanded(std::size_t i) const;
   machine::PerStrut<double> sign(std::size_t i) const;
   int state(std::size_t i) const { return static_cast<int>(answered_[i / kBlock].state[i % kBlock]); }
+  // the same; hold after play()
+  bool stands(std::size_t i) const { return played_[i / kBlock].state[i % kBlock] != 0; }
+  Pose<double> stands_at(std::size_t i) const;
+  machine::PerStrut<double> speed(std::size_t i) const;
 
  private:
+  void fill_lanes(int lanes);
+
   std::size_t count_ = 0;
   std::vector<AskedBlock> asked_;
   std::vector<AnsweredBlock> answered_;
+  std::vector<PlayedBlock> played_;
 };
 
 }  // namespace plumbline::compensate::exact

@@ -32,4 +32,18 @@ struct alignas(64) AnsweredBlock {
   Row state;   // sum of State
 };
 
+/// Where the deformed machine stands.
+struct alignas(64) PlayedBlock {
+  std::array<Row, 3> tip;     // m in W
+  std::array<Row, 9> turned;  // R_WP, row by row
+  Rows6 speed;                // of the struts, as commanded, m/s
+  Row state;                  // kFound
+};
+
+/// How fast friction turns where a strut turns around  [docs/physics.md, Friction].
+enum class Friction {
+  smoothed,  // v0 grows with the feed, so that a correction turns smoothly
+  as_modelled
+};
+
 }  // namespace plumbline::compensate::exact

@@ -1,6 +1,7 @@
 #include "nc/language/recognise.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <utility>
 #include <vector>
 
@@ -43,12 +44,26 @@ bool matches_at(std::string_view mark, std::string_view line, std::size_t at) {
   return true;
 }
 
-// Anywhere in the line, but not inside a name.
-bool holds(std::string_view mark, std::string_view line, bool first) {
-  if (mark.starts_with('^')) return first && matches_at(mark.substr(1), line, 0);
-  for (std::size_t at = 0; at < line.size(); ++at) {
-    const bool inside = begins_name(mark.front()) && at > 0 && (begins_name(line[at - 1]) || line[at - 1] == '$');
-    if (!inside && matches_at(mark, line, at)) return true;
+// A line as marks are looked for in it.
+struct PlainLine {
+  std::string text;
+  std::bitset<256> holds;  // characters
+  bool first;              // that says anything
+
+  PlainLine(std::string plain, bool first_of_all) : text(std::move(plain)), first(first_of_all) {
+    for (const char c : text) holds.set(static_cast<unsigned char>(c));
+  }
+};
+
+// Anywhere in the line, but not inside a name. No mark begins with what stands for something else.
+bool holds(std::string_view mark, const PlainLine& line) {
+  if (mark.starts_with('^')) return line.first && matches_at(mark.substr(1), line.text, 0);
+  const char begin = mark.front();
+  if (!line.holds.test(static_cast<unsigned char>(begin))) return false;
+  const std::string& text = line.text;
+  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1)) {
+    const bool inside = begins_name(begin) && at > 0 && (begins_name(text[at - 1]) || text[at - 1] == '$');
+    if (!inside && matches_at(mark, text, at)) return true;
   }
   return false;
 }
@@ -135,6 +150,8 @@ class Look {
   }
 
   void text() {
+    std::vector<const Dialect*> dialects;
+    for (const std::string_view name : dialect_names()) dialects.push_back(&dialect(name));
     std::string begin(kLook, '\0');
     begin.resize(file_.read(0, begin.data(), begin.size()));
     const std::string_view all = begin;
@@ -144,17 +161,16 @@ class Look {
       const std::size_t end = std::min(all.find('\n', at), all.size());
       const std::string_view whole = all.substr(at, end - at);
       at = end + 1;
-      const std::string line = plain(whole);
-      if (line.empty() || line == "%") continue;
-      for (const std::string_view dialect_name : dialect_names())
-        marks(dialect(dialect_name), line, whole, number, first);
+      const PlainLine line(plain(whole), first);
+      if (line.text.empty() || line.text == "%") continue;
+      for (const Dialect* const known : dialects) marks(*known, line, whole, number);
       first = false;
     }
   }
 
-  void marks(const Dialect& known, const std::string& line, std::string_view whole, std::size_t number, bool first) {
-    const auto held = [&](const std::string& mark) { return holds(mark, line, first); };
-    const auto shown = [&] { return fmt::format("line {} ({})", number, line.substr(0, 40)); };
+  void marks(const Dialect& known, const PlainLine& line, std::string_view whole, std::size_t number) {
+    const auto held = [&](const std::string& mark) { return holds(mark, line); };
+    const auto shown = [&] { return fmt::format("line {} ({})", number, line.text.substr(0, 40)); };
     if (std::any_of(known.marks.begin(), known.marks.end(), held)) note(found_, known, shown(), number, whole);
     if (std::any_of(known.weak_marks.begin(), known.weak_marks.end(), held)) note(weak_, known, shown(), number, whole);
   }

@@ -1,4 +1,5 @@
-// The exact correction in packs, against the same formula put together from the double parts of machine and physics.
+// The exact correction and the played machine in packs, against the same formulas put together from the double parts of
+// machine and physics.
 #include "compensate/exact/pose_batch.hpp"
 
 #include <algorithm>
@@ -11,10 +12,11 @@
 #include "machine/condition.hpp"
 #include "machine/forward.hpp"
 #include "machine/machines.hpp"
-#include "physics/strut_stretch.hpp"
+#include "physics/error.hpp"
 
 using namespace plumbline;
 using namespace plumbline::testing;
+using compensate::exact::Friction;
 using compensate::exact::InstructionSet;
 using compensate::exact::kFound;
 using compensate::exact::kSmall;
@@ -97,8 +99,8 @@ PoseBatch batch_of(const std::vector<Asked>& asked) {
 Vector3<double> linear(const AxisWords& words) { return {words[Axis::X], words[Axis::Y], words[Axis::Z]}; }
 Vector3<double> rotary(const AxisWords& words) { return {words[Axis::A], words[Axis::B], words[Axis::C]}; }
 
-// T_c = FK(IK(T) - dL(T)), less what moves the tip without a strut.
-AxisWords by_the_formula(const Machine& machine, const Asked& asked) {
+// The motion that a target stands for, and its v0 where the correction smooths friction.
+physics::Motion<double> motion_of(const Machine& machine, const Asked& asked, double& smoothed_speed) {
   const machine::RotationOrder& order = machine.model.rotation;
   physics::Motion<double> motion;
   motion.pose = machine::pose_of(order, asked.pose);
@@ -107,24 +109,29 @@ AxisWords by_the_formula(const Machine& machine, const Asked& asked) {
   const Vector3<double> rate = rotary(asked.slope) * kDeg;
   motion.twist = {linear(asked.slope) * kMm, machine::angular_velocity<double>(order, abc, rate)};
   const double size = std::hypot(motion.twist.v_WT.norm(), machine.setup.radius * motion.twist.w_WP.norm());
-  physics::Environment environment = machine.setup.environment;
-  const double per_second =
-      asked.seconds >= 0 ? 1 / asked.seconds : (size > 0 ? 100 * environment.sign_speed / size : 0);
+  const double sign_speed = machine.setup.environment.sign_speed;
+  const double per_second = asked.seconds >= 0 ? 1 / asked.seconds : (size > 0 ? 100 * sign_speed / size : 0);
   motion.twist.v_WT *= per_second;
   motion.twist.w_WP *= per_second;
-  if (asked.seconds >= 0) {
-    motion.acceleration.v_WT = linear(asked.bend) * kMm * per_second * per_second;
-    const double step = 1e-4;
-    motion.acceleration.w_WP = (machine::angular_velocity<double>(order, abc + step * rate, rate) -
-                                machine::angular_velocity<double>(order, abc - step * rate, rate)) *
-                               (per_second * per_second / (2 * step));
-  }
-  environment.sign_speed = std::max(environment.sign_speed, 0.01 * size * per_second);
+  smoothed_speed = std::max(sign_speed, 0.01 * size * per_second);
+  if (asked.seconds < 0) return motion;
+  const double step = 1e-4;
+  motion.acceleration.v_WT = linear(asked.bend) * kMm * per_second * per_second;
+  motion.acceleration.w_WP = (machine::angular_velocity<double>(order, abc + step * rate, rate) -
+                              machine::angular_velocity<double>(order, abc - step * rate, rate)) *
+                             (per_second * per_second / (2 * step));
+  return motion;
+}
+
+// T_c = FK(IK(T) - dL(T)), less what moves the tip without a strut.
+AxisWords by_the_formula(const Machine& machine, const Asked& asked) {
+  physics::Environment environment = machine.setup.environment;
+  const physics::Motion<double> motion = motion_of(machine, asked, environment.sign_speed);
   const auto loads = physics::strut_stretch(machine.forces, environment, motion);
   const auto reached = machine::forward(machine.forces.machine.geometry, loads.struts.length - loads.stretch,
                                         motion.pose, {.tolerance_m = 1e-14, .most_iterations = 30});
   REQUIRE(reached.converged());
-  return machine::words_of(order, machine::displaced<double>(reached.pose, -loads.tip), asked.pose);
+  return machine::words_of(machine.model.rotation, machine::displaced<double>(reached.pose, -loads.tip), asked.pose);
 }
 
 bool same_bits(const AxisWords& a, const AxisWords& b) {
@@ -138,6 +145,18 @@ void check_same(const PoseBatch& a, std::size_t i, const PoseBatch& b, std::size
   REQUIRE(a.state(i) == b.state(k));
   REQUIRE(same_bits(a.sign(i), b.sign(k)));
   if ((a.state(i) & kFound) != 0) REQUIRE(same_bits(a.commanded(i), b.commanded(k)));
+  REQUIRE(a.stands(i) == b.stands(k));
+  if (!a.stands(i)) return;
+  const Pose<double> here = a.stands_at(i);
+  const Pose<double> there = b.stands_at(k);
+  REQUIRE(std::memcmp(here.p_WT.data(), there.p_WT.data(), 3 * sizeof(double)) == 0);
+  REQUIRE(std::memcmp(here.R_WP.data(), there.R_WP.data(), 9 * sizeof(double)) == 0);
+  REQUIRE(same_bits(a.speed(i), b.speed(k)));
+}
+
+void correct_and_play(PoseBatch& batch, const Machine& machine, const InstructionSet& with) {
+  batch.correct(machine.setup, with);
+  batch.play(machine.setup, Friction::as_modelled, with);
 }
 
 void check_formula(const Machine& machine, std::size_t poses) {
@@ -156,12 +175,51 @@ void check_formula(const Machine& machine, std::size_t poses) {
   CHECK(unsure <= poses / 50);
 }
 
+// Where the machine stands, against physics::tip_error.
+void check_played(const Machine& machine, std::size_t poses) {
+  const std::vector<Asked> asked = drawn(machine, poses, 4);
+  for (const Friction friction : {Friction::as_modelled, Friction::smoothed}) {
+    PoseBatch batch = batch_of(asked);
+    batch.play(machine.setup, friction);
+    std::size_t unsure = 0;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      physics::Environment environment = machine.setup.environment;
+      double smoothed_speed = 0;
+      const physics::Motion<double> motion = motion_of(machine, asked[i], smoothed_speed);
+      if (friction == Friction::smoothed) environment.sign_speed = smoothed_speed;
+      const auto error = physics::tip_error(machine.forces, environment, motion);
+      if (!batch.stands(i)) {
+        ++unsure;
+        continue;
+      }
+      REQUIRE(error.converged());
+      const Pose<double> stands = batch.stands_at(i);
+      CHECK((stands.p_WT - error.pose.p_WT).norm() < 2e-12);
+      CHECK((stands.R_WP - error.pose.R_WP).norm() < 1e-11);
+      const auto struts = machine::strut_geometry(machine.forces.machine.geometry, motion.pose);
+      CHECK((batch.speed(i) - physics::strut_rates(struts, motion, environment).speed).norm() < 1e-14);
+    }
+    CHECK(unsure <= poses / 50);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("the correction in packs is the formula's, over the workspaces of three machines") {
   for (machine::MachineModel& model : three_machines()) {
     INFO(model.name);
     check_formula(Machine(std::move(model)), 500);
+  }
+}
+
+TEST_CASE("played in packs the machine stands where the error says, over three workspaces and with every effect") {
+  for (machine::MachineModel& model : three_machines()) {
+    INFO(model.name);
+    check_played(Machine(std::move(model)), 200);
+  }
+  for (std::size_t effect = physics::kBaseEffects; effect < physics::kEffects; ++effect) {
+    INFO(physics::effect_infos()[effect].name);
+    check_played(Machine(pm600_like(), effect, 19 + static_cast<unsigned>(effect)), 64);
   }
 }
 
@@ -183,7 +241,7 @@ TEST_CASE("every instruction set gives the same bits, whatever stands beside a p
     asked[11].pose[Axis::X] = std::nan("");
     asked[12].pose[Axis::A] = 1e9;
     PoseBatch alone = batch_of(asked);
-    alone.correct(machine.setup, compensate::exact::instruction_sets().front());
+    correct_and_play(alone, machine, compensate::exact::instruction_sets().front());
     CHECK((alone.state(9) & kFound) == 0);
     CHECK((alone.state(11) & kFound) == 0);
     CHECK((alone.state(12) & kFound) == 0);
@@ -191,11 +249,11 @@ TEST_CASE("every instruction set gives the same bits, whatever stands beside a p
     for (const InstructionSet& set : compensate::exact::instruction_sets()) {
       INFO(set.name);
       PoseBatch together = batch_of(asked);
-      together.correct(machine.setup, set);
+      correct_and_play(together, machine, set);
       std::vector<Asked> turned = asked;
       std::reverse(turned.begin(), turned.end());
       PoseBatch backwards = batch_of(turned);
-      backwards.correct(machine.setup, set);
+      correct_and_play(backwards, machine, set);
       for (std::size_t i = 0; i < asked.size(); ++i) {
         check_same(together, i, alone, i);
         check_same(backwards, asked.size() - 1 - i, alone, i);
@@ -208,15 +266,16 @@ TEST_CASE("a batch that is used again keeps nothing of what it held") {
   const Machine machine(pm600_like());
   const std::vector<Asked> asked = drawn(machine, 19, 6);
   PoseBatch fresh = batch_of({asked.begin() + 8, asked.end()});
-  fresh.correct(machine.setup);
+  const InstructionSet& best = compensate::exact::instruction_sets().back();
+  correct_and_play(fresh, machine, best);
   PoseBatch used = batch_of(asked);
-  used.correct(machine.setup);
+  correct_and_play(used, machine, best);
   used.clear();
   CHECK(used.size() == 0);
   for (std::size_t i = 8; i < asked.size(); ++i) {
     used.add(asked[i].pose, asked[i].slope, asked[i].bend, asked[i].seconds);
   }
-  used.correct(machine.setup);
+  correct_and_play(used, machine, best);
   for (std::size_t i = 0; i < fresh.size(); ++i) check_same(used, i, fresh, i);
 }
 

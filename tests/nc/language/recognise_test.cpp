@@ -103,3 +103,15 @@ TEST_CASE("what shows two dialects is refused") {
   CHECK(refusal_of_look("G15 H1\no<tool> call\n") == "nc-dialect-ambiguous");
   CHECK(refusal_of_look("G90 G0 X1\n").empty());
 }
+
+TEST_CASE("marks begin with what they look for, not with what stands for something else") {
+  for (const std::string_view name : dialect_names()) {
+    for (const auto* const marks : {&dialect(name).marks, &dialect(name).weak_marks}) {
+      for (const std::string& mark : *marks) {
+        INFO(name << ": " << mark);
+        REQUIRE(!mark.empty());
+        CHECK(std::string_view(" *~$!").find(mark.front()) == std::string_view::npos);
+      }
+    }
+  }
+}
