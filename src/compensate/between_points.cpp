@@ -174,7 +174,7 @@ void BetweenPoints::play_waiting(const MovePath* next) {
 }
 
 Target BetweenPoints::told_at(const Part& part, double fraction) const {
-  Target told = here_->target(path_fraction(part, fraction), seconds_);
+  Target told = here_->target(part.on_path(fraction), seconds_);
   if (part.along_curve) return told;
   told.pose = path::between(part.begin, part.end, fraction);
   told.slope = part.end - part.begin;
@@ -189,7 +189,7 @@ BetweenPoints::Off BetweenPoints::off_at(const Part& part, double fraction, cons
     if (gave_way_line_ == 0) gave_way_line_ = here_->line;
     return {};
   }
-  const double at = path_fraction(part, fraction);
+  const double at = part.on_path(fraction);
   const Vector3<double> tip_mm = played->stands.p_WT / kMm;
   const Matrix3<double>& R_WP = played->stands.R_WP;
   Off off{distance_mm(*here_, tip_mm, at), turn_deg(corrector_, *here_, R_WP, at), played->speed};

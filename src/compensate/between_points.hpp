@@ -50,6 +50,8 @@ class BetweenPoints {
     double from = 0, share = 1;  // of the block's time
     bool along_curve = false;
     PieceGuess tip, turned;
+
+    double on_path(double fraction) const { return std::clamp(from + fraction * share, 0.0, 1.0); }
   };
   struct Off {
     double tip_mm = 0, turned_deg = 0;
@@ -69,9 +71,6 @@ class BetweenPoints {
   void look_beside_turns(const Part& part, const MovePath* next);
   void refine(const Part& part, double Off::*figure, const MovePath* next);
   Target told_at(const Part& part, double fraction) const;
-  static double path_fraction(const Part& part, double fraction) {
-    return std::clamp(part.from + fraction * part.share, 0.0, 1.0);
-  }
   Off off_at(const Part& part, double fraction, const std::optional<PlayedTip>& played, const MovePath* next);
   std::span<const Look> sample(const Part& part, std::span<const double> fractions, const MovePath* next);
 

@@ -66,6 +66,8 @@ class Corrector {
  public:
   /// Both must outlive it.
   Corrector(const machine::MachineModel& model, const Settings& settings);
+  Corrector(const Corrector&) = delete;  // its set-up points into it
+  Corrector& operator=(const Corrector&) = delete;
 
   void set_tool(const ToolInSpindle& tool);
 

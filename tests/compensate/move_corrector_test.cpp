@@ -29,6 +29,21 @@ struct CorrectedProgram {
 
 }  // namespace
 
+TEST_CASE("pieces that are corrected together get what each gets alone, to the bit") {
+  const CorrectedProgram cut("G21 G90 G94\nG1 X300 A5 F1000\nM2\n", standing_at_zero(),
+                             MoveCorrector::AtViolation::go_on);
+  const CorrectedMove& corrected = cut.last;
+  REQUIRE(corrected.points.size() == 300);  // more than go together
+  for (std::size_t i = 0; i < corrected.points.size(); ++i) {
+    const path::CurvePoint point = corrected.move.path.curve.point(corrected.move.fraction(static_cast<int>(i) + 1));
+    const compensate::Target target = corrected.move.path.target(point, corrected.move.seconds);
+    const compensate::Corrected alone = cut.corrector.correct(target);
+    REQUIRE(alone.converged);
+    CHECK(corrected.points[i].shift == corrected.move.path.frame.from_pose(alone.pose) - point.at);
+    CHECK(corrected.signs[i] == alone.sign);
+  }
+}
+
 TEST_CASE("each piece of a cut ends where the correction of its target leads") {
   const CorrectedProgram cut("G21 G90 G94\nG1 X3 A1.5 F100\nM2\n", standing_at_zero(),
                              MoveCorrector::AtViolation::stop);

@@ -37,4 +37,7 @@ struct Setup {
   void take_geometry(const physics::ForceModel& model, const Pose<double>& home);
 };
 
+// Units that let Eigen align more than others must still see the same set-up.
+static_assert(alignof(Setup) <= 16 && alignof(physics::MachineConstants) <= 16);
+
 }  // namespace plumbline::compensate::exact
