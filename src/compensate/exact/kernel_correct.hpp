@@ -6,15 +6,15 @@
 
 namespace plumbline::compensate::exact {
 
-constexpr double kLengthTolerance = 1e-13;  // m
+constexpr double kLengthTolerance = 1e-12;  // m
 constexpr int kMostSteps = 16;
 
-/// What Newton's chord method looks for and how far off it is. Squares take the place of lengths: (w^2 - l^2) / 2 L is
-/// w - l to first order, and a chord needs no more.
+/// What Newton's chord method looks for and how far off it is. Squares take the place of lengths: (w^2 - l^2) / 2 w is
+/// w - l but for its square, and needs no root.
 template <class T>
 struct Search {
   machine::PerStrut<T> squares;     // of the lengths that are wanted, m^2
-  machine::PerStrut<T> per_length;  // 1 / 2 L at the begin
+  machine::PerStrut<T> per_length;  // 1 / 2 w
   machine::PerStrut<T> misfit;      // wanted minus had, m
   MaskOf<T> fits;                   // all of them within the tolerance
 };
@@ -48,7 +48,7 @@ PLUMBLINE_INLINE MaskOf<T> move_struts(const Setup& setup, const machine::Ordere
   for (int j = 0; j < machine::kStruts; ++j) {
     const T wanted = lengths[j] + change[j];
     search.squares[j] = wanted * wanted;
-    search.per_length[j] = T(0.5) / lengths[j];
+    search.per_length[j] = T(0.5) / wanted;
   }
   search.misfit = change;
   search.fits = MaskOf<T>(false);

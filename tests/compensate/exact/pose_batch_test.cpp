@@ -128,9 +128,9 @@ AxisWords by_the_formula(const Machine& machine, const Asked& asked) {
   physics::Environment environment = machine.setup.environment;
   const physics::Motion<double> motion = motion_of(machine, asked, environment.sign_speed);
   const auto loads = physics::strut_stretch(machine.forces, environment, motion);
-  const auto reached = machine::forward(machine.forces.machine.geometry, loads.struts.length - loads.stretch,
-                                        motion.pose, {.tolerance_m = 1e-14, .most_iterations = 30});
-  REQUIRE(reached.converged());
+  const auto reached = machine::forward_near<double>(machine.forces.machine.geometry, motion.pose, loads.struts,
+                                                     loads.jacobian, -loads.stretch, {.most_iterations = 16});
+  REQUIRE(reached.converged);
   return machine::words_of(machine.model.rotation, machine::displaced<double>(reached.pose, -loads.tip), asked.pose);
 }
 
