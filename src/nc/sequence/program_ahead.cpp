@@ -36,6 +36,7 @@ struct ProgramAhead::Reader {
   bool fill(KeptSteps& batch);
   KeptSteps* empty_batch();
   const KeptSteps::Kept* next();
+  const Step* ahead(std::size_t skipped) const;
 
   Program& program;
   FileNames files;
@@ -108,6 +109,12 @@ const KeptSteps::Kept* ProgramAhead::Reader::next() {
   }
 }
 
+// Before the first next() no batch is held.
+const Step* ProgramAhead::Reader::ahead(std::size_t skipped) const {
+  const KeptSteps& batch = batches[taken % kBatches];
+  return at > 0 && at + skipped < batch.size() ? &batch[at + skipped].step : nullptr;
+}
+
 ProgramAhead::ProgramAhead(const InputFile& file, const Dialect& dialect, ProgramSettings settings)
     : program_(file, dialect, std::move(settings)) {
   if (processors() == 1) return;
@@ -119,6 +126,8 @@ ProgramAhead::ProgramAhead(const InputFile& file, const Dialect& dialect, Progra
 }
 
 ProgramAhead::~ProgramAhead() = default;
+
+const Step* ProgramAhead::ahead(std::size_t skipped) const { return reader_ ? reader_->ahead(skipped) : nullptr; }
 
 const Step* ProgramAhead::next_in_place() {
   const Step* const step = program_.next();

@@ -22,6 +22,9 @@ class ProgramAhead {
 
   /// As Program::next(); the step holds until the next call.
   const Step* next();
+  /// The step that the call of next() after `skipped` others will give, if it was read already and is kept beside the
+  /// last one; null otherwise, and whenever nothing is read ahead. Holds as the last one does.
+  const Step* ahead(std::size_t skipped) const;
   /// Of the last step, as Program has them.
   bool jumped() const { return jumped_; }
   bool position_read() const { return position_read_; }

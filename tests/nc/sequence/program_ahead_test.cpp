@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/files/files.hpp"
+#include "base/parallel.hpp"
 #include "nc/control/state/control.hpp"
 #include "nc/language/recognise.hpp"
 #include "nc/programs.hpp"
@@ -115,6 +116,28 @@ TEST_CASE("read ahead, a program of many blocks, of long lines and with a refusa
   }
   check_alike(ProgramFile(text + "M2\n").path());
   check_alike(ProgramFile(text + "G1 X[1/0]\nM2\n").path());
+}
+
+TEST_CASE("the steps that come next can be looked at before they are taken") {
+  std::string text = "G21 G90 G94 G0 X0 Y0 Z0 F100\n";
+  for (int i = 0; i < 1000; ++i) text += fmt::format("G1 X{}\n", i);
+  const ProgramFile program(text);
+  const InputFile file(program.path());
+  ProgramAhead ahead(file, dialect("linuxcnc"), at_zero());
+  if (processors() > 1) CHECK(ahead.ahead(0) == nullptr);
+  std::vector<std::string> expected;
+  std::size_t seen = 0;
+  while (const Step* const step = ahead.next()) {
+    if (!expected.empty()) {
+      CHECK(text_of(*step) == expected.front());
+      ++seen;
+    }
+    expected.clear();
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (const Step* const later = ahead.ahead(i)) expected.push_back(text_of(*later));
+    }
+  }
+  CHECK((processors() == 1 || seen > 900));
 }
 
 TEST_CASE("a program that is read ahead may be left at any step") {
