@@ -73,6 +73,25 @@ bool MoveCorrector::take(const Target& target, const AxisWords& words, const Cor
   return true;
 }
 
+void MoveCorrector::expect(std::span<const Target> ends) {
+  expected_.assign(ends.begin(), ends.end());
+  met_ = 0;
+  if (!expected_.empty()) corrector_.correct(expected_, of_expected_);
+}
+
+// False, and nothing is taken: the move does not end where one was expected to.
+bool MoveCorrector::take_expected() {
+  if (met_ == expected_.size()) return false;
+  const Move& move = result_.move;
+  const path::CurvePoint end = move.path.curve.point(1);
+  const Target target = move.path.target(end, move.seconds);
+  const auto found = std::find(expected_.begin() + static_cast<std::ptrdiff_t>(met_), expected_.end(), target);
+  if (found == expected_.end()) return false;
+  met_ = static_cast<std::size_t>(found - expected_.begin()) + 1;
+  take(target, end.at, of_expected_[met_ - 1]);
+  return true;
+}
+
 void MoveCorrector::correct_rapid() {
   const Move& move = result_.move;
   const nc::Motion& motion = *move.motion;
@@ -89,6 +108,7 @@ void MoveCorrector::correct_cut() {
     note(machine::check_programmed(limits_, corrector_.pose_of(end.pose)));
     if (stops()) return;
   }
+  if (move.pieces == 1 && take_expected()) return;
   for (int first = 1; first <= move.pieces; first += kTogether) {
     const int last = std::min(first + kTogether - 1, move.pieces);
     points_.clear();

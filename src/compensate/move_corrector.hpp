@@ -38,6 +38,10 @@ class MoveCorrector {
   /// system. Of a rapid the end alone is corrected; the control goes there as it likes, so the limits are checked on
   /// the chord. Holds until the next call.
   const CorrectedMove& correct(const Move& move, const AxisWords& standing);
+  /// Corrects the ends of moves that come soon together, in packs: correct() of a move with this one point finds it
+  /// done. What it gets is the same. To be told again, or forgotten, when the corrector gets another tool.
+  void expect(std::span<const Target> ends);
+  void forget() { expect({}); }
   /// Places of the work system where the machine stands still, one point each.
   const CorrectedMove& correct_places(const Move& move, std::span<const AxisWords> places, const AxisWords& standing);
 
@@ -49,6 +53,7 @@ class MoveCorrector {
   void note(std::vector<machine::Violation> violations);
   void correct_rapid();
   void correct_cut();
+  bool take_expected();
 
   const Corrector& corrector_;
   const machine::Limits& limits_;
@@ -57,6 +62,9 @@ class MoveCorrector {
   std::vector<path::CurvePoint> points_;  // of pieces that are corrected together
   std::vector<Target> targets_;
   Corrections corrections_;
+  std::vector<Target> expected_;
+  std::size_t met_ = 0;  // of these, so far
+  Corrections of_expected_;
 };
 
 }  // namespace plumbline::compensate

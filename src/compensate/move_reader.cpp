@@ -103,6 +103,22 @@ void MoveReader::divide(Move& move) const {
   move.widened = cut.widened;
 }
 
+std::size_t MoveReader::find_ends_ahead(std::vector<Target>& ends) const {
+  std::size_t blocks = 0;
+  try {
+    for (const nc::Step* step = nullptr; (step = program_.ahead(blocks)) != nullptr; ++blocks) {
+      if (step->motions.size() != 1 || step->cycle != nc::CycleForm::none) continue;
+      const nc::Motion& motion = step->motions.front();
+      if (!path::is_cut(motion.kind) || motion.in_machine_coordinates) continue;
+      Move move = this->move(*step, motion);
+      divide(move);
+      if (move.pieces == 1) ends.push_back(move.path.target(1, move.seconds));
+    }
+  } catch (const Refusal&) {  // for who comes to that move
+  }
+  return blocks;
+}
+
 // True if it can be followed, and move_ is that.
 bool MoveReader::take(const nc::Motion& motion) {
   if (motion.kind == nc::MotionKind::dwell) {

@@ -84,6 +84,10 @@ class MoveReader {
   Move move(const nc::Step& step, const nc::Motion& motion) const;
   /// Sets its pieces, at the step settings. Refuses with path-too-many-pieces.
   void divide(Move& move) const;
+  /// Where those of the moves end that were read already, come after the last block, and are of one piece; as far as
+  /// that can be said of them now.
+  /// Gives how many blocks that were.
+  std::size_t find_ends_ahead(std::vector<Target>& ends) const;
   AxisSet writable(const nc::Step& step) const { return AxisSet::all() - fixed(step); }
 
   /// For who leaves the program as it is: the next move, divided; those in machine coordinates, to

@@ -53,6 +53,7 @@ class Pipeline {
   void take_hole(const nc::Step& step);
   CorrectedHole corrected_hole(const nc::Step& step);
   const CorrectedMove& corrected(Move& move);
+  void expect_ends();
 
   const InputFile& source_;
   const nc::Dialect& dialect_;
@@ -65,7 +66,9 @@ class Pipeline {
   BetweenPoints between_;
   Tally tally_;
   StampSearch stamps_;
-  bool must_unroll_ = false;  // something changes that cannot be put in the place of its block
+  std::vector<Target> ends_;
+  std::uint64_t expected_to_ = 0;  // the block up to which the ends of moves are expected
+  bool must_unroll_ = false;       // something changes that cannot be put in the place of its block
 };
 
 }  // namespace plumbline::compensate

@@ -16,6 +16,8 @@ struct Target {
   AxisWords bend;                 // second derivative
   std::optional<double> seconds;  // that one such unit takes; nothing: only the direction counts
   AxisSet fixed{};                // axes that get no word: the tip alone is put right, with the orientation they leave
+
+  bool operator==(const Target&) const = default;
 };
 
 /// How the machine moves there, at a steady feed: the pose, its velocity, and, where `environment` asks for what
