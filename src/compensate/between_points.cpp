@@ -19,6 +19,7 @@ constexpr std::size_t kAlways = 24;  // of the pieces of a block, where the firs
 constexpr double kEdge = 1e-6;       // of a piece: beside its ends
 constexpr double kNoWayMm = 1e-9;    // mm and deg
 constexpr double kSaturated = 2.65;  // tanh is 0.99
+constexpr double kHalfTurnDeg = 180;
 constexpr int kProjections = 6;
 constexpr int kRefinements = 10;
 constexpr std::array kFirstLook{kEdge, 0.5, 1 - kEdge};
@@ -48,16 +49,20 @@ double distance_mm(const MovePath& path, const Vector3<double>& tip_mm, double f
   return least;
 }
 
-// Of an orientation from the nearest one of a path, deg.
+// Of an orientation from the nearest one of a path, deg. A, B and C change evenly along it.
 double turn_deg(const Corrector& corrector, const MovePath& path, const Matrix3<double>& R_WP, double fraction) {
+  const AxisWords begin = path.pose(0);
+  const AxisWords delta = path.curve.delta();
+  const auto off_at = [&](double at) -> Vector3<double> {
+    AxisWords words;
+    for (const Axis axis : {Axis::A, Axis::B, Axis::C}) words[axis] = begin[axis] + at * delta[axis];
+    return machine::logarithm<double>(R_WP * corrector.pose_of(words).R_WP.transpose());
+  };
   double least = std::numeric_limits<double>::max();
   for (int i = 0; i <= kProjections; ++i) {
-    const auto off_at = [&](double at) -> Vector3<double> {
-      const Pose<double> pose = corrector.pose_of(path.target(at, std::nullopt).pose);
-      return machine::logarithm<double>(R_WP * pose.R_WP.transpose());
-    };
     const Vector3<double> off = off_at(fraction);
     least = std::min(least, off.norm() / kDeg);
+    if (abc(delta).squaredNorm() == 0) break;
     const double probe = fraction > 0.5 ? -1e-4 : 1e-4;
     const Vector3<double> slope = (off_at(fraction + probe) - off) / probe;
     if (slope.squaredNorm() < kNoWayMm * kNoWayMm) break;
@@ -66,6 +71,11 @@ double turn_deg(const Corrector& corrector, const MovePath& path, const Matrix3<
     fraction = next;
   }
   return least;
+}
+
+// A circle, or an axis that turns, may pass the same place twice.
+bool comes_by_again(const path::Curve& curve) {
+  return std::abs(curve.arc_deg()) > kHalfTurnDeg || path::largest_turn_deg(curve.delta()) > kHalfTurnDeg;
 }
 
 // What the tip moves (or turns) where the friction of the struts is another one than the correction holds: it turns at
@@ -199,9 +209,8 @@ BetweenPoints::Off BetweenPoints::off_at(const Part& part, double fraction, cons
   };
   const bool begins = part.from == 0;
   const bool ends = part.from + part.share > 1 - kEdge;
-  // A circle comes by again, the one before or after it too.
   for (const double end : {0.0, 1.0}) {
-    if (begins || ends) beside(*here_, end);
+    if ((begins || ends) && comes_by_again(here_->curve)) beside(*here_, end);
     if (before_ && begins) beside(*before_, end);
     if (next != nullptr && ends) beside(*next, end);
   }

@@ -23,6 +23,8 @@ struct MovePath {
 
   Target target(double fraction, std::optional<double> seconds) const { return target(curve.point(fraction), seconds); }
   Target target(const path::CurvePoint& point, std::optional<double> seconds) const;
+  /// The pose of target().
+  AxisWords pose(double fraction) const { return in_base_frame(curve.at(fraction)) + added; }
   /// A place of the work system, where the machine stands still.
   Target at_rest(const AxisWords& work) const;
   /// What the words of the work system say in W, the error at the touch-off left out: mm and deg.
