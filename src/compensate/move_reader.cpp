@@ -103,10 +103,20 @@ void MoveReader::divide(Move& move) const {
   move.widened = cut.widened;
 }
 
-std::size_t MoveReader::find_ends_ahead(std::vector<Target>& ends) const {
-  std::size_t blocks = 0;
+std::optional<ToolInSpindle> MoveReader::new_tool(const nc::Step& step) {
+  std::optional<ToolInSpindle> tool = spindle_.change(step);
+  if (tool) looked_to_ = 0;
+  return tool;
+}
+
+bool MoveReader::find_ends_ahead(std::vector<Target>& ends) {
+  if (blocks_ <= looked_to_) return false;
+  ends.clear();
+  looked_to_ = blocks_;
   try {
-    for (const nc::Step* step = nullptr; (step = program_.ahead(blocks)) != nullptr; ++blocks) {
+    std::size_t blocks = 0;
+    while (const nc::Step* const step = program_.ahead(blocks++)) {
+      ++looked_to_;
       if (step->motions.size() != 1 || step->cycle != nc::CycleForm::none) continue;
       const nc::Motion& motion = step->motions.front();
       if (!path::is_cut(motion.kind) || motion.in_machine_coordinates) continue;
@@ -116,7 +126,7 @@ std::size_t MoveReader::find_ends_ahead(std::vector<Target>& ends) const {
     }
   } catch (const Refusal&) {  // for who comes to that move
   }
-  return blocks;
+  return true;
 }
 
 // True if it can be followed, and move_ is that.

@@ -70,7 +70,7 @@ class MoveReader {
   bool jumped() const { return program_.jumped(); }
   bool position_read() const { return program_.position_read(); }
   /// The tool that makes the moves of the step, where it is another one than before.
-  std::optional<ToolInSpindle> new_tool(const nc::Step& step) { return spindle_.change(step); }
+  std::optional<ToolInSpindle> new_tool(const nc::Step& step);
   bool tool_has_mass() const { return spindle_.has_mass(); }
 
   /// Whether a position of which the axes in `known` are known is known as a whole. Rotary axes that no word of the
@@ -85,9 +85,9 @@ class MoveReader {
   /// Sets its pieces, at the step settings. Refuses with path-too-many-pieces.
   void divide(Move& move) const;
   /// Where those of the moves end that were read already, come after the last block, and are of one piece; as far as
-  /// that can be said of them now.
-  /// Gives how many blocks that were.
-  std::size_t find_ends_ahead(std::vector<Target>& ends) const;
+  /// that can be said of them now. False, and nothing is looked for, as long as the last block is one of those that
+  /// were looked at before, with the same tool.
+  bool find_ends_ahead(std::vector<Target>& ends);
   AxisSet writable(const nc::Step& step) const { return AxisSet::all() - fixed(step); }
 
   /// For who leaves the program as it is: the next move, divided; those in machine coordinates, to
@@ -117,6 +117,7 @@ class MoveReader {
   AxisSet at_zero_;
   AxisSet away_;  // rotary axes that are known to have stood elsewhere
   std::uint64_t blocks_ = 0;
+  std::uint64_t looked_to_ = 0;  // the block up to which ends of moves were looked for
 
   // For next_move()
   const nc::Step* step_ = nullptr;

@@ -140,7 +140,6 @@ void Pipeline::follow_tool(const nc::Step& step) {
   between_.leave();
   corrector_.set_tool(*tool);
   moves_.forget();
-  expected_to_ = 0;
 }
 
 void Pipeline::take(const nc::Step& step) {
@@ -182,16 +181,10 @@ void Pipeline::copy_through(const nc::Step& step) {
   }
 }
 
-// One pose alone takes nearly as long as eight together.
-void Pipeline::expect_ends() {
-  ends_.clear();
-  expected_to_ = reader_.blocks() + reader_.find_ends_ahead(ends_);
-  moves_.expect(ends_);
-}
-
 const CorrectedMove& Pipeline::corrected(Move& move) {
   reader_.divide(move);
-  if (!move.is_rapid() && move.pieces == 1 && reader_.blocks() > expected_to_) expect_ends();
+  // One pose alone takes nearly as long as eight together.
+  if (!move.is_rapid() && move.pieces == 1 && reader_.find_ends_ahead(ends_)) moves_.expect(ends_);
   const CorrectedMove& corrected = moves_.correct(move, rewriter_.standing(*move.step));
   refuse_violations(corrected.violations, *move.step);
   return corrected;

@@ -53,7 +53,6 @@ class Pipeline {
   void take_hole(const nc::Step& step);
   CorrectedHole corrected_hole(const nc::Step& step);
   const CorrectedMove& corrected(Move& move);
-  void expect_ends();
 
   const InputFile& source_;
   const nc::Dialect& dialect_;
@@ -66,9 +65,8 @@ class Pipeline {
   BetweenPoints between_;
   Tally tally_;
   StampSearch stamps_;
-  std::vector<Target> ends_;
-  std::uint64_t expected_to_ = 0;  // the block up to which the ends of moves are expected
-  bool must_unroll_ = false;       // something changes that cannot be put in the place of its block
+  std::vector<Target> ends_;  // of moves that come soon
+  bool must_unroll_ = false;  // something changes that cannot be put in the place of its block
 };
 
 }  // namespace plumbline::compensate
