@@ -71,6 +71,10 @@ class Emitter {
     return planner_.words().rounds_to_zero(step, control_.work_shift(*step.frame), writable);
   }
 
+  /// What rounding may take off a word of the step's move, or put on it: mm and deg. Half of what the control keeps; of
+  /// an axis that stands between two such numbers, and may be left there, three quarters.
+  AxisWords half_quanta(const Step& step) const { return planner_.words().half_quanta(step, control_); }
+
   /// What is written between these two stands for the block of `step`.
   void begin_group(const Step& step);
   void end_group(const Step& step);

@@ -12,11 +12,6 @@
 #include "nc/rewrite/output/emit_text.hpp"
 
 namespace plumbline::nc {
-namespace {
-
-constexpr double kMoves = 0.25;  // of a quantum: less than this is the noise of adding and taking away offsets
-
-}  // namespace
 
 std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
                                     std::optional<double> seconds, OutputState& control) {
@@ -81,7 +76,7 @@ Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point,
     piece.value[axis] = value;
     // A word that stands there is written as it is kept now, though the axis was left with more digits.
     const bool says = first && !endless && !step.after->incremental && step.named.contains(axis) && end != at[axis];
-    if (!known || says || std::abs(end - at[axis]) > kMoves * g.quantum * g.per_unit) {
+    if (!known || says || std::abs(end - at[axis]) > kMovesFrom * g.quantum * g.per_unit) {
       if (endless)
         piece.value[axis] = words_.endless_word(step, axis, end, known ? std::optional(at[axis]) : std::nullopt);
       piece.moved.insert(axis);

@@ -135,11 +135,12 @@ double PieceFeeds::choose_rates(double seconds, OutputState& control) {
   for (const Piece& piece : pieces_) total += piece.length;
   const bool turns = std::all_of(pieces_.begin(), pieces_.end(), [](const Piece& piece) { return piece.in_degrees; });
   const double programmed = turns ? step_.after->feed_rotary : step_.after->feed;
-  const bool keeps = !differs(total / programmed, time, settings_.time_tolerance);
   const double mean = total / time;
   const bool alike = std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
     return !differs(piece.length, piece.share * total, kAlikeSpeeds);
   });
+  const bool keeps =
+      !differs(total / programmed, time, settings_.time_tolerance) && (alike || !settings_.keep_piece_times);
   pieces_.front().restates_mode = control.feed_mode != step_.after->feed_mode;
   if (pieces_.front().restates_mode) control.drop_feed();
   control.feed_mode = step_.after->feed_mode;

@@ -69,6 +69,18 @@ bool WordGrid::stays(const Step& step, std::span<const CorrectedPoint> points, A
   return keeps_time(step, standing);
 }
 
+AxisWords WordGrid::half_quanta(const Step& step, const OutputState& control) const {
+  const AxisWords stands = step.motions.front().from + control.work_shift(*step.frame);
+  AxisWords half;
+  for (const Axis axis : kAllAxes) {
+    const Grid g = grid(step, axis);
+    const double quantum = g.quantum * g.per_unit;
+    const double between = std::abs(stands[axis] - g.kept(stands[axis] / g.per_unit) * g.per_unit);
+    half[axis] = (between > kSamePlace ? 0.5 + kMovesFrom : 0.5) * quantum;
+  }
+  return half;
+}
+
 // A cut whose start was rounded to another place is longer or shorter: one of some micrometres needs another F.
 bool WordGrid::keeps_time(const Step& step, const AxisWords& standing) const {
   const Motion& motion = step.motions.front();

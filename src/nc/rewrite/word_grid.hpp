@@ -25,6 +25,7 @@ struct CorrectedPoint {
 };
 
 inline constexpr double kSamePlace = 1e-9;  // mm and deg
+inline constexpr double kMovesFrom = 0.25;  // of a quantum: less is the noise of adding and taking away offsets
 
 /// What can be said of the axes in the words of a step's block.
 class WordGrid {
@@ -42,6 +43,10 @@ class WordGrid {
   /// it to stand.
   bool stays(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
              const OutputState& control) const;
+
+  /// What rounding may take off a word of the step's move, or put on it, mm and deg: half a quantum. An axis that
+  /// stands between two words is left there where it is nearer than kMovesFrom of a quantum to the next.
+  AxisWords half_quanta(const Step& step, const OutputState& control) const;
 
   /// True if a shift is none, as the words of the block are written, in every axis that may be.
   bool rounds_to_zero(const Step& step, const AxisWords& shift, AxisSet writable) const;
