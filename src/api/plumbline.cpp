@@ -11,12 +11,17 @@
 #include "machine/model_file.hpp"
 #include "report/program/error_text.hpp"
 #include "report/program/trace_text.hpp"
+#include "settings/contradiction.hpp"
 
 namespace plumbline::api {
 namespace {
 
 void require_model(const Options& options) {
   if (options.paths.model.empty()) throw std::invalid_argument("model: expected the path of a machine model");
+}
+
+void refuse_contradiction(const Options& options) {
+  if (const std::optional<std::string> why = settings::contradiction(options)) throw std::invalid_argument(*why);
 }
 
 }  // namespace
@@ -36,6 +41,7 @@ void set_option(Options& options, std::string_view name, std::string_view text) 
 CompensationSummary compensate(const std::string& program, const std::string& output, const Options& options,
                                const Progress& progress) {
   require_model(options);
+  refuse_contradiction(options);
   return jobs::compensate_file(program, output, options, progress);
 }
 
@@ -61,6 +67,7 @@ void trace(const std::string& program, const std::string& output, const Options&
 
 CheckSummary check(const std::string& program, const Options& options, const Progress& progress) {
   require_model(options);
+  refuse_contradiction(options);
   return jobs::check_file(program, options, progress);
 }
 

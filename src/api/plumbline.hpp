@@ -33,7 +33,7 @@ void set_option(Options& options, std::string_view name, std::string_view text);
 
 /// Corrects a program for the machine `options.paths.model`, and writes the corrected one, with options.undo
 /// OUTPUT.undo too. The summary is in mm, deg and s; its lines are those of `program`. Throws std::invalid_argument if
-/// no model is named.
+/// no model is named, and if options contradict each other (settings::contradiction).
 CompensationSummary compensate(const std::string& program, const std::string& output, const Options& options,
                                const Progress& progress = {});
 
@@ -48,7 +48,7 @@ void trace(const std::string& program, const std::string& output, const Options&
            const Progress& progress = {});
 
 /// Finds all places where a program, compensated, breaks limits of the machine `options.paths.model`; writes nothing.
-/// That there are some is no error: the summary counts them. Throws std::invalid_argument if no model is named.
+/// That there are some is no error: the summary counts them. Throws as compensate().
 CheckSummary check(const std::string& program, const Options& options, const Progress& progress = {});
 
 }  // namespace plumbline::api

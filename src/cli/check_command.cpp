@@ -47,7 +47,7 @@ void add_check(CLI::App& app, Run& run) {
       ->required();
   command->add_option("--json", arguments->json, "write the result as JSON, too")->type_name("FILE");
   using Group = settings::OptionGroup;
-  arguments->shared.add_to(*command, {Group::model, Group::program, Group::step});
+  arguments->shared.add_to(*command, {Group::model, Group::program, Group::step, Group::bound});
   command->callback([arguments, &run] { run = [arguments] { return check(*arguments); }; });
 }
 

@@ -51,7 +51,7 @@ void add_compensate(CLI::App& app, Run& run) {
       ->required();
   command->add_option("--json", arguments->json, "write the summary as JSON, too")->type_name("FILE");
   using Group = settings::OptionGroup;
-  arguments->shared.add_to(*command, {Group::model, Group::program, Group::step, Group::compensation});
+  arguments->shared.add_to(*command, {Group::model, Group::program, Group::step, Group::bound, Group::compensation});
   command->callback([arguments, &run] { run = [arguments] { return compensate(*arguments); }; });
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/check.hpp"
+#include "settings/contradiction.hpp"
 #include "settings/settings_file.hpp"
 
 namespace plumbline::cli {
@@ -51,9 +52,10 @@ void SharedOptions::apply(settings::Options& options) const {
   }
 }
 
-bool SharedOptions::has(const settings::OptionRow& row) const {
-  return std::any_of(given_.begin(), given_.end(),
-                     [&](const Given& given) { return given.row == &row && !given.texts.empty(); });
+bool SharedOptions::takes_place_of(const settings::OptionRow& row) const {
+  return std::any_of(given_.begin(), given_.end(), [&](const Given& given) {
+    return !given.texts.empty() && (given.row == &row || settings::excludes(*given.row, row));
+  });
 }
 
 settings::Options SharedOptions::given() const {
@@ -64,10 +66,11 @@ settings::Options SharedOptions::given() const {
 
 settings::Options SharedOptions::read(const std::string& program) const {
   settings::Options options = given();  // first of all: wrong usage shows before any file is read
+  if (const std::optional<std::string> why = settings::contradiction(options)) throw UsageError(*why);
   const std::string settings = no_settings_ ? std::string() : settings::settings_file_beside(program);
   if (settings.empty()) return options;
   options = {};
-  settings::read_settings_file(settings, options, [&](const settings::OptionRow& row) { return has(row); });
+  settings::read_settings_file(settings, options, [&](const settings::OptionRow& row) { return takes_place_of(row); });
   apply(options);
   return options;
 }

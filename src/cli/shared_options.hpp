@@ -37,7 +37,7 @@ class SharedOptions {
   };
   void add(CLI::App& command, const settings::OptionRow& row);
   void apply(settings::Options& options) const;
-  bool has(const settings::OptionRow& row) const;
+  bool takes_place_of(const settings::OptionRow& row) const;
 
   std::list<Given> given_;
   bool no_settings_ = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "base/diagnostic.hpp"
@@ -83,7 +84,8 @@ Corrector::Load Corrector::load_at(const Target& target) const {
   physics::Environment environment = environment_;
   const physics::Motion<double> motion = motion_of(target, environment);
   const auto struts = machine::strut_geometry(geometry(), motion.pose);
-  const auto rates = physics::strut_rates(struts, motion, environment);
+  auto rates = physics::strut_rates(struts, motion, environment);
+  if (target.sign && environment.friction) rates.sign = *target.sign;
   return {
       motion.pose, rates.sign,
       physics::strut_stretch_at(physics_, physics_.parameters.data(), environment, motion, rates, motion.pose, struts)};
@@ -149,6 +151,12 @@ void Corrector::confirm(std::span<const Target> targets, Corrections& correction
     const AxisWords shift = corrected.pose - targets[i].pose;
     const bool small = length_mm(shift) <= kSureMm && path::largest_turn_deg(shift) <= kSureDeg;
     if (!corrected.converged || small) continue;
+    if (targets[i].sign) {  // it moves as it moves: what is stated of its friction is not looked at
+      Target moving = targets[i];
+      moving.sign.reset();
+      corrections.corrected_[i].converged = correct(moving).converged;
+      continue;
+    }
     large.push_back(i);
     batch.add(corrected.pose, targets[i].slope, targets[i].bend, targets[i].seconds.value_or(-1));
   }
@@ -186,7 +194,8 @@ void Corrector::correct_standing(Corrections& corrections, int round) const {
   const std::vector<std::size_t>& open = corrections.open_;
   exact::PoseBatch& batch = corrections.batch_;
   batch.clear();
-  if (settings_.method == Method::exact) {
+  const bool signs_stated = open.size() == 1 && corrections.standing_[open.front()].sign;  // packs know of none
+  if (settings_.method == Method::exact && !signs_stated) {
     for (const std::size_t i : open) {
       const Target& at = corrections.standing_[i];
       batch.add(at.pose, at.slope, at.bend, at.seconds.value_or(-1));
@@ -196,7 +205,7 @@ void Corrector::correct_standing(Corrections& corrections, int round) const {
   for (std::size_t k = 0; k < open.size(); ++k) {
     Corrected& corrected = corrections.corrected_[open[k]];
     const int state = batch.size() > 0 ? batch.state(k) : 0;
-    if ((state & exact::kFound) == 0) {
+    if ((state & exact::kFound) == 0 || corrections.standing_[open[k]].sign) {
       corrected = correct_once(corrections.standing_[open[k]], settings_.method);
       continue;
     }
@@ -259,6 +268,18 @@ std::optional<PlayedTip> Corrector::play(const Target& told) const {
   return PlayedTip{error.pose, physics::strut_rates(struts, motion, environment_).speed};
 }
 
+physics::StrutRates<double> Corrector::rates_as_told(const Target& told) const {
+  const physics::Motion<double> motion = motion_at(model_.rotation, radius_, told, environment_);
+  return physics::strut_rates(machine::strut_geometry(geometry(), motion.pose), motion, environment_);
+}
+
+double Corrector::turn_rad(const AxisWords& words, const AxisWords& change) const {
+  const auto rotary = [](const AxisWords& of) -> Vector3<double> {
+    return Vector3<double>(of[Axis::A], of[Axis::B], of[Axis::C]) * kDeg;
+  };
+  return machine::angular_velocity<double>(model_.rotation, rotary(words), rotary(change)).norm();
+}
+
 // dx = J^-1 (dL(+) - dL(-)), strut by strut.
 Corrector::FrictionTurns Corrector::friction_turns(const Target& target) const {
   FrictionTurns turns;
@@ -276,7 +297,9 @@ Corrector::FrictionTurns Corrector::friction_turns(const Target& target) const {
   for (int j = 0; j < machine::kStruts; ++j) {
     const auto forth = stretch_with(j, 1);
     if (forth.jacobian.singular()) return turns;
-    const machine::Vector6<double> moved = forth.jacobian.solve(forth.stretch - stretch_with(j, -1).stretch);
+    const auto back = stretch_with(j, -1);
+    const machine::Vector6<double> moved = forth.jacobian.solve(forth.stretch - back.stretch);
+    turns.strut_mm[j] = std::abs(forth.stretch[j] - back.stretch[j]) / kMm;
     turns.tip_mm[j] = moved.head<3>().norm() / kMm;
     turns.turned_deg[j] = moved.tail<3>().norm() / kDeg;
   }
@@ -291,6 +314,22 @@ std::optional<double> Corrector::tip_distance_mm(const Target& target, const Axi
   const physics::TipError<double> error = physics::tip_error(physics_, environment, motion);
   if (!error.converged()) return std::nullopt;
   return tip_distance(error.pose, pose_of(target.pose)) / kMm;
+}
+
+double Corrector::shortest_wave() const {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const double lead : physics_.machine.lead) {
+    if (lead > 0) shortest = std::min(shortest, lead);
+  }
+  for (const machine::EffectRow& row : model_.effects) {
+    for (const machine::EffectValue& value : row.values) {
+      if (value.key != "pitch_mm") continue;
+      for (const double pitch : value.values) {
+        if (pitch > 0) shortest = std::min(shortest, pitch * kMm);
+      }
+    }
+  }
+  return shortest;
 }
 
 double Corrector::condition(const Target& target) const {

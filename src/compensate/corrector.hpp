@@ -91,8 +91,10 @@ class Corrector {
   /// The same for many, in packs.
   void play(std::span<const Target> told, Plays& plays) const;
 
-  /// How far the tip moves and turns where the friction of a strut turns from one sign to the other.
+  /// How far the tip moves and turns, and how much longer or shorter the strut gets, where the friction of a strut
+  /// turns from one sign to the other.
   struct FrictionTurns {
+    machine::PerStrut<double> strut_mm = machine::PerStrut<double>::Zero();
     machine::PerStrut<double> tip_mm = machine::PerStrut<double>::Zero();
     machine::PerStrut<double> turned_deg = machine::PerStrut<double>::Zero();
   };
@@ -101,6 +103,10 @@ class Corrector {
   bool has_friction() const { return environment_.friction; }
   /// v0 of the model, m/s: how slowly a strut moves where its friction turns.
   double turning_speed() const { return environment_.sign_speed; }
+
+  /// The shortest way of a strut over which an effect of the model may come and go, m: a turn of its screw, or a pitch
+  /// that an effect states.
+  double shortest_wave() const;
 
   /// Condition number of the Jacobian where the machine stands on the target.
   double condition(const Target& target) const;
@@ -115,6 +121,11 @@ class Corrector {
 
   const machine::Geometry& geometry() const { return physics_.machine.geometry; }
   Pose<double> pose_of(const AxisWords& words) const;
+  /// How fast the struts of a machine that is told `told` move, as it is told, m/s; with the sign that its friction
+  /// has.
+  physics::StrutRates<double> rates_as_told(const Target& told) const;
+  /// Angular velocity of P at A, B, C of `words` that turn by `change`, deg: in rad.
+  double turn_rad(const AxisWords& words, const AxisWords& change) const;
 
  private:
   struct Load {  // of a machine that stands on a pose

@@ -12,13 +12,16 @@ constexpr int kTogether = 256;  // pieces: their targets stay in the cache
 
 }  // namespace
 
-const CorrectedMove& MoveCorrector::correct(const Move& move, const AxisWords& standing) {
+const CorrectedMove& MoveCorrector::correct(const Move& move, const AxisWords& standing, const AxisWords& half_quanta) {
   begin(move, standing);
   if (move.is_rapid()) {
     correct_rapid();
+  } else if (chooser_) {
+    correct_by_bound(half_quanta);
   } else {
     correct_cut();
   }
+  if (!result_.signs.empty()) standing_sign_ = result_.signs.back();
   return result_;
 }
 
@@ -38,6 +41,7 @@ void MoveCorrector::begin(const Move& move, const AxisWords& standing) {
   result_.points.clear();
   result_.signs.clear();
   result_.violations.clear();
+  result_.bound = {};
 }
 
 void MoveCorrector::note(std::vector<machine::Violation> violations) {
@@ -57,9 +61,14 @@ bool MoveCorrector::take(const Target& target, const AxisWords& words, const Cor
     note({{std::string(kOutOfReach), 0, 0, 0, ""}});
     return false;
   }
+  keep(command.corrected, words);
+  return true;
+}
+
+void MoveCorrector::keep(const Corrected& corrected, const AxisWords& words) {
   const MovePath& path = result_.move.path;
   AxisWords nominal = words;
-  AxisWords shift = path.frame.from_pose(command.corrected.pose) - nominal;
+  AxisWords shift = path.frame.from_pose(corrected.pose) - nominal;
   for (const Axis axis : kAllAxes) {
     if (!path.at_zero.contains(axis)) continue;
     nominal[axis] = 0;
@@ -69,8 +78,7 @@ bool MoveCorrector::take(const Target& target, const AxisWords& words, const Cor
     for (const Axis axis : {Axis::A, Axis::B, Axis::C}) shift[axis] = result_.standing[axis];
   }
   result_.points.push_back({nominal, shift, 1});
-  result_.signs.push_back(command.corrected.sign);
-  return true;
+  result_.signs.push_back(corrected.sign);
 }
 
 void MoveCorrector::expect(std::span<const Target> ends) {
@@ -123,6 +131,21 @@ void MoveCorrector::correct_cut() {
       if (stops()) return;
     }
   }
+}
+
+void MoveCorrector::correct_by_bound(const AxisWords& half_quanta) {
+  const Move& move = result_.move;
+  ControlBefore before{std::nullopt, standing_sign_, half_quanta};
+  if (at_violation_ == AtViolation::stop) before.told = move.path.in_base_frame(move.motion->from + result_.standing);
+  double from = 0;
+  for (const ChosenPoint& point : chooser_->choose(move, before)) {
+    keep(point.corrected, point.place.work);
+    result_.points.back().share = point.place.fraction - from;
+    from = point.place.fraction;
+  }
+  note(std::move(chooser_->violations()));
+  if (!chooser_->reached()) note({{std::string(kOutOfReach), 0, 0, 0, ""}});
+  result_.bound = chooser_->bound();
 }
 
 }  // namespace plumbline::compensate

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "compensate/bound/point_chooser.hpp"
 #include "compensate/corrector.hpp"
 #include "compensate/limits.hpp"
 #include "compensate/move.hpp"
@@ -18,6 +19,7 @@ struct CorrectedMove {
   std::vector<nc::CorrectedPoint> points;        // ends of its pieces; of a rapid its end
   std::vector<machine::PerStrut<double>> signs;  // of the struts' speeds at these
   std::vector<machine::Violation> violations;    // of limits; kOutOfReach: no command leads there
+  BoundOfMove bound;                             // of one whose points were chosen by it
 
   /// Where the control is sent for a point, in W.
   AxisWords commanded(std::size_t point) const {
@@ -30,17 +32,23 @@ class MoveCorrector {
   /// Where a limit is broken the points end, or they go on and the worst violation of each kind is kept.
   enum class AtViolation { stop, go_on };
 
-  /// Corrector and limits must outlive it.
-  MoveCorrector(const Corrector& corrector, const machine::Limits& limits, AtViolation at_violation)
-      : corrector_(corrector), limits_(limits), at_violation_(at_violation) {}
+  /// Corrector and limits must outlive it. `bound` chooses the points of cuts where it is asked for.
+  MoveCorrector(const Corrector& corrector, const machine::Limits& limits, AtViolation at_violation,
+                const BoundSettings& bound = {})
+      : corrector_(corrector), limits_(limits), at_violation_(at_violation) {
+    if (bound.is_asked()) chooser_.emplace(corrector, limits, bound);
+  }
 
   /// A move that was divided. `standing`: by how much the control stands off the original before it, in the work
   /// system. Of a rapid the end alone is corrected; the control goes there as it likes, so the limits are checked on
-  /// the chord. Holds until the next call.
-  const CorrectedMove& correct(const Move& move, const AxisWords& standing);
+  /// the chord. `half_quanta` is what rounding may do to a word of the move, where points are chosen by a bound. Holds
+  /// until the next call.
+  const CorrectedMove& correct(const Move& move, const AxisWords& standing, const AxisWords& half_quanta = {});
   /// Corrects the ends of moves that come soon together, in packs: correct() of a move with this one point finds it
   /// done. What it gets is the same. To be told again, or forgotten, when the corrector gets another tool.
   void expect(std::span<const Target> ends);
+  /// False where points are chosen by a bound, one after the other.
+  bool takes_expected() const { return !chooser_; }
   void forget() { expect({}); }
   /// Places of the work system where the machine stands still, one point each.
   const CorrectedMove& correct_places(const Move& move, std::span<const AxisWords> places, const AxisWords& standing);
@@ -49,15 +57,20 @@ class MoveCorrector {
   void begin(const Move& move, const AxisWords& standing);
   bool take(const Target& target, const AxisWords& words);
   bool take(const Target& target, const AxisWords& words, const Corrected& corrected);
+  void keep(const Corrected& corrected, const AxisWords& words);
   bool stops() const { return at_violation_ == AtViolation::stop && !result_.violations.empty(); }
   void note(std::vector<machine::Violation> violations);
   void correct_rapid();
   void correct_cut();
   bool take_expected();
+  void correct_by_bound(const AxisWords& half_quanta);
 
   const Corrector& corrector_;
   const machine::Limits& limits_;
   AtViolation at_violation_;
+  std::optional<PointChooser> chooser_;
+  machine::PerStrut<double> standing_sign_ =
+      machine::PerStrut<double>::Zero();  // of friction, where the control stands
   CorrectedMove result_;
   std::vector<path::CurvePoint> points_;  // of pieces that are corrected together
   std::vector<Target> targets_;

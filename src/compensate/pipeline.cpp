@@ -88,8 +88,8 @@ Pipeline::Pipeline(const InputFile& source, const ProgramSurvey& survey, const n
       dialect_(survey.dialect),
       corrector_(model, settings),
       reader_(source, dialect_, program,
-              {survey.named, settings.step, model.reference_tool_mass, touch_off_error(corrector_, settings)}),
-      moves_(corrector_, model.limits, MoveCorrector::AtViolation::stop),
+              {survey.named, divided_by(settings), model.reference_tool_mass, touch_off_error(corrector_, settings)}),
+      moves_(corrector_, model.limits, MoveCorrector::AtViolation::stop, settings.bound),
       holes_(dialect_, corrector_, model.limits, settings, moves_),
       steps_(dialect_, emit, form),
       rewriter_(source, dialect_, program, emit, out, steps_, settings.read_back),
@@ -184,8 +184,10 @@ void Pipeline::copy_through(const nc::Step& step) {
 const CorrectedMove& Pipeline::corrected(Move& move) {
   reader_.divide(move);
   // One pose alone takes nearly as long as eight together.
-  if (!move.is_rapid() && move.pieces == 1 && reader_.find_ends_ahead(ends_)) moves_.expect(ends_);
-  const CorrectedMove& corrected = moves_.correct(move, rewriter_.standing(*move.step));
+  if (moves_.takes_expected() && !move.is_rapid() && move.pieces == 1 && reader_.find_ends_ahead(ends_))
+    moves_.expect(ends_);
+  const CorrectedMove& corrected =
+      moves_.correct(move, rewriter_.standing(*move.step), rewriter_.half_quanta(*move.step));
   refuse_violations(corrected.violations, *move.step);
   return corrected;
 }

@@ -5,6 +5,11 @@
 #include <utility>
 
 namespace plumbline::compensate {
+namespace {
+
+constexpr double kSameShare = 1e-9;  // of a block's time
+
+}  // namespace
 
 Rewriter::Rewriter(const InputFile& source, const nc::Dialect& dialect, const nc::ProgramSettings& program,
                    const nc::EmitSettings& emit, OutputFile& out, WrittenSteps& steps, bool read_back)
@@ -119,13 +124,18 @@ void Rewriter::note_pieces(const CorrectedMove& corrected) {
   const std::span<const AxisWords> ends = emitter_.pieces().ends();
   const std::size_t count = corrected.points.size();
   double share = 0;
+  double asked_share = 0;
+  std::size_t point = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     share += pieces[i].share;
-    const double at = std::round(share * static_cast<double>(count));
-    const std::size_t point = std::clamp<std::size_t>(static_cast<std::size_t>(at), 1, count) - 1;
+    // Pieces in which nothing moves were joined with the next one.
+    for (asked_share += corrected.points[point].share; asked_share < share - kSameShare && point + 1 < count;) {
+      asked_share += corrected.points[++point].share;
+    }
     const nc::CorrectedPoint& asked = corrected.points[point];
     const AxisWords wanted = path.in_base_frame(asked.nominal + asked.shift);
     written_.pieces.push_back({path.in_base_frame(ends[i]), wanted, pieces[i].share, corrected.signs[point]});
+    if (point + 1 < count) ++point;
   }
 }
 

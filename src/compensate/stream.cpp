@@ -15,7 +15,9 @@ Stream::Stream(const InputFile& source, const ProgramSurvey& survey, const nc::P
       model_(model),
       settings_(settings),
       emit_(std::move(emit)),
-      out_(out) {}
+      out_(out) {
+  emit_.keep_piece_times = settings.bound.is_asked();
+}
 
 // Only the program knows whether it jumps, and only the model whether anything changes: the first reading finds out
 // both while it writes what most programs need. Memory does not grow with the program either way.

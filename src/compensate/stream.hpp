@@ -37,7 +37,7 @@ class Stream {
   const nc::ProgramSettings& program_;
   const machine::MachineModel& model_;
   const Settings& settings_;
-  const nc::EmitSettings emit_;
+  nc::EmitSettings emit_;
   OutputFile& out_;
   nc::UndoLog* undo_ = nullptr;
   ReadBack::Observer observer_;

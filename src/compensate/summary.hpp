@@ -24,6 +24,33 @@ struct ShortPieces {
   std::size_t line = 0;  // of the shortest
 };
 
+/// Pieces on which a bound that was asked for is not kept.
+struct BrokenBound {
+  std::uint64_t pieces = 0;
+  double seconds = 0;  // that they take
+  Worst off_mm, off_deg;
+
+  void add(const BrokenBound& other) {
+    pieces += other.pieces;
+    seconds += other.seconds;
+    off_mm.take(other.off_mm.value, other.off_mm.line);
+    off_deg.take(other.off_deg.value, other.off_deg.line);
+  }
+};
+
+/// How far the deformed tip is off the path, as the proof of each piece says it, rounding included.
+struct BoundOfMove {
+  double kept_mm = 0, kept_deg = 0;  // where the bound is kept: the largest
+  BrokenBound at_turns;              // where friction turns: the tip jumps, and no command does
+  BrokenBound by_time;               // where the control's time for a block allows no point
+};
+
+/// The same of a program.
+struct BoundFigures {
+  Worst kept_mm, kept_deg;
+  BrokenBound at_turns, by_time;
+};
+
 struct Summary {
   std::uint64_t blocks = 0;  // of the program
   std::uint64_t moves = 0;   // that were corrected or found to need no correction
@@ -45,6 +72,7 @@ struct Summary {
   Worst widened_step_mm;
   Worst widening_mm;  // that the tip leaves its path by between the points of such blocks
   ShortPieces short_pieces;
+  std::optional<BoundFigures> bound;                                         // where the points were chosen by one
   double offset_shift_for_1um_mm = std::numeric_limits<double>::infinity();  // of the work offset, that costs 1 um
   std::optional<AxisWords> zero_error;  // dT at the first cutting block: what a work offset probed there holds already
   std::size_t zero_error_line = 0;

@@ -67,6 +67,7 @@ void Tally::take_cut(const CorrectedMove& corrected, const WrittenMove& written)
   for (const nc::CorrectedPoint& point : corrected.points) note_point(point, line);
   note_end(corrected);
   if (move.widened) note_widened(corrected);
+  if (settings_.bound.is_asked()) note_bound(corrected);
   if (written.changed && move.seconds) note_short_pieces(written, *move.seconds, line);
   note_written(written, move.seconds, line);
 }
@@ -151,6 +152,16 @@ void Tally::note_widened(const CorrectedMove& corrected) {
     summary_.widening_mm.take(length_mm(off), move.path.line);
     begin = end;
   }
+}
+
+void Tally::note_bound(const CorrectedMove& corrected) {
+  if (!summary_.bound) summary_.bound.emplace();
+  BoundFigures& all = *summary_.bound;
+  const BoundOfMove& here = corrected.bound;
+  all.kept_mm.take(here.kept_mm, corrected.move.path.line);
+  all.kept_deg.take(here.kept_deg, corrected.move.path.line);
+  all.at_turns.add(here.at_turns);
+  all.by_time.add(here.by_time);
 }
 
 void Tally::note_short_pieces(const WrittenMove& written, double seconds, std::size_t line) {

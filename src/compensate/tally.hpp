@@ -44,6 +44,7 @@ class Tally {
   void note_end(const CorrectedMove& corrected);
   void note_offset_sensitivity(const Target& target, const AxisWords& commanded);
   void note_widened(const CorrectedMove& corrected);
+  void note_bound(const CorrectedMove& corrected);
   void note_short_pieces(const WrittenMove& written, double seconds, std::size_t line);
   void warn_of_no_end(Summary& summary) const;
   void warn_of_short_pieces(Summary& summary) const;

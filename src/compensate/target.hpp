@@ -16,6 +16,8 @@ struct Target {
   AxisWords bend;                 // second derivative
   std::optional<double> seconds;  // that one such unit takes; nothing: only the direction counts
   AxisSet fixed{};                // axes that get no word: the tip alone is put right, with the orientation they leave
+  /// Which way the friction of each strut acts, stated in place of the sign that its speed would give.
+  std::optional<machine::PerStrut<double>> sign = std::nullopt;
 
   bool operator==(const Target&) const = default;
 };

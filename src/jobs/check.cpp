@@ -20,24 +20,28 @@ class Checker {
   Checker(const nc::Dialect& dialect, const machine::MachineModel& model, const compensate::Settings& settings)
       : corrector_(model, settings),
         touch_off_error_(compensate::touch_off_error(corrector_, settings)),
-        moves_(corrector_, model.limits, compensate::MoveCorrector::AtViolation::go_on),
-        holes_(dialect, corrector_, model.limits, settings, moves_) {}
+        moves_(corrector_, model.limits, compensate::MoveCorrector::AtViolation::go_on, settings.bound),
+        holes_(dialect, corrector_, model.limits, settings, moves_),
+        by_bound_(settings.bound.is_asked()) {}
 
   const AxisWords& touch_off_error() const { return touch_off_error_; }
   void set_tool(const compensate::ToolInSpindle& tool) { corrector_.set_tool(tool); }
 
   void look_at(const compensate::Move& move) {
-    summary_.points += static_cast<std::uint64_t>(move.pieces);
     const nc::Block& block = *move.step->block;
     if (block.line != line_ || block.file != file_) end_block();
     line_ = block.line;
     file_ = block.file;
     const nc::Hole* const hole = hole_of(move);
+    auto points = static_cast<std::size_t>(move.pieces);
     if (hole == nullptr) {
-      compensate::keep_worst(of_block_, moves_.correct(move, {}).violations);
+      const compensate::CorrectedMove& corrected = moves_.correct(move, {});
+      if (by_bound_ && !move.is_rapid()) points = corrected.points.size();
+      compensate::keep_worst(of_block_, corrected.violations);
     } else if (move.motion == &move.step->motions[hole->begin]) {
       compensate::keep_worst(of_block_, holes_.correct(move, *hole, {}).at->violations);
     }
+    summary_.points += points;
   }
 
   CheckSummary take() {
@@ -70,6 +74,7 @@ class Checker {
   AxisWords touch_off_error_;
   compensate::MoveCorrector moves_;
   compensate::HoleCorrector holes_;
+  bool by_bound_;
   CheckSummary summary_;
   std::string file_;
   std::size_t line_ = 0;
@@ -88,7 +93,7 @@ CheckSummary check_file(const std::string& program, const settings::Options& opt
   Checker checker(dialect, model, compensation);
   compensate::MoveReader reader(
       source, dialect, settings,
-      {survey.named, compensation.step, model.reference_tool_mass, checker.touch_off_error()});
+      {survey.named, compensate::divided_by(compensation), model.reference_tool_mass, checker.touch_off_error()});
   while (const compensate::Move* const move = reader.next_move(progress)) {
     if (const auto tool = reader.new_tool()) checker.set_tool(*tool);
     checker.look_at(*move);

@@ -9,6 +9,7 @@
 #include "base/text/characters.hpp"
 #include "base/text/nearest_name.hpp"
 #include "base/text/number_text.hpp"
+#include "base/units.hpp"
 #include "nc/language/dialect.hpp"
 #include "settings/variables_file.hpp"
 
@@ -163,6 +164,24 @@ void set_start(Options& options, std::string_view text) {
   });
 }
 
+// 0.5um or 0.0005mm: a length whose unit is left out is a slip of a thousand.
+double length_mm_in(std::string_view text, double lower_mm, double upper_mm, std::string_view expected) {
+  constexpr std::array<std::pair<std::string_view, double>, 2> kUnits{{{"um", kUm / kMm}, {"mm", 1.0}}};
+  const std::string_view whole = trimmed(text);
+  for (const auto& [unit, mm] : kUnits) {
+    if (!whole.ends_with(unit)) continue;
+    const std::optional<double> value = parse_number(trimmed(whole.substr(0, whole.size() - unit.size())));
+    if (value && *value * mm >= lower_mm && *value * mm <= upper_mm) return *value * mm;
+  }
+  throw OptionError(fmt::format("expected {}", expected));
+}
+
+compensate::BoundSettings::Yields yields_in(std::string_view text) {
+  if (text == "bound") return compensate::BoundSettings::Yields::bound;
+  if (text == "time") return compensate::BoundSettings::Yields::time;
+  throw OptionError("expected bound or time");
+}
+
 void set_dialect(Options& options, std::string_view text) {
   const auto names = nc::dialect_names();
   if (std::find(names.begin(), names.end(), text) == names.end()) {
@@ -247,11 +266,25 @@ constexpr std::array kRows{
               OptionGroup::step, false, false,
               [](Options& o, Text t) {
                 o.compensation.step.angle_deg = number_in(t, 1e-3, 90, "an angle in deg, 0.001 to 90");
+                o.steps_given = true;
               }},
     OptionRow{"step-length", "MM", "largest length of a piece (default 1 mm)", OptionGroup::step, false, false,
               [](Options& o, Text t) {
                 o.compensation.step.length_mm = number_in(t, 1e-3, 1e4, "a length in mm, 0.001 to 10000");
+                o.steps_given = true;
               }},
+    OptionRow{"tolerance", "LENGTH",
+              "choose points by a bound instead of the steps: as few as keep the deformed tip within it of the "
+              "programmed path everywhere, as 0.5um or 0.0005mm; its orientation within it over 100 mm",
+              OptionGroup::bound, false, false,
+              [](Options& o, Text t) {
+                o.compensation.bound.tolerance_mm =
+                    length_mm_in(t, 1e-5, 10, "a length with its unit, 0.01um to 10mm, as 0.5um or 0.0005mm");
+              }},
+    OptionRow{"yields", "bound|time",
+              "with --tolerance, what gives way where it asks for blocks shorter than the control's block_time_ms "
+              "(1 ms where the model states none): the bound (default), or the time, down to a twentieth",
+              OptionGroup::bound, false, false, [](Options& o, Text t) { o.compensation.bound.yields = yields_in(t); }},
     OptionRow{"no-friction", "", "leave friction out of the model", OptionGroup::step, false, false,
               [](Options& o, Text t) { o.compensation.friction = !on_or_off(t); }},
     OptionRow{

@@ -35,7 +35,8 @@ struct Options {
       work_offset_names;        // as they were given, and which system they were taken for
   nc::ProgramSettings program;  // without what the files hold: see program_settings()
   compensate::Settings compensation;
-  nc::EmitSettings emit;  // without what the model says of the control
+  nc::EmitSettings emit;     // without what the model says of the control
+  bool steps_given = false;  // --step-angle or --step-length
   bool guard = false;
   bool undo = false;
 };
@@ -47,7 +48,7 @@ class OptionError : public std::runtime_error {
 };
 
 /// Which commands an option belongs to.
-enum class OptionGroup : std::uint8_t { program, model, step, compensation };
+enum class OptionGroup : std::uint8_t { program, model, step, bound, compensation };
 
 /// One option. Repeated ones add up.
 struct OptionRow {

@@ -10,6 +10,7 @@
 #include "base/files/files.hpp"
 #include "base/files/input_name.hpp"
 #include "base/text/toml.hpp"
+#include "settings/contradiction.hpp"
 
 namespace plumbline::settings {
 namespace {
@@ -149,6 +150,11 @@ void read_settings_file(const std::string& path, Options& options,
     Options scratch;
     const bool counts = row->name == "work-offset" || !is_given || !is_given(*row);
     SettingsReader(document, counts ? options : scratch).take(*row, entry);
+  }
+  if (const std::optional<std::string> why = contradiction(options)) {
+    const TomlEntry* const entry = document.root.find("tolerance");
+    refuse("settings-value", *why, "leave one of them out of the file",
+           document.place(entry != nullptr ? entry->key_span : TextSpan{0, 1}));
   }
   options.paths.settings_file = path;
 }

@@ -35,6 +35,24 @@ TEST_CASE("the functions take paths and options, and give summaries") {
         Approx(15.379).epsilon(1e-3));
 }
 
+TEST_CASE("a tolerance chooses the points, and steps beside it are thrown back") {
+  const testing::Scratch scratch;
+  const std::string part = scratch.file("p.ngc", kPart);
+  api::Options bound = options();
+  api::set_option(bound, "tolerance", "1um");
+  api::set_option(bound, "no-friction", "on");
+  const api::CompensationSummary done = api::compensate(part, scratch.path("out.ngc"), bound);
+  REQUIRE(done.bound);
+  CHECK(done.bound->kept_mm.value <= 0.001);
+  CHECK(done.bound->by_time.pieces == 0);
+  CHECK(done.residual_mm.value <= 0.001);
+  CHECK(done.points < 20);  // of 0.1 deg: 50
+  CHECK(api::check(part, bound).points == done.points);
+  api::set_option(bound, "step-length", "1");
+  CHECK_THROWS_AS(api::compensate(part, scratch.path("out.ngc"), bound), std::invalid_argument);
+  CHECK_THROWS_AS(api::check(part, bound), std::invalid_argument);
+}
+
 TEST_CASE("what is wrong is thrown, with its place, and nothing is written") {
   const testing::Scratch scratch;
   const std::string bad = scratch.file("p.ngc", "G0 X0 Y0 Z0 A0 B0 C0\nG1 A60 F100\n");

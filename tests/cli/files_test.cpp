@@ -150,6 +150,10 @@ TEST_CASE("the settings file beside the program counts, and the command line cou
   CHECK(contains(scratch.text("half.ngc"), "step 0.1 deg or 0.5 mm"));
   CHECK(run(scratch, "compensate part/p.ngc -o whole.ngc --step-length 1").code == 0);
   CHECK(contains(scratch.text("whole.ngc"), "step 0.1 deg or 1 mm"));
+  const Outcome bound = run(scratch, "compensate part/p.ngc -o bound.ngc --tolerance 0.5um");
+  CHECK(bound.code == 0);  // the steps of the file give way
+  CHECK(contains(bound.err, "bound                 0.5 um and 0.000286 deg asked for"));
+  CHECK(contains(scratch.text("bound.ngc"), "tolerance 0.5 um"));
   CHECK(run(scratch, "compensate part/p.ngc -o out.ngc --no-settings").code == 2);
   CHECK(run(scratch, "compensate part/p.ngc -o out.ngc --no-settings " + kModel).code == 1);
   scratch.file("part/plumbline.toml", "plumbline = \"settings 1\"\nsteplength = 1\n");

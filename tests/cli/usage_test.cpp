@@ -49,7 +49,8 @@ TEST_CASE("what stands wrongly on the command line is named as its user would") 
     const char* expected;
   };
   for (const Case& c :
-       {Case{"", "name a command: compensate, "}, Case{"compensate p.ngc -m m.toml", "-o FILE is required"},
+       {Case{"", "name a command: compensate, "},
+        Case{"compensate p.ngc -m m.toml", "-o FILE is required"},
         Case{"compensate", "PROGRAM and -o FILE are required"},
         Case{"compensate p.ngc -m m.toml -o", "-o needs its value: -o FILE"},
         Case{"compensate p.ngc -m -o out.ngc", "-m needs its value: -m "},
@@ -60,8 +61,14 @@ TEST_CASE("what stands wrongly on the command line is named as its user would") 
         Case{"compensate p.ngc -m a.toml -m b.toml -o o.ngc", "-m stands twice"},
         Case{"trace p.ngc --work-offset G54 0 0 -1008", "is one too many: the value of --work-offset"},
         Case{"diff p.ngc p.ngc --step-length 3", "no option --step-length here: it belongs to compensate, "},
+        Case{"compensate p.ngc -o o.ngc -m m.toml --tolerance 0.5um --step-angle 1", "say nothing beside it"},
+        Case{"check p.ngc -m m.toml --step-length 1 --tolerance 0.5um", "say nothing beside it"},
+        Case{"compensate p.ngc -o o.ngc -m m.toml --tolerance 0.5", "a length with its unit"},
+        Case{"compensate p.ngc -o o.ngc -m m.toml --tolerance 1um --first-order", "--tolerance cannot be kept with it"},
+        Case{"simulate p.ngc --tolerance 1um", "no option --tolerance here: it belongs to compensate, "},
         Case{"check p.ngc --undo", "no option --undo here: it belongs to compensate"},
-        Case{"check p.ngc -x", "no option -x\n"}, Case{"trace p.ngc --dialect fanuk", "did you mean fanuc?"}}) {
+        Case{"check p.ngc -x", "no option -x\n"},
+        Case{"trace p.ngc --dialect fanuk", "did you mean fanuc?"}}) {
     INFO(c.arguments);
     const Outcome outcome = run(scratch, c.arguments);
     INFO(outcome.err);

@@ -16,11 +16,18 @@
 
 namespace plumbline {
 
+/// What one piece of the output leaves.
+struct PlayedPiece {
+  double tip_um = 0, turned_deg = 0;
+  double seconds = 0;
+};
+
 struct DensePlay {
   double tip_um = 0;
   double turned_deg = 0;
   std::size_t line = 0;  // of the original, where the tip is furthest
   std::size_t plays = 0;
+  std::vector<PlayedPiece> pieces;  // that cut
 };
 
 namespace dense {
@@ -48,10 +55,9 @@ inline std::vector<Timed> timed(const std::vector<Move>& moves, const nc::Dialec
       ++rapids;
       continue;
     }
-    if (!goes(curve)) continue;
     const double seconds = path::duration(move.motion, curve, dialect).value_or(0);
-    all.push_back({move, curve, now, now + seconds, rapids});
-    now += seconds;
+    if (goes(curve)) all.push_back({move, curve, now, now + seconds, rapids});
+    now += seconds;  // F may give a move time that goes nowhere, and what it became may go some micrometres
   }
   return all;
 }
@@ -222,6 +228,7 @@ inline DensePlay dense_play(const std::string& original, const std::string& outp
       const bool overlaps = move.move().begin <= piece.end + late && move.move().end >= piece.begin - late;
       if (overlaps && move.move().rapids == piece.rapids) candidates.push_back(&move);
     }
+    played.pieces.push_back({0, 0, piece.end - piece.begin});
     const auto look = [&](double f) {
       const Pose<double> stands = machine.stands(piece, f);
       ++played.plays;
@@ -235,6 +242,8 @@ inline DensePlay dense_play(const std::string& original, const std::string& outp
         turned = std::min(turned, move->turn_deg(stands.R_WP));
       }
       played.turned_deg = std::max(played.turned_deg, turned);
+      played.pieces.back().turned_deg = std::max(played.pieces.back().turned_deg, turned);
+      played.pieces.back().tip_um = std::max(played.pieces.back().tip_um, off);
       if (off > played.tip_um) {
         played.tip_um = off;
         played.line = line;

@@ -51,6 +51,14 @@ TEST_CASE("M codes, switches and numbers are checked") {
   CHECK_THROWS_AS(with("pass", "M1.5"), OptionError);
   CHECK(with("block-delete", "on").program.block_delete == true);
   CHECK_THROWS_AS(with("block-delete", "yes"), OptionError);
+  CHECK(with("tolerance", "0.5um").compensation.bound.tolerance_mm == Approx(0.0005));
+  CHECK(with("tolerance", "0.002 mm").compensation.bound.tolerance_mm == Approx(0.002));
+  for (const char* const text : {"0.5", "0um", "-1um", "20mm", "0.5 um/m", "um", "0,5um"}) {
+    INFO(text);
+    CHECK_THROWS_AS(with("tolerance", text), OptionError);
+  }
+  CHECK(with("yields", "time").compensation.bound.yields == compensate::BoundSettings::Yields::time);
+  CHECK_THROWS_AS(with("yields", "both"), OptionError);
   CHECK(with("step-angle", "0.5").compensation.step.angle_deg == 0.5);
   CHECK_THROWS_AS(with("step-angle", "0"), OptionError);
   CHECK_THROWS_AS(with("step-length", "1,5"), OptionError);

@@ -65,6 +65,24 @@ TEST_CASE("what is given already is checked but not taken") {
   CHECK(options.compensation.step.angle_deg == 0.2);
 }
 
+TEST_CASE("a settings file may state a tolerance, but not steps beside it") {
+  const testing::Scratch scratch;
+  Options options;
+  settings::read_settings_file(
+      scratch.file("s", "plumbline = \"settings 1\"\ntolerance = \"0.5um\"\nyields = \"time\"\n"), options);
+  CHECK(options.compensation.bound.tolerance_mm == Approx(0.0005));
+  CHECK(options.compensation.bound.yields == compensate::BoundSettings::Yields::time);
+  for (const char* const other : {"step_length = 1", "step_angle = 0.2", "friction_turn = 0.1", "first_order = true"}) {
+    INFO(other);
+    const std::string path =
+        scratch.file("s", std::string("plumbline = \"settings 1\"\n") + other + "\ntolerance = \"0.5um\"\n");
+    Options both;
+    const Diagnostic said = testing::refusal_of([&] { settings::read_settings_file(path, both); });
+    CHECK(said.code == "settings-value");
+    CHECK(said.place.line == 3);
+  }
+}
+
 TEST_CASE("errors of a settings file have their place") {
   struct Case {
     const char* text;

@@ -42,6 +42,10 @@ void refuse_overwriting_subprogram(const compensate::Summary& summary, const std
 compensate::Settings compensation_settings(const machine::ControlSettings& control, const settings::Options& options) {
   compensate::Settings compensation = options.compensation;
   compensation.step.least_time_s = control.block_time;
+  // A block may become shorter by the time tolerance.
+  compensate::BoundSettings& bound = compensation.bound;
+  bound.least_time_s =
+      (control.block_time > 0 ? control.block_time : bound.least_time_s) * (1 + 2 * options.emit.time_tolerance);
   return compensation;
 }
 

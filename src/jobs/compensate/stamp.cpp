@@ -37,12 +37,18 @@ std::string rotary_text(const nc::RotaryRules& rules) {
   return text;
 }
 
+std::string points_text(const compensate::Settings& c) {
+  if (!c.bound.is_asked())
+    return fmt::format("step {} deg or {} mm", to_decimal(c.step.angle_deg), to_decimal(c.step.length_mm));
+  return fmt::format("tolerance {} um{}", to_decimal(c.bound.tolerance_mm * kMm / kUm),
+                     c.bound.yields == compensate::BoundSettings::Yields::time ? ", time yields" : "");
+}
+
 std::string settings_line(const settings::Options& options) {
   const compensate::Settings& c = options.compensation;
-  std::string line =
-      fmt::format("method {}, friction {}, step {} deg or {} mm, time tolerance {} of a block",
-                  c.method == compensate::Method::exact ? "exact" : "first order", c.friction ? "on" : "off",
-                  to_decimal(c.step.angle_deg), to_decimal(c.step.length_mm), to_decimal(options.emit.time_tolerance));
+  std::string line = fmt::format("method {}, friction {}, {}, time tolerance {} of a block",
+                                 c.method == compensate::Method::exact ? "exact" : "first order",
+                                 c.friction ? "on" : "off", points_text(c), to_decimal(options.emit.time_tolerance));
   if (c.dynamic) line += ", dynamic";
   if (c.time_s) line += fmt::format(", at {} s", to_decimal(*c.time_s));
   if (options.program.calculator_type)

@@ -1,6 +1,7 @@
 #include "report/program/summary_text.hpp"
 
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -20,6 +21,10 @@ using Json = nlohmann::ordered_json;
 constexpr double kUmPerMm = kMm / kUm;
 
 std::string at_line(std::size_t line) { return line == 0 ? std::string() : fmt::format(" (line {})", line); }
+
+std::string short_time_text(double seconds) {
+  return seconds < 1 ? fmt::format("{:.3g} ms", seconds / kMs) : time_text(seconds);
+}
 
 std::string change_text(double before, double after) {
   return before > 0 ? fmt::format("{:+.3f} %", (after / before - 1) * 100) : "no change";
@@ -52,7 +57,27 @@ void add_time(TextTable& table, const Summary& s) {
   table.add("worst of a block", fmt::format("{:.3f} %{}", s.time_change.value * 100, at_line(s.time_change.line)));
 }
 
-void add_quality(TextTable& table, const Summary& s) {
+// Where a bound that was asked for is not kept.
+void add_broken(TextTable& table, const compensate::BrokenBound& broken, std::string_view why) {
+  if (broken.pieces == 0) return;
+  table.add("", fmt::format("but on {}, for {}: {}, up to {:.3f} um{}", count_text(broken.pieces, "piece"),
+                            short_time_text(broken.seconds), why, broken.off_mm.value * kUmPerMm,
+                            at_line(broken.off_mm.line)));
+}
+
+void add_bound(TextTable& table, const Summary& s, const settings::Options& options) {
+  const compensate::BoundSettings& asked = options.compensation.bound;
+  if (!asked.is_asked() || !s.bound) return;
+  table.add("bound",
+            fmt::format("{:.4g} um and {:.3g} deg asked for; kept with at most {:.3f} um{}, {:.6f} deg, proven "
+                        "piece by piece, rounding included",
+                        asked.tolerance_mm * kUmPerMm, asked.tolerance_mm / asked.turn_length_mm / kDeg,
+                        s.bound->kept_mm.value * kUmPerMm, at_line(s.bound->kept_mm.line), s.bound->kept_deg.value));
+  add_broken(table, s.bound->at_turns, "the friction of a strut turns, and the tip jumps with it");
+  add_broken(table, s.bound->by_time, "no shorter block is allowed");
+}
+
+void add_quality(TextTable& table, const Summary& s, const settings::Options& options) {
   if (s.replayed > 0) {
     table.add(
         "left at the tip",
@@ -60,6 +85,8 @@ void add_quality(TextTable& table, const Summary& s) {
                     "that turns, {} played on the model",
                     s.residual_mm.value * kUmPerMm, at_line(s.residual_mm.line), s.residual_deg.value,
                     count_text(s.replayed, "point")));
+    if (!options.compensation.bound.is_asked())
+      table.add("", "that is the bound which these steps reach; --tolerance chooses the points by a bound");
     table.add("", "how far the machine itself is from its model comes on top: plumbline compare tells");
   }
   table.add("rounding",
@@ -141,6 +168,26 @@ Json short_pieces_json(const compensate::ShortPieces& found) {
           {"line", any ? Json(found.line) : Json()}};
 }
 
+Json broken_json(const compensate::BrokenBound& broken) {
+  const bool any = broken.pieces > 0;
+  return {{"pieces", broken.pieces},
+          {"time_s", broken.seconds},
+          {"worst_um", any ? worst(broken.off_mm, kUmPerMm) : Json()},
+          {"worst_deg", any ? worst(broken.off_deg) : Json()}};
+}
+
+Json bound_json(const Summary& s, const settings::Options& options) {
+  const compensate::BoundSettings& asked = options.compensation.bound;
+  if (!asked.is_asked() || !s.bound) return {};
+  return {{"tolerance_um", asked.tolerance_mm * kUmPerMm},
+          {"tolerance_deg", asked.tolerance_mm / asked.turn_length_mm / kDeg},
+          {"yields", asked.yields == compensate::BoundSettings::Yields::bound ? "bound" : "time"},
+          {"kept_um", worst(s.bound->kept_mm, kUmPerMm)},
+          {"kept_deg", worst(s.bound->kept_deg)},
+          {"not_kept_where_friction_turns", broken_json(s.bound->at_turns)},
+          {"not_kept_for_block_time", broken_json(s.bound->by_time)}};
+}
+
 Json read_back_json(const Summary& s) {
   if (!s.read_back) return {};
   return {{"blocks", s.read_back->blocks},
@@ -164,7 +211,8 @@ std::string summary_text(const Summary& summary, const settings::Options& option
   if (summary.moves > 0) {
     add_corrections(table, summary);
     add_time(table, summary);
-    add_quality(table, summary);
+    add_bound(table, summary, options);
+    add_quality(table, summary, options);
     add_short_pieces(table, summary);
     add_offsets(table, summary, options);
   }
@@ -208,6 +256,7 @@ std::string summary_json(const Summary& s, const settings::Options& options) {
       {"widened_blocks", s.widened_blocks},
       {"widest_step_mm", s.widened_blocks > 0 ? worst(s.widened_step_mm) : Json()},
       {"widening_cost_um", s.widened_blocks > 0 ? worst(s.widening_mm, kUmPerMm) : Json()},
+      {"bound", bound_json(s, options)},
       {"short_pieces", short_pieces_json(s.short_pieces)},
       {"offset_shift_for_1um_mm", std::isfinite(s.offset_shift_for_1um_mm) ? Json(s.offset_shift_for_1um_mm) : Json()},
       {"zero_error", s.zero_error ? axis_values(*s.zero_error) : Json()},

@@ -119,6 +119,33 @@ TEST_CASE("what is left at the tip is told if it was played") {
   CHECK(json["worst_residual_um"]["line"] == 12);
 }
 
+TEST_CASE("where a bound chose the points the summary says how it is kept, and where it is not") {
+  compensate::Summary s = corrected_program();
+  settings::Options options;
+  CHECK(nlohmann::json::parse(report::summary_json(s, options))["bound"].is_null());
+  options.compensation.bound.tolerance_mm = 0.0005;
+  s.bound.emplace();
+  s.bound->kept_mm = {0.00048, 7};
+  s.bound->kept_deg = {0.00001, 8};
+  std::string text = report::summary_text(s, options);
+  CHECK(
+      summary_row(text, "bound").starts_with("0.5 um and 0.000286 deg asked for; kept with at most 0.480 um (line 7)"));
+  CHECK(text.find("but on") == std::string::npos);
+  s.bound->at_turns = {3, 0.0031, {0.023, 9}, {0.001, 9}};
+  s.bound->by_time = {1, 2.5, {0.002, 10}, {}};
+  text = report::summary_text(s, options);
+  CHECK(text.find("but on 3 pieces, for 3.1 ms: ") != std::string::npos);
+  CHECK(text.find("up to 23.000 um (line 9)") != std::string::npos);
+  CHECK(text.find("but on 1 piece, for 2.50 s: ") != std::string::npos);
+  const nlohmann::json json = nlohmann::json::parse(report::summary_json(s, options))["bound"];
+  CHECK(json["tolerance_um"].get<double>() == Approx(0.5));
+  CHECK(json["yields"] == "bound");
+  CHECK(json["kept_um"]["line"] == 7);
+  CHECK(json["not_kept_where_friction_turns"]["pieces"] == 3);
+  CHECK(json["not_kept_where_friction_turns"]["worst_um"]["value"].get<double>() == Approx(23));
+  CHECK(json["not_kept_for_block_time"]["time_s"] == 2.5);
+}
+
 TEST_CASE("a summary as JSON has every figure, and null for what there is not") {
   compensate::Summary s = corrected_program();
   nlohmann::json json = nlohmann::json::parse(report::summary_json(s, {}));

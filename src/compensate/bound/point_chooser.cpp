@@ -1,0 +1,172 @@
+#include "compensate/bound/point_chooser.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/diagnostic.hpp"
+#include "base/units.hpp"
+#include "path/figures.hpp"
+
+namespace plumbline::compensate {
+namespace {
+
+constexpr double kReserve = 0.97;  // of the bound: the correction changes a little between the tip and where it is off
+constexpr double kUnknownMm = 0.02;     // mm and deg: the shortest piece where the time of a move is not known
+constexpr double kTimeYields = 0.05;    // of the least time, down to which a piece may go where time yields
+constexpr double kTimeReserve = 1.025;  // pieces whose speeds differ by less than 2 % share one F
+constexpr double kSlack = 1e-9;
+constexpr double kNearer = 0.98;
+constexpr double kLeastGrown = 0.05;  // of what is allowed: a piece that leaves less is a fifth of the next one
+constexpr std::size_t kMostPoints = 200'000;
+
+double whole_way(const path::Curve& curve) { return curve.linear_mm() + path::largest_turn_deg(curve.delta()); }
+
+}  // namespace
+
+std::span<const ChosenPoint> PointChooser::choose(const Move& move, const ControlBefore& before) {
+  move_ = &move;
+  bound_ = {};
+  chosen_.clear();
+  reached_ = true;
+  set_allowed(move, before.half_quanta);
+  curve_.follow(move, rounding_);
+  std::vector<double> ends;
+  if (has_friction_) ends = turns_.follow(move, allowed_.tip_mm);
+  ends.push_back(1);
+  PieceEnd at = begin_of(before);
+  for (const double end : ends) {
+    const bool is_short = end < 1 && (end - at.fraction < block_share_ || 1 - end < block_share_);
+    if (is_short) continue;
+    if (!reached_ || !choose_up_to(end, at)) break;
+  }
+  return chosen_;
+}
+
+// What the rounding of both ends of a piece may do, its middle cannot exceed.
+void PointChooser::set_allowed(const Move& move, const AxisWords& half_quanta) {
+  rounding_ = curve_.rounding(move, half_quanta);
+  allowed_.tip_mm = kReserve * settings_.tolerance_mm - rounding_.tip_mm;
+  allowed_.turned_rad = kReserve * settings_.tolerance_mm / settings_.turn_length_mm - rounding_.turned_rad;
+  if (allowed_.tip_mm <= 0 || allowed_.turned_rad <= 0) {
+    const double least = std::max(rounding_.tip_mm, rounding_.turned_rad * settings_.turn_length_mm) / kReserve;
+    refuse(
+        "compensate-tolerance",
+        fmt::format("the tip cannot be kept within {:.4g} um: what the control keeps of a word leaves up to {:.3g} um",
+                    settings_.tolerance_mm * kMm / kUm, least * kMm / kUm),
+        "give a larger --tolerance; or say in [control] of the model that the control keeps more digits",
+        place_of(*move.step));
+  }
+  if (move.seconds && *move.seconds > 0) {
+    block_share_ = kTimeReserve * settings_.least_time_s / *move.seconds;
+  } else {
+    block_share_ = kUnknownMm / std::max(whole_way(move.path.curve), kSlack);
+  }
+  least_share_ = block_share_ * (settings_.yields == BoundSettings::Yields::time ? kTimeYields : 1);
+}
+
+// Where the control stands; not known: at the correction of the begin.
+PieceEnd PointChooser::begin_of(const ControlBefore& before) {
+  PieceEnd begin{0, {}, before.sign};
+  if (before.told) {
+    begin.told = *before.told;
+    return begin;
+  }
+  const PathPlace place = curve_.place(0);
+  if (has_friction_) begin.sign = turns_.sign_at_end(begin, kSlack);
+  const Corrected corrected = curve_.command(place, begin.sign);
+  reached_ = corrected.converged;
+  begin.told = corrected.pose;
+  return begin;
+}
+
+bool PointChooser::keeps(const Deviation& deviation) const {
+  return deviation.tip_mm <= allowed_.tip_mm && deviation.turned_rad <= allowed_.turned_rad;
+}
+
+// How many times what is allowed.
+double PointChooser::over(const Deviation& deviation) const {
+  return std::max(deviation.tip_mm / allowed_.tip_mm, deviation.turned_rad / allowed_.turned_rad);
+}
+
+// Pieces of about equal length, as many as the last proof says: what a piece leaves goes with its length squared.
+bool PointChooser::choose_up_to(double last, PieceEnd& at) {
+  double count = 1;
+  while (at.fraction < last) {
+    double end = last;
+    if (count > 1) end = std::max(at.fraction + (last - at.fraction) / count, at.fraction + least_share_);
+    if (last - end < least_share_ * (1 - kSlack)) end = last;
+    Piece piece;
+    while (true) {
+      if (!try_piece(at, end, piece)) return false;
+      const double shorter = shortened(at, last, piece);
+      if (shorter >= end) break;
+      end = shorter;
+    }
+    accept(piece);
+    const double fits = (end - at.fraction) * kNearer / std::sqrt(std::clamp(over(piece.as_taken), kLeastGrown, 1.0));
+    count = piece.jumps ? 1 : std::max(1.0, std::ceil((last - end) / fits));
+    at = piece.end;
+    if (chosen_.size() > kMostPoints) {
+      refuse("path-too-many-pieces", fmt::format("a single move would be cut into more than {} pieces", kMostPoints),
+             "check its end, or give a larger --tolerance", place_of(*move_->step));
+    }
+  }
+  return true;
+}
+
+bool PointChooser::try_piece(const PieceEnd& begin, double end, Piece& piece) {
+  piece.place = curve_.place(end);
+  piece.end = {end, {}, machine::PerStrut<double>::Zero()};
+  if (has_friction_) piece.end.sign = turns_.sign_at_end(begin, end);
+  piece.corrected = curve_.command(piece.place, piece.end.sign);
+  reached_ = piece.corrected.converged;
+  if (!reached_) return false;
+  piece.end.told = piece.corrected.pose;
+  piece.share = end - begin.fraction;
+  const PieceProof proof = curve_.prove(begin, piece.end, CorrectionCurve::Friction::as_told);
+  piece.as_told = piece.as_taken = proof.worst;
+  reached_ = proof.reached;
+  piece.jumps = false;
+  if (!has_friction_ || !reached_ || keeps(piece.as_told)) return reached_;
+  piece.as_taken = curve_.prove(begin, piece.end, CorrectionCurve::Friction::as_taken).worst;
+  piece.jumps = turns_.tip_jump_mm(begin.sign, piece.end.sign) > allowed_.tip_mm;
+  return true;
+}
+
+// Where a piece ends that is too long; its own end where no shorter one is better, or the time of a block allows none.
+// Where friction is taken to turn the sooner the better, but not within less than a block's time: the tip jumps either
+// way. Where it turns otherwise than it is taken to, length does not matter.
+double PointChooser::shortened(const PieceEnd& begin, double last, const Piece& piece) const {
+  const double end = piece.end.fraction;
+  const double least = piece.jumps ? block_share_ : least_share_;
+  if (keeps(piece.as_told) || last - begin.fraction < 2 * least) return end;
+  double shorter = 0;
+  if (!piece.jumps) {
+    if (keeps(piece.as_taken)) return end;
+    shorter = piece.share * kNearer / std::sqrt(over(piece.as_taken));
+    // As many pieces of one length as that makes.
+    if (shorter > least) shorter = (last - begin.fraction) / std::ceil((last - begin.fraction) / shorter);
+  }
+  const double to = std::min(begin.fraction + std::max(shorter, least), last - least);
+  return to < end - kSlack * piece.share ? to : end;
+}
+
+void PointChooser::accept(const Piece& piece) {
+  chosen_.push_back({piece.place, piece.corrected});
+  const double tip_mm = piece.as_told.tip_mm + rounding_.tip_mm;
+  const double turned_deg = (piece.as_told.turned_rad + rounding_.turned_rad) / kDeg;
+  if (keeps(piece.as_told)) {
+    bound_.kept_mm = std::max(bound_.kept_mm, tip_mm);
+    bound_.kept_deg = std::max(bound_.kept_deg, turned_deg);
+    return;
+  }
+  BrokenBound& broken = keeps(piece.as_taken) || piece.jumps ? bound_.at_turns : bound_.by_time;
+  ++broken.pieces;
+  if (move_->seconds) broken.seconds += piece.share * *move_->seconds;
+  broken.off_mm.take(tip_mm, move_->path.line);
+  broken.off_deg.take(turned_deg, move_->path.line);
+}
+
+}  // namespace plumbline::compensate
