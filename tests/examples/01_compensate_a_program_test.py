@@ -160,13 +160,14 @@ class WithProgram(unittest.TestCase):
             raise AssertionError(f"exit code {run.returncode}\n{run.stdout}\n{run.stderr}")
         cls.source = (cls.out / "crown.ngc").read_text()
         cls.compensated = (cls.out / "crown-compensated.ngc").read_text()
+        cls.bound = (cls.out / "crown-bound.ngc").read_text()
 
     def diff(self, other):
         command = [self.plumbline, "diff", self.out / "crown.ngc", self.out / other, "--expect-equal"]
         return subprocess.run(command, capture_output=True).returncode
 
     def test_summaries_are_json(self):
-        for name in ("compensate.json", "diff.json"):
+        for name in ("compensate.json", "bound.json", "diff.json"):
             self.assertIsInstance(json.loads((self.out / name).read_text()), dict)
 
     def test_comments_and_block_numbers_survive_in_order(self):
@@ -189,6 +190,19 @@ class WithProgram(unittest.TestCase):
         self.assertEqual(self.diff("crown.ngc"), 0)
         self.assertEqual(self.diff("crown-compensated.ngc"), 3)
 
+    def test_a_tolerance_takes_a_fifth_of_the_points_and_no_short_block(self):
+        steps, bound = (json.loads((self.out / name).read_text()) for name in ("compensate.json", "bound.json"))
+        self.assertIsNone(steps["bound"])
+        self.assertLess(bound["points"], steps["points"] / 5)
+        self.assertEqual(bound["short_pieces"]["below_1_ms"], 0)
+        self.assertLess(len(self.bound), 2.2 * len(self.source))
+        self.assertEqual(bound["bound"]["not_kept_for_block_time"]["pieces"], 0)
+        self.assertLess(bound["bound"]["not_kept_where_friction_turns"]["time_s"], 0.02 * bound["time_after_s"])
+        self.assertLessEqual(bound["bound"]["kept_um"]["value"], 0.5)
+        self.assertEqual(self.diff("crown-bound.ngc"), 3)
+        before, after = block_ends(self.source), block_ends(self.bound)
+        self.assertEqual(before.keys(), after.keys())
+
     def test_is_not_compensated_twice(self):
         again = self.out / "again.ngc"
         command = [self.plumbline, "compensate", self.out / "crown-compensated.ngc", "-m", ROOT / "models/pm600-like.toml",
@@ -200,6 +214,7 @@ class WithProgram(unittest.TestCase):
     def test_result_runs_in_the_interpreter_of_linuxcnc(self):
         canon = run_in_linuxcnc(self.compensated.encode())
         self.assertGreater(canon.count("STRAIGHT_FEED("), 12000)
+        self.assertGreater(run_in_linuxcnc(self.bound.encode()).count("STRAIGHT_FEED("), 12000)
 
 
 if __name__ == "__main__":
