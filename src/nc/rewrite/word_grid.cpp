@@ -71,9 +71,10 @@ bool WordGrid::stays(const Step& step, std::span<const CorrectedPoint> points, A
 
 AxisWords WordGrid::half_quanta(const Step& step, const OutputState& control) const {
   const AxisWords stands = step.motions.front().from + control.work_shift(*step.frame);
+  const AxisGrids grids = this->grids(step);
   AxisWords half;
   for (const Axis axis : kAllAxes) {
-    const Grid g = grid(step, axis);
+    const Grid& g = *grids[index(axis)];
     const double quantum = g.quantum * g.per_unit;
     const double between = std::abs(stands[axis] - g.kept(stands[axis] / g.per_unit) * g.per_unit);
     half[axis] = (between > kSamePlace ? 0.5 + kMovesFrom : 0.5) * quantum;
