@@ -217,13 +217,14 @@ namespace {
 std::vector<measure::Run> thinned(const std::vector<measure::Run>& runs, std::size_t stride) {
   std::vector<measure::Run> thin = runs;
   for (measure::Run& run : thin) {
-    const auto keep = [stride](std::vector<double>& column) {
+    const auto keep = [stride](auto& column) {
       std::size_t kept = 0;
       for (std::size_t i = 0; i < column.size(); i += stride) column[kept++] = column[i];
       column.resize(kept);
     };
     for (auto* column : {&run.time, &run.angle, &run.radial}) keep(*column);
     for (auto& column : run.torque) keep(column);
+    keep(run.signs);
   }
   return thin;
 }

@@ -44,6 +44,7 @@ std::vector<std::vector<physics::Motion<double>>> motions_over(const machine::Ro
     run.centre_W = middle + options.middle * (run.centre_W - middle);
     run.radius *= options.middle;
     run.angle.clear();
+    run.signs.clear();
     for (std::size_t a = 0; a < options.angles; ++a)
       run.angle.push_back(2 * std::numbers::pi * static_cast<double>(a) / static_cast<double>(options.angles));
     run.time.assign(options.angles, 0);

@@ -63,7 +63,7 @@ std::vector<double> errors_of(const Identification& found) {
 IdentifiedModel identified(machine::MachineModel machine, std::vector<measure::Run> runs,
                            std::vector<MeasuredFile> measured, const identify::IdentifyOptions& options,
                            const identify::Tracked* tracked = nullptr) {
-  const measure::Thinned thinned = measure::thinned(std::move(runs));
+  const measure::Thinned thinned = measure::thinned(machine, std::move(runs));
   Identification found = identify::identify(machine, thinned.runs, options, tracked);
   const std::optional<diagnose::OpenGap> open = open_gap(machine, thinned.runs, found, options.plausible.open_share);
   physics::ForceModel forces = found.forces;

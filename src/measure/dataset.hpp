@@ -10,6 +10,7 @@
 #include "base/pose.hpp"
 #include "base/text/toml.hpp"
 #include "machine/geometry.hpp"
+#include "physics/motion.hpp"
 
 namespace plumbline::measure {
 
@@ -54,6 +55,8 @@ struct Run {
   std::vector<double> radial;                                // bar reading minus bar length, m
   std::array<std::vector<double>, machine::kStruts> torque;  // N m
   std::vector<TableColumn> columns;                          // of the table, in its order
+  // s_j of each sample of a run that was made short, as the low-pass left it; empty: that of its motion
+  std::vector<physics::StrutSigns> signs;
 
   std::size_t samples() const { return angle.size(); }
   bool has_radial() const { return !radial.empty(); }

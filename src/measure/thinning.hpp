@@ -1,21 +1,24 @@
-// Long records made short: consecutive samples averaged.
+// Long records made short: each channel low-passed and brought to an even grid of angle.
 #pragma once
 
 #include <vector>
 
+#include "machine/model.hpp"
 #include "measure/dataset.hpp"
 
 namespace plumbline::measure {
 
 struct ThinningOptions {
-  std::size_t enough = 360;  // samples of a turn that tell all that a model of the machine says of it
+  // Points of a whole turn, the fewest first: those that hold all that the records hold are taken. A wave of up to a
+  // third as many periods a turn is held.
+  std::vector<std::size_t> points{360, 540, 720, 1080, 1440};
 };
 
 /// What became of records that were longer than a fit needs.
 struct Thinning {
   std::size_t runs = 0;     // how many there are
   std::size_t thinned = 0;  // how many of them were
-  std::size_t largest = 1;  // most samples that one mean is made of
+  std::size_t points = 0;   // of a whole turn, that they were brought to
   std::size_t longest = 0;  // samples of the longest record
 };
 
@@ -24,9 +27,12 @@ struct Thinned {
   Thinning thinning;
 };
 
-/// Runs of twice `enough` samples and more: means of so many consecutive samples each that `enough` are left, of time,
-/// angle and readings alike; the last mean may be of fewer. White noise of a mean of k is that of a sample divided by
-/// the root of k; noise that remembers longer stays. A wave of ten periods a turn loses 0.1 % of its size.
-Thinned thinned(std::vector<Run> runs, const ThinningOptions& options = {});
+/// Runs of twice the fewest points and more, by EvenGrid: readings, and through the same low-pass time and the signs of
+/// the struts' speeds on the commanded path: friction turns around within less than a point and drifts begin anew with
+/// each turn, and what the readings have of that the model has then as well. The grid is the same for all runs and
+/// channels: the finest that any channel asks for, and fine enough for waves as long as the leads of `machine`'s
+/// screws. Runs whose samples are too few or too uneven for it stay as they are. Results do not depend on the number of
+/// threads.
+Thinned thinned(const machine::MachineModel& machine, std::vector<Run> runs, const ThinningOptions& options = {});
 
 }  // namespace plumbline::measure

@@ -1,6 +1,8 @@
 // How the machine is asked to move, and what follows for each strut.
 #pragma once
 
+#include <array>
+
 #include <Eigen/Geometry>
 
 #include "base/pose.hpp"
@@ -9,6 +11,9 @@
 
 namespace plumbline::physics {
 
+/// The smoothed sign s_j of each strut's speed.
+using StrutSigns = std::array<double, machine::kStruts>;
+
 /// The commanded motion at one moment.
 template <class T>
 struct Motion {
@@ -16,6 +21,8 @@ struct Motion {
   Twist<T> twist;         // zero: at rest, and friction is silent
   Twist<T> acceleration;  // of the tip, m/s^2, and of the turning, rad/s^2
   T time = T(0.0);        // s, on the clock of the dataset
+  // In place of tanh(Ldot_j / v0), of a moment that stands for many: what their low-pass makes of it. Not kept.
+  const StrutSigns* signs = nullptr;
 };
 
 /// What is known of the moment besides the motion.
@@ -39,7 +46,7 @@ struct StrutRates {
 
 /// Ldot_j = u_j . v_j, v_j = v + w x b_j the velocity of the platform joint; v_perp,j = v_j - (u_j . v_j) u_j;
 /// Lddot_j = u_j . a_j + |v_perp,j|^2 / L_j, a_j = a + alpha x b_j + w x (w x b_j); s_j = tanh(Ldot_j / v0)
-/// [docs/physics.md]
+/// unless the motion says otherwise [docs/physics.md]
 /// `per_sign_speed` is 1 / v0. Accelerations are zero where the environment has no use for them.
 template <class T>
 StrutRates<T> strut_rates(const machine::StrutGeometry<T>& struts, const Motion<T>& motion,
@@ -67,7 +74,8 @@ StrutRates<T> strut_rates(const machine::StrutGeometry<T>& struts, const Motion<
       const Vector3<T> a = motion.acceleration.v_WT + motion.acceleration.w_WP.cross(b) + w.cross(turning);
       rates.acceleration[j] = u.dot(a) + across.squaredNorm() / struts.length[j];
     }
-    rates.sign[j] = tanh(speed * per_sign_speed);
+    rates.sign[j] =
+        motion.signs != nullptr ? T((*motion.signs)[static_cast<std::size_t>(j)]) : T(tanh(speed * per_sign_speed));
     rates.transverse.col(j) = across;
   }
   return rates;

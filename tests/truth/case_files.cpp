@@ -33,8 +33,9 @@ void write_run(const MeasuredRun& run, const fs::path& path) {
   out << "time_s,angle_deg,radial_um";
   for (int j = 1; j <= 6; ++j) out << ",torque" << j << "_Nm";
   out << '\n' << std::fixed;
+  const int decimals = run.samples.size() < 10000 ? 3 : 6;  // of seconds and degrees: each sample has its own
   for (const Sample& s : run.samples) {
-    out << std::setprecision(3) << s.seconds << ',' << s.angle * 180 / M_PI;
+    out << std::setprecision(decimals) << s.seconds << ',' << s.angle * 180 / M_PI;
     out << std::setprecision(1) << ',' << s.reading.radial * 1e6 + 0.0 << std::setprecision(2);
     for (const double torque : s.reading.torque) out << ',' << torque + 0.0;
     out << '\n';

@@ -9,10 +9,10 @@ namespace plumbline::report {
 std::string thinning_text(const measure::Thinning& thinning) {
   if (thinning.thinned == 0) return {};
   return fmt::format(
-      "{} of {} {} up to {} samples: means of up to {} consecutive ones were used, and the noise stated is that "
-      "of these means\n",
+      "{} of {} {} up to {} samples: each channel was low-passed and brought to {} points of a turn, and the noise "
+      "stated is that of these points\n",
       thinning.thinned, count_text(thinning.runs, "run"), thinning.thinned == 1 ? "has" : "have", thinning.longest,
-      thinning.largest);
+      thinning.points);
 }
 
 }  // namespace plumbline::report

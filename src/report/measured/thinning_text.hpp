@@ -7,7 +7,7 @@
 
 namespace plumbline::report {
 
-/// A line with its end; empty: nothing was averaged.
+/// A line with its end; empty: none was.
 std::string thinning_text(const measure::Thinning& thinning);
 
 }  // namespace plumbline::report
