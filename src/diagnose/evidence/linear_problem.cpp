@@ -1,5 +1,7 @@
 #include "diagnose/evidence/linear_problem.hpp"
 
+#include <utility>
+
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 
@@ -27,16 +29,19 @@ Eigen::MatrixXd without_setup(const identify::RunEquations& equations, Eigen::Ma
 LinearProblem linearise(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
                         const CandidateSet& candidates, const Eigen::VectorXd& values,
                         const identify::NoiseModel& noise) {
-  identify::Objective objective(order, runs, candidates.unknowns, {.huber = 0});
-  objective.set_noise(noise);
   LinearProblem problem;
   problem.values = values;
-  problem.raw = objective.equations(values, true);
+  problem.raw.resize(runs.size());
   problem.blocks.resize(runs.size());
   const physics::ForceModel forces = candidates.unknowns.at(values);
+  // run by run: slopes by all unknowns take most of the memory, and few of them are kept
   for_each_index(runs.size(), [&](std::size_t i) {
-    const std::vector<SampleState> states = sample_states(order, forces, runs[i]);
+    const std::vector<measure::Run> run{runs[i]};
+    identify::Objective objective(order, run, candidates.unknowns, {.huber = 0});
+    objective.set_noise(noise);
     identify::RunEquations& raw = problem.raw[i];
+    raw = std::move(objective.equations(values, true).front());
+    const std::vector<SampleState> states = sample_states(order, forces, run.front());
     problem.blocks[i].rows = without_setup(raw, RunColumns{candidates, forces.machine, states, raw}.all(), noise);
     raw.slopes = Eigen::MatrixXd(
         raw.slopes.middleCols(candidates.unknowns.find(physics::StrutOffset::name, "length_um", 0), machine::kStruts));

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 #include <Eigen/Eigenvalues>
+
+#include "base/parallel.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -62,15 +65,34 @@ std::vector<Group> groups_of(const Eigen::MatrixXd& reduced, const CandidateSet&
   return groups;
 }
 
+// Each group with all draws of a batch, a column each: raises `most` to
 // max over tau of sum [tau^2 b^2 / (1 + tau^2 a) - log(1 + tau^2 a)] / 2
-double log_odds(const Group& group, const Eigen::VectorXd& scores) {
-  const Eigen::VectorXd b = group.axes.transpose() * scores(group.columns);
-  double best = -1e9;
+void raise_to_odds(const Group& group, const Eigen::MatrixXd& scores, Eigen::RowVectorXd& most) {
+  const Eigen::MatrixXd squares = (group.axes.transpose() * scores(group.columns, Eigen::all)).cwiseAbs2();
+  Eigen::RowVectorXd odds(squares.cols());
   for (std::size_t t = 0; t < group.wide.size(); ++t) {
-    const double gain = (b.array().square() / (1 / group.wide[t] + group.strengths.array())).sum();
-    best = std::max(best, 0.5 * (gain - group.price[t]));
+    odds.noalias() = (1 / group.wide[t] + group.strengths.array()).inverse().matrix().transpose() * squares;
+    most = most.cwiseMax(((odds.array() - group.price[t]) * 0.5 + group.extra).matrix());
   }
-  return best + group.extra;
+}
+
+// The maxima over all groups of the draws of one batch, which begins with a seed of its own: batches are independent
+// of each other, and of who draws them.
+Eigen::RowVectorXd maxima_of(const std::vector<Group>& groups, const Eigen::MatrixXd& root, std::size_t batch,
+                             Eigen::Index draws, const ThresholdOptions& options) {
+  std::seed_seq seeds{static_cast<std::uint32_t>(options.seed), static_cast<std::uint32_t>(options.seed >> 32U),
+                      static_cast<std::uint32_t>(batch)};
+  std::mt19937_64 random(seeds);
+  std::normal_distribution<double> normal;
+  Eigen::MatrixXd z(root.cols(), draws);
+  for (Eigen::Index k = 0; k < draws; ++k) {
+    const double size = std::exp(options.noise_uncertainty * normal(random));
+    for (double& element : z.col(k)) element = size * normal(random);
+  }
+  const Eigen::MatrixXd scores = root * z;
+  Eigen::RowVectorXd most = Eigen::RowVectorXd::Constant(draws, -1e9);
+  for (const Group& group : groups) raise_to_odds(group, scores, most);
+  return most;
 }
 
 }  // namespace
@@ -86,23 +108,12 @@ Threshold threshold(const Eigen::MatrixXd& reduced, const CandidateSet& candidat
                                                              inverse.asDiagonal());
   const Eigen::MatrixXd root =
       lengths.asDiagonal() * eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
-  std::mt19937_64 random(options.seed);
-  std::normal_distribution<double> normal;
-  std::vector<double> maxima;
   constexpr int kBatch = 500;
-  Eigen::MatrixXd z(n, kBatch);
-  while (static_cast<int>(maxima.size()) < options.draws) {
-    for (Eigen::Index k = 0; k < kBatch; ++k) {
-      const double size = std::exp(options.noise_uncertainty * normal(random));
-      for (Eigen::Index i = 0; i < n; ++i) z(i, k) = size * normal(random);
-    }
-    const Eigen::MatrixXd scores = root * z;
-    for (Eigen::Index k = 0; k < kBatch; ++k) {
-      double most = -1e9;
-      for (const Group& group : groups) most = std::max(most, log_odds(group, scores.col(k)));
-      maxima.push_back(most);
-    }
-  }
+  const auto batches = static_cast<std::size_t>((options.draws + kBatch - 1) / kBatch);
+  std::vector<Eigen::RowVectorXd> each(batches);
+  for_each_index(batches, [&](std::size_t i) { each[i] = maxima_of(groups, root, i, kBatch, options); });
+  std::vector<double> maxima;
+  for (const Eigen::RowVectorXd& batch : each) maxima.insert(maxima.end(), batch.begin(), batch.end());
   const auto place =
       maxima.begin() + static_cast<std::ptrdiff_t>((1 - options.false_alarms) * static_cast<double>(maxima.size()));
   std::nth_element(maxima.begin(), place, maxima.end());
