@@ -7,6 +7,7 @@
 
 #include "base/text/hash.hpp"
 #include "base/text/number_text.hpp"
+#include "base/units.hpp"
 #include "base/version.hpp"
 
 namespace plumbline::jobs {
