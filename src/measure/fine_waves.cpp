@@ -108,11 +108,11 @@ std::size_t points_for(const std::vector<OrderRange>& waves, const std::vector<s
   for (const std::size_t p : points) {
     if (all([&](const OrderRange& w) { return w.highest <= kHeld * static_cast<double>(p); })) return p;
   }
-  for (auto p = points.rbegin(); p != points.rend(); ++p) {
-    const auto count = static_cast<double>(*p);
-    if (all([&](const OrderRange& w) { return w.highest <= kHeld * count || w.lowest >= kGone * count; })) return *p;
-  }
-  return points.front();
+  const auto least = std::find_if(points.rbegin(), points.rend(), [&](std::size_t p) {
+    const auto count = static_cast<double>(p);
+    return all([&](const OrderRange& w) { return w.highest <= kHeld * count || w.lowest >= kGone * count; });
+  });
+  return least != points.rend() ? *least : points.front();
 }
 
 }  // namespace plumbline::measure

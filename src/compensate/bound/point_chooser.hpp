@@ -56,7 +56,7 @@ class PointChooser {
   };
   void set_allowed(const Move& move, const AxisWords& half_quanta);
   PieceEnd begin_of(const ControlBefore& before);
-  bool choose_up_to(double end, PieceEnd& at);
+  bool choose_up_to(double last, PieceEnd& at);
   bool try_piece(const PieceEnd& begin, double end, Piece& piece);
   double shortened(const PieceEnd& begin, double last, const Piece& piece) const;
   bool keeps(const Deviation& deviation) const;
