@@ -183,13 +183,14 @@ void BetweenPoints::play_waiting(const MovePath* next) {
   waiting_.clear();
 }
 
-Target BetweenPoints::told_at(const Part& part, double fraction) const {
-  Target told = here_->target(part.on_path(fraction), seconds_);
-  if (part.along_curve) return told;
-  told.pose = path::between(part.begin, part.end, fraction);
-  told.slope = part.end - part.begin;
-  for (double& value : told.slope.values) value /= part.share;
-  return told;
+// What the control is told there.
+Target BetweenPoints::Part::told(const MovePath& path, std::optional<double> seconds, double fraction) const {
+  Target target = path.target(on_path(fraction), seconds);
+  if (along_curve) return target;
+  target.pose = path::between(begin, end, fraction);
+  target.slope = end - begin;
+  for (double& value : target.slope.values) value /= share;
+  return target;
 }
 
 BetweenPoints::Off BetweenPoints::off_at(const Part& part, double fraction, const std::optional<PlayedTip>& played,
@@ -221,7 +222,7 @@ BetweenPoints::Off BetweenPoints::off_at(const Part& part, double fraction, cons
 std::span<const BetweenPoints::Look> BetweenPoints::sample(const Part& part, std::span<const double> fractions,
                                                            const MovePath* next) {
   told_.clear();
-  for (const double fraction : fractions) told_.push_back(told_at(part, fraction));
+  for (const double fraction : fractions) told_.push_back(part.told(*here_, seconds_, fraction));
   corrector_.play(told_, played_);
   sampled_.clear();
   for (std::size_t i = 0; i < fractions.size(); ++i) {

@@ -52,6 +52,7 @@ class BetweenPoints {
     PieceGuess tip, turned;
 
     double on_path(double fraction) const { return std::clamp(from + fraction * share, 0.0, 1.0); }
+    Target told(const MovePath& path, std::optional<double> seconds, double fraction) const;
   };
   struct Off {
     double tip_mm = 0, turned_deg = 0;
@@ -70,7 +71,6 @@ class BetweenPoints {
   void look(const Part& part, std::span<const double> fractions, const MovePath* next);
   void look_beside_turns(const Part& part, const MovePath* next);
   void refine(const Part& part, double Off::*figure, const MovePath* next);
-  Target told_at(const Part& part, double fraction) const;
   Off off_at(const Part& part, double fraction, const std::optional<PlayedTip>& played, const MovePath* next);
   std::span<const Look> sample(const Part& part, std::span<const double> fractions, const MovePath* next);
 

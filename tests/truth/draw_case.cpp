@@ -1,8 +1,6 @@
 // plumbline_draw_case: draws a machine, its measurements and what is hidden in them from a seed, and writes them.
-#include <cstdio>
-#include <exception>
-
 #include "truth/case_options.hpp"
+#include "truth/run_main.hpp"
 
 namespace {
 
@@ -26,12 +24,4 @@ int draw(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    return draw(argc, argv);
-  } catch (const std::exception& problem) {
-    std::fputs(problem.what(), stderr);
-    std::fputc('\n', stderr);
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return truth::run_main(draw, argc, argv); }

@@ -1,12 +1,11 @@
 // plumbline_play_case: runs programs on the machine of a drawn case, and says how far its tip is from the path meant.
-#include <cstdio>
-#include <exception>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "truth/case_options.hpp"
 #include "truth/played.hpp"
+#include "truth/run_main.hpp"
 
 namespace {
 
@@ -40,12 +39,4 @@ int play(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    return play(argc, argv);
-  } catch (const std::exception& problem) {
-    std::fputs(problem.what(), stderr);
-    std::fputc('\n', stderr);
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return truth::run_main(play, argc, argv); }

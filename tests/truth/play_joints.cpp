@@ -1,13 +1,12 @@
 // plumbline_play_joints: plays the strut lengths that a control asked for on a machine, and says how far its tip is
 // from the path meant.
-#include <cstdio>
-#include <exception>
 #include <fstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "truth/case_options.hpp"
+#include "truth/run_main.hpp"
 #include "truth/sampled.hpp"
 
 namespace {
@@ -48,12 +47,4 @@ int play(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    return play(argc, argv);
-  } catch (const std::exception& problem) {
-    std::fputs(problem.what(), stderr);
-    std::fputc('\n', stderr);
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return truth::run_main(play, argc, argv); }
