@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -103,13 +104,49 @@ void keep_worst(std::vector<machine::Violation>& kept, const std::vector<machine
   }
 }
 
-void refuse_violations(const std::vector<machine::Violation>& violations, const nc::Step& step) {
+void PassedMoves::take(const nc::Step& step) {
+  const bool passes = std::any_of(step.motions.begin(), step.motions.end(),
+                                  [](const nc::Motion& motion) { return motion.in_machine_coordinates; });
+  if (!passes && left_.empty()) return;
+  const auto moves = [&](Axis axis) {
+    return std::any_of(step.motions.begin(), step.motions.end(),
+                       [&](const nc::Motion& motion) { return motion.from[axis] != motion.to[axis]; });
+  };
+  for (const Axis axis : kAllAxes) {
+    const std::string name(1, letter(axis));
+    if (moved_.contains(axis)) left_.erase(name);
+    if (passes && moves(axis)) left_[name] = place_of(step);
+  }
+  moved_ = passes ? AxisSet{} : step.named;
+}
+
+const Place* PassedMoves::left(const machine::Violation& violation, const nc::Step& step) const {
+  const auto found = left_.find(violation.what);
+  if (found == left_.end() || step.motions.empty()) return nullptr;
+  const std::optional<Axis> axis = axis_of(violation.what.front());
+  const double end = step.frame->to_pose(step.motions.back().to)[*axis];
+  const bool ends_beyond = violation.value > violation.limit ? end > violation.limit : end < violation.limit;
+  return step.named.contains(*axis) && ends_beyond ? nullptr : &found->second;
+}
+
+void refuse_violations(const std::vector<machine::Violation>& violations, const nc::Step& step,
+                       const PassedMoves& passed) {
   if (violations.empty()) return;
   if (violations.front().what == kOutOfReach) {
     refuse("compensate-unreachable", "the machine cannot be made to stand here: no strut lengths put the tool there",
            "move the part away from the edge of the workspace", place_of(step));
   }
-  throw Refusal(diagnose(violations.front(), place_of(step)));
+  const machine::Violation& worst = violations.front();
+  Diagnostic refused = diagnose(worst, place_of(step));
+  if (const Place* const left = passed.left(worst, step)) {
+    refused.message += fmt::format(", where this block leaves it and line {} goes on", refused.place.line);
+    refused.help = fmt::format(
+        "move {} back to where the machine can be corrected first, as with G0 {}.. alone, or check "
+        "--work-offset and [limits] of the model",
+        worst.what, worst.what);
+    refused.place = *left;
+  }
+  throw Refusal(std::move(refused));
 }
 
 }  // namespace plumbline::compensate

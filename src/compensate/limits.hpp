@@ -1,6 +1,8 @@
 // The machine's limits: which of them a move breaks, refused by block, axis or strut, and by how much.
 #pragma once
 
+#include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -42,7 +44,24 @@ Diagnostic diagnose(const machine::Violation& violation, const Place& place);
 /// The worst of each kind.
 void keep_worst(std::vector<machine::Violation>& kept, const std::vector<machine::Violation>& more);
 
-/// Throws the first violation, if there is any; kOutOfReach as compensate-unreachable.
-void refuse_violations(const std::vector<machine::Violation>& violations, const nc::Step& step);
+/// The blocks that go through as they stand (G53, G28, G30), and where they leave an axis: no limit is looked at there,
+/// but the next that moves the axis, or leaves it alone, goes on from it.
+class PassedMoves {
+ public:
+  /// Every block, in their order.
+  void take(const nc::Step& step);
+  /// The block that left the axis of a violation ("Z") where it is broken; null where `step`, which breaks it, takes
+  /// the axis there itself.
+  const Place* left(const machine::Violation& violation, const nc::Step& step) const;
+
+ private:
+  std::map<std::string, Place> left_;  // by the letter of the axis
+  AxisSet moved_;                      // by the last block
+};
+
+/// Throws the first violation, if there is any; kOutOfReach as compensate-unreachable. Where a block of `passed` left
+/// the axis beyond its limit, that is the place.
+void refuse_violations(const std::vector<machine::Violation>& violations, const nc::Step& step,
+                       const PassedMoves& passed = {});
 
 }  // namespace plumbline::compensate

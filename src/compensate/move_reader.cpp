@@ -45,6 +45,7 @@ const nc::Step* MoveReader::next() {
   if (step == nullptr) return nullptr;
   ++blocks_;
   note_away(*step);
+  passed_.take(*step);
   return step;
 }
 

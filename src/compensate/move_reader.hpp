@@ -8,6 +8,7 @@
 #include "base/files/files.hpp"
 #include "base/progress.hpp"
 #include "compensate/corrector.hpp"
+#include "compensate/limits.hpp"
 #include "compensate/move.hpp"
 #include "nc/sequence/program_ahead.hpp"
 #include "path/subdivide.hpp"
@@ -72,6 +73,8 @@ class MoveReader {
   /// The tool that makes the moves of the step, where it is another one than before.
   std::optional<ToolInSpindle> new_tool(const nc::Step& step);
   bool tool_has_mass() const { return spindle_.has_mass(); }
+  /// What the blocks up to this one that go through as they stand left behind.
+  const PassedMoves& passed() const { return passed_; }
 
   /// Whether a position of which the axes in `known` are known is known as a whole. Rotary axes that no word of the
   /// program names are taken to stand at zero from the first move on of which they are not known; not so where they
@@ -116,6 +119,7 @@ class MoveReader {
   SpindleTool spindle_;
   AxisSet at_zero_;
   AxisSet away_;  // rotary axes that are known to have stood elsewhere
+  PassedMoves passed_;
   std::uint64_t blocks_ = 0;
   std::uint64_t looked_to_ = 0;  // the block up to which ends of moves were looked for
 

@@ -188,7 +188,7 @@ const CorrectedMove& Pipeline::corrected(Move& move) {
     moves_.expect(ends_);
   const CorrectedMove& corrected =
       moves_.correct(move, rewriter_.standing(*move.step), rewriter_.half_quanta(*move.step));
-  refuse_violations(corrected.violations, *move.step);
+  refuse_violations(corrected.violations, *move.step, reader_.passed());
   return corrected;
 }
 

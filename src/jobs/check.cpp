@@ -1,6 +1,9 @@
 #include "jobs/check.hpp"
 
+#include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "compensate/corrector.hpp"
 #include "compensate/hole_corrector.hpp"
@@ -27,7 +30,7 @@ class Checker {
   const AxisWords& touch_off_error() const { return touch_off_error_; }
   void set_tool(const compensate::ToolInSpindle& tool) { corrector_.set_tool(tool); }
 
-  void look_at(const compensate::Move& move) {
+  void look_at(const compensate::Move& move, const compensate::PassedMoves& passed) {
     const nc::Block& block = *move.step->block;
     if (block.line != line_ || block.file != file_) end_block();
     line_ = block.line;
@@ -40,6 +43,10 @@ class Checker {
       compensate::keep_worst(of_block_, corrected.violations);
     } else if (move.motion == &move.step->motions[hole->begin]) {
       compensate::keep_worst(of_block_, holes_.correct(move, *hole, {}).at->violations);
+    }
+    for (const machine::Violation& violation : of_block_) {
+      const Place* const left = passed.left(violation, *move.step);
+      if (left != nullptr) left_by_.try_emplace(violation.what, left->line);
     }
     summary_.points += points;
   }
@@ -65,9 +72,10 @@ class Checker {
       ++summary_.violations;
       ++summary_.kinds[violation.what];
       if (summary_.findings.size() < CheckSummary::kMostFindings)
-        summary_.findings.push_back({file_, line_, violation});
+        summary_.findings.push_back({file_, line_, violation, left_by_[violation.what]});
     }
     of_block_.clear();
+    left_by_.clear();
   }
 
   compensate::Corrector corrector_;
@@ -79,6 +87,7 @@ class Checker {
   std::string file_;
   std::size_t line_ = 0;
   std::vector<machine::Violation> of_block_;
+  std::map<std::string, std::size_t> left_by_;  // the line that left the axis of a violation there
 };
 
 }  // namespace
@@ -96,7 +105,7 @@ CheckSummary check_file(const std::string& program, const settings::Options& opt
       {survey.named, compensate::divided_by(compensation), model.reference_tool_mass, checker.touch_off_error()});
   while (const compensate::Move* const move = reader.next_move(progress)) {
     if (const auto tool = reader.new_tool()) checker.set_tool(*tool);
-    checker.look_at(*move);
+    checker.look_at(*move, reader.passed());
   }
   CheckSummary summary = checker.take();
   summary.blocks = reader.blocks();

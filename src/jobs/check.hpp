@@ -18,6 +18,7 @@ struct CheckFinding {
   std::string file;              // that the block stands in: the program, or a subprogram beside it
   std::size_t line = 0;          // of the block
   machine::Violation violation;  // the worst of its kind in this block
+  std::size_t left_by = 0;       // the line of the G53, G28 or G30 that left the axis there; 0: none
 };
 
 struct CheckSummary {

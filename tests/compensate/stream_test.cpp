@@ -223,6 +223,20 @@ TEST_CASE("limits are refused by block, axis or strut, and by how much") {
   CHECK(code_of("G0 X0 Y0 Z0 A0 B0 C0\n", stiff) == "limit-condition");
 }
 
+TEST_CASE("an axis that stands beyond its limit is refused at the block that goes through and left it there") {
+  const std::string begin = "G0 X0 Y0 Z0 A0 B0 C0\n";
+  const auto line_of = [&](const std::string& text) {
+    std::size_t line = 0;
+    CHECK(code_of(begin + text, {}, &line) == "limit-travel");
+    return line;
+  };
+  CHECK(line_of("G53 G0 Z0\nG0 X10 Y20\n") == 2);
+  CHECK(line_of("G53 G0 X0 Z0\nG0 X10\nG1 Y5 F500\n") == 2);    // X is the program's again, Z is not
+  CHECK(line_of("G53 G0 Z0\nG0 Z300\n") == 3);                  // said by the block itself
+  CHECK(line_of("G53 G0 Z-1000\nG53 G0 Y400\nG0 X10\n") == 3);  // Z is left inside its limits
+  CHECK(line_of("G53 G0 Z0\nG0 Z0\n") == 2);                    // the way back begins there
+}
+
 TEST_CASE("offsets that nobody gave are refused") {
   CHECK(code_of("G55\nG0 X0 Y0 Z0 A0 B0 C0\n", {}) == "nc-work-offset-unknown");
 }

@@ -51,6 +51,16 @@ TEST_CASE("a rapid is checked along its chord") {
   CHECK(s.kinds.at("tilt") == 1);
 }
 
+TEST_CASE("what a block in machine coordinates left beyond its limit is told with that block") {
+  const jobs::CheckSummary s = check_of("G0 X0 Y0 Z0 A0 B0 C0\nG53 G0 Z0\nG0 X10\nG0 Z300\n");
+  REQUIRE(s.findings.size() == 2);
+  CHECK(s.findings[0].line == 3);
+  CHECK(s.findings[0].left_by == 2);
+  CHECK(s.findings[1].left_by == 0);
+  CHECK(report::check_text(s).find("beyond its limit of -800 mm, where line 2 left it") != std::string::npos);
+  CHECK(nlohmann::json::parse(report::check_json(s))["findings"][0]["left_by"] == 2);
+}
+
 TEST_CASE("many violations are counted, the first are listed") {
   std::string program = "G0 X0 Y0 Z0 A26 B0 C0\nG1 F1000\n";
   for (int i = 0; i < 1500; ++i) program += fmt::format("X{:.2f}\n", (i % 100) * 0.01);

@@ -13,8 +13,11 @@ namespace {
 constexpr std::size_t kFindingsShown = 20;
 using Json = nlohmann::ordered_json;
 
-std::string message_of(const machine::Violation& violation) {
-  return violation.what == "reach" ? "no command puts the tool there" : machine::to_text(violation);
+std::string message_of(const jobs::CheckFinding& finding) {
+  if (finding.violation.what == "reach") return "no command puts the tool there";
+  std::string message = machine::to_text(finding.violation);
+  if (finding.left_by > 0) message += fmt::format(", where line {} left it", finding.left_by);
+  return message;
 }
 
 }  // namespace
@@ -24,7 +27,7 @@ std::string check_text(const jobs::CheckSummary& summary) {
   const std::size_t shown = std::min(kFindingsShown, summary.findings.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const jobs::CheckFinding& finding = summary.findings[i];
-    text += fmt::format("{}:{}: {}\n", finding.file, finding.line, message_of(finding.violation));
+    text += fmt::format("{}:{}: {}\n", finding.file, finding.line, message_of(finding));
   }
   if (summary.violations > shown) text += fmt::format("and {} more\n", count_text(summary.violations - shown));
   TextTable table;
@@ -50,7 +53,8 @@ std::string check_json(const jobs::CheckSummary& summary) {
                         {"limit", f.violation.limit},
                         {"by_how_much", f.violation.by_how_much},
                         {"unit", f.violation.unit},
-                        {"message", message_of(f.violation)}});
+                        {"message", message_of(f)}});
+    if (f.left_by > 0) findings.back()["left_by"] = f.left_by;
   }
   Json refusal;  // null: none
   if (const auto& r = summary.refusal) {
