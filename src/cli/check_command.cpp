@@ -21,7 +21,7 @@ int check(const CheckArguments& arguments) {
   require_model(options);
   check_outputs(files_read(arguments.program, options), {arguments.json});
   JsonResult json(arguments.json);
-  ProgressLine line;
+  ProgressLine line("check");
   const jobs::CheckSummary summary = jobs::check_file(arguments.program, options, line.progress());
   line.clear();
   if (summary.refusal) {
@@ -30,8 +30,10 @@ int check(const CheckArguments& arguments) {
     warning.message = "compensate would refuse this: " + warning.message;
     say(warning);
   }
-  json.give(report::check_text(summary), report::check_json(summary));
-  return summary.violations == 0 ? kDone : kFound;
+  const bool all_kept = summary.violations == 0;
+  json.give(report::check_text(summary), report::check_json(summary),
+            {all_kept ? "all kept" : "beyond its limit in", all_kept ? Verdict::good : Verdict::bad});
+  return all_kept ? kDone : kFound;
 }
 
 }  // namespace

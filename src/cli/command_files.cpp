@@ -83,10 +83,10 @@ JsonResult::JsonResult(const std::string& path) {
   if (!path.empty()) file_.emplace(path);
 }
 
-void JsonResult::give(const std::string& words, const std::string& json) {
+void JsonResult::give(const std::string& words, const std::string& json, const Judgement& judgement) {
   OutputSet alone;
   add_to(alone, json);
-  if (!takes_standard_output()) print_result(words);
+  if (!takes_standard_output()) print_result(words, judgement);
   alone.commit();
 }
 

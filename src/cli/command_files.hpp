@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/files/files.hpp"
+#include "cli/messages.hpp"
 
 namespace plumbline::cli {
 
@@ -25,7 +26,7 @@ class JsonResult {
   explicit JsonResult(const std::string& path);
 
   /// Words are left out where standard output takes the JSON.
-  void give(const std::string& words, const std::string& json);
+  void give(const std::string& words, const std::string& json, const Judgement& judgement = {});
   /// The JSON alone, to appear with other files.
   void add_to(OutputSet& set, const std::string& json);
   bool takes_standard_output() const { return file_ && file_->name() == kStandardStream; }

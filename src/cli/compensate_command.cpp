@@ -26,7 +26,7 @@ int compensate(const CompensateArguments& arguments) {
   if (options.undo && output_target(arguments.output).kind != OutputTarget::Kind::file) {
     throw UsageError("--undo writes a file beside the output: name one with -o");
   }
-  ProgressLine line;
+  ProgressLine line("compensate");
   const compensate::Summary summary = jobs::compensate_file(
       arguments.program, arguments.output, options, line.progress(),
       {arguments.json, [&](const compensate::Summary& of) { return report::summary_json(of, options); }});

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <list>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -60,23 +61,29 @@ void write_folder(const std::string& folder, const std::vector<std::pair<std::st
   made.keep();
 }
 
+Verdict verdict_of(const diagnose::Diagnosis& diagnosis) {
+  if (diagnosis.verdict == diagnose::Verdict::nothing_missing) return Verdict::good;
+  return diagnosis.verdict == diagnose::Verdict::named ? Verdict::doubtful : Verdict::bad;
+}
+
 int diagnose(const DiagnoseArguments& arguments) {
   const std::string json = (fs::path(arguments.folder) / "diagnosis.json").string();
   const std::string model = (fs::path(arguments.folder) / "model.toml").string();
   const std::string page = (fs::path(arguments.folder) / "report.html").string();
   check_folder(arguments.folder);
   check_outputs(inputs_of(arguments.job.dataset, {arguments.job.model}), {json, model, page});
-  const bool is_followed = isatty(STDERR_FILENO) != 0 && !says_json();
-  const jobs::DiagnoseResult result = jobs::diagnose(arguments.job, [&](const std::string& step) {
-    if (is_followed) say_note(step + "\n");
-  });
+  const jobs::DiagnoseResult result = jobs::diagnose(arguments.job, [](const std::string& step) { say_step(step); });
   const std::string numbers = report::diagnosis_json(result.diagnosis);
   write_folder(arguments.folder,
                {{json, numbers},
                 {page, report::diagnosis_page(result.diagnosis, "Diagnosis of " + result.machine.name)},
                 {model, report::model_file(result)}});
   const std::string words = report::diagnosis_text(result.diagnosis) + report::thinning_text(result.thinning);
-  print_result(arguments.json ? numbers : words);
+  if (arguments.json) {
+    print_result(numbers);
+  } else {
+    print_result(words, {std::string_view(words).substr(0, words.find('\n')), verdict_of(result.diagnosis)});
+  }
   if (result.diagnosis.converged) return kDone;
   say({"diagnose-not-converged",
        "the last fit did not converge: do not use the numbers found",

@@ -24,7 +24,7 @@ int diff(const DiffArguments& arguments) {
   inputs.push_back(arguments.b);
   check_outputs(inputs, {arguments.json});
   JsonResult json(arguments.json);
-  ProgressLine line;
+  ProgressLine line("diff");
   const jobs::DiffSummary summary = jobs::diff_files(arguments.a, arguments.b, options, line.progress());
   line.clear();
   json.give(report::diff_text(summary), report::diff_json(summary));

@@ -84,6 +84,23 @@ void add_diagnostics(CLI::App& app) {
   }
 }
 
+// Before the command and after it.
+void add_loudness(CLI::App& app) {
+  const auto add = [](CLI::App& to, const char* names, Loudness loudness, const char* what) {
+    return to
+        .add_flag_callback(
+            names, [loudness] { say_as_much_as(loudness); }, what)
+        ->trigger_on_parse();
+  };
+  std::vector<CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });
+  all.push_back(&app);
+  for (CLI::App* const one : all) {
+    CLI::Option* const quiet =
+        add(*one, "-q,--quiet", Loudness::quiet, "say errors, warnings and results, and nothing else");
+    add(*one, "-v,--verbose", Loudness::verbose, "say the steps of the work, too")->excludes(quiet);
+  }
+}
+
 // What a script meant to put there was not set.
 void refuse_empty_values(const CLI::App& app) {
   for (const CLI::App* const command : app.get_subcommands()) {
@@ -164,6 +181,7 @@ int main_of(int argc, const char* const* argv) {
   PLUMBLINE_COMMANDS(PLUMBLINE_ADD)
 #undef PLUMBLINE_ADD
   add_diagnostics(app);
+  add_loudness(app);
   say_as_json(asks_for_json(arguments));
   try {
     return parse_and_run(app, run, arguments);

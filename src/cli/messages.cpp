@@ -14,22 +14,31 @@ namespace plumbline::cli {
 namespace {
 
 bool as_json = false;  // set once, from the command line
+Loudness how_loud = Loudness::usual;
+
+void put(const std::string& shown) {
+  [[maybe_unused]] const std::size_t written = std::fwrite(shown.data(), 1, shown.size(), stderr);
+}
 
 }  // namespace
 
 void say_as_json(bool json) { as_json = json; }
 bool says_json() { return as_json; }
 
-void put_message(std::string_view text) {
-  const std::string shown = printable_lines(text);
-  [[maybe_unused]] const std::size_t put = std::fwrite(shown.data(), 1, shown.size(), stderr);
-}
+void say_as_much_as(Loudness loudness) { how_loud = loudness; }
+Loudness loudness() { return how_loud; }
+
+void put_message(std::string_view text) { put(printable_lines(text)); }
 
 void say(const Diagnostic& diagnostic) {
-  put_message(as_json ? report::diagnostic_json(diagnostic) + "\n" : to_text(diagnostic));
+  if (as_json) return put_message(report::diagnostic_json(diagnostic) + "\n");
+  const std::string text = printable_lines(to_text(diagnostic));
+  const bool is_error = diagnostic.severity == Severity::error;
+  put(coloured(text, is_error ? "error:" : "warning:", is_error ? Verdict::bad : Verdict::doubtful, Stream::err));
 }
 
 void say_note(std::string_view text) {
+  if (how_loud == Loudness::quiet) return;
   if (!as_json) {
     put_message(text);
     return;
@@ -41,8 +50,12 @@ void say_note(std::string_view text) {
   say(note);
 }
 
-void print_result(std::string_view result) {
-  const std::string text = printable_lines(result);
+void say_step(std::string_view text) {
+  if (how_loud == Loudness::verbose) say_note(std::string(text) + "\n");
+}
+
+void print_result(std::string_view result, const Judgement& judgement) {
+  const std::string text = coloured(printable_lines(result), judgement.words, judgement.verdict, Stream::out);
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
   Place place;
   place.file = "<stdout>";

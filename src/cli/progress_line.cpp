@@ -3,9 +3,10 @@
 #include <cstdio>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "cli/messages.hpp"
+#include "cli/terminal.hpp"
+#include "report/progress_text.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -15,13 +16,16 @@ constexpr std::chrono::milliseconds kEvery{200};
 
 }  // namespace
 
-ProgressLine::ProgressLine()
-    : is_terminal_(isatty(STDERR_FILENO) == 1 && !says_json()), next_(std::chrono::steady_clock::now() + kFirst) {}
+ProgressLine::ProgressLine(std::string_view work)
+    : work_(work),
+      is_wanted_(is_terminal(Stream::err) && loudness() != Loudness::quiet),
+      begin_(std::chrono::steady_clock::now()),
+      next_(begin_ + kFirst) {}
 
 ProgressLine::~ProgressLine() { clear(); }
 
 Progress ProgressLine::progress() {
-  if (!is_terminal_) return {};
+  if (!is_wanted_) return {};
   return [this](std::uint64_t done, std::uint64_t total) { show(done, total); };
 }
 
@@ -29,16 +33,18 @@ void ProgressLine::show(std::uint64_t done, std::uint64_t total) {
   const auto now = std::chrono::steady_clock::now();
   if (total == 0 || now < next_) return;
   next_ = now + kEvery;
-  is_shown_ = true;
-  std::fputs(fmt::format("\r{:3.0f} %", 100.0 * static_cast<double>(done) / static_cast<double>(total)).c_str(),
-             stderr);
+  const std::chrono::duration<double> since = now - begin_;
+  // The last column stays free: a full line would go over into the next one.
+  const std::string text = report::progress_text(work_, done, total, since.count(), columns(Stream::err) - 1);
+  std::fputs(fmt::format("\r{:<{}}", text, shown_).c_str(), stderr);
   std::fflush(stderr);
+  shown_ = text.size();
 }
 
 void ProgressLine::clear() {
-  if (!is_shown_) return;
-  std::fputs("\r      \r", stderr);
-  is_shown_ = false;
+  if (shown_ == 0) return;
+  std::fputs(fmt::format("\r{:<{}}\r", "", shown_).c_str(), stderr);
+  shown_ = 0;
 }
 
 }  // namespace plumbline::cli

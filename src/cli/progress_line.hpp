@@ -2,16 +2,21 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 #include "base/progress.hpp"
 
 namespace plumbline::cli {
 
-/// A line on standard error that is written over again and taken away at the end. Silent where that is no terminal.
+/// A line on standard error that is written over again and taken away at the end: a bar, and the time that is left.
+/// Silent where that is no terminal, and with -q.
 class ProgressLine {
  public:
-  ProgressLine();
+  /// `work`: what takes the time, as "compensate".
+  explicit ProgressLine(std::string_view work);
   ~ProgressLine();
   ProgressLine(ProgressLine&&) = delete;
   ProgressLine& operator=(ProgressLine&&) = delete;
@@ -25,9 +30,11 @@ class ProgressLine {
 
  private:
   void show(std::uint64_t done, std::uint64_t total);
-  bool is_terminal_;
-  bool is_shown_ = false;
-  std::chrono::steady_clock::time_point next_;
+
+  std::string work_;
+  bool is_wanted_;
+  std::size_t shown_ = 0;  // characters
+  std::chrono::steady_clock::time_point begin_, next_;
 };
 
 }  // namespace plumbline::cli

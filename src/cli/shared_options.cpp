@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/check.hpp"
+#include "cli/messages.hpp"
 #include "settings/contradiction.hpp"
 #include "settings/settings_file.hpp"
 
@@ -69,6 +70,7 @@ settings::Options SharedOptions::read(const std::string& program) const {
   if (const std::optional<std::string> why = settings::contradiction(options)) throw UsageError(*why);
   const std::string settings = no_settings_ ? std::string() : settings::settings_file_beside(program);
   if (settings.empty()) return options;
+  say_step(fmt::format("settings: {}, and what the command line says instead", settings));
   options = {};
   settings::read_settings_file(settings, options, [&](const settings::OptionRow& row) { return takes_place_of(row); });
   apply(options);

@@ -38,7 +38,7 @@ int simulate(const SimulateArguments& arguments) {
   check_outputs(files_read(arguments.program, options), {arguments.output});
   OutputFile out(arguments.output);
   report::SimulationTable table(out);
-  ProgressLine line;
+  ProgressLine line("simulate");
   const jobs::SimulationSummary summary = jobs::simulate_program(
       arguments.program, options, [&](const jobs::SimulatedPoint& point) { table.add(point); }, line.progress());
   line.clear();

@@ -22,7 +22,7 @@ int trace(const TraceArguments& arguments) {
   check_outputs(files_read(arguments.program, options), {arguments.output});
   OutputFile out(arguments.output);
   report::TraceWriter writer(out);
-  ProgressLine line;
+  ProgressLine line("trace");
   jobs::trace_file(
       arguments.program, options, [&](const nc::Motion& motion) { writer.add(motion); }, line.progress());
   writer.flush();
