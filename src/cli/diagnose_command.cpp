@@ -15,6 +15,7 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
+#include "cli/progress_line.hpp"
 #include "report/measured/diagnosis_text.hpp"
 #include "report/measured/model_file.hpp"
 #include "report/measured/thinning_text.hpp"
@@ -72,7 +73,11 @@ int diagnose(const DiagnoseArguments& arguments) {
   const std::string page = (fs::path(arguments.folder) / "report.html").string();
   check_folder(arguments.folder);
   check_outputs(inputs_of(arguments.job.dataset, {arguments.job.model}), {json, model, page});
-  const jobs::DiagnoseResult result = jobs::diagnose(arguments.job, [](const std::string& step) { say_step(step); });
+  ProgressLine line("diagnose");
+  const diagnose::Say told{[](const std::string& step) { say_step(step); },
+                           [&](const std::string& what) { line.begin(what); }};
+  const jobs::DiagnoseResult result = jobs::diagnose(arguments.job, told);
+  line.clear();
   const std::string numbers = report::diagnosis_json(result.diagnosis);
   write_folder(arguments.folder,
                {{json, numbers},

@@ -14,6 +14,9 @@ namespace {
 constexpr std::chrono::milliseconds kFirst{500};
 constexpr std::chrono::milliseconds kEvery{200};
 
+// The last column stays free: a full line would go over into the next one.
+std::size_t width() { return columns(Stream::err) - 1; }
+
 }  // namespace
 
 ProgressLine::ProgressLine(std::string_view work)
@@ -34,8 +37,15 @@ void ProgressLine::show(std::uint64_t done, std::uint64_t total) {
   if (total == 0 || now < next_) return;
   next_ = now + kEvery;
   const std::chrono::duration<double> since = now - begin_;
-  // The last column stays free: a full line would go over into the next one.
-  const std::string text = report::progress_text(work_, done, total, since.count(), columns(Stream::err) - 1);
+  put(report::progress_text(work_, done, total, since.count(), width()));
+}
+
+void ProgressLine::begin(std::string_view what) {
+  if (!is_wanted_ || loudness() == Loudness::verbose) return;
+  put(fmt::format("{}: {}", work_, what).substr(0, width()));
+}
+
+void ProgressLine::put(const std::string& text) {
   std::fputs(fmt::format("\r{:<{}}", text, shown_).c_str(), stderr);
   std::fflush(stderr);
   shown_ = text.size();

@@ -25,11 +25,15 @@ class ProgressLine {
 
   /// For the libraries; must not outlive this. Empty where there is no terminal.
   Progress progress();
+  /// What is begun now, in words, where nobody knows how long it takes: at once, in place of what was shown. Not with
+  /// -v, which tells more.
+  void begin(std::string_view what);
   /// Takes the line away.
   void clear();
 
  private:
   void show(std::uint64_t done, std::uint64_t total);
+  void put(const std::string& text);
 
   std::string work_;
   bool is_wanted_;

@@ -21,6 +21,7 @@ Assessment assess(const Case& of, const Model& model, const DiagnoseOptions& opt
   const physics::ForceModel complete = candidates.unknowns.at(model.fit.values);
   const physics::ForceModel base = candidates.unknowns.at(model.base.fit.values);
   Assessment found;
+  say.begin("looking at what is left");
   found.description =
       describe(of.bench, complete, model.problem, marginalised_by(candidates, picks, model.problem.values), model.noise,
                options.description);

@@ -84,6 +84,7 @@ void describe_beside_base(const Case& of, const Model& model, const Assessment& 
 
 Conclusion conclude(const Case& of, const Model& model, Assessment assessment, const DiagnoseOptions& options,
                     const Say& say) {
+  say.begin("working out how sure that is, and the next test");
   const CandidateSet& candidates = of.bench.candidates;
   Conclusion conclusion{.forces = candidates.unknowns.at(model.fit.values)};
   conclusion.errors = parameter_errors(candidates, conclusion.forces, model.fit);

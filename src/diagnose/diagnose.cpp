@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/diagnostic.hpp"
 #include "diagnose/conclusion.hpp"
 #include "diagnose/doubt.hpp"
@@ -113,6 +115,7 @@ std::string_view to_text(Verdict verdict) {
 Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>& runs, const DiagnoseOptions& options,
                    const Say& say) {
   check_measured(runs);
+  say.begin(fmt::format("looking at the readings of {} runs", runs.size()));
   const physics::ForceModel forces(machine);
   const CandidateSet candidates = make_candidate_set(machine, forces, options.candidates);
   const std::vector<RunEquations> given = residuals(machine, runs, forces, {});
@@ -120,10 +123,11 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
     return undiagnosed(machine, runs, std::move(*flaw), given, options);
   }
   std::vector<std::string> steps;
-  const Say tell = [&](const std::string& text) {
-    steps.push_back(text);
-    if (say) say(text);
-  };
+  const Say tell{[&](const std::string& text) {
+                   steps.push_back(text);
+                   say(text);
+                 },
+                 say.doing};
 
   const std::vector<bool> out = held_out(machine.rotation, runs, candidates, options.held_out);
   const std::vector<Run> fitted = without_those(runs, out);

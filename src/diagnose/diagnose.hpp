@@ -141,7 +141,7 @@ struct Diagnosis {
 };
 
 /// Diagnoses a dataset. Refuses with simulate-unreachable, diagnose-unknown-effect, and with diagnose-nothing-measured
-/// if no run has a reading. `say` gets each step in words.
+/// if no run has a reading. `say` gets each step in words, and what is begun.
 Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
                    const DiagnoseOptions& options = {}, const Say& say = {});
 

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "cli/program.hpp"
+#include "jobs/dataset_files.hpp"
 
 using namespace plumbline::testing;
 
@@ -47,6 +48,20 @@ TEST_CASE("NO_COLOR, a dumb terminal and messages in JSON have no colours") {
   CHECK_FALSE(has_colour(on_terminal(scratch, check, "NO_COLOR=1")));
   CHECK_FALSE(has_colour(on_terminal(scratch, check, "TERM=dumb")));
   CHECK_FALSE(has_colour(on_terminal(scratch, check + " --diagnostics=json")));
+}
+
+TEST_CASE("a diagnosis says on a terminal what it is at, its figures with -v alone, and coloured what it found") {
+  const Scratch scratch;
+  scratch.file("plan/dataset.toml", plan_text(scratch));
+  REQUIRE(run(scratch, "simulate -d plan/dataset.toml -o sim " + kModel).code == 0);
+  const std::string diagnose = "diagnose -d sim/dataset.toml -o out " + kModel;
+  const std::string seen = on_terminal(scratch, diagnose);
+  CHECK(contains(seen, "diagnose: looking at the readings of 2 runs"));
+  CHECK(contains(seen, kGreen + std::string("nothing-missing")));
+  CHECK_FALSE(contains(seen, "threshold"));
+  CHECK_FALSE(contains(on_terminal(scratch, diagnose + " -q"), "looking at"));
+  CHECK(contains(run(scratch, diagnose + " -v").err, "threshold"));
+  CHECK(run(scratch, diagnose).err.empty());
 }
 
 TEST_CASE("-q leaves errors, warnings and results; -v adds the steps") {

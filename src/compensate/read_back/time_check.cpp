@@ -23,12 +23,19 @@ double way(const AxisWords& d) {
   return sum;
 }
 
+// Of a hole that is shifted the F stays, while both ends of its way are rounded: the share of its length that may make.
+double share_of_rounding(const IntendedMove& meant, double linear_mm) {
+  if (meant.form != IntendedMove::Form::kept || !meant.corrected || linear_mm <= kNoLength) return 0;
+  return 2 * length_mm(meant.tolerance) / linear_mm;
+}
+
 }  // namespace
 
 void TimeCheck::spend(const IntendedMove& meant, const nc::Motion& motion) {
   if (!path::is_cut(motion.kind)) return;
   const path::Curve curve(motion);
   length_ += way(curve.delta()) + curve.linear_mm();
+  linear_mm_ += curve.linear_mm();
   if (!meant.seconds) return;
   const bool turns = meant.motion.feed_mode == nc::FeedMode::per_revolution;
   if (turns != (motion.feed_mode == nc::FeedMode::per_revolution)) throw Difference{"its feed is in another unit"};
@@ -47,7 +54,7 @@ void TimeCheck::end_move(const IntendedMove& meant, std::size_t line, ReadBackFi
   // It goes through as it stands, from where the correction left the axes.
   if (meant.motion.in_machine_coordinates) return;
   const double change = std::abs(spent_ / *meant.seconds - 1);
-  if (change > tolerance_ + kTimeSlack) {
+  if (change > tolerance_ + kTimeSlack + share_of_rounding(meant, linear_mm_)) {
     throw Difference{fmt::format("it takes {} {}, and {} were meant", to_decimal(spent_, 6),
                                  clock ? "s" : "revolutions", to_decimal(*meant.seconds, 6))};
   }

@@ -19,7 +19,9 @@ class Search {
       : bench_(bench), options_(options), say_(say) {}
 
   Model run() {
+    say_.begin("fitting the model as it is given");
     settle({}, bench_.candidates.unknowns.start());
+    say_.begin("working out what noise alone would look like");
     base_ = stage_;
     const Eigen::MatrixXd reduced =
         reduced_gram(stage_.problem, marginalised_by(bench_.candidates, {}, stage_.fit.values));
@@ -58,6 +60,8 @@ class Search {
 
   bool add_one() {
     const std::size_t place = stage_.picks.size();
+    say_.begin(place == 0 ? fmt::format("trying {} effects that it may lack", bench_.candidates.all.size())
+                          : fmt::format("looking for one more effect beside {}", stage_.picks.front().candidate->name));
     if (!best_passes(place)) return false;
     const Rival best = rivals(place).front();
     settle(with(stage_.picks, best.pick, place), best.fit.values);

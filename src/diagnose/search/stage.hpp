@@ -8,8 +8,18 @@
 
 namespace plumbline::diagnose {
 
-/// Gets each step in words, as it is done.
-using Say = std::function<void(const std::string&)>;
+/// What is told meanwhile; either may be empty.
+struct Say {
+  std::function<void(const std::string&)> step = {};   // each step with its figures, as it is done
+  std::function<void(const std::string&)> doing = {};  // what is begun, in the words of those who wait for it
+
+  void operator()(const std::string& done) const {
+    if (step) step(done);
+  }
+  void begin(const std::string& what) const {
+    if (doing) doing(what);
+  }
+};
 
 struct FittedStage {
   std::vector<Pick> picks;

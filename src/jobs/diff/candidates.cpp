@@ -13,6 +13,7 @@ constexpr double kShiftShare = 0.5;    // of the shift itself: near the end of t
 constexpr double kMostOfShift = 5;     // likewise, of a move that its pieces take the time of
 constexpr double kFirstShift = 10;     // before anything was matched, and of rapids
 constexpr double kRapidShare = 0.01;   // of a rapid's length
+constexpr double kChangeShare = 1e-3;  // of a rapid's length, that the correction may change by on its way
 constexpr double kTimeShare = 0.0015;  // of a move's time, that its pieces may differ from it,
 constexpr double kRounded = 1e-4;      // and so much of its length: what its ends are rounded by
 constexpr double kStandstill = 1e-9;   // mm and deg
@@ -37,8 +38,10 @@ constexpr std::size_t kMostOthers = 4;
 
 double size(const AxisWords& shift) { return distance(shift, {}); }
 
-// Of a rapid that a change of the shift alone may have made.
-double tiny(const Standing& standing) { return kSlack + (standing.has_shift ? kShiftShare * size(standing.shift) : 0); }
+// Of a rapid that a change of the shift alone may have made, on a way of this length.
+double tiny(const Standing& standing, double way = 0) {
+  return kSlack + (standing.has_shift ? kShiftShare * size(standing.shift) : 0) + kChangeShare * way;
+}
 
 double shift_unit(const Standing& standing) { return kShiftUnit + kUnitShare * size(standing.shift); }
 
@@ -117,7 +120,7 @@ std::vector<Candidate> Candidates::of_rapid(const DiffMove& move, std::size_t j,
   std::size_t far = 0;
   for (std::size_t moves = 1; moves <= kMostRapids && corresponds(move, j + moves - 1); ++moves) {
     const DiffMove& last = *b_.peek(j + moves - 1);
-    if (last.length > tiny(standing) && ++far > 1) break;
+    if (last.length > tiny(standing, move.length) && ++far > 1) break;
     consider(moves, last.end);
   }
   if (move.length <= tiny(standing) && standing.has_shift) consider(0, standing.b);

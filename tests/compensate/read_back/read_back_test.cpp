@@ -217,6 +217,21 @@ TEST_CASE("a cycle that stays one, and one that is written out, are read back") 
   CHECK_FALSE(found(meant, job, "M8", "P0.5", "P0.4").empty());
 }
 
+TEST_CASE("the rounding of a hole's ends is no change of its time, however shallow it is") {
+  const Job job = still();
+  for (int i = 1; i <= 40; ++i) {
+    const double depth = 0.05 + 0.0137131 * i;
+    const std::string text = fmt::format(
+        "G21 G90 G17 G94 G54 S500 M3\nG0 X{0} Y{0} Z2 A{1} B-3 C0\nF851\nG99 G84 X{0} Y{0} Z{2:.6f} "
+        "R{3:.6f}\nG80\nM2\n",
+        2 * i, 0.37 * i, 1.234567 - depth, 1.234567);
+    const Meant meant = compensated(text, job);
+    INFO(meant.output);
+    CHECK(found(meant, job, 0, 0, "").empty());
+    CHECK_FALSE(found(meant, job, "G0 ", "F851", "F860").empty());
+  }
+}
+
 TEST_CASE("the guard is left out of the reading, and counted") {
   Job job = still();
   job.emit.guard = {"#<x>=1", "o<g> if [#<_abs_x> GT 1]", "M2", "o<g> endif"};

@@ -49,6 +49,16 @@ TEST_CASE("tiny rapids after a long one belong to it, whatever comes next") {
   }
 }
 
+TEST_CASE("the way to a level R that the corrections of far holes are apart belongs to the rapid before it") {
+  const std::string a = "G0 X0 Y0 Z5\nG0 Z1\nG1 Z-2 F100\nG0 Z1\nG0 X500\nG1 Z-2 F100\nG0 Z1\n";
+  const std::string b =
+      "G0 X0.1 Y0 Z5\nG0 Z1.05\nG1 Z-1.95 F100\nG0 Z1.05\nG0 X500\nG0 Z0.75\nG1 Z-2.25 F100\nG0 Z0.75\n";
+  const DiffSummary s = diff_of(a, b);
+  CHECK(s.out_of_line_a == 0);
+  CHECK(s.out_of_line_b == 0);
+  CHECK(s.shift[2].largest == Approx(0.25));
+}
+
 TEST_CASE("a tiny rapid before a cut belongs to it where the first program stands there already") {
   const std::string before = "G0 X0 Y0 Z5\nM3 S500\n";
   const std::string after = "G0 Z9\n";
