@@ -12,6 +12,17 @@
 #include "nc/rewrite/output/emit_text.hpp"
 
 namespace plumbline::nc {
+namespace {
+
+// DC(), ACP() and ACN() tell whoever reads the program that the axis turns without end: DC() is written in their place,
+// which goes no way where the axis stands.
+bool says_way_round(const Step& step, Axis axis) {
+  const Word* const word = find_word(*step.block, letter(axis));
+  return word != nullptr && word->mode != WordMode::modal && word->mode != WordMode::absolute &&
+         word->mode != WordMode::incremental;
+}
+
+}  // namespace
 
 std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
                                     std::optional<double> seconds, OutputState& control) {
@@ -75,7 +86,8 @@ Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point,
     if (endless) piece.endless.insert(axis);
     piece.value[axis] = value;
     // A word that stands there is written as it is kept now, though the axis was left with more digits.
-    const bool says = first && !endless && !step.after->incremental && step.named.contains(axis) && end != at[axis];
+    const bool says = first && !step.after->incremental && step.named.contains(axis) &&
+                      (endless ? says_way_round(step, axis) : end != at[axis]);
     if (!known || says || std::abs(end - at[axis]) > kMovesFrom * g.quantum * g.per_unit) {
       if (endless)
         piece.value[axis] = words_.endless_word(step, axis, end, known ? std::optional(at[axis]) : std::nullopt);
