@@ -49,15 +49,20 @@ double distance_mm(const MovePath& path, const Vector3<double>& tip_mm, double f
   return least;
 }
 
-// Of an orientation from the nearest one of a path, deg. A, B and C change evenly along it.
-double turn_deg(const Corrector& corrector, const MovePath& path, const Matrix3<double>& R_WP, double fraction) {
+// Of an orientation from that of a path at a fraction, rad. A, B and C change evenly along it.
+Vector3<double> off_turn(const Corrector& corrector, const MovePath& path, const Matrix3<double>& R_WP,
+                         double fraction) {
   const AxisWords begin = path.pose(0);
-  const AxisWords delta = path.curve.delta();
-  const auto off_at = [&](double at) -> Vector3<double> {
-    AxisWords words;
-    for (const Axis axis : {Axis::A, Axis::B, Axis::C}) words[axis] = begin[axis] + at * delta[axis];
-    return machine::logarithm<double>(R_WP * corrector.pose_of(words).R_WP.transpose());
-  };
+  const AxisWords& delta = path.curve.delta();
+  AxisWords words;
+  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) words[axis] = begin[axis] + fraction * delta[axis];
+  return machine::logarithm<double>(R_WP * corrector.pose_of(words).R_WP.transpose());
+}
+
+// Of an orientation from the nearest one of a path, deg.
+double turn_deg(const Corrector& corrector, const MovePath& path, const Matrix3<double>& R_WP, double fraction) {
+  const AxisWords& delta = path.curve.delta();
+  const auto off_at = [&](double at) { return off_turn(corrector, path, R_WP, at); };
   double least = std::numeric_limits<double>::max();
   for (int i = 0; i <= kProjections; ++i) {
     const Vector3<double> off = off_at(fraction);
@@ -71,6 +76,16 @@ double turn_deg(const Corrector& corrector, const MovePath& path, const Matrix3<
     fraction = next;
   }
   return least;
+}
+
+// Both distances are at most those from where the path was to be at that time.
+double distance_at_most_mm(const MovePath& path, const Vector3<double>& tip_mm, double fraction) {
+  return (tip_mm - xyz(path.pose(fraction))).norm();
+}
+
+double turn_at_most_deg(const Corrector& corrector, const MovePath& path, const Matrix3<double>& R_WP,
+                        double fraction) {
+  return off_turn(corrector, path, R_WP, fraction).norm() / kDeg;
 }
 
 // A circle, or an axis that turns, may pass the same place twice.
@@ -193,20 +208,17 @@ Target BetweenPoints::Part::told(const MovePath& path, std::optional<double> sec
   return target;
 }
 
-BetweenPoints::Off BetweenPoints::off_at(const Part& part, double fraction, const std::optional<PlayedTip>& played,
-                                         const MovePath* next) {
-  ++plays_;
-  if (!played) {
-    if (gave_way_line_ == 0) gave_way_line_ = here_->line;
-    return {};
-  }
-  const double at = part.on_path(fraction);
-  const Vector3<double> tip_mm = played->stands.p_WT / kMm;
-  const Matrix3<double>& R_WP = played->stands.R_WP;
-  Off off{distance_mm(*here_, tip_mm, at), turn_deg(corrector_, *here_, R_WP, at), played->speed};
+// How far it is off the path, at its nearest.
+void BetweenPoints::measure(const Part& part, Look& look, const MovePath* next) {
+  if (!look.played) return;
+  const double at = part.on_path(look.fraction);
+  const Vector3<double> tip_mm = look.played->stands.p_WT / kMm;
+  const Matrix3<double>& R_WP = look.played->stands.R_WP;
+  look.tip_mm = distance_mm(*here_, tip_mm, at);
+  look.turned_deg = turn_deg(corrector_, *here_, R_WP, at);
   const auto beside = [&](const MovePath& path, double from) {
-    off.tip_mm = std::min(off.tip_mm, distance_mm(path, tip_mm, from));
-    off.turned_deg = std::min(off.turned_deg, turn_deg(corrector_, path, R_WP, from));
+    look.tip_mm = std::min(look.tip_mm, distance_mm(path, tip_mm, from));
+    look.turned_deg = std::min(look.turned_deg, turn_deg(corrector_, path, R_WP, from));
   };
   const bool begins = part.from == 0;
   const bool ends = part.from + part.share > 1 - kEdge;
@@ -215,64 +227,80 @@ BetweenPoints::Off BetweenPoints::off_at(const Part& part, double fraction, cons
     if (before_ && begins) beside(*before_, end);
     if (next != nullptr && ends) beside(*next, end);
   }
-  return off;
+  tip_.found.take(look.tip_mm, here_->line);
+  turned_.found.take(look.turned_deg, here_->line);
 }
 
-// The part at these fractions, played together: their looks, which hold until the next call.
-std::span<const BetweenPoints::Look> BetweenPoints::sample(const Part& part, std::span<const double> fractions,
-                                                           const MovePath* next) {
+// The part at these fractions, played together; what is found there is at most what it says. Holds until the next call.
+std::span<BetweenPoints::Look> BetweenPoints::sample(const Part& part, std::span<const double> fractions) {
   told_.clear();
   for (const double fraction : fractions) told_.push_back(part.told(*here_, seconds_, fraction));
   corrector_.play(told_, played_);
   sampled_.clear();
   for (std::size_t i = 0; i < fractions.size(); ++i) {
-    const Off off = off_at(part, fractions[i], played_[i], next);
-    tip_.found.take(off.tip_mm, here_->line);
-    turned_.found.take(off.turned_deg, here_->line);
-    sampled_.push_back({fractions[i], off});
+    ++plays_;
+    Look& look = sampled_.emplace_back(Look{fractions[i], 0, 0, played_[i]});
+    if (look.played) {
+      const double at = part.on_path(look.fraction);
+      look.tip_mm = distance_at_most_mm(*here_, look.played->stands.p_WT / kMm, at);
+      look.turned_deg = turn_at_most_deg(corrector_, *here_, look.played->stands.R_WP, at);
+    } else if (gave_way_line_ == 0) {
+      gave_way_line_ = here_->line;
+    }
   }
   return sampled_;
 }
 
+double BetweenPoints::most(double Look::*figure) const {
+  double largest = 0;
+  for (const Look& at : looked_) largest = std::max(largest, at.*figure);
+  return largest;
+}
+
 // Its ends and its middle; both sides of the places where a strut turns; where that is promising, what lies between,
-// and the neighbourhood of the worst place.
+// and the neighbourhood of the worst place. What cannot be promising at its most is not measured.
 void BetweenPoints::play(const Part& part, const MovePath* next) {
   const AxisWords way = part.end - part.begin;
   if (!part.along_curve && length_mm(way) < kNoWayMm && path::largest_turn_deg(way) < kNoWayMm) return;
   const double tip_before = tip_.found.value;
   const double turned_before = turned_.found.value;
   looked_.clear();
-  look(part, kFirstLook, next);
-  look_beside_turns(part, next);
-  const auto most = [&](double Off::*figure) {
-    double largest = 0;
-    for (const Look& at : looked_) largest = std::max(largest, at.off.*figure);
-    return largest;
-  };
-  const bool tip_promises = most(&Off::tip_mm) > kPromising * tip_before;
-  const bool turn_promises = most(&Off::turned_deg) > kPromising * turned_before;
+  look(part, kFirstLook);
+  look_beside_turns(part);
+  const double tip_at_most = most(&Look::tip_mm);
+  const double turned_at_most = most(&Look::turned_deg);
+  if (tip_at_most <= kPromising * tip_before && turned_at_most <= kPromising * turned_before &&
+      tip_.knows(part.tip, tip_at_most) && turned_.knows(part.turned, turned_at_most)) {
+    tip_.learn(part.tip, tip_at_most);
+    turned_.learn(part.turned, turned_at_most);
+    return;
+  }
+  for (Look& at : looked_) measure(part, at, next);
+  const bool tip_promises = most(&Look::tip_mm) > kPromising * tip_before;
+  const bool turn_promises = most(&Look::turned_deg) > kPromising * turned_before;
   if (tip_promises || turn_promises) {
-    look(part, kCloseLook, next);
+    for (Look& at : look(part, kCloseLook)) measure(part, at, next);
     std::sort(looked_.begin(), looked_.end(), [](const Look& a, const Look& b) { return a.fraction < b.fraction; });
-    if (tip_promises && most(&Off::tip_mm) > tip_before) refine(part, &Off::tip_mm, next);
-    if (turn_promises && most(&Off::turned_deg) > turned_before) refine(part, &Off::turned_deg, next);
+    if (tip_promises && most(&Look::tip_mm) > tip_before) refine(part, &Look::tip_mm, next);
+    if (turn_promises && most(&Look::turned_deg) > turned_before) refine(part, &Look::turned_deg, next);
   }
   const auto found = [](const PieceRanking& ranking, double before, double here) {
     return ranking.found.value > before ? ranking.found.value : here;
   };
-  tip_.learn(part.tip, found(tip_, tip_before, most(&Off::tip_mm)));
-  turned_.learn(part.turned, found(turned_, turned_before, most(&Off::turned_deg)));
+  tip_.learn(part.tip, found(tip_, tip_before, most(&Look::tip_mm)));
+  turned_.learn(part.turned, found(turned_, turned_before, most(&Look::turned_deg)));
 }
 
-void BetweenPoints::look(const Part& part, std::span<const double> fractions, const MovePath* next) {
-  const std::span<const Look> seen = sample(part, fractions, next);
+std::span<BetweenPoints::Look> BetweenPoints::look(const Part& part, std::span<const double> fractions) {
+  const std::span<const Look> seen = sample(part, fractions);
   looked_.insert(looked_.end(), seen.begin(), seen.end());
+  return std::span(looked_).last(seen.size());
 }
 
 // Both sides of the places where the speed of a strut passes through zero, between the first and the last look.
-void BetweenPoints::look_beside_turns(const Part& part, const MovePath* next) {
-  const machine::PerStrut<double> first = looked_.front().off.speed;
-  const machine::PerStrut<double> change = looked_.back().off.speed - first;
+void BetweenPoints::look_beside_turns(const Part& part) {
+  const machine::PerStrut<double> first = looked_.front().speed();
+  const machine::PerStrut<double> change = looked_.back().speed() - first;
   std::vector<double> beside_turns;
   for (int j = 0; j < machine::kStruts; ++j) {
     if (!(first[j] * (first[j] + change[j]) < 0)) continue;
@@ -281,20 +309,21 @@ void BetweenPoints::look_beside_turns(const Part& part, const MovePath* next) {
       if (fraction > 0 && fraction < 1) beside_turns.push_back(fraction);
     }
   }
-  if (!beside_turns.empty()) look(part, beside_turns, next);
+  if (!beside_turns.empty()) look(part, beside_turns);
 }
 
 // By thirds about the worst place that was looked at.
-void BetweenPoints::refine(const Part& part, double Off::*figure, const MovePath* next) {
+void BetweenPoints::refine(const Part& part, double Look::*figure, const MovePath* next) {
   const auto top = std::max_element(looked_.begin(), looked_.end(),
-                                    [&](const Look& a, const Look& b) { return a.off.*figure < b.off.*figure; });
+                                    [&](const Look& a, const Look& b) { return a.*figure < b.*figure; });
   double low = top == looked_.begin() ? 0 : std::prev(top)->fraction;
   double high = std::next(top) == looked_.end() ? 1 : std::next(top)->fraction;
   for (int i = 0; i < kRefinements; ++i) {
     const double a = low + (high - low) / 3;
     const double b = high - (high - low) / 3;
-    const std::span<const Look> both = sample(part, std::array{a, b}, next);
-    const bool rises = both[0].off.*figure < both[1].off.*figure;
+    const std::span<Look> both = sample(part, std::array{a, b});
+    for (Look& at : both) measure(part, at, next);
+    const bool rises = both[0].*figure < both[1].*figure;
     (rises ? low : high) = rises ? a : b;
   }
 }

@@ -54,13 +54,14 @@ class BetweenPoints {
     double on_path(double fraction) const { return std::clamp(from + fraction * share, 0.0, 1.0); }
     Target told(const MovePath& path, std::optional<double> seconds, double fraction) const;
   };
-  struct Off {
-    double tip_mm = 0, turned_deg = 0;
-    machine::PerStrut<double> speed = machine::PerStrut<double>::Zero();
-  };
   struct Look {  // at a place of a part
     double fraction = 0;
-    Off off;
+    double tip_mm = 0, turned_deg = 0;  // off the path: at most, until it is measured
+    std::optional<PlayedTip> played;    // nothing: the machine gives way
+
+    machine::PerStrut<double> speed() const {
+      return played ? played->speed : machine::PerStrut<double>(machine::PerStrut<double>::Zero());
+    }
   };
   void find_guesses(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces);
   void choose(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces, bool as_it_stands);
@@ -68,11 +69,12 @@ class BetweenPoints {
   bool must_play() const { return blocks_ <= kAllBlocks || blocks_ % kEvery == 0; }
   void play_waiting(const MovePath* next);
   void play(const Part& part, const MovePath* next);
-  void look(const Part& part, std::span<const double> fractions, const MovePath* next);
-  void look_beside_turns(const Part& part, const MovePath* next);
-  void refine(const Part& part, double Off::*figure, const MovePath* next);
-  Off off_at(const Part& part, double fraction, const std::optional<PlayedTip>& played, const MovePath* next);
-  std::span<const Look> sample(const Part& part, std::span<const double> fractions, const MovePath* next);
+  std::span<Look> look(const Part& part, std::span<const double> fractions);
+  void look_beside_turns(const Part& part);
+  void refine(const Part& part, double Look::*figure, const MovePath* next);
+  void measure(const Part& part, Look& look, const MovePath* next);
+  std::span<Look> sample(const Part& part, std::span<const double> fractions);
+  double most(double Look::*figure) const;
 
   static constexpr std::uint64_t kAllBlocks = 256;  // at the begin: played whatever is guessed of them
   static constexpr std::uint64_t kEvery = 16;       // after them, likewise

@@ -32,6 +32,9 @@ struct MovePath {
   AxisSet writable() const { return AxisSet::all() - fixed; }
 };
 
+/// Of a move whose points are corrected together with those of the moves after it.
+inline constexpr int kFewPieces = 16;
+
 struct Move {
   const nc::Step* step = nullptr;  // whose block makes it
   const nc::Motion* motion = nullptr;

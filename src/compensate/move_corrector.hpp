@@ -44,9 +44,9 @@ class MoveCorrector {
   /// the chord. `half_quanta` is what rounding may do to a word of the move, where points are chosen by a bound. Holds
   /// until the next call.
   const CorrectedMove& correct(const Move& move, const AxisWords& standing, const AxisWords& half_quanta = {});
-  /// Corrects the ends of moves that come soon together, in packs: correct() of a move with this one point finds it
+  /// Corrects the points of moves of kFewPieces that come soon together, in packs: correct() of such a move finds them
   /// done. What it gets is the same. To be told again, or forgotten, when the corrector gets another tool.
-  void expect(std::span<const Target> ends);
+  void expect(std::span<const Target> points);
   /// False where points are chosen by a bound, one after the other.
   bool takes_expected() const { return !chooser_; }
   void forget() { expect({}); }

@@ -110,9 +110,9 @@ std::optional<ToolInSpindle> MoveReader::new_tool(const nc::Step& step) {
   return tool;
 }
 
-bool MoveReader::find_ends_ahead(std::vector<Target>& ends) {
+bool MoveReader::find_points_ahead(std::vector<Target>& points) {
   if (blocks_ <= looked_to_) return false;
-  ends.clear();
+  points.clear();
   looked_to_ = blocks_;
   try {
     std::size_t blocks = 0;
@@ -123,7 +123,8 @@ bool MoveReader::find_ends_ahead(std::vector<Target>& ends) {
       if (!path::is_cut(motion.kind) || motion.in_machine_coordinates) continue;
       Move move = this->move(*step, motion);
       divide(move);
-      if (move.pieces == 1) ends.push_back(move.path.target(1, move.seconds));
+      if (move.pieces > kFewPieces) continue;
+      for (int i = 1; i <= move.pieces; ++i) points.push_back(move.path.target(move.fraction(i), move.seconds));
     }
   } catch (const Refusal&) {  // for who comes to that move
   }

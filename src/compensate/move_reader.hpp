@@ -87,10 +87,10 @@ class MoveReader {
   Move move(const nc::Step& step, const nc::Motion& motion) const;
   /// Sets its pieces, at the step settings. Refuses with path-too-many-pieces.
   void divide(Move& move) const;
-  /// Where those of the moves end that were read already, come after the last block, and are of one piece; as far as
-  /// that can be said of them now. False, and nothing is looked for, as long as the last block is one of those that
+  /// The points of those of the moves that were read already, come after the last block, and are of kFewPieces; as far
+  /// as that can be said of them now. False, and nothing is looked for, as long as the last block is one of those that
   /// were looked at before, with the same tool.
-  bool find_ends_ahead(std::vector<Target>& ends);
+  bool find_points_ahead(std::vector<Target>& points);
   AxisSet writable(const nc::Step& step) const { return AxisSet::all() - fixed(step); }
 
   /// For who leaves the program as it is: the next move, divided; those in machine coordinates, to
@@ -121,7 +121,7 @@ class MoveReader {
   AxisSet away_;  // rotary axes that are known to have stood elsewhere
   PassedMoves passed_;
   std::uint64_t blocks_ = 0;
-  std::uint64_t looked_to_ = 0;  // the block up to which ends of moves were looked for
+  std::uint64_t looked_to_ = 0;  // the block up to which points of moves were looked for
 
   // For next_move()
   const nc::Step* step_ = nullptr;

@@ -63,4 +63,8 @@ void PieceRanking::learn(const PieceGuess& guess, double found_value) {
   per_guess_[guess.kind] = std::max(per_guess_[guess.kind], found_value / guess.value);
 }
 
+bool PieceRanking::knows(const PieceGuess& guess, double at_most) const {
+  return guess.value <= 0 || at_most / guess.value <= per_guess_[guess.kind];
+}
+
 }  // namespace plumbline::compensate

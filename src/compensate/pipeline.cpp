@@ -184,10 +184,10 @@ void Pipeline::copy_through(const nc::Step& step) {
 const CorrectedMove& Pipeline::corrected(Move& move) {
   reader_.divide(move);
   // One pose alone takes nearly as long as eight together.
-  if (moves_.takes_expected() && !move.is_rapid() && move.pieces == 1 && reader_.find_ends_ahead(ends_))
-    moves_.expect(ends_);
-  const CorrectedMove& corrected =
-      moves_.correct(move, rewriter_.standing(*move.step), rewriter_.half_quanta(*move.step));
+  if (moves_.takes_expected() && !move.is_rapid() && move.pieces <= kFewPieces && reader_.find_points_ahead(points_))
+    moves_.expect(points_);
+  const AxisWords half_quanta = moves_.takes_expected() ? AxisWords{} : rewriter_.half_quanta(*move.step);
+  const CorrectedMove& corrected = moves_.correct(move, rewriter_.standing(*move.step), half_quanta);
   refuse_violations(corrected.violations, *move.step, reader_.passed());
   return corrected;
 }

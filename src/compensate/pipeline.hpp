@@ -65,7 +65,7 @@ class Pipeline {
   BetweenPoints between_;
   Tally tally_;
   StampSearch stamps_;
-  std::vector<Target> ends_;  // of moves that come soon
+  std::vector<Target> points_;  // of moves that come soon
   bool must_unroll_ = false;  // something changes that cannot be put in the place of its block
 };
 

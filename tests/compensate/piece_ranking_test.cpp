@@ -50,6 +50,18 @@ TEST_CASE("what was found over what was guessed decides what promises more than 
   CHECK_FALSE(ranking.promises({0.5, PieceGuess::smooth, 0, 0}));  // another kind
 }
 
+TEST_CASE("less than the most that was found of a guess teaches nothing") {
+  PieceRanking ranking;
+  const PieceGuess guess{0.5, PieceGuess::corner, 0, 0};
+  CHECK_FALSE(ranking.knows(guess, 0.1));
+  ranking.learn(guess, 1);
+  CHECK(ranking.knows(guess, 1));
+  CHECK(ranking.knows({0.25, PieceGuess::corner, 0, 0}, 0.5));
+  CHECK_FALSE(ranking.knows(guess, 1.1));
+  CHECK_FALSE(ranking.knows({0.5, PieceGuess::turn, 0, 0}, 0.1));  // another kind
+  CHECK(ranking.knows({0, PieceGuess::turn, 0, 0}, 0.1));          // nothing was guessed of it
+}
+
 TEST_CASE("a chord is guessed to leave its curve by an eighth of the second difference") {
   ChordGuess guess;
   const Vector3<double> none(0, 0, 0);
