@@ -77,6 +77,40 @@ void keep_word(Token& token, const char* begin, const char* end) {
   read_number(token, begin + 1, end);
 }
 
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+
+// A word without blanks in it, as nearly all are; false, and nothing is kept, where the automaton must look.
+bool keep_plain_word(Token& token, const char* begin) {
+  if (!is_letter(*begin)) return false;
+  const char* c = begin + 1;
+  const bool negative = *c == '-';
+  if (negative || *c == '+') ++c;
+  std::uint64_t digits = 0;
+  const auto take_digits = [&] {
+    const char* const first = c;
+    for (unsigned digit = 0; (digit = static_cast<unsigned char>(*c) - unsigned{'0'}) <= 9; ++c) {
+      digits = digits * 10 + digit;
+    }
+    return c - first;
+  };
+  const auto before_point = take_digits();
+  const bool point = *c == '.';
+  if (point) ++c;
+  const auto decimals = point ? take_digits() : 0;
+  const auto count = before_point + decimals;
+  if (count == 0 || count > kMostDigits || digits > kLargestExact) return false;
+  const char* next = c;
+  while (is_blank(*next)) ++next;
+  if (*next == '.' || (*next >= '0' && *next <= '9')) return false;
+  keep(token, TokenKind::word, begin, c);
+  token.letter = upper(*begin);
+  token.point = point;
+  token.decimals = static_cast<std::uint8_t>(decimals);
+  const double size = static_cast<double>(digits) / kPowersOfTen[decimals];
+  token.value = negative ? -size : size;
+  return true;
+}
+
 void keep_letter(Token& token, const char* begin, const char* end) {
   keep(token, TokenKind::letter, begin, end);
   token.letter = upper(*begin);
@@ -104,6 +138,8 @@ void keep_operation(Token& token, TokenKind kind, Operation operation, const cha
 */
 
 void lex_item(const char* cursor, Token& token) {
+  while (*cursor == ' ') ++cursor;
+  if (keep_plain_word(token, cursor)) return;
   const auto* at = reinterpret_cast<const unsigned char*>(cursor);
   const unsigned char* marker = nullptr;
   const unsigned char* begin = nullptr;

@@ -21,9 +21,8 @@ inline constexpr std::array<char, kAxes> kAxisLetters{'X', 'Y', 'Z', 'A', 'B', '
 constexpr std::size_t index(Axis axis) { return static_cast<std::size_t>(axis); }
 constexpr char letter(Axis axis) { return kAxisLetters[index(axis)]; }
 constexpr std::optional<Axis> axis_of(char upper_case_letter) {
-  for (const Axis axis : kAllAxes) {
-    if (letter(axis) == upper_case_letter) return axis;
-  }
+  if (upper_case_letter >= 'X' && upper_case_letter <= 'Z') return static_cast<Axis>(upper_case_letter - 'X');
+  if (upper_case_letter >= 'A' && upper_case_letter <= 'C') return static_cast<Axis>(upper_case_letter - 'A' + 3);
   return std::nullopt;
 }
 constexpr bool is_rotary(Axis axis) { return axis >= Axis::A; }

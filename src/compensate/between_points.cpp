@@ -144,7 +144,7 @@ void BetweenPoints::leave() {
 void BetweenPoints::find_guesses(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces) {
   tip_.clear();
   turned_.clear();
-  const double bend = xyz(path.target(0.5, std::nullopt).bend).norm();
+  const double bend = path.curve.arc_deg() == 0 ? 0 : xyz(path.target(0.5, std::nullopt).bend).norm();
   ChordGuess places;
   ChordGuess turns;
   const AxisWords* last = &begin;

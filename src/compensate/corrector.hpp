@@ -111,7 +111,7 @@ class Corrector {
   /// Condition number of the Jacobian where the machine stands on the target.
   double condition(const Target& target) const;
   /// Never below that, and cheaper: machine::condition_ceiling.
-  double condition_ceiling(const Target& target) const;
+  double condition_ceiling(const Target& target, double enough) const;
 
   /// How far each kg hung at the tool tip moves it, mm.
   std::optional<double> error_per_kg_mm(const Target& target) const;

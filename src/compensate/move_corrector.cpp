@@ -81,26 +81,28 @@ void MoveCorrector::keep(const Corrected& corrected, const AxisWords& words) {
   result_.signs.push_back(corrected.sign);
 }
 
-void MoveCorrector::expect(std::span<const Target> points) {
-  expected_.assign(points.begin(), points.end());
+void MoveCorrector::expect(const PointsAhead* points) {
+  expected_ = points;
+  if (points == nullptr || points->number == number_) return;
+  number_ = points->number;
   met_ = 0;
-  if (!expected_.empty()) corrector_.correct(expected_, of_expected_);
 }
 
 // False, and nothing is taken: the first of its pieces does not end where one was expected to.
 bool MoveCorrector::take_expected() {
   const Move& move = result_.move;
+  const std::vector<Target>& targets = expected_->targets;
   for (int piece = 1; piece <= move.pieces && !stops(); ++piece) {
     const path::CurvePoint end = move.path.curve.point(move.fraction(piece));
     const Target target = move.path.target(end, move.seconds);
-    const auto found = std::find(expected_.begin() + static_cast<std::ptrdiff_t>(met_), expected_.end(), target);
-    if (found == expected_.end() && piece == 1) return false;
+    const auto found = std::find(targets.begin() + static_cast<std::ptrdiff_t>(met_), targets.end(), target);
+    if (found == targets.end() && piece == 1) return false;
     bool taken = false;
-    if (found == expected_.end()) {
+    if (found == targets.end()) {
       taken = take(target, end.at);
     } else {
-      met_ = static_cast<std::size_t>(found - expected_.begin()) + 1;
-      taken = take(target, end.at, of_expected_[met_ - 1]);
+      met_ = static_cast<std::size_t>(found - targets.begin()) + 1;
+      taken = take(target, end.at, expected_->corrections[met_ - 1]);
     }
     if (taken) result_.points.back().share = 1.0 / move.pieces;
   }
@@ -123,7 +125,7 @@ void MoveCorrector::correct_cut() {
     note(machine::check_programmed(limits_, corrector_.pose_of(end.pose)));
     if (stops()) return;
   }
-  if (move.pieces <= kFewPieces && met_ < expected_.size() && take_expected()) return;
+  if (expected_ != nullptr && move.pieces <= kFewPieces && take_expected()) return;
   for (int first = 1; first <= move.pieces; first += kTogether) {
     const int last = std::min(first + kTogether - 1, move.pieces);
     points_.clear();

@@ -1,6 +1,7 @@
 // Where the control is to be sent for a move, so that the deformed machine makes it.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,14 @@ struct CorrectedMove {
   }
 };
 
+/// Points of moves of up to kFewPieces pieces that come soon, in their order, and what to command for each.
+struct PointsAhead {
+  std::uint64_t number = 0;  // no others have it
+  std::uint64_t tools = 0;   // that came into the spindle before they were corrected
+  std::vector<Target> targets;
+  Corrections corrections;
+};
+
 class MoveCorrector {
  public:
   /// Where a limit is broken the points end, or they go on and the worst violation of each kind is kept.
@@ -44,12 +53,9 @@ class MoveCorrector {
   /// the chord. `half_quanta` is what rounding may do to a word of the move, where points are chosen by a bound. Holds
   /// until the next call.
   const CorrectedMove& correct(const Move& move, const AxisWords& standing, const AxisWords& half_quanta = {});
-  /// Corrects the points of moves of kFewPieces that come soon together, in packs: correct() of such a move finds them
-  /// done. What it gets is the same. To be told again, or forgotten, when the corrector gets another tool.
-  void expect(std::span<const Target> points);
-  /// False where points are chosen by a bound, one after the other.
-  bool takes_expected() const { return !chooser_; }
-  void forget() { expect({}); }
+  /// correct() of a move whose points are among these takes what was found for them. To be told before each move: null
+  /// where there are none, or the tool is another one. They must outlive the next call of correct().
+  void expect(const PointsAhead* points);
   /// Places of the work system where the machine stands still, one point each.
   const CorrectedMove& correct_places(const Move& move, std::span<const AxisWords> places, const AxisWords& standing);
 
@@ -75,9 +81,9 @@ class MoveCorrector {
   std::vector<path::CurvePoint> points_;  // of pieces that are corrected together
   std::vector<Target> targets_;
   Corrections corrections_;
-  std::vector<Target> expected_;
-  std::size_t met_ = 0;  // of these, so far
-  Corrections of_expected_;
+  const PointsAhead* expected_ = nullptr;
+  std::uint64_t number_ = 0;  // of these, or of the last
+  std::size_t met_ = 0;       // of these, so far
 };
 
 }  // namespace plumbline::compensate

@@ -40,6 +40,31 @@ std::optional<ToolInSpindle> SpindleTool::change(const nc::Step& step) {
   return tool;
 }
 
+Move move_of(const nc::Step& step, const nc::Motion& motion, const nc::Dialect& dialect, const ReaderSettings& settings,
+             AxisSet at_zero) {
+  Move move;
+  move.step = &step;
+  move.motion = &motion;
+  move.path = {path::Curve(motion),       *step.frame,     settings.touch_off_error, at_zero,
+               fixed_axes(step, at_zero), step.block->line};
+  move.duration = path::duration(motion, move.path.curve, dialect);
+  if (motion.feed_mode != nc::FeedMode::per_revolution) move.seconds = move.duration;
+  // Where a rapid comes from decides which way friction acts; not known, that is left out.
+  move.begin_known = motion.known_before.contains(AxisSet::all() - at_zero);
+  return move;
+}
+
+void divide(Move& move, const path::StepSettings& settings) {
+  if (move.is_rapid()) {
+    if (move.begin_known) move.pieces = chord_steps(move.path.curve.delta());
+    return;
+  }
+  const path::Subdivision cut =
+      path::subdivide(move.path.curve, move.seconds, settings, [&] { return place_of(*move.step); });
+  move.pieces = cut.pieces;
+  move.widened = cut.widened;
+}
+
 const nc::Step* MoveReader::next() {
   const nc::Step* const step = program_.next();
   if (step == nullptr) return nullptr;
@@ -79,56 +104,6 @@ UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
 
 UnknownPosition MoveReader::unknown(const nc::Step& step, const nc::Motion& motion) {
   return unknown(step, path::is_cut(motion.kind) ? motion.known_after & motion.known_before : motion.known_after);
-}
-
-Move MoveReader::move(const nc::Step& step, const nc::Motion& motion) const {
-  Move move;
-  move.step = &step;
-  move.motion = &motion;
-  move.path = {path::Curve(motion), *step.frame, settings_.touch_off_error, at_zero_, fixed(step), step.block->line};
-  move.duration = path::duration(motion, move.path.curve, dialect_);
-  if (motion.feed_mode != nc::FeedMode::per_revolution) move.seconds = move.duration;
-  // Where a rapid comes from decides which way friction acts; not known, that is left out.
-  move.begin_known = motion.known_before.contains(AxisSet::all() - at_zero_);
-  return move;
-}
-
-void MoveReader::divide(Move& move) const {
-  if (move.is_rapid()) {
-    if (move.begin_known) move.pieces = chord_steps(move.path.curve.delta());
-    return;
-  }
-  const path::Subdivision cut =
-      path::subdivide(move.path.curve, move.seconds, settings_.step, [&] { return place_of(*move.step); });
-  move.pieces = cut.pieces;
-  move.widened = cut.widened;
-}
-
-std::optional<ToolInSpindle> MoveReader::new_tool(const nc::Step& step) {
-  std::optional<ToolInSpindle> tool = spindle_.change(step);
-  if (tool) looked_to_ = 0;
-  return tool;
-}
-
-bool MoveReader::find_points_ahead(std::vector<Target>& points) {
-  if (blocks_ <= looked_to_) return false;
-  points.clear();
-  looked_to_ = blocks_;
-  try {
-    std::size_t blocks = 0;
-    while (const nc::Step* const step = program_.ahead(blocks++)) {
-      ++looked_to_;
-      if (step->motions.size() != 1 || step->cycle != nc::CycleForm::none) continue;
-      const nc::Motion& motion = step->motions.front();
-      if (!path::is_cut(motion.kind) || motion.in_machine_coordinates) continue;
-      Move move = this->move(*step, motion);
-      divide(move);
-      if (move.pieces > kFewPieces) continue;
-      for (int i = 1; i <= move.pieces; ++i) points.push_back(move.path.target(move.fraction(i), move.seconds));
-    }
-  } catch (const Refusal&) {  // for who comes to that move
-  }
-  return true;
 }
 
 // True if it can be followed, and move_ is that.

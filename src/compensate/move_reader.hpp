@@ -50,15 +50,26 @@ struct ReaderSettings {
   AxisWords touch_off_error;       // that every pose gets
 };
 
+/// Axes that no correction of the step's motion may write.
+inline AxisSet fixed_axes(const nc::Step& step, AxisSet at_zero) {
+  return at_zero | (step.frame->tilted ? AxisSet::rotary() : AxisSet{});
+}
+
+/// The motion of a step as the machine makes it, in one piece. `at_zero`: axes that are taken to stand at zero.
+Move move_of(const nc::Step& step, const nc::Motion& motion, const nc::Dialect& dialect, const ReaderSettings& settings,
+             AxisSet at_zero);
+/// Sets its pieces, at the step settings. Refuses with path-too-many-pieces.
+void divide(Move& move, const path::StepSettings& settings);
+
 class MoveReader {
  public:
-  /// All but `settings` must outlive it.
+  /// All but `settings` must outlive it; `looks` is as of nc::ProgramAhead.
   MoveReader(const InputFile& source, const nc::Dialect& dialect, const nc::ProgramSettings& program,
-             const ReaderSettings& settings)
+             const ReaderSettings& settings, nc::StepsAhead* looks = nullptr)
       : source_(source),
         dialect_(dialect),
         settings_(settings),
-        program_(source, dialect, program),
+        program_(source, dialect, program, looks),
         spindle_(program.tools, settings.reference_tool_mass) {
     for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
       if (program.start[index(axis)].value_or(0) != 0) away_.insert(axis);
@@ -71,7 +82,7 @@ class MoveReader {
   bool jumped() const { return program_.jumped(); }
   bool position_read() const { return program_.position_read(); }
   /// The tool that makes the moves of the step, where it is another one than before.
-  std::optional<ToolInSpindle> new_tool(const nc::Step& step);
+  std::optional<ToolInSpindle> new_tool(const nc::Step& step) { return spindle_.change(step); }
   bool tool_has_mass() const { return spindle_.has_mass(); }
   /// What the blocks up to this one that go through as they stand left behind.
   const PassedMoves& passed() const { return passed_; }
@@ -84,14 +95,13 @@ class MoveReader {
   UnknownPosition unknown(const nc::Step& step, const nc::Motion& motion);
 
   /// A move of the step, or of one that was made of it, in one piece.
-  Move move(const nc::Step& step, const nc::Motion& motion) const;
-  /// Sets its pieces, at the step settings. Refuses with path-too-many-pieces.
-  void divide(Move& move) const;
-  /// The points of those of the moves that were read already, come after the last block, and are of kFewPieces; as far
-  /// as that can be said of them now. False, and nothing is looked for, as long as the last block is one of those that
-  /// were looked at before, with the same tool.
-  bool find_points_ahead(std::vector<Target>& points);
-  AxisSet writable(const nc::Step& step) const { return AxisSet::all() - fixed(step); }
+  Move move(const nc::Step& step, const nc::Motion& motion) const {
+    return move_of(step, motion, dialect_, settings_, at_zero_);
+  }
+  void divide(Move& move) const { compensate::divide(move, settings_.step); }
+  /// As nc::ProgramAhead has it.
+  std::uint64_t handed_over() const { return program_.handed_over(); }
+  AxisSet writable(const nc::Step& step) const { return AxisSet::all() - fixed_axes(step, at_zero_); }
 
   /// For who leaves the program as it is: the next move, divided; those in machine coordinates, to
   /// unknown positions and probing moves are left out. Null at the end. Refuses with walk-position-unknown a move that
@@ -108,7 +118,6 @@ class MoveReader {
   AxisSet at_zero() const { return at_zero_; }
 
  private:
-  AxisSet fixed(const nc::Step& step) const { return at_zero_ | (step.frame->tilted ? AxisSet::rotary() : AxisSet{}); }
   void note_away(const nc::Step& step);
   bool take(const nc::Motion& motion);
 
@@ -121,7 +130,6 @@ class MoveReader {
   AxisSet away_;  // rotary axes that are known to have stood elsewhere
   PassedMoves passed_;
   std::uint64_t blocks_ = 0;
-  std::uint64_t looked_to_ = 0;  // the block up to which points of moves were looked for
 
   // For next_move()
   const nc::Step* step_ = nullptr;

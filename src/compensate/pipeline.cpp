@@ -86,9 +86,11 @@ Pipeline::Pipeline(const InputFile& source, const ProgramSurvey& survey, const n
                    OutputFile& out, nc::Form form)
     : source_(source),
       dialect_(survey.dialect),
+      settings_(settings),
       corrector_(model, settings),
-      reader_(source, dialect_, program,
-              {survey.named, divided_by(settings), model.reference_tool_mass, touch_off_error(corrector_, settings)}),
+      reading_{survey.named, divided_by(settings), model.reference_tool_mass, touch_off_error(corrector_, settings)},
+      ahead_(model, settings, dialect_, program.tools, reading_),
+      reader_(source, dialect_, program, reading_, settings.bound.is_asked() ? nullptr : &ahead_),
       moves_(corrector_, model.limits, MoveCorrector::AtViolation::stop, settings.bound),
       holes_(dialect_, corrector_, model.limits, settings, moves_),
       steps_(dialect_, emit, form),
@@ -139,7 +141,7 @@ void Pipeline::follow_tool(const nc::Step& step) {
   if (!reader_.tool_has_mass()) tally_.take_massless_tool(step);
   between_.leave();
   corrector_.set_tool(*tool);
-  moves_.forget();
+  ++tools_;
 }
 
 void Pipeline::take(const nc::Step& step) {
@@ -183,10 +185,12 @@ void Pipeline::copy_through(const nc::Step& step) {
 
 const CorrectedMove& Pipeline::corrected(Move& move) {
   reader_.divide(move);
-  // One pose alone takes nearly as long as eight together.
-  if (moves_.takes_expected() && !move.is_rapid() && move.pieces <= kFewPieces && reader_.find_points_ahead(points_))
-    moves_.expect(points_);
-  const AxisWords half_quanta = moves_.takes_expected() ? AxisWords{} : rewriter_.half_quanta(*move.step);
+  if (reader_.handed_over() > 0) {
+    ahead_.assume_at_zero(reader_.at_zero());
+    const PointsAhead& points = ahead_.points(reader_.handed_over());
+    moves_.expect(points.tools == tools_ ? &points : nullptr);
+  }
+  const AxisWords half_quanta = settings_.bound.is_asked() ? rewriter_.half_quanta(*move.step) : AxisWords{};
   const CorrectedMove& corrected = moves_.correct(move, rewriter_.standing(*move.step), half_quanta);
   refuse_violations(corrected.violations, *move.step, reader_.passed());
   return corrected;

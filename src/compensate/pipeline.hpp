@@ -13,6 +13,7 @@
 #include "compensate/hole_corrector.hpp"
 #include "compensate/move_corrector.hpp"
 #include "compensate/move_reader.hpp"
+#include "compensate/moves_ahead.hpp"
 #include "compensate/program_survey.hpp"
 #include "compensate/rewriter.hpp"
 #include "compensate/settings.hpp"
@@ -56,7 +57,10 @@ class Pipeline {
 
   const InputFile& source_;
   const nc::Dialect& dialect_;
+  const Settings& settings_;
   Corrector corrector_;
+  ReaderSettings reading_;
+  MovesAhead ahead_;
   MoveReader reader_;
   MoveCorrector moves_;
   HoleCorrector holes_;
@@ -65,7 +69,7 @@ class Pipeline {
   BetweenPoints between_;
   Tally tally_;
   StampSearch stamps_;
-  std::vector<Target> points_;  // of moves that come soon
+  std::uint64_t tools_ = 0;   // that came into the spindle
   bool must_unroll_ = false;  // something changes that cannot be put in the place of its block
 };
 

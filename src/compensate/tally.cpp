@@ -108,7 +108,8 @@ void Tally::note_end(const CorrectedMove& corrected) {
   }
   ++cuts_;
   if (cuts_ > kReplayAll && cuts_ % kReplayEvery != 0) return;
-  if (corrector_.condition_ceiling(target) > summary_.condition.value) {
+  const double most = summary_.condition.value;
+  if (corrector_.condition_ceiling(target, most) > most) {
     summary_.condition.take(corrector_.condition(target), move.path.line);
   }
   note_offset_sensitivity(target, corrected.commanded(corrected.points.size() - 1));

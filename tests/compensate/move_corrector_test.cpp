@@ -1,5 +1,7 @@
 #include "compensate/move_corrector.hpp"
 
+#include <vector>
+
 #include <catch2/catch.hpp>
 
 #include "compensate/opened.hpp"
@@ -59,6 +61,47 @@ TEST_CASE("each piece of a cut ends where the correction of its target leads") {
     for (const Axis axis : kAllAxes) CHECK(commanded[axis] == Approx(wanted[axis]).margin(1e-9));
     CHECK(corrected.points[i].share == Approx(1.0 / 15));
   }
+}
+
+TEST_CASE("a move takes what was found for its points where they are expected, and only there") {
+  const Opened opened("G21 G90 G94\nG1 X3 F100\nG1 X4\nG1 X7\nM2\n", standing_at_zero());
+  const compensate::Corrector corrector(opened.job.model, opened.job.settings);
+  MoveCorrector moves(corrector, opened.job.model.limits, MoveCorrector::AtViolation::stop);
+  compensate::MoveReader reader = reader_of(opened);
+  compensate::PointsAhead points;
+  points.number = 1;
+  std::vector<compensate::Move> read;
+  while (const compensate::Move* const move = reader.next_move()) read.push_back(*move);
+  REQUIRE(read.size() == 3);
+  for (const std::size_t expected : {std::size_t{0}, std::size_t{2}}) {
+    for (int i = 1; i <= 3; ++i) {
+      points.targets.push_back(read[expected].path.target(read[expected].fraction(i), read[expected].seconds));
+    }
+  }
+  corrector.correct(points.targets, points.corrections);
+  MoveCorrector alone(corrector, opened.job.model.limits, MoveCorrector::AtViolation::stop);
+  for (const compensate::Move& move : read) {
+    moves.expect(&points);
+    const CorrectedMove& taken = moves.correct(move, {});
+    const CorrectedMove& wanted = alone.correct(move, {});
+    REQUIRE(taken.points.size() == wanted.points.size());
+    for (std::size_t i = 0; i < taken.points.size(); ++i) {
+      CHECK(taken.points[i].shift == wanted.points[i].shift);
+      CHECK(taken.points[i].share == wanted.points[i].share);
+      CHECK(taken.signs[i] == wanted.signs[i]);
+    }
+  }
+  // What is found for a point is taken, not worked out again.
+  compensate::PointsAhead others;
+  others.number = 2;
+  others.targets = points.targets;
+  std::vector<compensate::Target> elsewhere = points.targets;
+  for (compensate::Target& target : elsewhere) target.pose[Axis::X] += 20;
+  corrector.correct(elsewhere, others.corrections);
+  moves.expect(&others);
+  CHECK(moves.correct(read.front(), {}).points.front().shift[Axis::X] == Approx(20).margin(0.1));
+  moves.expect(nullptr);
+  CHECK(moves.correct(read.front(), {}).points.front().shift[Axis::X] == Approx(0).margin(0.1));
 }
 
 TEST_CASE("of a rapid the end alone is corrected") {

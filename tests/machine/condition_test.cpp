@@ -51,6 +51,10 @@ TEST_CASE("the ceiling of the condition number lies above it, and near it") {
       if (number > 1e9) continue;
       CHECK(ceiling >= number);
       CHECK(ceiling <= 1.06 * number);
+      CHECK(condition_ceiling(struts, radius, ceiling / 2) == ceiling);
+      const double enough = condition_ceiling(struts, radius, 3 * number);
+      CHECK(enough >= ceiling * (1 - 1e-9));
+      CHECK((enough <= 3 * number || enough == ceiling));
     }
   }
   StrutGeometry<double> flat = strut_geometry(pm600_like().geometry, home_pose(pm600_like()));

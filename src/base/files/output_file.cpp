@@ -15,7 +15,6 @@
 namespace plumbline {
 namespace {
 
-constexpr std::size_t kBufferedOutput = std::size_t{1} << 18U;
 constexpr unsigned kUsualMode = 0666;  // what the umask lets through of it
 
 }  // namespace
@@ -42,21 +41,15 @@ void OutputFile::refuse_write(int error, std::string_view also) const {
          place);
 }
 
-void OutputFile::write(std::string_view bytes) {
-  buffer_ += bytes;
-  size_ += bytes.size();
-  if (hash_) hash_ = fnv1a(bytes, *hash_);
-  if (buffer_.size() >= kBufferedOutput) flush();
-}
-
 void OutputFile::flush() {
   if (!write_all(descriptor_.number(), buffer_.data(), buffer_.size())) refuse_write(errno);
+  if (hash_) hash_ = fnv1a(buffer_, *hash_);
   buffer_.clear();
 }
 
 void OutputFile::copy_to(OutputFile& other) {
   flush();
-  std::vector<char> chunk(kBufferedOutput);
+  std::vector<char> chunk(kBuffered);
   for (std::uint64_t at = 0;;) {
     const std::size_t got = read(at, chunk.data(), chunk.size());
     if (got == 0) return;

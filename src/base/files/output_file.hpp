@@ -28,11 +28,15 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile() = default;
 
-  void write(std::string_view bytes);
+  void write(std::string_view bytes) {
+    buffer_.append(bytes);
+    size_ += bytes.size();
+    if (buffer_.size() >= kBuffered) flush();
+  }
   std::uint64_t size() const { return size_; }
   /// From now on hash() is the fnv1a of all that is written. To be called before the first write.
   void keep_hash() { hash_ = fnv1a({}); }
-  std::uint64_t hash() const { return hash_.value_or(0); }
+  std::uint64_t hash() const { return hash_ ? fnv1a(buffer_, *hash_) : 0; }
   const std::string& name() const { return path_; }
   /// Writes what was written so far into another, too.
   void copy_to(OutputFile& other);
@@ -48,6 +52,7 @@ class OutputFile {
 
  private:
   friend class OutputSet;
+  static constexpr std::size_t kBuffered = std::size_t{1} << 18U;
   void finish();
   void send();
   [[noreturn]] void refuse_write(int error, std::string_view also = {}) const;
@@ -57,7 +62,7 @@ class OutputFile {
   Descriptor descriptor_;
   std::string buffer_;
   std::uint64_t size_ = 0;
-  std::optional<std::uint64_t> hash_;
+  std::optional<std::uint64_t> hash_;  // of what was flushed
 };
 
 /// Writes a small file whole, as OutputFile does.

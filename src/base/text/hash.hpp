@@ -9,7 +9,8 @@ namespace plumbline {
 
 /// FNV-1a, 64 bit [Fowler, Noll, Vo; draft-eastlake-fnv].
 constexpr std::uint64_t fnv1a(std::string_view text, std::uint64_t hash = 0xcbf29ce484222325ULL) {
-  for (char c : text) {
+#pragma GCC unroll 8
+  for (const char c : text) {
     hash ^= static_cast<unsigned char>(c);
     hash *= 0x100000001b3ULL;
   }

@@ -7,31 +7,34 @@
 
 #include <fmt/format.h>
 
-#include "base/check.hpp"
-
 namespace plumbline {
 namespace {
 
-constexpr std::array<double, kMostDecimals + 1> kPowers{1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
-constexpr double kLargestExact = 9007199254740992.0;  // 2^53
+// "00" to "99"
+constexpr std::array<char, 200> kPairs = [] {
+  std::array<char, 200> pairs{};
+  for (std::size_t i = 0; i < 100; ++i) {
+    pairs[2 * i] = static_cast<char>('0' + i / 10);
+    pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
+  }
+  return pairs;
+}();
 
-double power_of_ten(int decimals) {
-  PLUMBLINE_CHECK(decimals >= 0 && decimals <= kMostDecimals);
-  return kPowers[static_cast<std::size_t>(decimals)];
+// The last `count` digits, before `end`.
+char* put_digits(char* end, std::uint64_t& left, int count) {
+  for (; count >= 2; count -= 2) {
+    const std::uint64_t pair = left % 100;
+    left /= 100;
+    *--end = kPairs[2 * pair + 1];
+    *--end = kPairs[2 * pair];
+  }
+  if (count == 0) return end;
+  *--end = static_cast<char>('0' + left % 10);
+  left /= 10;
+  return end;
 }
 
 }  // namespace
-
-// Halves away from zero, as std::round has it: what is cut off is exact.
-std::int64_t to_ticks(double value, int decimals) {
-  const double scaled = value * power_of_ten(decimals);
-  PLUMBLINE_CHECK(std::abs(scaled) < kLargestExact);
-  const auto whole = static_cast<std::int64_t>(scaled);
-  const double rest = scaled - static_cast<double>(whole);
-  return whole + (rest >= 0.5 ? 1 : rest <= -0.5 ? -1 : 0);
-}
-
-double from_ticks(std::int64_t ticks, int decimals) { return static_cast<double>(ticks) / power_of_ten(decimals); }
 
 void append_decimal(std::string& out, double value, int decimals, int least) {
   // A number has no more digits than a double: those that would be beyond are noise.
@@ -46,21 +49,17 @@ void append_decimal(std::string& out, double value, int decimals, int least) {
     left /= 10;
     --decimals;
   }
-  std::array<char, 24> text{};  // from its end: 16 digits at most, point, sign
+  std::array<char, 24> text;  // NOLINT(*-member-init): from its end: 16 digits at most, point, sign
   char* const end = text.data() + text.size();
   char* begin = end;
-  const auto put_digit = [&] {
-    *--begin = static_cast<char>('0' + left % 10);
-    left /= 10;
-  };
   if (decimals > 0) {
-    for (int i = 0; i < decimals; ++i) put_digit();
+    begin = put_digits(begin, left, decimals);
     *--begin = '.';
   }
-  do put_digit();
-  while (left > 0);
+  while (left >= 10) begin = put_digits(begin, left, 2);
+  if (left > 0 || begin == end || *begin == '.') begin = put_digits(begin, left, 1);
   if (ticks < 0) *--begin = '-';
-  out.append(begin, end);
+  out.append(begin, static_cast<std::size_t>(end - begin));
 }
 
 std::string to_decimal(double value, int decimals, int least) {

@@ -181,9 +181,9 @@ std::string text_of(const BlockEffect& effect) {
   return text;
 }
 
-std::string difference(const IntendedState& meant, const IntendedState& read) {
+std::string difference(const IntendedState& meant, const nc::Modal& modal, const nc::Frame& frame) {
   const nc::Modal& a = meant.modal;
-  const nc::Modal& b = read.modal;
+  const nc::Modal& b = modal;
   if (a.inches != b.inches) return "the unit of length";
   if (a.plane != b.plane) return "the plane";
   if (a.incremental != b.incremental) return "G90 or G91";
@@ -203,11 +203,11 @@ std::string difference(const IntendedState& meant, const IntendedState& read) {
   if (a.switches.feed_override != b.switches.feed_override || a.switches.speed_override != b.switches.speed_override ||
       a.switches.adaptive_feed != b.switches.adaptive_feed || a.switches.feed_stop != b.switches.feed_stop)
     return "an override switch";
-  if (!alike(meant.frame.origin, read.frame.origin) || !alike(meant.frame.rotation_deg, read.frame.rotation_deg))
+  if (!alike(meant.frame.origin, frame.origin) || !alike(meant.frame.rotation_deg, frame.rotation_deg))
     return "the work offset";
-  if (meant.frame.tilted != read.frame.tilted || meant.frame.plane != read.frame.plane) return "the tilted plane";
-  if (!alike(meant.frame.g92, read.frame.g92)) return "the G92 offset";
-  if (!alike(meant.frame.tool, read.frame.tool)) return "the tool length";
+  if (meant.frame.tilted != frame.tilted || meant.frame.plane != frame.plane) return "the tilted plane";
+  if (!alike(meant.frame.g92, frame.g92)) return "the G92 offset";
+  if (!alike(meant.frame.tool, frame.tool)) return "the tool length";
   return {};
 }
 

@@ -23,6 +23,6 @@ bool are_alike(const BlockEffect& a, const BlockEffect& b);
 std::string text_of(const BlockEffect& effect);
 
 /// The name of the first thing in which two states differ; empty if they are alike.
-std::string difference(const IntendedState& meant, const IntendedState& read);
+std::string difference(const IntendedState& meant, const nc::Modal& modal, const nc::Frame& frame);
 
 }  // namespace plumbline::compensate

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/check.hpp"
-#include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "compensate/read_back/block_effects.hpp"
 #include "nc/control/state/kept.hpp"
@@ -27,11 +26,14 @@ double largest(const AxisWords& a, const AxisWords& b, AxisSet axes) {
 }
 
 // Whether a word of the block says where the axis ends, wherever it began.
-bool is_stated(const nc::Step& step, Axis axis) {
+bool is_stated(const nc::Step& step, Axis axis, const nc::Word* word) {
   if (!step.named.contains(axis)) return false;
-  const nc::Word* const word = nc::find_word(*step.block, letter(axis));
   if (word != nullptr && word->mode != nc::WordMode::modal) return word->mode != nc::WordMode::incremental;
   return !step.after->incremental;
+}
+
+bool is_stated(const nc::Step& step, Axis axis) {
+  return is_stated(step, axis, nc::find_word(*step.block, letter(axis)));
 }
 
 // Where the last moves of a hole begin, those at the height that it goes back to: on its way down the tool may pass
@@ -60,6 +62,21 @@ bool same(const IntendedState& state, const nc::Step& step) {
 
 }  // namespace
 
+Intention::Intention(const InputFile& source, const nc::Dialect& dialect, const nc::EmitSettings& emit, bool unrolled,
+                     bool notes)
+    : source_(source), dialect_(dialect), emit_(emit), unrolled_(unrolled), notes_(notes) {
+  for (const bool rotary : {false, true}) {
+    for (const bool inches : {false, true}) {
+      for (const bool incremental : {false, true}) {
+        for (int written = 0; written <= kMostDecimals; ++written) {
+          kept_words_[kind(rotary, inches, incremental)][static_cast<std::size_t>(written)] =
+              kept_word(rotary, inches && !rotary, incremental, written);
+        }
+      }
+    }
+  }
+}
+
 void Intention::begin(const nc::Step& original) {
   if (!notes_) return;
   original_ = &original;
@@ -79,37 +96,40 @@ void Intention::begin(const nc::Step& original) {
   batch_.blocks.push_back(std::move(block));
 }
 
-// What the control keeps of a word of this block, half of it: nothing nearer can be written.
+// What the control keeps of a word, half of it: nothing nearer can be written.
+Intention::KeptWord Intention::kept_word(bool rotary, bool inches, bool incremental, int written) const {
+  const int least = rotary ? emit_.digits_deg : inches ? emit_.digits_inch : emit_.digits_mm;
+  const nc::Kept control =
+      nc::kept_of_axis_word(dialect_.behaviour, rotary, inches, emit_.increment_ratio, incremental);
+  const double digit = from_ticks(1, std::clamp(std::max(least, written), 0, control.decimals));
+  const double unit = inches ? kMmPerInch : 1;
+  const double increment = std::max((rotary ? emit_.increment_deg : emit_.increment_mm) / unit, control.quantum);
+  const double kept = increment > digit * 1.000001 ? increment + digit : digit;
+  return {digit, increment, kept * unit / 2 + kNoRounding, control.decimals};
+}
+
 void Intention::note_kept(const nc::Step& step, IntendedMove& move) {
+  const std::array<const nc::Word*, kAxes> words = nc::axis_words(*step.block);
   for (const Axis axis : kAllAxes) {
-    const nc::Word* const word = nc::find_word(*step.block, letter(axis));
+    const nc::Word* const word = words[index(axis)];
     const int written = word != nullptr ? word->decimals : 0;
-    const bool inches = step.after->inches && !is_rotary(axis);
-    const int least = is_rotary(axis) ? emit_.digits_deg : inches ? emit_.digits_inch : emit_.digits_mm;
-    const nc::Kept control = nc::kept_of_axis_word(dialect_.behaviour, is_rotary(axis), inches, emit_.increment_ratio,
-                                                   step.after->incremental);
-    const double digit = from_ticks(1, std::clamp(std::max(least, written), 0, control.decimals));
-    const double unit = inches ? kMmPerInch : 1;
-    const double increment =
-        std::max((is_rotary(axis) ? emit_.increment_deg : emit_.increment_mm) / unit, control.quantum);
-    const double kept = increment > digit * 1.000001 ? increment + digit : digit;
-    const double here = kept * unit / 2 + kNoRounding;
+    const auto& of_kind = kept_words_[kind(is_rotary(axis), step.after->inches, step.after->incremental)];
+    const KeptWord& kept = of_kind[static_cast<std::size_t>(std::min(written, kMostDecimals))];
     // An increment keeps what rounding left of the place before it.
-    written_[axis] = is_stated(step, axis) ? here : std::max(here, written_[axis]);
+    written_[axis] = is_stated(step, axis, word) ? kept.tolerance : std::max(kept.tolerance, written_[axis]);
     move.tolerance[axis] = written_[axis];
-    const bool is_cut_off = written > control.decimals;  // such a word may stand as it is
-    move.digit[axis] = is_cut_off ? std::pow(10, -written) : digit;
-    move.increment[axis] = is_cut_off ? 0 : increment;
+    const bool is_cut_off = written > kept.decimals;  // such a word may stand as it is
+    move.digit[axis] = is_cut_off ? std::pow(10, -written) : kept.digit;
+    move.increment[axis] = is_cut_off ? 0 : kept.increment;
   }
 }
 
 IntendedMove& Intention::add(const nc::Motion& motion, IntendedMove::Form form) {
-  IntendedMove move;
+  IntendedMove& move = batch_.moves.emplace_back();
   move.form = form;
   move.motion = motion;
   move.first_point = batch_.points.size();
-  batch_.moves.push_back(move);
-  return batch_.moves.back();
+  return move;
 }
 
 AxisWords Intention::work_shift(const nc::Frame& frame) const { return frame.turned_back(away_); }

@@ -1,12 +1,14 @@
 // Notes what each block of a program is meant to do in the output, as the program is compensated.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "base/files/files.hpp"
+#include "base/text/number_text.hpp"
 #include "compensate/read_back/intended.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"
@@ -20,8 +22,7 @@ class Intention {
  public:
   /// All must outlive it. Unless it `notes` it does nothing: nobody reads the output back.
   Intention(const InputFile& source, const nc::Dialect& dialect, const nc::EmitSettings& emit, bool unrolled,
-            bool notes = true)
-      : source_(source), dialect_(dialect), emit_(emit), unrolled_(unrolled), notes_(notes) {}
+            bool notes = true);
 
   void begin(const nc::Step& original);
   /// The moves of `step` go through as they stand; `counts`: their time is part of the summary.
@@ -42,6 +43,15 @@ class Intention {
   }
 
  private:
+  struct KeptWord {                   // of what is written with so many decimals
+    double digit = 0, increment = 0;  // in the program's unit: see IntendedMove
+    double tolerance = 0;             // mm or deg
+    int decimals = 0;                 // that the control keeps
+  };
+  static constexpr std::size_t kind(bool rotary, bool inches, bool incremental) {
+    return (rotary ? 4U : 0U) + (inches ? 2U : 0U) + (incremental ? 1U : 0U);
+  }
+  KeptWord kept_word(bool rotary, bool inches, bool incremental, int written) const;
   void note_kept(const nc::Step& step, IntendedMove& move);
   IntendedMove& add(const nc::Motion& motion, IntendedMove::Form form);
   AxisWords work_shift(const nc::Frame& frame) const;
@@ -54,6 +64,7 @@ class Intention {
   const nc::EmitSettings& emit_;
   const bool unrolled_;
   const bool notes_;
+  std::array<std::array<KeptWord, kMostDecimals + 1>, 8> kept_words_{};  // by kind(), and by the decimals of the word
   IntendedBatch batch_;
   const nc::Step* original_ = nullptr;
   double level_away_ = 0;     // of the height that cycles go back to,

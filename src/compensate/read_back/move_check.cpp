@@ -46,6 +46,11 @@ bool is_at(const AxisWords& point, const AxisWords& read, const IntendedMove& mo
   });
 }
 
+// Of a number with so many decimals.
+double last_digit(int decimals) {
+  return decimals <= kMostDecimals ? 1 / power_of_ten(decimals) : std::pow(10, -decimals);
+}
+
 // A control cuts digits off that it does not keep: what was written must be what it reads.
 void check_words(const IntendedMove& meant, const nc::Step& step) {
   for (const nc::Word& word : step.block->words) {
@@ -55,7 +60,7 @@ void check_words(const IntendedMove& meant, const nc::Step& step) {
     const double kept = increment > 0 ? std::round(word.value / increment) * increment : word.value;
     const double digit = meant.digit[*axis];
     const double noise = kNoise * std::max(1.0, std::abs(word.value));
-    const bool has_digits = std::pow(10, -word.decimals) > digit / 2;
+    const bool has_digits = last_digit(word.decimals) > digit / 2;
     if (has_digits && std::abs(kept - word.value) <= digit / 2 + noise) continue;
     throw Difference{fmt::format("it has {}, and the control keeps steps of {}", step.block->at(word.span),
                                  to_decimal(std::max(increment, digit)))};

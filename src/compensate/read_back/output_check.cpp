@@ -137,7 +137,7 @@ void OutputCheck::finish_block() {
     differ(fmt::format("its number {} is missing", block_->number));
   }
   if (step_ == nullptr) return;
-  const std::string other = difference(batch_->states[block_->state], {*step_->after, *step_->frame});
+  const std::string other = difference(batch_->states[block_->state], *step_->after, *step_->frame);
   if (!other.empty()) differ(fmt::format("{} after it is not as it was meant", other));
 }
 

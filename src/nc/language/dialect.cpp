@@ -9,12 +9,15 @@
 
 #include "base/diagnostic.hpp"
 #include "base/text/characters.hpp"
+#include "base/text/number_text.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/dialect_list.hpp"
 #include "nc/language/dialect_table.hpp"
 
 namespace plumbline::nc {
 namespace {
+
+constexpr double kLargestCode = 1e6;  // in tenths: more than any dialect has
 
 const CodeRow* row_at(const std::vector<CodeRow>& rows, const std::vector<std::int16_t>& places, int code) {
   if (code < 0 || static_cast<std::size_t>(code) >= places.size()) return nullptr;
@@ -34,7 +37,9 @@ const CodeRow* Dialect::m_code(int times_ten) const { return row_at(m_codes, m_i
 const CodeRow* Dialect::row_of(const Word& word) const {
   if (word.letter == kNamedCode) return &named_codes[static_cast<std::size_t>(word.value)];
   if (word.letter != 'G' && word.letter != 'M') return nullptr;
-  const int code = static_cast<int>(std::lround(word.value * 10));
+  const double tenths = word.value * 10;
+  const bool small = std::abs(tenths) < kLargestCode;
+  const int code = static_cast<int>(small ? nearest_whole(tenths) : std::lround(tenths));
   return word.letter == 'G' ? g_code(code) : m_code(code);
 }
 

@@ -53,10 +53,9 @@ bool WordGrid::stays(const Step& step, std::span<const CorrectedPoint> points, A
   const AxisWords standing = control.work_shift(*step.frame);
   const Motion& motion = step.motions.front();
   const bool arc = motion.kind == MotionKind::arc;
-  const AxisGrids grids = this->grids(step);
   for (const Axis axis : kAllAxes) {
     if (!writable.contains(axis)) continue;
-    const Grid& g = *grids[index(axis)];
+    const Grid& g = grid(step, axis, find_word(*step.block, letter(axis)));
     const double half = g.quantum * g.per_unit / 2;
     // An arc may be none at all where its start is a little off its end, and an axis turn all the way round.
     const double allowed = counts_turns(step, axis) ? kSamePlace : arc ? std::min(half, kArcStart) : half;

@@ -5,8 +5,8 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr std::size_t kSteps = 128;
-constexpr std::size_t kTexts = std::size_t{1} << 14U;  // bytes of their blocks
+constexpr std::size_t kSteps = 256;
+constexpr std::size_t kTexts = std::size_t{1} << 15U;  // bytes of their blocks
 
 // Blocks change little of what is in force: one that is as the last kept is that one.
 template <class State>

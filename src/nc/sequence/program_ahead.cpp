@@ -12,13 +12,13 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr std::size_t kBatches = 4;
+constexpr std::size_t kBatches = StepsAhead::kPlaces;
 
 }  // namespace
 
 // Batches go round between the two threads: those from taken_ to filled_ wait to be taken.
 struct ProgramAhead::Reader {
-  explicit Reader(Program& program_) : program(program_), thread([this] { read(); }) {}
+  Reader(Program& program_, StepsAhead* looks_) : program(program_), looks(looks_), thread([this] { read(); }) {}
   ~Reader() {
     {
       const std::lock_guard lock(mutex);
@@ -33,12 +33,13 @@ struct ProgramAhead::Reader {
   Reader& operator=(const Reader&) = delete;
 
   void read();
-  bool fill(KeptSteps& batch);
+  void fill(KeptSteps& batch);
+  void look_at(KeptSteps& batch);
   KeptSteps* empty_batch();
   const KeptSteps::Kept* next();
-  const Step* ahead(std::size_t skipped) const;
 
   Program& program;
+  StepsAhead* looks;
   FileNames files;
   std::array<KeptSteps, kBatches> batches;
   const Step* waiting = nullptr;  // a step that did not fit into the batch before
@@ -56,24 +57,28 @@ KeptSteps* ProgramAhead::Reader::empty_batch() {
   return stopped ? nullptr : &batches[filled % kBatches];
 }
 
-// False: it is the last.
-bool ProgramAhead::Reader::fill(KeptSteps& batch) {
+void ProgramAhead::Reader::fill(KeptSteps& batch) {
   batch.clear();
   try {
     while (true) {
       const Step* const step = waiting != nullptr ? waiting : program.next();
       waiting = nullptr;
-      if (step == nullptr) {
-        batch.end();
-        return false;
-      }
+      if (step == nullptr) return batch.end();
       if (batch.add(*step, program.jumped(), program.position_read(), files)) continue;
       waiting = step;
-      return true;
+      return;
     }
   } catch (...) {
     batch.end(std::current_exception());
-    return false;
+  }
+}
+
+void ProgramAhead::Reader::look_at(KeptSteps& batch) {
+  if (looks == nullptr) return;
+  try {
+    looks->look(batch, filled % kBatches);
+  } catch (...) {
+    batch.end(std::current_exception());
   }
 }
 
@@ -81,7 +86,9 @@ void ProgramAhead::Reader::read() {
   for (bool goes_on = true; goes_on;) {
     KeptSteps* const batch = empty_batch();
     if (batch == nullptr) return;
-    goes_on = fill(*batch);
+    fill(*batch);
+    look_at(*batch);
+    goes_on = !batch->is_last();
     {
       const std::lock_guard lock(mutex);
       ++filled;
@@ -109,17 +116,11 @@ const KeptSteps::Kept* ProgramAhead::Reader::next() {
   }
 }
 
-// Before the first next() no batch is held.
-const Step* ProgramAhead::Reader::ahead(std::size_t skipped) const {
-  const KeptSteps& batch = batches[taken % kBatches];
-  return at > 0 && at + skipped < batch.size() ? &batch[at + skipped].step : nullptr;
-}
-
-ProgramAhead::ProgramAhead(const InputFile& file, const Dialect& dialect, ProgramSettings settings)
+ProgramAhead::ProgramAhead(const InputFile& file, const Dialect& dialect, ProgramSettings settings, StepsAhead* looks)
     : program_(file, dialect, std::move(settings)) {
   if (processors() == 1) return;
   try {
-    reader_ = std::make_unique<Reader>(program_);
+    reader_ = std::make_unique<Reader>(program_, looks);
   } catch (const std::system_error&) {
     reader_ = nullptr;  // no thread to be had
   }
@@ -127,7 +128,8 @@ ProgramAhead::ProgramAhead(const InputFile& file, const Dialect& dialect, Progra
 
 ProgramAhead::~ProgramAhead() = default;
 
-const Step* ProgramAhead::ahead(std::size_t skipped) const { return reader_ ? reader_->ahead(skipped) : nullptr; }
+// Only the thread that takes them counts those that were taken.
+std::uint64_t ProgramAhead::handed_over() const { return reader_ ? reader_->taken + 1 : 0; }
 
 const Step* ProgramAhead::next_in_place() {
   const Step* const step = program_.next();

@@ -1,19 +1,33 @@
 // The steps of a program, executed on a thread of its own ahead of who takes them.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
 
+#include "nc/sequence/kept_steps.hpp"
 #include "nc/sequence/program.hpp"
 
 namespace plumbline::nc {
+
+/// Prepares work for steps that were read ahead, on the thread that reads them.
+class StepsAhead {
+ public:
+  static constexpr std::size_t kPlaces = 4;
+
+  virtual ~StepsAhead() = default;
+  /// The steps that come next, before the first of them is taken. What is made of them is kept in this place, below
+  /// kPlaces, and is for who takes them: until the first step after them is taken, nobody looks at others for it.
+  virtual void look(const KeptSteps& steps, std::size_t place) = 0;
+};
 
 /// Gives what Program gives, in the same order; what it refuses is refused when the steps before it were taken. Reads
 /// a few hundred blocks ahead, so that memory does not grow with the program. Where there is one processor, or no
 /// thread to be had, it reads when it is asked.
 class ProgramAhead {
  public:
-  /// As of Program.
-  ProgramAhead(const InputFile& file, const Dialect& dialect, ProgramSettings settings);
+  /// As of Program; `looks`, if not null, must outlive it, and is not called where nothing is read ahead.
+  ProgramAhead(const InputFile& file, const Dialect& dialect, ProgramSettings settings, StepsAhead* looks = nullptr);
   ~ProgramAhead();
   ProgramAhead(ProgramAhead&&) = delete;
   ProgramAhead& operator=(ProgramAhead&&) = delete;
@@ -22,9 +36,9 @@ class ProgramAhead {
 
   /// As Program::next(); the step holds until the next call.
   const Step* next();
-  /// The step that the call of next() after `skipped` others will give, if it was read already and is kept beside the
-  /// last one; null otherwise, and whenever nothing is read ahead. Holds as the last one does.
-  const Step* ahead(std::size_t skipped) const;
+  /// How many times steps were handed over so far, of which the last step is one; 0 where nothing is read ahead. They
+  /// were looked at in the place of this number less one, modulo StepsAhead::kPlaces.
+  std::uint64_t handed_over() const;
   /// Of the last step, as Program has them.
   bool jumped() const { return jumped_; }
   bool position_read() const { return position_read_; }

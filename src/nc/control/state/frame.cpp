@@ -17,11 +17,11 @@ AxisWords turned_about_z(AxisWords words, double degrees) {
   return words;
 }
 
-AxisWords Frame::turned(const AxisWords& words) const {
+AxisWords Frame::turned_forth(const AxisWords& words) const {
   return tilted ? nc::turned(plane, words) : turned_about_z(words, rotation_deg);
 }
 
-AxisWords Frame::turned_back(const AxisWords& words) const {
+AxisWords Frame::turned_home(const AxisWords& words) const {
   return tilted ? nc::turned_back(plane, words) : turned_about_z(words, -rotation_deg);
 }
 
@@ -29,12 +29,6 @@ AxisSet Frame::mixed() const {
   if (tilted) return AxisSet::linear();
   return rotation_deg != 0 ? kTurningAxes : AxisSet{};
 }
-
-AxisWords Frame::to_pose(const AxisWords& work) const { return turned(work + g92) + origin; }
-
-AxisWords Frame::from_pose(const AxisWords& pose) const { return turned_back(pose - origin) - g92; }
-
-AxisWords Frame::to_machine(const AxisWords& work) const { return to_pose(work) + (tilted ? turned(tool) : tool); }
 
 AxisWords Frame::from_machine(const AxisWords& machine) const {
   return from_pose(machine - (tilted ? turned(tool) : tool));

@@ -19,18 +19,23 @@ struct Frame {
 
   bool operator==(const Frame&) const = default;
   /// The tool tip in W: every offset but the tool's, whose length is part of the machine's geometry.
-  AxisWords to_pose(const AxisWords& work) const;
-  AxisWords from_pose(const AxisWords& pose) const;
+  AxisWords to_pose(const AxisWords& work) const { return turned(work + g92) + origin; }
+  AxisWords from_pose(const AxisWords& pose) const { return turned_back(pose - origin) - g92; }
   /// The control's display: every offset.
-  AxisWords to_machine(const AxisWords& work) const;
+  AxisWords to_machine(const AxisWords& work) const { return to_pose(work) + (tilted ? turned(tool) : tool); }
   AxisWords from_machine(const AxisWords& machine) const;
   /// As G53, G28 and G30 (not G28.1 and G30.1) see it: without the rotary offsets of the tool [LinuxCNC, measured].
   Frame without_rotary_tool() const;
   /// A difference of positions, from the axes of the words to those of W, and back.
-  AxisWords turned(const AxisWords& words) const;
-  AxisWords turned_back(const AxisWords& words) const;
+  AxisWords turned(const AxisWords& words) const { return turns() ? turned_forth(words) : words; }
+  AxisWords turned_back(const AxisWords& words) const { return turns() ? turned_home(words) : words; }
   /// The axes that are made of each other: known together or not at all. None where nothing turns.
   AxisSet mixed() const;
+
+ private:
+  bool turns() const { return tilted || rotation_deg != 0; }
+  AxisWords turned_forth(const AxisWords& words) const;
+  AxisWords turned_home(const AxisWords& words) const;
 };
 
 /// X and Y turned into each other; the other words as they are.

@@ -42,7 +42,9 @@ double kept_value(double value, const Kept& kept, bool is_literal) {
 }
 
 double WrittenNumber::kept(double value) const {
-  return from_ticks(to_ticks(std::round(value / quantum) * quantum, digits), digits);
+  const double quanta = value / quantum;
+  const double whole = std::abs(quanta) < kLargestExact ? static_cast<double>(nearest_whole(quanta)) : quanta;
+  return from_ticks(to_ticks(whole * quantum, digits), digits);
 }
 
 WrittenNumber written_number(const Kept& kept, int digits, double increment) {

@@ -87,19 +87,36 @@ void BlockEditor::apply(std::string& out) {
   if (!std::is_sorted(edits_.begin(), edits_.end(), comes_before)) {
     std::stable_sort(edits_.begin(), edits_.end(), comes_before);
   }
-  const bool joins = block_->text.find('\n') != std::string_view::npos;
-  const auto append = [&](std::string_view text) {
-    if (joins) return append_joined(out, text);
-    out += text;
-  };
+  const std::string_view text = block_->text;
+  if (text.find('\n') != std::string_view::npos) {
+    for_each_part([&](std::string_view kept, std::string_view changed) {
+      append_joined(out, kept);
+      out += changed;
+    });
+    return;
+  }
+  const std::size_t size = out.size();
+  out.resize(size + text.size() + texts_.size());  // at most
+  char* end = out.data() + size;
+  for_each_part([&](std::string_view kept, std::string_view changed) {
+    end = std::copy(kept.begin(), kept.end(), end);
+    end = std::copy(changed.begin(), changed.end(), end);
+  });
+  out.resize(static_cast<std::size_t>(end - out.data()));
+}
+
+// What stands before each change, and the change; at last what stands behind them.
+template <class Take>
+void BlockEditor::for_each_part(const Take& take) const {
+  const std::string_view text = block_->text;
+  const std::string_view texts = texts_;
   std::uint32_t at = 0;
   for (const Edit& edit : edits_) {
     const std::uint32_t begin = std::max(edit.span.begin, at);  // two removals may claim the same blank
-    append(block_->text.substr(at, begin - at));
-    out.append(texts_, edit.begin, edit.end - edit.begin);
+    take(text.substr(at, begin - at), texts.substr(edit.begin, edit.end - edit.begin));
     at = std::max(at, edit.span.end);
   }
-  append(block_->text.substr(at));
+  take(text.substr(at), std::string_view());
 }
 
 void append_in_spelling(std::string& out, std::string_view code, const Spelling& spelling) {
@@ -125,7 +142,10 @@ void append_word(std::string& out, char letter, double value, int decimals, cons
   if (spelling.spaced && !out.empty() && !is_blank(out.back())) out += ' ';
   out += in_case(letter, spelling.lower_case);
   constexpr double kExact = 1e15;  // units of the last decimal that a double counts
-  while (decimals > 0 && std::abs(value) > kExact * from_ticks(1, decimals)) --decimals;
+  constexpr double kAlwaysExact = kExact / kPowersOfTen[kMostDecimals];
+  while (decimals > 0 && std::abs(value) > kAlwaysExact && std::abs(value) > kExact * from_ticks(1, decimals)) {
+    --decimals;
+  }
   if (spelling.most_digits > 0) {
     int before = 1;
     for (double rest = std::abs(value); rest >= 10; rest /= 10) ++before;

@@ -41,6 +41,8 @@ class BlockEditor {
     std::size_t end = 0;
   };
   static bool comes_before(const Edit& a, const Edit& b);
+  template <class Take>
+  void for_each_part(const Take& take) const;
   std::string& add(Span span);
   const Block* block_ = nullptr;
   Spelling spelling_;

@@ -45,7 +45,7 @@ void OutputText::copy_source(std::uint64_t from, std::uint64_t to) {
 void OutputText::follow(const Step& step) {
   const Block& block = *step.block;
   source_end_ = block.offset + block.text.size() + block.line_end.size();
-  if (!block.line_end.empty() && (in_header_ || !unrolls_)) newline_ = block.line_end;
+  if (!block.line_end.empty() && (in_header_ || !unrolls_) && newline_ != block.line_end) newline_ = block.line_end;
   if (block.kind == LineKind::percent) ++percents_;
   if (!in_header_) return;
   header_end_ = std::max<std::uint64_t>(header_end_, byte_order_mark_size(block));
