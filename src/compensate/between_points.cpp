@@ -32,13 +32,15 @@ bool goes(const path::Curve& curve) {
   return curve.linear_mm() > kNoWayMm || path::largest_turn_deg(curve.delta()) > kNoWayMm;
 }
 
-// Of a tip from the nearest point of a path, mm; `fraction` is where to begin.
-double distance_mm(const MovePath& path, const Vector3<double>& tip_mm, double fraction) {
+// Of a tip from the nearest point of a path, mm, or something above that which is at most `enough`; `fraction` is where
+// to begin.
+double distance_mm(const MovePath& path, const Vector3<double>& tip_mm, double fraction, double enough) {
   double least = std::numeric_limits<double>::max();
   for (int i = 0; i <= kProjections; ++i) {
     const Target at = path.target(fraction, std::nullopt);
     const Vector3<double> off = tip_mm - xyz(at.pose);
     least = std::min(least, off.norm());
+    if (least <= enough) break;
     const Vector3<double> slope = xyz(at.slope);
     const double bend = slope.squaredNorm() - off.dot(xyz(at.bend));
     if (!(bend > kNoWayMm * kNoWayMm)) break;
@@ -59,15 +61,16 @@ Vector3<double> off_turn(const Corrector& corrector, const MovePath& path, const
   return machine::logarithm<double>(R_WP * corrector.pose_of(words).R_WP.transpose());
 }
 
-// Of an orientation from the nearest one of a path, deg.
-double turn_deg(const Corrector& corrector, const MovePath& path, const Matrix3<double>& R_WP, double fraction) {
+// Of an orientation from the nearest one of a path, deg, or something above that which is at most `enough`.
+double turn_deg(const Corrector& corrector, const MovePath& path, const Matrix3<double>& R_WP, double fraction,
+                double enough) {
   const AxisWords& delta = path.curve.delta();
   const auto off_at = [&](double at) { return off_turn(corrector, path, R_WP, at); };
   double least = std::numeric_limits<double>::max();
   for (int i = 0; i <= kProjections; ++i) {
     const Vector3<double> off = off_at(fraction);
     least = std::min(least, off.norm() / kDeg);
-    if (abc(delta).squaredNorm() == 0) break;
+    if (least <= enough || abc(delta).squaredNorm() == 0) break;
     const double probe = fraction > 0.5 ? -1e-4 : 1e-4;
     const Vector3<double> slope = (off_at(fraction + probe) - off) / probe;
     if (slope.squaredNorm() < kNoWayMm * kNoWayMm) break;
@@ -208,18 +211,19 @@ Target BetweenPoints::Part::told(const MovePath& path, std::optional<double> sec
   return target;
 }
 
-// How far it is off the path, at its nearest.
-void BetweenPoints::measure(const Part& part, Look& look, const MovePath* next) {
+// How far it is off the path, at its nearest, as far as that can be more than enough.
+void BetweenPoints::measure(const Part& part, const Enough& enough, Look& look, const MovePath* next) {
   if (!look.played) return;
   const double at = part.on_path(look.fraction);
   const Vector3<double> tip_mm = look.played->stands.p_WT / kMm;
   const Matrix3<double>& R_WP = look.played->stands.R_WP;
-  look.tip_mm = distance_mm(*here_, tip_mm, at);
-  look.turned_deg = turn_deg(corrector_, *here_, R_WP, at);
   const auto beside = [&](const MovePath& path, double from) {
-    look.tip_mm = std::min(look.tip_mm, distance_mm(path, tip_mm, from));
-    look.turned_deg = std::min(look.turned_deg, turn_deg(corrector_, path, R_WP, from));
+    if (look.tip_mm > enough.tip_mm)
+      look.tip_mm = std::min(look.tip_mm, distance_mm(path, tip_mm, from, enough.tip_mm));
+    if (look.turned_deg > enough.turned_deg)
+      look.turned_deg = std::min(look.turned_deg, turn_deg(corrector_, path, R_WP, from, enough.turned_deg));
   };
+  beside(*here_, at);
   const bool begins = part.from == 0;
   const bool ends = part.from + part.share > 1 - kEdge;
   for (const double end : {0.0, 1.0}) {
@@ -258,28 +262,24 @@ double BetweenPoints::most(double Look::*figure) const {
 }
 
 // Its ends and its middle; both sides of the places where a strut turns; where that is promising, what lies between,
-// and the neighbourhood of the worst place. What cannot be promising at its most is not measured.
+// and the neighbourhood of the worst place.
 void BetweenPoints::play(const Part& part, const MovePath* next) {
   const AxisWords way = part.end - part.begin;
   if (!part.along_curve && length_mm(way) < kNoWayMm && path::largest_turn_deg(way) < kNoWayMm) return;
   const double tip_before = tip_.found.value;
   const double turned_before = turned_.found.value;
+  const Enough enough{std::min(kPromising * tip_before, tip_.known(part.tip)),
+                      std::min(kPromising * turned_before, turned_.known(part.turned))};
+  const auto look_at = [&](std::span<const double> fractions) {
+    for (Look& at : look(part, fractions)) measure(part, enough, at, next);
+  };
   looked_.clear();
-  look(part, kFirstLook);
-  look_beside_turns(part);
-  const double tip_at_most = most(&Look::tip_mm);
-  const double turned_at_most = most(&Look::turned_deg);
-  if (tip_at_most <= kPromising * tip_before && turned_at_most <= kPromising * turned_before &&
-      tip_.knows(part.tip, tip_at_most) && turned_.knows(part.turned, turned_at_most)) {
-    tip_.learn(part.tip, tip_at_most);
-    turned_.learn(part.turned, turned_at_most);
-    return;
-  }
-  for (Look& at : looked_) measure(part, at, next);
+  look_at(kFirstLook);
+  if (const std::vector<double> turns = beside_turns(); !turns.empty()) look_at(turns);
   const bool tip_promises = most(&Look::tip_mm) > kPromising * tip_before;
   const bool turn_promises = most(&Look::turned_deg) > kPromising * turned_before;
   if (tip_promises || turn_promises) {
-    for (Look& at : look(part, kCloseLook)) measure(part, at, next);
+    look_at(kCloseLook);
     std::sort(looked_.begin(), looked_.end(), [](const Look& a, const Look& b) { return a.fraction < b.fraction; });
     if (tip_promises && most(&Look::tip_mm) > tip_before) refine(part, &Look::tip_mm, next);
     if (turn_promises && most(&Look::turned_deg) > turned_before) refine(part, &Look::turned_deg, next);
@@ -298,18 +298,18 @@ std::span<BetweenPoints::Look> BetweenPoints::look(const Part& part, std::span<c
 }
 
 // Both sides of the places where the speed of a strut passes through zero, between the first and the last look.
-void BetweenPoints::look_beside_turns(const Part& part) {
+std::vector<double> BetweenPoints::beside_turns() const {
   const machine::PerStrut<double> first = looked_.front().speed();
   const machine::PerStrut<double> change = looked_.back().speed() - first;
-  std::vector<double> beside_turns;
+  std::vector<double> beside;
   for (int j = 0; j < machine::kStruts; ++j) {
     if (!(first[j] * (first[j] + change[j]) < 0)) continue;
-    const double beside = kSaturated * corrector_.turning_speed() / std::abs(change[j]);
-    for (const double fraction : {-first[j] / change[j] - beside, -first[j] / change[j] + beside}) {
-      if (fraction > 0 && fraction < 1) beside_turns.push_back(fraction);
+    const double half_turn = kSaturated * corrector_.turning_speed() / std::abs(change[j]);
+    for (const double fraction : {-first[j] / change[j] - half_turn, -first[j] / change[j] + half_turn}) {
+      if (fraction > 0 && fraction < 1) beside.push_back(fraction);
     }
   }
-  if (!beside_turns.empty()) look(part, beside_turns);
+  return beside;
 }
 
 // By thirds about the worst place that was looked at.
@@ -322,7 +322,7 @@ void BetweenPoints::refine(const Part& part, double Look::*figure, const MovePat
     const double a = low + (high - low) / 3;
     const double b = high - (high - low) / 3;
     const std::span<Look> both = sample(part, std::array{a, b});
-    for (Look& at : both) measure(part, at, next);
+    for (Look& at : both) measure(part, {}, at, next);
     const bool rises = both[0].*figure < both[1].*figure;
     (rises ? low : high) = rises ? a : b;
   }

@@ -63,6 +63,9 @@ class BetweenPoints {
       return played ? played->speed : machine::PerStrut<double>(machine::PerStrut<double>::Zero());
     }
   };
+  struct Enough {  // what is found up to here changes nothing
+    double tip_mm = 0, turned_deg = 0;
+  };
   void find_guesses(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces);
   void choose(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces, bool as_it_stands);
   void choose_from(PieceRanking& ranking, const AxisWords& begin, std::span<const SentPiece> pieces);
@@ -70,9 +73,9 @@ class BetweenPoints {
   void play_waiting(const MovePath* next);
   void play(const Part& part, const MovePath* next);
   std::span<Look> look(const Part& part, std::span<const double> fractions);
-  void look_beside_turns(const Part& part);
+  std::vector<double> beside_turns() const;
   void refine(const Part& part, double Look::*figure, const MovePath* next);
-  void measure(const Part& part, Look& look, const MovePath* next);
+  void measure(const Part& part, const Enough& enough, Look& look, const MovePath* next);
   std::span<Look> sample(const Part& part, std::span<const double> fractions);
   double most(double Look::*figure) const;
 

@@ -1,6 +1,7 @@
 #include "compensate/piece_ranking.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace plumbline::compensate {
 namespace {
@@ -9,6 +10,7 @@ constexpr double kFirstRatio = 1.5;    // of what is found to what was guessed, 
 constexpr std::uint64_t kLearnt = 16;  // pieces of a kind
 constexpr double kSafety = 1.3;        // on the largest such ratio that was met
 constexpr double kLeastMm = 1e-9;
+constexpr double kRounding = 1e-12;
 
 }  // namespace
 
@@ -63,8 +65,9 @@ void PieceRanking::learn(const PieceGuess& guess, double found_value) {
   per_guess_[guess.kind] = std::max(per_guess_[guess.kind], found_value / guess.value);
 }
 
-bool PieceRanking::knows(const PieceGuess& guess, double at_most) const {
-  return guess.value <= 0 || at_most / guess.value <= per_guess_[guess.kind];
+double PieceRanking::known(const PieceGuess& guess) const {
+  if (guess.value <= 0) return std::numeric_limits<double>::max();
+  return (1 - kRounding) * per_guess_[guess.kind] * guess.value;
 }
 
 }  // namespace plumbline::compensate

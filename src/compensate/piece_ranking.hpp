@@ -33,8 +33,8 @@ class PieceRanking {
   std::span<const PieceGuess> sorted();
   bool promises(const PieceGuess& guess) const;
   void learn(const PieceGuess& guess, double found_value);
-  /// True if to find no more than this where that was guessed would teach nothing.
-  bool knows(const PieceGuess& guess, double at_most) const;
+  /// To find no more than this where that was guessed would teach nothing.
+  double known(const PieceGuess& guess) const;
 
   Worst found;
 

@@ -53,13 +53,13 @@ TEST_CASE("what was found over what was guessed decides what promises more than 
 TEST_CASE("less than the most that was found of a guess teaches nothing") {
   PieceRanking ranking;
   const PieceGuess guess{0.5, PieceGuess::corner, 0, 0};
-  CHECK_FALSE(ranking.knows(guess, 0.1));
+  CHECK(ranking.known(guess) == 0);
   ranking.learn(guess, 1);
-  CHECK(ranking.knows(guess, 1));
-  CHECK(ranking.knows({0.25, PieceGuess::corner, 0, 0}, 0.5));
-  CHECK_FALSE(ranking.knows(guess, 1.1));
-  CHECK_FALSE(ranking.knows({0.5, PieceGuess::turn, 0, 0}, 0.1));  // another kind
-  CHECK(ranking.knows({0, PieceGuess::turn, 0, 0}, 0.1));          // nothing was guessed of it
+  CHECK(ranking.known(guess) == Approx(1));
+  CHECK(ranking.known(guess) < 1);
+  CHECK(ranking.known({0.25, PieceGuess::corner, 0, 0}) == Approx(0.5));
+  CHECK(ranking.known({0.5, PieceGuess::turn, 0, 0}) == 0);  // another kind
+  CHECK(ranking.known({0, PieceGuess::turn, 0, 0}) > 1e9);   // nothing was guessed of it
 }
 
 TEST_CASE("a chord is guessed to leave its curve by an eighth of the second difference") {
