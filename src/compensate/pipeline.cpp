@@ -95,7 +95,7 @@ Pipeline::Pipeline(const InputFile& source, const ProgramSurvey& survey, const n
       holes_(dialect_, corrector_, model.limits, settings, moves_),
       steps_(dialect_, emit, form),
       rewriter_(source, dialect_, program, emit, out, steps_, settings.read_back),
-      between_(corrector_),
+      play_(model, settings),
       tally_(source, dialect_, model, settings, corrector_),
       stamps_(source) {}
 
@@ -139,7 +139,7 @@ void Pipeline::follow_tool(const nc::Step& step) {
   if (!tool) return;
   refuse_offset_beside_spindle(step);
   if (!reader_.tool_has_mass()) tally_.take_massless_tool(step);
-  between_.leave();
+  play_.set_tool(*tool);
   corrector_.set_tool(*tool);
   ++tools_;
 }
@@ -173,7 +173,7 @@ void Pipeline::copy_through(const nc::Step& step) {
   rewriter_.copy(step, step.motions.size() == 1 && step.motions.front().kind == nc::MotionKind::dwell);
   const bool moves = std::any_of(step.motions.begin(), step.motions.end(),
                                  [](const nc::Motion& motion) { return motion.kind != nc::MotionKind::dwell; });
-  if (moves || step.loses_position) between_.leave();
+  if (moves || step.loses_position) play_.leave();
   for (const nc::Motion& motion : step.motions) {
     if (motion.kind == nc::MotionKind::dwell) {
       tally_.take_dwell(motion);
@@ -202,10 +202,10 @@ void Pipeline::take_move(const nc::Step& step) {
   const CorrectedMove& corrected = this->corrected(move);
   const WrittenMove& written = rewriter_.write(corrected);
   if (move.is_rapid()) {
-    between_.rapid(corrected.signs.back());
+    play_.rapid(corrected.signs.back());
     tally_.take_rapid(corrected, written);
   } else {
-    between_.cut(move.path, move.seconds, written.begin, written.pieces, !written.changed);
+    play_.cut(move.path, move.seconds, written.begin, written.pieces, !written.changed);
     tally_.take_cut(corrected, written);
   }
 }
@@ -277,11 +277,11 @@ void Pipeline::take_hole(const nc::Step& step) {
 }
 
 Summary Pipeline::summary() {
-  between_.leave();
+  const BetweenPoints& played = play_.finish();
   Summary summary = tally_.summary();
-  summary.residual_mm = between_.tip_mm();
-  summary.residual_deg = between_.turned_deg();
-  summary.replayed = between_.plays();
+  summary.residual_mm = played.tip_mm();
+  summary.residual_deg = played.turned_deg();
+  summary.replayed = played.plays();
   summary.assumed_at_zero = reader_.at_zero();
   rewriter_.describe(summary);
   return summary;

@@ -8,12 +8,12 @@
 
 #include "base/files/files.hpp"
 #include "base/progress.hpp"
-#include "compensate/between_points.hpp"
 #include "compensate/corrector.hpp"
 #include "compensate/hole_corrector.hpp"
 #include "compensate/move_corrector.hpp"
 #include "compensate/move_reader.hpp"
 #include "compensate/moves_ahead.hpp"
+#include "compensate/played/output_play.hpp"
 #include "compensate/program_survey.hpp"
 #include "compensate/rewriter.hpp"
 #include "compensate/settings.hpp"
@@ -66,7 +66,7 @@ class Pipeline {
   HoleCorrector holes_;
   WrittenSteps steps_;
   Rewriter rewriter_;
-  BetweenPoints between_;
+  OutputPlay play_;
   Tally tally_;
   StampSearch stamps_;
   std::uint64_t tools_ = 0;   // that came into the spindle

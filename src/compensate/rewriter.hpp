@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/files/files.hpp"
-#include "compensate/between_points.hpp"
 #include "compensate/move_corrector.hpp"
+#include "compensate/played/between_points.hpp"
 #include "compensate/read_back/intention.hpp"
 #include "compensate/read_back/read_back.hpp"
 #include "compensate/summary.hpp"

@@ -33,12 +33,14 @@ std::size_t GrowingOutput::read(std::uint64_t offset, char* into, std::size_t co
   std::unique_lock lock(guard_);
   changed_.wait(lock, [&] { return offset < size_ || ended_; });
   const std::uint64_t size = size_;
+  const std::uint64_t guard_begin = guard_begin_;
+  const std::uint64_t guard_end = guard_end_;
   lock.unlock();
   if (offset >= size) return 0;
   const std::size_t got =
       out_.read(offset, into, static_cast<std::size_t>(std::min<std::uint64_t>(count, size - offset)));
-  const std::uint64_t end = std::min<std::uint64_t>(guard_end_, offset + got);
-  for (std::uint64_t at = std::max<std::uint64_t>(guard_begin_, offset); at < end; ++at) {
+  const std::uint64_t end = std::min<std::uint64_t>(guard_end, offset + got);
+  for (std::uint64_t at = std::max<std::uint64_t>(guard_begin, offset); at < end; ++at) {
     char& c = into[at - offset];
     if (c != '\n' && c != '\r') c = ' ';
   }

@@ -11,7 +11,7 @@
 #include "base/axes.hpp"
 #include "compensate/corrector.hpp"
 #include "compensate/move.hpp"
-#include "compensate/piece_ranking.hpp"
+#include "compensate/played/piece_ranking.hpp"
 #include "compensate/summary.hpp"
 
 namespace plumbline::compensate {

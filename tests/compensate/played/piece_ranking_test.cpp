@@ -1,4 +1,4 @@
-#include "compensate/piece_ranking.hpp"
+#include "compensate/played/piece_ranking.hpp"
 
 #include <vector>
 

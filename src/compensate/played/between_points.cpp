@@ -1,4 +1,4 @@
-#include "compensate/between_points.hpp"
+#include "compensate/played/between_points.hpp"
 
 #include <algorithm>
 #include <array>
