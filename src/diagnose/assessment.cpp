@@ -23,8 +23,8 @@ Assessment assess(const Case& of, const Model& model, const DiagnoseOptions& opt
   Assessment found;
   say.begin("looking at what is left");
   found.description =
-      describe(of.bench, complete, model.problem, marginalised_by(candidates, picks, model.problem.values), model.noise,
-               options.description);
+      describe(of.bench, complete, *model.problem, marginalised_by(candidates, picks, model.problem->values),
+               model.noise, options.description);
   say(fmt::format("remainder: gain {:.1f}, {:.1f} nats", found.description.gain, found.description.log_odds));
   if (model.found.size() > 1) say(fmt::format("resemblance of the two: {:.3f}", resemblance(of.bench, model, 0, 1)));
 

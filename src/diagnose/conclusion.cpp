@@ -67,9 +67,10 @@ void hold_back(const Case& of, const Model& model, const DiagnoseOptions& option
 void describe_beside_base(const Case& of, const Model& model, const Assessment& assessment,
                           const DiagnoseOptions& options, Conclusion& conclusion) {
   const CandidateSet& candidates = of.bench.candidates;
-  Unexplained beside = unexplained({of.bench, model.base, conclusion.residuals.base,
-                                    recurring(assessment.gap_map.contrasts, options.verdict), model.noise},
-                                   of.runs, of.out, options);
+  Unexplained beside = unexplained(
+      {of.bench, model.base, conclusion.residuals.base, recurring(assessment.gap_map.contrasts, options.verdict),
+       model.noise, model.found.empty() ? &assessment.description : nullptr},
+      of.runs, of.out, options);
   conclusion.description = std::move(beside.description);
   if (!beside.borne_out && assessment.remainder) conclusion.description.terms.clear();  // it says enough
   conclusion.forces = std::move(beside.fitted.forces);

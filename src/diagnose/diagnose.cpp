@@ -86,7 +86,7 @@ Diagnosis diagnosis_of(const Case& of, const Model& model, Assessment assessment
   diagnosis.fit = gap_of(conclusion.residuals, of.out, false);
   diagnosis.held_out = gap_of(conclusion.residuals, of.out, true);
   diagnosis.visible =
-      visible_effects(reduced_gram(model.base.problem, marginalised_by(candidates, {}, model.base.problem.values)),
+      visible_effects(reduced_gram(*model.base.problem, marginalised_by(candidates, {}, model.base.problem->values)),
                       candidates, model.threshold, options.search.scoring);
   diagnosis.converged = model.fit.converged;
   diagnosis.withheld = objection_to(conclusion, of, assessment.verdict, options.verdict);

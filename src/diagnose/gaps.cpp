@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/parallel.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -39,8 +41,8 @@ Gap gap_of(const StageResiduals& residuals, const std::vector<bool>& out, bool h
 std::vector<RunGap> run_gaps(const machine::MachineModel& machine, const std::vector<Run>& runs,
                              const std::vector<bool>& out, const StageResiduals& residuals,
                              const physics::ForceModel& found, const CompensatedOptions& options) {
-  std::vector<RunGap> gaps;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
+  std::vector<RunGap> gaps(runs.size());
+  for_each_index(runs.size(), [&](std::size_t i) {
     const RunEquations& base = residuals.base[i];
     const RunEquations& second = second_of(residuals)[i];
     const RunEquations& after = residuals.after[i];
@@ -56,8 +58,8 @@ std::vector<RunGap> run_gaps(const machine::MachineModel& machine, const std::ve
       gap.radial_after = after.residual.head(n);
     }
     gap.circularity = circularity_of(machine, runs[i], found, options);
-    gaps.push_back(std::move(gap));
-  }
+    gaps[i] = std::move(gap);
+  });
   return gaps;
 }
 

@@ -25,15 +25,17 @@ std::vector<bool> held_out(const machine::RotationOrder& order, const std::vecto
   for (std::size_t c = 0; c < noise.channels.size(); ++c) {
     noise.channels[c].sigma = c == identify::kRadial ? options.usual_radial : options.usual_torque;
   }
-  const LinearProblem problem = linearise(order, runs, candidates, candidates.unknowns.start(), noise);
-  const Eigen::VectorXd all = problem.gram.diagonal();
+  const std::vector<Eigen::VectorXd> squares =
+      column_squares(order, runs, candidates, candidates.unknowns.start(), noise);
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(squares.front().size());
+  for (const Eigen::VectorXd& run : squares) all += run;
   std::vector<double> cost(static_cast<std::size_t>(count), 0);
   for (int pose = 0; pose < count; ++pose) {
     Eigen::VectorXd own = Eigen::VectorXd::Zero(all.size());
     for (std::size_t i = 0; i < runs.size(); ++i) {
-      if (poses[i] == pose) own += problem.blocks[i].rows.colwise().squaredNorm().transpose();
+      if (poses[i] == pose) own += squares[i];
     }
-    for (Eigen::Index c = 0; c < problem.residual(); ++c) {
+    for (Eigen::Index c = 0; c < static_cast<Eigen::Index>(candidates.columns.size()); ++c) {
       if (all[c] > 0) cost[static_cast<std::size_t>(pose)] -= std::log(std::max(1 - own[c] / all[c], kLeastKept));
     }
   }

@@ -35,7 +35,9 @@ std::optional<FittedStage> without_what_recurs(const Workbench& bench, const Fit
   FittedStage stage;
   stage.noise = without_what_recurs(base.noise, recurs);
   stage.fit = refit(bench, {}, base.fit.values, stage.noise, options.search.refit);
-  stage.problem = linearise(bench.machine.rotation, bench.runs, bench.candidates, stage.fit.values, stage.noise);
+  stage.problem = std::make_shared<const LinearProblem>(linearise(bench.machine.rotation, bench.runs, bench.candidates,
+                                                                  stage.fit.values, stage.noise,
+                                                                  may_be_marginalised(bench.candidates, {})));
   return stage;
 }
 
@@ -65,7 +67,7 @@ Fitted described(const Workbench& bench, const FittedStage& stage, const std::ve
 }
 
 Description describe_base(const Workbench& bench, const FittedStage& stage, const DiagnoseOptions& options) {
-  return describe(bench, bench.candidates.unknowns.at(stage.fit.values), stage.problem,
+  return describe(bench, bench.candidates.unknowns.at(stage.fit.values), *stage.problem,
                   marginalised_by(bench.candidates, {}, stage.fit.values), stage.noise, options.description);
 }
 
@@ -75,7 +77,7 @@ Unexplained unexplained(const Base& base, const std::vector<measure::Run>& runs,
                         const DiagnoseOptions& options) {
   const Workbench& bench = base.bench;
   const FittedStage* stage = &base.stage;
-  Description description = describe_base(bench, *stage, options);
+  Description description = base.description != nullptr ? *base.description : describe_base(bench, *stage, options);
   std::optional<FittedStage> quieter;
   if (!is_gap(description, options.verdict)) {
     quieter = without_what_recurs(bench, base.stage, base.recurs, options);

@@ -19,6 +19,7 @@ struct Base {
   const std::vector<identify::RunEquations>& residuals;  // of all runs
   Recurs recurs;                                         // in them
   const identify::NoiseModel& noise;                     // that runs held out are measured by
+  const Description* description = nullptr;              // of what it leaves, if that is known
 };
 
 struct Unexplained {

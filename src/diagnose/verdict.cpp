@@ -31,7 +31,7 @@ std::vector<std::string> alternatives_of(const Workbench& bench, const Model& mo
     if (i != place) others.push_back(model.found[i].pick);
   }
   const Eigen::MatrixXd reduced =
-      reduced_gram(model.problem, marginalised_by(bench.candidates, others, model.problem.values));
+      reduced_gram(*model.problem, marginalised_by(bench.candidates, others, model.problem->values));
   const Pick& pick = model.found[place].pick;
   const Eigen::VectorXd signature = signature_of(bench, pick, model.fit, reduced.cols());
   const Eigen::VectorXd seen = reduced * signature;
@@ -54,7 +54,7 @@ std::vector<std::string> alternatives_of(const Workbench& bench, const Model& mo
 
 double resemblance(const Workbench& bench, const Model& model, std::size_t one, std::size_t other) {
   const Eigen::MatrixXd reduced =
-      reduced_gram(model.problem, marginalised_by(bench.candidates, {}, model.problem.values));
+      reduced_gram(*model.problem, marginalised_by(bench.candidates, {}, model.problem->values));
   const Eigen::VectorXd a = signature_of(bench, model.found[one].pick, model.fit, reduced.cols());
   const Eigen::VectorXd b = signature_of(bench, model.found[other].pick, model.fit, reduced.cols());
   const Eigen::VectorXd seen = reduced * b;

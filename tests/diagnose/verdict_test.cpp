@@ -22,7 +22,8 @@ std::vector<std::string> alternatives_to(const std::string& effect, const std::s
   const int unknown = candidates.unknowns.find(effect, key);
   REQUIRE(unknown >= 0);
   model.fit.values[unknown] = value;
-  model.problem = linearise(machine.rotation, runs, candidates, model.fit.values, testing::usual_noise());
+  model.problem = std::make_shared<const LinearProblem>(
+      linearise(machine.rotation, runs, candidates, model.fit.values, testing::usual_noise()));
   Found found;
   found.pick = {&candidates.candidate(effect), 0, {0}, {unknown}};
   model.found = {found};

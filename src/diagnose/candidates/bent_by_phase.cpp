@@ -18,7 +18,7 @@ class BentByPhase : public CandidateKind {
     candidate.modes.push_back(std::move(mode));
   }
 
-  void fill(const RunColumns& run, const Candidate& candidate, Eigen::MatrixXd& all) const override {
+  void fill(const RunColumns& run, const Candidate& candidate, identify::SlopeRows& all) const override {
     const physics::Bend& bend = *info_of(candidate).bend;
     for (const ColumnGroup& group : candidate.modes[0].column_groups) {
       const int strut = run.candidates.columns[static_cast<std::size_t>(group[0])].strut;

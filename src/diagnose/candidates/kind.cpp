@@ -33,7 +33,7 @@ const CandidateKind& kind_of(const physics::EffectInfo& info) {
   return bent_by_phase();
 }
 
-void CandidateKind::fill(const RunColumns&, const Candidate&, Eigen::MatrixXd&) const {}
+void CandidateKind::fill(const RunColumns&, const Candidate&, identify::SlopeRows&) const {}
 
 std::vector<std::pair<int, double>> CandidateKind::parts(const CandidateSet& set, const Candidate&, int unknown,
                                                          const Eigen::VectorXd& values) const {
@@ -58,7 +58,7 @@ void TriedShapes::add_modes(const physics::EffectInfo& info, CandidateSet& set, 
   }
 }
 
-void TriedShapes::fill(const RunColumns& run, const Candidate& candidate, Eigen::MatrixXd& all) const {
+void TriedShapes::fill(const RunColumns& run, const Candidate& candidate, identify::SlopeRows& all) const {
   const physics::Bend& bend = *info_of(candidate).bend;
   for (const ActingMode& mode : candidate.modes) {
     const int column = mode.column_groups[0][0];

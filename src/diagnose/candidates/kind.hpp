@@ -27,7 +27,7 @@ class CandidateKind {
   virtual void add_modes(const physics::EffectInfo& info, CandidateSet& set, Candidate& candidate) const = 0;
 
   /// Fills the columns that are made from others, of one run.
-  virtual void fill(const RunColumns& run, const Candidate& candidate, Eigen::MatrixXd& all) const;
+  virtual void fill(const RunColumns& run, const Candidate& candidate, identify::SlopeRows& all) const;
 
   /// The effect's numbers where columns of a mode have these sizes (units of the linear problem).
   virtual std::vector<UnknownValue> numbers(const CandidateSet& set, const Candidate& candidate, const ActingMode& mode,
@@ -42,7 +42,7 @@ class CandidateKind {
 class TriedShapes : public CandidateKind {
  public:
   void add_modes(const physics::EffectInfo& info, CandidateSet& set, Candidate& candidate) const override;
-  void fill(const RunColumns& run, const Candidate& candidate, Eigen::MatrixXd& all) const override;
+  void fill(const RunColumns& run, const Candidate& candidate, identify::SlopeRows& all) const override;
 };
 
 /// One for each file of this folder.

@@ -4,12 +4,13 @@
 
 namespace plumbline::diagnose {
 
-Eigen::MatrixXd RunColumns::all() const {
+identify::SlopeRows RunColumns::all() const {
   const auto count = static_cast<Eigen::Index>(candidates.columns.size());
-  Eigen::MatrixXd all(equations.residual.size(), count + 1);
-  for (Eigen::Index c = 0; c < equations.slopes.cols(); ++c) {
-    all.col(c) = scale(static_cast<int>(c)) * equations.slopes.col(c);
-  }
+  const Eigen::Index unknowns = equations.slopes.cols();
+  Eigen::RowVectorXd scales(unknowns);
+  for (Eigen::Index c = 0; c < unknowns; ++c) scales[c] = scale(static_cast<int>(c));
+  identify::SlopeRows all(equations.residual.size(), count + 1);
+  all.leftCols(unknowns) = equations.slopes * scales.asDiagonal();
   for (const Candidate& candidate : candidates.all) candidate.kind->fill(*this, candidate, all);
   all.col(count) = equations.residual;
   return all;

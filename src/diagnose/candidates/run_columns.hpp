@@ -35,7 +35,7 @@ struct RunColumns {
   }
 
   /// All columns in units of the linear problem, and the residual last.
-  Eigen::MatrixXd all() const;
+  identify::SlopeRows all() const;
 };
 
 }  // namespace plumbline::diagnose

@@ -7,7 +7,7 @@
 #include <Eigen/Cholesky>
 
 #include "base/parallel.hpp"
-#include "diagnose/description/term_columns.hpp"
+#include "diagnose/description/products.hpp"
 #include "diagnose/description/waves.hpp"
 #include "physics/effects/generic.hpp"
 
@@ -18,41 +18,7 @@ using machine::kStruts;
 using physics::Generic;
 using Channel = Term::Channel;
 
-constexpr int kVectorParts = 3;
-constexpr double kNoColumn = 1e-12;  // squared length, in units of the noise: a term that the runs do not show
-constexpr double kRidge = 1e-6;      // of a squared length: terms that are nearly alike stay solvable
-
-// All products of up to two factors, and some of three, of which factors 0 to 7 are a strut's and 8 to 13 shared.
-std::vector<Term> products(Channel channel, bool per_strut) {
-  std::vector<std::vector<int>> lists{{}};
-  const int first = per_strut ? 0 : Generic::kStrutFactors;
-  const int last = Generic::kStrutFactors + Generic::kSharedFactors;
-  for (int a = first; a < last; ++a) {
-    lists.push_back({a});
-    for (int b = a; b < last; ++b) lists.push_back({a, b});
-  }
-  if (per_strut) {
-    for (const int a : {0, 1, 3}) lists.push_back({a, a, a});
-    for (const int a : {0, 3, 5, 6, 7}) lists.push_back({2, a, a});
-    for (const int a : {0, 5, 6, 7}) lists.push_back({3, a, a});
-    lists.push_back({3, 3, 4});
-  }
-  std::vector<Term> terms;
-  for (const std::vector<int>& list : lists) {
-    Term term;
-    term.channel = channel;
-    for (const int f : list) {
-      if (f < Generic::kStrutFactors) {
-        ++term.strut_powers[static_cast<std::size_t>(f)];
-      } else {
-        ++term.shared_powers[static_cast<std::size_t>(f - Generic::kStrutFactors)];
-      }
-    }
-    if (term.strut_powers[2] > 1) continue;  // the square of a sign
-    terms.push_back(term);
-  }
-  return terms;
-}
+constexpr double kRidge = 1e-6;  // of a squared length: terms that are nearly alike stay solvable
 
 class Describer {
  public:
@@ -61,20 +27,13 @@ class Describer {
       : runs_(ready_runs(bench, forces, problem)),
         forces_(forces),
         problem_(problem),
-        marginalised_(marginalised),
+        nuisances_(problem, marginalised),
         noise_(noise),
-        options_(options) {
-    Eigen::MatrixXd own = problem.gram(marginalised.columns, marginalised.columns);
-    own.diagonal() += marginalised.precision;
-    nuisances_.compute(own);
-    Eigen::VectorXd pull = problem.gram(marginalised.columns, problem.residual());
-    pull -= marginalised.precision.cwiseProduct(marginalised.departure);
-    by_nuisances_ = nuisances_.solve(pull);
-  }
+        options_(options) {}
 
   Description run() {
     Description found;
-    std::vector<Term> best = best_products(found.tried);
+    std::vector<Term> best = best_products(runs_, forces_.machine, problem_, nuisances_, noise_, options_, found.tried);
     const std::vector<Term> waves = best_waves(runs_, problem_, noise_, options_, found.tried);
     best.insert(best.end(), waves.begin(), waves.end());
     pick(best, found);
@@ -89,7 +48,7 @@ class Describer {
     Eigen::MatrixXd gram;
     Eigen::VectorXd with_residual;
   };
-  Projected projected(const std::vector<Term>& terms, const std::vector<bool>& sines, bool full) const {
+  Projected projected(const std::vector<Term>& terms, const std::vector<bool>& sines) const {
     const auto count = static_cast<Eigen::Index>(terms.size());
     struct Sums {
       Eigen::MatrixXd cross, own;
@@ -97,16 +56,14 @@ class Describer {
     };
     std::vector<Sums> sums(runs_.size());
     for_each_index(runs_.size(), [&](std::size_t i) {
-      Eigen::MatrixXd columns(runs_[i].raw->residual.size(), count);
+      identify::SlopeRows columns(runs_[i].raw->residual.size(), count);
       for (std::size_t t = 0; t < terms.size(); ++t) {
         columns.col(static_cast<Eigen::Index>(t)) = change_by(runs_[i], forces_.machine, terms[t], sines[t]);
       }
       columns = without_setup(*runs_[i].raw, std::move(columns), noise_);
-      const Eigen::MatrixXd& rows = problem_.blocks[i].rows;
-      sums[i].cross = rows(Eigen::all, marginalised_.columns).transpose() * columns;
-      sums[i].residual = columns.transpose() * rows.col(problem_.residual());
-      sums[i].own = full ? Eigen::MatrixXd(columns.transpose() * columns)
-                         : Eigen::MatrixXd(columns.colwise().squaredNorm().asDiagonal());
+      sums[i].cross = problem_.rows_of(i, nuisances_.columns).transpose() * columns;
+      sums[i].residual = columns.transpose() * problem_.blocks[i].rows.rightCols<1>();
+      sums[i].own = columns.transpose() * columns;
     });
     Eigen::MatrixXd cross = sums[0].cross;
     Projected all{sums[0].own, sums[0].residual};
@@ -115,50 +72,9 @@ class Describer {
       all.gram += sums[i].own;
       all.with_residual += sums[i].residual;
     }
-    const Eigen::MatrixXd solved = nuisances_.solve(cross);
-    if (full) {
-      all.gram -= cross.transpose() * solved;
-    } else {
-      for (Eigen::Index t = 0; t < count; ++t) all.gram(t, t) -= cross.col(t).dot(solved.col(t));
-    }
-    all.with_residual -= cross.transpose() * by_nuisances_;
+    all.gram -= cross.transpose() * nuisances_.gram.solve(cross);
+    all.with_residual -= cross.transpose() * nuisances_.sizes;
     return all;
-  }
-
-  static std::vector<Term> with_parts(const std::vector<Term>& terms, int parts, bool shared) {
-    std::vector<Term> all;
-    for (Term term : terms) {
-      for (int part = shared ? -1 : 0; part < parts; ++part) {
-        term.part = part;
-        all.push_back(term);
-      }
-    }
-    return all;
-  }
-
-  std::vector<Term> best_products(double& tried) const {
-    std::vector<Term> all;
-    for (const Channel channel : {Channel::length, Channel::drive, Channel::torque}) {
-      const std::vector<Term> more = with_parts(products(channel, true), kStruts, true);
-      all.insert(all.end(), more.begin(), more.end());
-    }
-    for (const Channel channel : {Channel::force, Channel::tip}) {
-      const std::vector<Term> more = with_parts(products(channel, false), kVectorParts, false);
-      all.insert(all.end(), more.begin(), more.end());
-    }
-    tried += static_cast<double>(all.size());
-    constexpr std::size_t kChunk = 256;
-    for (std::size_t first = 0; first < all.size(); first += kChunk) {
-      const std::size_t last = std::min(first + kChunk, all.size());
-      const std::vector<Term> chunk(all.begin() + static_cast<std::ptrdiff_t>(first),
-                                    all.begin() + static_cast<std::ptrdiff_t>(last));
-      const Projected p = projected(chunk, std::vector<bool>(chunk.size(), false), false);
-      for (std::size_t t = 0; t < chunk.size(); ++t) {
-        const auto c = static_cast<Eigen::Index>(t);
-        all[first + t].gain = p.gram(c, c) > kNoColumn ? p.with_residual[c] * p.with_residual[c] / p.gram(c, c) : 0;
-      }
-    }
-    return foremost(std::move(all), options_.most_looked_at);
   }
 
   // Forward selection among the foremost, exactly.
@@ -174,7 +90,7 @@ class Describer {
         sines.push_back(part == 1);
       }
     }
-    const Projected p = projected(terms, sines, true);
+    const Projected p = projected(terms, sines);
     std::vector<Eigen::Index> in;
     std::vector<std::size_t> chosen;
     double before = 0;
@@ -233,11 +149,9 @@ class Describer {
   std::vector<ReadyRun> runs_;
   const physics::ForceModel& forces_;
   const LinearProblem& problem_;
-  const Marginalised& marginalised_;
+  Nuisances nuisances_;
   const identify::NoiseModel& noise_;
   const DescriptionOptions& options_;
-  Eigen::LDLT<Eigen::MatrixXd> nuisances_;
-  Eigen::VectorXd by_nuisances_;
 };
 
 }  // namespace

@@ -14,27 +14,6 @@ using machine::kStruts;
 using physics::Generic;
 using Channel = Term::Channel;
 
-// The factors of the effect `generic`, in its units.
-std::array<double, Generic::kStrutFactors> strut_factors(const physics::MachineConstants& machine, const SampleState& s,
-                                                         int j) {
-  const double tension = s.nut_tension[j] * 1e-3;
-  const Vector3<double> u = s.struts.direction.col(j);
-  return {(s.struts.length[j] - machine.middle_length[j]) * 10,
-          s.speed[j] * 100,
-          s.sign[j],
-          tension,
-          std::abs(tension),
-          u.x(),
-          u.y(),
-          u.z()};
-}
-
-std::array<double, Generic::kSharedFactors> shared_factors(const SampleState& s) {
-  const Vector3<double>& x = s.pose.p_WT;
-  const Vector3<double> z = s.pose.R_WP.col(2);
-  return {x[0] * 10, x[1] * 10, (x[2] - Generic::kMiddleHeight) * 10, z[0], z[1], s.time / 3600};
-}
-
 template <std::size_t N>
 double product(const std::array<double, N>& factors, const std::array<int, N>& powers) {
   double value = 1;
@@ -42,10 +21,6 @@ double product(const std::array<double, N>& factors, const std::array<int, N>& p
     for (int n = 0; n < powers[k]; ++n) value *= factors[k];
   }
   return value;
-}
-
-bool is_per_strut(Channel channel) {
-  return channel == Channel::length || channel == Channel::drive || channel == Channel::torque;
 }
 
 ReadyRun ready_run(const Workbench& bench, const physics::ForceModel& forces, const LinearProblem& problem,
@@ -123,6 +98,50 @@ Eigen::VectorXd change_by_part(const ReadyRun& run, const physics::MachineConsta
 }
 
 }  // namespace
+
+bool is_per_strut(Channel channel) {
+  return channel == Channel::length || channel == Channel::drive || channel == Channel::torque;
+}
+
+std::array<double, Generic::kStrutFactors> strut_factors(const physics::MachineConstants& machine, const SampleState& s,
+                                                         int j) {
+  const double tension = s.nut_tension[j] * 1e-3;
+  const Vector3<double> u = s.struts.direction.col(j);
+  return {(s.struts.length[j] - machine.middle_length[j]) * 10,
+          s.speed[j] * 100,
+          s.sign[j],
+          tension,
+          std::abs(tension),
+          u.x(),
+          u.y(),
+          u.z()};
+}
+
+std::array<double, Generic::kSharedFactors> shared_factors(const SampleState& s) {
+  const Vector3<double>& x = s.pose.p_WT;
+  const Vector3<double> z = s.pose.R_WP.col(2);
+  return {x[0] * 10, x[1] * 10, (x[2] - Generic::kMiddleHeight) * 10, z[0], z[1], s.time / 3600};
+}
+
+Eigen::MatrixXd slopes_of(const ReadyRun& run, Channel channel) {
+  switch (channel) {
+    case Channel::length:
+      return run.raw->slopes;
+    case Channel::drive:
+      return run.drive;
+    case Channel::force:
+      return run.force;
+    case Channel::tip:
+      return run.tip;
+    case Channel::torque:
+      break;
+  }
+  Eigen::MatrixXd torque = Eigen::MatrixXd::Zero(run.raw->residual.size(), kStruts);
+  for (int j = 0; j < kStruts; ++j) {
+    if (const auto first = run.raw->first_row(1 + j)) torque.col(j).segment(*first, run.raw->samples).setOnes();
+  }
+  return torque;
+}
 
 std::vector<ReadyRun> ready_runs(const Workbench& bench, const physics::ForceModel& forces,
                                  const LinearProblem& problem) {

@@ -18,6 +18,16 @@ struct ReadyRun {
   Eigen::MatrixXd tip;    // by the tip's displacement, x y z
 };
 
+/// Whether a channel's terms act on struts: they have factors of a strut's beside those that all share.
+bool is_per_strut(Term::Channel channel);
+
+/// The factors of the effect `generic`, in its units: those of a strut, and those that all share.
+std::array<double, 8> strut_factors(const physics::MachineConstants& machine, const SampleState& state, int strut);
+std::array<double, 6> shared_factors(const SampleState& state);
+
+/// How the readings of a run move with each part of a channel, a column each: the coefficient of a term that is one.
+Eigen::MatrixXd slopes_of(const ReadyRun& run, Term::Channel channel);
+
 /// All runs of the bench. Refuses with simulate-unreachable as measure::simulate_run does.
 std::vector<ReadyRun> ready_runs(const Workbench& bench, const physics::ForceModel& forces,
                                  const LinearProblem& problem);

@@ -1,8 +1,10 @@
 #include "diagnose/description/waves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "base/parallel.hpp"
 
@@ -23,21 +25,21 @@ std::vector<Back> backs_of(const ReadyRun& run, const Block& block, const identi
   const Eigen::Index n = run.raw->samples;
   std::vector<Back> backs;
   for (std::size_t c = 0; c < run.raw->channels.size(); ++c) {
-    Eigen::MatrixXd W = Eigen::MatrixXd::Identity(n, n);
-    identify::whiten(noise.channels[static_cast<std::size_t>(run.raw->channels[c])], W);
-    const auto residual = block.rows.rightCols<1>().segment(static_cast<Eigen::Index>(c) * n, n);
-    backs.push_back({W.transpose() * residual, W.squaredNorm() / static_cast<double>(n)});
+    const identify::ChannelNoise& channel = noise.channels[static_cast<std::size_t>(run.raw->channels[c])];
+    identify::SlopeRows residual = block.rows.rightCols<1>().segment(static_cast<Eigen::Index>(c) * n, n);
+    identify::whiten_back(channel, residual);
+    backs.push_back({residual, identify::whitened_unit(channel, n)});
   }
   return backs;
 }
 
-struct Pull {
-  double length, pull, weight;  // of a sample: L, the residual's slope by it, its square
+// Samples of all runs: L, the residual's slope by it, its square.
+struct Pulls {
+  std::vector<double> length, pull, weight;
 };
 
 // How the whitened residual moves with the length (the torque reading) of a strut at each sample.
-void add_pulls(const ReadyRun& run, const std::vector<Back>& backs, Channel channel, int strut,
-               std::vector<Pull>& pulls) {
+void add_pulls(const ReadyRun& run, const std::vector<Back>& backs, Channel channel, int strut, Pulls& pulls) {
   const Eigen::Index n = run.raw->samples;
   Eigen::VectorXd pull = Eigen::VectorXd::Zero(n);
   Eigen::VectorXd weight = Eigen::VectorXd::Zero(n);
@@ -52,48 +54,60 @@ void add_pulls(const ReadyRun& run, const std::vector<Back>& backs, Channel chan
       weight += slope.cwiseAbs2() * backs[c].weight;
     }
   }
-  for (Eigen::Index s = 0; s < n; ++s) {
-    pulls.push_back({run.states[static_cast<std::size_t>(s)].struts.length[strut], pull[s], weight[s]});
-  }
+  pulls.pull.insert(pulls.pull.end(), pull.begin(), pull.end());
+  pulls.weight.insert(pulls.weight.end(), weight.begin(), weight.end());
+  for (const SampleState& state : run.states) pulls.length.push_back(state.struts.length[strut]);
 }
 
-// The strongest of all waves of a channel, of one strut or (-1) of all alike. Sine and cosine of each sample step from
-// pitch to pitch by the addition theorem.
-std::vector<Term> waves_of(const std::vector<Pull>& pulls, Channel channel, int strut,
-                           const DescriptionOptions& options, double& tried) {
+// What a wave of each frequency has in common with the pulls, its cosine and its sine. Sine and cosine of each sample
+// step from pitch to pitch by the addition theorem, some samples at a time: these stay in the processor's cache.
+struct Common {
+  Eigen::ArrayXd cosine, sine;
+};
+Common common_with(const Pulls& pulls, const std::vector<double>& frequencies, double step) {
   constexpr double kTurn = 2 * std::numbers::pi;
-  const std::size_t count = pulls.size();
-  std::vector<double> c(count);
-  std::vector<double> s(count);
-  std::vector<double> dc(count);
-  std::vector<double> ds(count);
-  double weight = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    weight += 0.5 * pulls[i].weight;
-    c[i] = std::cos(kTurn * options.fewest_cycles * pulls[i].length);
-    s[i] = std::sin(kTurn * options.fewest_cycles * pulls[i].length);
-    dc[i] = std::cos(kTurn * options.wave_step * pulls[i].length);
-    ds[i] = std::sin(kTurn * options.wave_step * pulls[i].length);
-  }
-  std::vector<Term> all;
-  for (double f = options.fewest_cycles; f < 1 / options.finest_pitch; f += options.wave_step) {
-    double cosine = 0;
-    double sine = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      cosine += pulls[i].pull * c[i];
-      sine += pulls[i].pull * s[i];
-      const double next = c[i] * dc[i] - s[i] * ds[i];
-      s[i] = s[i] * dc[i] + c[i] * ds[i];
-      c[i] = next;
+  constexpr Eigen::Index kTogether = 512;
+  const auto samples = static_cast<Eigen::Index>(pulls.length.size());
+  const auto count = static_cast<Eigen::Index>(frequencies.size());
+  Common common{Eigen::ArrayXd::Zero(count), Eigen::ArrayXd::Zero(count)};
+  const Eigen::Map<const Eigen::ArrayXd> length(pulls.length.data(), samples);
+  const Eigen::Map<const Eigen::ArrayXd> pull(pulls.pull.data(), samples);
+  for (Eigen::Index first = 0; first < samples; first += kTogether) {
+    const Eigen::Index some = std::min(kTogether, samples - first);
+    const Eigen::ArrayXd turn = kTurn * length.segment(first, some);
+    const auto of = pull.segment(first, some);
+    Eigen::ArrayXd c = (frequencies.front() * turn).cos();
+    Eigen::ArrayXd s = (frequencies.front() * turn).sin();
+    const Eigen::ArrayXd dc = (step * turn).cos();
+    const Eigen::ArrayXd ds = (step * turn).sin();
+    Eigen::ArrayXd next(some);
+    for (Eigen::Index f = 0; f < count; ++f) {
+      common.cosine[f] += (of * c).sum();
+      common.sine[f] += (of * s).sum();
+      next = c * dc - s * ds;
+      s = s * dc + c * ds;
+      c.swap(next);
     }
+  }
+  return common;
+}
+
+// The strongest of all waves of a channel, of one strut or (-1) of all alike.
+std::vector<Term> waves_of(const Pulls& pulls, Channel channel, int strut, const std::vector<double>& frequencies,
+                           const DescriptionOptions& options) {
+  const Common common = common_with(pulls, frequencies, options.wave_step);
+  const double weight = 0.5 * std::accumulate(pulls.weight.begin(), pulls.weight.end(), 0.0);
+  std::vector<Term> all;
+  for (std::size_t f = 0; f < frequencies.size(); ++f) {
+    const double cosine = common.cosine[static_cast<Eigen::Index>(f)];
+    const double sine = common.sine[static_cast<Eigen::Index>(f)];
     Term term;
     term.channel = channel;
     term.part = strut;
-    term.pitch = 1 / f;
+    term.pitch = 1 / frequencies[f];
     term.gain = weight > 0 ? (cosine * cosine + sine * sine) / weight : 0;
     all.push_back(term);
   }
-  tried += static_cast<double>(all.size());
   return foremost(std::move(all), options.peaks);
 }
 
@@ -110,19 +124,24 @@ std::vector<Term> best_waves(const std::vector<ReadyRun>& runs, const LinearProb
                              const identify::NoiseModel& noise, const DescriptionOptions& options, double& tried) {
   std::vector<std::vector<Back>> backs(runs.size());
   for_each_index(runs.size(), [&](std::size_t i) { backs[i] = backs_of(runs[i], problem.blocks[i], noise); });
-  std::vector<Term> peaks;
-  for (const Channel channel : {Channel::length, Channel::torque}) {
-    std::vector<Pull> of_all;
-    for (int strut = 0; strut <= kStruts; ++strut) {
-      const bool all_alike = strut == kStruts;
-      std::vector<Pull> own;
-      for (std::size_t i = 0; i < runs.size() && !all_alike; ++i) add_pulls(runs[i], backs[i], channel, strut, own);
-      of_all.insert(of_all.end(), own.begin(), own.end());
-      const std::vector<Term> more =
-          all_alike ? waves_of(of_all, channel, -1, options, tried) : waves_of(own, channel, strut, options, tried);
-      peaks.insert(peaks.end(), more.begin(), more.end());
+  std::vector<double> frequencies;
+  for (double f = options.fewest_cycles; f < 1 / options.finest_pitch; f += options.wave_step) frequencies.push_back(f);
+  constexpr std::array kChannels{Channel::length, Channel::torque};
+  constexpr std::size_t kTimes = kStruts + 1;  // each strut, and all alike
+  std::vector<std::vector<Term>> each(kChannels.size() * kTimes);
+  for_each_index(each.size(), [&](std::size_t k) {
+    const Channel channel = kChannels.at(k / kTimes);
+    const auto strut = static_cast<int>(k % kTimes);
+    const bool alike = strut == kStruts;
+    Pulls pulls;
+    for (int j = alike ? 0 : strut; j < (alike ? kStruts : strut + 1); ++j) {
+      for (std::size_t i = 0; i < runs.size(); ++i) add_pulls(runs[i], backs[i], channel, j, pulls);
     }
-  }
+    each[k] = waves_of(pulls, channel, alike ? -1 : strut, frequencies, options);
+  });
+  tried += static_cast<double>(each.size() * frequencies.size());
+  std::vector<Term> peaks;
+  for (const std::vector<Term>& more : each) peaks.insert(peaks.end(), more.begin(), more.end());
   return foremost(std::move(peaks), options.waves_looked_at);
 }
 

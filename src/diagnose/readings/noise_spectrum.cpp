@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <map>
 #include <numbers>
 
+#include <unsupported/Eigen/FFT>
+
+#include "base/parallel.hpp"
 #include "base/units.hpp"
 
 namespace plumbline::diagnose {
@@ -25,17 +29,14 @@ struct Ordinate {
 
 // The periodogram at the frequencies k / n, k = 1 ... below n / 2: of white noise its variance on average.
 std::vector<Ordinate> periodogram(const Eigen::VectorXd& e, int first) {
-  const Eigen::Index n = e.size();
+  const auto n = static_cast<double>(e.size());
+  Eigen::FFT<double> fft;
+  const std::vector<double> values(e.begin(), e.end());
+  std::vector<std::complex<double>> spectrum;
+  fft.fwd(spectrum, values);
   std::vector<Ordinate> ordinates;
-  for (Eigen::Index k = first; 2 * k < n; ++k) {
-    const double turn = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(n);
-    double c = 0;
-    double s = 0;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      c += e[i] * std::cos(turn * static_cast<double>(i));
-      s += e[i] * std::sin(turn * static_cast<double>(i));
-    }
-    ordinates.push_back({static_cast<double>(k) / static_cast<double>(n), (c * c + s * s) / static_cast<double>(n)});
+  for (auto k = static_cast<std::size_t>(first); 2 * k < values.size(); ++k) {
+    ordinates.push_back({static_cast<double>(k) / n, std::norm(spectrum[k]) / n});
   }
   return ordinates;
 }
@@ -105,14 +106,15 @@ double deviance(const std::vector<std::vector<Band>>& channels, double memory, d
 }
 
 std::vector<Ordinate> ordinates_of(const std::vector<RunEquations>& runs, int channel) {
+  std::vector<std::vector<Ordinate>> each(runs.size());
+  for_each_index(runs.size(), [&](std::size_t i) {
+    const std::optional<Eigen::Index> first = runs[i].first_row(channel);
+    if (!first) return;
+    const Eigen::VectorXd e = runs[i].residual.segment(*first, runs[i].samples);
+    each[i] = periodogram(e, channel == kRadial ? 2 : 1);  // the ball takes the first
+  });
   std::vector<Ordinate> all;
-  for (const RunEquations& run : runs) {
-    const std::optional<Eigen::Index> first = run.first_row(channel);
-    if (!first) continue;
-    const Eigen::VectorXd e = run.residual.segment(*first, run.samples);
-    const std::vector<Ordinate> more = periodogram(e, channel == kRadial ? 2 : 1);  // the ball takes the first
-    all.insert(all.end(), more.begin(), more.end());
-  }
+  for (const std::vector<Ordinate>& more : each) all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 

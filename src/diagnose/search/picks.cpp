@@ -1,5 +1,7 @@
 #include "diagnose/search/picks.hpp"
 
+#include <algorithm>
+
 #include "base/check.hpp"
 #include "diagnose/candidates/kind.hpp"
 
@@ -60,6 +62,17 @@ Marginalised marginalised_by(const CandidateSet& candidates, const std::vector<P
   marginalised.precision = Eigen::Map<Eigen::VectorXd>(precision.data(), static_cast<Eigen::Index>(precision.size()));
   marginalised.departure = Eigen::Map<Eigen::VectorXd>(departure.data(), static_cast<Eigen::Index>(departure.size()));
   return marginalised;
+}
+
+std::vector<int> may_be_marginalised(const CandidateSet& candidates, const std::vector<Pick>& picks) {
+  std::vector<int> columns;
+  for (std::size_t u = 0; u < candidates.unknowns.size(); ++u) {
+    const bool picked = std::any_of(picks.begin(), picks.end(), [&](const Pick& pick) {
+      return pick.candidate->name == candidates.unknowns[u].effect;
+    });
+    if (u < candidates.nuisances || picked) columns.push_back(static_cast<int>(u));
+  }
+  return columns;
 }
 
 }  // namespace plumbline::diagnose

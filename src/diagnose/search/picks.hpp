@@ -31,4 +31,7 @@ Pick pick_of(const CandidateSet& candidates, const Candidate& candidate, const S
 Marginalised marginalised_by(const CandidateSet& candidates, const std::vector<Pick>& picks,
                              const Eigen::VectorXd& values);
 
+/// All columns that marginalised_by may name for these picks, be it with other numbers of the same effects; ascending.
+std::vector<int> may_be_marginalised(const CandidateSet& candidates, const std::vector<Pick>& picks);
+
 }  // namespace plumbline::diagnose

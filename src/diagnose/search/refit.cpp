@@ -97,7 +97,7 @@ class Fitter {
     std::vector<identify::RunEquations> equations = objective_->equations(values, true);
     std::vector<Eigen::MatrixXd> grams(equations.size());
     for_each_index(equations.size(), [&](std::size_t i) {
-      Eigen::MatrixXd rows(equations[i].residual.size(), scales_.size() + 1);
+      identify::SlopeRows rows(equations[i].residual.size(), scales_.size() + 1);
       rows << equations[i].slopes * scales_.asDiagonal(), equations[i].residual;
       rows = without_setup(equations[i], std::move(rows), noise_);
       grams[i].setZero(rows.cols(), rows.cols());

@@ -50,8 +50,8 @@ std::string rivals_text(const std::vector<Rival>& all, std::size_t place, std::s
 
 LinearProblem taken_back(const Workbench& bench, const FittedStage& stage, std::size_t place, Eigen::VectorXd& values) {
   LinearProblem problem;
-  problem.gram = stage.problem.gram;
-  for (const Block& block : stage.problem.blocks) problem.blocks.push_back({{}, block.gram});
+  problem.gram = stage.problem->gram;
+  for (const Block& block : stage.problem->blocks) problem.blocks.push_back({{}, block.gram});
   const Candidate& candidate = *stage.picks[place].candidate;
   for (const int u : stage.picks[place].unknowns) {
     if (u < static_cast<int>(bench.candidates.nuisances)) continue;
@@ -70,7 +70,7 @@ std::vector<Rival> rivals_for(const Workbench& bench, const FittedStage& stage, 
   Eigen::VectorXd values = stage.fit.values;
   const std::vector<Pick> others = without(stage.picks, place);
   const LinearProblem without_pick = replaces ? taken_back(bench, stage, place, values) : LinearProblem{};
-  const LinearProblem& problem = replaces ? without_pick : stage.problem;
+  const LinearProblem& problem = replaces ? without_pick : *stage.problem;
   const Marginalised marginalised = marginalised_by(bench.candidates, others, values);
   const std::vector<Ranked> ranked = ranking(reduced_gram(problem, marginalised), bench.candidates, options.scoring);
   // what was fitted with that pick in its prior's place is a departure only without it

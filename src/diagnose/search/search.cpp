@@ -24,7 +24,7 @@ class Search {
     say_.begin("working out what noise alone would look like");
     base_ = stage_;
     const Eigen::MatrixXd reduced =
-        reduced_gram(stage_.problem, marginalised_by(bench_.candidates, {}, stage_.fit.values));
+        reduced_gram(*stage_.problem, marginalised_by(bench_.candidates, {}, stage_.fit.values));
     threshold_ = threshold(reduced, bench_.candidates, options_.scoring, options_.threshold).log_odds;
     say_(fmt::format("threshold {:.1f} nats", threshold_));
     // what is dropped may be added again: rounds are counted

@@ -19,8 +19,9 @@ struct Model {
   identify::NoiseModel noise;
   double threshold = 0;   // nats
   bool one_more = false;  // beyond most_effects another one passes
-  LinearProblem problem;  // about the fit (or nearly: about it before all struts were fitted), all columns
-  FittedStage base;       // nothing added, nuisances refitted
+  // About the fit (or nearly: about it before all struts were fitted); rows of what the picks may marginalise.
+  std::shared_ptr<const LinearProblem> problem;
+  FittedStage base;  // nothing added, nuisances refitted
 };
 
 /// The picks of what was found.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "diagnose/search/search_options.hpp"
@@ -25,7 +26,7 @@ struct FittedStage {
   std::vector<Pick> picks;
   Refit fit;
   identify::NoiseModel noise;
-  LinearProblem problem;  // about the fit, all columns
+  std::shared_ptr<const LinearProblem> problem;  // about the fit; rows of what the picks may marginalise
 };
 
 /// Fits these picks from `start`, estimates the noise anew from what they leave, and takes all slopes there. `noise` is

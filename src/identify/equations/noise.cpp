@@ -356,6 +356,31 @@ void whiten_rows(const ChannelNoise& noise, Rows& rows) {
 void whiten(const ChannelNoise& noise, Eigen::Ref<SlopeRows> rows) { whiten_rows(noise, rows); }
 void whiten(const ChannelNoise& noise, Eigen::Ref<Eigen::MatrixXd> rows) { whiten_rows(noise, rows); }
 
+// Reverse order: what a row was taken off from gives back what it kept.
+void whiten_back(const ChannelNoise& noise, Eigen::Ref<SlopeRows> rows) {
+  const Filter filter(noise, rows.rows());
+  Eigen::RowVectorXd remembered = Eigen::RowVectorXd::Zero(rows.cols());
+  for (Eigen::Index i = rows.rows(); i-- > 0;) {
+    rows.row(i) = filter.weight[i] * rows.row(i) + filter.gain[i] * remembered;
+    remembered = noise.memory * remembered - rows.row(i);
+  }
+}
+
+// One at sample i leaves weight_i there and, as memory hands gain_i on, -weight_k gain_i prod (memory - gain_l) at k >
+// i.
+double whitened_unit(const ChannelNoise& noise, Eigen::Index samples) {
+  const Filter filter(noise, samples);
+  double sum = 0;
+  double handed_on = 0;  // sum over k > i of [weight_k prod (memory - gain_l)]^2
+  for (Eigen::Index i = samples; i-- > 0;) {
+    const double own = filter.weight[i] * filter.weight[i];
+    sum += own + filter.gain[i] * filter.gain[i] * handed_on;
+    const double kept = noise.memory - filter.gain[i];
+    handed_on = own + kept * kept * handed_on;
+  }
+  return sum / static_cast<double>(samples);
+}
+
 double low_frequency_variance(const ChannelNoise& noise) {
   return noise.sigma * noise.sigma * ((1 - noise.white) * (1 + noise.memory) / (1 - noise.memory) + noise.white);
 }

@@ -76,6 +76,12 @@ NoiseModel rough_noise(const std::vector<RunEquations>& runs, const NoiseOptions
 void whiten(const ChannelNoise& noise, Eigen::Ref<SlopeRows> rows);
 void whiten(const ChannelNoise& noise, Eigen::Ref<Eigen::MatrixXd> rows);
 
+/// The transposed of it: with whiten(x) = W x, rows become W^T rows.
+void whiten_back(const ChannelNoise& noise, Eigen::Ref<SlopeRows> rows);
+
+/// The mean over a channel's samples of |W u|^2, u one at that sample alone.
+double whitened_unit(const ChannelNoise& noise, Eigen::Index samples);
+
 /// The variance of noise at low frequencies, where models act, as if it were white.
 double low_frequency_variance(const ChannelNoise& noise);
 

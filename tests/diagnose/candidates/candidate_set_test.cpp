@@ -40,7 +40,7 @@ void check_mode(const Readings& readings, const LinearProblem& problem, const Ca
   }
   const LinearProblem moved = readings.about(values);
   for (std::size_t r = 0; r < problem.blocks.size(); ++r) {
-    const Eigen::MatrixXd& rows = problem.blocks[r].rows;
+    const identify::SlopeRows& rows = problem.blocks[r].rows;
     const Eigen::VectorXd expected = rows(Eigen::all, columns) * sizes;
     const Eigen::VectorXd change = rows.rightCols<1>() - moved.blocks[r].rows.rightCols<1>();
     CHECK((change - expected).norm() < 0.1 * expected.norm());

@@ -43,7 +43,7 @@ double by_covariance(const LinearProblem& problem, const std::vector<int>& runs,
   Eigen::MatrixXd J(kRows * count, variances.size());
   Eigen::VectorXd y(kRows * count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::MatrixXd& rows = problem.blocks[static_cast<std::size_t>(runs[static_cast<std::size_t>(i)])].rows;
+    const identify::SlopeRows& rows = problem.blocks[static_cast<std::size_t>(runs[static_cast<std::size_t>(i)])].rows;
     J.middleRows(kRows * i, kRows) = rows.leftCols(variances.size());
     y.segment(kRows * i, kRows) = rows.col(2);
   }
