@@ -12,8 +12,27 @@
 
 namespace plumbline {
 
+/// As long as one lives, the libraries take the machine to have so many processors; not two at a time. For tests of
+/// results that must not depend on it.
+class HeldProcessors {
+ public:
+  explicit HeldProcessors(unsigned count) { held() = count; }
+  HeldProcessors(const HeldProcessors&) = delete;
+  HeldProcessors& operator=(const HeldProcessors&) = delete;
+  ~HeldProcessors() { held() = 0; }
+
+  /// None: as many as there are.
+  static std::atomic<unsigned>& held() {
+    static std::atomic<unsigned> count = 0;
+    return count;
+  }
+};
+
 /// How many threads a library uses when nobody says otherwise.
-inline unsigned processors() { return std::max(1U, std::thread::hardware_concurrency()); }
+inline unsigned processors() {
+  const unsigned held = HeldProcessors::held();
+  return held > 0 ? held : std::max(1U, std::thread::hardware_concurrency());
+}
 
 /// Calls work(i) for each i below `count`, on up to `threads` threads, fewer where the system has no more, in no order.
 /// What depends on the order (sums) is for the caller to do afterwards, item by item, so that results do not depend on

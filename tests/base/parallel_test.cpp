@@ -40,3 +40,12 @@ TEST_CASE("of several items that fail, the first in order is the one that is hea
   }
   CHECK(thrown(40, 3).empty());
 }
+
+TEST_CASE("processors may be held at a number, for as long as that is asked for") {
+  const unsigned all = processors();
+  {
+    const HeldProcessors held(7);
+    CHECK(processors() == 7);
+  }
+  CHECK(processors() == all);
+}

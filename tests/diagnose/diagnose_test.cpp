@@ -10,7 +10,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "identify/plans.hpp"
 #include "machine/model_file.hpp"
+#include "measure/thinning.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -70,6 +72,47 @@ TEST_CASE("what is left out of the catalogue must be in it") {
 TEST_CASE("without a reading there is nothing to diagnose") {
   const machine::MachineModel machine = machine::read_model(kBlind + "open-03/base.toml");
   CHECK_THROWS_WITH(diagnose(machine, std::vector<measure::Run>(2)), Catch::Contains("has a reading"));
+}
+
+struct Hidden {
+  const char* effect;
+  const char* key;
+  int index;
+  double value;  // SI
+};
+
+// A machine that hides it, measured with so many samples a turn.
+Diagnosis diagnosed(const Hidden& hidden, std::size_t samples) {
+  const machine::MachineModel machine = testing::pm600_like();
+  const physics::ForceModel forces(machine);
+  const CandidateSet candidates = make_candidate_set(machine, forces);
+  Eigen::VectorXd values = candidates.unknowns.start();
+  if (*hidden.effect != 0) values[candidates.unknowns.find(hidden.effect, hidden.key, hidden.index)] = hidden.value;
+  testing::Random random(17);
+  const measure::Thinned thinned = measure::thinned(
+      machine, testing::measured(testing::wider_plan(samples), candidates.unknowns.at(values), 0.5e-6, 0.05, random));
+  CHECK(thinned.thinning.thinned == (samples < 720 ? 0 : thinned.runs.size()));
+  DiagnoseOptions options;
+  options.search.threshold.draws = 2000;
+  return diagnose(machine, thinned.runs, options);
+}
+
+TEST_CASE("long records have the verdict of short ones") {
+  const auto hidden =
+      GENERATE(Hidden{"", "", -1, 0}, Hidden{"backlash", "width_um", 2, 5e-6},
+               Hidden{"cyclic", "amplitude_um", 1, 3e-6}, Hidden{"lead-error", "error_um_m", 3, 4e-4},
+               Hidden{"joint-viscous", "damping_Nms_rad", -1, 150}, Hidden{"load-friction", "mu", -1, 0.03});
+  CAPTURE(hidden.effect);
+  const Diagnosis few = diagnosed(hidden, 120);
+  const Diagnosis many = diagnosed(hidden, 3600);
+  if (*hidden.effect == 0) {
+    CHECK(few.verdict == Verdict::nothing_missing);
+    CHECK(many.verdict == Verdict::nothing_missing);
+    return;
+  }
+  CHECK(few.confidence_set == std::vector<std::string>{hidden.effect});
+  CHECK(many.confidence_set == few.confidence_set);
+  CHECK(many.verdict == Verdict::named);
 }
 
 }  // namespace

@@ -106,6 +106,31 @@ TEST_CASE("the noise of points is what the projection makes of the samples'") {
   }
 }
 
+TEST_CASE("a finer grid than a channel needs tells the same of its waves, and of their standard errors") {
+  const Run run = turn(7200);
+  Random random(11);
+  std::normal_distribution<double> normal;
+  const SampleColumns noise = SampleColumns::NullaryExpr(20, 7200, [&] { return normal(random); });
+  struct Told {
+    Eigen::VectorXd size;  // of order 3 in each row
+    double error = 0;
+  };
+  const auto told_by = [&](std::size_t points) {
+    const EvenGrid grid(run, points);
+    const Eigen::MatrixXd on_grid = grid.project(noise);
+    const auto angles = grid.angles();
+    const auto count = static_cast<double>(points);
+    const Eigen::VectorXd cosine = (3 * Eigen::Map<const Eigen::ArrayXd>(angles.data(), on_grid.cols())).cos();
+    const double variance = on_grid.squaredNorm() / static_cast<double>(on_grid.size());
+    return Told{on_grid * cosine * 2 / count, std::sqrt(2 * variance / count)};
+  };
+  const Told coarse = told_by(360);
+  const Told fine = told_by(1440);
+  CHECK((coarse.size - fine.size).norm() < 1e-3 * fine.size.norm());
+  CHECK(coarse.error == Approx(fine.error).epsilon(0.02));
+  CHECK(fine.error == Approx(std::sqrt(2.0 / 7200)).epsilon(0.02));
+}
+
 TEST_CASE("samples need not be even, nor begin at angle zero") {
   Run run = turn(3600);
   Random random(3);

@@ -10,7 +10,6 @@
 
 #include "base/check.hpp"
 #include "base/diagnostic.hpp"
-#include "base/parallel.hpp"
 #include "diagnose/evidence/bounded.hpp"
 
 namespace plumbline::diagnose {
@@ -58,7 +57,11 @@ class Fitter {
     }
     Refit result;
     for (int i = 0; i < options_.most_iterations && !result.converged; ++i) {
-      Eigen::VectorXd step = step_from(now, values);
+      auto [step, expected] = step_from(now, values);
+      if (expected < options_.negligible) {
+        result.converged = true;
+        break;
+      }
       Point next = tried(values + step);
       for (int half = 0; half < options_.most_halvings && next.misfit > now.misfit + options_.tolerance; ++half) {
         step *= 0.5;
@@ -94,18 +97,18 @@ class Fitter {
   }
 
   Point at(const Eigen::VectorXd& values) {
-    std::vector<identify::RunEquations> equations = objective_->equations(values, true);
-    std::vector<Eigen::MatrixXd> grams(equations.size());
-    for_each_index(equations.size(), [&](std::size_t i) {
-      identify::SlopeRows rows(equations[i].residual.size(), scales_.size() + 1);
-      rows << equations[i].slopes * scales_.asDiagonal(), equations[i].residual;
-      rows = without_setup(equations[i], std::move(rows), noise_);
+    Point point;
+    point.residuals.resize(bench_.runs.size());
+    std::vector<Eigen::MatrixXd> grams(bench_.runs.size());
+    objective_->each_run(values, [&](std::size_t i, identify::RunEquations equations) {
+      identify::SlopeRows rows(equations.residual.size(), scales_.size() + 1);
+      rows << equations.slopes * scales_.asDiagonal(), equations.residual;
+      equations.slopes.resize(0, 0);
+      rows = without_setup(equations, std::move(rows), noise_);
       grams[i].setZero(rows.cols(), rows.cols());
       grams[i].selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
-      equations[i].slopes.resize(0, 0);
+      point.residuals[i] = std::move(equations);
     });
-    Point point;
-    point.residuals = std::move(equations);
     point.gram.setZero(scales_.size() + 1, scales_.size() + 1);
     for (const Eigen::MatrixXd& gram : grams) point.gram += gram;
     point.gram.triangularView<Eigen::StrictlyUpper>() = point.gram.transpose();
@@ -142,8 +145,13 @@ class Fitter {
     }
   }
 
+  struct Step {
+    Eigen::VectorXd step;  // SI
+    double expected = 0;   // what the misfit should drop by
+  };
+
   // Effects within their bounds first, the nuisances then follow exactly.
-  Eigen::VectorXd step_from(const Point& point, const Eigen::VectorXd& values) const {
+  Step step_from(const Point& point, const Eigen::VectorXd& values) const {
     Eigen::MatrixXd A;
     Eigen::VectorXd b;
     normal(point, values, A, b);
@@ -172,7 +180,7 @@ class Fitter {
     }
     step(effects_) = sizes;
     if (!others.empty()) step(others) = inner.solve(b_others) - inner_cross * sizes;
-    return step.cwiseProduct(scales_);
+    return {step.cwiseProduct(scales_), 2 * b.dot(step) - step.dot(A * step)};
   }
 
   std::vector<int> not_effects() const {

@@ -9,6 +9,7 @@ namespace plumbline::diagnose {
 struct RefitOptions {
   int most_iterations = 8;
   double tolerance = 0.02;          // of the misfit, at which it ends
+  double negligible = 0.002;        // of the misfit: a step that should take no more of it is not made
   int most_halvings = 5;            // of a step that makes the misfit larger
   double zero_sum_precision = 1e6;  // of the sum of numbers that sum to zero, in scales: firm beside any data
 };

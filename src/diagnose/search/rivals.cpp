@@ -29,6 +29,13 @@ LeftOut left_out(const Workbench& bench, const LinearProblem& problem, const Mar
           left_out_nats(problem, marginalised, score.columns, score.sizes, runs)};
 }
 
+// Whether a pick is the one of a stage at that place: what the stage was fitted with needs no other fit.
+bool is_fitted(const FittedStage& stage, std::size_t place, const Pick& pick) {
+  if (place >= stage.picks.size() || !stage.fit.converged) return false;
+  const Pick& now = stage.picks[place];
+  return now.candidate == pick.candidate && now.mode == pick.mode && now.column_groups == pick.column_groups;
+}
+
 bool is_picked(const std::vector<Pick>& picks, const Candidate& candidate) {
   return std::any_of(picks.begin(), picks.end(), [&](const Pick& pick) { return pick.candidate == &candidate; });
 }
@@ -87,7 +94,9 @@ std::vector<Rival> rivals_for(const Workbench& bench, const FittedStage& stage, 
                       static_cast<int>(all.size()) < options.most_refits &&
                       r.score.log_odds > std::min(best - options.near_nats, (1 - options.near_share) * best);
     if (near) {
-      rival.fit = refit(bench, with(stage.picks, rival.pick, place), rival.start, stage.noise, options.refit);
+      rival.fit = is_fitted(stage, place, rival.pick)
+                      ? stage.fit
+                      : refit(bench, with(stage.picks, rival.pick, place), rival.start, stage.noise, options.refit);
       rival.log_odds += 0.5 * (fit_without.misfit - rival.fit.misfit - r.score.gain);
       rival.refitted = true;
       best = std::max(best, rival.log_odds);

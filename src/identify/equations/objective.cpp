@@ -78,7 +78,7 @@ void Objective::simulate(const Eigen::VectorXd& values, bool derivatives) {
 }
 
 RunEquations Objective::fitted(std::size_t block, bool derivatives) {
-  return block < runs_.size() ? fitted_run(block, derivatives) : fitted_poses(derivatives);
+  return block < runs_.size() ? fitted_run(block, simulated_runs_[block], derivatives) : fitted_poses(derivatives);
 }
 
 // Moves a set-up until the readings that it moves fit best, outliers counting linearly. `equations_at` makes them for
@@ -108,9 +108,8 @@ RunEquations Objective::fitted_poses(bool derivatives) {
   return tracker_equations(order_, *tracked_, simulated_poses_, frame_, derivatives);
 }
 
-RunEquations Objective::fitted_run(std::size_t index, bool derivatives) {
+RunEquations Objective::fitted_run(std::size_t index, const SimulatedRun& simulated, bool derivatives) {
   const measure::Run& run = runs_[index];
-  const SimulatedRun& simulated = simulated_runs_[index];
   measure::Setup& setup = setups_[index];
   setup.converged = fit_setup([&] { return run_equations(run, simulated, setup, false); },
                               [&](const Eigen::VectorXd& step) { move_setup(setup, step); }, setup.iterations);
@@ -122,6 +121,14 @@ std::vector<RunEquations> Objective::equations(const Eigen::VectorXd& values, bo
   std::vector<RunEquations> all(blocks());
   for_each_index(blocks(), [&](std::size_t i) { all[i] = fitted(i, derivatives); });
   return all;
+}
+
+void Objective::each_run(const Eigen::VectorXd& values, const std::function<void(std::size_t, RunEquations)>& take) {
+  const physics::ForceModel forces = unknowns_.at(values);
+  const Sensitivity sensitivity(forces, unknowns_);
+  for_each_index(runs_.size(), [&](std::size_t i) {
+    take(i, fitted_run(i, simulate_run(order_, forces, runs_[i], &sensitivity), true));
+  });
 }
 
 NormalEquations Objective::evaluate(const Eigen::VectorXd& values, bool derivatives) {

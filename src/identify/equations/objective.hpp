@@ -56,10 +56,14 @@ class Objective {
   /// tracker come last.
   std::vector<RunEquations> equations(const Eigen::VectorXd& values, bool derivatives = false);
 
+  /// The same with derivatives, run by run, each handed over as soon as it is made and nothing kept: slopes of all runs
+  /// at once are most of the memory. `take` is called from several threads, once for each run. Without the tracker.
+  void each_run(const Eigen::VectorXd& values, const std::function<void(std::size_t, RunEquations)>& take);
+
  private:
   std::size_t blocks() const { return runs_.size() + (tracked_ != nullptr ? 1 : 0); }
   RunEquations fitted(std::size_t block, bool derivatives);
-  RunEquations fitted_run(std::size_t index, bool derivatives);
+  RunEquations fitted_run(std::size_t index, const SimulatedRun& simulated, bool derivatives);
   RunEquations fitted_poses(bool derivatives);
   bool fit_setup(const std::function<RunEquations()>& equations_at,
                  const std::function<void(const Eigen::VectorXd&)>& move, int& steps) const;

@@ -3,8 +3,11 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/parallel.hpp"
 #include "base/units.hpp"
+#include "machine/model_file.hpp"
 #include "report/measured/diagnosis_text.hpp"
+#include "report/page/diagnosis_page.hpp"
 #include "support/diagnosis.hpp"
 
 using namespace plumbline;
@@ -13,6 +16,19 @@ using Json = nlohmann::json;
 namespace {
 
 Json json_of(const diagnose::Diagnosis& diagnosis) { return Json::parse(report::diagnosis_json(diagnosis)); }
+
+// A kept case whose hidden effect is named, or described; ten of its runs.
+std::string written_by(unsigned threads, const std::string& name) {
+  const HeldProcessors held(threads);
+  const machine::MachineModel machine = machine::read_model(testing::source_file("tests/blind/" + name + "/base.toml"));
+  std::vector<measure::Run> runs =
+      measure::read_dataset(testing::source_file("tests/blind/" + name + "/data/dataset.toml")).runs;
+  runs.resize(10);
+  diagnose::DiagnoseOptions options;
+  options.search.threshold.draws = 2000;
+  const diagnose::Diagnosis diagnosis = diagnose::diagnose(machine, runs, options);
+  return report::diagnosis_json(diagnosis) + report::diagnosis_page(diagnosis, name);
+}
 
 }  // namespace
 
@@ -111,4 +127,14 @@ TEST_CASE("next tests and what could have shown are objects with null for what t
   CHECK(found["next_tests"][1] == Json{{"from", "cable"}, {"test", nullptr}});
   CHECK(found["could_show"][0] == Json{{"name", "backlash"}, {"shows", true}, {"key", "width_um"}, {"smallest", 3.25}});
   CHECK(found["could_show"][1] == Json{{"name", "cable"}, {"shows", false}, {"key", nullptr}, {"smallest", nullptr}});
+}
+
+TEST_CASE("what is written of a diagnosis is the same, to the byte, for any number of threads") {
+  for (const char* const name : {"open-08", "open-09"}) {
+    CAPTURE(name);
+    const std::string alone = written_by(1, name);
+    CHECK(alone.find("\"verdict\"") != std::string::npos);
+    CHECK(written_by(2, name) == alone);
+    CHECK(written_by(4, name) == alone);
+  }
 }
