@@ -101,7 +101,7 @@ TEST_CASE("long records have the verdict of short ones") {
   const auto hidden =
       GENERATE(Hidden{"", "", -1, 0}, Hidden{"backlash", "width_um", 2, 5e-6},
                Hidden{"cyclic", "amplitude_um", 1, 3e-6}, Hidden{"lead-error", "error_um_m", 3, 4e-4},
-               Hidden{"joint-viscous", "damping_Nms_rad", -1, 150}, Hidden{"load-friction", "mu", -1, 0.03});
+               Hidden{"joint-clearance", "width_um", -1, 40e-6}, Hidden{"load-friction", "mu", -1, 0.03});
   CAPTURE(hidden.effect);
   const Diagnosis few = diagnosed(hidden, 120);
   const Diagnosis many = diagnosed(hidden, 3600);

@@ -22,7 +22,7 @@ SlopeRows rows_of_run(const machine::RotationOrder& order, const measure::Run& r
   const std::vector<measure::Run> alone{run};
   identify::Objective objective(order, alone, candidates.unknowns, {.huber = 0});
   objective.set_noise(noise);
-  raw = std::move(objective.equations(values, true).front());
+  objective.each_run(values, [&](std::size_t, identify::RunEquations made) { raw = std::move(made); });
   const physics::ForceModel forces = candidates.unknowns.at(values);
   const std::vector<SampleState> states = sample_states(order, forces, run);
   return without_setup(raw, RunColumns{candidates, forces.machine, states, raw}.all(), noise);
