@@ -29,9 +29,10 @@ struct Thinned {
 
 /// Runs of twice the fewest points and more, by EvenGrid: readings, and through the same low-pass time and the signs of
 /// the struts' speeds on the commanded path: friction turns around within less than a point and drifts begin anew with
-/// each turn, and what the readings have of that the model has then as well. Each channel says how fine a grid holds it;
-/// all of all runs go on the finest of these, which is fine enough for waves as long as the leads of `machine`'s screws,
-/// too: on a finer grid than it needs a channel tells the same, and the model simulates each point once for all. Runs whose samples are too few or too uneven for it stay as they are. Results do not depend on the number of
+/// each turn, and what the readings have of that the model has then as well. Each channel says how fine a grid holds
+/// it; all of all runs go on the finest of these, which is fine enough for waves as long as the leads of `machine`'s
+/// screws, too: on a finer grid than it needs a channel tells the same, and the model simulates each point once for
+/// all. Runs whose samples are too few or too uneven for it stay as they are. Results do not depend on the number of
 /// threads.
 Thinned thinned(const machine::MachineModel& machine, std::vector<Run> runs, const ThinningOptions& options = {});
 

@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "diagnose/description/waves.hpp"
+#include "identify/equations/whitening.hpp"
 #include "physics/effects/generic.hpp"
 
 namespace plumbline::diagnose {

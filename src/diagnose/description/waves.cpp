@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/parallel.hpp"
+#include "identify/equations/whitening.hpp"
 
 namespace plumbline::diagnose {
 namespace {

@@ -10,6 +10,7 @@
 #include "base/check.hpp"
 #include "base/parallel.hpp"
 #include "diagnose/candidates/run_columns.hpp"
+#include "identify/equations/whitening.hpp"
 
 namespace plumbline::diagnose {
 namespace {

@@ -6,6 +6,7 @@
 #include <Eigen/QR>
 
 #include "base/parallel.hpp"
+#include "identify/equations/whitening.hpp"
 
 namespace plumbline::identify {
 namespace {

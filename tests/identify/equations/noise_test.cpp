@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "identify/equations/whitening.hpp"
+
 using namespace plumbline;
 using namespace plumbline::identify;
 
@@ -41,18 +43,6 @@ void fit_setups(std::vector<RunEquations>& runs) {
 
 }  // namespace
 
-TEST_CASE("whitening turns the covariance of the noise into the unit matrix") {
-  const ChannelNoise noise{2.5, 0.7};
-  constexpr int n = 6;
-  Eigen::MatrixXd V(n, n);
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < n; ++k) V(i, k) = noise.sigma * noise.sigma * std::pow(noise.memory, std::abs(i - k));
-  }
-  Eigen::MatrixXd W = Eigen::MatrixXd::Identity(n, n);
-  whiten(noise, W);
-  CHECK((W * V * W.transpose()).isApprox(Eigen::MatrixXd::Identity(n, n), 1e-12));
-}
-
 TEST_CASE("sigma and memory of noise are found, although set-ups were fitted to it") {
   std::mt19937_64 random(41);
   for (const double memory : {0.0, 0.6, 0.9}) {
@@ -82,23 +72,6 @@ TEST_CASE("a part of the noise that does not remember is told from the part that
   CHECK(found.white == Approx(0.36).margin(0.08));
   const double level = 0.16 * 19 + 0.09;
   CHECK(low_frequency_variance(found) * 1e12 == Approx(level).epsilon(0.35));
-}
-
-TEST_CASE("whitening with a white part turns the covariance into the unit matrix, too, whatever the storage") {
-  const ChannelNoise noise{2.5, 0.7, 0, 0.3};
-  constexpr int n = 7;
-  Eigen::MatrixXd V(n, n);
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < n; ++k) {
-      V(i, k) = 6.25 * (0.7 * std::pow(noise.memory, std::abs(i - k)) + (i == k ? 0.3 : 0));
-    }
-  }
-  Eigen::MatrixXd W = Eigen::MatrixXd::Identity(n, n);
-  whiten(noise, W);
-  CHECK((W * V * W.transpose()).isApprox(Eigen::MatrixXd::Identity(n, n), 1e-12));
-  SlopeRows rows = SlopeRows::Identity(n, n);
-  whiten(noise, rows);
-  CHECK(rows.isApprox(W, 1e-14));
 }
 
 TEST_CASE("unknowns that were fitted at low frequencies do not make noise forget") {
