@@ -21,7 +21,8 @@ namespace plumbline::diagnose {
 struct VerdictOptions {
   double within_nats = 6;  // an effect that is that much less likely than the best one is not ruled out
   double as_strong = 0.5;  // share of the strongest one's log odds (0.7 of its SNR) from which a second may be stronger
-  double same_signature = 0.9999;    // |cos| from which no data of the plan tell two effects apart
+  double same_signature = 0.9999;    // |cos| from which no data of the plan tell two effects apart,
+  double told_apart_nats = 20;       // unless what the other one leaves of the first is so much: little noise tells
   double remainder_gain = 60;        // misfit that a description must take away to count as a gap
   double remainder_share = 0.04;     // of what the effects explain; a remainder above that and
   double remainder_most = 150;       // above that makes the verdict unknown

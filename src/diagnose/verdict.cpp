@@ -47,7 +47,8 @@ std::vector<std::string> alternatives_of(const Workbench& bench, const Model& mo
       const ModeFit fit = fit_mode(reduced, bench.candidates, mode, all, seen);
       if (fit.seen) most = std::max(most, fit.gain);
     }
-    if (most > options.same_signature * options.same_signature * length2) names.push_back(candidate.name);
+    const bool alike = most > options.same_signature * options.same_signature * length2;
+    if (alike && 0.5 * (length2 - most) < options.told_apart_nats) names.push_back(candidate.name);
   }
   return names;
 }

@@ -12,7 +12,7 @@ namespace {
 
 // The alternatives to one effect of one number on a plan, computed from the design: no reading is needed.
 std::vector<std::string> alternatives_to(const std::string& effect, const std::string& key, double value,
-                                         const std::vector<measure::Run>& runs) {
+                                         const std::vector<measure::Run>& runs, const VerdictOptions& options = {}) {
   const machine::MachineModel machine = testing::pm600_like();
   const physics::ForceModel forces(machine);
   const CandidateSet candidates = make_candidate_set(machine, forces);
@@ -27,7 +27,7 @@ std::vector<std::string> alternatives_to(const std::string& effect, const std::s
   Found found;
   found.pick = {&candidates.candidate(effect), 0, {0}, {unknown}};
   model.found = {found};
-  return alternatives_of(bench, model, 0, {});
+  return alternatives_of(bench, model, 0, options);
 }
 
 bool has(const std::vector<std::string>& names, const std::string& name) {
@@ -40,6 +40,17 @@ TEST_CASE("a constant vertical force is no other than a mass, and a drag is") {
   CHECK_FALSE(has(names, "joint-viscous"));
   CHECK_FALSE(has(names, "backlash"));
   CHECK_FALSE(has(names, "platform-mass"));
+}
+
+TEST_CASE("however alike two effects are, one that leaves more than noise of the other is no alternative") {
+  VerdictOptions rough;
+  rough.same_signature = 0.1;
+  rough.told_apart_nats = 1e9;
+  CHECK(has(alternatives_to("platform-mass", "mass_kg", 5, testing::wider_plan(60), rough), "payload"));
+  rough.told_apart_nats = 20;
+  const std::vector<std::string> names = alternatives_to("platform-mass", "mass_kg", 5, testing::wider_plan(60), rough);
+  CHECK_FALSE(has(names, "payload"));
+  CHECK(has(names, "counterbalance"));
 }
 
 TEST_CASE("whatever is within six nats of the strongest is not ruled out") {

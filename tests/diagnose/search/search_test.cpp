@@ -13,7 +13,7 @@ namespace {
 Model searched(const testing::Hidden& hidden, std::vector<std::string>& steps) {
   SearchOptions options;
   options.threshold.draws = 1000;
-  return search(hidden.bench(), options, [&](const std::string& step) { steps.push_back(step); });
+  return search(hidden.bench(), options, {[&](const std::string& step) { steps.push_back(step); }});
 }
 
 }  // namespace
