@@ -12,12 +12,12 @@ constexpr int kTogether = 256;  // pieces: their targets stay in the cache
 
 }  // namespace
 
-const CorrectedMove& MoveCorrector::correct(const Move& move, const AxisWords& standing, const AxisWords& half_quanta) {
+const CorrectedMove& MoveCorrector::correct(const Move& move, const AxisWords& standing, const WordsOfMove& words) {
   begin(move, standing);
   if (move.is_rapid()) {
     correct_rapid();
   } else if (chooser_) {
-    correct_by_bound(half_quanta);
+    correct_by_bound(words);
   } else {
     correct_cut();
   }
@@ -42,6 +42,7 @@ void MoveCorrector::begin(const Move& move, const AxisWords& standing) {
   result_.signs.clear();
   result_.violations.clear();
   result_.bound = {};
+  result_.proven.clear();
 }
 
 void MoveCorrector::note(std::vector<machine::Violation> violations) {
@@ -142,14 +143,16 @@ void MoveCorrector::correct_cut() {
   }
 }
 
-void MoveCorrector::correct_by_bound(const AxisWords& half_quanta) {
+void MoveCorrector::correct_by_bound(const WordsOfMove& words) {
   const Move& move = result_.move;
-  ControlBefore before{std::nullopt, standing_sign_, half_quanta};
+  ControlBefore before{std::nullopt, standing_sign_, words};
   if (at_violation_ == AtViolation::stop) before.told = move.path.in_base_frame(move.motion->from + result_.standing);
   double from = 0;
   for (const ChosenPoint& point : chooser_->choose(move, before)) {
     keep(point.corrected, point.place.work);
     result_.points.back().share = point.place.fraction - from;
+    result_.points.back().arc = point.arc;
+    result_.proven.push_back(point.proven);
     from = point.place.fraction;
   }
   note(std::move(chooser_->violations()));

@@ -20,7 +20,8 @@ struct CorrectedMove {
   std::vector<nc::CorrectedPoint> points;        // ends of its pieces; of a rapid its end
   std::vector<machine::PerStrut<double>> signs;  // of the struts' speeds at these
   std::vector<machine::Violation> violations;    // of limits; kOutOfReach: no command leads there
-  BoundOfMove bound;                             // of one whose points were chosen by it
+  BoundOfMove bound;                             // of one whose points were chosen by it,
+  std::vector<Deviation> proven;                 // and of its pieces
 
   /// Where the control is sent for a point, in W.
   AxisWords commanded(std::size_t point) const {
@@ -50,9 +51,8 @@ class MoveCorrector {
 
   /// A move that was divided. `standing`: by how much the control stands off the original before it, in the work
   /// system. Of a rapid the end alone is corrected; the control goes there as it likes, so the limits are checked on
-  /// the chord. `half_quanta` is what rounding may do to a word of the move, where points are chosen by a bound. Holds
-  /// until the next call.
-  const CorrectedMove& correct(const Move& move, const AxisWords& standing, const AxisWords& half_quanta = {});
+  /// the chord. `words`: where points are chosen by a bound. Holds until the next call.
+  const CorrectedMove& correct(const Move& move, const AxisWords& standing, const WordsOfMove& words = {});
   /// correct() of a move whose points are among these takes what was found for them. To be told before each move: null
   /// where there are none, or the tool is another one. They must outlive the next call of correct().
   void expect(const PointsAhead* points);
@@ -69,7 +69,7 @@ class MoveCorrector {
   void correct_rapid();
   void correct_cut();
   bool take_expected();
-  void correct_by_bound(const AxisWords& half_quanta);
+  void correct_by_bound(const WordsOfMove& words);
 
   const Corrector& corrector_;
   const machine::Limits& limits_;

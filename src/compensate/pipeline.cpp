@@ -190,8 +190,8 @@ const CorrectedMove& Pipeline::corrected(Move& move) {
     const PointsAhead& points = ahead_.points(reader_.handed_over());
     moves_.expect(points.tools == tools_ ? &points : nullptr);
   }
-  const AxisWords half_quanta = settings_.bound.is_asked() ? rewriter_.half_quanta(*move.step) : AxisWords{};
-  const CorrectedMove& corrected = moves_.correct(move, rewriter_.standing(*move.step), half_quanta);
+  const WordsOfMove words = settings_.bound.is_asked() ? rewriter_.words_of(*move.step) : WordsOfMove{};
+  const CorrectedMove& corrected = moves_.correct(move, rewriter_.standing(*move.step), words);
   refuse_violations(corrected.violations, *move.step, reader_.passed());
   return corrected;
 }

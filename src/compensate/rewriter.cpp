@@ -135,6 +135,10 @@ void Rewriter::note_pieces(const CorrectedMove& corrected) {
     const nc::CorrectedPoint& asked = corrected.points[point];
     const AxisWords wanted = path.in_base_frame(asked.nominal + asked.shift);
     written_.pieces.push_back({path.in_base_frame(ends[i]), wanted, pieces[i].share, corrected.signs[point]});
+    if (pieces[i].arc) {
+      written_.pieces.back().arc = pieces[i].arc->arc;
+      written_.pieces.back().proven = corrected.proven[point];
+    }
     if (point + 1 < count) ++point;
   }
 }

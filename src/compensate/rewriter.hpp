@@ -57,8 +57,8 @@ class Rewriter {
   bool changed() const { return emitter_.changed(); }
   /// By how much the control stands off the original, in the work system of the step.
   AxisWords standing(const nc::Step& step) const { return emitter_.control().work_shift(*step.frame); }
-  /// What rounding may take off a word of the step's move, or put on it: mm and deg.
-  AxisWords half_quanta(const nc::Step& step) const { return emitter_.half_quanta(step); }
+  /// How the words of the step's move may be written.
+  WordsOfMove words_of(const nc::Step& step) const { return {emitter_.half_quanta(step), emitter_.arc_form(step)}; }
   /// True if a move may stay as it stands, or a block of the step.
   bool stays(const CorrectedMove& corrected);
   bool stands_true(const nc::Step& step, AxisSet writable) const { return emitter_.stands_true(step, writable); }

@@ -45,10 +45,20 @@ struct BoundOfMove {
   BrokenBound by_time;               // where the control's time for a block allows no point
 };
 
+/// What became of the arcs of a program where a bound chose the points.
+struct ArcFigures {
+  std::uint64_t stayed = 0;    // one arc each, as it stood or with other words
+  std::uint64_t split = 0;     // several blocks, arcs among them
+  std::uint64_t straight = 0;  // straight pieces alone
+  std::uint64_t blocks = 0;    // of the output for those that are split
+  Worst most_blocks;           // for one of these
+};
+
 /// The same of a program.
 struct BoundFigures {
   Worst kept_mm, kept_deg;
   BrokenBound at_turns, by_time;
+  ArcFigures arcs;
 };
 
 struct Summary {

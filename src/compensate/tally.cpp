@@ -20,6 +20,22 @@ constexpr double kAlmost = 1 - 1e-6;        // pieces of exactly the time are no
 constexpr double kOffsetProbeMm = 1;
 constexpr double kLeastDriftMm = 1e-5;  // in an hour
 
+// What became of an arc.
+void note_arc(const WrittenMove& written, std::size_t line, ArcFigures& arcs) {
+  const std::size_t pieces = written.pieces.size();
+  const bool has_arcs = std::any_of(written.pieces.begin(), written.pieces.end(),
+                                    [](const SentPiece& piece) { return piece.arc.has_value(); });
+  if (!written.changed || (has_arcs && pieces == 1)) {
+    ++arcs.stayed;
+  } else if (has_arcs) {
+    ++arcs.split;
+    arcs.blocks += pieces;
+    arcs.most_blocks.take(static_cast<double>(pieces), line);
+  } else {
+    ++arcs.straight;
+  }
+}
+
 }  // namespace
 
 void Tally::take_block(const nc::Step& step) {
@@ -67,7 +83,10 @@ void Tally::take_cut(const CorrectedMove& corrected, const WrittenMove& written)
   for (const nc::CorrectedPoint& point : corrected.points) note_point(point, line);
   note_end(corrected);
   if (move.widened) note_widened(corrected);
-  if (settings_.bound.is_asked()) note_bound(corrected);
+  if (settings_.bound.is_asked()) {
+    note_bound(corrected);
+    if (move.motion->kind == nc::MotionKind::arc) note_arc(written, line, summary_.bound->arcs);
+  }
   if (written.changed && move.seconds) note_short_pieces(written, *move.seconds, line);
   note_written(written, move.seconds, line);
 }

@@ -14,14 +14,19 @@
 #include "jobs/program/open_program.hpp"
 #include "jobs/program/survey_program.hpp"
 #include "machine/model_file.hpp"
+#include "nc/rewrite/arc_words.hpp"
 
 namespace plumbline::jobs {
 namespace {
 
 class Checker {
  public:
-  Checker(const nc::Dialect& dialect, const machine::MachineModel& model, const compensate::Settings& settings)
-      : corrector_(model, settings),
+  Checker(const nc::Dialect& dialect, const machine::MachineModel& model, const compensate::Settings& settings,
+          const nc::EmitSettings& emit)
+      : dialect_(dialect),
+        emit_(emit),
+        words_(dialect, emit_),
+        corrector_(model, settings),
         touch_off_error_(compensate::touch_off_error(corrector_, settings)),
         moves_(corrector_, model.limits, compensate::MoveCorrector::AtViolation::go_on, settings.bound),
         holes_(dialect, corrector_, model.limits, settings, moves_),
@@ -38,7 +43,8 @@ class Checker {
     const nc::Hole* const hole = hole_of(move);
     auto points = static_cast<std::size_t>(move.pieces);
     if (hole == nullptr) {
-      const compensate::CorrectedMove& corrected = moves_.correct(move, {});
+      const compensate::CorrectedMove& corrected =
+          moves_.correct(move, {}, {{}, nc::arc_form(dialect_, words_, *move.step, {})});
       if (by_bound_ && !move.is_rapid()) points = corrected.points.size();
       compensate::keep_worst(of_block_, corrected.violations);
     } else if (move.motion == &move.step->motions[hole->begin]) {
@@ -78,6 +84,9 @@ class Checker {
     left_by_.clear();
   }
 
+  const nc::Dialect& dialect_;
+  nc::EmitSettings emit_;
+  nc::WordGrid words_;
   compensate::Corrector corrector_;
   AxisWords touch_off_error_;
   compensate::MoveCorrector moves_;
@@ -99,7 +108,7 @@ CheckSummary check_file(const std::string& program, const settings::Options& opt
   const compensate::Settings compensation = compensation_settings(model.control, options);
 
   const compensate::ProgramSurvey survey = survey_program(opened);
-  Checker checker(dialect, model, compensation);
+  Checker checker(dialect, model, compensation, emit_settings(model.control, dialect, options));
   compensate::MoveReader reader(
       source, dialect, settings,
       {survey.named, compensate::divided_by(compensation), model.reference_tool_mass, checker.touch_off_error()});

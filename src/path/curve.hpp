@@ -1,9 +1,8 @@
 // The curve that a motion follows in the control's own axes, by its fraction 0..1.
 #pragma once
 
-#include <array>
-
 #include "base/axes.hpp"
+#include "nc/control/state/arc_shape.hpp"
 #include "nc/control/state/motion.hpp"
 
 namespace plumbline::path {
@@ -39,11 +38,7 @@ class Curve {
   AxisWords from_, to_, delta_;
   bool is_arc_ = false;
   nc::PlaneAxes plane_{};
-  std::array<double, 2> centre_{};  // along the first and second axis of the plane
-  double start_angle_ = 0;          // rad
-  double sweep_ = 0;                // rad, signed
-  double start_radius_ = 0;         // mm
-  double end_radius_ = 0;
+  nc::ArcShape arc_;
   double linear_mm_ = 0;
 };
 

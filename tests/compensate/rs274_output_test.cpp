@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include "compensate/bound/drawn_arcs.hpp"
 #include "compensate/play.hpp"
 #include "nc/canon.hpp"
 #include "support/skip.hpp"
@@ -88,6 +89,29 @@ std::vector<nc::Motion> traced(const std::string& path) {
 }
 
 }  // namespace
+
+TEST_CASE("rs274 takes arcs that stay arcs, and makes of their words what we make of them") {
+  if (!testing::has_rs274_or_skips()) return;
+  for (unsigned seed = 41; seed <= 48; ++seed) {
+    for (const bool friction : {false, true}) {
+      const Folder folder;
+      write_text(folder / "in.ngc", DrawnArcs(seed).text(12));
+      Job job = within_reach();
+      job.settings.bound.tolerance_mm = 1e-3;
+      job.settings.friction = friction;
+      bool changed = false;
+      INFO("seed " << seed << "\n" << read_text(folder / "in.ngc"));
+      REQUIRE(compensated(folder / "in.ngc", folder / "out.ngc", job, changed));
+      CHECK(changed);
+      INFO(read_text(folder / "out.ngc"));
+      REQUIRE(run_rs274(folder, "out.ngc", "out.canon"));
+      const std::vector<nc::Motion> ours = traced(folder / "out.ngc");
+      CHECK(std::count_if(ours.begin(), ours.end(),
+                          [](const nc::Motion& m) { return m.kind == nc::MotionKind::arc; }) >= 12);
+      CHECK(nc::tests::first_difference(ours, nc::tests::read_canon(folder / "out.canon"), kTolerance).empty());
+    }
+  }
+}
 
 TEST_CASE("rs274 takes what comes out, and moves as it says") {
   if (!testing::has_rs274_or_skips()) return;

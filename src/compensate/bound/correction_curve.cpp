@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
+#include "compensate/bound/told_way.hpp"
 #include "machine/condition.hpp"
 #include "path/figures.hpp"
 
@@ -87,14 +88,14 @@ std::size_t CorrectionCurve::intervals(double from, double to) const {
 bool CorrectionCurve::fill_nodes(const PieceEnd& begin, const PieceEnd& end, Friction friction) {
   const double share = end.fraction - begin.fraction;
   const std::size_t count = intervals(begin.fraction, end.fraction);
-  const AxisWords slope = scaled(end.told - begin.told, 1 / share);
+  const ToldWay way(move_->path, begin.told, end.told, share, end.arc);
   nodes_.clear();
   for (std::size_t i = 0; i <= count; ++i) {
     const double along = static_cast<double>(i) / static_cast<double>(count);
     PathPlace place = this->place(begin.fraction + along * share);
     Target told = place.target;
-    told.pose = path::between(begin.told, end.told, along);
-    told.slope = slope;
+    told.pose = way.pose(along);
+    told.slope = way.slope(along);
     machine::PerStrut<double> sign = begin.sign + along * (end.sign - begin.sign);
     Deviation uncertain;
     if (friction == Friction::as_told && corrector_.has_friction()) {
@@ -102,7 +103,7 @@ bool CorrectionCurve::fill_nodes(const PieceEnd& begin, const PieceEnd& end, Fri
       sign = rates.sign;
       uncertain = uncertain_friction(rates, share);
     }
-    const Corrected wanted = command(place, sign, slope);
+    const Corrected wanted = command(place, sign, told.slope);
     if (!wanted.converged) return false;
     nodes_.push_back({std::move(place), off(told.pose, wanted.pose), uncertain});
   }

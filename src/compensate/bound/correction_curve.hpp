@@ -1,6 +1,7 @@
 // The curve of commands that puts the deformed tip on a move, and how far a straight piece of the output is from it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "compensate/bound/distance.hpp"
@@ -8,6 +9,7 @@
 #include "compensate/limits.hpp"
 #include "compensate/move.hpp"
 #include "machine/limits.hpp"
+#include "nc/control/state/motion.hpp"
 
 namespace plumbline::compensate {
 
@@ -18,12 +20,13 @@ struct PathPlace {
   Target target;
 };
 
-/// An end of a piece: what the control is told there, pose in W, and which way the friction of each strut is taken to
-/// act there.
+/// An end of a piece: what the control is told there, pose in W; which way the friction of each strut is taken to act
+/// there; and the arc along which it goes there from the end before, in the work system. Nothing: straight.
 struct PieceEnd {
   double fraction = 0;
   AxisWords told;
   machine::PerStrut<double> sign = machine::PerStrut<double>::Zero();
+  std::optional<nc::Arc> arc = {};
 };
 
 /// How far the tip is off the path anywhere on a piece, before its words are rounded.
@@ -58,7 +61,7 @@ class CorrectionCurve {
   /// Whose sign friction follows on a piece: that of the speed which the control is told, or what the ends of the piece
   /// take it to be.
   enum class Friction { as_told, as_taken };
-  /// Runs along a straight piece from `begin` to `end` and holds it against the curve of commands: at evenly spaced
+  /// Runs along a piece from `begin` to `end` and holds it against the curve of commands: at evenly spaced
   /// points, and by the second differences between them [docs/rewriting.md, 9].
   PieceProof prove(const PieceEnd& begin, const PieceEnd& end, Friction friction);
 

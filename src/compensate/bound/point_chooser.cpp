@@ -30,10 +30,13 @@ std::span<const ChosenPoint> PointChooser::choose(const Move& move, const Contro
   bound_ = {};
   chosen_.clear();
   reached_ = true;
-  set_allowed(move, before.half_quanta);
+  set_allowed(move, before.words.half_quanta);
   curve_.follow(move, rounding_);
+  arcs_.follow(move, before.words.arcs);
   std::vector<double> ends;
-  if (has_friction_) ends = turns_.follow(move, allowed_.tip_mm);
+  if (has_friction_) {
+    ends = arcs_.is_asked() ? turns_.follow_closely(move, allowed_.tip_mm) : turns_.follow(move, allowed_.tip_mm);
+  }
   ends.push_back(1);
   PieceEnd at = begin_of(before);
   for (const double end : ends) {
@@ -97,16 +100,22 @@ bool PointChooser::choose_up_to(double last, PieceEnd& at) {
     double end = last;
     if (count > 1) end = std::max(at.fraction + (last - at.fraction) / count, at.fraction + least_share_);
     if (last - end < least_share_ * (1 - kSlack)) end = last;
+    if (arcs_.is_asked()) end = std::min(end, at.fraction + arcs_.most_share(at.fraction));
     Piece piece;
     while (true) {
       if (!try_piece(at, end, piece)) return false;
+      if (piece.is_long) {
+        end = at.fraction + piece.share / 2;
+        continue;
+      }
       const double shorter = shortened(at, last, piece);
       if (shorter >= end) break;
       end = shorter;
     }
     accept(piece);
     const double fits = (end - at.fraction) * kNearer / std::sqrt(std::clamp(over(piece.as_taken), kLeastGrown, 1.0));
-    count = piece.jumps ? 1 : std::max(1.0, std::ceil((last - end) / fits));
+    const bool left_arc = arcs_.is_asked() && !piece.end.arc;
+    count = piece.jumps || left_arc ? 1 : std::max(1.0, std::ceil((last - end) / fits));
     at = piece.end;
     if (chosen_.size() > kMostPoints) {
       refuse("path-too-many-pieces", fmt::format("a single move would be cut into more than {} pieces", kMostPoints),
@@ -125,14 +134,31 @@ bool PointChooser::try_piece(const PieceEnd& begin, double end, Piece& piece) {
   if (!reached_) return false;
   piece.end.told = piece.corrected.pose;
   piece.share = end - begin.fraction;
+  piece.is_long = false;
+  if (arcs_.is_asked()) fit_arc(begin, piece);
+  if (piece.is_long) return true;
+  const double of_centre = piece.end.arc ? arcs_.rounding_mm(piece.share) : 0;
   const PieceProof proof = curve_.prove(begin, piece.end, CorrectionCurve::Friction::as_told);
-  piece.as_told = piece.as_taken = proof.worst;
+  piece.as_told = piece.as_taken = {proof.worst.tip_mm + of_centre, proof.worst.turned_rad};
   reached_ = proof.reached;
   piece.jumps = false;
   if (!has_friction_ || !reached_ || keeps(piece.as_told)) return reached_;
   piece.as_taken = curve_.prove(begin, piece.end, CorrectionCurve::Friction::as_taken).worst;
+  piece.as_taken.tip_mm += of_centre;
   piece.jumps = turns_.tip_jump_mm(begin.sign, piece.end.sign) > allowed_.tip_mm;
   return true;
+}
+
+void PointChooser::fit_arc(const PieceEnd& begin, Piece& piece) {
+  PieceEnd end = piece.end;
+  end.told = arcs_.end_of(begin, end.fraction, end.told);
+  end.arc = arcs_.between(begin, end);
+  if (!end.arc) {
+    piece.is_long = piece.share > 2 * least_share_ && arcs_.is_long(piece.share);
+    return;
+  }
+  piece.end = end;
+  piece.corrected.pose = end.told;
 }
 
 // Where a piece ends that is too long; its own end where no shorter one is better, or the time of a block allows none.
@@ -154,9 +180,10 @@ double PointChooser::shortened(const PieceEnd& begin, double last, const Piece& 
 }
 
 void PointChooser::accept(const Piece& piece) {
-  chosen_.push_back({piece.place, piece.corrected});
   const double tip_mm = piece.as_told.tip_mm + rounding_.tip_mm;
-  const double turned_deg = (piece.as_told.turned_rad + rounding_.turned_rad) / kDeg;
+  const double turned_rad = piece.as_told.turned_rad + rounding_.turned_rad;
+  const double turned_deg = turned_rad / kDeg;
+  chosen_.push_back({piece.place, piece.corrected, piece.end.arc, {tip_mm, turned_rad}});
   if (keeps(piece.as_told)) {
     bound_.kept_mm = std::max(bound_.kept_mm, tip_mm);
     bound_.kept_deg = std::max(bound_.kept_deg, turned_deg);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "compensate/bound/arc_fit.hpp"
 #include "compensate/bound/correction_curve.hpp"
 #include "compensate/bound/strut_turns.hpp"
 #include "compensate/corrector.hpp"
@@ -11,19 +12,28 @@
 #include "compensate/settings.hpp"
 #include "compensate/summary.hpp"
 #include "machine/limits.hpp"
+#include "nc/rewrite/arc_words.hpp"
 
 namespace plumbline::compensate {
+
+/// How the words of a move may be written.
+struct WordsOfMove {
+  AxisWords half_quanta;            // what rounding may take off one or put on it, mm and deg
+  std::optional<nc::ArcForm> arcs;  // of an arc; nothing: it becomes straight pieces
+};
 
 /// What the control makes of a command, and where it stood before the move.
 struct ControlBefore {
   std::optional<AxisWords> told;  // pose in W, as the control keeps it; nothing: as the correction has it
   machine::PerStrut<double> sign = machine::PerStrut<double>::Zero();  // of friction, as that command has it
-  AxisWords half_quanta;  // what rounding may take off a word of the move or put on it, mm and deg
+  WordsOfMove words;
 };
 
 struct ChosenPoint {
   PathPlace place;
   Corrected corrected;
+  std::optional<nc::Arc> arc;  // along which the control goes there, in the work system; nothing: straight
+  Deviation proven;            // of the piece that ends there, rounding included
 };
 
 class PointChooser {
@@ -33,6 +43,7 @@ class PointChooser {
       : settings_(settings),
         curve_(corrector, limits),
         turns_(corrector, curve_),
+        arcs_(curve_),
         has_friction_(corrector.has_friction()) {}
 
   /// Chooses the points of a move that cuts, the last of them its end. Refuses with compensate-tolerance a bound that
@@ -53,11 +64,13 @@ class PointChooser {
     Deviation as_told, as_taken;  // the worst of it, with friction so
     double share = 0;             // of the move
     bool jumps = false;           // the tip, since friction is taken to turn on it
+    bool is_long = false;         // for a straight piece of an arc: a shorter one may be an arc
   };
   void set_allowed(const Move& move, const AxisWords& half_quanta);
   PieceEnd begin_of(const ControlBefore& before);
   bool choose_up_to(double last, PieceEnd& at);
   bool try_piece(const PieceEnd& begin, double end, Piece& piece);
+  void fit_arc(const PieceEnd& begin, Piece& piece);
   double shortened(const PieceEnd& begin, double last, const Piece& piece) const;
   bool keeps(const Deviation& deviation) const;
   double over(const Deviation& deviation) const;
@@ -66,6 +79,7 @@ class PointChooser {
   BoundSettings settings_;
   CorrectionCurve curve_;
   StrutTurns turns_;
+  ArcFit arcs_;
   bool has_friction_;
   const Move* move_ = nullptr;
   Deviation allowed_, rounding_;

@@ -11,15 +11,31 @@ namespace {
 constexpr int kTurnIntervals = 8;  // in which a turn is sought
 constexpr int kBisections = 30;
 constexpr double kFarFromTurn = 3;  // v0: tanh is 0.995
+constexpr double kTurned = 0.6;     // v0: tanh is a little more than a half
 constexpr int kSigns = 40;          // that are tried, from -1 to 1
 
 }  // namespace
 
 std::vector<double> StrutTurns::follow(const Move& move, double least_mm) {
   move_ = &move;
+  return find(
+      least_mm, [&](int) { return kFarFromTurn * corrector_.turning_speed(); }, 0);
+}
+
+// J / 2 (1 - tanh(v / v0)) = least / 4, where J is the jump of the tip.
+std::vector<double> StrutTurns::follow_closely(const Move& move, double least_mm) {
+  move_ = &move;
+  const auto slow_of = [&](int strut) {
+    const double turned = std::atanh(1 - least_mm / 2 / curve_.friction().tip_mm[strut]);
+    return std::min(kFarFromTurn, turned) * corrector_.turning_speed();
+  };
+  return find(least_mm, slow_of, kTurned * corrector_.turning_speed());
+}
+
+template <class Slow>
+std::vector<double> StrutTurns::find(double least_mm, const Slow& slow_of, double turned) const {
   std::vector<double> found;
   const auto speeds_at = [&](double fraction) { return curve_.speeds(curve_.place(fraction)); };
-  const double slow = kFarFromTurn * corrector_.turning_speed();
   machine::PerStrut<double> before = speeds_at(0);
   for (int i = 0; i < kTurnIntervals; ++i) {
     const double from = static_cast<double>(i) / kTurnIntervals;
@@ -27,7 +43,8 @@ std::vector<double> StrutTurns::follow(const Move& move, double least_mm) {
     const machine::PerStrut<double> after = speeds_at(to);
     for (int j = 0; j < machine::kStruts; ++j) {
       if (curve_.friction().tip_mm[j] <= least_mm) continue;
-      for (const double level : {-slow, 0.0, slow}) {
+      const double slow = slow_of(j);
+      for (const double level : {-slow, std::copysign(turned, after[j] - before[j]), slow}) {
         if ((before[j] - level) * (after[j] - level) >= 0) continue;
         double low = from;
         double high = to;

@@ -18,6 +18,9 @@ class StrutTurns {
   /// friction moves the tip by more than `least_mm`, and where it gets so slow that its friction begins to turn, or
   /// fast again.
   std::vector<double> follow(const Move& move, double least_mm);
+  /// The same for as few pieces as may be: a strut is slow where that moves the tip by a quarter of `least_mm`, and has
+  /// turned round where sign_at_end() says so.
+  std::vector<double> follow_closely(const Move& move, double least_mm);
 
   /// Which way friction acts at the end of a piece that begins with `begin`. A strut that is far from turning round
   /// says so itself. Of one that moves as slowly as its friction takes to turn, the sign is sought that leaves least on
@@ -31,6 +34,8 @@ class StrutTurns {
  private:
   static constexpr std::size_t kLooks = 5;  // along a piece
   using Speeds = std::array<machine::PerStrut<double>, kLooks>;
+  template <class Slow>
+  std::vector<double> find(double least_mm, const Slow& slow_of, double turned) const;
   double left(int strut, const Speeds& speeds, double begin, double end, double share) const;
 
   const Corrector& corrector_;

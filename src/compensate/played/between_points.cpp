@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
+#include "compensate/bound/told_way.hpp"
 #include "machine/orientation.hpp"
 #include "path/figures.hpp"
 
@@ -157,8 +158,12 @@ void BetweenPoints::find_guesses(const MovePath& path, const AxisWords& begin, s
     const SentPiece& piece = pieces[i];
     const AxisWords step = piece.wanted - *last;
     const AxisWords off = piece.end - piece.wanted;
-    const double left = places.next(xyz(step), xyz(off), bend * piece.share * piece.share);
-    const double turned = turns.next(abc(step), abc(off), 0);
+    double left = places.next(xyz(step), xyz(off), bend * piece.share * piece.share);
+    double turned = turns.next(abc(step), abc(off), 0);
+    if (piece.arc) {
+      left = piece.proven.tip_mm;
+      turned = piece.proven.turned_rad / kDeg;
+    }
     const PieceGuess::Kind turning = i == 0 ? PieceGuess::corner : PieceGuess::turn;
     const double friction = corrector_.has_friction() ? friction_guess(friction_.tip_mm, *sign, piece.sign) : 0;
     const double friction_deg = corrector_.has_friction() ? friction_guess(friction_.turned_deg, *sign, piece.sign) : 0;
@@ -173,7 +178,7 @@ void BetweenPoints::choose(const MovePath& path, const AxisWords& begin, std::sp
                            bool as_it_stands) {
   if (as_it_stands) {
     const AxisWords from = path.target(0, std::nullopt).pose;
-    if (must_play()) waiting_.push_back({from, from, 0, 1, true, {}, {}});
+    if (must_play()) waiting_.push_back({from, from, 0, 1, true, {}, {}, {}});
     return;
   }
   choose_from(tip_, begin, pieces);
@@ -187,7 +192,8 @@ void BetweenPoints::choose_from(PieceRanking& ranking, const AxisWords& begin, s
     const PieceGuess& guess = guesses[k];
     const bool must = must_play() && (k == 0 || (k < kAlways && blocks_ <= kAllBlocks));
     if (!must && !ranking.promises(guess)) continue;
-    Part part{{}, pieces[guess.piece].end, 0, pieces[guess.piece].share, false, {}, {}};
+    const SentPiece& piece = pieces[guess.piece];
+    Part part{{}, piece.end, 0, piece.share, false, piece.arc, {}, {}};
     part.begin = guess.piece == 0 ? begin : pieces[guess.piece - 1].end;
     for (std::size_t i = 0; i < guess.piece; ++i) part.from += pieces[i].share;
     auto kept = std::find_if(waiting_.begin(), waiting_.end(), [&](const Part& p) { return p.from == part.from; });
@@ -205,9 +211,9 @@ void BetweenPoints::play_waiting(const MovePath* next) {
 Target BetweenPoints::Part::told(const MovePath& path, std::optional<double> seconds, double fraction) const {
   Target target = path.target(on_path(fraction), seconds);
   if (along_curve) return target;
-  target.pose = path::between(begin, end, fraction);
-  target.slope = end - begin;
-  for (double& value : target.slope.values) value /= share;
+  const ToldWay way(path, begin, end, share, arc);
+  target.pose = way.pose(fraction);
+  target.slope = way.slope(fraction);
   return target;
 }
 
@@ -265,7 +271,7 @@ double BetweenPoints::most(double Look::*figure) const {
 // and the neighbourhood of the worst place.
 void BetweenPoints::play(const Part& part, const MovePath* next) {
   const AxisWords way = part.end - part.begin;
-  if (!part.along_curve && length_mm(way) < kNoWayMm && path::largest_turn_deg(way) < kNoWayMm) return;
+  if (!part.along_curve && !part.arc && length_mm(way) < kNoWayMm && path::largest_turn_deg(way) < kNoWayMm) return;
   const double tip_before = tip_.found.value;
   const double turned_before = turned_.found.value;
   const Enough enough{std::min(kPromising * tip_before, tip_.known(part.tip)),

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/axes.hpp"
+#include "compensate/bound/distance.hpp"
 #include "compensate/corrector.hpp"
 #include "compensate/move.hpp"
 #include "compensate/played/piece_ranking.hpp"
@@ -16,12 +17,14 @@
 
 namespace plumbline::compensate {
 
-/// A straight piece of the output, in the order of the block.
+/// A piece of the output, in the order of the block.
 struct SentPiece {
-  AxisWords end;                   // of what the control is told, as it keeps it: pose in W, mm and deg
-  AxisWords wanted;                // before it was rounded
-  double share = 1;                // of the block's time
-  machine::PerStrut<double> sign;  // of the struts' speeds, as the correction of its end has them
+  AxisWords end;                    // of what the control is told, as it keeps it: pose in W, mm and deg
+  AxisWords wanted;                 // before it was rounded
+  double share = 1;                 // of the block's time
+  machine::PerStrut<double> sign;   // of the struts' speeds, as the correction of its end has them
+  std::optional<nc::Arc> arc = {};  // that the control keeps, in the work system; nothing: straight
+  Deviation proven = {};            // of an arc: how far the tip may be off on it
 };
 
 class BetweenPoints {
@@ -49,6 +52,7 @@ class BetweenPoints {
     AxisWords begin, end;
     double from = 0, share = 1;  // of the block's time
     bool along_curve = false;
+    std::optional<nc::Arc> arc = {};
     PieceGuess tip, turned;
 
     double on_path(double fraction) const { return std::clamp(from + fraction * share, 0.0, 1.0); }

@@ -34,12 +34,15 @@ inline constexpr double kLoose = 1.6;
 struct IntendedMove {
   enum class Form : std::uint8_t {
     kept,    // one move of the same kind
-    pieces,  // straight moves through the points, in order
+    pieces,  // moves through the points, in order: straight, or along arcs
   };
   Form form = Form::kept;
-  nc::Motion motion;              // of the original
-  std::size_t first_point = 0;    // in the batch; the control's display, mm and deg
-  std::size_t points = 0;         // at least one
+  nc::Motion motion;            // of the original
+  std::size_t first_point = 0;  // in the batch; the control's display, mm and deg
+  std::size_t points = 0;       // at least one
+  std::size_t first_arc = 0;    // in the batch, one for each point; nothing there: straight
+  bool has_arcs = false;
+  double centre_tolerance = 0;    // of each word of their centres, mm
   AxisSet loose;                  // axes that get no word: they stand where they stood
   AxisWords tolerance;            // half of what the control keeps, mm and deg
   AxisWords digit, increment;     // of its words, in the program's unit: 0.0001; what the control keeps, or 0
@@ -76,6 +79,7 @@ struct IntendedBatch {
   std::vector<IntendedBlock> blocks;
   std::vector<IntendedMove> moves;
   std::vector<AxisWords> points;
+  std::vector<std::optional<nc::Arc>> arcs;  // in the work system
   std::vector<BlockEffect> effects;
   std::vector<IntendedState> states;
   std::uint64_t output_size = 0;  // bytes that may be read
@@ -86,6 +90,7 @@ struct IntendedBatch {
     blocks.clear();
     moves.clear();
     points.clear();
+    arcs.clear();
     effects.clear();
     states.clear();
     output_size = 0;

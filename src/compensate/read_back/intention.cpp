@@ -124,6 +124,20 @@ void Intention::note_kept(const nc::Step& step, IntendedMove& move) {
   }
 }
 
+void Intention::note_arcs(const nc::Step& step, std::span<const nc::CorrectedPoint> points, IntendedMove& move) {
+  move.has_arcs = std::any_of(points.begin(), points.end(), [](const nc::CorrectedPoint& p) { return p.arc; });
+  if (!move.has_arcs) return;
+  move.first_arc = batch_.arcs.size();
+  for (const nc::CorrectedPoint& point : points) batch_.arcs.push_back(point.arc);
+  const nc::Kept control =
+      nc::kept_of_axis_word(dialect_.behaviour, false, step.after->inches, emit_.increment_ratio, false);
+  const double unit = step.after->inches ? kMmPerInch : 1;
+  const int digits = std::min(step.after->inches ? emit_.digits_inch : emit_.digits_mm, control.decimals);
+  const double increment = std::max(emit_.increment_mm / unit, control.quantum);
+  const double digit = from_ticks(1, std::max(digits, 0));
+  move.centre_tolerance = (increment > digit * 1.000001 ? increment + digit : digit) * unit / 2 + kNoRounding;
+}
+
 IntendedMove& Intention::add(const nc::Motion& motion, IntendedMove::Form form) {
   IntendedMove& move = batch_.moves.emplace_back();
   move.form = form;
@@ -190,6 +204,7 @@ void Intention::divide(const nc::Step& step, std::span<const nc::CorrectedPoint>
   note_kept(step, move);
   move.seconds = seconds;
   move.corrected = true;
+  note_arcs(step, points, move);
   for (const nc::CorrectedPoint& point : points) {
     batch_.points.push_back(step.frame->to_machine(point.nominal + point.shift));
   }

@@ -53,6 +53,7 @@ class Intention {
   }
   KeptWord kept_word(bool rotary, bool inches, bool incremental, int written) const;
   void note_kept(const nc::Step& step, IntendedMove& move);
+  void note_arcs(const nc::Step& step, std::span<const nc::CorrectedPoint> points, IntendedMove& move);
   IntendedMove& add(const nc::Motion& motion, IntendedMove::Form form);
   AxisWords work_shift(const nc::Frame& frame) const;
   void move_away(const nc::Step& step, const nc::Motion& motion, bool last);

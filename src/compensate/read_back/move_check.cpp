@@ -67,10 +67,23 @@ void check_words(const IntendedMove& meant, const nc::Step& step) {
   }
 }
 
+// Straight, or along the arc that was meant: its plane, turns and centre.
+bool has_kind(const IntendedMove& meant, const std::optional<nc::Arc>& arc, const nc::Motion& motion) {
+  if (!arc) return motion.kind == (path::is_cut(meant.motion.kind) ? nc::MotionKind::feed : meant.motion.kind);
+  if (motion.kind != nc::MotionKind::arc || motion.arc.plane != arc->plane || motion.arc.turns != arc->turns)
+    return false;
+  const nc::PlaneAxes plane = nc::axes_of(arc->plane);
+  const auto is_there = [&](Axis axis) {
+    return std::abs(arc->centre_mm[index(axis)] - motion.arc.centre_mm[index(axis)]) <= meant.centre_tolerance;
+  };
+  return is_there(plane.first) && is_there(plane.second);
+}
+
 // `wanted`: where it was to end.
 std::string what_differs(const IntendedMove& meant, const AxisWords& wanted, const nc::Motion& motion) {
   const bool pieces = meant.form == IntendedMove::Form::pieces;
-  const nc::MotionKind kind = pieces && path::is_cut(meant.motion.kind) ? nc::MotionKind::feed : meant.motion.kind;
+  const bool straight = pieces && path::is_cut(meant.motion.kind) && !meant.has_arcs;
+  const nc::MotionKind kind = straight ? nc::MotionKind::feed : meant.has_arcs ? motion.kind : meant.motion.kind;
   if (kind != motion.kind || meant.motion.in_machine_coordinates != motion.in_machine_coordinates) {
     return fmt::format("it has {} where {} was meant", name_of(motion.kind), name_of(kind));
   }
@@ -117,6 +130,7 @@ void MoveCheck::end() {
 bool MoveCheck::is_reached(const IntendedMove& move, std::size_t point) const {
   if (move.motion.kind == nc::MotionKind::dwell) return false;
   if (move.form == IntendedMove::Form::kept && path::stands(move.motion)) return true;
+  if (move.has_arcs && batch_->arcs[move.first_arc + point]) return false;
   return stands_known_.contains(move.motion.known_after) &&
          is_at(batch_->points[move.first_point + point], stands_, move, *step_, false);
 }
@@ -181,8 +195,7 @@ bool MoveCheck::take_dwell(const IntendedMove& meant, const nc::Motion& motion) 
 
 bool MoveCheck::take_piece(const IntendedMove& meant, const nc::Motion& motion) {
   const bool cuts = path::is_cut(meant.motion.kind);
-  const nc::MotionKind kind = cuts ? nc::MotionKind::feed : meant.motion.kind;
-  if (motion.kind != kind || motion.in_machine_coordinates) return false;
+  if (motion.in_machine_coordinates) return false;
   if (!(meant.motion.known_after == motion.known_after) && point_ + 1 == meant.points) return false;
   std::size_t at = point_;
   while (at < meant.points && !is_at(batch_->points[meant.first_point + at], motion.machine, meant, *step_, true)) {
@@ -190,6 +203,7 @@ bool MoveCheck::take_piece(const IntendedMove& meant, const nc::Motion& motion) 
     ++at;
   }
   if (at == meant.points) return false;
+  if (!has_kind(meant, meant.has_arcs ? batch_->arcs[meant.first_arc + at] : std::nullopt, motion)) return false;
   if (point_ > 0 && stops_ && cuts) throw Difference{"the control would stop between its pieces"};
   reach(meant, batch_->points[meant.first_point + at], motion);
   point_ = at + 1;

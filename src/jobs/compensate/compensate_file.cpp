@@ -15,6 +15,17 @@
 namespace plumbline::jobs {
 namespace {
 
+// Which files are called shows only when the program has run.
+void refuse_overwriting_subprogram(const compensate::Summary& summary, const std::string& output) {
+  for (const compensate::Summary::InlinedFile& file : summary.inlined_files) {
+    if (!InputFile(file.name).is_same_as(output)) continue;
+    refuse("file-overwrites-input", fmt::format("the output would overwrite the subprogram {}", file.name),
+           "name another file for the output", Place{.file = output});
+  }
+}
+
+}  // namespace
+
 nc::EmitSettings emit_settings(const machine::ControlSettings& control, const nc::Dialect& dialect,
                                const settings::Options& options) {
   nc::EmitSettings emit = options.emit;
@@ -27,17 +38,6 @@ nc::EmitSettings emit_settings(const machine::ControlSettings& control, const nc
     emit.increment_ratio = *options.program.input_increment / dialect.behaviour.increment_mm;
   return emit;
 }
-
-// Which files are called shows only when the program has run.
-void refuse_overwriting_subprogram(const compensate::Summary& summary, const std::string& output) {
-  for (const compensate::Summary::InlinedFile& file : summary.inlined_files) {
-    if (!InputFile(file.name).is_same_as(output)) continue;
-    refuse("file-overwrites-input", fmt::format("the output would overwrite the subprogram {}", file.name),
-           "name another file for the output", Place{.file = output});
-  }
-}
-
-}  // namespace
 
 compensate::Settings compensation_settings(const machine::ControlSettings& control, const settings::Options& options) {
   compensate::Settings compensation = options.compensation;

@@ -25,6 +25,10 @@ struct SummaryFile {
 /// How a program is compensated for a control: the options, and the time that the model says a block takes.
 compensate::Settings compensation_settings(const machine::ControlSettings& control, const settings::Options& options);
 
+/// How its words are written for it.
+nc::EmitSettings emit_settings(const machine::ControlSettings& control, const nc::Dialect& dialect,
+                               const settings::Options& options);
+
 /// Compensates `program` into `output` ("-": standard input and output) as `options` say, which name the model.
 /// Nothing is written unless all of it succeeds. Refuses what the readers, the interpreter and the compensation refuse.
 compensate::Summary compensate_file(const std::string& program, const std::string& output,

@@ -310,7 +310,9 @@ struct ControlBehaviour {
   bool dwell_takes_words = false;               // F and S beside G4 are its time
   bool feed_mode_drops_feed = false;            // G94 drops the F before it even where it is in force already
   bool change_stops_spindle = false;            // M6
-  bool local_shift_adds = false;                // to what ATRANS added: G58 of a SINUMERIK
+  bool even_spirals = false;  // an arc whose radius is a little longer at its end than at its start gets there evenly
+  bool arcs_turn = false;     // A, B and C may move beside an arc, evenly with its angle
+  bool local_shift_adds = false;  // to what ATRANS added: G58 of a SINUMERIK
 };
 
 struct Dialect {

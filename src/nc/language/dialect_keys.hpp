@@ -109,6 +109,8 @@ inline constexpr Key<bool ControlBehaviour::*> kHabitFlags[] = {
     {"dwell_takes_words", &ControlBehaviour::dwell_takes_words},
     {"feed_mode_drops_feed", &ControlBehaviour::feed_mode_drops_feed},
     {"change_stops_spindle", &ControlBehaviour::change_stops_spindle},
+    {"even_spirals", &ControlBehaviour::even_spirals},
+    {"arcs_turn", &ControlBehaviour::arcs_turn},
     {"local_shift_adds", &ControlBehaviour::local_shift_adds},
 };
 inline constexpr Key<double ControlBehaviour::*> kHabitNumbers[] = {

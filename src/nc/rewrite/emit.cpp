@@ -204,8 +204,9 @@ EmittedMove Emitter::rewrite(const Step& step, std::span<const CorrectedPoint> p
       writer_.append_first(line_, step, pieces[i], spelling_, codes, control_.motion, is_last);
       if (is_blank_line(line_)) line_ = dialect_.comment_open + std::string(kAllStand) + dialect_.comment_close;
     } else {
-      writer_.append_further(line_, step, pieces[i], spelling_, codes, is_last);
+      writer_.append_further(line_, step, pieces[i], spelling_, codes, control_.motion, is_last);
     }
+    control_.motion = pieces[i].mode(step);
     text_.write_line(step, line_);
     if (is_last) {
       text_.end_block(step);
@@ -214,7 +215,6 @@ EmittedMove Emitter::rewrite(const Step& step, std::span<const CorrectedPoint> p
     }
   }
   text_.note_replaced(step, begin, line_);
-  control_.motion = step.motions.front().kind == MotionKind::rapid ? MotionMode::rapid : MotionMode::feed;
   return {true, static_cast<int>(pieces.size()), planner_.seconds(), planner_.rounding_mm()};
 }
 

@@ -71,6 +71,10 @@ class Emitter {
     return planner_.words().rounds_to_zero(step, control_.work_shift(*step.frame), writable);
   }
 
+  /// How the arc that is the step's move may be written as arcs; nothing: not at all.
+  std::optional<ArcForm> arc_form(const Step& step) const {
+    return nc::arc_form(dialect_, planner_.words(), step, control_);
+  }
   /// What rounding may take off a word of the step's move, or put on it: mm and deg. Half of what the control keeps; of
   /// an axis that stands between two such numbers, and may be left there, three quarters.
   AxisWords half_quanta(const Step& step) const { return planner_.words().half_quanta(step, control_); }

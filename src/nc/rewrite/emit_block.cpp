@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/text/number_text.hpp"
 
@@ -10,6 +11,30 @@ namespace plumbline::nc {
 namespace {
 
 bool is_axis_letter(char letter) { return axis_of(letter).has_value(); }
+
+void append_centre(std::string& out, const ArcWords& arc, std::size_t i, const Spelling& spelling) {
+  append_word(out, arc.letters[i], arc.value[i], arc.digits[i], spelling);
+}
+
+// In place of a word that gives the arc of the block: R makes way for both words of the centre, and so does one of
+// these where the block lacks the other.
+void append_centre_for(std::string& out, const Block& block, const Word& word, const ArcWords& arc,
+                       const Spelling& spelling) {
+  const bool both = find_word(block, arc.letters[0]) == nullptr || find_word(block, arc.letters[1]) == nullptr;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (both || word.letter == arc.letters[i]) append_centre(out, arc, i, spelling);
+  }
+}
+
+// The word gives the centre as it is, and the block has the other one.
+bool says_already(const Block& block, const Word& word, const ArcWords& arc) {
+  if (word.mode != WordMode::modal) return false;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const bool same = word.letter == arc.letters[i] && std::abs(word.value - arc.value[i]) < 1e-12;
+    if (same) return find_word(block, arc.letters[1 - i]) != nullptr;
+  }
+  return false;
+}
 
 bool is_arc_letter(char letter) {
   return letter == 'I' || letter == 'J' || letter == 'K' || letter == 'R' || (letter >= '1' && letter <= '3');
@@ -44,7 +69,7 @@ std::string PieceWriter::codes_before(const Step& step, const Piece& piece, cons
       append_code(before, codes_.path_control(PathControl::exact_path), spelling);
     }
   }
-  const MotionMode mode = step.motions.front().kind == MotionKind::rapid ? MotionMode::rapid : MotionMode::feed;
+  const MotionMode mode = piece.mode(step);
   if (codes.motion != nullptr) {
     if (step.after->motion != mode) editor_.replace(codes.motion->span, in_spelling(codes_.motion(mode), spelling));
   } else if (standing != mode) {
@@ -61,7 +86,7 @@ void PieceWriter::append_first(std::string& out, const Step& step, const Piece& 
   if (step.block_delete == BlockDelete::executed) editor_.replace(block.slash, "");
   for (const Span& span : block.left_out) editor_.replace(span, "");  // the words added may be of the same letter
   const std::string before = codes_before(step, piece, codes, standing, is_last);
-  place_words(step, before, change_axis_words(step, piece));
+  place_words(step, piece, before, change_axis_words(step, piece), is_last);
   change_feed_word(step, piece);
   if (!is_last) {
     for (const Word* word : codes.after_motion()) editor_.replace(word->span, "");
@@ -70,7 +95,7 @@ void PieceWriter::append_first(std::string& out, const Step& step, const Piece& 
 }
 
 void PieceWriter::append_further(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
-                                 const BlockCodes& codes, bool is_last) const {
+                                 const BlockCodes& codes, MotionMode standing, bool is_last) const {
   if (piece.restates_mode) {
     append_code(out, codes_.feed_mode(piece.leaves_inverse_time ? FeedMode::per_minute : step.after->feed_mode),
                 spelling);
@@ -78,10 +103,14 @@ void PieceWriter::append_further(std::string& out, const Step& step, const Piece
   if (is_last && step.after->path_control == PathControl::exact_stop) {
     append_code(out, codes_.path_control(PathControl::exact_stop), spelling);
   }
+  if (piece.mode(step) != standing) append_code(out, codes_.motion(piece.mode(step)), spelling);
   for (const Axis axis : kAllAxes) {
     if (piece.moved.contains(axis)) {
       append_axis_word(out, piece, axis, spelling);
     }
+  }
+  if (piece.arc) {
+    for (std::size_t i = 0; i < 2; ++i) append_centre(out, *piece.arc, i, spelling);
   }
   if (piece.feed) append_word(out, 'F', *piece.feed, kMostDecimals, spelling);
   if (!is_last) return;
@@ -120,7 +149,8 @@ const std::string& PieceWriter::change_axis_words(const Step& step, const Piece&
   return added_;
 }
 
-void PieceWriter::place_words(const Step& step, const std::string& codes_before, const std::string& words) {
+void PieceWriter::place_words(const Step& step, const Piece& piece, const std::string& codes_before,
+                              const std::string& words, bool is_last) {
   const bool arc = step.motions.front().kind == MotionKind::arc;
   if (codes_before.empty() && words.empty() && !arc) return;
   const Block& block = *step.block;
@@ -134,9 +164,13 @@ void PieceWriter::place_words(const Step& step, const std::string& codes_before,
     const bool of_arc =
         arc && (is_arc_letter(word.letter) || (word.letter == 'P' && !codes_.other_code_takes(block, 'P')));
     if (!of_arc) continue;
-    const bool takes_words = first_axis == nullptr && !both.empty();
-    editor_.replace(word.span, takes_words ? in_spelling(both, editor_.spelling()) : "");
-    if (takes_words) both.clear();
+    if (word.letter == 'P' && piece.arc && is_last) continue;  // the arc as a whole keeps its turns
+    const bool keeps = piece.arc && says_already(block, word, *piece.arc);
+    if (keeps && (first_axis != nullptr || both.empty())) continue;
+    std::string text;
+    if (first_axis == nullptr) append_in_spelling(text, std::exchange(both, {}), editor_.spelling());
+    if (piece.arc && word.letter != 'P') append_centre_for(text, block, word, *piece.arc, editor_.spelling());
+    editor_.replace(word.span, text);
   }
   if (first_axis == nullptr) {
     // G1 F500 alone moves nowhere, but to where the correction is.

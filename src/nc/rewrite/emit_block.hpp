@@ -18,14 +18,15 @@ class PieceWriter {
   void append_first(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
                     const BlockCodes& codes, MotionMode standing, bool is_last);
   void append_further(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
-                      const BlockCodes& codes, bool is_last) const;
+                      const BlockCodes& codes, MotionMode standing, bool is_last) const;
 
  private:
   std::string codes_before(const Step& step, const Piece& piece, const BlockCodes& codes, MotionMode standing,
                            bool is_last);
   const std::string& change_axis_words(const Step& step, const Piece& piece);
   static void append_axis_word(std::string& out, const Piece& piece, Axis axis, const Spelling& spelling);
-  void place_words(const Step& step, const std::string& codes_before, const std::string& words);
+  void place_words(const Step& step, const Piece& piece, const std::string& codes_before, const std::string& words,
+                   bool is_last);
   void change_feed_word(const Step& step, const Piece& piece);
   const CodeWriter& codes_;
   BlockEditor editor_;

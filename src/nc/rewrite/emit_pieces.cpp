@@ -36,11 +36,13 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
   AxisWords at = start;
   double waiting = 0;  // share of pieces in which nothing moved
   for (std::size_t i = 0; i < points.size(); ++i) {
+    const AxisWords begin = at;
     Piece piece = rounded_piece(step, points[i], writable, at);
+    if (points[i].arc) piece.arc = arc_words(words_, step, *points[i].arc, begin);
     piece.share = points[i].share + waiting;
     waiting = 0;
     const bool only_one = i + 1 == points.size() && pieces_.empty();
-    if (piece.moved.empty() && !only_one) {
+    if (piece.moved.empty() && !piece.arc && !only_one) {
       waiting = piece.share;
       continue;
     }

@@ -92,9 +92,12 @@ void PieceFeeds::set_lengths(const AxisWords& start) {
                       turns_count_little(start, ends_, motion.mm_per_unit, settings_.time_tolerance / 2);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const AxisWords delta = ends_[i] - at;
-    const double linear = length_mm(delta);
+    const std::optional<ArcShape> arc =
+        pieces_[i].arc ? std::optional(arc_shape(at, ends_[i], pieces_[i].arc->arc)) : std::nullopt;
+    const double linear = arc ? arc->length_mm() : length_mm(delta);
     const FeedRule rule = little ? FeedRule::xyz_first : motion.feed_rule;
-    const std::optional<double> length = feed_length(linear, delta, rule, motion.mm_per_unit);
+    std::optional<double> length = feed_length(linear, delta, rule, motion.mm_per_unit);
+    if (arc && motion.feed_along_circle) length = arc->circle_mm();
     if (!length && motion.feed_rule == FeedRule::tool_tip && motion.feed_mode != FeedMode::inverse_time)
       refuse_turn_alone(step_);
     // The time is F alone under G93, unless the control lifts the speed to its least rate.

@@ -9,6 +9,7 @@
 #include "base/axes.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"
+#include "nc/rewrite/arc_words.hpp"
 #include "nc/rewrite/output/emit_state.hpp"
 #include "nc/rewrite/word_grid.hpp"
 
@@ -19,6 +20,7 @@ struct Piece {
   AxisWords value;                  // to be written: position, or increment under G91; in the program's unit
   std::array<int, kAxes> digits{};  // decimals of each
   AxisSet moved;                    // axes whose word must be written
+  std::optional<ArcWords> arc;      // nothing: straight
   AxisSet endless;                  // axes whose absolute words count turns: those that do not move get no word
   bool direct = false;              // their words are written as A=DC(5)
   double share = 0;
@@ -27,6 +29,11 @@ struct Piece {
   std::optional<double> feed;        // F to be written
   bool leaves_inverse_time = false;  // under G94 although the original is under G93
   bool restates_mode = false;        // its feed mode differs from the one before it
+
+  MotionMode mode(const Step& step) const {
+    if (step.motions.front().kind == MotionKind::rapid) return MotionMode::rapid;
+    return !arc ? MotionMode::feed : arc->arc.turns > 0 ? MotionMode::arc_ccw : MotionMode::arc_cw;
+  }
 };
 
 /// The pieces of one move, which get their feeds.

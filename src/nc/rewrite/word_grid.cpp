@@ -7,6 +7,7 @@
 
 #include "base/units.hpp"
 #include "nc/control/state/kept.hpp"
+#include "nc/language/block_words.hpp"
 #include "nc/rewrite/feed.hpp"
 #include "nc/rewrite/output/emit_text.hpp"
 
@@ -46,6 +47,12 @@ WordGrid::AxisGrids WordGrid::grids(const Step& step) const {
   const std::array<const Word*, kAxes> words = axis_words(*step.block);
   for (const Axis axis : kAllAxes) grids[index(axis)] = &grid(step, axis, words[index(axis)]);
   return grids;
+}
+
+const WordGrid::Grid& WordGrid::centre_grid(const Step& step, Axis axis) const {
+  const Word* const word = find_word(*step.block, kCentreLetters[index(axis)]);
+  const int written = word != nullptr ? std::clamp<int>(word->decimals, 0, kMostDecimals) : 0;
+  return grids_[kind(false, step.after->inches, false)][static_cast<std::size_t>(written)];
 }
 
 bool WordGrid::stays(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,

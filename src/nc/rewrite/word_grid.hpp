@@ -10,6 +10,7 @@
 #include "base/axes.hpp"
 #include "base/text/number_text.hpp"
 #include "nc/control/state/kept.hpp"
+#include "nc/control/state/motion.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"
 #include "nc/rewrite/output/emit_settings.hpp"
@@ -19,9 +20,10 @@ namespace plumbline::nc {
 
 /// One point of a corrected move, in the active work system.
 struct CorrectedPoint {
-  AxisWords nominal;  // on the original path
-  AxisWords shift;    // to be added, mm and deg
-  double share = 1;   // of the block's time that ends here; all of a block add up to 1
+  AxisWords nominal;            // on the original path
+  AxisWords shift;              // to be added, mm and deg
+  double share = 1;             // of the block's time that ends here; all of a block add up to 1
+  std::optional<Arc> arc = {};  // that leads here, as it shall be told; nothing: straight
 };
 
 inline constexpr double kSamePlace = 1e-9;  // mm and deg
@@ -38,6 +40,8 @@ class WordGrid {
   };
   using AxisGrids = std::array<const Grid*, kAxes>;
   AxisGrids grids(const Step& step) const;
+  /// Of the word that gives the centre of an arc along an axis.
+  const Grid& centre_grid(const Step& step, Axis axis) const;
 
   /// True if the block may stay as it stands: every shift rounds to zero, and the control stands where the block takes
   /// it to stand.

@@ -65,6 +65,17 @@ void add_broken(TextTable& table, const compensate::BrokenBound& broken, std::st
                             at_line(broken.off_mm.line)));
 }
 
+void add_arcs(TextTable& table, const compensate::ArcFigures& arcs) {
+  if (arcs.stayed + arcs.split + arcs.straight == 0) return;
+  std::string text = fmt::format("{} stayed one", arcs.stayed);
+  if (arcs.split > 0) {
+    text += fmt::format(", {} became {} with arcs among them, at most {:.0f}{}", arcs.split,
+                        count_text(arcs.blocks, "block"), arcs.most_blocks.value, at_line(arcs.most_blocks.line));
+  }
+  if (arcs.straight > 0) text += fmt::format(", {} became straight pieces alone", arcs.straight);
+  table.add("arcs", text);
+}
+
 void add_bound(TextTable& table, const Summary& s, const settings::Options& options) {
   const compensate::BoundSettings& asked = options.compensation.bound;
   if (!asked.is_asked() || !s.bound) return;
@@ -75,6 +86,7 @@ void add_bound(TextTable& table, const Summary& s, const settings::Options& opti
                         s.bound->kept_mm.value * kUmPerMm, at_line(s.bound->kept_mm.line), s.bound->kept_deg.value));
   add_broken(table, s.bound->at_turns, "the friction of a strut turns, and the tip jumps with it");
   add_broken(table, s.bound->by_time, "no shorter block is allowed");
+  add_arcs(table, s.bound->arcs);
 }
 
 void add_quality(TextTable& table, const Summary& s, const settings::Options& options) {
@@ -176,6 +188,14 @@ Json broken_json(const compensate::BrokenBound& broken) {
           {"worst_deg", any ? worst(broken.off_deg) : Json()}};
 }
 
+Json arcs_json(const compensate::ArcFigures& arcs) {
+  return {{"stayed", arcs.stayed},
+          {"split", arcs.split},
+          {"split_into", arcs.blocks},
+          {"most", arcs.split > 0 ? worst(arcs.most_blocks) : Json()},
+          {"straight", arcs.straight}};
+}
+
 Json bound_json(const Summary& s, const settings::Options& options) {
   const compensate::BoundSettings& asked = options.compensation.bound;
   if (!asked.is_asked() || !s.bound) return {};
@@ -185,7 +205,8 @@ Json bound_json(const Summary& s, const settings::Options& options) {
           {"kept_um", worst(s.bound->kept_mm, kUmPerMm)},
           {"kept_deg", worst(s.bound->kept_deg)},
           {"not_kept_where_friction_turns", broken_json(s.bound->at_turns)},
-          {"not_kept_for_block_time", broken_json(s.bound->by_time)}};
+          {"not_kept_for_block_time", broken_json(s.bound->by_time)},
+          {"arcs", arcs_json(s.bound->arcs)}};
 }
 
 Json read_back_json(const Summary& s) {

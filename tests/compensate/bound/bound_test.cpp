@@ -12,19 +12,7 @@ using namespace plumbline;
 
 namespace {
 
-constexpr int kDense = 50;  // points of a piece
 constexpr std::array kTolerancesUm{0.25, 0.5, 1.0, 5.0};
-
-void check_held(const HeldBound& held, const std::string& text) {
-  INFO(text);
-  INFO(held.over << " pieces of " << held.played.pieces.size() << " over for " << held.over_s << " s, up to "
-                 << held.worst_um << " um; said " << held.said_over() << " for " << held.said_over_s() << " s, up to "
-                 << held.said_worst_um());
-  CHECK(held.short_pieces == 0);
-  CHECK(held.over <= held.said_over());
-  CHECK(held.over_s <= held.said_over_s() * 1.01);
-  CHECK(held.worst_um <= held.said_worst_um() * 1.01);
-}
 
 std::string drawn(unsigned seed, int blocks = 12) { return RandomProgram(seed).text(blocks); }
 

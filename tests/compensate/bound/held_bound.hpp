@@ -7,10 +7,14 @@
 #include <string>
 #include <vector>
 
+#include <catch2/catch.hpp>
+
 #include "compensate/dense_play.hpp"
 #include "compensate/play.hpp"
 
 namespace plumbline {
+
+inline constexpr int kDense = 50;  // points of a piece
 
 inline Job job_within(double tolerance_um, bool friction) {
   Job job;
@@ -70,6 +74,18 @@ inline HeldBound held_bound(const std::string& text, const Job& job, int per_pie
   held.short_pieces = static_cast<std::uint64_t>(std::max<std::ptrdiff_t>(0, count(after) - count(before)));
   held.drifted = std::abs(after.back().end / before.back().end - 1) > 3e-3;
   return held;
+}
+
+// It is not kept on more pieces than the summary says, nor for longer, nor by more.
+inline void check_held(const HeldBound& held, const std::string& text) {
+  INFO(text);
+  INFO(held.over << " pieces of " << held.played.pieces.size() << " over for " << held.over_s << " s, up to "
+                 << held.worst_um << " um; said " << held.said_over() << " for " << held.said_over_s() << " s, up to "
+                 << held.said_worst_um());
+  CHECK(held.short_pieces == 0);
+  CHECK(held.over <= held.said_over());
+  CHECK(held.over_s <= held.said_over_s() * 1.01);
+  CHECK(held.worst_um <= held.said_worst_um() * 1.01);
 }
 
 }  // namespace plumbline

@@ -85,7 +85,7 @@ TEST_CASE("a bound below what rounding leaves is refused") {
   const MoveOfProgram program(kArc, false);
   PointChooser chooser(program.corrector, program.opened.job.model.limits, within_um(0.5));
   compensate::ControlBefore before;
-  before.half_quanta = {{5e-4, 5e-4, 5e-4, 0, 0, 0}};
+  before.words.half_quanta = {{5e-4, 5e-4, 5e-4, 0, 0, 0}};
   const Diagnostic said = testing::refusal_of([&] { chooser.choose(program.move, before); });
   CHECK(said.code == "compensate-tolerance");
   CHECK(said.place.line == 2);

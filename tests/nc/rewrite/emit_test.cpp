@@ -24,7 +24,8 @@ namespace {
 using Shift = std::function<AxisWords(const AxisWords&)>;
 
 struct Rewriting {
-  int pieces = 1;  // of every cutting move
+  int pieces = 1;     // of every cutting move
+  bool arcs = false;  // that are arcs are arcs, their centres shifted as the points are
   Shift shift = [](const AxisWords&) { return AxisWords{}; };
   nc::EmitSettings emit = {.stamp = {"stamped"}};
   nc::ProgramSettings program;
@@ -35,6 +36,12 @@ nc::ProgramSettings known_start() {
   for (auto& offset : settings.work_offsets) offset = nc::WorkOffset{};
   for (auto& start : settings.start) start = 0;
   return settings;
+}
+
+nc::Arc shifted(nc::Arc arc, const AxisWords& by, bool is_part) {
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) arc.centre_mm[index(axis)] += by[axis];
+  if (is_part) arc.turns = arc.turns > 0 ? 1 : -1;
+  return arc;
 }
 
 std::string rewrite(const std::string& text, const Rewriting& how) {
@@ -59,6 +66,7 @@ std::string rewrite(const std::string& text, const Rewriting& how) {
       for (int i = 1; i <= n; ++i) {
         const AxisWords at = curve.at(static_cast<double>(i) / n);
         points.push_back({at, how.shift(at), 1.0 / n});
+        if (how.arcs && m.kind == nc::MotionKind::arc) points.back().arc = shifted(m.arc, how.shift(at), n > 1);
       }
       emitter.move(*step, points, AxisSet::all(), path::duration(m, curve, dialect));
     }
@@ -145,6 +153,30 @@ TEST_CASE("an arc becomes straight pieces, and the motion code comes back for th
   once.shift = [](const AxisWords& at) { return AxisWords{{0, 0, at[Axis::Y] > 15 ? 0.01 : 0, 0, 0, 0}}; };
   CHECK(rewrite("G1 X0 Y10 F600\nG3 X0 Y20 I0 J5\nX0 Y10 I0 J-5\nX0 Y0 I0 J-5\n", once) ==
         "(stamped)\nG1 X0 Y10 F600\nG1 X0 Y20 Z0.01 F381.972\nX0 Y10 Z0\nF600\nG3 X0 Y0 I0 J-5\n");
+}
+
+TEST_CASE("an arc that stays one gets other words in place of its own") {
+  Rewriting how = lift(0);
+  how.arcs = true;
+  how.shift = [](const AxisWords&) { return AxisWords{{0.004, 0.002, 0.003, 0, 0, 0}}; };
+  const std::string begin = "G17 G1 X10 Y0 F600\n";
+  const std::string then = "(stamped)\nG17 G1 X10.004 Y0.002 Z0.003 F600\n";
+  CHECK(rewrite(begin + "N5 G3 X0 Y10 I-10 J0 M8 (arc)\n", how) == then + "N5 G3 X0.004 Y10.002 I-10 J0 M8 (arc)\n");
+  CHECK(rewrite(begin + "g3x0y10r10\n", how) == then + "g3x0.004y10.002i-10j0\n");
+  CHECK(rewrite(begin + "G3 R10 X0 Y10\n", how) == then + "G3 I-10 J0 X0.004 Y10.002\n");
+  CHECK(rewrite(begin + "G2 I-5 P3\n", how) == then + "G2 I-5 J0 P3\n");
+  CHECK(rewrite(begin + "G90.1 G3 X0 Y10 I0 J0\n", how) == then + "G90.1 G3 X0.004 Y10.002 I0.004 J0.002\n");
+  CHECK(rewrite(begin + "G91 G3 X-10 Y10 I-10 J0\n", how) == then + "G91 G3 X-10 Y10 I-10 J0\n");
+  CHECK(rewrite(begin + "G18 G2 X20 Z10 I10 K0\n", how) == then + "G18 G2 X20.004 Z10.003 I10 K0\n");
+  CHECK(rewrite(begin + "G19 G2 Z10 Y10 K10 J0\n", how) == then + "G19 G2 Z10.003 Y10.002 K10 J0\n");
+}
+
+TEST_CASE("arcs that an arc becomes hold what moves and where their centres are") {
+  Rewriting how = lift(0.01, 2);
+  how.arcs = true;
+  CHECK(rewrite("G17 G1 X10 Y0 F600\nG3 X-10 Y0 R10\nX10 I10 P2 M0\n", how) ==
+        "(stamped)\nG17 G1 X5 Y0 Z0.01 F600\nX10\nG3 X0 Y10 I-10 J0\nX-10 Y0 I0 J-10\n"
+        "X0 Y10 I10 J0\nX10 Y0 I0 J-10 M0\n");
 }
 
 TEST_CASE("a full circle without axis words gets them") {

@@ -7,25 +7,19 @@
 
 #include "base/units.hpp"
 #include "nc/control/execution.hpp"
+#include "nc/control/state/arc_shape.hpp"
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {
 namespace {
 
-// Tolerances [LinuxCNC, measured with rs274]; lengths in mm, for a program in mm and for one in inches.
-constexpr double kRadiusMm = 0.00127, kRadiusInch = 0.00005 * kMmPerInch;
-constexpr double kSpiralMm = 0.0282842712, kSpiralInch = 0.00282842712 * kMmPerInch;
-constexpr double kSpiralRelative = 1e-3;
-constexpr double kSpiralLargest = 100;  // times the tolerance, whatever the radius
-constexpr double kHalfCircle = 1e-12;   // of the chord over the diameter, from 1
+constexpr double kHalfCircle = 1e-12;  // of the chord over the diameter, from 1
 constexpr double kWholeTurns = 1e-3;
 
 // Start, end and centre in the plane: first and second axis.
 struct PlaneArc {
   std::array<double, 2> start{}, end{}, centre{};
 };
-
-double by_unit(const Execution& run, double mm, double inch) { return run.control.modal.inches ? inch : mm; }
 
 char centre_letter(Axis axis) { return kCentreLetters[index(axis)]; }
 
@@ -68,7 +62,7 @@ void centre_by_radius(const Execution& run, PlaneArc& arc, bool clockwise) {
                "write a full circle with its centre (I, J, K)");
   }
   double size = std::abs(radius);
-  if (half - size > by_unit(run, kRadiusMm, kRadiusInch)) {
+  if (half - size > least_radius(run.control.modal.inches)) {
     run.refuse(word, codes::kArcRadius, "the radius is too small to reach the end point",
                fmt::format("half the distance is {:.6f}", half / run.control.length_unit()));
   }
@@ -92,13 +86,10 @@ void centre_by_words(const Execution& run, PlaneArc& arc, const PlaneAxes& axes)
   }
   const double at_start = distance(arc.start, arc.centre);
   const double at_end = distance(arc.end, arc.centre);
-  const double larger = std::max(at_start, at_end);
-  if (std::min(at_start, at_end) < by_unit(run, kRadiusMm, kRadiusInch)) {
+  if (std::min(at_start, at_end) < least_radius(run.control.modal.inches)) {
     run.refuse(run.motion_code(), codes::kArcRadius, "the arc has no radius", "its centre is its start or its end");
   }
-  const double apart = std::abs(at_start - at_end);
-  const double spiral = by_unit(run, kSpiralMm, kSpiralInch);
-  if (apart > spiral * kSpiralLargest || (apart > spiral && apart / larger > kSpiralRelative)) {
+  if (!radii_agree(at_start, at_end, run.control.modal.inches)) {
     const double unit = run.control.length_unit();
     run.refuse(run.motion_code(), codes::kArcRadius,
                fmt::format("the radius is {:.4f} at the start and {:.4f} at the end", at_start / unit, at_end / unit),
@@ -118,7 +109,7 @@ int centre_by_point(const Execution& run, PlaneArc& arc, const PlaneAxes& axes, 
     return run.length(*word) + (increments ? control.position[axis] : 0);
   };
   const double level = control.position[axes.third];
-  const double tolerance = by_unit(run, kRadiusMm, kRadiusInch);
+  const double tolerance = least_radius(run.control.modal.inches);
   if (std::abs(between(axes.third) - level) > tolerance || std::abs(end[axes.third] - level) > tolerance) {
     run.refuse(run.motion_code(), codes::kNotInterpreted,
                "a circle that is not in the plane in force is not interpreted",
