@@ -64,7 +64,7 @@ TEST_CASE("a diagnosis says on a terminal what it is at, its figures with -v alo
   CHECK(run(scratch, diagnose).err.empty());
 }
 
-TEST_CASE("-q leaves errors, warnings and results; -v adds the steps") {
+TEST_CASE("quiet leaves errors, warnings and results, and verbose adds the steps") {
   const Scratch scratch;
   scratch.file("p.ngc", kPart);
   const std::string compensate = "compensate p.ngc " + kModel + kOffset + " -o out.ngc";
