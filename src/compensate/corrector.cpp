@@ -126,7 +126,7 @@ Corrected Corrector::correct_once(const Target& target, Method method) const {
 
 // The axes that may not be written stay where they are, so the machine does not stand quite upright on the target: its
 // orientation is sought with which the tip is on it. False: not found yet.
-bool Corrector::settle_fixed_axes(const Target& target, Corrected& corrected, Target& standing) const {
+bool Corrector::settle_fixed_axes(const Target& target, Corrected& corrected, Target& standing) {
   double off = 0;
   for (const Axis axis : kAllAxes) {
     if (!target.fixed.contains(axis)) continue;

@@ -138,7 +138,7 @@ class Corrector {
   void take_geometry();
   Corrected correct_once(const Target& target, Method method) const;
   void correct_standing(Corrections& corrections, int round) const;
-  bool settle_fixed_axes(const Target& target, Corrected& corrected, Target& standing) const;
+  static bool settle_fixed_axes(const Target& target, Corrected& corrected, Target& standing);
   void confirm(std::span<const Target> targets, Corrections& corrections) const;
   bool holds(const Target& target, std::optional<double> off_mm) const;
   bool can_stand_on(const Target& target) const;
