@@ -1,0 +1,24 @@
+import { element } from "./dom.mjs";
+import { facts } from "./facts.mjs";
+import { table } from "./table.mjs";
+import { listing, text, warnings } from "./text.mjs";
+
+const kSections = { facts, listing, table, text, warnings };
+
+/// Builds the page of `data` (src/report/page/README.md) into `main`.
+export function build(data, main) {
+  document.title = data.title;
+  main.append(element("h1", {}, data.title));
+  if (data.lead) main.append(element("p", { class: `lead ${data.verdict ?? ""}` }, data.lead));
+  for (const section of data.sections) {
+    const box = element("section", { "aria-label": section.title });
+    if (section.title) box.append(element("h2", {}, section.title));
+    main.append(box);
+    box.append(kSections[section.type](section));
+    if (section.words) box.append(element("p", { class: "note" }, section.words));
+  }
+  main.append(element("p", { class: "soft" }, data.made_by));
+  document.documentElement.dataset.built = "yes";
+}
+
+build(JSON.parse(document.getElementById("data").textContent), document.getElementById("page"));
