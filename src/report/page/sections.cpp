@@ -5,9 +5,7 @@
 namespace plumbline::report {
 namespace {
 
-Json section(std::string_view type, std::string title) {
-  return Json{{"type", type}, {"title", std::move(title)}};
-}
+Json section(std::string_view type, std::string title) { return Json{{"type", type}, {"title", std::move(title)}}; }
 
 }  // namespace
 
