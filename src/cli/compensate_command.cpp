@@ -8,28 +8,45 @@
 #include "cli/shared_options.hpp"
 #include "jobs/compensate/compensate_file.hpp"
 #include "jobs/compensate/compensated_files.hpp"
+#include "report/page/program_pages.hpp"
 #include "report/program/summary_text.hpp"
 
 namespace plumbline::cli {
 namespace {
 
 struct CompensateArguments {
-  std::string program, output, json;
+  std::string program, output, json, report;
   SharedOptions shared;
 };
+
+std::vector<jobs::ReportFile> reports(const CompensateArguments& arguments, const settings::Options& options) {
+  std::vector<jobs::ReportFile> files;
+  if (!arguments.json.empty()) {
+    files.push_back(
+        {arguments.json, [&](const jobs::Compensation& of) { return report::summary_json(of.summary, options); }});
+  }
+  if (!arguments.report.empty()) {
+    files.push_back({arguments.report,
+                     [&](const jobs::Compensation& of) {
+                       return report::page_text(report::compensation_page(of, arguments.program, options));
+                     },
+                     true});
+  }
+  return files;
+}
 
 int compensate(const CompensateArguments& arguments) {
   const settings::Options options = arguments.shared.read(arguments.program);
   require_model(options);
   check_outputs(files_read(arguments.program, options),
-                {arguments.output, arguments.json, options.undo ? jobs::undo_name(arguments.output) : std::string()});
+                {arguments.output, arguments.json, arguments.report,
+                 options.undo ? jobs::undo_name(arguments.output) : std::string()});
   if (options.undo && output_target(arguments.output).kind != OutputTarget::Kind::file) {
     throw UsageError("--undo writes a file beside the output: name one with -o");
   }
   ProgressLine line("compensate");
-  const compensate::Summary summary = jobs::compensate_file(
-      arguments.program, arguments.output, options, line.progress(),
-      {arguments.json, [&](const compensate::Summary& of) { return report::summary_json(of, options); }});
+  const compensate::Summary summary =
+      jobs::compensate_file(arguments.program, arguments.output, options, line.progress(), reports(arguments, options));
   line.clear();
   for (const Diagnostic& warning : summary.warnings) say(warning);
   say_note(report::summary_text(summary, options));
@@ -50,6 +67,8 @@ void add_compensate(CLI::App& app, Run& run) {
       ->type_name("FILE")
       ->required();
   command->add_option("--json", arguments->json, "write the summary as JSON, too")->type_name("FILE");
+  command->add_option("--report", arguments->report, "write a page to look at it: path, struts, forces, worst places")
+      ->type_name("FILE");
   using Group = settings::OptionGroup;
   arguments->shared.add_to(*command, {Group::model, Group::program, Group::step, Group::bound, Group::compensation});
   command->callback([arguments, &run] { run = [arguments] { return compensate(*arguments); }; });

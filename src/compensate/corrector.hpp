@@ -19,6 +19,8 @@ struct ToolInSpindle {
   double length = 0;  // m, from the gauge point along -Z of P
   double mass = 0;    // kg
   double along = 0;   // m, of the centre of mass from the gauge point along -Z of P
+
+  bool operator==(const ToolInSpindle&) const = default;
 };
 
 struct Corrected {

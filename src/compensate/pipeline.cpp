@@ -140,6 +140,7 @@ void Pipeline::follow_tool(const nc::Step& step) {
   refuse_offset_beside_spindle(step);
   if (!reader_.tool_has_mass()) tally_.take_massless_tool(step);
   play_.set_tool(*tool);
+  if (recorded_) recorded_->set_tool(*tool, step.after->tool_in_spindle);
   corrector_.set_tool(*tool);
   ++tools_;
 }
@@ -173,7 +174,7 @@ void Pipeline::copy_through(const nc::Step& step) {
   rewriter_.copy(step, step.motions.size() == 1 && step.motions.front().kind == nc::MotionKind::dwell);
   const bool moves = std::any_of(step.motions.begin(), step.motions.end(),
                                  [](const nc::Motion& motion) { return motion.kind != nc::MotionKind::dwell; });
-  if (moves || step.loses_position) play_.leave();
+  if (moves || step.loses_position) leave();
   for (const nc::Motion& motion : step.motions) {
     if (motion.kind == nc::MotionKind::dwell) {
       tally_.take_dwell(motion);
@@ -181,6 +182,12 @@ void Pipeline::copy_through(const nc::Step& step) {
       tally_.take_passed_move();
     }
   }
+}
+
+// The machine goes where nobody follows it.
+void Pipeline::leave() {
+  play_.leave();
+  if (recorded_) recorded_->leave();
 }
 
 const CorrectedMove& Pipeline::corrected(Move& move) {
@@ -200,7 +207,9 @@ void Pipeline::take_move(const nc::Step& step) {
   Move move = reader_.move(step, step.motions.front());
   if (is_no_way(move)) move.duration = move.seconds = std::nullopt;
   const CorrectedMove& corrected = this->corrected(move);
+  const std::uint64_t begin = rewriter_.written_bytes();
   const WrittenMove& written = rewriter_.write(corrected);
+  if (recorded_) recorded_->move(corrected, written, begin, rewriter_.written_bytes());
   if (move.is_rapid()) {
     play_.rapid(corrected.signs.back());
     tally_.take_rapid(corrected, written);
@@ -271,6 +280,7 @@ CorrectedHole Pipeline::corrected_hole(const nc::Step& step) {
 
 void Pipeline::take_hole(const nc::Step& step) {
   const CorrectedHole hole = corrected_hole(step);
+  if (recorded_) recorded_->leave();
   holes_.check(hole);
   tally_.take_hole(hole, rewriter_.write_hole(step, hole.shift));
   tally_.take_cycle(step);
@@ -278,6 +288,7 @@ void Pipeline::take_hole(const nc::Step& step) {
 
 Summary Pipeline::summary() {
   const BetweenPoints& played = play_.finish();
+  if (recorded_) recorded_->finish();
   Summary summary = tally_.summary();
   summary.residual_mm = played.tip_mm();
   summary.residual_deg = played.turned_deg();

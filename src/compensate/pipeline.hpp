@@ -4,6 +4,7 @@
 //   Tally
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "base/files/files.hpp"
@@ -15,6 +16,7 @@
 #include "compensate/moves_ahead.hpp"
 #include "compensate/played/output_play.hpp"
 #include "compensate/program_survey.hpp"
+#include "compensate/recorded/output_record.hpp"
 #include "compensate/rewriter.hpp"
 #include "compensate/settings.hpp"
 #include "compensate/stamp_mark.hpp"
@@ -35,6 +37,8 @@ class Pipeline {
 
   /// Where the output is recorded and shown: before run().
   Rewriter& rewriter() { return rewriter_; }
+  /// Records the path from its begin; before run().
+  void record(PathRecord& record) { recorded_.emplace(record); }
 
   /// Reads the program to its end, and writes it. False, and what was written is of no use: it is to be written in text
   /// order, but jumps, and something in it must change. Refuses as Stream does.
@@ -54,6 +58,7 @@ class Pipeline {
   void take_hole(const nc::Step& step);
   CorrectedHole corrected_hole(const nc::Step& step);
   const CorrectedMove& corrected(Move& move);
+  void leave();
 
   const InputFile& source_;
   const nc::Dialect& dialect_;
@@ -68,6 +73,7 @@ class Pipeline {
   Rewriter rewriter_;
   OutputPlay play_;
   Tally tally_;
+  std::optional<OutputRecord> recorded_;
   StampSearch stamps_;
   std::uint64_t tools_ = 0;   // that came into the spindle
   bool must_unroll_ = false;  // something changes that cannot be put in the place of its block

@@ -54,6 +54,8 @@ class Rewriter {
   /// After the last block.
   void finish();
 
+  /// Bytes that were written so far.
+  std::uint64_t written_bytes() const { return out_.size(); }
   bool changed() const { return emitter_.changed(); }
   /// By how much the control stands off the original, in the work system of the step.
   AxisWords standing(const nc::Step& step) const { return emitter_.control().work_shift(*step.frame); }

@@ -29,12 +29,14 @@ Summary Stream::run(const Progress& progress) {
     Pipeline in_text_order = pipeline(nc::Form::in_text_order);
     if (undo_ != nullptr) in_text_order.rewriter().record(*undo_);
     if (observer_) in_text_order.rewriter().show(observer_);
+    if (record_ != nullptr) in_text_order.record(*record_);
     if (in_text_order.run(progress)) return in_text_order.summary();
   }
   out_.restart();
   if (undo_ != nullptr) undo_->replaced_all();
   Pipeline unrolled = pipeline(nc::Form::unrolled);
   if (observer_) unrolled.rewriter().show(observer_);
+  if (record_ != nullptr) unrolled.record(*record_);
   const bool done = unrolled.run(progress);
   PLUMBLINE_CHECK(done);
   return unrolled.summary();

@@ -5,6 +5,7 @@
 #include "base/progress.hpp"
 #include "compensate/program_survey.hpp"
 #include "compensate/read_back/read_back.hpp"
+#include "compensate/recorded/path_record.hpp"
 #include "compensate/settings.hpp"
 #include "compensate/summary.hpp"
 #include "machine/model.hpp"
@@ -24,6 +25,9 @@ class Stream {
   /// Notes what the output replaces; to be called before run(). `log` must outlive the stream.
   void record(nc::UndoLog& log) { undo_ = &log; }
 
+  /// Records the path for a picture; to be called before run(). `record` must outlive the stream.
+  void record(PathRecord& record) { record_ = &record; }
+
   /// What the output is meant to do is shown to `observer`, from the begin again where the output is written anew.
   void show(ReadBack::Observer observer) { observer_ = std::move(observer); }
 
@@ -40,6 +44,7 @@ class Stream {
   nc::EmitSettings emit_;
   OutputFile& out_;
   nc::UndoLog* undo_ = nullptr;
+  PathRecord* record_ = nullptr;
   ReadBack::Observer observer_;
 };
 

@@ -6,11 +6,11 @@
 
 #include "base/units.hpp"
 #include "compensate/limits.hpp"
+#include "compensate/loaded_machine.hpp"
 #include "compensate/move_reader.hpp"
 #include "jobs/program/open_program.hpp"
-#include "machine/axis_words.hpp"
+#include "machine/inverse.hpp"
 #include "machine/model_file.hpp"
-#include "physics/error.hpp"
 
 namespace plumbline::jobs {
 namespace {
@@ -20,21 +20,9 @@ using Take = std::function<void(const SimulatedPoint&)>;
 class Player {
  public:
   Player(const machine::MachineModel& model, const compensate::Settings& settings, const Take& take)
-      : model_(model),
-        settings_(settings),
-        forces_(model),
-        environment_(forces_.environment()),
-        radius_(machine::platform_radius(model.geometry)),
-        take_(take) {
-    environment_.friction = settings.friction;
-    environment_.dynamic = settings.dynamic;
-  }
+      : machine_(model, settings), take_(take) {}
 
-  void set_tool(const compensate::ToolInSpindle& tool) {
-    forces_.machine.geometry = machine::with_tool(model_.geometry, tool.length);
-    environment_.tool_mass = tool.mass - model_.reference_tool_mass;
-    environment_.tool_centre_P = model_.geometry.tool_tip_P - Vector3<double>(0, 0, tool.along);
-  }
+  void set_tool(const compensate::ToolInSpindle& tool) { machine_.set_tool(tool); }
 
   /// The ends of its pieces; a rapid stands still at each, since nobody knows how fast it is.
   void play(const compensate::Move& move, double begin_s) {
@@ -60,9 +48,8 @@ class Player {
   };
 
   void play(const Point& at) {
-    physics::Motion<double> motion = compensate::motion_at(model_.rotation, radius_, at.target, environment_);
-    motion.time = settings_.time_s.value_or(0);
-    const physics::TipError<double> error = physics::tip_error(forces_, environment_, motion);
+    const physics::Motion<double> motion = machine_.motion(at.target);
+    const physics::TipError<double> error = machine_.error(motion);
     if (!error.converged()) {
       refuse("simulate-unreachable",
              fmt::format("the machine cannot stand here: {}", physics::to_text(error.stopped_because)),
@@ -73,7 +60,7 @@ class Player {
                                at.time_s,
                                at.target.pose,
                                error.displacement,
-                               machine::strut_lengths<double>(forces_.machine.geometry, motion.pose),
+                               machine::strut_lengths<double>(machine_.geometry(), motion.pose),
                                error.loads.nut_tension,
                                error.loads.torque};
     take_(point);
@@ -90,11 +77,7 @@ class Player {
     summary_.largest_line = point.line;
   }
 
-  const machine::MachineModel& model_;
-  const compensate::Settings& settings_;
-  physics::ForceModel forces_;
-  physics::Environment environment_;
-  double radius_;
+  compensate::LoadedMachine machine_;
   const Take& take_;
   SimulationSummary summary_;
   double squares_ = 0;

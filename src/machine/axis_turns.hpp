@@ -30,8 +30,12 @@ AxisTurns<T> axis_turns(const RotationOrder& order, const Vector3<T>& abc) {
 /// R_WP = R_i R_j R_k, as rotation() has it.
 template <class T>
 Matrix3<T> rotation(const RotationOrder& order, const AxisTurns<T>& turns) {
-  const T &sa = turns.sine[0], &sb = turns.sine[1], &sc = turns.sine[2];
-  const T &ca = turns.cosine[0], &cb = turns.cosine[1], &cc = turns.cosine[2];
+  const T& sa = turns.sine[0];
+  const T& sb = turns.sine[1];
+  const T& sc = turns.sine[2];
+  const T& ca = turns.cosine[0];
+  const T& cb = turns.cosine[1];
+  const T& cc = turns.cosine[2];
   const auto [i, j, k] = order.axes;
   Matrix3<T> R;
   R(i, i) = cb * cc;
@@ -53,7 +57,10 @@ struct Turning {
 };
 template <class T>
 Turning<T> turning(const RotationOrder& order, const AxisTurns<T>& turns, const Vector3<T>& abc_rate) {
-  const T &sa = turns.sine[0], &sb = turns.sine[1], &ca = turns.cosine[0], &cb = turns.cosine[1];
+  const T& sa = turns.sine[0];
+  const T& sb = turns.sine[1];
+  const T& ca = turns.cosine[0];
+  const T& cb = turns.cosine[1];
   const auto [i, j, k] = order.axes;
   // mirrored axes mirror the sense of both the rates and the velocity that they make
   const T parity(order.parity());

@@ -33,7 +33,7 @@ class ArcFit {
   double rounding_mm(double share) const;
 
  private:
-  bool is_whole(double begin, double end) const { return begin == 0 && end == 1; }
+  static bool is_whole(double begin, double end) { return begin == 0 && end == 1; }
   bool closes() const;
   bool is_sure(const nc::ArcShape& shape, double share, bool whole) const;
 

@@ -22,8 +22,8 @@ struct ReadyRun {
 bool is_per_strut(Term::Channel channel);
 
 /// The factors of the effect `generic`, in its units: those of a strut, and those that all share.
-std::array<double, 8> strut_factors(const physics::MachineConstants& machine, const SampleState& state, int strut);
-std::array<double, 6> shared_factors(const SampleState& state);
+std::array<double, 8> strut_factors(const physics::MachineConstants& machine, const SampleState& s, int j);
+std::array<double, 6> shared_factors(const SampleState& s);
 
 /// How the readings of a run move with each part of a channel, a column each: the coefficient of a term that is one.
 Eigen::MatrixXd slopes_of(const ReadyRun& run, Term::Channel channel);

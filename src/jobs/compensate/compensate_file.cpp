@@ -1,5 +1,8 @@
 #include "jobs/compensate/compensate_file.hpp"
 
+#include <algorithm>
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
@@ -22,6 +25,32 @@ void refuse_overwriting_subprogram(const compensate::Summary& summary, const std
     refuse("file-overwrites-input", fmt::format("the output would overwrite the subprogram {}", file.name),
            "name another file for the output", Place{.file = output});
   }
+}
+
+std::vector<std::string> names_of(const std::vector<ReportFile>& reports) {
+  std::vector<std::string> names;
+  for (const ReportFile& report : reports) names.push_back(report.path);
+  return names;
+}
+
+std::string text_of(OutputFile& program, std::uint64_t begin, std::uint64_t end) {
+  std::string text(end - begin, '\0');
+  text.resize(program.read(begin, text.data(), text.size()));
+  return text;
+}
+
+std::vector<std::string> texts_of(const std::vector<ReportFile>& reports, const compensate::Summary& summary,
+                                  const machine::MachineModel& model, std::optional<compensate::PathRecord>& record,
+                                  const compensate::Settings& settings, OutputFile& program) {
+  std::optional<compensate::DrawnPath> path;
+  if (record) {
+    program.flush();
+    path = compensate::drawn_path(*record, model, settings,
+                                  [&](std::uint64_t begin, std::uint64_t end) { return text_of(program, begin, end); });
+  }
+  std::vector<std::string> texts;
+  for (const ReportFile& report : reports) texts.push_back(report.text({summary, model, path ? &*path : nullptr}));
+  return texts;
 }
 
 }  // namespace
@@ -51,7 +80,7 @@ compensate::Settings compensation_settings(const machine::ControlSettings& contr
 
 compensate::Summary compensate_file(const std::string& program, const std::string& output,
                                     const settings::Options& options, const Progress& progress,
-                                    const SummaryFile& summary_file) {
+                                    const std::vector<ReportFile>& reports) {
   const machine::MachineModel model = machine::read_model(options.paths.model);
   const OpenedProgram opened = open_program(options, program, model);
   const auto& [source, dialect, settings] = opened;
@@ -65,14 +94,18 @@ compensate::Summary compensate_file(const std::string& program, const std::strin
   }
   const compensate::Settings compensation = compensation_settings(model.control, options);
 
-  CompensatedFiles files(output, options.undo, summary_file.path);
+  CompensatedFiles files(output, options.undo, names_of(reports));
   compensate::Stream stream(source, survey, settings, model, compensation, std::move(emit), files.program());
   if (nc::UndoLog* const log = files.undo_log()) stream.record(*log);
+  std::optional<compensate::PathRecord> record;
+  if (std::any_of(reports.begin(), reports.end(), [](const ReportFile& report) { return report.draws_path; })) {
+    stream.record(record.emplace(model, compensation));
+  }
   compensate::Summary summary = stream.run(progress);
   refuse_overwriting_subprogram(summary, output);
   summary.bytes_after = files.program().size();
   summary.hash_after = files.program().hash();
-  files.commit(source, summary_file.path.empty() ? std::string() : summary_file.text(summary));
+  files.commit(source, texts_of(reports, summary, model, record, compensation, files.program()));
   return summary;
 }
 

@@ -4,10 +4,12 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/diagnostic.hpp"
 #include "base/progress.hpp"
 #include "compensate/program_survey.hpp"
+#include "compensate/recorded/drawn_path.hpp"
 #include "compensate/settings.hpp"
 #include "compensate/summary.hpp"
 #include "jobs/program/open_program.hpp"
@@ -16,10 +18,18 @@
 
 namespace plumbline::jobs {
 
-/// A file for the summary, which appears together with the program.
-struct SummaryFile {
-  std::string path;  // empty: none is wanted
-  std::function<std::string(const compensate::Summary&)> text{};
+/// What is known of a compensation at its end.
+struct Compensation {
+  const compensate::Summary& summary;
+  const machine::MachineModel& model;
+  const compensate::DrawnPath* path = nullptr;  // where a report asks for it
+};
+
+/// A file that tells of it, which appears together with the program.
+struct ReportFile {
+  std::string path;
+  std::function<std::string(const Compensation&)> text;
+  bool draws_path = false;
 };
 
 /// How a program is compensated for a control: the options, and the time that the model says a block takes.
@@ -33,7 +43,7 @@ nc::EmitSettings emit_settings(const machine::ControlSettings& control, const nc
 /// Nothing is written unless all of it succeeds. Refuses what the readers, the interpreter and the compensation refuse.
 compensate::Summary compensate_file(const std::string& program, const std::string& output,
                                     const settings::Options& options, const Progress& progress = {},
-                                    const SummaryFile& summary_file = {});
+                                    const std::vector<ReportFile>& reports = {});
 
 /// What compensate_file would refuse, if anything; nothing is written. Its guard and its read-back are left out.
 std::optional<Diagnostic> refusal_of_writing(const OpenedProgram& opened, const compensate::ProgramSurvey& survey,

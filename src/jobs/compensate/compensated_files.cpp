@@ -2,17 +2,18 @@
 
 #include <filesystem>
 
+#include "base/check.hpp"
 #include "base/diagnostic.hpp"
 
 namespace plumbline::jobs {
 
 std::string undo_name(const std::string& output) { return output + ".undo"; }
 
-CompensatedFiles::CompensatedFiles(const std::string& output, bool with_undo, const std::string& json)
+CompensatedFiles::CompensatedFiles(const std::string& output, bool with_undo, const std::vector<std::string>& reports)
     : program_(output) {
   program_.keep_hash();
   if (with_undo) undo_.emplace(undo_name(output));
-  if (!json.empty()) json_.emplace(json);
+  for (const std::string& report : reports) reports_.emplace_back(report);
 }
 
 std::pair<InputFile, InputFile> open_pair(const std::string& program, const std::string& undo) {
@@ -38,17 +39,21 @@ bool CompensatedFiles::join_old_undo(OutputFile& both) const {
   }
 }
 
-void CompensatedFiles::commit(const InputFile& original, const std::string& summary) {
+void CompensatedFiles::commit(const InputFile& original, const std::vector<std::string>& texts) {
   OutputSet set;
   std::optional<OutputFile> both;
   bool replaces_pair = false;
-  if (json_) {
-    json_->write(summary);
-    set.add(*json_);
+  PLUMBLINE_CHECK(texts.size() == reports_.size());
+  std::vector<const OutputFile*> together;
+  for (auto text = texts.begin(); OutputFile & report : reports_) {
+    report.write(*text++);
+    set.add(report);
+    together.push_back(&report);
   }
   if (undo_) {
     undo_->log.finish(original, program_.size(), program_.hash());
-    set.lock({json_ ? &*json_ : nullptr, &undo_->file, &program_});
+    together.insert(together.end(), {&undo_->file, &program_});
+    set.lock(together);
     both.emplace(undo_->file.name());
     undo_->file.copy_to(*both);
     replaces_pair = join_old_undo(*both);

@@ -1,9 +1,11 @@
-// What a compensation writes: the program, its undo file and its summary, which appear as one.
+// What a compensation writes: the program, its undo file and reports of it, which appear as one.
 #pragma once
 
+#include <list>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/files/files.hpp"
 #include "nc/rewrite/output/undo.hpp"
@@ -12,15 +14,15 @@ namespace plumbline::jobs {
 
 class CompensatedFiles {
  public:
-  /// Opens all of them, so that one that cannot be written shows before the work. `json` empty: no summary is wanted.
-  CompensatedFiles(const std::string& output, bool with_undo, const std::string& json);
+  /// Opens all of them, so that one that cannot be written shows before the work. `reports`: the files that tell of it.
+  CompensatedFiles(const std::string& output, bool with_undo, const std::vector<std::string>& reports);
 
   OutputFile& program() { return program_; }
   /// Null: none is wanted.
   nc::UndoLog* undo_log() { return undo_ ? &undo_->log : nullptr; }
-  /// All appear, the program last. At every moment, whatever becomes of this process, the undo file that stands beside
+  /// All appear, the reports with their texts first, the program last. At every moment, whatever becomes of this process, the undo file that stands beside
   /// the program serves it: between the two steps it serves the program that stood there before as well.
-  void commit(const InputFile& original, const std::string& summary);
+  void commit(const InputFile& original, const std::vector<std::string>& texts);
 
  private:
   struct Undo {
@@ -32,7 +34,7 @@ class CompensatedFiles {
 
   OutputFile program_;
   std::optional<Undo> undo_;
-  std::optional<OutputFile> json_;
+  std::list<OutputFile> reports_;
 };
 
 /// Where --undo puts what the output replaced: beside it.

@@ -34,7 +34,7 @@ struct ProgramAhead::Reader {
 
   void read();
   void fill(KeptSteps& batch);
-  void look_at(KeptSteps& batch);
+  void look_at(KeptSteps& batch) const;
   KeptSteps* empty_batch();
   const KeptSteps::Kept* next();
 
@@ -73,7 +73,7 @@ void ProgramAhead::Reader::fill(KeptSteps& batch) {
   }
 }
 
-void ProgramAhead::Reader::look_at(KeptSteps& batch) {
+void ProgramAhead::Reader::look_at(KeptSteps& batch) const {
   if (looks == nullptr) return;
   try {
     looks->look(batch, filled % kBatches);

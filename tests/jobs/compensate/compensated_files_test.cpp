@@ -11,13 +11,13 @@ namespace {
 constexpr const char* kOriginal = "G0 X1\nG1 X2 F100\nM2\n";
 
 // As a compensation writes it: X2 becomes `x`.
-void write_corrected(const testing::Scratch& scratch, const std::string& x, const std::string& json = "") {
+void write_corrected(const testing::Scratch& scratch, const std::string& x, const std::vector<std::string>& reports = {}) {
   const InputFile original(scratch.file("p.ngc", kOriginal));
-  jobs::CompensatedFiles files(scratch / "out.ngc", true, json);
+  jobs::CompensatedFiles files(scratch / "out.ngc", true, reports);
   files.program().write("G0 X1\nG1 ");
   files.undo_log()->replaced(9, x.size(), "X2");
   files.program().write(x + " F100\nM2\n");
-  files.commit(original, "{}\n");
+  files.commit(original, std::vector<std::string>(reports.size(), "{}\n"));
 }
 
 std::string restored(const testing::Scratch& scratch, const std::string& program) {
@@ -32,7 +32,7 @@ std::string restored(const testing::Scratch& scratch, const std::string& program
 
 TEST_CASE("program, undo file and summary appear, and the undo file gives the original back") {
   const testing::Scratch scratch;
-  write_corrected(scratch, "X2.0123", scratch / "sum.json");
+  write_corrected(scratch, "X2.0123", {scratch / "sum.json"});
   CHECK(jobs::undo_name("out.ngc") == "out.ngc.undo");
   CHECK(scratch.text("out.ngc") == "G0 X1\nG1 X2.0123 F100\nM2\n");
   CHECK(scratch.text("sum.json") == "{}\n");
@@ -43,15 +43,15 @@ TEST_CASE("without --undo and --json the program appears alone, and only at the 
   const testing::Scratch scratch;
   const InputFile original(scratch.file("p.ngc", kOriginal));
   {
-    jobs::CompensatedFiles files(scratch / "out.ngc", false, "");
+    jobs::CompensatedFiles files(scratch / "out.ngc", false, {});
     CHECK(files.undo_log() == nullptr);
     files.program().write("G0 X1\n");
     CHECK_FALSE(scratch.has("out.ngc"));
   }
   CHECK_FALSE(scratch.has("out.ngc"));
-  jobs::CompensatedFiles files(scratch / "out.ngc", false, "");
+  jobs::CompensatedFiles files(scratch / "out.ngc", false, {});
   files.program().write("G0 X1\n");
-  files.commit(original, "not wanted");
+  files.commit(original, {});
   CHECK(scratch.text("out.ngc") == "G0 X1\n");
   CHECK_FALSE(scratch.has("out.ngc.undo"));
 }
@@ -78,14 +78,14 @@ TEST_CASE("nothing appears where the program was written to meanwhile, or a file
   const testing::Scratch scratch;
   const InputFile original(scratch.file("p.ngc", kOriginal));
   {
-    jobs::CompensatedFiles files(scratch / "out.ngc", true, scratch / "sum.json");
+    jobs::CompensatedFiles files(scratch / "out.ngc", true, {scratch / "sum.json"});
     files.program().write("G0 X1\n");
     scratch.file("p.ngc", "G0 X5\n");
-    CHECK(testing::refusal_of([&] { files.commit(original, "{}\n"); }).code == "file-changed");
+    CHECK(testing::refusal_of([&] { files.commit(original, {"{}\n"}); }).code == "file-changed");
   }
   for (const char* const name : {"out.ngc", "out.ngc.undo", "sum.json"}) CHECK_FALSE(scratch.has(name));
   CHECK(testing::refusal_of([&] {
-          jobs::CompensatedFiles(scratch / "out.ngc", false, scratch / "none/sum.json");
+          jobs::CompensatedFiles(scratch / "out.ngc", false, {scratch / "none/sum.json"});
         }).code == "file-unwritable");
   CHECK(testing::refusal_of([&] { jobs::open_pair(scratch / "p.ngc", scratch / "none.undo"); }).code == "file-missing");
 }

@@ -1,9 +1,10 @@
 import { element } from "./dom.mjs";
 import { facts } from "./facts.mjs";
+import { program } from "./program.mjs";
 import { table } from "./table.mjs";
 import { listing, text, warnings } from "./text.mjs";
 
-const kSections = { facts, listing, table, text, warnings };
+const kSections = { facts, listing, program, table, text, warnings };
 
 /// Builds the page of `data` (src/report/page/README.md) into `main`.
 export function build(data, main) {

@@ -1,0 +1,137 @@
+// A long row of points made short without losing its extremes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace plumbline::compensate {
+
+/// Keeps of each of a few thousand stretches of a row of points the first, and those at which one of `kFigures` figures
+/// is least or largest. A short row is kept whole. Memory does not grow with the row. A figure that is not a number is
+/// no extreme.
+template <class Point, std::size_t kFigures>
+class Decimated {
+ public:
+  using Figures = std::array<double, kFigures>;
+
+  /// Up to twice `stretches`; at least as many of a row that is longer than that.
+  explicit Decimated(std::size_t stretches) : stretches_(std::max<std::size_t>(1, stretches)) {}
+
+  /// `make` makes the point, where it is kept for now.
+  template <class Make>
+  void add(const Figures& figures, Make&& make) {
+    if (count_ > 0 && count_ % width_ == 0) begin_stretch();
+    const bool keeps = extremes_.take(figures) || count_ % width_ == 0;
+    if (keeps) {
+      kept_.push_back({count_, figures, std::forward<Make>(make)()});
+      if (kept_.size() - stretch_begin_ > kLoose) thin(stretch_begin_);
+    }
+    ++count_;
+  }
+
+  /// Of the whole row.
+  std::uint64_t count() const { return count_; }
+  void clear() { *this = Decimated(stretches_); }
+  /// The points that are kept, in their order.
+  std::vector<Point> take() {
+    thin(stretch_begin_);
+    std::vector<Point> points;
+    points.reserve(kept_.size());
+    for (Kept& kept : kept_) points.push_back(std::move(kept.point));
+    clear();
+    return points;
+  }
+
+ private:
+  static constexpr std::size_t kLoose = 4 * kFigures;  // of one stretch, before those that lost are thrown out
+
+  struct Kept {
+    std::uint64_t number = 0;
+    Figures figures{};
+    Point point;
+  };
+  struct Extremes {
+    Figures least = filled(std::numeric_limits<double>::infinity());
+    Figures largest = filled(-std::numeric_limits<double>::infinity());
+
+    static Figures filled(double value) {
+      Figures figures;
+      figures.fill(value);
+      return figures;
+    }
+    /// True where one of the figures is a new extreme.
+    bool take(const Figures& figures) {
+      bool is_new = false;
+      for (std::size_t i = 0; i < kFigures; ++i) {
+        if (figures[i] < least[i]) {
+          least[i] = figures[i];
+          is_new = true;
+        }
+        if (figures[i] > largest[i]) {
+          largest[i] = figures[i];
+          is_new = true;
+        }
+      }
+      return is_new;
+    }
+  };
+
+  void begin_stretch() {
+    thin(stretch_begin_);
+    if (count_ / width_ == 2 * stretches_) {  // two become one
+      width_ *= 2;
+      thin(0);
+    }
+    stretch_begin_ = kept_.size();
+    extremes_ = {};
+  }
+
+  // Throws out of each stretch from there on what is neither its first nor an extreme.
+  void thin(std::size_t from) {
+    std::size_t end = from;
+    for (std::size_t begin = from; begin < kept_.size();) {
+      std::size_t next = begin;
+      while (next < kept_.size() && kept_[next].number / width_ == kept_[begin].number / width_) ++next;
+      end = thin(begin, next, end);
+      begin = next;
+    }
+    kept_.resize(end);
+  }
+
+  std::size_t thin(std::size_t begin, std::size_t end, std::size_t into) {
+    std::vector<char> stays(end - begin, 0);
+    stays[0] = 1;
+    for (std::size_t f = 0; f < kFigures; ++f) {
+      std::size_t least = end;
+      std::size_t largest = end;
+      for (std::size_t i = begin; i < end; ++i) {
+        const double value = kept_[i].figures[f];
+        if (value != value) continue;
+        if (least == end || value < kept_[least].figures[f]) least = i;
+        if (largest == end || value > kept_[largest].figures[f]) largest = i;
+      }
+      if (least == end) continue;
+      stays[least - begin] = stays[largest - begin] = 1;
+    }
+    for (std::size_t i = begin; i < end; ++i) {
+      if (stays[i - begin] == 0) continue;
+      if (into != i) kept_[into] = std::move(kept_[i]);
+      ++into;
+    }
+    return into;
+  }
+
+  std::size_t stretches_;
+  std::uint64_t width_ = 1;  // points of a stretch
+  std::uint64_t count_ = 0;
+  std::vector<Kept> kept_;
+  std::size_t stretch_begin_ = 0;  // of the last one, in what is kept
+  Extremes extremes_;              // of that
+};
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,51 @@
+#include "compensate/recorded/drawn_path.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "machine/displacement.hpp"
+#include "machine/inverse.hpp"
+
+namespace plumbline::compensate {
+namespace {
+
+DrawnPoint drawn(const LoadedMachine& machine, RecordedPoint recorded) {
+  DrawnPoint point;
+  const physics::Motion<double> asked = machine.motion(recorded.asked);
+  Target told = recorded.asked;
+  told.pose = recorded.commanded;
+  const physics::Motion<double> commanded = machine.motion(told);
+  const physics::TipError<double> uncorrected = machine.error(asked);
+  const physics::TipError<double> played = machine.error(commanded);
+  point.uncorrected = uncorrected.displacement;
+  point.left = machine::displacement_between<double>(asked.pose, played.pose);
+  point.tension = played.loads.nut_tension;
+  point.lengths = machine::strut_lengths(machine.geometry(), commanded.pose);
+  point.condition = machine.condition(commanded.pose);
+  point.stands = commanded.pose;
+  point.geometry = machine.geometry();
+  point.gives_way = !uncorrected.converged() || !played.converged();
+  point.recorded = std::move(recorded);
+  return point;
+}
+
+}  // namespace
+
+DrawnPath drawn_path(PathRecord& record, const machine::MachineModel& model, const Settings& settings,
+                     const OutputText& text) {
+  DrawnPath path;
+  path.of_points = record.count();
+  LoadedMachine machine(model, settings);
+  std::optional<ToolInSpindle> tool;
+  std::vector<RecordedPoint> points = record.take();
+  path.points.reserve(points.size());
+  for (RecordedPoint& recorded : points) {
+    if (recorded.in_spindle != tool) machine.set_tool(*(tool = recorded.in_spindle));
+    const std::uint64_t bytes = std::min<std::uint64_t>(recorded.after_end - recorded.after_begin, 4 * kMostText);
+    if (text && bytes > 0) recorded.after = text(recorded.after_begin, recorded.after_begin + bytes);
+    path.points.push_back(drawn(machine, std::move(recorded)));
+  }
+  return path;
+}
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,58 @@
+#include "compensate/recorded/path_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "machine/inverse.hpp"
+#include "path/figures.hpp"
+
+namespace plumbline::compensate {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// How far the strut that is nearest to a limit is from it, m.
+double least_room(const machine::Limits& limits, const machine::PerStrut<double>& lengths) {
+  return std::min((lengths - limits.length_min).minCoeff(), (limits.length_max - lengths).minCoeff());
+}
+
+}  // namespace
+
+void PathRecord::set_tool(const ToolInSpindle& tool, int number) {
+  machine_->set_tool(tool);
+  tool_ = tool;
+  number_ = number;
+}
+
+void PathRecord::restart() {
+  points_.clear();
+  machine_.emplace(model_, settings_);
+  tool_.reset();
+  number_ = -1;
+}
+
+void PathRecord::add(RecordedPoint point, const std::function<Texts()>& texts) {
+  Target told = point.asked;
+  told.pose = point.commanded;
+  // The loads are taken where the machine is sent to: a few hundred um away they are the same to a millionth.
+  const physics::Motion<double> motion = machine_->motion(told);
+  const physics::TipError<double> error = machine_->error(motion, {.first_order = true});
+  const machine::PerStrut<double>& tension = error.loads.nut_tension;
+  const AxisWords correction = point.commanded - point.asked.pose;
+  const AxisWords& at = point.commanded;
+  points_.add({at[Axis::X], at[Axis::Y], at[Axis::Z], at[Axis::A], at[Axis::B], at[Axis::C], length_mm(correction),
+               path::largest_turn_deg(correction), point.mm_s.value_or(kNone), point.piece_s.value_or(kNone),
+               least_room(model_.limits, machine::strut_lengths(machine_->geometry(), motion.pose)),
+               error.converged() ? tension.minCoeff() : kNone, error.converged() ? tension.maxCoeff() : kNone},
+              [&] {
+                point.tool = number_;
+                point.in_spindle = tool_;
+                const Texts said = texts();
+                point.text = said.before.substr(0, kMostText);
+                point.after = said.after.substr(0, kMostText);
+                return std::move(point);
+              });
+}
+
+}  // namespace plumbline::compensate

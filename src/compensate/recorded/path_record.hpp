@@ -1,0 +1,75 @@
+// The points of a path that a picture of it is drawn from: few of many, none of its extremes lost.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "compensate/loaded_machine.hpp"
+#include "compensate/recorded/decimated.hpp"
+
+namespace plumbline::compensate {
+
+enum class WayKind : std::uint8_t {
+  gap,  // from the point before it nobody knows how the machine went
+  rapid,
+  line,
+  arc,
+};
+
+/// The end of a way, or a point on it.
+struct RecordedPoint {
+  WayKind kind = WayKind::line;
+  std::size_t line = 0;
+  int tool = -1;                                 // in the spindle; -1: not known
+  std::optional<ToolInSpindle> in_spindle;       // nothing: none came into it, the model has its own
+  double time_s = 0;                             // of cuts, since the start
+  std::optional<double> piece_s;                 // that the block of the output takes, whose end or part this is
+  std::optional<double> mm_s;                    // speed of the tip
+  Target asked;                                  // by the original, in W
+  AxisWords commanded;                           // in W
+  std::string text;                              // of its block
+  std::string after;                             // of what replaced it, at most kMostText characters
+  std::uint64_t after_begin = 0, after_end = 0;  // its bytes in the output; equal: it was left as it stands
+};
+
+inline constexpr std::size_t kMostText = 160;
+
+/// Takes every point of a path and keeps those that show it: of each stretch the first and those where the place, the
+/// orientation, the correction, the speed, the time of a block, the nearest limit of a strut or a strut's tension is at
+/// an extreme.
+class PathRecord {
+ public:
+  /// Model and settings must outlive it.
+  PathRecord(const machine::MachineModel& model, const Settings& settings)
+      : model_(model), settings_(settings), machine_(std::in_place, model, settings), points_(kStretches) {}
+
+  /// `number` of the tool; -1: not known.
+  void set_tool(const ToolInSpindle& tool, int number);
+  /// The texts are asked for where the point is kept.
+  struct Texts {
+    std::string_view before, after;
+  };
+  void add(RecordedPoint point, const std::function<Texts()>& texts);
+  void restart();
+
+  std::uint64_t count() const { return points_.count(); }
+  std::vector<RecordedPoint> take() { return points_.take(); }
+
+ private:
+  static constexpr std::size_t kStretches = 800;
+  static constexpr std::size_t kFigures = 13;
+
+  const machine::MachineModel& model_;
+  const Settings& settings_;
+  std::optional<LoadedMachine> machine_;
+  std::optional<ToolInSpindle> tool_;
+  int number_ = -1;
+  Decimated<RecordedPoint, kFigures> points_;
+};
+
+}  // namespace plumbline::compensate

@@ -1,0 +1,259 @@
+// The path and the machine in space. Z of the machine is up.
+import { ramp } from "./colours.mjs";
+
+const kKinds = { gap: 0, rapid: 1, line: 2, arc: 3 };
+
+function vector(x, y, z) {
+  return new THREE.Vector3(x, y, z);
+}
+
+function lines(material) {
+  const object = new THREE.LineSegments(new THREE.BufferGeometry(), material);
+  object.frustumCulled = false;
+  return object;
+}
+
+/// Ends of the segments that belong to `wanted(kind)`: pairs of point numbers.
+export function segments(kinds, wanted) {
+  const pairs = [];
+  for (let i = 1; i < kinds.length; ++i) if (wanted(kinds[i])) pairs.push(i - 1, i);
+  return pairs;
+}
+
+function setPositions(object, pairs, place) {
+  const positions = new Float32Array(3 * pairs.length);
+  pairs.forEach((point, i) => positions.set(place(point), 3 * i));
+  object.geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
+}
+
+/// A straight bar between two places.
+class Bar {
+  constructor(radius, material) {
+    this.mesh = new THREE.Mesh(new THREE.CylinderBufferGeometry(radius, radius, 1, 12), material);
+  }
+  put(from, to) {
+    const way = to.clone().sub(from);
+    this.mesh.position.copy(from).addScaledVector(way, 0.5);
+    this.mesh.scale.set(1, way.length(), 1);
+    this.mesh.quaternion.setFromUnitVectors(vector(0, 1, 0), way.normalize());
+  }
+}
+
+function plate(points, material) {
+  const geometry = new THREE.BufferGeometry();
+  const centre = points.reduce((sum, p) => sum.add(p), vector(0, 0, 0)).multiplyScalar(1 / points.length);
+  const around = points.slice().sort((a, b) => Math.atan2(a.y - centre.y, a.x - centre.x) - Math.atan2(b.y - centre.y, b.x - centre.x));
+  const corners = [];
+  around.forEach((p, i) => {
+    const q = around[(i + 1) % around.length];
+    corners.push(centre.x, centre.y, centre.z, p.x, p.y, p.z, q.x, q.y, q.z);
+  });
+  geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(corners), 3));
+  geometry.computeVertexNormals();
+  return new THREE.Mesh(geometry, material);
+}
+
+/// Base, platform, six struts and the tool.
+class MachineDrawing {
+  constructor(machine, reach) {
+    this.group = new THREE.Group();
+    const steel = new THREE.MeshLambertMaterial({ color: 0x7d8894 });
+    const frame = new THREE.MeshLambertMaterial({ color: 0x9aa5b1, side: THREE.DoubleSide, transparent: true, opacity: 0.55 });
+    this.base = machine.base.map((p) => vector(...p));
+    this.platform = machine.platform.map((p) => vector(...p));
+    this.tip = machine.tip;
+    this.shortest = machine.shortest;
+    this.longest = machine.longest;
+    this.group.add(plate(this.base, frame));
+    this.body = plate(this.platform, frame);
+    this.group.add(this.body);
+    const radius = reach / 90;
+    this.struts = this.base.map(() => new Bar(radius, steel.clone()));
+    this.tool = new Bar(radius * 1.4, new THREE.MeshLambertMaterial({ color: 0xd55e00 }));
+    for (const bar of [...this.struts, this.tool]) this.group.add(bar.mesh);
+  }
+  /// `tip` in W, orientation as a quaternion, how far along Z of the platform the tip is.
+  put(tip, turn, along) {
+    const offset = vector(this.tip[0], this.tip[1], along).applyQuaternion(turn);
+    const origin = tip.clone().sub(offset);
+    this.body.position.copy(origin);
+    this.body.quaternion.copy(turn);
+    this.struts.forEach((bar, j) => {
+      const end = this.platform[j].clone().applyQuaternion(turn).add(origin);
+      bar.put(this.base[j], end);
+      const length = end.distanceTo(this.base[j]);
+      const room = Math.min(length - this.shortest[j], this.longest[j] - length);
+      const near = room < 0.02 * (this.longest[j] - this.shortest[j]);
+      bar.mesh.material.color.set(near ? 0xa4133c : 0x7d8894);
+    });
+    this.tool.put(vector(this.tip[0], this.tip[1], 0).applyQuaternion(turn).add(origin), tip);
+  }
+}
+
+/// The largest shift that a gain makes visible: an eighth of the size of the path, as a round number.
+export function niceGain(size, shiftUm) {
+  if (!(shiftUm > 0) || !(size > 0)) return 1;
+  const wanted = size / 8 / (shiftUm / 1000);
+  const power = 10 ** Math.floor(Math.log10(wanted));
+  const round = [5, 2, 1].find((of) => of * power <= wanted) ?? 1;
+  return Math.max(1, round * power);
+}
+
+export class Scene {
+  constructor(box, columns, section) {
+    this.columns = columns;
+    this.section = section;
+    this.box = box;
+    this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
+    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
+    box.append(this.renderer.domElement);
+    this.scene = new THREE.Scene();
+    this.camera = new THREE.PerspectiveCamera(40, 1, 1, 100000);
+    this.camera.up.set(0, 0, 1);
+    this.orbit = new THREE.OrbitControls(this.camera, this.renderer.domElement);
+    this.orbit.enableKeys = false;
+    this.orbit.addEventListener("change", () => this.draw());
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x666666, 1));
+    this.addPath();
+    this.addMachine();
+    new ResizeObserver(() => this.resize()).observe(box);
+    this.look("path");
+  }
+
+  place(point) {
+    const { x, y, z } = this.columns;
+    return [x[point], y[point], z[point]];
+  }
+
+  addPath() {
+    const { kind, x, y, z } = this.columns;
+    this.cuts = segments(kind, (of) => of >= kKinds.line);
+    const rapids = segments(kind, (of) => of === kKinds.rapid);
+    this.path = lines(new THREE.LineBasicMaterial({ vertexColors: THREE.VertexColors }));
+    this.rapids = lines(new THREE.LineDashedMaterial({ color: 0x8a8f96, dashSize: 4, gapSize: 3 }));
+    this.told = lines(new THREE.LineBasicMaterial({ color: 0x0072b2, transparent: true, opacity: 0.45 }));
+    this.sagging = lines(new THREE.LineBasicMaterial({ color: 0xd55e00, transparent: true, opacity: 0.45 }));
+    this.path.renderOrder = 1;
+    setPositions(this.path, this.cuts, (i) => this.place(i));
+    setPositions(this.rapids, rapids, (i) => this.place(i));
+    this.rapids.computeLineDistances();
+    this.bounds = new THREE.Box3();
+    for (let i = 0; i < x.length; ++i) this.bounds.expandByPoint(vector(x[i], y[i], z[i]));
+    this.size = Math.max(1, this.bounds.getSize(vector(0, 0, 0)).length());
+    this.rapids.material.dashSize = this.size / 120;
+    this.rapids.material.gapSize = this.size / 160;
+    this.marker = new THREE.Mesh(new THREE.SphereBufferGeometry(this.size / 110, 16, 12), new THREE.MeshBasicMaterial({ color: 0xd1006c }));
+    this.scene.add(this.path, this.rapids, this.told, this.sagging, this.marker);
+  }
+
+  addMachine() {
+    const box = new THREE.Box3();
+    for (const p of this.section.machine.base) box.expandByPoint(vector(...p));
+    this.reach = Math.max(this.size, box.getSize(vector(0, 0, 0)).length());
+    this.machine = new MachineDrawing(this.section.machine, this.reach);
+    this.scene.add(this.machine.group);
+    const travel = this.section.machine.travel;
+    if (travel.every((range) => range.every((value) => value !== null))) {
+      const space = new THREE.Box3(vector(...travel.map((range) => range[0])), vector(...travel.map((range) => range[1])));
+      this.travel = new THREE.Box3Helper(space, 0x8a8f96);
+      this.scene.add(this.travel);
+    }
+    this.scene.add(new THREE.AxesHelper(this.size / 6));
+  }
+
+  /// "path", "machine", or from "x", "y", "z".
+  look(at) {
+    const whole = this.bounds.clone();
+    if (at === "machine") {
+      for (const p of this.section.machine.base) whole.expandByPoint(vector(...p));
+    }
+    const centre = whole.getCenter(vector(0, 0, 0));
+    const away = Math.max(1, whole.getSize(vector(0, 0, 0)).length()) * 1.05;
+    const from = { x: [1, 0, 0], y: [0, -1, 0], z: [0, -0.001, 1] }[at] ?? [0.55, -0.75, 0.5];
+    this.orbit.target.copy(centre);
+    this.camera.position.copy(centre).add(vector(...from).normalize().multiplyScalar(away));
+    this.camera.near = away / 500;
+    this.camera.far = away * 60;
+    this.camera.updateProjectionMatrix();
+    this.orbit.update();
+    this.draw();
+  }
+
+  /// Colours the path by a column over [from, to].
+  colour(values, from, to) {
+    const colourOf = ramp(from, to);
+    const colours = new Float32Array(3 * this.cuts.length);
+    const made = new THREE.Color();
+    this.cuts.forEach((_, i) => {
+      made.set(colourOf(values[this.cuts[i | 1]]));
+      colours.set([made.r, made.g, made.b], 3 * i);
+    });
+    this.path.geometry.setAttribute("color", new THREE.BufferAttribute(colours, 3));
+    this.draw();
+  }
+
+  /// Draws what the control is told and where the tip would go without it, their distances from the path times `gain`.
+  exaggerate(gain) {
+    const { cx, cy, cz, ex, ey, ez } = this.columns;
+    const shifted = (dx, dy, dz) => (i) => {
+      const [x, y, z] = this.place(i);
+      const by = gain / 1000;
+      return [x + by * (dx[i] || 0), y + by * (dy[i] || 0), z + by * (dz[i] || 0)];
+    };
+    if (cx) setPositions(this.told, this.cuts, shifted(cx, cy, cz));
+    setPositions(this.sagging, this.cuts, shifted(ex, ey, ez));
+    this.draw();
+  }
+
+  show(name, visible) {
+    const parts = { machine: this.machine.group, rapids: this.rapids, told: this.told, sagging: this.sagging, travel: this.travel };
+    if (parts[name]) parts[name].visible = visible;
+    this.draw();
+  }
+
+  choose(point) {
+    const { px, py, pz, qx, qy, qz, qw, tip } = this.columns;
+    this.marker.position.set(...this.place(point));
+    this.machine.put(vector(px[point], py[point], pz[point]), new THREE.Quaternion(qx[point], qy[point], qz[point], qw[point]), tip[point]);
+    this.draw();
+  }
+
+  /// The point of the path that is drawn nearest to a place of the picture; -1 where none is within 24 pixels.
+  pointAt(clientX, clientY) {
+    const rect = this.renderer.domElement.getBoundingClientRect();
+    let best = -1;
+    let least = 24 ** 2;
+    const place = vector(0, 0, 0);
+    for (let i = 0; i < this.columns.x.length; ++i) {
+      place.set(...this.place(i)).project(this.camera);
+      if (place.z > 1) continue;
+      const dx = rect.left + ((place.x + 1) / 2) * rect.width - clientX;
+      const dy = rect.top + ((1 - place.y) / 2) * rect.height - clientY;
+      const distance = dx * dx + dy * dy;
+      if (distance < least) {
+        least = distance;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  resize() {
+    const { clientWidth, clientHeight } = this.box;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  draw() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      this.renderer.render(this.scene, this.camera);
+      this.frames = (this.frames ?? 0) + 1;
+    });
+  }
+}
