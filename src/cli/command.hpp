@@ -41,7 +41,8 @@ using Run = std::function<int()>;
   COMMAND(identify)                 \
   COMMAND(calibrate)                \
   COMMAND(plan)                     \
-  COMMAND(control)
+  COMMAND(control)                  \
+  COMMAND(new_model)
 
 #define PLUMBLINE_DECLARE(NAME) void add_##NAME(CLI::App& app, Run& run);
 PLUMBLINE_COMMANDS(PLUMBLINE_DECLARE)

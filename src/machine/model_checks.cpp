@@ -30,17 +30,33 @@ void check_gravity(const MachineModel& model) {
   }
 }
 
+bool same_point(const StrutVectors<double>& joints, int i, int j) {
+  return (joints.col(i) - joints.col(j)).norm() <= kSamePoint;
+}
+
+// Two struts at each of three points, an octahedron's corners: meant, where a slip makes one pair.
+bool at_three_points(const StrutVectors<double>& joints) {
+  for (int j = 0; j < kStruts; ++j) {
+    int others = 0;
+    for (int i = 0; i < kStruts; ++i) others += i != j && same_point(joints, i, j) ? 1 : 0;
+    if (others != 1) return false;
+  }
+  return true;
+}
+
 void check_joints(const MachineModel& model, std::string_view table, const StrutVectors<double>& joints) {
   const ModelValue& value = model.value(table, "joints_mm");
   if (joints.cwiseAbs().maxCoeff() < kSmallestMachine) {
     refuse("model-unit", fmt::format("all coordinates of the joints of [{}] are below 10 mm", table),
            "joints_mm are in millimetres: multiply metres by 1000", model.document.place(value.span));
   }
+  if (at_three_points(joints)) return;
   for (int j = 1; j < kStruts; ++j) {
     for (int i = 0; i < j; ++i) {
-      if ((joints.col(i) - joints.col(j)).norm() > kSamePoint) continue;
+      if (!same_point(joints, i, j)) continue;
       refuse("model-coincident-joints", fmt::format("joints {} and {} of [{}] are the same point", i + 1, j + 1, table),
-             "each strut has a joint of its own: correct the one that was copied",
+             "each strut has a joint of its own, or all six meet two by two at three points: correct the one that was "
+             "copied",
              model.document.place(value.spans[3 * static_cast<std::size_t>(j)]));
     }
   }

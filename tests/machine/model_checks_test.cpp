@@ -43,6 +43,15 @@ TEST_CASE("joints are six points of a machine that is larger than a fist") {
       refused_model([](MachineModel& m) { m.geometry.base_joints_W.col(4) = m.geometry.base_joints_W.col(1); });
   CHECK(same.code == "model-coincident-joints");
   CHECK(same.message == "joints 2 and 5 of [base] are the same point");
+  const auto meet = [](MachineModel& m) {
+    for (const int j : {0, 2, 4}) m.geometry.base_joints_W.col(j) = m.geometry.base_joints_W.col((j + 5) % 6);
+  };
+  CHECK(refused_model(meet).code.empty());  // two by two at three points
+  const Diagnostic three = refused_model([&](MachineModel& m) {
+    meet(m);
+    m.geometry.base_joints_W.col(1) = m.geometry.base_joints_W.col(0);
+  });
+  CHECK(three.code == "model-coincident-joints");
   const Diagnostic small = refused_model([](MachineModel& m) { m.geometry.platform_joints_P *= 1e-3; });
   CHECK(small.code == "model-unit");
   CHECK(small.message == "all coordinates of the joints of [platform] are below 10 mm");
