@@ -89,7 +89,7 @@ struct Summary {
   AxisSet assumed_at_zero;  // rotary axes that the program never names
   std::uint64_t bytes_before = 0;
   std::uint64_t bytes_after = 0;
-  std::uint64_t hash_after = 0;  // fnv1a of the output
+  std::uint64_t hash_after = 0;  // fnv1a of the output, where a file of the summary or for undoing holds it; else 0
   bool identical = true;         // nothing had to change
   bool unrolled = false;         // written as a program without loops, subprograms and parameters
   struct InlinedFile {

@@ -3,7 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <iterator>
+#include <cstring>
 
 #include <fmt/format.h>
 
@@ -36,13 +36,10 @@ char* put_digits(char* end, std::uint64_t& left, int count) {
 
 }  // namespace
 
-void append_decimal(std::string& out, double value, int decimals, int least) {
+char* write_decimal(char* out, double value, int decimals, int least) {
   // A number has no more digits than a double: those that would be beyond are noise.
   while (decimals > 0 && std::abs(value) * power_of_ten(decimals) >= kLargestExact - 1) --decimals;
-  if (std::abs(value) >= kLargestExact - 1) {
-    fmt::format_to(std::back_inserter(out), "{:.0f}", value);
-    return;
-  }
+  if (std::abs(value) >= kLargestExact - 1) return fmt::format_to(out, "{:.0f}", value);
   const std::int64_t ticks = to_ticks(value, decimals);
   auto left = static_cast<std::uint64_t>(std::abs(ticks));
   while (decimals > least && left % 10 == 0) {
@@ -59,7 +56,15 @@ void append_decimal(std::string& out, double value, int decimals, int least) {
   while (left >= 10) begin = put_digits(begin, left, 2);
   if (left > 0 || begin == end || *begin == '.') begin = put_digits(begin, left, 1);
   if (ticks < 0) *--begin = '-';
-  out.append(begin, static_cast<std::size_t>(end - begin));
+  const auto size = static_cast<std::size_t>(end - begin);
+  std::memcpy(out, begin, size);
+  return out + size;
+}
+
+void append_decimal(std::string& out, double value, int decimals, int least) {
+  std::array<char, kDecimalRoom> text;  // NOLINT(*-member-init)
+  const char* const end = write_decimal(text.data(), value, decimals, least);
+  out.append(text.data(), static_cast<std::size_t>(end - text.data()));
 }
 
 std::string to_decimal(double value, int decimals, int least) {

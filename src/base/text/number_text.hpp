@@ -22,11 +22,11 @@ inline double power_of_ten(int decimals) {
 }
 
 /// The nearest whole number of a value within kLargestExact; halves go away from zero, as std::round has it: what is
-/// cut off is exact.
+/// cut off is exact. Without branches, which nobody could foretell.
 inline std::int64_t nearest_whole(double value) {
   const auto whole = static_cast<std::int64_t>(value);
   const double rest = value - static_cast<double>(whole);
-  return whole + (rest >= 0.5 ? 1 : rest <= -0.5 ? -1 : 0);
+  return whole + static_cast<std::int64_t>(rest >= 0.5) - static_cast<std::int64_t>(rest <= -0.5);
 }
 
 /// value rounded to that many decimals (0..kMostDecimals), counted in units of the last one: 1.2346 at 3 -> 1235.
@@ -44,6 +44,9 @@ inline double from_ticks(std::int64_t ticks, int decimals) {
 
 /// Appends value rounded to that many decimals; trailing zeros dropped down to `least` decimals, no "-0", no exponent.
 void append_decimal(std::string& out, double value, int decimals, int least = 0);
+/// The same, to where there is room for kDecimalRoom; returns its end.
+char* write_decimal(char* out, double value, int decimals, int least = 0);
+inline constexpr std::size_t kDecimalRoom = 400;  // a double without digits behind its point has 310 at most
 std::string to_decimal(double value, int decimals = kMostDecimals, int least = 0);
 
 /// The number that the whole of `text` is, exponent allowed; nothing if any of it is no number, or it is not finite.

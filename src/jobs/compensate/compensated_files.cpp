@@ -11,7 +11,7 @@ std::string undo_name(const std::string& output) { return output + ".undo"; }
 
 CompensatedFiles::CompensatedFiles(const std::string& output, bool with_undo, const std::vector<std::string>& reports)
     : program_(output) {
-  program_.keep_hash();
+  if (with_undo || !reports.empty()) program_.keep_hash();
   if (with_undo) undo_.emplace(undo_name(output));
   for (const std::string& report : reports) reports_.emplace_back(report);
 }

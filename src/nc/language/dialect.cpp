@@ -34,9 +34,8 @@ std::string text_of_code(const CodeRow& row) {
 const CodeRow* Dialect::g_code(int times_ten) const { return row_at(g_codes, g_index, times_ten); }
 const CodeRow* Dialect::m_code(int times_ten) const { return row_at(m_codes, m_index, times_ten); }
 
-const CodeRow* Dialect::row_of(const Word& word) const {
+const CodeRow* Dialect::row_of_code(const Word& word) const {
   if (word.letter == kNamedCode) return &named_codes[static_cast<std::size_t>(word.value)];
-  if (word.letter != 'G' && word.letter != 'M') return nullptr;
   const double tenths = word.value * 10;
   const bool small = std::abs(tenths) < kLargestCode;
   const int code = static_cast<int>(small ? nearest_whole(tenths) : std::lround(tenths));

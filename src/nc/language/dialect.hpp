@@ -344,7 +344,8 @@ struct Dialect {
   const CodeRow* g_code(int times_ten) const;
   const CodeRow* m_code(int times_ten) const;
   /// The row of a word that is a code, named or not; null for other words and codes that the control does not know.
-  const CodeRow* row_of(const Word& word) const;
+  const CodeRow* row_of(const Word& word) const { return is_code(word) ? row_of_code(word) : nullptr; }
+  const CodeRow* row_of_code(const Word& word) const;
   /// What a name means, whatever its case; null if nothing.
   const NameMeaning* meaning(std::string_view text) const;
   /// "G54", "G54.1 P2" and so on, as programs and messages name a work system; 1 is the first.

@@ -197,6 +197,15 @@ EmittedMove Emitter::rewrite(const Step& step, std::span<const CorrectedPoint> p
   const std::uint64_t begin = text_.size();
   const std::span<Piece> pieces = planner_.plan(step, points, writable, seconds, control_);
   if (pieces.size() > 1) refuse_builders_codes(step, dialect_);
+  const std::optional<std::string_view> in_place =
+      pieces.size() == 1 ? writer_.in_place(step, pieces.front(), spelling_, codes, control_.motion) : std::nullopt;
+  if (in_place) {
+    control_.motion = pieces.front().mode(step);
+    text_.write_line(step, *in_place);
+    text_.end_block(step);
+    text_.note_replaced(step, begin, *in_place);
+    return {true, 1, planner_.seconds(), planner_.rounding_mm()};
+  }
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const bool is_last = i + 1 == pieces.size();
     line_.clear();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text/characters.hpp"
 #include "base/text/number_text.hpp"
 
 namespace plumbline::nc {
@@ -92,6 +93,62 @@ void PieceWriter::append_first(std::string& out, const Step& step, const Piece& 
     for (const Word* word : codes.after_motion()) editor_.replace(word->span, "");
   }
   editor_.apply(out);
+}
+
+// As codes_before() has it of a move in one piece.
+bool PieceWriter::codes_stay(const Step& step, const Piece& piece, const BlockCodes& codes, MotionMode standing) {
+  const MotionMode mode = piece.mode(step);
+  const bool feed_mode_stays = codes.feed_mode != nullptr ? !piece.leaves_inverse_time : !piece.restates_mode;
+  const bool motion_stays = (codes.motion != nullptr ? step.after->motion : standing) == mode;
+  return feed_mode_stays && motion_stays;
+}
+
+std::optional<std::string_view> PieceWriter::in_place(const Step& step, const Piece& piece, const Spelling& spelling,
+                                                      const BlockCodes& codes, MotionMode standing) {
+  const Block& block = *step.block;
+  const bool plain = !piece.direct && step.motions.front().kind != MotionKind::arc && !block.words.empty() &&
+                     step.block_delete == BlockDelete::none && block.left_out.empty() &&
+                     block.text.find('\n') == std::string_view::npos;
+  if (!plain || !codes_stay(step, piece, codes, standing)) return std::nullopt;
+  if (const std::size_t room = block.text.size() + (block.words.size() + 1) * kWordRoom; line_.size() < room)
+    line_.resize(room);
+  char* out = line_.data();
+  std::uint32_t at = 0;
+  const auto keep_up_to = [&](std::uint32_t end) {
+    out = std::copy(block.text.begin() + at, block.text.begin() + end, out);
+    at = end;
+  };
+  AxisSet seen;
+  const Word* feed = nullptr;
+  std::uint32_t words_end = 0;
+  for (const Word& word : block.words) {
+    words_end = std::max(words_end, word.span.end);
+    const std::optional<Axis> axis = axis_of(word.letter);
+    if (axis ? seen.contains(*axis) : word.letter != 'F' || feed != nullptr) continue;
+    if (word.span.begin < at) return std::nullopt;  // not in the order of the text
+    if (axis) {
+      seen.insert(*axis);
+      if (piece.endless.contains(*axis) && !piece.moved.contains(*axis)) return std::nullopt;
+      if (word.mode == WordMode::modal && std::abs(word.value - piece.value[*axis]) < 1e-12) continue;
+      keep_up_to(word.span.begin);
+      out = write_word(out, letter(*axis), piece.value[*axis], piece.digits[index(*axis)], spelling);
+    } else {
+      feed = &word;
+      if (!piece.feed || word.value == *piece.feed) continue;
+      keep_up_to(word.span.begin);
+      out = write_word(out, 'F', *piece.feed, kMostDecimals, spelling);
+    }
+    at = word.span.end;
+  }
+  if (!seen.contains(piece.moved)) return std::nullopt;
+  if (piece.feed && feed == nullptr) {
+    if (words_end < at) return std::nullopt;
+    keep_up_to(words_end);
+    if (spelling.spaced && !is_blank(block.text[words_end - 1])) *out++ = ' ';
+    out = write_word(out, 'F', *piece.feed, kMostDecimals, spelling);
+  }
+  keep_up_to(static_cast<std::uint32_t>(block.text.size()));
+  return std::string_view(line_.data(), static_cast<std::size_t>(out - line_.data()));
 }
 
 void PieceWriter::append_further(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,

@@ -37,16 +37,17 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
   double waiting = 0;  // share of pieces in which nothing moved
   for (std::size_t i = 0; i < points.size(); ++i) {
     const AxisWords begin = at;
-    Piece piece = rounded_piece(step, points[i], writable, at);
+    const bool only_one = i + 1 == points.size() && pieces_.empty();
+    Piece& piece = pieces_.emplace_back();
+    round(step, points[i], writable, piece, at);
     if (points[i].arc) piece.arc = arc_words(words_, step, *points[i].arc, begin);
     piece.share = points[i].share + waiting;
     waiting = 0;
-    const bool only_one = i + 1 == points.size() && pieces_.empty();
     if (piece.moved.empty() && !piece.arc && !only_one) {
       waiting = piece.share;
+      pieces_.pop_back();
       continue;
     }
-    pieces_.push_back(piece);
     ends_.push_back(at);
   }
   pieces_.back().share += waiting;
@@ -63,10 +64,11 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
 }
 
 // Rounds one point, tells which axes move to it, and moves `at` there.
-Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point, AxisSet writable, AxisWords& at) {
-  Piece piece;
+void PiecePlanner::round(const Step& step, const CorrectedPoint& point, AxisSet writable, Piece& piece, AxisWords& at) {
   const AxisWords target = point.nominal + point.shift;
-  const bool first = pieces_.empty();
+  const bool first = pieces_.size() == 1;
+  const bool incremental = step.after->incremental;
+  const AxisSet known_before = first ? step.motions.front().known_before : AxisSet::all();
   piece.direct = dialect_.syntax.word_modes;
   for (const Axis axis : kAllAxes) {
     const std::size_t i = index(axis);
@@ -76,31 +78,30 @@ Piece PiecePlanner::rounded_piece(const Step& step, const CorrectedPoint& point,
       at[axis] = target[axis];
       continue;
     }
-    const bool known = step.motions.front().known_before.contains(axis) || !first;
-    const double wanted = (step.after->incremental ? target[axis] - at[axis] : target[axis]) / g.per_unit;
+    const bool known = known_before.contains(axis);
+    const double wanted = (incremental ? target[axis] - at[axis] : target[axis]) / g.per_unit;
     WordGrid::check_word(step, wanted);
     const double value = g.kept(wanted);
     words_.check_digits(step, value, g.digits);
-    double end = step.after->incremental ? at[axis] + value * g.per_unit : value * g.per_unit;
-    const bool endless = !step.after->incremental && step.after->rule_of(axis) != RotaryRule::linear;
+    double end = incremental ? at[axis] + value * g.per_unit : value * g.per_unit;
+    const bool endless = !incremental && step.after->rule_of(axis) != RotaryRule::linear;
     // Downwards to 0 would be -0, which is not the same to every control: the last step is left out.
     if (endless && known && end < at[axis] && within_one_turn(end) == 0) end += g.quantum;
     if (endless) piece.endless.insert(axis);
     piece.value[axis] = value;
     // A word that stands there is written as it is kept now, though the axis was left with more digits.
-    const bool says = first && !step.after->incremental && step.named.contains(axis) &&
+    const bool says = first && !incremental && step.named.contains(axis) &&
                       (endless ? says_way_round(step, axis) : end != at[axis]);
     if (!known || says || std::abs(end - at[axis]) > kMovesFrom * g.quantum * g.per_unit) {
       if (endless)
         piece.value[axis] = words_.endless_word(step, axis, end, known ? std::optional(at[axis]) : std::nullopt);
       piece.moved.insert(axis);
       at[axis] = end;
-    } else if (step.after->incremental) {
+    } else if (incremental) {
       piece.value[axis] = 0;
     }
   }
   rounding_mm_ = std::max(rounding_mm_, length_mm(at - target));
-  return piece;
 }
 
 }  // namespace plumbline::nc

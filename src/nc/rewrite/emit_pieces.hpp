@@ -34,7 +34,7 @@ class PiecePlanner {
   std::optional<double> seconds() const { return seconds_; }
 
  private:
-  Piece rounded_piece(const Step& step, const CorrectedPoint& point, AxisSet writable, AxisWords& at);
+  void round(const Step& step, const CorrectedPoint& point, AxisSet writable, Piece& piece, AxisWords& at);
 
   const Dialect& dialect_;
   const EmitSettings& settings_;

@@ -14,12 +14,12 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr double kLargestWord = 1e6;  // with nine decimals this still is exact in a double
-constexpr double kArcStart = 1e-7;    // mm
+constexpr double kArcStart = 1e-7;  // mm
 
 }  // namespace
 
-WordGrid::WordGrid(const Dialect& dialect, const EmitSettings& settings) : dialect_(dialect), settings_(settings) {
+WordGrid::WordGrid(const Dialect& dialect, const EmitSettings& settings)
+    : dialect_(dialect), settings_(settings), most_digits_(dialect.behaviour.most_digits) {
   for (const bool rotary : {false, true}) {
     for (const bool inches : {false, true}) {
       for (const bool incremental : {false, true}) {
@@ -150,18 +150,16 @@ bool WordGrid::rounds_to_zero(const Step& step, const AxisWords& shift, AxisSet 
 }
 
 // Numbers that cannot be written with all their digits.
-void WordGrid::check_word(const Step& step, double value) {
-  if (std::abs(value) < kLargestWord) return;
+void WordGrid::refuse_word(const Step& step, double value) {
   refuse_block(*step.block, "emit-out-of-range", fmt::format("this block would need the number {:.6g}", value),
                "check the words and offsets of the block: no machine goes there");
 }
 
-void WordGrid::check_digits(const Step& step, double value, int decimals) const {
-  const int most = dialect_.behaviour.most_digits;
-  if (most == 0 || std::abs(value) < std::pow(10, most - decimals)) return;
+void WordGrid::count_digits(const Step& step, double value, int decimals) const {
+  if (std::abs(value) < std::pow(10, most_digits_ - decimals)) return;
   refuse_block(
       *step.block, "emit-out-of-range",
-      fmt::format("this block would need the number {:.3f}, and {} takes {} digits", value, dialect_.name, most),
+      fmt::format("this block would need the number {:.3f}, and {} takes {} digits", value, dialect_.name, most_digits_),
       "check the words and offsets of the block: no machine goes there");
 }
 

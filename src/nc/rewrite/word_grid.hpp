@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -65,10 +66,17 @@ class WordGrid {
   double endless_word(const Step& step, Axis axis, double to, std::optional<double> from) const;
 
   /// Refuse with emit-out-of-range what cannot be written with all its digits, or is longer than the control takes.
-  static void check_word(const Step& step, double value);
-  void check_digits(const Step& step, double value, int decimals) const;
+  static void check_word(const Step& step, double value) {
+    if (!(std::abs(value) < kLargestWord)) refuse_word(step, value);
+  }
+  void check_digits(const Step& step, double value, int decimals) const {
+    if (most_digits_ > 0) count_digits(step, value, decimals);
+  }
 
  private:
+  static constexpr double kLargestWord = 1e6;  // with nine decimals this still is exact in a double
+  [[noreturn]] static void refuse_word(const Step& step, double value);
+  void count_digits(const Step& step, double value, int decimals) const;
   static constexpr std::size_t kind(bool rotary, bool inches, bool incremental) {
     return (rotary ? 4U : 0U) + (inches ? 2U : 0U) + (incremental ? 1U : 0U);
   }
@@ -79,6 +87,7 @@ class WordGrid {
 
   const Dialect& dialect_;
   const EmitSettings& settings_;
+  int most_digits_;  // of a word; 0: any
   std::array<std::array<Grid, kMostDecimals + 1>, 8> grids_{};  // by kind(), and by the decimals of the word
 };
 

@@ -47,7 +47,8 @@ struct ProgramAhead::Reader {
   std::condition_variable changed;
   std::size_t filled = 0, taken = 0;  // batches so far
   bool stopped = false;
-  std::size_t at = 0;  // of the batch that is taken from, the next step
+  bool holds = false;  // the batch that is taken from was filled
+  std::size_t at = 0;  // of this, the next step
   std::thread thread;  // the last: it begins when all else is there
 };
 
@@ -99,15 +100,17 @@ void ProgramAhead::Reader::read() {
 
 const KeptSteps::Kept* ProgramAhead::Reader::next() {
   while (true) {
-    {
+    if (!holds) {
       std::unique_lock lock(mutex);
       changed.wait(lock, [&] { return filled > taken; });
+      holds = true;
     }
     const KeptSteps& batch = batches[taken % kBatches];
     if (at < batch.size()) return &batch[at++];
     if (batch.refusal()) std::rethrow_exception(batch.refusal());
     if (batch.is_last()) return nullptr;
     at = 0;
+    holds = false;
     {
       const std::lock_guard lock(mutex);
       ++taken;

@@ -10,8 +10,6 @@ namespace {
 
 constexpr double kWholeTicks = 1e-6;  // of a tick, so that 0.123 is not cut to 0.122
 
-constexpr double kSureTicks = 1e14;  // so many last digits are no tick off, however they were multiplied
-
 constexpr double kLargestKept = 1e9;  // beyond it a word is refused
 
 }  // namespace
@@ -43,11 +41,7 @@ double kept_value(double value, const Kept& kept, bool is_literal) {
   return from_ticks(to_ticks(cut * kept.quantum, kept.decimals), kept.decimals);
 }
 
-double WrittenNumber::kept(double value) const {
-  const double quanta = value / quantum;
-  // Where the quantum is the last digit, its multiples are the ticks.
-  const bool of_digits = quantum * power_of_ten(digits) == 1 && std::abs(quanta) < kSureTicks;
-  if (of_digits) return from_ticks(nearest_whole(quanta), digits);
+double WrittenNumber::kept_of_quanta(double quanta) const {
   const double whole = std::abs(quanta) < kLargestExact ? static_cast<double>(nearest_whole(quanta)) : quanta;
   return from_ticks(to_ticks(whole * quantum, digits), digits);
 }

@@ -1,6 +1,10 @@
 // What a control keeps of the numbers that it is given: no more than its increment system has decimals.
 #pragma once
 
+#include <cmath>
+#include <cstddef>
+
+#include "base/text/number_text.hpp"
 #include "nc/language/dialect.hpp"
 
 namespace plumbline::nc {
@@ -21,10 +25,20 @@ double kept_value(double value, const Kept& kept, bool is_literal);
 
 /// How a number is written, in the unit of its word.
 struct WrittenNumber {
-  int digits = 9;
+  int digits = kMostDecimals;
   double quantum = 1e-9;
 
-  double kept(double value) const;
+  double kept(double value) const {
+    const double quanta = value / quantum;
+    // Where the quantum is the last digit, its multiples are the ticks.
+    const double power = kPowersOfTen[static_cast<std::size_t>(digits)];
+    const bool of_digits = quantum * power == 1 && std::abs(quanta) < kSureTicks;
+    return of_digits ? static_cast<double>(nearest_whole(quanta)) / power : kept_of_quanta(quanta);
+  }
+
+ private:
+  static constexpr double kSureTicks = 1e14;  // so many last digits are no tick off, however they were multiplied
+  double kept_of_quanta(double quanta) const;
 };
 /// `digits` and `increment`: those that are asked for, where the control keeps as many.
 WrittenNumber written_number(const Kept& kept, int digits, double increment);

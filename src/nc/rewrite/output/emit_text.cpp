@@ -1,6 +1,7 @@
 #include "nc/rewrite/output/emit_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/text/characters.hpp"
@@ -140,7 +141,13 @@ void append_code(std::string& out, std::string_view code, const Spelling& spelli
 
 void append_word(std::string& out, char letter, double value, int decimals, const Spelling& spelling) {
   if (spelling.spaced && !out.empty() && !is_blank(out.back())) out += ' ';
-  out += in_case(letter, spelling.lower_case);
+  std::array<char, kWordRoom> word;  // NOLINT(*-member-init)
+  const char* const end = write_word(word.data(), letter, value, decimals, spelling);
+  out.append(word.data(), static_cast<std::size_t>(end - word.data()));
+}
+
+char* write_word(char* out, char letter, double value, int decimals, const Spelling& spelling) {
+  *out++ = in_case(letter, spelling.lower_case);
   constexpr double kExact = 1e15;  // units of the last decimal that a double counts
   constexpr double kAlwaysExact = kExact / kPowersOfTen[kMostDecimals];
   while (decimals > 0 && std::abs(value) > kAlwaysExact && std::abs(value) > kExact * from_ticks(1, decimals)) {
@@ -151,9 +158,9 @@ void append_word(std::string& out, char letter, double value, int decimals, cons
     for (double rest = std::abs(value); rest >= 10; rest /= 10) ++before;
     decimals = std::clamp(spelling.most_digits - before, 0, decimals);
   }
-  const std::size_t begin = out.size();
-  append_decimal(out, value, decimals);
-  if (spelling.point && out.find('.', begin) == std::string::npos) out += '.';
+  char* end = write_decimal(out, value, decimals);
+  if (spelling.point && std::find(out, end, '.') == end) *end++ = '.';
+  return end;
 }
 
 void refuse_block(const Block& block, std::string_view code, std::string message, std::string help) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/number_text.hpp"
 #include "nc/language/block.hpp"
 
 namespace plumbline::nc {
@@ -59,6 +60,9 @@ void append_code(std::string& out, std::string_view code, const Spelling& spelli
 
 /// A word: letter in the case asked for, then the number with at most that many decimals.
 void append_word(std::string& out, char letter, double value, int decimals, const Spelling& spelling);
+/// The same without a blank before it, to where there is room for kWordRoom; returns its end.
+char* write_word(char* out, char letter, double value, int decimals, const Spelling& spelling);
+inline constexpr std::size_t kWordRoom = kDecimalRoom + 2;
 
 /// Refuses a block as a whole.
 [[noreturn]] void refuse_block(const Block& block, std::string_view code, std::string message, std::string help);

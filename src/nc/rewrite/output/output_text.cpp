@@ -109,7 +109,7 @@ void OutputText::note_replaced(const Step& step, std::uint64_t begin, std::strin
 }
 
 void OutputText::write_line(const Step& step, std::string_view text) {
-  if (longest_line(text) > dialect_.line_length) {
+  if (text.size() > dialect_.line_length && longest_line(text) > dialect_.line_length) {
     refuse_block(*step.block, "emit-line-too-long",
                  fmt::format("the corrected block has {} characters, and {} takes {}", text.size(), dialect_.name,
                              dialect_.line_length),
