@@ -82,11 +82,23 @@ void MoveCorrector::keep(const Corrected& corrected, const AxisWords& words) {
   result_.signs.push_back(corrected.sign);
 }
 
-void MoveCorrector::expect(const PointsAhead* points) {
+void MoveCorrector::expect(const PointsAhead* points, const MoveAhead* move) {
   expected_ = points;
+  expected_move_ = points != nullptr ? move : nullptr;
   if (points == nullptr || points->number == number_) return;
   number_ = points->number;
   met_ = 0;
+}
+
+// The very move whose points were corrected.
+void MoveCorrector::take_expected(const MoveAhead& ahead) {
+  const int pieces = ahead.move.pieces;
+  for (int piece = 1; piece <= pieces && !stops(); ++piece) {
+    const std::size_t i = ahead.first + static_cast<std::size_t>(piece) - 1;
+    const AxisWords end = ahead.move.path.curve.at(ahead.move.fraction(piece));
+    if (take(expected_->targets[i], end, expected_->corrections[i])) result_.points.back().share = 1.0 / pieces;
+    met_ = i + 1;
+  }
 }
 
 // False, and nothing is taken: the first of its pieces does not end where one was expected to.
@@ -126,6 +138,7 @@ void MoveCorrector::correct_cut() {
     note(machine::check_programmed(limits_, corrector_.pose_of(end.pose)));
     if (stops()) return;
   }
+  if (expected_move_ != nullptr) return take_expected(*expected_move_);
   if (expected_ != nullptr && move.pieces <= kFewPieces && take_expected()) return;
   for (int first = 1; first <= move.pieces; first += kTogether) {
     const int last = std::min(first + kTogether - 1, move.pieces);

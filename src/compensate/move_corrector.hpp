@@ -29,10 +29,18 @@ struct CorrectedMove {
   }
 };
 
+/// A move that comes soon, divided; its points are among the PointsAhead.
+struct MoveAhead {
+  Move move;
+  std::size_t first = 0;  // of its targets
+};
+
 /// Points of moves of up to kFewPieces pieces that come soon, in their order, and what to command for each.
 struct PointsAhead {
   std::uint64_t number = 0;  // no others have it
   std::uint64_t tools = 0;   // that came into the spindle before they were corrected
+  AxisSet at_zero;           // axes that were taken to stand at zero
+  std::vector<MoveAhead> moves;
   std::vector<Target> targets;
   Corrections corrections;
 };
@@ -54,8 +62,9 @@ class MoveCorrector {
   /// the chord. `words`: where points are chosen by a bound. Holds until the next call.
   const CorrectedMove& correct(const Move& move, const AxisWords& standing, const WordsOfMove& words = {});
   /// correct() of a move whose points are among these takes what was found for them. To be told before each move: null
-  /// where there are none, or the tool is another one. They must outlive the next call of correct().
-  void expect(const PointsAhead* points);
+  /// where there are none, or the tool is another one; `move`: the one of their moves that will be corrected next,
+  /// where that is known. They must outlive the next call of correct().
+  void expect(const PointsAhead* points, const MoveAhead* move = nullptr);
   /// Places of the work system where the machine stands still, one point each.
   const CorrectedMove& correct_places(const Move& move, std::span<const AxisWords> places, const AxisWords& standing);
 
@@ -68,6 +77,7 @@ class MoveCorrector {
   void note(std::vector<machine::Violation> violations);
   void correct_rapid();
   void correct_cut();
+  void take_expected(const MoveAhead& ahead);
   bool take_expected();
   void correct_by_bound(const WordsOfMove& words);
 
@@ -82,8 +92,9 @@ class MoveCorrector {
   std::vector<Target> targets_;
   Corrections corrections_;
   const PointsAhead* expected_ = nullptr;
-  std::uint64_t number_ = 0;  // of these, or of the last
-  std::size_t met_ = 0;       // of these, so far
+  const MoveAhead* expected_move_ = nullptr;  // of these
+  std::uint64_t number_ = 0;                  // of these, or of the last
+  std::size_t met_ = 0;                       // of these, so far
 };
 
 }  // namespace plumbline::compensate

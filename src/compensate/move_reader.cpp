@@ -8,6 +8,8 @@
 namespace plumbline::compensate {
 namespace {
 
+constexpr double kNoWay = 1e-7;  // mm and deg
+
 void refuse_to_follow(const nc::Step& step, const UnknownPosition& unknown) {
   const Place place = place_of(step);
   if (!unknown.moved.empty()) {
@@ -52,6 +54,12 @@ Move move_of(const nc::Step& step, const nc::Motion& motion, const nc::Dialect& 
   // Where a rapid comes from decides which way friction acts; not known, that is left out.
   move.begin_known = motion.known_before.contains(AxisSet::all() - at_zero);
   return move;
+}
+
+void forget_time_of_no_way(Move& move) {
+  const path::Curve& curve = move.path.curve;
+  if (move.motion->feed_mode == nc::FeedMode::inverse_time || curve.linear_mm() >= kNoWay) return;
+  if (path::largest_turn_deg(curve.delta()) < kNoWay) move.duration = move.seconds = std::nullopt;
 }
 
 void divide(Move& move, const path::StepSettings& settings) {

@@ -58,6 +58,9 @@ inline AxisSet fixed_axes(const nc::Step& step, AxisSet at_zero) {
 /// The motion of a step as the machine makes it, in one piece. `at_zero`: axes that are taken to stand at zero.
 Move move_of(const nc::Step& step, const nc::Motion& motion, const nc::Dialect& dialect, const ReaderSettings& settings,
              AxisSet at_zero);
+/// Where it leads to where the tool stands already, but for the last digits of an expression, no F could keep its time:
+/// that is forgotten.
+void forget_time_of_no_way(Move& move);
 /// Sets its pieces, at the step settings. Refuses with path-too-many-pieces.
 void divide(Move& move, const path::StepSettings& settings);
 

@@ -22,13 +22,19 @@ class MovesAhead : public nc::StepsAhead {
              const nc::ToolTable& tools, const ReaderSettings& reader);
 
   void look(const nc::KeptSteps& steps, std::size_t place) override;
-  /// Axes that are taken to stand at zero from now on, as far as is known by now.
-  void assume_at_zero(AxisSet axes) { at_zero_.store(axes, std::memory_order_relaxed); }
-  /// Of the steps that were handed over so many times; to be asked while the last step taken is one of them.
-  const PointsAhead& points(std::uint64_t handed_over) const { return points_[(handed_over - 1) % kPlaces]; }
+
+  // For the thread that takes the steps
+  /// Each step when it is taken; `handed_over` as of nc::ProgramAhead.
+  void come_to(const nc::Step& step, std::uint64_t handed_over);
+  /// False where nothing is read ahead.
+  bool looks() const { return handed_over_ > 0; }
+  /// Points of the steps that were handed over together with the one that is come to.
+  const PointsAhead& points() const { return points_[(handed_over_ - 1) % kPlaces]; }
+  /// The move of the step that is come to, where it was made with these axes at zero; else null.
+  const MoveAhead* move_of(const nc::Step& step, AxisSet at_zero);
 
  private:
-  void add(const nc::Step& step, std::vector<Target>& targets) const;
+  void add(const nc::Step& step, PointsAhead& points) const;
 
   const nc::Dialect& dialect_;
   const ReaderSettings reader_;
@@ -38,6 +44,10 @@ class MovesAhead : public nc::StepsAhead {
   std::uint64_t tools_ = 0;  // that came into the spindle
   std::array<PointsAhead, kPlaces> points_;
   std::atomic<AxisSet> at_zero_{};
+  // Of the thread that takes the steps
+  std::uint64_t handed_over_ = 0;
+  std::size_t met_ = 0;              // moves that were come to since then
+  const MoveAhead* here_ = nullptr;  // of the step that is come to
 };
 
 }  // namespace plumbline::compensate

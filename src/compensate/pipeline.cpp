@@ -13,14 +13,6 @@
 namespace plumbline::compensate {
 namespace {
 
-constexpr double kNoWay = 1e-7;  // mm and deg
-
-// To where the tool stands already, but for the last digits of an expression: no F could keep its time.
-bool is_no_way(const Move& move) {
-  return move.motion->feed_mode != nc::FeedMode::inverse_time && move.path.curve.linear_mm() < kNoWay &&
-         path::largest_turn_deg(move.path.curve.delta()) < kNoWay;
-}
-
 void refuse_unknown(const nc::Step& step, const UnknownPosition& unknown) {
   if (unknown.none()) return;
   constexpr std::string_view kCode = "compensate-position-unknown";
@@ -104,6 +96,7 @@ bool Pipeline::run(const Progress& progress) {
   bool values_alone = false;  // what changes is written unrolled
   while (const nc::Step* const step = reader_.next()) {
     stamps_.look_at(step->block->file);
+    ahead_.come_to(*step, reader_.handed_over());
     tally_.take_block(*step);
     if (!values_alone && (reader_.jumped() || reader_.position_read()) && !steps_.unrolled()) {
       values_alone = true;
@@ -190,13 +183,9 @@ void Pipeline::leave() {
   if (recorded_) recorded_->leave();
 }
 
-const CorrectedMove& Pipeline::corrected(Move& move) {
-  reader_.divide(move);
-  if (reader_.handed_over() > 0) {
-    ahead_.assume_at_zero(reader_.at_zero());
-    const PointsAhead& points = ahead_.points(reader_.handed_over());
-    moves_.expect(points.tools == tools_ ? &points : nullptr);
-  }
+// Of the move `ahead`, where that is known, the points that were corrected with the tool that is in the spindle.
+const CorrectedMove& Pipeline::corrected(const Move& move, const MoveAhead* ahead) {
+  if (ahead_.looks()) moves_.expect(ahead_.points().tools == tools_ ? &ahead_.points() : nullptr, ahead);
   const WordsOfMove words = settings_.bound.is_asked() ? rewriter_.words_of(*move.step) : WordsOfMove{};
   const CorrectedMove& corrected = moves_.correct(move, rewriter_.standing(*move.step), words);
   refuse_violations(corrected.violations, *move.step, reader_.passed());
@@ -204,9 +193,14 @@ const CorrectedMove& Pipeline::corrected(Move& move) {
 }
 
 void Pipeline::take_move(const nc::Step& step) {
-  Move move = reader_.move(step, step.motions.front());
-  if (is_no_way(move)) move.duration = move.seconds = std::nullopt;
-  const CorrectedMove& corrected = this->corrected(move);
+  const MoveAhead* const ahead = ahead_.looks() ? ahead_.move_of(step, reader_.at_zero()) : nullptr;
+  if (ahead == nullptr) {
+    move_ = reader_.move(step, step.motions.front());
+    forget_time_of_no_way(move_);
+    reader_.divide(move_);
+  }
+  const Move& move = ahead != nullptr ? ahead->move : move_;
+  const CorrectedMove& corrected = this->corrected(move, ahead);
   const std::uint64_t begin = rewriter_.written_bytes();
   const WrittenMove& written = rewriter_.write(corrected);
   if (recorded_) recorded_->move(corrected, written, begin, rewriter_.written_bytes());
@@ -266,6 +260,7 @@ bool Pipeline::cycle_stays(const nc::Step& step, std::span<const nc::Step* const
     if (move->cycle != nc::CycleForm::none) return rewriter_.are_none(*move, *corrected_hole(*move).at);
     if (!is_corrected(*move)) return true;
     Move part = reader_.move(*move, move->motions.front());
+    reader_.divide(part);
     return rewriter_.stays(corrected(part));
   });
 }

@@ -57,8 +57,8 @@ class Pipeline {
   bool cycle_stays(const nc::Step& step, std::span<const nc::Step* const> moves);
   void take_hole(const nc::Step& step);
   CorrectedHole corrected_hole(const nc::Step& step);
-  const CorrectedMove& corrected(Move& move);
   void leave();
+  const CorrectedMove& corrected(const Move& move, const MoveAhead* ahead = nullptr);
 
   const InputFile& source_;
   const nc::Dialect& dialect_;
@@ -75,6 +75,7 @@ class Pipeline {
   Tally tally_;
   std::optional<OutputRecord> recorded_;
   StampSearch stamps_;
+  Move move_;                 // that was not read ahead
   std::uint64_t tools_ = 0;   // that came into the spindle
   bool must_unroll_ = false;  // something changes that cannot be put in the place of its block
 };

@@ -100,6 +100,11 @@ TEST_CASE("a move takes what was found for its points where they are expected, a
   corrector.correct(elsewhere, others.corrections);
   moves.expect(&others);
   CHECK(moves.correct(read.front(), {}).points.front().shift[Axis::X] == Approx(20).margin(0.1));
+  const compensate::MoveAhead second{read.front(), 3};  // said to be the one whose points come second
+  moves.expect(&others, &second);
+  const CorrectedMove& taken = moves.correct(second.move, {});
+  REQUIRE(taken.points.size() == 3);
+  CHECK(taken.points.front().shift[Axis::X] == Approx(20 + 4).margin(0.1));
   moves.expect(nullptr);
   CHECK(moves.correct(read.front(), {}).points.front().shift[Axis::X] == Approx(0).margin(0.1));
 }

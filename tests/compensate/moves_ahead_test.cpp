@@ -24,8 +24,9 @@ struct Looked {
     nc::Program program(opened.source, opened.dialect, opened.job.program);
     while (const nc::Step* const step = program.next()) REQUIRE(steps.add(*step, false, false, files));
     ahead.look(steps, 0);
+    ahead.come_to(steps[0].step, 1);
   }
-  const PointsAhead& points() const { return ahead.points(1); }
+  const PointsAhead& points() const { return ahead.points(); }
 
   Opened opened;
   MovesAhead ahead;
@@ -70,10 +71,36 @@ TEST_CASE("axes that are taken to stand at zero get no correction") {
   Looked looked("G21 G90 G94\nG1 X1 F100\nM2\n");
   REQUIRE(looked.points().targets.size() == 1);
   CHECK(looked.points().targets.front().fixed.empty());
-  looked.ahead.assume_at_zero(AxisSet::rotary());
+  looked.ahead.come_to(looked.steps[1].step, 1);
+  CHECK(looked.ahead.move_of(looked.steps[1].step, AxisSet::rotary()) == nullptr);  // from now on they are
   looked.ahead.look(looked.steps, 1);
-  REQUIRE(looked.ahead.points(2).targets.size() == 1);
-  CHECK(looked.ahead.points(2).targets.front().fixed == AxisSet::rotary());
+  looked.ahead.come_to(looked.steps[0].step, 2);
+  REQUIRE(looked.points().targets.size() == 1);
+  CHECK(looked.points().targets.front().fixed == AxisSet::rotary());
+}
+
+TEST_CASE("who comes to a step gets its move, divided, and where its points are; a step made of it gets none") {
+  Looked looked("G21 G90 G94\nG1 X2 F100\nG0 X3\nG1 X6\nG1 X400\nG1 X401\nM2\n");
+  struct Wanted {
+    std::size_t step;
+    int pieces;
+    std::size_t first;
+  };
+  std::vector<Wanted> found;
+  for (std::size_t i = 0; i < looked.steps.size(); ++i) {
+    const nc::Step& step = looked.steps[i].step;
+    looked.ahead.come_to(step, 1);
+    const compensate::MoveAhead* const ahead = looked.ahead.move_of(step, {});
+    if (ahead == nullptr) continue;
+    found.push_back({i, ahead->move.pieces, ahead->first});
+    CHECK(ahead->move.step == &step);
+    const nc::Step other = step;
+    CHECK(looked.ahead.move_of(other, {}) == nullptr);
+  }
+  REQUIRE(found.size() == 3);  // the rapid and the long move are left out
+  CHECK((found[0].step == 1 && found[0].pieces == 2 && found[0].first == 0));
+  CHECK((found[1].step == 3 && found[1].pieces == 3 && found[1].first == 2));
+  CHECK((found[2].step == 5 && found[2].pieces == 1 && found[2].first == 5));
 }
 
 TEST_CASE("points are corrected with the tool that makes them, those behind a further change are left out") {

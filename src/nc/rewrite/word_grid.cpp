@@ -157,10 +157,10 @@ void WordGrid::refuse_word(const Step& step, double value) {
 
 void WordGrid::count_digits(const Step& step, double value, int decimals) const {
   if (std::abs(value) < std::pow(10, most_digits_ - decimals)) return;
-  refuse_block(
-      *step.block, "emit-out-of-range",
-      fmt::format("this block would need the number {:.3f}, and {} takes {} digits", value, dialect_.name, most_digits_),
-      "check the words and offsets of the block: no machine goes there");
+  refuse_block(*step.block, "emit-out-of-range",
+               fmt::format("this block would need the number {:.3f}, and {} takes {} digits", value, dialect_.name,
+                           most_digits_),
+               "check the words and offsets of the block: no machine goes there");
 }
 
 double WordGrid::rounded(const Step& step, Axis axis, double value) const {

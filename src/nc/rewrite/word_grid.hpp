@@ -87,7 +87,7 @@ class WordGrid {
 
   const Dialect& dialect_;
   const EmitSettings& settings_;
-  int most_digits_;  // of a word; 0: any
+  int most_digits_;                                             // of a word; 0: any
   std::array<std::array<Grid, kMostDecimals + 1>, 8> grids_{};  // by kind(), and by the decimals of the word
 };
 
