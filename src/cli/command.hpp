@@ -42,7 +42,8 @@ using Run = std::function<int()>;
   COMMAND(calibrate)                \
   COMMAND(plan)                     \
   COMMAND(control)                  \
-  COMMAND(new_model)
+  COMMAND(new_model)                \
+  COMMAND(map)
 
 #define PLUMBLINE_DECLARE(NAME) void add_##NAME(CLI::App& app, Run& run);
 PLUMBLINE_COMMANDS(PLUMBLINE_DECLARE)

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <deque>
 #include <memory>
 
@@ -6,10 +5,10 @@
 
 #include "base/files/files.hpp"
 #include "base/text/nearest_name.hpp"
-#include "base/text/number_text.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
+#include "cli/number_list.hpp"
 #include "jobs/new_model/new_model.hpp"
 #include "machine/model_keys.hpp"
 #include "report/program/new_model_text.hpp"
@@ -96,14 +95,8 @@ void apply_setting(jobs::NewModelJob& job, const std::string& setting) {
         fmt::format("--set: {} is no key of a model file that holds numbers: {}", name, suggestion(name, known)));
   }
   if (equals == std::string::npos) throw UsageError(fmt::format("--set: expected {}=NUMBER,...", name));
-  std::vector<double> values;
-  for (std::size_t at = equals + 1; at <= setting.size();) {
-    const std::size_t end = std::min(setting.find(',', at), setting.size());
-    const std::optional<double> value = parse_number(std::string_view(setting).substr(at, end - at));
-    if (!value) throw UsageError(fmt::format("--set {}: {} is no number", name, setting.substr(at, end - at)));
-    values.push_back(*value);
-    at = end + 1;
-  }
+  const std::vector<double> values =
+      numbers_between_commas(std::string_view(setting).substr(equals + 1), "--set " + name);
   state(job, *found, "--set " + name, values);
 }
 
@@ -113,6 +106,10 @@ jobs::NewModelJob job_of(const NewModelArguments& arguments) {
   if (!arguments.ini.empty()) job.control = jobs::ControlFiles{arguments.ini, arguments.hal};
   if (!arguments.hal.empty() && arguments.ini.empty())
     throw UsageError("--hal needs --ini: the unit of its lengths stands in the INI file");
+  for (const jobs::JointRing* const ring : {&job.base, &job.platform}) {
+    if (ring->radius_mm && !(*ring->radius_mm > 0))
+      throw UsageError("--base-radius, --platform-radius: expected a positive number of mm");
+  }
   if (!job.home_mm.empty() && job.home_mm.size() != 3)
     throw UsageError(fmt::format("--home: expected three numbers, not {}", job.home_mm.size()));
   if (!arguments.rotation.empty()) job.stated.push_back({"", "rotation", {}, arguments.rotation, "", false, {}});
@@ -168,7 +165,6 @@ void add_ring(CLI::App& command, jobs::JointRing& ring, const std::string& name,
   command
       .add_option("--" + name + "-radius", ring.radius_mm, fmt::format("radius of the circle of the {}'s joints", name))
       ->type_name("MM")
-      ->check(CLI::PositiveNumber)
       ->group(group);
   command
       .add_option("--" + name + "-angles", ring.angles_deg,

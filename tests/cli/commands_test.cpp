@@ -4,7 +4,7 @@
 //                                                                          here
 //   compare_command, circularity_command, identify_command, calibrate_command (both write with identified_output),
 //   plan_command, diagnose_command                                         dataset_commands_test.cpp
-//   new_model_command                                                      model_commands_test.cpp
+//   new_model_command, map_command, number_list                            model_commands_test.cpp
 //   explain_command, messages                                              diagnostics_test.cpp
 //   restore_command                                                        outputs_test.cpp
 //   command_files, shared_options (with the settings file)                 files_test.cpp

@@ -1,4 +1,6 @@
-// The commands about a model itself: new_model_command.
+// The commands about a model itself: new_model_command, map_command; number_list, which both take.
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "cli/program.hpp"
@@ -62,4 +64,34 @@ TEST_CASE("new-model refuses what is no machine, and writes nothing") {
   CHECK(run(scratch, "new-model --ini a.ini -o a.ini").code == 1);
   CHECK(contains(scratch.text("a.ini"), "trivkins"));
   CHECK_FALSE(scratch.has("m.toml"));
+}
+
+TEST_CASE("map tabulates the workspace, and says what is in reach and how sure the model is") {
+  const Scratch scratch;
+  const Outcome whole = run(scratch, "map --step 150 -o map.csv " + kModel);
+  CHECK(whole.code == 0);
+  CHECK(whole.out.empty());
+  CHECK(contains(whole.err, "100 poses, 100.0 % in reach\n"));
+  CHECK(contains(whole.err, "the model knows the tip within "));
+  const std::string table = scratch.text("map.csv");
+  CHECK(std::count(table.begin(), table.end(), '\n') == 101);
+  CHECK(table.starts_with("x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,in_reach,limit,error_um,"));
+  CHECK(contains(table, ",uncertainty_um\n-300.000,-300.000,-1250.000,0.000,0.000,0.000,1,,"));
+  const Outcome part =
+      run(scratch, "map -q --box 0,100,0,100,-1000,-900 --step 100 --z -1000 --tilt 0,0 --tilt -30,0,5 " + kModel);
+  CHECK(part.err.empty());
+  CHECK(std::count(part.out.begin(), part.out.end(), '\n') == 9);
+  CHECK(contains(part.out, "0.000,0.000,-1000.000,-30.000,0.000,5.000,0,tilt too large,,,,,,,,\n"));
+}
+
+TEST_CASE("map refuses boxes, steps and tilts that are none") {
+  const Scratch scratch;
+  CHECK(run(scratch, "map -o map.csv").code == 2);
+  CHECK(run(scratch, "map --tilt 3 -o map.csv " + kModel).code == 2);
+  CHECK(run(scratch, "map --tilt 3,x -o map.csv " + kModel).code == 2);
+  CHECK(run(scratch, "map --box 1,2,3 -o map.csv " + kModel).code == 2);
+  CHECK(run(scratch, "map --step 0 -o map.csv " + kModel).code == 2);
+  CHECK(contains(run(scratch, "map --step 0.001 -o map.csv " + kModel).err, "[map-step]"));
+  CHECK(contains(run(scratch, "map --box 1,0,0,1,0,1 -o map.csv " + kModel).err, "[map-box]"));
+  CHECK_FALSE(scratch.has("map.csv"));
 }
