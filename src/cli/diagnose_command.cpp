@@ -4,7 +4,6 @@
 #include <list>
 #include <memory>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,6 +15,9 @@
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/test_dialect.hpp"
+#include "jobs/run_profiles.hpp"
+#include "jobs/test_program.hpp"
 #include "report/measured/diagnosis_text.hpp"
 #include "report/measured/model_file.hpp"
 #include "report/measured/thinning_text.hpp"
@@ -29,7 +31,13 @@ namespace fs = std::filesystem;
 struct DiagnoseArguments {
   jobs::DiagnoseJob job;
   std::string folder;
+  std::string dialect = "linuxcnc";
   bool json = false;
+};
+
+// A file of the folder.
+struct FolderFile {
+  std::string path, text;
 };
 
 [[noreturn]] void refuse_folder(const std::string& folder, const std::string& why) {
@@ -49,7 +57,7 @@ void check_folder(const std::string& folder) {
 }
 
 // The model last: where it is, the files that it rests on are, too.
-void write_folder(const std::string& folder, const std::vector<std::pair<std::string, std::string>>& texts) {
+void write_folder(const std::string& folder, const std::vector<FolderFile>& texts) {
   NewFolder made(folder);
   OutputSet files;
   std::list<OutputFile> outputs;
@@ -67,22 +75,54 @@ Verdict verdict_of(const diagnose::Diagnosis& diagnosis) {
   return diagnosis.verdict == diagnose::Verdict::named ? Verdict::doubtful : Verdict::bad;
 }
 
+// The NC program of each test that would tell effects apart.
+std::vector<FolderFile> programs_of(const DiagnoseArguments& arguments, const jobs::DiagnoseResult& result) {
+  const nc::Dialect& dialect = nc::dialect(arguments.dialect);
+  std::vector<FolderFile> programs;
+  for (const diagnose::Separation& next : result.diagnosis.next) {
+    if (!next.test) continue;
+    measure::Run run = next.test->run;
+    run.id = "next-test-" + next.from;
+    const fs::path path = fs::path(arguments.folder) / jobs::test_program_name(run.id, dialect);
+    programs.push_back({path.string(), jobs::test_program(result.machine, run, dialect)});
+  }
+  return programs;
+}
+
+std::string page_of(const jobs::DiagnoseResult& result, const std::vector<FolderFile>& programs) {
+  const physics::ForceModel given(result.machine);
+  std::vector<jobs::NamedModel> models{{"model as given", &result.machine, &given}};
+  if (!result.diagnosis.withheld && !result.diagnosis.effects.empty()) {
+    models.push_back({"with what was found", &result.machine, &result.diagnosis.forces});
+  }
+  jobs::RunsAndModels profiles;
+  for (const jobs::NamedModel& model : models) profiles.models.push_back(model.name);
+  profiles.runs = jobs::run_profiles(result.runs, models);
+  std::vector<std::string> texts;
+  for (const FolderFile& program : programs) texts.push_back(program.text);
+  return report::page_text(report::diagnosis_page(result, profiles, texts));
+}
+
 int diagnose(const DiagnoseArguments& arguments) {
   const std::string json = (fs::path(arguments.folder) / "diagnosis.json").string();
   const std::string model = (fs::path(arguments.folder) / "model.toml").string();
   const std::string page = (fs::path(arguments.folder) / "report.html").string();
+  const std::vector<std::string> inputs = inputs_of(arguments.job.dataset, {arguments.job.model});
   check_folder(arguments.folder);
-  check_outputs(inputs_of(arguments.job.dataset, {arguments.job.model}), {json, model, page});
+  check_outputs(inputs, {json, model, page});
   ProgressLine line("diagnose");
   const diagnose::Say told{[](const std::string& step) { say_step(step); },
                            [&](const std::string& what) { line.begin(what); }};
   const jobs::DiagnoseResult result = jobs::diagnose(arguments.job, told);
   line.clear();
   const std::string numbers = report::diagnosis_json(result.diagnosis);
-  write_folder(arguments.folder,
-               {{json, numbers},
-                {page, report::diagnosis_page(result.diagnosis, "Diagnosis of " + result.machine.name)},
-                {model, report::model_file(result)}});
+  std::vector<FolderFile> files = programs_of(arguments, result);
+  files.insert(files.begin(), {{json, numbers}, {page, page_of(result, files)}});
+  files.push_back({model, report::model_file(result)});
+  std::vector<std::string> outputs;
+  for (const FolderFile& file : files) outputs.push_back(file.path);
+  check_outputs(inputs, outputs);
+  write_folder(arguments.folder, files);
   const std::string words = report::diagnosis_text(result.diagnosis) + report::thinning_text(result.thinning);
   if (arguments.json) {
     print_result(numbers);
@@ -108,9 +148,12 @@ void add_diagnose(CLI::App& app, Run& run) {
   command->add_option("-d,--dataset", arguments->job.dataset, "the measurements: a dataset.toml")
       ->type_name("DATASET")
       ->required();
-  command->add_option("-o,--output", arguments->folder, "folder for diagnosis.json, model.toml and report.html")
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "folder for diagnosis.json, model.toml, report.html and NC programs of tests that would tell more")
       ->type_name("DIR")
       ->required();
+  add_test_dialect(*command, arguments->dialect);
   command->add_option("--without", arguments->job.without, "effects to leave out of the catalogue")
       ->type_name("NAME,...")
       ->delimiter(',');

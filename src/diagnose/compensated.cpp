@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "measure/circularity.hpp"
 #include "measure/simulation.hpp"
 
 namespace plumbline::diagnose {
@@ -15,9 +14,8 @@ double circularity_of(const measure::Profile& profile) {
 
 }  // namespace
 
-std::optional<double> compensated_circularity(const machine::RotationOrder& order, const measure::Run& run,
-                                              const physics::ForceModel& forces, const CompensatedOptions& options) {
-  if (!run.has_radial()) return std::nullopt;
+measure::Profile compensated_profile(const machine::RotationOrder& order, const measure::Run& run,
+                                     const physics::ForceModel& forces, const CompensatedOptions& options) {
   physics::Environment environment = measure::environment_of(forces, run);
   environment.dynamic = false;
   environment.sign_speed = std::max(environment.sign_speed, options.sign_width_of_feed * run.feed);
@@ -29,7 +27,13 @@ std::optional<double> compensated_circularity(const machine::RotationOrder& orde
     const Vector3<double> stands = physics::tip_error(forces, environment, motion).pose.p_WT;
     profile.reading[static_cast<Eigen::Index>(i)] -= (stands - ball).norm() - (motion.pose.p_WT - ball).norm();
   }
-  return circularity_of(profile);
+  return profile;
+}
+
+std::optional<double> compensated_circularity(const machine::RotationOrder& order, const measure::Run& run,
+                                              const physics::ForceModel& forces, const CompensatedOptions& options) {
+  if (!run.has_radial()) return std::nullopt;
+  return circularity_of(compensated_profile(order, run, forces, options));
 }
 
 std::optional<double> measured_circularity(const measure::Run& run) {

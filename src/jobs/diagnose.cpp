@@ -1,10 +1,50 @@
 #include "jobs/diagnose.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "machine/model_file.hpp"
+#include "measure/simulation.hpp"
 
 namespace plumbline::jobs {
+namespace {
+
+// The model with the numbers of an effect at nothing.
+physics::ForceModel without(const physics::ForceModel& forces, const std::string& effect) {
+  physics::ForceModel less = forces;
+  const std::size_t index = physics::effect_index(effect);
+  const physics::EffectInfo& info = physics::effect_infos().at(index);
+  for (const int first : forces.instances_of(index)) {
+    int at = first;
+    for (const physics::ParameterSpec& spec : info.parameters) {
+      for (int k = 0; k < spec.size(); ++k, ++at) less.parameters[static_cast<std::size_t>(at)] = spec.initial;
+    }
+  }
+  return less;
+}
+
+AtTip at_tip(const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
+             const physics::ForceModel& forces, const std::string& effect) {
+  AtTip found{effect};
+  const physics::ForceModel less = without(forces, effect);
+  double squares = 0;
+  double count = 0;
+  for (const measure::Run& run : runs) {
+    const measure::RunSimulation with = measure::simulate_run(machine, forces, run);
+    const measure::RunSimulation free = measure::simulate_run(machine, less, run);
+    for (std::size_t i = 0; i < run.samples(); ++i) {
+      const double off = (with.samples[i].tip_W - free.samples[i].tip_W).norm();
+      found.largest = std::max(found.largest, off);
+      squares += off * off;
+      ++count;
+    }
+  }
+  found.rms = std::sqrt(squares / std::max(count, 1.0));
+  return found;
+}
+
+}  // namespace
 
 DiagnoseResult diagnose(const DiagnoseJob& job, const diagnose::Say& say) {
   machine::MachineModel machine = machine::read_model(job.model);
@@ -14,7 +54,12 @@ DiagnoseResult diagnose(const DiagnoseJob& job, const diagnose::Say& say) {
   options.search.threshold.seed = job.seed;
   const measure::Thinned thinned = measure::thinned(machine, std::move(dataset.runs));
   diagnose::Diagnosis diagnosis = diagnose::diagnose(machine, thinned.runs, options, say);
-  return {std::move(machine), std::move(diagnosis), thinned.thinning};
+  DiagnoseResult result{std::move(machine), std::move(diagnosis), thinned.thinning, thinned.runs, {}};
+  if (result.diagnosis.withheld) return result;
+  for (const diagnose::NamedEffect& effect : result.diagnosis.effects) {
+    result.at_tip.push_back(at_tip(result.machine, result.runs, result.diagnosis.forces, effect.name));
+  }
+  return result;
 }
 
 }  // namespace plumbline::jobs

@@ -16,10 +16,20 @@ struct DiagnoseJob {
   std::uint64_t seed = 1;
 };
 
+/// What an effect that was found does at the tool tip, m: how far the tip is from where it would be without it, over
+/// all samples of all runs.
+struct AtTip {
+  std::string effect;
+  double rms = 0;
+  double largest = 0;
+};
+
 struct DiagnoseResult {
   machine::MachineModel machine;  // as given
   diagnose::Diagnosis diagnosis;
-  measure::Thinning thinning;  // how long records were made short
+  measure::Thinning thinning;      // how long records were made short
+  std::vector<measure::Run> runs;  // as they were looked at: long records made short
+  std::vector<AtTip> at_tip;       // of the effects named, in their order; none where the model stays as it was given
 };
 
 /// Refuses as read_model, read_dataset and diagnose::diagnose do.

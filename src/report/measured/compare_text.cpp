@@ -16,6 +16,22 @@ nlohmann::ordered_json number(const std::optional<double>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
+nlohmann::ordered_json json_of(const jobs::Comparison& comparison) {
+  nlohmann::ordered_json json;
+  json["radial_rms_um"] = number(comparison.radial_rms_um);
+  json["torque_rms_Nm"] = number(comparison.torque_rms_Nm);
+  json["torque_mean_abs_Nm"] = comparison.torque_mean_abs_Nm;
+  json["runs"] = nlohmann::ordered_json::array();
+  for (const jobs::RunComparison& run : comparison.runs) {
+    json["runs"].push_back({{"id", run.id},
+                            {"radial_rms_um", number(run.radial_rms_um)},
+                            {"torque_rms_Nm", number(run.torque_rms_Nm)},
+                            {"torque_mean_abs_Nm", run.torque_mean_abs_Nm},
+                            {"setup", {{"ball_um", run.ball_um}, {"bar_um", run.bar_um}}}});
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string compare_text(const jobs::Comparison& comparison) {
@@ -38,19 +54,13 @@ std::string compare_text(const jobs::Comparison& comparison) {
   return text;
 }
 
-std::string compare_json(const jobs::Comparison& comparison) {
-  nlohmann::ordered_json json;
-  json["radial_rms_um"] = number(comparison.radial_rms_um);
-  json["torque_rms_Nm"] = number(comparison.torque_rms_Nm);
-  json["torque_mean_abs_Nm"] = comparison.torque_mean_abs_Nm;
-  json["runs"] = nlohmann::ordered_json::array();
-  for (const jobs::RunComparison& run : comparison.runs) {
-    json["runs"].push_back({{"id", run.id},
-                            {"radial_rms_um", number(run.radial_rms_um)},
-                            {"torque_rms_Nm", number(run.torque_rms_Nm)},
-                            {"torque_mean_abs_Nm", run.torque_mean_abs_Nm},
-                            {"setup", {{"ball_um", run.ball_um}, {"bar_um", run.bar_um}}}});
-  }
+std::string compare_json(const jobs::Comparison& comparison) { return json_of(comparison).dump(1) + "\n"; }
+
+std::string compare_json(const jobs::Comparison& comparison, const jobs::Comparison& beside, const std::string& model) {
+  nlohmann::ordered_json json = json_of(comparison);
+  nlohmann::ordered_json other{{"model", model}};
+  other.update(json_of(beside));
+  json["beside"] = other;
   return json.dump(1) + "\n";
 }
 

@@ -1,6 +1,8 @@
 #include "report/page/diagnosis_page.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,8 +11,12 @@
 #include "report/measured/diagnosis_text.hpp"
 #include "report/measured/next_test_text.hpp"
 #include "report/measured/objection_text.hpp"
-#include "report/page/svg.hpp"
-#include "report/page/where_svg.hpp"
+#include "report/measured/where_json.hpp"
+#include "report/page/evidence_sections.hpp"
+#include "report/page/run_sections.hpp"
+#include "report/page/sections.hpp"
+#include "report/page/test_section.hpp"
+#include "report/page/where_sections.hpp"
 
 namespace plumbline::report {
 namespace {
@@ -18,195 +24,194 @@ namespace {
 using diagnose::Diagnosis;
 using diagnose::Gap;
 using diagnose::NamedEffect;
-using diagnose::NamedParameter;
 
-constexpr const char* kStyle =
-    "body{font:15px/1.5 system-ui,sans-serif;color:#222;max-width:1000px;margin:2em auto;padding:0 1em}"
-    "h1{font-size:1.6em;margin:0}h2{font-size:1.15em;margin:2em 0 .4em;border-bottom:1px solid #ddd}"
-    "svg text{font:11px system-ui,sans-serif;fill:#333}table{border-collapse:collapse}"
-    "td,th{padding:.2em .9em;text-align:right;border-bottom:1px solid "
-    "#eee}td:first-child,th:first-child{text-align:left}"
-    ".verdict{font-size:1.25em;margin:.6em 0}.quiet{color:#666}.polar{display:flex;flex-wrap:wrap;gap:6px}"
-    ".b{color:#c0392b}.a{color:#1f5fa8}pre{background:#f6f6f6;padding:.7em;white-space:pre-wrap}";
+std::string noise_words(const Diagnosis& d) {
+  const identify::ChannelNoise& bar = d.noise.channels[identify::kRadial];
+  const identify::ChannelNoise& torque = d.noise.channels[1];
+  std::vector<std::string> parts;
+  if (bar.samples > 0) parts.push_back(fmt::format("bar {:.2f} um", bar.sigma / kUm));
+  if (torque.samples > 0) parts.push_back(fmt::format("torque {:.3f} N m", torque.sigma));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
 
-std::string verdict_text(const Diagnosis& d) {
-  switch (d.verdict) {
-    case diagnose::Verdict::nothing_missing:
-      return "Nothing is missing that these runs could show: what model and measurements differ by is noise.";
-    case diagnose::Verdict::unknown:
-      return "There is a gap, and no effect of the catalogue explains it.";
-    case diagnose::Verdict::named:
-      break;
+// "backlash moves the tip by up to 2.3 um in these circles (0.9 um rms)"
+std::string tip_words(const jobs::AtTip& at) {
+  if (at.largest == 0) return fmt::format("{} does not move the tip: it shows in the torques alone", at.effect);
+  return fmt::format("{} moves the tip by up to {:.1f} um in these circles ({:.2f} um rms)", at.effect,
+                     at.largest / kUm, at.rms / kUm);
+}
+
+std::string gap_words(const diagnose::Rms& rms) {
+  if (rms.radial) return fmt::format("{:.2f} um in readings of the bar", *rms.radial / kUm);
+  if (rms.torque) return fmt::format("{:.3f} N m in torques", *rms.torque);
+  return "unknown size";
+}
+
+std::string verdict_words(const jobs::DiagnoseResult& result) {
+  const Diagnosis& d = result.diagnosis;
+  if (d.verdict == diagnose::Verdict::nothing_missing) {
+    return "Nothing is missing that these runs could show: what model and measurements differ by is noise (" +
+           noise_words(d) + ").";
   }
-  return fmt::format("The model misses: {}.", escaped(names_text(d)));
+  if (d.verdict == diagnose::Verdict::unknown) {
+    return fmt::format("There is a gap of {} (rms; noise: {}), and no effect of the catalogue explains it.",
+                       gap_words(d.fit.before), noise_words(d));
+  }
+  std::vector<std::string> moves;
+  for (const jobs::AtTip& at : result.at_tip) moves.push_back(tip_words(at));
+  std::string text = fmt::format("The model misses {}", names_text(d));
+  if (!moves.empty()) text += fmt::format(": {}", fmt::join(moves, "; "));
+  return text + ".";
 }
 
-std::string figure(const std::optional<double>& value, double unit, int decimals) {
-  return value ? fmt::format("{:.{}f}", *value / unit, decimals) : "-";
+Verdict mark_of(const Diagnosis& d) {
+  if (!d.converged) return Verdict::bad;
+  if (d.verdict == diagnose::Verdict::nothing_missing) return Verdict::good;
+  return d.verdict == diagnose::Verdict::named ? Verdict::warn : Verdict::bad;
 }
 
-std::string gap_row(const char* what, const Gap& gap, bool second) {
-  const auto pair = [&](auto of, double unit, int decimals) {
-    std::string cells = fmt::format("<td>{}</td>", figure(of(gap.before), unit, decimals));
-    if (second) cells += fmt::format("<td>{}</td>", figure(of(gap.runner_up), unit, decimals));
-    return cells + fmt::format("<td>{}</td>", figure(of(gap.after), unit, decimals));
+std::vector<std::string> cautions(const Diagnosis& d) {
+  std::vector<std::string> items;
+  if (!d.converged) items.emplace_back("The last fit did not converge: do not use the numbers found.");
+  if (d.withheld) items.push_back(fmt::format("The model stays as it was given: {}.", objection_text(*d.withheld)));
+  if (d.doubt) items.push_back(fmt::format("What was not believed: {}.", doubt_text(*d.doubt)));
+  return items;
+}
+
+Fact change_fact(const char* name, const std::optional<double>& before, const std::optional<double>& after, double unit,
+                 const char* unit_name, int digits) {
+  if (!before || !after) return {name, "not measured"};
+  return {name, fmt::format("{:.{}f} \u2192 {:.{}f} {}", *before / unit, digits, *after / unit, digits, unit_name), "",
+          0, "rms, before and after"};
+}
+
+Json glance(const jobs::DiagnoseResult& result) {
+  const Diagnosis& d = result.diagnosis;
+  std::vector<Fact> facts;
+  for (const jobs::AtTip& at : result.at_tip) {
+    facts.push_back({at.effect + ", at the tip", at.largest / kUm, "um", 2,
+                     fmt::format("largest in these circles; {:.2f} um rms", at.rms / kUm)});
+  }
+  facts.push_back(change_fact("Bar, fitted runs", d.fit.before.radial, d.fit.after.radial, kUm, "um", 2));
+  facts.push_back(change_fact("Bar, runs left out", d.held_out.before.radial, d.held_out.after.radial, kUm, "um", 2));
+  facts.push_back(change_fact("Torque, fitted runs", d.fit.before.torque, d.fit.after.torque, 1, "N m", 3));
+  facts.push_back(change_fact("Torque, runs left out", d.held_out.before.torque, d.held_out.after.torque, 1, "N m", 3));
+  if (const CircularityOfRuns all = circularity_of(d.runs); all.runs > 0) {
+    facts.push_back({"Circularity, compensated",
+                     fmt::format("{:.1f} \u2192 {:.1f} um", all.mean.given / kUm, all.mean.found / kUm), "", 0,
+                     fmt::format("mean of {} circles: with the model as given, with what was found; {:.1f} um without "
+                                 "compensation",
+                                 all.runs, all.mean.measured / kUm)});
+  }
+  facts.push_back({"Noise", noise_words(d), "", 0, "from the spectrum of what is left"});
+  return facts_section("At a glance", facts);
+}
+
+Json value_or_none(const std::optional<double>& value, double unit) {
+  return value ? Json(*value / unit) : Json("not measured");
+}
+
+Json gap_section(const Diagnosis& d) {
+  std::vector<TableColumn> columns{{"rms"}, {"before", "", 3}};
+  if (!d.runner_up.empty()) columns.push_back({"with " + d.runner_up, "", 3});
+  columns.push_back({"after", "", 3});
+  std::vector<Json> rows;
+  const auto add = [&](const char* name, const Gap& gap, std::optional<double> diagnose::Rms::*which, double unit) {
+    Json row{name, value_or_none(gap.before.*which, unit)};
+    if (!d.runner_up.empty()) row.push_back(value_or_none(gap.runner_up.*which, unit));
+    row.push_back(value_or_none(gap.after.*which, unit));
+    rows.push_back(std::move(row));
   };
-  return fmt::format("<tr><td>{}</td>{}{}</tr>", what, pair([](const diagnose::Rms& r) { return r.radial; }, kUm, 2),
-                     pair([](const diagnose::Rms& r) { return r.torque; }, 1, 3));
+  add("bar, um: fitted runs", d.fit, &diagnose::Rms::radial, kUm);
+  add("bar, um: runs left out", d.held_out, &diagnose::Rms::radial, kUm);
+  add("torque, N m: fitted runs", d.fit, &diagnose::Rms::torque, 1);
+  add("torque, N m: runs left out", d.held_out, &diagnose::Rms::torque, 1);
+  return table_section("The gap, before and after", columns, std::move(rows),
+                       "Before: the model as given, what [uncertainty] lists fitted anew. After: with what was found. "
+                       "Runs left out did not take part in the last fit. Noise: " +
+                           noise_words(d) + ".");
 }
 
-std::string gap_table(const Diagnosis& d) {
-  const bool second = !d.runner_up.empty();
-  const std::string middle = second ? fmt::format("<th>with {}</th>", escaped(d.runner_up)) : "";
-  std::string html = fmt::format(
-      "<table><tr><th></th><th>bar, um: before</th>{0}<th>after</th><th>torque, N m: before</th>{0}<th>after</th></tr>",
-      middle);
-  html += gap_row("fitted runs", d.fit, second) + gap_row("runs left out", d.held_out, second) + "</table>";
-  const auto noise = [&](int channel, double unit, int decimals, const char* unit_name) {
-    const identify::ChannelNoise& of = d.noise.channels[static_cast<std::size_t>(channel)];
-    return of.samples > 0 ? fmt::format("{:.{}f} {}", of.sigma / unit, decimals, unit_name) : "not measured";
-  };
-  return html + fmt::format("<p class=quiet>Noise, from the spectrum of what is left: bar {}, torque {}.</p>",
-                            noise(identify::kRadial, kUm, 2, "um"), noise(1, 1, 3, "N m"));
-}
-
-std::string polar_plots(const Diagnosis& d) {
-  const auto has_bar = [](const diagnose::RunGap& run) { return run.radial_before.size() > 0; };
-  if (std::none_of(d.runs.begin(), d.runs.end(), has_bar)) return {};
-  double most = kUm;
-  for (const diagnose::RunGap& run : d.runs) {
-    if (has_bar(run)) most = std::max(most, run.radial_before.cwiseAbs().maxCoeff());
-  }
-  const double scale = 0.6 * most;
-  std::string html = "<div class=polar>";
-  for (const diagnose::RunGap& run : d.runs) {
-    if (has_bar(run)) html += polar_plot(run, scale);
-  }
-  return html + fmt::format(
-                    "</div><p class=quiet>Bar readings minus model, the set-up fitted: <span class=b>before</span>, "
-                    "<span class=a>after</span>. Rings are {:.1f} um apart.</p>",
-                    scale / kUm);
-}
-
-// What the base model leaves, cut in the ways in which effects show.
-std::string where_tables(const Diagnosis& d) {
-  if (d.gap_map.channels.empty()) return {};
-  return "<h3>Around the circle, before</h3>" + circle_map(d) + "<h3>Pairs of runs, before</h3>" + contrast_table(d) +
-         "<p class=quiet>rms in units of the noise; 1: nothing but noise. What differs with direction is odd in "
-         "it.</p><h3>Groups of runs, before</h3>" +
-         group_table(d) + "<h3>Steps where struts turn around, before</h3>" + reversal_bars(d) +
-         "<p class=quiet>In the direction of growing strut speed; whiskers: two standard errors. Red: more than "
-         "three.</p>";
-}
-
-// Evidence on poses and runs that were left out in turn.
-std::string left_out_table(const Diagnosis& d) {
-  std::string rows;
-  for (const diagnose::Evidence& e : d.evidence) {
-    if (!e.left_out) continue;
-    rows += fmt::format("<tr><td>{}</td><td>{:.1f}</td><td>{:.1f}</td><td>{:.1f}</td></tr>", escaped(e.name),
-                        e.log_odds, e.left_out->poses, e.left_out->runs);
-  }
-  if (rows.empty()) return {};
-  return fmt::format("<p class=quiet>{}</p>", kNats) +
-         "<table><tr><th>nats</th><th>all fitted runs</th><th>each pose predicted from the others</th><th>each "
-         "run</th></tr>" +
-         rows + "</table>";
-}
-
-std::string circles(const Diagnosis& d) {
-  const std::string bars = circularity_bars(d);
-  if (bars.empty()) return {};
-  return "<h2>What it is good for</h2>" + bars +
-         "<p class=quiet>Circularity of each circle, um, noise included: grey as measured; predicted if its program is "
-         "compensated with the model as given (<span class=b>red</span>), and with what was found (<span "
-         "class=a>blue</span>).</p>";
-}
-
-std::string parameter_rows(const NamedParameter& p) {
-  std::string rows;
-  for (std::size_t i = 0; i < p.values.size(); ++i) {
-    const std::string name = p.single ? p.key : fmt::format("{} {}", p.key, i + 1);
-    rows += fmt::format("<tr><td>{}</td><td>{:.4g}</td><td>{}</td></tr>", escaped(name), p.values[i],
-                        p.errors[i] > 0 ? fmt::format("{:.2g}", p.errors[i]) : "not fitted");
-  }
-  return rows;
-}
-
-std::string effects(const Diagnosis& d) {
-  std::string html;
-  for (const NamedEffect& effect : d.effects) {
-    html += fmt::format(
-        "<h3>{}</h3><p>{:.0f} nats against the model without it; by chance the best of the catalogue "
-        "passes {:.1f} in 0.3 % of machines.</p>",
-        escaped(effect.name), effect.log_odds, d.threshold);
-    if (!effect.alternatives.empty()) {
-      html += fmt::format("<p>No data of this plan tell it from {}.</p>",
-                          escaped(fmt::format("{}", fmt::join(effect.alternatives, ", "))));
+Json found_section(const NamedEffect& effect) {
+  std::vector<Json> rows;
+  for (const diagnose::NamedParameter& p : effect.parameters) {
+    for (std::size_t i = 0; i < p.values.size(); ++i) {
+      rows.push_back({p.single ? p.key : fmt::format("{} {}", p.key, i + 1), fmt::format("{:.4g}", p.values[i]),
+                      p.errors[i] > 0 ? fmt::format("{:.2g}", p.errors[i]) : "not fitted", p.unit});
     }
-    html += "<table><tr><th>number</th><th>value</th><th>standard error</th></tr>";
-    for (const NamedParameter& parameter : effect.parameters) html += parameter_rows(parameter);
-    html += "</table>";
   }
-  return html;
+  std::string note = fmt::format("The readings are {} with it as without.", odds_words(effect.log_odds));
+  if (!effect.alternatives.empty()) {
+    note += fmt::format(" No data of this plan tell it from {}.", fmt::join(effect.alternatives, ", "));
+  }
+  return table_section("Found: " + effect.name, {{"number"}, {"value"}, {"standard error"}, {"unit"}}, std::move(rows),
+                       note);
 }
 
-std::string next_tests(const Diagnosis& d) {
-  std::string html;
-  for (const diagnose::Separation& next : d.next) html += fmt::format("<p>{}</p>", escaped(next_test_text(next)));
-  return html;
-}
-
-std::string could_show(const Diagnosis& d) {
-  std::string never;
-  std::string from;
+Json could_show_section(const Diagnosis& d) {
+  if (d.verdict != diagnose::Verdict::nothing_missing || d.visible.empty()) return nullptr;
+  std::vector<Json> rows;
   for (const diagnose::Visible& one : d.visible) {
-    std::string& list = one.shows ? from : never;
-    list += fmt::format("{}{}", list.empty() ? "" : ", ", escaped(one.name));
-    if (one.shows) list += fmt::format(" {:.2g} {}", one.smallest, escaped(one.unit));
+    rows.push_back({one.name, one.shows ? fmt::format("{:.2g} {}", one.smallest, one.unit) : "at no size", one.key});
   }
-  std::string html;
-  if (!never.empty()) html += fmt::format("<p>These runs could not have shown, at any size: {}.</p>", never);
-  if (!from.empty()) html += fmt::format("<p>They would have shown, from this size on: {}.</p>", from);
-  return html;
+  return table_section("What these runs could have shown", {{"effect"}, {"from this size on"}, {"number"}},
+                       std::move(rows),
+                       "The smallest size that would have been named, on the strut where it shows least. What shows at "
+                       "no size may be there.");
+}
+
+void add_open_questions(Page& page, const jobs::DiagnoseResult& result, const std::vector<std::string>& programs) {
+  const Diagnosis& d = result.diagnosis;
+  if (d.confidence_set.size() > 1) {
+    page.sections.push_back(text_section(
+        "What else is not ruled out",
+        {fmt::format("These runs leave {} as the strongest cause: {}.",
+                     fmt::format("{} effects", d.confidence_set.size()), fmt::join(d.confidence_set, ", "))}));
+  }
+  std::vector<std::string> sentences;
+  std::vector<ShownTest> tests;
+  for (const diagnose::Separation& next : d.next) {
+    sentences.push_back(next_test_text(next));
+    if (!next.test) continue;
+    const std::size_t place = tests.size();
+    tests.push_back(
+        {"to tell it from " + next.from, next.test->run,
+         fmt::format("The readings of the two models differ by {:.0f} times the noise there.", next.test->separation),
+         place < programs.size() ? programs[place] : ""});
+  }
+  if (sentences.empty()) return;
+  page.sections.push_back(text_section("What next", sentences));
+  if (!tests.empty()) page.sections.push_back(tests_section("The next test", result.machine, tests));
 }
 
 }  // namespace
 
-std::string diagnosis_page(const Diagnosis& d, const std::string& title) {
-  std::string html = fmt::format(
-      "<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport content=\"width=device-width\">"
-      "<title>{0}</title><style>{1}</style><h1>{0}</h1><p class=verdict>{2}</p>",
-      escaped(title), kStyle, verdict_text(d));
-  if (d.withheld)
-    html += fmt::format("<p>The model stays as it was given: {}.</p>", escaped(objection_text(*d.withheld)));
-  if (d.verdict == diagnose::Verdict::nothing_missing) html += could_show(d);
-  if (d.confidence_set.size() > 1) {
-    html += fmt::format("<p>Not ruled out: {}.</p>", escaped(fmt::format("{}", fmt::join(d.confidence_set, ", "))));
+Page diagnosis_page(const jobs::DiagnoseResult& result, const jobs::RunsAndModels& profiles,
+                    const std::vector<std::string>& programs) {
+  const Diagnosis& d = result.diagnosis;
+  Page page{"Diagnosis of " + result.machine.name, verdict_words(result), mark_of(d)};
+  if (std::vector<std::string> items = cautions(d); !items.empty()) {
+    page.sections.push_back(warnings_section("Before you use it", std::move(items)));
   }
-  html += "<h2>The gap</h2>" + gap_table(d);
-  html +=
-      "<h2>Where</h2>" + gap_map(d) + "<p class=quiet>White: the noise. Full red: ten times the noise and more.</p>";
-  html += polar_plots(d);
-  html += where_tables(d);
-  if (!d.evidence.empty()) {
-    html += "<h2>Which</h2>" + evidence_bars(d) +
-            "<p class=quiet>How much more likely the readings are with the effect, as a natural logarithm. Blue: not "
-            "ruled out as "
-            "the strongest.</p>" +
-            left_out_table(d);
-  }
-  if (!d.effects.empty()) html += "<h2>What was found</h2>" + effects(d);
-  if (d.doubt) html += fmt::format("<h2>What was not believed</h2><p>{}.</p>", escaped(doubt_text(*d.doubt)));
+  page.sections.push_back(glance(result));
+  for (const NamedEffect& effect : d.effects) page.sections.push_back(found_section(effect));
+  add_section(page, could_show_section(d));
+  add_open_questions(page, result, programs);
   if (d.remainder) {
-    html += fmt::format(
-        "<h2>What the catalogue does not explain</h2><p>A description, not a cause; {:.0f} times the noise in "
-        "all.</p><pre>{}</pre>",
-        d.remainder->snr, escaped(remainder_text(*d.remainder)));
+    page.sections.push_back(
+        listing_section("What the catalogue does not explain", remainder_text(*d.remainder),
+                        fmt::format("A description, not a cause; {:.0f} times the noise in all.", d.remainder->snr)));
   }
-  html += circles(d);
-  if (!d.next.empty()) html += "<h2>What next</h2>" + next_tests(d);
-  return html + "</html>\n";
+  page.sections.push_back(gap_section(d));
+  add_section(page, residual_circles_section(d, result.runs));
+  add_section(page, circularity_section(d));
+  page.sections.push_back(gap_map_section(d));
+  for (Json& section : around_circle_sections(d)) page.sections.push_back(std::move(section));
+  for (Json& section : run_contrast_sections(d)) page.sections.push_back(std::move(section));
+  for (Json& section : evidence_sections(d)) page.sections.push_back(std::move(section));
+  add_section(page, circles_section(profiles, "Circles, measured and simulated"));
+  add_section(page, turn_section(profiles, "Along the turn"));
+  return page;
 }
 
 }  // namespace plumbline::report

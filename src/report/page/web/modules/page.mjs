@@ -1,10 +1,15 @@
+import { bars } from "./bars.mjs";
+import { circles } from "./circles.mjs";
+import { curves } from "./curves.mjs";
 import { element } from "./dom.mjs";
 import { facts } from "./facts.mjs";
+import { heat } from "./heat.mjs";
+import { polar } from "./polar.mjs";
 import { program } from "./program.mjs";
 import { table } from "./table.mjs";
 import { listing, text, warnings } from "./text.mjs";
 
-const kSections = { facts, listing, program, table, text, warnings };
+const kSections = { bars, circles, curves, facts, heat, listing, polar, program, table, text, warnings };
 
 /// Builds the page of `data` (src/report/page/README.md) into `main`.
 export function build(data, main) {
