@@ -5,10 +5,12 @@
 #include "base/files/files.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
+#include "cli/report_file.hpp"
 #include "report/measured/identification_text.hpp"
 #include "report/measured/model_file.hpp"
 #include "report/measured/objection_text.hpp"
 #include "report/measured/thinning_text.hpp"
+#include "report/page/identification_page.hpp"
 
 namespace plumbline::cli {
 
@@ -20,6 +22,7 @@ void add_identified_output(CLI::App& command, IdentifiedOutput& output) {
       ->required();
   command.add_option("--json", output.json, "write values, errors, correlations and the gap as JSON, too")
       ->type_name("FILE");
+  add_report_option(command, output.report);
   command.add_flag("--force", output.force,
                    "write the model even where something speaks against it: numbers beyond six sigma of [uncertainty], "
                    "or circles that it predicts worse than the model as given");
@@ -47,28 +50,30 @@ void object(const std::string& objection, const IdentifiedOutput& output) {
 
 int write_identified(const std::vector<std::string>& inputs, const IdentifiedOutput& output,
                      const std::function<jobs::IdentifiedModel()>& make) {
-  check_outputs(inputs, {output.model, output.json});
+  check_outputs(inputs, {output.model, output.json, output.report});
   OutputFile out(output.model);
   JsonResult json_result(output.json);
+  ReportFile page(output.report);
   const jobs::IdentifiedModel identified = make();
   std::string words = report::identification_text(identified.found) + report::thinning_text(identified.thinning);
-  if (output.model == kStandardStream) {
+  if (output.model == kStandardStream || page.takes_standard_output()) {
     say_note(words);
     words.clear();
   }
-  const std::string numbers = report::identification_json(identified.found);
+  OutputSet files;
+  json_result.add_to(files, report::identification_json(identified.found));
+  page.add_to(files, [&] { return report::identification_page(identified, report::profiles_of(identified)); });
+  const bool refused = !identified.found.converged() || (identified.objected() && !output.force);
+  if (refused) {
+    if (!json_result.takes_standard_output()) print_result(words);
+    files.commit();
+  }
   if (!identified.found.converged()) {
-    json_result.give(words, numbers);
     refuse("identify-not-converged", fmt::format("the fit did not converge: {} is not written", output.model),
            "give fewer unknowns by --free, or priors for them in [uncertainty]; check that the dataset belongs to "
            "this machine");
   }
-  if (identified.objected()) {
-    if (!output.force) json_result.give(words, numbers);
-    object(report::objection_text(identified), output);
-  }
-  OutputSet files;
-  json_result.add_to(files, numbers);
+  if (identified.objected()) object(report::objection_text(identified), output);
   out.write(report::model_file(identified));
   files.add(out);
   files.commit();

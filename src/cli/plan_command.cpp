@@ -1,10 +1,20 @@
+#include <filesystem>
+#include <list>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "base/units.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
+#include "cli/report_file.hpp"
+#include "cli/test_dialect.hpp"
 #include "jobs/plan.hpp"
+#include "jobs/test_program.hpp"
+#include "machine/model_file.hpp"
 #include "report/measured/plan_text.hpp"
+#include "report/page/plan_page.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -12,7 +22,8 @@ namespace {
 // As the command line says it, in its units.
 struct PlanArguments {
   jobs::PlanJob job;
-  std::string folder, json;
+  std::string folder, json, report, programs;
+  std::string dialect = "linuxcnc";
   std::vector<double> radii_mm{144}, feeds_mm_min{1000}, payloads_kg{0};
   double bar_mm = 150;
   double radial_um = 0.5;
@@ -35,13 +46,58 @@ jobs::PlanJob job_of(const PlanArguments& arguments) {
   return job;
 }
 
+struct NamedProgram {
+  std::string path, text;
+};
+
+std::vector<NamedProgram> programs_of(const PlanArguments& arguments, const machine::MachineModel& machine,
+                                      const measure::Dataset& dataset) {
+  const nc::Dialect& dialect = nc::dialect(arguments.dialect);
+  std::vector<NamedProgram> programs;
+  for (const measure::Run& run : dataset.runs) {
+    const std::filesystem::path path =
+        std::filesystem::path(arguments.programs) / jobs::test_program_name(run.id, dialect);
+    programs.push_back({path.string(), jobs::test_program(machine, run, dialect)});
+  }
+  return programs;
+}
+
+report::Page page_of(const jobs::PlannedTests& planned, const machine::MachineModel& machine,
+                     const std::vector<NamedProgram>& programs) {
+  std::vector<std::string> texts;
+  for (const NamedProgram& program : programs) texts.push_back(program.text);
+  const jobs::RunsAndModels predicted{{}, jobs::run_profiles(planned.dataset.runs, {}), "predicted"};
+  return report::plan_page(planned, machine, texts, predicted);
+}
+
 int plan(const PlanArguments& arguments) {
   const jobs::PlanJob job = job_of(arguments);
-  check_outputs(inputs_of(job.measured, {job.model}), {arguments.json});
+  const std::vector<std::string> inputs = inputs_of(job.measured, {job.model});
+  check_outputs(inputs, {arguments.json, arguments.report});
   JsonResult json(arguments.json);
+  ReportFile page(arguments.report);
   const jobs::PlannedTests planned = jobs::plan_tests(job);
+  const machine::MachineModel machine = machine::read_model(job.model);
+  const std::vector<NamedProgram> programs = programs_of(arguments, machine, planned.dataset);
+  OutputSet files;
+  std::optional<NewFolder> folder;
+  std::list<OutputFile> outputs;
+  if (!arguments.programs.empty()) {
+    std::vector<std::string> names{arguments.json, arguments.report};
+    for (const NamedProgram& program : programs) names.push_back(program.path);
+    check_outputs(inputs, names);
+    folder.emplace(arguments.programs);
+    for (const NamedProgram& program : programs) {
+      outputs.emplace_back(program.path).write(program.text);
+      files.add(outputs.back());
+    }
+  }
+  json.add_to(files, report::plan_json(planned));
+  page.add_to(files, [&] { return page_of(planned, machine, programs); });
   if (!arguments.folder.empty()) jobs::write_plan(planned, arguments.folder);
-  json.give(report::plan_text(planned), report::plan_json(planned));
+  files.commit();
+  if (folder) folder->keep();
+  if (!json.takes_standard_output() && !page.takes_standard_output()) print_result(report::plan_text(planned));
   return kDone;
 }
 
@@ -122,6 +178,10 @@ void add_plan(CLI::App& app, Run& run) {
   command->add_option("-o,--output", arguments->folder, "write the plan as a dataset into this folder")
       ->type_name("DIR");
   command->add_option("--json", arguments->json, "write runs and standard errors as JSON, too")->type_name("FILE");
+  add_report_option(*command, arguments->report);
+  command->add_option("--programs", arguments->programs, "write an NC program of each circle into this folder")
+      ->type_name("DIR");
+  add_test_dialect(*command, arguments->dialect);
   command->callback([arguments, &run] { run = [arguments] { return plan(*arguments); }; });
 }
 

@@ -68,8 +68,8 @@ IdentifiedModel identified(machine::MachineModel machine, std::vector<measure::R
   const std::optional<diagnose::OpenGap> open = open_gap(machine, thinned.runs, found, options.plausible.open_share);
   physics::ForceModel forces = found.forces;
   std::vector<double> errors = errors_of(found);
-  return {std::move(machine), std::move(found), std::move(measured), thinned.thinning, open,
-          std::move(forces),  std::move(errors)};
+  return {std::move(machine), std::move(found),  std::move(measured), thinned.thinning, open,
+          std::move(forces),  std::move(errors), thinned.runs};
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ struct IdentifiedModel {
   std::optional<diagnose::OpenGap> open_gap;       // that the fit left, where no stage of it has an objection
   physics::ForceModel forces;                      // as a model file is to have them
   std::vector<double> errors;                      // of its parameters, SI
+  std::vector<measure::Run> runs;                  // as they were fitted: long records made short
   std::optional<identify::BelievedJoints> joints;  // for the controller
   bool calibrated = false;
 

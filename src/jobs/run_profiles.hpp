@@ -51,6 +51,7 @@ std::vector<RunProfile> run_profiles(const std::vector<measure::Run>& runs, std:
 struct RunsAndModels {
   std::vector<std::string> models;  // as they are called: by their names, or where these are alike by their files
   std::vector<RunProfile> runs;
+  std::string readings = "measured";  // what the runs' own columns are: a plan's are predicted
 };
 
 /// Refuses as the readers of models, physics::ForceModel and run_profiles do.

@@ -136,9 +136,10 @@ std::string test_program(const machine::MachineModel& machine, const measure::Ru
   }
   text.line(manner.modes);
   const double height = text.height(options);
-  const std::string feed = fmt::format("F{}", to_decimal(run.feed / kMmPerMin, 4));
+  const auto feed_word = [](double feed) { return fmt::format("F{}", to_decimal(feed / kMmPerMin, 4)); };
+  const std::string feed = feed_word(run.feed);
   text.line(fmt::format("G0 {} {}", text.place(180, height), text.tilt()));
-  text.line(fmt::format("G1 {} {}", text.place(180, 0), feed));
+  text.line(fmt::format("G1 {} {}", text.place(180, 0), feed_word(std::min(run.feed, options.approach_feed))));
   text.comment("put the bar in and start the record");
   text.line("M0");
   text.comment("half a turn to run in");

@@ -10,8 +10,9 @@
 namespace plumbline::jobs {
 
 struct TestProgramOptions {
-  double retreat = 0.050;       // m, the highest that the tool goes up to before and after the test
-  double retreat_step = 0.010;  // m, by which it goes less high where the machine's limits are near
+  double retreat = 0.050;                 // m, the highest that the tool goes up to before and after the test
+  double retreat_step = 0.010;            // m, by which it goes less high where the machine's limits are near
+  double approach_feed = 1000.0 / 60000;  // m/s, the fastest that it goes down
 };
 
 /// A program that makes the circle of a run: to above the start, down, a stop at which the bar is put in, half a turn

@@ -76,14 +76,6 @@ std::string errors_text(const jobs::PlannedTests& plan) {
   return text;
 }
 
-// What the plan does not tell.
-std::vector<std::string> unseen_text(const jobs::PlannedTests& plan) {
-  std::vector<std::string> sentences = observability_text(plan.after, plan.unseen);
-  if (!plan.geometry) return sentences;
-  for (std::string& sentence : shown_geometry_text(*plan.geometry)) sentences.push_back(std::move(sentence));
-  return sentences;
-}
-
 // null: nothing tells it.
 ordered_json error_json(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
 
@@ -103,6 +95,13 @@ ordered_json planned_run_json(const measure::Run& run, double criterion) {
 }
 
 }  // namespace
+
+std::vector<std::string> unseen_text(const jobs::PlannedTests& plan) {
+  std::vector<std::string> sentences = observability_text(plan.after, plan.unseen);
+  if (!plan.geometry) return sentences;
+  for (std::string& sentence : shown_geometry_text(*plan.geometry)) sentences.push_back(std::move(sentence));
+  return sentences;
+}
 
 std::string plan_text(const jobs::PlannedTests& plan) {
   std::string text =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "jobs/plan.hpp"
 
@@ -9,6 +10,8 @@ namespace plumbline::report {
 
 /// For people: the runs, what is known before and after, what stays unseen.
 std::string plan_text(const jobs::PlannedTests& plan);
+/// What the plan does not tell, a sentence each.
+std::vector<std::string> unseen_text(const jobs::PlannedTests& plan);
 /// As docs/formats.md says.
 std::string plan_json(const jobs::PlannedTests& plan);
 

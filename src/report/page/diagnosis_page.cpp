@@ -1,6 +1,7 @@
 #include "report/page/diagnosis_page.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -35,10 +36,10 @@ std::string noise_words(const Diagnosis& d) {
 }
 
 // "backlash moves the tip by up to 2.3 um in these circles (0.9 um rms)"
-std::string tip_words(const jobs::AtTip& at) {
-  if (at.largest == 0) return fmt::format("{} does not move the tip: it shows in the torques alone", at.effect);
-  return fmt::format("{} moves the tip by up to {:.1f} um in these circles ({:.2f} um rms)", at.effect,
-                     at.largest / kUm, at.rms / kUm);
+std::string tip_words(const jobs::AtTip& at, const std::string& effect) {
+  if (at.largest == 0) return effect + " does not move the tip and shows in the torques alone";
+  return fmt::format("{} moves the tip by up to {:.1f} um in these circles ({:.2f} um rms)", effect, at.largest / kUm,
+                     at.rms / kUm);
 }
 
 std::string gap_words(const diagnose::Rms& rms) {
@@ -58,7 +59,8 @@ std::string verdict_words(const jobs::DiagnoseResult& result) {
                        gap_words(d.fit.before), noise_words(d));
   }
   std::vector<std::string> moves;
-  for (const jobs::AtTip& at : result.at_tip) moves.push_back(tip_words(at));
+  const bool alone = d.effects.size() == 1 && d.confidence_set.size() == 1;
+  for (const jobs::AtTip& at : result.at_tip) moves.push_back(tip_words(at, alone ? "it" : at.effect));
   std::string text = fmt::format("The model misses {}", names_text(d));
   if (!moves.empty()) text += fmt::format(": {}", fmt::join(moves, "; "));
   return text + ".";
@@ -93,9 +95,15 @@ Json glance(const jobs::DiagnoseResult& result) {
                      fmt::format("largest in these circles; {:.2f} um rms", at.rms / kUm)});
   }
   facts.push_back(change_fact("Bar, fitted runs", d.fit.before.radial, d.fit.after.radial, kUm, "um", 2));
-  facts.push_back(change_fact("Bar, runs left out", d.held_out.before.radial, d.held_out.after.radial, kUm, "um", 2));
+  const bool left_out = std::any_of(d.runs.begin(), d.runs.end(), [](const auto& run) { return run.held_out; });
+  if (left_out) {
+    facts.push_back(change_fact("Bar, runs left out", d.held_out.before.radial, d.held_out.after.radial, kUm, "um", 2));
+  }
   facts.push_back(change_fact("Torque, fitted runs", d.fit.before.torque, d.fit.after.torque, 1, "N m", 3));
-  facts.push_back(change_fact("Torque, runs left out", d.held_out.before.torque, d.held_out.after.torque, 1, "N m", 3));
+  if (left_out) {
+    facts.push_back(
+        change_fact("Torque, runs left out", d.held_out.before.torque, d.held_out.after.torque, 1, "N m", 3));
+  }
   if (const CircularityOfRuns all = circularity_of(d.runs); all.runs > 0) {
     facts.push_back({"Circularity, compensated",
                      fmt::format("{:.1f} \u2192 {:.1f} um", all.mean.given / kUm, all.mean.found / kUm), "", 0,
@@ -171,7 +179,9 @@ void add_open_questions(Page& page, const jobs::DiagnoseResult& result, const st
   std::vector<std::string> sentences;
   std::vector<ShownTest> tests;
   for (const diagnose::Separation& next : d.next) {
-    sentences.push_back(next_test_text(next));
+    std::string sentence = next_test_text(next);
+    sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+    sentences.push_back(sentence + ".");
     if (!next.test) continue;
     const std::size_t place = tests.size();
     tests.push_back(

@@ -59,16 +59,16 @@ std::vector<Json> evidence_sections(const diagnose::Diagnosis& d) {
     rows.push_back({e.name, tens(e.log_odds), odds_words(e.log_odds), tens_or_none(e, &diagnose::LeftOut::poses),
                     tens_or_none(e, &diagnose::LeftOut::runs)});
   }
-  return {evidence_bars(d),
-          table_section("All effects that were compared",
-                        {{"effect"},
-                         {"all fitted runs", "powers of ten", 1},
-                         {"the readings are"},
-                         {"each pose predicted from the others", "powers of ten", 1},
-                         {"each run", "powers of ten", 1}},
-                        std::move(rows),
-                        "Poses and runs predicted from the others: each left out in turn; what is no cause does not "
-                        "predict them better.")};
+  return {evidence_bars(d), table_section("All effects that were compared",
+                                          {{"effect"},
+                                           {"all fitted runs", "", 1},
+                                           {"the readings are"},
+                                           {"each pose from the others", "", 1},
+                                           {"each run from the others", "", 1}},
+                                          std::move(rows),
+                                          "In powers of ten. Poses and runs from the others: each left out in turn and "
+                                          "predicted; what is no cause does not "
+                                          "predict them better.")};
 }
 
 }  // namespace plumbline::report

@@ -49,12 +49,13 @@ std::string design_text(const measure::Run& run) {
   return text + ".";
 }
 
-PolarGroup polar_group(const RunProfile& run, const std::vector<std::string>& models) {
+PolarGroup polar_group(const RunProfile& run, const RunsAndModels& of_all) {
+  const std::vector<std::string>& models = of_all.models;
   PolarGroup group{run.run.id, run.run.radius / kMm};
   const std::vector<double> angle = in_unit(run.angle, kDeg);
-  group.curves.push_back({"measured", kMeasured, kWhole, angle, in_unit(run.radial, kUm)});
+  group.curves.push_back({of_all.readings, kMeasured, kWhole, angle, in_unit(run.radial, kUm)});
   const measure::CircularityFigures& f = *run.figures;
-  group.figures = {{"Circularity, measured", f.least_squares / kUm},
+  group.figures = {{"Circularity, " + of_all.readings, f.least_squares / kUm},
                    {"Circular deviation G", f.minimum_zone / kUm},
                    {"Radial deviation F max", f.radial_max / kUm},
                    {"Radial deviation F min", f.radial_min / kUm}};
@@ -83,7 +84,7 @@ Eigen::VectorXd left(const RunProfile& run, const ModelProfile* model, int chann
   return column(run, nullptr, channel) - column(run, model, channel);
 }
 
-CurvePanel channel_panel(const RunProfile& run, const std::vector<std::string>& models, int channel, ColumnOf column_of,
+CurvePanel channel_panel(const RunProfile& run, const RunsAndModels& of, int channel, ColumnOf column_of,
                          bool with_measured) {
   const bool bar = channel == 0;
   CurvePanel panel{bar ? "Bar" : fmt::format("Motor {}", channel), bar ? "um" : "N m"};
@@ -91,11 +92,11 @@ CurvePanel channel_panel(const RunProfile& run, const std::vector<std::string>& 
   panel.quantum = bar ? 1e-3 : 1e-5;
   const double unit = bar ? kUm : 1;
   if (with_measured)
-    panel.curves.push_back({"measured", kMeasured, kWhole, in_unit(column(run, nullptr, channel), unit)});
+    panel.curves.push_back({of.readings, kMeasured, kWhole, in_unit(column(run, nullptr, channel), unit)});
   for (std::size_t m = 0; m < run.models.size(); ++m) {
     const std::string name = with_measured ? "simulated" : "measured minus simulated";
     const Style style = simulated_style(m);
-    panel.curves.push_back({models.size() > 1 ? fmt::format("{} ({})", name, models[m]) : name, style,
+    panel.curves.push_back({of.models.size() > 1 ? fmt::format("{} ({})", name, of.models[m]) : name, style,
                             with_measured ? dashed(style) : 0, in_unit(column_of(run, &run.models[m], channel), unit)});
   }
   return panel;
@@ -106,9 +107,9 @@ Json along_turn(const RunsAndModels& of, std::string title, ColumnOf column_of, 
   for (const RunProfile& run : of.runs) {
     CurveGroup group{run.run.id, in_unit(run.angle, kDeg)};
     group.note = design_text(run.run);
-    if (run.radial.size() > 0) group.panels.push_back(channel_panel(run, of.models, 0, column_of, with_measured));
+    if (run.radial.size() > 0) group.panels.push_back(channel_panel(run, of, 0, column_of, with_measured));
     for (int channel = 1; run.run.has_torque() && channel <= machine::kStruts; ++channel) {
-      group.panels.push_back(channel_panel(run, of.models, channel, column_of, with_measured));
+      group.panels.push_back(channel_panel(run, of, channel, column_of, with_measured));
     }
     if (!group.panels.empty()) groups.push_back(std::move(group));
   }
@@ -133,12 +134,12 @@ std::vector<double> in_unit(const Eigen::VectorXd& values, double unit) {
 Json circles_section(const RunsAndModels& of, std::string title) {
   std::vector<PolarGroup> groups;
   for (const RunProfile& run : of.runs) {
-    if (run.radial.size() > 0) groups.push_back(polar_group(run, of.models));
+    if (run.radial.size() > 0) groups.push_back(polar_group(run, of));
   }
   if (groups.empty()) return nullptr;
-  std::string words =
-      "Readings of the bar minus its length, without the mean and the first harmonic of what was measured, which the "
-      "centring of the balls makes. G and F as ISO 230-4 has them: F with the mean kept.";
+  std::string words = "Readings of the bar minus its length, without the mean and the first harmonic of what was " +
+                      of.readings +
+                      ", which the centring of the balls makes. G and F as ISO 230-4 has them: F with the mean kept.";
   if (!of.models.empty()) {
     words += " Compensated: what the bar would read if the program were compensated with the model; noise stays in it.";
   }

@@ -59,7 +59,7 @@ HeatFigure gap_figure(const Diagnosis& d, std::string name, double diagnose::Cha
       plane.reasons.push_back(std::isfinite(value) ? -1 : 0);
     }
   }
-  return {std::move(name), kTimesUnit, 2, {std::move(plane)}, kTimesNoise};
+  return {std::move(name), kTimesUnit, 2, {std::move(plane)}, kTimesNoise, true};
 }
 
 std::string group_name(const diagnose::RunGroup& group) {
@@ -79,14 +79,15 @@ Json contrast_section(const Diagnosis& d) {
   return table_section("Pairs of runs at one pose, before",
                        {{"alike but for"},
                         {"pairs", "", 0},
-                        {"bar: alike in both", kTimesUnit, 2},
-                        {"torque: alike in both", kTimesUnit, 2},
-                        {"bar: differs", kTimesUnit, 2},
-                        {"torque: differs", kTimesUnit, 2},
+                        {"bar: alike in both", "", 2},
+                        {"torque: alike in both", "", 2},
+                        {"bar: differs", "", 2},
+                        {"torque: differs", "", 2},
                         {"bar: correlation", "", 2},
                         {"torque: correlation", "", 2}},
                        std::move(rows),
-                       "1 is noise alone. What differs with direction is odd in it: friction, backlash, lag. The "
+                       "Rms in times the noise: 1 is noise alone. What differs with direction is odd in it: friction, "
+                       "backlash, lag. The "
                        "correlation is that of the waves of both runs: of noise it is none.");
 }
 
@@ -96,9 +97,8 @@ Json group_section(const Diagnosis& d) {
     rows.push_back({group_name(group), group.runs, times_json(group.rms.radial, bar_noise(d)),
                     times_json(group.rms.torque, torque_noise(d))});
   }
-  return table_section("Groups of runs, before",
-                       {{"runs"}, {"how many", "", 0}, {"bar", kTimesUnit, 2}, {"torque", kTimesUnit, 2}},
-                       std::move(rows), "1 is noise alone.");
+  return table_section("Groups of runs, before", {{"runs"}, {"how many", "", 0}, {"bar", "", 2}, {"torque", "", 2}},
+                       std::move(rows), "Rms in times the noise: 1 is noise alone.");
 }
 
 Bar step_bar(double value, double error, double unit) {
@@ -163,8 +163,8 @@ std::vector<Json> around_circle_sections(const Diagnosis& d) {
     for (const double rms : channel.arcs) of_arcs.values.push_back(times(rms, noise_of(d, channel.channel)));
   }
   arcs.rows.labels = waves.rows.labels;
-  waves.figures.push_back({"before", kTimesUnit, 2, {std::move(of_waves)}, kTimesNoise});
-  arcs.figures.push_back({"before", kTimesUnit, 2, {std::move(of_arcs)}, kTimesNoise});
+  waves.figures.push_back({"before", kTimesUnit, 2, {std::move(of_waves)}, kTimesNoise, true});
+  arcs.figures.push_back({"before", kTimesUnit, 2, {std::move(of_arcs)}, kTimesNoise, true});
   return {heat_section("Waves around the circle, before", waves), heat_section("Place on the circle, before", arcs)};
 }
 

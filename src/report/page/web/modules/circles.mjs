@@ -29,7 +29,7 @@ export function ballOf(test) {
 
 // One scale for both directions, so that a circle is round.
 function scalesOf(points, view, width) {
-  const [left, right, top, bottom] = [48, 12, 10, 34];
+  const [left, right, top, bottom] = [48, 14, 10, 40];
   const [x0, x1] = extent(points.map((p) => p[view.across]));
   const [y0, y1] = extent(points.map((p) => p[view.up]));
   const per = Math.max((x1 - x0) / (width - left - right), (y1 - y0) / 520) * 1.06;
@@ -50,6 +50,12 @@ function drawMachine(svg, machine, test, at) {
   svg.append("path").attr("class", "strut").attr("d", machine.base_mm.map((joint, j) => `M${at(joint)}L${at(test.platform_mm[j])}`).join(""));
   const middle = [0, 1, 2].map((k) => d3.mean(test.platform_mm, (point) => point[k]));
   svg.append("path").attr("class", "tool").attr("d", `M${at(middle)}L${at(test.start_mm)}`);
+}
+
+/// Two corners of the travel, as far as it is bounded.
+export function travelCorners(limits) {
+  const corner = (side) => ["x", "y", "z"].map((axis) => limits?.[axis]?.[side] ?? NaN);
+  return [corner(0), corner(1)];
 }
 
 function drawTravel(svg, limits, view, scales) {
@@ -78,7 +84,7 @@ function viewPicture(section, test, view) {
     label: `${test.name}, ${view.name.toLowerCase()}: the circle in the machine, with the platform where the turn begins`,
     draw(svg, width) {
       const limits = section.machine.limits_mm;
-      const all = [...section.machine.base_mm, ...test.platform_mm, ...circlePoints(test), ballOf(test)];
+      const all = [...section.machine.base_mm, ...test.platform_mm, ...circlePoints(test), ballOf(test), ...travelCorners(limits)];
       const scales = scalesOf(all, view, width);
       const at = (point) => [scales.x(point[view.across]), scales.y(point[view.up])];
       bottomAxis(svg, scales.x, scales.bottom, Math.floor(width / 80));
@@ -86,7 +92,7 @@ function viewPicture(section, test, view) {
       drawTravel(svg, limits, view, scales);
       drawMachine(svg, section.machine, test, at);
       drawCircle(svg, test, at);
-      svg.append("text").attr("class", "soft").attr("x", width - 12).attr("y", scales.bottom + 32).attr("text-anchor", "end")
+      svg.append("text").attr("class", "soft").attr("x", width - 12).attr("y", scales.bottom + 36).attr("text-anchor", "end")
         .text(`${horizontal} to the right, ${vertical} upwards, mm`);
       return scales.height + 4;
     },
@@ -123,7 +129,7 @@ export function circles(section) {
     views.replaceChildren(element("div", {}, element("h3", {}, test.name), testFacts(test), element("p", {}, test.note ?? "")),
       ...kViews.map((view) => viewPicture(section, test, view)));
     words.replaceChildren(...(test.program ? [element("details", { open: section.tests.length === 1 },
-      element("summary", {}, `NC program of ${test.name}`),
+      element("summary", {}, `NC program: ${test.name}`),
       element("div", { class: "block" }, element("pre", { tabindex: 0, "aria-label": `NC program of ${test.name}` }, test.program)))] : []));
   }
   show(0);

@@ -43,6 +43,16 @@ function colourScale(one, range) {
   return scale.clamp(true);
 }
 
+// In each cell its number, dark on light colours and light on dark ones.
+function drawNumbers(svg, cells, box, columns, scale, one) {
+  const shown = d3.range(cells.length).filter((i) => Number.isFinite(cells[i]));
+  svg.append("g").selectAll("text").data(shown).enter().append("text").attr("text-anchor", "middle")
+    .attr("x", (i) => box.x0 + ((i % columns) + 0.5) * box.wide)
+    .attr("y", (i) => box.y0 + (Math.floor(i / columns) + 0.5) * box.high + 4)
+    .style("fill", (i) => (d3.lab(scale(cells[i])).l > 55 ? "#000" : "#fff"))
+    .text((i) => numberText(cells[i], Math.min(one.digits ?? 2, 2)));
+}
+
 function axisName(axis) {
   return axis.unit && axis.values ? `${axis.name}, ${axis.unit}` : axis.name;
 }
@@ -64,6 +74,15 @@ function drawNames(svg, box, section) {
   svg.append("text").attr("class", "soft").attr("x", box.x1).attr("y", box.y1 + 32).attr("text-anchor", "end").text(axisName(section.columns));
 }
 
+/// 1, 2, 5 and their tens between two numbers.
+export function logTicks(low, high) {
+  const ticks = [];
+  for (let power = 10 ** Math.floor(Math.log10(low)); power <= high; power *= 10) {
+    for (const times of [1, 2, 5]) if (times * power >= low * 0.999 && times * power <= high * 1.001) ticks.push(times * power);
+  }
+  return ticks;
+}
+
 function drawLegend(svg, scale, one, x0, x1, y) {
   const [low, high] = scale.domain();
   const across = (one.log ? d3.scaleLog : d3.scaleLinear)([low, high], [x0, x1]);
@@ -73,7 +92,7 @@ function drawLegend(svg, scale, one, x0, x1, y) {
     svg.append("rect").attr("x", from).attr("y", y).attr("width", (x1 - x0) / steps + 0.6).attr("height", 10)
       .attr("fill", scale(across.invert(from + (x1 - x0) / steps / 2)));
   }
-  bottomAxis(svg, across, y + 10, 5, (value) => tickText(value));
+  bottomAxis(svg, across, y + 10, 5, tickText, one.log ? logTicks(low, high) : null);
   svg.append("text").attr("class", "soft").attr("x", x1).attr("y", y + 42).attr("text-anchor", "end")
     .text(one.unit ? `${one.name}, ${one.unit}` : one.name);
 }
@@ -83,14 +102,16 @@ function drawHeat(svg, width, section, one, plane, cells) {
   const columns = section.columns.labels?.length ?? section.columns.values.length;
   const left = Math.min(0.3 * width, 14 + 7.5 * Math.max(...shortNames(section.rows).map((name) => name.length)));
   const wide = (width - left - kHeat.right) / columns;
-  const high = section.square ? wide : Math.max(10, Math.min(26, wide * 1.2, 420 / rows));
+  const high = section.square ? wide : Math.max(13, Math.min(26, wide * 1.2, 420 / rows));
   const box = { x0: left, x1: width - kHeat.right, y0: kHeat.top, y1: kHeat.top + high * rows, wide, high };
   const scale = colourScale(one, plane.range);
+  const gap = cells.length <= 400 ? 1 : 0;
   const drawn = svg.append("g").selectAll("rect").data(cells).enter().append("rect")
     .attr("x", (_, i) => box.x0 + (i % columns) * wide).attr("y", (_, i) => box.y0 + Math.floor(i / columns) * high)
-    .attr("width", wide + 0.3).attr("height", high + 0.3)
+    .attr("width", wide + (gap > 0 ? -gap : 0.3)).attr("height", high + (gap > 0 ? -gap : 0.3))
     .attr("fill", (value) => (Number.isFinite(value) ? scale(value) : "none"));
   drawn.filter((value) => !Number.isFinite(value)).attr("class", "missing");
+  if (wide >= 38 && cells.length <= 400) drawNumbers(svg, cells, box, columns, scale, one);
   drawNames(svg, box, section);
   drawLegend(svg, scale, one, box.x0, box.x1, box.y1 + kHeat.bottom);
   const mark = svg.append("rect").attr("class", "chosen").attr("width", wide).attr("height", high).attr("visibility", "hidden");

@@ -97,7 +97,7 @@ function polarPicture(group, unit, selection, times, hidden) {
     draw(svg, width) {
       const size = Math.min(width, kWidest);
       const centre = [width / 2, size / 2];
-      const radius = size / 2 - 46;
+      const radius = size / 2 - 54;
       const reach = reachOf(group.curves) * 1.25 / times();
       const nominal = kNominalShare * radius;
       const place = (value) => nominal + value / reach * (radius - nominal);
@@ -141,7 +141,8 @@ function factsOf(group) {
 }
 
 /// {unit, digits, choose, groups: [{name, note, radius_mm, curves: [{name, style, dash, angle, values}], facts: [{name, value,
-/// unit, digits}]}]}: deviation from the nominal circle, magnified; a group at a time, all of them small beside it.
+/// unit, digits}]}]}: deviation from the nominal circle, magnified; a group at a time, the one that
+/// deviates most first, all of them small below.
 /// Angles in deg from +X towards +Y, rising; columns packed.
 export function polar(section) {
   const groups = section.groups.map(readPolar);
@@ -154,7 +155,7 @@ export function polar(section) {
   const hidden = new Set();
   let magnify = 1;
   let shown;
-  let now = groups[0];
+  let [now] = groups;
   const gain = slider({ label: "Magnification", min: -3, max: 3, step: 0.1, value: 0, long: true,
     words: (power) => magnificationText(2 ** power, now, unit),
     change(power) {
@@ -177,13 +178,14 @@ export function polar(section) {
     for (const [i, button] of [...small.children].entries()) button.setAttribute("aria-pressed", String(i === index));
     if (choice) choice.querySelector("select").value = String(index);
   }
+  const worst = groups.reduce((most, group, i) => (reachOf(group.curves) > reachOf(groups[most].curves) ? i : most), 0);
   const reach = Math.max(...groups.map((group) => reachOf(group.curves)));
   const small = element("div", { class: "thumbnails" },
     groups.length > 1 ? groups.map((group, i) => thumbnail(group, reach, unit, () => show(i))) : []);
   const choice = groups.length > 1
-    ? chooser({ label: section.choose ?? "Show", options: groups.map((group, i) => [String(i), group.name]), value: "0",
+    ? chooser({ label: section.choose ?? "Show", options: groups.map((group, i) => [String(i), group.name]), value: String(worst),
       change: (value) => show(Number(value)) }) : null;
-  show(0);
+  show(worst);
   return element("div", {}, element("div", { class: "controls" }, choice, gain.node), legend,
     element("div", { class: "beside" }, box, element("div", {}, facts, where)), small,
     groups.length > 1 ? element("p", { class: "note" }, "Small circles: all at one magnification.") : null);

@@ -9,7 +9,7 @@ export function table(section) {
     column.unit ? `${column.name}, ${column.unit}` : column.name));
   const body = section.rows.map((row) => element("tr", {}, row.map((value, i) => element("td", side(i),
     typeof value === "number" ? numberText(value, section.columns[i].digits) : value ?? ""))));
-  return element("div", { class: "wide", tabindex: 0, role: "region", "aria-label": section.title },
-    element("table", {}, section.note ? element("caption", {}, section.note) : null,
-      element("thead", {}, element("tr", {}, head)), element("tbody", {}, body)));
+  const wide = element("div", { class: "wide", tabindex: 0, role: "region", "aria-label": section.title },
+    element("table", {}, element("thead", {}, element("tr", {}, head)), element("tbody", {}, body)));
+  return element("div", {}, section.note ? element("p", { class: "note" }, section.note) : null, wide);
 }
