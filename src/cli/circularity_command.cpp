@@ -4,7 +4,7 @@
 
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
-#include "cli/report_file.hpp"
+#include "cli/options/report_file.hpp"
 #include "jobs/circularity.hpp"
 #include "report/measured/circularity_text.hpp"
 #include "report/page/compare_page.hpp"

@@ -7,7 +7,7 @@
 #include "base/diagnostic.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
-#include "cli/report_file.hpp"
+#include "cli/options/report_file.hpp"
 #include "jobs/compare.hpp"
 #include "report/measured/compare_text.hpp"
 #include "report/page/compare_page.hpp"

@@ -5,7 +5,7 @@
 #include "base/files/files.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
-#include "cli/report_file.hpp"
+#include "cli/options/report_file.hpp"
 #include "report/measured/identification_text.hpp"
 #include "report/measured/model_file.hpp"
 #include "report/measured/objection_text.hpp"

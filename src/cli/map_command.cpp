@@ -8,7 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
-#include "cli/number_list.hpp"
+#include "cli/options/number_list.hpp"
 #include "cli/progress_line.hpp"
 #include "jobs/workspace_map.hpp"
 #include "machine/model_file.hpp"

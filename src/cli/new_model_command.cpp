@@ -8,7 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
-#include "cli/number_list.hpp"
+#include "cli/options/number_list.hpp"
 #include "jobs/new_model/new_model.hpp"
 #include "machine/model_keys.hpp"
 #include "report/program/new_model_text.hpp"

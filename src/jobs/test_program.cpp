@@ -60,19 +60,22 @@ class TestProgramText {
   // On the circle, `up` above it.
   std::string place(double turn_deg, double up) const {
     const Vector3<double> p = point(turn_deg, up) / kMm;
-    return fmt::format("X{} Y{} Z{}", to_decimal(p.x(), 4), to_decimal(p.y(), 4), to_decimal(p.z(), 4));
+    return fmt::format("X{} Y{} Z{}", number(p.x()), number(p.y()), number(p.z()));
   }
+  std::string pose(double turn_deg, double up) const { return place(turn_deg, up) + " " + tilt(); }
   std::string tilt() const {
     const Vector3<double> t = run_.tilt / kDeg;
-    return fmt::format("A{} B{} C{}", to_decimal(t.x(), 4), to_decimal(t.y(), 4), to_decimal(t.z(), 4));
+    return fmt::format("A{} B{} C{}", number(t.x()), number(t.y()), number(t.z()));
   }
+  // With a point: without one some controls count thousandths.
+  static std::string number(double value) { return to_decimal(value, 4, 1); }
   // From one end of the diameter along X to the same (a whole turn) or to the other one. I and J as the words have
   // them: from the start of the arc to the centre.
   std::string arc(bool from_angle_zero, bool whole) const {
     const double towards_centre = from_angle_zero ? -1 : 1;
     const double end = from_angle_zero == whole ? 0 : 180;
-    return fmt::format("{} {} I{} J0", run_.direction == measure::Direction::ccw ? "G3" : "G2", place(end, 0),
-                       to_decimal(towards_centre * run_.radius / kMm, 4));
+    return fmt::format("{} {} I{} J0.0", run_.direction == measure::Direction::ccw ? "G3" : "G2", place(end, 0),
+                       number(towards_centre * run_.radius / kMm));
   }
 
   // How high the tool may go above the start within the limits, at most as asked.
@@ -136,12 +139,14 @@ std::string test_program(const machine::MachineModel& machine, const measure::Ru
   }
   text.line(manner.modes);
   const double height = text.height(options);
-  const auto feed_word = [](double feed) { return fmt::format("F{}", to_decimal(feed / kMmPerMin, 4)); };
+  const auto feed_word = [](double feed) { return "F" + TestProgramText::number(feed / kMmPerMin); };
   const std::string feed = feed_word(run.feed);
-  text.line(fmt::format("G0 {} {}", text.place(180, height), text.tilt()));
-  text.line(fmt::format("G1 {} {}", text.place(180, 0), feed_word(std::min(run.feed, options.approach_feed))));
+  text.line("G0 " + text.pose(180, height));
+  text.line(fmt::format("G1 {} {}", text.pose(180, 0), feed_word(std::min(run.feed, options.approach_feed))));
   text.comment("put the bar in and start the record");
+  text.comment("leave the axes where they are");
   text.line("M0");
+  text.line("G0 " + text.pose(180, 0));  // after a stop the axes may stand elsewhere: the arc says where it begins
   text.comment("half a turn to run in");
   text.line(fmt::format("{} {}", text.arc(false, false), feed));
   text.comment("the turn that is measured, from angle 0");
@@ -150,7 +155,7 @@ std::string test_program(const machine::MachineModel& machine, const measure::Ru
   text.line(text.arc(true, false));
   text.comment("stop the record and take the bar out");
   text.line("M0");
-  text.line(fmt::format("G0 {}", text.place(180, height)));
+  text.line("G0 " + text.pose(180, height));
   text.add(manner.end);
   return text.take();
 }

@@ -1,4 +1,5 @@
 // The commands that work on measurements.
+#include <algorithm>
 #include <filesystem>
 
 #include <catch2/catch.hpp>
@@ -238,4 +239,96 @@ TEST_CASE("a diagnosis that fails leaves no folder, and one that works fills it"
   CHECK(json::parse(done.out).at("plumbline") == "diagnosis 1");
   CHECK(scratch.text("a/b/report.html").starts_with("<!doctype html>"));
   CHECK(run(scratch, "compare -d sim/dataset.toml -m a/b/model.toml --max-radial-um 0.1").code == 0);
+}
+
+namespace {
+
+// The data of a page, as it stands in it.
+json page_data(const std::string& page) {
+  const std::string open = R"(<script type="application/json" id="data">)";
+  const std::size_t begin = page.find(open) + open.size();
+  return json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+}
+
+std::vector<std::string> section_types(const std::string& page) {
+  std::vector<std::string> types;
+  const json data = page_data(page);
+  for (const json& section : data.at("sections")) types.push_back(section.at("type"));
+  return types;
+}
+
+bool has_type(const std::string& page, const std::string& type) {
+  const std::vector<std::string> types = section_types(page);
+  return std::find(types.begin(), types.end(), type) != types.end();
+}
+
+}  // namespace
+
+TEST_CASE("commands on measurements write pages, with their other outputs or not at all") {
+  const Scratch scratch;
+  scratch.file("plan/dataset.toml", plan_text(scratch));
+  REQUIRE(run(scratch, "simulate -d plan/dataset.toml -o sim " + kModel).code == 0);
+
+  REQUIRE(run(scratch, "compare -d sim/dataset.toml --report c.html --beside " + source_file("models/pm600-like.toml") +
+                           " " + kModel)
+              .code == 0);
+  for (const char* const type : {"facts", "polar", "bars", "heat", "curves", "table"}) {
+    INFO(type);
+    CHECK(has_type(scratch.text("c.html"), type));
+  }
+  REQUIRE(run(scratch, "circularity -d sim/dataset.toml --report f.html " + kModel).code == 0);
+  CHECK(page_data(scratch.text("f.html")).at("sections")[0].at("groups")[0].at("curves").size() == 3);
+  REQUIRE(run(scratch, "circularity -d sim/dataset.toml --report f.html").code == 0);
+  CHECK(page_data(scratch.text("f.html")).at("sections")[0].at("groups")[0].at("curves").size() == 1);
+
+  REQUIRE(run(scratch, "identify -d sim/dataset.toml -o new.toml --report i.html " + kModel).code == 0);
+  CHECK(contains(scratch.text("i.html"), "What was found: joint fit"));
+  CHECK(has_type(scratch.text("i.html"), "polar"));
+
+  const Outcome over = run(scratch, "compare -d sim/dataset.toml --report sim/a.csv " + kModel);
+  CHECK(over.code == 1);
+  CHECK(contains(over.err, "file-overwrites-input"));
+  const Outcome twice = run(scratch, "compare -d sim/dataset.toml --json x --report x " + kModel);
+  CHECK(contains(twice.err, "file-written-twice"));
+  CHECK_FALSE(scratch.has("x"));
+  CHECK(run(scratch, "compare -d sim/dataset.toml --json y.json --report none/y.html " + kModel).code == 1);
+  CHECK_FALSE(scratch.has("y.json"));
+  CHECK(run(scratch, "circularity -d sim/dataset.toml " + kModel).code == 2);
+}
+
+TEST_CASE("two models are compared with the same measurements") {
+  const Scratch scratch;
+  scratch.file("plan/dataset.toml", plan_text(scratch));
+  std::string other = plumbline::read_text(source_file("models/pm600-like.toml"));
+  const std::string friction = "coulomb_friction_N = [110";
+  other.replace(other.find(friction), friction.size(), "coulomb_friction_N = [160");
+  scratch.file("other.toml", other);
+  REQUIRE(run(scratch, "simulate -d plan/dataset.toml -o sim -m other.toml").code == 0);
+  const Outcome both = run(scratch, "compare -d sim/dataset.toml --beside other.toml --json both.json " + kModel);
+  CHECK(both.code == 0);
+  CHECK(contains(both.out, "\nother.toml\n"));
+  const json written = json::parse(scratch.text("both.json"));
+  CHECK(written.at("torque_rms_Nm").get<double>() > 0.01);
+  CHECK(written.at("beside").at("model") == "other.toml");
+  CHECK(written.at("beside").at("torque_rms_Nm").get<double>() < 1e-4);
+  CHECK(written.at("beside").at("runs").size() == 2);
+}
+
+TEST_CASE("a plan writes the programs of its circles, which the machine can make, and a page") {
+  const Scratch scratch;
+  const std::string plan = "plan -n 2 --candidates 12 --samples 24 --programs p --report plan.html --dialect ";
+  REQUIRE(run(scratch, plan + "siemens " + kModel).code == 0);
+  std::size_t programs = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(scratch.path("p"))) {
+    ++programs;
+    const std::string name = entry.path().filename().string();
+    INFO(name);
+    CHECK(entry.path().extension() == ".mpf");
+    CHECK(run(scratch, "check p/" + name + " --work-offset G54=0,0,0,0,0,0 " + kModel).code == 0);
+  }
+  CHECK(programs == 2);
+  const json tests = page_data(scratch.text("plan.html")).at("sections")[1];
+  CHECK(tests.at("type") == "circles");
+  CHECK(contains(tests.at("tests")[0].at("program").get<std::string>(), "G54"));
+  CHECK(run(scratch, plan + "klartext " + kModel).code == 2);
 }

@@ -31,3 +31,16 @@ TEST_CASE("effects that are left out must be in the catalogue") {
   });
   CHECK(d.code == "diagnose-unknown-effect");
 }
+
+TEST_CASE("a diagnosis says how far what it found moves the tip") {
+  const jobs::DiagnoseResult result = jobs::diagnose(
+      {source_file("tests/blind/open-01/base.toml"), source_file("tests/blind/open-01/data/dataset.toml"), {}, 1});
+  CHECK(result.runs.size() == 26);
+  REQUIRE(result.at_tip.size() == 1);
+  CHECK(result.at_tip[0].effect == "backlash");
+  // struts that are off by up to 1 um either way (half of 2.0 um), through the machine's own leverage
+  CHECK(result.at_tip[0].largest > 1e-6);
+  CHECK(result.at_tip[0].largest < 10e-6);
+  CHECK(result.at_tip[0].rms < result.at_tip[0].largest);
+  CHECK(result.at_tip[0].rms > 0.2e-6);
+}

@@ -1,7 +1,6 @@
 #include "report/page/diagnosis_page.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -179,15 +178,15 @@ void add_open_questions(Page& page, const jobs::DiagnoseResult& result, const st
   std::vector<std::string> sentences;
   std::vector<ShownTest> tests;
   for (const diagnose::Separation& next : d.next) {
-    std::string sentence = next_test_text(next);
-    sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
-    sentences.push_back(sentence + ".");
+    sentences.push_back(sentence(next_test_text(next)));
     if (!next.test) continue;
     const std::size_t place = tests.size();
-    tests.push_back(
-        {"to tell it from " + next.from, next.test->run,
-         fmt::format("The readings of the two models differ by {:.0f} times the noise there.", next.test->separation),
-         place < programs.size() ? programs[place] : ""});
+    const std::string& strongest = d.confidence_set.front();
+    tests.push_back({fmt::format("{} or {}", strongest, next.from), next.test->run,
+                     fmt::format("Tells {} from {}: what the two make of the readings there differs by {:.0f} standard "
+                                 "deviations of the noise.",
+                                 strongest, next.from, next.test->separation),
+                     place < programs.size() ? programs[place] : ""});
   }
   if (sentences.empty()) return;
   page.sections.push_back(text_section("What next", sentences));

@@ -150,6 +150,7 @@ void add_stage(Page& page, const Stage& stage) {
   page.sections.push_back(values_section(stage));
   add_section(page, shift_section(stage));
   if (std::vector<std::string> notes = observability_text(stage); !notes.empty()) {
+    for (std::string& note : notes) note = sentence(std::move(note));
     page.sections.push_back(text_section("What the data do not tell: " + stage.name + " fit", std::move(notes)));
   }
   add_section(page, correlation_section(stage));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -41,7 +42,7 @@ std::string lead(const PlannedTests& plan) {
     return fmt::format("{} tell the two effects apart by {:.3g} and {:.3g} sigma, for a hundredth of their range.",
                        circles, plan.apart[0], plan.apart[1]);
   }
-  return fmt::format("{} leave {:.0f} % of the standard error of what is asked for (the median of {}).", circles,
+  return fmt::format("{} bring the standard errors of what is asked for down to {:.0f} % (median of {}).", circles,
                      100 * median_left(plan), count_text(plan.asked.size(), "number"));
 }
 
@@ -137,6 +138,7 @@ Page plan_page(const PlannedTests& plan, const machine::MachineModel& machine, c
   add_section(page, errors_section(plan));
   add_section(page, criterion_section(plan));
   if (std::vector<std::string> notes = unseen_text(plan); !notes.empty()) {
+    for (std::string& note : notes) note = sentence(std::move(note));
     page.sections.push_back(text_section("What the plan does not tell", std::move(notes)));
   }
   page.sections.push_back(errors_table(plan));

@@ -1,5 +1,6 @@
 #include "report/page/sections.hpp"
 
+#include <cctype>
 #include <utility>
 
 namespace plumbline::report {
@@ -8,6 +9,12 @@ namespace {
 Json section(std::string_view type, std::string title) { return Json{{"type", type}, {"title", std::move(title)}}; }
 
 }  // namespace
+
+std::string sentence(std::string text) {
+  if (text.empty()) return text;
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text + ".";
+}
 
 Json facts_section(std::string title, const std::vector<Fact>& facts) {
   Json made = section("facts", std::move(title));

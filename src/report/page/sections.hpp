@@ -10,6 +10,9 @@
 
 namespace plumbline::report {
 
+/// With a capital and a full stop.
+std::string sentence(std::string text);
+
 /// A figure that is read first.
 struct Fact {
   std::string name;

@@ -20,14 +20,15 @@ Json json_of(const diagnose::Diagnosis& diagnosis) { return Json::parse(report::
 // A kept case whose hidden effect is named, or described; ten of its runs.
 std::string written_by(unsigned threads, const std::string& name) {
   const HeldProcessors held(threads);
-  const machine::MachineModel machine = machine::read_model(testing::source_file("tests/blind/" + name + "/base.toml"));
+  machine::MachineModel machine = machine::read_model(testing::source_file("tests/blind/" + name + "/base.toml"));
   std::vector<measure::Run> runs =
       measure::read_dataset(testing::source_file("tests/blind/" + name + "/data/dataset.toml")).runs;
   runs.resize(10);
   diagnose::DiagnoseOptions options;
   options.search.threshold.draws = 2000;
-  const diagnose::Diagnosis diagnosis = diagnose::diagnose(machine, runs, options);
-  return report::diagnosis_json(diagnosis) + report::diagnosis_page(diagnosis, name);
+  diagnose::Diagnosis diagnosis = diagnose::diagnose(machine, runs, options);
+  const jobs::DiagnoseResult result{std::move(machine), std::move(diagnosis), {}, std::move(runs), {}};
+  return report::diagnosis_json(result.diagnosis) + report::page_text(report::diagnosis_page(result, {}, {}));
 }
 
 }  // namespace

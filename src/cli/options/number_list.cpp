@@ -1,4 +1,4 @@
-#include "cli/number_list.hpp"
+#include "cli/options/number_list.hpp"
 
 #include <algorithm>
 #include <optional>

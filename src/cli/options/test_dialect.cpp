@@ -1,4 +1,4 @@
-#include "cli/test_dialect.hpp"
+#include "cli/options/test_dialect.hpp"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "cli/report_file.hpp"
+#include "cli/options/report_file.hpp"
 
 namespace plumbline::cli {
 
