@@ -44,7 +44,11 @@ class WithProgram(unittest.TestCase):
         self.assertGreater(found["effects"][0]["left_out_nats"]["poses"], 10)
         directions = [c for c in found["where"]["contrasts"] if c["by"] == "direction"]
         self.assertGreater(directions[0]["differs_rms"]["radial_um"], 1.2 * found["noise"]["radial_um"])
-        self.assertIn("Around the circle", page)
+        shown = json.loads(page.split('id="data">', 1)[1].split("</script>", 1)[0])
+        self.assertIn("backlash", shown["lead"])
+        titles = [section["title"] for section in shown["sections"]]
+        for title in ("Found: backlash", "The gap around the circle, before and after", "Waves around the circle, before"):
+            self.assertTrue(title in titles, f"{title} is not among {titles}")
 
 
 if __name__ == "__main__":
