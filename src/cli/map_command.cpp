@@ -12,6 +12,7 @@
 #include "cli/progress_line.hpp"
 #include "jobs/workspace_map.hpp"
 #include "machine/model_file.hpp"
+#include "report/page/map_page.hpp"
 #include "report/program/map_text.hpp"
 
 namespace plumbline::cli {
@@ -19,8 +20,7 @@ namespace {
 
 // As the command line says it, in its units.
 struct MapArguments {
-  std::string model;
-  std::string output = std::string(kStandardStream);
+  std::string model, output, report;
   std::vector<double> box_mm, planes_mm;
   std::optional<double> step_mm;
   std::vector<std::string> tilts;
@@ -58,15 +58,33 @@ jobs::MapOptions options_of(const MapArguments& arguments) {
 
 int map(const MapArguments& arguments) {
   const jobs::MapOptions options = options_of(arguments);
-  check_outputs({arguments.model}, {arguments.output});
+  // who asks for a page alone does not want the table on the terminal
+  const bool has_table = !arguments.output.empty() || arguments.report.empty();
+  const std::string output = arguments.output.empty() ? std::string(kStandardStream) : arguments.output;
+  check_outputs({arguments.model}, {has_table ? output : "", arguments.report});
   const machine::MachineModel model = machine::read_model(arguments.model);
-  OutputFile out(arguments.output);
-  report::MapTable table(out, jobs::knows_uncertainty(model));
+  std::optional<OutputFile> table_file, page_file;
+  std::optional<report::MapTable> table;
+  std::optional<report::MapPage> page;
+  if (!arguments.report.empty()) {
+    page.emplace(model, options);
+    page_file.emplace(arguments.report);
+  }
+  if (has_table) table.emplace(table_file.emplace(output), jobs::knows_uncertainty(model));
   ProgressLine line("map");
-  const jobs::MapSummary summary = jobs::map_workspace(
-      model, options, [&](const jobs::MapCell& cell) { table.add(cell); }, line.progress());
+  const auto take = [&](const jobs::MapCell& cell) {
+    if (table) table->add(cell);
+    if (page) page->add(cell);
+  };
+  const jobs::MapSummary summary = jobs::map_workspace(model, options, take, line.progress());
   line.clear();
-  out.commit();
+  OutputSet files;
+  if (table_file) files.add(*table_file);
+  if (page_file) {
+    report::write_page(page->page(summary), *page_file);
+    files.add(*page_file);
+  }
+  files.commit();
   say_note(report::map_text(summary));
   return kDone;
 }
@@ -84,7 +102,11 @@ void add_map(CLI::App& app, Run& run) {
           "-o,--output", arguments->output,
           "CSV: pose (mm, deg), in reach or the limits that are broken, error of the tip (um), stiffness in the "
           "softest direction (N/um), condition number, largest force of a strut (N), uncertainty (um, 1 sigma) if "
-          "the model has [uncertainty]; default standard output")
+          "the model has [uncertainty]; default standard output, if no page is asked for")
+      ->type_name("FILE");
+  command
+      ->add_option("--report", arguments->report,
+                   "write a page to look at it: each figure in colours, plane by plane, and its worst places")
       ->type_name("FILE");
   command
       ->add_option("--box", arguments->box_mm,

@@ -147,7 +147,10 @@ WorkspaceGrid workspace_grid(const machine::MachineModel& model, const MapOption
   }
   const double step = options.step.value_or(longest / kDefaultParts);
   double poses = static_cast<double>(options.tilts.size());
-  for (const machine::Range& range : box) poses *= (range.upper - range.lower) / step + 1;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const bool planes = a == 2 && !options.planes.empty();
+    poses *= planes ? static_cast<double>(options.planes.size()) : (box[a].upper - box[a].lower) / step + 1;
+  }
   if (!(step > 0) || poses > kMostPoses) {
     refuse("map-step", fmt::format("a step of {} mm makes {:.2g} poses", to_decimal(step / kMm), poses),
            "take a larger step, in mm, or a smaller box");

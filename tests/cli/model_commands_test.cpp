@@ -95,3 +95,17 @@ TEST_CASE("map refuses boxes, steps and tilts that are none") {
   CHECK(contains(run(scratch, "map --box 1,0,0,1,0,1 -o map.csv " + kModel).err, "[map-box]"));
   CHECK_FALSE(scratch.has("map.csv"));
 }
+
+TEST_CASE("map writes a page, and the table beside it only if it is asked for") {
+  const Scratch scratch;
+  const Outcome page = run(scratch, "map --step 150 --report map.html " + kModel);
+  CHECK(page.code == 0);
+  CHECK(page.out.empty());
+  CHECK(contains(scratch.text("map.html"), "\"The workspace of pm600-like\""));
+  CHECK(run(scratch, "map --step 150 -o both.csv --report both.html " + kModel).code == 0);
+  CHECK(scratch.text("both.html") == scratch.text("map.html"));
+  CHECK(scratch.text("both.csv").starts_with("x_mm,"));
+  CHECK(contains(run(scratch, "map --step 2 --report large.html " + kModel).err, "[map-page]"));
+  CHECK(run(scratch, "map --step 150 -o same --report same " + kModel).code == 1);
+  CHECK_FALSE(scratch.has("large.html"));
+}

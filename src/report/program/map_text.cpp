@@ -12,17 +12,9 @@
 namespace plumbline::report {
 namespace {
 
-constexpr double kNewtonPerMicrometre = 1e6;  // N/m
 constexpr std::string_view kColumns =
     "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,in_reach,limit,error_um,dx_um,dy_um,dz_um,stiffness_N_um,condition,"
     "largest_force_N";
-
-std::string place_text(const AxisWords& pose) {
-  std::string text;
-  for (const Axis axis : kAllAxes)
-    text += fmt::format("{}{}{}", text.empty() ? "" : " ", letter(axis), to_decimal(pose[axis], 3));
-  return text;
-}
 
 std::string figure_text(std::string_view name, const jobs::MapFigure& figure, double unit, std::string_view unit_name,
                         bool low_is_bad = false) {
@@ -32,10 +24,17 @@ std::string figure_text(std::string_view name, const jobs::MapFigure& figure, do
   // of what is bad where it is low, a twentieth is below
   const double most = low_is_bad ? spread.bound_of(0.05) : spread.bound_of(0.95);
   return fmt::format("  {:<34}{:>10.4g}{:>10.4g}{:>10.4g} {:<5} at {}\n", name, half / unit, most / unit, worst / unit,
-                     unit_name, place_text(figure.worst));
+                     unit_name, pose_text(figure.worst));
 }
 
 }  // namespace
+
+std::string pose_text(const AxisWords& pose) {
+  std::string text;
+  for (const Axis axis : kAllAxes)
+    text += fmt::format("{}{}{}", text.empty() ? "" : " ", letter(axis), to_decimal(pose[axis], 3));
+  return text;
+}
 
 MapTable::MapTable(OutputFile& output, bool has_uncertainty) : output_(output), has_uncertainty_(has_uncertainty) {
   output_.write(kColumns);

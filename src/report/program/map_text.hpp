@@ -8,6 +8,11 @@
 
 namespace plumbline::report {
 
+inline constexpr double kNewtonPerMicrometre = 1e6;  // N/m
+
+/// "X-300 Y300 Z-800 A0 B0 C0"
+std::string pose_text(const AxisWords& pose);
+
 /// Writes a row for every pose: the pose (mm, deg), whether it is in reach, the limits that keep the machine from it,
 /// and of those in reach the error of the tip (um) with its parts in W, the least stiffness (N/um), the condition
 /// number, the largest force of a strut (N) and, if the model says how sure it is, the uncertainty of the tip (um).
