@@ -30,6 +30,10 @@ AxisWords tilt_of(const std::string& text) {
   const std::vector<double> angles = numbers_between_commas(text, "--tilt " + text);
   if (angles.size() != 2 && angles.size() != 3)
     throw UsageError(fmt::format("--tilt {}: expected A,B or A,B,C in deg", text));
+  for (const double angle : angles) {
+    if (!(angle >= -360 && angle <= 360))
+      throw UsageError(fmt::format("--tilt {}: expected angles within a turn", text));
+  }
   AxisWords tilt;
   tilt[Axis::A] = angles[0];
   tilt[Axis::B] = angles[1];

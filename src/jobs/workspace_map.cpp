@@ -19,6 +19,7 @@ namespace plumbline::jobs {
 namespace {
 
 constexpr double kDefaultParts = 20;    // of the box's longest side
+constexpr double kFurthest = 50;        // m
 constexpr double kMostPoses = 1e9;      // more is a slip of units
 constexpr std::size_t kBatch = 2048;    // cells that are computed together
 constexpr double kSameStep = 1 - 1e-9;  // a side that is a whole number of steps, but for rounding
@@ -129,13 +130,21 @@ AxisWords pose_at(const WorkspaceGrid& grid, std::uint64_t number) {
   return words;
 }
 
+void check_reach(double end, Axis axis) {
+  if (std::abs(end) <= kFurthest) return;
+  refuse("map-box", fmt::format("{} {:.4g} mm is further out than any machine goes", letter(axis), end / kMm),
+         "give the box and its planes in mm");
+}
+
 }  // namespace
 
 WorkspaceGrid workspace_grid(const machine::MachineModel& model, const MapOptions& options) {
   std::array<machine::Range, 3> box;
   double longest = 0;
+  for (const double z : options.planes) check_reach(z, Axis::Z);
   for (std::size_t a = 0; a < 3; ++a) {
     box[a] = options.box[a].value_or(model.limits.travel[a]);
+    for (const double end : {box[a].lower, box[a].upper}) check_reach(end, kAllAxes[a]);
     const double width = box[a].upper - box[a].lower;
     if (!(width > 0)) {
       refuse("map-box",

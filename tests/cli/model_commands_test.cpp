@@ -89,6 +89,7 @@ TEST_CASE("map refuses boxes, steps and tilts that are none") {
   CHECK(run(scratch, "map -o map.csv").code == 2);
   CHECK(run(scratch, "map --tilt 3 -o map.csv " + kModel).code == 2);
   CHECK(run(scratch, "map --tilt 3,x -o map.csv " + kModel).code == 2);
+  CHECK(run(scratch, "map --tilt 1e9,0 -o map.csv " + kModel).code == 2);
   CHECK(run(scratch, "map --box 1,2,3 -o map.csv " + kModel).code == 2);
   CHECK(run(scratch, "map --step 0 -o map.csv " + kModel).code == 2);
   CHECK(contains(run(scratch, "map --step 0.001 -o map.csv " + kModel).err, "[map-step]"));

@@ -1,5 +1,8 @@
 #include "jobs/workspace_map.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include <catch2/catch.hpp>
 
 #include "base/parallel.hpp"
@@ -155,6 +158,11 @@ TEST_CASE("boxes and steps that are slips are refused") {
   const machine::MachineModel model = testing::pm600_like();
   jobs::MapOptions options;
   options.box[1] = machine::Range{0.1, 0.1};
+  CHECK(testing::refusal_of([&] { jobs::workspace_grid(model, options); }).code == "map-box");
+  options.box[1] = machine::Range{0, std::numeric_limits<double>::infinity()};
+  CHECK(testing::refusal_of([&] { jobs::workspace_grid(model, options); }).code == "map-box");
+  options = {};
+  options.planes = {std::nan("")};
   CHECK(testing::refusal_of([&] { jobs::workspace_grid(model, options); }).code == "map-box");
   options = {};
   options.step = 1e-5;

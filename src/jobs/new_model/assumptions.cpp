@@ -141,6 +141,22 @@ class Reach {
   int side_ = 0;
 };
 
+void check_home_lengths(const ModelDraft& draft, const machine::PerStrut<double>& home) {
+  const DraftValue* const shortest = draft.find("strut", "length_min_mm");
+  const DraftValue* const longest = draft.find("strut", "length_max_mm");
+  for (std::size_t j = 0; j < machine::kStruts; ++j) {
+    const double least = shortest->values[shortest->values.size() == 1 ? 0 : j];
+    const double most = longest->values[longest->values.size() == 1 ? 0 : j];
+    const double length = home[static_cast<int>(j)] / kMm;
+    if (length >= least && length <= most) continue;
+    const DraftValue& broken = length < least ? *shortest : *longest;
+    refuse("draft-reach",
+           fmt::format("at home strut {} is {:.7g} mm long, which is not within {:.7g} to {:.7g} mm", j + 1, length,
+                       least, most),
+           "check home, the joints, and the lengths of the struts", broken.place);
+  }
+}
+
 bool tilts(const Reach& reach, Pose<double> pose, double degrees) {
   for (int k = 0; k < kTiltDirections; ++k) {
     const double about = 2 * std::numbers::pi * k / kTiltDirections;
@@ -244,6 +260,7 @@ void assume_the_rest(ModelDraft& draft) {
   const machine::PerStrut<double> home = machine::strut_lengths<double>(draft.geometry(), pose_at(draft));
   assume_strut_lengths(draft, home);
   const Reach reach(draft);
+  check_home_lengths(draft, home);
   assume_travel(draft, reach, home.maxCoeff() / kMm);
   assume_tilt(draft, reach);
   assume_parts(draft, home.mean() / kMm / kReferenceStrut);

@@ -99,8 +99,8 @@ class HalReader {
       pins_.pins.push_back(set);
     } else if (before->value != set.value) {
       refuse("draft-contradiction",
-             fmt::format("{} is {} here and {} in {}:{}", pin.text, to_decimal(set.value), to_decimal(before->value),
-                         before->place.file, before->place.line),
+             fmt::format("{} is {} here and {} in {}:{}", pin.text, set.value, before->value, before->place.file,
+                         before->place.line),
              "LinuxCNC takes the later one; leave the wrong one out", value.place);
     }
   }

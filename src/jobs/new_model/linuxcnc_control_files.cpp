@@ -1,5 +1,7 @@
 #include "jobs/new_model/linuxcnc_control_files.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/units.hpp"
@@ -8,6 +10,7 @@ namespace plumbline::jobs {
 namespace {
 
 const std::string kPrefix = "genhexkins.";
+constexpr double kNoLimit = 1e6;  // in any unit
 
 void check_kinematics(const LinuxcncControl& control) {
   const IniEntry& kinematics = control.need("KINS", "KINEMATICS", "whether the machine is a hexapod is not known");
@@ -64,7 +67,9 @@ std::optional<std::array<double, 2>> LinuxcncControl::limits(const std::string& 
   const IniEntry* const lower = ini.find(section, "MIN_LIMIT");
   const IniEntry* const upper = ini.find(section, "MAX_LIMIT");
   if (lower == nullptr || upper == nullptr) return std::nullopt;
-  const std::array<double, 2> limits{numbers_of(*lower).front(), numbers_of(*upper).front()};
+  // 1e99 is LinuxCNC's own word for none
+  const auto held = [](double limit) { return std::clamp(limit, -kNoLimit, kNoLimit); };
+  const std::array<double, 2> limits{held(numbers_of(*lower).front()), held(numbers_of(*upper).front())};
   if (limits[0] < limits[1]) return limits;
   refuse("draft-contradiction", fmt::format("MIN_LIMIT of [{}] is not below its MAX_LIMIT", section),
          "write the lower one as MIN_LIMIT", lower->place);

@@ -16,9 +16,10 @@
 namespace plumbline::jobs {
 namespace {
 
-constexpr double kSameLength = 0.1;     // mm, between HOME of a joint and the strut's length at HOME of [TRAJ]
-constexpr double kTiltAllowance = 0.1;  // deg that corrections may tilt beyond tilt_deg, see machine/model_keys.hpp
-constexpr double kStatableTilt = 90;    // deg that a model may state
+constexpr double kSameLength = 0.1;       // mm, between HOME of a joint and the strut's length at HOME of [TRAJ]
+constexpr double kTiltAllowance = 0.1;    // deg that corrections may tilt beyond tilt_deg, see machine/model_keys.hpp
+constexpr double kFurthestJoint = 50000;  // mm, that a model may state
+constexpr double kStatableTilt = 90;      // deg that a model may state
 
 std::string file_of(const Place& place) { return std::filesystem::path(place.file).filename().string(); }
 
@@ -33,6 +34,10 @@ void take_ring(const LinuxcncControl& control, ModelDraft& draft, const char* ri
       const HalPin& pin = control.need_pin(fmt::format("{}.{}.{}", ring, j, axis));
       if (joints.values.empty()) joints.place = pin.place;
       const double coordinate = (pin.value + (axis == 'z' ? along_z : 0)) * control.unit_mm;
+      if (!(std::abs(coordinate) <= kFurthestJoint)) {
+        refuse("draft-number", fmt::format("{} puts a joint further out than any machine has it", pin.name),
+               "check the number, and LINEAR_UNITS of [TRAJ]", pin.place);
+      }
       joints.values.push_back(from_ticks(to_ticks(coordinate, kMostDecimals), kMostDecimals));
     }
   }
@@ -60,6 +65,9 @@ AxisWords take_home(const LinuxcncControl& control, ModelDraft& draft) {
   AxisWords home;
   for (const Axis axis : kAllAxes) {
     if (index(axis) < numbers.size()) home[axis] = numbers[index(axis)] * (is_rotary(axis) ? 1 : control.unit_mm);
+    if (!(std::abs(home[axis]) <= kFurthestJoint))
+      refuse("draft-number", "HOME of [TRAJ] lies further out than any machine goes",
+             "check the number, and LINEAR_UNITS of [TRAJ]", entry.place);
   }
   draft.home_mm = {home[Axis::X], home[Axis::Y], home[Axis::Z]};
   draft.home_note = where(entry.place);

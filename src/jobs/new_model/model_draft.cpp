@@ -1,6 +1,7 @@
 #include "jobs/new_model/model_draft.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -18,9 +19,11 @@ machine::StrutVectors<double> six_vectors(const DraftValue& value) {
   return Eigen::Map<const machine::StrutVectors<double>>(value.values.data()) * kMm;
 }
 
+constexpr double kPlainBelow = 1e6;
+
 std::string list_of(const double* first, std::size_t count) {
   std::string text = "[";
-  for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "" : ", ") + to_decimal(first[i]);
+  for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "" : ", ") + draft_number(first[i]);
   return text + "]";
 }
 
@@ -37,7 +40,7 @@ std::string toml_text(std::string_view text) {
 std::string text_of(const DraftValue& value, machine::Shape shape) {
   const std::vector<double>& numbers = value.values;
   if (shape == machine::Shape::text) return toml_text(value.text);
-  if (numbers.size() == 1) return to_decimal(numbers.front());
+  if (numbers.size() == 1) return draft_number(numbers.front());
   if (shape != machine::Shape::six_vectors) return list_of(numbers.data(), numbers.size());
   std::string text = "[";
   for (std::size_t j = 0; j + 2 < numbers.size(); j += 3) text += (j == 0 ? "" : ", ") + list_of(&numbers[j], 3);
@@ -50,6 +53,10 @@ std::string comment_of(const DraftValue& value) {
 }
 
 }  // namespace
+
+std::string draft_number(double value) {
+  return std::abs(value) < kPlainBelow ? to_decimal(value) : fmt::format("{}", value);
+}
 
 void ModelDraft::put(DraftValue value) {
   const auto same = std::find_if(values_.begin(), values_.end(), [&](const DraftValue& other) {

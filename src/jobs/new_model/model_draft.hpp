@@ -46,6 +46,9 @@ class ModelDraft {
   std::vector<DraftValue> values_;
 };
 
+/// A number as a model file holds it; large ones with an exponent.
+std::string draft_number(double value);
+
 /// The text of a model file, and what stands on which line of it.
 struct DraftText {
   std::string text;

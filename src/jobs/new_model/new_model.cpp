@@ -22,6 +22,12 @@ namespace {
 constexpr int kJointDecimals = 5;  // mm, of joints on a circle
 constexpr std::size_t kHeadingWidth = 110;
 
+constexpr double kLargestMachine = 50000;  // mm, as machine/model_keys.hpp has it
+
+constexpr double kMostAngle = 360;  // deg
+
+bool is_length(double mm) { return std::abs(mm) <= kLargestMachine; }
+
 std::vector<double> on_circle(const JointRing& ring) {
   std::vector<double> joints;
   for (const double angle : ring.angles_deg) {
@@ -46,6 +52,16 @@ void put_ring(ModelDraft& draft, const JointRing& ring, const std::string& name,
     refuse("draft-joints", fmt::format("six joints of the {} have 18 coordinates, not {}", name, ring.joints_mm.size()),
            fmt::format("give x,y,z of each, strut by strut, with --{}-joints", name));
   }
+  const bool turns = std::all_of(ring.angles_deg.begin(), ring.angles_deg.end(),
+                                 [](double angle) { return std::abs(angle) <= kMostAngle; });
+  if (!turns) {
+    refuse("draft-joints", fmt::format("the angles of the {}'s joints are no angles of a circle", name),
+           "give them in deg, from -360 to 360");
+  }
+  if (!is_length(ring.radius_mm.value_or(0)) || !is_length(ring.height_mm)) {
+    refuse("draft-joints", fmt::format("the circle of the {}'s joints is larger than any machine", name),
+           "give its radius and height in mm");
+  }
   if (circle || !ring.joints_mm.empty()) {
     draft.put({name,
                "joints_mm",
@@ -60,6 +76,27 @@ void put_ring(ModelDraft& draft, const JointRing& ring, const std::string& name,
   }
 }
 
+// Before anything is computed from them: what follows takes them to be those of a machine.
+void check_ranges(const ModelDraft& draft) {
+  for (const DraftValue& value : draft.values()) {
+    const machine::KeySpec& spec = machine::key_spec(value.table, value.key);
+    for (const double number : value.values) {
+      if (number >= spec.lower && number <= spec.upper) continue;
+      const std::string name = value.table.empty() ? value.key : fmt::format("[{}] {}", value.table, value.key);
+      refuse("draft-number",
+             fmt::format("{} is {}{}, and not within {} to {}", name, draft_number(number),
+                         spec.unit.name.empty() ? "" : fmt::format(" {}", spec.unit.name), draft_number(spec.lower),
+                         draft_number(spec.upper)),
+             fmt::format("check the number and its unit: {}", spec.meaning), value.place);
+    }
+  }
+  for (const double mm : draft.home_mm) {
+    if (!is_length(mm))
+      refuse("draft-number", fmt::format("home lies at {} mm, further than any machine goes", draft_number(mm)),
+             "check HOME of [TRAJ] and the unit, or --home");
+  }
+}
+
 ModelDraft draft_of(const NewModelJob& job, std::vector<std::string>& notes) {
   ModelDraft draft;
   draft.put({"", "plumbline", {}, "machine 1", "", false, {}});
@@ -71,6 +108,7 @@ ModelDraft draft_of(const NewModelJob& job, std::vector<std::string>& notes) {
   put_ring(draft, job.base, "base", !job.control);
   put_ring(draft, job.platform, "platform", !job.control);
   if (!draft.has("", "name")) draft.put({"", "name", {}, "hexapod", "", false, {}});
+  check_ranges(draft);
   assume_the_rest(draft);
   return draft;
 }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "base/text/number_text.hpp"
 #include "base/text/printable.hpp"
 #include "base/units.hpp"
 
@@ -12,7 +11,7 @@ namespace {
 std::string value_text(const jobs::DraftValue& value) {
   if (value.values.empty()) return value.text;
   std::string text;
-  for (const double number : value.values) text += (text.empty() ? "" : ", ") + to_decimal(number);
+  for (const double number : value.values) text += (text.empty() ? "" : ", ") + jobs::draft_number(number);
   return value.values.size() == 1 ? text : "[" + text + "]";
 }
 

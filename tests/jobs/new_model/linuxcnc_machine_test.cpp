@@ -135,6 +135,12 @@ TEST_CASE("what the files do not say, or say in two ways, is refused at its plac
   CHECK(refused(testing::ini_text() + "[JOINT_2]\nHOME = 1200\n").code == "draft-contradiction");
   CHECK(refused(testing::ini_text(), testing::hal_text() + "setp genhexkins.screw-lead 5\n").code ==
         "draft-kinematics");
+  CHECK(refused(changed("HOME = 0 0 800", "HOME = 0 0 1e308")).code == "draft-number");
+  const Diagnostic far = refused(testing::ini_text(), testing::with(testing::hal_text(), "0.y -50", "0.y 1e308"));
+  CHECK(far.code == "draft-number");
+  CHECK(far.place.line == 4);
+  CHECK(refused(testing::ini_text() + "[AXIS_X]\nMIN_LIMIT = -1e99\nMAX_LIMIT = 1e99\n").code.empty());
+  CHECK(refused(testing::ini_text() + "[JOINT_2]\nHOME = 1e308\n").code == "draft-contradiction");
   const Diagnostic pin =
       refused(testing::ini_text(), testing::with(testing::hal_text(), "setp genhexkins.platform.3.y 35\n", ""));
   CHECK(pin.code == "draft-missing");

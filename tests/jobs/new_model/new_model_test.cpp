@@ -2,6 +2,7 @@
 #include "jobs/new_model/new_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <catch2/catch.hpp>
 
@@ -157,10 +158,21 @@ TEST_CASE("what cannot be a machine is refused") {
   });
   CHECK(home.code == "draft-home");
   CHECK(home.message.find("strut") != std::string::npos);
+  CHECK(refused([](Job& job) { job.base.angles_deg[2] = std::nan(""); }).code == "draft-joints");
+  const Diagnostic short_strut = refused([](Job& job) { state(job, "strut", "length_min_mm", {1300}); });
+  CHECK(short_strut.code == "draft-reach");
+  CHECK(short_strut.message.find("at home strut 1 is ") != std::string::npos);
+  CHECK(refused([](Job& job) { job.base.radius_mm = 1e300; }).code == "draft-joints");
+  CHECK(refused([](Job& job) { job.home_mm = {0, 0, 1e300}; }).code == "draft-number");
+  CHECK(refused([](Job& job) { job.home_mm = {0, 0, std::nan("")}; }).code == "draft-number");
+  CHECK(refused([](Job& job) { state(job, "limits", "condition_max", {1e12}); }).code.empty());
   // what the reader of models refuses names the key, not a line of a text that nobody has seen
+  const Diagnostic slip = refused([](Job& job) { state(job, "strut", "compliance_um_N", {1e-6}); });
+  CHECK(slip.code == "model-out-of-range");  // and not zero, either
+  CHECK(slip.message.starts_with("[strut] compliance_um_N: "));
   const Diagnostic mass = refused([](Job& job) { state(job, "platform", "mass_kg", {-4}); });
-  CHECK(mass.code == "model-out-of-range");
-  CHECK(mass.message.starts_with("[platform] mass_kg: "));
+  CHECK(mass.code == "draft-number");
+  CHECK(mass.message.starts_with("[platform] mass_kg is -4 kg"));
   CHECK(mass.place.file.empty());
 }
 
