@@ -1,6 +1,7 @@
 #include "report/page/map_page.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -16,6 +17,7 @@
 namespace plumbline::report {
 namespace {
 
+constexpr double kWideRange = 8;  // largest over least
 constexpr double kOutOfReach = std::numeric_limits<double>::quiet_NaN();
 
 // A figure of the map, in the order of the page's columns.
@@ -48,6 +50,18 @@ bool is_known(const MapColumn& column, const jobs::MapSummary& summary) {
 
 // What is written beside a row or column: a step that is a third of something needs no nine digits.
 double axis_mm(double metres) { return from_ticks(to_ticks(metres / kMm, 1), 1); }
+
+std::string tilt_name(const AxisWords& tilt) {
+  std::string name = fmt::format("A{} B{}", to_decimal(tilt[Axis::A], 3), to_decimal(tilt[Axis::B], 3));
+  if (tilt[Axis::C] != 0) name += fmt::format(" C{}", to_decimal(tilt[Axis::C], 3));
+  return name;
+}
+
+// Where one place is much worse than another, equal steps of colour are equal ratios.
+bool is_wide(const MapColumn& column, const jobs::MapSummary& summary) {
+  const jobs::Spread& spread = (summary.*column.figure).spread;
+  return spread.least() > 0 && spread.largest() > kWideRange * spread.least();
+}
 
 // What that share of the reach does not exceed; of what is bad where it is low: does not fall below.
 double bound(const MapColumn& column, const jobs::MapSummary& summary, double share) {
@@ -142,12 +156,8 @@ void MapPage::add(const jobs::MapCell& cell) {
 std::string MapPage::plane_name(std::size_t plane) const {
   const std::size_t planes = grid_.axes[2].size();
   const AxisWords& tilt = grid_.tilts[plane / planes];
-  std::string name = fmt::format("Z {} mm", to_decimal(grid_.axes[2][plane % planes] / kMm, 3));
-  if (grid_.tilts.size() < 2 && tilt.values == AxisWords{}.values) return name;
-  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
-    if (axis != Axis::C || tilt[axis] != 0) name += fmt::format(" {}{}", letter(axis), to_decimal(tilt[axis], 3));
-  }
-  return name;
+  const std::string name = fmt::format("Z {} mm", to_decimal(grid_.axes[2][plane % planes] / kMm, 3));
+  return grid_.tilts.size() < 2 && tilt.values == AxisWords{}.values ? name : name + " " + tilt_name(tilt);
 }
 
 Json MapPage::colours(const jobs::MapSummary& summary) const {
@@ -163,6 +173,7 @@ Json MapPage::colours(const jobs::MapSummary& summary) const {
     const MapColumn& column = kMapColumns[i];
     if (!is_known(column, summary)) continue;
     HeatFigure figure{.name = column.name, .unit = column.unit, .digits = column.digits, .planes = {}};
+    figure.is_logarithmic = is_wide(column, summary);
     for (std::size_t plane = 0; plane < reasons_.size() / (wide * high); ++plane) {
       HeatPlane drawn{.name = plane_name(plane), .values = {}};
       for (std::size_t row = 0; row < high; ++row) {
@@ -179,9 +190,46 @@ Json MapPage::colours(const jobs::MapSummary& summary) const {
   return heat_section("Over the workspace", map);
 }
 
+// The worst of each plane and tilt: where to look.
+Json MapPage::planes(const jobs::MapSummary& summary) const {
+  const std::size_t heights = grid_.axes[2].size();
+  const std::size_t size = grid_.axes[0].size() * grid_.axes[1].size();
+  HeatMap map;
+  map.columns = {.name = "Z", .unit = "mm"};
+  map.rows = {.name = "tilt", .unit = "deg"};
+  for (const double z : grid_.axes[2]) map.columns.values.push_back(axis_mm(z));
+  for (const AxisWords& tilt : grid_.tilts) map.rows.labels.push_back(tilt_name(tilt));
+  map.reasons = {"nothing of this plane is in reach"};
+  for (std::size_t i = 0; i < kMapColumns.size(); ++i) {
+    const MapColumn& column = kMapColumns[i];
+    if (!is_known(column, summary)) continue;
+    HeatFigure figure{.name = fmt::format("{}, {}", column.name, column.low_is_bad ? "least" : "largest"),
+                      .unit = column.unit,
+                      .digits = column.digits,
+                      .planes = {}};
+    figure.is_logarithmic = is_wide(column, summary);
+    HeatPlane all;
+    for (std::size_t plane = 0; plane < grid_.tilts.size() * heights; ++plane) {
+      double worst = kOutOfReach;
+      for (std::size_t cell = plane * size; cell < (plane + 1) * size; ++cell) {
+        const double value = columns_[i][cell];
+        // fmin and fmax leave out what is no number
+        worst = column.low_is_bad ? std::fmin(worst, value) : std::fmax(worst, value);
+      }
+      all.values.push_back(worst);
+      all.reasons.push_back(std::isnan(worst) ? 0 : -1);
+    }
+    figure.planes.push_back(std::move(all));
+    map.figures.push_back(std::move(figure));
+  }
+  map.words = "Each cell is the worst of a whole plane, of what is in reach.";
+  return heat_section("Plane by plane", map);
+}
+
 Page MapPage::page(const jobs::MapSummary& summary) const {
   Page page{.title = fmt::format("The workspace of {}", machine_), .lead = lead_of(summary)};
   page.sections.push_back(figures_of(summary, machine_));
+  if (grid_.tilts.size() * grid_.axes[2].size() > 1) page.sections.push_back(planes(summary));
   page.sections.push_back(colours(summary));
   if (summary.reached > 0) page.sections.push_back(shares_of(summary));
   if (!summary.out.empty()) page.sections.push_back(limits_of(summary));

@@ -14,8 +14,8 @@ namespace plumbline::report {
 /// More poses than a page is drawn from.
 inline constexpr std::uint64_t kMostPosesOfPage = 200000;
 
-/// Collects the cells of a map, and makes the page: a map of colours for each plane and tilt, how much of the reach is
-/// within what, the worst places, and why poses are out of reach.
+/// Collects the cells of a map, and makes the page: a map of colours for each plane and tilt, the worst of each, how
+/// much of the reach is within what, the worst places, and why poses are out of reach.
 class MapPage {
  public:
   /// For a grid of at most kMostPosesOfPage poses. Refuses with map-page a larger one.
@@ -26,6 +26,7 @@ class MapPage {
 
  private:
   Json colours(const jobs::MapSummary& summary) const;
+  Json planes(const jobs::MapSummary& summary) const;
   std::string plane_name(std::size_t plane) const;
 
   std::string machine_;

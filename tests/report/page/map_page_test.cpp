@@ -1,5 +1,7 @@
 #include "report/page/map_page.hpp"
 
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "base/units.hpp"
@@ -71,7 +73,7 @@ std::vector<double> unpacked(const Json& column) {
 TEST_CASE("a map's page has a plane for each Z and tilt, the largest Y at the top") {
   std::vector<jobs::MapCell> cells;
   const report::Page page = page_of(map_model(), two_tilts(), &cells);
-  const Json& heat = section_of(page, "heat");
+  const Json& heat = section_of(page, "heat", "Over the workspace");
   CHECK(heat["columns"]["values"] == Json({-100, 0, 100}));
   CHECK(heat["rows"]["values"] == Json({100, 0}));
   REQUIRE(heat["figures"].size() == 5);
@@ -107,10 +109,40 @@ TEST_CASE("a map's page says how far the machine is to be trusted, where it is w
   CHECK(limits["rows"][0] == Json({"tilt too large", 6.0, 50.0}));
 }
 
+TEST_CASE("a map's page shows the worst of each plane, and colours by ratio where figures are spread wide") {
+  jobs::MapOptions options = two_tilts();
+  options.planes = {-1.2, -1};
+  std::vector<jobs::MapCell> cells;
+  const report::Page page = page_of(map_model(), options, &cells);
+  REQUIRE(cells.size() == 24);
+  const Json& heat = section_of(page, "heat", "Plane by plane");
+  CHECK(heat["rows"]["labels"] == Json({"A0 B0", "A27 B0 C5"}));
+  CHECK(heat["columns"]["values"] == Json({-1200, -1000}));
+  const std::vector<double> error = unpacked(heat["figures"][1]["planes"][0]["values"]);
+  const std::vector<double> stiffness = unpacked(heat["figures"][2]["planes"][0]["values"]);
+  REQUIRE(error.size() == 4);
+  double largest = 0;
+  double least = 1e30;
+  for (std::size_t i = 6; i < 12; ++i) {  // Z -1000, not tilted
+    largest = std::max(largest, cells[i].error.norm());
+    least = std::min(least, cells[i].stiffness);
+  }
+  CHECK(error[1] == Approx(largest / kUm).margin(1e-3));
+  CHECK(stiffness[1] == Approx(least / 1e6).margin(1e-3));
+  CHECK(error[2] < -1e6);  // out of reach
+  CHECK_FALSE(heat["figures"][1]["log"].get<bool>());
+  options = {};
+  options.step = 0.1;
+  options.planes = {-0.85};
+  options.tilts = {AxisWords{}, AxisWords{{0, 0, 0, -20, 0, 0}}};
+  const report::Page wide = page_of(map_model(), options);
+  CHECK(section_of(wide, "heat", "Over the workspace")["figures"][1]["log"].get<bool>());
+}
+
 TEST_CASE("without [uncertainty] the page claims none") {
   const report::Page page = page_of(map_model("[uncertainty]"), two_tilts());
   CHECK(page.lead.find("no [uncertainty]") != std::string::npos);
-  CHECK(section_of(page, "heat")["figures"].size() == 4);
+  CHECK(section_of(page, "heat", "Over the workspace")["figures"].size() == 4);
 }
 
 TEST_CASE("nothing in reach, and more than a page can hold") {
