@@ -60,6 +60,30 @@ std::vector<double> errors_of(const Identification& found) {
   return errors;
 }
 
+// The distance of each pose, m.
+std::vector<double> tracked_distances(const machine::MachineModel& machine, const physics::ForceModel& forces,
+                                      const identify::NoiseModel& noise, const identify::Tracked& tracked) {
+  const std::vector<measure::Run> no_runs;
+  identify::Objective objective(machine.rotation, no_runs, identify::Unknowns(forces), {}, &tracked);
+  objective.set_noise(noise);
+  const identify::RunEquations equations = objective.equations(Eigen::VectorXd(0)).back();
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < tracked.table.poses.size(); ++i) {
+    distances.push_back(equations.residual.segment<3>(3 * static_cast<Eigen::Index>(i)).norm());
+  }
+  return distances;
+}
+
+std::vector<TrackedGap> tracked_gaps(const machine::MachineModel& machine, const Identification& found,
+                                     const identify::Tracked& tracked) {
+  const identify::NoiseModel& noise = found.stages.back().fit.noise;
+  const std::vector<double> before = tracked_distances(machine, physics::ForceModel(machine), noise, tracked);
+  const std::vector<double> after = tracked_distances(machine, found.forces, noise, tracked);
+  std::vector<TrackedGap> gaps;
+  for (std::size_t i = 0; i < before.size(); ++i) gaps.push_back({before[i], after[i]});
+  return gaps;
+}
+
 IdentifiedModel identified(machine::MachineModel machine, std::vector<measure::Run> runs,
                            std::vector<MeasuredFile> measured, const identify::IdentifyOptions& options,
                            const identify::Tracked* tracked = nullptr) {
@@ -68,8 +92,10 @@ IdentifiedModel identified(machine::MachineModel machine, std::vector<measure::R
   const std::optional<diagnose::OpenGap> open = open_gap(machine, thinned.runs, found, options.plausible.open_share);
   physics::ForceModel forces = found.forces;
   std::vector<double> errors = errors_of(found);
+  std::vector<TrackedGap> poses;
+  if (tracked != nullptr) poses = tracked_gaps(machine, found, *tracked);
   return {std::move(machine), std::move(found),  std::move(measured), thinned.thinning, open,
-          std::move(forces),  std::move(errors), thinned.runs};
+          std::move(forces),  std::move(errors), thinned.runs,        std::move(poses)};
 }
 
 }  // namespace

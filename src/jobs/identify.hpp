@@ -23,6 +23,12 @@ struct MeasuredFile {
   Kind kind = Kind::runs;
 };
 
+/// How far a pose that a tracker measured is from what a model says of it, m, the tracker's frame fitted.
+struct TrackedGap {
+  double before = 0;  // with the model as given
+  double after = 0;   // with what was found
+};
+
 struct IdentifiedModel {
   machine::MachineModel machine;  // as given
   identify::Identification found;
@@ -32,6 +38,7 @@ struct IdentifiedModel {
   physics::ForceModel forces;                      // as a model file is to have them
   std::vector<double> errors;                      // of its parameters, SI
   std::vector<measure::Run> runs;                  // as they were fitted: long records made short
+  std::vector<TrackedGap> poses;                   // of the tracker, in the order of its table
   std::optional<identify::BelievedJoints> joints;  // for the controller
   bool calibrated = false;
 

@@ -123,13 +123,14 @@ TEST_CASE("calibrate finds joints from a tracker's poses, and can write them for
   REQUIRE(run(scratch, "error poses.csv -m true.toml -o errors.csv").code == 0);
   scratch.file("tracker.csv", seen_by_tracker(scratch.text("errors.csv")));
 
-  const Outcome found =
-      run(scratch, "calibrate --poses tracker.csv --frame-known -o new.toml --json new.json " + kModel);
+  const Outcome found = run(
+      scratch, "calibrate --poses tracker.csv --frame-known -o new.toml --json new.json --report new.html " + kModel);
   INFO(found.err);
   CHECK(found.code == 0);
   CHECK(contains(found.out, "base joint 2"));
   CHECK(contains(found.out, "directions of the geometry"));
   CHECK(contains(scratch.text("new.toml"), "# Calibrated by plumbline"));
+  CHECK(contains(scratch.text("new.html"), "Poses of the tracker: what is left"));
   const json result = json::parse(scratch.text("new.json"));
   CHECK(result.at("gap").at("before").at("tracker_rms_um").get<double>() > 5);
   CHECK(result.at("gap").at("after").at("tracker_rms_um").get<double>() < 0.5);

@@ -25,6 +25,21 @@ Json tens_or_none(const Evidence& e, double diagnose::LeftOut::*which) {
   return e.left_out ? Json(tens((*e.left_out).*which)) : Json("not computed");
 }
 
+// Two digits of a number of at least ten.
+std::uint64_t two_digits(double odds) {
+  const double magnitude = std::pow(10, std::floor(std::log10(odds)) - 1);
+  return static_cast<std::uint64_t>(std::round(odds / magnitude) * magnitude);
+}
+
+// "1,200", "1 / 3.2": how many times as likely.
+std::string times_text(double nats) {
+  const double odds = std::exp(std::abs(nats));
+  const std::string number = odds > kManyTimes ? "more than a million"
+                             : odds < 10       ? fmt::format("{:.1f}", odds)
+                                               : count_text(two_digits(odds));
+  return nats < 0 ? "1 / " + number : number;
+}
+
 Json evidence_bars(const diagnose::Diagnosis& d) {
   BarChart chart{"powers of ten", 1, {{"evidence", 1}}};
   for (std::size_t i = 0; i < std::min(d.evidence.size(), kMostBars); ++i) {
@@ -47,22 +62,20 @@ std::string odds_words(double nats) {
   const char* const than = nats < 0 ? "less" : "as";
   if (odds > kManyTimes) return fmt::format("more than a million times {} likely", than);
   if (odds < 10) return fmt::format("{:.1f} times {} likely", odds, than);
-  const double magnitude = std::pow(10, std::floor(std::log10(odds)) - 1);
-  const auto rounded = static_cast<std::uint64_t>(std::round(odds / magnitude) * magnitude);
-  return fmt::format("about {} times {} likely", count_text(rounded), than);
+  return fmt::format("about {} times {} likely", count_text(two_digits(odds)), than);
 }
 
 std::vector<Json> evidence_sections(const diagnose::Diagnosis& d) {
   if (d.evidence.empty()) return {};
   std::vector<Json> rows;
   for (const Evidence& e : d.evidence) {
-    rows.push_back({e.name, tens(e.log_odds), odds_words(e.log_odds), tens_or_none(e, &diagnose::LeftOut::poses),
+    rows.push_back({e.name, tens(e.log_odds), times_text(e.log_odds), tens_or_none(e, &diagnose::LeftOut::poses),
                     tens_or_none(e, &diagnose::LeftOut::runs)});
   }
   return {evidence_bars(d), table_section("All effects that were compared",
                                           {{"effect"},
                                            {"all fitted runs", "", 1},
-                                           {"the readings are"},
+                                           {"times as likely"},
                                            {"each pose from the others", "", 1},
                                            {"each run from the others", "", 1}},
                                           std::move(rows),

@@ -146,6 +146,24 @@ Json correlation_section(const Stage& stage) {
   return heat_section("Which numbers the data do not tell apart: " + stage.name + " fit", map);
 }
 
+Json tracker_section(const jobs::IdentifiedModel& model) {
+  if (model.poses.empty()) return nullptr;
+  CurveGroup group{""};
+  CurvePanel panel{"Distance", "um", {{"as given", 2, 2, {}, true}, {"as found", 1, 1, {}, true}}, 2, 1e-3};
+  panel.from_zero = true;
+  for (std::size_t i = 0; i < model.poses.size(); ++i) {
+    group.x.push_back(static_cast<double>(i + 1));
+    panel.curves[0].values.push_back(model.poses[i].before / kUm);
+    panel.curves[1].values.push_back(model.poses[i].after / kUm);
+  }
+  group.panels.push_back(std::move(panel));
+  CurveAxis axis{"Pose"};
+  axis.digits = 0;
+  CurveOptions options;
+  options.words = "How far each pose that the tracker measured is from what the model says of it, its frame fitted.";
+  return curves_section("Poses of the tracker: what is left", axis, {group}, options);
+}
+
 void add_stage(Page& page, const Stage& stage) {
   page.sections.push_back(values_section(stage));
   add_section(page, shift_section(stage));
@@ -181,6 +199,7 @@ Page identification_page(const jobs::IdentifiedModel& model, const jobs::RunsAnd
   page.sections.push_back(misfit_facts(model));
   add_section(page, circles_section(profiles, "Circles"));
   for (Json& section : left_by_run_sections(profiles)) page.sections.push_back(std::move(section));
+  add_section(page, tracker_section(model));
   for (const Stage& stage : model.found.stages) add_stage(page, stage);
   add_section(page, torque_map_section(profiles, "Motor torques: where they are off"));
   add_section(page, turn_section(profiles, "Along the turn"));

@@ -36,6 +36,7 @@ Json panel_json(const CurvePanel& panel) {
   for (const Curve& curve : panel.curves) {
     Json one = line_json(curve.name, curve.style, curve.dash);
     one["values"] = packed(curve.values, panel.quantum);
+    if (curve.has_points) one["points"] = true;
     json["series"].push_back(std::move(one));
   }
   if (!panel.limits.empty()) json["limits"] = limits_json(panel.limits);

@@ -20,6 +20,7 @@ struct Curve {
   Style style = 1;
   Style dash = 0;              // the pattern of another style; 0: its own
   std::vector<double> values;  // in the panel's unit; what is not finite is missing
+  bool has_points = false;     // each value is marked
 };
 struct CurveLimit {
   std::string name;

@@ -32,6 +32,8 @@ TEST_CASE("evidence is shown in powers of ten, those not ruled out marked") {
   const Json row = testing::row_of(sections[1], "backlash");
   CHECK(row[3].get<double>() == Approx(31.5 / std::log(10)));
   CHECK(row[4].get<double>() == Approx(33.5 / std::log(10)));
+  CHECK(row[2] == "more than a million");
+  CHECK(testing::row_of(sections[1], "cable")[2] == "1 / 2.7");
   CHECK(testing::row_of(sections[1], "cyclic")[3] == "not computed");
   for (const Json& section : sections) CHECK_FALSE(testing::says(section, "odds"));
 }

@@ -31,7 +31,7 @@ jobs::IdentifiedModel small_model() {
   found.before.radial_rms = 3.1e-6;
   found.after.radial_rms = 0.6e-6;
   found.before.radial_readings = found.after.radial_readings = 120;
-  return {std::move(machine), std::move(found), {}, {}, {}, forces, {}, {}, {}, false};
+  return {std::move(machine), std::move(found), {}, {}, {}, forces, {}, {}, {}, {}, false};
 }
 
 TEST_CASE("an identification says what is left, what was found and how far it moved") {
@@ -69,6 +69,17 @@ TEST_CASE("what speaks against an identification comes first") {
   const Page failed = identification_page(model, {});
   CHECK(failed.verdict == Verdict::bad);
   CHECK(failed.sections[0]["items"].size() == 2);
+}
+
+TEST_CASE("poses of a tracker are told one by one") {
+  jobs::IdentifiedModel model = small_model();
+  CHECK(section_of(identification_page(model, {}), "Poses of the tracker: what is left").is_null());
+  model.poses = {{12e-6, 1e-6}, {8e-6, 2e-6}};
+  const Json group = section_of(identification_page(model, {}), "Poses of the tracker: what is left")["groups"][0];
+  CHECK(group["x"] == packed(std::vector<double>{1, 2}, 1e-3));
+  CHECK(group["panels"][0]["series"][0]["values"] == packed(std::vector<double>{12, 8}, 1e-3));
+  CHECK(group["panels"][0]["series"][1]["values"] == packed(std::vector<double>{1, 2}, 1e-3));
+  CHECK(group["panels"][0]["series"][1]["points"] == true);
 }
 
 TEST_CASE("runs of an identification lie beside both models") {

@@ -1,5 +1,5 @@
 import { element } from "./dom.mjs";
-import { bottomAxis, picture, roomy } from "./drawing.mjs";
+import { bottomAxis, picture, roomy, shortened } from "./drawing.mjs";
 import { extent } from "./columns.mjs";
 import { figure, numberText } from "./numbers.mjs";
 
@@ -49,8 +49,7 @@ function drawBars(svg, width, section) {
   const words = svg.append("g");
   for (const row of section.rows) {
     const name = words.append("text").attr("x", left - 8).attr("y", y + (row.bars.length * space.row + 6) / 2).attr("text-anchor", "end");
-    const most = Math.max(4, Math.floor((left - 12) / 7));
-    name.text(row.name.length > most ? `${row.name.slice(0, most - 1)}\u2026` : row.name).append("title").text(row.name);
+    name.text(shortened(row.name, left - 12)).append("title").text(row.name);
     for (const bar of row.bars) {
       drawBar(svg, bar, y, scale, section, space);
       y += space.row;
@@ -59,7 +58,9 @@ function drawBars(svg, width, section) {
   }
   for (const line of section.references ?? []) {
     svg.append("line").attr("class", "limit").attr("x1", scale(line.value)).attr("x2", scale(line.value)).attr("y1", top - 4).attr("y2", y);
-    svg.append("text").attr("class", "halo").attr("x", scale(line.value) + 4).attr("y", 12).text(line.name);
+    const isRight = scale(line.value) > width - 10 - 7 * line.name.length;
+    svg.append("text").attr("class", "halo").attr("x", scale(line.value) + (isRight ? -4 : 4)).attr("y", 12)
+      .attr("text-anchor", isRight ? "end" : "start").text(line.name);
   }
   svg.append("line").attr("class", "zero").attr("x1", scale(0)).attr("x2", scale(0)).attr("y1", top - 4).attr("y2", y);
   bottomAxis(svg, scale, y, Math.max(2, Math.floor((width - left) / 90)));

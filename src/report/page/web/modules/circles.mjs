@@ -29,7 +29,7 @@ export function ballOf(test) {
 
 // One scale for both directions, so that a circle is round.
 function scalesOf(points, view, width) {
-  const [left, right, top, bottom] = [48, 14, 10, 40];
+  const [left, right, top, bottom] = [48, 20, 10, 40];
   const [x0, x1] = extent(points.map((p) => p[view.across]));
   const [y0, y1] = extent(points.map((p) => p[view.up]));
   const per = Math.max((x1 - x0) / (width - left - right), (y1 - y0) / 520) * 1.06;

@@ -91,3 +91,9 @@ export function namedValues(pairs, unit, digits) {
     return text === "none" ? `${name} not known` : `${name} ${text}${unit ? ` ${unit}` : ""}`;
   }).join(", ");
 }
+
+/// A name that fits into so many pixels, its end left out if need be.
+export function shortened(name, pixels) {
+  const most = Math.max(4, Math.floor(pixels / 7));
+  return name.length > most ? `${name.slice(0, most - 1)}\u2026` : name;
+}

@@ -1,6 +1,6 @@
 import { decoded, extent } from "./columns.mjs";
 import { chooser, element } from "./dom.mjs";
-import { bottomAxis, picture, tickText } from "./drawing.mjs";
+import { bottomAxis, picture, shortened, tickText } from "./drawing.mjs";
 import { figure, numberText } from "./numbers.mjs";
 
 const kHeat = { right: 14, top: 6, bottom: 42, legend: 54 };
@@ -65,7 +65,8 @@ function drawNames(svg, box, section) {
   const rows = shortNames(section.rows);
   const columns = shortNames(section.columns);
   for (const i of shownPlaces(rows.length, (box.y1 - box.y0) / 15)) {
-    svg.append("text").attr("x", box.x0 - 6).attr("y", box.y0 + (i + 0.5) * box.high + 4).attr("text-anchor", "end").text(rows[i]);
+    svg.append("text").attr("x", box.x0 - 6).attr("y", box.y0 + (i + 0.5) * box.high + 4).attr("text-anchor", "end")
+      .text(shortened(rows[i], box.x0 - 8)).append("title").text(rows[i]);
   }
   const widest = 10 + 7 * Math.max(...columns.map((name) => name.length));
   for (const i of shownPlaces(columns.length, (box.x1 - box.x0) / widest)) {
