@@ -35,9 +35,10 @@ const Manner& manner_of(const nc::Dialect& dialect) {
   return *found;
 }
 
-// Names of files and runs may hold what ends a comment, or what a control acts on.
+// Names of files and runs may hold what ends a comment, what a control acts on, or more than a line may have.
 std::string harmless(const std::string& text) {
-  std::string plain = text;
+  constexpr std::size_t kLongest = 60;
+  std::string plain = text.substr(0, kLongest);
   for (char& c : plain) {
     const bool keeps = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
     if (!keeps) c = '_';

@@ -54,6 +54,8 @@ const std::map<std::string, std::string> kRefused{
     {"calibrate", "calibrate -d missing.toml -o out.toml " + kModel},
     {"plan", "plan --for backlash.witdh_um " + kModel},
     {"diagnose", "diagnose -d missing.toml -o out " + kModel},
+    {"new-model", "new-model --ini missing.ini -o out.toml"},
+    {"map", "map -m missing.toml"},
     {"control", "control linuxcnc -o out --work-offset G54.1P1=0,0,0,0,0,0 " + kModel},
 };
 

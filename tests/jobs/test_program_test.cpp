@@ -115,6 +115,7 @@ TEST_CASE("names of runs cannot become words of a program") {
     INFO(line);
     CHECK(std::count(line.begin(), line.end(), '(') == std::count(line.begin(), line.end(), ')'));
   }
+  CHECK(jobs::test_program_name(std::string(500, 'x'), nc::dialect("fanuc")) == std::string(60, 'x') + ".nc");
   CHECK(jobs::test_program_name("../a b", nc::dialect("linuxcnc")) == "___a_b.ngc");
   CHECK(jobs::test_program_name("01-ccw", nc::dialect("siemens")) == "01-ccw.mpf");
 }

@@ -169,6 +169,7 @@ Json MapPage::colours(const jobs::MapSummary& summary) const {
   for (const double x : grid_.axes[0]) map.columns.values.push_back(axis_mm(x));
   for (const double y : grid_.axes[1]) map.rows.values.insert(map.rows.values.begin(), axis_mm(y));
   map.reasons = reason_texts_;
+  map.has_square_cells = true;
   for (std::size_t i = 0; i < kMapColumns.size(); ++i) {
     const MapColumn& column = kMapColumns[i];
     if (!is_known(column, summary)) continue;

@@ -3,6 +3,7 @@ import { chooser, element } from "./dom.mjs";
 import { bottomAxis, picture, shortened, tickText } from "./drawing.mjs";
 import { figure, numberText } from "./numbers.mjs";
 
+const kNumbered = 900;  // cells: more have no numbers in them
 const kHeat = { right: 14, top: 6, bottom: 42, legend: 54 };
 
 /// The cells of a plane: values row by row, NaN where there is none.
@@ -102,17 +103,18 @@ function drawHeat(svg, width, section, one, plane, cells) {
   const rows = section.rows.labels?.length ?? section.rows.values.length;
   const columns = section.columns.labels?.length ?? section.columns.values.length;
   const left = Math.min(0.3 * width, 14 + 7.5 * Math.max(...shortNames(section.rows).map((name) => name.length)));
-  const wide = (width - left - kHeat.right) / columns;
+  const room = width - left - kHeat.right;
+  const wide = (section.square ? Math.min(room, 640 * columns / rows) : room) / columns;
   const high = section.square ? wide : Math.max(13, Math.min(26, wide * 1.2, 420 / rows));
-  const box = { x0: left, x1: width - kHeat.right, y0: kHeat.top, y1: kHeat.top + high * rows, wide, high };
+  const box = { x0: left, x1: left + wide * columns, y0: kHeat.top, y1: kHeat.top + high * rows, wide, high };
   const scale = colourScale(one, plane.range);
-  const gap = cells.length <= 400 ? 1 : 0;
+  const gap = cells.length <= kNumbered ? 1 : 0;
   const drawn = svg.append("g").selectAll("rect").data(cells).enter().append("rect")
     .attr("x", (_, i) => box.x0 + (i % columns) * wide).attr("y", (_, i) => box.y0 + Math.floor(i / columns) * high)
     .attr("width", wide + (gap > 0 ? -gap : 0.3)).attr("height", high + (gap > 0 ? -gap : 0.3))
     .attr("fill", (value) => (Number.isFinite(value) ? scale(value) : "none"));
   drawn.filter((value) => !Number.isFinite(value)).attr("class", "missing");
-  if (wide >= 38 && cells.length <= 400) drawNumbers(svg, cells, box, columns, scale, one);
+  if (wide >= 38 && high >= 13 && cells.length <= kNumbered) drawNumbers(svg, cells, box, columns, scale, one);
   drawNames(svg, box, section);
   drawLegend(svg, scale, one, box.x0, box.x1, box.y1 + kHeat.bottom);
   const mark = svg.append("rect").attr("class", "chosen").attr("width", wide).attr("height", high).attr("visibility", "hidden");
