@@ -29,7 +29,7 @@ class HalReader {
   void read(const std::string& name, const Place& from, int depth) {
     const fs::path path = fs::path(ini_.file).parent_path() / name;
     std::error_code ignored;
-    if (!fs::exists(path, ignored)) {
+    if (!fs::is_regular_file(path, ignored)) {
       refuse("draft-file", fmt::format("there is no file {}", path.string()),
              "paths count from the folder of the INI file; name HAL files yourself with --hal", from);
     }

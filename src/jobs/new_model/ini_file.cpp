@@ -48,7 +48,7 @@ class IniReader {
   void include(std::string_view name, const std::string& from, int depth, const Place& place) {
     const std::filesystem::path path = std::filesystem::path(from).parent_path() / name;
     std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) {
+    if (!std::filesystem::is_regular_file(path, ignored)) {
       refuse("draft-file", fmt::format("there is no file {}", path.string()),
              "paths count from the file that includes it", place);
     }
