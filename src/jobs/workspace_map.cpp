@@ -44,6 +44,17 @@ class CellMaker {
         radius_(machine::platform_radius(model.geometry)),
         side_(machine::side_of(model.geometry, machine::home_pose(model))) {
     at_rest_.friction = false;
+    if (!has_uncertainty()) return;
+    physics::Motion<double> motion;
+    motion.pose = machine::home_pose(model);
+    const physics::TipError<double> error = physics::tip_error(forces_, at_rest_, motion);
+    if (!error.converged()) {
+      refuse(
+          "map-middle",
+          fmt::format("in the middle of its travel the machine gives way: {}", physics::to_text(error.stopped_because)),
+          "look at the masses, the compliances and [limits] of the model", {model.document.file});
+    }
+    middle_ = slopes_at(motion, error);
   }
   CellMaker(const CellMaker&) = delete;  // the sensitivity refers to the forces beside it
   CellMaker& operator=(const CellMaker&) = delete;
@@ -68,7 +79,7 @@ class CellMaker {
     cell.stiffness = physics::least_stiffness(physics::tip_compliance(forces_, at_rest_, motion, error));
     cell.condition = machine::condition_number(machine::strut_geometry(model_.geometry, motion.pose), radius_);
     cell.largest_force = error.loads.nut_tension.cwiseAbs().maxCoeff();
-    if (has_uncertainty()) cell.uncertainty = uncertainty(motion, error);
+    if (has_uncertainty()) judge(motion, error, cell);
     return cell;
   }
 
@@ -79,16 +90,27 @@ class CellMaker {
     return broken.what + (beyond ? " too large" : " too small");
   }
 
-  // sigma^2 = sum over what is not known exactly, and over x, y, z, of (slope sigma_i)^2
-  double uncertainty(const physics::Motion<double>& motion, const physics::TipError<double>& error) const {
+  identify::Slopes slopes_at(const physics::Motion<double>& motion, const physics::TipError<double>& error) const {
     identify::Slopes slopes(identify::kOutcomes, sensitivity_.unknowns());
     sensitivity_.at(at_rest_, motion, error, slopes);
+    return slopes;
+  }
+
+  // sigma^2 = sum over what is not known exactly, and over x, y, z, of (slope sigma_i)^2; of a distance between two
+  // poses with the difference of their slopes
+  void judge(const physics::Motion<double>& motion, const physics::TipError<double>& error, MapCell& cell) const {
+    const identify::Slopes slopes = slopes_at(motion, error);
     double variance = 0;
-    for (std::size_t i = 0; i < unknowns_.size(); ++i) {
-      const auto column = slopes.col(static_cast<Eigen::Index>(i)).segment<3>(identify::kTipRow);
-      variance += column.squaredNorm() * unknowns_[i].sigma * unknowns_[i].sigma;
+    double touched_off = 0;
+    for (Eigen::Index i = 0; i < slopes.cols(); ++i) {
+      const double sigma = unknowns_[static_cast<std::size_t>(i)].sigma;
+      const Vector3<double> slope = slopes.col(i).segment<3>(identify::kTipRow);
+      const Vector3<double> in_the_middle = middle_.col(i).segment<3>(identify::kTipRow);
+      variance += slope.squaredNorm() * sigma * sigma;
+      touched_off += (slope - in_the_middle).squaredNorm() * sigma * sigma;
     }
-    return std::sqrt(variance);
+    cell.uncertainty = std::sqrt(variance);
+    cell.touched_off = std::sqrt(touched_off);
   }
 
   const machine::MachineModel& model_;
@@ -96,6 +118,7 @@ class CellMaker {
   physics::ForceModel forces_;
   identify::Sensitivity sensitivity_;
   physics::Environment at_rest_;
+  identify::Slopes middle_;  // in the middle of the travel
   double radius_;
   int side_;
 };
@@ -115,7 +138,9 @@ void note(MapSummary& summary, const MapCell& cell) {
   note(summary.stiffness, cell.stiffness, cell.pose, true);
   note(summary.condition, cell.condition, cell.pose);
   note(summary.force, cell.largest_force, cell.pose);
-  if (summary.has_uncertainty) note(summary.uncertainty, cell.uncertainty, cell.pose);
+  if (!summary.has_uncertainty) return;
+  note(summary.uncertainty, cell.uncertainty, cell.pose);
+  note(summary.touched_off, cell.touched_off, cell.pose);
 }
 
 // The pose of that number, X fastest.

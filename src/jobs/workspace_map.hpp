@@ -45,6 +45,7 @@ struct MapCell {
   double condition = 0;                             // of the Jacobian, lengths over the platform radius
   double largest_force = 0;                         // the largest nut tension of a strut without its sign, N
   double uncertainty = 0;                           // of the tip, 1 sigma, the root of X, Y and Z's variances summed, m
+  double touched_off = 0;  // that of the distance to the middle of the travel, not tilted: a zero touched off there
 
   bool reached() const { return out.empty(); }
 };
@@ -58,9 +59,9 @@ struct MapFigure {
 struct MapSummary {
   std::uint64_t poses = 0;
   std::uint64_t reached = 0;
-  std::map<std::string, std::uint64_t> out;                   // how many poses each limit keeps the machine from
-  bool has_uncertainty = false;                               // the model has an [uncertainty] that says something
-  MapFigure error, stiffness, condition, force, uncertainty;  // SI
+  std::map<std::string, std::uint64_t> out;  // how many poses each limit keeps the machine from
+  bool has_uncertainty = false;              // the model has an [uncertainty] that says something
+  MapFigure error, stiffness, condition, force, uncertainty, touched_off;  // SI
 };
 
 /// Whether the model's [uncertainty] says anything.
@@ -68,8 +69,9 @@ bool knows_uncertainty(const machine::MachineModel& model);
 
 /// Hands over cell after cell: tilt by tilt, plane by plane, Y by Y, X fastest. No friction; a pose is out of reach
 /// where it breaks a limit, lies on the other side of a singularity than the middle of the travel, or where the machine
-/// gives way. Uncertainty is that of [uncertainty] at rest, all its quantities independent. Memory does not grow with
-/// the grid. Refuses as workspace_grid and physics::ForceModel do.
+/// gives way. Refuses with map-middle a machine that gives way in that middle. Uncertainty is that of [uncertainty] at
+/// rest, all its quantities independent. Memory does not grow with the grid. Refuses as workspace_grid and
+/// physics::ForceModel do.
 MapSummary map_workspace(const machine::MachineModel& model, const MapOptions& options,
                          const std::function<void(const MapCell&)>& take, const Progress& progress = {});
 

@@ -1,5 +1,6 @@
 #include "jobs/workspace_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -100,12 +101,26 @@ TEST_CASE("the uncertainty is the spread of the tip over machines drawn from [un
   const auto k2 = map_cells(model_with("compliance_um_N = 0.00782", "compliance_um_N = 0.008211"), options);
   const auto cells = map_cells(model, options);
   REQUIRE(cells.size() == k1.size());
+  const auto middle = static_cast<std::size_t>(std::find_if(cells.begin(), cells.end(),
+                                                            [](const jobs::MapCell& cell) {
+                                                              return cell.pose[Axis::X] == 0 &&
+                                                                     cell.pose[Axis::Y] == 0 &&
+                                                                     cell.pose[Axis::Z] == -1025;
+                                                            }) -
+                                               cells.begin());
+  REQUIRE(middle < cells.size());
+  CHECK(cells[middle].touched_off == 0);
   int reached = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (!cells[i].reached()) continue;
     ++reached;
-    const double expected = std::hypot((k1[i].error - cells[i].error).norm(), (k2[i].error - cells[i].error).norm());
-    CHECK(cells[i].uncertainty == Approx(expected).epsilon(1e-2));
+    const auto moved = [&](const std::vector<jobs::MapCell>& other, std::size_t at) {
+      return Vector3<double>(other[at].error - cells[at].error);
+    };
+    CHECK(cells[i].uncertainty == Approx(std::hypot(moved(k1, i).norm(), moved(k2, i).norm())).epsilon(1e-2));
+    const double apart =
+        std::hypot((moved(k1, i) - moved(k1, middle)).norm(), (moved(k2, i) - moved(k2, middle)).norm());
+    CHECK(cells[i].touched_off == Approx(apart).epsilon(2e-2));
   }
   CHECK(reached > 20);
 }

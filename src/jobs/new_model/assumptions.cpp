@@ -8,6 +8,7 @@
 
 #include "base/text/number_text.hpp"
 #include "base/units.hpp"
+#include "identify/unknowns/geometry.hpp"
 #include "machine/forward.hpp"
 #include "machine/model_keys.hpp"
 #include "machine/orientation.hpp"
@@ -247,6 +248,10 @@ void assume_uncertainty(ModelDraft& draft) {
   }
   if (is_assumed("strut", "compliance_per_length_um_N_m") || is_assumed("strut", "compliance_um_N"))
     assume_sigma(draft, "compliance_relative", 1, half);
+  const identify::GeometryOptions unmeasured;
+  const char* const as_calibrate = "joints and lengths that nobody measured, as calibrate takes them";
+  assume(draft, "uncertainty", "joint_position_um", {unmeasured.joint_sigma / kUm}, as_calibrate);
+  assume(draft, "uncertainty", "strut_offset_um", {unmeasured.offset_sigma / kUm}, as_calibrate);
   if (is_assumed("platform", "centre_of_mass_mm"))
     assume_sigma(draft, "centre_of_mass_mm", machine::platform_radius(draft.geometry()) / kMm,
                  "half of the radius of the platform's joints");

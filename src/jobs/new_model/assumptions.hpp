@@ -15,6 +15,7 @@ namespace plumbline::jobs {
 ///     larger or smaller by s, the mean strut length at home over the PM-600's: lengths as s, masses as s^3,
 ///     K1 as 1/s^2, K2 as 1/s, friction as s^2.
 ///   - The platform's centre of mass is the middle of its joints.
+///   - Joints and lengths of struts are known to 1 mm, as calibrate takes those that nobody measured (1 sigma).
 ///   - What is assumed of masses, compliances, friction and the centre of mass is known to half of itself (1 sigma).
 /// Refuses with draft-missing where home is not known, and with draft-reach where no travel can be assumed.
 void assume_the_rest(ModelDraft& draft);

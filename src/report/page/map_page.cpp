@@ -32,7 +32,9 @@ struct MapColumn {
   bool low_is_bad = false;
 };
 
-const std::array<MapColumn, 5> kMapColumns{
+const std::array<MapColumn, 6> kMapColumns{
+    MapColumn{"uncertainty, zero touched off in the middle, 1 sigma", "touched off", "um", kUm, 1,
+              &jobs::MapSummary::touched_off, [](const jobs::MapCell& cell) { return cell.touched_off; }},
     MapColumn{"uncertainty of the tip, 1 sigma", "uncertainty", "um", kUm, 1, &jobs::MapSummary::uncertainty,
               [](const jobs::MapCell& cell) { return cell.uncertainty; }},
     MapColumn{"error of the tip, nothing corrected", "error", "um", kUm, 1, &jobs::MapSummary::error,
@@ -45,7 +47,9 @@ const std::array<MapColumn, 5> kMapColumns{
               [](const jobs::MapCell& cell) { return cell.largest_force; }}};
 
 bool is_known(const MapColumn& column, const jobs::MapSummary& summary) {
-  return column.figure != &jobs::MapSummary::uncertainty || summary.has_uncertainty;
+  const bool is_judged =
+      column.figure == &jobs::MapSummary::uncertainty || column.figure == &jobs::MapSummary::touched_off;
+  return !is_judged || summary.has_uncertainty;
 }
 
 // What is written beside a row or column: a step that is a third of something needs no nine digits.
@@ -79,14 +83,16 @@ std::string lead_of(const jobs::MapSummary& summary) {
   const std::string reach = fmt::format("{:.1f} % of the box is in reach.", share_in_reach(summary));
   if (summary.has_uncertainty) {
     return fmt::format(
-        "Once programs are compensated, the tip is to be trusted within {:.3g} um (1 sigma) on 95 % of the reachable "
-        "box; {}",
-        bound(kMapColumns[0], summary, 0.95), reach);
+        "Once programs are compensated and the zero is touched off in the middle, the tip is to be trusted within {} "
+        "(1 "
+        "sigma) on 95 % of the reachable box; within {} if nothing is touched off; {}",
+        round_um_text(summary.touched_off.spread.bound_of(0.95)),
+        round_um_text(summary.uncertainty.spread.bound_of(0.95)), reach);
   }
   return fmt::format(
-      "With nothing corrected the tip is within {:.3g} um on 95 % of the reachable box; how sure that is nobody can "
-      "say, the model has no [uncertainty]; {}",
-      bound(kMapColumns[1], summary, 0.95), reach);
+      "With nothing corrected the tip is within {} on 95 % of the reachable box; how sure that is nobody can say, the "
+      "model has no [uncertainty]; {}",
+      round_um_text(summary.error.spread.bound_of(0.95)), reach);
 }
 
 Json figures_of(const jobs::MapSummary& summary, const std::string& machine) {
@@ -239,10 +245,11 @@ Page MapPage::page(const jobs::MapSummary& summary) const {
       {"All of it is what the model says of the machine at rest, without friction.",
        "Error of the tip: where the machine stands when it is sent to the pose, nothing corrected. That is what "
        "compensate takes away.",
-       "Uncertainty: how far from that the tip may be, as [uncertainty] of the model says what is not known exactly: "
-       "one sigma, X, Y and Z "
-       "together. It is what the best compensation leaves; the part of it that is the same everywhere goes when the "
-       "zero is touched off.",
+       "Uncertainty: how far from that the tip may be, as [uncertainty] of the model says what is not known exactly; "
+       "what it "
+       "does not list counts as exact. One sigma, X, Y and Z together. It is what the best compensation leaves. Where "
+       "the "
+       "zero is touched off in the middle of the travel, not tilted, what is the same everywhere goes.",
        "Stiffness: force for each micrometre that the tip gives way, in the direction in which it gives way most.",
        "Condition number: how unevenly the struts hold the platform, 1 at best; it grows without end towards a "
        "singularity."}));

@@ -1,5 +1,6 @@
 #include "report/program/map_text.hpp"
 
+#include <array>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -29,6 +30,11 @@ std::string figure_text(std::string_view name, const jobs::MapFigure& figure, do
 
 }  // namespace
 
+std::string round_um_text(double metres) {
+  const double um = metres / kUm;
+  return um < 1000 ? fmt::format("{:.3g} um", um) : fmt::format("{:.0f} um", um);
+}
+
 std::string pose_text(const AxisWords& pose) {
   std::string text;
   for (const Axis axis : kAllAxes)
@@ -38,7 +44,7 @@ std::string pose_text(const AxisWords& pose) {
 
 MapTable::MapTable(OutputFile& output, bool has_uncertainty) : output_(output), has_uncertainty_(has_uncertainty) {
   output_.write(kColumns);
-  output_.write(has_uncertainty ? ",uncertainty_um\n" : "\n");
+  output_.write(has_uncertainty ? ",uncertainty_um,touched_off_uncertainty_um\n" : "\n");
 }
 
 void MapTable::add(const jobs::MapCell& cell) {
@@ -54,9 +60,9 @@ void MapTable::add(const jobs::MapCell& cell) {
     append_columns(row_, cell.error, kUm, 4);
     fmt::format_to(std::back_inserter(row_), ",{:.4f},{:.4f},{:.2f}", cell.stiffness / kNewtonPerMicrometre,
                    cell.condition, cell.largest_force);
-    if (has_uncertainty_) fmt::format_to(std::back_inserter(row_), ",{:.4f}", cell.uncertainty / kUm);
+    if (has_uncertainty_) append_columns(row_, std::array{cell.uncertainty, cell.touched_off}, kUm, 4);
   } else {
-    row_ += has_uncertainty_ ? ",,,,,,,," : ",,,,,,,";
+    row_ += has_uncertainty_ ? ",,,,,,,,," : ",,,,,,,";
   }
   row_ += '\n';
   output_.write(row_);
@@ -74,8 +80,11 @@ std::string map_text(const jobs::MapSummary& summary) {
   text += figure_text("largest force of a strut, up to", summary.force, 1, "N");
   if (summary.has_uncertainty) {
     text += figure_text("uncertainty (1 sigma), up to", summary.uncertainty, kUm, "um");
-    text += fmt::format("the model knows the tip within {:.3g} um (1 sigma) on 95 % of what is in reach\n",
-                        summary.uncertainty.spread.bound_of(0.95) / kUm);
+    text += figure_text("  zero touched off in the middle", summary.touched_off, kUm, "um");
+    text += fmt::format(
+        "the model knows the tip within {} (1 sigma) on 95 % of what is in reach, {} once the zero is touched off\n",
+        round_um_text(summary.uncertainty.spread.bound_of(0.95)),
+        round_um_text(summary.touched_off.spread.bound_of(0.95)));
   } else {
     text += "  uncertainty: not known, the model has no [uncertainty]\n";
   }

@@ -10,6 +10,9 @@ namespace plumbline::report {
 
 inline constexpr double kNewtonPerMicrometre = 1e6;  // N/m
 
+/// "21.2 um", "2358 um" of metres.
+std::string round_um_text(double metres);
+
 /// "X-300 Y300 Z-800 A0 B0 C0"
 std::string pose_text(const AxisWords& pose);
 

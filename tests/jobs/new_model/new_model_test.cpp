@@ -115,7 +115,8 @@ TEST_CASE("the text says of each line whether it is assumed, and by what rule") 
   CHECK(made.text.find("# assumed: " + assumed(made, "screw_mass_kg")->note) != std::string::npos);
   const double half = assumed(made, "screw_mass_kg")->values[0] / 2;
   CHECK(made.model.uncertainty("strut_mass_kg") == Approx(half).epsilon(1e-3));
-  CHECK_FALSE(made.model.uncertainty("joint_position_um").has_value());
+  CHECK(made.model.uncertainty("joint_position_um") == Approx(1e-3));
+  CHECK(made.model.uncertainty("strut_offset_um") == Approx(1e-3));
   CHECK(made.model.provenance.starts_with("drawing 4711; assumed: "));
   const std::string said = report::new_model_text(made);
   for (const jobs::DraftValue& value : made.assumed) CHECK(said.find(value.key + " = ") != std::string::npos);
