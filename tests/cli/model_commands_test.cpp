@@ -76,7 +76,8 @@ TEST_CASE("map tabulates the workspace, and says what is in reach and how sure t
   const std::string table = scratch.text("map.csv");
   CHECK(std::count(table.begin(), table.end(), '\n') == 101);
   CHECK(table.starts_with("x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,in_reach,limit,error_um,"));
-  CHECK(contains(table, ",uncertainty_um,touched_off_uncertainty_um\n-300.000,-300.000,-1250.000,0.000,0.000,0.000,1,,"));
+  CHECK(
+      contains(table, ",uncertainty_um,touched_off_uncertainty_um\n-300.000,-300.000,-1250.000,0.000,0.000,0.000,1,,"));
   const Outcome part =
       run(scratch, "map -q --box 0,100,0,100,-1000,-900 --step 100 --z -1000 --tilt 0,0 --tilt -30,0,5 " + kModel);
   CHECK(part.err.empty());
