@@ -20,10 +20,17 @@ inline constexpr std::array<char, kAxes> kAxisLetters{'X', 'Y', 'Z', 'A', 'B', '
 
 constexpr std::size_t index(Axis axis) { return static_cast<std::size_t>(axis); }
 constexpr char letter(Axis axis) { return kAxisLetters[index(axis)]; }
+/// The index of the axis that a letter names, in upper case; kAxes: none.
+inline constexpr std::array<std::uint8_t, 256> kAxisOfLetter = [] {
+  std::array<std::uint8_t, 256> axes{};
+  axes.fill(kAxes);
+  for (std::size_t i = 0; i < kAxes; ++i)
+    axes[static_cast<unsigned char>(kAxisLetters[i])] = static_cast<std::uint8_t>(i);
+  return axes;
+}();
 constexpr std::optional<Axis> axis_of(char upper_case_letter) {
-  if (upper_case_letter >= 'X' && upper_case_letter <= 'Z') return static_cast<Axis>(upper_case_letter - 'X');
-  if (upper_case_letter >= 'A' && upper_case_letter <= 'C') return static_cast<Axis>(upper_case_letter - 'A' + 3);
-  return std::nullopt;
+  const std::uint8_t i = kAxisOfLetter[static_cast<unsigned char>(upper_case_letter)];
+  return i < kAxes ? std::optional(static_cast<Axis>(i)) : std::nullopt;
 }
 constexpr bool is_rotary(Axis axis) { return axis >= Axis::A; }
 

@@ -167,7 +167,10 @@ void Pipeline::copy_through(const nc::Step& step) {
   rewriter_.copy(step, step.motions.size() == 1 && step.motions.front().kind == nc::MotionKind::dwell);
   const bool moves = std::any_of(step.motions.begin(), step.motions.end(),
                                  [](const nc::Motion& motion) { return motion.kind != nc::MotionKind::dwell; });
-  if (moves || step.loses_position) leave();
+  if (moves || step.loses_position) {  // to where nobody follows the machine
+    play_.leave();
+    if (recorded_) recorded_->leave();
+  }
   for (const nc::Motion& motion : step.motions) {
     if (motion.kind == nc::MotionKind::dwell) {
       tally_.take_dwell(motion);
@@ -175,12 +178,6 @@ void Pipeline::copy_through(const nc::Step& step) {
       tally_.take_passed_move();
     }
   }
-}
-
-// The machine goes where nobody follows it.
-void Pipeline::leave() {
-  play_.leave();
-  if (recorded_) recorded_->leave();
 }
 
 // Of the move `ahead`, where that is known, the points that were corrected with the tool that is in the spindle.

@@ -57,7 +57,6 @@ class Pipeline {
   bool cycle_stays(const nc::Step& step, std::span<const nc::Step* const> moves);
   void take_hole(const nc::Step& step);
   CorrectedHole corrected_hole(const nc::Step& step);
-  void leave();
   const CorrectedMove& corrected(const Move& move, const MoveAhead* ahead = nullptr);
 
   const InputFile& source_;

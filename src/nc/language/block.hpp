@@ -249,8 +249,8 @@ inline const Word* find_word(const Block& block, char letter) {
 inline std::array<const Word*, kAxes> axis_words(const Block& block) {
   std::array<const Word*, kAxes> words{};
   for (const Word& word : block.words) {
-    const std::optional<Axis> axis = axis_of(word.letter);
-    if (axis && words[index(*axis)] == nullptr) words[index(*axis)] = &word;
+    const std::size_t axis = kAxisOfLetter[static_cast<unsigned char>(word.letter)];
+    if (axis < kAxes && words[axis] == nullptr) words[axis] = &word;
   }
   return words;
 }

@@ -197,34 +197,36 @@ EmittedMove Emitter::rewrite(const Step& step, std::span<const CorrectedPoint> p
   const std::uint64_t begin = text_.size();
   const std::span<Piece> pieces = planner_.plan(step, points, writable, seconds, control_);
   if (pieces.size() > 1) refuse_builders_codes(step, dialect_);
-  const std::optional<std::string_view> in_place =
-      pieces.size() == 1 ? writer_.in_place(step, pieces.front(), spelling_, codes, control_.motion) : std::nullopt;
-  if (in_place) {
-    control_.motion = pieces.front().mode(step);
-    text_.write_line(step, *in_place);
-    text_.end_block(step);
-    text_.note_replaced(step, begin, *in_place);
-    return {true, 1, planner_.seconds(), planner_.rounding_mm()};
-  }
+  std::string_view line;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const bool is_last = i + 1 == pieces.size();
-    line_.clear();
-    if (i == 0) {
-      writer_.append_first(line_, step, pieces[i], spelling_, codes, control_.motion, is_last);
-      if (is_blank_line(line_)) line_ = dialect_.comment_open + std::string(kAllStand) + dialect_.comment_close;
-    } else {
-      writer_.append_further(line_, step, pieces[i], spelling_, codes, control_.motion, is_last);
-    }
+    line = spell(step, i, codes);
     control_.motion = pieces[i].mode(step);
-    text_.write_line(step, line_);
+    text_.write_line(step, line);
     if (is_last) {
       text_.end_block(step);
     } else {
       text_.write(text_.line_end(step));
     }
   }
-  text_.note_replaced(step, begin, line_);
+  text_.note_replaced(step, begin, line);
   return {true, static_cast<int>(pieces.size()), planner_.seconds(), planner_.rounding_mm()};
+}
+
+// One of the pieces of the block, without its line end. Holds until the next call.
+std::string_view Emitter::spell(const Step& step, std::size_t i, const BlockCodes& codes) {
+  const Piece& piece = planner_.pieces()[i];
+  const bool is_last = i + 1 == planner_.pieces().size();
+  line_.clear();
+  if (i > 0) {
+    writer_.append_further(line_, step, piece, spelling_, codes, control_.motion, is_last);
+    return line_;
+  }
+  const auto in_place = writer_.in_place(step, piece, spelling_, codes, control_.motion, is_last);
+  if (in_place) return *in_place;
+  writer_.append_first(line_, step, piece, spelling_, codes, control_.motion, is_last);
+  if (is_blank_line(line_)) line_ = dialect_.comment_open + std::string(kAllStand) + dialect_.comment_close;
+  return line_;
 }
 
 void Emitter::steer(const Step& step) {

@@ -118,6 +118,7 @@ class Emitter {
   void begin_change(const Step& step);
   void note_cycle_level(const Step& step);
   void restore_feed_state(const Step& step, bool has_feed_word);
+  std::string_view spell(const Step& step, std::size_t i, const BlockCodes& codes);
   void add_offset_shifts(const Step& step);
   void copy_with_choice_applied(const Step& step);
   void end_modal_call(const Step& step);

@@ -95,8 +95,10 @@ void PieceWriter::append_first(std::string& out, const Step& step, const Piece& 
   editor_.apply(out);
 }
 
-// As codes_before() has it of a move in one piece.
-bool PieceWriter::codes_stay(const Step& step, const Piece& piece, const BlockCodes& codes, MotionMode standing) {
+// As codes_before() and append_first() have it.
+bool PieceWriter::codes_stay(const Step& step, const Piece& piece, const BlockCodes& codes, MotionMode standing,
+                             bool is_last) {
+  if (!is_last && (!codes.after_motion().empty() || step.after->path_control == PathControl::exact_stop)) return false;
   const MotionMode mode = piece.mode(step);
   const bool feed_mode_stays = codes.feed_mode != nullptr ? !piece.leaves_inverse_time : !piece.restates_mode;
   const bool motion_stays = (codes.motion != nullptr ? step.after->motion : standing) == mode;
@@ -104,12 +106,12 @@ bool PieceWriter::codes_stay(const Step& step, const Piece& piece, const BlockCo
 }
 
 std::optional<std::string_view> PieceWriter::in_place(const Step& step, const Piece& piece, const Spelling& spelling,
-                                                      const BlockCodes& codes, MotionMode standing) {
+                                                      const BlockCodes& codes, MotionMode standing, bool is_last) {
   const Block& block = *step.block;
   const bool plain = !piece.direct && step.motions.front().kind != MotionKind::arc && !block.words.empty() &&
                      step.block_delete == BlockDelete::none && block.left_out.empty() &&
                      block.text.find('\n') == std::string_view::npos;
-  if (!plain || !codes_stay(step, piece, codes, standing)) return std::nullopt;
+  if (!plain || !codes_stay(step, piece, codes, standing, is_last)) return std::nullopt;
   if (const std::size_t room = block.text.size() + (block.words.size() + 1) * kWordRoom; line_.size() < room)
     line_.resize(room);
   char* out = line_.data();

@@ -23,7 +23,7 @@ class PieceWriter {
   /// The block with its words changed, where it is one line, no code of it changes and no word but F is added or left
   /// out: most blocks are so. Nothing where it is not. Holds until the next call.
   std::optional<std::string_view> in_place(const Step& step, const Piece& piece, const Spelling& spelling,
-                                           const BlockCodes& codes, MotionMode standing);
+                                           const BlockCodes& codes, MotionMode standing, bool is_last);
   void append_further(std::string& out, const Step& step, const Piece& piece, const Spelling& spelling,
                       const BlockCodes& codes, MotionMode standing, bool is_last) const;
 
@@ -31,7 +31,8 @@ class PieceWriter {
   std::string codes_before(const Step& step, const Piece& piece, const BlockCodes& codes, MotionMode standing,
                            bool is_last);
   const std::string& change_axis_words(const Step& step, const Piece& piece);
-  static bool codes_stay(const Step& step, const Piece& piece, const BlockCodes& codes, MotionMode standing);
+  static bool codes_stay(const Step& step, const Piece& piece, const BlockCodes& codes, MotionMode standing,
+                         bool is_last);
   static void append_axis_word(std::string& out, const Piece& piece, Axis axis, const Spelling& spelling);
   void place_words(const Step& step, const Piece& piece, const std::string& codes_before, const std::string& words,
                    bool is_last);

@@ -43,8 +43,8 @@ void refuse_if_shared(const Step& step, const BlockCodes& codes) {
 }
 
 void refuse_beside_unit(const Step& step, const Dialect& dialect) {
-  if (dialect.behaviour.unknown_beside_unit.find('X') == std::string::npos || step.before->inches == step.after->inches)
-    return;
+  if (step.before->inches == step.after->inches) return;
+  if (dialect.behaviour.unknown_beside_unit.find('X') == std::string::npos) return;
   refuse_block(*step.block, "emit-shared-words",
                "this block changes the unit and moves, and the move must be corrected",
                "put the change of units into a block of its own");

@@ -11,7 +11,8 @@ namespace {
 constexpr const char* kOriginal = "G0 X1\nG1 X2 F100\nM2\n";
 
 // As a compensation writes it: X2 becomes `x`.
-void write_corrected(const testing::Scratch& scratch, const std::string& x, const std::vector<std::string>& reports = {}) {
+void write_corrected(const testing::Scratch& scratch, const std::string& x,
+                     const std::vector<std::string>& reports = {}) {
   const InputFile original(scratch.file("p.ngc", kOriginal));
   jobs::CompensatedFiles files(scratch / "out.ngc", true, reports);
   files.program().write("G0 X1\nG1 ");
