@@ -172,6 +172,18 @@ class Writer {
     } else {
       splice_each(value.spans, numbers);
     }
+    if (value.given()) no_longer_assumed(value.span);
+  }
+
+  // What new-model writes behind a number that it assumes would be untrue behind another one.
+  void no_longer_assumed(TextSpan value) {
+    constexpr std::string_view kAssumed = "# assumed: ";
+    const std::string& text = document().text;
+    const std::size_t begin = value.offset + value.length;
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::size_t comment = text.find_first_not_of(" \t", begin);
+    if (comment >= end || text.compare(comment, kAssumed.size(), kAssumed) != 0) return;
+    splices_.push_back({{comment + 2, 0}, "fitted; before, "});
   }
 
   void joints(std::string_view table, const machine::StrutVectors<double>& positions) {

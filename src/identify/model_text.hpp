@@ -25,7 +25,8 @@ struct ModelChanges {
 
 /// The text of `machine` with the parameters of `changes`: numbers that differ are spliced into their places, keys that
 /// the file left out are added to their tables, effects that it does not name are added as [[effect]] rows at its end
-/// (unless they change nothing). Comments, order and all else stay. What a reader of models would take for a slip of
+/// (unless they change nothing). Comments, order and all else stay, but that a number which
+/// a comment calls assumed is called fitted. What a reader of models would take for a slip of
 /// units (a friction of 0.05 N) becomes zero.
 std::string model_text(const machine::MachineModel& machine, const ModelChanges& changes);
 

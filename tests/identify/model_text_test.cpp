@@ -55,6 +55,21 @@ TEST_CASE("new numbers take the places of old ones, and all other bytes stay") {
   CHECK(model_text(machine, {forces, {}, "", {}}) == expected);
 }
 
+TEST_CASE("a number that new-model assumed is no longer called so") {
+  std::string text =
+      replaced(pm600_text(), "compliance_um_N = 0.00782", "compliance_um_N = 0.00782  # assumed: a guess");
+  text = replaced(text, "lead_mm = 20", "lead_mm = 20  # assumed: another");
+  text = replaced(text, "mass_kg = 100", "mass_kg = 100  # weighed, not assumed: by us");
+  const machine::MachineModel machine = machine::parse_model(text, "m.toml");
+  physics::ForceModel forces(machine);
+  set_all(forces, "axial-elasticity", "compliance_um_N", 7.5e-9);
+  parameter(forces, "platform-gravity", "mass_kg") = 101;
+  std::string expected = replaced(text, "compliance_um_N = 0.00782  # assumed: a guess",
+                                  "compliance_um_N = 0.0075  # fitted; before, assumed: a guess");
+  expected = replaced(expected, "mass_kg = 100 ", "mass_kg = 101 ");
+  CHECK(model_text(machine, {forces, {}, "", {}}) == expected);
+}
+
 TEST_CASE("effects: known rows get new numbers, new ones are added, what changes nothing is not") {
   const std::string text =
       pm600_text() + "\n[[effect]]\nname = \"backlash\" # seen by eye\nwidth_um = [1, 0, 0, 0, 0, 0]\n";
