@@ -33,9 +33,9 @@ struct MapColumn {
 };
 
 const std::array<MapColumn, 6> kMapColumns{
-    MapColumn{"uncertainty, zero touched off in the middle, 1 sigma", "touched off", "um", kUm, 1,
-              &jobs::MapSummary::touched_off, [](const jobs::MapCell& cell) { return cell.touched_off; }},
-    MapColumn{"uncertainty of the tip, 1 sigma", "uncertainty", "um", kUm, 1, &jobs::MapSummary::uncertainty,
+    MapColumn{"uncertainty, zero touched off", "touched off", "um", kUm, 1, &jobs::MapSummary::touched_off,
+              [](const jobs::MapCell& cell) { return cell.touched_off; }},
+    MapColumn{"uncertainty of the tip", "uncertainty", "um", kUm, 1, &jobs::MapSummary::uncertainty,
               [](const jobs::MapCell& cell) { return cell.uncertainty; }},
     MapColumn{"error of the tip, nothing corrected", "error", "um", kUm, 1, &jobs::MapSummary::error,
               [](const jobs::MapCell& cell) { return cell.error.norm(); }},
