@@ -29,8 +29,8 @@ constexpr std::array<Manner, 4> kManners{{
 }};
 
 const Manner& manner_of(const nc::Dialect& dialect) {
-  const auto found = std::find_if(kManners.begin(), kManners.end(),
-                                  [&](const Manner& manner) { return manner.dialect == dialect.name; });
+  const Manner* const found = std::find_if(kManners.begin(), kManners.end(),
+                                           [&](const Manner& manner) { return manner.dialect == dialect.name; });
   PLUMBLINE_CHECK(found != kManners.end());
   return *found;
 }

@@ -1,5 +1,6 @@
 // The commands that work on measurements.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include <catch2/catch.hpp>
@@ -295,6 +296,44 @@ TEST_CASE("commands on measurements write pages, with their other outputs or not
   CHECK(run(scratch, "compare -d sim/dataset.toml --json y.json --report none/y.html " + kModel).code == 1);
   CHECK_FALSE(scratch.has("y.json"));
   CHECK(run(scratch, "circularity -d sim/dataset.toml " + kModel).code == 2);
+}
+
+TEST_CASE("a diagnosis that leaves several effects writes the programs of the tests that tell them apart") {
+  const Scratch scratch;
+  scratch.file("plan/dataset.toml", plan_text(scratch));
+  scratch.file("true.toml", plumbline::read_text(source_file("models/pm600-like.toml")) +
+                                "\n[[effect]]\nname = \"strut-offset\"\nlength_um = [300, 0, 0, 0, 0, 0]\n");
+  REQUIRE(run(scratch, "simulate -d plan/dataset.toml -o sim -m true.toml").code == 0);
+  for (const std::string table : {"sim/a.csv", "sim/b.csv"}) {
+    std::string text = scratch.text(table);
+    for (int column = 1; column <= 7; ++column) {
+      double place = 78.233 * column + (table == "sim/a.csv" ? 0 : 31.7);
+      text = changed(text, column, [&](double number) {
+        place += 12.9898;
+        const double noise = std::sin(place) * 43758.5453;
+        return number + (column == 1 ? 1.0 : 0.1) * (2 * (noise - std::floor(noise)) - 1);
+      });
+    }
+    scratch.file(table, text);
+  }
+  REQUIRE(run(scratch, "diagnose -d sim/dataset.toml -o found " + kModel).code == 0);
+  const json tests = json::parse(scratch.text("found/diagnosis.json")).at("next_tests");
+  REQUIRE_FALSE(tests.empty());
+  std::size_t programs = 0;
+  for (const json& test : tests) {
+    if (test.at("test").is_null()) continue;
+    ++programs;
+    const std::string name = "next-test-" + test.at("from").get<std::string>() + ".ngc";
+    INFO(name);
+    REQUIRE(scratch.has("found/" + name));
+    CHECK(run(scratch, "check found/" + name + " --work-offset G54=0,0,0,0,0,0 " + kModel).code == 0);
+    const json page = page_data(scratch.text("found/report.html"));
+    CHECK(std::any_of(page.at("sections").begin(), page.at("sections").end(), [&](const json& section) {
+      return section.at("type") == "circles" &&
+             section.at("tests")[programs - 1].at("program") == scratch.text("found/" + name);
+    }));
+  }
+  CHECK(programs > 0);
 }
 
 TEST_CASE("two models are compared with the same measurements") {
