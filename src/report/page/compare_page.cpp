@@ -107,6 +107,13 @@ Json pairs_table(const jobs::CircularityTable& table) {
                        "G(b): width of the narrowest ring that holds both. D: mean bidirectional radial deviation.");
 }
 
+// The readings of a run about another circle than its own.
+Eigen::VectorXd about(const jobs::RunProfile& run, const measure::CircleFit& circle) {
+  const measure::CircleFit& own = run.figures->circle;
+  return run.radial.array() + (own.mean - circle.mean) + (own.x - circle.x) * run.angle.array().cos() +
+         (own.y - circle.y) * run.angle.array().sin();
+}
+
 Json pair_circles(const jobs::CircularityTable& table, const RunsAndModels& runs) {
   std::vector<PolarGroup> groups;
   const auto find = [&](const std::string& id) {
@@ -115,16 +122,20 @@ Json pair_circles(const jobs::CircularityTable& table, const RunsAndModels& runs
   for (const jobs::PairCircularity& pair : table.pairs) {
     const auto ccw = find(pair.ccw);
     const auto cw = find(pair.cw);
+    const measure::CircleFit common =
+        measure::least_squares_circle(measure::joined(measure::profile_of(ccw->run), measure::profile_of(cw->run)));
     PolarGroup group{pair.ccw + ", " + pair.cw, ccw->run.radius / kMm};
-    group.curves = {{"counterclockwise", 1, 0, in_unit(ccw->angle, kDeg), in_unit(ccw->radial, kUm)},
-                    {"clockwise", 2, 0, in_unit(cw->angle, kDeg), in_unit(cw->radial, kUm)}};
+    group.curves = {{"counterclockwise", 1, 0, in_unit(ccw->angle, kDeg), in_unit(about(*ccw, common), kUm)},
+                    {"clockwise", 2, 0, in_unit(cw->angle, kDeg), in_unit(about(*cw, common), kUm)}};
     group.figures = {{"Bidirectional deviation G(b)", pair.figures.minimum_zone / kUm},
                      {"Mean radial deviation D", pair.figures.mean_radial / kUm}};
     groups.push_back(std::move(group));
   }
   if (groups.empty()) return nullptr;
-  return polar_section("Both directions laid over each other", groups,
-                       "What differs between the directions comes from friction, backlash and lag.");
+  return polar_section(
+      "Both directions laid over each other", groups,
+      "About the least-squares circle of both, so that a difference of their radii shows. What differs between the "
+      "directions comes from friction, backlash and lag.");
 }
 
 std::string circularity_lead(const jobs::CircularityTable& table) {

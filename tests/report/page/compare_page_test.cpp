@@ -49,13 +49,20 @@ TEST_CASE("a page of circles has the figures of ISO 230-4, both directions and w
                 {"<b>", figures, {{1, 5e-6, 0}, {2, 3e-6, 0}}}};
   table.runs[1].figures.least_squares = 7e-6;
   table.pairs = {{"a", "<b>", {4e-6, 3e-6, -1e-6}}};
-  const Page page = circularity_page(table, testing::small_runs());
+  jobs::RunsAndModels runs = testing::small_runs();
+  runs.runs[1].run.radial = {4e-6, 2e-6, 4e-6, 2e-6};  // 3 um wider than the other one, each about its own circle alike
+  runs.runs[1].radial = runs.runs[0].radial;
+  runs.runs[1].figures = measure::CircularityFigures{2e-6, 2e-6, 4e-6, 2e-6, {3e-6, 0, 0}};
+  const Page page = circularity_page(table, runs);
   CHECK(page.lead == "2 circles are between 2.0 um (a) and 7.0 um (<b>) out of round.");
   CHECK(testing::section_of(page, "Figures of ISO 230-4")["rows"][1][1].get<double>() == Approx(7));
   const Json pair = testing::section_of(page, "Both directions")["rows"][0];
   CHECK(pair[2].get<double>() == Approx(4));
   CHECK(pair[3].get<double>() == Approx(-1));
-  CHECK(testing::section_of(page, "Both directions laid over each other")["groups"][0]["name"] == "a, <b>");
+  const Json over = testing::section_of(page, "Both directions laid over each other")["groups"][0];
+  CHECK(over["name"] == "a, <b>");
+  CHECK(over["curves"][0]["values"] == packed(std::vector<double>{-0.5, -2.5, -0.5, -2.5}, 1e-3));
+  CHECK(over["curves"][1]["values"] == packed(std::vector<double>{2.5, 0.5, 2.5, 0.5}, 1e-3));
   const Json waves = testing::section_of(page, "Waves around the circle");
   CHECK(waves["columns"]["labels"] == Json{"2", "3"});
   CHECK(waves["figures"][0]["planes"][0]["reasons"] == Json{{"3", 0}});
