@@ -190,14 +190,14 @@ Corrected Corrector::correct(const Target& target) const {
 }
 
 // The open targets where they stand now: in packs, and what these are not sure of one by one.
-void Corrector::correct_standing(Corrections& corrections, int round) const {
+void Corrector::correct_standing(std::span<const Target> standing, Corrections& corrections, int round) const {
   const std::vector<std::size_t>& open = corrections.open_;
   exact::PoseBatch& batch = corrections.batch_;
   batch.clear();
-  const bool signs_stated = open.size() == 1 && corrections.standing_[open.front()].sign;  // packs know of none
+  const bool signs_stated = open.size() == 1 && standing[open.front()].sign;  // packs know of none
   if (settings_.method == Method::exact && !signs_stated) {
     for (const std::size_t i : open) {
-      const Target& at = corrections.standing_[i];
+      const Target& at = standing[i];
       batch.add(at.pose, at.slope, at.bend, at.seconds.value_or(-1));
     }
     batch.correct(setup_);
@@ -205,8 +205,8 @@ void Corrector::correct_standing(Corrections& corrections, int round) const {
   for (std::size_t k = 0; k < open.size(); ++k) {
     Corrected& corrected = corrections.corrected_[open[k]];
     const int state = batch.size() > 0 ? batch.state(k) : 0;
-    if ((state & exact::kFound) == 0 || corrections.standing_[open[k]].sign) {
-      corrected = correct_once(corrections.standing_[open[k]], settings_.method);
+    if ((state & exact::kFound) == 0 || standing[open[k]].sign) {
+      corrected = correct_once(standing[open[k]], settings_.method);
       continue;
     }
     corrected = {batch.commanded(k), true, round == 0 && (state & exact::kWithin) != 0, batch.sign(k)};
@@ -215,11 +215,13 @@ void Corrector::correct_standing(Corrections& corrections, int round) const {
 
 void Corrector::correct(std::span<const Target> targets, Corrections& corrections) const {
   corrections.corrected_.resize(targets.size());
-  corrections.standing_.assign(targets.begin(), targets.end());
+  const bool fixes = std::any_of(targets.begin(), targets.end(), [](const Target& at) { return !at.fixed.empty(); });
+  if (fixes) corrections.standing_.assign(targets.begin(), targets.end());
+  const std::span<const Target> standing = fixes ? std::span<const Target>(corrections.standing_) : targets;
   corrections.open_.resize(targets.size());
   std::iota(corrections.open_.begin(), corrections.open_.end(), std::size_t{0});
   for (int round = 0; round < kMostRounds && !corrections.open_.empty(); ++round) {
-    correct_standing(corrections, round);
+    correct_standing(standing, corrections, round);
     corrections.still_open_.clear();
     for (const std::size_t i : corrections.open_) {
       const Target& target = targets[i];

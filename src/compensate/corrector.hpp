@@ -39,7 +39,8 @@ class Corrections {
  private:
   friend class Corrector;
   std::vector<Corrected> corrected_;
-  std::vector<Target> standing_;  // where each is corrected: its fixed axes turned until they end where they were
+  // Where some axis is fixed, where each is corrected: its fixed axes turned until they end where they were.
+  std::vector<Target> standing_;
   std::vector<std::size_t> open_;
   std::vector<std::size_t> still_open_;
   exact::PoseBatch batch_;
@@ -139,7 +140,7 @@ class Corrector {
   bool move_struts(const Load& load, Pose<double>& pose) const;
   void take_geometry();
   Corrected correct_once(const Target& target, Method method) const;
-  void correct_standing(Corrections& corrections, int round) const;
+  void correct_standing(std::span<const Target> standing, Corrections& corrections, int round) const;
   static bool settle_fixed_axes(const Target& target, Corrected& corrected, Target& standing);
   void confirm(std::span<const Target> targets, Corrections& corrections) const;
   bool holds(const Target& target, std::optional<double> off_mm) const;

@@ -134,6 +134,7 @@ void Pipeline::follow_tool(const nc::Step& step) {
   if (!reader_.tool_has_mass()) tally_.take_massless_tool(step);
   play_.set_tool(*tool);
   if (recorded_) recorded_->set_tool(*tool, step.after->tool_in_spindle);
+  tally_.before_other_tool();
   corrector_.set_tool(*tool);
   ++tools_;
 }

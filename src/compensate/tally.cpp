@@ -1,7 +1,6 @@
 #include "compensate/tally.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -18,6 +17,7 @@ constexpr std::uint64_t kReplayAll = 256;   // corrected moves at the begin
 constexpr std::uint64_t kReplayEvery = 16;  // after them
 constexpr double kAlmost = 1 - 1e-6;        // pieces of exactly the time are not below it
 constexpr double kOffsetProbeMm = 1;
+constexpr std::size_t kSamples = 8;     // samples, three poses each: whole packs, whatever the processor has
 constexpr double kLeastDriftMm = 1e-5;  // in an hour
 
 // What became of an arc.
@@ -118,6 +118,8 @@ void Tally::note_written(const nc::EmittedMove& written, std::optional<double> s
 
 // Some ends of blocks are played on the model: the figures of the summary are not those of the formula that made them.
 void Tally::note_end(const CorrectedMove& corrected) {
+  ++cuts_;
+  if (cuts_ > kReplayAll && cuts_ % kReplayEvery != 0) return;
   const Move& move = corrected.move;
   const Target target = move.path.target(1, move.seconds);
   if (!sample_) {
@@ -125,30 +127,30 @@ void Tally::note_end(const CorrectedMove& corrected) {
     summary_.zero_error = corrector_.error(target);
     summary_.zero_error_line = move.path.line;
   }
-  ++cuts_;
-  if (cuts_ > kReplayAll && cuts_ % kReplayEvery != 0) return;
   const double most = summary_.condition.value;
   if (corrector_.condition_ceiling(target, most) > most) {
     summary_.condition.take(corrector_.condition(target), move.path.line);
   }
-  note_offset_sensitivity(target, corrected.commanded(corrected.points.size() - 1));
+  ends_.push_back(corrected.commanded(corrected.points.size() - 1) - target.pose);
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) beside_.emplace_back(target).pose[axis] += kOffsetProbeMm;
+  if (ends_.size() == kSamples) note_offset_sensitivity();
 }
 
 // How far the offset may be off: the change of the correction with the place of the part.
-void Tally::note_offset_sensitivity(const Target& target, const AxisWords& commanded) {
-  const AxisWords correction = commanded - target.pose;
-  std::array<Target, 3> moved{target, target, target};
-  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) moved[index(axis)].pose[axis] += kOffsetProbeMm;
-  corrector_.correct(moved, corrections_);
-  double squares = 0;
-  for (std::size_t i = 0; i < moved.size(); ++i) {
-    if (!corrections_[i].converged) continue;  // beyond the edge of what the machine can hold
-    const AxisWords there = corrections_[i].pose - moved[i].pose;
-    const double change = length_mm(there - correction) / kOffsetProbeMm;
-    squares += change * change;
+void Tally::note_offset_sensitivity() {
+  corrector_.correct(beside_, corrections_);
+  for (std::size_t end = 0; end < ends_.size(); ++end) {
+    double squares = 0;
+    for (std::size_t i = 3 * end; i < 3 * end + 3; ++i) {
+      if (!corrections_[i].converged) continue;  // beyond the edge of what the machine can hold
+      const double change = length_mm(corrections_[i].pose - beside_[i].pose - ends_[end]) / kOffsetProbeMm;
+      squares += change * change;
+    }
+    if (squares == 0) continue;
+    summary_.offset_shift_for_1um_mm = std::min(summary_.offset_shift_for_1um_mm, kUm / kMm / std::sqrt(squares));
   }
-  if (squares == 0) return;
-  summary_.offset_shift_for_1um_mm = std::min(summary_.offset_shift_for_1um_mm, kUm / kMm / std::sqrt(squares));
+  ends_.clear();
+  beside_.clear();
 }
 
 // What pieces longer than the steps cost: how far the middle of each lies from where it should be commanded.
@@ -201,7 +203,8 @@ void Tally::note_short_pieces(const WrittenMove& written, double seconds, std::s
   }
 }
 
-Summary Tally::summary() const {
+Summary Tally::summary() {
+  note_offset_sensitivity();
   Summary summary = summary_;
   summary.bytes_before = source_.size();
   if (summary.points > 0) summary.rms_correction_mm = std::sqrt(sum_of_squares_ / static_cast<double>(summary.points));

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "base/files/files.hpp"
 #include "compensate/hole_corrector.hpp"
@@ -31,18 +32,20 @@ class Tally {
   void take_rapid(const CorrectedMove& corrected, const WrittenMove& written);
   void take_cut(const CorrectedMove& corrected, const WrittenMove& written);
   void take_hole(const CorrectedHole& hole, const nc::EmittedMove& written);
+  /// To be called before the corrector gets another tool.
+  void before_other_tool() { note_offset_sensitivity(); }
   /// A tool without a mass came into the spindle.
   void take_massless_tool(const nc::Step& step);
 
   /// All of it but what the output itself says.
-  Summary summary() const;
+  Summary summary();
 
  private:
   void take_kept_time(double seconds);
   void note_point(const nc::CorrectedPoint& point, std::size_t line);
   void note_written(const nc::EmittedMove& written, std::optional<double> seconds, std::size_t line);
   void note_end(const CorrectedMove& corrected);
-  void note_offset_sensitivity(const Target& target, const AxisWords& commanded);
+  void note_offset_sensitivity();
   void note_widened(const CorrectedMove& corrected);
   void note_bound(const CorrectedMove& corrected);
   void note_short_pieces(const WrittenMove& written, double seconds, std::size_t line);
@@ -60,6 +63,8 @@ class Tally {
   bool ended_ = false;                   // the last thing that was executed ends a program
   std::size_t last_line_ = 0;            // that holds a word
   std::map<int, Place> massless_tools_;  // and where each came into the spindle
+  std::vector<AxisWords> ends_;          // corrections of ends of moves, of which is not yet known
+  std::vector<Target> beside_;           // how they change: in X, Y and Z of each
   Corrections corrections_;              // of targets beside those of the program
   std::optional<Target> sample_;         // where the error per kg of a tool is worked out
   double sum_of_squares_ = 0;
