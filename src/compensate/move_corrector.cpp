@@ -56,6 +56,10 @@ bool MoveCorrector::take(const Target& target, const AxisWords& words) {
 
 // False where no command leads there.
 bool MoveCorrector::take(const Target& target, const AxisWords& words, const Corrected& corrected) {
+  if (corrected.converged && corrected.within_limits) {
+    keep(corrected, words);
+    return true;
+  }
   Command command = compensate::command(corrector_, limits_, target, corrected);
   note(std::move(command.violations));
   if (!command.corrected.converged) {

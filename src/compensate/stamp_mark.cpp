@@ -24,23 +24,32 @@ std::size_t first_comment(std::string_view text) {
   return std::min(text.substr(0, bracket).find(';'), bracket);
 }
 
-// The line of the first comment; the end of the file if it holds none.
-nc::LinePlace first_commented_line(const InputFile& file) {
+// Where the line of the first comment begins; the end of the file if it holds none.
+std::uint64_t first_commented_line(const InputFile& file) {
   std::vector<char> chunk(kChunk);
-  nc::LinePlace line;
+  std::uint64_t line = 0;
   for (std::uint64_t offset = 0;;) {
     const std::size_t got = file.read(offset, chunk.data(), chunk.size());
+    if (got == 0) return offset;
     const std::string_view text(chunk.data(), got);
     const std::size_t comment = first_comment(text);
-    const std::string_view before = text.substr(0, comment);
-    const std::size_t newline = before.rfind('\n');
-    if (newline != std::string_view::npos) {
-      line.line += static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-      line.offset = offset + newline + 1;
-    }
-    if (comment < got || got == 0) return line;
+    const std::size_t newline = text.substr(0, comment).rfind('\n');
+    if (newline != std::string_view::npos) line = offset + newline + 1;
+    if (comment < got) return line;
     offset += got;
   }
+}
+
+std::size_t lines_before(const InputFile& file, std::uint64_t end) {
+  std::vector<char> chunk(kChunk);
+  std::size_t lines = 0;
+  for (std::uint64_t offset = 0; offset < end;) {
+    const std::size_t got = file.read(offset, chunk.data(), std::min<std::uint64_t>(chunk.size(), end - offset));
+    if (got == 0) break;
+    lines += static_cast<std::size_t>(std::count(chunk.data(), chunk.data() + got, '\n'));
+    offset += got;
+  }
+  return lines;
 }
 
 bool is_stamp(std::string_view line, std::string& plain) {
@@ -56,13 +65,14 @@ bool is_stamp(std::string_view line, std::string& plain) {
 
 void refuse_stamped(const InputFile& file) {
   nc::LineSource lines(file);
-  lines.seek(first_commented_line(file));
+  const std::uint64_t first = first_commented_line(file);
+  lines.seek({first, 1});
   std::string plain;
   for (nc::Line line; lines.next(line);) {
     if (!is_stamp(line.text, plain)) continue;
     Place place;
     place.file = file.name();
-    place.line = line.place.line;
+    place.line = lines_before(file, first) + line.place.line;
     place.column = line.text.find_first_of("(;") + 1;
     place.length = line.text.size() - place.column + 1;
     place.text = line.text;
