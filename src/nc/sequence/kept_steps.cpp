@@ -6,8 +6,8 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr std::size_t kSteps = 256;
-constexpr std::size_t kTexts = std::size_t{1} << 15U;  // bytes of their blocks
+constexpr std::size_t kSteps = 128;
+constexpr std::size_t kTexts = std::size_t{1} << 14U;  // bytes of their blocks
 
 // The same bytes are the same state, and are told in a fraction of the time.
 template <class State>
