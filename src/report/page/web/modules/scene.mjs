@@ -34,6 +34,8 @@ class Bar {
   put(from, to) {
     const way = to.clone().sub(from);
     this.mesh.position.copy(from).addScaledVector(way, 0.5);
+    this.mesh.visible = way.length() > 0;  // the tool of a machine whose tip is at its platform has no length
+    if (!this.mesh.visible) return;
     this.mesh.scale.set(1, way.length(), 1);
     this.mesh.quaternion.setFromUnitVectors(vector(0, 1, 0), way.normalize());
   }

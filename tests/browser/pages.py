@@ -1,0 +1,48 @@
+"""The pages that the program writes, each from a small case."""
+import os
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+MODEL = ROOT / "models/pm600-like.toml"
+OFFSET = ["--work-offset", "G54=0,0,-1008,0,0,0"]
+
+PROGRAM = """\
+%
+(A FACE AND A CIRCLE)
+N10 G21 G17 G90 G94
+N20 G54 G0 X-40 Y-40 Z30 A0 B0 C0
+N30 Z5
+N40 G1 Z0 F600
+N50 X40 F1500 A6
+N60 Y-20 B-4
+N70 X-40 A0
+N80 Y0 B0
+N90 G2 X0 Y40 I40 J0 C3
+N100 G3 X40 Y0 Z-2 I0 J-40 A-5
+N110 G1 X0.02 F900
+N120 X0 Y0.01
+N130 G0 Z60
+N140 M2
+%
+"""
+
+
+def run(folder, *arguments, fails=False):
+    done = subprocess.run([os.environ["PLUMBLINE_PROGRAM"], *map(str, arguments)], cwd=folder, text=True,
+                          capture_output=True, check=False)
+    if (done.returncode != 0) != fails:
+        raise AssertionError(f"{arguments}: {done.returncode}\n{done.stdout}{done.stderr}")
+    return done
+
+
+def compensate(folder):
+    (folder / "part.ngc").write_text(PROGRAM)
+    run(folder, "compensate", "part.ngc", "-m", MODEL, *OFFSET, "-o", "part-compensated.ngc", "--report", "compensate.html")
+    return folder / "compensate.html"
+
+
+# name: (what makes it in a folder, whether it has a scene, at least so many drawings)
+PAGES = {
+    "compensate": (compensate, True, 10),
+}
