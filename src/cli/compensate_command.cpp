@@ -5,6 +5,7 @@
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/report_file.hpp"
 #include "cli/shared_options.hpp"
 #include "jobs/compensate/compensate_file.hpp"
 #include "jobs/compensate/compensated_files.hpp"
@@ -67,8 +68,7 @@ void add_compensate(CLI::App& app, Run& run) {
       ->type_name("FILE")
       ->required();
   command->add_option("--json", arguments->json, "write the summary as JSON, too")->type_name("FILE");
-  command->add_option("--report", arguments->report, "write a page to look at it: path, struts, forces, worst places")
-      ->type_name("FILE");
+  add_report_option(*command, arguments->report);
   using Group = settings::OptionGroup;
   arguments->shared.add_to(*command, {Group::model, Group::program, Group::step, Group::bound, Group::compensation});
   command->callback([arguments, &run] { run = [arguments] { return compensate(*arguments); }; });

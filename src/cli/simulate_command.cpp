@@ -6,20 +6,23 @@
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/report_file.hpp"
 #include "cli/shared_options.hpp"
+#include "report/page/program_pages.hpp"
 #include "report/program/simulation_text.hpp"
 
 namespace plumbline::cli {
 namespace {
 
 struct SimulateArguments {
-  std::string program, dataset;
+  std::string program, dataset, report;
   std::string output = std::string(kStandardStream);
   SharedOptions shared;
 };
 
 int simulate_dataset(const SimulateArguments& arguments) {
   if (!arguments.program.empty()) throw UsageError("either PROGRAM or -d DATASET, not both");
+  if (!arguments.report.empty()) throw UsageError("--report draws a PROGRAM; readings are drawn by compare --report");
   if (arguments.output == kStandardStream) throw UsageError("-o DIR is required: the folder for the dataset");
   arguments.shared.allow_model_alone("a dataset says all of a circular test");
   const settings::Options options = arguments.shared.read(arguments.dataset);
@@ -35,14 +38,20 @@ int simulate(const SimulateArguments& arguments) {
   if (arguments.program.empty()) throw UsageError("PROGRAM is required: the NC program to be played, or -d DATASET");
   const settings::Options options = arguments.shared.read(arguments.program);
   require_model(options);
-  check_outputs(files_read(arguments.program, options), {arguments.output});
+  check_outputs(files_read(arguments.program, options), {arguments.output, arguments.report});
   OutputFile out(arguments.output);
+  ReportFile page(arguments.report);
   report::SimulationTable table(out);
   ProgressLine line("simulate");
+  jobs::ProgramPicture picture;
   const jobs::SimulationSummary summary = jobs::simulate_program(
-      arguments.program, options, [&](const jobs::SimulatedPoint& point) { table.add(point); }, line.progress());
+      arguments.program, options, [&](const jobs::SimulatedPoint& point) { table.add(point); }, line.progress(),
+      arguments.report.empty() ? nullptr : &picture);
   line.clear();
-  out.commit();
+  OutputSet files;
+  page.add_to(files, [&] { return report::simulation_page(summary, picture, arguments.program); });
+  files.add(out);
+  files.commit();
   say_note(report::simulation_text(summary));
   return kDone;
 }
@@ -65,6 +74,7 @@ void add_simulate(CLI::App& app, Run& run) {
                    "CSV: line, motion, time (s), pose (mm, deg), error of the tip (um) and of the orientation (urad), "
                    "strut lengths (mm), nut tensions (N), motor torques (N m); default standard output")
       ->type_name("FILE");
+  add_report_option(*command, arguments->report);
   using Group = settings::OptionGroup;
   arguments->shared.add_to(*command, {Group::model, Group::program, Group::step});
   command->callback([arguments, &run] { run = [arguments] { return simulate(*arguments); }; });

@@ -22,7 +22,7 @@ namespace {
 class Checker {
  public:
   Checker(const nc::Dialect& dialect, const machine::MachineModel& model, const compensate::Settings& settings,
-          const nc::EmitSettings& emit)
+          const nc::EmitSettings& emit, compensate::PathRecord* record)
       : dialect_(dialect),
         emit_(emit),
         words_(dialect, emit_),
@@ -30,10 +30,14 @@ class Checker {
         touch_off_error_(compensate::touch_off_error(corrector_, settings)),
         moves_(corrector_, model.limits, compensate::MoveCorrector::AtViolation::go_on, settings.bound),
         holes_(dialect, corrector_, model.limits, settings, moves_),
-        by_bound_(settings.bound.is_asked()) {}
+        by_bound_(settings.bound.is_asked()),
+        record_(record) {}
 
   const AxisWords& touch_off_error() const { return touch_off_error_; }
-  void set_tool(const compensate::ToolInSpindle& tool) { corrector_.set_tool(tool); }
+  void set_tool(const compensate::ToolInSpindle& tool, int number) {
+    corrector_.set_tool(tool);
+    if (record_ != nullptr) record_->set_tool(tool, number);
+  }
 
   void look_at(const compensate::Move& move, const compensate::PassedMoves& passed) {
     const nc::Block& block = *move.step->block;
@@ -47,6 +51,7 @@ class Checker {
           moves_.correct(move, {}, {{}, nc::arc_form(dialect_, words_, *move.step, {})});
       if (by_bound_ && !move.is_rapid()) points = corrected.points.size();
       compensate::keep_worst(of_block_, corrected.violations);
+      if (record_ != nullptr) record(corrected);
     } else if (move.motion == &move.step->motions[hole->begin]) {
       compensate::keep_worst(of_block_, holes_.correct(move, *hole, {}).at->violations);
     }
@@ -73,6 +78,29 @@ class Checker {
     return nullptr;
   }
 
+  void record(const compensate::CorrectedMove& corrected) {
+    const compensate::Move& move = corrected.move;
+    double fraction = 0;
+    for (std::size_t i = 0; i < corrected.points.size(); ++i) {
+      fraction = move.is_rapid() || i + 1 == corrected.points.size() ? 1 : fraction + corrected.points[i].share;
+      compensate::RecordedPoint point;
+      point.kind = compensate::way_kind(move.motion->kind);
+      point.line = move.path.line;
+      point.asked =
+          move.is_rapid() ? move.path.at_rest(move.path.curve.at(1)) : move.path.target(fraction, move.seconds);
+      point.commanded = corrected.commanded(i);
+      if (!move.is_rapid() && move.seconds) {
+        point.time_s = begin_s_ + fraction * *move.seconds;
+        point.piece_s = corrected.points[i].share * *move.seconds;
+        if (*move.seconds > 0) point.mm_s = length_mm(point.asked.slope) / *move.seconds;
+      } else {
+        point.time_s = begin_s_;
+      }
+      record_->add(std::move(point), [&] { return compensate::PathRecord::Texts{move.step->block->text, {}}; });
+    }
+    begin_s_ += move.is_rapid() ? 0 : move.seconds.value_or(0);
+  }
+
   void end_block() {
     for (const machine::Violation& violation : of_block_) {
       ++summary_.violations;
@@ -92,6 +120,8 @@ class Checker {
   compensate::MoveCorrector moves_;
   compensate::HoleCorrector holes_;
   bool by_bound_;
+  compensate::PathRecord* record_;
+  double begin_s_ = 0;  // of the move, where a path is recorded
   CheckSummary summary_;
   std::string file_;
   std::size_t line_ = 0;
@@ -101,24 +131,31 @@ class Checker {
 
 }  // namespace
 
-CheckSummary check_file(const std::string& program, const settings::Options& options, const Progress& progress) {
+CheckSummary check_file(const std::string& program, const settings::Options& options, const Progress& progress,
+                        ProgramPicture* picture) {
   const machine::MachineModel model = machine::read_model(options.paths.model);
   const OpenedProgram opened = open_program(options, program, model);
   const auto& [source, dialect, settings] = opened;
   const compensate::Settings compensation = compensation_settings(model.control, options);
 
   const compensate::ProgramSurvey survey = survey_program(opened);
-  Checker checker(dialect, model, compensation, emit_settings(model.control, dialect, options));
+  std::optional<compensate::PathRecord> record;
+  if (picture != nullptr) record.emplace(model, compensation);
+  Checker checker(dialect, model, compensation, emit_settings(model.control, dialect, options),
+                  record ? &*record : nullptr);
   compensate::MoveReader reader(
       source, dialect, settings,
       {survey.named, compensate::divided_by(compensation), model.reference_tool_mass, checker.touch_off_error()});
+  std::uint64_t passed = 0;
   while (const compensate::Move* const move = reader.next_move(progress)) {
-    if (const auto tool = reader.new_tool()) checker.set_tool(*tool);
+    if (record && std::exchange(passed, reader.passed_moves()) != reader.passed_moves()) record->leave();
+    if (const auto tool = reader.new_tool()) checker.set_tool(*tool, move->step->after->tool_in_spindle);
     checker.look_at(*move, reader.passed());
   }
   CheckSummary summary = checker.take();
   summary.blocks = reader.blocks();
   summary.passed_moves = reader.passed_moves();
+  if (record) *picture = {model, compensate::drawn_path(*record, model, compensation)};
   if (summary.violations == 0) summary.refusal = refusal_of_writing(opened, survey, model, options);
   // Its output may be looked at, too.
   if (summary.refusal && summary.refusal->code == "compensate-stamped") summary.refusal.reset();

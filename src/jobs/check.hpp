@@ -9,6 +9,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/progress.hpp"
+#include "jobs/simulate.hpp"
 #include "machine/limits.hpp"
 #include "settings/options.hpp"
 
@@ -36,6 +37,8 @@ struct CheckSummary {
 /// Checks the programmed poses (tilt) and the poses that compensation would command (tilt, travel, struts, condition)
 /// at every point of the path; a pose that no command can reach is of the kind "reach". Refuses what
 /// compensate::MoveReader refuses; what compensate refuses later, when it writes, is in the summary.
-CheckSummary check_file(const std::string& program, const settings::Options& options, const Progress& progress = {});
+/// `picture`: the path as it would be commanded; null: none is wanted.
+CheckSummary check_file(const std::string& program, const settings::Options& options, const Progress& progress = {},
+                        ProgramPicture* picture = nullptr);
 
 }  // namespace plumbline::jobs

@@ -1,6 +1,8 @@
 #include "jobs/simulate.hpp"
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,10 +21,15 @@ using Take = std::function<void(const SimulatedPoint&)>;
 
 class Player {
  public:
-  Player(const machine::MachineModel& model, const compensate::Settings& settings, const Take& take)
-      : machine_(model, settings), take_(take) {}
+  /// `record` may be null.
+  Player(const machine::MachineModel& model, const compensate::Settings& settings, const Take& take,
+         compensate::PathRecord* record)
+      : machine_(model, settings), take_(take), record_(record) {}
 
-  void set_tool(const compensate::ToolInSpindle& tool) { machine_.set_tool(tool); }
+  void set_tool(const compensate::ToolInSpindle& tool, int number) {
+    machine_.set_tool(tool);
+    if (record_ != nullptr) record_->set_tool(tool, number);
+  }
 
   /// The ends of its pieces; a rapid stands still at each, since nobody knows how fast it is.
   void play(const compensate::Move& move, double begin_s) {
@@ -65,6 +72,22 @@ class Player {
                                error.loads.torque};
     take_(point);
     note(point);
+    if (record_ != nullptr) record(at);
+  }
+
+  void record(const Point& at) {
+    const compensate::Move& move = *at.move;
+    compensate::RecordedPoint point;
+    point.kind = compensate::way_kind(move.motion->kind);
+    point.line = move.path.line;
+    point.time_s = at.time_s;
+    point.asked = at.target;
+    point.commanded = at.target.pose;
+    if (move.seconds && !move.is_rapid()) {
+      point.piece_s = *move.seconds;  // the control runs the block as a whole
+      if (*move.seconds > 0) point.mm_s = length_mm(at.target.slope) / *move.seconds;
+    }
+    record_->add(std::move(point), [&] { return compensate::PathRecord::Texts{move.step->block->text, {}}; });
   }
 
   void note(const SimulatedPoint& point) {
@@ -79,6 +102,7 @@ class Player {
 
   compensate::LoadedMachine machine_;
   const Take& take_;
+  compensate::PathRecord* record_;
   SimulationSummary summary_;
   double squares_ = 0;
 };
@@ -86,20 +110,26 @@ class Player {
 }  // namespace
 
 SimulationSummary simulate_program(const std::string& program, const settings::Options& options,
-                                   const std::function<void(const SimulatedPoint&)>& take, const Progress& progress) {
+                                   const std::function<void(const SimulatedPoint&)>& take, const Progress& progress,
+                                   ProgramPicture* picture) {
   const machine::MachineModel model = machine::read_model(options.paths.model);
   const auto [source, dialect, settings] = open_program(options, program, model);
 
   compensate::MoveReader reader(
       source, dialect, settings,
       {nc::named_axes(source, dialect), options.compensation.step, model.reference_tool_mass, {}});
-  Player player(model, options.compensation, take);
+  std::optional<compensate::PathRecord> record;
+  if (picture != nullptr) record.emplace(model, options.compensation);
+  Player player(model, options.compensation, take, record ? &*record : nullptr);
+  std::uint64_t passed = 0;
   while (const compensate::Move* const move = reader.next_move(progress)) {
-    if (const auto tool = reader.new_tool()) player.set_tool(*tool);
+    if (record && std::exchange(passed, reader.passed_moves()) != reader.passed_moves()) record->leave();
+    if (const auto tool = reader.new_tool()) player.set_tool(*tool, move->step->after->tool_in_spindle);
     player.play(*move, reader.begin_s());
   }
   SimulationSummary summary = player.take();
   summary.passed_moves = reader.passed_moves();
+  if (record) *picture = {model, compensate::drawn_path(*record, model, options.compensation)};
   return summary;
 }
 

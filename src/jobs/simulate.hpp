@@ -7,7 +7,9 @@
 
 #include "base/axes.hpp"
 #include "base/progress.hpp"
+#include "compensate/recorded/drawn_path.hpp"
 #include "machine/geometry.hpp"
+#include "machine/model.hpp"
 #include "nc/control/state/motion.hpp"
 #include "settings/options.hpp"
 
@@ -34,10 +36,16 @@ struct SimulationSummary {
   double seconds = 0;
 };
 
+/// The path of a program for a picture, and the machine that moves along it.
+struct ProgramPicture {
+  machine::MachineModel model;
+  compensate::DrawnPath path;
+};
+
 /// Hands over every point of the path at the step settings, in order. The program is taken as it stands, no limits.
 /// Refuses what compensate::MoveReader refuses, and simulate-unreachable.
 SimulationSummary simulate_program(const std::string& program, const settings::Options& options,
                                    const std::function<void(const SimulatedPoint&)>& take,
-                                   const Progress& progress = {});
+                                   const Progress& progress = {}, ProgramPicture* picture = nullptr);
 
 }  // namespace plumbline::jobs

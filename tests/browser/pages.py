@@ -28,10 +28,10 @@ N140 M2
 """
 
 
-def run(folder, *arguments, fails=False):
+def run(folder, *arguments, code=0):
     done = subprocess.run([os.environ["PLUMBLINE_PROGRAM"], *map(str, arguments)], cwd=folder, text=True,
                           capture_output=True, check=False)
-    if (done.returncode != 0) != fails:
+    if done.returncode != code:
         raise AssertionError(f"{arguments}: {done.returncode}\n{done.stdout}{done.stderr}")
     return done
 
@@ -42,7 +42,29 @@ def compensate(folder):
     return folder / "compensate.html"
 
 
+def simulate(folder):
+    (folder / "part.ngc").write_text(PROGRAM)
+    run(folder, "simulate", "part.ngc", "-m", MODEL, *OFFSET, "-o", "table.csv", "--report", "simulate.html")
+    return folder / "simulate.html"
+
+
+def check(folder):
+    """A program that goes beyond a limit."""
+    (folder / "part.ngc").write_text(PROGRAM.replace("N50 X40 F1500 A6", "N50 X40 F1500 A36"))
+    run(folder, "check", "part.ngc", "-m", MODEL, *OFFSET, "--report", "check.html", code=3)
+    return folder / "check.html"
+
+
+def diff(folder):
+    compensate(folder)
+    run(folder, "diff", "part.ngc", "part-compensated.ngc", "--report", "diff.html")
+    return folder / "diff.html"
+
+
 # name: (what makes it in a folder, whether it has a scene, at least so many drawings)
 PAGES = {
     "compensate": (compensate, True, 10),
+    "simulate": (simulate, True, 9),
+    "check": (check, True, 10),
+    "diff": (diff, True, 6),
 }

@@ -48,4 +48,10 @@ DrawnPath drawn_path(PathRecord& record, const machine::MachineModel& model, con
   return path;
 }
 
+DrawnPath drawn_path(PathRecord& record) {
+  DrawnPath path{{}, record.count(), false};
+  for (RecordedPoint& recorded : record.take()) path.points.emplace_back().recorded = std::move(recorded);
+  return path;
+}
+
 }  // namespace plumbline::compensate

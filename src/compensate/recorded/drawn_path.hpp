@@ -26,6 +26,7 @@ struct DrawnPoint {
 struct DrawnPath {
   std::vector<DrawnPoint> points;
   std::uint64_t of_points = 0;  // that the path has
+  bool has_machine = true;      // else a point holds what was recorded, and nothing more
 };
 
 /// The text of the output from one byte up to another one.
@@ -34,5 +35,7 @@ using OutputText = std::function<std::string(std::uint64_t begin, std::uint64_t 
 /// What a record kept, played on the model. `text` reads the output, where there is one.
 DrawnPath drawn_path(PathRecord& record, const machine::MachineModel& model, const Settings& settings,
                      const OutputText& text = {});
+/// The same of a record without a machine.
+DrawnPath drawn_path(PathRecord& record);
 
 }  // namespace plumbline::compensate

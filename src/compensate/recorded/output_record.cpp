@@ -54,9 +54,7 @@ void OutputRecord::move(const CorrectedMove& corrected, const WrittenMove& writt
   const Move& move = corrected.move;
   Event& event = add(Event::Kind::move);
   event.path = move.path;
-  event.way = move.is_rapid()                            ? WayKind::rapid
-              : move.motion->kind == nc::MotionKind::arc ? WayKind::arc
-                                                         : WayKind::line;
+  event.way = way_kind(move.motion->kind);
   event.seconds = move.is_rapid() ? std::nullopt : move.seconds;
   event.begin = move.path.in_base_frame(move.motion->from + corrected.standing);
   event.begin_known = move.begin_known;
@@ -92,6 +90,7 @@ void OutputRecord::take(Batch& batch) {
         break;
       case Event::Kind::leave:
         gap_ = true;
+        record_.leave();
         break;
       case Event::Kind::tool:
         record_.set_tool(event.tool, event.number);
@@ -117,7 +116,6 @@ RecordedPoint OutputRecord::point(const Event& event, double fraction) const {
 void OutputRecord::take_begin(const Event& event, std::string_view text) {
   if (!gap_ || !event.begin_known) return;
   RecordedPoint begin = point(event, 0);
-  begin.kind = WayKind::gap;
   begin.commanded = event.begin;
   begin.mm_s.reset();
   record_.add(std::move(begin), [&] { return PathRecord::Texts{text, {}}; });
@@ -139,7 +137,6 @@ void OutputRecord::take_move(const Event& event, std::span<const SentPiece> piec
       RecordedPoint at = point(event, i == parts ? to : from + share * (to - from));
       at.commanded = i == parts ? piece.end : at.asked.pose + between(before, after, share);
       if (event.seconds) at.piece_s = *event.seconds * (to - from);
-      if (gap_) at.kind = WayKind::gap;
       gap_ = false;
       record_.add(std::move(at), [&] { return PathRecord::Texts{text, {}}; });
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "machine/inverse.hpp"
 #include "path/figures.hpp"
@@ -20,31 +21,42 @@ double least_room(const machine::Limits& limits, const machine::PerStrut<double>
 }  // namespace
 
 void PathRecord::set_tool(const ToolInSpindle& tool, int number) {
-  machine_->set_tool(tool);
+  if (machine_) machine_->set_tool(tool);
   tool_ = tool;
   number_ = number;
 }
 
 void PathRecord::restart() {
   points_.clear();
-  machine_.emplace(model_, settings_);
+  if (machine_) machine_.emplace(*model_, *settings_);
   tool_.reset();
   number_ = -1;
+  gap_ = true;
 }
 
-void PathRecord::add(RecordedPoint point, const std::function<Texts()>& texts) {
+PathRecord::Load PathRecord::load_at(const RecordedPoint& point) const {
+  Load load;
+  if (!machine_) return load;
   Target told = point.asked;
   told.pose = point.commanded;
   // The loads are taken where the machine is sent to: a few hundred um away they are the same to a millionth.
   const physics::Motion<double> motion = machine_->motion(told);
+  load.room = least_room(model_->limits, machine::strut_lengths(machine_->geometry(), motion.pose));
   const physics::TipError<double> error = machine_->error(motion, {.first_order = true});
-  const machine::PerStrut<double>& tension = error.loads.nut_tension;
+  if (!error.converged()) return load;
+  load.least_tension = error.loads.nut_tension.minCoeff();
+  load.largest_tension = error.loads.nut_tension.maxCoeff();
+  return load;
+}
+
+void PathRecord::add(RecordedPoint point, const std::function<Texts()>& texts) {
+  if (std::exchange(gap_, false)) point.kind = WayKind::gap;
+  const Load load = load_at(point);
   const AxisWords correction = point.commanded - point.asked.pose;
   const AxisWords& at = point.commanded;
   points_.add({at[Axis::X], at[Axis::Y], at[Axis::Z], at[Axis::A], at[Axis::B], at[Axis::C], length_mm(correction),
-               path::largest_turn_deg(correction), point.mm_s.value_or(kNone), point.piece_s.value_or(kNone),
-               least_room(model_.limits, machine::strut_lengths(machine_->geometry(), motion.pose)),
-               error.converged() ? tension.minCoeff() : kNone, error.converged() ? tension.maxCoeff() : kNone},
+               path::largest_turn_deg(correction), point.mm_s.value_or(kNone), point.piece_s.value_or(kNone), load.room,
+               load.least_tension, load.largest_tension},
               [&] {
                 point.tool = number_;
                 point.in_spindle = tool_;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 
 #include "compensate/loaded_machine.hpp"
 #include "compensate/recorded/decimated.hpp"
+#include "nc/control/state/motion.hpp"
 
 namespace plumbline::compensate {
 
@@ -20,6 +22,12 @@ enum class WayKind : std::uint8_t {
   line,
   arc,
 };
+
+/// Of a motion that goes somewhere.
+constexpr WayKind way_kind(nc::MotionKind kind) {
+  if (kind == nc::MotionKind::rapid) return WayKind::rapid;
+  return kind == nc::MotionKind::arc ? WayKind::arc : WayKind::line;
+}
 
 /// The end of a way, or a point on it.
 struct RecordedPoint {
@@ -46,7 +54,9 @@ class PathRecord {
  public:
   /// Model and settings must outlive it.
   PathRecord(const machine::MachineModel& model, const Settings& settings)
-      : model_(model), settings_(settings), machine_(std::in_place, model, settings), points_(kStretches) {}
+      : model_(&model), settings_(&settings), machine_(std::in_place, model, settings), points_(kStretches) {}
+  /// Of a machine that nobody knows: its struts are left out.
+  PathRecord() : points_(kStretches) {}
 
   /// `number` of the tool; -1: not known.
   void set_tool(const ToolInSpindle& tool, int number);
@@ -55,8 +65,11 @@ class PathRecord {
     std::string_view before, after;
   };
   void add(RecordedPoint point, const std::function<Texts()>& texts);
+  /// Nobody knows how the machine comes to the next point.
+  void leave() { gap_ = true; }
   void restart();
 
+  bool has_machine() const { return machine_.has_value(); }
   std::uint64_t count() const { return points_.count(); }
   std::vector<RecordedPoint> take() { return points_.take(); }
 
@@ -64,11 +77,19 @@ class PathRecord {
   static constexpr std::size_t kStretches = 800;
   static constexpr std::size_t kFigures = 13;
 
-  const machine::MachineModel& model_;
-  const Settings& settings_;
+  struct Load {                                              // at what the machine is told
+    double room = std::numeric_limits<double>::quiet_NaN();  // of the strut that is nearest to a limit, m
+    double least_tension = std::numeric_limits<double>::quiet_NaN();
+    double largest_tension = std::numeric_limits<double>::quiet_NaN();
+  };
+  Load load_at(const RecordedPoint& point) const;
+
+  const machine::MachineModel* model_ = nullptr;
+  const Settings* settings_ = nullptr;
   std::optional<LoadedMachine> machine_;
   std::optional<ToolInSpindle> tool_;
   int number_ = -1;
+  bool gap_ = true;
   Decimated<RecordedPoint, kFigures> points_;
 };
 

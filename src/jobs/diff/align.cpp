@@ -133,6 +133,7 @@ void Aligner::take_match(const DiffMove& move, std::size_t count) {
   const std::size_t line_b = count > 0 ? b_.peek(0)->line : 0;
   for (const AxisWords& shift : found_) note_shift(shift, move.line, line_b);
   note_time(move, count);
+  if (record_ != nullptr) record(move, count);
   shift_ = found_.back();
   has_shift_ = true;
   if (count > 0) at_b_ = b_.peek(count - 1)->end;
@@ -168,7 +169,28 @@ bool Aligner::find_way_back(double tolerance) {
   return false;
 }
 
+// The ends of B's moves are the last of the shifts that were found.
+void Aligner::record(const DiffMove& move, std::size_t count) {
+  if (move.in_machine_coordinates) return record_->leave();
+  for (std::size_t k = 0; k < count; ++k) {
+    const DiffMove& piece = *b_.peek(k);
+    compensate::RecordedPoint point;
+    point.kind = compensate::way_kind(move.kind);
+    point.line = move.line;
+    point.commanded = piece.end;
+    point.asked.pose = piece.end - found_[found_.size() - count + k];
+    if (move.cuts() && piece.seconds) {
+      recorded_s_ += *piece.seconds;
+      point.piece_s = piece.seconds;
+      if (*piece.seconds > 0) point.mm_s = piece.curve.linear_mm() / *piece.seconds;
+    }
+    point.time_s = recorded_s_;
+    record_->add(std::move(point), [&] { return compensate::PathRecord::Texts{move.text, piece.text}; });
+  }
+}
+
 void Aligner::leave_out(std::size_t count_a, std::size_t count_b) {
+  if (record_ != nullptr) record_->leave();
   OutOfLine place;
   if (count_a > 0) {
     place.first_line_a = a_.peek(0)->line;

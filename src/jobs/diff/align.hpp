@@ -13,7 +13,9 @@ namespace plumbline::jobs {
 
 class Aligner {
  public:
-  Aligner(MoveQueue& a, MoveQueue& b) : a_(a), b_(b), candidates_(a, b) {}
+  /// `record` gets where B's moves end and where A has them; it may be null.
+  Aligner(MoveQueue& a, MoveQueue& b, compensate::PathRecord* record = nullptr)
+      : a_(a), b_(b), candidates_(a, b), record_(record) {}
 
   /// Handles the next moves of both programs; false when both have ended.
   bool next();
@@ -31,10 +33,13 @@ class Aligner {
   void leave_out(std::size_t count_a, std::size_t count_b);
   void note_shift(const AxisWords& shift, std::size_t line_a, std::size_t line_b);
   void note_time(const DiffMove& move, std::size_t count);
+  void record(const DiffMove& move, std::size_t count);
 
   MoveQueue& a_;
   MoveQueue& b_;
   Candidates candidates_;
+  compensate::PathRecord* record_;
+  double recorded_s_ = 0;                                        // of B, so far
   std::map<std::pair<std::size_t, std::size_t>, double> ahead_;  // costs that were worked out
   DiffSummary summary_;
   AxisWords shift_;               // of B against A where the last moves ended

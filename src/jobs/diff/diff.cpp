@@ -1,5 +1,7 @@
 #include "jobs/diff/diff.hpp"
 
+#include <optional>
+
 #include "jobs/diff/align.hpp"
 #include "jobs/program/open_program.hpp"
 #include "jobs/program/program_text.hpp"
@@ -15,13 +17,19 @@ bool DiffSummary::equal_within(double tolerance_mm, double tolerance_deg) const 
 }
 
 DiffSummary diff_files(const std::string& a, const std::string& b, const settings::Options& options,
-                       const Progress& progress) {
+                       const Progress& progress, compensate::DrawnPath* picture) {
   const OpenedProgram first = open_program(options, a);  // what both leave open cancels
   const InputFile file_b(b);
   refuse_unless_program_text(file_b);
   MoveQueue moves_a(first.file, first.dialect, first.settings);
   MoveQueue moves_b(file_b, first.dialect, first.settings);
-  Aligner aligner(moves_a, moves_b);
+  std::optional<compensate::PathRecord> record;
+  if (picture != nullptr) {
+    record.emplace();
+    moves_a.keep_texts();
+    moves_b.keep_texts();
+  }
+  Aligner aligner(moves_a, moves_b, record ? &*record : nullptr);
   for (std::uint64_t i = 1; aligner.next(); ++i) {
     if (progress && i % kProgressEvery == 0) progress(moves_b.bytes_read(), file_b.size());
   }
@@ -30,6 +38,7 @@ DiffSummary diff_files(const std::string& a, const std::string& b, const setting
   summary.moves_b = moves_b.moves();
   summary.seconds_a += moves_a.dwell_seconds();
   summary.seconds_b += moves_b.dwell_seconds();
+  if (record) *picture = compensate::drawn_path(*record);
   return summary;
 }
 

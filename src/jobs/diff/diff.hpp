@@ -8,6 +8,7 @@
 
 #include "base/axes.hpp"
 #include "base/progress.hpp"
+#include "compensate/recorded/drawn_path.hpp"
 #include "compensate/summary.hpp"
 #include "settings/options.hpp"
 
@@ -59,7 +60,8 @@ struct DiffSummary {
 /// Aligns B's moves with A's, across subdivision: a move of A corresponds to one or more of B that lie along it and
 /// lead to its end, moved by what the end before it was moved. What nobody gave (offsets, tools, start) is zero for
 /// both. Memory does not grow with the length of the programs. Refuses what nc::Program refuses.
+/// `picture`: A's path and where B's points are instead, without a machine; null: none is wanted.
 DiffSummary diff_files(const std::string& a, const std::string& b, const settings::Options& options,
-                       const Progress& progress = {});
+                       const Progress& progress = {}, compensate::DrawnPath* picture = nullptr);
 
 }  // namespace plumbline::jobs

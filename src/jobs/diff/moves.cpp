@@ -68,6 +68,7 @@ bool MoveQueue::read_more() {
     } else if (step->role != nc::BlockRole::cycle || motion.from != motion.to) {  // cycles stop over where they stand
       moves_ahead_.push_back(diff_move(reader_.move(*step, motion), dialect_));
       moves_ahead_.back().begins_numbered = std::exchange(numbered_, false);
+      if (keeps_texts_) moves_ahead_.back().text = step->block->text;
       ++moves_;
     }
   }

@@ -25,6 +25,7 @@ struct DiffMove {
   path::Curve curve;                  // in the work system
   std::optional<bool> states_code{};  // the block says how it moves: G1; nothing: one of several moves of a cycle
   bool begins_numbered = false;       // an N stands after the move before it, maybe in a block that does not move
+  std::string text;                   // of its block, where it is kept
 
   bool cuts() const { return kind == nc::MotionKind::feed || kind == nc::MotionKind::arc; }
   /// The point at a fraction of the move, in W.
@@ -40,6 +41,9 @@ class MoveQueue {
   /// References must outlive it.
   MoveQueue(const InputFile& file, const nc::Dialect& dialect, const nc::ProgramSettings& settings);
 
+  /// From here on the moves have the texts of their blocks.
+  void keep_texts() { keeps_texts_ = true; }
+
   /// The move `ahead` places from here; null after the last one. Valid until the next drop().
   const DiffMove* peek(std::size_t ahead);
   /// Goes on after the next `count` moves, which were looked at before.
@@ -54,6 +58,7 @@ class MoveQueue {
   const nc::Dialect& dialect_;
   compensate::MoveReader reader_;
   std::deque<DiffMove> moves_ahead_;
+  bool keeps_texts_ = false;
   bool numbered_ = false;  // an N was read after the last move
   std::uint64_t moves_ = 0;
   std::uint64_t offset_ = 0;

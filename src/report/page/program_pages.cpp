@@ -1,5 +1,7 @@
 #include "report/page/program_pages.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/files/input_name.hpp"
@@ -75,9 +77,91 @@ Page compensation_page(const jobs::Compensation& compensation, const std::string
     for (const Diagnostic& warning : s.warnings) items.push_back(warning.message + ": " + warning.help);
     page.sections.push_back(warnings_section("Before you cut", std::move(items)));
   }
-  page.sections.push_back(
-      program_section(*compensation.path, compensation.model, {.corrected = true, .told = "corrected"}));
+  page.sections.push_back(program_section(*compensation.path, &compensation.model, {.corrected = true}));
   page.sections.push_back(listing_section("All figures", summary_text(s, options)));
+  return page;
+}
+
+Page simulation_page(const jobs::SimulationSummary& summary, const jobs::ProgramPicture& picture,
+                     const std::string& program) {
+  Page page{.title = fmt::format("{} on {}", file_name(program), picture.model.name),
+            .lead = fmt::format("As it stands, the program leaves the tool tip up to {:.1f} um off its path.",
+                                summary.largest_um),
+            .has_scene = true};
+  std::vector<Fact> facts{
+      {"machine", picture.model.name},
+      {"largest error at the tip", summary.largest_um, "um", 2, fmt::format("at line {}", summary.largest_line)},
+      {"rms", summary.rms_um, "um", 2},
+      {"cutting time", time_text(summary.seconds)},
+      {"points", count_text(summary.points)}};
+  if (summary.passed_moves > 0) {
+    facts.push_back({"moves left out", count_text(summary.passed_moves), "", 0,
+                     "machine coordinates, probing, or from where nobody knows"});
+  }
+  page.sections = {facts_section("", facts), program_section(picture.path, &picture.model, {})};
+  return page;
+}
+
+Page check_page(const jobs::CheckSummary& summary, const jobs::ProgramPicture& picture, const std::string& program) {
+  const bool kept = summary.violations == 0;
+  Page page{.title = fmt::format("{} on {}: limits", file_name(program), picture.model.name),
+            .verdict = kept ? (summary.refusal ? Verdict::warn : Verdict::good) : Verdict::bad,
+            .has_scene = true};
+  page.lead = kept ? "The program, compensated, keeps all limits of the machine."
+                   : fmt::format("The program, compensated, goes beyond the limits of the machine in {}.",
+                                 count_text(summary.violations, "place"));
+  page.sections.push_back(facts_section("", {{"machine", picture.model.name},
+                                             {"blocks", count_text(summary.blocks)},
+                                             {"points looked at", count_text(summary.points)},
+                                             {"moves not looked at", count_text(summary.passed_moves)}}));
+  if (summary.refusal) {
+    page.sections.push_back(
+        warnings_section("compensate would refuse it", {fmt::format("line {}: {}: {}", summary.refusal->place.line,
+                                                                    summary.refusal->message, summary.refusal->help)}));
+  }
+  if (!kept) {
+    std::vector<Json> rows;
+    for (const jobs::CheckFinding& finding : summary.findings) {
+      const machine::Violation& v = finding.violation;
+      rows.push_back({static_cast<double>(finding.line), v.what, v.value, v.limit, v.by_how_much, v.unit});
+    }
+    page.sections.push_back(
+        table_section("Beyond a limit", {{"line", "", 0}, {"what"}, {"value"}, {"limit"}, {"beyond it by"}, {"unit"}},
+                      std::move(rows), summary.findings.size() < summary.violations ? "the first of them" : ""));
+  }
+  page.sections.push_back(program_section(picture.path, &picture.model, {.corrected = true}));
+  return page;
+}
+
+Page diff_page(const jobs::DiffSummary& summary, const compensate::DrawnPath& path, const std::string& a,
+               const std::string& b) {
+  Page page{.title = fmt::format("{} against {}", file_name(b), file_name(a)), .has_scene = true};
+  double largest_mm = 0;
+  std::vector<Fact> facts;
+  for (const Axis axis : kAllAxes) {
+    const jobs::AxisShift& shift = summary.shift[index(axis)];
+    if (!is_rotary(axis)) largest_mm = std::max(largest_mm, shift.largest);
+    facts.push_back({fmt::format("largest shift of {}", letter(axis)),
+                     shift.largest * (is_rotary(axis) ? 1000 : kPageUm), is_rotary(axis) ? "mdeg" : "um", 2,
+                     shift.line_a > 0
+                         ? fmt::format("line {} of the first, {} of the second", shift.line_a, shift.line_b)
+                         : std::string()});
+  }
+  facts.push_back({"time", fmt::format("{} and {}", time_text(summary.seconds_a), time_text(summary.seconds_b)), "", 0,
+                   "of cutting and waiting"});
+  facts.push_back(
+      {"moves that correspond", fmt::format("{} of {}", count_text(summary.matched), count_text(summary.moves_a))});
+  page.lead = fmt::format("The second program stands up to {:.1f} um off the first in an axis.", largest_mm * kPageUm);
+  if (!summary.out_of_line.empty()) {
+    page.lead += fmt::format(" {} of the first and {} of the second have no counterpart.",
+                             count_text(summary.out_of_line_a, "move"), count_text(summary.out_of_line_b, "move"));
+    page.verdict = Verdict::warn;
+  }
+  page.sections = {
+      facts_section("", facts),
+      program_section(
+          path, nullptr,
+          {.corrected = true, .shift = "shift", .told = "the second program", .replaced = "the second program has"})};
   return page;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -62,25 +63,26 @@ std::vector<Column> place_columns() {
   return columns;
 }
 
-void add_correction(std::vector<Column>& columns) {
+void add_correction(std::vector<Column>& columns, const PathKind& kind) {
   for (const Axis axis : kAllAxes) {
     const double factor = is_rotary(axis) ? kMdegPerDeg : kUmOfMm;
     columns.push_back({fmt::format("c{}", static_cast<char>(letter(axis) - 'A' + 'a')),
-                       fmt::format("correction of {}", letter(axis)), is_rotary(axis) ? "mdeg" : "um", 2, 1e-3,
+                       fmt::format("{} of {}", kind.shift, letter(axis)), is_rotary(axis) ? "mdeg" : "um", 2, 1e-3,
                        [axis, factor](const DrawnPoint& p) { return correction(p)[axis] * factor; }});
   }
   columns.push_back(
       {"shift", "correction", "um", 2, 1e-3, [](const DrawnPoint& p) { return length_mm(correction(p)) * kUmOfMm; }});
-  columns.push_back({"left", "left at the tip", "um", 3, 1e-3, left_um});
 }
 
-void add_error(std::vector<Column>& columns) {
+void add_error(std::vector<Column>& columns, const PathKind& kind) {
+  if (kind.corrected) columns.push_back({"left", "left at the tip", "um", 3, 1e-3, left_um});
   for (int i = 0; i < 3; ++i) {
     const char axis = static_cast<char>('x' + i);
     columns.push_back({fmt::format("e{}", axis), fmt::format("error in {}", static_cast<char>('X' + i)), "um", 2, 1e-3,
                        [i](const DrawnPoint& p) { return p.gives_way ? kNone : in_um(p.uncorrected[i]); }});
   }
-  columns.push_back({"error", "error without correction", "um", 2, 1e-3, uncorrected_um});
+  columns.push_back(
+      {"error", kind.corrected ? "error without correction" : "error at the tip", "um", 2, 1e-3, uncorrected_um});
 }
 
 void add_struts(std::vector<Column>& columns, const machine::Limits& limits) {
@@ -175,29 +177,36 @@ Json machine_json(const machine::MachineModel& model) {
   return json;
 }
 
+std::string sentence(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
 Json track(std::string title, std::string unit, int digits, std::initializer_list<const char*> keys) {
   return Json{{"title", std::move(title)}, {"unit", std::move(unit)}, {"digits", digits}, {"keys", keys}};
 }
 
-Json tracks_json(const machine::MachineModel& model, const PathKind& kind) {
+Json tracks_json(const machine::MachineModel* model, const PathKind& kind) {
   Json tracks = Json::array();
   if (kind.corrected) {
-    tracks.push_back(track("Correction of X, Y, Z", "um", 2, {"cx", "cy", "cz"}));
-    tracks.push_back(track("Correction of A, B, C", "mdeg", 2, {"ca", "cb", "cc"}));
-    tracks.push_back(track("Error at the tip", "um", 2, {"error", "left"}));
+    tracks.push_back(track(sentence(kind.shift) + " of X, Y, Z", "um", 2, {"cx", "cy", "cz"}));
+    tracks.push_back(track(sentence(kind.shift) + " of A, B, C", "mdeg", 2, {"ca", "cb", "cc"}));
+    if (model != nullptr) tracks.push_back(track("Error at the tip", "um", 2, {"error", "left"}));
   } else {
     tracks.push_back(track("Error at the tip", "um", 2, {"ex", "ey", "ez", "error"}));
   }
-  tracks.push_back(track("Strut lengths", "mm", 2, {"s1", "s2", "s3", "s4", "s5", "s6"}));
-  tracks.back()["limits"] = {{{"value", model.limits.length_min.maxCoeff() / kMm}, {"name", "shortest"}},
-                             {{"value", model.limits.length_max.minCoeff() / kMm}, {"name", "longest"}}};
-  tracks.push_back(track("Strut forces", "N", 1, {"f1", "f2", "f3", "f4", "f5", "f6"}));
+  if (model != nullptr) {
+    tracks.push_back(track("Strut lengths", "mm", 2, {"s1", "s2", "s3", "s4", "s5", "s6"}));
+    tracks.back()["limits"] = {{{"value", model->limits.length_min.maxCoeff() / kMm}, {"name", "shortest"}},
+                               {{"value", model->limits.length_max.minCoeff() / kMm}, {"name", "longest"}}};
+    tracks.push_back(track("Strut forces", "N", 1, {"f1", "f2", "f3", "f4", "f5", "f6"}));
+    tracks.push_back(track("Condition number", "", 1, {"condition"}));
+  }
   tracks.push_back(track("Speed of the tip", "mm/min", 0, {"feed"}));
   tracks.push_back(track("Time of a block", "ms", 3, {"block"}));
   tracks.back()["logarithmic"] = true;
-  const double block_time = model.control.block_time > 0 ? model.control.block_time : kMs;
+  const double block_time = model != nullptr && model->control.block_time > 0 ? model->control.block_time : kMs;
   tracks.back()["limits"] = {{{"value", block_time / kMs}, {"name", "least block time"}, {"below", "short"}}};
-  tracks.push_back(track("Condition number", "", 1, {"condition"}));
   tracks.push_back(track("Tip, X and Y", "mm", 3, {"x", "y"}));
   tracks.push_back(track("Tip, Z", "mm", 3, {"z"}));
   tracks.push_back(track("Orientation", "deg", 4, {"a", "b", "c"}));
@@ -220,21 +229,23 @@ void add_worst(Json& worst, const DrawnPath& path, const Column& column, std::st
       {{"what", what}, {"value", sign * most}, {"unit", column.unit}, {"digits", column.digits}, {"point", at}});
 }
 
-Json worst_json(const DrawnPath& path, const std::vector<Column>& columns) {
+Json worst_json(const DrawnPath& path, const std::vector<Column>& columns, const PathKind& kind) {
   struct Wanted {
-    std::string_view key, what;
+    std::string_view key;
+    std::string what;
     int sign;
   };
-  constexpr std::array kWanted{Wanted{"shift", "largest correction", 1},
-                               Wanted{"error", "largest error without correction", 1},
-                               Wanted{"left", "most left at the tip, at a drawn point", 1},
-                               Wanted{"force", "largest strut force", 1},
-                               Wanted{"room", "nearest to a strut limit", -1},
-                               Wanted{"condition", "nearest to a singularity (condition number)", 1},
-                               Wanted{"block", "shortest block", -1},
-                               Wanted{"feed", "fastest", 1}};
+  const std::array wanted_places{
+      Wanted{"shift", "largest " + kind.shift, 1},
+      Wanted{"error", kind.corrected ? "largest error without correction" : "largest error at the tip", 1},
+      Wanted{"left", "most left at the tip, at a drawn point", 1},
+      Wanted{"force", "largest strut force", 1},
+      Wanted{"room", "nearest to a strut limit", -1},
+      Wanted{"condition", "nearest to a singularity (condition number)", 1},
+      Wanted{"block", "shortest block", -1},
+      Wanted{"feed", "fastest", 1}};
   Json worst = Json::array();
-  for (const Wanted& wanted : kWanted) {
+  for (const Wanted& wanted : wanted_places) {
     const auto found =
         std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.key == wanted.key; });
     if (found != columns.end()) add_worst(worst, path, *found, wanted.what, wanted.sign);
@@ -244,13 +255,15 @@ Json worst_json(const DrawnPath& path, const std::vector<Column>& columns) {
 
 }  // namespace
 
-Json program_section(const DrawnPath& path, const machine::MachineModel& model, const PathKind& kind) {
+Json program_section(const DrawnPath& path, const machine::MachineModel* model, const PathKind& kind) {
   std::vector<Column> columns = place_columns();
-  if (kind.corrected) add_correction(columns);
-  add_error(columns);
-  add_struts(columns, model.limits);
+  if (kind.corrected) add_correction(columns, kind);
+  if (model != nullptr) {
+    add_error(columns, kind);
+    add_struts(columns, model->limits);
+    add_stand(columns);
+  }
   add_motion(columns);
-  add_stand(columns);
 
   Json section{{"type", "program"},
                {"title", "The path"},
@@ -258,9 +271,10 @@ Json program_section(const DrawnPath& path, const machine::MachineModel& model, 
                {"of_points", path.of_points},
                {"corrected", kind.corrected},
                {"told", kind.told},
-               {"machine", machine_json(model)},
+               {"replaced", kind.replaced},
+               {"machine", model == nullptr ? Json() : machine_json(*model)},
                {"tracks", tracks_json(model, kind)},
-               {"worst", worst_json(path, columns)}};
+               {"worst", worst_json(path, columns, kind)}};
   Json& all = section["columns"] = Json::object();
   for (const Column& column : columns) all[column.key] = column_json(column, path);
   add_blocks(section, path);

@@ -9,13 +9,16 @@
 
 namespace plumbline::report {
 
-/// What the points of a path hold.
+/// What the points of a path hold, and what the page calls it.
 struct PathKind {
-  bool corrected = false;     // the machine is told something else than the original says
-  std::string told = "told";  // what that is called
+  bool corrected = false;                         // there are other places beside those that the program asks for
+  std::string shift = "correction";               // from these to those
+  std::string told = "what the control is told";  // those
+  std::string replaced = "written for it";        // a text that stands for a block
 };
 
-/// Columns in mm, deg, um, mdeg, N, mm/min, ms, s; places in the machine's own coordinates (W).
-Json program_section(const compensate::DrawnPath& path, const machine::MachineModel& model, const PathKind& kind);
+/// Columns in mm, deg, um, mdeg, N, mm/min, ms, s; places in the machine's own coordinates (W). `model`: null where the
+/// path has no machine.
+Json program_section(const compensate::DrawnPath& path, const machine::MachineModel* model, const PathKind& kind);
 
 }  // namespace plumbline::report

@@ -51,7 +51,7 @@ TEST_CASE("a path on a page has its columns in their units") {
   compensate::DrawnPath path{{point(machine, 1, 0.05), point(machine, 2, 0.08), point(machine, 3, 0.02)}, 3};
   path.points[1].recorded.piece_s = 0.02;
   path.points[1].recorded.mm_s = 10;
-  const report::Json section = report::program_section(path, machine, {.corrected = true});
+  const report::Json section = report::program_section(path, &machine, {.corrected = true});
   const report::Json& columns = section["columns"];
   CHECK(number(columns["x"], 2) == Approx(3));
   CHECK(number(columns["cx"], 1) == Approx(80));  // um
@@ -70,7 +70,7 @@ TEST_CASE("the worst places of a path point at it") {
   const machine::MachineModel machine = model();
   compensate::DrawnPath path{{point(machine, 1, 0.05), point(machine, 2, 0.08), point(machine, 3, 0.02)}, 3};
   path.points[2].tension[4] = 400;
-  const report::Json section = report::program_section(path, machine, {.corrected = true});
+  const report::Json section = report::program_section(path, &machine, {.corrected = true});
   std::size_t met = 0;
   for (const report::Json& place : section["worst"]) {
     if (place["what"] == "largest correction") {
@@ -90,7 +90,7 @@ TEST_CASE("the worst places of a path point at it") {
 TEST_CASE("a path that nothing corrects has no columns of it") {
   const machine::MachineModel machine = model();
   const compensate::DrawnPath path{{point(machine, 1, 0)}, 1};
-  const report::Json section = report::program_section(path, machine, {});
+  const report::Json section = report::program_section(path, &machine, {});
   CHECK_FALSE(section["columns"].contains("cx"));
   CHECK_FALSE(section["columns"].contains("left"));
   for (const report::Json& track : section["tracks"]) {

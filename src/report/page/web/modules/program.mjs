@@ -35,7 +35,7 @@ function inspector(section, columns, selection) {
     const figures = ["shift", "left", "error", "force", "room", "condition", "feed", "block"].filter((key) => key in columns)
       .map((key) => element("div", {}, element("dt", {}, columns[key].name), element("dd", {}, show(key, index))));
     const replaced = after === "" ? [] : [
-      element("div", { class: "soft" }, bytes > after.length ? `written for it (its first lines; ${countText(bytes)} bytes in all)` : "written for it"),
+      element("div", { class: "soft" }, bytes > after.length ? `${section.replaced} (its first lines; ${countText(bytes)} bytes in all)` : section.replaced),
       element("pre", {}, after.replace(/\s+$/, "")),
     ];
     box.replaceChildren(
@@ -103,21 +103,27 @@ function sceneBox(section, columns, selection) {
     }
     scene.look(at);
   };
-  const looks = [["path", "path"], ["machine", "whole machine"], ["z", "from above"], ["y", "from the front"], ["x", "from the side"]];
+  const looks = [["path", "path"], ...(section.machine ? [["machine", "whole machine"]] : []), ["z", "from above"], ["y", "from the front"], ["x", "from the side"]];
   const first = section.colours[0];
   colourBy(first);
   scene.exaggerate(gain);
   scene.show("machine", false);
   scene.show("travel", false);
-  scene.show("told", false);
+  scene.show("told", !columns.error);
   window.plumblineScene = scene;
   return element("div", {}, box, colourKey,
     element("div", { class: "controls" }, place.node, gainSlider.node),
     element("div", { class: "controls" },
       chooser({ label: "Colour", options: section.colours.map((key) => [key, columns[key].name]), value: first, change: colourBy }),
       chooser({ label: "View", options: looks, value: "path", change: lookAt }),
-      machine, tick("rapids", "rapids", true), section.corrected ? tick("told", "what the control is told", false) : null,
-      tick("sagging", "the tip without correction", true), tick("travel", "limits of travel", false)));
+      section.machine ? machine : null, tick("rapids", "rapids", true),
+      section.corrected ? tick("told", section.told, !columns.error) : null,
+      columns.error ? tick("sagging", sagging(section), true) : null,
+      scene.travel ? tick("travel", "limits of travel", false) : null));
+}
+
+function sagging(section) {
+  return section.corrected ? "the tip without correction" : "where the tip goes";
 }
 
 /// What the lines of the picture are.
@@ -127,8 +133,8 @@ function lineKeys(section) {
     svg.append("line").attr("x1", 0).attr("x2", 30).attr("y1", 5).attr("y2", 5).attr("stroke", colour).attr("stroke-width", 2).attr("stroke-dasharray", dashed ? "5 4" : null);
     return element("span", { class: "key" }, svg.node(), name);
   };
-  return [key("#8a8f96", true, "rapid"), section.corrected ? key("#0072b2", false, "what the control is told, exaggerated") : null,
-    key("#d55e00", false, "where the tip would go without correction, exaggerated")].filter((of) => of);
+  return [key("#8a8f96", true, "rapid"), section.corrected ? key("#0072b2", false, `${section.told}, exaggerated`) : null,
+    section.machine ? key("#d55e00", false, `${sagging(section)}, exaggerated`) : null].filter((of) => of);
 }
 
 /// A click that did not turn the picture chooses the point under it.

@@ -149,6 +149,9 @@ export class Scene {
   }
 
   addMachine() {
+    this.reach = this.size;
+    this.scene.add(new THREE.AxesHelper(this.size / 6));
+    if (!this.section.machine) return;
     const box = new THREE.Box3();
     for (const p of this.section.machine.base) box.expandByPoint(vector(...p));
     this.reach = Math.max(this.size, box.getSize(vector(0, 0, 0)).length());
@@ -160,13 +163,12 @@ export class Scene {
       this.travel = new THREE.Box3Helper(space, 0x8a8f96);
       this.scene.add(this.travel);
     }
-    this.scene.add(new THREE.AxesHelper(this.size / 6));
   }
 
   /// "path", "machine", or from "x", "y", "z".
   look(at) {
     const whole = this.bounds.clone();
-    if (at === "machine") {
+    if (at === "machine" && this.machine) {
       for (const p of this.section.machine.base) whole.expandByPoint(vector(...p));
     }
     const centre = whole.getCenter(vector(0, 0, 0));
@@ -203,12 +205,12 @@ export class Scene {
       return [x + by * (dx[i] || 0), y + by * (dy[i] || 0), z + by * (dz[i] || 0)];
     };
     if (cx) setPositions(this.told, this.cuts, shifted(cx, cy, cz));
-    setPositions(this.sagging, this.cuts, shifted(ex, ey, ez));
+    if (ex) setPositions(this.sagging, this.cuts, shifted(ex, ey, ez));
     this.draw();
   }
 
   show(name, visible) {
-    const parts = { machine: this.machine.group, rapids: this.rapids, told: this.told, sagging: this.sagging, travel: this.travel };
+    const parts = { machine: this.machine && this.machine.group, rapids: this.rapids, told: this.told, sagging: this.sagging, travel: this.travel };
     if (parts[name]) parts[name].visible = visible;
     this.draw();
   }
@@ -216,7 +218,7 @@ export class Scene {
   choose(point) {
     const { px, py, pz, qx, qy, qz, qw, tip } = this.columns;
     this.marker.position.set(...this.place(point));
-    this.machine.put(vector(px[point], py[point], pz[point]), new THREE.Quaternion(qx[point], qy[point], qz[point], qw[point]), tip[point]);
+    if (this.machine) this.machine.put(vector(px[point], py[point], pz[point]), new THREE.Quaternion(qx[point], qy[point], qz[point], qw[point]), tip[point]);
     this.draw();
   }
 
