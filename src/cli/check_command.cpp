@@ -4,7 +4,7 @@
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress_line.hpp"
-#include "cli/report_file.hpp"
+#include "cli/options/report_file.hpp"
 #include "cli/shared_options.hpp"
 #include "jobs/check.hpp"
 #include "report/page/program_pages.hpp"

@@ -5,7 +5,7 @@
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress_line.hpp"
-#include "cli/report_file.hpp"
+#include "cli/options/report_file.hpp"
 #include "cli/shared_options.hpp"
 #include "jobs/compensate/compensate_file.hpp"
 #include "jobs/compensate/compensated_files.hpp"

@@ -6,7 +6,7 @@
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "cli/progress_line.hpp"
-#include "cli/report_file.hpp"
+#include "cli/options/report_file.hpp"
 #include "cli/shared_options.hpp"
 #include "report/page/program_pages.hpp"
 #include "report/program/simulation_text.hpp"

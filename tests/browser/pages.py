@@ -61,10 +61,48 @@ def diff(folder):
     return folder / "diff.html"
 
 
+CASE = ROOT / "tests/blind/open-01"
+DATA = ["-m", CASE / "base.toml", "-d", CASE / "data/dataset.toml"]
+
+
+def of_data(command, *arguments):
+    def make(folder):
+        run(folder, command, *DATA, "--report", f"{command}.html", *arguments)
+        return folder / f"{command}.html"
+    return make
+
+
+def circularity(folder):
+    run(folder, "circularity", "-d", CASE / "data/dataset.toml", "-m", CASE / "base.toml", "--report", "circularity.html")
+    return folder / "circularity.html"
+
+
+def diagnose(folder):
+    run(folder, "diagnose", *DATA, "-o", "found")
+    return folder / "found/report.html"
+
+
+def plan(folder):
+    run(folder, "plan", "-m", MODEL, "-n", "3", "--candidates", "30", "--report", "plan.html")
+    return folder / "plan.html"
+
+
+def machine_map(folder):
+    run(folder, "map", "-m", MODEL, "--step", "60", "--report", "map.html")
+    return folder / "map.html"
+
+
 # name: (what makes it in a folder, whether it has a scene, at least so many drawings)
 PAGES = {
     "compensate": (compensate, True, 10),
     "simulate": (simulate, True, 9),
     "check": (check, True, 10),
     "diff": (diff, True, 6),
+    "compare": (of_data("compare"), False, 3),
+    "circularity": (circularity, False, 1),
+    "identify": (of_data("identify", "--force", "-o", "model.toml"), False, 2),
+    "calibrate": (of_data("calibrate", "--force", "-o", "model.toml"), False, 2),
+    "diagnose": (diagnose, False, 5),
+    "plan": (plan, False, 2),
+    "map": (machine_map, False, 1),
 }

@@ -6,6 +6,7 @@
 
 #include "base/files/input_name.hpp"
 #include "base/units.hpp"
+#include "compensate/limits.hpp"
 #include "report/page/program_section.hpp"
 #include "report/page/sections.hpp"
 #include "report/program/summary_text.hpp"
@@ -123,7 +124,11 @@ Page check_page(const jobs::CheckSummary& summary, const jobs::ProgramPicture& p
     std::vector<Json> rows;
     for (const jobs::CheckFinding& finding : summary.findings) {
       const machine::Violation& v = finding.violation;
-      rows.push_back({static_cast<double>(finding.line), v.what, v.value, v.limit, v.by_how_much, v.unit});
+      if (v.what == compensate::kOutOfReach) {
+        rows.push_back({static_cast<double>(finding.line), "no command leads there", "", "", "", ""});
+      } else {
+        rows.push_back({static_cast<double>(finding.line), v.what, v.value, v.limit, v.by_how_much, v.unit});
+      }
     }
     page.sections.push_back(
         table_section("Beyond a limit", {{"line", "", 0}, {"what"}, {"value"}, {"limit"}, {"beyond it by"}, {"unit"}},

@@ -71,7 +71,7 @@ void add_correction(std::vector<Column>& columns, const PathKind& kind) {
                        [axis, factor](const DrawnPoint& p) { return correction(p)[axis] * factor; }});
   }
   columns.push_back(
-      {"shift", "correction", "um", 2, 1e-3, [](const DrawnPoint& p) { return length_mm(correction(p)) * kUmOfMm; }});
+      {"shift", kind.shift, "um", 2, 1e-3, [](const DrawnPoint& p) { return length_mm(correction(p)) * kUmOfMm; }});
 }
 
 void add_error(std::vector<Column>& columns, const PathKind& kind) {

@@ -160,5 +160,5 @@ export function program(section) {
   const worst = worstTable(section, columns, selection, () => space.scrollIntoView({ block: "nearest" }));
   if (section.worst.length > 0) selection.choose(section.worst[0].point);
   return element("div", {}, space, inspector(section, columns, selection), worst, tracks(section, columns, selection),
-    element("p", { class: "note" }, `${drawn} Longest ${numberText(columns.time.values[columns.time.values.length - 1], 1)} s of cutting.`));
+    element("p", { class: "note" }, `${drawn} ${numberText(columns.time.values[columns.time.values.length - 1], 1)} s of cutting.`));
 }

@@ -118,8 +118,9 @@ export class Scene {
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0x666666, 1));
     this.addPath();
     this.addMachine();
+    this.looked = "path";
     new ResizeObserver(() => this.resize()).observe(box);
-    this.look("path");
+    this.look(this.looked);
   }
 
   place(point) {
@@ -172,7 +173,10 @@ export class Scene {
       for (const p of this.section.machine.base) whole.expandByPoint(vector(...p));
     }
     const centre = whole.getCenter(vector(0, 0, 0));
-    const away = Math.max(1, whole.getSize(vector(0, 0, 0)).length()) * 1.05;
+    // The sphere around all of it fits the narrower of the two angles of view; a path seldom fills it.
+    const half = Math.atan(Math.tan((this.camera.fov / 2) * (Math.PI / 180)) * Math.min(1, this.camera.aspect));
+    const away = (0.42 * Math.max(1, whole.getSize(vector(0, 0, 0)).length())) / Math.sin(half);
+    this.looked = at;
     const from = { x: [1, 0, 0], y: [0, -1, 0], z: [0, -0.001, 1] }[at] ?? [0.55, -0.75, 0.5];
     this.orbit.target.copy(centre);
     this.camera.position.copy(centre).add(vector(...from).normalize().multiplyScalar(away));
@@ -246,8 +250,10 @@ export class Scene {
     const { clientWidth, clientHeight } = this.box;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setSize(clientWidth, clientHeight, false);
+    const turned = this.camera.aspect !== clientWidth / clientHeight;
     this.camera.aspect = clientWidth / clientHeight;
     this.camera.updateProjectionMatrix();
+    if (turned) this.look(this.looked);
     this.draw();
   }
 
