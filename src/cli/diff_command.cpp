@@ -2,8 +2,8 @@
 
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
-#include "cli/progress_line.hpp"
 #include "cli/options/report_file.hpp"
+#include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
 #include "jobs/diff/diff.hpp"
 #include "report/page/program_pages.hpp"
