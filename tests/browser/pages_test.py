@@ -148,7 +148,19 @@ CONTRAST = """
 const channel = (of) => { const share = of / 255; return share <= 0.03928 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4; };
 const light = ([r, g, b]) => 0.2126 * channel(r) + 0.7152 * channel(g) + 0.0722 * channel(b);
 const numbers = (colour) => colour.match(/[\\d.]+/g).map(Number);
+const cells = new Map();
+const cellsOf = (svg) => {
+  if (!cells.has(svg)) cells.set(svg, [...svg.querySelectorAll("rect")].map((rect) => [rect.getBoundingClientRect(), getComputedStyle(rect).fill]));
+  return cells.get(svg);
+};
+// A number in a cell of a map stands on the cell.
+const cellUnder = (node) => {
+  const box = node.getBoundingClientRect();
+  const [x, y] = [(box.left + box.right) / 2, (box.top + box.bottom) / 2];
+  return cellsOf(node.ownerSVGElement).find(([of, fill]) => fill !== "none" && of.left <= x && x <= of.right && of.top <= y && y <= of.bottom);
+};
 const ground = (node) => {
+  if (node instanceof SVGElement && cellUnder(node)) return numbers(cellUnder(node)[1]);
   for (let at = node; at; at = at.parentElement) {
     const of = numbers(getComputedStyle(at).backgroundColor);
     if (of.length < 4 || of[3] > 0.99) return of;

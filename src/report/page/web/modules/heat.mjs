@@ -44,13 +44,16 @@ function colourScale(one, range) {
   return scale.clamp(true);
 }
 
+// L* of the grey from which black and white differ alike, by 4.6 to 1.
+const kMiddleGrey = 49.5;
+
 // In each cell its number, dark on light colours and light on dark ones.
 function drawNumbers(svg, cells, box, columns, scale, one) {
   const shown = d3.range(cells.length).filter((i) => Number.isFinite(cells[i]));
   svg.append("g").selectAll("text").data(shown).enter().append("text").attr("text-anchor", "middle")
     .attr("x", (i) => box.x0 + ((i % columns) + 0.5) * box.wide)
     .attr("y", (i) => box.y0 + (Math.floor(i / columns) + 0.5) * box.high + 4)
-    .style("fill", (i) => (d3.lab(scale(cells[i])).l > 55 ? "#000" : "#fff"))
+    .style("fill", (i) => (d3.lab(scale(cells[i])).l > kMiddleGrey ? "#000" : "#fff"))
     .text((i) => numberText(cells[i], Math.min(one.digits ?? 2, 2)));
 }
 

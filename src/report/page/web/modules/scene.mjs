@@ -175,7 +175,7 @@ export class Scene {
     const centre = whole.getCenter(vector(0, 0, 0));
     // The sphere around all of it fits the narrower of the two angles of view; a path seldom fills it.
     const half = Math.atan(Math.tan((this.camera.fov / 2) * (Math.PI / 180)) * Math.min(1, this.camera.aspect));
-    const away = (0.42 * Math.max(1, whole.getSize(vector(0, 0, 0)).length())) / Math.sin(half);
+    const away = (0.5 * Math.max(1, whole.getSize(vector(0, 0, 0)).length())) / Math.sin(half);
     this.looked = at;
     const from = { x: [1, 0, 0], y: [0, -1, 0], z: [0, -0.001, 1] }[at] ?? [0.55, -0.75, 0.5];
     this.orbit.target.copy(centre);
