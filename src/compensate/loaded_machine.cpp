@@ -26,6 +26,13 @@ physics::Motion<double> LoadedMachine::motion(const Target& target) const {
   return motion;
 }
 
+physics::StrutStretch<double> LoadedMachine::loads(const physics::Motion<double>& motion) const {
+  const machine::StrutGeometry<double> struts = machine::strut_geometry(geometry(), motion.pose);
+  const physics::StrutRates<double> rates = physics::strut_rates(struts, motion, environment_);
+  return physics::strut_stretch_at(forces_, forces_.parameters.data(), environment_, motion, rates, motion.pose,
+                                   struts);
+}
+
 double LoadedMachine::condition(const Pose<double>& pose) const {
   return machine::condition_number(machine::strut_geometry(geometry(), pose), radius_);
 }

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "machine/displacement.hpp"
 #include "machine/inverse.hpp"
 
 namespace plumbline::compensate {
 namespace {
+
+constexpr std::size_t kPointsATime = 64;  // points that one thread takes at once
 
 DrawnPoint drawn(const LoadedMachine& machine, RecordedPoint recorded) {
   DrawnPoint point;
@@ -35,16 +38,22 @@ DrawnPath drawn_path(PathRecord& record, const machine::MachineModel& model, con
                      const OutputText& text) {
   DrawnPath path;
   path.of_points = record.count();
-  LoadedMachine machine(model, settings);
-  std::optional<ToolInSpindle> tool;
   std::vector<RecordedPoint> points = record.take();
-  path.points.reserve(points.size());
+  std::vector<LoadedMachine> machines{LoadedMachine(model, settings)};  // one a tool, in their order
+  std::vector<std::size_t> machine_of;
+  std::optional<ToolInSpindle> tool;
   for (RecordedPoint& recorded : points) {
-    if (recorded.in_spindle != tool) machine.set_tool(*(tool = recorded.in_spindle));
+    if (recorded.in_spindle != tool) machines.emplace_back(model, settings).set_tool(*(tool = recorded.in_spindle));
+    machine_of.push_back(machines.size() - 1);
     const std::uint64_t bytes = std::min<std::uint64_t>(recorded.after_end - recorded.after_begin, 4 * kMostText);
     if (text && bytes > 0) recorded.after = text(recorded.after_begin, recorded.after_begin + bytes);
-    path.points.push_back(drawn(machine, std::move(recorded)));
   }
+  path.points.resize(points.size());
+  for_each_index((points.size() + kPointsATime - 1) / kPointsATime, [&](std::size_t group) {
+    const std::size_t end = std::min(points.size(), (group + 1) * kPointsATime);
+    for (std::size_t i = group * kPointsATime; i < end; ++i)
+      path.points[i] = drawn(machines[machine_of[i]], std::move(points[i]));
+  });
   return path;
 }
 

@@ -41,11 +41,11 @@ PathRecord::Load PathRecord::load_at(const RecordedPoint& point) const {
   told.pose = point.commanded;
   // The loads are taken where the machine is sent to: a few hundred um away they are the same to a millionth.
   const physics::Motion<double> motion = machine_->motion(told);
-  load.room = least_room(model_->limits, machine::strut_lengths(machine_->geometry(), motion.pose));
-  const physics::TipError<double> error = machine_->error(motion, {.first_order = true});
-  if (!error.converged()) return load;
-  load.least_tension = error.loads.nut_tension.minCoeff();
-  load.largest_tension = error.loads.nut_tension.maxCoeff();
+  const physics::StrutStretch<double> loads = machine_->loads(motion);
+  load.room = least_room(model_->limits, loads.struts.length);
+  if (loads.jacobian.singular()) return load;
+  load.least_tension = loads.nut_tension.minCoeff();
+  load.largest_tension = loads.nut_tension.maxCoeff();
   return load;
 }
 
