@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -93,37 +94,38 @@ class Decimated {
 
   // Throws out of each stretch from there on what is neither its first nor an extreme.
   void thin(std::size_t from) {
-    std::size_t end = from;
+    std::size_t filled = from;
     for (std::size_t begin = from; begin < kept_.size();) {
       std::size_t next = begin;
       while (next < kept_.size() && kept_[next].number / width_ == kept_[begin].number / width_) ++next;
-      end = thin(begin, next, end);
+      filled = thin_stretch(begin, next - begin, filled);
       begin = next;
     }
-    kept_.resize(end);
+    kept_.resize(filled);
   }
 
-  std::size_t thin(std::size_t begin, std::size_t end, std::size_t into) {
-    std::vector<char> stays(end - begin, 0);
+  // Moves what stays of one to where `filled` ends; returns where that ends then.
+  std::size_t thin_stretch(std::size_t begin, std::size_t count, std::size_t filled) {
+    std::vector<char> stays(count, 0);
     stays[0] = 1;
     for (std::size_t f = 0; f < kFigures; ++f) {
-      std::size_t least = end;
-      std::size_t largest = end;
-      for (std::size_t i = begin; i < end; ++i) {
-        const double value = kept_[i].figures[f];
-        if (value != value) continue;
-        if (least == end || value < kept_[least].figures[f]) least = i;
-        if (largest == end || value > kept_[largest].figures[f]) largest = i;
+      std::size_t least = count;
+      std::size_t largest = count;
+      for (std::size_t i = 0; i < count; ++i) {
+        const double value = kept_[begin + i].figures[f];
+        if (std::isnan(value)) continue;
+        if (least == count || value < kept_[begin + least].figures[f]) least = i;
+        if (largest == count || value > kept_[begin + largest].figures[f]) largest = i;
       }
-      if (least == end) continue;
-      stays[least - begin] = stays[largest - begin] = 1;
+      if (least == count) continue;
+      stays[least] = stays[largest] = 1;
     }
-    for (std::size_t i = begin; i < end; ++i) {
-      if (stays[i - begin] == 0) continue;
-      if (into != i) kept_[into] = std::move(kept_[i]);
-      ++into;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (stays[i] == 0) continue;
+      if (filled != begin + i) kept_[filled] = std::move(kept_[begin + i]);
+      ++filled;
     }
-    return into;
+    return filled;
   }
 
   std::size_t stretches_;
