@@ -20,10 +20,18 @@ def need():
     for program in ("chromium", "chromedriver"):
         if shutil.which(program) is None:
             leave(f"{program} is not installed")
+    from selenium.common.exceptions import WebDriverException
+    try:
+        with Browser() as window:
+            draws = window.run("return document.createElement('canvas').getContext('webgl') !== null")
+    except WebDriverException as error:
+        leave(f"Chromium does not start: {str(error).splitlines()[0]}", "")
+    if not draws:
+        leave("Chromium draws nothing in space (WebGL) on this machine", "")
 
 
-def leave(why):
-    print(f"this test is skipped: {why}; scripts/setup --with-browser installs it")
+def leave(why, remedy="; scripts/setup --with-browser installs it"):
+    print(f"this test is skipped: {why}{remedy}")
     sys.exit(SKIP)
 
 
