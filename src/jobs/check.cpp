@@ -83,22 +83,13 @@ class Checker {
     double fraction = 0;
     for (std::size_t i = 0; i < corrected.points.size(); ++i) {
       fraction = move.is_rapid() || i + 1 == corrected.points.size() ? 1 : fraction + corrected.points[i].share;
-      compensate::RecordedPoint point;
-      point.kind = compensate::way_kind(move.motion->kind);
-      point.line = move.path.line;
-      point.asked =
-          move.is_rapid() ? move.path.at_rest(move.path.curve.at(1)) : move.path.target(fraction, move.seconds);
+      compensate::RecordedPoint point = compensate::recorded_point(move.path, compensate::way_kind(move.motion->kind),
+                                                                   fraction, move.seconds, begin_s_);
       point.commanded = corrected.commanded(i);
-      if (!move.is_rapid() && move.seconds) {
-        point.time_s = begin_s_ + fraction * *move.seconds;
-        point.piece_s = corrected.points[i].share * *move.seconds;
-        if (*move.seconds > 0) point.mm_s = length_mm(point.asked.slope) / *move.seconds;
-      } else {
-        point.time_s = begin_s_;
-      }
+      if (move.seconds) point.piece_s = corrected.points[i].share * *move.seconds;
       record_->add(std::move(point), [&] { return compensate::PathRecord::Texts{move.step->block->text, {}}; });
     }
-    begin_s_ += move.is_rapid() ? 0 : move.seconds.value_or(0);
+    begin_s_ += move.seconds.value_or(0);
   }
 
   void end_block() {

@@ -33,12 +33,9 @@ class Player {
 
   /// The ends of its pieces; a rapid stands still at each, since nobody knows how fast it is.
   void play(const compensate::Move& move, double begin_s) {
+    const compensate::WayKind way = compensate::way_kind(move.motion->kind);
     for (int i = 1; i <= move.pieces; ++i) {
-      const double fraction = move.fraction(i);
-      Point point{&move, {}, begin_s + fraction * move.seconds.value_or(0)};
-      point.target =
-          move.is_rapid() ? move.path.at_rest(move.path.curve.at(fraction)) : move.path.target(fraction, move.seconds);
-      play(point);
+      play(move, compensate::recorded_point(move.path, way, move.fraction(i), move.seconds, begin_s));
     }
   }
 
@@ -48,46 +45,28 @@ class Player {
   }
 
  private:
-  struct Point {
-    const compensate::Move* move;
-    compensate::Target target;
-    double time_s;
-  };
-
-  void play(const Point& at) {
-    const physics::Motion<double> motion = machine_.motion(at.target);
+  void play(const compensate::Move& move, compensate::RecordedPoint at) {
+    const physics::Motion<double> motion = machine_.motion(at.asked);
     const physics::TipError<double> error = machine_.error(motion);
     if (!error.converged()) {
       refuse("simulate-unreachable",
              fmt::format("the machine cannot stand here: {}", physics::to_text(error.stopped_because)),
-             "check the work offset (--work-offset) and the pose", compensate::place_of(*at.move->step));
+             "check the work offset (--work-offset) and the pose", compensate::place_of(*move.step));
     }
-    const SimulatedPoint point{at.move->path.line,
-                               at.move->motion->kind,
+    const SimulatedPoint point{at.line,
+                               move.motion->kind,
                                at.time_s,
-                               at.target.pose,
+                               at.asked.pose,
                                error.displacement,
                                machine::strut_lengths<double>(machine_.geometry(), motion.pose),
                                error.loads.nut_tension,
                                error.loads.torque};
     take_(point);
     note(point);
-    if (record_ != nullptr) record(at);
-  }
-
-  void record(const Point& at) {
-    const compensate::Move& move = *at.move;
-    compensate::RecordedPoint point;
-    point.kind = compensate::way_kind(move.motion->kind);
-    point.line = move.path.line;
-    point.time_s = at.time_s;
-    point.asked = at.target;
-    point.commanded = at.target.pose;
-    if (move.seconds && !move.is_rapid()) {
-      point.piece_s = *move.seconds;  // the control runs the block as a whole
-      if (*move.seconds > 0) point.mm_s = length_mm(at.target.slope) / *move.seconds;
-    }
-    record_->add(std::move(point), [&] { return compensate::PathRecord::Texts{move.step->block->text, {}}; });
+    if (record_ == nullptr) return;
+    at.commanded = at.asked.pose;
+    at.piece_s = move.seconds;  // the control runs the block as a whole
+    record_->add(std::move(at), [&] { return compensate::PathRecord::Texts{move.step->block->text, {}}; });
   }
 
   void note(const SimulatedPoint& point) {

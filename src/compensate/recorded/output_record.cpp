@@ -55,7 +55,7 @@ void OutputRecord::move(const CorrectedMove& corrected, const WrittenMove& writt
   Event& event = add(Event::Kind::move);
   event.path = move.path;
   event.way = way_kind(move.motion->kind);
-  event.seconds = move.is_rapid() ? std::nullopt : move.seconds;
+  event.seconds = move.seconds;
   event.begin = move.path.in_base_frame(move.motion->from + corrected.standing);
   event.begin_known = move.begin_known;
   const std::string_view text = move.step->block->text.substr(0, kMostText);
@@ -89,7 +89,6 @@ void OutputRecord::take(Batch& batch) {
         text.remove_prefix(event.text);
         break;
       case Event::Kind::leave:
-        gap_ = true;
         record_.leave();
         break;
       case Event::Kind::tool:
@@ -100,13 +99,7 @@ void OutputRecord::take(Batch& batch) {
 }
 
 RecordedPoint OutputRecord::point(const Event& event, double fraction) const {
-  RecordedPoint point;
-  point.kind = event.way;
-  point.line = event.path.line;
-  point.time_s = time_s_ + fraction * event.seconds.value_or(0);
-  point.asked = event.way == WayKind::rapid ? event.path.at_rest(event.path.curve.at(fraction))
-                                            : event.path.target(fraction, event.seconds);
-  if (event.seconds && *event.seconds > 0) point.mm_s = length_mm(point.asked.slope) / *event.seconds;
+  RecordedPoint point = recorded_point(event.path, event.way, fraction, event.seconds, time_s_);
   point.after_begin = event.after_begin;
   point.after_end = event.after_end;
   return point;
@@ -114,12 +107,11 @@ RecordedPoint OutputRecord::point(const Event& event, double fraction) const {
 
 // Where a move begins that nobody knows the way to.
 void OutputRecord::take_begin(const Event& event, std::string_view text) {
-  if (!gap_ || !event.begin_known) return;
+  if (!record_.has_left() || !event.begin_known) return;
   RecordedPoint begin = point(event, 0);
   begin.commanded = event.begin;
   begin.mm_s.reset();
   record_.add(std::move(begin), [&] { return PathRecord::Texts{text, {}}; });
-  gap_ = false;
 }
 
 // An arc is drawn in parts; its correction goes evenly from one end of a piece to the other.
@@ -137,7 +129,6 @@ void OutputRecord::take_move(const Event& event, std::span<const SentPiece> piec
       RecordedPoint at = point(event, i == parts ? to : from + share * (to - from));
       at.commanded = i == parts ? piece.end : at.asked.pose + between(before, after, share);
       if (event.seconds) at.piece_s = *event.seconds * (to - from);
-      gap_ = false;
       record_.add(std::move(at), [&] { return PathRecord::Texts{text, {}}; });
     }
     from = to;

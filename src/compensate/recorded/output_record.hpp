@@ -59,7 +59,6 @@ class OutputRecord {
 
   PathRecord& record_;
   double time_s_ = 0;
-  bool gap_ = true;  // nobody knows how the machine came to where the next move begins
   Batch batch_;
   Relay<Batch> relay_;  // the last: it ends before what it works on
 };

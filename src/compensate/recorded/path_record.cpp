@@ -13,12 +13,22 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// How far the strut that is nearest to a limit is from it, m.
+}  // namespace
+
 double least_room(const machine::Limits& limits, const machine::PerStrut<double>& lengths) {
   return std::min((lengths - limits.length_min).minCoeff(), (limits.length_max - lengths).minCoeff());
 }
 
-}  // namespace
+RecordedPoint recorded_point(const MovePath& path, WayKind kind, double fraction, std::optional<double> seconds,
+                             double begin_s) {
+  RecordedPoint point;
+  point.kind = kind;
+  point.line = path.line;
+  point.time_s = begin_s + fraction * seconds.value_or(0);
+  point.asked = kind == WayKind::rapid ? path.at_rest(path.curve.at(fraction)) : path.target(fraction, seconds);
+  if (seconds && *seconds > 0) point.mm_s = length_mm(point.asked.slope) / *seconds;
+  return point;
+}
 
 void PathRecord::set_tool(const ToolInSpindle& tool, int number) {
   if (machine_) machine_->set_tool(tool);

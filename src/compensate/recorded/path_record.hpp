@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "compensate/loaded_machine.hpp"
+#include "compensate/move.hpp"
 #include "compensate/recorded/decimated.hpp"
 #include "nc/control/state/motion.hpp"
 
@@ -47,6 +48,14 @@ struct RecordedPoint {
 
 inline constexpr std::size_t kMostText = 160;
 
+/// A point of a path that takes `seconds` (of a rapid nothing is known) and begins `begin_s` after the start; what the
+/// machine is told there is for the caller to say.
+RecordedPoint recorded_point(const MovePath& path, WayKind kind, double fraction, std::optional<double> seconds,
+                             double begin_s);
+
+/// How far the strut that is nearest to a limit is from it, m; negative beyond it.
+double least_room(const machine::Limits& limits, const machine::PerStrut<double>& lengths);
+
 /// Takes every point of a path and keeps those that show it: of each stretch the first and those where the place, the
 /// orientation, the correction, the speed, the time of a block, the nearest limit of a strut or a strut's tension is at
 /// an extreme.
@@ -67,6 +76,7 @@ class PathRecord {
   void add(RecordedPoint point, const std::function<Texts()>& texts);
   /// Nobody knows how the machine comes to the next point.
   void leave() { gap_ = true; }
+  bool has_left() const { return gap_; }
   void restart();
 
   bool has_machine() const { return machine_.has_value(); }

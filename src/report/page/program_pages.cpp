@@ -7,6 +7,7 @@
 #include "base/files/input_name.hpp"
 #include "base/units.hpp"
 #include "compensate/limits.hpp"
+#include "report/micrometres.hpp"
 #include "report/page/program_section.hpp"
 #include "report/page/sections.hpp"
 #include "report/program/summary_text.hpp"
@@ -17,8 +18,6 @@ namespace {
 
 using compensate::Summary;
 using compensate::Worst;
-
-constexpr double kPageUm = kMm / kUm;  // per mm
 
 std::string at_line(const Worst& worst) { return worst.line == 0 ? "" : fmt::format("at line {}", worst.line); }
 
@@ -31,20 +30,20 @@ std::string lead(const Summary& s) {
   if (s.identical) return "Nothing had to change: the program is written as it was.";
   std::string text =
       fmt::format("The program moves the tool tip by up to {:.1f} um to make up for what the machine sags",
-                  s.correction_mm.value * kPageUm);
-  if (s.replayed > 0) text += fmt::format("; on the model, at most {:.2f} um is left", s.residual_mm.value * kPageUm);
+                  s.correction_mm.value * kUmPerMm);
+  if (s.replayed > 0) text += fmt::format("; on the model, at most {:.2f} um is left", s.residual_mm.value * kUmPerMm);
   return text + ".";
 }
 
 Json figures(const Summary& s, const machine::MachineModel& model) {
   std::vector<Fact> facts{{"machine", model.name},
-                          {"largest correction", s.correction_mm.value * kPageUm, "um", 1, at_line(s.correction_mm)},
+                          {"largest correction", s.correction_mm.value * kUmPerMm, "um", 1, at_line(s.correction_mm)},
                           {"largest turn", s.correction_deg.value * 1000, "mdeg", 2, at_line(s.correction_deg)}};
   if (s.replayed > 0) {
-    facts.push_back({"left at the tip, at most", s.residual_mm.value * kPageUm, "um", 3,
+    facts.push_back({"left at the tip, at most", s.residual_mm.value * kUmPerMm, "um", 3,
                      at_line(s.residual_mm) + (s.residual_mm.line > 0 ? ", on the model" : "")});
   }
-  facts.push_back({"rounding, at most", s.rounding_mm.value * kPageUm, "um", 3, at_line(s.rounding_mm)});
+  facts.push_back({"rounding, at most", s.rounding_mm.value * kUmPerMm, "um", 3, at_line(s.rounding_mm)});
   if (s.seconds_before > 0) {
     facts.push_back(
         {"cutting time", time_text(s.seconds_after), "", 0, fmt::format("{} before", time_text(s.seconds_before))});
@@ -147,7 +146,7 @@ Page diff_page(const jobs::DiffSummary& summary, const compensate::DrawnPath& pa
     const jobs::AxisShift& shift = summary.shift[index(axis)];
     if (!is_rotary(axis)) largest_mm = std::max(largest_mm, shift.largest);
     facts.push_back({fmt::format("largest shift of {}", letter(axis)),
-                     shift.largest * (is_rotary(axis) ? 1000 : kPageUm), is_rotary(axis) ? "mdeg" : "um", 2,
+                     shift.largest * (is_rotary(axis) ? 1000 : kUmPerMm), is_rotary(axis) ? "mdeg" : "um", 2,
                      shift.line_a > 0
                          ? fmt::format("line {} of the first, {} of the second", shift.line_a, shift.line_b)
                          : std::string()});
@@ -156,7 +155,7 @@ Page diff_page(const jobs::DiffSummary& summary, const compensate::DrawnPath& pa
                    "of cutting and waiting"});
   facts.push_back(
       {"moves that correspond", fmt::format("{} of {}", count_text(summary.matched), count_text(summary.moves_a))});
-  page.lead = fmt::format("The second program stands up to {:.1f} um off the first in an axis.", largest_mm * kPageUm);
+  page.lead = fmt::format("The second program stands up to {:.1f} um off the first in an axis.", largest_mm * kUmPerMm);
   if (!summary.out_of_line.empty()) {
     page.lead += fmt::format(" {} of the first and {} of the second have no counterpart.",
                              count_text(summary.out_of_line_a, "move"), count_text(summary.out_of_line_b, "move"));

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "report/micrometres.hpp"
 
 namespace plumbline::report {
 namespace {
@@ -21,7 +22,6 @@ using compensate::DrawnPath;
 using compensate::DrawnPoint;
 using Value = std::function<double(const DrawnPoint&)>;
 
-constexpr double kUmOfMm = kMm / kUm;
 constexpr double kMdegPerDeg = 1000;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
@@ -46,7 +46,7 @@ double uncorrected_um(const DrawnPoint& point) {
 double left_um(const DrawnPoint& point) { return point.gives_way ? kNone : in_um(point.left.head<3>().norm()); }
 
 double room_mm(const DrawnPoint& point, const machine::Limits& limits) {
-  return std::min((point.lengths - limits.length_min).minCoeff(), (limits.length_max - point.lengths).minCoeff()) / kMm;
+  return compensate::least_room(limits, point.lengths) / kMm;
 }
 
 std::vector<Column> place_columns() {
@@ -65,13 +65,13 @@ std::vector<Column> place_columns() {
 
 void add_correction(std::vector<Column>& columns, const PathKind& kind) {
   for (const Axis axis : kAllAxes) {
-    const double factor = is_rotary(axis) ? kMdegPerDeg : kUmOfMm;
+    const double factor = is_rotary(axis) ? kMdegPerDeg : kUmPerMm;
     columns.push_back({fmt::format("c{}", static_cast<char>(letter(axis) - 'A' + 'a')),
                        fmt::format("{} of {}", kind.shift, letter(axis)), is_rotary(axis) ? "mdeg" : "um", 2, 1e-3,
                        [axis, factor](const DrawnPoint& p) { return correction(p)[axis] * factor; }});
   }
   columns.push_back(
-      {"shift", kind.shift, "um", 2, 1e-3, [](const DrawnPoint& p) { return length_mm(correction(p)) * kUmOfMm; }});
+      {"shift", kind.shift, "um", 2, 1e-3, [](const DrawnPoint& p) { return length_mm(correction(p)) * kUmPerMm; }});
 }
 
 void add_error(std::vector<Column>& columns, const PathKind& kind) {

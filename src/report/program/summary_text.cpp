@@ -9,6 +9,7 @@
 #include "base/text/hash.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
+#include "report/micrometres.hpp"
 #include "report/text_table.hpp"
 
 namespace plumbline::report {
@@ -17,8 +18,6 @@ namespace {
 using compensate::Summary;
 using compensate::Worst;
 using Json = nlohmann::ordered_json;
-
-constexpr double kUmPerMm = kMm / kUm;
 
 std::string at_line(std::size_t line) { return line == 0 ? std::string() : fmt::format(" (line {})", line); }
 

@@ -110,7 +110,6 @@ function sceneBox(section, columns, selection) {
   scene.show("machine", false);
   scene.show("travel", false);
   scene.show("told", !columns.error);
-  window.plumblineScene = scene;
   return element("div", {}, box, colourKey,
     element("div", { class: "controls" }, place.node, gainSlider.node),
     element("div", { class: "controls" },

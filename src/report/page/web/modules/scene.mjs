@@ -263,7 +263,6 @@ export class Scene {
     requestAnimationFrame(() => {
       this.waiting = false;
       this.renderer.render(this.scene, this.camera);
-      this.frames = (this.frames ?? 0) + 1;
     });
   }
 }
