@@ -19,7 +19,7 @@ import sys
 import tempfile
 import time
 
-HEAD = "G21 G17 G90 G94 G54\nG0 X60 Y0 Z0 A0 B-8 C0\nF1500\n"
+HEAD = "G21 G17 G90 G94 G54\nG0 X60 Y0 Z0 A0 B-5 C0\nF1500\n"
 MODEL = ["-m", "models/pm600-like.toml", "--work-offset", "G54=0,0,-1008,0,0,0"]
 COMPENSATE, ALONE, READER, COPY = "compensate", "compensate --no-read-back", "rs274 reads", "cat"
 
@@ -43,8 +43,8 @@ def write_program(path, blocks):
             turn = 2 * math.pi * i / a_turn
             wide = 60 + 10 * math.sin(turn / 37)
             file.write(f"N{i % 99999} G1 X{wide * math.cos(turn):.4f} Y{wide * math.sin(turn):.4f} "
-                       f"Z{3 * math.sin(turn / 11):.4f} A{8 * math.sin(turn):.4f} B{-8 * math.cos(turn):.4f} "
-                       f"C{3 * math.sin(turn / 7):.4f}\n")
+                       f"Z{3 * math.sin(turn / 11):.4f} A{5 * math.sin(turn):.4f} B{-5 * math.cos(turn):.4f} "
+                       f"C{2 * math.sin(turn / 7):.4f}\n")
         file.write("M2\n")
 
 
