@@ -43,7 +43,8 @@ using Run = std::function<int()>;
   COMMAND(plan)                     \
   COMMAND(control)                  \
   COMMAND(new_model)                \
-  COMMAND(map)
+  COMMAND(map)                      \
+  COMMAND(settings)
 
 #define PLUMBLINE_DECLARE(NAME) void add_##NAME(CLI::App& app, Run& run);
 PLUMBLINE_COMMANDS(PLUMBLINE_DECLARE)

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/check.hpp"
 #include "cli/messages.hpp"
 #include "settings/contradiction.hpp"
-#include "settings/settings_file.hpp"
 
 namespace plumbline::cli {
 
@@ -15,8 +15,14 @@ void SharedOptions::add_to(CLI::App& command, std::initializer_list<settings::Op
   for (const settings::OptionRow& row : settings::option_rows()) {
     if (std::find(groups.begin(), groups.end(), row.group) != groups.end()) add(command, row);
   }
-  command.add_flag("--no-settings", no_settings_,
-                   fmt::format("read no {} beside the program", settings::kSettingsFileName));
+  command.add_option("--machine", machine_, "the machine, as a settings file names it under [machines.NAME]")
+      ->type_name("NAME");
+  CLI::Option* const file =
+      command.add_option("--settings", settings_file_,
+                         fmt::format("settings file (default: each {} in the program's folder and those above it)",
+                                     settings::kSettingsFileName));
+  file->type_name("FILE");
+  command.add_flag("--no-settings", no_settings_, "read no settings file")->excludes(file);
 }
 
 void SharedOptions::add_named(CLI::App& command, std::initializer_list<std::string_view> names) {
@@ -53,27 +59,28 @@ void SharedOptions::apply(settings::Options& options) const {
   }
 }
 
-bool SharedOptions::takes_place_of(const settings::OptionRow& row) const {
-  return std::any_of(given_.begin(), given_.end(), [&](const Given& given) {
-    return !given.texts.empty() && (given.row == &row || settings::excludes(*given.row, row));
-  });
-}
-
 settings::Options SharedOptions::given() const {
   settings::Options options;
   apply(options);
   return options;
 }
 
-settings::Options SharedOptions::read(const std::string& program) const {
-  settings::Options options = given();  // first of all: wrong usage shows before any file is read
+settings::ResolvedSettings SharedOptions::resolve(const std::string& program) const {
+  const settings::Options options = given();  // first of all: wrong usage shows before any file is read
   if (const std::optional<std::string> why = settings::contradiction(options)) throw UsageError(*why);
-  const std::string settings = no_settings_ ? std::string() : settings::settings_file_beside(program);
-  if (settings.empty()) return options;
-  say_step(fmt::format("settings: {}, and what the command line says instead", settings));
-  options = {};
-  settings::read_settings_file(settings, options, [&](const settings::OptionRow& row) { return takes_place_of(row); });
-  apply(options);
+  settings::SettingsRequest request{program, settings_file_, machine_, no_settings_, {}};
+  for (const Given& given : given_) {
+    for (const std::string& text : given.texts) request.given.push_back({given.row, text, {}});
+  }
+  return settings::resolve_settings(request);
+}
+
+settings::Options SharedOptions::read(const std::string& program) const {
+  settings::Options options = resolve(program).options;
+  if (!options.paths.settings_files.empty()) {
+    say_step(fmt::format("settings: {}, and what the command line says instead",
+                         fmt::join(options.paths.settings_files, ", ")));
+  }
   return options;
 }
 
@@ -86,11 +93,15 @@ void SharedOptions::allow_model_alone(std::string_view why) const {
 }
 
 std::vector<std::string> files_read(const std::string& program, const settings::Options& options) {
-  return {program, options.paths.model, options.paths.tools, options.paths.variables, options.paths.settings_file};
+  std::vector<std::string> files{program, options.paths.model, options.paths.tools, options.paths.variables};
+  files.insert(files.end(), options.paths.settings_files.begin(), options.paths.settings_files.end());
+  return files;
 }
 
 void require_model(const settings::Options& options) {
-  if (options.paths.model.empty()) throw UsageError("--model MODEL is required: the machine's model file");
+  if (!options.paths.model.empty()) return;
+  throw UsageError(fmt::format("--model MODEL is required: the machine's model file; or name it in {}",
+                               settings::kSettingsFileName));
 }
 
 }  // namespace plumbline::cli

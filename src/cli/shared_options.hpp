@@ -9,6 +9,7 @@
 
 #include "cli/command.hpp"
 #include "settings/options.hpp"
+#include "settings/resolved.hpp"
 
 namespace plumbline::cli {
 
@@ -23,9 +24,11 @@ class SharedOptions {
   /// What the command line says. Throws UsageError for values that are none.
   settings::Options given() const;
 
-  /// What the command line says, and where it is silent the settings file beside `program`, unless --no-settings asks
-  /// for none. Throws UsageError for values that are none, and refuses as read_settings_file does.
+  /// What the command line says, and where it is silent the settings files of `program`, unless --no-settings asks for
+  /// none. Throws UsageError for values that are none, and refuses as resolve_settings does.
   settings::Options read(const std::string& program) const;
+  /// The same with where each of them is stated.
+  settings::ResolvedSettings resolve(const std::string& program) const;
 
   /// Throws UsageError if the command line gives any of them but the model: `why` they would do nothing.
   void allow_model_alone(std::string_view why) const;
@@ -37,9 +40,9 @@ class SharedOptions {
   };
   void add(CLI::App& command, const settings::OptionRow& row);
   void apply(settings::Options& options) const;
-  bool takes_place_of(const settings::OptionRow& row) const;
 
   std::list<Given> given_;
+  std::string machine_, settings_file_;
   bool no_settings_ = false;
 };
 

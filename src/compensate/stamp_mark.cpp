@@ -1,6 +1,7 @@
 #include "compensate/stamp_mark.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,7 +64,8 @@ bool is_stamp(std::string_view line, std::string& plain) {
   return program != std::string::npos && plain.find(kMark, program) != std::string::npos;
 }
 
-void refuse_stamped(const InputFile& file) {
+// Where the mark stands, if it does.
+std::optional<Place> find_stamp(const InputFile& file) {
   nc::LineSource lines(file);
   const std::uint64_t first = first_commented_line(file);
   lines.seek({first, 1});
@@ -76,12 +78,21 @@ void refuse_stamped(const InputFile& file) {
     place.column = line.text.find_first_of("(;") + 1;
     place.length = line.text.size() - place.column + 1;
     place.text = line.text;
+    return place;
+  }
+  return std::nullopt;
+}
+
+void refuse_stamped(const InputFile& file) {
+  if (std::optional<Place> place = find_stamp(file)) {
     refuse("compensate-stamped", "this program was compensated already", "compensate the original program instead",
-           std::move(place));
+           std::move(*place));
   }
 }
 
 }  // namespace
+
+bool is_compensated(const InputFile& file) { return find_stamp(file).has_value(); }
 
 void StampSearch::look_at_program() const { refuse_stamped(program_); }
 

@@ -10,8 +10,11 @@
 
 namespace plumbline::compensate {
 
+/// Whether the mark stands anywhere in the file, in whatever case and with whatever blanks.
+bool is_compensated(const InputFile& file);
+
 /// A compensated program holds the corrections already; a second helping would double them. Refuses with
-/// compensate-stamped a file in which the mark stands anywhere, in whatever case and with whatever blanks.
+/// compensate-stamped a file that is one.
 class StampSearch {
  public:
   /// `program` must outlive it.

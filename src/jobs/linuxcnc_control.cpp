@@ -16,6 +16,7 @@
 #include "machine/limits.hpp"
 #include "machine/model_file.hpp"
 #include "nc/language/dialect.hpp"
+#include "settings/program_settings.hpp"
 
 namespace plumbline::embedded {
 extern const std::string_view linuxcnc_view_py;

@@ -11,7 +11,7 @@
 #include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "nc/language/dialect.hpp"
-#include "settings/variables_file.hpp"
+#include "settings/output_name.hpp"
 
 namespace plumbline::settings {
 namespace {
@@ -192,6 +192,11 @@ void set_dialect(Options& options, std::string_view text) {
   options.dialect = text;
 }
 
+void set_output_pattern(Options& options, std::string_view text) {
+  check_output_pattern(text);
+  options.output_pattern = text;
+}
+
 void set_touch_off(Options& options, std::string_view text) { options.compensation.touch_off = {pose_in(text)}; }
 
 using Text = std::string_view;
@@ -326,6 +331,10 @@ constexpr std::array kRows{
     OptionRow{"no-read-back", "", "do not read the output again and hold it against what was meant",
               OptionGroup::compensation, false, false,
               [](Options& o, Text t) { o.compensation.read_back = !on_or_off(t); }},
+    OptionRow{"output-name", "PATTERN",
+              "how the output is named where -o does not say: {folder}, {name} and {ext} are those of the program, "
+              "{machine} is the machine's name (default {folder}/{name}_straight{ext})",
+              OptionGroup::compensation, false, true, set_output_pattern},
     OptionRow{"undo", "", "write OUTPUT.undo too, from which restore gives the original back",
               OptionGroup::compensation, false, false, [](Options& o, Text t) { o.undo = on_or_off(t); }},
 };
@@ -368,25 +377,6 @@ std::optional<std::array<double, kAxes>> six_numbers(std::string_view text) {
   });
   if (!all_numbers || count != kAxes) return std::nullopt;
   return values;
-}
-
-nc::ProgramSettings program_settings(const Options& options) {
-  nc::ProgramSettings settings = options.program;
-  if (!options.paths.variables.empty()) {
-    settings.variables = read_variables(options.paths.variables);
-    settings.work_offsets = work_offsets_of(settings.variables);
-    for (std::size_t i = 0; i < settings.work_offsets.size(); ++i) {
-      if (options.program.work_offsets[i]) settings.work_offsets[i] = options.program.work_offsets[i];
-    }
-  }
-  if (!options.paths.tools.empty()) settings.tools = nc::read_tool_table(options.paths.tools);
-  return settings;
-}
-
-nc::ProgramSettings program_settings(const Options& options, const machine::MachineModel& model) {
-  nc::ProgramSettings settings = program_settings(options);
-  settings.rotation_order = model.rotation.axes;
-  return settings;
 }
 
 }  // namespace plumbline::settings

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "compensate/settings.hpp"
-#include "machine/model.hpp"
 #include "nc/control/state/program_settings.hpp"
 #include "nc/rewrite/output/emit_settings.hpp"
 
@@ -25,20 +24,22 @@ struct Paths {
   std::string model;
   std::string tools;
   std::string variables;
-  std::string settings_file;  // that some of the options come from
+  std::vector<std::string> settings_files;  // that options come from, the one that counts most first
 };
 
 struct Options {
   Paths paths;
+  std::string machine;  // by its name in a settings file; empty: none was named
   std::string dialect;  // empty: seen from the program
   std::vector<std::pair<std::string, int>>
       work_offset_names;        // as they were given, and which system they were taken for
-  nc::ProgramSettings program;  // without what the files hold: see program_settings()
+  nc::ProgramSettings program;  // without what the files hold: see program_settings.hpp
   compensate::Settings compensation;
   nc::EmitSettings emit;     // without what the model says of the control
   bool steps_given = false;  // --step-angle or --step-length
   bool guard = false;
   bool undo = false;
+  std::string output_pattern;  // of outputs that nobody names; empty: kOutputPattern
 };
 
 /// A text that is no value of its option; what() says what is expected.
@@ -76,10 +77,5 @@ std::string work_system_name(std::size_t system);
 
 /// Six numbers between commas; nothing if it is anything else.
 std::optional<std::array<double, kAxes>> six_numbers(std::string_view text);
-
-/// The settings of the interpreter: tool table and variables file are read here. Refuses as their readers do.
-nc::ProgramSettings program_settings(const Options& options);
-/// The same for the machine of a model.
-nc::ProgramSettings program_settings(const Options& options, const machine::MachineModel& model);
 
 }  // namespace plumbline::settings

@@ -11,6 +11,7 @@
 #include "base/files/input_name.hpp"
 #include "base/text/toml.hpp"
 #include "settings/contradiction.hpp"
+#include "settings/output_name.hpp"
 
 namespace plumbline::settings {
 namespace {
@@ -38,8 +39,27 @@ const OptionRow* row_of_key(std::string_view key) {
 
 class SettingsReader {
  public:
-  SettingsReader(const TomlDocument& document, Options& options) : document_(document), options_(options) {}
+  explicit SettingsReader(const TomlDocument& document) : document_(document) {}
 
+  SettingsFile read() {
+    check_kind();
+    SettingsFile file;
+    for (const TomlEntry& entry : document_.root.entries) {
+      if (entry.key == "plumbline") continue;
+      if (entry.key == "machine") {
+        file.machine = text_of(entry, entry.value);
+        file.machine_place = document_.place(entry.value.span);
+      } else if (entry.key == "machines") {
+        take_machines(entry, file);
+      } else {
+        take(entry, file.options);
+      }
+    }
+    check_together(file.options, document_.root);
+    return file;
+  }
+
+ private:
   void check_kind() const {
     const TomlEntry* const kind = document_.root.find("plumbline");
     if (kind != nullptr && kind->value.kind == Kind::text && kind->value.text == "settings 1") return;
@@ -48,19 +68,48 @@ class SettingsReader {
            kind != nullptr ? document_.place(kind->value.span) : document_.place({0, 1}));
   }
 
-  void take(const OptionRow& row, const TomlEntry& entry) {
-    for (const Stated& stated : stated_by(row, entry)) {
-      try {
-        set_option(options_, row, row.is_path ? beside_file(stated.text) : stated.text);
-      } catch (const OptionError& error) {
-        refuse("settings-value", fmt::format("{}: {}", entry.key, error.what()),
-               fmt::format("write it as --{} takes it; plumbline compensate --help", row.name),
-               document_.place(stated.span));
-      }
+  void take_machines(const TomlEntry& entry, SettingsFile& file) const {
+    if (entry.value.kind != Kind::table) refuse_type(entry, entry.value);
+    for (const TomlEntry& machine : entry.value.entries) {
+      if (machine.value.kind != Kind::table) refuse_type(machine, machine.value);
+      std::vector<StatedOption>& options = file.machines[machine.key];
+      for (const TomlEntry& item : machine.value.entries) take(item, options);
+      check_together(options, machine.value);
     }
   }
 
- private:
+  // Each value is tried on options that nobody uses, so that what is wrong shows with its place.
+  void take(const TomlEntry& entry, std::vector<StatedOption>& options) const {
+    const OptionRow* const row = row_of_key(entry.key);
+    if (row == nullptr) {
+      refuse("settings-key", fmt::format("there is no setting {}", entry.key),
+             fmt::format("settings are {}, and machine, [machines.NAME]", list_of_keys()),
+             document_.place(entry.key_span));
+    }
+    for (Stated& stated : stated_by(*row, entry)) {
+      if (row->is_path) stated.text = beside_file(stated.text);
+      Place place = document_.place(stated.span);
+      try {
+        Options scratch;
+        set_option(scratch, *row, stated.text);
+      } catch (const OptionError& error) {
+        refuse("settings-value", fmt::format("{}: {}", entry.key, error.what()),
+               fmt::format("write it as --{} takes it; plumbline compensate --help", row->name), std::move(place));
+      }
+      options.push_back({row, std::move(stated.text), std::move(place)});
+    }
+  }
+
+  void check_together(const std::vector<StatedOption>& stated, const TomlValue& table) const {
+    Options options;
+    for (const StatedOption& one : stated) set_option(options, *one.row, one.text);
+    if (const std::optional<std::string> why = contradiction(options)) {
+      const TomlEntry* const entry = table.find("tolerance");
+      refuse("settings-value", *why, "leave one of them out of the file",
+             document_.place(entry != nullptr ? entry->key_span : TextSpan{0, 1}));
+    }
+  }
+
   // A value as the command line would spell it, and where it stands.
   struct Stated {
     std::string text;
@@ -68,7 +117,8 @@ class SettingsReader {
   };
 
   std::string beside_file(const std::string& path) const {
-    return path.empty() ? path : (fs::path(document_.file).parent_path() / path).string();
+    const bool is_from_program = path.starts_with(kProgramFolder);
+    return path.empty() || is_from_program ? path : (fs::path(document_.file).parent_path() / path).string();
   }
 
   [[noreturn]] void refuse_type(const TomlEntry& entry, const TomlValue& value) const {
@@ -123,40 +173,15 @@ class SettingsReader {
   }
 
   const TomlDocument& document_;
-  Options& options_;
 };
 
 }  // namespace
 
-std::string settings_file_beside(const std::string& program) {
-  if (program == kStandardStream) return {};
-  const fs::path path = fs::path(program).parent_path() / kSettingsFileName;
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored) ? path.string() : std::string();
-}
-
-void read_settings_file(const std::string& path, Options& options,
-                        const std::function<bool(const OptionRow&)>& is_given) {
+SettingsFile read_settings_file(const std::string& path) {
   const TomlDocument document = parse_toml(read_text(path), input_name(path));
-  SettingsReader reader(document, options);
-  reader.check_kind();
-  for (const TomlEntry& entry : document.root.entries) {
-    if (entry.key == "plumbline") continue;
-    const OptionRow* const row = row_of_key(entry.key);
-    if (row == nullptr) {
-      refuse("settings-key", fmt::format("there is no setting {}", entry.key),
-             fmt::format("settings are {}", list_of_keys()), document.place(entry.key_span));
-    }
-    Options scratch;
-    const bool counts = row->name == "work-offset" || !is_given || !is_given(*row);
-    SettingsReader(document, counts ? options : scratch).take(*row, entry);
-  }
-  if (const std::optional<std::string> why = contradiction(options)) {
-    const TomlEntry* const entry = document.root.find("tolerance");
-    refuse("settings-value", *why, "leave one of them out of the file",
-           document.place(entry != nullptr ? entry->key_span : TextSpan{0, 1}));
-  }
-  options.paths.settings_file = path;
+  SettingsFile file = SettingsReader(document).read();
+  file.path = path;
+  return file;
 }
 
 }  // namespace plumbline::settings

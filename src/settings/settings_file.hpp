@@ -1,23 +1,36 @@
-// The settings file beside a program: what the command line need not say every time.
+// A settings file, plumbline.toml: what the command line need not say every time, for all machines or for one by name.
 #pragma once
 
-#include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "base/diagnostic.hpp"
 #include "settings/options.hpp"
 
 namespace plumbline::settings {
 
 inline constexpr std::string_view kSettingsFileName = "plumbline.toml";
 
-/// The settings file in the folder of `program`; empty if there is none, or the program is standard input.
-std::string settings_file_beside(const std::string& program);
+/// An option with its text, as the command line would spell it.
+struct StatedOption {
+  const OptionRow* row;
+  std::string text;
+  Place place;  // in a settings file; no file: the command line states it
+};
 
-/// Sets what the file states, but the options that `is_given` holds to be said already (never asked for work offsets:
-/// what is said later takes their place one by one). Paths in it count from its own folder. Refuses with toml-syntax,
-/// settings-kind, settings-key, settings-type or settings-value and the place, so too where it contradicts itself.
-void read_settings_file(const std::string& path, Options& options,
-                        const std::function<bool(const OptionRow&)>& is_given = {});
+struct SettingsFile {
+  std::string path;
+  std::optional<std::string> machine;  // that holds unless another one is named
+  Place machine_place;
+  std::vector<StatedOption> options;                          // of every machine
+  std::map<std::string, std::vector<StatedOption>> machines;  // what each states besides, or instead
+};
+
+/// Reads the file; paths in it count from its own folder. Refuses with toml-syntax, settings-kind, settings-key,
+/// settings-type or settings-value and the place, so too where it contradicts itself.
+SettingsFile read_settings_file(const std::string& path);
 
 }  // namespace plumbline::settings

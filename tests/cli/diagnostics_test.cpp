@@ -56,6 +56,7 @@ const std::map<std::string, std::string> kRefused{
     {"diagnose", "diagnose -d missing.toml -o out " + kModel},
     {"new-model", "new-model --ini missing.ini -o out.toml"},
     {"map", "map -m missing.toml"},
+    {"settings", "settings part.ngc --settings missing.toml"},
     {"control", "control linuxcnc -o out --work-offset G54.1P1=0,0,0,0,0,0 " + kModel},
 };
 

@@ -50,8 +50,9 @@ TEST_CASE("what stands wrongly on the command line is named as its user would") 
   };
   for (const Case& c :
        {Case{"", "name a command: compensate, "},
-        Case{"compensate p.ngc -m m.toml", "-o FILE is required"},
-        Case{"compensate", "PROGRAM and -o FILE are required"},
+        Case{"restore p.ngc", "-o FILE is required"},
+        Case{"restore", "PROGRAM and -o FILE are required"},
+        Case{"compensate", "PROGRAM is required"},
         Case{"compensate p.ngc -m m.toml -o", "-o needs its value: -o FILE"},
         Case{"compensate p.ngc -m -o out.ngc", "-m needs its value: -m "},
         Case{"compensate p.ngc -o o.ngc --undo o.undo", "o.undo is one too many: --undo is a switch"},

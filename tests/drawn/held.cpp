@@ -18,6 +18,7 @@
 #include "report/program/check_text.hpp"
 #include "report/program/diff_text.hpp"
 #include "settings/options.hpp"
+#include "settings/program_settings.hpp"
 
 namespace plumbline::drawn {
 namespace {

@@ -24,9 +24,13 @@ void check_tools(const std::string& path) {
 }
 
 void check_settings(const std::string& path) {
+  const settings::SettingsFile file = settings::read_settings_file(path);
+  FUZZ_CHECK(file.path == path);
   settings::Options options;
-  settings::read_settings_file(path, options);
-  FUZZ_CHECK(options.paths.settings_file == path);
+  for (const settings::StatedOption& stated : file.options) settings::set_option(options, *stated.row, stated.text);
+  for (const auto& [machine, all] : file.machines) {
+    for (const settings::StatedOption& stated : all) settings::set_option(options, *stated.row, stated.text);
+  }
   for (const auto& offset : options.program.work_offsets) {
     for (const Axis axis : kAllAxes) FUZZ_CHECK(!offset || std::isfinite(offset->origin[axis]));
   }

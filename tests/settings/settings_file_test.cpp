@@ -8,6 +8,18 @@
 using namespace plumbline;
 using settings::Options;
 
+namespace {
+
+// What a file states for every machine.
+Options options_of(const std::string& path) {
+  Options options;
+  for (const settings::StatedOption& stated : settings::read_settings_file(path).options)
+    settings::set_option(options, *stated.row, stated.text);
+  return options;
+}
+
+}  // namespace
+
 TEST_CASE("a settings file gives options, its paths count from its own folder") {
   const testing::Scratch scratch;
   const std::string path = scratch.file("plumbline.toml", R"(plumbline = "settings 1"
@@ -26,8 +38,7 @@ start = {A = 0, B = 1.5}
 G54 = [0, 0, -1008, 0, 0, 0.5]
 "G59.3" = "1,2,3,4,5,6"
 )");
-  Options options;
-  settings::read_settings_file(path, options);
+  const Options options = options_of(path);
   CHECK(options.paths.model == scratch.path("machine.toml"));
   CHECK(options.paths.tools == "/tools.toml");
   CHECK(options.compensation.step.length_mm == 0.5);
@@ -42,42 +53,29 @@ G54 = [0, 0, -1008, 0, 0, 0.5]
   CHECK_FALSE(options.program.start[5]);
   CHECK(options.program.work_offsets[0]->origin == AxisWords{{0, 0, -1008, 0, 0, 0.5}});
   CHECK(options.program.work_offsets[8]->origin == AxisWords{{1, 2, 3, 4, 5, 6}});
-  CHECK(options.paths.settings_file == path);
+  CHECK(settings::read_settings_file(path).path == path);
 }
 
 TEST_CASE("work offsets may be an array of texts") {
   const testing::Scratch scratch;
-  Options options;
-  settings::read_settings_file(scratch.file("s",
-                                            "plumbline = \"settings 1\"\nwork_offset = [\"G54=0,0,1,0,0,0\", "
-                                            "\"G55=0,0,2,0,0,0\"]\n"),
-                               options);
+  const Options options = options_of(scratch.file("s",
+                                                  "plumbline = \"settings 1\"\nwork_offset = [\"G54=0,0,1,0,0,0\", "
+                                                  "\"G55=0,0,2,0,0,0\"]\n"));
   CHECK(options.program.work_offsets[0]->origin[Axis::Z] == 1);
   CHECK(options.program.work_offsets[1]->origin[Axis::Z] == 2);
 }
 
-TEST_CASE("what is given already is checked but not taken") {
-  const testing::Scratch scratch;
-  const std::string path = scratch.file("s", "plumbline = \"settings 1\"\nstep_length = 0.5\nstep_angle = 0.2\n");
-  Options options;
-  settings::read_settings_file(path, options, [](const settings::OptionRow& row) { return row.name == "step-length"; });
-  CHECK(options.compensation.step.length_mm == 1.0);
-  CHECK(options.compensation.step.angle_deg == 0.2);
-}
-
 TEST_CASE("a settings file may state a tolerance, but not steps beside it") {
   const testing::Scratch scratch;
-  Options options;
-  settings::read_settings_file(
-      scratch.file("s", "plumbline = \"settings 1\"\ntolerance = \"0.5um\"\nyields = \"time\"\n"), options);
+  const Options options =
+      options_of(scratch.file("s", "plumbline = \"settings 1\"\ntolerance = \"0.5um\"\nyields = \"time\"\n"));
   CHECK(options.compensation.bound.tolerance_mm == Approx(0.0005));
   CHECK(options.compensation.bound.yields == compensate::BoundSettings::Yields::time);
   for (const char* const other : {"step_length = 1", "step_angle = 0.2", "friction_turn = 0.1", "first_order = true"}) {
     INFO(other);
     const std::string path =
         scratch.file("s", std::string("plumbline = \"settings 1\"\n") + other + "\ntolerance = \"0.5um\"\n");
-    Options both;
-    const Diagnostic said = testing::refusal_of([&] { settings::read_settings_file(path, both); });
+    const Diagnostic said = testing::refusal_of([&] { settings::read_settings_file(path); });
     CHECK(said.code == "settings-value");
     CHECK(said.place.line == 3);
   }
@@ -101,19 +99,42 @@ TEST_CASE("errors of a settings file have their place") {
         Case{"plumbline = \"settings 1\"\nstep_length = 1979-05-27\n", "settings-type", 2},
         Case{"plumbline = \"settings 1\"\n\nwork_offset = {G54 = [1, 2]}\n", "settings-value", 3},
         Case{"plumbline = \"settings 1\"\nstep_length = {}\n", "settings-type", 2},
+        Case{"plumbline = \"settings 1\"\nmachines = 3\n", "settings-type", 2},
+        Case{"plumbline = \"settings 1\"\nmachine = [1]\n", "settings-type", 2},
+        Case{"plumbline = \"settings 1\"\n[machines]\nhex = 3\n", "settings-type", 3},
+        Case{"plumbline = \"settings 1\"\n[machines.hex]\nmodle = \"m.toml\"\n", "settings-key", 3},
+        Case{"plumbline = \"settings 1\"\n[machines.hex]\nstep_length = 1\ntolerance = \"1um\"\n", "settings-value", 4},
+        Case{"plumbline = \"settings 1\"\noutput_name = \"out.ngc\"\n", "settings-value", 2},
         Case{"plumbline = \"settings 1\"\nstep_length = \n", "toml-syntax", 2}}) {
     INFO(c.text);
-    Options options;
-    const Diagnostic d = testing::refusal_of([&] { settings::read_settings_file(scratch.file("s", c.text), options); });
+    const Diagnostic d = testing::refusal_of([&] { settings::read_settings_file(scratch.file("s", c.text)); });
     CHECK(d.code == c.code);
     CHECK(d.place.line == c.line);
   }
 }
 
-TEST_CASE("the settings file is looked for beside the program") {
+TEST_CASE("a settings file describes machines, each with its options") {
   const testing::Scratch scratch;
-  CHECK(settings::settings_file_beside(scratch.path("p.ngc")).empty());
-  const std::string path = scratch.file("plumbline.toml", "");
-  CHECK(settings::settings_file_beside(scratch.path("p.ngc")) == path);
-  CHECK(settings::settings_file_beside("-").empty());
+  const settings::SettingsFile file = settings::read_settings_file(scratch.file("s", R"(plumbline = "settings 1"
+machine = "hex-3"
+step_length = 0.5
+[machines.hex-3]
+model = "hex-3.toml"
+output_name = "out/{name}{ext}"
+[machines.hex-3.work_offset]
+G54 = [0, 0, -1008, 0, 0, 0]
+[machines.hex-4]
+output_name = "{folder}/{name}_{machine}{ext}"
+)"));
+  CHECK(file.machine == "hex-3");
+  CHECK(file.machine_place.line == 2);
+  REQUIRE(file.options.size() == 1);
+  REQUIRE(file.machines.size() == 2);
+  const std::vector<settings::StatedOption>& third = file.machines.at("hex-3");
+  REQUIRE(third.size() == 3);
+  CHECK(third[0].text == scratch.path("hex-3.toml"));
+  CHECK(third[1].text == scratch.path("out/{name}{ext}"));
+  CHECK(third[2].text == "G54=0,0,-1008,0,0,0");
+  CHECK(third[2].place.line == 8);
+  CHECK(file.machines.at("hex-4")[0].text == "{folder}/{name}_{machine}{ext}");
 }

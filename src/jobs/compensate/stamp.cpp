@@ -126,7 +126,8 @@ std::vector<std::string> stamp(const settings::Options& options, const nc::Progr
   add(fmt::format("model {}, hash {}", model.name, to_hex(model.hash)));
   add(settings_line(options));
   if (options.compensation.touch_off) add("touch-off at" + words(*options.compensation.touch_off));
-  if (!options.paths.settings_file.empty()) add("settings file " + options.paths.settings_file);
+  if (!options.machine.empty()) add("machine " + options.machine);
+  for (const std::string& file : options.paths.settings_files) add("settings file " + file);
   if (!options.paths.variables.empty()) add("variables file " + options.paths.variables);
   if (const std::string start = start_line(program); !start.empty()) add(start);
   for (std::size_t i = 0; i < program.work_offsets.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include "jobs/program/program_dialect.hpp"
 #include "machine/model_file.hpp"
+#include "settings/program_settings.hpp"
 
 namespace plumbline::jobs {
 namespace {

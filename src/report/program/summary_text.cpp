@@ -156,7 +156,9 @@ void add_files(TextTable& table, const Summary& s, const settings::Options& opti
       s.bytes_before > 0 ? static_cast<double>(s.bytes_after) / static_cast<double>(s.bytes_before) : 1;
   table.add("file", fmt::format("{} bytes before, {} after ({:.2f} times)", count_text(s.bytes_before),
                                 count_text(s.bytes_after), growth));
-  if (!options.paths.settings_file.empty()) table.add("settings from", options.paths.settings_file);
+  if (!options.machine.empty()) table.add("machine", options.machine);
+  for (std::size_t i = 0; i < options.paths.settings_files.size(); ++i)
+    table.add(i == 0 ? "settings from" : "", options.paths.settings_files[i]);
 }
 
 Json worst(const Worst& value, double unit = 1) { return {{"value", value.value * unit}, {"line", value.line}}; }
@@ -251,6 +253,7 @@ std::string summary_json(const Summary& s, const settings::Options& options) {
   for (const Summary::InlinedFile& file : s.inlined_files) {
     inlined.push_back({{"name", file.name}, {"hash", to_hex(file.hash)}});
   }
+  const std::vector<std::string>& files = options.paths.settings_files;
   Json json{
       {"plumbline", "compensation 1"},
       {"version", version()},
@@ -286,7 +289,9 @@ std::string summary_json(const Summary& s, const settings::Options& options) {
       {"bytes_before", s.bytes_before},
       {"bytes_after", s.bytes_after},
       {"hash_after", to_hex(s.hash_after)},
-      {"settings_file", options.paths.settings_file.empty() ? Json() : Json(options.paths.settings_file)},
+      {"machine", options.machine.empty() ? Json() : Json(options.machine)},
+      {"settings_file", files.empty() ? Json() : Json(files.front())},
+      {"settings_files", files},
       {"warnings", warnings_json(s.warnings)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -40,7 +40,7 @@ TEST_CASE("a stamp says what the output was made with and holds for") {
   settings::Options options;
   options.compensation.friction = false;
   options.program.block_delete = true;
-  options.paths.settings_file = "part/plumbline.toml";
+  options.paths.settings_files = {"part/plumbline.toml"};
   options.compensation.touch_off = AxisWords{{1, 2, 3, 0, 0, 0}};
   const std::vector<std::string> lines = stamp_of(options);
   CHECK(lines.front() == "plumbline " + std::string(plumbline::version()) + " compensated this program");

@@ -85,7 +85,7 @@ TEST_CASE("form, offsets, short pieces and what was read back are told where the
   s.read_back->output_blocks = 2000;
   s.read_back->guard_lines = 7;
   settings::Options options;
-  options.paths.settings_file = "plumbline.toml";
+  options.paths.settings_files = {"plumbline.toml"};
   const std::string text = report::summary_text(s, options);
   CHECK(summary_row(text, "form").starts_with("unrolled: "));
   CHECK(summary_row(text, "subprograms from") == "sub.ngc (hash 0000000000000abc)");

@@ -1,0 +1,28 @@
+#include "jobs/compensate/output_of.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/diagnostic.hpp"
+#include "base/files/files.hpp"
+#include "compensate/stamp_mark.hpp"
+#include "settings/output_name.hpp"
+
+namespace plumbline::jobs {
+
+std::string output_of(const std::string& program, const settings::Options& options) {
+  if (program == kStandardStream) return std::string(kStandardStream);
+  const std::string& pattern = options.output_pattern;
+  const std::string output = settings::output_name(pattern.empty() ? std::string(settings::kOutputPattern) : pattern,
+                                                   program, options.machine);
+  std::error_code error;
+  if (std::filesystem::is_regular_file(output, error) && !compensate::is_compensated(InputFile(output))) {
+    refuse("file-exists", fmt::format("{} stands there already, and is no compensated program", output),
+           fmt::format("name the output with -o, which writes over it, or give another pattern with --output-name"),
+           {output, 0});
+  }
+  return output;
+}
+
+}  // namespace plumbline::jobs

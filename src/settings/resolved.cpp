@@ -1,0 +1,149 @@
+#include "settings/resolved.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/files/files.hpp"
+#include "base/text/nearest_name.hpp"
+#include "settings/contradiction.hpp"
+
+namespace plumbline::settings {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string environment(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? std::string() : std::string(value);
+}
+
+// In the folder of the program, which is named as the program is, and in those above it.
+std::vector<std::string> files_from_folder_up(const std::string& program) {
+  std::vector<std::string> files;
+  if (program == kStandardStream) return files;
+  std::error_code error;
+  const auto add = [&](const fs::path& folder) {
+    if (fs::is_regular_file(folder / kSettingsFileName, error)) files.push_back((folder / kSettingsFileName).string());
+  };
+  add(fs::path(program).parent_path());
+  fs::path folder = fs::absolute(program, error).lexically_normal().parent_path();
+  while (folder.has_relative_path()) {
+    folder = folder.parent_path();
+    add(folder);
+  }
+  return files;
+}
+
+// Where it is not set, it is not there, which is no error.
+std::string users_own() {
+  std::string folder = environment("XDG_CONFIG_HOME");
+  if (folder.empty() && !environment("HOME").empty()) folder = environment("HOME") + "/.config";
+  if (folder.empty()) return {};
+  const fs::path path = fs::path(folder) / "plumbline" / kSettingsFileName;
+  std::error_code error;
+  return fs::is_regular_file(path, error) ? path.string() : std::string();
+}
+
+void add_once(std::vector<std::string>& files, const std::string& path) {
+  std::error_code error;
+  const bool known = std::any_of(files.begin(), files.end(), [&](const std::string& file) {
+    return file == path || fs::equivalent(file, path, error);
+  });
+  if (!path.empty() && !known) files.push_back(path);
+}
+
+// Which machine is meant, and where that is said.
+std::pair<std::string, Place> machine_of(const SettingsRequest& request, const std::vector<SettingsFile>& files) {
+  if (!request.machine.empty()) return {request.machine, {}};
+  for (const SettingsFile& file : files) {
+    if (file.machine) return {*file.machine, file.machine_place};
+  }
+  return {};
+}
+
+std::vector<std::string> machines_in(const std::vector<SettingsFile>& files) {
+  std::set<std::string> names;
+  for (const SettingsFile& file : files) {
+    for (const auto& [name, options] : file.machines) names.insert(name);
+  }
+  return {names.begin(), names.end()};
+}
+
+void require_machine(const std::string& name, const Place& place, const std::vector<std::string>& machines) {
+  if (name.empty() || std::binary_search(machines.begin(), machines.end(), name)) return;
+  const std::string_view nearest = nearest_name(name, {machines.begin(), machines.end()});
+  std::string help = nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
+  help += machines.empty() ? fmt::format("describe it in a settings file under [machines.{}]", name)
+                           : fmt::format("machines are {}", fmt::join(machines, ", "));
+  refuse("settings-no-machine", fmt::format("no settings file describes a machine {}", name), std::move(help), place);
+}
+
+// The work system that a text of --work-offset names.
+int system_in(const StatedOption& stated) {
+  Options scratch;
+  set_option(scratch, *stated.row, stated.text);
+  return scratch.work_offset_names.empty() ? 0 : scratch.work_offset_names.front().second;
+}
+
+// Whether one statement leaves nothing of another that is weaker.
+bool takes_place_of(const StatedOption& stronger, const StatedOption& weaker) {
+  if (excludes(*stronger.row, *weaker.row)) return true;
+  if (stronger.row != weaker.row) return false;
+  return stronger.row->name != "work-offset" || system_in(stronger) == system_in(weaker);
+}
+
+// Adds what a weaker layer states, where no stronger one has stated it.
+void add_layer(std::vector<StatedOption>& stated, const std::vector<StatedOption>& layer) {
+  const std::size_t stronger = stated.size();
+  for (const StatedOption& one : layer) {
+    const auto end = stated.begin() + static_cast<std::ptrdiff_t>(stronger);
+    if (std::none_of(stated.begin(), end, [&](const StatedOption& other) { return takes_place_of(other, one); }))
+      stated.push_back(one);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> settings_files(const std::string& program, const std::string& file) {
+  std::vector<std::string> files;
+  add_once(files, file);
+  if (file.empty()) {
+    for (const std::string& path : files_from_folder_up(program)) add_once(files, path);
+  }
+  add_once(files, environment(kSettingsVariable));
+  add_once(files, users_own());
+  return files;
+}
+
+ResolvedSettings resolve_settings(const SettingsRequest& request) {
+  std::vector<SettingsFile> files;
+  if (!request.without_files) {
+    for (const std::string& path : settings_files(request.program, request.file))
+      files.push_back(read_settings_file(path));
+  }
+  ResolvedSettings resolved;
+  resolved.machines = machines_in(files);
+  const auto [machine, place] = machine_of(request, files);
+  require_machine(machine, place, resolved.machines);
+  add_layer(resolved.stated, request.given);
+  for (const SettingsFile& file : files) {
+    if (const auto found = file.machines.find(machine); found != file.machines.end())
+      add_layer(resolved.stated, found->second);
+    add_layer(resolved.stated, file.options);
+    resolved.options.paths.settings_files.push_back(file.path);
+  }
+  resolved.options.machine = machine;
+  resolved.machine_place = place;
+  std::stable_sort(resolved.stated.begin(), resolved.stated.end(),
+                   [](const StatedOption& a, const StatedOption& b) { return a.row < b.row; });
+  for (const StatedOption& one : resolved.stated) set_option(resolved.options, *one.row, one.text);
+  return resolved;
+}
+
+}  // namespace plumbline::settings
