@@ -1,4 +1,5 @@
 """The pages that the program writes, each from a small case."""
+import math
 import os
 import subprocess
 from pathlib import Path
@@ -90,6 +91,16 @@ def plan(folder):
 def machine_map(folder):
     run(folder, "map", "-m", MODEL, "--step", "60", "--report", "map.html")
     return folder / "map.html"
+
+
+
+def long_program(folder, blocks=8000):
+    """Turn after turn, each a little lower: too many lines to draw all of them in a frame without a graphics card."""
+    rows = [f"G1 X{40 * math.cos(i / 20):.3f} Y{40 * math.sin(i / 20):.3f} Z{20 - i / 400:.3f} A{3 * math.sin(i / 90):.3f} F1500"
+            for i in range(blocks)]
+    (folder / "long.ngc").write_text("\n".join(["G21 G17 G90 G94 G54", "G0 X40 Y0 Z20 A0 B0 C0", *rows, "M2", ""]))
+    run(folder, "compensate", "long.ngc", "-m", MODEL, *OFFSET, "-o", "long-compensated.ngc", "--report", "long.html")
+    return folder / "long.html"
 
 
 # name: (what makes it in a folder, whether it has a scene, at least so many drawings)

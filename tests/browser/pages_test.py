@@ -57,7 +57,8 @@ class Pages(unittest.TestCase):
         return self.browser.run("return document.querySelector(arguments[0]).textContent", selector)
 
     def picture(self):
-        self.browser.run_async("requestAnimationFrame(() => requestAnimationFrame(arguments[0]))")
+        """Of what is in space, all of it, as for print."""
+        self.browser.run("window.dispatchEvent(new Event('beforeprint'))")
         return self.browser.run("return document.querySelector('.scene canvas').toDataURL()")
 
     def check_choosing(self):
@@ -92,6 +93,20 @@ class Pages(unittest.TestCase):
                 input.dispatchEvent(new Event("input", {bubbles: true}));""", slider)
             self.assertNotEqual(self.picture(), before)
 
+    def test_a_long_program_is_drawn_coarse_while_it_turns_and_whole_at_rest(self):
+        self.browser.shape(1400)
+        self.browser.open(pages.long_program(Path(self.folder.name)))
+        self.browser.run_async(WHOLE)
+        in_parts = self.browser.run("return document.querySelector('.scene canvas').toDataURL()")
+        whole = self.picture()
+        self.assertLess(self.browser.run_async(DIFFERING.replace("OTHER", in_parts)), 0.005)
+        self.browser.run("document.querySelector('.scene').scrollIntoView()")
+        turning = self.browser.run_async(TURN)
+        self.assertEqual(turning, "quick")
+        self.assertGreater(self.browser.run(PAINTED), 300)
+        self.assertNotEqual(self.picture(), whole)
+        self.assertEqual(self.browser.messages(), [])
+
     def test_prints(self):
         for name, (page, _, _) in self.made.items():
             with self.subTest(page=name):
@@ -101,6 +116,53 @@ class Pages(unittest.TestCase):
                 self.assertTrue(pdf.startswith(b"%PDF"))
                 self.assertGreater(len(pdf), 20000)
 
+
+WHOLE = """
+const done = arguments[0];
+(function look() {
+  if (document.querySelector(".scene").dataset.drawn === "whole") done(); else setTimeout(look, 20);
+})();
+"""
+
+# The share of the pixels that are not those of another picture.
+DIFFERING = """
+const done = arguments[0];
+const bytesOf = (from) => {
+  const to = document.createElement("canvas");
+  to.width = from.width; to.height = from.height;
+  const context = to.getContext("2d");
+  context.drawImage(from, 0, 0);
+  return context.getImageData(0, 0, to.width, to.height).data;
+};
+const here = bytesOf(document.querySelector(".scene canvas"));
+const other = new Image();
+other.onload = () => {
+  const there = bytesOf(other);
+  let differing = 0;
+  for (let i = 0; i < here.length; i += 4)
+    differing += [0, 1, 2, 3].some((of) => Math.abs(here[i + of] - there[i + of]) > 24);
+  done(differing / (here.length / 4));
+};
+other.src = "OTHER";
+"""
+
+# Drags the path with the mouse; how it is drawn before the mouse is let go.
+TURN = """
+const done = arguments[0];
+const canvas = document.querySelector(".scene canvas");
+const box = canvas.getBoundingClientRect();
+const mouse = (to, type, x) => to.dispatchEvent(new MouseEvent(type, {button: 0, buttons: 1, bubbles: true,
+  clientX: box.left + x, clientY: box.top + 200}));
+mouse(canvas, "mousedown", 300);
+let step = 0;
+(function turn() {
+  mouse(document, "mousemove", 300 + 20 * ++step);
+  if (step < 8) { requestAnimationFrame(turn); return; }
+  const drawn = document.querySelector(".scene").dataset.drawn;
+  mouse(document, "mouseup", 0);
+  done(drawn);
+})();
+"""
 
 # Pixels of the scene that hold something.
 PAINTED = """

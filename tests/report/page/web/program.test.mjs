@@ -5,7 +5,9 @@ const modules = "../../../../src/report/page/web/modules/";
 const { decoded, extent, nearest, thinned } = await import(`${modules}columns.mjs`);
 const { countText, figure, numberText, timeText } = await import(`${modules}numbers.mjs`);
 const { Selection } = await import(`${modules}selection.mjs`);
-const { niceGain, segments } = await import(`${modules}scene.mjs`);
+const { niceGain } = await import(`${modules}scene.mjs`);
+const { extremePoints, sampled, segments, simplified } = await import(`${modules}path_lines.mjs`);
+const { Pace } = await import(`${modules}pace.mjs`);
 
 test("packed numbers come back, missing ones as NaN", () => {
   // As tests/report/page/page_test.cpp packs 0, 1, -1, 0.25, nothing, too much by 0.25.
@@ -90,4 +92,45 @@ test("the first gain shows the shift as an eighth of the path, in round numbers"
 
 test("segments of a kind lead from the point before", () => {
   assert.deepEqual(segments([0, 1, 2, 2, 0, 2], (kind) => kind === 2), [1, 2, 2, 3, 4, 5]);
+});
+
+test("a coarse path keeps its corners and leaves out what lies between", () => {
+  const count = 101;
+  const x = Float64Array.from({ length: count }, (_, i) => Math.min(i, 50));
+  const y = Float64Array.from({ length: count }, (_, i) => Math.max(0, i - 50));
+  const places = { x, y, z: new Float64Array(count) };
+  const pairs = segments(new Uint8Array(count).fill(2), () => true);
+  const made = simplified(pairs, places, 1e-9, new Set([77]));
+  const ends = new Set(made);
+  assert.ok(made.length < pairs.length / 10);
+  for (const corner of [0, 50, 77, 100]) assert.ok(ends.has(corner));
+  for (let i = 2; i < made.length; i += 2) assert.equal(made[i], made[i - 1]);
+  assert.deepEqual(simplified([0, 1, 1, 2, 5, 6], { x: [0, 1, 2, 3, 4, 5, 6], y: new Float64Array(7), z: new Float64Array(7) }, 1), [0, 2, 5, 6]);
+  // A way there and back is no straight line.
+  assert.deepEqual(simplified([0, 1, 1, 2], { x: [0, 9, 1], y: [0, 0, 0], z: [0, 0, 0] }, 0.5), [0, 1, 1, 2]);
+});
+
+test("a sample of segments is even and keeps the extremes", () => {
+  const pairs = Array.from({ length: 2000 }, (_, i) => (i + 1) >> 1);
+  const made = sampled(pairs, 100, new Set([333]));
+  assert.ok(made.length / 2 >= 100 && made.length / 2 <= 101);
+  assert.ok(made.some((to, i) => i % 2 === 1 && to === 333));
+  assert.deepEqual(sampled(pairs, 5000), pairs);
+  assert.deepEqual([...extremePoints([[3, NaN, 9, -1], [NaN]])].sort(), [2, 3]);
+});
+
+test("a pace finds how much takes a frame, and stays there", () => {
+  const run = (pace, msOf, frames = 60) => {
+    for (let i = 0; i < frames; ++i) pace.take(pace.count, msOf(pace.count));
+    return pace.count;
+  };
+  const slow = run(new Pace(1000, 50), (count) => 5 + count / 20);
+  assert.ok(5 + slow / 20 <= 30 && slow >= 100);
+  assert.ok(run(new Pace(1000, 50), (count) => 1 + count / 100000) > 100000);
+  assert.equal(run(new Pace(1000, 400), () => 200), 400);
+  const once = new Pace(1000, 400);
+  once.take(1000, 900);  // the first
+  assert.equal(once.count, 1000);
+  once.take(10, 1);  // too few to tell
+  assert.equal(once.count, 1000);
 });

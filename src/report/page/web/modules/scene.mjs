@@ -1,29 +1,12 @@
 // The path and the machine in space. Z of the machine is up.
 import { ramp } from "./colours.mjs";
+import { Painter } from "./painter.mjs";
+import { extremePoints, PathLines, segments, simplified } from "./path_lines.mjs";
 
 const kKinds = { gap: 0, rapid: 1, line: 2, arc: 3 };
 
 function vector(x, y, z) {
   return new THREE.Vector3(x, y, z);
-}
-
-function lines(material) {
-  const object = new THREE.LineSegments(new THREE.BufferGeometry(), material);
-  object.frustumCulled = false;
-  return object;
-}
-
-/// Ends of the segments that belong to `wanted(kind)`: pairs of point numbers.
-export function segments(kinds, wanted) {
-  const pairs = [];
-  for (let i = 1; i < kinds.length; ++i) if (wanted(kinds[i])) pairs.push(i - 1, i);
-  return pairs;
-}
-
-function setPositions(object, pairs, place) {
-  const positions = new Float32Array(3 * pairs.length);
-  pairs.forEach((point, i) => positions.set(place(point), 3 * i));
-  object.geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
 }
 
 /// A straight bar between two places.
@@ -106,18 +89,17 @@ export class Scene {
     this.columns = columns;
     this.section = section;
     this.box = box;
-    this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
-    box.append(this.renderer.domElement);
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(40, 1, 1, 100000);
     this.camera.up.set(0, 0, 1);
-    this.orbit = new THREE.OrbitControls(this.camera, this.renderer.domElement);
+    this.painter = new Painter(box, this.scene, this.camera);
+    this.orbit = new THREE.OrbitControls(this.camera, this.painter.canvas);
     this.orbit.enableKeys = false;
     this.orbit.addEventListener("change", () => this.draw());
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0x666666, 1));
     this.addPath();
     this.addMachine();
+    this.painter.setContent([this.path, this.rapids, this.told, this.sagging], this.others);
     this.looked = "path";
     new ResizeObserver(() => this.resize()).observe(box);
     this.look(this.looked);
@@ -130,39 +112,51 @@ export class Scene {
 
   addPath() {
     const { kind, x, y, z } = this.columns;
-    this.cuts = segments(kind, (of) => of >= kKinds.line);
-    const rapids = segments(kind, (of) => of === kKinds.rapid);
-    this.path = lines(new THREE.LineBasicMaterial({ vertexColors: THREE.VertexColors }));
-    this.rapids = lines(new THREE.LineDashedMaterial({ color: 0x8a8f96, dashSize: 4, gapSize: 3 }));
-    this.told = lines(new THREE.LineBasicMaterial({ color: 0x0072b2, transparent: true, opacity: 0.45 }));
-    this.sagging = lines(new THREE.LineBasicMaterial({ color: 0xd55e00, transparent: true, opacity: 0.45 }));
-    this.path.renderOrder = 1;
-    setPositions(this.path, this.cuts, (i) => this.place(i));
-    setPositions(this.rapids, rapids, (i) => this.place(i));
-    this.rapids.computeLineDistances();
+    const cuts = segments(kind, (of) => of >= kKinds.line);
+    const kept = extremePoints([x, y, z]);
+    for (const { point } of this.section.worst) kept.add(point);
     this.bounds = new THREE.Box3();
     for (let i = 0; i < x.length; ++i) this.bounds.expandByPoint(vector(x[i], y[i], z[i]));
     this.size = Math.max(1, this.bounds.getSize(vector(0, 0, 0)).length());
-    this.rapids.material.dashSize = this.size / 120;
-    this.rapids.material.gapSize = this.size / 160;
+    const draft = simplified(cuts, this.columns, this.size / 500, kept);
+    this.path = new PathLines(cuts, draft, kept, new THREE.LineBasicMaterial({ vertexColors: THREE.VertexColors }));
+    const rapids = segments(kind, (of) => of === kKinds.rapid);
+    this.rapids = new PathLines(rapids, rapids, kept, new THREE.LineDashedMaterial({ color: 0x8a8f96, dashSize: this.size / 120, gapSize: this.size / 160 }));
+    const shifted = (column, color) => new PathLines(column ? cuts : [], column ? draft : [], kept, new THREE.LineBasicMaterial({ color, transparent: true, opacity: 0.45 }));
+    this.told = shifted(this.columns.cx, 0x0072b2);
+    this.sagging = shifted(this.columns.ex, 0xd55e00);
+    const asked = (point, numbers, at) => {
+      numbers[at] = x[point];
+      numbers[at + 1] = y[point];
+      numbers[at + 2] = z[point];
+    };
+    for (const layer of [this.path, this.rapids, this.told, this.sagging]) {
+      layer.place(asked);
+      this.scene.add(layer.group);
+    }
     this.marker = new THREE.Mesh(new THREE.SphereBufferGeometry(this.size / 110, 16, 12), new THREE.MeshBasicMaterial({ color: 0xd1006c }));
-    this.scene.add(this.path, this.rapids, this.told, this.sagging, this.marker);
+    this.others = [this.marker];
+    this.scene.add(this.marker);
   }
 
   addMachine() {
     this.reach = this.size;
-    this.scene.add(new THREE.AxesHelper(this.size / 6));
+    const axes = new THREE.AxesHelper(this.size / 6);
+    this.scene.add(axes);
+    this.others.push(axes);
     if (!this.section.machine) return;
     const box = new THREE.Box3();
     for (const p of this.section.machine.base) box.expandByPoint(vector(...p));
     this.reach = Math.max(this.size, box.getSize(vector(0, 0, 0)).length());
     this.machine = new MachineDrawing(this.section.machine, this.reach);
     this.scene.add(this.machine.group);
+    this.others.push(this.machine.group);
     const travel = this.section.machine.travel;
     if (travel.every((range) => range.every((value) => value !== null))) {
       const space = new THREE.Box3(vector(...travel.map((range) => range[0])), vector(...travel.map((range) => range[1])));
       this.travel = new THREE.Box3Helper(space, 0x8a8f96);
       this.scene.add(this.travel);
+      this.others.push(this.travel);
     }
   }
 
@@ -190,31 +184,27 @@ export class Scene {
   /// Colours the path by a column over [from, to].
   colour(values, from, to) {
     const colourOf = ramp(from, to);
-    const colours = new Float32Array(3 * this.cuts.length);
     const made = new THREE.Color();
-    this.cuts.forEach((_, i) => {
-      made.set(colourOf(values[this.cuts[i | 1]]));
-      colours.set([made.r, made.g, made.b], 3 * i);
-    });
-    this.path.geometry.setAttribute("color", new THREE.BufferAttribute(colours, 3));
+    this.path.colour((point, numbers, at) => made.set(colourOf(values[point])).toArray(numbers, at));
     this.draw();
   }
 
   /// Draws what the control is told and where the tip would go without it, their distances from the path times `gain`.
   exaggerate(gain) {
-    const { cx, cy, cz, ex, ey, ez } = this.columns;
-    const shifted = (dx, dy, dz) => (i) => {
-      const [x, y, z] = this.place(i);
-      const by = gain / 1000;
-      return [x + by * (dx[i] || 0), y + by * (dy[i] || 0), z + by * (dz[i] || 0)];
+    const { x, y, z, cx, cy, cz, ex, ey, ez } = this.columns;
+    const by = gain / 1000;
+    const shifted = (dx, dy, dz) => (point, numbers, at) => {
+      numbers[at] = x[point] + by * (dx[point] || 0);
+      numbers[at + 1] = y[point] + by * (dy[point] || 0);
+      numbers[at + 2] = z[point] + by * (dz[point] || 0);
     };
-    if (cx) setPositions(this.told, this.cuts, shifted(cx, cy, cz));
-    if (ex) setPositions(this.sagging, this.cuts, shifted(ex, ey, ez));
+    if (cx) this.told.place(shifted(cx, cy, cz));
+    if (ex) this.sagging.place(shifted(ex, ey, ez));
     this.draw();
   }
 
   show(name, visible) {
-    const parts = { machine: this.machine && this.machine.group, rapids: this.rapids, told: this.told, sagging: this.sagging, travel: this.travel };
+    const parts = { machine: this.machine?.group, rapids: this.rapids.group, told: this.told.group, sagging: this.sagging.group, travel: this.travel };
     if (parts[name]) parts[name].visible = visible;
     this.draw();
   }
@@ -228,7 +218,7 @@ export class Scene {
 
   /// The point of the path that is drawn nearest to a place of the picture; -1 where none is within 24 pixels.
   pointAt(clientX, clientY) {
-    const rect = this.renderer.domElement.getBoundingClientRect();
+    const rect = this.painter.canvas.getBoundingClientRect();
     let best = -1;
     let least = 24 ** 2;
     const place = vector(0, 0, 0);
@@ -249,7 +239,7 @@ export class Scene {
   resize() {
     const { clientWidth, clientHeight } = this.box;
     if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.painter.setSize(clientWidth, clientHeight);
     const turned = this.camera.aspect !== clientWidth / clientHeight;
     this.camera.aspect = clientWidth / clientHeight;
     this.camera.updateProjectionMatrix();
@@ -258,11 +248,6 @@ export class Scene {
   }
 
   draw() {
-    if (this.waiting) return;
-    this.waiting = true;
-    requestAnimationFrame(() => {
-      this.waiting = false;
-      this.renderer.render(this.scene, this.camera);
-    });
+    this.painter.draw();
   }
 }
