@@ -17,7 +17,9 @@
 namespace plumbline {
 
 /// Calls `take` with each batch that is handed over, on another thread, one after the other. A few batches wait at
-/// most, so that memory does not grow. Where there is one processor, or no thread to be had, it is called at once.
+/// most, so that memory does not grow; a thread that has to wait does so until half of these are there, or free, since
+/// to wake one costs as much as some dozens of blocks. Where there is one processor, or no thread to be had, `take` is
+/// called at once.
 template <class Batch>
 class Relay {
  public:
@@ -39,17 +41,19 @@ class Relay {
   void hand_over(Batch& batch) {
     if (!thread_.joinable()) return take_(batch);
     Batch next{};
+    bool wakes = false;
     {
       std::unique_lock lock(guard_);
-      changed_.wait(lock, [&] { return full_.size() < kWaiting || failure_; });
+      if (full_.size() == kWaiting) changed_.wait(lock, [&] { return full_.size() <= kHalf || failure_; });
       if (failure_) std::rethrow_exception(failure_);
       full_.push_back(std::move(batch));
+      wakes = full_.size() == kHalf;
       if (!empty_.empty()) {
         next = std::move(empty_.back());
         empty_.pop_back();
       }
     }
-    changed_.notify_all();
+    if (wakes) changed_.notify_all();
     batch = std::move(next);
   }
   /// Waits until all were taken; to be called once, at the end. Throws what `take` threw.
@@ -60,7 +64,8 @@ class Relay {
 
  private:
   enum class End { none, taken, dropped };
-  static constexpr std::size_t kWaiting = 4;
+  static constexpr std::size_t kWaiting = 8;
+  static constexpr std::size_t kHalf = kWaiting / 2;
 
   void stop(End end) {
     if (!thread_.joinable()) return;
@@ -75,14 +80,16 @@ class Relay {
     try {
       while (true) {
         Batch batch{};
+        bool wakes = false;
         {
           std::unique_lock lock(guard_);
-          changed_.wait(lock, [&] { return !full_.empty() || end_ != End::none; });
+          if (full_.empty()) changed_.wait(lock, [&] { return full_.size() >= kHalf || end_ != End::none; });
           if (full_.empty() || end_ == End::dropped) return;
           batch = std::move(full_.front());
           full_.pop_front();
+          wakes = full_.size() == kHalf;
         }
-        changed_.notify_all();
+        if (wakes) changed_.notify_all();
         take_(batch);
         const std::scoped_lock lock(guard_);
         empty_.push_back(std::move(batch));

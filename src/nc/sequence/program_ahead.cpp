@@ -13,10 +13,12 @@ namespace plumbline::nc {
 namespace {
 
 constexpr std::size_t kBatches = StepsAhead::kPlaces;
+constexpr std::size_t kHalf = kBatches / 2;
 
 }  // namespace
 
-// Batches go round between the two threads: those from taken_ to filled_ wait to be taken.
+// Batches go round between the two threads: those from taken to filled wait to be taken. When none is empty, the reader
+// waits until half of them are: to wake a thread costs as much as some dozens of blocks.
 struct ProgramAhead::Reader {
   Reader(Program& program_, StepsAhead* looks_) : program(program_), looks(looks_), thread([this] { read(); }) {}
   ~Reader() {
@@ -54,7 +56,7 @@ struct ProgramAhead::Reader {
 
 KeptSteps* ProgramAhead::Reader::empty_batch() {
   std::unique_lock lock(mutex);
-  changed.wait(lock, [&] { return stopped || filled - taken < kBatches; });
+  if (filled - taken == kBatches) changed.wait(lock, [&] { return stopped || filled - taken <= kHalf; });
   return stopped ? nullptr : &batches[filled % kBatches];
 }
 
@@ -90,11 +92,12 @@ void ProgramAhead::Reader::read() {
     fill(*batch);
     look_at(*batch);
     goes_on = !batch->is_last();
+    bool wakes = false;
     {
       const std::lock_guard lock(mutex);
-      ++filled;
+      wakes = filled++ == taken;
     }
-    changed.notify_all();
+    if (wakes) changed.notify_all();
   }
 }
 
@@ -111,11 +114,12 @@ const KeptSteps::Kept* ProgramAhead::Reader::next() {
     if (batch.is_last()) return nullptr;
     at = 0;
     holds = false;
+    bool wakes = false;
     {
       const std::lock_guard lock(mutex);
-      ++taken;
+      wakes = filled - ++taken == kHalf;
     }
-    changed.notify_all();
+    if (wakes) changed.notify_all();
   }
 }
 

@@ -13,7 +13,7 @@ namespace plumbline::nc {
 /// Prepares work for steps that were read ahead, on the thread that reads them.
 class StepsAhead {
  public:
-  static constexpr std::size_t kPlaces = 4;
+  static constexpr std::size_t kPlaces = 8;
 
   virtual ~StepsAhead() = default;
   /// The steps that come next, before the first of them is taken. What is made of them is kept in this place, below
