@@ -44,11 +44,10 @@ std::optional<ToolInSpindle> SpindleTool::change(const nc::Step& step) {
 
 Move move_of(const nc::Step& step, const nc::Motion& motion, const nc::Dialect& dialect, const ReaderSettings& settings,
              AxisSet at_zero) {
-  Move move;
-  move.step = &step;
-  move.motion = &motion;
-  move.path = {path::Curve(motion),       *step.frame,     settings.touch_off_error, at_zero,
-               fixed_axes(step, at_zero), step.block->line};
+  Move move{.step = &step,
+            .motion = &motion,
+            .path = {path::Curve(motion), *step.frame, settings.touch_off_error, at_zero, fixed_axes(step, at_zero),
+                     step.block->line}};
   move.duration = path::duration(motion, move.path.curve, dialect);
   if (motion.feed_mode != nc::FeedMode::per_revolution) move.seconds = move.duration;
   // Where a rapid comes from decides which way friction acts; not known, that is left out.

@@ -40,11 +40,9 @@ void MovesAhead::add(const nc::Step& step, PointsAhead& points) const {
   if (step.motions.size() != 1 || step.cycle != nc::CycleForm::none || step.role != nc::BlockRole::plain) return;
   const nc::Motion& motion = step.motions.front();
   if (!path::is_cut(motion.kind) || motion.in_machine_coordinates) return;
-  MoveAhead& ahead = points.moves.emplace_back();
-  ahead.first = points.targets.size();
-  Move& move = ahead.move;
+  points.moves.push_back({compensate::move_of(step, motion, dialect_, reader_, points.at_zero), points.targets.size()});
+  Move& move = points.moves.back().move;
   try {
-    move = compensate::move_of(step, motion, dialect_, reader_, points.at_zero);
     forget_time_of_no_way(move);
     divide(move, reader_.step);
   } catch (const Refusal&) {  // for who comes to that move

@@ -22,7 +22,7 @@ struct Looked {
         ahead(opened.job.model, opened.job.settings, opened.dialect, opened.job.program.tools,
               opened.reader_settings()) {
     nc::Program program(opened.source, opened.dialect, opened.job.program);
-    while (const nc::Step* const step = program.next()) REQUIRE(steps.add(*step, false, false, files));
+    while (const nc::Step* const step = program.next()) REQUIRE(steps.add(*step, program, files));
     ahead.look(steps, 0);
     ahead.come_to(steps[0].step, 1);
   }

@@ -228,6 +228,20 @@ struct Block {
   std::vector<Span> left_out;       // words whose value is that of a vacant variable
   std::vector<Span> names;          // of named parameters, without # < and >
 
+  /// Leaves where it stands in the file, and nothing that its text says.
+  void clear() {
+    kind = LineKind::block;
+    block_delete = false;
+    slash = number = Span{};
+    words.clear();
+    comments.clear();
+    settings.clear();
+    code.clear();
+    if (flow.word != FlowWord::none) flow = Flow{};  // plain lines leave it as it is
+    arguments.clear();
+    left_out.clear();
+    names.clear();
+  }
   std::string_view at(Span span) const { return text.substr(span.begin, span.end - span.begin); }
   bool has_number() const { return number.end > number.begin; }
 };

@@ -48,7 +48,7 @@ std::string_view KeptSteps::keep_text(std::string_view text) {
   return std::string_view(texts_).substr(begin);
 }
 
-bool KeptSteps::add(const Step& step, bool jumped, bool position_read, FileNames& files) {
+bool KeptSteps::add(const Step& step, Program& program, FileNames& files) {
   const std::size_t names = step.flow ? step.flow->name.size() : 0;
   const std::size_t room = step.block->text.size() + step.block->line_end.size() + names;
   if (used_ == steps_.size()) return false;
@@ -57,14 +57,13 @@ bool KeptSteps::add(const Step& step, bool jumped, bool position_read, FileNames
     texts_.reserve(room);
   }
   Kept& kept = steps_[used_++];
-  kept.jumped = jumped;
-  kept.position_read = position_read;
-  kept.block = *step.block;
-  kept.block.file = files.keep(step.block->file);
-  kept.block.text = keep_text(step.block->text);
-  kept.block.line_end = keep_text(step.block->line_end);
+  kept.jumped = program.jumped();
+  kept.position_read = program.position_read();
+  kept.block = program.exchange_block(std::move(kept.block));
+  kept.block->file = files.keep(kept.block->file);
+  kept.block->text = keep_text(kept.block->text);
+  kept.block->line_end = keep_text(kept.block->line_end);
   kept.step = step;
-  kept.step.block = &kept.block;
   kept.motions.assign(step.motions.begin(), step.motions.end());
   kept.step.motions = kept.motions;
   kept.holes.assign(step.holes.begin(), step.holes.end());

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <exception>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "nc/control/state/control.hpp"
 #include "nc/control/step.hpp"
+#include "nc/sequence/program.hpp"
 
 namespace plumbline::nc {
 
@@ -30,8 +32,9 @@ class KeptSteps {
   KeptSteps();
 
   void clear();
-  /// False, and nothing is kept: the step does not fit beside those that are there.
-  bool add(const Step& step, bool jumped, bool position_read, FileNames& files);
+  /// The last step of the program, with its block. False, and nothing is kept: it does not fit beside those that are
+  /// there.
+  bool add(const Step& step, Program& program, FileNames& files);
   /// The program ends after these steps; with `refusal` it cannot be read beyond them.
   void end(std::exception_ptr refusal = {});
 
@@ -39,7 +42,7 @@ class KeptSteps {
     Step step;
     bool jumped = false;
     bool position_read = false;
-    Block block;
+    std::unique_ptr<Block> block = std::make_unique<Block>();
     std::vector<Motion> motions;
     std::vector<Hole> holes;
     CycleCall call;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -78,7 +79,7 @@ struct Program::Parts {
   Interpreter interpreter;
   const std::unique_ptr<Sequencer> sequencer;
   Sequencer& flow;
-  Block block;
+  std::unique_ptr<Block> block = std::make_unique<Block>();
   enum class Stage : std::uint8_t {
     blank,        // no line was read but blank ones
     text,         // without a % before it
@@ -110,26 +111,26 @@ const Step* Program::Parts::next() {
       if (in_guard) refuse_guard("the program ends inside its guard");
       return nullptr;
     }
-    place_block(block, line, flow.file());
+    place_block(*block, line, flow.file());
     if (stage == Stage::ended) return ignore();
-    if (in_guard || (is_guard_line(block.text, kGuardBegins, dialect) && !flow.skipping())) return pass_guard();
+    if (in_guard || (is_guard_line(block->text, kGuardBegins, dialect) && !flow.skipping())) return pass_guard();
     if (flow.skipping() && stage == Stage::in_percents && ends_text(line.text)) flow.end_of_text();
     if (flow.skipping() && !begins_with_flow(line.text)) continue;
-    check_length(block, line, dialect);
-    parser.parse(block);
+    check_length(*block, line, dialect);
+    parser.parse(*block);
     const bool around_file = flow.called() && !dialect.syntax.percent_pairs;
-    if (block.kind == LineKind::percent && around_file) continue;  // of a subprogram
-    if (block.kind == LineKind::percent) return percent();
-    if (block.kind == LineKind::ignored) return &interpreter.pass(block);
-    if (stage == Stage::blank && !holds_nothing(block.text)) stage = Stage::text;
+    if (block->kind == LineKind::percent && around_file) continue;  // of a subprogram
+    if (block->kind == LineKind::percent) return percent();
+    if (block->kind == LineKind::ignored) return &interpreter.pass(*block);
+    if (stage == Stage::blank && !holds_nothing(block->text)) stage = Stage::text;
     if (flow.used()) count(1);
-    if (block.flow.word == FlowWord::none) return execute();
+    if (block->flow.word == FlowWord::none) return execute();
     if (const Step* const step = steer()) return step;
   }
 }
 
 const Step* Program::Parts::execute() {
-  interpreter.execute(block);
+  interpreter.execute(*block);
   Step& step = interpreter.step();
   count_moves(step);
   jumped = flow.used();
@@ -137,13 +138,13 @@ const Step* Program::Parts::execute() {
   if (interpreter.ended() && flow.called() && dialect.behaviour.end_returns) {
     interpreter.go_on();
     step.flow.emplace();
-    flow.end_program(block, call);
+    flow.end_program(*block, call);
     return &step;
   }
   if (interpreter.ended()) stage = Stage::ended;
   const bool steers = call.calls() || (call.ends() && (call.return_to || flow.called()));
-  if (call.calls()) flow.call_program(block, call);
-  if (call.ends() && !flow.end_program(block, call)) stage = Stage::ended;
+  if (call.calls()) flow.call_program(*block, call);
+  if (call.ends() && !flow.end_program(*block, call)) stage = Stage::ended;
   const FlowEntry entry = flow.take_entry();
   if (steers) step.flow = entry;
   return &step;
@@ -151,19 +152,19 @@ const Step* Program::Parts::execute() {
 
 // Null: the O word is part of what is skipped.
 const Step* Program::Parts::steer() {
-  interpreter.pass(block);
-  if (block.block_delete && interpreter.deleted(block)) {
+  interpreter.pass(*block);
+  if (block->block_delete && interpreter.deleted(*block)) {
     if (flow.skipping()) return nullptr;
     Step& left_out = interpreter.step();
     left_out.block_delete = BlockDelete::left_out;
     jumped = flow.used();
     return &left_out;
   }
-  if (!flow.take(block)) return nullptr;
+  if (!flow.take(*block)) return nullptr;
   if (interpreter.ended() || flow.ended()) stage = Stage::ended;
   Step& step = interpreter.step();
   jumped = flow.used();
-  const bool declares = block.flow.word == FlowWord::program || block.flow.word == FlowWord::define;
+  const bool declares = block->flow.word == FlowWord::program || block->flow.word == FlowWord::define;
   const FlowEntry entry = flow.take_entry();
   if (!declares || jumped) step.flow = entry;
   return &step;
@@ -181,32 +182,28 @@ void Program::Parts::count_moves(const Step& step) {
 void Program::Parts::count(std::uint64_t blocks) {
   executed += blocks;
   if (executed <= settings.max_blocks) return;
-  const Span whole{0, static_cast<std::uint32_t>(block.text.size())};
-  refuse_at(block, whole, codes::kTooManyBlocks,
+  const Span whole{0, static_cast<std::uint32_t>(block->text.size())};
+  refuse_at(*block, whole, codes::kTooManyBlocks,
             fmt::format("the program executes more than {} blocks", settings.max_blocks),
             "look for a loop that does not end, or allow more with --max-blocks");
 }
 
 const Step* Program::Parts::ignore() {
-  block.kind = LineKind::ignored;
-  block.block_delete = false;
-  block.number = block.slash = Span{};
-  block.words.clear();
-  block.comments.clear();
-  block.settings.clear();
-  return &interpreter.pass(block);
+  block->clear();
+  block->kind = LineKind::ignored;
+  return &interpreter.pass(*block);
 }
 
 // It stops the control or does nothing: nothing that follows depends on what it reads.
 const Step* Program::Parts::pass_guard() {
   guard_line = {};
-  guard_line.file = block.file;
-  guard_line.line = block.line;
+  guard_line.file = block->file;
+  guard_line.line = block->line;
   guard_line.column = 1;
-  guard_line.length = block.text.size();
-  guard_line.text = block.text;
-  const bool ends = is_guard_line(block.text, kGuardEnds, dialect);
-  if (in_guard && !ends && !is_part_of_guard(block.text, dialect)) {
+  guard_line.length = block->text.size();
+  guard_line.text = block->text;
+  const bool ends = is_guard_line(block->text, kGuardEnds, dialect);
+  if (in_guard && !ends && !is_part_of_guard(block->text, dialect)) {
     refuse_guard("this line is none of a guard, and stands in one");
   }
   in_guard = !ends;
@@ -223,12 +220,12 @@ void Program::Parts::refuse_guard(std::string_view what) const {
 // [RS274/NGC 3.2].
 const Step* Program::Parts::percent() {
   if (stage == Stage::text && dialect.syntax.percent_pairs) {
-    const auto at = static_cast<std::uint32_t>(block.text.find('%'));
-    refuse_at(block, {at, at + 1}, codes::kBadCharacter, "% ends a program that did not begin with %",
+    const auto at = static_cast<std::uint32_t>(block->text.find('%'));
+    refuse_at(*block, {at, at + 1}, codes::kBadCharacter, "% ends a program that did not begin with %",
               "put % on the first line as well, or end with M2");
   }
   stage = stage == Stage::blank ? Stage::in_percents : Stage::ended;
-  return &interpreter.pass(block);
+  return &interpreter.pass(*block);
 }
 
 Program::Program(const InputFile& file, const Dialect& dialect, ProgramSettings settings)
@@ -240,6 +237,10 @@ const Step* Program::next() {
   const Step* const step = parts_->next();
   if (step == nullptr) parts_->flow.check_files();
   return step;
+}
+
+std::unique_ptr<Block> Program::exchange_block(std::unique_ptr<Block> instead) {
+  return std::exchange(parts_->block, std::move(instead));
 }
 
 bool Program::jumped() const { return parts_->jumped; }

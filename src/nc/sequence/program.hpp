@@ -25,6 +25,9 @@ class Program {
   /// put one after the other are the file. Refuses with nc-... and the place of what it cannot take,
   /// and at the end with file-changed where a file was written to meanwhile.
   const Step* next();
+  /// The block of the last step, which goes on pointing to it, for who keeps it; its text holds until next() all the
+  /// same. `instead` is filled by next().
+  std::unique_ptr<Block> exchange_block(std::unique_ptr<Block> instead);
   /// True once something jumped or repeated before the block of the last step: steps are not in the order of the text.
   bool jumped() const;
   /// True once an expression read where the control stands, which differs in a rewritten program.

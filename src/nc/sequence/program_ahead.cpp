@@ -67,7 +67,7 @@ void ProgramAhead::Reader::fill(KeptSteps& batch) {
       const Step* const step = waiting != nullptr ? waiting : program.next();
       waiting = nullptr;
       if (step == nullptr) return batch.end();
-      if (batch.add(*step, program.jumped(), program.position_read(), files)) continue;
+      if (batch.add(*step, program, files)) continue;
       waiting = step;
       return;
     }

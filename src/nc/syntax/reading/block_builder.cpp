@@ -10,17 +10,7 @@ namespace plumbline::nc {
 
 void BlockBuilder::begin(Block& block) {
   block_ = &block;
-  block.kind = LineKind::block;
-  block.block_delete = false;
-  block.slash = block.number = Span{};
-  block.words.clear();
-  block.comments.clear();
-  block.settings.clear();
-  block.code.clear();
-  block.names.clear();
-  block.left_out.clear();
-  block.arguments.clear();
-  if (block.flow.word != FlowWord::none) block.flow = Flow{};  // plain lines leave it as it is
+  block.clear();
   seen_ = 0;
 }
 
