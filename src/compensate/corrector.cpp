@@ -338,8 +338,8 @@ double Corrector::condition(const Target& target) const {
   return machine::condition_number(machine::strut_geometry(geometry(), pose_of(target.pose)), radius_);
 }
 
-double Corrector::condition_ceiling(const Target& target, double enough) const {
-  return machine::condition_ceiling(machine::strut_geometry(geometry(), pose_of(target.pose)), radius_, enough);
+bool Corrector::condition_surely_below(const Target& target, double most) const {
+  return machine::condition_surely_below(machine::strut_geometry(geometry(), pose_of(target.pose)), radius_, most);
 }
 
 std::optional<double> Corrector::error_per_kg_mm(const Target& target) const {

@@ -113,8 +113,8 @@ class Corrector {
 
   /// Condition number of the Jacobian where the machine stands on the target.
   double condition(const Target& target) const;
-  /// Never below that, and cheaper: machine::condition_ceiling.
-  double condition_ceiling(const Target& target, double enough) const;
+  /// True only where that is below `most`, and cheaper: machine::condition_surely_below.
+  bool condition_surely_below(const Target& target, double most) const;
 
   /// How far each kg hung at the tool tip moves it, mm.
   std::optional<double> error_per_kg_mm(const Target& target) const;

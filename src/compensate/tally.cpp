@@ -127,8 +127,7 @@ void Tally::note_end(const CorrectedMove& corrected) {
     summary_.zero_error = corrector_.error(target);
     summary_.zero_error_line = move.path.line;
   }
-  const double most = summary_.condition.value;
-  if (corrector_.condition_ceiling(target, most) > most) {
+  if (!corrector_.condition_surely_below(target, summary_.condition.value)) {
     summary_.condition.take(corrector_.condition(target), move.path.line);
   }
   ends_.push_back(corrected.commanded(corrected.points.size() - 1) - target.pose);

@@ -3,50 +3,36 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Cholesky>
 #include <Eigen/SVD>
 
 namespace plumbline::machine {
 namespace {
 
 constexpr int kSquarings = 4;
-constexpr double kRounding = 1 + 1e-12;
+constexpr double kRounding = 2e-14;  // of J^T J and of its factorisation, in parts of the largest eigenvalue
 
-// s1 <= |(A^T A)^m|^(1 / 2m) <= 6^(1 / 4m) s1 in the Frobenius norm, s1 the largest singular value of A: for m = 1, 2,
-// 4...
-class LargestFromAbove {
- public:
-  explicit LargestFromAbove(const Matrix6<double>& A) : power_(A.transpose() * A) {}
-
-  double next() {
-    if (exponent_ > 0) {
-      power_ /= size_;
-      power_ = (power_ * power_).eval();
-    }
-    exponent_ = exponent_ > 0 ? 2 * exponent_ : 1;
-    size_ = power_.norm();
-    logarithm_ += std::log(size_) / exponent_;
-    return std::exp(0.5 * logarithm_) * kRounding;
-  }
-
- private:
-  Matrix6<double> power_;
-  double size_ = 0, exponent_ = 0;
-  double logarithm_ = 0;  // of what the powers were divided by, as a factor of A^T A
-};
+// Never below the largest eigenvalue of a positive definite A, and at most 6 % above it: s <= |A^m|^(1/m) <= 6^(1/2m) s
+// in the Frobenius norm, with m = 2^kSquarings.
+double largest_eigenvalue_ceiling(const Matrix6<double>& A) {
+  const double size = A.norm();
+  Matrix6<double> power = A / size;
+  for (int i = 0; i < kSquarings; ++i) power = (power * power).eval();
+  double root = power.norm();
+  for (int i = 0; i < kSquarings; ++i) root = std::sqrt(root);
+  return size * root;
+}
 
 }  // namespace
 
-double condition_ceiling(const StrutGeometry<double>& struts, double radius, double enough) {
+// The squared condition number is the ratio of the eigenvalues of A = J^T J. None of them is below t where A - t 1 has
+// a Cholesky factorisation.
+bool condition_surely_below(const StrutGeometry<double>& struts, double radius, double most) {
   const Matrix6<double> J = scaled_jacobian(struts, radius);
-  const Lu6<double> lu(J);
-  if (lu.singular()) return std::numeric_limits<double>::infinity();
-  Matrix6<double> inverse;
-  for (int j = 0; j < kStruts; ++j) inverse.col(j) = lu.solve(Vector6<double>::Unit(j));
-  LargestFromAbove forth(J);
-  LargestFromAbove back(inverse);
-  double ceiling = forth.next() * back.next();
-  for (int squaring = 0; squaring < kSquarings && ceiling > enough; ++squaring) ceiling = forth.next() * back.next();
-  return ceiling;
+  Matrix6<double> A = J.transpose() * J;
+  const double least = largest_eigenvalue_ceiling(A) * (1 / (most * most) + kRounding);
+  A.diagonal().array() -= least;
+  return Eigen::LLT<Matrix6<double>>(A).info() == Eigen::Success;
 }
 
 double condition_number(const StrutGeometry<double>& struts, double radius) {

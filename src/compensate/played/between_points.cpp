@@ -97,16 +97,22 @@ bool comes_by_again(const path::Curve& curve) {
   return std::abs(curve.arc_deg()) > kHalfTurnDeg || path::largest_turn_deg(curve.delta()) > kHalfTurnDeg;
 }
 
-// What the tip moves (or turns) where the friction of the struts is another one than the correction holds: it turns at
-// once, and the correction goes from sign to sign along the piece.
-double friction_guess(const machine::PerStrut<double>& effect, const machine::PerStrut<double>& before,
-                      const machine::PerStrut<double>& after) {
-  double guess = 0;
+// How much of the effect of each strut's friction the machine is off the correction where that goes from sign to sign
+// along the piece: friction itself turns at once.
+machine::PerStrut<double> friction_shares(const machine::PerStrut<double>& before,
+                                          const machine::PerStrut<double>& after) {
+  machine::PerStrut<double> shares;
   for (int j = 0; j < machine::kStruts; ++j) {
     const double a = std::abs(before[j]);
     const double b = std::abs(after[j]);
-    guess += effect[j] / 2 * (before[j] * after[j] < 0 ? 1 + std::max(a, b) : 1 - std::min(a, b));
+    shares[j] = (before[j] * after[j] < 0 ? 1 + std::max(a, b) : 1 - std::min(a, b)) / 2;
   }
+  return shares;
+}
+
+double friction_guess(const machine::PerStrut<double>& effect, const machine::PerStrut<double>& shares) {
+  double guess = 0;
+  for (int j = 0; j < machine::kStruts; ++j) guess += effect[j] * shares[j];
   return guess;
 }
 
@@ -124,7 +130,8 @@ void BetweenPoints::cut(const MovePath& path, std::optional<double> seconds, con
   ++blocks_;
   credit_ += kCreditPerPiece * static_cast<double>(pieces.size());
   before_ = here_;
-  here_ = path;
+  here_ = before_ == &paths_.front() ? &paths_.back() : &paths_.front();
+  *here_ = path;
   seconds_ = seconds;
   find_guesses(path, begin, pieces);
   choose(path, begin, pieces, as_it_stands);
@@ -133,15 +140,13 @@ void BetweenPoints::cut(const MovePath& path, std::optional<double> seconds, con
 
 void BetweenPoints::rapid(const machine::PerStrut<double>& sign) {
   play_waiting(nullptr);
-  before_.reset();
-  here_.reset();
+  before_ = here_ = nullptr;
   sign_ = sign;
 }
 
 void BetweenPoints::leave() {
   play_waiting(nullptr);
-  before_.reset();
-  here_.reset();
+  before_ = here_ = nullptr;
   sign_.setZero();
 }
 
@@ -165,8 +170,13 @@ void BetweenPoints::find_guesses(const MovePath& path, const AxisWords& begin, s
       turned = piece.proven.turned_rad / kDeg;
     }
     const PieceGuess::Kind turning = i == 0 ? PieceGuess::corner : PieceGuess::turn;
-    const double friction = corrector_.has_friction() ? friction_guess(friction_.tip_mm, *sign, piece.sign) : 0;
-    const double friction_deg = corrector_.has_friction() ? friction_guess(friction_.turned_deg, *sign, piece.sign) : 0;
+    double friction = 0;
+    double friction_deg = 0;
+    if (corrector_.has_friction()) {
+      const machine::PerStrut<double> shares = friction_shares(*sign, piece.sign);
+      friction = friction_guess(friction_.tip_mm, shares);
+      friction_deg = friction_guess(friction_.turned_deg, shares);
+    }
     tip_.keep({left + friction, friction <= left ? PieceGuess::smooth : turning, i, i}, among_many);
     turned_.keep({turned + friction_deg, friction_deg <= turned ? PieceGuess::smooth : turning, i, i}, among_many);
     last = &piece.wanted;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -87,8 +88,10 @@ class BetweenPoints {
   static constexpr std::uint64_t kEvery = 16;       // after them, likewise
 
   const Corrector& corrector_;
-  std::optional<MovePath> before_, here_;  // the move before the one that waits, and that one
-  std::optional<double> seconds_;          // of that one
+  std::array<MovePath, 2> paths_;
+  const MovePath* before_ = nullptr;  // of these: the move before the one that waits, and that one; null: none
+  MovePath* here_ = nullptr;
+  std::optional<double> seconds_;  // of that one
   std::vector<Part> waiting_;
   std::vector<Look> looked_;   // of the part that is played
   std::vector<Look> sampled_;  // the last of these
