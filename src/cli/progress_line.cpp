@@ -1,6 +1,7 @@
 #include "cli/progress_line.hpp"
 
 #include <cstdio>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -17,18 +18,24 @@ constexpr std::chrono::milliseconds kEvery{200};
 // The last column stays free: a full line would go over into the next one.
 std::size_t width() { return columns(Stream::err) - 1; }
 
+bool asks_for_filter_progress() {
+  const char* const asked = std::getenv("AXIS_PROGRESS_BAR");
+  return asked != nullptr && std::string_view(asked) == "1" && !says_json();
+}
+
 }  // namespace
 
 ProgressLine::ProgressLine(std::string_view work)
     : work_(work),
-      is_wanted_(is_terminal(Stream::err) && loudness() != Loudness::quiet),
+      is_for_axis_(asks_for_filter_progress()),
+      is_wanted_(!is_for_axis_ && is_terminal(Stream::err) && loudness() != Loudness::quiet),
       begin_(std::chrono::steady_clock::now()),
-      next_(begin_ + kFirst) {}
+      next_(is_for_axis_ ? begin_ : begin_ + kFirst) {}
 
 ProgressLine::~ProgressLine() { clear(); }
 
 Progress ProgressLine::progress() {
-  if (!is_wanted_) return {};
+  if (!is_wanted_ && !is_for_axis_) return {};
   return [this](std::uint64_t done, std::uint64_t total) { show(done, total); };
 }
 
@@ -36,6 +43,11 @@ void ProgressLine::show(std::uint64_t done, std::uint64_t total) {
   const auto now = std::chrono::steady_clock::now();
   if (total == 0 || now < next_) return;
   next_ = now + kEvery;
+  if (is_for_axis_) {
+    std::fputs(fmt::format("FILTER_PROGRESS={}\n", 100 * done / total).c_str(), stderr);
+    std::fflush(stderr);
+    return;
+  }
   const std::chrono::duration<double> since = now - begin_;
   put(report::progress_text(work_, done, total, since.count(), width()));
 }

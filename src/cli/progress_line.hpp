@@ -12,7 +12,8 @@
 namespace plumbline::cli {
 
 /// A line on standard error that is written over again and taken away at the end: a bar, and the time that is left.
-/// Silent where that is no terminal, and with -q.
+/// Where LinuxCNC's AXIS runs plumbline as a filter it reads FILTER_PROGRESS=PERCENT there (it sets AXIS_PROGRESS_BAR),
+/// with -q, too. Else silent where standard error is no terminal, and with -q.
 class ProgressLine {
  public:
   /// `work`: what takes the time, as "compensate".
@@ -36,6 +37,7 @@ class ProgressLine {
   void put(const std::string& text);
 
   std::string work_;
+  bool is_for_axis_;
   bool is_wanted_;
   std::size_t shown_ = 0;  // characters
   std::chrono::steady_clock::time_point begin_, next_;

@@ -15,6 +15,8 @@
 #include "base/files/input_name.hpp"
 #include "base/text/characters.hpp"
 #include "base/text/toml.hpp"
+#include "nc/language/linuxcnc_tool_table.hpp"
+#include "nc/language/tool_limits.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -22,9 +24,6 @@ namespace {
 constexpr std::string_view kVersion = "tools 1";
 constexpr std::array<std::string_view, 6> kKeys{"number",      "name",    "length_mm",
                                                 "diameter_mm", "mass_kg", "centre_of_mass_mm"};
-constexpr double kLongest = 2000;  // mm, kg: beyond it the unit is wrong
-constexpr double kShortest = 1;    // mm, likewise
-constexpr double kLargestNumber = 1e6;
 constexpr std::size_t kDigitsOfNumber = 8;
 
 bool is_key(std::string_view key) { return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end(); }
@@ -90,7 +89,7 @@ class ToolReader {
       } else if (entry.key == "mass_kg") {
         tool.mass_kg = in_range(entry, value, 0);
       } else {
-        tool.centre_of_mass_mm = in_range(entry, value, -kLongest);
+        tool.centre_of_mass_mm = in_range(entry, value, -kLongestTool);
       }
     }
     if (!has_number || !has_length) {
@@ -125,14 +124,14 @@ class ToolReader {
   }
 
   double in_range(const TomlEntry& entry, double value, double least) {
-    if (value >= least && value <= kLongest) return value;
+    if (value >= least && value <= kLongestTool) return value;
     refuse("tools-value", fmt::format("'{}' is out of range", entry.key),
-           fmt::format("write {} to {}, in the unit that the key names", least, kLongest),
+           fmt::format("write {} to {}, in the unit that the key names", least, kLongestTool),
            document_.place(entry.value.span));
   }
 
   double length(const TomlEntry& entry, double value) {
-    if (value == 0 || std::abs(value) >= kShortest) return in_range(entry, value, -kLongest);
+    if (value == 0 || std::abs(value) >= kShortestTool) return in_range(entry, value, -kLongestTool);
     refuse("tools-value", fmt::format("a tool of {} mm is shorter than any", value),
            fmt::format("write millimetres: {:g} if these are metres; lengths count from the gauge point of the spindle",
                        value * 1000),
@@ -140,7 +139,7 @@ class ToolReader {
   }
 
   int tool_number(const TomlEntry& entry, double value) {
-    if (value < 1 || value > kLargestNumber || value != std::floor(value)) {
+    if (value < 1 || value > kLargestToolNumber || value != std::floor(value)) {
       refuse("tools-value", "the number of a tool is a whole number from 1", "write the T word's number",
              document_.place(entry.value.span));
     }
@@ -156,23 +155,6 @@ class ToolReader {
   std::set<int> seen_;
   std::set<std::string> names_;
 };
-
-// T1 P1 Z+85.0 D+6.0 ;end mill  [LinuxCNC, tool table]
-void refuse_table_of_linuxcnc(std::string_view text, const std::string& file) {
-  std::size_t number = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::string_view line = text.substr(at, text.find('\n', at) - at);
-    at += line.size() + 1;
-    ++number;
-    const std::size_t word = std::min(line.find_first_not_of(" \t\r"), line.size());
-    if (word == line.size() || line[word] == ';') continue;
-    if (upper(line[word]) != 'T' || word + 1 == line.size() || !is_digit(line[word + 1])) return;
-    refuse("tools-linuxcnc", "this is LinuxCNC's tool table",
-           "write a tool table of plumbline's with the same numbers: each T as [[tool]] with number, length_mm (its Z) "
-           "and mass_kg",
-           Place{.file = file, .line = number, .column = word + 1, .length = 2, .text = std::string(line)});
-  }
-}
 
 }  // namespace
 
@@ -192,7 +174,7 @@ bool is_tool_number(std::string_view name) {
 
 ToolTable read_tool_table(const std::string& path) {
   std::string text = read_text(path);
-  refuse_table_of_linuxcnc(text, input_name(path));
+  if (is_linuxcnc_tool_table(text)) return ToolTable(read_linuxcnc_tool_table(text, input_name(path)));
   const TomlDocument document = parse_toml(std::move(text), input_name(path));
   return ToolTable(ToolReader(document).read());
 }

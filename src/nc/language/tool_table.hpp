@@ -33,7 +33,8 @@ class ToolTable {
   std::vector<Tool> tools_;
 };
 
-/// Reads a tool table (`plumbline = "tools 1"`, [[tool]] rows). Refuses with tools-... and the place.
+/// Reads a tool table (`plumbline = "tools 1"`, [[tool]] rows), or LinuxCNC's own. Refuses with tools-... and the
+/// place.
 ToolTable read_tool_table(const std::string& path);
 
 }  // namespace plumbline::nc

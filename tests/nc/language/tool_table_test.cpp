@@ -37,3 +37,17 @@ TEST_CASE("a tool may have a name") {
 TEST_CASE("an empty tool table is one") {
   CHECK(read_tool_table(ProgramFile("plumbline = \"tools 1\"\n").path()).empty());
 }
+
+TEST_CASE("LinuxCNC's own tool table is read") {
+  const ProgramFile file(
+      "; tools of the hexapod\n\nT0 P0 ;no tool\nT1 P1 D+6.0 Z+85.5 ;end mill\r\nt98876 p543 z120 x0 i30 Q3\n  ;none\n"
+      "T3 P7\n");
+  const ToolTable tools = read_tool_table(file.path());
+  REQUIRE(tools.all().size() == 3);
+  CHECK(tools.find(1)->length_mm == 85.5);
+  CHECK(tools.find(1)->diameter_mm == 6);
+  CHECK_FALSE(tools.find(1)->mass_kg);
+  CHECK(tools.find(98876)->length_mm == 120);
+  CHECK(tools.find(3)->length_mm == 0);
+  CHECK(tools.find(0) == nullptr);
+}
