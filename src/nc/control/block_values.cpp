@@ -75,6 +75,30 @@ void check_variable(const Execution& run, const Block& block, const Setting& pla
 
 bool belongs_to_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
+// The first name of which EXISTS asks and only the machine knows, since a program before this one may have made it.
+std::string_view name_left_open(const Block& block, std::uint32_t code, ParameterReader& parameters) {
+  for (const Instruction* step = &block.code[code]; step->operation != Operation::end; ++step) {
+    if (step->operation != Operation::exists) continue;
+    const std::string_view name = block.at(block.names[step->name]);
+    if (!parameters.exists(name).known) return name;
+  }
+  return {};
+}
+
+[[noreturn]] void refuse_unknown(const Block& block, std::uint32_t code, Span span, ParameterReader& parameters,
+                                 std::string_view message) {
+  if (const std::string_view name = name_left_open(block, code, parameters); !name.empty()) {
+    const bool of_machine = name.find('[') != std::string_view::npos;  // an entry of its INI file, a pin of its HAL
+    refuse_at(block, span, codes::kValueUnknown,
+              fmt::format("whether #<{}> exists is known only to the machine{}", name,
+                          of_machine ? "" : ": a program before this one may have made it"),
+              of_machine ? "keep only the branch that the machine takes"
+                         : "give it a value in this program before, or keep only the branch that the machine takes");
+  }
+  refuse_at(block, span, codes::kValueUnknown, std::string(message),
+            "a program that depends on a probe or an input cannot be compensated beforehand");
+}
+
 }  // namespace
 
 BlockValues::BlockValues(Execution& run)
@@ -85,8 +109,8 @@ BlockValues::BlockValues(Execution& run)
 double BlockValues::value_of(const Block& block, std::uint32_t code, Span span) {
   const Value value = evaluator_.run(block, code, system_parameters_);
   if (value.known) return value.number;
-  refuse_at(block, span, codes::kValueUnknown, "where the program goes on is known only when the machine runs",
-            "a program that depends on a probe or an input cannot be compensated beforehand");
+  refuse_unknown(block, code, span, system_parameters_,
+                 "where the program goes on is known only when the machine runs");
 }
 
 void BlockValues::evaluate(Block& block) {
@@ -99,8 +123,8 @@ void BlockValues::evaluate(Block& block) {
     word.vacant = value.vacant;
     vacant = vacant || value.vacant;
     if (!value.known && !may_be_unknown(word.letter)) {
-      run_.refuse(word, codes::kValueUnknown, "this value is known only when the machine runs",
-                  "a program that depends on a probe or an input cannot be compensated beforehand");
+      refuse_unknown(block, word.expression, word.span, system_parameters_,
+                     "this value is known only when the machine runs");
     }
     word.value = value.number;
     word.unknown = !value.known;

@@ -320,11 +320,15 @@ void check_cycle(const Execution& run) {
   if (control.modal.feed_mode == FeedMode::inverse_time) {
     run.refuse(run.motion_code(), codes::kFeedMissing, "a cycle takes no inverse time (G93)", "write G94 before it");
   }
-  const AxisSet known = control.modal.incremental ? control.known : control.known | run.axes;
-  const PlaneAxes axes = axes_of(control.modal.plane);
-  if (known.contains(AxisSet{axes.first, axes.second}) && control.known.contains(axes.third)) return;
-  run.refuse(run.motion_code(), codes::kPositionUnknown, "the cycle begins where X, Y or Z is not known",
-             "move there with a G0 that names all three");
+  AxisSet known = control.modal.incremental ? control.known : control.known | run.axes;
+  const Axis along_hole = axes_of(control.modal.plane).third;
+  if (!control.known.contains(along_hole)) known.erase(along_hole);
+  const AxisSet missing = AxisSet::linear() - known;
+  if (missing.empty()) return;
+  run.refuse(run.motion_code(), codes::kPositionUnknown,
+             fmt::format("the cycle begins where {} is not known", axis_list(missing)),
+             "move there with a G0 that names all three, or say with --keeps-position M6 that a change of tools leaves "
+             "them where they stood");
 }
 
 // Some controls take P1.5 for seconds, others stop at it.

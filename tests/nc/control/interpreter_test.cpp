@@ -163,6 +163,18 @@ TEST_CASE("values that only the machine knows may turn the spindle and no more")
   CHECK(code_of("M66 P0 L0\n#5399=2\nG0 X#5399\n", at_zero()).empty());
 }
 
+TEST_CASE("a name that another program may have made is named, and so are the axes that a cycle misses") {
+  const auto message = [](const char* text) {
+    const auto refusal = refusal_of(text, at_zero());
+    return refusal ? refusal->message : "";
+  };
+  CHECK(message("o1 if [1 + EXISTS[#<_depth>] GT 1]\no1 endif\n").find("#<_depth> exists") != std::string::npos);
+  CHECK(message("G0 X[EXISTS[#<_depth>]]\n").find("#<_depth> exists") != std::string::npos);
+  CHECK(message("M66 P0 L0\no1 if [#5399]\no1 endif\n").find("exists") == std::string::npos);
+  CHECK(message("T1 M6\nG81 X1 Y1 Z-1 R1 F100\n").find("where Z is") != std::string::npos);
+  CHECK(message("T1 M6\nG0 Z5\nG91 G81 X1 Y1 Z-1 R1 F100\n").find("where X, Y is") != std::string::npos);
+}
+
 TEST_CASE("variables and positions are read where somebody gave them") {
   ProgramSettings settings = at_zero();
   settings.variables = {{31, 4.0}};

@@ -1,12 +1,12 @@
 #include "nc/control/parameters/expression.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
 #include "base/check.hpp"
 #include "base/text/number_text.hpp"
-#include "base/units.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
 
@@ -25,6 +25,18 @@ bool is_binary(Operation operation) {
 
 double truth(bool value) { return value ? 1 : 0; }
 
+// Half a turn in radians is long double, as in LinuxCNC's interpreter, whose products are rounded where these are: the
+// sine of 30 is 0.5 to the last bit, FIX of ten times it 5, and ASIN of it 30 [LinuxCNC, measured].
+constexpr long double kHalfTurnRadians = std::numbers::pi_v<long double>;
+constexpr double kHalfTurn = 180;
+
+long double to_radians(double degrees) { return degrees * kHalfTurnRadians / kHalfTurn; }
+
+double to_degrees(double radians) {
+  const double product = radians * kHalfTurn;
+  return static_cast<double>(product / kHalfTurnRadians);
+}
+
 // Every number that a parameter may have is one's [LinuxCNC, measured].
 Value number_exists(const Block& block, Span span, Value value, ParameterLimits limits) {
   if (!value.known) return {0, false};
@@ -40,9 +52,9 @@ double modulo(double a, double b) {
 double of_two(Operation operation, double a, double b, double equal_within) {
   switch (operation) {
     case Operation::arc_tangent:
-      return std::atan2(a, b) / kDeg;
+      return to_degrees(std::atan2(a, b));
     case Operation::arc_tangent_turn: {
-      const double angle = std::atan2(a, b) / kDeg;
+      const double angle = to_degrees(std::atan2(a, b));
       return angle < 0 ? angle + kTurn : angle;
     }
     case Operation::whole_quotient:
@@ -116,18 +128,18 @@ double of_one(Operation operation, double a) {
     case Operation::round_away:
       return a < 0 ? std::floor(a) : std::ceil(a);
     case Operation::arc_tangent_of_one:
-      return std::atan(a) / kDeg;
+      return to_degrees(std::atan(a));
     case Operation::square:
       return a * a;
     case Operation::logical_not:
       return truth(a == 0);
     case Operation::arc_cosine:
-      return std::acos(a) / kDeg;
+      return to_degrees(std::acos(a));
     case Operation::arc_sine:
     case Operation::macro_arc_sine:
-      return std::asin(a) / kDeg;
+      return to_degrees(std::asin(a));
     case Operation::cosine:
-      return std::cos(a * kDeg);
+      return static_cast<double>(std::cos(to_radians(a)));
     case Operation::exponential:
       return std::exp(a);
     case Operation::round_down:
@@ -137,11 +149,11 @@ double of_one(Operation operation, double a) {
     case Operation::logarithm:
       return std::log(a);
     case Operation::sine:
-      return std::sin(a * kDeg);
+      return static_cast<double>(std::sin(to_radians(a)));
     case Operation::square_root:
       return std::sqrt(a);
     case Operation::tangent:
-      return std::tan(a * kDeg);
+      return static_cast<double>(std::tan(to_radians(a)));
     default:
       break;
   }

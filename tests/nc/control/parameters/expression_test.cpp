@@ -73,6 +73,16 @@ TEST_CASE("functions take degrees and round as the control does") {
   CHECK(value("SQRT[ABS[-16]]") == 4);
 }
 
+TEST_CASE("angles are those of the control to the last bit") {
+  CHECK(value("SIN[30]") == 0.5);
+  CHECK(value("FUP[10*COS[60]]") == 5);
+  CHECK(value("TAN[45]") == 1);
+  CHECK(value("[COS[300] GT 0.5]") == 0);
+  CHECK(value("ASIN[0.5]") == 30);
+  CHECK(value("ACOS[-0.5]") == 120);
+  CHECK(value("ATAN[1]/[1]") == 45);
+}
+
 TEST_CASE("ROUND rounds to what it is told, and where that is not known only whole numbers are") {
   const auto rounded = [](const std::string& expression, const Rounding& rounding) {
     Block block;
