@@ -57,7 +57,7 @@ struct PlayedTip {
 class Plays {
  public:
   /// Of the told target in the same place; nothing where the machine gives way.
-  const std::optional<PlayedTip>& operator[](std::size_t i) const { return played_[i]; }
+  std::span<const std::optional<PlayedTip>> all() const { return played_; }
 
  private:
   friend class Corrector;

@@ -206,7 +206,7 @@ void Pipeline::take_move(const nc::Step& step) {
     play_.rapid(corrected.signs.back());
     tally_.take_rapid(corrected, written);
   } else {
-    play_.cut(move.path, move.seconds, written.begin, written.pieces, !written.changed);
+    play_.cut({&move.path, move.seconds, written.begin, written.pieces, !written.changed});
     tally_.take_cut(corrected, written);
   }
 }

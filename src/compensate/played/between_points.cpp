@@ -17,13 +17,11 @@ constexpr double kFirstCredit = 10'000;     // plays
 constexpr double kCreditPerPiece = 0.04;
 constexpr double kPromising = 0.6;   // of the largest found so far: from there on a part is looked at closely
 constexpr std::size_t kAlways = 24;  // of the pieces of a block, where the first blocks are played anyway
-constexpr double kEdge = 1e-6;       // of a piece: beside its ends
 constexpr double kNoWayMm = 1e-9;    // mm and deg
 constexpr double kSaturated = 2.65;  // tanh is 0.99
 constexpr double kHalfTurnDeg = 180;
 constexpr int kProjections = 6;
 constexpr int kRefinements = 10;
-constexpr std::array kFirstLook{kEdge, 0.5, 1 - kEdge};
 constexpr std::array kCloseLook{0.125, 0.25, 0.375, 0.625, 0.75, 0.875};
 
 Vector3<double> xyz(const AxisWords& words) { return {words[Axis::X], words[Axis::Y], words[Axis::Z]}; }
@@ -118,24 +116,42 @@ double friction_guess(const machine::PerStrut<double>& effect, const machine::Pe
 
 }  // namespace
 
-void BetweenPoints::cut(const MovePath& path, std::optional<double> seconds, const AxisWords& begin,
-                        std::span<const SentPiece> pieces, bool as_it_stands) {
+// Of a block of one piece it is known beforehand where it is looked at first.
+void BetweenPoints::foresee(std::span<const SentMove> moves) {
+  first_looks_.forget_before(blocks_);
+  std::uint64_t block = blocks_;
+  for (const SentMove& move : moves) {
+    if (!goes(move.path->curve)) continue;
+    ++block;
+    if (!must_play(block) || move.pieces.size() != 1 || move.as_it_stands) continue;
+    const SentPiece& piece = move.pieces.front();
+    const Part part{move.begin, piece.end, 0, piece.share, false, piece.arc, {}, {}};
+    std::array<Target, FirstLooks::kFractions.size()> told;
+    for (std::size_t i = 0; i < told.size(); ++i)
+      told[i] = part.told(*move.path, move.seconds, FirstLooks::kFractions[i]);
+    first_looks_.add(block, told);
+  }
+  first_looks_.play();
+}
+
+void BetweenPoints::cut(const SentMove& move) {
+  const MovePath& path = *move.path;
   if (!goes(path.curve)) return;
   play_waiting(&path);
-  pieces_ += pieces.size();
+  pieces_ += move.pieces.size();
   if (corrector_.has_friction() && (blocks_ == 0 || pieces_ > kTurnsEvery)) {
-    friction_ = corrector_.friction_turns(path.target(0.5, seconds));
+    friction_ = corrector_.friction_turns(path.target(0.5, move.seconds));
     pieces_ = 0;
   }
   ++blocks_;
-  credit_ += kCreditPerPiece * static_cast<double>(pieces.size());
+  credit_ += kCreditPerPiece * static_cast<double>(move.pieces.size());
   before_ = here_;
   here_ = before_ == &paths_.front() ? &paths_.back() : &paths_.front();
   *here_ = path;
-  seconds_ = seconds;
-  find_guesses(path, begin, pieces);
-  choose(path, begin, pieces, as_it_stands);
-  sign_ = pieces.back().sign;
+  seconds_ = move.seconds;
+  find_guesses(move);
+  choose(move);
+  sign_ = move.pieces.back().sign;
 }
 
 void BetweenPoints::rapid(const machine::PerStrut<double>& sign) {
@@ -150,13 +166,15 @@ void BetweenPoints::leave() {
   sign_.setZero();
 }
 
-void BetweenPoints::find_guesses(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces) {
+void BetweenPoints::find_guesses(const SentMove& move) {
+  const MovePath& path = *move.path;
+  const std::span<const SentPiece> pieces = move.pieces;
   tip_.clear();
   turned_.clear();
   const double bend = path.curve.arc_deg() == 0 ? 0 : xyz(path.target(0.5, std::nullopt).bend).norm();
   ChordGuess places;
   ChordGuess turns;
-  const AxisWords* last = &begin;
+  const AxisWords* last = &move.begin;
   const bool among_many = pieces.size() > PieceRanking::kGuesses;
   const machine::PerStrut<double>* sign = &sign_;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -184,28 +202,28 @@ void BetweenPoints::find_guesses(const MovePath& path, const AxisWords& begin, s
   }
 }
 
-void BetweenPoints::choose(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces,
-                           bool as_it_stands) {
-  if (as_it_stands) {
-    const AxisWords from = path.target(0, std::nullopt).pose;
-    if (must_play()) waiting_.push_back({from, from, 0, 1, true, {}, {}, {}});
+void BetweenPoints::choose(const SentMove& move) {
+  if (move.as_it_stands) {
+    const AxisWords from = move.path->target(0, std::nullopt).pose;
+    if (must_play(blocks_)) waiting_.push_back({from, from, 0, 1, true, {}, {}, {}});
     return;
   }
-  choose_from(tip_, begin, pieces);
-  choose_from(turned_, begin, pieces);
+  choose_from(tip_, move);
+  choose_from(turned_, move);
 }
 
-void BetweenPoints::choose_from(PieceRanking& ranking, const AxisWords& begin, std::span<const SentPiece> pieces) {
-  if (!must_play() && credit_ + kFirstCredit < static_cast<double>(plays_)) return;
+void BetweenPoints::choose_from(PieceRanking& ranking, const SentMove& move) {
+  const bool must_play_block = must_play(blocks_);
+  if (!must_play_block && credit_ + kFirstCredit < static_cast<double>(plays_)) return;
   const std::span<const PieceGuess> guesses = ranking.sorted();
   for (std::size_t k = 0; k < guesses.size(); ++k) {
     const PieceGuess& guess = guesses[k];
-    const bool must = must_play() && (k == 0 || (k < kAlways && blocks_ <= kAllBlocks));
+    const bool must = must_play_block && (k == 0 || (k < kAlways && blocks_ <= kAllBlocks));
     if (!must && !ranking.promises(guess)) continue;
-    const SentPiece& piece = pieces[guess.piece];
+    const SentPiece& piece = move.pieces[guess.piece];
     Part part{{}, piece.end, 0, piece.share, false, piece.arc, {}, {}};
-    part.begin = guess.piece == 0 ? begin : pieces[guess.piece - 1].end;
-    for (std::size_t i = 0; i < guess.piece; ++i) part.from += pieces[i].share;
+    part.begin = guess.piece == 0 ? move.begin : move.pieces[guess.piece - 1].end;
+    for (std::size_t i = 0; i < guess.piece; ++i) part.from += move.pieces[i].share;
     auto kept = std::find_if(waiting_.begin(), waiting_.end(), [&](const Part& p) { return p.from == part.from; });
     if (kept == waiting_.end()) kept = waiting_.insert(kept, part);
     (&ranking == &tip_ ? kept->tip : kept->turned) = guess;
@@ -241,7 +259,7 @@ void BetweenPoints::measure(const Part& part, const Enough& enough, Look& look, 
   };
   beside(*here_, at);
   const bool begins = part.from == 0;
-  const bool ends = part.from + part.share > 1 - kEdge;
+  const bool ends = part.from + part.share > 1 - FirstLooks::kEdge;
   for (const double end : {0.0, 1.0}) {
     if ((begins || ends) && comes_by_again(here_->curve)) beside(*here_, end);
     if (before_ && begins) beside(*before_, end);
@@ -253,13 +271,18 @@ void BetweenPoints::measure(const Part& part, const Enough& enough, Look& look, 
 
 // The part at these fractions, played together; what is found there is at most what it says. Holds until the next call.
 std::span<BetweenPoints::Look> BetweenPoints::sample(const Part& part, std::span<const double> fractions) {
-  told_.clear();
-  for (const double fraction : fractions) told_.push_back(part.told(*here_, seconds_, fraction));
-  corrector_.play(told_, played_);
+  std::span<const std::optional<PlayedTip>> played;
+  if (looked_.empty()) played = first_looks_.of(blocks_);
+  if (played.empty()) {
+    told_.clear();
+    for (const double fraction : fractions) told_.push_back(part.told(*here_, seconds_, fraction));
+    corrector_.play(told_, played_);
+    played = played_.all();
+  }
   sampled_.clear();
   for (std::size_t i = 0; i < fractions.size(); ++i) {
     ++plays_;
-    Look& look = sampled_.emplace_back(Look{fractions[i], 0, 0, played_[i]});
+    Look& look = sampled_.emplace_back(Look{fractions[i], 0, 0, played[i]});
     if (look.played) {
       const double at = part.on_path(look.fraction);
       look.tip_mm = distance_at_most_mm(*here_, look.played->stands.p_WT / kMm, at);
@@ -269,12 +292,6 @@ std::span<BetweenPoints::Look> BetweenPoints::sample(const Part& part, std::span
     }
   }
   return sampled_;
-}
-
-double BetweenPoints::most(double Look::*figure) const {
-  double largest = 0;
-  for (const Look& at : looked_) largest = std::max(largest, at.*figure);
-  return largest;
 }
 
 // Its ends and its middle; both sides of the places where a strut turns; where that is promising, what lies between,
@@ -289,8 +306,13 @@ void BetweenPoints::play(const Part& part, const MovePath* next) {
   const auto look_at = [&](std::span<const double> fractions) {
     for (Look& at : look(part, fractions)) measure(part, enough, at, next);
   };
+  const auto most = [&](double Look::*figure) {
+    double largest = 0;
+    for (const Look& at : looked_) largest = std::max(largest, at.*figure);
+    return largest;
+  };
   looked_.clear();
-  look_at(kFirstLook);
+  look_at(FirstLooks::kFractions);
   if (const std::vector<double> turns = beside_turns(); !turns.empty()) look_at(turns);
   const bool tip_promises = most(&Look::tip_mm) > kPromising * tip_before;
   const bool turn_promises = most(&Look::turned_deg) > kPromising * turned_before;

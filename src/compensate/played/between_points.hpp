@@ -13,6 +13,7 @@
 #include "compensate/bound/distance.hpp"
 #include "compensate/corrector.hpp"
 #include "compensate/move.hpp"
+#include "compensate/played/first_looks.hpp"
 #include "compensate/played/piece_ranking.hpp"
 #include "compensate/summary.hpp"
 
@@ -28,15 +29,24 @@ struct SentPiece {
   Deviation proven = {};            // of an arc: how far the tip may be off on it
 };
 
+/// A move that cuts, and what became of it.
+struct SentMove {
+  const MovePath* path = nullptr;
+  std::optional<double> seconds;      // its time
+  AxisWords begin;                    // where the control stood, pose in W
+  std::span<const SentPiece> pieces;  // of a move that was left as it stands its end alone
+  bool as_it_stands = false;
+};
+
 class BetweenPoints {
  public:
   /// The corrector must outlive it, with the tool that the moves are made with: leave() before it changes.
-  explicit BetweenPoints(const Corrector& corrector) : corrector_(corrector) {}
+  explicit BetweenPoints(const Corrector& corrector) : corrector_(corrector), first_looks_(corrector) {}
 
-  /// A move that cuts: what became of it, from where the control stood (pose in W). `seconds` is its time. Where it was
-  /// left as it stands, `pieces` is its end alone, and `as_it_stands` true.
-  void cut(const MovePath& path, std::optional<double> seconds, const AxisWords& begin,
-           std::span<const SentPiece> pieces, bool as_it_stands);
+  /// What comes next, as far as it is known, up to a change of the tool: what is surely looked at of it is played in
+  /// packs. Need not be called.
+  void foresee(std::span<const SentMove> moves);
+  void cut(const SentMove& move);
   /// A rapid, which is no path that the tip must keep to: `sign` of the struts as the correction of its end has them.
   void rapid(const machine::PerStrut<double>& sign);
   /// To be called before the tool changes or the machine goes where nobody follows it, and at the end.
@@ -71,10 +81,10 @@ class BetweenPoints {
   struct Enough {  // what is found up to here changes nothing
     double tip_mm = 0, turned_deg = 0;
   };
-  void find_guesses(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces);
-  void choose(const MovePath& path, const AxisWords& begin, std::span<const SentPiece> pieces, bool as_it_stands);
-  void choose_from(PieceRanking& ranking, const AxisWords& begin, std::span<const SentPiece> pieces);
-  bool must_play() const { return blocks_ <= kAllBlocks || blocks_ % kEvery == 0; }
+  void find_guesses(const SentMove& move);
+  void choose(const SentMove& move);
+  void choose_from(PieceRanking& ranking, const SentMove& move);
+  static bool must_play(std::uint64_t block) { return block <= kAllBlocks || block % kEvery == 0; }
   void play_waiting(const MovePath* next);
   void play(const Part& part, const MovePath* next);
   std::span<Look> look(const Part& part, std::span<const double> fractions);
@@ -82,12 +92,12 @@ class BetweenPoints {
   void refine(const Part& part, double Look::*figure, const MovePath* next);
   void measure(const Part& part, const Enough& enough, Look& look, const MovePath* next);
   std::span<Look> sample(const Part& part, std::span<const double> fractions);
-  double most(double Look::*figure) const;
 
   static constexpr std::uint64_t kAllBlocks = 256;  // at the begin: played whatever is guessed of them
   static constexpr std::uint64_t kEvery = 16;       // after them, likewise
 
   const Corrector& corrector_;
+  FirstLooks first_looks_;
   std::array<MovePath, 2> paths_;
   const MovePath* before_ = nullptr;  // of these: the move before the one that waits, and that one; null: none
   MovePath* here_ = nullptr;

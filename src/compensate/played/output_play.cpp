@@ -25,15 +25,14 @@ void OutputPlay::hand_over() {
   batch_.pieces.clear();
 }
 
-void OutputPlay::cut(const MovePath& path, std::optional<double> seconds, const AxisWords& begin,
-                     std::span<const SentPiece> pieces, bool as_it_stands) {
+void OutputPlay::cut(const SentMove& move) {
   Event& event = add(Event::Kind::cut);
-  event.path = path;
-  event.seconds = seconds;
-  event.begin = begin;
-  event.pieces = pieces.size();
-  event.as_it_stands = as_it_stands;
-  batch_.pieces.insert(batch_.pieces.end(), pieces.begin(), pieces.end());
+  event.path = *move.path;
+  event.seconds = move.seconds;
+  event.begin = move.begin;
+  event.pieces = move.pieces.size();
+  event.as_it_stands = move.as_it_stands;
+  batch_.pieces.insert(batch_.pieces.end(), move.pieces.begin(), move.pieces.end());
 }
 
 void OutputPlay::rapid(const machine::PerStrut<double>& sign) { add(Event::Kind::rapid).sign = sign; }
@@ -49,12 +48,28 @@ const BetweenPoints& OutputPlay::finish() {
   return between_;
 }
 
+// Up to the next change of the tool.
+void OutputPlay::foresee(std::span<const Event> events, std::span<const SentPiece> pieces) {
+  moves_.clear();
+  for (const Event& event : events) {
+    if (event.kind == Event::Kind::tool) break;
+    if (event.kind != Event::Kind::cut) continue;
+    moves_.push_back(event.move(pieces));
+    pieces = pieces.subspan(event.pieces);
+  }
+  between_.foresee(moves_);
+}
+
 void OutputPlay::take(Batch& batch) {
   std::span<const SentPiece> pieces = batch.pieces;
-  for (const Event& event : std::span(batch.events).first(batch.count)) {
+  std::span<const Event> events = batch.all();
+  foresee(events, pieces);
+  while (!events.empty()) {
+    const Event& event = events.front();
+    events = events.subspan(1);
     switch (event.kind) {
       case Event::Kind::cut:
-        between_.cut(event.path, event.seconds, event.begin, pieces.first(event.pieces), event.as_it_stands);
+        between_.cut(event.move(pieces));
         pieces = pieces.subspan(event.pieces);
         break;
       case Event::Kind::rapid:
@@ -66,6 +81,7 @@ void OutputPlay::take(Batch& batch) {
       case Event::Kind::tool:
         between_.leave();
         corrector_.set_tool(event.tool);
+        foresee(events, pieces);
         break;
     }
   }

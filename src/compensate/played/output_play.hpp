@@ -18,8 +18,7 @@ class OutputPlay {
   /// Both must outlive it.
   OutputPlay(const machine::MachineModel& model, const Settings& settings);
 
-  void cut(const MovePath& path, std::optional<double> seconds, const AxisWords& begin,
-           std::span<const SentPiece> pieces, bool as_it_stands);
+  void cut(const SentMove& move);
   void rapid(const machine::PerStrut<double>& sign);
   void leave();
   /// Leaves, and goes on with another tool.
@@ -38,8 +37,15 @@ class OutputPlay {
     bool as_it_stands = false;
     machine::PerStrut<double> sign;
     ToolInSpindle tool;
+
+    /// `all`: its pieces, and those of the moves after it.
+    SentMove move(std::span<const SentPiece> all) const {
+      return {&path, seconds, begin, all.first(pieces), as_it_stands};
+    }
   };
   struct Batch {  // reused
+    std::span<const Event> all() const { return std::span(events).first(count); }
+
     std::vector<Event> events;
     std::size_t count = 0;  // of these
     std::vector<SentPiece> pieces;
@@ -47,9 +53,11 @@ class OutputPlay {
   Event& add(Event::Kind kind);
   void hand_over();
   void take(Batch& batch);
+  void foresee(std::span<const Event> events, std::span<const SentPiece> pieces);
 
   Corrector corrector_;
   BetweenPoints between_;
+  std::vector<SentMove> moves_;  // that are foreseen
   Batch batch_;
   Relay<Batch> relay_;  // the last: it ends before what it works on
 };

@@ -27,10 +27,13 @@ std::vector<SentPiece> pieces_of(const CorrectedMove& corrected) {
 
 }  // namespace
 
+// At once nothing is foreseen (FirstLooks).
 TEST_CASE("what is played on a thread of its own is what is played at once") {
   std::string text = "G21 G90 G94\nG0 X0 Y0 Z0\n";
-  for (int i = 0; i < 700; ++i) {
-    text += fmt::format("G1 X{} Y{} A{} F{}\n", i % 50, i % 7, 0.1 * (i % 30), i % 9 == 0 ? 200 : 2000);
+  for (int i = 0; i < 900; ++i) {
+    const double size = i < 400 ? 1 : 0.4;  // blocks of several pieces, and of one
+    text += fmt::format("G1 X{} Y{} A{} F{}\n", size * (i % 50), size * (i % 7), 0.2 * size * (i % 30),
+                        i % 9 == 0 ? 200 : 2000);
     if (i % 101 == 0) text += "G0 Z1\n";
   }
   const Opened opened(text + "M2\n", standing_at_zero());
@@ -54,8 +57,9 @@ TEST_CASE("what is played on a thread of its own is what is played at once") {
       at_once.rapid(corrected.signs.back());
       aside.rapid(corrected.signs.back());
     } else {
-      at_once.cut(move->path, move->seconds, begin, pieces, false);
-      aside.cut(move->path, move->seconds, begin, pieces, false);
+      const compensate::SentMove sent{&move->path, move->seconds, begin, pieces, false};
+      at_once.cut(sent);
+      aside.cut(sent);
     }
     begin = pieces.back().end;
   }
