@@ -54,8 +54,7 @@ bool sets_motion(const Execution& run) {
 // The feed stays what it is in mm/min; F of a rotary move stays what was written [LinuxCNC, measured].
 void change_unit(Execution& run, bool inches) {
   if (run.control.modal.inches == inches) return;
-  run.control.modal.inches = inches;
-  run.control.modal.feed = run.control.feed_linear / run.control.length_unit();
+  run.control.change_unit(inches);
   if (!run.dialect.behaviour.unit_change_drops_feed) return;
   // What F is worth then stands in no source.
   run.control.modal.feed = run.control.feed_linear = run.control.modal.feed_rotary = 0;

@@ -95,10 +95,7 @@ void restore_modes(Execution& run, const SavedModes& saved, const Block& block) 
   Control& control = run.control;
   Modal& modal = control.modal;
   run.block = &block;
-  if (modal.inches != saved.modal.inches) {
-    modal.inches = saved.modal.inches;
-    modal.feed = control.feed_linear / control.length_unit();
-  }
+  if (modal.inches != saved.modal.inches) control.change_unit(saved.modal.inches);
   restore_feed_and_speed(run, saved);
   restore_switches(modal.switches, saved.modal.switches);
   modal.plane = saved.modal.plane;

@@ -238,6 +238,20 @@ FeedRule feed_rule_of(const Execution& run) {
   return unknown ? FeedRule::unknown : control.feed_rule;
 }
 
+// What the words of a move in inches say, for those who read where it ends.
+void keep_inches(const Execution& run, const Motion& motion) {
+  Control& control = run.control;
+  if (!control.modal.inches) return;
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
+    const Word* const word = run.words.find(axis);
+    if (word == nullptr) continue;
+    const bool increment = control.modal.incremental;
+    const double mm = (increment ? control.position[axis] : 0) + run.length(*word);
+    const double inches = (increment ? control.position_in_unit(axis) : 0) + word->value;
+    if (motion.to[axis] == mm) control.inch_places[index(axis)] = {mm, inches};
+  }
+}
+
 }  // namespace
 
 void add_motion(Execution& run, const Motion& planned) {
@@ -253,6 +267,7 @@ void add_motion(Execution& run, const Motion& planned) {
   motion.known_before = control.known;
   motion.machine = control.frame.to_machine(motion.to);
   control.shifted = shifted_after(run, motion);
+  keep_inches(run, motion);
   control.position = motion.to;
   control.known = motion.known_after;
   if (control.edge_unknown) {  // where the tip stands then depends on which edge is in force

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
 
 #include "base/units.hpp"
 
@@ -11,6 +14,20 @@ namespace {
 constexpr int kFirstHome = 5161;  // parameters of G28, twenty further G30 [LinuxCNC; RS274/NGC 3.2.1]
 constexpr int kG92 = 5211;
 constexpr double kNoShift = 1e-9;  // mm and deg
+
+// The inches that are so many mm; of neighbours that are the same mm, the one with the fewest digits.
+double inches_of(double mm) {
+  const double quotient = mm / kMmPerInch;
+  double best = quotient;
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  for (const double inches : {quotient, std::nextafter(quotient, -HUGE_VAL), std::nextafter(quotient, HUGE_VAL)}) {
+    const std::size_t digits = fmt::format("{}", inches).size();
+    if (inches * kMmPerInch != mm || digits >= fewest) continue;
+    best = inches;
+    fewest = digits;
+  }
+  return best;
+}
 
 // Those of six parameters in a row that somebody gave.
 AxisSet given(const Parameters& parameters, int first, AxisWords& into) {
@@ -68,6 +85,23 @@ Control::Control(const Dialect& dialect, const ProgramSettings& settings)
 }
 
 double Control::length_unit() const { return modal.inches ? kMmPerInch : 1; }
+
+void Control::change_unit(bool inches) {
+  modal.inches = inches;
+  modal.feed = feed_linear / length_unit();
+  if (!inches) return;
+  constexpr double kInchesPerMm = 1 / kMmPerInch;  // a product with which is not the quotient [interp_convert.cc]
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
+    inch_places[index(axis)] = {position[axis], position[axis] * kInchesPerMm};
+  }
+}
+
+double Control::position_in_unit(Axis axis) const {
+  const double value = position[axis];
+  if (is_rotary(axis) || !modal.inches) return value;
+  const InchPlace& place = inch_places[index(axis)];
+  return place.mm == value ? place.inches : inches_of(value);
+}
 
 // Axes whose increments may bring the change along or not: which of both is not known.
 AxisSet Control::shifted_by(const Frame& next, const AxisWords& moved) const {

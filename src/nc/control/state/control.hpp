@@ -46,6 +46,12 @@ struct Cycle {
   std::array<double, 3> ijk{};  // G87
 };
 
+/// How many inches a move gave for its end, and the mm that they are: the quotient may be another number.
+struct InchPlace {
+  double mm = 0;
+  double inches = 0;
+};
+
 /// A control point of G5.2, mm, with its weight.
 struct NurbsPoint {
   double x = 0, y = 0, weight = 1;
@@ -86,9 +92,10 @@ struct Control {
   bool motion_stated = false;                 // by a code of the program
   const CodeRow* row_before_cycle = nullptr;  // of the one before the cycle that is in force
   Frame frame;
-  AxisWords position;  // in the active work system
-  AxisSet shifted;     // by a change that increments may bring along, since their last absolute word
-  AxisSet known;       // of position; where the origin is not known, of the machine's position
+  AxisWords position;                    // in the active work system
+  std::array<InchPlace, 3> inch_places;  // of X, Y and Z, at the end of their last move in inches
+  AxisSet shifted;                       // by a change that increments may bring along, since their last absolute word
+  AxisSet known;                         // of position; where the origin is not known, of the machine's position
   std::array<WorkSystem, kWorkSystems> systems;
   Cycle cycle;
   CycleCall modal_call;                             // after each move
@@ -132,6 +139,10 @@ struct Control {
   const WorkSystem& active() const { return const_cast<Control*>(this)->active(); }
   /// mm or mm/min per unit of the program.
   double length_unit() const;
+  /// G20, G21: the feed stays what it is in mm/min.
+  void change_unit(bool inches);
+  /// The position of an axis in the program's unit, in inches the number that the program gave.
+  double position_in_unit(Axis axis) const;
   /// Offsets change, the machine does not move: the position gets its new words.
   void change_frame(const Frame& next);
   AxisSet shifted_by(const Frame& next, const AxisWords& moved) const;

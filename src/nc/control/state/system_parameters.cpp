@@ -79,8 +79,7 @@ Value SystemParameters::position(const Block& block, Axis axis, Span span) const
               "move the axis to a programmed position first, or say where the axes start: --start");
   }
   control_.position_read = true;
-  const double value = control_.position[axis];
-  return {is_rotary(axis) ? value : value / control_.length_unit(), true};
+  return {control_.position_in_unit(axis), true};
 }
 
 // What the control's display shows: all offsets, the rotation and the tool's length in it.
