@@ -6,15 +6,17 @@ target_compile_options(plumbline_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wimplicit-fallthrough
   -Wno-missing-field-initializers  # Options{.tolerance = ...} leaves the others at their defaults
   $<$<BOOL:${PLUMBLINE_WARNINGS_AS_ERRORS}>:-Werror>)
+add_library(plumbline_link_options INTERFACE)
 if(PLUMBLINE_SANITIZE)
   target_compile_options(plumbline_options INTERFACE -fsanitize=${PLUMBLINE_SANITIZE} -fno-sanitize-recover=all
     -fno-omit-frame-pointer $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC 12 takes sanitised std::function for uninitialised
-  target_link_options(plumbline_options INTERFACE -fsanitize=${PLUMBLINE_SANITIZE})
+  target_link_options(plumbline_link_options INTERFACE -fsanitize=${PLUMBLINE_SANITIZE})
 endif()
 if(PLUMBLINE_FUZZER)  # float conversions of anything that a file may say are undefined where they do not fit
   target_compile_options(plumbline_options INTERFACE -fsanitize=fuzzer-no-link,float-cast-overflow)
-  target_link_options(plumbline_options INTERFACE -fsanitize=float-cast-overflow)
+  target_link_options(plumbline_link_options INTERFACE -fsanitize=float-cast-overflow)
 endif()
+target_link_libraries(plumbline_options INTERFACE plumbline_link_options)
 if(PLUMBLINE_TIDY)
   find_program(CLANG_TIDY clang-tidy REQUIRED)
   set(CMAKE_CXX_CLANG_TIDY ${CLANG_TIDY} --quiet --warnings-as-errors=*)
@@ -34,6 +36,11 @@ function(add_module name)
   cmake_parse_arguments(M "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
   add_library(plumbline_${name} STATIC ${M_SOURCES})
   target_link_libraries(plumbline_${name} PUBLIC plumbline_options ${M_LIBRARIES})
+  # The same objects make the installed libraries: the shared one shows what is marked as its interface, no more.
+  set_target_properties(plumbline_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  set_property(GLOBAL APPEND PROPERTY PLUMBLINE_MODULES plumbline_${name})
+  set_property(GLOBAL APPEND PROPERTY PLUMBLINE_LIBRARIES ${M_LIBRARIES})
   foreach(used IN LISTS M_USES)
     target_link_libraries(plumbline_${name} PUBLIC plumbline_${used})
   endforeach()

@@ -9,6 +9,7 @@ namespace {
 
 struct CalibrateArguments {
   jobs::CalibrateJob job;
+  std::string model, poses;
   IdentifiedOutput output;
   double joint_um = 1000;
   double offset_um = 1000;
@@ -16,20 +17,22 @@ struct CalibrateArguments {
 
 int calibrate(const CalibrateArguments& arguments) {
   jobs::CalibrateJob job = arguments.job;
+  job.model = arguments.model;
+  job.poses = arguments.poses;
   if (job.dataset.empty() && job.poses.empty()) {
     throw UsageError("-d DATASET or --poses TABLE is required: circular tests, a tracker's poses, or both");
   }
   job.options.geometry.joint_sigma = arguments.joint_um * kUm;
   job.options.geometry.offset_sigma = arguments.offset_um * kUm;
-  return write_identified(inputs_of(job.dataset, {job.model, job.poses}), arguments.output,
+  return write_identified(inputs_of(job.dataset, {arguments.model, arguments.poses}), arguments.output,
                           [&] { return jobs::calibrate_model(job); });
 }
 
 void add_measurements(CLI::App& command, CalibrateArguments& arguments) {
-  command.add_option("-m,--model", arguments.job.model, "the machine's model file")->type_name("MODEL")->required();
+  command.add_option("-m,--model", arguments.model, "the machine's model file")->type_name("MODEL")->required();
   command.add_option("-d,--dataset", arguments.job.dataset, "circular tests: a dataset.toml")->type_name("DATASET");
   command
-      .add_option("--poses", arguments.job.poses,
+      .add_option("--poses", arguments.poses,
                   "poses that a tracker measured: CSV, x_mm,y_mm,z_mm,a_deg,b_deg,c_deg as commanded, then "
                   "measured_x_mm, ..., where they are there measured_a_deg, ... and payload_kg")
       ->type_name("TABLE");

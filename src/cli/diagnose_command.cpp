@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 struct DiagnoseArguments {
   jobs::DiagnoseJob job;
-  std::string folder;
+  std::string model, folder;
   std::string dialect = "linuxcnc";
   bool json = false;
 };
@@ -107,13 +107,15 @@ int diagnose(const DiagnoseArguments& arguments) {
   const std::string json = (fs::path(arguments.folder) / "diagnosis.json").string();
   const std::string model = (fs::path(arguments.folder) / "model.toml").string();
   const std::string page = (fs::path(arguments.folder) / "report.html").string();
-  const std::vector<std::string> inputs = inputs_of(arguments.job.dataset, {arguments.job.model});
+  const std::vector<std::string> inputs = inputs_of(arguments.job.dataset, {arguments.model});
   check_folder(arguments.folder);
   check_outputs(inputs, {json, model, page});
   ProgressLine line("diagnose");
   const diagnose::Say told{[](const std::string& step) { say_step(step); },
                            [&](const std::string& what) { line.begin(what); }};
-  const jobs::DiagnoseResult result = jobs::diagnose(arguments.job, told);
+  jobs::DiagnoseJob job = arguments.job;
+  job.model = arguments.model;
+  const jobs::DiagnoseResult result = jobs::diagnose(job, told);
   line.clear();
   const std::string numbers = report::diagnosis_json(result.diagnosis);
   std::vector<FolderFile> files = programs_of(arguments, result);
@@ -144,7 +146,7 @@ void add_diagnose(CLI::App& app, Run& run) {
   CLI::App* const command = app.add_subcommand(
       "diagnose", "Find which effect a model misses: name it, say how sure that is, add it, predict runs left out");
   const auto arguments = std::make_shared<DiagnoseArguments>();
-  command->add_option("-m,--model", arguments->job.model, "the machine's model file")->type_name("MODEL")->required();
+  command->add_option("-m,--model", arguments->model, "the machine's model file")->type_name("MODEL")->required();
   command->add_option("-d,--dataset", arguments->job.dataset, "the measurements: a dataset.toml")
       ->type_name("DATASET")
       ->required();

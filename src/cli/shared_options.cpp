@@ -93,8 +93,9 @@ void SharedOptions::allow_model_alone(std::string_view why) const {
 }
 
 std::vector<std::string> files_read(const std::string& program, const settings::Options& options) {
-  std::vector<std::string> files{program, options.paths.model, options.paths.tools, options.paths.variables};
-  files.insert(files.end(), options.paths.settings_files.begin(), options.paths.settings_files.end());
+  const settings::Paths& paths = options.paths;
+  std::vector<std::string> files{program, paths.model.path(), paths.tools.path(), paths.variables.path()};
+  files.insert(files.end(), paths.settings_files.begin(), paths.settings_files.end());
   return files;
 }
 

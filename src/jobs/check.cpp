@@ -122,7 +122,7 @@ class Checker {
 
 }  // namespace
 
-CheckSummary check_file(const std::string& program, const settings::Options& options, const Progress& progress,
+CheckSummary check_file(const Source& program, const settings::Options& options, const Progress& progress,
                         ProgramPicture* picture) {
   const machine::MachineModel model = machine::read_model(options.paths.model);
   const OpenedProgram opened = open_program(options, program, model);

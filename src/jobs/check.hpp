@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/diagnostic.hpp"
+#include "base/files/source.hpp"
 #include "base/progress.hpp"
 #include "jobs/simulate.hpp"
 #include "machine/limits.hpp"
@@ -38,7 +39,7 @@ struct CheckSummary {
 /// at every point of the path; a pose that no command can reach is of the kind "reach". Refuses what
 /// compensate::MoveReader refuses; what compensate refuses later, when it writes, is in the summary.
 /// `picture`: the path as it would be commanded; null: none is wanted.
-CheckSummary check_file(const std::string& program, const settings::Options& options, const Progress& progress = {},
+CheckSummary check_file(const Source& program, const settings::Options& options, const Progress& progress = {},
                         ProgramPicture* picture = nullptr);
 
 }  // namespace plumbline::jobs

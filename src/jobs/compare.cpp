@@ -60,7 +60,7 @@ Pool radial_pool(const measure::Run& run, const measure::RunSimulation& simulati
 
 }  // namespace
 
-Comparison compare(const std::string& model, const measure::Dataset& measured) {
+Comparison compare(const Source& model, const measure::Dataset& measured) {
   const machine::MachineModel machine = machine::read_model(model);
   const physics::ForceModel forces(machine);
   Comparison comparison;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/files/source.hpp"
 #include "machine/geometry.hpp"
 #include "measure/dataset.hpp"
 
@@ -30,6 +31,6 @@ struct Comparison {
 
 /// Simulates every run of a dataset and compares, the set-up (ball centre, bar length) fitted per run. Refuses what the
 /// reader of models, physics::ForceModel and measure::simulate_run refuse.
-Comparison compare(const std::string& model, const measure::Dataset& measured);
+Comparison compare(const Source& model, const measure::Dataset& measured);
 
 }  // namespace plumbline::jobs

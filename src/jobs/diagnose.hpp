@@ -5,13 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "base/files/source.hpp"
 #include "diagnose/diagnose.hpp"
 #include "measure/thinning.hpp"
 
 namespace plumbline::jobs {
 
 struct DiagnoseJob {
-  std::string model, dataset;
+  Source model;
+  std::string dataset;
   std::vector<std::string> without;  // effects to be left out of the catalogue
   std::uint64_t seed = 1;
 };

@@ -100,7 +100,7 @@ IdentifiedModel identified(machine::MachineModel machine, std::vector<measure::R
 
 }  // namespace
 
-IdentifiedModel identify_model(const std::string& model, const std::string& dataset,
+IdentifiedModel identify_model(const Source& model, const std::string& dataset,
                                const identify::IdentifyOptions& options) {
   machine::MachineModel machine = machine::read_model(model);
   measure::Dataset measured = measure::read_dataset(dataset);
@@ -119,7 +119,8 @@ IdentifiedModel calibrate_model(CalibrateJob job) {
   }
   if (!job.poses.empty()) {
     tracked = {measure::read_tracked_poses(job.poses), job.frame_known};
-    files.push_back({job.poses, fnv1a(tracked->table.text), tracked->table.poses.size(), MeasuredFile::Kind::poses});
+    files.push_back(
+        {job.poses.name(), fnv1a(tracked->table.text), tracked->table.poses.size(), MeasuredFile::Kind::poses});
   }
   job.options.stages = identify::Stages::geometry;
   IdentifiedModel model = identified(std::move(machine), std::move(dataset.runs), std::move(files), job.options,

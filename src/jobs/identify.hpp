@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/files/source.hpp"
 #include "diagnose/objection.hpp"
 #include "identify/identify.hpp"
 #include "identify/model_text.hpp"
@@ -48,14 +49,14 @@ struct IdentifiedModel {
 
 /// Reads both and identifies. Refuses what the readers of models and datasets, physics::ForceModel and
 /// identify::identify refuse.
-IdentifiedModel identify_model(const std::string& model, const std::string& dataset,
+IdentifiedModel identify_model(const Source& model, const std::string& dataset,
                                const identify::IdentifyOptions& options);
 
 /// What a calibration is made from.
 struct CalibrateJob {
-  std::string model;
+  Source model;
   std::string dataset;  // circular tests; empty: none
-  std::string poses;    // a tracker's table; empty: none
+  Source poses;         // a tracker's table; empty: none
   identify::IdentifyOptions options;
   bool frame_known = false;  // the tracker measures in the machine's frame W
   bool controller = false;   // new joints for the controller, not what it has wrong

@@ -8,11 +8,11 @@
 
 namespace plumbline::jobs {
 
-std::vector<PoseRow> read_poses(const std::string& path) {
+std::vector<PoseRow> read_poses(const Source& source) {
   static const std::vector<NumberColumn> columns{{"x_mm", "mm"},   {"y_mm", "mm"},   {"z_mm", "mm"},
                                                  {"a_deg", "deg"}, {"b_deg", "deg"}, {"c_deg", "deg"}};
   const NumberTable table =
-      read_number_table(input_name(path), read_text(path), columns, "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg");
+      read_number_table(source.name(), read_text(source), columns, "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg");
   if (table.rows.empty()) {
     refuse("csv-no-rows", "the table has no rows", "write a pose a line below the names of the columns", table.header);
   }

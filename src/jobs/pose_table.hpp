@@ -6,6 +6,7 @@
 
 #include "base/axes.hpp"
 #include "base/diagnostic.hpp"
+#include "base/files/source.hpp"
 
 namespace plumbline::jobs {
 
@@ -16,6 +17,6 @@ struct PoseRow {
 
 /// Reads the columns x_mm,y_mm,z_mm,a_deg,b_deg,c_deg, found by the names of the first line; others are left out.
 /// Refuses with csv-header, csv-columns, csv-number or csv-no-rows and the place.
-std::vector<PoseRow> read_poses(const std::string& path);
+std::vector<PoseRow> read_poses(const Source& source);
 
 }  // namespace plumbline::jobs

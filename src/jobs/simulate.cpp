@@ -88,7 +88,7 @@ class Player {
 
 }  // namespace
 
-SimulationSummary simulate_program(const std::string& program, const settings::Options& options,
+SimulationSummary simulate_program(const Source& program, const settings::Options& options,
                                    const std::function<void(const SimulatedPoint&)>& take, const Progress& progress,
                                    ProgramPicture* picture) {
   const machine::MachineModel model = machine::read_model(options.paths.model);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/axes.hpp"
+#include "base/files/source.hpp"
 #include "base/progress.hpp"
 #include "compensate/recorded/drawn_path.hpp"
 #include "machine/geometry.hpp"
@@ -44,7 +45,7 @@ struct ProgramPicture {
 
 /// Hands over every point of the path at the step settings, in order. The program is taken as it stands, no limits.
 /// Refuses what compensate::MoveReader refuses, and simulate-unreachable.
-SimulationSummary simulate_program(const std::string& program, const settings::Options& options,
+SimulationSummary simulate_program(const Source& program, const settings::Options& options,
                                    const std::function<void(const SimulatedPoint&)>& take,
                                    const Progress& progress = {}, ProgramPicture* picture = nullptr);
 

@@ -5,8 +5,7 @@
 
 namespace plumbline::jobs {
 
-DatasetSimulationSummary simulate_dataset(const std::string& model, const std::string& dataset,
-                                          const std::string& folder) {
+DatasetSimulationSummary simulate_dataset(const Source& model, const std::string& dataset, const std::string& folder) {
   const machine::MachineModel machine = machine::read_model(model);
   const physics::ForceModel forces(machine);
   const measure::Dataset simulated = measure::simulated(machine, forces, measure::read_dataset(dataset));

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "base/files/source.hpp"
+
 namespace plumbline::jobs {
 
 struct DatasetSimulationSummary {
@@ -13,7 +15,6 @@ struct DatasetSimulationSummary {
 
 /// Writes the dataset into a folder, its measured columns simulated: without noise, ideal set-up. Refuses what the
 /// readers of models and datasets, physics::ForceModel, measure::simulate_run and measure::write_dataset refuse.
-DatasetSimulationSummary simulate_dataset(const std::string& model, const std::string& dataset,
-                                          const std::string& folder);
+DatasetSimulationSummary simulate_dataset(const Source& model, const std::string& dataset, const std::string& folder);
 
 }  // namespace plumbline::jobs

@@ -7,7 +7,7 @@
 
 namespace plumbline::jobs {
 
-void trace_file(const std::string& program, const settings::Options& options,
+void trace_file(const Source& program, const settings::Options& options,
                 const std::function<void(const nc::Motion&)>& take, const Progress& progress) {
   OpenedProgram source = open_program(options, program);
   nc::Program steps(source.file, source.dialect, std::move(source.settings));

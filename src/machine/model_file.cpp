@@ -85,6 +85,6 @@ MachineModel parse_model(std::string text, std::string file) {
   return model;
 }
 
-MachineModel read_model(const std::string& path) { return parse_model(read_text(path), input_name(path)); }
+MachineModel read_model(const Source& source) { return parse_model(read_text(source), source.name()); }
 
 }  // namespace plumbline::machine

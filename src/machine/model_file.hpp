@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/files/source.hpp"
 #include "machine/model.hpp"
 
 namespace plumbline::machine {
@@ -13,6 +14,6 @@ namespace plumbline::machine {
 MachineModel parse_model(std::string text, std::string file);
 
 /// The same of a file. Refuses as read_text does, too.
-MachineModel read_model(const std::string& path);
+MachineModel read_model(const Source& source);
 
 }  // namespace plumbline::machine

@@ -52,10 +52,10 @@ TrackedPose pose_of(const NumberTable::Row& row, const NumberTable& table) {
 
 }  // namespace
 
-TrackedPoses read_tracked_poses(const std::string& path, const TrackerTableOptions& options) {
+TrackedPoses read_tracked_poses(const Source& source, const TrackerTableOptions& options) {
   TrackedPoses tracked;
-  tracked.file = input_name(path);
-  tracked.text = read_text(path);
+  tracked.file = source.name();
+  tracked.text = read_text(source);
   const NumberTable table =
       read_number_table(tracked.file, tracked.text, columns(), kHeader.substr(0, kHeader.find(",measured_a")));
   const auto angles = std::count(table.has.begin() + kMeasuredTilt, table.has.begin() + kPayloadColumn, true);

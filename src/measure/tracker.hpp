@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/files/source.hpp"
 #include "base/pose.hpp"
 #include "machine/orientation.hpp"
 
@@ -38,6 +39,6 @@ struct TrackerTableOptions {
 /// Reads the columns x_mm,y_mm,z_mm,a_deg,b_deg,c_deg (commanded) and measured_x_mm,measured_y_mm,measured_z_mm; where
 /// they are there measured_a_deg,measured_b_deg,measured_c_deg and payload_kg. Refuses with csv-header, csv-columns,
 /// csv-number, tracker-tilt-part (some of the measured angles, not all) or tracker-too-few.
-TrackedPoses read_tracked_poses(const std::string& path, const TrackerTableOptions& options = {});
+TrackedPoses read_tracked_poses(const Source& source, const TrackerTableOptions& options = {});
 
 }  // namespace plumbline::measure

@@ -240,7 +240,7 @@ constexpr std::array kRows{
               "G59.1 to G59.3, G54.1P1, G15H1, G505; repeatable",
               OptionGroup::program, true, false, set_work_offset},
     OptionRow{"tools", "FILE", "tool table: length and diameter in mm, mass in kg", OptionGroup::program, false, true,
-              [](Options& o, Text t) { o.paths.tools = t; }},
+              [](Options& o, Text t) { o.paths.tools = std::string(t); }},
     OptionRow{"tool-in-spindle", "N", "number of the tool that is in the spindle at the start", OptionGroup::program,
               false, false,
               [](Options& o, Text t) {
@@ -252,7 +252,7 @@ constexpr std::array kRows{
               OptionGroup::program, false, false, set_start},
     OptionRow{"variables", "FILE",
               "variables of the control, a line #NUMBER VALUE or NUMBER VALUE for each (a .var file); lengths in mm",
-              OptionGroup::program, false, true, [](Options& o, Text t) { o.paths.variables = t; }},
+              OptionGroup::program, false, true, [](Options& o, Text t) { o.paths.variables = std::string(t); }},
     OptionRow{"pass", "M428,...", "M codes of the machine's builder that go through as they stand; repeatable",
               OptionGroup::program, true, false, [](Options& o, Text t) { add_m_codes(o.program.passed_m_codes, t); }},
     OptionRow{"keeps-position", "M6,...", "M codes after which the axes stand where they stood; repeatable",
@@ -266,7 +266,7 @@ constexpr std::array kRows{
                     whole_number_in(t, 1, 2'000'000'000, "a number of lines, 1 to 2000000000"));
               }},
     OptionRow{"model", "MODEL", "the machine's model file", OptionGroup::model, false, true,
-              [](Options& o, Text t) { o.paths.model = t; }},
+              [](Options& o, Text t) { o.paths.model = std::string(t); }},
     OptionRow{"step-angle", "DEG", "largest angle of a piece: of arc, or of the turn of the tool (default 0.1 deg)",
               OptionGroup::step, false, false,
               [](Options& o, Text t) {

@@ -13,17 +13,18 @@
 #include <utility>
 #include <vector>
 
+#include "base/files/source.hpp"
 #include "compensate/settings.hpp"
 #include "nc/control/state/program_settings.hpp"
 #include "nc/rewrite/output/emit_settings.hpp"
 
 namespace plumbline::settings {
 
-/// Files that the options name; empty: none.
+/// What the options name to be read; empty: none.
 struct Paths {
-  std::string model;
-  std::string tools;
-  std::string variables;
+  Source model;
+  Source tools;
+  Source variables;
   std::vector<std::string> settings_files;  // that options come from, the one that counts most first
 };
 

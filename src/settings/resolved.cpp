@@ -122,11 +122,13 @@ std::vector<std::string> settings_files(const std::string& program, const std::s
 }
 
 ResolvedSettings resolve_settings(const SettingsRequest& request) {
+  return resolve_settings(
+      request, request.without_files ? std::vector<std::string>() : settings_files(request.program, request.file));
+}
+
+ResolvedSettings resolve_settings(const SettingsRequest& request, const std::vector<std::string>& paths) {
   std::vector<SettingsFile> files;
-  if (!request.without_files) {
-    for (const std::string& path : settings_files(request.program, request.file))
-      files.push_back(read_settings_file(path));
-  }
+  for (const std::string& path : paths) files.push_back(read_settings_file(path));
   ResolvedSettings resolved;
   resolved.machines = machines_in(files);
   const auto [machine, place] = machine_of(request, files);

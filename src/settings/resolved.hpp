@@ -38,5 +38,7 @@ std::vector<std::string> settings_files(const std::string& program, const std::s
 /// offsets count one by one. Refuses as read_settings_file does, with settings-no-machine if no file describes the
 /// machine, and with settings-value if an option of the command line is none (never: they were read before).
 ResolvedSettings resolve_settings(const SettingsRequest& request);
+/// The same with these files and no others, the one that counts most first.
+ResolvedSettings resolve_settings(const SettingsRequest& request, const std::vector<std::string>& paths);
 
 }  // namespace plumbline::settings

@@ -73,9 +73,9 @@ constexpr std::size_t kSystemsOfVariables = 9;  // G54 to G59.3, of which other 
 
 }  // namespace
 
-std::map<int, double> read_variables(const std::string& path) {
-  const std::string text = read_text(path);
-  VariablesReader reader(input_name(path), text);
+std::map<int, double> read_variables(const Source& source) {
+  const std::string text = read_text(source);
+  VariablesReader reader(source.name(), text);
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     reader.take_line(begin, end);

@@ -93,6 +93,28 @@ TEST_CASE("quoted includes name their module") {
   }
 }
 
+TEST_CASE("the public interface is seen by api alone, and stands on the standard library") {
+  const std::regex include(R"re(^\s*#\s*include\s*[<"](.*/.*)[>"])re");
+  int seen = 0;
+  for (const fs::path& folder : {kSource, kSource.parent_path() / "include"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      const bool is_public = folder != kSource;
+      if (!entry.is_regular_file() || (!is_public && !is_code(entry.path()))) continue;
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);) {
+        std::smatch match;
+        if (!std::regex_search(line, match, include)) continue;
+        const bool of_interface = match[1].str().starts_with("plumbline/");
+        const fs::path module = *fs::relative(entry.path(), folder).begin();
+        INFO(entry.path() << ": " << line);
+        CHECK((is_public ? of_interface : !of_interface || module == "api"));
+        seen += of_interface ? 1 : 0;
+      }
+    }
+  }
+  CHECK(seen >= 4);
+}
+
 TEST_CASE("every folder of src is a layer, and has a README that a newcomer can read") {
   const Layers layers = read_layers();
   for (const auto& entry : fs::directory_iterator(kSource)) {

@@ -22,7 +22,7 @@ def main():
     scripts = shell_scripts()
     assert len(scripts) >= 5, scripts
     failed = [s for s in scripts if subprocess.run(["bash", "-n", s]).returncode != 0]
-    sources = files("src", "tests", suffixes={".cpp", ".hpp"})
+    sources = files("src", "include", "bindings", "tests", suffixes={".c", ".h", ".cpp", ".hpp"})
     assert len(sources) >= 10, sources
     if CLANG_FORMAT is None:
         print("this test is skipped: clang-format is not installed (scripts/setup --dev)")

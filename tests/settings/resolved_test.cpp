@@ -129,7 +129,7 @@ TEST_CASE("a machine may be described here and offset there") {
   SettingsRequest request = shop.request();
   request.given = {given("work-offset", "G56=0,0,4,0,0,0")};
   const ResolvedSettings found = settings::resolve_settings(request);
-  CHECK(found.options.paths.model == shop.scratch.path("own/plumbline/hex-3.toml"));
+  CHECK(found.options.paths.model.path() == shop.scratch.path("own/plumbline/hex-3.toml"));
   const auto z = [&](std::size_t system) { return found.options.program.work_offsets[system]->origin[Axis::Z]; };
   CHECK(z(0) == 3);
   CHECK(z(1) == 2);

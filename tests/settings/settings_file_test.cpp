@@ -39,8 +39,8 @@ G54 = [0, 0, -1008, 0, 0, 0.5]
 "G59.3" = "1,2,3,4,5,6"
 )");
   const Options options = options_of(path);
-  CHECK(options.paths.model == scratch.path("machine.toml"));
-  CHECK(options.paths.tools == "/tools.toml");
+  CHECK(options.paths.model.path() == scratch.path("machine.toml"));
+  CHECK(options.paths.tools.path() == "/tools.toml");
   CHECK(options.compensation.step.length_mm == 0.5);
   CHECK(options.emit.time_tolerance == 0.002);
   CHECK_FALSE(options.compensation.friction);

@@ -25,12 +25,15 @@ constexpr std::uint64_t kLargestText = 1'000'000'000;
 
 }  // namespace
 
-InputFile::InputFile(const std::string& path) : name_(path) {
-  if (path == kStandardStream) {
-    name_ = "<stdin>";
+InputFile::InputFile(const Source& source) : name_(source.name()), text_(source.text()) {
+  if (text_) {
+    size_ = text_->size();
+    return;
+  }
+  if (source.is_standard_input()) {
     spool(STDIN_FILENO);
   } else {
-    open(path);
+    open(source.path());
   }
   state_ = state_of(descriptor_.number());
   size_ = state_.size;
@@ -74,6 +77,7 @@ void InputFile::spool(int from) {
 }
 
 std::size_t InputFile::read(std::uint64_t offset, char* into, std::size_t count) const {
+  if (text_) return offset < text_->size() ? text_->copy(into, count, offset) : 0;
   std::size_t got = 0;
   while (got < count) {
     const ssize_t n = pread(descriptor_.number(), into + got, count - got, static_cast<off_t>(offset + got));
@@ -90,11 +94,11 @@ std::size_t InputFile::read(std::uint64_t offset, char* into, std::size_t count)
 
 bool InputFile::is_same_as(const std::string& path) const {
   struct stat other {};
-  return ::stat(path.c_str(), &other) == 0 && state_.device == other.st_dev && state_.number == other.st_ino;
+  return !text_ && ::stat(path.c_str(), &other) == 0 && state_.device == other.st_dev && state_.number == other.st_ino;
 }
 
 void InputFile::check_unchanged() const {
-  if (is_spooled_) return;
+  if (is_spooled_ || text_) return;
   if (state_of(descriptor_.number()) != state_ || !is_same_as(name_)) refuse_changed();
 }
 
@@ -103,8 +107,9 @@ void InputFile::refuse_changed() const {
               "wait until whatever writes it is done, and try again");
 }
 
-std::string read_text(const std::string& path) {
-  const InputFile file(path);
+std::string read_text(const Source& source) {
+  if (source.is_held()) return *source.text();
+  const InputFile file(source);
   if (file.size() > kLargestText) {
     refuse_file("file-too-large", file.name(),
                 fmt::format("is {:.3g} GB large", static_cast<double>(file.size()) / 1e9),

@@ -3,23 +3,20 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "base/files/descriptor.hpp"
+#include "base/files/source.hpp"
 
 namespace plumbline {
 
-/// The name by which standard input and output are asked for on the command line.
-inline constexpr std::string_view kStandardStream = "-";
-
-/// A file open for reading at any offset. Standard input ("-"), a pipe or a device is copied to an unnamed temporary
-/// file first.
-/// Refuses with file-missing, file-is-folder or file-unreadable.
+/// A file, or a text in memory, open for reading at any offset. Standard input ("-"), a pipe or a device is copied to
+/// an unnamed temporary file first. Refuses with file-missing, file-is-folder or file-unreadable.
 class InputFile {
  public:
-  explicit InputFile(const std::string& path);
+  explicit InputFile(const Source& source);
   virtual ~InputFile() = default;
   InputFile(InputFile&&) = default;
   InputFile& operator=(InputFile&&) = default;
@@ -58,6 +55,7 @@ class InputFile {
   [[noreturn]] void refuse_changed() const;
 
   std::string name_;
+  std::shared_ptr<const std::string> text_;  // null: a file
   Descriptor descriptor_;
   std::uint64_t size_ = 0;
   State state_;
@@ -65,6 +63,6 @@ class InputFile {
 };
 
 /// The whole of a small file (models, tables). Refuses as InputFile does, and with file-too-large beyond a gigabyte.
-std::string read_text(const std::string& path);
+std::string read_text(const Source& source);
 
 }  // namespace plumbline

@@ -17,9 +17,17 @@ namespace {
 
 constexpr unsigned kUsualMode = 0666;  // what the umask lets through of it
 
+OutputTarget taken_target(const std::string& name) {
+  OutputTarget target;
+  target.kind = OutputTarget::Kind::taker;
+  target.path = name;
+  return target;
+}
+
 }  // namespace
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(output_target(path_)) {
+OutputFile::OutputFile(Destination to)
+    : path_(to.name()), take_(to.taker()), target_(take_ ? taken_target(path_) : output_target(path_)) {
   if (target_.kind != OutputTarget::Kind::file) {
     descriptor_ = open_unnamed_temporary();
     return;
@@ -94,6 +102,7 @@ void OutputFile::finish() {
 
 // What was spooled goes to an open file, or into the device or pipe that the path names.
 void OutputFile::send() {
+  if (take_) return hand_over();
   Descriptor named;
   if (target_.kind == OutputTarget::Kind::device) {
     named = Descriptor(::open(target_.path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
@@ -102,6 +111,18 @@ void OutputFile::send() {
   const int stream = named.is_open() ? named.number() : target_.descriptor;
   const bool copied = lseek(descriptor_.number(), 0, SEEK_SET) == 0 && copy_all(descriptor_.number(), stream);
   if (!copied || !named.close()) refuse_write(errno);
+  descriptor_.close();
+}
+
+void OutputFile::hand_over() {
+  std::vector<char> chunk(kBuffered);
+  for (std::uint64_t at = 0;;) {
+    const std::size_t got = read(at, chunk.data(), chunk.size());
+    if (got == 0 && at > 0) break;
+    take_({chunk.data(), got});  // once at least: the output may be empty
+    if (got == 0) break;
+    at += got;
+  }
   descriptor_.close();
 }
 

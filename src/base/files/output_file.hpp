@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/files/descriptor.hpp"
+#include "base/files/destination.hpp"
 #include "base/files/output_target.hpp"
 #include "base/files/temporary_file.hpp"
 #include "base/text/hash.hpp"
@@ -16,12 +17,12 @@ namespace plumbline {
 
 /// A file being written: a temporary one beside the place where it will appear, which takes its name at commit().
 /// Without commit() nothing is left behind. A link stays one: the file that it leads to is made or replaced, with its
-/// permissions and owner kept. "-", an open file (/dev/stdout), a device or a pipe gets its bytes at commit() and is
-/// never replaced. Several that belong together are an OutputSet. Refuses as output_target does, and with
-/// file-unwritable.
+/// permissions and owner kept. "-", an open file (/dev/stdout), a device, a pipe or who takes the bytes gets them at
+/// commit() and is never replaced. Several that belong together are an OutputSet. Refuses as output_target does, and
+/// with file-unwritable.
 class OutputFile {
  public:
-  explicit OutputFile(std::string path);
+  explicit OutputFile(Destination to);
   OutputFile(OutputFile&&) = delete;
   OutputFile& operator=(OutputFile&&) = delete;
   OutputFile(const OutputFile&) = delete;
@@ -38,6 +39,8 @@ class OutputFile {
   void keep_hash() { hash_ = fnv1a({}); }
   std::uint64_t hash() const { return hash_ ? fnv1a(buffer_, *hash_) : 0; }
   const std::string& name() const { return path_; }
+  /// A file of this name appears: it is neither an open file nor somebody who takes the bytes.
+  bool is_file() const { return target_.kind == OutputTarget::Kind::file; }
   /// Writes what was written so far into another, too.
   void copy_to(OutputFile& other);
   /// Forgets all that was written.
@@ -55,8 +58,10 @@ class OutputFile {
   static constexpr std::size_t kBuffered = std::size_t{1} << 18U;
   void finish();
   void send();
+  void hand_over();
   [[noreturn]] void refuse_write(int error, std::string_view also = {}) const;
   std::string path_;
+  Destination::Taker take_;  // empty: nobody
   OutputTarget target_;
   std::optional<PassingName> temporary_;  // of a file yet to appear
   Descriptor descriptor_;

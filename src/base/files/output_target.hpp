@@ -11,6 +11,7 @@ struct OutputTarget {
     file,        // a new file appears at `path`
     descriptor,  // an open file of this process: standard output, /dev/stdout, /dev/fd/3
     device,      // a pipe or a device at `path`
+    taker,       // somebody who is handed the bytes; `path` is what messages call him
   };
   struct Replaced {
     unsigned mode = 0;

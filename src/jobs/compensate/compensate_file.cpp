@@ -19,12 +19,19 @@ namespace plumbline::jobs {
 namespace {
 
 // Which files are called shows only when the program has run.
-void refuse_overwriting_subprogram(const compensate::Summary& summary, const std::string& output) {
+void refuse_overwriting_subprogram(const compensate::Summary& summary, const Destination& output) {
+  if (output.is_taken()) return;
   for (const compensate::Summary::InlinedFile& file : summary.inlined_files) {
-    if (!InputFile(file.name).is_same_as(output)) continue;
+    if (!InputFile(file.name).is_same_as(output.name())) continue;
     refuse("file-overwrites-input", fmt::format("the output would overwrite the subprogram {}", file.name),
-           "name another file for the output", Place{.file = output});
+           "name another file for the output", Place{.file = output.name()});
   }
+}
+
+std::optional<Destination> undo_destination(const Destination& output, const Destination& undo,
+                                            const settings::Options& options) {
+  if (!options.undo) return std::nullopt;
+  return undo.empty() ? Destination(undo_name(output.name())) : undo;
 }
 
 std::vector<std::string> names_of(const std::vector<ReportFile>& reports) {
@@ -78,9 +85,9 @@ compensate::Settings compensation_settings(const machine::ControlSettings& contr
   return compensation;
 }
 
-compensate::Summary compensate_file(const std::string& program, const std::string& output,
-                                    const settings::Options& options, const Progress& progress,
-                                    const std::vector<ReportFile>& reports) {
+compensate::Summary compensate_file(const Source& program, const Destination& output, const settings::Options& options,
+                                    const Progress& progress, const std::vector<ReportFile>& reports,
+                                    const Destination& undo) {
   const machine::MachineModel model = machine::read_model(options.paths.model);
   const OpenedProgram opened = open_program(options, program, model);
   const auto& [source, dialect, settings] = opened;
@@ -94,7 +101,7 @@ compensate::Summary compensate_file(const std::string& program, const std::strin
   }
   const compensate::Settings compensation = compensation_settings(model.control, options);
 
-  CompensatedFiles files(output, options.undo, names_of(reports));
+  CompensatedFiles files(output, undo_destination(output, undo, options), names_of(reports));
   compensate::Stream stream(source, survey, settings, model, compensation, std::move(emit), files.program());
   if (nc::UndoLog* const log = files.undo_log()) stream.record(*log);
   std::optional<compensate::PathRecord> record;

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "base/diagnostic.hpp"
+#include "base/files/destination.hpp"
+#include "base/files/source.hpp"
 #include "base/progress.hpp"
 #include "compensate/program_survey.hpp"
 #include "compensate/recorded/drawn_path.hpp"
@@ -39,11 +41,12 @@ compensate::Settings compensation_settings(const machine::ControlSettings& contr
 nc::EmitSettings emit_settings(const machine::ControlSettings& control, const nc::Dialect& dialect,
                                const settings::Options& options);
 
-/// Compensates `program` into `output` ("-": standard input and output) as `options` say, which name the model.
-/// Nothing is written unless all of it succeeds. Refuses what the readers, the interpreter and the compensation refuse.
-compensate::Summary compensate_file(const std::string& program, const std::string& output,
-                                    const settings::Options& options, const Progress& progress = {},
-                                    const std::vector<ReportFile>& reports = {});
+/// Compensates `program` into `output` ("-": standard input and output) as `options` say, which name the model; what
+/// the output replaced, where they ask for it, into `undo` (empty: beside the output). Nothing is written unless all of
+/// it succeeds. Refuses what the readers, the interpreter and the compensation refuse.
+compensate::Summary compensate_file(const Source& program, const Destination& output, const settings::Options& options,
+                                    const Progress& progress = {}, const std::vector<ReportFile>& reports = {},
+                                    const Destination& undo = {});
 
 /// What compensate_file would refuse, if anything; nothing is written. Its guard and its read-back are left out.
 std::optional<Diagnostic> refusal_of_writing(const OpenedProgram& opened, const compensate::ProgramSurvey& survey,

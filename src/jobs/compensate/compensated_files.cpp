@@ -9,17 +9,18 @@ namespace plumbline::jobs {
 
 std::string undo_name(const std::string& output) { return output + ".undo"; }
 
-CompensatedFiles::CompensatedFiles(const std::string& output, bool with_undo, const std::vector<std::string>& reports)
+CompensatedFiles::CompensatedFiles(const Destination& output, const std::optional<Destination>& undo,
+                                   const std::vector<std::string>& reports)
     : program_(output) {
-  if (with_undo || !reports.empty()) program_.keep_hash();
-  if (with_undo) undo_.emplace(undo_name(output));
+  if (undo || !reports.empty()) program_.keep_hash();
+  if (undo) undo_.emplace(*undo);
   for (const std::string& report : reports) reports_.emplace_back(report);
 }
 
-std::pair<InputFile, InputFile> open_pair(const std::string& program, const std::string& undo) {
+std::pair<InputFile, InputFile> open_pair(const Source& program, const Source& undo) {
   std::optional<FolderLock> lock;
-  if (program != kStandardStream) {
-    const std::string folder = std::filesystem::path(program).parent_path().string();
+  if (!program.is_held() && !program.is_standard_input()) {
+    const std::string folder = std::filesystem::path(program.path()).parent_path().string();
     lock.emplace(folder.empty() ? "." : folder, FolderLock::Kind::shared);
   }
   InputFile first(program);
@@ -54,9 +55,11 @@ void CompensatedFiles::commit(const InputFile& original, const std::vector<std::
     undo_->log.finish(original, program_.size(), program_.hash());
     together.insert(together.end(), {&undo_->file, &program_});
     set.lock(together);
-    both.emplace(undo_->file.name());
-    undo_->file.copy_to(*both);
-    replaces_pair = join_old_undo(*both);
+    if (program_.is_file()) {
+      both.emplace(undo_->file.name());
+      undo_->file.copy_to(*both);
+      replaces_pair = join_old_undo(*both);
+    }
     set.add(replaces_pair ? *both : undo_->file);
   }
   set.add(program_);

@@ -14,8 +14,10 @@ namespace plumbline::jobs {
 
 class CompensatedFiles {
  public:
-  /// Opens all of them, so that one that cannot be written shows before the work. `reports`: the files that tell of it.
-  CompensatedFiles(const std::string& output, bool with_undo, const std::vector<std::string>& reports);
+  /// Opens all of them, so that one that cannot be written shows before the work. `undo`: none, or where it goes, which
+  /// is undo_name() of the output if that is a file. `reports`: the files that tell of it.
+  CompensatedFiles(const Destination& output, const std::optional<Destination>& undo,
+                   const std::vector<std::string>& reports);
 
   OutputFile& program() { return program_; }
   /// Null: none is wanted.
@@ -27,7 +29,7 @@ class CompensatedFiles {
 
  private:
   struct Undo {
-    explicit Undo(const std::string& name) : file(name), log(file) {}
+    explicit Undo(const Destination& to) : file(to), log(file) {}
     OutputFile file;
     nc::UndoLog log;
   };
@@ -42,6 +44,6 @@ class CompensatedFiles {
 std::string undo_name(const std::string& output);
 
 /// A program and its undo file, opened while nobody replaces them. Refuses as InputFile does.
-std::pair<InputFile, InputFile> open_pair(const std::string& program, const std::string& undo);
+std::pair<InputFile, InputFile> open_pair(const Source& program, const Source& undo);
 
 }  // namespace plumbline::jobs

@@ -128,7 +128,7 @@ std::vector<std::string> stamp(const settings::Options& options, const nc::Progr
   if (options.compensation.touch_off) add("touch-off at" + words(*options.compensation.touch_off));
   if (!options.machine.empty()) add("machine " + options.machine);
   for (const std::string& file : options.paths.settings_files) add("settings file " + file);
-  if (!options.paths.variables.empty()) add("variables file " + options.paths.variables);
+  if (!options.paths.variables.empty()) add("variables file " + options.paths.variables.name());
   if (const std::string start = start_line(program); !start.empty()) add(start);
   for (std::size_t i = 0; i < program.work_offsets.size(); ++i) {
     const auto& offset = program.work_offsets[i];

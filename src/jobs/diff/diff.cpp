@@ -16,8 +16,8 @@ bool DiffSummary::equal_within(double tolerance_mm, double tolerance_deg) const 
   return equal;
 }
 
-DiffSummary diff_files(const std::string& a, const std::string& b, const settings::Options& options,
-                       const Progress& progress, compensate::DrawnPath* picture) {
+DiffSummary diff_files(const Source& a, const Source& b, const settings::Options& options, const Progress& progress,
+                       compensate::DrawnPath* picture) {
   const OpenedProgram first = open_program(options, a);  // what both leave open cancels
   const InputFile file_b(b);
   refuse_unless_program_text(file_b);

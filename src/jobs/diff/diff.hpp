@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/axes.hpp"
+#include "base/files/source.hpp"
 #include "base/progress.hpp"
 #include "compensate/recorded/drawn_path.hpp"
 #include "compensate/summary.hpp"
@@ -61,7 +62,7 @@ struct DiffSummary {
 /// lead to its end, moved by what the end before it was moved. What nobody gave (offsets, tools, start) is zero for
 /// both. Memory does not grow with the length of the programs. Refuses what nc::Program refuses.
 /// `picture`: A's path and where B's points are instead, without a machine; null: none is wanted.
-DiffSummary diff_files(const std::string& a, const std::string& b, const settings::Options& options,
+DiffSummary diff_files(const Source& a, const Source& b, const settings::Options& options,
                        const Progress& progress = {}, compensate::DrawnPath* picture = nullptr);
 
 }  // namespace plumbline::jobs

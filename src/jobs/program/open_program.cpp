@@ -9,24 +9,23 @@
 namespace plumbline::jobs {
 namespace {
 
-OpenedProgram opened(const settings::Options& options, const std::string& path, nc::ProgramSettings settings) {
-  InputFile file(path);
+OpenedProgram opened(const settings::Options& options, const Source& source, nc::ProgramSettings settings) {
+  InputFile file(source);
   const nc::Dialect& dialect = dialect_of(options, file);
   return {std::move(file), dialect, std::move(settings)};
 }
 
 }  // namespace
 
-OpenedProgram open_program(const settings::Options& options, const std::string& path) {
+OpenedProgram open_program(const settings::Options& options, const Source& source) {
   nc::ProgramSettings settings = settings::program_settings(options);
   if (!options.paths.model.empty()) settings.rotation_order = machine::read_model(options.paths.model).rotation.axes;
   settings.as_with_empty_tables = true;
-  return opened(options, path, std::move(settings));
+  return opened(options, source, std::move(settings));
 }
 
-OpenedProgram open_program(const settings::Options& options, const std::string& path,
-                           const machine::MachineModel& model) {
-  return opened(options, path, settings::program_settings(options, model));
+OpenedProgram open_program(const settings::Options& options, const Source& source, const machine::MachineModel& model) {
+  return opened(options, source, settings::program_settings(options, model));
 }
 
 }  // namespace plumbline::jobs

@@ -16,12 +16,11 @@ struct OpenedProgram {
   nc::ProgramSettings settings;
 };
 
-/// Opens `path` ("-": standard input), reads the tables that the options name, and takes the dialect that they say or
+/// Opens `source` ("-": standard input), reads the tables that the options name, and takes the dialect that they say or
 /// that the text shows. What nobody gave (offsets, tools, start) is zero; A, B and C turn in the order of the model
 /// that the options name, else as ZYX. Refuses as InputFile, the readers of tables and models, and dialect_of do.
-OpenedProgram open_program(const settings::Options& options, const std::string& path);
+OpenedProgram open_program(const settings::Options& options, const Source& source);
 /// The same for the machine of a model; what nobody gave stays open, so that the interpreter asks for it.
-OpenedProgram open_program(const settings::Options& options, const std::string& path,
-                           const machine::MachineModel& model);
+OpenedProgram open_program(const settings::Options& options, const Source& source, const machine::MachineModel& model);
 
 }  // namespace plumbline::jobs

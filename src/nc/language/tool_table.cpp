@@ -172,10 +172,10 @@ bool is_tool_number(std::string_view name) {
   return !name.empty() && name.size() <= kDigitsOfNumber && std::all_of(name.begin(), name.end(), is_digit);
 }
 
-ToolTable read_tool_table(const std::string& path) {
-  std::string text = read_text(path);
-  if (is_linuxcnc_tool_table(text)) return ToolTable(read_linuxcnc_tool_table(text, input_name(path)));
-  const TomlDocument document = parse_toml(std::move(text), input_name(path));
+ToolTable read_tool_table(const Source& source) {
+  std::string text = read_text(source);
+  if (is_linuxcnc_tool_table(text)) return ToolTable(read_linuxcnc_tool_table(text, source.name()));
+  const TomlDocument document = parse_toml(std::move(text), source.name());
   return ToolTable(ToolReader(document).read());
 }
 

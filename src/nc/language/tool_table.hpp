@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/files/source.hpp"
+
 namespace plumbline::nc {
 
 struct Tool {
@@ -35,6 +37,6 @@ class ToolTable {
 
 /// Reads a tool table (`plumbline = "tools 1"`, [[tool]] rows), or LinuxCNC's own. Refuses with tools-... and the
 /// place.
-ToolTable read_tool_table(const std::string& path);
+ToolTable read_tool_table(const Source& source);
 
 }  // namespace plumbline::nc

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/text/number_text.hpp"
 #include "base/units.hpp"
@@ -23,6 +24,8 @@ constexpr std::string_view kErrorColumns =
 
 }  // namespace
 
+std::string_view error_columns() { return kErrorColumns.substr(0, kErrorColumns.size() - 1); }
+
 ErrorTable::ErrorTable(OutputFile& output) : output_(output) { output_.write(kErrorColumns); }
 
 void ErrorTable::add(const jobs::PoseError& error) {
@@ -38,6 +41,12 @@ void ErrorTable::add(const jobs::PoseError& error) {
   append_columns(row_, error.error.tail<3>(), kUrad, 8);
   row_ += '\n';
   output_.write(row_);
+}
+
+std::string error_json(const jobs::ErrorTableSummary& summary) {
+  const nlohmann::ordered_json json{
+      {"plumbline", "error 1"}, {"poses", summary.poses}, {"largest_um", summary.largest_um}};
+  return json.dump(2) + "\n";
 }
 
 std::string error_text(const jobs::ErrorTableSummary& summary) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "base/files/files.hpp"
 #include "jobs/error_table.hpp"
@@ -21,6 +22,11 @@ class ErrorTable {
   std::string row_;
 };
 
+/// The names of these columns, between commas.
+std::string_view error_columns();
+
+/// `"plumbline": "error 1"`
+std::string error_json(const jobs::ErrorTableSummary& summary);
 /// "12 poses, the tip up to 41.203 um off"
 std::string error_text(const jobs::ErrorTableSummary& summary);
 

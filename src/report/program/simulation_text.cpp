@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/text/number_text.hpp"
 #include "base/units.hpp"
@@ -31,6 +32,8 @@ std::string_view simulated_name(nc::MotionKind kind) {
 }
 
 }  // namespace
+
+std::string_view simulation_columns() { return kSimulationColumns.substr(0, kSimulationColumns.size() - 1); }
 
 SimulationTable::SimulationTable(OutputFile& output) : output_(output) { output_.write(kSimulationColumns); }
 
@@ -62,6 +65,17 @@ std::string simulation_text(const jobs::SimulationSummary& summary) {
                         count_text(summary.passed_moves, "move"));
   }
   return text;
+}
+
+std::string simulation_json(const jobs::SimulationSummary& summary) {
+  const nlohmann::ordered_json json{{"plumbline", "simulation 1"},
+                                    {"points", summary.points},
+                                    {"passed_moves", summary.passed_moves},
+                                    {"largest_um", summary.largest_um},
+                                    {"largest_line", summary.largest_line},
+                                    {"rms_um", summary.rms_um},
+                                    {"seconds", summary.seconds}};
+  return json.dump(2) + "\n";
 }
 
 std::string dataset_simulation_text(const jobs::DatasetSimulationSummary& summary) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "base/files/files.hpp"
 #include "jobs/simulate.hpp"
@@ -22,8 +23,13 @@ class SimulationTable {
   std::string row_;
 };
 
+/// The names of these columns, between commas.
+std::string_view simulation_columns();
+
 /// How many points, how long the program takes, how far the tip is off.
 std::string simulation_text(const jobs::SimulationSummary& summary);
+/// `"plumbline": "simulation 1"`
+std::string simulation_json(const jobs::SimulationSummary& summary);
 /// "26 runs, 3,120 samples"
 std::string dataset_simulation_text(const jobs::DatasetSimulationSummary& summary);
 

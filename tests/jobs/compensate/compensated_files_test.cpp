@@ -14,7 +14,7 @@ constexpr const char* kOriginal = "G0 X1\nG1 X2 F100\nM2\n";
 void write_corrected(const testing::Scratch& scratch, const std::string& x,
                      const std::vector<std::string>& reports = {}) {
   const InputFile original(scratch.file("p.ngc", kOriginal));
-  jobs::CompensatedFiles files(scratch / "out.ngc", true, reports);
+  jobs::CompensatedFiles files(scratch / "out.ngc", jobs::undo_name(scratch / "out.ngc"), reports);
   files.program().write("G0 X1\nG1 ");
   files.undo_log()->replaced(9, x.size(), "X2");
   files.program().write(x + " F100\nM2\n");
@@ -44,13 +44,13 @@ TEST_CASE("without --undo and --json the program appears alone, and only at the 
   const testing::Scratch scratch;
   const InputFile original(scratch.file("p.ngc", kOriginal));
   {
-    jobs::CompensatedFiles files(scratch / "out.ngc", false, {});
+    jobs::CompensatedFiles files(scratch / "out.ngc", std::nullopt, {});
     CHECK(files.undo_log() == nullptr);
     files.program().write("G0 X1\n");
     CHECK_FALSE(scratch.has("out.ngc"));
   }
   CHECK_FALSE(scratch.has("out.ngc"));
-  jobs::CompensatedFiles files(scratch / "out.ngc", false, {});
+  jobs::CompensatedFiles files(scratch / "out.ngc", std::nullopt, {});
   files.program().write("G0 X1\n");
   files.commit(original, {});
   CHECK(scratch.text("out.ngc") == "G0 X1\n");
@@ -79,14 +79,14 @@ TEST_CASE("nothing appears where the program was written to meanwhile, or a file
   const testing::Scratch scratch;
   const InputFile original(scratch.file("p.ngc", kOriginal));
   {
-    jobs::CompensatedFiles files(scratch / "out.ngc", true, {scratch / "sum.json"});
+    jobs::CompensatedFiles files(scratch / "out.ngc", jobs::undo_name(scratch / "out.ngc"), {scratch / "sum.json"});
     files.program().write("G0 X1\n");
     scratch.file("p.ngc", "G0 X5\n");
     CHECK(testing::refusal_of([&] { files.commit(original, {"{}\n"}); }).code == "file-changed");
   }
   for (const char* const name : {"out.ngc", "out.ngc.undo", "sum.json"}) CHECK_FALSE(scratch.has(name));
   CHECK(testing::refusal_of([&] {
-          jobs::CompensatedFiles(scratch / "out.ngc", false, {scratch / "none/sum.json"});
+          jobs::CompensatedFiles(scratch / "out.ngc", std::nullopt, {scratch / "none/sum.json"});
         }).code == "file-unwritable");
   CHECK(testing::refusal_of([&] { jobs::open_pair(scratch / "p.ngc", scratch / "none.undo"); }).code == "file-missing");
 }

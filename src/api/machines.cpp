@@ -1,0 +1,145 @@
+// What is said of a machine: at poses, along a program; and what codes mean.
+#include <plumbline/plumbline.hpp>
+
+#include "api/files_of_call.hpp"
+#include "api/given_options.hpp"
+#include "api/guarded.hpp"
+#include "api/inside.hpp"
+#include "base/units.hpp"
+#include "base/version.hpp"
+#include "jobs/error_table.hpp"
+#include "jobs/simulate.hpp"
+#include "report/explain.hpp"
+#include "report/program/error_text.hpp"
+#include "report/program/simulation_text.hpp"
+
+namespace plumbline::api {
+namespace {
+
+using Group = settings::OptionGroup;
+
+std::vector<std::string> names_between_commas(std::string_view text) {
+  std::vector<std::string> names;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    names.emplace_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return names;
+}
+
+template <class Numbers>
+void append(std::vector<double>& row, const Numbers& numbers, double unit) {
+  for (const double number : numbers) row.push_back(number / unit);
+}
+
+double number_of(nc::MotionKind kind) {
+  return kind == nc::MotionKind::rapid ? 0 : kind == nc::MotionKind::arc ? 2 : 1;
+}
+
+void add_row(Table& table, const jobs::SimulatedPoint& point) {
+  std::vector<double>& row = table.values;
+  append(row, std::array{static_cast<double>(point.line), number_of(point.motion), point.time_s}, 1);
+  for (const Axis axis : kAllAxes) row.push_back(point.pose[axis]);
+  append(row, point.error.head<3>(), kUm);
+  append(row, point.error.tail<3>(), kUrad);
+  append(row, point.lengths, kMm);
+  append(row, point.nut_tension, 1);
+  append(row, point.torque, 1);
+}
+
+void add_row(Table& table, const jobs::PoseError& error) {
+  std::vector<double>& row = table.values;
+  for (const Axis axis : kAllAxes) row.push_back(error.pose[axis]);
+  append(row, error.lengths, kMm);
+  append(row, error.nut_tension, 1);
+  append(row, error.stretch, kUm);
+  append(row, error.error.head<3>(), kUm);
+  append(row, error.error.tail<3>(), kUrad);
+}
+
+std::vector<jobs::PoseRow> rows_of(const std::vector<Pose>& poses) {
+  std::vector<jobs::PoseRow> rows;
+  rows.reserve(poses.size());
+  for (const Pose& pose : poses) {
+    const AxisWords words{{pose.x_mm, pose.y_mm, pose.z_mm, pose.a_deg, pose.b_deg, pose.c_deg}};
+    rows.push_back({words, plumbline::Place{.file = "<poses>", .line = rows.size() + 1, .column = 1}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+inline namespace v1 {
+
+std::string version() { return std::string(plumbline::version()); }
+
+Result simulate(const Input& program, const Model& model, const Options& options, const Output& output,
+                const Progress& progress) {
+  return guarded([&] {
+    const GivenOptions given(options, {Group::program, Group::step});
+    const settings::Options how = given.machine_options(model);
+    const Destination to = Inside::destination(output);
+    refuse_shared_files(files_read(program, how), files_written({to}));
+    OutputFile out(to);
+    report::SimulationTable table(out);
+    const jobs::SimulationSummary summary = jobs::simulate_program(
+        Inside::source(program), how, [&](const jobs::SimulatedPoint& point) { table.add(point); }, progress);
+    out.commit();
+    Inside::Found found;
+    found.json = report::simulation_json(summary);
+    found.words = report::simulation_text(summary);
+    return Inside::result(std::move(found));
+  });
+}
+
+Table simulate(const Input& program, const Model& model, const Options& options, const Progress& progress) {
+  return guarded([&] {
+    const GivenOptions given(options, {Group::program, Group::step});
+    Table table{names_between_commas(report::simulation_columns()), {}};
+    jobs::simulate_program(
+        Inside::source(program), given.machine_options(model),
+        [&](const jobs::SimulatedPoint& point) { add_row(table, point); }, progress);
+    return table;
+  });
+}
+
+Result error(const Input& poses, const Model& model, const Output& output) {
+  return guarded([&] {
+    const machine::MachineModel& machine = Inside::machine_of(model).machine;
+    const Source source = Inside::source(poses);
+    const Destination to = Inside::destination(output);
+    refuse_shared_files(file_names({source}), files_written({to}));
+    const std::vector<jobs::PoseRow> rows = jobs::read_poses(source);
+    OutputFile out(to);
+    report::ErrorTable table(out);
+    const jobs::ErrorTableSummary summary =
+        jobs::error_table(machine, rows, [&](const jobs::PoseError& error) { table.add(error); });
+    out.commit();
+    Inside::Found found;
+    found.json = report::error_json(summary);
+    found.words = report::error_text(summary);
+    return Inside::result(std::move(found));
+  });
+}
+
+Table error(const std::vector<Pose>& poses, const Model& model) {
+  return guarded([&] {
+    Table table{names_between_commas(report::error_columns()), {}};
+    table.values.reserve(poses.size() * table.columns.size());
+    jobs::error_table(Inside::machine_of(model).machine, rows_of(poses),
+                      [&](const jobs::PoseError& error) { add_row(table, error); });
+    return table;
+  });
+}
+
+std::string explain(std::string_view code) {
+  return guarded([&] { return report::explain_text(code); });
+}
+
+std::string explain() {
+  return guarded([] { return report::explain_list(); });
+}
+
+}  // namespace v1
+}  // namespace plumbline::api
