@@ -63,6 +63,27 @@ PLUMBLINE_API Result error(const Input& poses, const Model& model, const Output&
 /// The same as numbers: the columns of the CSV.
 PLUMBLINE_API Table error(const std::vector<Pose>& poses, const Model& model);
 
+/// Learns the model's parameters from circular tests: `dataset` is the path of a dataset.toml. Options: "stages",
+/// "free", "force". model() of the result is refused where something speaks against it, as the command refuses to write
+/// it.
+PLUMBLINE_API Result identify(const Model& model, const std::string& dataset, const Options& options = {});
+
+/// Finds where the joints are and how long the struts: from circular tests, a tracker's poses (option "poses", which
+/// need be no file), or both; `dataset` may be empty. Other options: "frame-known", "geometry-alone", "free",
+/// "joint-sigma", "offset-sigma", "controller", "force".
+PLUMBLINE_API Result calibrate(const Model& model, const std::string& dataset, const Options& options = {});
+
+/// Finds which effect a model misses. Options: "without", "seed".
+PLUMBLINE_API Result diagnose(const Model& model, const std::string& dataset, const Options& options = {});
+
+/// A model against measurements. Option: "max-radial-um", above which found() is true.
+PLUMBLINE_API Result compare(const Model& model, const std::string& dataset, const Options& options = {});
+
+/// The model file of a machine from what is stated of it. Options: "name", "provenance", "rotation", "ini", "hal",
+/// "home", "base-radius", "base-angles", "base-height", "base-joints", the same of "platform", and keys of the model
+/// file as "strut.length_min_mm". What nobody states is assumed, and the model says so.
+PLUMBLINE_API Result new_model(const Options& options);
+
 /// What the code of a diagnostic means and what to do.
 PLUMBLINE_API std::string explain(std::string_view code);
 /// Every code and what it means in a sentence, a line each.

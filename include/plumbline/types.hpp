@@ -125,7 +125,7 @@ class Options {
     given_.push_back({std::move(name), std::move(value), nullptr});
     return *this;
   }
-  /// "tools" and "variables" need be no files.
+  /// "tools", "variables" and "poses" need be no files.
   Options& set(std::string name, Input input) {
     given_.push_back({std::move(name), {}, std::make_shared<const Input>(std::move(input))});
     return *this;

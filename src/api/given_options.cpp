@@ -16,7 +16,7 @@ constexpr std::string_view kSettings = "settings";
 constexpr std::string_view kMachine = "machine";
 constexpr std::string_view kTools = "tools";
 
-bool may_be_held(std::string_view name) { return name == kTools || name == "variables"; }
+bool may_be_held(std::string_view name) { return name == kTools || name == "variables" || name == "poses"; }
 
 }  // namespace
 
@@ -64,7 +64,7 @@ settings::Options GivenOptions::program_options(const Model& model) const {
   if (const std::optional<std::string> file = text(kSettings)) files.push_back(*file);
   settings::Options options = settings::resolve_settings(request, files).options;
   for (const Options::Given& given : given_) {
-    if (!given.input) continue;
+    if (!given.input || settings::find_option(given.name) == nullptr) continue;
     (given.name == kTools ? options.paths.tools : options.paths.variables) = Inside::source(*given.input);
   }
   if (model.is_given()) options.paths.model = Inside::source(model);
@@ -80,6 +80,14 @@ settings::Options GivenOptions::machine_options(const Model& model) const {
 std::optional<std::string> GivenOptions::text(std::string_view name) const {
   const auto last = std::find_if(given_.rbegin(), given_.rend(), [&](const auto& given) { return given.name == name; });
   return last == given_.rend() ? std::nullopt : std::optional(last->value);
+}
+
+Source GivenOptions::source(std::string_view name) const {
+  Source source;
+  for (const Options::Given& given : given_) {
+    if (given.name == name) source = given.input ? Inside::source(*given.input) : Source(given.value);
+  }
+  return source;
 }
 
 bool GivenOptions::is_on(std::string_view name) const {

@@ -28,6 +28,8 @@ class GivenOptions {
 
   /// Options of its own: what was given last. Throw wrong_usage at what is no value.
   std::optional<std::string> text(std::string_view name) const;
+  /// Empty: not given.
+  Source source(std::string_view name) const;
   bool is_on(std::string_view name) const;
   std::optional<double> number(std::string_view name) const;
   std::optional<double> positive(std::string_view name) const;

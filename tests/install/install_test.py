@@ -31,6 +31,7 @@ class Place:
 
     def __init__(self, given, folder):
         self.cmake, self.compiler, self.prefix, self.folder = given.cmake, given.compiler, given.prefix, Path(folder)
+        self.c_compiler = shutil.which("gcc") or shutil.which("cc")
         self.library = next(path.parent for path in given.prefix.rglob("libplumbline.a"))
         self.model = shutil.copy(ROOT / "models/pm600-like.toml", self.folder)
         self.program = shutil.copy(HERE / "outside/part.ngc", self.folder)
@@ -117,10 +118,27 @@ def pkg_config_static(place):
     place.check(program)
 
 
+def c_shared(place):
+    program = place.folder / "outside"
+    flags = place.pkg_config("plumbline", "--cflags", "--libs")
+    place.run(place.c_compiler, "-std=c99", "-pedantic", *FLAGS, place.project("c") / "main.c", "-o", program, *flags)
+    assert "libplumbline.so.1" in place.loads(program)
+    place.check(program, shared=True)
+
+
+def c_cmake(place):
+    """A project in C alone names no C++."""
+    for kind in ("static", "shared"):
+        shutil.rmtree(place.folder / "c", ignore_errors=True)
+        program = place.built("c", f"-DCMAKE_C_COMPILER={place.c_compiler}", f"-DKIND={kind}")
+        assert ("libplumbline.so.1" in place.loads(program)) == (kind == "shared")
+        place.check(program)
+
+
 def documented(place):
     """The examples of docs/library.md."""
     page = (ROOT / "docs/library.md").read_text()
-    blocks = dict(re.findall(r"^```(cmake|cpp)\n(.*?)^```$", page, re.MULTILINE | re.DOTALL))
+    blocks = dict(re.findall(r"^```(cmake|cpp|c)\n(.*?)^```$", page, re.MULTILINE | re.DOTALL))
     project = place.folder / "documented"
     project.mkdir()
     (project / "CMakeLists.txt").write_text(blocks["cmake"])
@@ -134,6 +152,13 @@ def documented(place):
                               check=True).stderr
     assert re.search(r"at most 13\.1\d+ um are left", said), said
     assert (place.folder / "documented.ngc").read_bytes() == (place.folder / "command.ngc").read_bytes()
+    (place.folder / "straighten.c").write_text(blocks["c"])
+    program = place.folder / "straighten"
+    flags = place.pkg_config("plumbline", "--cflags", "--libs")
+    place.run(place.c_compiler, "-std=c99", "-pedantic", *FLAGS, "straighten.c", "-o", program, *flags)
+    place.run(command, "compensate", place.program, "-m", place.model, "--work-offset", OFFSET, "-o", "command.ngc")
+    said = place.run(program, place.model, place.program, shared=True)
+    assert said == (place.folder / "command.ngc").read_text()
 
 
 def exports(place):
@@ -144,12 +169,16 @@ def exports(place):
     interface = re.compile(r"plumbline_\w+|PLUMBLINE_1|_Z(N|NK|TIN|TSN|TVN)9plumbline3api2v1\w+")
     foreign = [symbol for symbol in symbols if not interface.fullmatch(symbol)]
     assert not foreign, foreign
-    assert sum("compensate" in symbol for symbol in symbols) >= 1, symbols
+    assert sum("compensate" in symbol for symbol in symbols) >= 2, symbols
+    header = (place.prefix / "include/plumbline/plumbline.h").read_text()
+    declared = set(re.findall(r"PLUMBLINE_API [^;(]*?(plumbline_\w+)\(", header))
+    shown = {symbol for symbol in symbols if symbol.startswith("plumbline_")}
+    assert declared == shown and len(declared) > 25, declared ^ shown
     assert re.search(r"\(SONAME\).*\[libplumbline\.so\.1\]", run("readelf", "-d", library))
 
 
 PROJECTS = {"cmake static": cmake_static, "cmake shared": cmake_shared, "pkg-config shared": pkg_config_shared,
-            "pkg-config static": pkg_config_static, "documented": documented, "exports": exports}
+            "pkg-config static": pkg_config_static, "c": c_shared, "c cmake": c_cmake, "documented": documented, "exports": exports}
 
 
 def main():
