@@ -162,6 +162,14 @@ class Learning(unittest.TestCase):
                 plumbline.diagnose(MODEL, folder / "none.toml")
             self.assertEqual(caught.exception.code, "file-missing")
 
+    def test_a_diagnosis_is_the_one_of_the_command(self):
+        blind = ROOT / "tests/blind/open-08"
+        found = plumbline.diagnose(blind / "base.toml", blind / "data/dataset.toml")
+        with tempfile.TemporaryDirectory() as name:
+            command("diagnose", "-m", blind / "base.toml", "-d", blind / "data/dataset.toml", "-o", name, "-q")
+            self.assertEqual(found.summary, json.loads((Path(name) / "diagnosis.json").read_text()))
+            self.assertEqual(found.model, (Path(name) / "model.toml").read_text())
+
     def test_new_model_says_what_it_assumes(self):
         made = plumbline.new_model(name="shop", base_radius=600, base_angles=(0, 30, 120, 150, 240, 270),
                                    platform_radius=200, platform_angles=(345, 45, 105, 165, 225, 285),
