@@ -26,13 +26,14 @@ struct CompensateArguments {
 std::vector<jobs::ReportFile> reports(const CompensateArguments& arguments, const settings::Options& options) {
   std::vector<jobs::ReportFile> files;
   if (!arguments.json.empty()) {
-    files.push_back(
-        {arguments.json, [&](const jobs::Compensation& of) { return report::summary_json(of.summary, options); }});
+    files.push_back({arguments.json, [&](const jobs::Compensation& of, OutputFile& file) {
+                       file.write(report::summary_json(of.summary, options));
+                     }});
   }
   if (!arguments.report.empty()) {
     files.push_back({arguments.report,
-                     [&](const jobs::Compensation& of) {
-                       return report::page_text(report::compensation_page(of, arguments.program, options));
+                     [&](const jobs::Compensation& of, OutputFile& file) {
+                       report::write_page(report::compensation_page(of, arguments.program, options), file);
                      },
                      true});
   }

@@ -1,6 +1,7 @@
 #include "compensate/loaded_machine.hpp"
 
 #include "machine/condition.hpp"
+#include "physics/strut_stretch.hpp"
 
 namespace plumbline::compensate {
 
@@ -26,11 +27,21 @@ physics::Motion<double> LoadedMachine::motion(const Target& target) const {
   return motion;
 }
 
-physics::StrutStretch<double> LoadedMachine::loads(const physics::Motion<double>& motion) const {
+// The stages of physics::strut_stretch_at as far as the nuts.
+LoadedMachine::Carried LoadedMachine::carried(const physics::Motion<double>& motion) const {
+  const double* const parameters = forces_.parameters.data();
   const machine::StrutGeometry<double> struts = machine::strut_geometry(geometry(), motion.pose);
   const physics::StrutRates<double> rates = physics::strut_rates(struts, motion, environment_);
-  return physics::strut_stretch_at(forces_, forces_.parameters.data(), environment_, motion, rates, motion.pose,
-                                   struts);
+  physics::Situation<double> at{forces_.machine, environment_, motion, rates, motion.pose, struts, {}};
+  at.conditions.gravity = forces_.machine.gravity;
+  physics::ask_conditions(forces_, parameters, at, at.conditions);
+  machine::StrutVectors<double> transverse = machine::StrutVectors<double>::Zero();
+  const physics::Wrench<double> wrench = physics::wrench_from_conditions(forces_, parameters, at, transverse);
+  machine::Vector6<double> load;
+  load << wrench.force, wrench.moment;
+  const machine::Lu6<double> lu(machine::jacobian(struts));
+  physics::nut_from_joint_tension<double>(forces_, parameters, at, lu.solve_transposed(load));
+  return {struts.length, at.nut_tension, lu.singular()};
 }
 
 double LoadedMachine::condition(const Pose<double>& pose) const {

@@ -22,8 +22,13 @@ class LoadedMachine {
                                   const physics::ErrorOptions& options = {}) const {
     return physics::tip_error(forces_, environment_, motion, options);
   }
+  struct Carried {
+    machine::PerStrut<double> lengths;      // m
+    machine::PerStrut<double> nut_tension;  // N; means nothing where it is singular
+    bool singular = false;
+  };
   /// The loads where the machine is sent to, and the struts as they are told there; its giving way left out.
-  physics::StrutStretch<double> loads(const physics::Motion<double>& motion) const;
+  Carried carried(const physics::Motion<double>& motion) const;
   /// Condition number of the Jacobian there.
   double condition(const Pose<double>& pose) const;
 

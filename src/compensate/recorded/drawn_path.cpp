@@ -26,7 +26,7 @@ DrawnPoint drawn(const LoadedMachine& machine, RecordedPoint recorded) {
   point.lengths = machine::strut_lengths(machine.geometry(), commanded.pose);
   point.condition = machine.condition(commanded.pose);
   point.stands = commanded.pose;
-  point.geometry = machine.geometry();
+  point.tip_z = machine.geometry().tool_tip_P.z();
   point.gives_way = !uncorrected.converged() || !played.converged();
   point.recorded = std::move(recorded);
   return point;

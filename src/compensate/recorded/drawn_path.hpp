@@ -19,7 +19,7 @@ struct DrawnPoint {
   machine::PerStrut<double> tension;     // of the nuts, N
   double condition = 0;                  // of the Jacobian
   Pose<double> stands;                   // as commanded, of the tip in W
-  machine::Geometry geometry;            // with the tool
+  double tip_z = 0;                      // of the tool in P, m
   bool gives_way = false;                // the model does not say where it stands
 };
 

@@ -51,9 +51,9 @@ PathRecord::Load PathRecord::load_at(const RecordedPoint& point) const {
   told.pose = point.commanded;
   // The loads are taken where the machine is sent to: a few hundred um away they are the same to a millionth.
   const physics::Motion<double> motion = machine_->motion(told);
-  const physics::StrutStretch<double> loads = machine_->loads(motion);
-  load.room = least_room(model_->limits, loads.struts.length);
-  if (loads.jacobian.singular()) return load;
+  const LoadedMachine::Carried loads = machine_->carried(motion);
+  load.room = least_room(model_->limits, loads.lengths);
+  if (loads.singular) return load;
   load.least_tension = loads.nut_tension.minCoeff();
   load.largest_tension = loads.nut_tension.maxCoeff();
   return load;

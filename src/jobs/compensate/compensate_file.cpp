@@ -46,18 +46,19 @@ std::string text_of(OutputFile& program, std::uint64_t begin, std::uint64_t end)
   return text;
 }
 
-std::vector<std::string> texts_of(const std::vector<ReportFile>& reports, const compensate::Summary& summary,
-                                  const machine::MachineModel& model, std::optional<compensate::PathRecord>& record,
-                                  const compensate::Settings& settings, OutputFile& program) {
+void write_reports(const std::vector<ReportFile>& reports, const compensate::Summary& summary,
+                   const machine::MachineModel& model, std::optional<compensate::PathRecord>& record,
+                   const compensate::Settings& settings, CompensatedFiles& files) {
   std::optional<compensate::DrawnPath> path;
   if (record) {
+    OutputFile& program = files.program();
     program.flush();
     path = compensate::drawn_path(*record, model, settings,
                                   [&](std::uint64_t begin, std::uint64_t end) { return text_of(program, begin, end); });
   }
-  std::vector<std::string> texts;
-  for (const ReportFile& report : reports) texts.push_back(report.text({summary, model, path ? &*path : nullptr}));
-  return texts;
+  for (auto file = files.reports().begin(); const ReportFile& report : reports) {
+    report.write({summary, model, path ? &*path : nullptr}, *file++);
+  }
 }
 
 }  // namespace
@@ -112,7 +113,8 @@ compensate::Summary compensate_file(const Source& program, const Destination& ou
   refuse_overwriting_subprogram(summary, output);
   summary.bytes_after = files.program().size();
   summary.hash_after = files.program().hash();
-  files.commit(source, texts_of(reports, summary, model, record, compensation, files.program()));
+  write_reports(reports, summary, model, record, compensation, files);
+  files.commit(source);
   return summary;
 }
 

@@ -30,7 +30,7 @@ struct Compensation {
 /// A file that tells of it, which appears together with the program.
 struct ReportFile {
   std::string path;
-  std::function<std::string(const Compensation&)> text;
+  std::function<void(const Compensation&, OutputFile&)> write;
   bool draws_path = false;
 };
 

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "base/check.hpp"
 #include "base/diagnostic.hpp"
 
 namespace plumbline::jobs {
@@ -40,14 +39,12 @@ bool CompensatedFiles::join_old_undo(OutputFile& both) const {
   }
 }
 
-void CompensatedFiles::commit(const InputFile& original, const std::vector<std::string>& texts) {
+void CompensatedFiles::commit(const InputFile& original) {
   OutputSet set;
   std::optional<OutputFile> both;
   bool replaces_pair = false;
-  PLUMBLINE_CHECK(texts.size() == reports_.size());
   std::vector<const OutputFile*> together;
-  for (auto text = texts.begin(); OutputFile & report : reports_) {
-    report.write(*text++);
+  for (OutputFile& report : reports_) {
     set.add(report);
     together.push_back(&report);
   }

@@ -22,10 +22,12 @@ class CompensatedFiles {
   OutputFile& program() { return program_; }
   /// Null: none is wanted.
   nc::UndoLog* undo_log() { return undo_ ? &undo_->log : nullptr; }
-  /// All appear, the reports with their texts first, the program last. At every moment, whatever becomes of this
+  /// In the order in which they were named; to be written before commit().
+  std::list<OutputFile>& reports() { return reports_; }
+  /// All appear, the reports first, the program last. At every moment, whatever becomes of this
   /// process, the undo file that stands beside the program serves it: between the two steps it serves the program that
   /// stood there before as well.
-  void commit(const InputFile& original, const std::vector<std::string>& texts);
+  void commit(const InputFile& original);
 
  private:
   struct Undo {

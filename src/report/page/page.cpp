@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string_view>
 
@@ -30,24 +31,71 @@ std::string_view name_of(Verdict verdict) {
   }
 }
 
-// The one character that could end the element which holds the data, or begin another one.
-std::string data_text(const Page& page) {
-  Json data{{"title", page.title},
-            {"lead", page.lead},
-            {"verdict", name_of(page.verdict)},
-            {"made_by", "Made by plumbline " + std::string(version()) + "."},
-            {"sections", page.sections}};
-  const std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string escaped;
-  escaped.reserve(text.size() + 1024);
-  for (const char c : text) {
-    if (c == '<') {
-      escaped += "\\u003c";
-    } else {
-      escaped += c;
-    }
+using Sink = std::function<void(std::string_view)>;
+
+// `<` is the one character that could end the element which holds the data, or begin another one.
+void write_escaped(std::string_view text, const Sink& sink) {
+  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<')) {
+    sink(text.substr(0, at));
+    sink("\\u003c");
+    text.remove_prefix(at + 1);
   }
-  return escaped + "\n";
+  sink(text);
+}
+
+void write_whole(const Json& json, const Sink& sink) {
+  write_escaped(json.dump(-1, ' ', false, Json::error_handler_t::replace), sink);
+}
+
+// The same text as of Json::dump, member by member.
+void write_json(const Json& json, const Sink& sink) {
+  const bool flat = std::none_of(json.begin(), json.end(), [](const Json& part) { return part.is_structured(); });
+  if (!json.is_structured() || flat) {
+    write_whole(json, sink);
+    return;
+  }
+  sink(json.is_object() ? "{" : "[");
+  std::string_view between;
+  for (const auto& [key, part] : json.items()) {
+    sink(between);
+    between = ",";
+    if (json.is_object()) {
+      write_whole(key, sink);
+      sink(":");
+    }
+    write_json(part, sink);
+  }
+  sink(json.is_object() ? "}" : "]");
+}
+
+void write_data(const Page& page, const Sink& sink) {
+  const Json head{{"title", page.title},
+                  {"lead", page.lead},
+                  {"verdict", name_of(page.verdict)},
+                  {"made_by", "Made by plumbline " + std::string(version()) + "."}};
+  sink("{");
+  for (const auto& [key, value] : head.items()) {
+    write_whole(key, sink);
+    sink(":");
+    write_whole(value, sink);
+    sink(",");
+  }
+  sink("\"sections\":[");
+  std::string_view between;
+  for (const Json& section : page.sections) {
+    sink(between);
+    between = ",";
+    write_json(section, sink);
+  }
+  sink("]}\n");
+}
+
+void write_parts(const Page& page, const Sink& sink) {
+  sink(embedded::page_begin);
+  write_data(page, sink);
+  sink(embedded::page_drawing);
+  if (page.has_scene) sink(embedded::page_space);
+  sink(embedded::page_end);
 }
 
 constexpr std::string_view kBase64 = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -67,15 +115,14 @@ std::string base64(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 std::string page_text(const Page& page) {
-  std::string text(embedded::page_begin);
-  text += data_text(page);
-  text += embedded::page_drawing;
-  if (page.has_scene) text += embedded::page_space;
-  text += embedded::page_end;
+  std::string text;
+  write_parts(page, [&](std::string_view part) { text += part; });
   return text;
 }
 
-void write_page(const Page& page, OutputFile& output) { output.write(page_text(page)); }
+void write_page(const Page& page, OutputFile& output) {
+  write_parts(page, [&](std::string_view part) { output.write(part); });
+}
 
 Json packed(std::span<const double> values, double quantum) {
   constexpr std::int32_t kMissing = std::numeric_limits<std::int32_t>::min();

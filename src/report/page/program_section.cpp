@@ -120,7 +120,7 @@ void add_stand(std::vector<Column>& columns) {
                        [i](const DrawnPoint& p) { return Eigen::Quaterniond(p.stands.R_WP).coeffs()[i]; }});
   }
   columns.push_back({"tip", "tip along the spindle", "mm", 3, 1e-4,
-                     [](const DrawnPoint& p) { return p.geometry.tool_tip_P.z() / kMm; }});
+                     [](const DrawnPoint& p) { return p.tip_z / kMm; }});
 }
 
 Json column_json(const Column& column, const DrawnPath& path) {

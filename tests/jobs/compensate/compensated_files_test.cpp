@@ -18,7 +18,8 @@ void write_corrected(const testing::Scratch& scratch, const std::string& x,
   files.program().write("G0 X1\nG1 ");
   files.undo_log()->replaced(9, x.size(), "X2");
   files.program().write(x + " F100\nM2\n");
-  files.commit(original, std::vector<std::string>(reports.size(), "{}\n"));
+  for (OutputFile& report : files.reports()) report.write("{}\n");
+  files.commit(original);
 }
 
 std::string restored(const testing::Scratch& scratch, const std::string& program) {
@@ -52,7 +53,7 @@ TEST_CASE("without --undo and --json the program appears alone, and only at the 
   CHECK_FALSE(scratch.has("out.ngc"));
   jobs::CompensatedFiles files(scratch / "out.ngc", std::nullopt, {});
   files.program().write("G0 X1\n");
-  files.commit(original, {});
+  files.commit(original);
   CHECK(scratch.text("out.ngc") == "G0 X1\n");
   CHECK_FALSE(scratch.has("out.ngc.undo"));
 }
@@ -81,8 +82,9 @@ TEST_CASE("nothing appears where the program was written to meanwhile, or a file
   {
     jobs::CompensatedFiles files(scratch / "out.ngc", jobs::undo_name(scratch / "out.ngc"), {scratch / "sum.json"});
     files.program().write("G0 X1\n");
+    files.reports().front().write("{}\n");
     scratch.file("p.ngc", "G0 X5\n");
-    CHECK(testing::refusal_of([&] { files.commit(original, {"{}\n"}); }).code == "file-changed");
+    CHECK(testing::refusal_of([&] { files.commit(original); }).code == "file-changed");
   }
   for (const char* const name : {"out.ngc", "out.ngc.undo", "sum.json"}) CHECK_FALSE(scratch.has(name));
   CHECK(testing::refusal_of([&] {
