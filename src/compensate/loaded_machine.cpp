@@ -44,6 +44,16 @@ LoadedMachine::Carried LoadedMachine::carried(const physics::Motion<double>& mot
   return {struts.length, at.nut_tension, lu.singular()};
 }
 
+void LoadedMachine::carry(exact::PoseBatch& batch) const {
+  exact::Setup setup;
+  setup.environment = environment_;
+  setup.rotation = model_.rotation;
+  setup.radius = radius_;
+  setup.time = time_s_;
+  setup.take_geometry(forces_, machine::home_pose(model_));
+  batch.carry(setup, exact::Friction::as_modelled);
+}
+
 double LoadedMachine::condition(const Pose<double>& pose) const {
   return machine::condition_number(machine::strut_geometry(geometry(), pose), radius_);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "compensate/corrector.hpp"
+#include "compensate/exact/pose_batch.hpp"
 #include "compensate/settings.hpp"
 #include "compensate/target.hpp"
 #include "machine/model.hpp"
@@ -29,6 +30,8 @@ class LoadedMachine {
   };
   /// The loads where the machine is sent to, and the struts as they are told there; its giving way left out.
   Carried carried(const physics::Motion<double>& motion) const;
+  /// The same of many poses together: `batch` then has them.
+  void carry(exact::PoseBatch& batch) const;
   /// Condition number of the Jacobian there.
   double condition(const Pose<double>& pose) const;
 

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-UNIT = re.compile(r"\b(?:correct|play)_(?:one_by_one|on_\w+)\(")
+UNIT = re.compile(r"\b(?:correct|play|carry)_(?:one_by_one|on_\w+)\(")
 
 
 def given_away(library):

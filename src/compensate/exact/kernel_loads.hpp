@@ -95,6 +95,7 @@ PLUMBLINE_INLINE Matrix3<T> turned(const Vector3<T>& w, const Matrix3<T>& R) {
 template <class T>
 struct Loads {
   machine::OrderedLu6<T> lu;  // of the Jacobian
+  machine::PerStrut<T> nut_tension;
   machine::PerStrut<T> stretch;
   machine::Vector6<T> tip;  // zero unless setup.has_tip
 };
@@ -112,8 +113,9 @@ PLUMBLINE_INLINE Loads<T> loads_at(const Setup& setup, const physics::Motion<T>&
   const physics::Wrench<T> wrench = physics::wrench_from_conditions(forces, parameters, at, transverse);
   machine::Vector6<T> load;
   load << wrench.force, wrench.moment;
-  Loads<T> loads{{machine::jacobian(struts), setup.rows}, {}, machine::Vector6<T>::Zero()};
+  Loads<T> loads{{machine::jacobian(struts), setup.rows}, {}, {}, machine::Vector6<T>::Zero()};
   physics::nut_from_joint_tension<T>(forces, parameters, at, loads.lu.solve_transposed(load));
+  loads.nut_tension = at.nut_tension;
   physics::drive_from_nut_tension(forces, parameters, at);
   loads.stretch = physics::stretch_from_drive_tension(forces, parameters, at);
   if (setup.has_tip) loads.tip = physics::tip_from_drive_tension(forces, parameters, at);

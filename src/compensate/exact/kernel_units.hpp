@@ -13,6 +13,10 @@ void play_one_by_one(const Setup& setup, Friction friction, const AskedBlock* as
 void correct_on_any(const Setup& setup, const AskedBlock* asked, AnsweredBlock* answered, std::size_t poses);
 void play_on_any(const Setup& setup, Friction friction, const AskedBlock* asked, PlayedBlock* played,
                  std::size_t poses);
+void carry_one_by_one(const Setup& setup, Friction friction, const AskedBlock* asked, CarriedBlock* carried,
+                      std::size_t poses);
+void carry_on_any(const Setup& setup, Friction friction, const AskedBlock* asked, CarriedBlock* carried,
+                  std::size_t poses);
 
 #ifdef PLUMBLINE_X86_64_UNITS
 void correct_on_x86_64_v3(const Setup& setup, const AskedBlock* asked, AnsweredBlock* answered, std::size_t poses);
@@ -21,6 +25,10 @@ void play_on_x86_64_v3(const Setup& setup, Friction friction, const AskedBlock* 
 void correct_on_x86_64_v4(const Setup& setup, const AskedBlock* asked, AnsweredBlock* answered, std::size_t poses);
 void play_on_x86_64_v4(const Setup& setup, Friction friction, const AskedBlock* asked, PlayedBlock* played,
                        std::size_t poses);
+void carry_on_x86_64_v3(const Setup& setup, Friction friction, const AskedBlock* asked, CarriedBlock* carried,
+                        std::size_t poses);
+void carry_on_x86_64_v4(const Setup& setup, Friction friction, const AskedBlock* asked, CarriedBlock* carried,
+                        std::size_t poses);
 
 /// Whether this processor has all that a unit may use.
 inline bool has_x86_64_v3() {

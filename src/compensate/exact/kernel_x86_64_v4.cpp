@@ -1,4 +1,5 @@
 // x86-64-v4: 8 doubles in a register of AVX-512.
+#include "compensate/exact/kernel_carry.hpp"
 #include "compensate/exact/kernel_correct.hpp"
 #include "compensate/exact/kernel_play.hpp"
 #include "compensate/exact/kernel_units.hpp"
@@ -17,6 +18,11 @@ void correct_on_x86_64_v4(const Setup& setup, const AskedBlock* asked, AnsweredB
 void play_on_x86_64_v4(const Setup& setup, Friction friction, const AskedBlock* asked, PlayedBlock* played,
                        std::size_t poses) {
   play_blocks<Lanes<X86V4, 8>>(setup, friction, asked, played, poses);
+}
+
+void carry_on_x86_64_v4(const Setup& setup, Friction friction, const AskedBlock* asked, CarriedBlock* carried,
+                        std::size_t poses) {
+  carry_blocks<Lanes<X86V4, 8>>(setup, friction, asked, carried, poses);
 }
 
 }  // namespace plumbline::compensate::exact

@@ -6,11 +6,11 @@ namespace plumbline::compensate::exact {
 namespace {
 
 std::vector<InstructionSet> sets_here() {
-  std::vector<InstructionSet> sets{{"one lane", 1, correct_one_by_one, play_one_by_one},
-                                   {"any processor", 2, correct_on_any, play_on_any}};
+  std::vector<InstructionSet> sets{{"one lane", 1, correct_one_by_one, play_one_by_one, carry_one_by_one},
+                                   {"any processor", 2, correct_on_any, play_on_any, carry_on_any}};
 #ifdef PLUMBLINE_X86_64_UNITS
-  if (has_x86_64_v3()) sets.push_back({"x86-64-v3", 4, correct_on_x86_64_v3, play_on_x86_64_v3});
-  if (has_x86_64_v4()) sets.push_back({"x86-64-v4", 8, correct_on_x86_64_v4, play_on_x86_64_v4});
+  if (has_x86_64_v3()) sets.push_back({"x86-64-v3", 4, correct_on_x86_64_v3, play_on_x86_64_v3, carry_on_x86_64_v3});
+  if (has_x86_64_v4()) sets.push_back({"x86-64-v4", 8, correct_on_x86_64_v4, play_on_x86_64_v4, carry_on_x86_64_v4});
 #endif
   return sets;
 }
@@ -75,6 +75,14 @@ void PoseBatch::play(const Setup& setup, Friction friction, const InstructionSet
   with.play(setup, friction, asked_.data(), played_.data(), count_);
 }
 
+void PoseBatch::carry(const Setup& setup, Friction friction) { carry(setup, friction, best_for(count_)); }
+
+void PoseBatch::carry(const Setup& setup, Friction friction, const InstructionSet& with) {
+  fill_lanes(with.lanes);
+  carried_.resize(asked_.size());
+  with.carry(setup, friction, asked_.data(), carried_.data(), count_);
+}
+
 AxisWords PoseBatch::commanded(std::size_t i) const {
   AxisWords words;
   for (std::size_t a = 0; a < kAxes; ++a) words.values[a] = answered_[i / kBlock].pose[a][i % kBlock];
@@ -94,5 +102,11 @@ Pose<double> PoseBatch::stands_at(std::size_t i) const {
 }
 
 machine::PerStrut<double> PoseBatch::speed(std::size_t i) const { return six_of(played_[i / kBlock].speed, i); }
+
+machine::PerStrut<double> PoseBatch::length(std::size_t i) const { return six_of(carried_[i / kBlock].length, i); }
+
+machine::PerStrut<double> PoseBatch::nut_tension(std::size_t i) const {
+  return six_of(carried_[i / kBlock].nut_tension, i);
+}
 
 }  // namespace plumbline::compensate::exact

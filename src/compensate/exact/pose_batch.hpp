@@ -18,6 +18,7 @@ struct InstructionSet {
   int lanes;
   void (*correct)(const Setup&, const AskedBlock*, AnsweredBlock*, std::size_t poses);
   void (*play)(const Setup&, Friction, const AskedBlock*, PlayedBlock*, std::size_t poses);
+  void (*carry)(const Setup&, Friction, const AskedBlock*, CarriedBlock*, std::size_t poses);
 };
 
 /// Those that this processor has: one lane alone first, the fastest last. All give the same bits.
@@ -38,6 +39,10 @@ class PoseBatch {
   void play(const Setup& setup, Friction friction);
   void play(const Setup& setup, Friction friction, const InstructionSet& with);
 
+  /// Finds what the struts carry where the machine is sent to, its giving way left out.
+  void carry(const Setup& setup, Friction friction);
+  void carry(const Setup& setup, Friction friction, const InstructionSet& with);
+
   // of the pose that was added as number i; hold after correct()
   AxisWords commanded(std::size_t i) const;
   machine::PerStrut<double> sign(std::size_t i) const;
@@ -46,6 +51,10 @@ class PoseBatch {
   bool stands(std::size_t i) const { return played_[i / kBlock].state[i % kBlock] != 0; }
   Pose<double> stands_at(std::size_t i) const;
   machine::PerStrut<double> speed(std::size_t i) const;
+  // the same; hold after carry(), where it carries() at all: else the packs cannot say
+  bool carries(std::size_t i) const { return carried_[i / kBlock].state[i % kBlock] != 0; }
+  machine::PerStrut<double> length(std::size_t i) const;       // m
+  machine::PerStrut<double> nut_tension(std::size_t i) const;  // N
 
  private:
   void fill_lanes(int lanes);
@@ -54,6 +63,7 @@ class PoseBatch {
   std::vector<AskedBlock> asked_;
   std::vector<AnsweredBlock> answered_;
   std::vector<PlayedBlock> played_;
+  std::vector<CarriedBlock> carried_;
 };
 
 }  // namespace plumbline::compensate::exact

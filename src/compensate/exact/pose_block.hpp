@@ -40,6 +40,13 @@ struct alignas(64) PlayedBlock {
   Row state;                  // kFound
 };
 
+/// What the struts carry where the machine is sent to, its giving way left out.
+struct alignas(64) CarriedBlock {
+  Rows6 length;       // m
+  Rows6 nut_tension;  // N
+  Row state;          // kFound
+};
+
 /// How fast friction turns where a strut turns around  [docs/physics.md, Friction].
 enum class Friction {
   smoothed,  // v0 grows with the feed, so that a correction turns smoothly

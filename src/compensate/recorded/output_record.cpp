@@ -111,7 +111,7 @@ void OutputRecord::take_begin(const Event& event, std::string_view text) {
   RecordedPoint begin = point(event, 0);
   begin.commanded = event.begin;
   begin.mm_s.reset();
-  record_.add(std::move(begin), [&] { return PathRecord::Texts{text, {}}; });
+  record_.add(std::move(begin), {text, {}});
 }
 
 // An arc is drawn in parts; its correction goes evenly from one end of a piece to the other.
@@ -129,7 +129,7 @@ void OutputRecord::take_move(const Event& event, std::span<const SentPiece> piec
       RecordedPoint at = point(event, i == parts ? to : from + share * (to - from));
       at.commanded = i == parts ? piece.end : at.asked.pose + between(before, after, share);
       if (event.seconds) at.piece_s = *event.seconds * (to - from);
-      record_.add(std::move(at), [&] { return PathRecord::Texts{text, {}}; });
+      record_.add(std::move(at), {text, {}});
     }
     from = to;
     begin = piece.end;

@@ -31,12 +31,15 @@ RecordedPoint recorded_point(const MovePath& path, WayKind kind, double fraction
 }
 
 void PathRecord::set_tool(const ToolInSpindle& tool, int number) {
+  settle();
   if (machine_) machine_->set_tool(tool);
   tool_ = tool;
   number_ = number;
 }
 
 void PathRecord::restart() {
+  waiting_.clear();
+  texts_.clear();
   points_.clear();
   if (machine_) machine_.emplace(*model_, *settings_);
   tool_.reset();
@@ -44,24 +47,56 @@ void PathRecord::restart() {
   gap_ = true;
 }
 
-PathRecord::Load PathRecord::load_at(const RecordedPoint& point) const {
+std::vector<RecordedPoint> PathRecord::take() {
+  settle();
+  return points_.take();
+}
+
+void PathRecord::add(RecordedPoint point, const Texts& texts) {
+  if (std::exchange(gap_, false)) point.kind = WayKind::gap;
+  const std::size_t begin = texts_.size();
+  texts_ += texts.before.substr(0, kMostText);
+  const std::size_t middle = texts_.size();
+  texts_ += texts.after.substr(0, kMostText);
+  waiting_.push_back({std::move(point), begin, middle, texts_.size()});
+  if (waiting_.size() == kWaiting) settle();
+}
+
+// The loads are taken where the machine is sent to: a few hundred um away they are the same to a millionth.
+void PathRecord::settle() {
+  if (waiting_.empty()) return;
+  if (machine_) {
+    batch_.clear();
+    for (const auto& [point, before, after, end] : waiting_) {
+      batch_.add(point.commanded, point.asked.slope, point.asked.bend, point.asked.seconds.value_or(-1));
+    }
+    machine_->carry(batch_);
+  }
+  for (std::size_t i = 0; i < waiting_.size(); ++i) keep(waiting_[i], load_of(i));
+  waiting_.clear();
+  texts_.clear();
+}
+
+PathRecord::Load PathRecord::load_of(std::size_t waiting) const {
   Load load;
   if (!machine_) return load;
-  Target told = point.asked;
-  told.pose = point.commanded;
-  // The loads are taken where the machine is sent to: a few hundred um away they are the same to a millionth.
-  const physics::Motion<double> motion = machine_->motion(told);
-  const LoadedMachine::Carried loads = machine_->carried(motion);
-  load.room = least_room(model_->limits, loads.lengths);
-  if (loads.singular) return load;
-  load.least_tension = loads.nut_tension.minCoeff();
-  load.largest_tension = loads.nut_tension.maxCoeff();
+  LoadedMachine::Carried carried;
+  if (const RecordedPoint& point = waiting_[waiting].point; batch_.carries(waiting) && !point.asked.sign) {
+    carried = {batch_.length(waiting), batch_.nut_tension(waiting)};
+  } else {
+    Target told = point.asked;
+    told.pose = point.commanded;
+    carried = machine_->carried(machine_->motion(told));
+  }
+  load.room = least_room(model_->limits, carried.lengths);
+  if (carried.singular) return load;
+  load.least_tension = carried.nut_tension.minCoeff();
+  load.largest_tension = carried.nut_tension.maxCoeff();
   return load;
 }
 
-void PathRecord::add(RecordedPoint point, const std::function<Texts()>& texts) {
-  if (std::exchange(gap_, false)) point.kind = WayKind::gap;
-  const Load load = load_at(point);
+void PathRecord::keep(Waiting& waiting, const Load& load) {
+  RecordedPoint& point = waiting.point;
   const AxisWords correction = point.commanded - point.asked.pose;
   const AxisWords& at = point.commanded;
   points_.add({at[Axis::X], at[Axis::Y], at[Axis::Z], at[Axis::A], at[Axis::B], at[Axis::C], length_mm(correction),
@@ -70,9 +105,8 @@ void PathRecord::add(RecordedPoint point, const std::function<Texts()>& texts) {
               [&] {
                 point.tool = number_;
                 point.in_spindle = tool_;
-                const Texts said = texts();
-                point.text = said.before.substr(0, kMostText);
-                point.after = said.after.substr(0, kMostText);
+                point.text = texts_.substr(waiting.before, waiting.after - waiting.before);
+                point.after = texts_.substr(waiting.after, waiting.end - waiting.after);
                 return std::move(point);
               });
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -69,30 +68,37 @@ class PathRecord {
 
   /// `number` of the tool; -1: not known.
   void set_tool(const ToolInSpindle& tool, int number);
-  /// The texts are asked for where the point is kept.
   struct Texts {
     std::string_view before, after;
   };
-  void add(RecordedPoint point, const std::function<Texts()>& texts);
+  void add(RecordedPoint point, const Texts& texts);
   /// Nobody knows how the machine comes to the next point.
   void leave() { gap_ = true; }
   bool has_left() const { return gap_; }
   void restart();
 
   bool has_machine() const { return machine_.has_value(); }
-  std::uint64_t count() const { return points_.count(); }
-  std::vector<RecordedPoint> take() { return points_.take(); }
+  std::uint64_t count() const { return points_.count() + waiting_.size(); }
+  std::vector<RecordedPoint> take();
 
  private:
   static constexpr std::size_t kStretches = 800;
   static constexpr std::size_t kFigures = 13;
+  static constexpr std::size_t kWaiting = 64;
 
   struct Load {                                              // at what the machine is told
     double room = std::numeric_limits<double>::quiet_NaN();  // of the strut that is nearest to a limit, m
     double least_tension = std::numeric_limits<double>::quiet_NaN();
     double largest_tension = std::numeric_limits<double>::quiet_NaN();
   };
-  Load load_at(const RecordedPoint& point) const;
+  // A point whose loads are yet to be computed, with others; its texts are parts of texts_.
+  struct Waiting {
+    RecordedPoint point;
+    std::size_t before = 0, after = 0, end = 0;
+  };
+  Load load_of(std::size_t waiting) const;
+  void keep(Waiting& waiting, const Load& load);
+  void settle();
 
   const machine::MachineModel* model_ = nullptr;
   const Settings* settings_ = nullptr;
@@ -100,6 +106,9 @@ class PathRecord {
   std::optional<ToolInSpindle> tool_;
   int number_ = -1;
   bool gap_ = true;
+  std::vector<Waiting> waiting_;
+  std::string texts_;
+  exact::PoseBatch batch_;  // of what waits
   Decimated<RecordedPoint, kFigures> points_;
 };
 

@@ -185,7 +185,7 @@ void Aligner::record(const DiffMove& move, std::size_t count) {
       if (*piece.seconds > 0) point.mm_s = piece.curve.linear_mm() / *piece.seconds;
     }
     point.time_s = recorded_s_;
-    record_->add(std::move(point), [&] { return compensate::PathRecord::Texts{move.text, piece.text}; });
+    record_->add(std::move(point), {move.text, piece.text});
   }
 }
 

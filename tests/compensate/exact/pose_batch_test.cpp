@@ -145,6 +145,9 @@ void check_same(const PoseBatch& a, std::size_t i, const PoseBatch& b, std::size
   REQUIRE(a.state(i) == b.state(k));
   REQUIRE(same_bits(a.sign(i), b.sign(k)));
   if ((a.state(i) & kFound) != 0) REQUIRE(same_bits(a.commanded(i), b.commanded(k)));
+  REQUIRE(a.carries(i) == b.carries(k));
+  if (a.carries(i)) REQUIRE(same_bits(a.nut_tension(i), b.nut_tension(k)));
+  if (a.carries(i)) REQUIRE(same_bits(a.length(i), b.length(k)));
   REQUIRE(a.stands(i) == b.stands(k));
   if (!a.stands(i)) return;
   const Pose<double> here = a.stands_at(i);
@@ -157,6 +160,7 @@ void check_same(const PoseBatch& a, std::size_t i, const PoseBatch& b, std::size
 void correct_and_play(PoseBatch& batch, const Machine& machine, const InstructionSet& with) {
   batch.correct(machine.setup, with);
   batch.play(machine.setup, Friction::as_modelled, with);
+  batch.carry(machine.setup, Friction::as_modelled, with);
 }
 
 void check_formula(const Machine& machine, std::size_t poses) {
@@ -203,6 +207,26 @@ void check_played(const Machine& machine, std::size_t poses) {
   }
 }
 
+// What the struts carry, against physics::strut_stretch.
+void check_carried(const Machine& machine, std::size_t poses) {
+  const std::vector<Asked> asked = drawn(machine, poses, 8);
+  PoseBatch batch = batch_of(asked);
+  batch.carry(machine.setup, Friction::as_modelled);
+  std::size_t unsure = 0;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    if (!batch.carries(i)) {
+      ++unsure;
+      continue;
+    }
+    double ignored = 0;
+    const physics::Motion<double> motion = motion_of(machine, asked[i], ignored);
+    const auto loads = physics::strut_stretch(machine.forces, machine.setup.environment, motion);
+    CHECK((batch.length(i) - loads.struts.length).cwiseAbs().maxCoeff() < 1e-12);
+    CHECK((batch.nut_tension(i) - loads.nut_tension).norm() < 1e-7 * (1 + loads.nut_tension.norm()));
+  }
+  CHECK(unsure <= poses / 50);
+}
+
 }  // namespace
 
 TEST_CASE("the correction in packs is the formula's, over the workspaces of three machines") {
@@ -220,6 +244,13 @@ TEST_CASE("played in packs the machine stands where the error says, over three w
   for (std::size_t effect = physics::kBaseEffects; effect < physics::kEffects; ++effect) {
     INFO(physics::effect_infos()[effect].name);
     check_played(Machine(pm600_like(), effect, 19 + static_cast<unsigned>(effect)), 64);
+  }
+}
+
+TEST_CASE("in packs the struts carry what the physics says, with every effect") {
+  for (std::size_t effect = physics::kBaseEffects; effect < physics::kEffects; ++effect) {
+    INFO(physics::effect_infos()[effect].name);
+    check_carried(Machine(pm600_like(), effect, 23 + static_cast<unsigned>(effect)), 64);
   }
 }
 
