@@ -71,6 +71,19 @@ void refuse_unless_in_place(const nc::Step& step, bool goes_on, const nc::Dialec
          "write each hole into a block of its own, with G90", place_of(step));
 }
 
+// A block of which each point was shifted alike, and the bytes that stand for it.
+void record_shifted(OutputRecord& record, MoveReader& reader, const nc::Step& step, const AxisWords& shift,
+                    std::uint64_t after_begin, std::uint64_t after_end) {
+  for (const nc::Motion& motion : step.motions) {
+    if (motion.kind == nc::MotionKind::dwell) continue;
+    if (reader.unknown(step, motion).none()) {
+      record.shifted(reader.move(step, motion), shift, after_begin, after_end);
+    } else {
+      record.leave();
+    }
+  }
+}
+
 }  // namespace
 
 Pipeline::Pipeline(const InputFile& source, const ProgramSurvey& survey, const nc::ProgramSettings& program,
@@ -233,6 +246,10 @@ void Pipeline::take_cycle(const nc::Step& step) {
   const bool point_by_point = step.nurbs == nc::NurbsBlock::end && steps_.unrolled();  // its points were left out
   if (!goes_on && !point_by_point && cycle_stays(step, moves)) {
     rewriter_.copy(step, true);
+    const std::uint64_t end = rewriter_.written_bytes();
+    for (const nc::Step* const move : moves) {
+      if (recorded_) record_shifted(*recorded_, reader_, *move, {}, end, end);
+    }
     return tally_.take_cycle(step);
   }
   if (step.nurbs == nc::NurbsBlock::end && !point_by_point) {
@@ -273,9 +290,11 @@ CorrectedHole Pipeline::corrected_hole(const nc::Step& step) {
 
 void Pipeline::take_hole(const nc::Step& step) {
   const CorrectedHole hole = corrected_hole(step);
-  if (recorded_) recorded_->leave();
   holes_.check(hole);
-  tally_.take_hole(hole, rewriter_.write_hole(step, hole.shift));
+  const AxisWords shift = hole.shift;
+  const std::uint64_t begin = rewriter_.written_bytes();
+  tally_.take_hole(hole, rewriter_.write_hole(step, shift));
+  if (recorded_) record_shifted(*recorded_, reader_, step, shift, begin, rewriter_.written_bytes());
   tally_.take_cycle(step);
 }
 

@@ -87,7 +87,7 @@ class Checker {
                                                                    fraction, move.seconds, begin_s_);
       point.commanded = corrected.commanded(i);
       if (move.seconds) point.piece_s = corrected.points[i].share * *move.seconds;
-      record_->add(std::move(point), {move.step->block->text, {}});
+      record_->add(std::move(point), {move.step->block->text, {}, move.step->block->file});
     }
     begin_s_ += move.seconds.value_or(0);
   }

@@ -60,25 +60,27 @@ std::vector<double> errors_of(const Identification& found) {
   return errors;
 }
 
-// The distance of each pose, m.
-std::vector<double> tracked_distances(const machine::MachineModel& machine, const physics::ForceModel& forces,
-                                      const identify::NoiseModel& noise, const identify::Tracked& tracked) {
+std::vector<TrackedResidual> tracked_residuals(const machine::MachineModel& machine, const physics::ForceModel& forces,
+                                               const identify::NoiseModel& noise, const identify::Tracked& tracked) {
   const std::vector<measure::Run> no_runs;
   identify::Objective objective(machine.rotation, no_runs, identify::Unknowns(forces), {}, &tracked);
   objective.set_noise(noise);
   const identify::RunEquations equations = objective.equations(Eigen::VectorXd(0)).back();
-  std::vector<double> distances;
-  for (std::size_t i = 0; i < tracked.table.poses.size(); ++i) {
-    distances.push_back(equations.residual.segment<3>(3 * static_cast<Eigen::Index>(i)).norm());
+  const auto count = static_cast<Eigen::Index>(tracked.table.poses.size());
+  std::vector<TrackedResidual> residuals;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    TrackedResidual& of = residuals.emplace_back();
+    of.shift = equations.residual.segment<3>(3 * i);
+    if (tracked.table.has_tilt()) of.turn = equations.residual.segment<3>(3 * (count + i));
   }
-  return distances;
+  return residuals;
 }
 
 std::vector<TrackedGap> tracked_gaps(const machine::MachineModel& machine, const Identification& found,
                                      const identify::Tracked& tracked) {
   const identify::NoiseModel& noise = found.stages.back().fit.noise;
-  const std::vector<double> before = tracked_distances(machine, physics::ForceModel(machine), noise, tracked);
-  const std::vector<double> after = tracked_distances(machine, found.forces, noise, tracked);
+  const std::vector<TrackedResidual> before = tracked_residuals(machine, physics::ForceModel(machine), noise, tracked);
+  const std::vector<TrackedResidual> after = tracked_residuals(machine, found.forces, noise, tracked);
   std::vector<TrackedGap> gaps;
   for (std::size_t i = 0; i < before.size(); ++i) gaps.push_back({before[i], after[i]});
   return gaps;

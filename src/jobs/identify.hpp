@@ -24,10 +24,14 @@ struct MeasuredFile {
   Kind kind = Kind::runs;
 };
 
-/// How far a pose that a tracker measured is from what a model says of it, m, the tracker's frame fitted.
+/// What a tracker measured of a pose less what a model says of it, in the tracker's axes, its frame fitted.
+struct TrackedResidual {
+  Vector3<double> shift = Vector3<double>::Zero();  // m
+  std::optional<Vector3<double>> turn;              // about each axis, rad, where angles were measured
+};
 struct TrackedGap {
-  double before = 0;  // with the model as given
-  double after = 0;   // with what was found
+  TrackedResidual before;  // with the model as given
+  TrackedResidual after;   // with what was found
 };
 
 struct IdentifiedModel {

@@ -66,7 +66,7 @@ class Player {
     if (record_ == nullptr) return;
     at.commanded = at.asked.pose;
     at.piece_s = move.seconds;  // the control runs the block as a whole
-    record_->add(std::move(at), {move.step->block->text, {}});
+    record_->add(std::move(at), {move.step->block->text, {}, move.step->block->file});
   }
 
   void note(const SimulatedPoint& point) {

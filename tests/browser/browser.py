@@ -105,7 +105,7 @@ class Browser:
 
     def print_pdf(self):
         import base64
-        return base64.b64decode(self.driver.execute_cdp_cmd("Page.printToPDF", {"printBackground": True})["data"])
+        return base64.b64decode(self.driver.execute_cdp_cmd("Page.printToPDF", {"printBackground": True, "preferCSSPageSize": True})["data"])
 
     def press(self, element, *keys):
         element.send_keys(*keys)

@@ -3,6 +3,7 @@ import browser
 
 browser.need()
 
+import re
 import tempfile
 import unittest
 from pathlib import Path
@@ -115,6 +116,9 @@ class Pages(unittest.TestCase):
                 pdf = self.browser.print_pdf()
                 self.assertTrue(pdf.startswith(b"%PDF"))
                 self.assertGreater(len(pdf), 20000)
+                sheets = len(re.findall(rb"/Type\s*/Page\b", pdf))
+                self.assertLessEqual(sheets, 5 if name in ("identify", "calibrate") else 4)
+                self.assertIn(b"595", re.search(rb"/MediaBox\s*\[[^]]*\]", pdf)[0])  # points: A4
 
 
 WHOLE = """

@@ -49,18 +49,37 @@ void OutputRecord::set_tool(const ToolInSpindle& tool, int number) {
 
 void OutputRecord::leave() { add(Event::Kind::leave); }
 
-void OutputRecord::move(const CorrectedMove& corrected, const WrittenMove& written, std::uint64_t after_begin,
-                        std::uint64_t after_end) {
-  const Move& move = corrected.move;
+OutputRecord::Event& OutputRecord::add(const Move& move) {
   Event& event = add(Event::Kind::move);
   event.path = move.path;
   event.way = way_kind(move.motion->kind);
   event.seconds = move.seconds;
-  event.begin = move.path.in_base_frame(move.motion->from + corrected.standing);
   event.begin_known = move.begin_known;
   const std::string_view text = move.step->block->text.substr(0, kMostText);
+  const std::string_view file = move.step->block->file;
   event.text = text.size();
+  event.file = file.size();
   batch_.text += text;
+  batch_.text += file;
+  return event;
+}
+
+void OutputRecord::shifted(const Move& move, const AxisWords& shift, std::uint64_t after_begin,
+                           std::uint64_t after_end) {
+  Event& event = add(move);
+  event.begin = move.path.in_base_frame(move.motion->from + shift);
+  event.after_begin = after_begin;
+  event.after_end = after_end;
+  const AxisWords end = move.path.in_base_frame(move.motion->to + shift);
+  batch_.pieces.push_back({end, end, 1, {}});
+  event.pieces = 1;
+}
+
+void OutputRecord::move(const CorrectedMove& corrected, const WrittenMove& written, std::uint64_t after_begin,
+                        std::uint64_t after_end) {
+  const Move& move = corrected.move;
+  Event& event = add(move);
+  event.begin = move.path.in_base_frame(move.motion->from + corrected.standing);
   event.after_begin = written.changed ? after_begin : after_end;
   event.after_end = after_end;
   if (move.is_rapid()) {
@@ -84,9 +103,10 @@ void OutputRecord::take(Batch& batch) {
   for (const Event& event : std::span(batch.events).first(batch.count)) {
     switch (event.kind) {
       case Event::Kind::move:
-        take_move(event, pieces.first(event.pieces), text.substr(0, event.text));
+        take_move(event, pieces.first(event.pieces),
+                  {text.substr(0, event.text), {}, text.substr(event.text, event.file)});
         pieces = pieces.subspan(event.pieces);
-        text.remove_prefix(event.text);
+        text.remove_prefix(event.text + event.file);
         break;
       case Event::Kind::leave:
         record_.leave();
@@ -106,17 +126,17 @@ RecordedPoint OutputRecord::point(const Event& event, double fraction) const {
 }
 
 // Where a move begins that nobody knows the way to.
-void OutputRecord::take_begin(const Event& event, std::string_view text) {
+void OutputRecord::take_begin(const Event& event, const PathRecord::Texts& texts) {
   if (!record_.has_left() || !event.begin_known) return;
   RecordedPoint begin = point(event, 0);
   begin.commanded = event.begin;
   begin.mm_s.reset();
-  record_.add(std::move(begin), {text, {}});
+  record_.add(std::move(begin), texts);
 }
 
 // An arc is drawn in parts; its correction goes evenly from one end of a piece to the other.
-void OutputRecord::take_move(const Event& event, std::span<const SentPiece> pieces, std::string_view text) {
-  take_begin(event, text);
+void OutputRecord::take_move(const Event& event, std::span<const SentPiece> pieces, const PathRecord::Texts& texts) {
+  take_begin(event, texts);
   double from = 0;
   AxisWords begin = event.begin;
   for (const SentPiece& piece : pieces) {
@@ -129,7 +149,7 @@ void OutputRecord::take_move(const Event& event, std::span<const SentPiece> piec
       RecordedPoint at = point(event, i == parts ? to : from + share * (to - from));
       at.commanded = i == parts ? piece.end : at.asked.pose + between(before, after, share);
       if (event.seconds) at.piece_s = *event.seconds * (to - from);
-      record_.add(std::move(at), {text, {}});
+      record_.add(std::move(at), texts);
     }
     from = to;
     begin = piece.end;

@@ -26,6 +26,8 @@ class OutputRecord {
   /// What was written for a move begins at a byte of the output, and ends before another one.
   void move(const CorrectedMove& corrected, const WrittenMove& written, std::uint64_t after_begin,
             std::uint64_t after_end);
+  /// A move of a block that is shifted as a whole, or left as it stands (no shift); the same bytes.
+  void shifted(const Move& move, const AxisWords& shift, std::uint64_t after_begin, std::uint64_t after_end);
   /// Waits until all is recorded; to be called once, at the end.
   void finish();
 
@@ -39,7 +41,7 @@ class OutputRecord {
     AxisWords begin;
     bool begin_known = true;
     std::size_t pieces = 0;
-    std::size_t text = 0;  // characters
+    std::size_t text = 0, file = 0;  // characters
     std::uint64_t after_begin = 0, after_end = 0;
     ToolInSpindle tool;
     int number = -1;
@@ -51,10 +53,11 @@ class OutputRecord {
     std::string text;
   };
   Event& add(Event::Kind kind);
+  Event& add(const Move& move);
   void hand_over();
   void take(Batch& batch);
-  void take_move(const Event& event, std::span<const SentPiece> pieces, std::string_view text);
-  void take_begin(const Event& event, std::string_view text);
+  void take_move(const Event& event, std::span<const SentPiece> pieces, const PathRecord::Texts& texts);
+  void take_begin(const Event& event, const PathRecord::Texts& texts);
   RecordedPoint point(const Event& event, double fraction) const;
 
   PathRecord& record_;

@@ -54,11 +54,14 @@ std::vector<RecordedPoint> PathRecord::take() {
 
 void PathRecord::add(RecordedPoint point, const Texts& texts) {
   if (std::exchange(gap_, false)) point.kind = WayKind::gap;
-  const std::size_t begin = texts_.size();
+  Waiting& waiting = waiting_.emplace_back(Waiting{std::move(point)});
+  waiting.before = texts_.size();
   texts_ += texts.before.substr(0, kMostText);
-  const std::size_t middle = texts_.size();
+  waiting.after = texts_.size();
   texts_ += texts.after.substr(0, kMostText);
-  waiting_.push_back({std::move(point), begin, middle, texts_.size()});
+  waiting.file = texts_.size();
+  texts_ += texts.file;
+  waiting.end = texts_.size();
   if (waiting_.size() == kWaiting) settle();
 }
 
@@ -67,7 +70,8 @@ void PathRecord::settle() {
   if (waiting_.empty()) return;
   if (machine_) {
     batch_.clear();
-    for (const auto& [point, before, after, end] : waiting_) {
+    for (const Waiting& waiting : waiting_) {
+      const RecordedPoint& point = waiting.point;
       batch_.add(point.commanded, point.asked.slope, point.asked.bend, point.asked.seconds.value_or(-1));
     }
     machine_->carry(batch_);
@@ -106,7 +110,8 @@ void PathRecord::keep(Waiting& waiting, const Load& load) {
                 point.tool = number_;
                 point.in_spindle = tool_;
                 point.text = texts_.substr(waiting.before, waiting.after - waiting.before);
-                point.after = texts_.substr(waiting.after, waiting.end - waiting.after);
+                point.after = texts_.substr(waiting.after, waiting.file - waiting.after);
+                point.file = texts_.substr(waiting.file, waiting.end - waiting.file);
                 return std::move(point);
               });
 }

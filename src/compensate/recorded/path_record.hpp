@@ -41,6 +41,7 @@ struct RecordedPoint {
   Target asked;                                  // by the original, in W
   AxisWords commanded;                           // in W
   std::string text;                              // of its block
+  std::string file;                              // that it stands in
   std::string after;                             // of what replaced it, at most kMostText characters
   std::uint64_t after_begin = 0, after_end = 0;  // its bytes in the output; equal: it was left as it stands
 };
@@ -69,7 +70,7 @@ class PathRecord {
   /// `number` of the tool; -1: not known.
   void set_tool(const ToolInSpindle& tool, int number);
   struct Texts {
-    std::string_view before, after;
+    std::string_view before, after, file;
   };
   void add(RecordedPoint point, const Texts& texts);
   /// Nobody knows how the machine comes to the next point.
@@ -94,7 +95,7 @@ class PathRecord {
   // A point whose loads are yet to be computed, with others; its texts are parts of texts_.
   struct Waiting {
     RecordedPoint point;
-    std::size_t before = 0, after = 0, end = 0;
+    std::size_t before = 0, after = 0, file = 0, end = 0;
   };
   Load load_of(std::size_t waiting) const;
   void keep(Waiting& waiting, const Load& load);

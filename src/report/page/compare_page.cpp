@@ -160,10 +160,12 @@ Page compare_page(const std::vector<Comparison>& comparisons, const RunsAndModel
   page.sections.push_back(facts_section("At a glance", compare_facts(comparisons, runs.models)));
   add_section(page, circles_section(runs, "Circles"));
   for (Json& section : left_by_run_sections(runs)) page.sections.push_back(std::move(section));
-  add_section(page, torque_map_section(runs, "Motor torques: where they are off"));
-  add_section(page, turn_section(runs, "Along the turn"));
-  add_section(page, left_along_turn_section(runs, "What is left along the turn"));
-  for (std::size_t i = 0; i < comparisons.size(); ++i) add_section(page, set_up_table(comparisons[i], runs.models[i]));
+  add_section(page, screen_only(torque_map_section(runs, "Motor torques: where they are off")));
+  add_section(page, screen_only(turn_section(runs, "Along the turn")));
+  add_section(page, screen_only(left_along_turn_section(runs, "What is left along the turn")));
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    add_section(page, screen_only(set_up_table(comparisons[i], runs.models[i])));
+  }
   return page;
 }
 
@@ -172,9 +174,9 @@ Page circularity_page(const jobs::CircularityTable& table, const RunsAndModels& 
   add_section(page, circles_section(runs, "Circles"));
   page.sections.push_back(figures_table(table));
   add_section(page, pairs_table(table));
-  add_section(page, pair_circles(table, runs));
-  if (!table.runs.empty()) add_section(page, wave_map(table));
-  for (Json& section : left_by_run_sections(runs)) page.sections.push_back(std::move(section));
+  add_section(page, screen_only(pair_circles(table, runs)));
+  if (!table.runs.empty()) add_section(page, screen_only(wave_map(table)));
+  for (Json& section : left_by_run_sections(runs)) page.sections.push_back(screen_only(std::move(section)));
   return page;
 }
 

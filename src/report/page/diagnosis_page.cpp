@@ -213,13 +213,15 @@ Page diagnosis_page(const jobs::DiagnoseResult& result, const jobs::RunsAndModel
   }
   page.sections.push_back(gap_section(d));
   add_section(page, residual_circles_section(d, result.runs));
-  add_section(page, circularity_section(d));
-  page.sections.push_back(gap_map_section(d));
-  for (Json& section : around_circle_sections(d)) page.sections.push_back(std::move(section));
-  for (Json& section : run_contrast_sections(d)) page.sections.push_back(std::move(section));
-  for (Json& section : evidence_sections(d)) page.sections.push_back(std::move(section));
-  add_section(page, circles_section(profiles, "Circles, measured and simulated"));
-  add_section(page, turn_section(profiles, "Along the turn"));
+  std::vector<Json> evidence = evidence_sections(d);
+  if (!evidence.empty()) page.sections.push_back(std::move(evidence.front()));
+  std::vector<Json> rest{circularity_section(d), gap_map_section(d)};
+  for (Json& section : around_circle_sections(d)) rest.push_back(std::move(section));
+  for (Json& section : run_contrast_sections(d)) rest.push_back(std::move(section));
+  for (std::size_t i = 1; i < evidence.size(); ++i) rest.push_back(std::move(evidence[i]));
+  rest.push_back(circles_section(profiles, "Circles, measured and simulated"));
+  rest.push_back(turn_section(profiles, "Along the turn"));
+  for (Json& section : rest) add_section(page, screen_only(std::move(section)));
   return page;
 }
 

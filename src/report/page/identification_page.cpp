@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -146,32 +148,53 @@ Json correlation_section(const Stage& stage) {
   return heat_section("Which numbers the data do not tell apart: " + stage.name + " fit", map);
 }
 
+constexpr std::string_view kAxes = "XYZ";
+
+// One figure of every pose, as given and as found.
+CurvePanel tracked_panel(const jobs::IdentifiedModel& model, std::string name, std::string unit, int digits,
+                         const std::function<double(const jobs::TrackedResidual&)>& figure) {
+  CurvePanel panel{std::move(name), std::move(unit), {{"as given", 2, 2, {}, true}, {"as found", 1, 1, {}, true}}};
+  panel.digits = digits;
+  panel.quantum = 1e-3;
+  for (const jobs::TrackedGap& gap : model.poses) {
+    panel.curves[0].values.push_back(figure(gap.before));
+    panel.curves[1].values.push_back(figure(gap.after));
+  }
+  return panel;
+}
+
 Json tracker_section(const jobs::IdentifiedModel& model) {
   if (model.poses.empty()) return nullptr;
   CurveGroup group{""};
-  CurvePanel panel{"Distance", "um", {{"as given", 2, 2, {}, true}, {"as found", 1, 1, {}, true}}, 2, 1e-3};
-  panel.from_zero = true;
-  for (std::size_t i = 0; i < model.poses.size(); ++i) {
-    group.x.push_back(static_cast<double>(i + 1));
-    panel.curves[0].values.push_back(model.poses[i].before / kUm);
-    panel.curves[1].values.push_back(model.poses[i].after / kUm);
+  for (std::size_t i = 0; i < model.poses.size(); ++i) group.x.push_back(static_cast<double>(i + 1));
+  group.panels.push_back(
+      tracked_panel(model, "Distance", "um", 2, [](const jobs::TrackedResidual& of) { return of.shift.norm() / kUm; }));
+  group.panels.back().from_zero = true;
+  for (int a = 0; a < 3; ++a) {
+    group.panels.push_back(tracked_panel(model, fmt::format("Along {}", kAxes[static_cast<std::size_t>(a)]), "um", 2,
+                                         [a](const jobs::TrackedResidual& of) { return of.shift[a] / kUm; }));
   }
-  group.panels.push_back(std::move(panel));
+  for (int a = 0; a < 3 && model.poses.front().before.turn; ++a) {
+    group.panels.push_back(tracked_panel(model, fmt::format("Turn about {}", kAxes[static_cast<std::size_t>(a)]),
+                                         "urad", 1,
+                                         [a](const jobs::TrackedResidual& of) { return (*of.turn)[a] / kUrad; }));
+  }
   CurveAxis axis{"Pose"};
   axis.digits = 0;
   CurveOptions options;
-  options.words = "How far each pose that the tracker measured is from what the model says of it, its frame fitted.";
+  options.words =
+      "What the tracker measured of each pose less what the model says of it, in the tracker's axes, its frame fitted.";
   return curves_section("Poses of the tracker: what is left", axis, {group}, options);
 }
 
 void add_stage(Page& page, const Stage& stage) {
   page.sections.push_back(values_section(stage));
-  add_section(page, shift_section(stage));
+  add_section(page, screen_only(shift_section(stage)));
   if (std::vector<std::string> notes = observability_text(stage); !notes.empty()) {
     for (std::string& note : notes) note = sentence(std::move(note));
     page.sections.push_back(text_section("What the data do not tell: " + stage.name + " fit", std::move(notes)));
   }
-  add_section(page, correlation_section(stage));
+  add_section(page, screen_only(correlation_section(stage)));
 }
 
 }  // namespace
@@ -201,9 +224,9 @@ Page identification_page(const jobs::IdentifiedModel& model, const jobs::RunsAnd
   for (Json& section : left_by_run_sections(profiles)) page.sections.push_back(std::move(section));
   add_section(page, tracker_section(model));
   for (const Stage& stage : model.found.stages) add_stage(page, stage);
-  add_section(page, torque_map_section(profiles, "Motor torques: where they are off"));
-  add_section(page, turn_section(profiles, "Along the turn"));
-  add_section(page, left_along_turn_section(profiles, "What is left along the turn"));
+  add_section(page, screen_only(torque_map_section(profiles, "Motor torques: where they are off")));
+  add_section(page, screen_only(turn_section(profiles, "Along the turn")));
+  add_section(page, screen_only(left_along_turn_section(profiles, "What is left along the turn")));
   return page;
 }
 

@@ -25,8 +25,8 @@ struct Page {
   bool has_scene = false;      // three-dimensional: takes another library
 };
 
-/// Writes the whole file, piece by piece: no second copy of the data is made. Text may hold anything, bytes that are not
-/// UTF-8 as well: it stays text.
+/// Writes the whole file, piece by piece: no second copy of the data is made. Text may hold anything, bytes that are
+/// not UTF-8 as well: it stays text.
 void write_page(const Page& page, OutputFile& output);
 /// The same as a string.
 std::string page_text(const Page& page);

@@ -141,9 +141,9 @@ Page plan_page(const PlannedTests& plan, const machine::MachineModel& machine, c
     for (std::string& note : notes) note = sentence(std::move(note));
     page.sections.push_back(text_section("What the plan does not tell", std::move(notes)));
   }
-  page.sections.push_back(errors_table(plan));
-  add_section(page, circles_section(predicted, "What the model predicts"));
-  add_section(page, turn_section(predicted, "Predicted along the turn"));
+  page.sections.push_back(screen_only(errors_table(plan)));
+  add_section(page, screen_only(circles_section(predicted, "What the model predicts")));
+  add_section(page, screen_only(turn_section(predicted, "Predicted along the turn")));
   return page;
 }
 

@@ -77,8 +77,9 @@ Page compensation_page(const jobs::Compensation& compensation, const std::string
     for (const Diagnostic& warning : s.warnings) items.push_back(warning.message + ": " + warning.help);
     page.sections.push_back(warnings_section("Before you cut", std::move(items)));
   }
-  page.sections.push_back(program_section(*compensation.path, &compensation.model, {.corrected = true}));
-  page.sections.push_back(listing_section("All figures", summary_text(s, options)));
+  page.sections.push_back(
+      program_section(*compensation.path, &compensation.model, {.corrected = true, .program = input_name(program)}));
+  page.sections.push_back(screen_only(listing_section("All figures", summary_text(s, options))));
   return page;
 }
 
@@ -98,7 +99,8 @@ Page simulation_page(const jobs::SimulationSummary& summary, const jobs::Program
     facts.push_back({"moves left out", count_text(summary.passed_moves), "", 0,
                      "machine coordinates, probing, or from where nobody knows"});
   }
-  page.sections = {facts_section("", facts), program_section(picture.path, &picture.model, {})};
+  page.sections = {facts_section("", facts),
+                   program_section(picture.path, &picture.model, {.program = input_name(program)})};
   return page;
 }
 
@@ -133,7 +135,8 @@ Page check_page(const jobs::CheckSummary& summary, const jobs::ProgramPicture& p
         table_section("Beyond a limit", {{"line", "", 0}, {"what"}, {"value"}, {"limit"}, {"beyond it by"}, {"unit"}},
                       std::move(rows), summary.findings.size() < summary.violations ? "the first of them" : ""));
   }
-  page.sections.push_back(program_section(picture.path, &picture.model, {.corrected = true}));
+  page.sections.push_back(
+      program_section(picture.path, &picture.model, {.corrected = true, .program = input_name(program)}));
   return page;
 }
 

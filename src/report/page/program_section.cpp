@@ -119,8 +119,7 @@ void add_stand(std::vector<Column>& columns) {
     columns.push_back({fmt::format("q{}", kParts[static_cast<std::size_t>(i)]), "orientation", "", 6, 1e-7,
                        [i](const DrawnPoint& p) { return Eigen::Quaterniond(p.stands.R_WP).coeffs()[i]; }});
   }
-  columns.push_back({"tip", "tip along the spindle", "mm", 3, 1e-4,
-                     [](const DrawnPoint& p) { return p.tip_z / kMm; }});
+  columns.push_back({"tip", "tip along the spindle", "mm", 3, 1e-4, [](const DrawnPoint& p) { return p.tip_z / kMm; }});
 }
 
 Json column_json(const Column& column, const DrawnPath& path) {
@@ -132,16 +131,22 @@ Json column_json(const Column& column, const DrawnPath& path) {
   return json;
 }
 
-// The blocks that points belong to: line, text, the text that replaced it, how many bytes that has.
-void add_blocks(Json& section, const DrawnPath& path) {
+std::string name_in_folder(const std::string& file) { return file.substr(file.find_last_of('/') + 1); }
+
+// The blocks that points belong to: line, text, the text that replaced it, how many bytes that has, and the name of its
+// file where that is not the program's own.
+void add_blocks(Json& section, const DrawnPath& path, const std::string& program) {
   Json blocks = Json::array();
   std::vector<double> of_point;
   const compensate::RecordedPoint* last = nullptr;
   for (const DrawnPoint& point : path.points) {
     const compensate::RecordedPoint& here = point.recorded;
-    if (last == nullptr || here.line != last->line || here.text != last->text ||
+    if (last == nullptr || here.line != last->line || here.text != last->text || here.file != last->file ||
         here.after_begin != last->after_begin) {
       blocks.push_back({here.line, here.text, here.after, here.after_end - here.after_begin});
+      if (!program.empty() && name_in_folder(here.file) != program) {
+        blocks.back().push_back(name_in_folder(here.file));
+      }
     }
     last = &here;
     of_point.push_back(static_cast<double>(blocks.size() - 1));
@@ -277,7 +282,7 @@ Json program_section(const DrawnPath& path, const machine::MachineModel* model, 
                {"worst", worst_json(path, columns, kind)}};
   Json& all = section["columns"] = Json::object();
   for (const Column& column : columns) all[column.key] = column_json(column, path);
-  add_blocks(section, path);
+  add_blocks(section, path, name_in_folder(kind.program));
   Json& colours = section["colours"] = Json::array();
   for (const char* const key : {"shift", "left", "error", "feed", "block", "condition", "force", "room"}) {
     if (all.contains(key)) colours.push_back(key);

@@ -15,6 +15,7 @@ struct PathKind {
   std::string shift = "correction";               // from these to those
   std::string told = "what the control is told";  // those
   std::string replaced = "written for it";        // a text that stands for a block
+  std::string program = {};                       // its file; lines of others are shown with their file's name
 };
 
 /// Columns in mm, deg, um, mdeg, N, mm/min, ms, s; places in the machine's own coordinates (W). `model`: null where the

@@ -53,6 +53,11 @@ Json warnings_section(std::string title, std::vector<std::string> items) {
   return made;
 }
 
+Json screen_only(Json section) {
+  if (section.is_object()) section["screen_only"] = true;
+  return section;
+}
+
 Json listing_section(std::string title, std::string text, std::string words) {
   Json made = section("listing", std::move(title));
   made["text"] = std::move(text);

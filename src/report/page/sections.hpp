@@ -34,6 +34,9 @@ Json table_section(std::string title, const std::vector<TableColumn>& columns, s
 
 Json text_section(std::string title, std::vector<std::string> paragraphs);
 Json warnings_section(std::string title, std::vector<std::string> items);
+/// The same section, left out where the page is printed; the sheet names it.
+Json screen_only(Json section);
+
 /// A program as a control reads it.
 Json listing_section(std::string title, std::string text, std::string words = {});
 

@@ -113,6 +113,47 @@ TEST_CASE("of a long program few points are drawn, its extremes among them") {
   CHECK(path.points.size() < 40000);
 }
 
+TEST_CASE("a hole of a cycle that is shifted as a whole is drawn, down and up") {
+  Job job;
+  job.dialect = "fanuc";
+  job.settings.friction = false;
+  const auto [path, summary] = drawn(
+      "O0001\nG21 G17 G90 G54 G94\nG0 X0. Y0. Z50. A0. B0. C0.\nM29 S500\nG99 G84 X5. Y0. Z-10. R2. F500.\nG80\n"
+      "G0 Z60.\nM30\n",
+      job);
+  REQUIRE(summary.changed_blocks > 0);
+  std::size_t at_bottom = 0;
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const compensate::RecordedPoint& point = path.points[i].recorded;
+    CHECK((point.kind == WayKind::gap) == (i == 0));
+    if (point.line != 5) continue;
+    CHECK(point.text.substr(0, 7) == "G99 G84");
+    CHECK(point.after.substr(0, 5) == "G99 G");
+    CHECK(length_mm(point.commanded - point.asked.pose) > 1e-3);
+    at_bottom += std::abs(point.asked.pose[Axis::Z] + 1018) < 1e-6 ? 1 : 0;
+  }
+  CHECK(at_bottom == 1);
+}
+
+TEST_CASE("a point of a subprogram in another file says which") {
+  const Folder folder;
+  write_text(folder / "sub.ngc", "o<sub> sub\nG1 X5 F500\no<sub> endsub\nM2\n");
+  write_text(folder / "program.in", "G21 G90 G94\nG0 X0 Y0 Z20 A0 B0 C0\no<sub> call\nM2\n");
+  const Job job;
+  const InputFile source(folder / "program.in");
+  OutputFile out(folder / "program.out");
+  const compensate::ProgramSurvey survey = surveyed(source, job);
+  compensate::Stream stream(source, survey, job.program, job.model, job.settings, job.emit, out);
+  compensate::PathRecord record(job.model, job.settings);
+  stream.record(record);
+  stream.run();
+  const DrawnPath path = compensate::drawn_path(record, job.model, job.settings);
+  REQUIRE(path.points.size() >= 2);
+  CHECK(path.points.front().recorded.file.ends_with("program.in"));
+  CHECK(path.points.back().recorded.file.ends_with("sub.ngc"));
+  CHECK(path.points.back().recorded.line == 2);
+}
+
 TEST_CASE("a tool that comes into the spindle is drawn with its length and number") {
   Job job;
   nc::Tool tool;
@@ -123,5 +164,5 @@ TEST_CASE("a tool that comes into the spindle is drawn with its length and numbe
   const auto [path, summary] = drawn("G21 G90 G94\nT3 M6 G43\nG0 X0 Y0 Z20 A0 B0 C0\nG1 X5 F500\nM2\n", job);
   REQUIRE_FALSE(path.points.empty());
   CHECK(path.points.back().recorded.tool == 3);
-  CHECK(path.points.back().geometry.tool_tip_P.z() == Approx(job.model.geometry.tool_tip_P.z() - 0.060));
+  CHECK(path.points.back().tip_z == Approx(job.model.geometry.tool_tip_P.z() - 0.060));
 }

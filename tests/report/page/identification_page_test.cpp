@@ -57,6 +57,35 @@ TEST_CASE("an identification says what is left, what was found and how far it mo
   CHECK_FALSE(section_of(page, "Circles").is_null());
 }
 
+TEST_CASE("what a tracker saw is beside what the model says, axis by axis, before and after") {
+  jobs::IdentifiedModel model = small_model();
+  CHECK(section_of(identification_page(model, testing::small_runs()), "Poses of the tracker: what is left").is_null());
+  jobs::TrackedGap gap;
+  gap.before.shift = Vector3<double>(3, -4, 0) * kUm;
+  gap.after.shift = Vector3<double>(0, 1, 0) * kUm;
+  model.poses.assign(2, gap);
+  const char* const title = "Poses of the tracker: what is left";
+  const Json positions = section_of(identification_page(model, testing::small_runs()), title);
+  const Json& panels = positions["groups"][0]["panels"];
+  CHECK(positions["groups"][0]["x"] == packed(std::vector<double>{1, 2}, 1e-3));
+  CHECK(panels[0]["series"][1]["points"] == true);
+  REQUIRE(panels.size() == 4);
+  CHECK(panels[0]["name"] == "Distance");
+  CHECK(panels[0]["series"][0]["values"] == packed(std::vector<double>{5, 5}, 1e-3));
+  CHECK(panels[2]["name"] == "Along Y");
+  CHECK(panels[2]["unit"] == "um");
+  CHECK(panels[2]["series"][0]["values"] == packed(std::vector<double>{-4, -4}, 1e-3));
+  CHECK(panels[2]["series"][1]["values"] == packed(std::vector<double>{1, 1}, 1e-3));
+  for (jobs::TrackedGap& of : model.poses) {
+    of.before.turn = Vector3<double>(0, 0, 2e-5);
+    of.after.turn = Vector3<double>(0, 0, -1e-6);
+  }
+  const Json turned = section_of(identification_page(model, testing::small_runs()), title);
+  REQUIRE(turned["groups"][0]["panels"].size() == 7);
+  CHECK(turned["groups"][0]["panels"][6]["name"] == "Turn about Z");
+  CHECK(turned["groups"][0]["panels"][6]["series"][0]["values"] == packed(std::vector<double>{20, 20}, 1e-3));
+}
+
 TEST_CASE("what speaks against an identification comes first") {
   jobs::IdentifiedModel model = small_model();
   model.calibrated = true;
@@ -69,17 +98,6 @@ TEST_CASE("what speaks against an identification comes first") {
   const Page failed = identification_page(model, {});
   CHECK(failed.verdict == Verdict::bad);
   CHECK(failed.sections[0]["items"].size() == 2);
-}
-
-TEST_CASE("poses of a tracker are told one by one") {
-  jobs::IdentifiedModel model = small_model();
-  CHECK(section_of(identification_page(model, {}), "Poses of the tracker: what is left").is_null());
-  model.poses = {{12e-6, 1e-6}, {8e-6, 2e-6}};
-  const Json group = section_of(identification_page(model, {}), "Poses of the tracker: what is left")["groups"][0];
-  CHECK(group["x"] == packed(std::vector<double>{1, 2}, 1e-3));
-  CHECK(group["panels"][0]["series"][0]["values"] == packed(std::vector<double>{12, 8}, 1e-3));
-  CHECK(group["panels"][0]["series"][1]["values"] == packed(std::vector<double>{1, 2}, 1e-3));
-  CHECK(group["panels"][0]["series"][1]["points"] == true);
 }
 
 TEST_CASE("runs of an identification lie beside both models") {

@@ -25,7 +25,7 @@ compensate::DrawnPoint point(const machine::MachineModel& model, double x, doubl
   point.left.setZero();
   point.lengths.setConstant(1.2);
   point.tension.setConstant(-100);
-  point.geometry = model.geometry;
+  point.tip_z = model.geometry.tool_tip_P.z();
   point.stands.R_WP.setIdentity();
   return point;
 }
@@ -44,6 +44,18 @@ double number(const report::Json& column, std::size_t at) {
     bits |= (three >> (16 - 8 * (byte % 3)) & 255) << (8 * (byte - 4 * at));
   }
   return static_cast<std::int32_t>(bits) * column["quantum"].get<double>();
+}
+
+TEST_CASE("the lines of a subprogram are shown with the name of its file") {
+  const machine::MachineModel machine = model();
+  compensate::DrawnPath path{{point(machine, 0, 0.01), point(machine, 1, 0.01)}, 2};
+  path.points[0].recorded.file = "parts/part.ngc";
+  path.points[1].recorded.file = "parts/sub.ngc";
+  const report::Json section =
+      report::program_section(path, &machine, {.corrected = true, .program = "parts/part.ngc"});
+  REQUIRE(section["blocks"].size() == 2);
+  CHECK(section["blocks"][0].size() == 4);
+  CHECK(section["blocks"][1][4] == "sub.ngc");
 }
 
 TEST_CASE("a path on a page has its columns in their units") {

@@ -1,14 +1,15 @@
 // Pictures by D3: drawn anew for the width that there is, so that their text keeps its size; what they share.
 import { element } from "./dom.mjs";
 import { numberText } from "./numbers.mjs";
+import { redrawForPrint } from "./paper.mjs";
 
 /// A picture in an element of its own. `label` says what it shows; `draw(svg, width)` fills an empty D3 selection and
 /// returns the height. `redraw` draws it again.
 export function picture({ label, draw }) {
   const node = element("div", { class: "picture" });
   let drawn = 0;
-  function redraw() {
-    const width = Math.floor(node.clientWidth);
+  function redraw(scale = 1) {
+    const width = Math.floor(scale * node.clientWidth);
     if (width < 40) return;
     drawn = width;
     node.querySelector("svg")?.remove();
@@ -20,7 +21,8 @@ export function picture({ label, draw }) {
   new ResizeObserver(() => {
     if (Math.floor(node.clientWidth) !== drawn) redraw();
   }).observe(node);
-  return { node, redraw };
+  redrawForPrint((scale) => { if (node.isConnected) redraw(scale); });
+  return { node, redraw: () => redraw() };
 }
 
 /// A number on an axis: a true minus, no digits that say nothing.

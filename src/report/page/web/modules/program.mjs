@@ -25,12 +25,18 @@ function colourBar(column, from, to) {
   return element("span", { class: "key" }, svg.node(), column.unit ? `${column.name}, ${column.unit}` : column.name);
 }
 
+/// "12", "12 of sub.ngc": where a point stands in the text.
+function lineText(section, columns, index) {
+  const [line, , , , file] = section.blocks[columns.text.values[index]];
+  return file ? `${line} of ${file}` : String(line);
+}
+
 /// The chosen point in words: where it stands in the text, what the machine does there.
 function inspector(section, columns, selection) {
   const box = element("div", { class: "point", "aria-live": "polite" });
   const show = (key, index) => figure(columns[key].values[index], columns[key].unit, columns[key].digits);
   selection.onChange((index) => {
-    const [line, text, after, bytes] = section.blocks[columns.text.values[index]];
+    const [, text, after, bytes] = section.blocks[columns.text.values[index]];
     const tool = columns.tool.values[index];
     const figures = ["shift", "left", "error", "force", "room", "condition", "feed", "block"].filter((key) => key in columns)
       .map((key) => element("div", {}, element("dt", {}, columns[key].name), element("dd", {}, show(key, index))));
@@ -39,7 +45,7 @@ function inspector(section, columns, selection) {
       element("pre", {}, after.replace(/\s+$/, "")),
     ];
     box.replaceChildren(
-      element("p", {}, element("strong", {}, `Line ${line}`), ` · ${kWays[columns.kind.values[index]]}` +
+      element("p", {}, element("strong", {}, `Line ${lineText(section, columns, index)}`), ` · ${kWays[columns.kind.values[index]]}` +
         (tool >= 0 ? ` · tool T${tool}` : "") + ` · point ${countText(index + 1)} of ${countText(section.points)}`),
       element("pre", {}, text),
       ...replaced,
@@ -53,7 +59,7 @@ function worstTable(section, columns, selection, toScene) {
   const rows = section.worst.map((place) => element("tr", {},
     element("td", {}, element("button", { type: "button", class: "link", onclick: () => { selection.choose(place.point); toScene(); } }, place.what)),
     element("td", { class: "number" }, figure(place.value, place.unit, place.digits)),
-    element("td", { class: "number" }, String(columns.line.values[place.point])),
+    element("td", { class: "number" }, lineText(section, columns, place.point)),
     element("td", {}, section.blocks[columns.text.values[place.point]][1])));
   return element("div", {}, element("h3", {}, "The worst places"),
     element("div", { class: "wide" }, element("table", {},
@@ -86,7 +92,7 @@ function sceneBox(section, columns, selection) {
   });
   const place = slider({
     label: "Along the path", min: 0, max: section.points - 1, step: 1, value: 0, long: true,
-    words: (of) => `line ${columns.line.values[of]}`, change: (of) => selection.choose(of),
+    words: (of) => `line ${lineText(section, columns, of)}`, change: (of) => selection.choose(of),
   });
   selection.onChange((index) => {
     place.show(index);

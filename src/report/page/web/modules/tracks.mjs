@@ -3,6 +3,7 @@ import { seriesOf } from "./colours.mjs";
 import { extent, nearest, thinned } from "./columns.mjs";
 import { chooser, element } from "./dom.mjs";
 import { figure, numberText } from "./numbers.mjs";
+import { redrawForPrint } from "./paper.mjs";
 
 const kHeight = 150;
 const kMargin = { top: 8, right: 12, bottom: 22, left: 62 };
@@ -104,8 +105,8 @@ export function tracks(section, columns, selection) {
     range = [values[0], values[values.length - 1]];
     if (range[0] === range[1]) range = [range[0], range[0] + 1];
   }
-  function draw() {
-    const width = Math.max(240, Math.floor(panels[0].node.clientWidth || 420));
+  function draw(scale = 1) {
+    const width = Math.max(240, Math.floor(scale * (panels[0].node.clientWidth || 420)));
     words.textContent = `from ${numberText(range[0], 3)} to ${numberText(range[1], 3)}: ${over[chosen].name}`;
     for (const panel of panels) panel.draw(over[chosen], range, width);
   }
@@ -127,5 +128,6 @@ export function tracks(section, columns, selection) {
   whole();
   selection.onChange((index) => panels.forEach((panel) => panel.choose(index)));
   new ResizeObserver(() => draw()).observe(grid);
-  return element("div", {}, element("h3", {}, "Along the program"), controls, grid);
+  redrawForPrint(draw);
+  return element("div", { class: "tracks" }, element("h3", {}, "Along the program"), controls, grid);
 }
