@@ -1,3 +1,4 @@
+import builtins
 from os import PathLike
 from typing import Any, Callable, Dict, List, Optional, Union
 
@@ -9,8 +10,8 @@ INTERFACE: int
 
 class Text:
     name: str
-    bytes: bytes
-    def __init__(self, text: Union[str, bytes], name: Union[str, PathLike[str]] = ...) -> None: ...
+    bytes: builtins.bytes
+    def __init__(self, text: Union[str, builtins.bytes], name: Union[str, PathLike[str]] = ...) -> None: ...
 
 Source = Union[str, bytes, PathLike[str], Text]
 Path = Union[str, PathLike[str]]
@@ -48,8 +49,8 @@ class Result:
     warnings: List[Dict[str, Any]]
     found: bool
     text: Optional[str]
-    bytes: Optional[bytes]
-    undo: Optional[bytes]
+    bytes: Optional[builtins.bytes]
+    undo: Optional[builtins.bytes]
     @property
     def model(self) -> str: ...
 
