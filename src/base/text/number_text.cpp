@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 
 #include <fmt/format.h>
 
@@ -19,21 +20,18 @@ constexpr std::array<char, 200> kPairs = [] {
   return pairs;
 }();
 
-int digits_of(std::uint64_t number) {
-  int count = 1;
-  for (; number >= 10; number /= 10) ++count;
-  return count;
-}
-
-// The last `count` digits of a number, before `end`.
-void put_digits(char* end, std::uint64_t number, int count) {
+// The last `count` digits, before `end`.
+char* put_digits(char* end, std::uint64_t& left, int count) {
   for (; count >= 2; count -= 2) {
-    const std::uint64_t pair = number % 100;
-    number /= 100;
+    const std::uint64_t pair = left % 100;
+    left /= 100;
     *--end = kPairs[2 * pair + 1];
     *--end = kPairs[2 * pair];
   }
-  if (count > 0) *--end = static_cast<char>('0' + number % 10);
+  if (count == 0) return end;
+  *--end = static_cast<char>('0' + left % 10);
+  left /= 10;
+  return end;
 }
 
 }  // namespace
@@ -48,16 +46,19 @@ char* write_decimal(char* out, double value, int decimals, int least) {
     left /= 10;
     --decimals;
   }
-  if (ticks < 0) *out++ = '-';
-  const auto parts = static_cast<std::uint64_t>(kPowersOfTen[static_cast<std::size_t>(decimals)]);
-  const std::uint64_t whole = left / parts;
-  const std::uint64_t rest = left - whole * parts;
-  const int digits = digits_of(whole);
-  put_digits(out += digits, whole, digits);
-  if (decimals == 0) return out;
-  *out++ = '.';
-  put_digits(out += decimals, rest, decimals);
-  return out;
+  std::array<char, 24> text;  // NOLINT(*-member-init): from its end: 16 digits at most, point, sign
+  char* const end = text.data() + text.size();
+  char* begin = end;
+  if (decimals > 0) {
+    begin = put_digits(begin, left, decimals);
+    *--begin = '.';
+  }
+  while (left >= 10) begin = put_digits(begin, left, 2);
+  if (left > 0 || begin == end || *begin == '.') begin = put_digits(begin, left, 1);
+  if (ticks < 0) *--begin = '-';
+  const auto size = static_cast<std::size_t>(end - begin);
+  std::memcpy(out, begin, size);
+  return out + size;
 }
 
 void append_decimal(std::string& out, double value, int decimals, int least) {

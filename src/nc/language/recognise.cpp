@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
-#include "base/parallel.hpp"
 #include "base/text/characters.hpp"
 #include "nc/language/codes.hpp"
 
@@ -107,8 +106,6 @@ class Look {
   explicit Look(const InputFile& file) : file_(file) {}
 
   Recognised decide() {
-    const std::span<const std::string_view> names = dialect_names();
-    for_each_index(names.size(), [&](std::size_t i) { dialect(names[i]); });  // each takes some milliseconds to read
     name();
     text();
     if (found_.empty()) found_ = by_name_;
