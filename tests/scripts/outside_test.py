@@ -31,7 +31,8 @@ def main(build):
         install = (pathlib.Path(folder) / "cmake_install.cmake").read_text()
         assert "libplumbline" not in install, "plumbline is installed by a project that did not ask for it"
         if build:
-            subprocess.run(["ninja", "-C", folder, "outside"], check=True, stdout=subprocess.DEVNULL)
+            made = subprocess.run(["ninja", "-C", folder, "outside"], capture_output=True, text=True)
+            assert made.returncode == 0, made.stdout
             output = pathlib.Path(folder) / "out.ngc"
             said = subprocess.run([pathlib.Path(folder) / "outside", ROOT / "models/pm600-like.toml",
                                    ROOT / "tests/install/outside/part.ngc", output],
