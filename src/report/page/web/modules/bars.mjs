@@ -62,6 +62,7 @@ function drawBars(svg, width, section) {
     svg.append("text").attr("class", "halo").attr("x", scale(line.value) + (isRight ? -4 : 4)).attr("y", 12)
       .attr("text-anchor", isRight ? "end" : "start").text(line.name);
   }
+  svg.selectAll("text.halo").raise();  // a number is not struck out by a line of reference
   svg.append("line").attr("class", "zero").attr("x1", scale(0)).attr("x2", scale(0)).attr("y1", top - 4).attr("y2", y);
   bottomAxis(svg, scale, y, Math.max(2, Math.floor((width - left) / 90)));
   svg.append("text").attr("class", "soft").attr("x", width - 4).attr("y", y + 34).attr("text-anchor", "end").text(section.unit);

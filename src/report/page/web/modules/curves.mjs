@@ -38,8 +38,11 @@ function drawCurve(svg, one, scaleX, scaleY, width) {
   }
 }
 
-// Of an axis that is a whole turn: quarters, or eighths where they fit.
-function turnTicks(axis, width) {
+// Of an axis that is a whole turn: quarters, or eighths where they fit; of one that counts: whole numbers.
+function givenTicks(axis, domain, width) {
+  if (!axis.names && axis.digits === 0 && axis.unit !== "deg") {
+    return d3.ticks(...domain, Math.max(2, Math.floor(width / 70))).filter(Number.isInteger);
+  }
   if (axis.unit !== "deg" || !axis.range || axis.range[1] - axis.range[0] !== 360) return null;
   return d3.range(axis.range[0], axis.range[1] + 1, width < 400 ? 90 : 45);
 }
@@ -53,7 +56,7 @@ function drawPanel(svg, width, panel, axis, x, hidden) {
   const names = axis.names;
   const format = names ? (value) => (Number.isInteger(value) ? names[value] ?? "" : "") : undefined;
   const ticks = Math.max(2, Math.floor((width - left) / (names ? 90 : 70)));
-  bottomAxis(svg, scaleX, height - bottom, names ? Math.min(ticks, names.length) : ticks, format, turnTicks(axis, width - left));
+  bottomAxis(svg, scaleX, height - bottom, names ? Math.min(ticks, names.length) : ticks, format, givenTicks(axis, scaleX.domain(), width - left));
   svg.append("text").attr("class", "soft").attr("x", width - right).attr("y", height - 5).attr("text-anchor", "end")
     .text(axis.unit ? `${axis.name}, ${axis.unit}` : axis.name);
   for (const band of panel.bands) {

@@ -15,9 +15,9 @@ export function figure(value, unit = "", digits = 3) {
   return text === "none" || unit === "" ? text : `${text} ${unit}`;
 }
 
-/// 1234567 -> "1 234 567".
+/// 1234567 -> "1,234,567", as the program's other texts have it.
 export function countText(count) {
-  return String(count).replace(/\B(?=(\d{3})+(?!\d))/g, "\u202f");
+  return String(count).replace(/\B(?=(\d{3})+(?!\d))/g, ",");
 }
 
 /// Seconds as a machinist reads a cycle time: "0.412 s", "3 min 07.2 s", "2 h 05 min 00 s".

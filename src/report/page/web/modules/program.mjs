@@ -1,6 +1,6 @@
 // The path of a program: in space, along the program, its worst places; one chosen point for all of them.
 import { decoded, extent } from "./columns.mjs";
-import { ramp } from "./colours.mjs";
+import { lineRamp } from "./colours.mjs";
 import { chooser, element, slider } from "./dom.mjs";
 import { countText, figure, numberText } from "./numbers.mjs";
 import { niceGain, Scene } from "./scene.mjs";
@@ -18,7 +18,7 @@ function colourBar(column, from, to) {
   const width = 220;
   const svg = d3.create("svg").attr("width", width + 20).attr("height", 36).attr("role", "img")
     .attr("aria-label", `colours: ${column.name} from ${figure(from, column.unit, column.digits)} to ${figure(to, column.unit, column.digits)}`);
-  const colourOf = ramp(0, 1);
+  const colourOf = lineRamp(0, 1);
   for (let i = 0; i < 44; ++i) svg.append("rect").attr("x", 10 + i * 5).attr("y", 0).attr("width", 5.5).attr("height", 12).attr("fill", colourOf((i + 0.5) / 44));
   const scale = d3.scaleLinear().domain([from, to]).range([10, width + 10]);
   svg.append("g").attr("class", "axis").attr("transform", "translate(0,12)").call(d3.axisBottom(scale).ticks(4).tickSize(4));

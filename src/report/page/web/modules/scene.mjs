@@ -1,5 +1,5 @@
 // The path and the machine in space. Z of the machine is up.
-import { ramp } from "./colours.mjs";
+import { lineRamp } from "./colours.mjs";
 import { Painter } from "./painter.mjs";
 import { extremePoints, PathLines, segments, simplified } from "./path_lines.mjs";
 
@@ -183,7 +183,7 @@ export class Scene {
 
   /// Colours the path by a column over [from, to].
   colour(values, from, to) {
-    const colourOf = ramp(from, to);
+    const colourOf = lineRamp(from, to);
     const made = new THREE.Color();
     this.path.colour((point, numbers, at) => made.set(colourOf(values[point])).toArray(numbers, at));
     this.draw();

@@ -5,14 +5,14 @@ import { chooser, element } from "./dom.mjs";
 import { figure, numberText } from "./numbers.mjs";
 import { redrawForPrint } from "./paper.mjs";
 
-const kHeight = 150;
-const kMargin = { top: 8, right: 12, bottom: 22, left: 62 };
+const kHeight = 162;
+const kMargin = { top: 8, right: 12, bottom: 34, left: 62 };
 
 /// What the panels are drawn over: rising numbers, one a point.
 function axes(columns) {
   return {
-    time: { values: columns.time.values, name: "time of cutting, s (rapids take none)" },
-    point: { values: Float64Array.from(columns.time.values, (_, i) => i), name: "point of the path" },
+    time: { values: columns.time.values, name: "time of cutting, s (rapids take none)", title: "time, s" },
+    point: { values: Float64Array.from(columns.time.values, (_, i) => i), name: "point of the path", title: "point" },
   };
 }
 
@@ -53,6 +53,7 @@ class Panel {
     this.svg.append("title").text(this.track.title);
     this.svg.append("g").attr("class", "axis").attr("transform", `translate(0,${kHeight - kMargin.bottom})`).call(d3.axisBottom(this.x).ticks(Math.max(3, width / 110)));
     this.svg.append("g").attr("class", "axis").attr("transform", `translate(${kMargin.left},0)`).call(logarithmic ? d3.axisLeft(this.y).ticks(4, "~g") : d3.axisLeft(this.y).ticks(4));
+    this.svg.append("text").attr("class", "soft").attr("x", width - kMargin.right).attr("y", kHeight - 4).attr("text-anchor", "end").text(over.title);
     this.drawLimits(limits, width);
     for (const { column, series } of this.curves) this.drawCurve(column.values, series, from, to, width);
     this.cursor = this.svg.append("line").attr("class", "chosen").attr("y1", kMargin.top).attr("y2", kHeight - kMargin.bottom);
