@@ -109,3 +109,11 @@ test("what a cursor says has names, units and what is not known", async () => {
   assert.deepEqual(roomy([0, 10], 0.1), [-1, 11]);
   assert.ok(roomy([2, 2])[0] < 2);
 });
+
+test("a name that is too long loses its middle, so that names of a list stay apart", async () => {
+  const { shortened } = await import("../../../../src/report/page/web/modules/drawing.mjs");
+  assert.equal(shortened("short", 100), "short");
+  const one = shortened("joint-position platform_um strut 5 x", 110);
+  const other = shortened("joint-position platform_um strut 5 y", 110);
+  assert.ok(one.length <= 15 && one !== other && one.endsWith("strut 5 x") && one.startsWith("join"));
+});

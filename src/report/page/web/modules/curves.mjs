@@ -4,7 +4,7 @@ import { asCursor, bottomAxis, gridLines, leftAxis, legendOf, lineClass, namedVa
 import { figure, numberText } from "./numbers.mjs";
 import { Selection } from "./selection.mjs";
 
-const kCurves = { height: 190, left: 56, right: 10, top: 8, bottom: 38 };
+const kCurves = { height: 190, left: 56, right: 18, top: 8, bottom: 38 };
 
 // A column as it came: packed, or a list with null for what is missing.
 function columnOf(given) {

@@ -94,8 +94,10 @@ export function namedValues(pairs, unit, digits) {
   }).join(", ");
 }
 
-/// A name that fits into so many pixels, its end left out if need be.
+/// A name that fits into so many pixels, its middle left out if need be: names of a list often begin alike.
 export function shortened(name, pixels) {
   const most = Math.max(4, Math.floor(pixels / 7));
-  return name.length > most ? `${name.slice(0, most - 1)}\u2026` : name;
+  if (name.length <= most) return name;
+  const head = Math.max(1, Math.floor((most - 1) / 3));
+  return `${name.slice(0, head)}\u2026${name.slice(name.length - (most - 1 - head))}`;
 }
