@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Puts the page that a report is read on together: template, style, modules and libraries, without the data.
 
-usage: bundle_page.py --web DIR --d3 FILE --three FILE --orbit FILE --licence NAME=FILE... --out DIR
+usage: bundle_page.py --web DIR --d3 FILE --three FILE --orbit FILE --wide FILE... --licence NAME=FILE... --out DIR
 
 Writes into DIR, in the order in which a page holds them: begin.html (up to the data), drawing.html (from the data to
 the libraries that every page has), space.html (libraries of pages with a scene), end.html. The content policy names
@@ -70,10 +70,12 @@ def main():
     parser = argparse.ArgumentParser()
     for name in ("web", "d3", "three", "orbit", "out"):
         parser.add_argument(f"--{name}", type=Path, required=True)
+    parser.add_argument("--wide", type=Path, nargs="+", required=True)
     parser.add_argument("--licence", action="append", default=[])
     given = parser.parse_args()
 
     scripts = {"D3": script(given.d3), "THREE": script(given.three), "ORBIT": script(given.orbit),
+               "WIDE": "\n".join(map(script, given.wide)),
                "MODULES": script(bundled(given.web / "modules"))}
     style = (given.web / "style.css").read_text()
     licences = "\n\n".join(f"{name}\n{'-' * len(name)}\n{Path(file).read_text(encoding='utf-8')}"

@@ -5,8 +5,8 @@ const modules = "../../../../src/report/page/web/modules/";
 const { decoded, extent, nearest, thinned } = await import(`${modules}columns.mjs`);
 const { countText, figure, numberText, timeText } = await import(`${modules}numbers.mjs`);
 const { Selection } = await import(`${modules}selection.mjs`);
-const { niceGain } = await import(`${modules}scene.mjs`);
-const { extremePoints, sampled, segments, simplified } = await import(`${modules}path_lines.mjs`);
+const { fitted, niceGain } = await import(`${modules}scene.mjs`);
+const { extremePoints, PathLines, sampled, segments, simplified } = await import(`${modules}path_lines.mjs`);
 const { Pace } = await import(`${modules}pace.mjs`);
 
 test("packed numbers come back, missing ones as NaN", () => {
@@ -133,4 +133,54 @@ test("a pace finds how much takes a frame, and stays there", () => {
   assert.equal(once.count, 1000);
   once.take(10, 1);  // too few to tell
   assert.equal(once.count, 1000);
+});
+
+test("a view holds all places, and one of them touches its margin", () => {
+  const places = Array.from({ length: 200 }, (_, i) => [300 * Math.cos(i), 90 * Math.sin(2 * i) - 40, 500 + 20 * Math.sin(3 * i)]);
+  for (const from of [[0.55, -0.75, 0.5], [1, 0, 0], [0, -1, 0], [0, -0.001, 1]]) {
+    const { centre, away } = fitted(places, from, 0.5, 0.25);
+    const back = from.map((part) => part / Math.hypot(...from));
+    const right = [-back[1], back[0], 0].map((part) => part / Math.hypot(back[0], back[1]));
+    const up = [back[1] * right[2] - back[2] * right[1], back[2] * right[0] - back[0] * right[2], back[0] * right[1] - back[1] * right[0]];
+    const along = (a, b) => a.reduce((sum, part, i) => sum + part * b[i], 0);
+    const fills = places.map((place) => {
+      const at = place.map((part, i) => part - centre[i]);
+      const depth = away - along(at, back);
+      return Math.max(Math.abs(along(at, right)) / depth / 0.5, Math.abs(along(at, up)) / depth / 0.25);
+    });
+    assert.ok(Math.max(...fills) < 1 && Math.max(...fills) > 0.7, `from ${from}: ${Math.max(...fills)}`);
+  }
+});
+
+test("few lines in the colours of their points are wide and drawn at once, many are thin and drawn in parts", () => {
+  class Geometry {
+    setAttribute() {}
+    setDrawRange(...range) { this.range = range; }
+    setPositions(numbers) { this.positions = numbers; }
+    setColors(numbers) { this.colours = numbers; }
+  }
+  const object = (wide) => class {
+    constructor(geometry, material) { Object.assign(this, { geometry, material, isLineSegments2: wide }); }
+  };
+  globalThis.THREE = {
+    BufferGeometry: Geometry, LineSegmentsGeometry: Geometry, BufferAttribute: class {}, VertexColors: 2,
+    LineSegments: object(false), LineSegments2: object(true), LineBasicMaterial: class {},
+    LineMaterial: class { resolution = { set: (...size) => { this.size = size; } }; }, Group: class { add() {} },
+  };
+  const few = new PathLines([0, 1, 1, 2], [0, 2], new Set(), { width: 3 });
+  few.setSize(800, 600);
+  few.place((point, numbers, at) => numbers.set([point, 0, 0], at));
+  few.colour((point, numbers, at) => numbers.set([0, point, 0], at));
+  few.drawWhole(0, 1);
+  assert.ok(few.whole.visible);
+  assert.deepEqual(few.whole.material.size, [800, 600]);
+  assert.deepEqual([...few.whole.geometry.positions], [0, 0, 0, 1, 0, 0, 1, 0, 0, 2, 0, 0]);
+  assert.deepEqual([...few.whole.geometry.colours], [0, 1, 0, 0, 1, 0, 0, 2, 0, 0, 2, 0]);
+  few.drawWhole(1, 1);
+  assert.ok(!few.whole.visible);
+  const many = new PathLines(Array.from({ length: 20000 }, (_, i) => (i + 1) >> 1), [0, 1], new Set(), { width: 3 });
+  many.drawWhole(100, 50);
+  assert.ok(many.whole.visible);
+  assert.deepEqual(many.whole.geometry.range, [200, 100]);
+  delete globalThis.THREE;
 });

@@ -7,13 +7,14 @@ export function ramp(from, to) {
   return (value) => (Number.isFinite(value) ? d3.interpolateCividis(0.08 + 0.92 * clamp((value - from) / span)) : "#8a8f96");
 }
 
-/// The same for lines on the page's ground: without the end that is as light, or as dark, as the ground is.
+/// A ramp for lines on the page's ground (viridis: the middle of cividis is as grey as rapids are), without the end
+/// that is as light, or as dark, as the ground is.
 export function lineRamp(from, to) {
   const dark = window.matchMedia("(prefers-color-scheme: dark)").matches;
-  const [low, high] = dark ? [0.35, 1] : [0, 0.84];
+  const [low, high] = dark ? [0.3, 1] : [0, 0.82];
   const span = to > from ? to - from : 1;
   const share = (value) => Math.max(0, Math.min(1, (value - from) / span));
-  return (value) => (Number.isFinite(value) ? d3.interpolateCividis(low + (high - low) * share(value)) : "#8a8f96");
+  return (value) => (Number.isFinite(value) ? d3.interpolateViridis(low + (high - low) * share(value)) : "#8a8f96");
 }
 
 /// The number of a style of series (1 to 6), for the classes stroke-1, dash-1 ...

@@ -62,16 +62,35 @@ export function extremePoints(columns) {
   return found;
 }
 
-/// Lines between places of points, in one material: all of them, or a coarse picture of as few as are wanted. What is
-/// not drawn is not computed.
+const kMostWide = 8000;  // wide lines are rectangles: four times the work without a graphics card
+
+/// Lines of one pixel, which is all that a graphics card draws as lines.
+function thinLines({ color, opacity, dash, gap }) {
+  const look = color === undefined ? { vertexColors: THREE.VertexColors } : { color };
+  if (opacity !== undefined) Object.assign(look, { transparent: true, opacity });
+  return new THREE.LineSegments(new THREE.BufferGeometry(),
+    dash === undefined ? new THREE.LineBasicMaterial(look) : new THREE.LineDashedMaterial({ ...look, dashSize: dash, gapSize: gap }));
+}
+
+/// Lines of `width` pixels, in the colours of their points.
+function wideLines({ width }) {
+  return new THREE.LineSegments2(new THREE.LineSegmentsGeometry(),
+    new THREE.LineMaterial({ vertexColors: THREE.VertexColors, linewidth: width }));
+}
+
+/// Lines between places of points: all of them, or a coarse picture of as few as are wanted. What is not drawn is not
+/// computed.
 export class PathLines {
   #writers = {};
 
   /// `draft` is what a coarse picture is made of: segments that look like all of them; `kept` are never left out.
-  constructor(pairs, draft, kept, material) {
+  /// `stroke`: `color` (without one each point has its own), `opacity`, `dash` and `gap`, `width` in pixels, which
+  /// counts where the lines are not too many and have the colours of their points.
+  constructor(pairs, draft, kept, stroke) {
     Object.assign(this, { pairs, draft, kept });
-    this.whole = this.#object(pairs, material);
-    this.coarse = this.#object([], material);
+    this.wide = stroke.width !== undefined && pairs.length > 0 && pairs.length / 2 <= kMostWide;
+    this.whole = this.#prepared(this.wide ? wideLines(stroke) : thinLines(stroke), pairs);
+    this.coarse = this.#prepared(thinLines(stroke), []);
     this.coarse.visible = false;
     this.group = new THREE.Group();
     this.group.add(this.whole, this.coarse);
@@ -81,8 +100,12 @@ export class PathLines {
     return this.pairs.length / 2;
   }
 
-  #object(pairs, material) {
-    const object = new THREE.LineSegments(new THREE.BufferGeometry(), material);
+  /// The size of the picture, which the width of lines counts in.
+  setSize(width, height) {
+    if (this.wide) this.whole.material.resolution.set(width, height);
+  }
+
+  #prepared(object, pairs) {
     object.frustumCulled = false;
     object.userData = { pairs, done: {} };
     return object;
@@ -104,7 +127,8 @@ export class PathLines {
       if (done[name] === writer) continue;
       const numbers = new Float32Array(3 * pairs.length);
       for (let i = 0; i < pairs.length; ++i) writer.write(pairs[i | writer.end], numbers, 3 * i);
-      object.geometry.setAttribute(name, new THREE.BufferAttribute(numbers, 3));
+      if (object.isLineSegments2) object.geometry[name === "position" ? "setPositions" : "setColors"](numbers);
+      else object.geometry.setAttribute(name, new THREE.BufferAttribute(numbers, 3));
       if (name === "position" && object.material.isLineDashedMaterial) object.computeLineDistances();
       done[name] = writer;
     }
@@ -124,11 +148,12 @@ export class PathLines {
     return this.coarse.userData.pairs.length / 2;
   }
 
-  /// From now on all segments are drawn, or so many from one on.
+  /// From now on all segments are drawn, or so many from one on; wide ones at once, with the first.
   drawWhole(from = 0, count = Infinity) {
     this.#fill(this.whole);
     this.whole.visible = true;
     this.coarse.visible = false;
-    this.whole.geometry.setDrawRange(2 * from, 2 * count);
+    if (this.wide) this.whole.visible = from === 0;
+    else this.whole.geometry.setDrawRange(2 * from, 2 * count);
   }
 }

@@ -101,15 +101,25 @@ function sceneBox(section, columns, selection) {
   selection.followKeys(box);
   followClicks(box, scene, selection);
   const tick = (name, label, on) => element("label", {}, element("input", { type: "checkbox", checked: on, onchange: (event) => scene.show(name, event.target.checked) }), label);
-  const machine = tick("machine", "machine", false);
+  // What is larger than the path is shown whole: it would lie outside of the picture.
+  const large = { machine: section.machine ? tick("machine", "machine", false) : null, travel: scene.travel ? tick("travel", "limits of travel", false) : null };
   const lookAt = (at) => {
-    if (at === "machine") {
-      machine.querySelector("input").checked = true;
-      scene.show("machine", true);
+    if (large[at]) {
+      large[at].querySelector("input").checked = true;
+      scene.show(at, true);
     }
     scene.look(at);
   };
-  const looks = [["path", "path"], ...(section.machine ? [["machine", "whole machine"]] : []), ["z", "from above"], ["y", "from the front"], ["x", "from the side"]];
+  const looks = [["path", "path"], ...(large.machine ? [["machine", "whole machine"]] : []), ...(large.travel ? [["travel", "limits of travel"]] : []),
+    ["z", "from above"], ["y", "from the front"], ["x", "from the side"]];
+  const view = chooser({ label: "View", options: looks, value: "path", change: lookAt });
+  for (const [name, node] of Object.entries(large)) {
+    node?.addEventListener("change", (event) => {
+      if (!event.target.checked) return;
+      view.querySelector("select").value = name;
+      scene.look(name);
+    });
+  }
   const first = section.colours[0];
   colourBy(first);
   scene.exaggerate(gain);
@@ -120,11 +130,10 @@ function sceneBox(section, columns, selection) {
     element("div", { class: "controls" }, place.node, gainSlider.node),
     element("div", { class: "controls" },
       chooser({ label: "Colour", options: section.colours.map((key) => [key, columns[key].name]), value: first, change: colourBy }),
-      chooser({ label: "View", options: looks, value: "path", change: lookAt }),
-      section.machine ? machine : null, tick("rapids", "rapids", true),
+      view, large.machine, tick("rapids", "rapids", true),
       section.corrected ? tick("told", section.told, !columns.error) : null,
       columns.error ? tick("sagging", sagging(section), true) : null,
-      scene.travel ? tick("travel", "limits of travel", false) : null));
+      large.travel));
 }
 
 function sagging(section) {

@@ -38,7 +38,7 @@ function plate(points, material) {
   return new THREE.Mesh(geometry, material);
 }
 
-/// Base, platform, six struts and the tool.
+/// Base, platform, six struts, spindle and tool.
 class MachineDrawing {
   constructor(machine, reach) {
     this.group = new THREE.Group();
@@ -49,13 +49,16 @@ class MachineDrawing {
     this.tip = machine.tip;
     this.shortest = machine.shortest;
     this.longest = machine.longest;
+    this.ends = [];
     this.group.add(plate(this.base, frame));
     this.body = plate(this.platform, frame);
     this.group.add(this.body);
-    const radius = reach / 90;
+    const radius = reach / 200;
     this.struts = this.base.map(() => new Bar(radius, steel.clone()));
+    this.middle = this.platform.reduce((sum, p) => sum.add(p), vector(0, 0, 0)).multiplyScalar(1 / this.platform.length);
+    this.spindle = new Bar(radius * 3, steel);
     this.tool = new Bar(radius * 1.4, new THREE.MeshLambertMaterial({ color: 0xd55e00 }));
-    for (const bar of [...this.struts, this.tool]) this.group.add(bar.mesh);
+    for (const bar of [...this.struts, this.spindle, this.tool]) this.group.add(bar.mesh);
   }
   /// `tip` in W, orientation as a quaternion, how far along Z of the platform the tip is.
   put(tip, turn, along) {
@@ -63,15 +66,18 @@ class MachineDrawing {
     const origin = tip.clone().sub(offset);
     this.body.position.copy(origin);
     this.body.quaternion.copy(turn);
+    this.ends = this.platform.map((p) => p.clone().applyQuaternion(turn).add(origin));
     this.struts.forEach((bar, j) => {
-      const end = this.platform[j].clone().applyQuaternion(turn).add(origin);
+      const end = this.ends[j];
       bar.put(this.base[j], end);
       const length = end.distanceTo(this.base[j]);
       const room = Math.min(length - this.shortest[j], this.longest[j] - length);
       const near = room < 0.02 * (this.longest[j] - this.shortest[j]);
       bar.mesh.material.color.set(near ? 0xa4133c : 0x7d8894);
     });
-    this.tool.put(vector(this.tip[0], this.tip[1], 0).applyQuaternion(turn).add(origin), tip);
+    const gauge = vector(this.tip[0], this.tip[1], 0).applyQuaternion(turn).add(origin);
+    this.spindle.put(this.middle.clone().applyQuaternion(turn).add(origin), gauge);
+    this.tool.put(gauge, tip);
   }
 }
 
@@ -84,13 +90,36 @@ export function niceGain(size, shiftUm) {
   return Math.max(1, round * power);
 }
 
+/// Where to look at, and from how far in the direction `from`, so that all `places` lie in a picture whose sides rise
+/// by `wide` and `high` a unit of depth. Z is up.
+export function fitted(places, from, wide, high) {
+  const length = Math.hypot(...from);
+  const back = from.map((part) => part / length);
+  const across = Math.hypot(back[0], back[1]);
+  const right = [-back[1] / across, back[0] / across, 0];
+  const up = [-back[2] * right[1], back[2] * right[0], back[0] * right[1] - back[1] * right[0]];
+  const along = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  const frame = [right, up, back];
+  const seen = Array.from(places, (place) => frame.map((axis) => along(place, axis)));
+  const middle = frame.map((_, axis) => {
+    let [least, most] = [Infinity, -Infinity];
+    for (const place of seen) [least, most] = [Math.min(least, place[axis]), Math.max(most, place[axis])];
+    return (least + most) / 2;
+  });
+  let away = 1;
+  for (const [r, u, b] of seen) {
+    away = Math.max(away, Math.max(Math.abs(r - middle[0]) / wide, Math.abs(u - middle[1]) / high) + b - middle[2]);
+  }
+  return { centre: [0, 1, 2].map((i) => along(middle, frame.map((axis) => axis[i]))), away: 1.1 * away };
+}
+
 export class Scene {
   constructor(box, columns, section) {
     this.columns = columns;
     this.section = section;
     this.box = box;
     this.scene = new THREE.Scene();
-    this.camera = new THREE.PerspectiveCamera(40, 1, 1, 100000);
+    this.camera = new THREE.PerspectiveCamera(28, 1, 1, 100000);
     this.camera.up.set(0, 0, 1);
     this.painter = new Painter(box, this.scene, this.camera);
     this.orbit = new THREE.OrbitControls(this.camera, this.painter.canvas);
@@ -99,10 +128,14 @@ export class Scene {
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0x666666, 1));
     this.addPath();
     this.addMachine();
-    this.painter.setContent([this.path, this.rapids, this.told, this.sagging], this.others);
+    this.painter.setContent(this.layers(), this.others);
     this.looked = "path";
     new ResizeObserver(() => this.resize()).observe(box);
     this.look(this.looked);
+  }
+
+  layers() {
+    return [this.path, this.rapids, this.told, this.sagging];
   }
 
   place(point) {
@@ -115,14 +148,14 @@ export class Scene {
     const cuts = segments(kind, (of) => of >= kKinds.line);
     const kept = extremePoints([x, y, z]);
     for (const { point } of this.section.worst) kept.add(point);
-    this.bounds = new THREE.Box3();
-    for (let i = 0; i < x.length; ++i) this.bounds.expandByPoint(vector(x[i], y[i], z[i]));
-    this.size = Math.max(1, this.bounds.getSize(vector(0, 0, 0)).length());
+    const bounds = new THREE.Box3();
+    for (let i = 0; i < x.length; ++i) bounds.expandByPoint(vector(x[i], y[i], z[i]));
+    this.size = Math.max(1, bounds.getSize(vector(0, 0, 0)).length());
     const draft = simplified(cuts, this.columns, this.size / 500, kept);
-    this.path = new PathLines(cuts, draft, kept, new THREE.LineBasicMaterial({ vertexColors: THREE.VertexColors }));
+    this.path = new PathLines(cuts, draft, kept, { width: 3 });
     const rapids = segments(kind, (of) => of === kKinds.rapid);
-    this.rapids = new PathLines(rapids, rapids, kept, new THREE.LineDashedMaterial({ color: 0x8a8f96, dashSize: this.size / 120, gapSize: this.size / 160 }));
-    const shifted = (column, color) => new PathLines(column ? cuts : [], column ? draft : [], kept, new THREE.LineBasicMaterial({ color, transparent: true, opacity: 0.45 }));
+    this.rapids = new PathLines(rapids, rapids, kept, { color: 0x8a8f96, dash: this.size / 120, gap: this.size / 160 });
+    const shifted = (column, color) => new PathLines(column ? cuts : [], column ? draft : [], kept, { color, opacity: 0.6 });
     this.told = shifted(this.columns.cx, 0x0072b2);
     this.sagging = shifted(this.columns.ex, 0xd55e00);
     const asked = (point, numbers, at) => {
@@ -130,7 +163,7 @@ export class Scene {
       numbers[at + 1] = y[point];
       numbers[at + 2] = z[point];
     };
-    for (const layer of [this.path, this.rapids, this.told, this.sagging]) {
+    for (const layer of this.layers()) {
       layer.place(asked);
       this.scene.add(layer.group);
     }
@@ -160,20 +193,27 @@ export class Scene {
     }
   }
 
-  /// "path", "machine", or from "x", "y", "z".
-  look(at) {
-    const whole = this.bounds.clone();
-    if (at === "machine" && this.machine) {
-      for (const p of this.section.machine.base) whole.expandByPoint(vector(...p));
+  /// What a view must hold: the path with what is drawn of its shift, the machine or its travel.
+  *placesOf(at) {
+    for (let i = 0; i < this.columns.x.length; ++i) {
+      yield this.place(i);
+      for (const [layer, shifted] of this.shifts ?? []) if (layer.group.visible) yield shifted(i);
     }
-    const centre = whole.getCenter(vector(0, 0, 0));
-    // The sphere around all of it fits the narrower of the two angles of view; a path seldom fills it.
-    const half = Math.atan(Math.tan((this.camera.fov / 2) * (Math.PI / 180)) * Math.min(1, this.camera.aspect));
-    const away = (0.5 * Math.max(1, whole.getSize(vector(0, 0, 0)).length())) / Math.sin(half);
+    if (at === "machine" && this.machine) yield* [...this.section.machine.base, ...this.machine.ends.map((p) => p.toArray())];
+    if (at === "travel" && this.travel) {
+      const { min, max } = this.travel.box;
+      for (let i = 0; i < 8; ++i) yield [i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z];
+    }
+  }
+
+  /// "path", "machine", "travel", or from "x", "y", "z".
+  look(at) {
     this.looked = at;
     const from = { x: [1, 0, 0], y: [0, -1, 0], z: [0, -0.001, 1] }[at] ?? [0.55, -0.75, 0.5];
-    this.orbit.target.copy(centre);
-    this.camera.position.copy(centre).add(vector(...from).normalize().multiplyScalar(away));
+    const slope = Math.tan((this.camera.fov / 2) * (Math.PI / 180));
+    const { centre, away } = fitted(this.placesOf(at), from, slope * this.camera.aspect, slope);
+    this.orbit.target.set(...centre);
+    this.camera.position.set(...centre).addScaledVector(vector(...from).normalize(), away);
     this.camera.near = away / 500;
     this.camera.far = away * 60;
     this.camera.updateProjectionMatrix();
@@ -193,13 +233,11 @@ export class Scene {
   exaggerate(gain) {
     const { x, y, z, cx, cy, cz, ex, ey, ez } = this.columns;
     const by = gain / 1000;
-    const shifted = (dx, dy, dz) => (point, numbers, at) => {
-      numbers[at] = x[point] + by * (dx[point] || 0);
-      numbers[at + 1] = y[point] + by * (dy[point] || 0);
-      numbers[at + 2] = z[point] + by * (dz[point] || 0);
-    };
-    if (cx) this.told.place(shifted(cx, cy, cz));
-    if (ex) this.sagging.place(shifted(ex, ey, ez));
+    const shifted = (dx, dy, dz) => (point) => [x[point] + by * (dx[point] || 0), y[point] + by * (dy[point] || 0), z[point] + by * (dz[point] || 0)];
+    this.shifts = [];
+    if (cx) this.shifts.push([this.told, shifted(cx, cy, cz)]);
+    if (ex) this.shifts.push([this.sagging, shifted(ex, ey, ez)]);
+    for (const [layer, place] of this.shifts) layer.place((point, numbers, at) => numbers.set(place(point), at));
     this.draw();
   }
 
@@ -240,6 +278,7 @@ export class Scene {
     const { clientWidth, clientHeight } = this.box;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.painter.setSize(clientWidth, clientHeight);
+    for (const layer of this.layers()) layer.setSize(clientWidth, clientHeight);
     const turned = this.camera.aspect !== clientWidth / clientHeight;
     this.camera.aspect = clientWidth / clientHeight;
     this.camera.updateProjectionMatrix();
