@@ -1,14 +1,7 @@
 // Colours that readers with any colour vision can tell apart.
 
-/// A ramp over [from, to], dark to light (cividis); what is no number is grey.
-export function ramp(from, to) {
-  const span = to > from ? to - from : 1;
-  const clamp = (share) => Math.max(0, Math.min(1, share));
-  return (value) => (Number.isFinite(value) ? d3.interpolateCividis(0.08 + 0.92 * clamp((value - from) / span)) : "#8a8f96");
-}
-
-/// A ramp for lines on the page's ground (viridis: the middle of cividis is as grey as rapids are), without the end
-/// that is as light, or as dark, as the ground is.
+/// A ramp over [from, to] for lines on the page's ground: viridis without the end that is as light, or as dark, as the
+/// ground is. What is no number is grey.
 export function lineRamp(from, to) {
   const dark = window.matchMedia("(prefers-color-scheme: dark)").matches;
   const [low, high] = dark ? [0.3, 1] : [0, 0.82];

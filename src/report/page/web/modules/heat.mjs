@@ -38,7 +38,7 @@ export function shownPlaces(count, most) {
 
 function colourScale(one, range) {
   const [low, high] = one.range ?? range;
-  const ramp = d3.interpolateCividis;
+  const ramp = d3.interpolateViridis;
   const scale = one.log ? d3.scaleSequentialLog([Math.max(low, high * 1e-6, 1e-12), high], ramp)
     : d3.scaleSequential([low, high === low ? low + 1 : high], ramp);
   return scale.clamp(true);
