@@ -85,3 +85,31 @@ TEST_CASE("after G28 without axes nobody knows where they stand") {
     CHECK(code_of(placed + "G43 H1 Z20.\n" + home + "\nG0 X5.\nM30\n", job) == "nc-axes-missing");
   }
 }
+
+TEST_CASE("a cut may begin where a turn of the coordinates left the axes, if it names X and Y") {
+  const auto check_same = [](const std::string& turned, const std::string& plain, const Job& job) {
+    INFO(turned);
+    const auto after_turn = moves_of(run(turned, job).text, job.program, job.dialect);
+    const auto unturned = moves_of(run(plain, job).text, job.program, job.dialect);
+    REQUIRE(after_turn.size() == unturned.size());
+    CHECK(after_turn.size() > 8);
+    for (std::size_t i = 0; i < after_turn.size(); ++i) {
+      for (const Axis axis : kAllAxes) {
+        CHECK(after_turn[i].motion.machine[axis] == Approx(unturned[i].motion.machine[axis]).margin(0.004));
+      }
+    }
+  };
+  Job job = kept_over_changes("siemens");
+  const std::string start = "G54 G17 G710 G90 G94\nG0 X10 Y10 Z80 A0 B0 C0\n";
+  for (const std::string turn : {"AROT RPL=30\n", "TRANS X0\nROT Z30\n", "ROT RPL=20\nAROT Z10\n"}) {
+    check_same(start + turn + "G1 X5 Y5 F300\nX9 Y-2\nTRANS\nX1 Y2 F500\nM30\n",
+               start + "G1 X1.830127 Y6.830127 F300\nX8.794229 Y2.767949\nX1 Y2 F500\nM30\n", job);
+  }
+  CHECK(code_of(start + "AROT RPL=30\nG1 X5 F300\nM30\n", job) == "compensate-position-unknown");
+  CHECK(code_of(start + "AROT RPL=30\nM0\nG1 X5 Y5 F300\nM30\n", job) == "compensate-position-unknown");
+  CHECK(code_of(start + "AROT RPL=30\nG0 X3\nG1 X5 Y5 F300\nM30\n", job) == "compensate-position-unknown");
+  job.dialect = "fanuc";
+  const std::string head = "O1\nG54 G90\nG0 X10. Y10. Z80. A0. B0. C0.\n";
+  check_same(head + "G68 X0. Y0. R30.\nG1 X5. Y5. F300.\nX9. Y-2.\nG69\nX1. Y2. F500.\nM30\n",
+             head + "G1 X1.830 Y6.830 F300.\nX8.794 Y2.768\nX1. Y2. F500.\nM30\n", job);
+}

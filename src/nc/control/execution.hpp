@@ -20,6 +20,9 @@ struct Chosen {
   const Word* word = nullptr;
 };
 
+/// Of a word that a message speaks of.
+std::string_view article_of(char letter);
+
 /// No upper limit for Execution::whole.
 inline constexpr int kNoLimit = 1000000000;
 

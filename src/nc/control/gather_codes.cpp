@@ -141,6 +141,19 @@ void take_word_mode(Execution& run, const Word& word) {
   if (rule == RotaryRule::linear) rule = RotaryRule::one_turn;
 }
 
+// G54 P2 is G54.1 P2 where nobody else of the block takes the P.
+void take_code_beside(Execution& run) {
+  const CodeRow* const mode = run.control.motion_row;
+  for (Chosen& code : run.chosen) {
+    const std::uint32_t letter = code.row->beside_is == 0 ? 0 : letter_bit(code.row->not_beside);
+    if ((run.words.letters() & letter) == 0) continue;
+    const bool taken = (mode != nullptr && (mode->word_mask & letter) != 0) ||
+                       std::any_of(run.chosen.begin(), run.chosen.end(),
+                                   [&](const Chosen& other) { return (other.row->word_mask & letter) != 0; });
+    if (!taken) code.row = run.dialect.g_code(code.row->beside_is);
+  }
+}
+
 [[noreturn]] void refuse_large(const Execution& run, const Word& word) {
   run.refuse(word, codes::kOutOfRange, fmt::format("{} is worth {:.6g}", word.letter, word.value),
              fmt::format("look for a slip or a missing point; words may be worth up to {:.0e}", kLargestValue));
@@ -211,6 +224,7 @@ void gather_codes(Execution& run) {
     if (run.dialect.behaviour.dwell_takes_words) take_words_of_dwell(run);
     check_groups(run);
   }
+  take_code_beside(run);
 }
 
 }  // namespace plumbline::nc

@@ -91,11 +91,12 @@ struct Hole {
 
 struct CycleCall;
 
-/// M98 and G65 call a program, M99 ends it.
+/// M98 and G65 call a program, M97 a part of the one that is executed, M99 ends it.
 struct ProgramCall {
   enum class Kind : std::uint8_t {
     none,
     program,  // M98
+    part,     // M97: from the block with this N on
     macro,    // G65: the program has variables of its own
     end,      // M99
   };
@@ -104,7 +105,7 @@ struct ProgramCall {
   int count = 1;
   std::optional<int> return_to;  // M99 P: the N at which the caller goes on
 
-  bool calls() const { return kind == Kind::program || kind == Kind::macro; }
+  bool calls() const { return kind != Kind::none && kind != Kind::end; }
   bool ends() const { return kind == Kind::end; }
 };
 

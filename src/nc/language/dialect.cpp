@@ -64,6 +64,15 @@ int Dialect::system_of_name(std::string_view text) const {
     known.erase(std::remove(known.begin(), known.end(), ' '), known.end());
     if (known == text) return system;
   }
+  // G154P2 is another name of G54.1P2.
+  for (const CodeRow& row : g_codes) {
+    const std::string code = text_of_code(row) + row.words;
+    if (row.action != Action::work_system_by_word || !text.starts_with(code)) continue;
+    const std::optional<double> number = parse_number(text.substr(code.size()));
+    if (number && *number >= 1 && *number <= work_systems - row.value && *number == std::floor(*number)) {
+      return row.value + static_cast<int>(*number);
+    }
+  }
   return 0;
 }
 

@@ -141,7 +141,8 @@ struct CodeRow {
   bool needs_axes = false;                 // without an axis word it is not known what it does
   bool absolute_alone = false;             // what it does under G91 is not known
   bool unturned = false;                   // not while the work system is turned by the program
-  char not_beside = 0;                     // a letter that makes another code of it where it stands in the block
+  char not_beside = 0;                     // a letter that makes another code of it where it stands in the block:
+  int beside_is = 0;                       // ten times that code; 0: refused
   FeedRule feed_rule = FeedRule::unknown;  // of a tool length: with it in force; unknown: the dialect's
   bool has_arguments = false;              // a name with ( ) after it, which the interpreter does not look into
   bool order_unknown = false;              // whether it acts before the move of its block or after it

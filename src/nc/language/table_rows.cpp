@@ -98,6 +98,9 @@ CodeRow TableRows::row(const TomlValue& from, bool has_number) const {
   row.absolute_alone = table_.flag(from, "absolute_alone");
   row.unturned = table_.flag(from, "unturned");
   if (from.find("not_beside") != nullptr) row.not_beside = table_.text(from, "not_beside").front();
+  if (from.find("beside_is") != nullptr) {
+    row.beside_is = static_cast<int>(std::lround(parse_number(table_.text(from, "beside_is")).value() * 10));
+  }
   if (from.find("feed_rule") != nullptr) row.feed_rule = feed_rule_named(table_.text(from, "feed_rule"));
   if (const TomlValue* const only = table_.value(from, "only", TomlValue::Kind::array)) {
     for (const TomlValue& word : only->items) {

@@ -35,6 +35,13 @@ bool has_action(const Block& block, const Dialect& dialect, Action action) {
                      [&](const Word& word) { return action_of(word, dialect) == action; });
 }
 
+// M98; M97 stays within the program.
+bool calls_by_code(const Block& block, const Dialect& dialect) {
+  return std::any_of(block.words.begin(), block.words.end(), [&](const Word& word) {
+    return action_of(word, dialect) == Action::call_program && dialect.row_of(word)->value == 0;
+  });
+}
+
 bool ends_program(const Block& block, const Dialect& dialect) {
   return !block.block_delete && has_action(block, dialect, Action::end);
 }
@@ -61,7 +68,7 @@ std::string called_name(const Block& block, const Dialect& dialect) {
     const Instruction& label = block.code.at(block.flow.label);
     return label.operation == Operation::number ? fmt::format("{}", std::lround(label.number)) : "";
   }
-  const bool by_code = has_action(block, dialect, Action::call_program);
+  const bool by_code = calls_by_code(block, dialect);
   const Word* const program = find_word(block, 'P');
   if (program == nullptr || program->expression != kLiteral || std::abs(program->value) >= kBeyondPrograms) return {};
   if (!by_code && !has_action(block, dialect, Action::call_macro)) return {};

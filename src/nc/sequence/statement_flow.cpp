@@ -12,6 +12,24 @@
 #include "nc/syntax/line_head.hpp"
 
 namespace plumbline::nc {
+namespace {
+
+// Where a subprogram begins.
+FilePlace program_called(const Block& block, const std::string& name, LabelIndex& labels, const Dialect& dialect) {
+  if (const std::optional<FilePlace> found = labels.find_program(name)) return *found;
+  refuse_flow(
+      block, codes::kFlowOpen, fmt::format("subprogram {} is neither in this file nor beside it", name),
+      fmt::format("put it into a file of its name beside the program, as {}", subprogram_file_name(name, dialect)));
+}
+
+// M97: the block with that number, in the program that calls.
+LinePlace part_called(const Block& block, const std::string& number, LabelIndex& labels) {
+  if (const LinePlace* const place = labels.find_label(number, block.line, Direction::both)) return *place;
+  refuse_flow(block, codes::kFlowLabel, fmt::format("there is no {} in this program to call", number),
+              "M97 calls a part of its own program: check its P, or write M98 for another program");
+}
+
+}  // namespace
 
 StatementFlow::StatementFlow(const InputFile& program, const Dialect& dialect, Interpreter& interpreter)
     : dialect_(dialect),
@@ -120,6 +138,11 @@ void StatementFlow::head(const Block& block) {
     refuse_flow(block, codes::kFlowOpen, fmt::format("subprogram {} runs into the next program", calls_.top().name),
                 "end it with M99, RTS, M17 or RET, as its control has it");
   }
+  if (dialect_.syntax.statements ==
+      Statements::user_task) {  // OMIT and other words of an OSP look like names of programs
+    refuse_flow(block, codes::kFlowOpen, "this begins another program, and the one before it has not ended",
+                "end that with M2 or M30 before this line; patterns of holes (LAA, BHC, OMIT) are not read");
+  }
   reading_ = Reading::after_end;
 }
 
@@ -205,17 +228,24 @@ void StatementFlow::call(const Block& block) {
   std::vector<Value> named;
   for (const Setting& setting : block.settings) named.push_back(interpreter_.value(block, setting.value));
   if (call.remaining < 0) refuse_flow(block, codes::kOutOfRange, "P asks for no call at all", "write P1 or more");
+  call.entry = program_called(block, call.name, labels_, dialect_);
   enter(block, std::move(call), true);
   for (std::size_t i = 0; i < named.size(); ++i) interpreter_.set_variable(block, i, named[i]);
 }
 
-// M98, G65
+// M98, G65, M97
 void StatementFlow::call_program(const Block& block, const ProgramCall& program) {
   if (program.count <= 0) return;
   Call call;
   call.name = std::to_string(program.number);
   call.by = CalledBy::code;
   call.remaining = program.count - 1;
+  if (program.kind == ProgramCall::Kind::part) {
+    call.name.insert(0, 1, 'N');
+    call.entry = {files_.current(), part_called(block, call.name, labels_)};
+  } else {
+    call.entry = program_called(block, call.name, labels_, dialect_);
+  }
   const bool macro = program.kind == ProgramCall::Kind::macro;
   enter(block, std::move(call), macro);
   if (macro) interpreter_.set_macro_arguments();
@@ -225,13 +255,6 @@ void StatementFlow::enter(const Block& block, Call call, bool own_variables) {
   used_ = true;
   calls_.check_room(block);
   call.back = files_.here();
-  const std::optional<FilePlace> found = labels_.find_program(call.name);
-  if (!found) {
-    refuse_flow(block, codes::kFlowOpen, fmt::format("subprogram {} is neither in this file nor beside it", call.name),
-                fmt::format("put it into a file of its name beside the program, as {}",
-                            subprogram_file_name(call.name, dialect_)));
-  }
-  call.entry = *found;
   call.line = block.line;
   if (own_variables) {
     interpreter_.enter_with_own(dialect_.syntax.local_variables);

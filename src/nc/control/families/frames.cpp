@@ -18,13 +18,17 @@ int system_of_word(const Execution& run, const CodeRow& row, const Word& word) {
              "program the part as it lies, with A, B and C");
 }
 
-// The axes stand where they stood, and their words are new; the plane's must both be stated next [B-63684EN 14.6].
+// The axes stand where they stood, and their words are new; the plane's must both be stated next [B-63684EN 14.6], and
+// a move that states both begins there.
 void turn(Execution& run, double degrees) {
   Control& control = run.control;
   const bool changes = degrees != control.turn_deg;
+  const AxisSet standing = control.known | control.turned;
   control.turn_deg = degrees;
   control.use_active_system();
-  if (changes && !run.settings.as_with_empty_tables) control.known = control.known - kTurningAxes;
+  if (run.settings.as_with_empty_tables) return;
+  if (changes) control.known = control.known - kTurningAxes;
+  if (standing.contains(kTurningAxes) && !control.known.contains(kTurningAxes)) control.turned = kTurningAxes;
 }
 
 void check_no_g92(const Execution& run, const Word& word) {

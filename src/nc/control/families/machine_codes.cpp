@@ -85,15 +85,16 @@ void call_program(Execution& run, const Chosen& chosen) {
     run.refuse(word, codes::kFlowControl, "M98 and M99 stand alone in their block",
                "put the other words into a block of their own");
   }
-  run.call.kind = calls ? ProgramCall::Kind::program : ProgramCall::Kind::end;
+  const bool calls_part = calls && chosen.row->value != 0;
+  run.call.kind = !calls ? ProgramCall::Kind::end : calls_part ? ProgramCall::Kind::part : ProgramCall::Kind::program;
   if (!calls) {
     if (const Word* to = run.words.find('P')) run.call.return_to = run.whole(*to, 0, kNoLimit);
     return;
   }
-  run.call.number = run.whole(run.need('P', "M98"), 0, kNoLimit);
+  run.call.number = run.whole(run.need('P', run.text_of(*chosen.word)), 0, kNoLimit);
   const Word* const count = run.words.find('L');
   if (count != nullptr) run.call.count = run.whole(*count, run.dialect.behaviour.least_calls, kNoLimit);
-  if (run.dialect.behaviour.call_repeat_digits == 0 || count != nullptr) return;
+  if (run.dialect.behaviour.call_repeat_digits == 0 || count != nullptr || calls_part) return;
   const int one = static_cast<int>(std::pow(10, run.dialect.behaviour.call_repeat_digits));
   if (run.call.number < one) return;
   run.call.count = run.call.number / one;  // P00030010: three times O0010
@@ -116,7 +117,8 @@ void dwell(Execution& run, const Word& code) {
     if (word == nullptr) word = run.words.find(letter);
   }
   if (word == nullptr) {
-    run.refuse(code, codes::kWordMissing, fmt::format("G4 needs a {} word", letters.front()),
+    run.refuse(code, codes::kWordMissing,
+               fmt::format("G4 needs {} {} word", article_of(letters.front()), letters.front()),
                "add the seconds to wait");
   }
   if (word->value < 0) {

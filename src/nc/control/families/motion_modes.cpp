@@ -29,6 +29,15 @@ bool moves_specially(Execution& run, Action action) {
   return true;
 }
 
+// The first move after a turn, where it names both axes of the plane.
+void begin_after_turn(Execution& run) {
+  Control& control = run.control;
+  const bool absolute = !control.modal.incremental && !run.has_word_modes && run.machine_word == nullptr;
+  if (absolute && !control.turned.empty() && run.axes.contains(control.turned)) {
+    control.known = control.known | control.turned;
+  }
+}
+
 // On an OSP G1 and a cycle are of different groups: whether the one ends the other was found in no source; posts write
 // G0 or G80.
 void check_ends_cycle(const Execution& run, Action action) {
@@ -64,6 +73,7 @@ void end_motion(Execution& run) {
 void make_motion(Execution& run) {
   const Action action = run.motion->action;
   check_offsets_of_motion(run);
+  begin_after_turn(run);
   if (action == Action::cycle) return move_in_cycle(run);
   check_ends_cycle(run, action);
   if (run.machine_word != nullptr && run.dialect.behaviour.machine_move_is_rapid) {

@@ -37,9 +37,15 @@ const CodeRow* Execution::chosen_row(Action action) const {
   return nullptr;
 }
 
+// As the letters are said: an F, a P.
+std::string_view article_of(char letter) {
+  return std::string_view("AEFHILMNORSX").find(letter) != std::string_view::npos ? "an" : "a";
+}
+
 const Word& Execution::need(char letter, std::string_view code_text) const {
   if (const Word* word = words.find(letter)) return *word;
-  refuse(codes::kWordMissing, fmt::format("{} needs a {} word", code_text, letter), "add it to the block");
+  refuse(codes::kWordMissing, fmt::format("{} needs {} {} word", code_text, article_of(letter), letter),
+         "add it to the block");
 }
 
 const Word& Execution::motion_code() const { return motion_word != nullptr ? *motion_word : block->words.front(); }
@@ -263,6 +269,7 @@ void add_motion(Execution& run, const Motion& planned) {
   motion.feed_rule = feed_rule_of(run);
   motion.feed_along_circle =
       run.settings.helix_feed_along_circle.value_or(run.dialect.behaviour.helix_feed_along_circle);
+  if (!(run.axes & kTurningAxes).empty()) control.turned = AxisSet{};
   motion.from = control.position;
   motion.known_before = control.known;
   motion.machine = control.frame.to_machine(motion.to);
@@ -278,6 +285,7 @@ void add_motion(Execution& run, const Motion& planned) {
 
 void lose_position(Execution& run, AxisSet axes) {
   run.step.loses_position = true;
+  run.control.turned = run.control.turned - axes;
   if (!run.settings.as_with_empty_tables) run.control.known = run.control.known - axes;
 }
 

@@ -142,6 +142,7 @@ void Control::change_frame(const Frame& next) {
   }
   // A turned X is made of both X and Y.
   if (!same_mixed && !known.contains(mixed)) known = known - mixed;
+  turned = AxisSet{};
   frame = next;
 }
 

@@ -95,6 +95,7 @@ struct Control {
   AxisWords position;                    // in the active work system
   std::array<InchPlace, 3> inch_places;  // of X, Y and Z, at the end of their last move in inches
   AxisSet shifted;                       // by a change that increments may bring along, since their last absolute word
+  AxisSet turned;                        // a turn left them where they stood: known anew once both are named
   AxisSet known;                         // of position; where the origin is not known, of the machine's position
   std::array<WorkSystem, kWorkSystems> systems;
   Cycle cycle;

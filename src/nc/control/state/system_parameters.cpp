@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "nc/control/state/modal_variables.hpp"
 #include "nc/control/state/named_parameters.hpp"
 #include "nc/control/state/tool_rows.hpp"
 #include "nc/language/codes.hpp"
@@ -148,6 +149,10 @@ Value SystemParameters::read_macro_variable(const Block& block, int number, Span
     if (!control_.systems[at].known.contains(axis)) return unset(block, span);
     const double value = control_.systems[at].origin[axis];
     return {is_rotary(axis) ? value : value / control_.length_unit(), true};
+  }
+  if (const std::optional<Value> shown = modal_variable(control_, number)) {
+    control_.position_read = true;  // arcs become lines, and F another one
+    return *shown;
   }
   refuse_at(block, span, codes::kNotInterpreted,
             fmt::format("#{} is a variable of the control itself, which is not interpreted", number),

@@ -77,6 +77,10 @@ void read_o_word(BlockReading& in) {
   }
   for (cursor.take(lex_item); cursor.is(TokenKind::comment); cursor.take(lex_item)) in.out.add_comment(cursor.span());
   if (cursor.is_at_end_of_block()) return;
+  if (in.syntax->statements == Statements::macro_b) {
+    cursor.refuse(cursor.span(), codes::kFlowControl, "nothing but a comment stands after the number of a program",
+                  "put the words into a block of their own");
+  }
   cursor.refuse(cursor.span(), codes::kFlowControl, "nothing but a comment stands after an O word",
                 "write SUB, CALL, IF, WHILE or another keyword after the label, and words into a block of their own");
 }

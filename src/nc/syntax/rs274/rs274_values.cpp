@@ -45,6 +45,13 @@ Operation of_bits(Operation operation) {
   return operation == Operation::exclusive_or ? Operation::bit_exclusive_or : operation;
 }
 
+// A power, a name in < > and EXISTS are LinuxCNC's.
+void check_of_dialect(const BlockReading& in, Span span, std::string_view text) {
+  if (in.syntax->statements != Statements::macro_b) return;
+  in.cursor.refuse(span, codes::kOperator, fmt::format("{} is no part of this control's language", text),
+                   "write it with + - * / and numbered variables, or choose another dialect");
+}
+
 // Precedence climbing; token() is the operation after the value just read, and again on return. `compared`: this
 // bracket has compared already.
 void operations(BlockReading& in, int least_precedence, bool& compared) {
@@ -53,6 +60,7 @@ void operations(BlockReading& in, int least_precedence, bool& compared) {
     Operation operation = cursor.operation();
     if (in.syntax->bitwise) operation = of_bits(operation);
     if (precedence(operation) < least_precedence) return;
+    if (operation == Operation::power) check_of_dialect(in, cursor.span(), "**");
     if (in.syntax->bitwise && is_relation(operation)) {
       if (compared) {
         cursor.refuse(cursor.span(), codes::kOperator, "a second comparison without brackets around each",
@@ -108,6 +116,7 @@ void parameter(BlockReading& in) {
   Span span = in.cursor.span();
   in.cursor.look(lex_value);
   if (in.cursor.is(TokenKind::name)) {
+    check_of_dialect(in, span, "a name in < >");
     in.cursor.pass();
     const std::uint32_t name = read_name(in);
     span.end = in.cursor.here();
@@ -186,6 +195,7 @@ void function(BlockReading& in) {
 // exists = "EXISTS" , "[" , "#" , ( name | real value ) , "]"
 void exists(BlockReading& in) {
   const Span span = in.cursor.span();
+  check_of_dialect(in, span, "EXISTS");
   const auto expect = [&](Lexer lex, TokenKind kind) {
     in.cursor.take(lex);
     if (in.cursor.is(kind)) return;

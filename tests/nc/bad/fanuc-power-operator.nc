@@ -1,0 +1,3 @@
+(expect: nc-operator 2 5 dialect: fanuc)
+#1=2**3
+M30

@@ -1,0 +1,3 @@
+(expect: nc-not-interpreted 2 8 dialect: fanuc)
+G54 G4 P48
+M30
