@@ -12,6 +12,7 @@
 #include "base/axes.hpp"
 #include "base/diagnostic.hpp"
 #include "compensate/read_back/figures.hpp"
+#include "nc/language/tool_table.hpp"
 
 namespace plumbline::compensate {
 
@@ -61,7 +62,25 @@ struct BoundFigures {
   ArcFigures arcs;
 };
 
+/// What an output was made of, and holds for.
+struct MadeOf {
+  struct Offset {
+    std::string system;  // as the control calls it
+    AxisWords origin;
+    double rotation_deg = 0;
+  };
+  std::string program;
+  std::uint64_t program_hash = 0;  // fnv1a, where Summary::hash_after is one
+  std::string dialect;
+  std::string model;
+  std::string model_file;
+  std::uint64_t model_hash = 0;
+  std::vector<Offset> offsets;  // that were given, whether the program uses them or not
+  std::vector<nc::Tool> tools;  // that it may use
+};
+
 struct Summary {
+  MadeOf made_of;
   std::uint64_t blocks = 0;  // of the program
   std::uint64_t moves = 0;   // that were corrected or found to need no correction
   std::uint64_t changed_blocks = 0;
@@ -89,7 +108,7 @@ struct Summary {
   AxisSet assumed_at_zero;  // rotary axes that the program never names
   std::uint64_t bytes_before = 0;
   std::uint64_t bytes_after = 0;
-  std::uint64_t hash_after = 0;  // fnv1a of the output, where a file of the summary or for undoing holds it; else 0
+  std::uint64_t hash_after = 0;  // fnv1a of the output, where a file of the summary, an undo file or a caller takes it
   bool identical = true;         // nothing had to change
   bool unrolled = false;         // written as a program without loops, subprograms and parameters
   struct InlinedFile {

@@ -7,6 +7,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/files/files.hpp"
+#include "base/text/hash.hpp"
 #include "compensate/stream.hpp"
 #include "jobs/compensate/compensated_files.hpp"
 #include "jobs/compensate/guard_block.hpp"
@@ -61,6 +62,30 @@ void write_reports(const std::vector<ReportFile>& reports, const compensate::Sum
   }
 }
 
+std::uint64_t hash_of(const InputFile& file) {
+  std::string chunk(std::size_t{1} << 16U, '\0');
+  std::uint64_t hash = fnv1a({});
+  for (std::uint64_t at = 0;;) {
+    const std::size_t got = file.read(at, chunk.data(), chunk.size());
+    if (got == 0) return hash;
+    hash = fnv1a({chunk.data(), got}, hash);
+    at += got;
+  }
+}
+
+compensate::MadeOf made_of(const OpenedProgram& program, const machine::MachineModel& model,
+                           const settings::Options& options, const std::vector<nc::Tool>& tools) {
+  compensate::MadeOf of{
+      program.file.name(), 0, program.dialect.name, model.name, options.paths.model.name(), model.hash, {}, tools};
+  for (std::size_t i = 0; i < program.settings.work_offsets.size(); ++i) {
+    const auto& offset = program.settings.work_offsets[i];
+    if (!offset) continue;
+    of.offsets.push_back(
+        {program.dialect.name_of_system(static_cast<int>(i) + 1), offset->origin, offset->rotation_deg});
+  }
+  return of;
+}
+
 }  // namespace
 
 nc::EmitSettings emit_settings(const machine::ControlSettings& control, const nc::Dialect& dialect,
@@ -90,9 +115,14 @@ compensate::Summary compensate_file(const Source& program, const Destination& ou
                                     const Progress& progress, const std::vector<ReportFile>& reports,
                                     const Destination& undo) {
   const machine::MachineModel model = machine::read_model(options.paths.model);
-  const OpenedProgram opened = open_program(options, program, model);
-  const auto& [source, dialect, settings] = opened;
+  return compensate_opened(open_program(options, program, model), model, output, options, progress, reports, undo);
+}
 
+compensate::Summary compensate_opened(const OpenedProgram& opened, const machine::MachineModel& model,
+                                      const Destination& output, const settings::Options& options,
+                                      const Progress& progress, const std::vector<ReportFile>& reports,
+                                      const Destination& undo) {
+  const auto& [source, dialect, settings] = opened;
   nc::EmitSettings emit = emit_settings(model.control, dialect, options);
   const compensate::ProgramSurvey survey = survey_program(opened);
   emit.stamp = stamp(options, settings, model, survey);
@@ -112,7 +142,11 @@ compensate::Summary compensate_file(const Source& program, const Destination& ou
   compensate::Summary summary = stream.run(progress);
   refuse_overwriting_subprogram(summary, output);
   summary.bytes_after = files.program().size();
-  summary.hash_after = files.program().hash();
+  summary.made_of = made_of(opened, model, options, survey.tools);
+  if (files.keeps_hash()) {
+    summary.hash_after = files.program().hash();
+    summary.made_of.program_hash = hash_of(source);
+  }
   write_reports(reports, summary, model, record, compensation, files);
   files.commit(source);
   return summary;

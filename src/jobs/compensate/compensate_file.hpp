@@ -48,6 +48,12 @@ compensate::Summary compensate_file(const Source& program, const Destination& ou
                                     const Progress& progress = {}, const std::vector<ReportFile>& reports = {},
                                     const Destination& undo = {});
 
+/// The same of a program that is open, on a model that was read before: once for many.
+compensate::Summary compensate_opened(const OpenedProgram& program, const machine::MachineModel& model,
+                                      const Destination& output, const settings::Options& options,
+                                      const Progress& progress = {}, const std::vector<ReportFile>& reports = {},
+                                      const Destination& undo = {});
+
 /// What compensate_file would refuse, if anything; nothing is written. Its guard and its read-back are left out.
 std::optional<Diagnostic> refusal_of_writing(const OpenedProgram& opened, const compensate::ProgramSurvey& survey,
                                              const machine::MachineModel& model, const settings::Options& options);

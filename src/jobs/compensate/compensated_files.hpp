@@ -20,6 +20,8 @@ class CompensatedFiles {
                    const std::vector<std::string>& reports);
 
   OutputFile& program() { return program_; }
+  /// Somebody is told the hash of the program.
+  bool keeps_hash() const { return keeps_hash_; }
   /// Null: none is wanted.
   nc::UndoLog* undo_log() { return undo_ ? &undo_->log : nullptr; }
   /// In the order in which they were named; to be written before commit().
@@ -38,6 +40,7 @@ class CompensatedFiles {
   bool join_old_undo(OutputFile& both) const;
 
   OutputFile program_;
+  bool keeps_hash_;
   std::optional<Undo> undo_;
   std::list<OutputFile> reports_;
 };

@@ -22,5 +22,7 @@ struct OpenedProgram {
 OpenedProgram open_program(const settings::Options& options, const Source& source);
 /// The same for the machine of a model; what nobody gave stays open, so that the interpreter asks for it.
 OpenedProgram open_program(const settings::Options& options, const Source& source, const machine::MachineModel& model);
+/// The same with what was made of the options and the model before: once for many programs.
+OpenedProgram open_program(const settings::Options& options, const Source& source, nc::ProgramSettings settings);
 
 }  // namespace plumbline::jobs

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/files/files_beside.hpp"
 #include "base/text/characters.hpp"
 #include "nc/syntax/line_source.hpp"
 
@@ -54,6 +55,7 @@ class Scan {
 
   /// True if the text may call a program of this name.
   bool may_call(const std::string& name) const { return names_.contains(name); }
+  bool may_call_any() const { return !names_.empty(); }
   bool may_use(const nc::Tool& tool) const {
     return has_expression_ || numbers_.contains(tool.number) || tool_names_.contains(tool.name);
   }
@@ -102,21 +104,25 @@ void take_file(Scan& scan, const InputFile& file) {
 
 // Files of subprograms stand beside the program, and are named after what calls them.
 void take_called_files(Scan& scan, const InputFile& program) {
+  if (!scan.may_call_any()) return;
   const fs::path folder = fs::path(program.name()).parent_path();
   std::set<fs::path> waiting;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, ignored)) {
-    if (entry.is_regular_file(ignored) && !program.is_same_as(entry.path().string())) waiting.insert(entry.path());
+    waiting.insert(entry.path());
   }
   for (bool found = true; found;) {
     found = false;
     for (auto path = waiting.begin(); path != waiting.end() && !found; ++path) {
       std::string stem = plain_name(path->stem().string());
       if (stem.starts_with("_n_")) stem = stem.substr(3, stem.rfind('_') - 3);
-      found = scan.may_call(stem);
-      if (!found) continue;
-      take_file(scan, InputFile(path->string()));
+      if (!scan.may_call(stem)) continue;
+      found = true;  // it may name others
+      const std::string file = path->string();
       waiting.erase(path);
+      if (!fs::is_regular_file(file, ignored) || program.is_same_as(file)) break;
+      FilesBeside::note(program.name(), "", file);
+      take_file(scan, InputFile(file));
       break;
     }
   }

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/files/files_beside.hpp"
 #include "base/text/characters.hpp"
 
 namespace plumbline::nc {
@@ -38,9 +39,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-}  // namespace
-
-fs::path subprogram_file(const std::string& program, const std::string& name, const Dialect& dialect) {
+fs::path looked_for(const std::string& program, const std::string& name, const Dialect& dialect) {
   const fs::path folder = fs::path(program).parent_path();
   const std::vector<std::string>& patterns = dialect.syntax.subprogram_files;
   if (dialect.syntax.case_of_files) {
@@ -58,6 +57,14 @@ fs::path subprogram_file(const std::string& program, const std::string& name, co
     }
   }
   return {};
+}
+
+}  // namespace
+
+fs::path subprogram_file(const std::string& program, const std::string& name, const Dialect& dialect) {
+  fs::path path = looked_for(program, name, dialect);
+  FilesBeside::note(program, name, path.string());
+  return path;
 }
 
 std::string subprogram_file_name(const std::string& name, const Dialect& dialect) {

@@ -225,6 +225,26 @@ Json warnings_json(const std::vector<Diagnostic>& warnings) {
   return list;
 }
 
+Json made_of_json(const compensate::MadeOf& of) {
+  Json offsets = Json::object();
+  for (const compensate::MadeOf::Offset& offset : of.offsets) {
+    offsets[offset.system] = axis_values(offset.origin);
+    offsets[offset.system]["rotation_deg"] = offset.rotation_deg;
+  }
+  Json tools = Json::array();
+  for (const nc::Tool& tool : of.tools) {
+    tools.push_back({{"number", tool.number},
+                     {"name", tool.name.empty() ? Json() : Json(tool.name)},
+                     {"length_mm", tool.length_mm},
+                     {"mass_kg", tool.mass_kg ? Json(*tool.mass_kg) : Json()},
+                     {"centre_of_mass_mm", tool.centre_of_mass_mm ? Json(*tool.centre_of_mass_mm) : Json()}});
+  }
+  return {{"program", of.program},       {"program_hash", to_hex(of.program_hash)},
+          {"dialect", of.dialect},       {"model", of.model},
+          {"model_file", of.model_file}, {"model_hash", to_hex(of.model_hash)},
+          {"work_offsets", offsets},     {"tools", tools}};
+}
+
 }  // namespace
 
 std::string summary_text(const Summary& summary, const settings::Options& options) {
@@ -244,7 +264,9 @@ std::string summary_text(const Summary& summary, const settings::Options& option
   return same + table.text();
 }
 
-std::string summary_json(const Summary& s, const settings::Options& options) {
+namespace {
+
+Json summary_in_json(const Summary& s, const settings::Options& options) {
   Json assumed = Json::array();
   for (const Axis axis : kAllAxes) {
     if (s.assumed_at_zero.contains(axis)) assumed.push_back(std::string(1, letter(axis)));
@@ -254,9 +276,10 @@ std::string summary_json(const Summary& s, const settings::Options& options) {
     inlined.push_back({{"name", file.name}, {"hash", to_hex(file.hash)}});
   }
   const std::vector<std::string>& files = options.paths.settings_files;
-  Json json{
+  return {
       {"plumbline", "compensation 1"},
       {"version", version()},
+      {"made_of", made_of_json(s.made_of)},
       {"identical", s.identical},
       {"unrolled", s.unrolled},
       {"inlined_files", inlined},
@@ -293,7 +316,16 @@ std::string summary_json(const Summary& s, const settings::Options& options) {
       {"settings_file", files.empty() ? Json() : Json(files.front())},
       {"settings_files", files},
       {"warnings", warnings_json(s.warnings)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string summary_json(const Summary& summary, const settings::Options& options) {
+  return summary_in_json(summary, options).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string summary_json_line(const Summary& summary, const settings::Options& options) {
+  return summary_in_json(summary, options).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace plumbline::report

@@ -13,5 +13,7 @@ std::string summary_text(const compensate::Summary& summary, const settings::Opt
 
 /// One JSON object, `"plumbline": "compensation 1"`: every figure, its unit in its key; null for what there is not.
 std::string summary_json(const compensate::Summary& summary, const settings::Options& options);
+/// The same on one line, without its end.
+std::string summary_json_line(const compensate::Summary& summary, const settings::Options& options);
 
 }  // namespace plumbline::report
