@@ -28,6 +28,7 @@ using Run = std::function<int()>;
 // command to `app` and puts what it does into `run` when it is the one asked for.
 #define PLUMBLINE_COMMANDS(COMMAND) \
   COMMAND(compensate)               \
+  COMMAND(batch)                    \
   COMMAND(restore)                  \
   COMMAND(error)                    \
   COMMAND(explain)                  \

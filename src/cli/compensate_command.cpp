@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
 
 #include "base/files/files.hpp"
+#include "base/files/files_beside.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
@@ -12,6 +14,7 @@
 #include "jobs/compensate/compensate_file.hpp"
 #include "jobs/compensate/compensated_files.hpp"
 #include "jobs/compensate/output_of.hpp"
+#include "report/depfile.hpp"
 #include "report/page/program_pages.hpp"
 #include "report/program/summary_text.hpp"
 
@@ -19,11 +22,22 @@ namespace plumbline::cli {
 namespace {
 
 struct CompensateArguments {
-  std::string program, output, json, report;
+  std::string program, output, json, report, depfile;
   SharedOptions shared;
 };
 
-std::vector<jobs::ReportFile> reports(const CompensateArguments& arguments, const settings::Options& options) {
+// The program, what it calls, and what the options name.
+std::vector<std::string> dependencies(const CompensateArguments& arguments, const settings::Options& options,
+                                      const FilesBeside& beside) {
+  std::vector<std::string> files = files_read(arguments.program, options);
+  for (const FilesBeside::Sought& one : beside.files()) {
+    if (std::find(files.begin(), files.end(), one.path) == files.end()) files.push_back(one.path);
+  }
+  return files;
+}
+
+std::vector<jobs::ReportFile> reports(const CompensateArguments& arguments, const settings::Options& options,
+                                      const std::string& output, const FilesBeside& beside) {
   std::vector<jobs::ReportFile> files;
   if (!arguments.json.empty()) {
     files.push_back({arguments.json, [&](const jobs::Compensation& of, OutputFile& file) {
@@ -36,6 +50,11 @@ std::vector<jobs::ReportFile> reports(const CompensateArguments& arguments, cons
                        report::write_page(report::compensation_page(of, arguments.program, options), file);
                      },
                      true});
+  }
+  if (!arguments.depfile.empty()) {
+    files.push_back({arguments.depfile, [&](const jobs::Compensation&, OutputFile& file) {
+                       file.write(report::depfile_text(output, dependencies(arguments, options, beside)));
+                     }});
   }
   return files;
 }
@@ -53,14 +72,19 @@ int compensate(const CompensateArguments& arguments) {
   const settings::Options options = arguments.shared.read(arguments.program);
   require_model(options);
   const std::string output = output_of(arguments, options);
-  check_outputs(files_read(arguments.program, options),
-                {output, arguments.json, arguments.report, options.undo ? jobs::undo_name(output) : std::string()});
+  check_outputs(files_read(arguments.program, options), {output, arguments.json, arguments.report, arguments.depfile,
+                                                         options.undo ? jobs::undo_name(output) : std::string()});
   if (options.undo && output_target(output).kind != OutputTarget::Kind::file) {
     throw UsageError("--undo writes a file beside the output: name one with -o");
   }
+  if (!arguments.depfile.empty() &&
+      (arguments.program == kStandardStream || output_target(output).kind != OutputTarget::Kind::file)) {
+    throw UsageError("--depfile says what a file depends on: name the program, and its output with -o");
+  }
   ProgressLine line("compensate");
-  const compensate::Summary summary =
-      jobs::compensate_file(arguments.program, output, options, line.progress(), reports(arguments, options));
+  const FilesBeside beside(arguments.program);
+  const compensate::Summary summary = jobs::compensate_file(arguments.program, output, options, line.progress(),
+                                                            reports(arguments, options, output, beside));
   line.clear();
   for (const Diagnostic& warning : summary.warnings) say(warning);
   if (arguments.output.empty() && output != kStandardStream)
@@ -85,6 +109,8 @@ void add_compensate(CLI::App& app, Run& run) {
       ->type_name("FILE");
   command->add_option("--json", arguments->json, "write the summary as JSON, too")->type_name("FILE");
   add_report_option(*command, arguments->report);
+  command->add_option("--depfile", arguments->depfile, "write which files were read, as a rule for make and ninja")
+      ->type_name("FILE");
   using Group = settings::OptionGroup;
   arguments->shared.add_to(*command, {Group::model, Group::program, Group::step, Group::bound, Group::compensation});
   command->callback([arguments, &run] { run = [arguments] { return compensate(*arguments); }; });

@@ -65,13 +65,19 @@ settings::Options SharedOptions::given() const {
   return options;
 }
 
-settings::ResolvedSettings SharedOptions::resolve(const std::string& program) const {
+settings::SettingsRequest SharedOptions::request() const {
   const settings::Options options = given();  // first of all: wrong usage shows before any file is read
   if (const std::optional<std::string> why = settings::contradiction(options)) throw UsageError(*why);
-  settings::SettingsRequest request{program, settings_file_, machine_, no_settings_, {}};
+  settings::SettingsRequest request{{}, settings_file_, machine_, no_settings_, {}};
   for (const Given& given : given_) {
     for (const std::string& text : given.texts) request.given.push_back({given.row, text, {}});
   }
+  return request;
+}
+
+settings::ResolvedSettings SharedOptions::resolve(const std::string& program) const {
+  settings::SettingsRequest request = this->request();
+  request.program = program;
   return settings::resolve_settings(request);
 }
 

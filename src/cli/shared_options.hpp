@@ -27,7 +27,9 @@ class SharedOptions {
   /// What the command line says, and where it is silent the settings files of `program`, unless --no-settings asks for
   /// none. Throws UsageError for values that are none, and refuses as resolve_settings does.
   settings::Options read(const std::string& program) const;
-  /// The same with where each of them is stated.
+  /// What is asked for, of a program that is left open. Throws UsageError for values that are none.
+  settings::SettingsRequest request() const;
+  /// The same as read() with where each of them is stated.
   settings::ResolvedSettings resolve(const std::string& program) const;
 
   /// Throws UsageError if the command line gives any of them but the model: `why` they would do nothing.

@@ -1,5 +1,6 @@
 """import plumbline: what the command writes, from Python."""
 import ast
+import concurrent.futures
 import json
 import os
 import pickle
@@ -27,6 +28,45 @@ PART = "G0 X0 Y0 Z0 A0 B0 C0\nG1 X20 A5 F500\nM2\n"
 
 def command(*words):
     return subprocess.run([os.environ["PLUMBLINE_PROGRAM"], *map(str, words)], capture_output=True, check=True).stdout
+
+
+def marked(number):
+    """For plumbline.map: any function of a module."""
+    if number == 3:
+        raise plumbline.Refused('{"code": "x-y", "message": "", "help": "", "file": "", "line": 0, "column": 0, "length": 1, '
+                                '"text": ""}', "three")
+    return number * 10
+
+
+class Jobs(unittest.TestCase):
+    def test_each_executor_gives_the_same_in_order_and_refusals_in_their_place(self):
+        jobs = [{"program": PART.replace("X20", f"X{x}"), "model": plumbline.Model(MODEL), "work_offset": OFFSET}
+                for x in (20, 5, "5 X6", 30)]
+        here = list(plumbline.map(jobs))
+        self.assertEqual(here[2].code, "nc-word-twice")
+        with concurrent.futures.ThreadPoolExecutor(2) as threads:
+            by_threads = list(plumbline.map(jobs, threads))
+        with concurrent.futures.ProcessPoolExecutor(2) as processes:
+            by_processes = list(plumbline.map(iter(jobs), processes))
+        for others in (by_threads, by_processes):
+            self.assertEqual(others[2].diagnostic, here[2].diagnostic)
+            for i in (0, 1, 3):
+                self.assertEqual(others[i].bytes, here[i].bytes)
+                self.assertEqual(others[i].summary, here[i].summary)
+
+    def test_other_functions(self):
+        done = list(plumbline.map(({"number": n} for n in range(5)), function=marked))
+        self.assertEqual([str(one) if n == 3 else one for n, one in enumerate(done)], [0, 10, 20, "three", 40])
+
+    def test_results_go_between_processes_with_the_model_that_they_hold(self):
+        made = plumbline.new_model(base_radius=1000, base_angles=(-5, 5, 115, 125, 235, 245), platform_radius=300,
+                                   platform_angles=(-55, 55, 65, 175, 185, 295), home=(0, 0, 900))
+        self.assertEqual(pickle.loads(pickle.dumps(made)).model, made.model)
+        done = pickle.loads(pickle.dumps(plumbline.compensate(PART, MODEL, work_offset=OFFSET)))
+        self.assertIn("compensated this program", done.text)
+        again = pickle.loads(pickle.dumps(done))
+        self.assertEqual(again.summary, done.summary)
+        self.assertEqual(done.summary["made_of"]["model_hash"], plumbline.Model(MODEL).hash)
 
 
 class Programs(unittest.TestCase):

@@ -12,6 +12,7 @@ Every function raises Error: Refused where the input is refused, WrongUsage wher
 interpreter's lock is released while they work.
 """
 
+import functools as _functools
 import json as _json
 import numbers as _numbers
 import os as _os
@@ -22,8 +23,8 @@ __version__ = _core.version
 INTERFACE = _core.interface
 
 __all__ = ["Bug", "Error", "INTERFACE", "Model", "Refused", "Result", "Table", "Text", "WrongUsage", "calibrate", "check",
-           "compare", "compensate", "diagnose", "diff", "error", "explain", "identify", "new_model", "restore",
-           "simulate", "trace"]
+           "compare", "compensate", "diagnose", "diff", "error", "explain", "identify", "map", "new_model",
+           "restore", "simulate", "trace"]
 
 
 class Error(Exception):
@@ -86,7 +87,13 @@ class Model:
         return f"<plumbline.Model {self.name}, {self.hash}>"
 
     def __reduce__(self):
-        return Model, (Text(self._core.bytes, "<model>"),)
+        return _model_of, (self._core.bytes,)
+
+
+@_functools.lru_cache(maxsize=16)
+def _model_of(text):
+    """Of a process to which a model is sent with every job: it is read once."""
+    return Model(Text(text, "<model>"))
 
 
 class Result:
@@ -107,7 +114,19 @@ class Result:
 
     @property
     def model(self):
-        return _str(self._core.model)
+        if self._core is not None:
+            return _str(self._core.model)
+        if isinstance(self._model, Error):
+            raise self._model
+        return self._model
+
+    def __getstate__(self):
+        """For another process: all of it is text."""
+        try:
+            model = self.model
+        except Error as error:
+            model = error
+        return {**self.__dict__, "_core": None, "_model": model}
 
     def __repr__(self):
         return f"<plumbline.Result {self.summary.get('plumbline', '')}>"
@@ -257,3 +276,22 @@ def new_model(**options):
 def explain(code=None):
     """What the code of a diagnostic means and what to do; without one all codes, a line each."""
     return _str(_core.explain(code))
+
+
+def map(jobs, executor=None, *, function=compensate):
+    """Does each of the jobs, dicts of the arguments of `function`, and gives what became of each, in their order: what the
+    function returned, or the Error that it raised, so that one that is refused does not end the others. The jobs run on any
+    executor of concurrent.futures: threads or processes of this machine, workers of others (Dask's Client.get_executor());
+    without one here, one after the other. Jobs depend on nothing but their arguments: one that is done twice, because a
+    worker went away, gives the same."""
+    if executor is None:
+        return (_outcome(function, job) for job in jobs)
+    futures = [executor.submit(_outcome, function, job) for job in jobs]
+    return (future.result() for future in futures)
+
+
+def _outcome(function, job):
+    try:
+        return function(**job)
+    except Error as error:
+        return error

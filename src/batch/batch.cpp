@@ -1,0 +1,240 @@
+#include "batch/batch.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/diagnostic.hpp"
+#include "base/files/files.hpp"
+#include "base/files/temporary_file.hpp"
+#include "base/parallel.hpp"
+#include "batch/committer.hpp"
+#include "batch/freshness.hpp"
+#include "batch/in_order.hpp"
+#include "batch/record.hpp"
+#include "batch/settings_by_folder.hpp"
+#include "batch/work.hpp"
+#include "settings/output_name.hpp"
+
+namespace plumbline::batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSameName = "{folder}/{name}{ext}";
+
+struct Planned {
+  Task task;
+  const FolderSettings* settings = nullptr;  // null: refused
+  std::optional<Diagnostic> refusal;
+};
+
+void refuse_same_folder(const ProgramRequest& programs) {
+  std::error_code none;
+  if (fs::weakly_canonical(programs.folder, none) != fs::weakly_canonical(programs.output, none)) return;
+  Place place;
+  place.file = programs.output;
+  refuse("file-overwrites-input", "the outputs would stand among the programs", "give another folder with -o", place);
+}
+
+std::string place_of_output(const std::string& place, const settings::Options& options) {
+  const std::string& pattern = options.output_pattern.empty() ? std::string(kSameName) : options.output_pattern;
+  // The pattern says how a file is called, and -o where it lies.
+  try {
+    const fs::path name = fs::path(settings::output_name(pattern, place, options.machine)).filename();
+    return (fs::path(place).parent_path() / name).string();
+  } catch (const settings::OptionError& error) {
+    refuse("settings-value", fmt::format("output_name: {}", error.what()), "name the machine with --machine");
+  }
+}
+
+class Run {
+ public:
+  Run(const Request& request, const Observer& observer)
+      : request_(request), settings_(request.settings), list_(list_programs(request.programs)) {
+    plan();
+    told_.emplace(observer, planned_.size());
+  }
+
+  Result go() {
+    const auto begin = std::chrono::steady_clock::now();
+    NewFolder folder(request_.programs.output);
+    Record record(record_path(request_));
+    folder.keep();
+    sweep_folders();
+    do_all(record);
+    told_->finish(called_);
+    Result result;
+    result.summary = told_->summary();
+    result.summary.passed_over = list_.passed_over;
+    if (request_.programs.list.empty()) result.summary.vanished = vanished(record);
+    result.files_read = files_read();
+    result.tables_read = settings_.files();
+    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - begin;
+    result.summary.seconds = since.count();
+    return result;
+  }
+
+ private:
+  void plan() {
+    for (const std::string& program : list_.programs) {
+      Planned one;
+      one.task.program = program;
+      try {
+        const std::string place = place_in_folder(request_.programs.folder, program);
+        one.settings = &settings_.of(program);
+        one.task.place = place_of_output(place, one.settings->options);
+        one.task.output = (fs::path(request_.programs.output) / one.task.place).string();
+        if (is_named_twice(one.task)) continue;
+      } catch (const Refusal& refusal) {
+        one.settings = nullptr;
+        one.refusal = refusal.diagnostic();
+      }
+      one.task.number = planned_.size();
+      planned_.push_back(std::move(one));
+    }
+  }
+
+  // A list may name a program twice; two programs may not have one output.
+  bool is_named_twice(const Task& task) {
+    const auto [there, is_new] = places_.emplace(task.place, task.program);
+    if (is_new) return false;
+    if (there->second == task.program) return true;
+    Place place;
+    place.file = task.program;
+    refuse("file-written-twice", fmt::format("has the same output as {}: {}", there->second, task.output),
+           "keep {ext} in --output-name, or rename one of them", place);
+  }
+
+  void do_all(Record& record) {
+    const unsigned all = processors();
+    const std::size_t wanted = request_.jobs > 0 ? request_.jobs : all;
+    const auto jobs = static_cast<unsigned>(std::clamp<std::size_t>(planned_.size(), 1, wanted));
+    const HeldProcessors held(std::max(1U, all / jobs));  // those of one program
+    Committer committer(record, [&](Work&& work) { settle(std::move(work)); });
+    for_each_index(
+        planned_.size(), [&](std::size_t i) { do_one(planned_[i], record, committer); }, jobs);
+    committer.finish();
+  }
+
+  void do_one(const Planned& planned, Record& record, Committer& committer) {
+    if (stopped_) return;
+    const Task& task = planned.task;
+    std::optional<Entry> known;
+    try {
+      if (planned.refusal) throw Refusal(*planned.refusal);
+      known = record.find(task.place);
+      if (std::optional<Work> work = unchanged(known, planned)) return hand_on(std::move(*work), committer);
+      make_folder(fs::path(task.output).parent_path().string());
+    } catch (...) {
+      settle(failed(task, current_problem(task.program), known.has_value()));
+      return;
+    }
+    hand_on(compensate_one(task, *planned.settings, known), committer);
+  }
+
+  void hand_on(Work&& work, Committer& committer) {
+    if (!work.output && !work.is_known_anew) return settle(std::move(work));
+    if (!committer.take(std::move(work))) stopped_ = true;
+  }
+
+  static std::optional<Work> unchanged(const std::optional<Entry>& known, const Planned& planned) {
+    const Task& task = planned.task;
+    if (!known) return std::nullopt;
+    Work work;
+    work.entry = *known;
+    const Freshness found = freshness(work.entry, task.program, task.output, *planned.settings);
+    if (!found.is_fresh) return std::nullopt;
+    work.entry.source = fs::absolute(task.program).lexically_normal().string();
+    work.is_known_anew = found.looks_new || work.entry.source != known->source;
+    work.task = task;
+    work.item = {task.program, task.output, jobs::BatchItem::State::unchanged, known->summary, {}};
+    const fs::path folder = fs::path(task.program).parent_path();
+    for (const CalledFile& one : known->called) {
+      if (!one.path.empty()) work.called.push_back((folder / one.path).string());
+    }
+    return work;
+  }
+
+  // What killed runs left under passing names goes.
+  void sweep_folders() const {
+    std::set<fs::path> folders;
+    for (const Planned& one : planned_) folders.insert(fs::path(one.task.output).parent_path());
+    for (const fs::path& folder : folders) sweep_temporary_files(folder.string());
+  }
+
+  void make_folder(const std::string& folder) {
+    const std::scoped_lock lock(guard_);
+    if (made_.insert(folder).second) NewFolder(folder).keep();
+  }
+
+  void settle(Work&& work) {
+    const std::scoped_lock lock(guard_);
+    for (const std::string& file : work.called) {
+      if (!file.empty()) called_.insert(fs::absolute(file).lexically_normal().string());
+    }
+    told_->take(work.task.number, std::move(work.item));
+  }
+
+  // Entries without a program and without an output are forgotten.
+  std::vector<std::string> vanished(Record& record) {
+    std::vector<std::string> outputs;
+    std::vector<std::string> forgotten;
+    record.each([&](const Entry& entry) {
+      std::error_code none;
+      if (places_.contains(entry.place) || fs::exists(entry.source, none)) return;
+      const fs::path output = fs::path(request_.programs.output) / entry.place;
+      if (fs::exists(output, none)) {
+        outputs.push_back(output.string());
+      } else {
+        forgotten.push_back(entry.place);
+      }
+    });
+    record.remove(forgotten);
+    return outputs;
+  }
+
+  std::vector<std::string> files_read() const {
+    std::set<std::string> files(called_);
+    for (const auto& [file, state] : settings_.files()) files.insert(file);
+    files.insert(list_.programs.begin(), list_.programs.end());
+    files.insert(list_.folders.begin(), list_.folders.end());
+    if (!request_.programs.list.empty() && request_.programs.list != kStandardStream) {
+      files.insert(request_.programs.list);
+    }
+    return {files.begin(), files.end()};
+  }
+
+  const Request& request_;
+  SettingsByFolder settings_;
+  ProgramList list_;
+  std::vector<Planned> planned_;
+  std::map<std::string, std::string> places_;  // of outputs, and the programs that they are of
+  std::atomic<bool> stopped_ = false;
+  std::mutex guard_;
+  std::set<std::string> made_;    // folders
+  std::set<std::string> called_;  // files that programs call
+  std::optional<InOrder> told_;
+};
+
+}  // namespace
+
+std::string record_path(const Request& request) {
+  if (!request.record.empty()) return request.record;
+  return (fs::path(request.programs.output) / kRecordName).string();
+}
+
+Result run(const Request& request, const Observer& observer) {
+  refuse_same_folder(request.programs);
+  return Run(request, observer).go();
+}
+
+}  // namespace plumbline::batch
