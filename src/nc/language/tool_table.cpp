@@ -174,6 +174,9 @@ bool is_tool_number(std::string_view name) {
 
 ToolTable read_tool_table(const Source& source) {
   std::string text = read_text(source);
+  // LinuxCNC's table of no tools is an empty file.
+  const bool is_blank = text.find_first_not_of(" \t\r\n") == std::string::npos;
+  if (is_blank && source.path().ends_with(".tbl")) return {};
   if (is_linuxcnc_tool_table(text)) return ToolTable(read_linuxcnc_tool_table(text, source.name()));
   const TomlDocument document = parse_toml(std::move(text), source.name());
   return ToolTable(ToolReader(document).read());

@@ -36,6 +36,7 @@ TEST_CASE("a tool may have a name") {
 
 TEST_CASE("an empty tool table is one") {
   CHECK(read_tool_table(ProgramFile("plumbline = \"tools 1\"\n").path()).empty());
+  CHECK(read_tool_table(plumbline::Source::held("hexapod.tbl", "\n")).empty());  // LinuxCNC's own
 }
 
 TEST_CASE("LinuxCNC's own tool table is read") {
