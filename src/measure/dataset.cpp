@@ -30,7 +30,7 @@ constexpr machine::Unit kFeedUnit{"mm/min", kMmPerMin, {{{"m/min", 1000}, {"mm/s
 constexpr machine::Unit kSecond{"s", 1, {}};
 constexpr std::string_view kDatasetName = "dataset.toml";
 
-const std::vector<std::string_view> kTopKeys{"plumbline", "machine", "run"};
+const std::vector<std::string_view> kTopKeys{"plumbline", "machine", "protocol", "instrument", "run"};
 const std::vector<std::string_view> kRunKeys{"id",       "file",      "centre_mm",   "radius_mm", "bar_mm",
                                              "tilt_deg", "direction", "feed_mm_min", "start_s",   "payload_kg"};
 
@@ -54,11 +54,13 @@ class RunReader {
  public:
   RunReader(const TomlDocument& document, const TomlValue& table) : document_(document), table_(table) {}
 
-  Run read() const {
+  Run read(const std::vector<std::string_view>& others) const {
+    std::vector<std::string_view> keys = kRunKeys;
+    keys.insert(keys.end(), others.begin(), others.end());
     for (const TomlEntry& entry : table_.entries) {
-      if (std::find(kRunKeys.begin(), kRunKeys.end(), entry.key) != kRunKeys.end()) continue;
-      refuse("dataset-unknown-key", fmt::format("{} is no key of a [[run]]", entry.key),
-             suggestion(entry.key, kRunKeys), document_.place(entry.key_span));
+      if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
+      refuse("dataset-unknown-key", fmt::format("{} is no key of a [[run]]", entry.key), suggestion(entry.key, keys),
+             document_.place(entry.key_span));
     }
     Run run;
     run.id = text("id", "a name of the run, in quotes");
@@ -201,7 +203,7 @@ bool stays_inside(const fs::path& file) {
   return path.is_relative() && *path.begin() != "..";
 }
 
-void read_table(const RunReader& reader, const std::string& folder, Run& run) {
+void read_table(const RunReader& reader, const std::string& folder, Believe believe, Run& run) {
   if (!stays_inside(run.file)) {
     refuse("dataset-file-outside", fmt::format("the table {} lies outside of the dataset's folder", run.file),
            "put it into that folder, and name it relative to it", reader.place_of("file"));
@@ -212,32 +214,40 @@ void read_table(const RunReader& reader, const std::string& folder, Run& run) {
     refuse("dataset-file-missing", fmt::format("there is no file {}", path.string()),
            "file names the run's table, relative to the folder of the dataset", reader.place_of("file"));
   }
-  read_run_table(path.string(), run);
+  TableOptions options;
+  options.believe = believe;
+  read_run_table(path.string(), run, options);
 }
 
 }  // namespace
 
-Dataset parse_dataset(std::string text, const std::string& file, const std::string& folder) {
+Run read_run(const TomlDocument& document, const TomlValue& table, const std::vector<std::string_view>& others) {
+  return RunReader(document, table).read(others);
+}
+
+Dataset parse_dataset(std::string text, const std::string& file, const std::string& folder, Believe believe) {
   Dataset dataset;
   dataset.document = parse_toml(std::move(text), file);
   check_top(dataset.document);
   dataset.machine = machine_name(dataset.document);
+  dataset.protocol = read_protocol(dataset.document);
+  dataset.instrument = read_instrument(dataset.document);
   for (const TomlValue& table : run_list(dataset.document).items) {
     const RunReader reader(dataset.document, table);
-    Run run = reader.read();
+    Run run = reader.read({});
     for (const Run& other : dataset.runs) {
       if (other.id != run.id) continue;
       refuse("dataset-same-id", fmt::format("two runs have the id \"{}\"", run.id), "give each run an id of its own",
              reader.place_of("id"));
     }
-    read_table(reader, folder, run);
+    read_table(reader, folder, believe, run);
     dataset.runs.push_back(std::move(run));
   }
   return dataset;
 }
 
-Dataset read_dataset(const std::string& path) {
-  return parse_dataset(read_text(path), input_name(path), fs::path(path).parent_path().string());
+Dataset read_dataset(const std::string& path, Believe believe) {
+  return parse_dataset(read_text(path), input_name(path), fs::path(path).parent_path().string(), believe);
 }
 
 std::vector<std::string> files_of_dataset(const std::string& path) {

@@ -10,6 +10,7 @@
 #include "base/pose.hpp"
 #include "base/text/toml.hpp"
 #include "machine/geometry.hpp"
+#include "measure/protocol.hpp"
 #include "physics/motion.hpp"
 
 namespace plumbline::measure {
@@ -34,6 +35,9 @@ struct TableColumn {
   int decimals = 3;  // the most that a number of it has
 };
 
+/// What a table says otherwise than the dataset.
+enum class Contradiction { direction, feed };
+
 /// One full turn of the tool tip at constant feed, from angle 0, without a run-in. SI.
 struct Run {
   std::string id;
@@ -55,6 +59,8 @@ struct Run {
   std::vector<double> radial;                                // bar reading minus bar length, m
   std::array<std::vector<double>, machine::kStruts> torque;  // N m
   std::vector<TableColumn> columns;                          // of the table, in its order
+  std::vector<std::size_t> left_out;  // lines of the table with a reading that is empty or NaN, taken for no samples
+  std::vector<Contradiction> contradictions;  // in which the table was believed
   // s_j of each sample of a run that was made short, as the low-pass left it; empty: that of its motion
   std::vector<physics::StrutSigns> signs;
 
@@ -66,20 +72,32 @@ struct Run {
   double bar_length() const { return bar.value_or(radius); }
 };
 
+/// Where a table contradicts the dataset.
+enum class Believe {
+  nothing,    // it is refused
+  the_table,  // the run is as its table says, and keeps a note: for who judges data
+};
+
 struct Dataset {
   std::string machine;  // name of the model that it was measured on
+  Protocol protocol;
+  Instrument instrument;
   std::vector<Run> runs;
   TomlDocument document;  // what it was read from; without a file's name: it was made
 };
+
+/// What a [[run]] says, without its table; keys beside those of a dataset are `others`. Refuses as read_dataset does.
+Run read_run(const TomlDocument& document, const TomlValue& table, const std::vector<std::string_view>& others = {});
 
 /// Reads a dataset.toml and the tables of its runs. Refuses with toml-syntax, dataset-marker, dataset-unknown-key,
 /// dataset-missing-key, dataset-wrong-type, dataset-wrong-size, dataset-out-of-range, dataset-direction, dataset-bar,
 /// dataset-same-id, dataset-no-runs, dataset-file-outside or dataset-file-missing at the value, with what run_table.hpp
 /// lists at the row and column, and as read_text does.
-Dataset read_dataset(const std::string& path);
+Dataset read_dataset(const std::string& path, Believe believe = Believe::nothing);
 
 /// The same of a text; tables are looked for in `folder`.
-Dataset parse_dataset(std::string text, const std::string& file, const std::string& folder);
+Dataset parse_dataset(std::string text, const std::string& file, const std::string& folder,
+                      Believe believe = Believe::nothing);
 
 /// What read_dataset would read: `path` and the tables of its runs; of a pipe, which is read once, `path` alone.
 /// Refuses a dataset.toml whose runs cannot be listed as read_dataset does.

@@ -50,6 +50,39 @@ bool has(const Run& run, Column column) {
                      [&](const TableColumn& there) { return there.column == column; });
 }
 
+// Instruments write these where they have no reading. Where a sample was taken must be known.
+const CsvField* empty_reading(const std::vector<TableColumn>& columns, const std::vector<CsvField>& fields) {
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::string_view text = fields[i].text;
+    if (columns[i].column < Column::radial) continue;
+    if (text.empty() || text == "NaN" || text == "nan" || text == "NAN") return &fields[i];
+  }
+  return nullptr;
+}
+
+// Single samples without a reading are left out, no more.
+void check_left_out(const Run& run, std::size_t rows, const Place& first, const TableOptions& options) {
+  const std::size_t left_out = run.left_out.size();
+  const std::size_t all = left_out + rows;
+  if (static_cast<double>(left_out) <= options.most_left_out * static_cast<double>(all)) return;
+  refuse("table-number",
+         fmt::format("row {}: \"{}\" is no finite number, and so it is in {} of {} rows", first.line,
+                     first.text.size() < first.column ? "" : first.text.substr(first.column - 1, first.length),
+                     left_out, all),
+         "single samples without a reading are left out, not so many; leave the whole column out if it was not "
+         "measured, or these rows",
+         first);
+}
+
+// Angles that go against the direction from sample to sample.
+bool goes_back(const Run& run) {
+  std::size_t back = 0;
+  for (std::size_t i = 1; i < run.angle.size(); ++i) {
+    back += std::remainder(run.angle[i] - run.angle[i - 1], kTurn) * run.turn() < 0;
+  }
+  return run.angle.size() > 1 && back + 1 == run.angle.size();
+}
+
 class TableReader {
  public:
   TableReader(const std::string& path, Run& run, const TableOptions& options)
@@ -59,6 +92,7 @@ class TableReader {
     read_header();
     check_header();
     while (lines_.next()) read_row();
+    check_left_out(run_, rows(), first_left_out_, options_);
     if (run_.time.size() + run_.angle.size() == 0 || rows() < options_.fewest_samples) refuse_too_few();
     check_time();
     check_angle();
@@ -131,6 +165,11 @@ class TableReader {
                          run_.columns.size()),
              "write one number for each column, a point for decimals and a comma between columns", lines_.place());
     }
+    if (const CsvField* const none = empty_reading(run_.columns, fields)) {
+      run_.left_out.push_back(lines_.number());
+      if (run_.left_out.size() == 1) first_left_out_ = lines_.place(*none);
+      return;
+    }
     places_.push_back(lines_.place());
     for (std::size_t i = 0; i < fields.size(); ++i) read_number(fields[i], run_.columns[i]);
   }
@@ -171,6 +210,10 @@ class TableReader {
   }
 
   void check_angle() {
+    if (options_.believe == Believe::the_table && goes_back(run_)) {
+      run_.direction = run_.direction == Direction::ccw ? Direction::cw : Direction::ccw;
+      run_.contradictions.push_back(Contradiction::direction);
+    }
     swept_.assign(1, 0);
     for (std::size_t i = 1; i < run_.angle.size(); ++i) {
       const double step = std::remainder(run_.angle[i] - run_.angle[i - 1], kTurn) * run_.turn();
@@ -191,11 +234,16 @@ class TableReader {
     }
   }
 
-  void check_feed() const {
+  void check_feed() {
     if (run_.time.empty() || run_.angle.empty()) return;
     const double stated = run_.feed / run_.radius;
     const double found = swept_.back() / (run_.time.back() - run_.time.front());
     if (std::abs(found / stated - 1) <= options_.feed_tolerance) return;
+    if (options_.believe == Believe::the_table) {
+      run_.feed = found * run_.radius;
+      run_.contradictions.push_back(Contradiction::feed);
+      return;
+    }
     refuse("table-feed",
            fmt::format("the table takes {:.4g} mm/min around the circle, and the dataset says feed_mm_min = {:.4g}",
                        found * run_.radius / kMmPerMin, run_.feed / kMmPerMin),
@@ -236,6 +284,7 @@ class TableReader {
   Run& run_;
   const TableOptions& options_;
   Place header_;
+  Place first_left_out_;
   std::vector<Place> places_;  // of the rows
   std::vector<double> swept_;  // angle from the first sample, rad
   bool measured_angles_ = false;

@@ -122,6 +122,33 @@ TEST_CASE("every flaw of a table is refused at its row and column") {
   CHECK(read(timed_table()).samples() == 12);
 }
 
+TEST_CASE("single rows without a reading are left out and listed") {
+  std::string text = "angle_deg,radial_um\n";
+  for (int i = 0; i < 60; ++i) {
+    text += std::to_string(6 * i) + "," + (i == 10 ? "" : i == 20 ? "NaN" : std::to_string(i)) + "\n";
+  }
+  const Run run = read(text);
+  CHECK(run.samples() == 58);
+  CHECK(run.left_out == std::vector<std::size_t>{12, 22});
+  CHECK(run.angle[10] / kDeg == Approx(66));
+  // where it was taken has to be there
+  text.replace(text.find("\n66,"), 4, "\n,");
+  CHECK(refusal_of([&] { read(text); }).code == "table-number");
+}
+
+TEST_CASE("who judges data takes what a table says otherwise than the dataset, and knows of it") {
+  const Scratch scratch;
+  Run run = empty_run(Direction::cw);
+  measure::TableOptions options;
+  options.believe = measure::Believe::the_table;
+  measure::read_run_table(scratch.file("run.csv", table_text()), run, options);
+  CHECK(run.direction == Direction::ccw);
+  CHECK(run.contradictions == std::vector<measure::Contradiction>{measure::Contradiction::direction});
+  Run fast = empty_run(Direction::ccw);
+  measure::read_run_table(scratch.file("fast.csv", timed_table(4523.9)), fast, options);
+  CHECK(fast.contradictions == std::vector<measure::Contradiction>{measure::Contradiction::feed});
+}
+
 TEST_CASE("torques alone are a run, too") {
   std::string text = std::string("angle_deg,") + kTorques + "\n";
   for (int i = 0; i < 12; ++i) text += std::to_string(30 * i) + ",1,2,3,4,5,6.5\n";
