@@ -1,0 +1,127 @@
+#include "imported/circles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+
+namespace plumbline::imported {
+namespace {
+
+std::size_t column_of(const Source& source, Quantity quantity) {
+  return static_cast<std::size_t>(source.find(quantity) - source.columns.data());
+}
+
+double step(const Ways& ways, std::size_t from, std::size_t to) {
+  double sum = 0;
+  for (std::size_t i = from + 1; i <= to; ++i) sum += std::remainder(ways.angle[i] - ways.angle[i - 1], kTurn);
+  return sum;
+}
+
+}  // namespace
+
+Ways ways_of(const MapRun& map_run, const Source& source, const ForeignTable& table, const ImportOptions& options) {
+  const measure::Run& run = map_run.run;
+  Ways ways;
+  ways.on_circle.assign(table.rows(), true);
+  if (source.find(Quantity::angle) != nullptr) {
+    ways.angle = table.values[column_of(source, Quantity::angle)];
+    ways.from = "column";
+  } else if (source.find(Quantity::x) != nullptr && source.find(Quantity::y) != nullptr) {
+    const std::vector<double>& x = table.values[column_of(source, Quantity::x)];
+    const std::vector<double>& y = table.values[column_of(source, Quantity::y)];
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+      const double dx = x[i] - run.centre_W.x();
+      const double dy = y[i] - run.centre_W.y();
+      ways.angle.push_back(std::atan2(dy, dx));
+      ways.on_circle[i] = std::abs(std::hypot(dx, dy) - run.radius) < options.off_circle * run.radius;
+    }
+    ways.from = "places";
+  } else if (source.find(Quantity::time) != nullptr) {
+    const std::vector<double>& time = table.values[column_of(source, Quantity::time)];
+    const double speed = run.turn() * run.feed / run.radius;
+    // without a word of where the record begins, the turn that is measured begins at angle 0
+    const double sweep = std::abs(speed) * (time.back() - time.front());
+    const double before = map_run.run_in.value_or(std::max(0.0, (sweep - kTurn) / 2));
+    const double start = map_run.start_angle.value_or(sweep > options.most_turn * kTurn ? -run.turn() * before : 0);
+    for (const double t : time) ways.angle.push_back(start + speed * (t - time.front()));
+    ways.from = "time and feed";
+  } else {
+    refuse("import-angle", fmt::format("nothing tells where on the circle the samples of {} were taken", table.file),
+           "name a column angle, the columns x and y of the tip, or time", run.place);
+  }
+  for (std::size_t i = 0; i < ways.angle.size(); ++i) {
+    if (std::isfinite(ways.angle[i])) continue;
+    refuse("import-number", fmt::format("row {} of {} does not say where it was taken", table.lines[i], table.file),
+           "time, angle and places have to be there in each row", table.place(i));
+  }
+  return ways;
+}
+
+std::vector<Circle> circles_in(const Ways& ways, const ImportOptions& options) {
+  constexpr std::size_t kAside = 2;  // rows on either side that tell how fast the tip goes
+  const std::size_t count = ways.angle.size();
+  std::vector<double> speed(count, 0);
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t from = i - std::min(i, kAside);
+    const std::size_t to = std::min(count - 1, i + kAside);
+    if (to > from) speed[i] = step(ways, from, to) / static_cast<double>(to - from);
+    if (std::abs(speed[i]) > 1e-9) sizes.push_back(std::abs(speed[i]));
+  }
+  std::vector<Circle> circles;
+  if (sizes.empty()) return circles;
+  std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2), sizes.end());
+  const double usual = sizes[sizes.size() / 2];
+  for (std::size_t i = 0; i < count;) {
+    const auto goes = [&](std::size_t k) {
+      return ways.on_circle[k] && std::abs(speed[k]) > options.standing * usual && speed[k] * speed[i] > 0;
+    };
+    if (!goes(i)) {
+      ++i;
+      continue;
+    }
+    std::size_t last = i;
+    while (last + 1 < count && goes(last + 1)) ++last;
+    Circle circle{i, last, 0, speed[i] > 0 ? 1.0 : -1.0};
+    // rows that stand still before the start and after the end
+    const auto stands = [&](std::size_t k) { return circle.turn * step(ways, k, k + 1) <= 0; };
+    while (circle.first < circle.last && stands(circle.first)) ++circle.first;
+    while (circle.last > circle.first && stands(circle.last - 1)) --circle.last;
+    circle.sweep = std::abs(step(ways, circle.first, circle.last));
+    if (circle.sweep >= options.least_sweep) circles.push_back(circle);
+    i = last + 1;
+  }
+  return circles;
+}
+
+Turn turn_of(const Ways& ways, const Circle& circle, const MapRun& run, const ImportOptions& options) {
+  Turn turn{circle.first, circle.last, 0, 0};
+  if (circle.sweep <= options.most_turn * kTurn) return turn;
+  const double before = std::min(run.run_in.value_or((circle.sweep - kTurn) / 2), circle.sweep - kTurn);
+  double swept = 0;
+  std::size_t row = circle.first;
+  const auto on = [&] { swept += circle.turn * std::remainder(ways.angle[row + 1] - ways.angle[row], kTurn); };
+  while (row < circle.last && swept < before - 1e-9) {
+    on();
+    ++row;
+  }
+  turn.first = row;
+  turn.before = swept;
+  while (row < circle.last) {
+    const double there = swept;
+    on();
+    if (swept >= turn.before + kTurn - 1e-9) {
+      swept = there;
+      break;
+    }
+    ++row;
+  }
+  turn.last = row;
+  turn.after = circle.sweep - swept;
+  return turn;
+}
+
+}  // namespace plumbline::imported
