@@ -1,0 +1,314 @@
+// What a channel may hold instead of what it says: another sign, another unit, another motor, another clock, a drift.
+#include <algorithm>
+#include <cmath>
+
+#include "inspect/hypothesis.hpp"
+#include "inspect/statistics.hpp"
+
+namespace plumbline::inspect {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using identify::kChannels;
+using identify::kRadial;
+using measure::Run;
+
+constexpr double kUnitLeast = 0.65, kUnitMost = 1.5;  // factors between these may be the machine's own
+
+// All rows of the suspects below each other, and where each channel of each of them lies.
+class Channels {
+ public:
+  explicit Channels(const Suspects& suspects) : suspects_(suspects) {
+    const Index columns = suspects.rows.front()->slopes.cols();
+    Index rows = 0;
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(columns, columns);
+    for (const RunRows* run : suspects.rows) {
+      rows += run->rows();
+      gram += run->gram;
+    }
+    slopes_.resize(rows, columns);
+    left_.resize(rows);
+    Index at = 0;
+    for (const RunRows* run : suspects.rows) {
+      slopes_.middleRows(at, run->rows()) = run->slopes;
+      left_.segment(at, run->rows()) = run->left;
+      at += run->rows();
+    }
+    prediction_.emplace(suspects.known, slopes_, gram);
+    off_ = prediction_->off(left_);
+    chi2_ = prediction_->product(off_, off_);
+    measured_ = whitened([](std::size_t, const RunRows& rows) { return rows.measured; });
+  }
+
+  const Suspects& suspects() const { return suspects_; }
+  double chi2() const { return chi2_; }
+  Index rows() const { return left_.size(); }
+
+  /// Rows of something that each run has in place of its readings.
+  VectorXd whitened(const std::function<VectorXd(std::size_t, const RunRows&)>& readings) const {
+    VectorXd all(left_.size());
+    Index at = 0;
+    for (std::size_t i = 0; i < suspects_.rows.size(); ++i) {
+      const RunRows& rows = *suspects_.rows[i];
+      all.segment(at, rows.rows()) = suspects_.bench.white(rows, readings(i, rows)).col(0);
+      at += rows.rows();
+    }
+    return all;
+  }
+
+  /// The misfit if these were the readings.
+  double chi2_of(const VectorXd& readings) const {
+    const VectorXd off = off_ + readings - measured_;
+    return prediction_->product(off, off);
+  }
+  /// What is predicted of some channels, nil elsewhere.
+  VectorXd predicted(const std::vector<int>& channels) const { return only(measured_ - off_, channels); }
+  VectorXd only(VectorXd rows, const std::vector<int>& channels) const {
+    Index at = 0;
+    for (const RunRows* run : suspects_.rows) {
+      for (const int channel : run->raw.channels) {
+        if (std::find(channels.begin(), channels.end(), channel) == channels.end()) {
+          rows.segment(at, run->raw.samples).setZero();
+        }
+        at += run->raw.samples;
+      }
+    }
+    return rows;
+  }
+  bool has(int channel) const {
+    return std::any_of(suspects_.rows.begin(), suspects_.rows.end(),
+                       [&](const RunRows* run) { return run->raw.first_row(channel).has_value(); });
+  }
+
+  /// The factor by which readings of some channels are what is predicted.
+  double factor(const std::vector<int>& channels) const {
+    const VectorXd u = predicted(channels);
+    return prediction_->product(only(measured_, channels), u) / prediction_->product(u, u);
+  }
+  /// Columns that may each be added to the readings: how much the best size of each takes of the misfit, and that size.
+  struct Added {
+    double gain = 0, size = 0;
+  };
+  std::vector<Added> added(const MatrixXd& columns) const {
+    const MatrixXd with = prediction_->products(columns, off_);
+    std::vector<Added> all;
+    for (Index k = 0; k < columns.cols(); ++k) {
+      const double square = prediction_->product(columns.col(k), columns.col(k));
+      all.push_back({square > 0 ? with(k, 0) * with(k, 0) / square : 0, square > 0 ? with(k, 0) / square : 0});
+    }
+    return all;
+  }
+
+ private:
+  const Suspects& suspects_;
+  identify::SlopeRows slopes_;
+  VectorXd left_, off_, measured_;
+  std::optional<Prediction> prediction_;
+  double chi2_ = 0;
+};
+
+// The segment of a channel in the readings of a run; empty: not measured.
+template <class Readings>
+auto segment(Readings& readings, const RunRows& rows, int channel) {
+  return readings.segment(*rows.raw.first_row(channel), rows.raw.samples);
+}
+
+VectorXd scaled(const RunRows& rows, const std::vector<int>& channels, double by) {
+  VectorXd readings = rows.measured;
+  for (const int channel : channels) {
+    if (rows.raw.first_row(channel)) segment(readings, rows, channel) *= by;
+  }
+  return readings;
+}
+
+Tried made(const Channels& channels, FaultKind kind, std::vector<int> about, double chi2, double penalty,
+           std::vector<double> values = {}) {
+  Tried one{{kind, channels.suspects().runs}, chi2, penalty};
+  one.fault.channels = std::move(about);
+  one.fault.values = std::move(values);
+  return one;
+}
+
+void try_sign(std::vector<Tried>& all, const Channels& channels, FaultKind kind, const std::vector<int>& about,
+              double alternatives) {
+  const VectorXd readings =
+      channels.whitened([&](std::size_t, const RunRows& rows) { return scaled(rows, about, -1); });
+  all.push_back(made(channels, kind, about, channels.chi2_of(readings), std::log(alternatives)));
+}
+
+void try_unit(std::vector<Tried>& all, const Channels& channels, FaultKind kind, const std::vector<int>& about,
+              double alternatives) {
+  const double factor = channels.factor(about);
+  const bool may_be_the_machine = factor > kUnitLeast && factor < kUnitMost;
+  if (!std::isfinite(factor) || std::abs(factor) < 1e-6 || may_be_the_machine) return;
+  const VectorXd readings =
+      channels.whitened([&](std::size_t, const RunRows& rows) { return scaled(rows, about, 1 / factor); });
+  const double penalty = std::log(alternatives) + 0.5 * std::log(static_cast<double>(channels.rows()));
+  all.push_back(made(channels, kind, about, channels.chi2_of(readings), penalty, {factor}));
+}
+
+void try_motors(std::vector<Tried>& all, const Channels& channels) {
+  const std::vector<int> motors{1, 2, 3, 4, 5, 6};
+  for (const int motor : motors) {
+    try_sign(all, channels, FaultKind::motor_sign, {motor}, 7);
+    try_unit(all, channels, FaultKind::torque_unit, {motor}, 7);
+  }
+  try_sign(all, channels, FaultKind::motor_sign, motors, 7);
+  try_unit(all, channels, FaultKind::torque_unit, motors, 7);
+  for (const int one : motors) {
+    for (int other = one + 1; other < kChannels; ++other) {
+      const VectorXd readings = channels.whitened([&](std::size_t, const RunRows& rows) {
+        VectorXd exchanged = rows.measured;
+        if (!rows.raw.first_row(one)) return exchanged;
+        segment(exchanged, rows, one) = segment(rows.measured, rows, other);
+        segment(exchanged, rows, other) = segment(rows.measured, rows, one);
+        return exchanged;
+      });
+      all.push_back(made(channels, FaultKind::motors_swapped, {one, other}, channels.chi2_of(readings), std::log(15)));
+    }
+  }
+}
+
+// Readings as they would be a little further on the way: between samples in proportion, a whole turn going on with its
+// start.
+VectorXd further_on(const Run& run, const VectorXd& readings, double angle) {
+  const auto n = static_cast<Index>(run.samples());
+  std::vector<double> way(run.samples());
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const double step = i == 0 ? 0 : std::remainder(run.angle[i] - run.angle[i - 1], kTurn);
+    way[i] = i == 0 ? 0 : way[i - 1] + std::abs(step);
+  }
+  const double mean_step = way.back() / static_cast<double>(n - 1);
+  const bool whole = way.back() + 2 * mean_step > kTurn;
+  VectorXd moved(n);
+  for (Index i = 0; i < n; ++i) {
+    double at = way[static_cast<std::size_t>(i)] + angle;
+    if (whole) at -= kTurn * std::floor(at / kTurn);
+    const auto above = std::upper_bound(way.begin(), way.end(), at) - way.begin();
+    const Index b = std::clamp<Index>(above, 0, n);
+    const Index lower = b == 0 ? 0 : b - 1;
+    const Index upper = b == n ? (whole ? 0 : n - 1) : b;
+    const double from = way[static_cast<std::size_t>(lower)];
+    const double to = b == n ? kTurn : way[static_cast<std::size_t>(upper)];
+    const double share = to > from ? std::clamp((at - from) / (to - from), 0.0, 1.0) : 0;
+    moved[i] = readings[lower] + share * (readings[upper] - readings[lower]);
+  }
+  return moved;
+}
+
+// Clocks that are apart by so many seconds: those channels as they were so much later.
+double chi2_of_clock(const Channels& channels, const std::vector<int>& about, double seconds) {
+  const Suspects& suspects = channels.suspects();
+  return channels.chi2_of(channels.whitened([&](std::size_t i, const RunRows& rows) {
+    const Run& run = suspects.all[suspects.runs[i]];
+    VectorXd readings = rows.measured;
+    for (const int channel : about) {
+      if (!rows.raw.first_row(channel)) continue;
+      const VectorXd moved = further_on(run, segment(rows.measured, rows, channel), seconds * run.feed / run.radius);
+      segment(readings, rows, channel) = moved;
+    }
+    return readings;
+  }));
+}
+
+void try_clock(std::vector<Tried>& all, const Channels& channels, const std::vector<int>& about) {
+  const Suspects& suspects = channels.suspects();
+  const Run& first = suspects.all[suspects.runs[0]];
+  const double whole = kTurn * first.radius / first.feed;  // s
+  double best = 0;
+  double least = channels.chi2();
+  for (const double share : {0.005, 0.01, 0.02, 0.04, 0.08, 0.16}) {
+    for (const double sign : {1.0, -1.0}) {
+      const double chi2 = chi2_of_clock(channels, about, sign * share * whole);
+      if (chi2 < least) {
+        least = chi2;
+        best = sign * share * whole;
+      }
+    }
+  }
+  if (best == 0) return;
+  double step = std::abs(best) / 2;
+  for (int round = 0; round < 14; ++round) {
+    bool moved = false;
+    for (const double to : {best - step, best + step}) {
+      const double chi2 = chi2_of_clock(channels, about, to);
+      if (chi2 >= least) continue;
+      least = chi2;
+      best = to;
+      moved = true;
+      break;
+    }
+    if (!moved) step /= 2;
+  }
+  const double penalty = std::log(12) + 0.5 * std::log(static_cast<double>(channels.rows()));
+  all.push_back(made(channels, FaultKind::clock, about, least, penalty, {best}));
+}
+
+// A drift, a step: columns that a channel of one run may have besides.
+void try_added(std::vector<Tried>& all, const Channels& channels) {
+  const RunRows& rows = *channels.suspects().rows[0];
+  const Index n = rows.raw.samples;
+  const double penalty = 0.5 * std::log(static_cast<double>(channels.rows()));
+  if (const auto first = rows.raw.first_row(kRadial)) {
+    const Index edge = std::max<Index>(4, n / 30);
+    MatrixXd columns = MatrixXd::Zero(rows.measured.size(), 1 + std::max<Index>(0, n - 2 * edge));
+    columns.col(0).segment(*first, n) = VectorXd::LinSpaced(n, 0, 1);
+    for (Index k = 1; k < columns.cols(); ++k) {
+      columns.col(k).segment(*first + edge + k, n - edge - k).setOnes();
+    }
+    const auto added = channels.added(channels.suspects().bench.white(rows, columns));
+    all.push_back(
+        made(channels, FaultKind::drift, {kRadial}, channels.chi2() - added[0].gain, penalty, {added[0].size}));
+    if (added.size() > 1) {
+      const auto best = std::max_element(added.begin() + 1, added.end(),
+                                         [](const auto& a, const auto& b) { return a.gain < b.gain; });
+      const auto sample = static_cast<std::size_t>(edge + (best - added.begin()));
+      all.push_back(made(channels, FaultKind::bar_step, {kRadial}, channels.chi2() - best->gain,
+                         penalty + std::log(static_cast<double>(n)),
+                         {best->size, channels.suspects().all[channels.suspects().runs[0]].angle[sample]}));
+    }
+  }
+  for (int motor = 1; motor < kChannels; ++motor) {
+    const auto first = rows.raw.first_row(motor);
+    if (!first) continue;
+    MatrixXd column = MatrixXd::Zero(rows.measured.size(), 1);
+    column.col(0).segment(*first, n).setOnes();
+    const auto added = channels.added(channels.suspects().bench.white(rows, column));
+    all.push_back(made(channels, FaultKind::motor_zero, {motor}, channels.chi2() - added[0].gain, penalty + std::log(6),
+                       {added[0].size}));
+  }
+}
+
+}  // namespace
+
+std::optional<Drift> drift_of(const Suspects& suspects) {
+  const RunRows& rows = *suspects.rows[0];
+  const auto first = rows.raw.first_row(kRadial);
+  if (!first) return std::nullopt;
+  MatrixXd column = MatrixXd::Zero(rows.measured.size(), 1);
+  column.col(0).segment(*first, rows.raw.samples) = VectorXd::LinSpaced(rows.raw.samples, 0, 1);
+  const auto added = Channels(suspects).added(suspects.bench.white(rows, column));
+  return Drift{added[0].gain, added[0].size};
+}
+
+double chi2_as_stated(const Suspects& suspects) { return Channels(suspects).chi2(); }
+
+std::vector<Tried> tried_channels(const Suspects& suspects) {
+  const Channels channels(suspects);
+  std::vector<Tried> all;
+  if (channels.has(kRadial)) {
+    try_sign(all, channels, FaultKind::bar_sign, {kRadial}, 1);
+    try_unit(all, channels, FaultKind::bar_unit, {kRadial}, 1);
+  }
+  if (channels.has(1)) try_motors(all, channels);
+  if (channels.has(kRadial) && channels.has(1)) {
+    try_clock(all, channels, {kRadial});
+    try_clock(all, channels, {1, 2, 3, 4, 5, 6});
+  }
+  if (suspects.runs.size() == 1) try_added(all, channels);
+  return all;
+}
+
+}  // namespace plumbline::inspect

@@ -1,0 +1,31 @@
+#include "inspect/fault.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace plumbline::inspect {
+
+std::string_view to_text(FaultKind kind) {
+  constexpr std::array<std::string_view, static_cast<std::size_t>(FaultKind::stands_out) + 1> kNames{
+      "direction",      "angle-zero",
+      "centre",         "tilt",
+      "payload",        "radius",
+      "bar-length",     "feed",
+      "exchanged",      "bar-sign",
+      "bar-unit",       "motor-sign",
+      "motors-swapped", "torque-unit",
+      "clock",          "drift",
+      "bar-step",       "motor-zero",
+      "stuck",          "clipped",
+      "noisy",          "same-readings",
+      "spikes",         "gaps",
+      "out-of-reach",   "periodic-disturbance",
+      "noise",          "stands-out"};
+  return kNames.at(static_cast<std::size_t>(kind));
+}
+
+bool Inspection::blocks() const {
+  return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) { return fault.blocks; });
+}
+
+}  // namespace plumbline::inspect

@@ -1,0 +1,57 @@
+// What may be wrong with a run, each tried: fitted, and weighed against what the other runs predict.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "inspect/fault.hpp"
+#include "inspect/prediction.hpp"
+
+namespace plumbline::inspect {
+
+/// What a hypothesis makes of the misfit of the runs that it is about.
+struct Tried {
+  Fault fault;
+  double chi2 = 0;     // of the rows, mended
+  double penalty = 0;  // nats for what was fitted, and for the alternatives that were tried
+};
+
+/// Runs that are mended alike, and what is known of the machine from elsewhere.
+struct Suspects {
+  const Bench& bench;
+  const std::vector<measure::Run>& all;  // the dataset
+  std::vector<std::size_t> runs;         // which of them
+  std::vector<const RunRows*> rows;      // of these
+  const Knowledge& known;
+};
+
+/// Something else was said of a run than is true of it: `made` is the run as it would then be; `start` and `step` of
+/// the numbers that are fitted.
+struct Relabelled {
+  FaultKind kind = FaultKind::direction;
+  std::function<measure::Run(const measure::Run&, const Eigen::VectorXd&)> made;
+  Eigen::VectorXd start, step;  // none: nothing is fitted
+  double alternatives = 1;      // that were tried of this kind
+  std::size_t like = 0;         // the run whose description it would have
+};
+
+/// Everything that may have been said wrongly.
+std::vector<Relabelled> relabellings(const Suspects& suspects);
+/// Nothing: the machine cannot make such a run, or the fit leads nowhere.
+std::optional<Tried> tried(const Suspects& suspects, const Relabelled& relabelled);
+
+/// The misfit of the suspects as they are stated.
+double chi2_as_stated(const Suspects& suspects);
+
+/// A drift of the bar within the one suspect: what it takes of the misfit, and its size over the run, m. Nothing: there
+/// are no readings of the bar.
+struct Drift {
+  double gain = 0, size = 0;
+};
+std::optional<Drift> drift_of(const Suspects& suspects);
+
+/// What a channel may hold instead of what it says: signs, units, channels exchanged, steps and drifts.
+std::vector<Tried> tried_channels(const Suspects& suspects);
+
+}  // namespace plumbline::inspect

@@ -1,0 +1,294 @@
+#include "inspect/inspect.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/diagnostic.hpp"
+#include "base/parallel.hpp"
+#include "diagnose/readings/noise_spectrum.hpp"
+#include "inspect/hypothesis.hpp"
+#include "inspect/looked.hpp"
+#include "inspect/statistics.hpp"
+
+namespace plumbline::inspect {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using identify::kChannels;
+using identify::kRadial;
+using measure::Run;
+
+// How many times its noise from sample to sample a kind of channels is off: what it leaves is no noise.
+double coarseness(const std::vector<identify::RunEquations>& remainders, bool bar) {
+  std::vector<double> each;
+  for (const identify::RunEquations& run : remainders) {
+    for (std::size_t c = 0; c < run.channels.size(); ++c) {
+      if ((run.channels[c] == kRadial) != bar) continue;
+      const VectorXd e = run.residual.segment(static_cast<Index>(c) * run.samples, run.samples);
+      const double steps = (e.tail(e.size() - 1) - e.head(e.size() - 1)).squaredNorm() / 2;
+      each.push_back(std::sqrt(e.squaredNorm() / std::max(steps, 1e-300)));
+    }
+  }
+  return each.empty() ? 1 : median(each);
+}
+
+double nats_of(const Tried& tried, double before, double usual) {
+  return (before - tried.chi2) / (2 * usual) - tried.penalty;
+}
+
+// Of everything that was tried the best, if it explains what is off.
+std::optional<Fault> explanation(std::vector<Tried> all, double before, Index rows, double usual,
+                                 const InspectOptions& options) {
+  const auto count = static_cast<double>(rows);
+  const double expected = usual * count;
+  std::sort(all.begin(), all.end(),
+            [&](const Tried& a, const Tried& b) { return nats_of(a, before, usual) > nats_of(b, before, usual); });
+  if (all.empty()) return std::nullopt;
+  const Tried& best = all.front();
+  const double nats = nats_of(best, before, usual);
+  const bool explains = before - best.chi2 > options.explained * (before - expected);
+  if (nats < options.least_nats || !explains || best.chi2 > options.near * expected) return std::nullopt;
+  Fault fault = best.fault;
+  fault.before = std::sqrt(before / count);
+  fault.after = std::sqrt(best.chi2 / count);
+  fault.nats = nats;
+  for (const Tried& other : all) {
+    const auto& known = fault.or_these;
+    const bool close = nats - nats_of(other, before, usual) < options.as_good;
+    if (!close || other.fault.kind == fault.kind ||
+        std::find(known.begin(), known.end(), other.fault.kind) != known.end())
+      continue;
+    fault.or_these.push_back(other.fault.kind);
+  }
+  return fault;
+}
+
+std::vector<Tried> everything_tried(const Suspects& suspects) {
+  std::vector<Tried> all = tried_channels(suspects);
+  const std::vector<Relabelled> list = relabellings(suspects);
+  std::vector<std::optional<Tried>> each(list.size());
+  for_each_index(list.size(), [&](std::size_t i) { each[i] = tried(suspects, list[i]); });
+  for (std::optional<Tried>& one : each) {
+    if (one) all.push_back(std::move(*one));
+  }
+  return all;
+}
+
+std::optional<Fault> fault_of_run(const Looked& looked, const Bench& bench, const Outliers& outliers, std::size_t i,
+                                  const InspectOptions& options) {
+  const Knowledge known = knowledge_of_others(outliers, looked.rows, i);
+  const Suspects suspects{bench, looked.runs, {i}, {&looked.rows[i]}, known};
+  const Index rows = looked.rows[i].rows();
+  const double before = outliers.mean_square[i] * static_cast<double>(rows);
+  return explanation(everything_tried(suspects), before, rows, std::max(1.0, outliers.usual), options);
+}
+
+// What is left of each channel of a run, about the prediction, in units of the noise.
+RunMisfit misfit_of(const Looked& looked, const Outliers& outliers, std::size_t i) {
+  const RunRows& rows = looked.rows[i];
+  const VectorXd off = rows.left - rows.slopes * knowledge_of_others(outliers, looked.rows, i).mean();
+  RunMisfit misfit{std::sqrt(outliers.mean_square[i]), std::vector<double>(kChannels, 0)};
+  for (std::size_t c = 0; c < rows.raw.channels.size(); ++c) {
+    const double square = off.segment(static_cast<Index>(c) * rows.raw.samples, rows.raw.samples).squaredNorm();
+    misfit.channels[static_cast<std::size_t>(rows.raw.channels[c])] =
+        std::sqrt(square / static_cast<double>(rows.raw.samples));
+  }
+  return misfit;
+}
+
+// Neighbouring samples of what is left of a channel have nothing in common: it is noise.
+bool is_white(const Looked& looked, const Outliers& outliers, std::size_t i, int channel) {
+  const RunRows& rows = looked.rows[i];
+  const VectorXd off = rows.left - rows.slopes * knowledge_of_others(outliers, looked.rows, i).mean();
+  const VectorXd e = off.segment(*rows.raw.first_row(channel), rows.raw.samples);
+  return std::abs(e.head(e.size() - 1).dot(e.tail(e.size() - 1))) < 0.25 * e.squaredNorm();
+}
+
+// A run that nothing explains: noisy, or standing out far beyond the next one.
+std::optional<Fault> unexplained(const Looked& looked, const Outliers& outliers, std::size_t i,
+                                 const std::vector<bool>& explained, const InspectOptions& options) {
+  const double usual = std::max(1.0, outliers.usual);
+  const double square = outliers.mean_square[i];
+  double next = usual;
+  for (std::size_t k = 0; k < looked.rows.size(); ++k) {
+    if (k != i && !explained[k]) next = std::max(next, outliers.mean_square[k]);
+  }
+  const RunMisfit misfit = misfit_of(looked, outliers, i);
+  const auto worst = std::max_element(misfit.channels.begin(), misfit.channels.end());
+  Fault fault{FaultKind::stands_out, {looked.numbers[i]}};
+  fault.channels = {static_cast<int>(worst - misfit.channels.begin())};
+  fault.before = fault.after = std::sqrt(square);
+  if (*worst > 2 && is_white(looked, outliers, i, fault.channels[0])) {
+    fault.kind = FaultKind::noisy;
+    fault.values = {*worst};
+    return fault;
+  }
+  if (square < options.stands_out * usual || square < options.beyond_next * next) return std::nullopt;
+  return fault;
+}
+
+class Inspector {
+ public:
+  Inspector(const machine::MachineModel& machine, const InspectOptions& options)
+      : machine_(machine),
+        options_(options),
+        forces_(machine),
+        candidates_(diagnose::make_candidate_set(machine, forces_)),
+        wide_(prior_of(candidates_, options.outliers.share_of_bounds)),
+        bench_{machine_, forces_, candidates_, wide_, usual_noise(options)} {}
+
+  Inspection inspect(const std::vector<Run>& runs) {
+    Inspection found;
+    found.faults = record_faults(runs, options_.records);
+    found.runs.resize(runs.size());
+    Looked looked = looked_at(runs, bench_, options_, found.faults);
+    if (looked.runs.empty()) return found;
+    make_rows(looked, bench_);
+    Outliers outliers = find_outliers(wide_, looked.rows, options_.outliers);
+    std::vector<identify::RunEquations> left = remainders(looked, outliers, bench_.noise);
+    const bool of_all = coarseness(left, true) > options_.coarse || coarseness(left, false) > options_.coarse;
+    if (std::optional<Fault> fault = fault_of_all(looked, outliers, of_all)) {
+      found.faults.push_back(std::move(*fault));
+      return found;  // before that is mended no run can be told from the others
+    }
+    if (take_lines(looked, left, found)) {
+      make_rows(looked, bench_);
+      outliers = find_outliers(wide_, looked.rows, options_.outliers);
+      left = remainders(looked, outliers, bench_.noise);
+    }
+    bench_.noise = at_least(diagnose::noise_of(kept(left, outliers)), options_);
+    add_noise_faults(found, looked);
+    make_rows(looked, bench_);
+    outliers = find_outliers(wide_, looked.rows, options_.outliers);
+    judge_runs(looked, outliers, found);
+    return found;
+  }
+
+ private:
+  // Of runs that agree, against the model alone and its priors. `labels`: whether labels are doubted, too; that takes
+  // long.
+  std::optional<Fault> fault_of_all(const Looked& looked, const Outliers& outliers, bool labels) {
+    const Knowledge nothing(wide_);
+    Suspects suspects{bench_, looked.runs, {}, {}, nothing};
+    for (std::size_t i = 0; i < looked.runs.size(); ++i) {
+      if (outliers.out[i]) continue;  // what is wrong with it alone would hide what all have in common
+      suspects.runs.push_back(i);
+      suspects.rows.push_back(&looked.rows[i]);
+    }
+    std::vector<Tried> all = labels ? everything_tried(suspects) : tried_channels(suspects);
+    if (all.empty()) return std::nullopt;
+    const Tried& best = *std::min_element(all.begin(), all.end(), [](const Tried& a, const Tried& b) {
+      return a.chi2 + 2 * a.penalty < b.chi2 + 2 * b.penalty;
+    });
+    Index rows = 0;
+    for (const RunRows* run : suspects.rows) rows += run->rows();
+    const double before = chi2_as_stated(suspects);
+    const double noise = std::max(1.0, best.chi2 / static_cast<double>(rows));
+    Fault fault = best.fault;
+    fault.nats = (before - best.chi2) / (2 * noise) - best.penalty;
+    fault.before = std::sqrt(before / static_cast<double>(rows));
+    fault.after = std::sqrt(best.chi2 / static_cast<double>(rows));
+    if (best.chi2 > options_.all_explained * before || fault.nats < options_.least_nats) return std::nullopt;
+    fault.all = true;
+    fault.runs = looked.numbers;
+    return fault;
+  }
+
+  // What is periodic in time is told, and taken out of what is looked at. Whether there is any.
+  bool take_lines(Looked& looked, const std::vector<identify::RunEquations>& left, Inspection& found) {
+    std::vector<Line> lines = find_lines(looked.runs, left, diagnose::noise_of(left), options_.lines);
+    if (lines.empty()) return false;
+    for (Fault& fault : periodic_faults(looked, lines, options_.lines)) found.faults.push_back(std::move(fault));
+    looked.runs = without_lines(std::move(looked.runs), lines);
+    for (Line& line : lines) {
+      for (std::size_t& r : line.runs) r = looked.numbers[r];
+    }
+    found.lines = std::move(lines);
+    return true;
+  }
+
+  void add_noise_faults(Inspection& found, const Looked& looked) const {
+    const auto add = [&](int channel, const std::optional<double>& stated) {
+      const identify::ChannelNoise& noise = bench_.noise.channels[static_cast<std::size_t>(channel)];
+      if (!stated || noise.samples == 0 || noise.sigma < options_.larger * *stated) return;
+      Fault fault{FaultKind::noise, looked.numbers, true, {channel}, {noise.sigma, *stated}};
+      fault.blocks = false;
+      found.faults.push_back(std::move(fault));
+    };
+    add(kRadial, options_.instrument.bar_sigma);
+    add(kRadial + 1, options_.instrument.torque_sigma);
+  }
+
+  // The bar drifts in most runs: its instrument does.
+  bool all_drift(const Looked& looked, const Outliers& outliers, Inspection& found) const {
+    std::vector<double> sizes;
+    double sum = 0, with = 0;
+    for (std::size_t i = 0; i < looked.rows.size(); ++i) {
+      const Knowledge known = knowledge_of_others(outliers, looked.rows, i);
+      const std::optional<Drift> drift = drift_of({bench_, looked.runs, {i}, {&looked.rows[i]}, known});
+      if (!drift) continue;
+      sum += drift->gain - 1;
+      with += drift->gain > options_.least_nats / 4;
+      sizes.push_back(std::abs(drift->size));
+    }
+    const auto count = static_cast<double>(sizes.size());
+    if (sizes.size() < 2 || sum < options_.drift_sigmas * std::sqrt(2 * count) ||
+        with < options_.lines.in_runs * count) {
+      return false;
+    }
+    found.faults.push_back({FaultKind::drift, looked.numbers, true, {kRadial}, {median(sizes)}});
+    return true;
+  }
+
+  void judge_runs(const Looked& looked, const Outliers& outliers, Inspection& found) {
+    const double usual = std::max(1.0, outliers.usual);
+    found.usual = std::sqrt(outliers.usual);
+    const bool drifts = all_drift(looked, outliers, found);
+    std::vector<std::optional<Fault>> faults(looked.runs.size());
+    std::vector<bool> explained(looked.runs.size(), false);
+    for (std::size_t i = 0; i < looked.runs.size(); ++i) {
+      found.runs[looked.numbers[i]] = misfit_of(looked, outliers, i);
+      if (outliers.mean_square[i] < usual * (1 + options_.outliers.excess)) continue;
+      faults[i] = fault_of_run(looked, bench_, outliers, i, options_);
+      explained[i] = faults[i].has_value();
+    }
+    for (std::size_t i = 0; i < looked.runs.size(); ++i) {
+      const bool looked_closer = outliers.mean_square[i] >= usual * (1 + options_.outliers.excess);
+      if (looked_closer && !faults[i]) faults[i] = unexplained(looked, outliers, i, explained, options_);
+      if (!faults[i] || (drifts && faults[i]->kind == FaultKind::drift)) continue;
+      if (explained[i]) {
+        faults[i]->runs = {looked.numbers[i]};
+        faults[i]->like = looked.numbers[faults[i]->like];
+      }
+      found.faults.push_back(std::move(*faults[i]));
+    }
+  }
+
+  const machine::MachineModel& machine_;
+  InspectOptions options_;
+  physics::ForceModel forces_;
+  diagnose::CandidateSet candidates_;
+  Prior wide_;
+  Bench bench_;
+};
+
+}  // namespace
+
+Inspection inspect(const machine::MachineModel& machine, const std::vector<Run>& runs, const InspectOptions& options) {
+  return Inspector(machine, options).inspect(runs);
+}
+
+std::vector<Run> cleaned(std::vector<Run> runs, const Inspection& inspection, const InspectOptions& options) {
+  for (Run& run : runs) run = without_samples(std::move(run), spikes_in(run, options.records));
+  std::vector<Line> lines = inspection.lines;
+  for (Line& line : lines) {  // what is folded within every so many samples is folded otherwise within all of them
+    line.runs.erase(std::remove_if(line.runs.begin(), line.runs.end(),
+                                   [&](std::size_t r) { return runs[r].samples() > options.most_samples; }),
+                    line.runs.end());
+  }
+  return without_lines(std::move(runs), lines);
+}
+
+}  // namespace plumbline::inspect

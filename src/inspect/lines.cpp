@@ -1,0 +1,220 @@
+#include "inspect/lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <Eigen/Dense>
+
+#include "diagnose/readings/noise_spectrum.hpp"
+#include "inspect/statistics.hpp"
+
+namespace plumbline::inspect {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using measure::Run;
+
+double step_s(const Run& run) { return (run.time.back() - run.time.front()) / static_cast<double>(run.samples() - 1); }
+double length_s(const Run& run) { return step_s(run) * static_cast<double>(run.samples()); }
+
+// Sine and cosine in time; of the bar also as a shift of the floor shows along the circle.
+MatrixXd columns_of(const Run& run, int channel, double frequency) {
+  const auto n = static_cast<Index>(run.samples());
+  MatrixXd columns(n, channel == identify::kRadial ? 6 : 2);
+  for (Index i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double phase = kTurn * frequency * run.time[k];
+    columns(i, 0) = std::cos(phase);
+    columns(i, 1) = std::sin(phase);
+    if (columns.cols() == 2) continue;
+    const double x = std::cos(run.angle[k]), y = std::sin(run.angle[k]);
+    columns.row(i).tail<4>() << x * columns(i, 0), x * columns(i, 1), y * columns(i, 0), y * columns(i, 1);
+  }
+  return columns;
+}
+
+// Runs sampled alike: their numbers among those of `left`.
+std::vector<std::vector<std::size_t>> sampled_alike(const std::vector<Run>& runs) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+      return std::abs(step_s(runs[group[0]]) / step_s(runs[r]) - 1) < 0.01;
+    });
+    if (same == groups.end()) {
+      groups.push_back({r});
+    } else {
+      same->push_back(r);
+    }
+  }
+  return groups;
+}
+
+struct Residual {
+  std::size_t run = 0;
+  VectorXd e;
+};
+
+struct Fitted {
+  double sigmas = 0;  // of chi-square over all runs
+  double share = 0;   // of the runs that have it
+  std::vector<VectorXd> sizes;
+};
+
+Fitted fit_line(const std::vector<Run>& runs, const std::vector<Residual>& residuals, int channel, double frequency,
+                const identify::ChannelNoise& noise, const LineOptions& options) {
+  Fitted fitted;
+  double sum = 0, degrees = 0, with = 0;
+  for (const Residual& residual : residuals) {
+    const Run& run = runs[residual.run];
+    const MatrixXd columns = columns_of(run, channel, frequency);
+    const VectorXd size = columns.householderQr().solve(residual.e);
+    const double gain = residual.e.squaredNorm() - (residual.e - columns * size).squaredNorm();
+    const double power = diagnose::noise_power(noise, std::abs(frequency) * step_s(run));
+    const auto count = static_cast<double>(columns.cols());
+    sum += gain / power;
+    degrees += count;
+    with += gain / power > options.least_gain * count;
+    fitted.sizes.push_back(size);
+  }
+  fitted.sigmas = (sum - degrees) / std::sqrt(2 * degrees);
+  fitted.share = with / static_cast<double>(residuals.size());
+  return fitted;
+}
+
+// How large a line is, and which way it shakes.
+void describe(Line& line, const std::vector<VectorXd>& sizes) {
+  std::vector<double> alike, along;
+  Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+  for (const VectorXd& size : sizes) {
+    alike.push_back(std::hypot(size[0], size[1]));
+    if (size.size() == 2) continue;
+    const Eigen::Matrix2d parts = (Eigen::Matrix2d() << size[2], size[3], size[4], size[5]).finished();
+    squares += parts * parts.transpose();
+    along.push_back(parts.norm());
+  }
+  line.amplitude = median(alike);
+  if (along.empty() || median(along) < line.amplitude) return;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(squares);
+  line.along = true;
+  line.amplitude = median(along);
+  line.direction = std::atan2(axes.eigenvectors()(1, 1), axes.eigenvectors()(0, 1));
+}
+
+std::vector<Line> lines_of_group(const std::vector<Run>& runs, std::vector<Residual> residuals, int channel,
+                                 const identify::ChannelNoise& noise, const LineOptions& options) {
+  std::vector<Line> lines;
+  const Run& first = runs[residuals[0].run];
+  const double length = length_s(first);
+  const double highest = 0.5 / step_s(first);
+  while (lines.size() < options.most) {
+    double best = options.least_order / length, sigmas = -1;
+    const double step = 1 / (options.steps_an_order * length);
+    for (double f = best; f < highest; f += step) {
+      const Fitted fitted = fit_line(runs, residuals, channel, f, noise, options);
+      if (fitted.sigmas > sigmas) {
+        sigmas = fitted.sigmas;
+        best = f;
+      }
+    }
+    for (double finer = step / 2; finer > step / 20; finer /= 2) {
+      for (const double f : {best - finer, best + finer}) {
+        if (f >= highest) continue;
+        const Fitted fitted = fit_line(runs, residuals, channel, f, noise, options);
+        if (fitted.sigmas <= sigmas) continue;
+        sigmas = fitted.sigmas;
+        best = f;
+      }
+    }
+    const Fitted fitted = fit_line(runs, residuals, channel, best, noise, options);
+    if (fitted.sigmas < options.sigmas || fitted.share < options.in_runs) break;
+    Line line{channel, best, 1 / step_s(first)};
+    describe(line, fitted.sizes);
+    for (std::size_t k = 0; k < residuals.size(); ++k) {
+      line.runs.push_back(residuals[k].run);
+      residuals[k].e -= columns_of(runs[residuals[k].run], channel, best) * fitted.sizes[k];
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+std::vector<double>& readings(Run& run, int channel) {
+  return channel == identify::kRadial ? run.radial : run.torque.at(static_cast<std::size_t>(channel) - 1);
+}
+
+// Where sampling folds a frequency to.
+double folded(double frequency, double sampling) {
+  return std::abs(frequency - sampling * std::round(frequency / sampling));
+}
+
+}  // namespace
+
+std::vector<Line> find_lines(const std::vector<Run>& runs, const std::vector<identify::RunEquations>& left,
+                             const identify::NoiseModel& noise, const LineOptions& options) {
+  std::vector<Line> lines;
+  for (const std::vector<std::size_t>& group : sampled_alike(runs)) {
+    for (int channel = 0; channel < identify::kChannels; ++channel) {
+      std::vector<Residual> residuals;
+      for (const std::size_t r : group) {
+        const auto row = left[r].first_row(channel);
+        if (row) residuals.push_back({r, left[r].residual.segment(*row, left[r].samples)});
+      }
+      if (residuals.size() < 2) continue;  // nothing in common with any other
+      const std::vector<Line> more = lines_of_group(runs, std::move(residuals), channel,
+                                                    noise.channels[static_cast<std::size_t>(channel)], options);
+      lines.insert(lines.end(), more.begin(), more.end());
+    }
+  }
+  return lines;
+}
+
+std::optional<double> common_frequency(const std::vector<Line>& lines, const std::vector<Run>& runs, double highest) {
+  if (lines.empty()) return std::nullopt;
+  // what the runs sampled fastest have, and all that is folded to it
+  const Line& finest = *std::max_element(lines.begin(), lines.end(),
+                                         [](const Line& a, const Line& b) { return a.sampling < b.sampling; });
+  for (double whole = 0; whole * finest.sampling < highest; ++whole) {
+    for (const double sign : {1.0, -1.0}) {
+      const double f = whole * finest.sampling + sign * finest.frequency;
+      if (f <= 0 || f > highest) continue;
+      const bool all = std::all_of(lines.begin(), lines.end(), [&](const Line& line) {
+        // a frequency is known to a part of its width, from the longer record better than from the shorter one
+        const double width = 0.5 / length_s(runs[line.runs[0]]) + 0.25 / length_s(runs[finest.runs[0]]);
+        return std::abs(folded(f, line.sampling) - line.frequency) < width;
+      });
+      if (all) return f;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Run> without_lines(std::vector<Run> runs, const std::vector<Line>& lines) {
+  constexpr int kWaves = 8;  // of the circle, that are the machine's
+  for (const Line& line : lines) {
+    for (const std::size_t r : line.runs) {
+      Run& run = runs[r];
+      std::vector<double>& values = readings(run, line.channel);
+      const auto n = static_cast<Index>(values.size());
+      const MatrixXd own = columns_of(run, line.channel, line.frequency);
+      MatrixXd columns(n, own.cols() + 2 * kWaves + 1);
+      columns.leftCols(own.cols()) = own;
+      for (Index i = 0; i < n; ++i) {
+        const double angle = run.angle[static_cast<std::size_t>(i)];
+        columns(i, own.cols()) = 1;
+        for (int k = 1; k <= kWaves; ++k) {
+          columns(i, own.cols() + 2 * k - 1) = std::cos(k * angle);
+          columns(i, own.cols() + 2 * k) = std::sin(k * angle);
+        }
+      }
+      Eigen::Map<VectorXd> e(values.data(), n);
+      const VectorXd sizes = columns.householderQr().solve(e);
+      e -= own * sizes.head(own.cols());
+    }
+  }
+  return runs;
+}
+
+}  // namespace plumbline::inspect

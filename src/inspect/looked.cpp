@@ -1,0 +1,128 @@
+#include "inspect/looked.hpp"
+
+#include <optional>
+
+#include "base/diagnostic.hpp"
+#include "base/parallel.hpp"
+
+namespace plumbline::inspect {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using identify::kChannels;
+using identify::kRadial;
+using measure::Run;
+
+// Every so many of the samples of a run, so that not more than `most` are left.
+Run coarse(const Run& run, std::size_t most) {
+  const std::size_t each = (run.samples() + most - 1) / most;
+  std::vector<std::size_t> left_out;
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    if (i % each != 0) left_out.push_back(i);
+  }
+  return without_samples(run, left_out);
+}
+
+}  // namespace
+
+identify::NoiseModel usual_noise(const InspectOptions& options) {
+  identify::NoiseModel noise;
+  for (int c = 0; c < identify::kAllChannels; ++c) {
+    noise.channels[static_cast<std::size_t>(c)].sigma = c == kRadial ? options.usual_radial : options.usual_torque;
+  }
+  return noise;
+}
+
+identify::NoiseModel at_least(identify::NoiseModel noise, const InspectOptions& options) {
+  for (int c = 0; c < kChannels; ++c) {
+    double& sigma = noise.channels[static_cast<std::size_t>(c)].sigma;
+    sigma = std::max(sigma, options.least_noise * (c == kRadial ? options.usual_radial : options.usual_torque));
+  }
+  return noise;
+}
+
+void make_rows(Looked& looked, const Bench& bench) {
+  looked.rows.resize(looked.runs.size());
+  for_each_index(looked.runs.size(), [&](std::size_t i) { looked.rows[i] = bench.rows(looked.runs[i]); });
+}
+
+Looked looked_at(const std::vector<Run>& runs, const Bench& bench, const InspectOptions& options,
+                 std::vector<Fault>& faults) {
+  Looked looked;
+  std::vector<std::optional<Run>> can(runs.size());
+  for_each_index(runs.size(), [&](std::size_t r) {
+    if (!runs[r].has_radial() && !runs[r].has_torque()) return;
+    const Run run = coarse(without_samples(runs[r], spikes_in(runs[r], options.records)), options.most_samples);
+    try {
+      bench.left(run);
+      can[r] = run;
+    } catch (const Refusal&) {  // out of the machine's reach
+    }
+  });
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (can[r]) {
+      looked.numbers.push_back(r);
+      looked.runs.push_back(std::move(*can[r]));
+    } else if (runs[r].has_radial() || runs[r].has_torque()) {
+      faults.push_back({FaultKind::out_of_reach, {r}});
+    }
+  }
+  return looked;
+}
+
+std::vector<identify::RunEquations> remainders(const Looked& looked, const Outliers& outliers,
+                                               const identify::NoiseModel& noise) {
+  const VectorXd mean = knowledge_of_others(outliers, looked.rows, looked.rows.size()).mean();
+  std::vector<identify::RunEquations> all;
+  for (const RunRows& rows : looked.rows) {
+    identify::RunEquations& equations = all.emplace_back();
+    equations.channels = rows.raw.channels;
+    equations.samples = rows.raw.samples;
+    equations.residual = rows.left - rows.slopes * mean;
+    for (std::size_t c = 0; c < equations.channels.size(); ++c) {
+      equations.residual.segment(static_cast<Index>(c) * equations.samples, equations.samples) *=
+          noise.channels[static_cast<std::size_t>(equations.channels[c])].sigma;
+    }
+  }
+  return all;
+}
+
+std::vector<identify::RunEquations> kept(const std::vector<identify::RunEquations>& all, const Outliers& outliers) {
+  std::vector<identify::RunEquations> kept;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!outliers.out[i]) kept.push_back(all[i]);
+  }
+  return kept;
+}
+
+std::vector<Fault> periodic_faults(const Looked& looked, const std::vector<Line>& lines, const LineOptions& options) {
+  std::vector<Fault> faults;
+  std::vector<bool> told(lines.size(), false);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (told[i]) continue;
+    // the same line in runs sampled otherwise, where one frequency is folded to both
+    std::vector<Line> same{lines[i]};
+    for (std::size_t k = i + 1; k < lines.size(); ++k) {
+      const bool other_runs = lines[k].sampling != lines[i].sampling && lines[k].channel == lines[i].channel;
+      if (told[k] || !other_runs) continue;
+      same.push_back(lines[k]);
+      told[k] = common_frequency(same, looked.runs, options.highest).has_value();
+      if (!told[k]) same.pop_back();
+    }
+    Fault fault{FaultKind::periodic, {}};
+    for (const Line& line : same) {
+      for (const std::size_t r : line.runs) fault.runs.push_back(looked.numbers[r]);
+    }
+    fault.all = fault.runs.size() == looked.runs.size();
+    fault.channels = {lines[i].channel};
+    const double frequency = common_frequency(same, looked.runs, options.highest).value_or(lines[i].frequency);
+    fault.values = {frequency, lines[i].amplitude, lines[i].sampling};
+    if (lines[i].along) fault.values.push_back(lines[i].direction);
+    fault.blocks = false;
+    faults.push_back(std::move(fault));
+  }
+  return faults;
+}
+
+}  // namespace plumbline::inspect

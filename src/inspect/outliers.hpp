@@ -1,0 +1,28 @@
+// Which runs the others do not predict.
+#pragma once
+
+#include "inspect/prediction.hpp"
+
+namespace plumbline::inspect {
+
+struct OutlierOptions {
+  double excess = 0.35;     // of the mean square: from so much above what is usual a run is looked at more closely
+  double most_share = 0.4;  // of all runs that may be such
+  double share_of_bounds = 0.3;
+  int rounds = 6;  // in which spreads of effects are fitted
+};
+
+struct Outliers {
+  Prior prior;                      // its spreads fitted to the runs that are none
+  std::vector<bool> out;            // which runs are
+  std::vector<double> mean_square;  // of each run as all others that are none predict it, in units of the noise
+  double usual = 1;                 // the median of these of runs that are no outliers
+};
+
+/// Takes the run that the others predict worst out, again and again, until those that are left agree.
+Outliers find_outliers(const Prior& wide, const std::vector<RunRows>& runs, const OutlierOptions& options);
+
+/// What all runs that are no outliers, but `without`, say of the machine.
+Knowledge knowledge_of_others(const Outliers& outliers, const std::vector<RunRows>& runs, std::size_t without);
+
+}  // namespace plumbline::inspect

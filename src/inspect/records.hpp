@@ -1,0 +1,30 @@
+// What records say by themselves, without any model: spikes, gaps, channels that stand still, two runs with the same
+// readings.
+#pragma once
+
+#include "inspect/fault.hpp"
+#include "measure/dataset.hpp"
+
+namespace plumbline::inspect {
+
+struct RecordOptions {
+  double spike = 12;           // robust standard deviations by which a sample is off its neighbours on either side
+  double returns = 0.25;       // of a spike's height: further apart than that its neighbours are a step
+  double most_spikes = 0.03;   // of the samples of a run; with more it is no single spikes
+  double gap = 3.5;            // usual steps of angle between two samples
+  double same_readings = 0.9;  // of the samples of two runs
+  std::size_t standing = 12;   // samples one after the other that are alike
+  double stands = 0.2;         // share of the samples of a channel that stand together
+  double feed = 0.03;          // by which the feed that is stated may be off what the times say
+};
+
+/// Samples with a spike in any channel, ascending.
+std::vector<std::size_t> spikes_in(const measure::Run& run, const RecordOptions& options = {});
+
+/// A run without some of its samples (ascending).
+measure::Run without_samples(measure::Run run, const std::vector<std::size_t>& samples);
+
+/// All of it; no fault is fitted to anything.
+std::vector<Fault> record_faults(const std::vector<measure::Run>& runs, const RecordOptions& options = {});
+
+}  // namespace plumbline::inspect

@@ -1,0 +1,243 @@
+// What the dataset says of a run and may say wrongly: direction, angle zero, place, tilt, payload, radius, bar.
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostic.hpp"
+#include "base/units.hpp"
+#include "inspect/hypothesis.hpp"
+#include "inspect/statistics.hpp"
+
+namespace plumbline::inspect {
+namespace {
+
+using Eigen::VectorXd;
+using measure::Run;
+
+VectorXd vector_of(std::initializer_list<double> values) {
+  VectorXd v(static_cast<Eigen::Index>(values.size()));
+  std::copy(values.begin(), values.end(), v.begin());
+  return v;
+}
+
+Run turned_back(Run run) {
+  run.direction = run.direction == measure::Direction::ccw ? measure::Direction::cw : measure::Direction::ccw;
+  for (double& angle : run.angle) angle = -angle;
+  return run;
+}
+
+// Exactly this instead, nothing fitted.
+void add(std::vector<Relabelled>& all, FaultKind kind, double alternatives, const std::function<void(Run&)>& change,
+         std::size_t like = 0) {
+  all.push_back({kind,
+                 [change](const Run& run, const VectorXd&) {
+                   Run made = run;
+                   change(made);
+                   return made;
+                 },
+                 {},
+                 {},
+                 alternatives,
+                 like});
+}
+
+void add_fitted(std::vector<Relabelled>& all, FaultKind kind, const VectorXd& start, const VectorXd& step,
+                const std::function<void(Run&, const VectorXd&)>& change, double alternatives = 1) {
+  all.push_back({kind,
+                 [change](const Run& run, const VectorXd& p) {
+                   Run made = run;
+                   change(made, p);
+                   return made;
+                 },
+                 start, step, alternatives});
+}
+
+void add_tilts(std::vector<Relabelled>& all) {
+  constexpr double kSlips = 6;
+  add(all, FaultKind::tilt, kSlips, [](Run& run) { run.tilt[0] = -run.tilt[0]; });
+  add(all, FaultKind::tilt, kSlips, [](Run& run) { run.tilt[1] = -run.tilt[1]; });
+  add(all, FaultKind::tilt, kSlips, [](Run& run) { run.tilt.head<2>() = -run.tilt.head<2>().eval(); });
+  add(all, FaultKind::tilt, kSlips, [](Run& run) { std::swap(run.tilt[0], run.tilt[1]); });
+  add_fitted(all, FaultKind::tilt, vector_of({0, 0}), vector_of({1e-3, 1e-3}),
+             [](Run& run, const VectorXd& p) { run.tilt.head<2>() += p; });
+}
+
+void add_centres(std::vector<Relabelled>& all) {
+  constexpr double kSlips = 4;
+  add(all, FaultKind::centre, kSlips, [](Run& run) { run.centre_W[0] = -run.centre_W[0]; });
+  add(all, FaultKind::centre, kSlips, [](Run& run) { run.centre_W[1] = -run.centre_W[1]; });
+  add(all, FaultKind::centre, kSlips, [](Run& run) { run.centre_W.head<2>() = -run.centre_W.head<2>().eval(); });
+  add(all, FaultKind::centre, kSlips, [](Run& run) { std::swap(run.centre_W[0], run.centre_W[1]); });
+  add_fitted(all, FaultKind::centre, vector_of({0, 0, 0}), vector_of({1e-3, 1e-3, 1e-3}),
+             [](Run& run, const VectorXd& p) { run.centre_W += p; });
+}
+
+// What is said of one run belongs to another one.
+void add_exchanges(std::vector<Relabelled>& all, const Suspects& suspects) {
+  if (suspects.runs.size() != 1) return;
+  const Run& own = suspects.all[suspects.runs[0]];
+  const auto others = static_cast<double>(suspects.all.size());
+  for (std::size_t k = 0; k < suspects.all.size(); ++k) {
+    const Run& other = suspects.all[k];
+    const bool same_pose = (other.centre_W - own.centre_W).norm() + (other.tilt - own.tilt).norm() < 1e-9;
+    const bool same_load = other.payload_mass == own.payload_mass && other.feed == own.feed;
+    if (k == suspects.runs[0] || (same_pose && same_load)) continue;
+    add(
+        all, FaultKind::exchanged, 2 * others,
+        [&other](Run& run) {
+          if (other.direction != run.direction) run = turned_back(run);
+          run.centre_W = other.centre_W;
+          run.tilt = other.tilt;
+          run.radius = other.radius;
+          run.bar = other.bar;
+          run.payload_mass = other.payload_mass;
+          run.feed = other.feed;
+        },
+        k);
+  }
+}
+
+void add_angle_zeros(std::vector<Relabelled>& all, int starts) {
+  for (int k = 0; k < starts; ++k) {
+    const double start = kTurn * k / starts;
+    add_fitted(
+        all, FaultKind::angle_zero, vector_of({start}), vector_of({1e-3}),
+        [](Run& run, const VectorXd& p) {
+          for (double& angle : run.angle) angle += p[0];
+        },
+        3);
+  }
+}
+
+}  // namespace
+
+std::vector<Relabelled> relabellings(const Suspects& suspects) {
+  std::vector<Relabelled> all;
+  add(all, FaultKind::direction, 1, [](Run& run) { run = turned_back(run); });
+  add_tilts(all);
+  if (suspects.runs.size() > 1) {  // alike in all runs: what a convention does, not a slip
+    add_angle_zeros(all, 4);
+    return all;
+  }
+  add_centres(all);
+  add_exchanges(all, suspects);
+  add_angle_zeros(all, 12);
+  add_fitted(all, FaultKind::payload, vector_of({0}), vector_of({0.1}),
+             [](Run& run, const VectorXd& p) { run.payload_mass = std::max(0.0, run.payload_mass + p[0]); });
+  add_fitted(all, FaultKind::radius, vector_of({0}), vector_of({1e-3}), [](Run& run, const VectorXd& p) {
+    const double radius = run.radius * std::exp(p[0]);
+    // the ball stays as far below, and time goes on as it does
+    const double below = run.bar_length() * run.bar_length() - run.radius * run.radius;
+    run.bar = std::sqrt(below + radius * radius);
+    run.feed *= radius / run.radius;
+    run.radius = radius;
+  });
+  add_fitted(all, FaultKind::bar_length, vector_of({0}), vector_of({1e-3}), [](Run& run, const VectorXd& p) {
+    // the sine of the angle by which the bar is inclined is what counts
+    const double sine = std::sqrt(std::max(0.0, 1 - std::pow(run.radius / run.bar_length(), 2))) + p[0];
+    run.bar = run.radius / std::sqrt(1 - std::pow(std::clamp(sine, 0.0, 0.95), 2));
+  });
+  return all;
+}
+
+namespace {
+
+// Rows of all suspects under a hypothesis, below each other.
+struct Stack {
+  identify::SlopeRows slopes;
+  VectorXd left;
+};
+
+Stack stacked(const std::vector<RunRows>& runs) {
+  Stack stack;
+  Eigen::Index rows = 0;
+  for (const RunRows& run : runs) rows += run.rows();
+  stack.slopes.resize(rows, runs.front().slopes.cols());
+  stack.left.resize(rows);
+  Eigen::Index at = 0;
+  for (const RunRows& run : runs) {
+    stack.slopes.middleRows(at, run.rows()) = run.slopes;
+    stack.left.segment(at, run.rows()) = run.left;
+    at += run.rows();
+  }
+  return stack;
+}
+
+Stack made_rows(const Suspects& suspects, const Relabelled& relabelled, const VectorXd& p) {
+  std::vector<RunRows> rows;
+  for (const std::size_t r : suspects.runs) rows.push_back(suspects.bench.rows(relabelled.made(suspects.all[r], p)));
+  return stacked(rows);
+}
+
+VectorXd made_left(const Suspects& suspects, const Relabelled& relabelled, const VectorXd& p) {
+  std::vector<VectorXd> each;
+  Eigen::Index rows = 0;
+  for (const std::size_t r : suspects.runs) {
+    each.push_back(suspects.bench.left(relabelled.made(suspects.all[r], p)));
+    rows += each.back().size();
+  }
+  VectorXd left(rows);
+  Eigen::Index at = 0;
+  for (const VectorXd& one : each) {
+    left.segment(at, one.size()) = one;
+    at += one.size();
+  }
+  return left;
+}
+
+std::vector<double> found_values(const Suspects& suspects, const Relabelled& relabelled, const VectorXd& p) {
+  const Run run = relabelled.made(suspects.all[suspects.runs[0]], p);
+  switch (relabelled.kind) {
+    case FaultKind::centre:
+      return {run.centre_W.x(), run.centre_W.y(), run.centre_W.z()};
+    case FaultKind::tilt:
+      return {run.tilt.x(), run.tilt.y(), run.tilt.z()};
+    case FaultKind::payload:
+      return {run.payload_mass};
+    case FaultKind::radius:
+      return {run.radius};
+    case FaultKind::bar_length:
+      return {run.bar_length()};
+    case FaultKind::angle_zero:
+      return {std::remainder(p[0], kTurn)};
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+std::optional<Tried> tried(const Suspects& suspects, const Relabelled& relabelled) {
+  constexpr int kSteps = 5;
+  VectorXd p = relabelled.start;
+  std::optional<Tried> best;
+  try {
+    for (int step = 0; step < (p.size() > 0 ? kSteps : 1); ++step) {
+      const Stack stack = made_rows(suspects, relabelled, p);
+      const Prediction prediction(suspects.known, stack.slopes);
+      const VectorXd off = prediction.off(stack.left);
+      const double chi2 = prediction.product(off, off);
+      const bool gained = !best || chi2 < best->chi2;
+      const double gain = best ? best->chi2 - chi2 : chi2;
+      if (gained) {
+        best = Tried{{relabelled.kind, suspects.runs}, chi2, 0};
+        best->fault.values = found_values(suspects, relabelled, p);
+        best->fault.like = relabelled.like;
+      }
+      if (p.size() == 0 || !gained || (step > 0 && gain < 1e-3 * chi2)) break;
+      Eigen::MatrixXd slopes(stack.left.size(), p.size());
+      for (Eigen::Index k = 0; k < p.size(); ++k) {
+        VectorXd moved = p;
+        moved[k] += relabelled.step[k];
+        slopes.col(k) = (stack.left - made_left(suspects, relabelled, moved)) / relabelled.step[k];
+      }
+      p += prediction.products(slopes, slopes).ldlt().solve(prediction.products(slopes, off));
+    }
+  } catch (const Refusal&) {
+    if (!best) return std::nullopt;  // out of the machine's reach
+  }
+  best->penalty = std::log(relabelled.alternatives) +
+                  0.5 * static_cast<double>(p.size()) * std::log(static_cast<double>(suspects.rows[0]->rows()));
+  return best;
+}
+
+}  // namespace plumbline::inspect

@@ -1,0 +1,37 @@
+// What the command `inspect` does: a dataset, and a model if there is one, in; what may be wrong with the data out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/files/source.hpp"
+#include "inspect/inspect.hpp"
+
+namespace plumbline::jobs {
+
+struct InspectJob {
+  std::string model;  // empty: records alone are looked at
+  std::string dataset;
+};
+
+struct InspectResult {
+  std::vector<measure::Run> runs;  // as they were read
+  inspect::Inspection inspection;
+  bool with_model = false;
+};
+
+/// Refuses as read_model and read_dataset do; where a table contradicts the dataset the table is believed, and said so.
+InspectResult inspect(const InspectJob& job);
+
+/// What was judged before something is learnt.
+struct Judged {
+  std::vector<measure::Run> runs;  // without single spikes and what is periodic in time; none is mended
+  inspect::Inspection inspection;
+};
+
+/// Runs of a dataset, judged. What is wrong with runs that `accepted` names (ids, or "all" for what is wrong with all
+/// of them) does not block.
+Judged judged(const machine::MachineModel& machine, std::vector<measure::Run> runs,
+              const measure::Instrument& instrument, const std::vector<std::string>& accepted);
+
+}  // namespace plumbline::jobs

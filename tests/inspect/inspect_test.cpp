@@ -1,0 +1,129 @@
+// Of drawn machines, by a simulator of its own: scripts/spoil.
+#include "inspect/inspect.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include <catch2/catch.hpp>
+
+#include "base/units.hpp"
+#include "inspect/spoiled.hpp"
+
+using namespace plumbline;
+using namespace plumbline::testing;
+using inspect::Fault;
+using inspect::FaultKind;
+using measure::Run;
+
+namespace {
+
+void turn(std::vector<double>& values, double by) {
+  for (double& value : values) value *= by;
+}
+
+struct Case {
+  FaultKind kind;
+  std::function<void(Run&)> spoil;
+};
+
+}  // namespace
+
+TEST_CASE("nothing is wrong with measurements of a machine that departs from its model") {
+  const inspect::Inspection inspection = Measured().inspection();
+  CHECK(inspection.faults.empty());
+  CHECK_FALSE(inspection.blocks());
+  CHECK(inspection.usual == Approx(1).margin(0.25));
+  REQUIRE(inspection.runs.size() == 8);
+  for (const inspect::RunMisfit& run : inspection.runs) CHECK(run.all < 1.4);
+}
+
+TEST_CASE("what is wrong with one run is found, and what would mend it") {
+  const std::vector<Case> cases{
+      {FaultKind::direction,
+       [](Run& run) {
+         run.direction = measure::Direction::cw;
+         for (double& angle : run.angle) angle = -angle;
+       }},
+      {FaultKind::angle_zero,
+       [](Run& run) {
+         for (double& angle : run.angle) angle += 0.5;
+       }},
+      {FaultKind::tilt, [](Run& run) { run.tilt = -run.tilt; }},
+      {FaultKind::payload, [](Run& run) { run.payload_mass = 20; }},
+      {FaultKind::bar_sign, [](Run& run) { turn(run.radial, -1); }},
+      {FaultKind::motor_sign, [](Run& run) { turn(run.torque[2], -1); }},
+      {FaultKind::motors_swapped, [](Run& run) { std::swap(run.torque[1], run.torque[4]); }},
+      {FaultKind::torque_unit,
+       [](Run& run) {
+         for (auto& torque : run.torque) turn(torque, 5);
+       }},
+      {FaultKind::drift,
+       [](Run& run) {
+         for (std::size_t i = 0; i < run.samples(); ++i) run.radial[i] += 8e-6 * static_cast<double>(i) / 72;
+       }},
+  };
+  for (const Case& of : cases) {
+    INFO(to_text(of.kind));
+    Measured measured;
+    of.spoil(measured.runs[1]);
+    const inspect::Inspection inspection = measured.inspection();
+    REQUIRE(inspection.faults.size() == 1);
+    const Fault& fault = inspection.faults[0];
+    INFO("found " << to_text(fault.kind));
+    const bool said = fault.kind == of.kind ||
+                      std::find(fault.or_these.begin(), fault.or_these.end(), of.kind) != fault.or_these.end();
+    CHECK(said);
+    CHECK(fault.runs == std::vector<std::size_t>{1});
+    CHECK(fault.blocks);
+    CHECK(fault.before > 1.3 * fault.after);
+    CHECK(fault.after < 1.5);
+    CHECK(fault.nats > 25);
+  }
+}
+
+TEST_CASE("a payload that hung there is told in kg") {
+  Measured measured;
+  measured.runs[2].payload_mass = 12;
+  const inspect::Inspection inspection = measured.inspection();
+  REQUIRE(inspection.faults.size() == 1);
+  REQUIRE(inspection.faults[0].kind == FaultKind::payload);
+  CHECK(inspection.faults[0].values.at(0) == Approx(0).margin(0.5));
+}
+
+TEST_CASE("what is wrong alike with all runs is said of all") {
+  for (const auto& [kind, by] : {std::pair{FaultKind::bar_sign, -1.0}, std::pair{FaultKind::torque_unit, 8.0}}) {
+    INFO(to_text(kind));
+    Measured measured;
+    for (Run& run : measured.runs) {
+      if (kind == FaultKind::bar_sign) turn(run.radial, by);
+      for (std::size_t j = 0; kind == FaultKind::torque_unit && j < 6; ++j) turn(run.torque[j], by);
+    }
+    const inspect::Inspection inspection = measured.inspection();
+    REQUIRE(inspection.faults.size() == 1);
+    CHECK(inspection.faults[0].kind == kind);
+    CHECK(inspection.faults[0].all);
+    if (kind == FaultKind::torque_unit) CHECK(inspection.faults[0].values.at(0) == Approx(8).epsilon(0.1));
+  }
+}
+
+TEST_CASE("an effect that the model lacks is no spoiled run") {
+  Measured measured;
+  const physics::ForceModel forces(measured.machine);
+  identify::Unknowns unknowns = identify::nuisances(measured.machine, forces);
+  const std::size_t backlash = unknowns.add("backlash", "width_um", 3);
+  Random random(8);
+  Eigen::VectorXd values = drawn(unknowns, random);
+  values[static_cast<Eigen::Index>(backlash)] = 20e-6;
+  measured.runs = plumbline::testing::measured(wider_plan(72), unknowns.at(values), 0.5e-6, 0.05, random);
+  CHECK(measured.inspection().faults.empty());
+}
+
+TEST_CASE("a run that the machine cannot make is said, and the others are looked at") {
+  Measured measured;
+  measured.runs[0].centre_W.z() = -3;
+  const inspect::Inspection inspection = measured.inspection();
+  REQUIRE(inspection.faults.size() == 1);
+  CHECK(inspection.faults[0].kind == FaultKind::out_of_reach);
+  CHECK(inspection.runs[0].all == 0);
+  CHECK(inspection.runs[1].all > 0);
+}

@@ -1,0 +1,83 @@
+#include "inspect/records.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "base/units.hpp"
+#include "inspect/spoiled.hpp"
+
+using namespace plumbline;
+using namespace plumbline::testing;
+using inspect::FaultKind;
+
+namespace {
+
+std::vector<FaultKind> kinds_of(const std::vector<measure::Run>& runs) {
+  std::vector<FaultKind> kinds;
+  for (const inspect::Fault& fault : inspect::record_faults(runs)) kinds.push_back(fault.kind);
+  return kinds;
+}
+
+}  // namespace
+
+TEST_CASE("records of a machine have no flaw") { CHECK(kinds_of(Measured().runs).empty()); }
+
+TEST_CASE("single spikes are found, and left out when they are few") {
+  Measured measured;
+  measure::Run& run = measured.runs[3];
+  run.radial[10] += 50e-6;
+  run.torque[2][40] -= 20;
+  CHECK(inspect::spikes_in(run) == std::vector<std::size_t>{10, 40});
+  CHECK(kinds_of(measured.runs) == std::vector<FaultKind>{FaultKind::spikes});
+  const std::vector<measure::Run> mended = inspect::cleaned(measured.runs, {});
+  CHECK(mended[3].samples() == run.samples() - 2);
+  CHECK(mended[3].radial[10] == run.radial[11]);
+  CHECK(mended[3].torque[5].size() == run.samples() - 2);
+  CHECK(mended[2].samples() == measured.runs[2].samples());
+  // a step is no spike
+  measure::Run stepped = Measured().runs[3];
+  for (std::size_t i = 30; i < stepped.samples(); ++i) stepped.radial[i] += 50e-6;
+  CHECK(inspect::spikes_in(stepped).empty());
+}
+
+TEST_CASE("a gap is said in degrees, and stands in nobody's way") {
+  Measured measured;
+  measured.runs[1] = inspect::without_samples(measured.runs[1], {20, 21, 22, 23, 24});
+  const auto faults = inspect::record_faults(measured.runs);
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].kind == FaultKind::gaps);
+  CHECK(faults[0].values.at(0) / kDeg == Approx(30));
+  CHECK_FALSE(faults[0].blocks);
+}
+
+TEST_CASE("a channel that stands still, one that is cut off") {
+  Measured measured;
+  for (double& value : measured.runs[0].torque[4]) value = 1.25;
+  for (double& value : measured.runs[2].radial) value = std::min(value, -5e-6);
+  const auto faults = inspect::record_faults(measured.runs);
+  REQUIRE(faults.size() == 2);
+  CHECK(faults[0].kind == FaultKind::stuck);
+  CHECK(faults[0].channels == std::vector<int>{5});
+  CHECK(faults[1].runs == std::vector<std::size_t>{2});
+}
+
+TEST_CASE("two runs with the same readings, whatever is said of them") {
+  Measured measured;
+  measured.runs[5].radial = measured.runs[1].radial;
+  measured.runs[5].torque = measured.runs[1].torque;
+  const auto faults = inspect::record_faults(measured.runs);
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].kind == FaultKind::same_readings);
+  CHECK(faults[0].runs == std::vector<std::size_t>{5});
+  CHECK(faults[0].like == 1);
+}
+
+TEST_CASE("a feed that the times do not have, and what a table says otherwise than the dataset") {
+  Measured measured;
+  for (double& time : measured.runs[0].time) time *= 1.1;
+  measured.runs[1].contradictions = {measure::Contradiction::direction};
+  const auto faults = inspect::record_faults(measured.runs);
+  REQUIRE(faults.size() == 2);
+  CHECK(faults[0].kind == FaultKind::feed);
+  CHECK(faults[0].values.at(0) == Approx(measured.runs[0].feed / 1.1));
+  CHECK(faults[1].kind == FaultKind::direction);
+}
