@@ -3,6 +3,7 @@
 #include "base/units.hpp"
 #include "cli/command_files.hpp"
 #include "cli/identified_output.hpp"
+#include "cli/options/accept.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -71,6 +72,7 @@ void add_calibrate(CLI::App& app, Run& run) {
   add_measurements(*command, *arguments);
   add_identified_output(*command, arguments->output);
   add_unknowns(*command, *arguments);
+  add_accept(*command, arguments->job.accepted);
   command->add_flag("--controller", arguments->job.controller,
                     "write the joints as new coordinates for the controller, not as what it has wrong");
   command->callback([arguments, &run] { run = [arguments] { return calibrate(*arguments); }; });

@@ -8,6 +8,7 @@
 #include "jobs/circularity.hpp"
 #include "report/measured/circularity_text.hpp"
 #include "report/page/compare_page.hpp"
+#include "report/page/paper_sections.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -33,7 +34,9 @@ int circularity(const CircularityArguments& arguments) {
     for (const std::string& model : {arguments.model, arguments.beside}) {
       if (!model.empty()) models.push_back(model);
     }
-    return report::circularity_page(table, jobs::profiles_of_files(measured.runs, models));
+    report::Page made = report::circularity_page(table, jobs::profiles_of_files(measured.runs, models));
+    report::add_paper(made, jobs::paper_of(arguments.dataset, models), false);
+    return made;
   });
   if (!json.takes_standard_output() && !page.takes_standard_output()) print_result(report::circularity_text(table));
   files.commit();

@@ -35,6 +35,8 @@ using Run = std::function<int()>;
   COMMAND(trace)                    \
   COMMAND(check)                    \
   COMMAND(simulate)                 \
+  COMMAND(import)                   \
+  COMMAND(inspect)                  \
   COMMAND(diagnose)                 \
   COMMAND(diff)                     \
   COMMAND(compare)                  \

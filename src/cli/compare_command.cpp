@@ -7,10 +7,13 @@
 #include "base/diagnostic.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
+#include "cli/messages.hpp"
 #include "cli/options/report_file.hpp"
 #include "jobs/compare.hpp"
 #include "report/measured/compare_text.hpp"
+#include "report/measured/inspection_text.hpp"
 #include "report/page/compare_page.hpp"
+#include "report/page/paper_sections.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -47,9 +50,16 @@ int compare(const CompareArguments& arguments) {
   OutputSet files;
   json.add_to(files, comparisons.size() > 1 ? report::compare_json(comparisons[0], comparisons[1], models[1])
                                             : report::compare_json(comparisons[0]));
-  page.add_to(files, [&] { return report::compare_page(comparisons, jobs::profiles_of_files(measured.runs, models)); });
+  page.add_to(files, [&] {
+    report::Page made = report::compare_page(comparisons, jobs::profiles_of_files(measured.runs, models));
+    report::add_paper(made, jobs::paper_of(arguments.dataset, models));
+    return made;
+  });
   if (!json.takes_standard_output() && !page.takes_standard_output()) print_result(words_of(comparisons, models));
   files.commit();
+  if (const inspect::Inspection& inspection = comparisons[0].inspection; !inspection.faults.empty()) {
+    say_note(report::faults_text(inspection, measured.runs));
+  }
   return comparisons[0].radial_rms_um.value_or(0) <= arguments.most_radial_um ? kDone : kFound;
 }
 

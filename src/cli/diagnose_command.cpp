@@ -14,14 +14,17 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
+#include "cli/options/accept.hpp"
 #include "cli/options/test_dialect.hpp"
 #include "cli/progress_line.hpp"
 #include "jobs/run_profiles.hpp"
 #include "jobs/test_program.hpp"
 #include "report/measured/diagnosis_text.hpp"
+#include "report/measured/inspection_text.hpp"
 #include "report/measured/model_file.hpp"
 #include "report/measured/thinning_text.hpp"
 #include "report/page/diagnosis_page.hpp"
+#include "report/page/paper_sections.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -89,7 +92,8 @@ std::vector<FolderFile> programs_of(const DiagnoseArguments& arguments, const jo
   return programs;
 }
 
-std::string page_of(const jobs::DiagnoseResult& result, const std::vector<FolderFile>& programs) {
+std::string page_of(const DiagnoseArguments& arguments, const jobs::DiagnoseResult& result,
+                    const std::vector<FolderFile>& programs) {
   const physics::ForceModel given(result.machine);
   std::vector<jobs::NamedModel> models{{"model as given", &result.machine, &given}};
   if (!result.diagnosis.withheld && !result.diagnosis.effects.empty()) {
@@ -100,16 +104,19 @@ std::string page_of(const jobs::DiagnoseResult& result, const std::vector<Folder
   profiles.runs = jobs::run_profiles(result.runs, models);
   std::vector<std::string> texts;
   for (const FolderFile& program : programs) texts.push_back(program.text);
-  return report::page_text(report::diagnosis_page(result, profiles, texts));
+  report::Page page = report::diagnosis_page(result, profiles, texts);
+  report::add_paper(page, jobs::paper_of(arguments.job.dataset, {arguments.model}));
+  return report::page_text(page);
 }
 
 int diagnose(const DiagnoseArguments& arguments) {
   const std::string json = (fs::path(arguments.folder) / "diagnosis.json").string();
   const std::string model = (fs::path(arguments.folder) / "model.toml").string();
   const std::string page = (fs::path(arguments.folder) / "report.html").string();
+  const std::string judged = (fs::path(arguments.folder) / "inspection.json").string();
   const std::vector<std::string> inputs = inputs_of(arguments.job.dataset, {arguments.model});
   check_folder(arguments.folder);
-  check_outputs(inputs, {json, model, page});
+  check_outputs(inputs, {json, model, page, judged});
   ProgressLine line("diagnose");
   const diagnose::Say told{[](const std::string& step) { say_step(step); },
                            [&](const std::string& what) { line.begin(what); }};
@@ -119,13 +126,17 @@ int diagnose(const DiagnoseArguments& arguments) {
   line.clear();
   const std::string numbers = report::diagnosis_json(result.diagnosis);
   std::vector<FolderFile> files = programs_of(arguments, result);
-  files.insert(files.begin(), {{json, numbers}, {page, page_of(result, files)}});
+  files.insert(files.begin(), {{json, numbers},
+                               {judged, report::inspection_json(result.inspection, result.runs)},
+                               {page, page_of(arguments, result, files)}});
   files.push_back({model, report::model_file(result)});
   std::vector<std::string> outputs;
   for (const FolderFile& file : files) outputs.push_back(file.path);
   check_outputs(inputs, outputs);
   write_folder(arguments.folder, files);
-  const std::string words = report::diagnosis_text(result.diagnosis) + report::thinning_text(result.thinning);
+  const std::string words = report::diagnosis_text(result.diagnosis) +
+                            report::faults_text(result.inspection, result.runs) +
+                            report::thinning_text(result.thinning);
   if (arguments.json) {
     print_result(numbers);
   } else {
@@ -155,6 +166,7 @@ void add_diagnose(CLI::App& app, Run& run) {
                    "folder for diagnosis.json, model.toml, report.html and NC programs of tests that would tell more")
       ->type_name("DIR")
       ->required();
+  add_accept(*command, arguments->job.accepted);
   add_test_dialect(*command, arguments->dialect);
   command->add_option("--without", arguments->job.without, "effects to leave out of the catalogue")
       ->type_name("NAME,...")

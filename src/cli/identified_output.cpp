@@ -11,6 +11,7 @@
 #include "report/measured/objection_text.hpp"
 #include "report/measured/thinning_text.hpp"
 #include "report/page/identification_page.hpp"
+#include "report/page/paper_sections.hpp"
 
 namespace plumbline::cli {
 
@@ -48,6 +49,20 @@ void object(const std::string& objection, const IdentifiedOutput& output) {
 
 }  // namespace
 
+namespace {
+
+// With a protocol, where circular tests were measured.
+report::Page signed_page(const jobs::IdentifiedModel& identified) {
+  report::Page page = report::identification_page(identified, report::profiles_of(identified));
+  for (const jobs::MeasuredFile& file : identified.measured) {
+    if (file.kind != jobs::MeasuredFile::Kind::runs) continue;
+    report::add_paper(page, jobs::paper_of(file.path, {identified.machine.document.file}));
+  }
+  return page;
+}
+
+}  // namespace
+
 int write_identified(const std::vector<std::string>& inputs, const IdentifiedOutput& output,
                      const std::function<jobs::IdentifiedModel()>& make) {
   check_outputs(inputs, {output.model, output.json, output.report});
@@ -62,7 +77,7 @@ int write_identified(const std::vector<std::string>& inputs, const IdentifiedOut
   }
   OutputSet files;
   json_result.add_to(files, report::identification_json(identified.found));
-  page.add_to(files, [&] { return report::identification_page(identified, report::profiles_of(identified)); });
+  page.add_to(files, [&] { return signed_page(identified); });
   const bool refused = !identified.found.converged() || (identified.objected() && !output.force);
   if (refused) {
     if (!json_result.takes_standard_output()) print_result(words);

@@ -3,6 +3,7 @@
 
 #include "cli/command_files.hpp"
 #include "cli/identified_output.hpp"
+#include "cli/options/accept.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -11,11 +12,13 @@ struct IdentifyArguments {
   std::string model, dataset;
   IdentifiedOutput output;
   identify::IdentifyOptions options;
+  std::vector<std::string> accepted;
 };
 
 int identify_model(const IdentifyArguments& arguments) {
-  return write_identified(inputs_of(arguments.dataset, {arguments.model}), arguments.output,
-                          [&] { return jobs::identify_model(arguments.model, arguments.dataset, arguments.options); });
+  return write_identified(inputs_of(arguments.dataset, {arguments.model}), arguments.output, [&] {
+    return jobs::identify_model(arguments.model, arguments.dataset, arguments.options, arguments.accepted);
+  });
 }
 
 }  // namespace
@@ -44,6 +47,7 @@ void add_identify(CLI::App& app, Run& run) {
                    "strut.motor_mass_kg,level.tilt_mrad")
       ->type_name("KEY,...")
       ->delimiter(',');
+  add_accept(*command, arguments->accepted);
   command->callback([arguments, &run] { run = [arguments] { return identify_model(*arguments); }; });
 }
 

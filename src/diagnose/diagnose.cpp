@@ -29,15 +29,16 @@ std::vector<Evidence> evidence_of(const Model& model) {
   return all;
 }
 
-// Nothing is learnt from readings that no machine makes so.
-Diagnosis undiagnosed(const machine::MachineModel& machine, const std::vector<Run>& runs, ChannelFlaw flaw,
+// Nothing is learnt from readings that no machine makes so, nor from data that are spoiled.
+template <class Why>
+Diagnosis undiagnosed(const machine::MachineModel& machine, const std::vector<Run>& runs, const Why& why,
                       const std::vector<RunEquations>& given, const DiagnoseOptions& options) {
   Diagnosis diagnosis{physics::ForceModel(machine)};
   const std::vector<bool> out(runs.size(), false);
   const StageResiduals as_given{given, {}, given};
   diagnosis.verdict = Verdict::unknown;
-  diagnosis.withheld = flaw;
-  diagnosis.doubt = Doubt{{}, std::move(flaw)};
+  diagnosis.withheld = why;
+  diagnosis.doubt = Doubt{{}, why};
   diagnosis.noise = noise_of(given);
   diagnosis.errors.assign(diagnosis.forces.parameters.size(), 0);
   diagnosis.gap_map = gap_map_of(machine.rotation, runs, diagnosis.forces, given, diagnosis.noise, options.gap_map);
@@ -119,9 +120,10 @@ Diagnosis diagnose(const machine::MachineModel& machine, const std::vector<Run>&
   const physics::ForceModel forces(machine);
   const CandidateSet candidates = make_candidate_set(machine, forces, options.candidates);
   const std::vector<RunEquations> given = residuals(machine, runs, forces, {});
-  if (std::optional<ChannelFlaw> flaw = channel_flaw(runs, given, options.channels)) {
-    return undiagnosed(machine, runs, std::move(*flaw), given, options);
+  if (const std::optional<ChannelFlaw> flaw = channel_flaw(runs, given, options.channels)) {
+    return undiagnosed(machine, runs, *flaw, given, options);
   }
+  if (options.spoiled) return undiagnosed(machine, runs, *options.spoiled, given, options);
   std::vector<std::string> steps;
   const Say tell{[&](const std::string& text) {
                    steps.push_back(text);

@@ -51,6 +51,7 @@ struct DiagnoseOptions {
   ChannelOptions channels;
   CompensatedOptions compensated;
   identify::HoldOptions hold;
+  std::optional<SpoiledData> spoiled;  // nothing is learnt from such data
 };
 
 enum class Verdict { named, nothing_missing, unknown };

@@ -46,6 +46,12 @@ struct Change {
   double after = 0;
 };
 
+/// Something is wrong with the data themselves: of these runs, or alike of all.
+struct SpoiledData {
+  std::vector<std::string> runs;  // ids
+  bool all = false;
+};
+
 /// A number of an effect stands as far off as it can be at all.
 struct AtBound {
   std::string effect;
@@ -78,10 +84,11 @@ struct GivenIsNearer {
 /// Why effects that were found are not to be named.
 struct Doubt {
   std::vector<std::string> effects;  // none: no effect makes such readings
-  std::variant<ChannelFlaw, AtBound, FurtherOff, OpenGap, OneMore, LargeRemainder, NotPredicted> why;
+  std::variant<ChannelFlaw, SpoiledData, AtBound, FurtherOff, OpenGap, OneMore, LargeRemainder, NotPredicted> why;
 };
 
 /// Why nothing that was learnt is to be believed, be it named or not.
-using Objection = std::variant<ChannelFlaw, std::vector<StrainedUnknown>, StrainedTogether, GivenIsNearer, OpenGap>;
+using Objection =
+    std::variant<ChannelFlaw, SpoiledData, std::vector<StrainedUnknown>, StrainedTogether, GivenIsNearer, OpenGap>;
 
 }  // namespace plumbline::diagnose

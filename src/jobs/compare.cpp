@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
+#include "jobs/measured/inspect.hpp"
 #include "machine/model_file.hpp"
 #include "measure/setup.hpp"
 
@@ -66,7 +67,9 @@ Comparison compare(const Source& model, const measure::Dataset& measured) {
   Comparison comparison;
   Pool radial;
   Pool torque;
-  for (const measure::Run& run : measured.runs) {
+  Judged looked = judged(machine, measured.runs, measured.instrument, {});
+  comparison.inspection = std::move(looked.inspection);
+  for (const measure::Run& run : looked.runs) {
     const measure::RunSimulation simulation = measure::simulate_run(machine, forces, run);
     RunComparison& found = comparison.runs.emplace_back();
     found.id = run.id;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/files/source.hpp"
+#include "inspect/fault.hpp"
 #include "machine/geometry.hpp"
 #include "measure/dataset.hpp"
 
@@ -27,10 +28,11 @@ struct Comparison {
   std::optional<double> torque_rms_Nm;  // over all samples and struts
   std::array<double, machine::kStruts> torque_mean_abs_Nm{};
   std::vector<RunComparison> runs;
+  inspect::Inspection inspection;  // what may be wrong with the data
 };
 
-/// Simulates every run of a dataset and compares, the set-up (ball centre, bar length) fitted per run. Refuses what the
-/// reader of models, physics::ForceModel and measure::simulate_run refuse.
+/// Simulates every run of a dataset, as it is but for single spikes, and compares, the set-up (ball centre, bar length)
+/// fitted per run. Refuses what the reader of models, physics::ForceModel and measure::simulate_run refuse.
 Comparison compare(const Source& model, const measure::Dataset& measured);
 
 }  // namespace plumbline::jobs

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "jobs/measured/inspect.hpp"
 #include "machine/model_file.hpp"
 #include "measure/simulation.hpp"
 
@@ -44,6 +47,22 @@ AtTip at_tip(const machine::MachineModel& machine, const std::vector<measure::Ru
   return found;
 }
 
+// The runs that what is wrong with the data is about; nothing: it is in nobody's way.
+std::optional<diagnose::SpoiledData> spoiled(const inspect::Inspection& inspection,
+                                             const std::vector<measure::Run>& runs) {
+  diagnose::SpoiledData spoiled;
+  for (const inspect::Fault& fault : inspection.faults) {
+    if (!fault.blocks) continue;
+    spoiled.all = spoiled.all || fault.all;
+    for (const std::size_t r : fault.runs) {
+      if (std::find(spoiled.runs.begin(), spoiled.runs.end(), runs[r].id) == spoiled.runs.end()) {
+        spoiled.runs.push_back(runs[r].id);
+      }
+    }
+  }
+  return inspection.blocks() ? std::optional(spoiled) : std::nullopt;
+}
+
 }  // namespace
 
 DiagnoseResult diagnose(const DiagnoseJob& job, const diagnose::Say& say) {
@@ -52,9 +71,13 @@ DiagnoseResult diagnose(const DiagnoseJob& job, const diagnose::Say& say) {
   diagnose::DiagnoseOptions options;
   options.candidates.without = job.without;
   options.search.threshold.seed = job.seed;
-  const measure::Thinned thinned = measure::thinned(machine, std::move(dataset.runs));
+  say.begin(fmt::format("judging the readings of {} runs", dataset.runs.size()));
+  Judged looked = judged(machine, std::move(dataset.runs), dataset.instrument, job.accepted);
+  options.spoiled = spoiled(looked.inspection, looked.runs);
+  const measure::Thinned thinned = measure::thinned(machine, std::move(looked.runs));
   diagnose::Diagnosis diagnosis = diagnose::diagnose(machine, thinned.runs, options, say);
-  DiagnoseResult result{std::move(machine), std::move(diagnosis), thinned.thinning, thinned.runs, {}};
+  DiagnoseResult result{std::move(machine), std::move(diagnosis),         thinned.thinning,
+                        thinned.runs,       std::move(looked.inspection), {}};
   if (result.diagnosis.withheld) return result;
   for (const diagnose::NamedEffect& effect : result.diagnosis.effects) {
     result.at_tip.push_back(at_tip(result.machine, result.runs, result.diagnosis.forces, effect.name));

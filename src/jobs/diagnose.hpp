@@ -7,6 +7,7 @@
 
 #include "base/files/source.hpp"
 #include "diagnose/diagnose.hpp"
+#include "inspect/fault.hpp"
 #include "measure/thinning.hpp"
 
 namespace plumbline::jobs {
@@ -16,6 +17,7 @@ struct DiagnoseJob {
   std::string dataset;
   std::vector<std::string> without;  // effects to be left out of the catalogue
   std::uint64_t seed = 1;
+  std::vector<std::string> accepted = {};  // runs that are taken as they are
 };
 
 /// What an effect that was found does at the tool tip, m: how far the tip is from where it would be without it, over
@@ -31,6 +33,7 @@ struct DiagnoseResult {
   diagnose::Diagnosis diagnosis;
   measure::Thinning thinning;      // how long records were made short
   std::vector<measure::Run> runs;  // as they were looked at: long records made short
+  inspect::Inspection inspection;  // what may be wrong with the data; where that blocks, nothing is learnt from them
   std::vector<AtTip> at_tip;       // of the effects named, in their order; none where the model stays as it was given
 };
 

@@ -1,26 +1,18 @@
 #include "jobs/identify.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
-#include "base/files/files.hpp"
 #include "base/text/hash.hpp"
 #include "diagnose/doubt.hpp"
+#include "jobs/measured/inspect.hpp"
+#include "jobs/measured/paper.hpp"
 #include "machine/model_file.hpp"
 
 namespace plumbline::jobs {
 namespace {
 
 using identify::Identification;
-
-// Of the dataset and the tables that it names.
-std::uint64_t hash_of(const measure::Dataset& dataset, const std::string& path) {
-  std::uint64_t hash = fnv1a(dataset.document.text);
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  for (const measure::Run& run : dataset.runs) hash = fnv1a(read_text((folder / run.file).string()), hash);
-  return hash;
-}
 
 MeasuredFile measured_file(const std::string& path, const measure::Dataset& dataset) {
   return {path, hash_of(dataset, path), dataset.runs.size(), MeasuredFile::Kind::runs};
@@ -86,28 +78,29 @@ std::vector<TrackedGap> tracked_gaps(const machine::MachineModel& machine, const
   return gaps;
 }
 
-IdentifiedModel identified(machine::MachineModel machine, std::vector<measure::Run> runs,
-                           std::vector<MeasuredFile> measured, const identify::IdentifyOptions& options,
+IdentifiedModel identified(machine::MachineModel machine, measure::Dataset dataset, std::vector<MeasuredFile> measured,
+                           const identify::IdentifyOptions& options, const std::vector<std::string>& accepted,
                            const identify::Tracked* tracked = nullptr) {
-  const measure::Thinned thinned = measure::thinned(machine, std::move(runs));
+  Judged looked = judged(machine, std::move(dataset.runs), dataset.instrument, accepted);
+  const measure::Thinned thinned = measure::thinned(machine, std::move(looked.runs));
   Identification found = identify::identify(machine, thinned.runs, options, tracked);
   const std::optional<diagnose::OpenGap> open = open_gap(machine, thinned.runs, found, options.plausible.open_share);
   physics::ForceModel forces = found.forces;
   std::vector<double> errors = errors_of(found);
   std::vector<TrackedGap> poses;
   if (tracked != nullptr) poses = tracked_gaps(machine, found, *tracked);
-  return {std::move(machine), std::move(found),  std::move(measured), thinned.thinning, open,
-          std::move(forces),  std::move(errors), thinned.runs,        std::move(poses)};
+  return {std::move(machine), std::move(found), std::move(measured),          thinned.thinning, open, std::move(forces),
+          std::move(errors),  thinned.runs,     std::move(looked.inspection), std::move(poses)};
 }
 
 }  // namespace
 
 IdentifiedModel identify_model(const Source& model, const std::string& dataset,
-                               const identify::IdentifyOptions& options) {
+                               const identify::IdentifyOptions& options, const std::vector<std::string>& accepted) {
   machine::MachineModel machine = machine::read_model(model);
   measure::Dataset measured = measure::read_dataset(dataset);
   const MeasuredFile file = measured_file(dataset, measured);
-  return identified(std::move(machine), std::move(measured.runs), {file}, options);
+  return identified(std::move(machine), std::move(measured), {file}, options, accepted);
 }
 
 IdentifiedModel calibrate_model(CalibrateJob job) {
@@ -125,8 +118,8 @@ IdentifiedModel calibrate_model(CalibrateJob job) {
         {job.poses.name(), fnv1a(tracked->table.text), tracked->table.poses.size(), MeasuredFile::Kind::poses});
   }
   job.options.stages = identify::Stages::geometry;
-  IdentifiedModel model = identified(std::move(machine), std::move(dataset.runs), std::move(files), job.options,
-                                     tracked ? &*tracked : nullptr);
+  IdentifiedModel model = identified(std::move(machine), std::move(dataset), std::move(files), job.options,
+                                     job.accepted, tracked ? &*tracked : nullptr);
   model.calibrated = true;
   if (job.controller) believe_joints(model);
   return model;

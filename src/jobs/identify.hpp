@@ -10,6 +10,7 @@
 #include "diagnose/objection.hpp"
 #include "identify/identify.hpp"
 #include "identify/model_text.hpp"
+#include "inspect/fault.hpp"
 #include "measure/dataset.hpp"
 #include "measure/thinning.hpp"
 
@@ -43,18 +44,19 @@ struct IdentifiedModel {
   physics::ForceModel forces;                      // as a model file is to have them
   std::vector<double> errors;                      // of its parameters, SI
   std::vector<measure::Run> runs;                  // as they were fitted: long records made short
+  inspect::Inspection inspection;                  // what may be wrong with the data
   std::vector<TrackedGap> poses;                   // of the tracker, in the order of its table
   std::optional<identify::BelievedJoints> joints;  // for the controller
   bool calibrated = false;
 
   /// Whether something speaks against the model.
-  bool objected() const { return found.objected() != nullptr || open_gap.has_value(); }
+  bool objected() const { return found.objected() != nullptr || open_gap.has_value() || inspection.blocks(); }
 };
 
-/// Reads both and identifies. Refuses what the readers of models and datasets, physics::ForceModel and
-/// identify::identify refuse.
+/// Reads both and identifies; what is wrong with runs that `accepted` names (jobs/measured/inspect.hpp) is no
+/// objection. Refuses what the readers of models and datasets, physics::ForceModel and identify::identify refuse.
 IdentifiedModel identify_model(const Source& model, const std::string& dataset,
-                               const identify::IdentifyOptions& options);
+                               const identify::IdentifyOptions& options, const std::vector<std::string>& accepted = {});
 
 /// What a calibration is made from.
 struct CalibrateJob {
@@ -62,8 +64,9 @@ struct CalibrateJob {
   std::string dataset;  // circular tests; empty: none
   Source poses;         // a tracker's table; empty: none
   identify::IdentifyOptions options;
-  bool frame_known = false;  // the tracker measures in the machine's frame W
-  bool controller = false;   // new joints for the controller, not what it has wrong
+  bool frame_known = false;           // the tracker measures in the machine's frame W
+  std::vector<std::string> accepted;  // runs that are taken as they are
+  bool controller = false;            // new joints for the controller, not what it has wrong
 };
 
 /// The same with Stages::geometry. With `controller` the joints that were found become those of [base] and [platform],

@@ -49,6 +49,8 @@ const std::map<std::string, std::string> kRefused{
     {"simulate", "simulate bad.ngc " + kModel + kOffset},
     {"diff", "diff bad.ngc bad.ngc"},
     {"compare", "compare -d missing.toml " + kModel},
+    {"inspect", "inspect -d missing.toml " + kModel},
+    {"import", "import missing.csv -o out --map missing.toml"},
     {"circularity", "circularity -d missing.toml"},
     {"identify", "identify -d missing.toml -o out.toml " + kModel},
     {"calibrate", "calibrate -d missing.toml -o out.toml " + kModel},

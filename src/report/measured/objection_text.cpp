@@ -8,6 +8,7 @@
 
 #include "base/units.hpp"
 #include "physics/generic_formula.hpp"
+#include "report/measured/inspection_text.hpp"
 
 namespace plumbline::report {
 namespace {
@@ -67,6 +68,13 @@ std::string text_of(const diagnose::ChannelFlaw& flaw) {
       names.size(), fmt::join(names, ", "), names.size() == 1 ? "is" : "are", fmt::join(factors, ", "));
 }
 
+std::string text_of(const diagnose::SpoiledData& spoiled) {
+  return fmt::format("something is wrong with the data of {}: mend it, or take it as it is with --accept",
+                     spoiled.all
+                         ? std::string("all runs")
+                         : fmt::format("run{} {}", spoiled.runs.size() == 1 ? "" : "s", fmt::join(spoiled.runs, ", ")));
+}
+
 std::string text_of(const diagnose::OpenGap& gap) {
   const KindWords& words = words_of(gap.kind);
   return fmt::format("the gap of {} stays open, {:.3g} {} of {:.3g}, and is no noise{}", words.of_runs,
@@ -118,6 +126,7 @@ struct DoubtWords {
   bool several = false;
 
   std::string operator()(const diagnose::ChannelFlaw& flaw) const { return text_of(flaw); }
+  std::string operator()(const diagnose::SpoiledData& spoiled) const { return text_of(spoiled); }
 
   std::string operator()(const diagnose::AtBound& at) const {
     const identify::Unknown& number = at.number;
@@ -181,7 +190,12 @@ std::string objection_text(const identify::Stage& stage) {
 
 std::string objection_text(const jobs::IdentifiedModel& model) {
   if (const identify::Stage* const stage = model.found.objected()) return objection_text(*stage);
-  return model.open_gap ? text_of(*model.open_gap) : std::string();
+  if (model.open_gap) return text_of(*model.open_gap);
+  std::vector<std::string> faults;
+  for (const inspect::Fault& fault : model.inspection.faults) {
+    if (fault.blocks) faults.push_back(fault_text(fault, model.runs));
+  }
+  return fmt::format("{}", fmt::join(faults, "; "));
 }
 
 std::string objection_text(const diagnose::Objection& objection) {

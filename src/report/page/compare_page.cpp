@@ -7,6 +7,7 @@
 
 #include "base/units.hpp"
 #include "report/page/measured_sections.hpp"
+#include "report/page/paper_sections.hpp"
 #include "report/page/run_sections.hpp"
 #include "report/page/sections.hpp"
 #include "report/text_table.hpp"
@@ -81,30 +82,6 @@ Json wave_map(const jobs::CircularityTable& table) {
   map.figures.push_back(std::move(figure));
   map.words = "Waves around the circle; the first is the centring of the balls and left out.";
   return heat_section("Waves around the circle", map);
-}
-
-Json figures_table(const jobs::CircularityTable& table) {
-  std::vector<Json> rows;
-  for (const jobs::RunCircularity& run : table.runs) {
-    const measure::CircularityFigures& f = run.figures;
-    rows.push_back({run.id, f.least_squares / kUm, f.minimum_zone / kUm, f.radial_max / kUm, f.radial_min / kUm});
-  }
-  return table_section("Figures of ISO 230-4",
-                       {{"Run"}, {"circularity", "um", 2}, {"G", "um", 2}, {"F max", "um", 2}, {"F min", "um", 2}},
-                       std::move(rows),
-                       "Circularity: max - min about the least-squares circle. G: width of the narrowest ring. F: "
-                       "radial deviation from the nominal radius, the centre removed.");
-}
-
-Json pairs_table(const jobs::CircularityTable& table) {
-  if (table.pairs.empty()) return nullptr;
-  std::vector<Json> rows;
-  for (const jobs::PairCircularity& pair : table.pairs) {
-    rows.push_back({pair.ccw, pair.cw, pair.figures.minimum_zone / kUm, pair.figures.mean_radial / kUm});
-  }
-  return table_section("Both directions", {{"counterclockwise"}, {"clockwise"}, {"G(b)", "um", 2}, {"D", "um", 2}},
-                       std::move(rows),
-                       "G(b): width of the narrowest ring that holds both. D: mean bidirectional radial deviation.");
 }
 
 // The readings of a run about another circle than its own.

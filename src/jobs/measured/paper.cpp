@@ -1,0 +1,34 @@
+#include "jobs/measured/paper.hpp"
+
+#include <filesystem>
+
+#include "base/files/files.hpp"
+#include "base/text/hash.hpp"
+
+namespace plumbline::jobs {
+
+std::uint64_t hash_of(const measure::Dataset& dataset, const std::string& path) {
+  std::uint64_t hash = fnv1a(dataset.document.text);
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  for (const measure::Run& run : dataset.runs) hash = fnv1a(read_text((folder / run.file).string()), hash);
+  return hash;
+}
+
+Paper paper_of(const std::string& path, const std::vector<std::string>& models) {
+  Paper paper;
+  std::error_code none;
+  const auto is_file = [&](const std::string& name) { return std::filesystem::is_regular_file(name, none); };
+  if (!is_file(path)) return paper;
+  measure::Dataset dataset = measure::read_dataset(path);
+  paper.machine = dataset.machine;
+  paper.protocol = dataset.protocol;
+  paper.figures = circularity_table(dataset);
+  paper.files.push_back({"data", path, hash_of(dataset, path)});
+  for (const std::string& model : models) {
+    if (is_file(model)) paper.files.push_back({"model", model, fnv1a(read_text(model))});
+  }
+  paper.runs = std::move(dataset.runs);
+  return paper;
+}
+
+}  // namespace plumbline::jobs

@@ -1,0 +1,32 @@
+// What a report says of itself, to be signed: machine, who measured with what, which files it rests on.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "jobs/circularity.hpp"
+#include "measure/dataset.hpp"
+
+namespace plumbline::jobs {
+
+struct Paper {
+  struct File {
+    std::string what, name;
+    std::uint64_t hash = 0;  // FNV-1a; of a dataset with the tables that it names
+  };
+  std::string machine;  // as the dataset calls it
+  measure::Protocol protocol;
+  std::vector<File> files;
+  std::vector<measure::Run> runs;
+  CircularityTable figures;
+};
+
+/// Of a dataset, and the models that are laid beside it (empty names: none). What was read
+/// from a pipe cannot be read again, and is left out. Refuses as their readers do.
+Paper paper_of(const std::string& dataset, const std::vector<std::string>& models);
+
+/// FNV-1a of a dataset and the tables that it names.
+std::uint64_t hash_of(const measure::Dataset& dataset, const std::string& path);
+
+}  // namespace plumbline::jobs
