@@ -254,6 +254,12 @@ class Inspector {
       faults[i] = fault_of_run(looked, bench_, outliers, i, options_);
       explained[i] = faults[i].has_value();
     }
+    for (Fault& fault : found.faults) {
+      if (fault.kind != FaultKind::same_readings) continue;
+      if (found.runs[fault.runs[1]].all <= found.runs[fault.runs[0]].all) continue;
+      std::swap(fault.runs[0], fault.runs[1]);
+      fault.like = fault.runs[1];
+    }
     for (std::size_t i = 0; i < looked.runs.size(); ++i) {
       const bool looked_closer = outliers.mean_square[i] >= usual * (1 + options_.outliers.excess);
       if (looked_closer && !faults[i]) faults[i] = unexplained(looked, outliers, i, explained, options_);

@@ -183,6 +183,7 @@ std::vector<Fault> record_faults(const std::vector<Run>& runs, const RecordOptio
     for (std::size_t k = 0; k < r; ++k) {
       if (!same_readings(runs[k], run, options)) continue;
       faults.push_back(record_fault(FaultKind::same_readings, r, {}, true));
+      faults.back().runs.push_back(k);  // which of them is the wrong one records do not tell
       faults.back().like = k;
     }
   }
