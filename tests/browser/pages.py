@@ -110,6 +110,7 @@ PAGES = {
     "check": (check, True, 10),
     "diff": (diff, True, 6),
     "compare": (of_data("compare"), False, 3),
+    "inspect": (of_data("inspect"), False, 1),
     "circularity": (circularity, False, 1),
     "identify": (of_data("identify", "--force", "-o", "model.toml"), False, 2),
     "calibrate": (of_data("calibrate", "--force", "-o", "model.toml"), False, 2),
