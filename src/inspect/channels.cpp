@@ -139,8 +139,8 @@ void try_sign(std::vector<Tried>& all, const Channels& channels, FaultKind kind,
 }
 
 void try_unit(std::vector<Tried>& all, const Channels& channels, FaultKind kind, const std::vector<int>& about,
-              double alternatives) {
-  const double factor = channels.factor(about);
+              double alternatives, std::optional<double> known = {}) {
+  const double factor = known.value_or(channels.factor(about));
   const bool may_be_the_machine = factor > kUnitLeast && factor < kUnitMost;
   if (!std::isfinite(factor) || std::abs(factor) < 1e-6 || may_be_the_machine) return;
   const VectorXd readings =
@@ -301,6 +301,9 @@ std::vector<Tried> tried_channels(const Suspects& suspects) {
   if (channels.has(kRadial)) {
     try_sign(all, channels, FaultKind::bar_sign, {kRadial}, 1);
     try_unit(all, channels, FaultKind::bar_unit, {kRadial}, 1);
+    for (const double unit : {1e-3, 1e3, 25.4, 1 / 25.4, 2.0, 0.5}) {  // mm, nm, thousandths of an inch, a diameter
+      try_unit(all, channels, FaultKind::bar_unit, {kRadial}, 6, unit);
+    }
   }
   if (channels.has(1)) try_motors(all, channels);
   if (channels.has(kRadial) && channels.has(1)) {

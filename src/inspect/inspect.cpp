@@ -34,6 +34,21 @@ double coarseness(const std::vector<identify::RunEquations>& remainders, bool ba
   return each.empty() ? 1 : median(each);
 }
 
+// What chi-square would be if readings were off by what differs from sample to sample alone, and noise that remembers.
+double noise_from_sample_to_sample(const std::vector<identify::RunEquations>& remainders,
+                                   const identify::NoiseModel& noise) {
+  constexpr double kRemembers = 1.6;  // times as much noise as its steps show, with half of it remembered to 0.7
+  double sum = 0;
+  for (const identify::RunEquations& run : remainders) {
+    for (std::size_t c = 0; c < run.channels.size(); ++c) {
+      const VectorXd e = run.residual.segment(static_cast<Index>(c) * run.samples, run.samples);
+      const double sigma = noise.channels[static_cast<std::size_t>(run.channels[c])].sigma;
+      sum += kRemembers * (e.tail(e.size() - 1) - e.head(e.size() - 1)).squaredNorm() / (2 * sigma * sigma);
+    }
+  }
+  return sum;
+}
+
 double nats_of(const Tried& tried, double before, double usual) {
   return (before - tried.chi2) / (2 * usual) - tried.penalty;
 }
@@ -149,7 +164,8 @@ class Inspector {
     Outliers outliers = find_outliers(wide_, looked.rows, options_.outliers);
     std::vector<identify::RunEquations> left = remainders(looked, outliers, bench_.noise);
     const bool of_all = coarseness(left, true) > options_.coarse || coarseness(left, false) > options_.coarse;
-    if (std::optional<Fault> fault = fault_of_all(looked, outliers, of_all)) {
+    if (std::optional<Fault> fault =
+            fault_of_all(looked, outliers, of_all, noise_from_sample_to_sample(kept(left, outliers), bench_.noise))) {
       found.faults.push_back(std::move(*fault));
       return found;  // before that is mended no run can be told from the others
     }
@@ -169,7 +185,7 @@ class Inspector {
  private:
   // Of runs that agree, against the model alone and its priors. `labels`: whether labels are doubted, too; that takes
   // long.
-  std::optional<Fault> fault_of_all(const Looked& looked, const Outliers& outliers, bool labels) {
+  std::optional<Fault> fault_of_all(const Looked& looked, const Outliers& outliers, bool labels, double fine) {
     const Knowledge nothing(wide_);
     Suspects suspects{bench_, looked.runs, {}, {}, nothing};
     for (std::size_t i = 0; i < looked.runs.size(); ++i) {
@@ -190,7 +206,11 @@ class Inspector {
     fault.nats = (before - best.chi2) / (2 * noise) - best.penalty;
     fault.before = std::sqrt(before / static_cast<double>(rows));
     fault.after = std::sqrt(best.chi2 / static_cast<double>(rows));
-    if (best.chi2 > options_.all_explained * before || fault.nats < options_.least_nats) return std::nullopt;
+    const double left = std::max(0.0, best.chi2 - fine), excess = before - fine;
+    // what may be off by a little must explain most of what is off; a sign cannot be a little wrong
+    const bool by_degrees = best.fault.kind == FaultKind::clock || best.fault.kind == FaultKind::angle_zero;
+    if (by_degrees && left > options_.all_explained * excess) return std::nullopt;
+    if (fault.nats < options_.all_nats) return std::nullopt;
     fault.all = true;
     fault.runs = looked.numbers;
     return fault;
@@ -243,14 +263,13 @@ class Inspector {
   }
 
   void judge_runs(const Looked& looked, const Outliers& outliers, Inspection& found) {
-    const double usual = std::max(1.0, outliers.usual);
     found.usual = std::sqrt(outliers.usual);
     const bool drifts = all_drift(looked, outliers, found);
     std::vector<std::optional<Fault>> faults(looked.runs.size());
     std::vector<bool> explained(looked.runs.size(), false);
     for (std::size_t i = 0; i < looked.runs.size(); ++i) {
       found.runs[looked.numbers[i]] = misfit_of(looked, outliers, i);
-      if (outliers.mean_square[i] < usual * (1 + options_.outliers.excess)) continue;
+      if (excess_of(outliers, i, options_.outliers) < 1) continue;
       faults[i] = fault_of_run(looked, bench_, outliers, i, options_);
       explained[i] = faults[i].has_value();
     }
@@ -261,7 +280,7 @@ class Inspector {
       fault.like = fault.runs[1];
     }
     for (std::size_t i = 0; i < looked.runs.size(); ++i) {
-      const bool looked_closer = outliers.mean_square[i] >= usual * (1 + options_.outliers.excess);
+      const bool looked_closer = excess_of(outliers, i, options_.outliers) >= 1;
       if (looked_closer && !faults[i]) faults[i] = unexplained(looked, outliers, i, explained, options_);
       if (!faults[i] || (drifts && faults[i]->kind == FaultKind::drift)) continue;
       if (explained[i]) {

@@ -19,7 +19,8 @@ struct InspectOptions {
   double as_good = 12;             // nats within which another fault explains a run as well
   double stands_out = 9;           // times the usual mean square, from which a run stands out by itself,
   double beyond_next = 4;          // and so many times that of the next one
-  double all_explained = 0.4;      // of the misfit of all runs that a fault of all of them may leave
+  double all_explained = 0.35;     // of what all runs are off beyond noise that a clock or an angle of all may leave
+  double all_nats = 100;           // by which a fault of all runs must make the readings more likely
   double drift_sigmas = 12;        // of chi-square over all runs, from which all of them drift
   double larger = 1.5;             // times what the instrument states, from which noise is said to be larger
   double least_noise = 0.2;        // of the noise that is assumed

@@ -108,7 +108,7 @@ std::vector<Line> lines_of_group(const std::vector<Run>& runs, std::vector<Resid
   std::vector<Line> lines;
   const Run& first = runs[residuals[0].run];
   const double length = length_s(first);
-  const double highest = 0.5 / step_s(first);
+  const double highest = 0.5 / step_s(first) - 3 / length;  // nearer to half of the sampling sine and cosine are one
   while (lines.size() < options.most) {
     double best = options.least_order / length, sigmas = -1;
     const double step = 1 / (options.steps_an_order * length);

@@ -9,17 +9,31 @@
 namespace plumbline::inspect {
 namespace {
 
+// The readings of the bar alone, which come first: their chi-square over their number.
+double bar_square(const Knowledge& known, const RunRows& run) {
+  const Eigen::Index count = run.raw.samples;
+  if (!run.raw.first_row(identify::kRadial) || run.rows() == count) return 0;
+  const identify::SlopeRows slopes = run.slopes.topRows(count);
+  return Prediction(known, slopes).chi2(run.left.head(count)) / static_cast<double>(count);
+}
+
 void predict_all(Outliers& outliers, const std::vector<RunRows>& runs) {
   outliers.mean_square.assign(runs.size(), 0);
+  outliers.bar_square.assign(runs.size(), 0);
   for_each_index(runs.size(), [&](std::size_t r) {
-    const Prediction prediction(knowledge_of_others(outliers, runs, r), runs[r].slopes, runs[r].gram);
+    const Knowledge known = knowledge_of_others(outliers, runs, r);
+    const Prediction prediction(known, runs[r].slopes, runs[r].gram);
     outliers.mean_square[r] = prediction.chi2(runs[r].left) / static_cast<double>(runs[r].rows());
+    outliers.bar_square[r] = bar_square(known, runs[r]);
   });
-  std::vector<double> kept;
+  std::vector<double> kept, bars;
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    if (!outliers.out[r]) kept.push_back(outliers.mean_square[r]);
+    if (outliers.out[r]) continue;
+    kept.push_back(outliers.mean_square[r]);
+    if (outliers.bar_square[r] > 0) bars.push_back(outliers.bar_square[r]);
   }
   outliers.usual = kept.empty() ? 1 : median(kept);
+  outliers.usual_bar = bars.empty() ? 1 : median(bars);
 }
 
 }  // namespace
@@ -30,6 +44,12 @@ Knowledge knowledge_of_others(const Outliers& outliers, const std::vector<RunRow
     if (r != without && !outliers.out[r]) known.add(runs[r]);
   }
   return known;
+}
+
+double excess_of(const Outliers& outliers, std::size_t run, const OutlierOptions& options) {
+  const double all = outliers.mean_square[run] / (std::max(1.0, outliers.usual) * (1 + options.excess));
+  const double bar = outliers.bar_square[run] / (std::max(1.0, outliers.usual_bar) * (1 + options.bar_excess));
+  return std::max(all, bar);
 }
 
 Outliers find_outliers(const Prior& wide, const std::vector<RunRows>& runs, const OutlierOptions& options) {
@@ -45,15 +65,14 @@ Outliers find_outliers(const Prior& wide, const std::vector<RunRows>& runs, cons
     predict_all(outliers, runs);
     std::size_t worst = runs.size();
     for (std::size_t r = 0; r < runs.size(); ++r) {
-      if (!outliers.out[r] && (worst == runs.size() || outliers.mean_square[r] > outliers.mean_square[worst]))
-        worst = r;
+      if (outliers.out[r]) continue;
+      if (worst == runs.size() || excess_of(outliers, r, options) > excess_of(outliers, worst, options)) worst = r;
     }
-    const double usual = std::max(1.0, outliers.usual);
-    if (worst == runs.size() || taken >= most || outliers.mean_square[worst] < usual * (1 + options.excess)) break;
+    if (worst == runs.size() || taken >= most || excess_of(outliers, worst, options) < 1) break;
     outliers.out[worst] = true;
   }
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    if (outliers.mean_square[r] < std::max(1.0, outliers.usual) * (1 + options.excess)) outliers.out[r] = false;
+    if (excess_of(outliers, r, options) < 1) outliers.out[r] = false;
   }
   return outliers;
 }
