@@ -9,6 +9,7 @@
 #include "base/version.hpp"
 #include "jobs/error_table.hpp"
 #include "jobs/simulate.hpp"
+#include "machine/model_file.hpp"
 #include "report/explain.hpp"
 #include "report/program/error_text.hpp"
 #include "report/program/simulation_text.hpp"
@@ -82,11 +83,14 @@ Result simulate(const Input& program, const Model& model, const Options& options
     const Destination to = Inside::destination(output);
     refuse_shared_files(files_read(program, how), files_written({to}));
     OutputFile out(to);
-    report::SimulationTable table(out);
+    const jobs::Knowledge known = jobs::knowledge_of(machine::read_model(how.paths.model));
+    report::SimulationTable table(out, known.posterior.has_value());
     const jobs::SimulationSummary summary = jobs::simulate_program(
-        Inside::source(program), how, [&](const jobs::SimulatedPoint& point) { table.add(point); }, progress);
+        Inside::source(program), how, [&](const jobs::SimulatedPoint& point) { table.add(point); }, progress, nullptr,
+        known.posterior ? &*known.posterior : nullptr);
     out.commit();
     Inside::Found found;
+    if (known.warning) found.warnings.push_back(public_diagnostic(*known.warning));
     found.json = report::simulation_json(summary);
     found.words = report::simulation_text(summary);
     return Inside::result(std::move(found));
@@ -112,11 +116,14 @@ Result error(const Input& poses, const Model& model, const Output& output) {
     refuse_shared_files(file_names({source}), files_written({to}));
     const std::vector<jobs::PoseRow> rows = jobs::read_poses(source);
     OutputFile out(to);
-    report::ErrorTable table(out);
-    const jobs::ErrorTableSummary summary =
-        jobs::error_table(machine, rows, [&](const jobs::PoseError& error) { table.add(error); });
+    const jobs::Knowledge known = jobs::knowledge_of(machine);
+    report::ErrorTable table(out, known.posterior.has_value());
+    const jobs::ErrorTableSummary summary = jobs::error_table(
+        machine, rows, [&](const jobs::PoseError& error) { table.add(error); },
+        known.posterior ? &*known.posterior : nullptr);
     out.commit();
     Inside::Found found;
+    if (known.warning) found.warnings.push_back(public_diagnostic(*known.warning));
     found.json = report::error_json(summary);
     found.words = report::error_text(summary);
     return Inside::result(std::move(found));

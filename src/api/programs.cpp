@@ -54,11 +54,14 @@ Result compensate(const Input& program, const Model& model, const Options& optio
     const Destination to = Inside::destination(output);
     const Destination undo_to = undo_of(output, undo, how);
     refuse_shared_files(files_read(program, how), files_written({to, undo_to}));
-    const compensate::Summary summary = jobs::compensate_file(Inside::source(program), to, how, progress, {}, undo_to);
+    jobs::Expectation expected;
+    const compensate::Summary summary =
+        jobs::compensate_file(Inside::source(program), to, how, progress, {}, undo_to, &expected);
     Inside::Found found;
-    found.json = report::summary_json(summary, how);
-    found.words = report::summary_text(summary, how);
+    found.json = report::summary_json(summary, how, expected.error);
+    found.words = report::summary_text(summary, how, expected.error);
     found.warnings = public_diagnostics(summary.warnings);
+    if (expected.warning) found.warnings.push_back(public_diagnostic(*expected.warning));
     return Inside::result(std::move(found));
   });
 }
@@ -72,6 +75,7 @@ Result check(const Input& program, const Model& model, const Options& options, c
     found.json = report::check_json(summary);
     found.words = report::check_text(summary);
     found.found = summary.violations > 0;
+    if (summary.expected.warning) found.warnings.push_back(public_diagnostic(*summary.expected.warning));
     if (summary.refusal) {
       Diagnostic& warning = found.warnings.emplace_back(public_diagnostic(*summary.refusal));
       warning.severity = Severity::warning;

@@ -29,6 +29,7 @@ int check(const CheckArguments& arguments) {
   const jobs::CheckSummary summary =
       jobs::check_file(arguments.program, options, line.progress(), !arguments.report.empty() ? &picture : nullptr);
   line.clear();
+  if (summary.expected.warning) say(*summary.expected.warning);
   if (summary.refusal) {
     Diagnostic warning = *summary.refusal;
     warning.severity = Severity::warning;

@@ -41,7 +41,7 @@ std::vector<jobs::ReportFile> reports(const CompensateArguments& arguments, cons
   std::vector<jobs::ReportFile> files;
   if (!arguments.json.empty()) {
     files.push_back({arguments.json, [&](const jobs::Compensation& of, OutputFile& file) {
-                       file.write(report::summary_json(of.summary, options));
+                       file.write(report::summary_json(of.summary, options, of.expected.error));
                      }});
   }
   if (!arguments.report.empty()) {
@@ -83,13 +83,15 @@ int compensate(const CompensateArguments& arguments) {
   }
   ProgressLine line("compensate");
   const FilesBeside beside(arguments.program);
+  jobs::Expectation expected;
   const compensate::Summary summary = jobs::compensate_file(arguments.program, output, options, line.progress(),
-                                                            reports(arguments, options, output, beside));
+                                                            reports(arguments, options, output, beside), {}, &expected);
   line.clear();
   for (const Diagnostic& warning : summary.warnings) say(warning);
+  if (expected.warning) say(*expected.warning);
   if (arguments.output.empty() && output != kStandardStream)
     say_note(fmt::format("  output                {}\n", output));
-  say_note(report::summary_text(summary, options));
+  say_note(report::summary_text(summary, options, expected.error));
   return kDone;
 }
 

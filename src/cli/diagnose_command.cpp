@@ -114,9 +114,10 @@ int diagnose(const DiagnoseArguments& arguments) {
   const std::string model = (fs::path(arguments.folder) / "model.toml").string();
   const std::string page = (fs::path(arguments.folder) / "report.html").string();
   const std::string judged = (fs::path(arguments.folder) / "inspection.json").string();
+  const std::string posterior = report::posterior_path(model);
   const std::vector<std::string> inputs = inputs_of(arguments.job.dataset, {arguments.model});
   check_folder(arguments.folder);
-  check_outputs(inputs, {json, model, page, judged});
+  check_outputs(inputs, {json, model, posterior, page, judged});
   ProgressLine line("diagnose");
   const diagnose::Say told{[](const std::string& step) { say_step(step); },
                            [&](const std::string& what) { line.begin(what); }};
@@ -129,7 +130,9 @@ int diagnose(const DiagnoseArguments& arguments) {
   files.insert(files.begin(), {{json, numbers},
                                {judged, report::inspection_json(result.inspection, result.runs)},
                                {page, page_of(arguments, result, files)}});
-  files.push_back({model, report::model_file(result)});
+  const report::LearntFiles learnt = report::learnt_files(result, fs::path(posterior).filename().string());
+  files.push_back({posterior, learnt.posterior});
+  files.push_back({model, learnt.model});
   std::vector<std::string> outputs;
   for (const FolderFile& file : files) outputs.push_back(file.path);
   check_outputs(inputs, outputs);

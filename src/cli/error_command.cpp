@@ -20,9 +20,12 @@ int error(const ErrorArguments& arguments) {
   const machine::MachineModel model = machine::read_model(arguments.model);
   const std::vector<jobs::PoseRow> poses = jobs::read_poses(arguments.poses);
   OutputFile out(arguments.output);
-  report::ErrorTable table(out);
-  const jobs::ErrorTableSummary summary =
-      jobs::error_table(model, poses, [&](const jobs::PoseError& error) { table.add(error); });
+  const jobs::Knowledge known = jobs::knowledge_of(model);
+  if (known.warning) say(*known.warning);
+  report::ErrorTable table(out, known.posterior.has_value());
+  const jobs::ErrorTableSummary summary = jobs::error_table(
+      model, poses, [&](const jobs::PoseError& error) { table.add(error); },
+      known.posterior ? &*known.posterior : nullptr);
   out.commit();
   say_note(report::error_text(summary));
   return kDone;
@@ -44,7 +47,9 @@ void add_error(CLI::App& app, Run& run) {
   command
       ->add_option("-o,--output", arguments->output,
                    "CSV: pose (mm, deg), strut lengths (mm), nut tensions (N), stretches (um), error of the tip (um) "
-                   "and of the orientation (urad), in W; default standard output")
+                   "and of the orientation (urad), in W; if the model says how sure its numbers are, how far the tip "
+                   "may be from there (um, 95 %); "
+                   "default standard output")
       ->type_name("FILE");
   command->callback([arguments, &run] { run = [arguments] { return error(*arguments); }; });
 }

@@ -1,5 +1,8 @@
 #include "cli/identified_output.hpp"
 
+#include <filesystem>
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "base/files/files.hpp"
@@ -65,7 +68,9 @@ report::Page signed_page(const jobs::IdentifiedModel& identified) {
 
 int write_identified(const std::vector<std::string>& inputs, const IdentifiedOutput& output,
                      const std::function<jobs::IdentifiedModel()>& make) {
-  check_outputs(inputs, {output.model, output.json, output.report});
+  const bool has_posterior = output_target(output.model).kind == OutputTarget::Kind::file;
+  const std::string posterior = has_posterior ? report::posterior_path(output.model) : std::string();
+  check_outputs(inputs, {output.model, posterior, output.json, output.report});
   OutputFile out(output.model);
   JsonResult json_result(output.json);
   ReportFile page(output.report);
@@ -89,7 +94,16 @@ int write_identified(const std::vector<std::string>& inputs, const IdentifiedOut
            "this machine");
   }
   if (identified.objected()) object(report::objection_text(identified), output);
-  out.write(report::model_file(identified));
+  std::optional<OutputFile> posterior_file;
+  if (has_posterior) {
+    const report::LearntFiles learnt =
+        report::learnt_files(identified, std::filesystem::path(posterior).filename().string());
+    posterior_file.emplace(posterior).write(learnt.posterior);
+    files.add(*posterior_file);
+    out.write(learnt.model);
+  } else {
+    out.write(report::model_file(identified));
+  }
   files.add(out);
   files.commit();
   if (!json_result.takes_standard_output()) print_result(words);

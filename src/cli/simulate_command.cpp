@@ -8,6 +8,7 @@
 #include "cli/options/report_file.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
+#include "machine/model_file.hpp"
 #include "report/page/program_pages.hpp"
 #include "report/program/simulation_text.hpp"
 
@@ -41,12 +42,14 @@ int simulate(const SimulateArguments& arguments) {
   check_outputs(files_read(arguments.program, options), {arguments.output, arguments.report});
   OutputFile out(arguments.output);
   ReportFile page(arguments.report);
-  report::SimulationTable table(out);
+  const jobs::Knowledge known = jobs::knowledge_of(machine::read_model(options.paths.model));
+  if (known.warning) say(*known.warning);
+  report::SimulationTable table(out, known.posterior.has_value());
   ProgressLine line("simulate");
   jobs::ProgramPicture picture;
   const jobs::SimulationSummary summary = jobs::simulate_program(
       arguments.program, options, [&](const jobs::SimulatedPoint& point) { table.add(point); }, line.progress(),
-      arguments.report.empty() ? nullptr : &picture);
+      arguments.report.empty() ? nullptr : &picture, known.posterior ? &*known.posterior : nullptr);
   line.clear();
   OutputSet files;
   page.add_to(files, [&] { return report::simulation_page(summary, picture, arguments.program); });
@@ -72,7 +75,9 @@ void add_simulate(CLI::App& app, Run& run) {
   command
       ->add_option("-o,--output", arguments->output,
                    "CSV: line, motion, time (s), pose (mm, deg), error of the tip (um) and of the orientation (urad), "
-                   "strut lengths (mm), nut tensions (N), motor torques (N m); default standard output")
+                   "strut lengths (mm), nut tensions (N), motor torques (N m), if the model says how sure its numbers "
+                   "are how far the tip may be from "
+                   "there (um, 95 %); default standard output")
       ->type_name("FILE");
   add_report_option(*command, arguments->report);
   using Group = settings::OptionGroup;

@@ -147,6 +147,7 @@ void Pipeline::follow_tool(const nc::Step& step) {
   if (!reader_.tool_has_mass()) tally_.take_massless_tool(step);
   play_.set_tool(*tool);
   if (recorded_) recorded_->set_tool(*tool, step.after->tool_in_spindle);
+  if (samples_ != nullptr) samples_->set_tool(*tool);
   tally_.before_other_tool();
   corrector_.set_tool(*tool);
   ++tools_;
@@ -219,6 +220,7 @@ void Pipeline::take_move(const nc::Step& step) {
     play_.rapid(corrected.signs.back());
     tally_.take_rapid(corrected, written);
   } else {
+    if (samples_ != nullptr) samples_->add(move, corrected.points.size());
     play_.cut({&move.path, move.seconds, written.begin, written.pieces, !written.changed});
     tally_.take_cut(corrected, written);
   }

@@ -17,6 +17,7 @@
 #include "compensate/played/output_play.hpp"
 #include "compensate/program_survey.hpp"
 #include "compensate/recorded/output_record.hpp"
+#include "compensate/recorded/path_samples.hpp"
 #include "compensate/rewriter.hpp"
 #include "compensate/settings.hpp"
 #include "compensate/stamp_mark.hpp"
@@ -39,6 +40,11 @@ class Pipeline {
   Rewriter& rewriter() { return rewriter_; }
   /// Records the path from its begin; before run().
   void record(PathRecord& record) { recorded_.emplace(record); }
+  /// Takes samples of the cuts from their begin; before run().
+  void sample(PathSamples& samples) {
+    samples_ = &samples;
+    samples.restart();
+  }
 
   /// Reads the program to its end, and writes it. False, and what was written is of no use: it is to be written in text
   /// order, but jumps, and something in it must change. Refuses as Stream does.
@@ -73,6 +79,7 @@ class Pipeline {
   OutputPlay play_;
   Tally tally_;
   std::optional<OutputRecord> recorded_;
+  PathSamples* samples_ = nullptr;
   StampSearch stamps_;
   Move move_;                 // that was not read ahead
   std::uint64_t tools_ = 0;   // that came into the spindle

@@ -30,6 +30,7 @@ Summary Stream::run(const Progress& progress) {
     if (undo_ != nullptr) in_text_order.rewriter().record(*undo_);
     if (observer_) in_text_order.rewriter().show(observer_);
     if (record_ != nullptr) in_text_order.record(*record_);
+    if (samples_ != nullptr) in_text_order.sample(*samples_);
     if (in_text_order.run(progress)) return in_text_order.summary();
   }
   out_.restart();
@@ -37,6 +38,7 @@ Summary Stream::run(const Progress& progress) {
   Pipeline unrolled = pipeline(nc::Form::unrolled);
   if (observer_) unrolled.rewriter().show(observer_);
   if (record_ != nullptr) unrolled.record(*record_);
+  if (samples_ != nullptr) unrolled.sample(*samples_);
   const bool done = unrolled.run(progress);
   PLUMBLINE_CHECK(done);
   return unrolled.summary();

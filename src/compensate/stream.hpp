@@ -6,6 +6,7 @@
 #include "compensate/program_survey.hpp"
 #include "compensate/read_back/read_back.hpp"
 #include "compensate/recorded/path_record.hpp"
+#include "compensate/recorded/path_samples.hpp"
 #include "compensate/settings.hpp"
 #include "compensate/summary.hpp"
 #include "machine/model.hpp"
@@ -28,6 +29,9 @@ class Stream {
   /// Records the path for a picture; to be called before run(). `record` must outlive the stream.
   void record(PathRecord& record) { record_ = &record; }
 
+  /// Takes samples of the cuts; to be called before run(). `samples` must outlive the stream.
+  void sample(PathSamples& samples) { samples_ = &samples; }
+
   /// What the output is meant to do is shown to `observer`, from the begin again where the output is written anew.
   void show(ReadBack::Observer observer) { observer_ = std::move(observer); }
 
@@ -45,6 +49,7 @@ class Stream {
   OutputFile& out_;
   nc::UndoLog* undo_ = nullptr;
   PathRecord* record_ = nullptr;
+  PathSamples* samples_ = nullptr;
   ReadBack::Observer observer_;
 };
 

@@ -73,6 +73,7 @@ void describe_beside_base(const Case& of, const Model& model, const Assessment& 
       of.runs, of.out, options);
   conclusion.description = std::move(beside.description);
   if (!beside.borne_out && assessment.remainder) conclusion.description.terms.clear();  // it says enough
+  conclusion.fit = std::move(beside.fitted.fit);
   conclusion.forces = std::move(beside.fitted.forces);
   conclusion.errors = std::move(beside.fitted.errors);
   conclusion.marginalised = marginalised_by(candidates, {}, model.base.fit.values);
@@ -95,6 +96,8 @@ Conclusion conclude(const Case& of, const Model& model, Assessment assessment, c
     describe_beside_base(of, model, assessment, options, conclusion);
     return conclusion;
   }
+  conclusion.picks = picks_of(model);
+  conclusion.fit = model.fit;
   conclusion.description = std::move(assessment.description);
   if (assessment.verdict == Verdict::named) add_names(of, model, options, conclusion);
   hold_back(of, model, options, say, conclusion);

@@ -16,6 +16,8 @@ struct Conclusion {
   physics::ForceModel forces;
   std::vector<double> errors;  // of its parameters, SI
   Marginalised marginalised;   // nuisances, and how far they departed
+  std::vector<Pick> picks;     // what stands in the model beside them,
+  Refit fit;                   // and its fit, before a shift was held back
   Description description;     // of what nothing explains; no terms: nothing is left to tell
   StageResiduals residuals;    // with that model
 };

@@ -9,6 +9,7 @@
 #include "base/diagnostic.hpp"
 #include "diagnose/conclusion.hpp"
 #include "diagnose/doubt.hpp"
+#include "diagnose/posterior.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -34,6 +35,7 @@ template <class Why>
 Diagnosis undiagnosed(const machine::MachineModel& machine, const std::vector<Run>& runs, const Why& why,
                       const std::vector<RunEquations>& given, const DiagnoseOptions& options) {
   Diagnosis diagnosis{physics::ForceModel(machine)};
+  diagnosis.posterior = posterior_as_given(machine, runs, given);
   const std::vector<bool> out(runs.size(), false);
   const StageResiduals as_given{given, {}, given};
   diagnosis.verdict = Verdict::unknown;
@@ -92,7 +94,10 @@ Diagnosis diagnosis_of(const Case& of, const Model& model, Assessment assessment
   diagnosis.converged = model.fit.converged;
   diagnosis.withheld = objection_to(conclusion, of, assessment.verdict, options.verdict);
   diagnosis.errors.assign(forces.parameters.size(), 0);
-  if (!diagnosis.withheld) {
+  if (diagnosis.withheld) {
+    diagnosis.posterior = posterior_as_given(machine, of.runs, of.given);
+  } else {
+    diagnosis.posterior = posterior_of(of, model, conclusion, options.verdict);
     diagnosis.forces = std::move(conclusion.forces);
     diagnosis.errors = std::move(conclusion.errors);
   }

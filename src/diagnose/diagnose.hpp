@@ -15,6 +15,7 @@
 #include "diagnose/objection.hpp"
 #include "diagnose/search/search.hpp"
 #include "identify/held.hpp"
+#include "identify/posterior/posterior.hpp"
 
 namespace plumbline::diagnose {
 
@@ -136,10 +137,11 @@ struct Diagnosis {
   std::optional<Objection> withheld;  // why the model stays as given; nothing: the model is what was learnt
   physics::ForceModel forces;         // with what was found and the nuisances refitted, or as given
   std::vector<double> errors;         // of its parameters, SI
+  identify::Posterior posterior;      // of its numbers
   bool converged = true;
   std::vector<std::string> steps;  // what was done, in words
 
-  explicit Diagnosis(physics::ForceModel found) : forces(std::move(found)) {}
+  explicit Diagnosis(physics::ForceModel found) : forces(std::move(found)), posterior(identify::Unknowns(forces)) {}
 };
 
 /// Diagnoses a dataset. Refuses with simulate-unreachable, diagnose-unknown-effect, and with diagnose-nothing-measured

@@ -47,7 +47,7 @@ Fitted described(const Workbench& bench, const FittedStage& stage, const std::ve
                  const DiagnoseOptions& options) {
   const physics::ForceModel before =
       bench.candidates.unknowns.at(held_values(bench, bench.forces, {}, stage.fit, options.hold).values);
-  Fitted base{before, parameter_errors(bench.candidates, before, stage.fit)};
+  Fitted base{before, parameter_errors(bench.candidates, before, stage.fit), stage.fit};
   if (terms.empty()) return base;
   physics::ForceModel forces = bench.forces;
   add_terms(forces, terms);
@@ -59,7 +59,7 @@ Fitted described(const Workbench& bench, const FittedStage& stage, const std::ve
       const Workbench beside{bench.machine, forces, bench.runs, candidates};
       const physics::ForceModel fitted =
           candidates.unknowns.at(held_values(beside, bench.forces, {}, fit, options.hold).values);
-      return {fitted, parameter_errors(candidates, fitted, fit)};
+      return {fitted, parameter_errors(candidates, fitted, fit), fit};
     }
   } catch (const Refusal&) {  // with the terms as they are, the machine falls through a singularity
   }

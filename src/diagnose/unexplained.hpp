@@ -10,6 +10,7 @@ namespace plumbline::diagnose {
 struct Fitted {
   physics::ForceModel forces;
   std::vector<double> errors;
+  Refit fit;  // before a shift was held back
 };
 
 /// The base model, nuisances refitted to the runs of the bench.

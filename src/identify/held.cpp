@@ -109,6 +109,7 @@ Held hold_unsure(const machine::RotationOrder& order, const std::vector<measure:
                  const physics::ForceModel& given, const Unknowns& unknowns, const Eigen::VectorXd& values,
                  const Eigen::MatrixXd& covariance, const HoldOptions& options) {
   Held held{values};
+  held.found = values;
   const TipField field = tip_field(order, runs, given, unknowns, values, options.places);
   if (field.places() == 0) return held;
   const Eigen::VectorXd scales = unknowns.scales();

@@ -40,6 +40,7 @@ struct Held {
   double shift_doubt = 0;       // and by how much that may be off: standard deviation
   double back = 0;              // how far it was moved back, m
   TipGain whole, off_the_part;  // with these values: where the tip stands, and with the zero touched off
+  Eigen::VectorXd found;        // values with all of the shift: those that data and priors make likeliest
 };
 
 /// The chance that a part is further off by more than d (m, rms) once its tip is moved by f, when the error of the

@@ -103,6 +103,7 @@ class Writer {
       joints("platform", changes_.joints->platform_P);
     }
     if (!changes_.provenance.empty()) provenance();
+    posterior();
     std::string text = spliced(document().text, std::move(splices_));
     if (!text.empty() && text.back() != '\n') text += '\n';
     if (!tables_.empty()) text += '\n' + tables_;
@@ -224,6 +225,21 @@ class Writer {
     } else {
       splices_.push_back({{end + 1, 0}, line + '\n'});
     }
+  }
+
+  // In the place of another one that the file names.
+  void posterior() {
+    const PosteriorName name = changes_.posterior.value_or(PosteriorName{});
+    std::string missing;
+    for (const auto& [key, text] : {std::pair("file", name.file), std::pair("hash", name.hash)}) {
+      const machine::ModelValue& value = machine_.value("posterior", key);
+      if (value.given()) {
+        splices_.push_back({value.span, fmt::format("\"{}\"", text)});
+      } else if (changes_.posterior) {
+        missing += fmt::format("{} = \"{}\"\n", key, text);
+      }
+    }
+    if (!missing.empty()) tables_ += (tables_.empty() ? "[posterior]\n" : "\n[posterior]\n") + missing;
   }
 
   void provenance() {

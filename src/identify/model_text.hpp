@@ -15,12 +15,19 @@ struct BelievedJoints {
   machine::StrutVectors<double> base_W, platform_P;
 };
 
+/// The posterior beside a model.
+struct PosteriorName {
+  std::string file;  // seen from the model
+  std::string hash;  // of its text
+};
+
 struct ModelChanges {
   const physics::ForceModel& forces;     // made from that model, its parameters changed, effects added
   std::vector<double> resolution;        // of each parameter, SI: how far it may be rounded; empty: nine digits of each
   std::string provenance;                // is appended to the model's provenance
   std::vector<std::string> notes;        // lines of a comment at the end of the file
   std::optional<BelievedJoints> joints;  // in place of the file's
+  std::optional<PosteriorName> posterior = std::nullopt;  // nothing: what the file says of another one is made empty
 };
 
 /// The text of `machine` with the parameters of `changes`: numbers that differ are spliced into their places, keys that

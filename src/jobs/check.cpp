@@ -137,16 +137,23 @@ CheckSummary check_file(const Source& program, const settings::Options& options,
   compensate::MoveReader reader(
       source, dialect, settings,
       {survey.named, compensate::divided_by(compensation), model.reference_tool_mass, checker.touch_off_error()});
+  ExpectedAlong along(model, compensation, true);
   std::uint64_t passed = 0;
   while (const compensate::Move* const move = reader.next_move(progress)) {
     if (record && std::exchange(passed, reader.passed_moves()) != reader.passed_moves()) record->leave();
-    if (const auto tool = reader.new_tool()) checker.set_tool(*tool, move->step->after->tool_in_spindle);
+    if (const auto tool = reader.new_tool()) {
+      checker.set_tool(*tool, move->step->after->tool_in_spindle);
+      along.samples().set_tool(*tool);
+    }
     checker.look_at(*move, reader.passed());
+    if (along.asks() && !move->is_rapid()) along.samples().add(*move, static_cast<std::size_t>(move->pieces));
   }
   CheckSummary summary = checker.take();
   summary.blocks = reader.blocks();
   summary.passed_moves = reader.passed_moves();
-  if (record) *picture = {model, compensate::drawn_path(*record, model, compensation)};
+  if (record) *picture = {model, compensate::drawn_path(*record, model, compensation), {}};
+  summary.expected = along.take(picture != nullptr ? &picture->path : nullptr);
+  if (picture != nullptr) picture->doubts = std::move(summary.expected.drawn);
   if (summary.violations == 0) summary.refusal = refusal_of_writing(opened, survey, model, options);
   // Its output may be looked at, too.
   if (summary.refusal && summary.refusal->code == "compensate-stamped") summary.refusal.reset();

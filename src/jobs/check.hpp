@@ -10,6 +10,7 @@
 #include "base/diagnostic.hpp"
 #include "base/files/source.hpp"
 #include "base/progress.hpp"
+#include "jobs/expected/expected_error.hpp"
 #include "jobs/simulate.hpp"
 #include "machine/limits.hpp"
 #include "settings/options.hpp"
@@ -31,6 +32,7 @@ struct CheckSummary {
   std::map<std::string, std::uint64_t> kinds;  // blocks for each kind: "tilt", "X", "strut 3", "condition", "reach"
   std::vector<CheckFinding> findings;          // the first kMostFindings
   std::optional<Diagnostic> refusal;           // of compensate, where all limits are kept
+  Expectation expected;                        // at the tip, once it is compensated
 
   static constexpr std::size_t kMostFindings = 1000;
 };

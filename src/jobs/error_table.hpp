@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 
+#include "jobs/expected/expected_error.hpp"
 #include "jobs/pose_table.hpp"
 #include "machine/model.hpp"
 
@@ -17,16 +19,20 @@ struct PoseError {
   machine::PerStrut<double> nut_tension;  // N
   machine::PerStrut<double> stretch;      // m
   machine::Vector6<double> error;         // of the tip (m) and its rotation vector (rad), in W
+  std::optional<PoseDoubt> doubt;         // how far the tip may be from there; the zero is in the middle of the travel
 };
 
 struct ErrorTableSummary {
   std::uint64_t poses = 0;
   double largest_um = 0;  // distance of the tip from its pose
+  std::optional<ExpectedError> expected;
 };
 
-/// Hands over pose after pose. No friction, no limits. Refuses with error-unreachable a pose where the machine cannot
+/// Hands over pose after pose. No friction, no limits. `known`: where it is not null, how far the tip may be from where
+/// it says comes with each. Refuses with error-unreachable a pose where the machine cannot
 /// stand, and what physics::ForceModel refuses.
 ErrorTableSummary error_table(const machine::MachineModel& model, std::span<const PoseRow> poses,
-                              const std::function<void(const PoseError&)>& take);
+                              const std::function<void(const PoseError&)>& take,
+                              const identify::Posterior* known = nullptr);
 
 }  // namespace plumbline::jobs

@@ -24,6 +24,10 @@ void believe_joints(IdentifiedModel& model) {
   for (auto [key, positions] : {std::pair("base_um", &joints.base_W), std::pair("platform_um", &joints.platform_P)}) {
     double* const off = model.forces.parameters.data() + model.forces.find(physics::JointPosition::name, key);
     *positions += Eigen::Map<machine::StrutVectors<double>>(off);
+    for (int i = 0; i < positions->size(); ++i) {
+      const int place = model.posterior.unknowns.find(physics::JointPosition::name, key, i);
+      if (place >= 0) model.posterior.states.front().mean[place] -= off[i];
+    }
     std::fill_n(off, positions->size(), 0.0);
   }
   model.joints = joints;
@@ -40,6 +44,14 @@ std::optional<diagnose::OpenGap> open_gap(const machine::MachineModel& machine, 
   const auto residuals = diagnose::residuals(machine, runs, found.forces, found.stages.back().fit.noise);
   return diagnose::open_gap(diagnose::recurring(diagnose::contrasts_of(runs, residuals), {}),
                             {rms(found.before), {}, rms(found.after)}, share, {});
+}
+
+identify::Posterior posterior_of(const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
+                                 const Identification& found) {
+  identify::Posterior posterior = identify::posterior_of(machine, found);
+  const auto residuals = diagnose::residuals(machine, runs, found.forces, found.stages.back().fit.noise);
+  posterior.unexplained = diagnose::recurring_radial(diagnose::contrasts_of(runs, residuals));
+  return posterior;
 }
 
 // Of a parameter that several stages fitted, the largest.
@@ -89,8 +101,18 @@ IdentifiedModel identified(machine::MachineModel machine, measure::Dataset datas
   std::vector<double> errors = errors_of(found);
   std::vector<TrackedGap> poses;
   if (tracked != nullptr) poses = tracked_gaps(machine, found, *tracked);
-  return {std::move(machine), std::move(found), std::move(measured),          thinned.thinning, open, std::move(forces),
-          std::move(errors),  thinned.runs,     std::move(looked.inspection), std::move(poses)};
+  identify::Posterior posterior = posterior_of(machine, thinned.runs, found);
+  return {std::move(machine),
+          std::move(found),
+          std::move(measured),
+          thinned.thinning,
+          open,
+          std::move(forces),
+          std::move(errors),
+          thinned.runs,
+          std::move(looked.inspection),
+          std::move(poses),
+          std::move(posterior)};
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "diagnose/objection.hpp"
 #include "identify/identify.hpp"
 #include "identify/model_text.hpp"
+#include "identify/posterior/posterior.hpp"
 #include "inspect/fault.hpp"
 #include "measure/dataset.hpp"
 #include "measure/thinning.hpp"
@@ -46,6 +47,7 @@ struct IdentifiedModel {
   std::vector<measure::Run> runs;                  // as they were fitted: long records made short
   inspect::Inspection inspection;                  // what may be wrong with the data
   std::vector<TrackedGap> poses;                   // of the tracker, in the order of its table
+  identify::Posterior posterior;                   // of the numbers of `forces`
   std::optional<identify::BelievedJoints> joints;  // for the controller
   bool calibrated = false;
 

@@ -1,11 +1,14 @@
 #include "jobs/simulate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "base/parallel.hpp"
 #include "base/units.hpp"
 #include "compensate/limits.hpp"
 #include "compensate/loaded_machine.hpp"
@@ -19,15 +22,25 @@ namespace {
 
 using Take = std::function<void(const SimulatedPoint&)>;
 
+constexpr std::size_t kWaiting = 512;
+constexpr double kLeastTime = 1e-9;  // s, that a point counts for
+
 class Player {
  public:
-  /// `record` may be null.
+  /// `record` and `known` may be null.
   Player(const machine::MachineModel& model, const compensate::Settings& settings, const Take& take,
-         compensate::PathRecord* record)
-      : machine_(model, settings), take_(take), record_(record) {}
+         compensate::PathRecord* record, const identify::Posterior* known)
+      : machine_(model, settings), take_(take), record_(record), settings_(settings), known_(known) {
+    if (known_ != nullptr) doubts_.emplace(model, *known_, settings);
+  }
 
   void set_tool(const compensate::ToolInSpindle& tool, int number) {
+    settle();
     machine_.set_tool(tool);
+    if (doubts_) {
+      doubts_->set_tool(tool);
+      if (zero_) doubts_->touch_off(*zero_);
+    }
     if (record_ != nullptr) record_->set_tool(tool, number);
   }
 
@@ -40,6 +53,8 @@ class Player {
   }
 
   SimulationSummary take() {
+    settle();
+    if (tally_.any()) summary_.expected = tally_.take(*known_, zero_.value_or(AxisWords{}));
     if (summary_.points > 0) summary_.rms_um = std::sqrt(squares_ / static_cast<double>(summary_.points));
     return summary_;
   }
@@ -53,20 +68,44 @@ class Player {
              fmt::format("the machine cannot stand here: {}", physics::to_text(error.stopped_because)),
              "check the work offset (--work-offset) and the pose", compensate::place_of(*move.step));
     }
-    const SimulatedPoint point{at.line,
-                               move.motion->kind,
-                               at.time_s,
-                               at.asked.pose,
-                               error.displacement,
-                               machine::strut_lengths<double>(machine_.geometry(), motion.pose),
-                               error.loads.nut_tension,
-                               error.loads.torque};
-    take_(point);
+    SimulatedPoint point{at.line,
+                         move.motion->kind,
+                         at.time_s,
+                         at.asked.pose,
+                         error.displacement,
+                         machine::strut_lengths<double>(machine_.geometry(), motion.pose),
+                         error.loads.nut_tension,
+                         error.loads.torque,
+                         {}};
     note(point);
+    doubts_ ? wait(std::move(point), at.asked) : take_(point);
     if (record_ == nullptr) return;
     at.commanded = at.asked.pose;
     at.piece_s = move.seconds;  // the control runs the block as a whole
     record_->add(std::move(at), {move.step->block->text, {}, move.step->block->file});
+  }
+
+  // Points wait until there are enough of them to be looked at on all processors.
+  void wait(SimulatedPoint point, const compensate::Target& asked) {
+    if (!zero_ && point.motion != nc::MotionKind::rapid) {
+      zero_ = settings_.touch_off.value_or(point.pose);
+      doubts_->touch_off(*zero_);
+    }
+    waiting_.push_back(std::move(point));
+    asked_.push_back(asked);
+    if (waiting_.size() >= kWaiting) settle();
+  }
+
+  void settle() {
+    for_each_index(waiting_.size(), [&](std::size_t i) { waiting_[i].doubt = doubts_->at(asked_[i]); });
+    for (const SimulatedPoint& point : waiting_) {
+      take_(point);
+      if (point.doubt && point.motion != nc::MotionKind::rapid)
+        tally_.add(*point.doubt, point.line, std::max(point.time_s - tallied_s_, kLeastTime));
+      tallied_s_ = point.time_s;
+    }
+    waiting_.clear();
+    asked_.clear();
   }
 
   void note(const SimulatedPoint& point) {
@@ -84,13 +123,21 @@ class Player {
   compensate::PathRecord* record_;
   SimulationSummary summary_;
   double squares_ = 0;
+  const compensate::Settings& settings_;
+  const identify::Posterior* known_;
+  std::optional<TipDoubts> doubts_;
+  std::optional<AxisWords> zero_;
+  std::vector<SimulatedPoint> waiting_;
+  std::vector<compensate::Target> asked_;
+  ExpectedTally tally_;
+  double tallied_s_ = 0;
 };
 
 }  // namespace
 
 SimulationSummary simulate_program(const Source& program, const settings::Options& options,
                                    const std::function<void(const SimulatedPoint&)>& take, const Progress& progress,
-                                   ProgramPicture* picture) {
+                                   ProgramPicture* picture, const identify::Posterior* known) {
   const machine::MachineModel model = machine::read_model(options.paths.model);
   const auto [source, dialect, settings] = open_program(options, program, model);
 
@@ -99,7 +146,7 @@ SimulationSummary simulate_program(const Source& program, const settings::Option
       {nc::named_axes(source, dialect), options.compensation.step, model.reference_tool_mass, {}});
   std::optional<compensate::PathRecord> record;
   if (picture != nullptr) record.emplace(model, options.compensation);
-  Player player(model, options.compensation, take, record ? &*record : nullptr);
+  Player player(model, options.compensation, take, record ? &*record : nullptr, known);
   std::uint64_t passed = 0;
   while (const compensate::Move* const move = reader.next_move(progress)) {
     if (record && std::exchange(passed, reader.passed_moves()) != reader.passed_moves()) record->leave();
@@ -108,7 +155,10 @@ SimulationSummary simulate_program(const Source& program, const settings::Option
   }
   SimulationSummary summary = player.take();
   summary.passed_moves = reader.passed_moves();
-  if (record) *picture = {model, compensate::drawn_path(*record, model, options.compensation)};
+  if (!record) return summary;
+  *picture = {model, compensate::drawn_path(*record, model, options.compensation), {}};
+  if (summary.expected)
+    picture->doubts = doubts_at(model, *known, options.compensation, summary.expected->zero, picture->path);
   return summary;
 }
 

@@ -3,12 +3,15 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "base/axes.hpp"
 #include "base/files/source.hpp"
 #include "base/progress.hpp"
 #include "compensate/recorded/drawn_path.hpp"
+#include "jobs/expected/expected_error.hpp"
 #include "machine/geometry.hpp"
 #include "machine/model.hpp"
 #include "nc/control/state/motion.hpp"
@@ -26,6 +29,7 @@ struct SimulatedPoint {
   machine::PerStrut<double> lengths;      // commanded, m
   machine::PerStrut<double> nut_tension;  // N
   machine::PerStrut<double> torque;       // N m, of the motors
+  std::optional<PoseDoubt> doubt;         // how far the tip may be from there
 };
 
 struct SimulationSummary {
@@ -35,18 +39,22 @@ struct SimulationSummary {
   std::size_t largest_line = 0;
   double rms_um = 0;
   double seconds = 0;
+  std::optional<ExpectedError> expected;
 };
 
 /// The path of a program for a picture, and the machine that moves along it.
 struct ProgramPicture {
   machine::MachineModel model;
   compensate::DrawnPath path;
+  std::vector<std::optional<PoseDoubt>> doubts;  // at its points; empty: nothing is known
 };
 
 /// Hands over every point of the path at the step settings, in order. The program is taken as it stands, no limits.
+/// `known`: where it is not null, points and summary have how far the tip may be from where they say.
 /// Refuses what compensate::MoveReader refuses, and simulate-unreachable.
 SimulationSummary simulate_program(const Source& program, const settings::Options& options,
                                    const std::function<void(const SimulatedPoint&)>& take,
-                                   const Progress& progress = {}, ProgramPicture* picture = nullptr);
+                                   const Progress& progress = {}, ProgramPicture* picture = nullptr,
+                                   const identify::Posterior* known = nullptr);
 
 }  // namespace plumbline::jobs

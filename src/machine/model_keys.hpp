@@ -104,6 +104,8 @@ inline constexpr std::array kKeys{
     KeySpec{"uncertainty", "level_mrad", Shape::number, units::mrad, 0, 100, 0, "1 sigma of the level about X and about Y"},
     KeySpec{"uncertainty", "strut_offset_um", Shape::number, units::um, 0, 10000, 0, "1 sigma of each strut's length"},
     KeySpec{"uncertainty", "joint_position_um", Shape::number, units::um, 0, 10000, 0, "1 sigma of each coordinate of each joint"},
+    KeySpec{"posterior", "file", Shape::text, units::none, 0, 0, 0, "the file beside the model that says how sure its numbers are"},
+    KeySpec{"posterior", "hash", Shape::text, units::none, 0, 0, 0, "the hash of that file"},
 };
 // clang-format on
 

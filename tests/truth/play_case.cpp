@@ -9,16 +9,27 @@
 
 namespace {
 
+nlohmann::ordered_json in_um(const truth::Vec& off) { return {1e6 * off.x(), 1e6 * off.y(), 1e6 * off.z()}; }
+
+nlohmann::ordered_json points_of(const truth::Offs& offs) {
+  nlohmann::ordered_json along = nlohmann::ordered_json::array();
+  for (const truth::Off& off : offs.along) along.push_back({{"time_s", off.time}, {"off_um", in_um(off.off)}});
+  return {{"zero_um", in_um(offs.zero)}, {"points", std::move(along)}};
+}
+
 int play(int argc, char** argv) {
   CLI::App app("Plays programs, as plumbline trace lists them, on the machine that a case was drawn from.");
   truth::CaseOptions options;
   std::string meant;
   std::vector<std::string> programs;
   double step = 0.25;
+  bool points = false;
   truth::add_case_options(app, options);
   options.look_alikes = false;
   app.add_option("--meant", meant, "trace of the program whose path is meant")->required();
   app.add_option("--step", step, "s from one look at the tip to the next")->capture_default_str();
+  app.add_flag("--points", points,
+               "say of each look where the tip is beside the path, um, and where at rest at its begin");
   app.add_option("programs", programs, "traces of programs to run")->required();
   CLI11_PARSE(app, argc, argv);
   truth::check_case_options(options);
@@ -32,6 +43,8 @@ int play(int argc, char** argv) {
                        {"probed_rms_um", 1e6 * played.probed_rms},
                        {"probed_most_um", 1e6 * played.probed_most},
                        {"samples", played.samples}});
+    if (points)
+      results.back().update(points_of(truth::offs(machine, path, truth::read_program(program), options.law, step)));
   }
   fmt::print("{}\n", results.dump(1));
   return 0;

@@ -114,4 +114,22 @@ Played play(const Truth& truth, const Program& meant, const Program& run, Fricti
   return played;
 }
 
+Offs offs(const Truth& truth, const Program& meant, const Program& run, FrictionLaw law, double step) {
+  Truth prompt = truth;
+  prompt.flaws.lag = 0;
+  const auto off = [&](const Moment& moment, double t) {
+    return Vec(tip_ball(prompt, settled(prompt, moment).at, moment) - meant.path(t).x);
+  };
+  const Stand begin = run.path(0);
+  Follower standing(
+      truth.machine, [&](double) { return begin; }, kPiece, law);
+  Offs all{off(standing.at(0, 0, 0), 0), {}};
+  Follower follower(truth.machine, run.path, kPiece, law);
+  for (double t = step; t < run.seconds - step; t += step) {
+    const Moment moment = follower.at(t, 0, 0);
+    if (!jumps(run, t) && !jumps(meant, t)) all.along.push_back({t, off(moment, t)});
+  }
+  return all;
+}
+
 }  // namespace truth

@@ -1,6 +1,8 @@
 // A program run on a machine that is not as its model: how far the tip is from the path that was meant.
 #pragma once
 
+#include <vector>
+
 #include "truth/program.hpp"
 
 namespace truth {
@@ -19,5 +21,20 @@ double nearest(const Program& meant, const Vec& place, double about);
 /// Plays `run` on a machine and looks every `step` seconds where its tip is beside the path of `meant`. What a tip is
 /// late or early along its path does not count: it cuts nothing wrong.
 Played play(const Truth& truth, const Program& meant, const Program& run, FrictionLaw law, double step);
+
+/// The tip beside the place that the path has at the same time, m.
+struct Off {
+  double time = 0;  // s of the path
+  Vec off;
+};
+
+struct Offs {
+  Vec zero;  // where the path begins, the machine at rest
+  std::vector<Off> along;
+};
+
+/// Plays `run` and looks where its tip is beside the path of `meant`, every `step` seconds, in all three directions. A
+/// lag of the drives is left out: it is late along the path.
+Offs offs(const Truth& truth, const Program& meant, const Program& run, FrictionLaw law, double step);
 
 }  // namespace truth

@@ -9,6 +9,8 @@
 namespace plumbline::diagnose {
 namespace {
 
+constexpr double kSurely = 1.6448536;  // a normal deviate lies above minus that with 95 %
+
 // A column, and its size that would pass, in units of its bound.
 struct Least {
   int column = -1;
@@ -29,7 +31,7 @@ Least least_of(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, c
     const Column& column = candidates.columns[static_cast<std::size_t>(c)];
     const double bound = std::max(std::abs(column.lower), std::abs(column.upper));
     if (!(reduced(c, c) > 0) || is_shape(candidates, column)) continue;
-    const double size = std::sqrt(gain / reduced(c, c));
+    const double size = (std::sqrt(gain) + kSurely) / std::sqrt(reduced(c, c));
     least = std::min(least, Least{c, size, size / bound});
   }
   return least;

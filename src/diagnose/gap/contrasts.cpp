@@ -162,4 +162,17 @@ std::vector<Contrast> contrasts_of(const std::vector<Run>& runs, const std::vect
   return contrasts;
 }
 
+// a b = ((a + b)^2 - (a - b)^2) / 4
+double recurring_radial(const std::vector<Contrast>& contrasts) {
+  double products = 0;
+  double pairs = 0;
+  for (const Contrast& contrast : contrasts) {
+    const double common = contrast.common.radial;
+    const double differs = contrast.differs.radial;
+    products += contrast.pairs * (common * common - differs * differs) / 2;
+    pairs += contrast.pairs;
+  }
+  return pairs > 0 ? std::sqrt(std::max(0.0, products / pairs)) : 0;
+}
+
 }  // namespace plumbline::diagnose

@@ -33,4 +33,8 @@ struct Contrast {
 std::vector<Contrast> contrasts_of(const std::vector<measure::Run>& runs,
                                    const std::vector<identify::RunEquations>& residuals);
 
+/// Rms of what comes again in the readings of the bar, m: the root of the mean product of two runs' residuals at equal
+/// angles, which their noise leaves as it is; over all pairs. 0: there are none, or nothing comes again.
+double recurring_radial(const std::vector<Contrast>& contrasts);
+
 }  // namespace plumbline::diagnose

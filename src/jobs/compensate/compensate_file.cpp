@@ -47,19 +47,13 @@ std::string text_of(OutputFile& program, std::uint64_t begin, std::uint64_t end)
   return text;
 }
 
-void write_reports(const std::vector<ReportFile>& reports, const compensate::Summary& summary,
-                   const machine::MachineModel& model, std::optional<compensate::PathRecord>& record,
-                   const compensate::Settings& settings, CompensatedFiles& files) {
-  std::optional<compensate::DrawnPath> path;
-  if (record) {
-    OutputFile& program = files.program();
-    program.flush();
-    path = compensate::drawn_path(*record, model, settings,
-                                  [&](std::uint64_t begin, std::uint64_t end) { return text_of(program, begin, end); });
-  }
-  for (auto file = files.reports().begin(); const ReportFile& report : reports) {
-    report.write({summary, model, path ? &*path : nullptr}, *file++);
-  }
+std::optional<compensate::DrawnPath> drawn(std::optional<compensate::PathRecord>& record,
+                                           const machine::MachineModel& model, const compensate::Settings& settings,
+                                           OutputFile& program) {
+  if (!record) return std::nullopt;
+  program.flush();
+  return compensate::drawn_path(*record, model, settings,
+                                [&](std::uint64_t begin, std::uint64_t end) { return text_of(program, begin, end); });
 }
 
 std::uint64_t hash_of(const InputFile& file) {
@@ -113,15 +107,16 @@ compensate::Settings compensation_settings(const machine::ControlSettings& contr
 
 compensate::Summary compensate_file(const Source& program, const Destination& output, const settings::Options& options,
                                     const Progress& progress, const std::vector<ReportFile>& reports,
-                                    const Destination& undo) {
+                                    const Destination& undo, Expectation* expected) {
   const machine::MachineModel model = machine::read_model(options.paths.model);
-  return compensate_opened(open_program(options, program, model), model, output, options, progress, reports, undo);
+  return compensate_opened(open_program(options, program, model), model, output, options, progress, reports, undo,
+                           expected);
 }
 
 compensate::Summary compensate_opened(const OpenedProgram& opened, const machine::MachineModel& model,
                                       const Destination& output, const settings::Options& options,
                                       const Progress& progress, const std::vector<ReportFile>& reports,
-                                      const Destination& undo) {
+                                      const Destination& undo, Expectation* expected) {
   const auto& [source, dialect, settings] = opened;
   nc::EmitSettings emit = emit_settings(model.control, dialect, options);
   const compensate::ProgramSurvey survey = survey_program(opened);
@@ -139,6 +134,8 @@ compensate::Summary compensate_opened(const OpenedProgram& opened, const machine
   if (std::any_of(reports.begin(), reports.end(), [](const ReportFile& report) { return report.draws_path; })) {
     stream.record(record.emplace(model, compensation));
   }
+  ExpectedAlong along(model, compensation, expected != nullptr);
+  if (along.asks()) stream.sample(along.samples());
   compensate::Summary summary = stream.run(progress);
   refuse_overwriting_subprogram(summary, output);
   summary.bytes_after = files.program().size();
@@ -147,7 +144,12 @@ compensate::Summary compensate_opened(const OpenedProgram& opened, const machine
     summary.hash_after = files.program().hash();
     summary.made_of.program_hash = hash_of(source);
   }
-  write_reports(reports, summary, model, record, compensation, files);
+  const std::optional<compensate::DrawnPath> path = drawn(record, model, compensation, files.program());
+  const Expectation expectation = along.take(path ? &*path : nullptr);
+  if (expected != nullptr) *expected = expectation;
+  for (auto file = files.reports().begin(); const ReportFile& report : reports) {
+    report.write({summary, model, expectation, path ? &*path : nullptr}, *file++);
+  }
   files.commit(source);
   return summary;
 }

@@ -14,6 +14,7 @@
 #include "compensate/recorded/drawn_path.hpp"
 #include "compensate/settings.hpp"
 #include "compensate/summary.hpp"
+#include "jobs/expected/expected_error.hpp"
 #include "jobs/program/open_program.hpp"
 #include "machine/model.hpp"
 #include "settings/options.hpp"
@@ -24,6 +25,7 @@ namespace plumbline::jobs {
 struct Compensation {
   const compensate::Summary& summary;
   const machine::MachineModel& model;
+  const Expectation& expected;
   const compensate::DrawnPath* path = nullptr;  // where a report asks for it
 };
 
@@ -42,17 +44,18 @@ nc::EmitSettings emit_settings(const machine::ControlSettings& control, const nc
                                const settings::Options& options);
 
 /// Compensates `program` into `output` ("-": standard input and output) as `options` say, which name the model; what
-/// the output replaced, where they ask for it, into `undo` (empty: beside the output). Nothing is written unless all of
-/// it succeeds. Refuses what the readers, the interpreter and the compensation refuse.
+/// the output replaced, where they ask for it, into `undo` (empty: beside the output). `expected`, where it is not
+/// null, gets what is expected to be left at the tip. Nothing is written unless all of it succeeds. Refuses what the
+/// readers, the interpreter and the compensation refuse.
 compensate::Summary compensate_file(const Source& program, const Destination& output, const settings::Options& options,
                                     const Progress& progress = {}, const std::vector<ReportFile>& reports = {},
-                                    const Destination& undo = {});
+                                    const Destination& undo = {}, Expectation* expected = nullptr);
 
 /// The same of a program that is open, on a model that was read before: once for many.
 compensate::Summary compensate_opened(const OpenedProgram& program, const machine::MachineModel& model,
                                       const Destination& output, const settings::Options& options,
                                       const Progress& progress = {}, const std::vector<ReportFile>& reports = {},
-                                      const Destination& undo = {});
+                                      const Destination& undo = {}, Expectation* expected = nullptr);
 
 /// What compensate_file would refuse, if anything; nothing is written. Its guard and its read-back are left out.
 std::optional<Diagnostic> refusal_of_writing(const OpenedProgram& opened, const compensate::ProgramSurvey& survey,

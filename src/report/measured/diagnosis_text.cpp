@@ -60,7 +60,7 @@ std::string smallest_text(const diagnose::Visible& visible) {
   return fmt::format("{} {:.2g}{}{}", visible.name, visible.smallest, visible.unit.empty() ? "" : " ", visible.unit);
 }
 
-std::string could_show_text(const std::vector<diagnose::Visible>& visible) {
+std::string could_show_text(const std::vector<diagnose::Visible>& visible, std::size_t runs) {
   std::vector<std::string> never;
   std::vector<std::string> from;
   for (const diagnose::Visible& one : visible) {
@@ -71,8 +71,10 @@ std::string could_show_text(const std::vector<diagnose::Visible>& visible) {
     }
   }
   std::string text;
-  if (!never.empty()) text += fmt::format("these runs could not have shown, at any size: {}\n", list_of(never));
-  if (!from.empty()) text += fmt::format("they would have shown, from this size on: {}\n", list_of(from));
+  const std::string_view these = runs == 1 ? "one run tells" : "these runs tell";
+  if (!never.empty()) text += fmt::format("{} nothing of, at any size: {}\n", these, list_of(never));
+  if (!from.empty())
+    text += fmt::format("what they would have named with 95 %, from this size on: {}\n", list_of(from));
   return text;
 }
 
@@ -109,7 +111,7 @@ std::string diagnosis_text(const Diagnosis& d) {
     for (const NamedParameter& parameter : effect.parameters) text += parameter_text(parameter);
   }
   if (!d.effects.empty()) text += fmt::format("({})\n", kNats);
-  if (d.verdict == diagnose::Verdict::nothing_missing) text += could_show_text(d.visible);
+  if (d.verdict == diagnose::Verdict::nothing_missing) text += could_show_text(d.visible, d.runs.size());
   if (d.confidence_set.size() > 1) text += fmt::format("not ruled out: {}\n", list_of(d.confidence_set));
   for (const diagnose::Separation& separation : d.next) text += next_test_text(separation) + '\n';
   if (d.doubt) text += doubt_text(*d.doubt) + '\n';

@@ -1,10 +1,16 @@
 #include "report/measured/model_file.hpp"
 
+#include <filesystem>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "base/text/hash.hpp"
 #include "base/version.hpp"
 #include "identify/model_text.hpp"
+#include "identify/posterior/posterior_file.hpp"
+#include "machine/model_file.hpp"
+#include "machine/numbers_hash.hpp"
 #include "report/measured/diagnosis_text.hpp"
 #include "report/measured/objection_text.hpp"
 #include "report/measured/observability_text.hpp"
@@ -59,22 +65,61 @@ std::vector<std::string> notes_of(const Diagnosis& diagnosis) {
   return notes;
 }
 
-}  // namespace
-
-std::string model_file(const IdentifiedModel& model) {
+identify::ModelChanges changes_of(const IdentifiedModel& model) {
   const std::string sources = sources_text(model);
-  const std::string provenance =
+  std::string provenance =
       fmt::format("{} by plumbline {} to {}", model.calibrated ? "calibrated" : "refitted", version(), sources);
-  return identify::model_text(model.machine,
-                              {model.forces, model.errors, provenance, notes_of(model, sources), model.joints});
+  return {model.forces, model.errors, std::move(provenance), notes_of(model, sources), model.joints};
 }
 
-std::string model_file(const jobs::DiagnoseResult& result) {
+identify::ModelChanges changes_of(const jobs::DiagnoseResult& result) {
   const Diagnosis& diagnosis = result.diagnosis;
-  return identify::model_text(
-      result.machine,
-      {diagnosis.forces, diagnosis.errors,
-       diagnosis.withheld ? "as it was given to diagnose" : "with what diagnose found", notes_of(diagnosis)});
+  return {diagnosis.forces,
+          diagnosis.errors,
+          diagnosis.withheld ? "as it was given to diagnose" : "with what diagnose found",
+          notes_of(diagnosis),
+          {}};
+}
+
+// The posterior belongs to the numbers of the model as it is written, and the model names the posterior by its hash.
+LearntFiles learnt_files(const machine::MachineModel& machine, identify::ModelChanges changes,
+                         identify::Posterior posterior, const std::string& posterior_name) {
+  const machine::MachineModel written =
+      machine::parse_model(identify::model_text(machine, changes), machine.document.file);
+  posterior = identify::about(posterior, physics::ForceModel(written));
+  LearntFiles files;
+  files.posterior = identify::posterior_text(posterior, machine::numbers_hash(written));
+  changes.posterior = identify::PosteriorName{posterior_name, to_hex(fnv1a(files.posterior))};
+  files.model = identify::model_text(machine, changes);
+  return files;
+}
+
+}  // namespace
+
+std::string model_file(const IdentifiedModel& model) { return identify::model_text(model.machine, changes_of(model)); }
+
+std::string model_file(const jobs::DiagnoseResult& result) {
+  return identify::model_text(result.machine, changes_of(result));
+}
+
+LearntFiles learnt_files(const IdentifiedModel& model, const std::string& posterior_name) {
+  identify::Posterior posterior = model.posterior;
+  posterior.made_by = fmt::format("plumbline {} {} from {}", model.calibrated ? "calibrate" : "identify", version(),
+                                  sources_text(model));
+  return learnt_files(model.machine, changes_of(model), std::move(posterior), posterior_name);
+}
+
+LearntFiles learnt_files(const jobs::DiagnoseResult& result, const std::string& posterior_name) {
+  identify::Posterior posterior = result.diagnosis.posterior;
+  posterior.made_by = fmt::format("plumbline diagnose {} from {} runs, model fnv1a {}", version(), result.runs.size(),
+                                  to_hex(result.machine.hash));
+  return learnt_files(result.machine, changes_of(result), std::move(posterior), posterior_name);
+}
+
+std::string posterior_path(const std::string& model_path) {
+  std::filesystem::path path(model_path);
+  path.replace_extension(".posterior.toml");
+  return path.string();
 }
 
 }  // namespace plumbline::report

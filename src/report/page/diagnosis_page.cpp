@@ -163,8 +163,8 @@ Json could_show_section(const Diagnosis& d) {
   }
   return table_section("What these runs could have shown", {{"effect"}, {"from this size on"}, {"number"}},
                        std::move(rows),
-                       "The smallest size that would have been named, on the strut where it shows least. What shows at "
-                       "no size may be there.");
+                       "The smallest size that would have been named with 95 %, on the strut where it shows least. "
+                       "What shows at no size may be there.");
 }
 
 void add_open_questions(Page& page, const jobs::DiagnoseResult& result, const std::vector<std::string>& programs) {

@@ -26,23 +26,47 @@ std::string file_name(const std::string& path) {
   return name.substr(name.find_last_of('/') + 1);
 }
 
-std::string lead(const Summary& s) {
+std::string lead(const Summary& s, const std::optional<jobs::ExpectedError>& expected) {
   if (s.identical) return "Nothing had to change: the program is written as it was.";
   std::string text =
       fmt::format("The program moves the tool tip by up to {:.1f} um to make up for what the machine sags",
                   s.correction_mm.value * kUmPerMm);
-  if (s.replayed > 0) text += fmt::format("; on the model, at most {:.2f} um is left", s.residual_mm.value * kUmPerMm);
-  return text + ".";
+  if (s.replayed > 0)
+    text += fmt::format("; rounding and subdivision leave at most {:.2f} um", s.residual_mm.value * kUmPerMm);
+  text += ".";
+  if (expected) {
+    text += fmt::format(" On the machine {:.1f} um are expected to be left on average, 95 % within {:.1f} um",
+                        expected->stands.mean / kUm, expected->stands.within / kUm);
+    if (expected->touched_off)
+      text += fmt::format("; with the zero touched off {:.1f} um, within {:.1f} um", expected->touched_off->mean / kUm,
+                          expected->touched_off->within / kUm);
+    text += ".";
+  }
+  return text;
 }
 
-Json figures(const Summary& s, const machine::MachineModel& model) {
+// What is expected at the tip, as facts.
+void add_expected(std::vector<Fact>& facts, const std::optional<jobs::ExpectedError>& expected) {
+  if (!expected) return;
+  const auto add = [&](std::string name, const jobs::ExpectedFigures& figures) {
+    std::string note = fmt::format("95 % are within {:.1f} um, at the worst within {:.1f} um", figures.within / kUm,
+                                   figures.largest_within / kUm);
+    if (figures.line > 0) note += fmt::format(" at line {}", figures.line);
+    facts.push_back({std::move(name), figures.mean / kUm, "um", 1, std::move(note)});
+  };
+  add("expected error on the machine", expected->stands);
+  if (expected->touched_off) add("the same, zero touched off", *expected->touched_off);
+}
+
+Json figures(const Summary& s, const machine::MachineModel& model, const std::optional<jobs::ExpectedError>& expected) {
   std::vector<Fact> facts{{"machine", model.name},
                           {"largest correction", s.correction_mm.value * kUmPerMm, "um", 1, at_line(s.correction_mm)},
                           {"largest turn", s.correction_deg.value * 1000, "mdeg", 2, at_line(s.correction_deg)}};
   if (s.replayed > 0) {
-    facts.push_back({"left at the tip, at most", s.residual_mm.value * kUmPerMm, "um", 3,
+    facts.push_back({"rounding and subdivision, at most", s.residual_mm.value * kUmPerMm, "um", 3,
                      at_line(s.residual_mm) + (s.residual_mm.line > 0 ? ", on the model" : "")});
   }
+  add_expected(facts, expected);
   facts.push_back({"rounding, at most", s.rounding_mm.value * kUmPerMm, "um", 3, at_line(s.rounding_mm)});
   if (s.seconds_before > 0) {
     facts.push_back(
@@ -68,18 +92,21 @@ Json figures(const Summary& s, const machine::MachineModel& model) {
 Page compensation_page(const jobs::Compensation& compensation, const std::string& program,
                        const settings::Options& options) {
   const Summary& s = compensation.summary;
-  Page page{.title = fmt::format("{} on {}", file_name(program), compensation.model.name), .lead = lead(s)};
+  Page page{.title = fmt::format("{} on {}", file_name(program), compensation.model.name),
+            .lead = lead(s, compensation.expected.error)};
   page.has_scene = true;
   page.verdict = s.warnings.empty() ? Verdict::good : Verdict::warn;
-  page.sections.push_back(figures(s, compensation.model));
+  page.sections.push_back(figures(s, compensation.model, compensation.expected.error));
   if (!s.warnings.empty()) {
     std::vector<std::string> items;
     for (const Diagnostic& warning : s.warnings) items.push_back(warning.message + ": " + warning.help);
     page.sections.push_back(warnings_section("Before you cut", std::move(items)));
   }
   page.sections.push_back(
-      program_section(*compensation.path, &compensation.model, {.corrected = true, .program = input_name(program)}));
-  page.sections.push_back(screen_only(listing_section("All figures", summary_text(s, options))));
+      program_section(*compensation.path, &compensation.model,
+                      {.corrected = true, .program = input_name(program), .doubts = compensation.expected.drawn}));
+  page.sections.push_back(
+      screen_only(listing_section("All figures", summary_text(s, options, compensation.expected.error))));
   return page;
 }
 
@@ -95,12 +122,14 @@ Page simulation_page(const jobs::SimulationSummary& summary, const jobs::Program
       {"rms", summary.rms_um, "um", 2},
       {"cutting time", time_text(summary.seconds)},
       {"points", count_text(summary.points)}};
+  add_expected(facts, summary.expected);
   if (summary.passed_moves > 0) {
     facts.push_back({"moves left out", count_text(summary.passed_moves), "", 0,
                      "machine coordinates, probing, or from where nobody knows"});
   }
-  page.sections = {facts_section("", facts),
-                   program_section(picture.path, &picture.model, {.program = input_name(program)})};
+  page.sections = {
+      facts_section("", facts),
+      program_section(picture.path, &picture.model, {.program = input_name(program), .doubts = picture.doubts})};
   return page;
 }
 
@@ -135,8 +164,8 @@ Page check_page(const jobs::CheckSummary& summary, const jobs::ProgramPicture& p
         table_section("Beyond a limit", {{"line", "", 0}, {"what"}, {"value"}, {"limit"}, {"beyond it by"}, {"unit"}},
                       std::move(rows), summary.findings.size() < summary.violations ? "the first of them" : ""));
   }
-  page.sections.push_back(
-      program_section(picture.path, &picture.model, {.corrected = true, .program = input_name(program)}));
+  page.sections.push_back(program_section(
+      picture.path, &picture.model, {.corrected = true, .program = input_name(program), .doubts = picture.doubts}));
   return page;
 }
 

@@ -75,7 +75,7 @@ void add_correction(std::vector<Column>& columns, const PathKind& kind) {
 }
 
 void add_error(std::vector<Column>& columns, const PathKind& kind) {
-  if (kind.corrected) columns.push_back({"left", "left at the tip", "um", 3, 1e-3, left_um});
+  if (kind.corrected) columns.push_back({"left", "left by rounding and subdivision", "um", 3, 1e-3, left_um});
   for (int i = 0; i < 3; ++i) {
     const char axis = static_cast<char>('x' + i);
     columns.push_back({fmt::format("e{}", axis), fmt::format("error in {}", static_cast<char>('X' + i)), "um", 2, 1e-3,
@@ -83,6 +83,23 @@ void add_error(std::vector<Column>& columns, const PathKind& kind) {
   }
   columns.push_back(
       {"error", kind.corrected ? "error without correction" : "error at the tip", "um", 2, 1e-3, uncorrected_um});
+}
+
+// What is expected at the tip, and what 95 % are within.
+void add_doubts(std::vector<Column>& columns, const DrawnPath& path, const PathKind& kind) {
+  if (kind.doubts.size() != path.points.size()) return;
+  using Figure = double jobs::TipDoubt::*;
+  const auto add = [&](const char* key, const char* name, bool touched_off, Figure figure) {
+    columns.push_back({key, name, "um", 2, 1e-3, [&path, &kind, touched_off, figure](const DrawnPoint& p) {
+                         const auto& doubt = kind.doubts[static_cast<std::size_t>(&p - path.points.data())];
+                         if (!doubt || (touched_off && !doubt->touched_off)) return kNone;
+                         return in_um((touched_off ? *doubt->touched_off : doubt->stands).*figure);
+                       }});
+  };
+  add("expected", "expected", false, &jobs::TipDoubt::mean);
+  add("within", "95 % are within", false, &jobs::TipDoubt::within);
+  add("expected_off", "expected, zero touched off", true, &jobs::TipDoubt::mean);
+  add("within_off", "95 % are within, zero touched off", true, &jobs::TipDoubt::within);
 }
 
 void add_struts(std::vector<Column>& columns, const machine::Limits& limits) {
@@ -200,6 +217,11 @@ Json tracks_json(const machine::MachineModel* model, const PathKind& kind) {
   } else {
     tracks.push_back(track("Error at the tip", "um", 2, {"ex", "ey", "ez", "error"}));
   }
+  if (!kind.doubts.empty()) {
+    const std::string of = kind.corrected ? "Expected to be left on the machine" : "The machine beside its model";
+    tracks.push_back(track(of, "um", 2, {"expected", "within"}));
+    tracks.push_back(track(of + ", zero touched off", "um", 2, {"expected_off", "within_off"}));
+  }
   if (model != nullptr) {
     tracks.push_back(track("Strut lengths", "mm", 2, {"s1", "s2", "s3", "s4", "s5", "s6"}));
     tracks.back()["limits"] = {{{"value", model->limits.length_min.maxCoeff() / kMm}, {"name", "shortest"}},
@@ -243,7 +265,9 @@ Json worst_json(const DrawnPath& path, const std::vector<Column>& columns, const
   const std::array wanted_places{
       Wanted{"shift", "largest " + kind.shift, 1},
       Wanted{"error", kind.corrected ? "largest error without correction" : "largest error at the tip", 1},
-      Wanted{"left", "most left at the tip, at a drawn point", 1},
+      Wanted{"left", "most left by rounding and subdivision, at a drawn point", 1},
+      Wanted{"within", "most uncertain: 95 % are within", 1},
+      Wanted{"within_off", "most uncertain with the zero touched off: 95 % are within", 1},
       Wanted{"force", "largest strut force", 1},
       Wanted{"room", "nearest to a strut limit", -1},
       Wanted{"condition", "nearest to a singularity (condition number)", 1},
@@ -265,6 +289,7 @@ Json program_section(const DrawnPath& path, const machine::MachineModel* model, 
   if (kind.corrected) add_correction(columns, kind);
   if (model != nullptr) {
     add_error(columns, kind);
+    add_doubts(columns, path, kind);
     add_struts(columns, model->limits);
     add_stand(columns);
   }
@@ -284,7 +309,8 @@ Json program_section(const DrawnPath& path, const machine::MachineModel* model, 
   for (const Column& column : columns) all[column.key] = column_json(column, path);
   add_blocks(section, path, name_in_folder(kind.program));
   Json& colours = section["colours"] = Json::array();
-  for (const char* const key : {"shift", "left", "error", "feed", "block", "condition", "force", "room"}) {
+  for (const char* const key :
+       {"shift", "left", "error", "within", "within_off", "feed", "block", "condition", "force", "room"}) {
     if (all.contains(key)) colours.push_back(key);
   }
   return section;

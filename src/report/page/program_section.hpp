@@ -1,9 +1,12 @@
 // The path of a program on a page: in space with the machine, along the program, its worst places.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 
 #include "compensate/recorded/drawn_path.hpp"
+#include "jobs/expected/tip_doubts.hpp"
 #include "machine/model.hpp"
 #include "report/page/page.hpp"
 
@@ -16,6 +19,7 @@ struct PathKind {
   std::string told = "what the control is told";  // those
   std::string replaced = "written for it";        // a text that stands for a block
   std::string program = {};                       // its file; lines of others are shown with their file's name
+  std::span<const std::optional<jobs::PoseDoubt>> doubts = {};  // at its points, how far off the tip may be; or none
 };
 
 /// Columns in mm, deg, um, mdeg, N, mm/min, ms, s; places in the machine's own coordinates (W). `model`: null where the

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "report/program/expected_text.hpp"
 #include "report/text_table.hpp"
 
 namespace plumbline::report {
@@ -40,6 +41,7 @@ std::string check_text(const jobs::CheckSummary& summary) {
   for (const auto& [kind, count] : summary.kinds) {
     table.add(kind, fmt::format("beyond its limit in {}", count_text(count, "block")));
   }
+  if (summary.expected.error) add_expected(table, *summary.expected.error);
   return text + table.text();
 }
 
@@ -73,7 +75,8 @@ std::string check_json(const jobs::CheckSummary& summary) {
                   {"violations", summary.violations},
                   {"blocks_by_kind", kinds},
                   {"findings", findings},
-                  {"refusal", refusal}};
+                  {"refusal", refusal},
+                  {"expected", expected_json(summary.expected.error)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -8,6 +8,7 @@
 #include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "report/program/csv_columns.hpp"
+#include "report/program/expected_text.hpp"
 #include "report/text_table.hpp"
 
 namespace plumbline::report {
@@ -26,7 +27,11 @@ constexpr std::string_view kErrorColumns =
 
 std::string_view error_columns() { return kErrorColumns.substr(0, kErrorColumns.size() - 1); }
 
-ErrorTable::ErrorTable(OutputFile& output) : output_(output) { output_.write(kErrorColumns); }
+ErrorTable::ErrorTable(OutputFile& output, bool with_expected) : output_(output), with_expected_(with_expected) {
+  output_.write(error_columns());
+  if (with_expected_) output_.write(expected_columns());
+  output_.write("\n");
+}
 
 void ErrorTable::add(const jobs::PoseError& error) {
   row_.clear();
@@ -39,18 +44,22 @@ void ErrorTable::add(const jobs::PoseError& error) {
   append_columns(row_, error.stretch, kUm, 8);
   append_columns(row_, error.error.head<3>(), kUm, 8);
   append_columns(row_, error.error.tail<3>(), kUrad, 8);
+  if (with_expected_) append_expected(row_, error.doubt);
   row_ += '\n';
   output_.write(row_);
 }
 
 std::string error_json(const jobs::ErrorTableSummary& summary) {
-  const nlohmann::ordered_json json{
-      {"plumbline", "error 1"}, {"poses", summary.poses}, {"largest_um", summary.largest_um}};
+  const nlohmann::ordered_json json{{"plumbline", "error 1"},
+                                    {"poses", summary.poses},
+                                    {"largest_um", summary.largest_um},
+                                    {"expected", expected_json(summary.expected)}};
   return json.dump(2) + "\n";
 }
 
 std::string error_text(const jobs::ErrorTableSummary& summary) {
-  return fmt::format("{}, the tip up to {:.3f} um off\n", count_text(summary.poses, "pose"), summary.largest_um);
+  return fmt::format("{}, the tip up to {:.3f} um off\n", count_text(summary.poses, "pose"), summary.largest_um) +
+         expected_text(summary.expected);
 }
 
 }  // namespace plumbline::report

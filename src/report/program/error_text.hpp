@@ -13,12 +13,13 @@ namespace plumbline::report {
 /// error of the tip (um) and its rotation vector (urad), in W.
 class ErrorTable {
  public:
-  /// Writes the names of the columns. `output` is kept by reference.
-  explicit ErrorTable(OutputFile& output);
+  /// Writes the names of the columns, `with_expected` those of what is expected besides. `output` is kept by reference.
+  explicit ErrorTable(OutputFile& output, bool with_expected = false);
   void add(const jobs::PoseError& error);
 
  private:
   OutputFile& output_;
+  bool with_expected_;
   std::string row_;
 };
 

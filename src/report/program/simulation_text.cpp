@@ -9,6 +9,7 @@
 #include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "report/program/csv_columns.hpp"
+#include "report/program/expected_text.hpp"
 #include "report/text_table.hpp"
 
 namespace plumbline::report {
@@ -35,7 +36,12 @@ std::string_view simulated_name(nc::MotionKind kind) {
 
 std::string_view simulation_columns() { return kSimulationColumns.substr(0, kSimulationColumns.size() - 1); }
 
-SimulationTable::SimulationTable(OutputFile& output) : output_(output) { output_.write(kSimulationColumns); }
+SimulationTable::SimulationTable(OutputFile& output, bool with_expected)
+    : output_(output), with_expected_(with_expected) {
+  output_.write(simulation_columns());
+  if (with_expected_) output_.write(expected_columns());
+  output_.write("\n");
+}
 
 void SimulationTable::add(const jobs::SimulatedPoint& point) {
   row_.clear();
@@ -49,6 +55,7 @@ void SimulationTable::add(const jobs::SimulatedPoint& point) {
   append_columns(row_, point.lengths, kMm, 7);
   append_columns(row_, point.nut_tension, 1, 4);
   append_columns(row_, point.torque, 1, 6);
+  if (with_expected_) append_expected(row_, point.doubt);
   row_ += '\n';
   output_.write(row_);
 }
@@ -64,17 +71,15 @@ std::string simulation_text(const jobs::SimulationSummary& summary) {
     text += fmt::format("{} left out of the table: machine coordinates, probing, or from where nobody knows\n",
                         count_text(summary.passed_moves, "move"));
   }
-  return text;
+  return text + expected_text(summary.expected);
 }
 
 std::string simulation_json(const jobs::SimulationSummary& summary) {
-  const nlohmann::ordered_json json{{"plumbline", "simulation 1"},
-                                    {"points", summary.points},
-                                    {"passed_moves", summary.passed_moves},
-                                    {"largest_um", summary.largest_um},
-                                    {"largest_line", summary.largest_line},
-                                    {"rms_um", summary.rms_um},
-                                    {"seconds", summary.seconds}};
+  const nlohmann::ordered_json json{
+      {"plumbline", "simulation 1"},          {"points", summary.points},
+      {"passed_moves", summary.passed_moves}, {"largest_um", summary.largest_um},
+      {"largest_line", summary.largest_line}, {"rms_um", summary.rms_um},
+      {"seconds", summary.seconds},           {"expected", expected_json(summary.expected)}};
   return json.dump(2) + "\n";
 }
 

@@ -14,12 +14,13 @@ namespace plumbline::report {
 /// the orientation (urad, rotation vector) in W, commanded strut lengths (mm), nut tensions (N), motor torques (N m).
 class SimulationTable {
  public:
-  /// Writes the names of the columns. `output` is kept by reference.
-  explicit SimulationTable(OutputFile& output);
+  /// Writes the names of the columns, `with_expected` those of what is expected besides. `output` is kept by reference.
+  explicit SimulationTable(OutputFile& output, bool with_expected = false);
   void add(const jobs::SimulatedPoint& point);
 
  private:
   OutputFile& output_;
+  bool with_expected_;
   std::string row_;
 };
 

@@ -10,6 +10,7 @@
 #include "base/units.hpp"
 #include "base/version.hpp"
 #include "report/micrometres.hpp"
+#include "report/program/expected_text.hpp"
 #include "report/text_table.hpp"
 
 namespace plumbline::report {
@@ -90,15 +91,14 @@ void add_bound(TextTable& table, const Summary& s, const settings::Options& opti
 
 void add_quality(TextTable& table, const Summary& s, const settings::Options& options) {
   if (s.replayed > 0) {
-    table.add(
-        "left at the tip",
-        fmt::format("at most {:.3f} um{}, {:.5f} deg, between its points too: by rounding, subdivision and friction "
-                    "that turns, {} played on the model",
-                    s.residual_mm.value * kUmPerMm, at_line(s.residual_mm.line), s.residual_deg.value,
-                    count_text(s.replayed, "point")));
+    table.add("rounding, subdivision",
+              fmt::format("at most {:.3f} um{}, {:.5f} deg, between its points too, with the friction that "
+                          "turns: {} played on the model",
+                          s.residual_mm.value * kUmPerMm, at_line(s.residual_mm.line), s.residual_deg.value,
+                          count_text(s.replayed, "point")));
     if (!options.compensation.bound.is_asked())
       table.add("", "that is the bound which these steps reach; --tolerance chooses the points by a bound");
-    table.add("", "how far the machine itself is from its model comes on top: plumbline compare tells");
+    if (!expected) table.add("", "how far the machine itself is from its model comes on top: plumbline compare tells");
   }
   table.add("rounding",
             fmt::format("at most {:.3f} um{}", s.rounding_mm.value * kUmPerMm, at_line(s.rounding_mm.line)));
@@ -247,12 +247,14 @@ Json made_of_json(const compensate::MadeOf& of) {
 
 }  // namespace
 
-std::string summary_text(const Summary& summary, const settings::Options& options) {
+std::string summary_text(const Summary& summary, const settings::Options& options,
+                         const std::optional<jobs::ExpectedError>& expected) {
   TextTable table;
   add_counts(table, summary);
   if (summary.moves > 0) {
     add_corrections(table, summary);
     add_time(table, summary);
+    if (expected) add_expected(table, *expected);
     add_bound(table, summary, options);
     add_quality(table, summary, options);
     add_short_pieces(table, summary);
@@ -266,7 +268,8 @@ std::string summary_text(const Summary& summary, const settings::Options& option
 
 namespace {
 
-Json summary_in_json(const Summary& s, const settings::Options& options) {
+Json summary_in_json(const Summary& s, const settings::Options& options,
+                     const std::optional<jobs::ExpectedError>& expected) {
   Json assumed = Json::array();
   for (const Axis axis : kAllAxes) {
     if (s.assumed_at_zero.contains(axis)) assumed.push_back(std::string(1, letter(axis)));
@@ -302,6 +305,7 @@ Json summary_in_json(const Summary& s, const settings::Options& options) {
       {"widened_blocks", s.widened_blocks},
       {"widest_step_mm", s.widened_blocks > 0 ? worst(s.widened_step_mm) : Json()},
       {"widening_cost_um", s.widened_blocks > 0 ? worst(s.widening_mm, kUmPerMm) : Json()},
+      {"expected", expected_json(expected)},
       {"bound", bound_json(s, options)},
       {"short_pieces", short_pieces_json(s.short_pieces)},
       {"offset_shift_for_1um_mm", std::isfinite(s.offset_shift_for_1um_mm) ? Json(s.offset_shift_for_1um_mm) : Json()},
@@ -320,12 +324,14 @@ Json summary_in_json(const Summary& s, const settings::Options& options) {
 
 }  // namespace
 
-std::string summary_json(const Summary& summary, const settings::Options& options) {
-  return summary_in_json(summary, options).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string summary_json(const Summary& summary, const settings::Options& options,
+                         const std::optional<jobs::ExpectedError>& expected) {
+  return summary_in_json(summary, options, expected).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string summary_json_line(const Summary& summary, const settings::Options& options) {
-  return summary_in_json(summary, options).dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string summary_json_line(const Summary& summary, const settings::Options& options,
+                              const std::optional<jobs::ExpectedError>& expected) {
+  return summary_in_json(summary, options, expected).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace plumbline::report

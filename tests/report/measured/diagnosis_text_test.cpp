@@ -38,10 +38,12 @@ TEST_CASE("where nothing is missing, what the runs could have shown is told") {
   d.visible = {
       {"backlash", "width_um", "um", 3.21, true}, {"cable", "", "", 0, false}, {"cyclic", "share", "", 0.5, true}};
   CHECK(says(d, "nothing-missing, as far as these runs can show\n"));
-  CHECK(says(d, "these runs could not have shown, at any size: cable\n"));
-  CHECK(says(d, "they would have shown, from this size on: backlash 3.2 um, cyclic 0.5\n"));
+  CHECK(says(d, "these runs tell nothing of, at any size: cable\n"));
+  CHECK(says(d, "what they would have named with 95 %, from this size on: backlash 3.2 um, cyclic 0.5\n"));
   CHECK_FALSE(says(d, "not ruled out"));
   CHECK_FALSE(says(d, "(nats"));
+  d.runs.resize(1);
+  CHECK(says(d, "one run tells nothing of, at any size: cable\n"));
 }
 
 TEST_CASE("doubt, a remainder, the next test and a model that stays are told where there are any") {

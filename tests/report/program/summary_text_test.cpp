@@ -51,7 +51,7 @@ TEST_CASE("a summary has each figure with its unit and its line") {
 TEST_CASE("what a program has nothing of is left out") {
   const std::string text = report::summary_text(corrected_program(), {});
   for (const char* const name :
-       {"form", "subprograms from", "left as they stand", "left at the tip", "wider steps", "short pieces",
+       {"form", "subprograms from", "left as they stand", "rounding, subdivision", "wider steps", "short pieces",
         "work offset", "zero", "taken to be zero", "read back", "settings from"}) {
     INFO(name);
     CHECK(summary_row(text, name).empty());
@@ -112,7 +112,7 @@ TEST_CASE("what is left at the tip is told if it was played") {
   s.residual_deg = {0.00002, 13};
   CHECK(nlohmann::json::parse(report::summary_json(s, {}))["worst_residual_um"].is_null());
   s.replayed = 1000;
-  CHECK(summary_row(report::summary_text(s, {}), "left at the tip")
+  CHECK(summary_row(report::summary_text(s, {}), "rounding, subdivision")
             .starts_with("at most 0.500 um (line 12), 0.00002 deg, between its points too"));
   const nlohmann::json json = nlohmann::json::parse(report::summary_json(s, {}));
   CHECK(json["worst_residual_um"]["value"].get<double>() == Approx(0.5));

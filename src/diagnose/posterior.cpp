@@ -1,0 +1,88 @@
+#include "diagnose/posterior.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "diagnose/gap/contrasts.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+using identify::Posterior;
+using identify::PosteriorState;
+
+// Places of the candidates' unknowns that some fit moved.
+std::vector<int> places_of(const std::vector<const Refit*>& fits) {
+  std::set<int> places;
+  for (const Refit* const fit : fits) places.insert(fit->places.begin(), fit->places.end());
+  return {places.begin(), places.end()};
+}
+
+// In the order of `places`; what this fit did not move is exact.
+PosteriorState state_of(const Refit& fit, const std::vector<int>& places, std::string name, double weight) {
+  PosteriorState state{std::move(name), weight, fit.values(places), {}, 1, {}};
+  const auto size = static_cast<Eigen::Index>(places.size());
+  state.covariance = Eigen::MatrixXd::Zero(size, size);
+  state.moved.resize(size, 0);
+  std::vector<Eigen::Index> at;
+  for (const int place : fit.places)
+    at.push_back(std::lower_bound(places.begin(), places.end(), place) - places.begin());
+  state.covariance(at, at) = fit.covariance;
+  return state;
+}
+
+// Rivals of the strongest effect that are not ruled out, and were fitted.
+std::vector<const Rival*> others_of(const Model& model, const Conclusion& conclusion, const VerdictOptions& options) {
+  std::vector<const Rival*> others;
+  if (conclusion.picks.empty()) return others;
+  const Found& strongest = model.found.front();
+  for (const Rival& rival : strongest.rivals) {
+    if (rival.refitted && rival.log_odds > strongest.log_odds - options.within_nats) others.push_back(&rival);
+  }
+  return others;
+}
+
+}  // namespace
+
+Posterior posterior_of(const Case& of, const Model& model, const Conclusion& conclusion,
+                       const VerdictOptions& options) {
+  const CandidateSet& candidates = of.bench.candidates;
+  const std::vector<const Rival*> others = others_of(model, conclusion, options);
+  std::vector<const Refit*> fits{&conclusion.fit};
+  for (const Rival* const rival : others) fits.push_back(&rival->fit);
+  const std::vector<int> places = places_of(fits);
+
+  Posterior posterior{identify::Unknowns(conclusion.forces)};
+  for (const int place : places) {
+    const std::size_t added =
+        identify::add_like(posterior.unknowns, candidates.unknowns[static_cast<std::size_t>(place)]);
+    const bool picked = std::any_of(conclusion.picks.begin(), conclusion.picks.end(), [&](const Pick& pick) {
+      return std::find(pick.unknowns.begin(), pick.unknowns.end(), place) != pick.unknowns.end();
+    });
+    if (picked) posterior.unknowns.set_free(added);
+  }
+  posterior.states.push_back(state_of(conclusion.fit, places, "", 1));
+  double weights = 1;
+  for (const Rival* const rival : others) {
+    const double weight = std::exp(rival->log_odds - model.found.front().log_odds);
+    posterior.states.push_back(state_of(rival->fit, places, rival->pick.candidate->name, weight));
+    weights += weight;
+  }
+  for (PosteriorState& state : posterior.states) state.weight /= weights;
+  posterior.noise.radial = model.noise.channels[identify::kRadial].sigma;
+  for (std::size_t channel = identify::kRadial + 1; channel < identify::kChannels; ++channel)
+    posterior.noise.torque = std::max(posterior.noise.torque, model.noise.channels[channel].sigma);
+  posterior.unexplained = recurring_radial(contrasts_of(of.runs, conclusion.residuals.after));
+  return posterior;
+}
+
+Posterior posterior_as_given(const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
+                             const std::vector<identify::RunEquations>& given) {
+  Posterior posterior = identify::prior_of(machine);
+  posterior.from_data = true;
+  posterior.unexplained = recurring_radial(contrasts_of(runs, given));
+  return posterior;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,123 @@
+#include "identify/posterior/normal_length.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Eigenvalues>
+
+namespace plumbline::identify {
+namespace {
+
+constexpr double kLeastShare = 1e-12;  // of the largest weight: a smaller one is none
+constexpr double kNearMean = 1e-3;     // standard deviations of Q off its mean, within which its limit there is taken
+constexpr int kHalvings = 60;
+
+// That a standard deviate lies above x.
+double above(double x) { return 0.5 * std::erfc(x / std::numbers::sqrt2); }
+
+// Where a falling function comes down to `wanted`.
+template <class Function>
+double crossing(const Function& falling, double wanted, double low, double high) {
+  for (int i = 0; i < kHalvings && high - low > 1e-7 * high; ++i) {
+    const double middle = 0.5 * (low + high);
+    (falling(middle) > wanted ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+NormalLength::NormalLength(const Vector3<double>& mean, const Eigen::Matrix3d& covariance) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
+  axes.computeDirect(covariance);
+  weight_ = axes.eigenvalues().array().max(0);
+  weight_ = (weight_ > kLeastShare * weight_.maxCoeff()).select(weight_, 0);
+  squared_ = (axes.eigenvectors().transpose() * mean).array().square();
+}
+
+double NormalLength::rms() const { return std::sqrt((weight_ + squared_).sum()); }
+
+double NormalLength::mean() const {
+  const double mean = (weight_ + squared_).sum();
+  const double variance = (2 * weight_.square() + 4 * weight_ * squared_).sum();
+  if (!(variance > kLeastShare * mean * mean)) return std::sqrt(mean);
+  const double degrees = 2 * mean * mean / variance;
+  return std::sqrt(2 * mean / degrees) * std::exp(std::lgamma((degrees + 1) / 2) - std::lgamma(degrees / 2));
+}
+
+// K(t) = sum of l b^2 t / (1 - 2 l t) - log(1 - 2 l t) / 2
+double NormalLength::slope(double t) const {
+  const Eigen::Array3d d = 1 - 2 * weight_ * t;
+  return (weight_ / d + squared_ / d.square()).sum();
+}
+
+// K'(t) = q
+double NormalLength::saddlepoint(double q) const {
+  const double end = 0.5 / weight_.maxCoeff();
+  double low = 0;
+  double high = end;
+  if (slope(0) > q) {
+    high = 0;
+    for (low = -end; slope(low) > q; low *= 4) high = low;
+  }
+  double t = 0.5 * (low + high);
+  for (int i = 0; i < kHalvings && high - low > 1e-12 * end; ++i) {
+    const Eigen::Array3d d = 1 - 2 * weight_ * t;
+    const double off = (weight_ / d + squared_ / d.square()).sum() - q;
+    (off < 0 ? low : high) = t;
+    const double step = off / (2 * weight_.square() / d.square() + 4 * weight_ * squared_ / d.cube()).sum();
+    if (std::abs(step) < 1e-10 * end) break;
+    t -= step;
+    if (!(t > low && t < high)) t = 0.5 * (low + high);
+  }
+  return t;
+}
+
+double NormalLength::chance_beyond(double length) const {
+  const double q = length * length;
+  const double mean = (weight_ + squared_).sum();
+  const double variance = (2 * weight_.square() + 4 * weight_ * squared_).sum();
+  if (!(variance > kLeastShare * mean * mean)) return q < mean ? 1 : 0;
+  if (!(q > 0)) return 1;
+  if (std::abs(q - mean) < kNearMean * std::sqrt(variance)) {
+    const double third = (8 * weight_.cube() + 24 * weight_.square() * squared_).sum();
+    return 0.5 - third / (6 * std::sqrt(2 * std::numbers::pi * variance) * variance);
+  }
+  const double t = saddlepoint(q);
+  const Eigen::Array3d d = 1 - 2 * weight_ * t;
+  const double cumulant = (squared_ * t / d - 0.5 * d.log()).sum();
+  const double curvature = (2 * weight_.square() / d.square() + 4 * weight_ * squared_ / d.cube()).sum();
+  const double w = std::copysign(std::sqrt(std::max(0.0, 2 * (t * q - cumulant))), t);
+  const double v = t * std::sqrt(curvature);
+  return std::clamp(above(w + std::log(v / w) / w), 0.0, 1.0);
+}
+
+double length_within(std::span<const WeighedLength> parts, double probability) {
+  double most = 0;
+  for (const WeighedLength& part : parts) most = std::max(most, part.length.rms());
+  return crossing(
+      [&](double length) {
+        double beyond = 0;
+        for (const WeighedLength& part : parts) beyond += part.weight * part.length.chance_beyond(length);
+        return beyond;
+      },
+      1 - probability, 0, 10 * most);
+}
+
+double number_within(std::span<const WeighedNumber> parts, double probability) {
+  double most = 0;
+  for (const WeighedNumber& part : parts) most = std::max(most, std::hypot(part.mean, part.sigma));
+  return crossing(
+      [&](double x) {
+        double beyond = 0;
+        for (const WeighedNumber& part : parts) {
+          const double sigma = std::max(part.sigma, 1e-15);
+          beyond += part.weight * (above((x - part.mean) / sigma) + above((x + part.mean) / sigma));
+        }
+        return beyond;
+      },
+      1 - probability, 0, 10 * most);
+}
+
+}  // namespace plumbline::identify

@@ -1,0 +1,225 @@
+#include "identify/posterior/posterior_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "base/files/files.hpp"
+#include "base/text/hash.hpp"
+#include "base/text/toml.hpp"
+#include "base/units.hpp"
+#include "machine/numbers_hash.hpp"
+
+namespace plumbline::identify {
+namespace {
+
+constexpr std::string_view kMarker = "posterior 1";
+constexpr std::string_view kOther =
+    "learn the model anew (identify, calibrate or diagnose), or take [posterior] out of it: "
+    "then [uncertainty] says what is known";
+
+// --- written ---
+
+std::string list_text(const std::vector<double>& numbers) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < numbers.size(); ++i) text += fmt::format("{}{}", i == 0 ? "" : ", ", numbers[i]);
+  return text + "]";
+}
+
+std::vector<double> units_of(const Unknowns& unknowns) {
+  std::vector<double> units;
+  for (const Unknown& unknown : unknowns) units.push_back(unknown.unit.si);
+  return units;
+}
+
+std::vector<double> in_units(const Eigen::VectorXd& values, const std::vector<double>& units) {
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < units.size(); ++i) numbers.push_back(values[static_cast<Eigen::Index>(i)] / units[i]);
+  return numbers;
+}
+
+std::string unknown_text(const Unknown& unknown) {
+  std::string text =
+      fmt::format("\n[[unknown]] # {}\neffect = \"{}\"\nkey = \"{}\"\n", unknown.label, unknown.effect, unknown.key);
+  if (unknown.index >= 0) text += fmt::format("index = {}\n", unknown.index);
+  text += fmt::format("unit = \"{}\"\nvalue = {}\n", unknown.unit.name, unknown.start / unknown.unit.si);
+  if (!unknown.free()) text += fmt::format("prior_sigma = {}\n", unknown.sigma / unknown.unit.si);
+  return text;
+}
+
+std::string state_text(const PosteriorState& state, const std::vector<double>& units) {
+  const Eigen::VectorXd errors = state.covariance.diagonal().cwiseMax(0).cwiseSqrt();
+  std::string text =
+      fmt::format("\n[[state]]\nname = \"{}\"\nweight = {}\nmean = {}\nstandard_errors = {}\n", state.name,
+                  state.weight, list_text(in_units(state.mean, units)), list_text(in_units(errors, units)));
+  text += "correlations = [\n";
+  for (Eigen::Index i = 1; i < errors.size(); ++i) {
+    std::vector<double> row;
+    for (Eigen::Index k = 0; k < i; ++k) {
+      const double both = errors[i] * errors[k];
+      row.push_back(both > 0 ? state.covariance(i, k) / both : 0);
+    }
+    text += list_text(row) + ",\n";
+  }
+  text += fmt::format("]\nwidening = {}\nmoved = [\n", state.widening);
+  for (Eigen::Index k = 0; k < state.moved.cols(); ++k) text += list_text(in_units(state.moved.col(k), units)) + ",\n";
+  return text + "]\n";
+}
+
+// --- read ---
+
+[[noreturn]] void refuse_file(const TomlDocument& document, TextSpan span, std::string message) {
+  refuse("posterior-wrong", std::move(message),
+         "do not edit a posterior: learn the model anew, as its file is written then", document.place(span));
+}
+
+const TomlValue& entry(const TomlDocument& document, const TomlValue& table, std::string_view key,
+                       TomlValue::Kind kind) {
+  const TomlEntry* const found = table.find(key);
+  if (found == nullptr) refuse_file(document, table.span, fmt::format("{} is missing", key));
+  if (found->value.kind != kind) {
+    refuse_file(document, found->value.span,
+                fmt::format("{} is {}, not {}", key, name_of(found->value.kind), name_of(kind)));
+  }
+  return found->value;
+}
+
+double number(const TomlDocument& document, const TomlValue& value) {
+  if (value.kind != TomlValue::Kind::number || !std::isfinite(value.number))
+    refuse_file(document, value.span, "this is no number");
+  return value.number;
+}
+
+double number(const TomlDocument& document, const TomlValue& table, std::string_view key) {
+  return number(document, entry(document, table, key, TomlValue::Kind::number));
+}
+
+Eigen::VectorXd numbers(const TomlDocument& document, const TomlValue& list, std::size_t count) {
+  if (list.kind != TomlValue::Kind::array || list.items.size() != count) {
+    refuse_file(document, list.span, fmt::format("{} numbers belong here", count));
+  }
+  Eigen::VectorXd all(static_cast<Eigen::Index>(count));
+  for (std::size_t i = 0; i < count; ++i) all[static_cast<Eigen::Index>(i)] = number(document, list.items[i]);
+  return all;
+}
+
+// Of an unknown that the physics has; its start is the model's number.
+void read_unknown(const TomlDocument& document, const TomlValue& row, Unknowns& unknowns) {
+  Unknown like;
+  like.effect = entry(document, row, "effect", TomlValue::Kind::text).text;
+  like.key = entry(document, row, "key", TomlValue::Kind::text).text;
+  if (row.find("index") != nullptr) like.index = static_cast<int>(number(document, row, "index"));
+  const std::size_t effect = physics::effect_index(like.effect);
+  const auto spec_of = [&]() -> const physics::ParameterSpec* {
+    if (effect >= physics::kEffects) return nullptr;
+    for (const physics::ParameterSpec& spec : physics::effect_infos()[effect].parameters) {
+      if (spec.key == like.key) return &spec;
+    }
+    return nullptr;
+  };
+  const physics::ParameterSpec* const spec = spec_of();
+  if (spec == nullptr || like.index < -1 || like.index >= spec->size())
+    refuse_file(document, row.span, fmt::format("no effect {} has such a number {}", like.effect, like.key));
+  if (row.find("prior_sigma") != nullptr) {
+    like.sigma = number(document, row, "prior_sigma") * spec->unit.si;
+    if (!(like.sigma > 0)) refuse_file(document, row.find("prior_sigma")->value.span, "a sigma is larger than nothing");
+  }
+  add_like(unknowns, like);
+}
+
+PosteriorState read_state(const TomlDocument& document, const TomlValue& row, const Unknowns& unknowns) {
+  using Kind = TomlValue::Kind;
+  const std::size_t size = unknowns.size();
+  const std::vector<double> si = units_of(unknowns);
+  const Eigen::Map<const Eigen::VectorXd> units(si.data(), static_cast<Eigen::Index>(size));
+  PosteriorState state;
+  state.name = entry(document, row, "name", Kind::text).text;
+  state.weight = number(document, row, "weight");
+  state.mean = numbers(document, entry(document, row, "mean", Kind::array), size).cwiseProduct(units);
+  const Eigen::VectorXd errors =
+      numbers(document, entry(document, row, "standard_errors", Kind::array), size).cwiseProduct(units);
+  const TomlValue& correlations = entry(document, row, "correlations", Kind::array);
+  if (correlations.items.size() + 1 != std::max<std::size_t>(size, 1))
+    refuse_file(document, correlations.span, fmt::format("{} rows belong here", size - 1));
+  state.covariance = errors.cwiseAbs2().asDiagonal();
+  for (std::size_t i = 1; i < size; ++i) {
+    const Eigen::VectorXd of_row = numbers(document, correlations.items[i - 1], i);
+    const auto n = static_cast<Eigen::Index>(i);
+    for (Eigen::Index k = 0; k < n; ++k)
+      state.covariance(n, k) = state.covariance(k, n) = of_row[k] * errors[n] * errors[k];
+  }
+  state.widening = number(document, row, "widening");
+  const TomlValue& moved = entry(document, row, "moved", Kind::array);
+  state.moved.resize(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(moved.items.size()));
+  for (std::size_t k = 0; k < moved.items.size(); ++k)
+    state.moved.col(static_cast<Eigen::Index>(k)) = numbers(document, moved.items[k], size).cwiseProduct(units);
+  return state;
+}
+
+void check_states(const TomlDocument& document, const Posterior& posterior) {
+  const double weights = std::accumulate(posterior.states.begin(), posterior.states.end(), 0.0,
+                                         [](double sum, const PosteriorState& s) { return sum + s.weight; });
+  const bool positive = std::all_of(posterior.states.begin(), posterior.states.end(),
+                                    [](const PosteriorState& s) { return s.weight > 0 && s.widening >= 1; });
+  if (!positive || std::abs(weights - 1) > 1e-6)
+    refuse_file(document, {0, 1}, "the weights of its states do not sum to one");
+}
+
+}  // namespace
+
+std::string posterior_text(const Posterior& posterior, std::uint64_t numbers) {
+  std::string text = fmt::format(
+      "plumbline = \"{}\"\nmodel = \"{}\" # hash of the numbers that it belongs to\nprovenance = \"{}\"\n"
+      "set_up = \"ball x and y and the length of the bar free on each circle\"\n"
+      "noise_radial_um = {}\nnoise_torque_Nm = {}\nunexplained_um = {}\n",
+      kMarker, to_hex(numbers), posterior.made_by, posterior.noise.radial / kUm, posterior.noise.torque,
+      posterior.unexplained / kUm);
+  for (const Unknown& unknown : posterior.unknowns) text += unknown_text(unknown);
+  const std::vector<double> units = units_of(posterior.unknowns);
+  for (const PosteriorState& state : posterior.states) text += state_text(state, units);
+  return text;
+}
+
+Posterior parse_posterior(std::string text, std::string file, const machine::MachineModel& machine) {
+  using Kind = TomlValue::Kind;
+  const TomlDocument document = parse_toml(std::move(text), std::move(file));
+  const TomlEntry* const marker = document.root.find("plumbline");
+  if (marker == nullptr || marker->value.text != kMarker)
+    refuse_file(document, {0, 1}, "this is no posterior that this version reads");
+  const TomlValue& model = entry(document, document.root, "model", Kind::text);
+  if (model.text != to_hex(machine::numbers_hash(machine))) {
+    refuse("posterior-other-model", "this posterior belongs to a model with other numbers", std::string(kOther),
+           document.place(model.span));
+  }
+  Unknowns unknowns{physics::ForceModel(machine)};
+  for (const TomlValue& row : entry(document, document.root, "unknown", Kind::array).items)
+    read_unknown(document, row, unknowns);
+  Posterior posterior(std::move(unknowns));
+  posterior.made_by = entry(document, document.root, "provenance", Kind::text).text;
+  posterior.noise = {number(document, document.root, "noise_radial_um") * kUm,
+                     number(document, document.root, "noise_torque_Nm")};
+  posterior.unexplained = number(document, document.root, "unexplained_um") * kUm;
+  for (const TomlValue& row : entry(document, document.root, "state", Kind::array).items)
+    posterior.states.push_back(read_state(document, row, posterior.unknowns));
+  check_states(document, posterior);
+  return posterior;
+}
+
+Posterior known_of(const machine::MachineModel& machine) {
+  const machine::ModelValue& named = machine.value("posterior", "file");
+  if (!named.given() || named.text.empty()) return prior_of(machine);
+  const std::filesystem::path folder = std::filesystem::path(machine.document.file).parent_path();
+  const std::string path = (folder / named.text).string();
+  std::string text = read_text(path);
+  if (to_hex(fnv1a(text)) != machine.value("posterior", "hash").text) {
+    refuse("posterior-other-file", fmt::format("{} is not the posterior that the model names", path),
+           std::string(kOther), machine.document.place(named.span));
+  }
+  return parse_posterior(std::move(text), path, machine);
+}
+
+}  // namespace plumbline::identify
