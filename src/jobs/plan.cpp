@@ -13,6 +13,7 @@
 #include "base/text/nearest_name.hpp"
 #include "identify/unknowns/geometry.hpp"
 #include "identify/unknowns/named_keys.hpp"
+#include "jobs/could_name.hpp"
 #include "machine/model_file.hpp"
 #include "measure/dataset_text.hpp"
 #include "measure/planned_run.hpp"
@@ -194,6 +195,12 @@ PlannedTests plan_tests(const PlanJob& job) {
       plan.apart.push_back(std::sqrt(identify::noncentrality(unknowns, design.information, these, those)));
     }
   }
+  std::vector<measure::Run> all = plan.dataset.runs;
+  if (!job.measured.empty()) {
+    for (measure::Run& run : measure::read_dataset(job.measured).runs) all.push_back(std::move(run));
+  }
+  plan.could_name = could_name(machine, all, noise);
+  plan.named_by = all.size();
   plan.unseen = identify::observability(plan.after, plan.dataset.runs);
   plan.geometry = identify::shown_geometry(machine.geometry, unknowns, plan.after.covariance);
   return plan;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/evidence/visible.hpp"
 #include "identify/design.hpp"
 #include "identify/observability.hpp"
 #include "measure/dataset.hpp"
@@ -38,6 +39,8 @@ struct PlannedTests {
   std::optional<identify::ShownGeometry> geometry;
   std::size_t candidates = 0;
   std::vector<double> apart;  // of --separate: smallest distance of each effect from the other, in sigma
+  std::vector<diagnose::Visible> could_name;  // by a diagnosis of it and of what was measured already
+  std::size_t named_by = 0;                   // how many runs these are
 };
 
 /// Refuses what the readers of models and datasets refuse, identify-unknown-key, plan-unknown-effect, and with

@@ -35,6 +35,14 @@ TEST_CASE("a hidden effect is named, and the gap on poses left out closes") {
   CHECK(std::abs(damping.values[0] - 20.6087) < 3 * damping.errors[0]);  // what was hidden
   CHECK(*d.held_out.after.torque < *d.held_out.before.torque);
   CHECK(*d.held_out.after.radial < 0.6e-6);
+  // what is known of the machine then
+  REQUIRE(d.posterior.states.size() == 1);
+  const int place = d.posterior.unknowns.find("joint-viscous", "damping_Nms_rad");
+  REQUIRE(place >= 0);
+  CHECK(d.posterior.unknowns[static_cast<std::size_t>(place)].free());
+  CHECK(d.posterior.states[0].mean[place] == Approx(damping.values[0]));
+  CHECK(std::sqrt(d.posterior.states[0].covariance(place, place)) == Approx(damping.errors[0]));
+  CHECK(d.posterior.unexplained < 0.3e-6);
   const auto out = std::count_if(d.runs.begin(), d.runs.end(), [](const RunGap& run) { return run.held_out; });
   CHECK(out >= 2);
   CHECK(out < 8);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "support/scratch.hpp"
+#include "truth/played.hpp"
 
 using plumbline::testing::Scratch;
 
@@ -43,6 +44,24 @@ TEST_CASE("straight moves take the time that their feed gives, by its mode") {
   CHECK(program.seconds == Approx(5 + 2));
   CHECK((program.path(2.5).x - truth::Vec(0.144, 0.115, -0.988)).norm() < 1e-12);
   CHECK(program.path(6).R.isApprox(truth::turned({-22.5 * M_PI / 180, 0, 0}), 1e-12));
+}
+
+TEST_CASE("a machine that stands off tells so in all directions, and at rest where the path begins") {
+  const Scratch scratch;
+  const truth::Program program = truth::read_program(scratch.file(
+      "a.jsonl",
+      kRapid + R"({"motion": "feed", "machine": [144, 130, -968, -25, 0, 0], "feed": 600, "feed_mode": "G94"})" + "\n"));
+  truth::Truth truth{truth::read_model(plumbline::testing::source_file("tests/truth/machines/pm.toml")).machine, {}};
+  truth.machine.friction = {};
+  const truth::Offs before = truth::offs(truth, program, program, truth::FrictionLaw::tanh, 1);
+  for (std::size_t j = 0; j < 6; ++j) truth.machine.base[j].z() += 20e-6;
+  const truth::Offs after = truth::offs(truth, program, program, truth::FrictionLaw::tanh, 1);
+  REQUIRE(before.along.size() == 3);
+  REQUIRE(after.along.size() == 3);
+  CHECK((after.zero - before.zero - truth::Vec(0, 0, 20e-6)).norm() < 0.1e-6);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK((after.along[i].off - before.along[i].off - truth::Vec(0, 0, 20e-6)).norm() < 0.1e-6);
+  }
 }
 
 TEST_CASE("of a circle that is fed in along itself the last turn counts") {

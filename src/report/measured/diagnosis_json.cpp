@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/units.hpp"
+#include "report/measured/could_show_text.hpp"
 #include "report/measured/diagnosis_text.hpp"
 #include "report/measured/objection_text.hpp"
 #include "report/measured/where_json.hpp"
@@ -114,17 +115,6 @@ Json test_json(const diagnose::Separation& separation) {
                   {"payload_kg", rounded(run.payload_mass)}};
   json["separation_sigma"] = rounded(separation.test->separation);
   return json;
-}
-
-Json could_show_json(const std::vector<diagnose::Visible>& visible) {
-  Json list = Json::array();
-  for (const diagnose::Visible& one : visible) {
-    Json json{{"name", one.name}, {"shows", one.shows}, {"key", nullptr}, {"smallest", nullptr}};
-    if (!one.key.empty()) json["key"] = one.key;
-    if (one.shows) json["smallest"] = rounded(one.smallest);
-    list.push_back(std::move(json));
-  }
-  return list;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "report/measured/could_show_text.hpp"
 #include "report/measured/next_test_text.hpp"
 #include "report/measured/objection_text.hpp"
 #include "report/measured/where_json.hpp"
@@ -53,29 +54,6 @@ std::string circularity_line(const Diagnosis& d) {
       "circles    as measured {:.1f} um, compensated with the model as given {:.1f}, with what was found {:.1f} (means "
       "of {})\n",
       all.mean.measured / kUm, all.mean.given / kUm, all.mean.found / kUm, all.runs);
-}
-
-// "backlash 3.2 um": the smallest size that would have been named.
-std::string smallest_text(const diagnose::Visible& visible) {
-  return fmt::format("{} {:.2g}{}{}", visible.name, visible.smallest, visible.unit.empty() ? "" : " ", visible.unit);
-}
-
-std::string could_show_text(const std::vector<diagnose::Visible>& visible, std::size_t runs) {
-  std::vector<std::string> never;
-  std::vector<std::string> from;
-  for (const diagnose::Visible& one : visible) {
-    if (one.shows) {
-      from.push_back(smallest_text(one));
-    } else {
-      never.push_back(one.name);
-    }
-  }
-  std::string text;
-  const std::string_view these = runs == 1 ? "one run tells" : "these runs tell";
-  if (!never.empty()) text += fmt::format("{} nothing of, at any size: {}\n", these, list_of(never));
-  if (!from.empty())
-    text += fmt::format("what they would have named with 95 %, from this size on: {}\n", list_of(from));
-  return text;
 }
 
 }  // namespace

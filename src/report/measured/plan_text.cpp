@@ -10,6 +10,7 @@
 
 #include "base/units.hpp"
 #include "identify/unknowns/geometry.hpp"
+#include "report/measured/could_show_text.hpp"
 #include "report/measured/observability_text.hpp"
 #include "report/text_table.hpp"
 
@@ -113,6 +114,7 @@ std::string plan_text(const jobs::PlannedTests& plan) {
         "hundredth of its range\n",
         plan.apart[0], plan.apart[1]);
   }
+  text += could_show_text(plan.could_name, plan.named_by, true);
   for (const std::string& sentence : unseen_text(plan)) text += "note: " + sentence + "\n";
   return text;
 }
@@ -134,6 +136,7 @@ std::string plan_json(const jobs::PlannedTests& plan) {
   }
   if (!plan.apart.empty()) json["apart_sigma"] = plan.apart;
   json["cannot_tell"] = unseen_text(plan);
+  json["could_name"] = could_show_json(plan.could_name);
   return json.dump(1) + "\n";
 }
 

@@ -89,7 +89,7 @@ void add_bound(TextTable& table, const Summary& s, const settings::Options& opti
   add_arcs(table, s.bound->arcs);
 }
 
-void add_quality(TextTable& table, const Summary& s, const settings::Options& options) {
+void add_quality(TextTable& table, const Summary& s, const settings::Options& options, bool says_expected) {
   if (s.replayed > 0) {
     table.add("rounding, subdivision",
               fmt::format("at most {:.3f} um{}, {:.5f} deg, between its points too, with the friction that "
@@ -98,7 +98,8 @@ void add_quality(TextTable& table, const Summary& s, const settings::Options& op
                           count_text(s.replayed, "point")));
     if (!options.compensation.bound.is_asked())
       table.add("", "that is the bound which these steps reach; --tolerance chooses the points by a bound");
-    if (!expected) table.add("", "how far the machine itself is from its model comes on top: plumbline compare tells");
+    if (!says_expected)
+      table.add("", "how far the machine itself is from its model comes on top: plumbline compare tells");
   }
   table.add("rounding",
             fmt::format("at most {:.3f} um{}", s.rounding_mm.value * kUmPerMm, at_line(s.rounding_mm.line)));
@@ -256,7 +257,7 @@ std::string summary_text(const Summary& summary, const settings::Options& option
     add_time(table, summary);
     if (expected) add_expected(table, *expected);
     add_bound(table, summary, options);
-    add_quality(table, summary, options);
+    add_quality(table, summary, options, expected.has_value());
     add_short_pieces(table, summary);
     add_offsets(table, summary, options);
   }
