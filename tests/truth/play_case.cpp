@@ -23,13 +23,14 @@ int play(int argc, char** argv) {
   std::string meant;
   std::vector<std::string> programs;
   double step = 0.25;
-  bool points = false;
+  std::string at_rest;
   truth::add_case_options(app, options);
   options.look_alikes = false;
   app.add_option("--meant", meant, "trace of the program whose path is meant")->required();
   app.add_option("--step", step, "s from one look at the tip to the next")->capture_default_str();
-  app.add_flag("--points", points,
-               "say of each look where the tip is beside the path, um, and where at rest at its begin");
+  app.add_option(
+      "--points", at_rest,
+      "say of each look where the tip is beside the path, um, and of a machine at rest where this trace begins");
   app.add_option("programs", programs, "traces of programs to run")->required();
   CLI11_PARSE(app, argc, argv);
   truth::check_case_options(options);
@@ -43,8 +44,10 @@ int play(int argc, char** argv) {
                        {"probed_rms_um", 1e6 * played.probed_rms},
                        {"probed_most_um", 1e6 * played.probed_most},
                        {"samples", played.samples}});
-    if (points)
-      results.back().update(points_of(truth::offs(machine, path, truth::read_program(program), options.law, step)));
+    if (at_rest.empty()) continue;
+    const truth::Offs offs =
+        truth::offs(machine, path, truth::read_program(program), truth::read_program(at_rest), options.law, step);
+    results.back().update(points_of(offs));
   }
   fmt::print("{}\n", results.dump(1));
   return 0;

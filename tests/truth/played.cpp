@@ -43,6 +43,35 @@ struct Miss {
   Vec forward;  // along it, of unit length
 };
 
+// A move of a path lasts as long as all the pieces that stand for it, but for rounding, which adds up: the ends of
+// moves in both, piece by piece.
+class InStep {
+ public:
+  InStep(const Program& meant, const Program& run) {
+    double begin = 0;
+    std::size_t piece = 0;
+    for (const double end : meant.ends) {
+      const double from = run_.back();
+      while (piece < run.ends.size() && run.ends[piece] - from < (1 - kRounding) * (end - begin)) ++piece;
+      if (piece == run.ends.size()) break;
+      meant_.push_back(end);
+      run_.push_back(run.ends[piece++]);
+      begin = end;
+    }
+  }
+  double meant_at(double t) const {
+    const auto next = std::lower_bound(run_.begin() + 1, run_.end() - 1, t) - run_.begin();
+    const auto k = static_cast<std::size_t>(next);
+    return meant_[k - 1] + (t - run_[k - 1]) / (run_[k] - run_[k - 1]) * (meant_[k] - meant_[k - 1]);
+  }
+  double seconds() const { return run_.back(); }
+
+ private:
+  static constexpr double kRounding = 0.01;  // of a move's time
+
+  std::vector<double> meant_{0}, run_{0};
+};
+
 }  // namespace
 
 double nearest(const Program& meant, const Vec& place, double about) {
@@ -114,20 +143,23 @@ Played play(const Truth& truth, const Program& meant, const Program& run, Fricti
   return played;
 }
 
-Offs offs(const Truth& truth, const Program& meant, const Program& run, FrictionLaw law, double step) {
+Offs offs(const Truth& truth, const Program& meant, const Program& run, const Program& at_rest, FrictionLaw law,
+          double step) {
   Truth prompt = truth;
   prompt.flaws.lag = 0;
   const auto off = [&](const Moment& moment, double t) {
     return Vec(tip_ball(prompt, settled(prompt, moment).at, moment) - meant.path(t).x);
   };
-  const Stand begin = run.path(0);
+  const Stand begin = at_rest.path(0);
   Follower standing(
       truth.machine, [&](double) { return begin; }, kPiece, law);
   Offs all{off(standing.at(0, 0, 0), 0), {}};
   Follower follower(truth.machine, run.path, kPiece, law);
-  for (double t = step; t < run.seconds - step; t += step) {
+  const InStep both(meant, run);
+  for (double t = step; t < both.seconds() - step; t += step) {
     const Moment moment = follower.at(t, 0, 0);
-    if (!jumps(run, t) && !jumps(meant, t)) all.along.push_back({t, off(moment, t)});
+    const double then = both.meant_at(t);
+    if (!jumps(run, t) && !jumps(meant, then)) all.along.push_back({then, off(moment, then)});
   }
   return all;
 }

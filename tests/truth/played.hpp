@@ -22,7 +22,7 @@ double nearest(const Program& meant, const Vec& place, double about);
 /// late or early along its path does not count: it cuts nothing wrong.
 Played play(const Truth& truth, const Program& meant, const Program& run, FrictionLaw law, double step);
 
-/// The tip beside the place that the path has at the same time, m.
+/// The tip beside the place that the path has then, m.
 struct Off {
   double time = 0;  // s of the path
   Vec off;
@@ -34,7 +34,9 @@ struct Offs {
 };
 
 /// Plays `run` and looks where its tip is beside the path of `meant`, every `step` seconds, in all three directions. A
-/// lag of the drives is left out: it is late along the path.
-Offs offs(const Truth& truth, const Program& meant, const Program& run, FrictionLaw law, double step);
+/// lag of the drives is left out: it is late along the path. `at_rest`: a program whose begin is where a machine that
+/// stands still is sent; the friction of a move is none of it.
+Offs offs(const Truth& truth, const Program& meant, const Program& run, const Program& at_rest, FrictionLaw law,
+          double step);
 
 }  // namespace truth

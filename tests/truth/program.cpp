@@ -81,6 +81,8 @@ Program read_program(const std::string& path) {
     now = to;
   }
   if (moves->empty()) throw std::runtime_error(path + " cuts nothing");
+  std::vector<double> ends;
+  for (const Move& move : *moves) ends.push_back(move.begins + move.lasts);
   // before its start and after its end the path goes on as it began and ended
   return {[moves](double t) {
             const auto next = std::upper_bound(moves->begin(), moves->end(), t,
@@ -89,7 +91,7 @@ Program read_program(const std::string& path) {
             const Vec6 words = at_share(move, (t - move.begins) / move.lasts);
             return Stand{1e-3 * words.head<3>(), turned(M_PI / 180 * words.tail<3>())};
           },
-          seconds};
+          seconds, 0, std::move(ends)};
 }
 
 Program last_turn(const Program& program, const Vec& centre) {

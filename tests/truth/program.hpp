@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "truth/motion.hpp"
 
@@ -12,7 +13,8 @@ namespace truth {
 struct Program {
   Path path;
   double seconds = 0;
-  double before = 0;  // s of path that was run before its start
+  double before = 0;              // s of path that was run before its start
+  std::vector<double> ends = {};  // s, of its moves
 };
 
 /// Reads the lines of `plumbline trace`; rapids set where cutting begins. Throws std::runtime_error for what is neither

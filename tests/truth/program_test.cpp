@@ -49,13 +49,14 @@ TEST_CASE("straight moves take the time that their feed gives, by its mode") {
 TEST_CASE("a machine that stands off tells so in all directions, and at rest where the path begins") {
   const Scratch scratch;
   const truth::Program program = truth::read_program(scratch.file(
-      "a.jsonl",
-      kRapid + R"({"motion": "feed", "machine": [144, 130, -968, -25, 0, 0], "feed": 600, "feed_mode": "G94"})" + "\n"));
+      "a.jsonl", kRapid +
+                     R"({"motion": "feed", "machine": [144, 130, -968, -25, 0, 0], "feed": 600, "feed_mode": "G94"})" +
+                     "\n"));
   truth::Truth truth{truth::read_model(plumbline::testing::source_file("tests/truth/machines/pm.toml")).machine, {}};
   truth.machine.friction = {};
-  const truth::Offs before = truth::offs(truth, program, program, truth::FrictionLaw::tanh, 1);
+  const truth::Offs before = truth::offs(truth, program, program, program, truth::FrictionLaw::tanh, 1);
   for (std::size_t j = 0; j < 6; ++j) truth.machine.base[j].z() += 20e-6;
-  const truth::Offs after = truth::offs(truth, program, program, truth::FrictionLaw::tanh, 1);
+  const truth::Offs after = truth::offs(truth, program, program, program, truth::FrictionLaw::tanh, 1);
   REQUIRE(before.along.size() == 3);
   REQUIRE(after.along.size() == 3);
   CHECK((after.zero - before.zero - truth::Vec(0, 0, 20e-6)).norm() < 0.1e-6);

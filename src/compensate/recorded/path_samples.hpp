@@ -22,7 +22,7 @@ struct PathSample {
 class PathSamples {
  public:
   /// At most some ten times as many points as `stretches`.
-  explicit PathSamples(std::size_t stretches = 32) : points_(stretches) {}
+  explicit PathSamples(std::size_t stretches = 24) : points_(stretches) {}
 
   void set_tool(const ToolInSpindle& tool) { tool_ = tool; }
   /// A move that cuts, at the ends of its pieces.

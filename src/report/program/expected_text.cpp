@@ -76,7 +76,7 @@ void add_expected(TextTable& table, const jobs::ExpectedError& expected) {
   table.add("expected at the tip", figures_text(expected.stands));
   table.add("", causes_text(expected.stands));
   if (expected.touched_off) {
-    table.add("with a touched-off zero", figures_text(*expected.touched_off));
+    table.add("zero touched off", figures_text(*expected.touched_off));
     table.add("", causes_text(*expected.touched_off));
   }
   table.add("", fmt::format("known from {}", expected.made_by));
