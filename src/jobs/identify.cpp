@@ -25,8 +25,8 @@ void believe_joints(IdentifiedModel& model) {
     double* const off = model.forces.parameters.data() + model.forces.find(physics::JointPosition::name, key);
     *positions += Eigen::Map<machine::StrutVectors<double>>(off);
     for (int i = 0; i < positions->size(); ++i) {
-      const int place = model.posterior.unknowns.find(physics::JointPosition::name, key, i);
-      if (place >= 0) model.posterior.states.front().mean[place] -= off[i];
+      const int place = model.posterior->unknowns.find(physics::JointPosition::name, key, i);
+      if (place >= 0) model.posterior->states.front().mean[place] -= off[i];
     }
     std::fill_n(off, positions->size(), 0.0);
   }
@@ -101,7 +101,7 @@ IdentifiedModel identified(machine::MachineModel machine, measure::Dataset datas
   std::vector<double> errors = errors_of(found);
   std::vector<TrackedGap> poses;
   if (tracked != nullptr) poses = tracked_gaps(machine, found, *tracked);
-  identify::Posterior posterior = posterior_of(machine, thinned.runs, found);
+  std::optional<identify::Posterior> posterior = posterior_of(machine, thinned.runs, found);
   return {std::move(machine),
           std::move(found),
           std::move(measured),
@@ -112,6 +112,8 @@ IdentifiedModel identified(machine::MachineModel machine, measure::Dataset datas
           thinned.runs,
           std::move(looked.inspection),
           std::move(poses),
+          {},
+          false,
           std::move(posterior)};
 }
 

@@ -47,9 +47,9 @@ struct IdentifiedModel {
   std::vector<measure::Run> runs;                  // as they were fitted: long records made short
   inspect::Inspection inspection;                  // what may be wrong with the data
   std::vector<TrackedGap> poses;                   // of the tracker, in the order of its table
-  identify::Posterior posterior;                   // of the numbers of `forces`
   std::optional<identify::BelievedJoints> joints;  // for the controller
   bool calibrated = false;
+  std::optional<identify::Posterior> posterior;  // of the numbers of `forces`
 
   /// Whether something speaks against the model.
   bool objected() const { return found.objected() != nullptr || open_gap.has_value() || inspection.blocks(); }

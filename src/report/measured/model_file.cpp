@@ -103,7 +103,7 @@ std::string model_file(const jobs::DiagnoseResult& result) {
 }
 
 LearntFiles learnt_files(const IdentifiedModel& model, const std::string& posterior_name) {
-  identify::Posterior posterior = model.posterior;
+  identify::Posterior posterior = model.posterior.value();
   posterior.made_by = fmt::format("plumbline {} {} from {}", model.calibrated ? "calibrate" : "identify", version(),
                                   sources_text(model));
   return learnt_files(model.machine, changes_of(model), std::move(posterior), posterior_name);
