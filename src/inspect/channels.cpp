@@ -39,7 +39,7 @@ class Channels {
     prediction_.emplace(suspects.known, slopes_, gram);
     off_ = prediction_->off(left_);
     chi2_ = prediction_->product(off_, off_);
-    measured_ = whitened([](std::size_t, const RunRows& rows) { return rows.measured; });
+    measured_ = whitened([](std::size_t, const RunRows& of) { return of.measured; });
   }
 
   const Suspects& suspects() const { return suspects_; }
