@@ -1,7 +1,9 @@
 // Files that a test writes, in a folder of its own that goes with it.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -32,6 +34,11 @@ class Scratch {
   }
   bool has(std::string_view name) const { return std::filesystem::exists(path(name)); }
   std::string text(std::string_view name) const { return read_text(path(name)); }
+  /// How many files and folders lie in it.
+  std::size_t entries() const {
+    const std::filesystem::directory_iterator all(folder_);
+    return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+  }
 
  private:
   std::filesystem::path folder_;

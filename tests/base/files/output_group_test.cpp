@@ -10,15 +10,6 @@
 using namespace plumbline;
 using namespace plumbline::testing;
 
-namespace {
-
-std::size_t files_in(const Scratch& scratch) {
-  const std::filesystem::directory_iterator all(scratch.folder());
-  return static_cast<std::size_t>(std::distance(begin(all), end(all)));
-}
-
-}  // namespace
-
 TEST_CASE("outputs of a group appear whole, as they were known before") {
   const Scratch scratch;
   scratch.file("a", "old");
@@ -44,13 +35,13 @@ TEST_CASE("outputs of a group appear whole, as they were known before") {
   CHECK(file_state(scratch.path("a")) == state);
   CHECK((std::filesystem::status(scratch.path("a")).permissions() & std::filesystem::perms::owner_exec) ==
         std::filesystem::perms::owner_exec);
-  CHECK(files_in(scratch) == 2);
+  CHECK(scratch.entries() == 2);
 }
 
 TEST_CASE("what does not appear leaves nothing, and is no hindrance to the others") {
   const Scratch scratch;
   { const WaitingOutput given_up(scratch.path("a")); }
-  CHECK(files_in(scratch) == 0);
+  CHECK(scratch.entries() == 0);
   WaitingOutput blocked(scratch.path("b"));
   WaitingOutput c(scratch.path("c"));
   std::filesystem::create_directory(scratch.path("b"));

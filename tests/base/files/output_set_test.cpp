@@ -19,10 +19,6 @@ namespace {
 
 using Folder = testing::Scratch;
 
-std::size_t files_in(const Folder& folder) {
-  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder.folder()), fs::directory_iterator()));
-}
-
 struct Three {
   explicit Three(const Folder& folder) : a(folder / "a"), b(folder / "b"), c(folder / "c") {
     for (OutputFile* const file : {&a, &b, &c}) {
@@ -44,7 +40,7 @@ TEST_CASE("files of a set appear together") {
   CHECK(read_text(folder / "b") == "old");
   three.set.commit();
   for (const char* const name : {"a", "b", "c"}) CHECK(read_text(folder / name) == "new");
-  CHECK(files_in(folder) == 3);
+  CHECK(folder.entries() == 3);
 }
 
 TEST_CASE("where one file cannot appear, the others are as they were") {
@@ -63,7 +59,7 @@ TEST_CASE("where one file cannot appear, the others are as they were") {
     CHECK_FALSE(fs::exists(folder / "a"));
     CHECK(read_text(folder / "b") == "old");
     CHECK(fs::exists(folder / "c/d"));
-    CHECK(files_in(folder) == 2);
+    CHECK(folder.entries() == 2);
   }
 }
 
@@ -78,7 +74,7 @@ TEST_CASE("the last file goes first where that is asked for, and comes back wher
   }
   CHECK(read_text(folder / "c") == "old");
   CHECK_FALSE(fs::exists(folder / "a"));
-  CHECK(files_in(folder) == 2);
+  CHECK(folder.entries() == 2);
 }
 
 TEST_CASE("a stream gets its bytes before files appear, and files only if it took them") {
@@ -102,7 +98,7 @@ TEST_CASE("a folder that was made for a set goes with it") {
     const NewFolder made(folder / "x/y");
     CHECK(fs::is_directory(folder / "x/y"));
   }
-  CHECK(files_in(folder) == 0);
+  CHECK(folder.entries() == 0);
   fs::create_directory(folder / "x");
   {
     NewFolder kept(folder / "x/y");
@@ -143,7 +139,7 @@ TEST_CASE("a read-only file is refused, for the superuser too") {
   REQUIRE(chmod(name.c_str(), 0444) == 0);
   CHECK(testing::refusal_of([&] { OutputFile file(name); }).code == "file-unwritable");
   CHECK(read_text(name) == "old");
-  CHECK(files_in(folder) == 1);
+  CHECK(folder.entries() == 1);
 }
 
 TEST_CASE("a link that leads to nothing yet stays, and what it leads to is made") {
