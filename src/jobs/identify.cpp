@@ -102,19 +102,10 @@ IdentifiedModel identified(machine::MachineModel machine, measure::Dataset datas
   std::vector<TrackedGap> poses;
   if (tracked != nullptr) poses = tracked_gaps(machine, found, *tracked);
   std::optional<identify::Posterior> posterior = posterior_of(machine, thinned.runs, found);
-  return {std::move(machine),
-          std::move(found),
-          std::move(measured),
-          thinned.thinning,
-          open,
-          std::move(forces),
-          std::move(errors),
-          thinned.runs,
-          std::move(looked.inspection),
-          std::move(poses),
-          {},
-          false,
-          std::move(posterior)};
+  return {
+      std::move(machine),  std::move(found), std::move(measured),          thinned.thinning, open, std::move(forces),
+      std::move(errors),   thinned.runs,     std::move(looked.inspection), std::move(poses), {},   false,
+      std::move(posterior)};
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ std::string could_show_text(const std::vector<diagnose::Visible>& visible, std::
   std::vector<std::string> from;
   for (const diagnose::Visible& one : visible) {
     if (one.shows) {
-      from.push_back(
-          fmt::format("{} {:.2g}{}{}", one.name, one.smallest, one.unit.empty() ? "" : " ", one.unit));  // backlash 3 um
+      from.push_back(fmt::format("{} {:.2g}{}{}", one.name, one.smallest, one.unit.empty() ? "" : " ",
+                                 one.unit));  // backlash 3 um
     } else {
       never.push_back(one.name);
     }
