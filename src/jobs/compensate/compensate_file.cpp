@@ -56,7 +56,7 @@ std::optional<compensate::DrawnPath> drawn(std::optional<compensate::PathRecord>
                                 [&](std::uint64_t begin, std::uint64_t end) { return text_of(program, begin, end); });
 }
 
-std::uint64_t hash_of(const InputFile& file) {
+std::uint64_t content_hash(const InputFile& file) {
   std::string chunk(std::size_t{1} << 16U, '\0');
   std::uint64_t hash = fnv1a({});
   for (std::uint64_t at = 0;;) {
@@ -142,7 +142,7 @@ compensate::Summary compensate_opened(const OpenedProgram& opened, const machine
   summary.made_of = made_of(opened, model, options, survey.tools);
   if (files.keeps_hash()) {
     summary.hash_after = files.program().hash();
-    summary.made_of.program_hash = hash_of(source);
+    summary.made_of.program_hash = content_hash(source);
   }
   const std::optional<compensate::DrawnPath> path = drawn(record, model, compensation, files.program());
   const Expectation expectation = along.take(path ? &*path : nullptr);

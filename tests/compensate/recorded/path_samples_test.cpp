@@ -19,7 +19,7 @@ nc::Motion line_motion(double from, double to) {
 
 void add_line(PathSamples& samples, double from, double to, std::size_t line, std::size_t pieces) {
   const nc::Motion motion = line_motion(from, to);
-  Move move{nullptr, &motion, {path::Curve(motion), {}, {}, {}, {}, line}};
+  compensate::Move move{nullptr, &motion, {path::Curve(motion), {}, {}, {}, {}, line}};
   move.seconds = 1;
   samples.add(move, pieces);
 }
