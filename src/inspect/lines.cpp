@@ -141,6 +141,25 @@ std::vector<Line> lines_of_group(const std::vector<Run>& runs, std::vector<Resid
   return lines;
 }
 
+// What has as many periods a turn at another feed goes with the angle: the machine does it, however fine it is.
+bool goes_with_angle(const std::vector<Run>& runs, const Line& line, const std::vector<std::vector<Residual>>& groups,
+                     const identify::ChannelNoise& noise, const LineOptions& options) {
+  constexpr double kSigmas = 5;
+  const double length = length_s(runs[line.runs[0]]);
+  for (const std::vector<Residual>& group : groups) {
+    if (group.empty()) continue;
+    const Run& first = runs[group[0].run];
+    const bool other_feed = std::abs(length_s(first) / length - 1) > 0.1;
+    const double frequency = line.frequency * length / length_s(first);
+    if (!other_feed || frequency > 0.5 / step_s(first) - 3 / length_s(first)) continue;
+    for (const double aside : {-0.3, 0.0, 0.3}) {  // of a period a turn
+      const double f = frequency + aside / length_s(first);
+      if (fit_line(runs, group, line.channel, f, noise, options).sigmas > kSigmas) return true;
+    }
+  }
+  return false;
+}
+
 std::vector<double>& readings(Run& run, int channel) {
   return channel == identify::kRadial ? run.radial : run.torque.at(static_cast<std::size_t>(channel) - 1);
 }
@@ -155,17 +174,22 @@ double folded(double frequency, double sampling) {
 std::vector<Line> find_lines(const std::vector<Run>& runs, const std::vector<identify::RunEquations>& left,
                              const identify::NoiseModel& noise, const LineOptions& options) {
   std::vector<Line> lines;
-  for (const std::vector<std::size_t>& group : sampled_alike(runs)) {
-    for (int channel = 0; channel < identify::kChannels; ++channel) {
-      std::vector<Residual> residuals;
+  const std::vector<std::vector<std::size_t>> groups = sampled_alike(runs);
+  for (int channel = 0; channel < identify::kChannels; ++channel) {
+    const identify::ChannelNoise& of_channel = noise.channels[static_cast<std::size_t>(channel)];
+    std::vector<std::vector<Residual>> residuals;  // of each group
+    for (const std::vector<std::size_t>& group : groups) {
+      std::vector<Residual>& of_group = residuals.emplace_back();
       for (const std::size_t r : group) {
         const auto row = left[r].first_row(channel);
-        if (row) residuals.push_back({r, left[r].residual.segment(*row, left[r].samples)});
+        if (row) of_group.push_back({r, left[r].residual.segment(*row, left[r].samples)});
       }
-      if (residuals.size() < 2) continue;  // nothing in common with any other
-      const std::vector<Line> more = lines_of_group(runs, std::move(residuals), channel,
-                                                    noise.channels[static_cast<std::size_t>(channel)], options);
-      lines.insert(lines.end(), more.begin(), more.end());
+    }
+    for (const std::vector<Residual>& of_group : residuals) {
+      if (of_group.size() < 2) continue;  // nothing in common with any other
+      for (Line& line : lines_of_group(runs, of_group, channel, of_channel, options)) {
+        if (!goes_with_angle(runs, line, residuals, of_channel, options)) lines.push_back(std::move(line));
+      }
     }
   }
   return lines;

@@ -76,6 +76,17 @@ TEST_CASE("a floor that shakes is one frequency in slow and fast runs, with its 
   }
 }
 
+TEST_CASE("what has as many periods a turn at every feed is no line in time") {
+  Shaken shaken(0, 0, 0, 5);
+  for (std::size_t r = 0; r < shaken.runs.size(); ++r) {
+    for (std::size_t i = 0; i < shaken.runs[r].samples(); ++i) {
+      const double phase = 30.4 * shaken.runs[r].turn() * shaken.runs[r].angle[i];
+      shaken.left[r].residual[static_cast<Eigen::Index>(i)] += 2e-6 * std::cos(phase + static_cast<double>(r));
+    }
+  }
+  CHECK(shaken.lines().empty());
+}
+
 TEST_CASE("waves of the circle are no lines in time, and are left where they are") {
   Shaken shaken(0, 0, 0, 0);
   for (std::size_t r = 0; r < shaken.runs.size(); ++r) {
