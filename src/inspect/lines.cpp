@@ -20,6 +20,22 @@ using measure::Run;
 double step_s(const Run& run) { return (run.time.back() - run.time.front()) / static_cast<double>(run.samples() - 1); }
 double length_s(const Run& run) { return step_s(run) * static_cast<double>(run.samples()); }
 
+constexpr int kWaves = 8;  // of the circle, that are the machine's
+
+// Waves of the circle up to that order, the mean first.
+MatrixXd waves_of(const Run& run) {
+  MatrixXd waves(static_cast<Index>(run.samples()), 2 * kWaves + 1);
+  for (Index i = 0; i < waves.rows(); ++i) {
+    const double angle = run.angle[static_cast<std::size_t>(i)];
+    waves(i, 0) = 1;
+    for (int k = 1; k <= kWaves; ++k) {
+      waves(i, 2 * k - 1) = std::cos(k * angle);
+      waves(i, 2 * k) = std::sin(k * angle);
+    }
+  }
+  return waves;
+}
+
 // Sine and cosine in time; of the bar also as a shift of the floor shows along the circle.
 MatrixXd columns_of(const Run& run, int channel, double frequency) {
   const auto n = static_cast<Index>(run.samples());
@@ -182,7 +198,11 @@ std::vector<Line> find_lines(const std::vector<Run>& runs, const std::vector<ide
       std::vector<Residual>& of_group = residuals.emplace_back();
       for (const std::size_t r : group) {
         const auto row = left[r].first_row(channel);
-        if (row) of_group.push_back({r, left[r].residual.segment(*row, left[r].samples)});
+        if (!row) continue;
+        // what is left of long waves would leak into all frequencies
+        const VectorXd e = left[r].residual.segment(*row, left[r].samples);
+        const MatrixXd waves = waves_of(runs[r]);
+        of_group.push_back({r, e - waves * waves.householderQr().solve(e)});
       }
     }
     for (const std::vector<Residual>& of_group : residuals) {
@@ -216,7 +236,6 @@ std::optional<double> common_frequency(const std::vector<Line>& lines, const std
 }
 
 std::vector<Run> without_lines(std::vector<Run> runs, const std::vector<Line>& lines) {
-  constexpr int kWaves = 8;  // of the circle, that are the machine's
   for (const Line& line : lines) {
     for (const std::size_t r : line.runs) {
       Run& run = runs[r];
@@ -224,15 +243,7 @@ std::vector<Run> without_lines(std::vector<Run> runs, const std::vector<Line>& l
       const auto n = static_cast<Index>(values.size());
       const MatrixXd own = columns_of(run, line.channel, line.frequency);
       MatrixXd columns(n, own.cols() + 2 * kWaves + 1);
-      columns.leftCols(own.cols()) = own;
-      for (Index i = 0; i < n; ++i) {
-        const double angle = run.angle[static_cast<std::size_t>(i)];
-        columns(i, own.cols()) = 1;
-        for (int k = 1; k <= kWaves; ++k) {
-          columns(i, own.cols() + 2 * k - 1) = std::cos(k * angle);
-          columns(i, own.cols() + 2 * k) = std::sin(k * angle);
-        }
-      }
+      columns << own, waves_of(run);
       Eigen::Map<VectorXd> e(values.data(), n);
       const VectorXd sizes = columns.householderQr().solve(e);
       e -= own * sizes.head(own.cols());

@@ -112,7 +112,7 @@ void add_channel_faults(const Run& run, std::size_t number, const RecordOptions&
     const bool stands = static_cast<double>(standing.longest) > options.stands * static_cast<double>(values.size());
     const bool clips = standing.at_end && standing.longest >= options.standing;
     if (!stands && !clips) continue;
-    Fault fault = record_fault(clips && !stands ? FaultKind::clipped : FaultKind::stuck, number,
+    Fault fault = record_fault(standing.at_end ? FaultKind::clipped : FaultKind::stuck, number,
                                {static_cast<double>(standing.longest)}, true);
     fault.channels = {c};
     faults.push_back(std::move(fault));

@@ -1,5 +1,7 @@
 #include "inspect/records.hpp"
 
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "base/units.hpp"
@@ -52,11 +54,15 @@ TEST_CASE("a gap is said in degrees, and stands in nobody's way") {
 TEST_CASE("a channel that stands still, one that is cut off") {
   Measured measured;
   for (double& value : measured.runs[0].torque[4]) value = 1.25;
-  for (double& value : measured.runs[2].radial) value = std::min(value, -5e-6);
+  std::vector<double>& radial = measured.runs[2].radial;
+  const auto [least, most] = std::minmax_element(radial.begin(), radial.end());
+  const double middle = (*least + *most) / 2;
+  for (double& value : radial) value = std::min(value, middle);
   const auto faults = inspect::record_faults(measured.runs);
   REQUIRE(faults.size() == 2);
   CHECK(faults[0].kind == FaultKind::stuck);
   CHECK(faults[0].channels == std::vector<int>{5});
+  CHECK(faults[1].kind == FaultKind::clipped);
   CHECK(faults[1].runs == std::vector<std::size_t>{2});
 }
 
