@@ -53,9 +53,44 @@ double nats_of(const Tried& tried, double before, double usual) {
   return (before - tried.chi2) / (2 * usual) - tried.penalty;
 }
 
+// Whether a fault is as large as what people get wrong.
+bool large_enough(const Fault& fault, const Run& run, const InspectOptions& options) {
+  const LeastFaults& least = options.least;
+  const auto off = [&](const Vector3<double>& from) {
+    return (Vector3<double>(fault.values[0], fault.values[1], fault.values[2]) - from).norm();
+  };
+  const double value = fault.values.empty() ? 0 : std::abs(fault.values[0]);
+  switch (fault.kind) {
+    case FaultKind::clock:
+      return value * static_cast<double>(run.samples() - 1) >= least.samples * (run.time.back() - run.time.front());
+    case FaultKind::angle_zero:
+      return value >= least.angle;
+    case FaultKind::centre:
+      return off(run.centre_W) >= least.place;
+    case FaultKind::tilt:
+      return off(run.tilt) >= least.tilt;
+    case FaultKind::payload:
+      return std::abs(value - run.payload_mass) >= least.payload;
+    case FaultKind::radius:
+      return std::abs(value - run.radius) >= least.place;
+    case FaultKind::bar_length:
+      return std::abs(value - run.bar_length()) >= least.place;
+    case FaultKind::drift:
+    case FaultKind::bar_step:
+      return value >= least.noises * options.usual_radial;
+    case FaultKind::motor_zero:
+      return value >= least.noises * options.usual_torque;
+    default:
+      return true;
+  }
+}
+
 // Of everything that was tried the best, if it explains what is off.
-std::optional<Fault> explanation(std::vector<Tried> all, double before, Index rows, double usual,
+std::optional<Fault> explanation(std::vector<Tried> all, const Run& run, double before, Index rows, double usual,
                                  const InspectOptions& options) {
+  all.erase(
+      std::remove_if(all.begin(), all.end(), [&](const Tried& one) { return !large_enough(one.fault, run, options); }),
+      all.end());
   const auto count = static_cast<double>(rows);
   const double expected = usual * count;
   std::sort(all.begin(), all.end(),
@@ -97,7 +132,7 @@ std::optional<Fault> fault_of_run(const Looked& looked, const Bench& bench, cons
   const Suspects suspects{bench, looked.runs, {i}, {&looked.rows[i]}, known};
   const Index rows = looked.rows[i].rows();
   const double before = outliers.mean_square[i] * static_cast<double>(rows);
-  return explanation(everything_tried(suspects), before, rows, std::max(1.0, outliers.usual), options);
+  return explanation(everything_tried(suspects), looked.runs[i], before, rows, std::max(1.0, outliers.usual), options);
 }
 
 // What is left of each channel of a run, about the prediction, in units of the noise.
@@ -194,6 +229,9 @@ class Inspector {
       suspects.rows.push_back(&looked.rows[i]);
     }
     std::vector<Tried> all = labels ? everything_tried(suspects) : tried_channels(suspects);
+    all.erase(std::remove_if(all.begin(), all.end(),
+                             [&](const Tried& one) { return !large_enough(one.fault, looked.runs[0], options_); }),
+              all.end());
     if (all.empty()) return std::nullopt;
     const Tried& best = *std::min_element(all.begin(), all.end(), [](const Tried& a, const Tried& b) {
       return a.chi2 + 2 * a.penalty < b.chi2 + 2 * b.penalty;

@@ -1,13 +1,25 @@
 // The data are judged before anything is learnt from them: which runs do not fit the others, and what would mend them.
 #pragma once
 
+#include "base/units.hpp"
 #include "inspect/fault.hpp"
 #include "inspect/outliers.hpp"
 #include "inspect/records.hpp"
 
 namespace plumbline::inspect {
 
+/// Less than that nobody gets wrong: machines do it.
+struct LeastFaults {
+  double samples = 1;       // of a clock
+  double angle = 2 * kDeg;  // of an angle zero
+  double place = 2 * kMm;   // of centre, radius and bar
+  double tilt = 0.5 * kDeg;
+  double payload = 0.5;  // kg
+  double noises = 4;     // of a drift, a step, a zero, in units of the noise that is assumed
+};
+
 struct InspectOptions {
+  LeastFaults least;
   RecordOptions records;
   LineOptions lines;
   measure::Instrument instrument;  // what it states of its noise
