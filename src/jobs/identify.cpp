@@ -15,7 +15,7 @@ namespace {
 using identify::Identification;
 
 MeasuredFile measured_file(const std::string& path, const measure::Dataset& dataset) {
-  return {path, hash_of(dataset, path), dataset.runs.size(), MeasuredFile::Kind::runs};
+  return {path, dataset_hash(dataset, path), dataset.runs.size(), MeasuredFile::Kind::runs};
 }
 
 // Where the joints really are becomes what the controller believes, and no longer adds to it.

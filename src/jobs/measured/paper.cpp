@@ -7,7 +7,7 @@
 
 namespace plumbline::jobs {
 
-std::uint64_t hash_of(const measure::Dataset& dataset, const std::string& path) {
+std::uint64_t dataset_hash(const measure::Dataset& dataset, const std::string& path) {
   std::uint64_t hash = fnv1a(dataset.document.text);
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   for (const measure::Run& run : dataset.runs) hash = fnv1a(read_text((folder / run.file).string()), hash);
@@ -23,7 +23,7 @@ Paper paper_of(const std::string& path, const std::vector<std::string>& models) 
   paper.machine = dataset.machine;
   paper.protocol = dataset.protocol;
   paper.figures = circularity_table(dataset);
-  paper.files.push_back({"data", path, hash_of(dataset, path)});
+  paper.files.push_back({"data", path, dataset_hash(dataset, path)});
   for (const std::string& model : models) {
     if (is_file(model)) paper.files.push_back({"model", model, fnv1a(read_text(model))});
   }

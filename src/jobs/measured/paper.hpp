@@ -27,6 +27,6 @@ struct Paper {
 Paper paper_of(const std::string& dataset, const std::vector<std::string>& models);
 
 /// FNV-1a of a dataset and the tables that it names.
-std::uint64_t hash_of(const measure::Dataset& dataset, const std::string& path);
+std::uint64_t dataset_hash(const measure::Dataset& dataset, const std::string& path);
 
 }  // namespace plumbline::jobs
