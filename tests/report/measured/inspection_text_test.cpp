@@ -14,7 +14,7 @@ using nlohmann::json;
 
 namespace {
 
-std::vector<measure::Run> two_runs() {
+std::vector<measure::Run> runs_04_and_05() {
   std::vector<measure::Run> runs{circle_run({0, 100, -1008}, {-20, 0, 0}), circle_run({0, 0, -1008}, {0, 0, 0})};
   runs[0].id = "04";
   runs[1].id = "05";
@@ -31,7 +31,7 @@ Fault fault(FaultKind kind, std::vector<double> values = {}, std::vector<int> ch
 }
 
 bool says(const Fault& of, const std::string& words) {
-  const std::string text = report::fault_text(of, two_runs());
+  const std::string text = report::fault_text(of, runs_04_and_05());
   INFO(text);
   CHECK(text.find(words) != std::string::npos);
   return text.find(words) != std::string::npos;
@@ -40,7 +40,7 @@ bool says(const Fault& of, const std::string& words) {
 }  // namespace
 
 TEST_CASE("a fault is said with what mends it and how far the run is off before and after") {
-  CHECK(report::fault_text(fault(FaultKind::direction), two_runs()) ==
+  CHECK(report::fault_text(fault(FaultKind::direction), runs_04_and_05()) ==
         "run 04: with direction cw instead of ccw it is at 1.1 times the noise instead of 9.3");
   CHECK(says(fault(FaultKind::tilt, {20 * kDeg, 0, 0}), "tilt_deg [20.00, 0.00, 0.00] instead of [-20.0, 0.0, 0.0]"));
   CHECK(says(fault(FaultKind::payload, {20.3}), "payload_kg 20.30 instead of 0"));
@@ -57,11 +57,11 @@ TEST_CASE("a fault is said with what mends it and how far the run is off before 
 TEST_CASE("what records say by themselves, and what is periodic in time") {
   Fault spikes{FaultKind::spikes, {1}};
   spikes.values = {2};
-  CHECK(report::fault_text(spikes, two_runs()) == "run 05: 2 samples are left out as spikes");
+  CHECK(report::fault_text(spikes, runs_04_and_05()) == "run 05: 2 samples are left out as spikes");
   Fault same{FaultKind::same_readings, {1}};
-  CHECK(report::fault_text(same, two_runs()) == "run 05: it has the same readings as run 04");
+  CHECK(report::fault_text(same, runs_04_and_05()) == "run 05: it has the same readings as run 04");
   Fault periodic{FaultKind::periodic, {0, 1}, true, {0}, {4.37, 1.5e-6, 2.2, 0.5}};
-  CHECK(report::fault_text(periodic, two_runs()).find("all runs: a periodic disturbance at 4.370 Hz") == 0);
+  CHECK(report::fault_text(periodic, runs_04_and_05()).find("all runs: a periodic disturbance at 4.370 Hz") == 0);
   CHECK(says(periodic, "along 29 deg from +X"));
 }
 
@@ -69,17 +69,17 @@ TEST_CASE("the whole says first whether anything is wrong, and what is not in th
   inspect::Inspection inspection;
   inspection.runs.resize(2);
   inspection.runs[0] = {9.3, {9, 1, 0, 0, 0, 0, 0}};
-  CHECK(report::inspection_text(inspection, two_runs(), true).find("nothing is wrong") == 0);
+  CHECK(report::inspection_text(inspection, runs_04_and_05(), true).find("nothing is wrong") == 0);
   inspection.faults = {fault(FaultKind::direction), fault(FaultKind::spikes, {1})};
   inspection.faults[1].after = 0;
   inspection.faults[1].blocks = false;
-  const std::string text = report::inspection_text(inspection, two_runs(), true);
+  const std::string text = report::inspection_text(inspection, runs_04_and_05(), true);
   CHECK(text.find("something is wrong") == 0);
   CHECK(text.find("left out as spikes") != std::string::npos);
   CHECK(text.find("\n04                          9.30\n") != std::string::npos);
-  CHECK(report::faults_text({}, two_runs()).empty());
+  CHECK(report::faults_text({}, runs_04_and_05()).empty());
 
-  const json read = json::parse(report::inspection_json(inspection, two_runs()));
+  const json read = json::parse(report::inspection_json(inspection, runs_04_and_05()));
   CHECK(read.at("clean") == false);
   CHECK(read.at("faults")[0].at("kind") == "direction");
   CHECK(read.at("faults")[0].at("runs") == json{"04"});
