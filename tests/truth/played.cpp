@@ -51,8 +51,9 @@ class InStep {
     double begin = 0;
     std::size_t piece = 0;
     for (const double end : meant.ends) {
-      const double from = run_.back();
-      while (piece < run.ends.size() && run.ends[piece] - from < (1 - kRounding) * (end - begin)) ++piece;
+      const double wanted = run_.back() + end - begin;
+      const auto off = [&](std::size_t k) { return std::abs(run.ends[k] - wanted); };
+      while (piece + 1 < run.ends.size() && off(piece + 1) < off(piece)) ++piece;
       if (piece == run.ends.size()) break;
       meant_.push_back(end);
       run_.push_back(run.ends[piece++]);
@@ -67,8 +68,6 @@ class InStep {
   double seconds() const { return run_.back(); }
 
  private:
-  static constexpr double kRounding = 0.01;  // of a move's time
-
   std::vector<double> meant_{0}, run_{0};
 };
 
