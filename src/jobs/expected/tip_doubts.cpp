@@ -18,7 +18,6 @@ TipDoubts::State::State(const Posterior& posterior, const PosteriorState& state,
     : of(state),
       forces(own ? posterior.unknowns.at(posterior.unknowns.start()) : posterior.unknowns.at(state.mean)),
       sensitivity(forces, posterior.unknowns),
-      doubt(state.doubt()),
       precision(Eigen::VectorXd::Zero(state.mean.size())) {
   if (own) off = state.mean - posterior.unknowns.start();
   for (std::size_t i = 0; i < posterior.unknowns.size(); ++i) {
@@ -88,18 +87,24 @@ TipDoubt TipDoubts::doubt_of(const std::vector<Played>& played, double places) c
   for (const Played& here : played) {
     const double weight = state->of.weight;
     const Eigen::Matrix3Xd& S = here.slopes;
-    Eigen::Matrix3d all = S * state->doubt * S.transpose();
-    const double known = all.trace();
-    all.diagonal().array() += unexplained;
     const Eigen::Matrix3Xd G = S * state->of.covariance;
-    double of_fit = (G.array() * S.array()).sum();
-    squares[index(Cause::unexplained)] += weight * (std::max(0.0, known - of_fit) + 3 * unexplained);
+    const double of_fit = (G.array() * S.array()).sum();
+    double noise = of_fit;
     for (Eigen::Index i = 0; i < S.cols(); ++i) {
       const double left = G.col(i).squaredNorm() * state->precision[i];
       squares[index(causes_[static_cast<std::size_t>(i)])] += weight * left;
-      of_fit -= left;
+      noise -= left;
     }
-    squares[index(Cause::noise)] += weight * std::max(0.0, of_fit);
+    noise = std::max(0.0, noise);
+    squares[index(Cause::noise)] += weight * noise;
+    // leaving out a pose moves the tip by noise as well: what counts beside it is the excess
+    const Eigen::Matrix3Xd moved = S * state->of.moved;
+    const double by_poses = moved.squaredNorm();
+    const double excess = by_poses > noise ? 1 - noise / by_poses : 0;
+    Eigen::Matrix3d all = state->of.widening * G * S.transpose() + excess * moved * moved.transpose();
+    all.diagonal().array() += unexplained;
+    squares[index(Cause::unexplained)] +=
+        weight * ((state->of.widening - 1) * of_fit + excess * by_poses + 3 * unexplained);
     if (played.size() > 1) squares[index(Cause::which_effect)] += weight * (here.off - middle).squaredNorm();
     doubt.axis_mean += weight * here.off;
     lengths.push_back({weight, {here.off, all}});

@@ -58,7 +58,6 @@ class TipDoubts {
     physics::ForceModel forces;
     identify::Sensitivity sensitivity;
     Eigen::VectorXd off;        // of the mean from the model's numbers; none where the state is played
-    Eigen::MatrixXd doubt;      // all of it
     Eigen::VectorXd precision;  // 1 / sigma^2 of each prior; 0: free
   };
   // What a state makes of the tip.
