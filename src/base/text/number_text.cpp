@@ -10,6 +10,8 @@
 namespace plumbline {
 namespace {
 
+constexpr std::size_t kMostSigns = 24;  // of a number within kLargestExact: 16 digits, point, sign, some more
+
 // "00" to "99"
 constexpr std::array<char, 200> kPairs = [] {
   std::array<char, 200> pairs{};
@@ -23,10 +25,9 @@ constexpr std::array<char, 200> kPairs = [] {
 // The last `count` digits, before `end`.
 char* put_digits(char* end, std::uint64_t& left, int count) {
   for (; count >= 2; count -= 2) {
-    const std::uint64_t pair = left % 100;
+    end -= 2;
+    std::memcpy(end, kPairs.data() + 2 * (left % 100), 2);
     left /= 100;
-    *--end = kPairs[2 * pair + 1];
-    *--end = kPairs[2 * pair];
   }
   if (count == 0) return end;
   *--end = static_cast<char>('0' + left % 10);
@@ -38,16 +39,17 @@ char* put_digits(char* end, std::uint64_t& left, int count) {
 
 char* write_decimal(char* out, double value, int decimals, int least) {
   // A number has no more digits than a double: those that would be beyond are noise.
-  while (decimals > 0 && std::abs(value) * power_of_ten(decimals) >= kLargestExact - 1) --decimals;
-  if (std::abs(value) >= kLargestExact - 1) return fmt::format_to(out, "{:.0f}", value);
-  const std::int64_t ticks = to_ticks(value, decimals);
+  double scaled = value * power_of_ten(decimals);
+  while (decimals > 0 && std::abs(scaled) >= kLargestExact - 1) scaled = value * power_of_ten(--decimals);
+  if (std::abs(scaled) >= kLargestExact - 1) return fmt::format_to(out, "{:.0f}", value);
+  const std::int64_t ticks = nearest_whole(scaled);
   auto left = static_cast<std::uint64_t>(std::abs(ticks));
   while (decimals > least && left % 10 == 0) {
     left /= 10;
     --decimals;
   }
-  std::array<char, 24> text;  // NOLINT(*-member-init): from its end: 16 digits at most, point, sign
-  char* const end = text.data() + text.size();
+  std::array<char, 2 * kMostSigns> text{};  // the number ends in its middle, so that as many signs can be copied always
+  char* const end = text.data() + kMostSigns;
   char* begin = end;
   if (decimals > 0) {
     begin = put_digits(begin, left, decimals);
@@ -56,9 +58,8 @@ char* write_decimal(char* out, double value, int decimals, int least) {
   while (left >= 10) begin = put_digits(begin, left, 2);
   if (left > 0 || begin == end || *begin == '.') begin = put_digits(begin, left, 1);
   if (ticks < 0) *--begin = '-';
-  const auto size = static_cast<std::size_t>(end - begin);
-  std::memcpy(out, begin, size);
-  return out + size;
+  std::memcpy(out, begin, kMostSigns);
+  return out + (end - begin);
 }
 
 void append_decimal(std::string& out, double value, int decimals, int least) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/same_value.hpp"
 #include "base/text/number_text.hpp"
 
 namespace plumbline::compensate {
@@ -95,10 +96,9 @@ void append_words(const nc::Block& block, const nc::Dialect& dialect, const nc::
   }
 }
 
-void append_code(const nc::Word& word, const nc::Step& step, const nc::Dialect& dialect,
+void append_code(const nc::Word& word, const nc::CodeRow* row, const nc::Step& step, const nc::Dialect& dialect,
                  std::vector<BlockEffect>& effects) {
   const nc::Block& block = *step.block;
-  const nc::CodeRow* row = dialect.row_of(word);
   if (row == nullptr || row->action == nc::Action::refused) row = &dialect.user_row;  // --pass
   if (shows_otherwise(row->action)) return;
   if (row->action == nc::Action::end_program && step.flow) return;
@@ -149,16 +149,31 @@ void append_effects(const nc::Step& step, const nc::Dialect& dialect, std::vecto
   }
   const auto first = static_cast<std::ptrdiff_t>(effects.size());
   if (block.kind == nc::LineKind::percent) effects.push_back({.text = "%"});
-  if (has_action(block, dialect, nc::Action::call_macro)) return;  // its words are the macro's
+  const std::size_t before_words = effects.size();
   for (const nc::Word& word : block.words) {
-    if (nc::is_code(word)) {
-      append_code(word, step, dialect, effects);
-    } else if (word.letter == 'S') {
-      append_value(word, dialect.speed_row, effects);
-    } else if (word.letter == 'T') {
-      append_value(word, dialect.tool_row, effects);
-    } else if (word.letter == 'D' && dialect.has_edges) {
-      append_value(word, dialect.edge_row, effects);
+    switch (word.letter) {
+      case 'G':
+      case 'M':
+      case nc::kNamedCode: {
+        const nc::CodeRow* const row = dialect.row_of(word);
+        if (row != nullptr && row->action == nc::Action::call_macro) {  // all words of its block are the macro's
+          effects.resize(before_words);
+          return;
+        }
+        append_code(word, row, step, dialect, effects);
+        break;
+      }
+      case 'S':
+        append_value(word, dialect.speed_row, effects);
+        break;
+      case 'T':
+        append_value(word, dialect.tool_row, effects);
+        break;
+      case 'D':
+        if (dialect.has_edges) append_value(word, dialect.edge_row, effects);
+        break;
+      default:
+        break;
     }
   }
   std::stable_sort(effects.begin() + first, effects.end(),
@@ -203,6 +218,7 @@ std::string difference(const IntendedState& meant, const nc::Modal& modal, const
   if (a.switches.feed_override != b.switches.feed_override || a.switches.speed_override != b.switches.speed_override ||
       a.switches.adaptive_feed != b.switches.adaptive_feed || a.switches.feed_stop != b.switches.feed_stop)
     return "an override switch";
+  if (same_value(meant.frame, frame)) return {};
   if (!alike(meant.frame.origin, frame.origin) || !alike(meant.frame.rotation_deg, frame.rotation_deg))
     return "the work offset";
   if (meant.frame.tilted != frame.tilted || meant.frame.plane != frame.plane) return "the tilted plane";

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "base/same_value.hpp"
 #include "base/units.hpp"
 #include "compensate/read_back/block_effects.hpp"
 #include "nc/control/state/kept.hpp"
@@ -55,9 +56,7 @@ bool same(const IntendedState& state, const nc::Step& step) {
          a.incremental == b.incremental && a.arc_centre_absolute == b.arc_centre_absolute &&
          a.retract_to_r == b.retract_to_r && a.work_system == b.work_system && a.tool_in_spindle == b.tool_in_spindle &&
          a.tool_of_offset == b.tool_of_offset && a.rotary == b.rotary && a.switches == b.switches &&
-         state.frame.origin == step.frame->origin && state.frame.rotation_deg == step.frame->rotation_deg &&
-         state.frame.g92 == step.frame->g92 && state.frame.tool == step.frame->tool &&
-         state.frame.tilted == step.frame->tilted && state.frame.plane == step.frame->plane;
+         same_value(state.frame, *step.frame);
 }
 
 }  // namespace

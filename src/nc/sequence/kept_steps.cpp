@@ -1,7 +1,8 @@
 #include "nc/sequence/kept_steps.hpp"
 
 #include <algorithm>
-#include <cstring>
+
+#include "base/same_value.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -9,18 +10,11 @@ namespace {
 constexpr std::size_t kSteps = 128;
 constexpr std::size_t kTexts = std::size_t{1} << 14U;  // bytes of their blocks
 
-// The same bytes are the same state, and are told in a fraction of the time.
-template <class State>
-bool is_same(const State& a, const State& b) {
-  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bytes that differ without a meaning are asked for again
-  return std::memcmp(&a, &b, sizeof(State)) == 0 || a == b;
-}
-
 // Blocks change little of what is in force: one that is as the last kept is that one.
 template <class State>
 const State* keep_state(std::deque<State>& kept, const State* state) {
   if (state == nullptr) return nullptr;
-  if (kept.empty() || !is_same(kept.back(), *state)) kept.push_back(*state);
+  if (kept.empty() || !same_value(kept.back(), *state)) kept.push_back(*state);
   return &kept.back();
 }
 

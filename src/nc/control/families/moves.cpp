@@ -123,9 +123,13 @@ std::array<double, 2> polar_end(const Execution& run, double x, double y) {
 
 AxisWords end_of_move(const Execution& run) {
   AxisWords end = run.control.position;
+  const Modal& modal = run.control.modal;
   for (const Axis axis : kAllAxes) {
     const Word* const word = run.words.find(axis);
-    if (word != nullptr) end[axis] = end_of_word(run, *word, axis, end[axis]);
+    if (word == nullptr) continue;
+    const bool is_place =
+        !modal.incremental && word->mode == WordMode::modal && modal.rule_of(axis) == RotaryRule::linear;
+    end[axis] = is_place ? word->value * modal.unit_of(axis) : end_of_word(run, *word, axis, end[axis]);
   }
   if (!run.words.polar()) return end;
   const std::array<double, 2> polar = polar_end(run, end[Axis::X], end[Axis::Y]);

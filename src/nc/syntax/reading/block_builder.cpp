@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "nc/language/block_words.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
 
@@ -37,11 +36,11 @@ void check_polar_word(const Block& block, Span span, const Syntax& syntax) {
 
 }  // namespace
 
-void BlockBuilder::see(char letter, Span span) {
+// A letter that was seen before, or is none of an ordinary word.
+void BlockBuilder::look_at(char letter, Span span) const {
   if (letter == 'G' || letter == 'M') return;
   if (letter == '$') check_spindle_word(*block_, span, *syntax_);
   if (letter == '@' || letter == '^') check_polar_word(*block_, span, *syntax_);
-  const std::uint32_t bit = letter_bit(letter);
   if (letter == 'O') {
     refuse_at(*block_, span, codes::kFlowControl, "an O word inside a block",
               "a line with an O word holds nothing before it but a line number");
@@ -49,10 +48,10 @@ void BlockBuilder::see(char letter, Span span) {
   if (letter == 'N') {
     refuse_at(*block_, span, codes::kLineNumber, "N inside a block", "a line number stands at the begin of its line");
   }
-  if ((seen_ & bit) != 0 && !(syntax_->repeated_ijk && letter >= 'I' && letter <= 'K')) {
+  const bool seen = (seen_ & letter_bit(letter)) != 0;
+  if (seen && !(syntax_->repeated_ijk && letter >= 'I' && letter <= 'K')) {
     refuse_at(*block_, span, codes::kWordTwice, fmt::format("two {} words in one block", letter), "leave one of them");
   }
-  seen_ |= bit;
 }
 
 // word = letter , number

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "nc/language/block.hpp"
+#include "nc/language/block_words.hpp"
 #include "nc/language/dialect.hpp"
 #include "nc/syntax/reading/lexer.hpp"
 
@@ -25,7 +26,11 @@ class BlockBuilder {
   void set_slash(Span span);
 
   /// Refuses a second word of the letter, and letters that do not stand inside a block; codes may stand again.
-  void see(char letter, Span span);
+  void see(char letter, Span span) {
+    const std::uint32_t bit = letter_bit(letter);
+    if (((seen_ | kLookedAt) & bit) != 0) look_at(letter, span);
+    seen_ |= bit;
+  }
   /// A letter and its number, seen here.
   void add_literal(const Token& token, Span span);
   void add(const Word& word) { block_->words.push_back(word); }
@@ -59,6 +64,10 @@ class BlockBuilder {
   void take_back_code(std::uint32_t from) { block_->code.resize(from); }
 
  private:
+  static constexpr std::uint32_t kLookedAt =
+      letter_bit('N') | letter_bit('O') | letter_bit('$') | letter_bit('@') | letter_bit('^');
+  void look_at(char letter, Span span) const;
+
   const Syntax* syntax_;
   Block* block_ = nullptr;
   std::uint32_t seen_ = 0;  // letters, A is bit 0
