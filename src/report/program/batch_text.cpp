@@ -67,7 +67,8 @@ std::string batch_total(const jobs::BatchSummary& summary) {
 std::string batch_json_line(const Item& item) {
   std::string diagnostics;
   for (const Diagnostic& one : item.diagnostics) {
-    diagnostics += (diagnostics.empty() ? "" : ",") + diagnostic_json(one);
+    if (!diagnostics.empty()) diagnostics += ',';
+    diagnostics += diagnostic_json(one);
   }
   return fmt::format(
       R"({{"plumbline":"batch 1","program":{},"output":{},"state":"{}","summary":{},"diagnostics":[{}]}})"
