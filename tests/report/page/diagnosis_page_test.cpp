@@ -14,7 +14,7 @@ using testing::section_of;
 
 jobs::DiagnoseResult small_result() {
   machine::MachineModel machine = machine::read_model(testing::source_file("models/pm600-like.toml"));
-  return {std::move(machine), testing::small_diagnosis(), {}, {}, {{"backlash", 0.8e-6, 2.25e-6}}};
+  return {std::move(machine), testing::small_diagnosis(), {}, {}, {}, {{"backlash", 0.8e-6, 2.25e-6}}};
 }
 
 Page page_of(const jobs::DiagnoseResult& result, const std::vector<std::string>& programs = {}) {

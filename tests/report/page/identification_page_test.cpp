@@ -31,7 +31,7 @@ jobs::IdentifiedModel small_model() {
   found.before.radial_rms = 3.1e-6;
   found.after.radial_rms = 0.6e-6;
   found.before.radial_readings = found.after.radial_readings = 120;
-  return {std::move(machine), std::move(found), {}, {}, {}, forces, {}, {}, {}, {}, false};
+  return {std::move(machine), std::move(found), {}, {}, {}, forces, {}, {}, {}, {}, {}, false, {}};
 }
 
 TEST_CASE("an identification says what is left, what was found and how far it moved") {
