@@ -10,7 +10,6 @@ using namespace plumbline;
 using namespace plumbline::testing;
 using inspect::Fault;
 using inspect::FaultKind;
-using Json = nlohmann::json;
 
 namespace {
 
@@ -79,10 +78,10 @@ TEST_CASE("the whole says first whether anything is wrong, and what is not in th
   CHECK(text.find("\n04                          9.30\n") != std::string::npos);
   CHECK(report::faults_text({}, runs_04_and_05()).empty());
 
-  const Json read = Json::parse(report::inspection_json(inspection, runs_04_and_05()));
+  const nlohmann::json read = nlohmann::json::parse(report::inspection_json(inspection, runs_04_and_05()));
   CHECK(read.at("clean") == false);
   CHECK(read.at("faults")[0].at("kind") == "direction");
-  CHECK(read.at("faults")[0].at("runs") == Json{"04"});
+  CHECK(read.at("faults")[0].at("runs") == nlohmann::json{"04"});
   CHECK(read.at("faults")[1].at("blocks") == false);
   CHECK(read.at("runs")[0].at("channels").at("radial") == 9);
 }

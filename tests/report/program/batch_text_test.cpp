@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 using namespace plumbline;
-using Json = nlohmann::json;
 using State = jobs::BatchItem::State;
 
 namespace {
@@ -41,17 +40,18 @@ TEST_CASE("each line of JSON is an object, whatever the names are") {
   item.diagnostics.push_back({"nc-x", "wrong", "do this", {"a", 2}, Severity::warning});
   const std::string line = report::batch_json_line(item);
   CHECK(line.find('\n') == line.size() - 1);
-  const Json read = Json::parse(line);
+  const nlohmann::json read = nlohmann::json::parse(line);
   CHECK(read.at("plumbline") == "batch 1");
   CHECK(read.at("state") == "done");
   CHECK(read.at("summary").at("points") == 5678);
   CHECK(read.at("diagnostics").at(0).at("code") == "nc-x");
-  CHECK(Json::parse(report::batch_json_line({"a", "", State::failed, "", {}})).at("summary").is_null());
-  CHECK(Json::parse(report::batch_json_line({"a", "", State::subprogram, "", {}})).at("state") == "subprogram");
+  CHECK(nlohmann::json::parse(report::batch_json_line({"a", "", State::failed, "", {}})).at("summary").is_null());
+  CHECK(nlohmann::json::parse(report::batch_json_line({"a", "", State::subprogram, "", {}})).at("state") ==
+        "subprogram");
   jobs::BatchSummary summary;
   summary.unchanged = 3;
   summary.passed_over = {"n.txt"};
-  const Json total = Json::parse(report::batch_json_total(summary));
+  const nlohmann::json total = nlohmann::json::parse(report::batch_json_total(summary));
   CHECK(total.at("plumbline") == "batch total 1");
   CHECK(total.at("unchanged") == 3);
   CHECK(total.at("passed_over").at(0) == "n.txt");
