@@ -45,6 +45,14 @@ class Channels {
   const Suspects& suspects() const { return suspects_; }
   double chi2() const { return chi2_; }
   Index rows() const { return left_.size(); }
+  /// Of some channels alone.
+  Index rows_of(const std::vector<int>& channels) const {
+    Index sum = 0;
+    for (const RunRows* run : suspects_.rows) {
+      for (const int channel : channels) sum += run->raw.first_row(channel) ? run->raw.samples : 0;
+    }
+    return sum;
+  }
 
   /// Rows of something that each run has in place of its readings.
   VectorXd whitened(const std::function<VectorXd(std::size_t, const RunRows&)>& readings) const {
@@ -145,7 +153,9 @@ void try_unit(std::vector<Tried>& all, const Channels& channels, FaultKind kind,
   if (!std::isfinite(factor) || std::abs(factor) < 1e-6 || may_be_the_machine) return;
   const VectorXd readings =
       channels.whitened([&](std::size_t, const RunRows& rows) { return scaled(rows, about, 1 / factor); });
-  const double penalty = std::log(alternatives) + 0.5 * std::log(static_cast<double>(channels.rows()));
+  // smaller readings are nearer to any prediction, and as much less likely: their density has a volume, too
+  const double volume = static_cast<double>(channels.rows_of(about)) * std::log(std::abs(factor));
+  const double penalty = std::log(alternatives) + 0.5 * std::log(static_cast<double>(channels.rows())) + volume;
   all.push_back(made(channels, kind, about, channels.chi2_of(readings), penalty, {factor}));
 }
 
