@@ -101,6 +101,7 @@ void add_types(py::module_& m) {
       .def(py::init([](const Text& text) { return unlocked([&] { return api::Model(input(text)); }); }))
       .def_property_readonly("name", &api::Model::name)
       .def_property_readonly("hash", &api::Model::hash)
+      .def_property_readonly("file", &api::Model::file)
       .def_property_readonly("bytes", [](const api::Model& model) { return py::bytes(model.text()); });
   py::class_<api::Result>(m, "Result")
       .def_property_readonly("json", &api::Result::json)

@@ -149,6 +149,8 @@ class PLUMBLINE_API Model {
   /// Of its text: 16 hexadecimal digits, as compensated programs name it.
   std::string hash() const;
   std::string text() const;
+  /// As messages call it; files that it refers to are looked for beside that.
+  std::string file() const;
 
  private:
   friend struct Inside;

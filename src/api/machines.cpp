@@ -12,6 +12,7 @@
 #include "machine/model_file.hpp"
 #include "report/explain.hpp"
 #include "report/program/error_text.hpp"
+#include "report/program/expected_text.hpp"
 #include "report/program/simulation_text.hpp"
 
 namespace plumbline::api {
@@ -36,6 +37,18 @@ void append(std::vector<double>& row, const Numbers& numbers, double unit) {
 
 double number_of(nc::MotionKind kind) {
   return kind == nc::MotionKind::rapid ? 0 : kind == nc::MotionKind::arc ? 2 : 1;
+}
+
+void append_expected(Table& table, const std::optional<jobs::PoseDoubt>& doubt) {
+  const std::vector<double> numbers = report::expected_numbers(doubt);
+  table.values.insert(table.values.end(), numbers.begin(), numbers.end());
+}
+
+// Names of its columns, and of what is expected besides where something is known of that.
+Table table_of(std::string_view columns, const jobs::Knowledge& known) {
+  std::string names(columns);
+  if (known.posterior) names += report::expected_columns();
+  return {names_between_commas(names), {}};
 }
 
 void add_row(Table& table, const jobs::SimulatedPoint& point) {
@@ -100,10 +113,16 @@ Result simulate(const Input& program, const Model& model, const Options& options
 Table simulate(const Input& program, const Model& model, const Options& options, const Progress& progress) {
   return guarded([&] {
     const GivenOptions given(options, {Group::program, Group::step});
-    Table table{names_between_commas(report::simulation_columns()), {}};
+    const settings::Options how = given.machine_options(model);
+    const jobs::Knowledge known = jobs::knowledge_of(machine::read_model(how.paths.model));
+    Table table = table_of(report::simulation_columns(), known);
     jobs::simulate_program(
-        Inside::source(program), given.machine_options(model),
-        [&](const jobs::SimulatedPoint& point) { add_row(table, point); }, progress);
+        Inside::source(program), how,
+        [&](const jobs::SimulatedPoint& point) {
+          add_row(table, point);
+          if (known.posterior) append_expected(table, point.doubt);
+        },
+        progress, nullptr, known.posterior ? &*known.posterior : nullptr);
     return table;
   });
 }
@@ -132,10 +151,17 @@ Result error(const Input& poses, const Model& model, const Output& output) {
 
 Table error(const std::vector<Pose>& poses, const Model& model) {
   return guarded([&] {
-    Table table{names_between_commas(report::error_columns()), {}};
+    const machine::MachineModel& machine = Inside::machine_of(model).machine;
+    const jobs::Knowledge known = jobs::knowledge_of(machine);
+    Table table = table_of(report::error_columns(), known);
     table.values.reserve(poses.size() * table.columns.size());
-    jobs::error_table(Inside::machine_of(model).machine, rows_of(poses),
-                      [&](const jobs::PoseError& error) { add_row(table, error); });
+    jobs::error_table(
+        machine, rows_of(poses),
+        [&](const jobs::PoseError& error) {
+          add_row(table, error);
+          if (known.posterior) append_expected(table, error.doubt);
+        },
+        known.posterior ? &*known.posterior : nullptr);
     return table;
   });
 }

@@ -33,6 +33,7 @@ Model::Model(const Input& input)
 
 std::string Model::name() const { return impl_ ? impl_->machine.name : ""; }
 std::string Model::hash() const { return impl_ ? to_hex(impl_->machine.hash) : ""; }
+std::string Model::file() const { return impl_ ? impl_->source.name() : ""; }
 std::string Model::text() const { return impl_ ? *impl_->source.text() : ""; }
 
 const std::string& Result::json() const { return impl_->json; }

@@ -131,9 +131,9 @@ int run_batch(const BatchArguments& arguments) {
   if (!arguments.json.empty()) json.emplace(arguments.json);
   std::optional<OutputFile> depfile;
   if (!arguments.depfile.empty()) depfile.emplace(arguments.depfile);
-  folder.keep();
   Telling telling(json ? &*json : nullptr, arguments.json == kStandardStream);
   const batch::Result result = batch::run(request, telling.observer());
+  folder.keep();
   telling.clear();
   say_what_is_left(result.summary);
   OutputSet files;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
@@ -31,7 +32,8 @@ std::vector<std::string> dependencies(const CompensateArguments& arguments, cons
                                       const FilesBeside& beside) {
   std::vector<std::string> files = files_read(arguments.program, options);
   for (const FilesBeside::Sought& one : beside.files()) {
-    if (std::find(files.begin(), files.end(), one.path) == files.end()) files.push_back(one.path);
+    const std::string path = std::filesystem::path(one.path).lexically_normal().string();
+    if (std::find(files.begin(), files.end(), path) == files.end()) files.push_back(path);
   }
   return files;
 }

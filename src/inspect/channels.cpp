@@ -153,8 +153,9 @@ void try_unit(std::vector<Tried>& all, const Channels& channels, FaultKind kind,
   if (!std::isfinite(factor) || std::abs(factor) < 1e-6 || may_be_the_machine) return;
   const VectorXd readings =
       channels.whitened([&](std::size_t, const RunRows& rows) { return scaled(rows, about, 1 / factor); });
-  // smaller readings are nearer to any prediction, and as much less likely: their density has a volume, too
-  const double volume = static_cast<double>(channels.rows_of(about)) * std::log(std::abs(factor));
+  // Smaller readings are nearer to any prediction, and as much less likely: their density has a volume, too. Larger
+  // ones gain nothing by theirs: noise may be less than is assumed.
+  const double volume = static_cast<double>(channels.rows_of(about)) * std::max(0.0, std::log(std::abs(factor)));
   const double penalty = std::log(alternatives) + 0.5 * std::log(static_cast<double>(channels.rows())) + volume;
   all.push_back(made(channels, kind, about, channels.chi2_of(readings), penalty, {factor}));
 }

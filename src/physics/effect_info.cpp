@@ -44,6 +44,8 @@ EffectInfo info_of(bool base) {
   PLUMBLINE_SAYS(rare)
   PLUMBLINE_SAYS(sums_to_zero)
   PLUMBLINE_SAYS(geometry)
+  PLUMBLINE_SAYS(path)
+  PLUMBLINE_SAYS(friction)
   PLUMBLINE_SAYS(description)
   if constexpr (requires { Effect::bend; }) info.bend = &Effect::bend;
   int hooks = 0;

@@ -30,6 +30,8 @@ struct EffectInfo {
   bool rare = false;             // less common than the others of the catalogue
   bool sums_to_zero = false;     // its numbers do, all of them together
   bool geometry = false;         // where joints are and how long struts are, other than the controller believes
+  bool path = false;             // it moves the tip by what it does to lengths and joints, whatever the forces are
+  bool friction = false;         // it holds against motion: forces and tips differ by the direction of the way
   bool description = false;      // no cause: nobody looks for it
   const Bend* bend = nullptr;    // none: readings move in proportion to its numbers
 

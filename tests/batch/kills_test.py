@@ -45,7 +45,7 @@ class Kills(unittest.TestCase):
         before, kills, in_the_middle = {}, 0, 0
         while kills < KILLS:
             running = self.start("out")
-            time.sleep(random.uniform(0, 3 * took / KILLS))
+            time.sleep(random.uniform(0, 0.8 * took))
             running.kill()
             kills += 1
             self.assertEqual(running.wait() in (0, -9), True)

@@ -81,10 +81,9 @@ TEST_CASE("batch: one that is refused has its message, and the exit code is 1") 
 TEST_CASE("batch: undo files, lists, names and another record") {
   const Scratch scratch;
   write_parts(scratch);
-  const Outcome undo = run(
-      scratch,
-      "batch --list - -o out --undo --output-name '{folder}/{name}_x{ext}' --record r " + kMachine + " <<<'parts/a.nc'",
-      "");
+  const Outcome undo =
+      run(scratch, "batch --list - -o out --undo --output-name '{folder}/{name}_x{ext}' --record r " + kMachine,
+          "echo parts/a.nc |");
   INFO(undo.err);
   REQUIRE(undo.code == 0);
   CHECK(scratch.has("r"));

@@ -19,14 +19,14 @@ std::string seen_by_tracker(const std::string& errors) {
   std::istringstream lines(errors);
   std::string line;
   std::getline(lines, line);
+  const auto dx =
+      static_cast<std::size_t>(std::count(line.begin(), line.begin() + static_cast<int>(line.find("dx_um")), ','));
   std::string table = "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,measured_x_mm,measured_y_mm,measured_z_mm\n";
   while (std::getline(lines, line)) {
     std::istringstream cells(line);
     std::vector<double> row;
     for (std::string cell; std::getline(cells, cell, ',');) row.push_back(*plumbline::parse_number(cell));
     for (std::size_t i = 0; i < 6; ++i) table += fmt::format("{},", row[i]);
-    // dx_um, dy_um, dz_um are the first of the last six columns
-    const std::size_t dx = row.size() - 6;
     for (std::size_t i = 0; i < 3; ++i)
       table += fmt::format("{:.7f}{}", row[i] + 1e-3 * row[dx + i], i < 2 ? "," : "\n");
   }

@@ -47,6 +47,7 @@ const std::map<std::string, std::string> kRefused{
     {"trace", "trace bad.ngc"},
     {"check", "check bad.ngc " + kModel + kOffset},
     {"simulate", "simulate bad.ngc " + kModel + kOffset},
+    {"batch", "batch missing -o out " + kModel + kOffset},
     {"diff", "diff bad.ngc bad.ngc"},
     {"compare", "compare -d missing.toml " + kModel},
     {"inspect", "inspect -d missing.toml " + kModel},

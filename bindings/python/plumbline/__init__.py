@@ -87,13 +87,13 @@ class Model:
         return f"<plumbline.Model {self.name}, {self.hash}>"
 
     def __reduce__(self):
-        return _model_of, (self._core.bytes,)
+        return _model_of, (self._core.bytes, self._core.file)
 
 
 @_functools.lru_cache(maxsize=16)
-def _model_of(text):
+def _model_of(text, name):
     """Of a process to which a model is sent with every job: it is read once."""
-    return Model(Text(text, "<model>"))
+    return Model(Text(text, name))
 
 
 class Result:

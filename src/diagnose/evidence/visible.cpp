@@ -24,8 +24,21 @@ bool is_shape(const CandidateSet& candidates, const Column& column) {
   return column.unknown >= 0 && candidates.unknowns[static_cast<std::size_t>(column.unknown)].shape;
 }
 
+// What the best fit of `numbers` that share one spread must take of chi-square for a Bayes factor of so many nats: log
+// B is [gain - n log(gain / n) - n] / 2 at the best spread. Noise of the numbers that are nil takes one each.
+double gain_for(double nats, std::ptrdiff_t numbers) {
+  const auto n = static_cast<double>(numbers);
+  double gain = 2 * nats;
+  for (int round = 0; round < 6; ++round) gain = 2 * nats + n * (std::log(std::max(gain / n, 1.0)) + 1);
+  return std::max(gain - (n - 1), 0.0);
+}
+
 Least least_of(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, const ColumnGroup& column_group,
-               double gain) {
+               double nats) {
+  const auto sizes = std::count_if(column_group.begin(), column_group.end(), [&](int c) {
+    return reduced(c, c) > 0 && !is_shape(candidates, candidates.columns[static_cast<std::size_t>(c)]);
+  });
+  const double gain = gain_for(nats, std::max<std::ptrdiff_t>(sizes, 1));
   Least least;
   for (const int c : column_group) {
     const Column& column = candidates.columns[static_cast<std::size_t>(c)];
@@ -43,13 +56,11 @@ Least least_of(const Eigen::MatrixXd& reduced, const CandidateSet& candidates, c
   Least best;
   for (std::size_t w = 0; w < candidate.modes.size(); ++w) {
     const ActingMode& mode = candidate.modes[w];
-    // log B is about [gain - log(gain)] / 2 at the best spread of one size
     const double nats = threshold - log_prior(candidate, static_cast<int>(w), 1, options);
-    const double gain = 2 * nats + std::log(std::max(2 * nats, 1.0)) + 1;
     Least worst;
     worst.share = 0;
     for (const ColumnGroup& column_group : mode.column_groups)
-      worst = std::max(worst, least_of(reduced, candidates, column_group, gain));
+      worst = std::max(worst, least_of(reduced, candidates, column_group, nats));
     best = std::min(best, worst);
   }
   return best;

@@ -79,7 +79,7 @@ double NormalLength::chance_beyond(double length) const {
   const double mean = (weight_ + squared_).sum();
   const double variance = (2 * weight_.square() + 4 * weight_ * squared_).sum();
   if (!(variance > kLeastShare * mean * mean)) return q < mean ? 1 : 0;
-  if (!(q > 0)) return 1;
+  if (!(q > (weight_ > 0).select(Eigen::Array3d::Zero(), squared_).sum())) return 1;  // along axes that are known
   if (std::abs(q - mean) < kNearMean * std::sqrt(variance)) {
     const double third = (8 * weight_.cube() + 24 * weight_.square() * squared_).sum();
     return 0.5 - third / (6 * std::sqrt(2 * std::numbers::pi * variance) * variance);

@@ -11,6 +11,7 @@ struct Backlash {
   static constexpr std::string_view name = "backlash";
   static constexpr std::array parameters{
       ParameterSpec{.key = "width_um", .unit = machine::units::um, .count = 6, .lower = 0, .upper = 40}};
+  static constexpr bool friction = true;
 
   // dL_j = -(w_j / 2) s_j
   template <class T>

@@ -21,6 +21,7 @@ struct Cyclic {
                     .upper = 180,
                     .shape = true,
                     .periodic = true}};
+  static constexpr bool path = true;
   enum { kAmplitude = 0, kPhase = 6 };
 
   static double sine(const StrutMoment& strut, double phase) { return std::sin(strut.turn + phase); }

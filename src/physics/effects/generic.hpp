@@ -52,6 +52,7 @@ struct Generic {
       ParameterSpec{
           .key = "pitch_mm", .unit = machine::units::mm, .lower = 0, .upper = 1000, .optional = true, .setting = true},
       ParameterSpec{.key = "phase_deg", .unit = machine::units::deg, .lower = -360, .upper = 360, .optional = true}};
+  static constexpr bool path = true;
   enum {
     kLength = 0,
     kDrive = 6,

@@ -14,6 +14,7 @@ struct GimbalOffset {
   static constexpr bool rare = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "offset_um", .unit = machine::units::um, .count = 6, .lower = -5000, .upper = 5000}};
+  static constexpr bool path = true;
 
   // dL_j = e_j sqrt(1 - (a_j . u_j)^2): the strut begins at q_j + e_j n_j, n_j the part of u_j across a_j, normalised.
   // a_j is the outer axis, along the ring of base joints: along_ring(q_j).

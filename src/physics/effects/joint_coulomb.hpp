@@ -12,6 +12,7 @@ struct JointCoulomb {
   static constexpr std::string_view name = "joint-coulomb";
   static constexpr std::array parameters{
       ParameterSpec{.key = "moment_Nm", .unit = machine::units::Nm, .lower = 0, .upper = 40}};
+  static constexpr bool friction = true;
 
   // -(M / L_j) v_perp,j / |v_perp,j|
   template <class T>

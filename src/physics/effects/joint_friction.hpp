@@ -12,6 +12,7 @@ struct JointFriction {
   static constexpr std::string_view name = "joint-friction";
   static constexpr std::array parameters{model_key("joint", "viscous_friction_Nms_rad", {.label = "joint friction"}),
                                          model_key("joint", "coulomb_friction_Nm")};
+  static constexpr bool friction = true;
   enum { kViscous = 0, kCoulomb = 1 };
 
   // tau_j = -c w_j or -c_c w_j / |w_j| on the strut makes (tau_j x u_j) / L_j on the platform, with w_j = u_j x

@@ -11,6 +11,7 @@ struct JointViscous {
   static constexpr std::string_view name = "joint-viscous";
   static constexpr std::array parameters{
       ParameterSpec{.key = "damping_Nms_rad", .unit = machine::units::Nms_rad, .lower = 0, .upper = 1500}};
+  static constexpr bool friction = true;
 
   // -(c / L_j^2) v_perp,j
   template <class T>

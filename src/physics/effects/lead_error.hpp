@@ -12,6 +12,7 @@ struct LeadError {
   static constexpr bool rare = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "error_um_m", .unit = machine::units::um_m, .count = 6, .lower = -500, .upper = 500}};
+  static constexpr bool path = true;
 
   // dL_j = e_j (L_j - L_mid), L_mid the middle of the strut's range
   template <class T>

@@ -11,6 +11,7 @@ struct LoadFriction {
   static constexpr std::string_view name = "load-friction";
   static constexpr std::array parameters{
       ParameterSpec{.key = "mu", .unit = machine::units::none, .lower = 0, .upper = 0.2}};
+  static constexpr bool friction = true;
 
   // f_j = -mu |t_nut,j| s_j
   template <class T>

@@ -12,6 +12,7 @@ struct RingThermal {
   static constexpr bool rare = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "rise_K", .unit = machine::Unit{"K", 1, {}}, .lower = -40, .upper = 40}};
+  static constexpr bool path = true;
 
   static constexpr double kExpansion = 11.5e-6;  // of steel, 1/K
 

@@ -11,6 +11,7 @@ struct ScrewCoulomb {
   static constexpr std::string_view name = "screw-coulomb";
   static constexpr std::array parameters{
       ParameterSpec{.key = "force_N", .unit = machine::units::N, .count = 6, .lower = 0, .upper = 300}};
+  static constexpr bool friction = true;
 
   // f_j = -F_j s_j
   template <class T>

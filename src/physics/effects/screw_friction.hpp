@@ -11,6 +11,7 @@ struct ScrewFriction {
   static constexpr std::string_view name = "screw-friction";
   static constexpr std::array parameters{
       model_key("strut", "coulomb_friction_N", {.uncertainty = "coulomb_friction_N", .label = "friction"})};
+  static constexpr bool friction = true;
 
   // f_j = -f0_j s_j  [Ibaraki et al., Eq. 8; docs/physics.md]
   template <class T>

@@ -14,6 +14,7 @@ struct ScrewRoll {
   static constexpr bool rare = true;
   static constexpr std::array parameters{
       ParameterSpec{.key = "share", .unit = machine::units::none, .lower = -1, .upper = 1}};
+  static constexpr bool path = true;
 
   static constexpr double kHomeHeight = -1.0;  // m: no roll at the tip (0, 0, -1000) mm in W, A = B = C = 0
 

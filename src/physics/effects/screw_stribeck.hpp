@@ -16,6 +16,7 @@ struct ScrewStribeck {
       ParameterSpec{.key = "force_N", .unit = machine::units::N, .lower = 0, .upper = 300},
       ParameterSpec{
           .key = "speed_mm_s", .unit = machine::units::mm_s, .lower = 1, .upper = 10, .initial = 3, .shape = true}};
+  static constexpr bool friction = true;
   enum { kForce = 0, kSpeed = 1 };
 
   // of one speed it is a Coulomb friction of all struts that fades

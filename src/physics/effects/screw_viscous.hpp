@@ -11,6 +11,7 @@ struct ScrewViscous {
   static constexpr std::string_view name = "screw-viscous";
   static constexpr std::array parameters{
       ParameterSpec{.key = "damping_N_s_m", .unit = machine::units::N_s_m, .count = 6, .lower = 0, .upper = 8000}};
+  static constexpr bool friction = true;
 
   // f_j = -d_j Ldot_j
   template <class T>

@@ -13,6 +13,7 @@ struct SpindleGrowth {
   static constexpr std::array parameters{
       ParameterSpec{.key = "length_um", .unit = machine::units::um, .lower = -1000, .upper = 1000},
       ParameterSpec{.key = "rate_um_h", .unit = machine::units::um_h, .lower = -1000, .upper = 1000}};
+  static constexpr bool path = true;
   enum { kLength = 0, kRate = 1 };
 
   // dx = -(g + rate time) e_z of P: the tool points along -Z of P

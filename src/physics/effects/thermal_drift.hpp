@@ -11,6 +11,7 @@ struct ThermalDrift {
   static constexpr std::string_view name = "thermal-drift";
   static constexpr std::array parameters{
       ParameterSpec{.key = "rate_K_h", .unit = machine::units::K_h, .count = 6, .lower = -8, .upper = 8}};
+  static constexpr bool path = true;
 
   static constexpr double kExpansion = 11.5e-6;  // of steel, 1/K
 

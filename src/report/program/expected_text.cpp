@@ -1,6 +1,7 @@
 #include "report/program/expected_text.hpp"
 
 #include <iterator>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -115,6 +116,21 @@ std::string_view expected_columns() {
     return names;
   }();
   return columns;
+}
+
+std::vector<double> expected_numbers(const std::optional<jobs::PoseDoubt>& doubt) {
+  std::vector<double> all;
+  for (const jobs::TipDoubt* const one :
+       {doubt ? &doubt->stands : nullptr, doubt && doubt->touched_off ? &*doubt->touched_off : nullptr}) {
+    if (one == nullptr) {
+      all.resize(all.size() + kPerDoubt, std::numeric_limits<double>::quiet_NaN());
+      continue;
+    }
+    for (const double number : {one->mean, one->within}) all.push_back(number / kUm);
+    for (const double number : one->axis_within) all.push_back(number / kUm);
+    for (const double number : one->rms) all.push_back(number / kUm);
+  }
+  return all;
 }
 
 void append_expected(std::string& row, const std::optional<jobs::PoseDoubt>& doubt) {

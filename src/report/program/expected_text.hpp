@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -21,6 +22,8 @@ nlohmann::ordered_json expected_json(const std::optional<jobs::ExpectedError>& e
 
 /// Names of columns, each after a comma: what is expected and what 95 % are within, um; then by what makes it.
 std::string_view expected_columns();
+/// The numbers; NaN where nothing is known.
+std::vector<double> expected_numbers(const std::optional<jobs::PoseDoubt>& doubt);
 /// The numbers; empty columns where nothing is known.
 void append_expected(std::string& row, const std::optional<jobs::PoseDoubt>& doubt);
 

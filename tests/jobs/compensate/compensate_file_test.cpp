@@ -134,7 +134,7 @@ TEST_CASE("a summary has every figure, in words and as JSON") {
   const std::string text = report::summary_text(s, how);
   for (const char* const part :
        {"largest correction", "rms correction", "cutting time", "rounding", "work offset",
-        "subdivision and friction that turns", "first cutting block (line 3)", "--touch-off", "bytes before"}) {
+        "with the friction that turns", "first cutting block (line 3)", "--touch-off", "bytes before"}) {
     INFO(text);
     CHECK(text.find(part) != std::string::npos);
   }
