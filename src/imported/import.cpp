@@ -53,10 +53,11 @@ class Importer {
   std::size_t table_of(const std::string& name, const Source& source, const Place& place) {
     const std::string& file = file_of(files_, name, place);
     for (std::size_t i = 0; i < paths_.size(); ++i) {
-      if (paths_[i] == file && imported_.sources[i] == &source) return i;
+      if (paths_[i] == file && read_by_[i] == &source) return i;
     }
     imported_.tables.push_back(read_foreign_table(file, source));
-    imported_.sources.push_back(&source);
+    imported_.sources.push_back(source);
+    read_by_.push_back(&source);
     paths_.push_back(file);
     taken_of_.push_back(0);
     return paths_.size() - 1;
@@ -228,8 +229,9 @@ class Importer {
   const std::vector<std::string>& files_;
   ImportOptions options_;
   Imported imported_;
-  std::vector<std::string> paths_;
-  std::vector<std::size_t> taken_of_;  // of each table, the number of the circle that was taken last
+  std::vector<std::string> paths_;      // of each table,
+  std::vector<const Source*> read_by_;  // by which part of the map
+  std::vector<std::size_t> taken_of_;   // of each table, the number of the circle that was taken last
 };
 
 }  // namespace

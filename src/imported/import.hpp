@@ -29,9 +29,9 @@ struct TakenRun {
 };
 
 struct Imported {
-  measure::Dataset dataset;            // its text and its runs, as files
-  std::vector<ForeignTable> tables;    // each file once
-  std::vector<const Source*> sources;  // of each: which part of the map it was read by
+  measure::Dataset dataset;          // its text and its runs, as files
+  std::vector<ForeignTable> tables;  // each file once
+  std::vector<Source> sources;       // of each: the part of the map that it was read by
   std::vector<TakenRun> taken;
 };
 

@@ -19,7 +19,7 @@ std::string_view to_text(FaultKind kind) {
       "stuck",          "clipped",
       "noisy",          "same-readings",
       "spikes",         "gaps",
-      "out-of-reach",   "periodic-disturbance",
+      "unreachable",    "periodic-disturbance",
       "noise",          "stands-out"};
   return kNames.at(static_cast<std::size_t>(kind));
 }

@@ -38,10 +38,10 @@ enum class FaultKind {
   same_readings,  // two runs have the same readings
   spikes,
   gaps,
-  out_of_reach,  // the machine cannot stand there
-  periodic,      // in time: a floor, a pump, the mains; kept out of everything else
-  noise,         // larger than the instrument states
-  stands_out,    // nothing of the above explains it
+  unreachable,  // the machine cannot stand there
+  periodic,     // in time: a floor, a pump, the mains; kept out of everything else
+  noise,        // larger than the instrument states
+  stands_out,   // nothing of the above explains it
 };
 /// "direction", "angle-zero", ...
 std::string_view to_text(FaultKind kind);

@@ -4,6 +4,8 @@
 
 #include "base/diagnostic.hpp"
 #include "base/parallel.hpp"
+#include "machine/inverse.hpp"
+#include "measure/circular_motion.hpp"
 
 namespace plumbline::inspect {
 namespace {
@@ -22,6 +24,19 @@ Run coarse(const Run& run, std::size_t most) {
     if (i % each != 0) left_out.push_back(i);
   }
   return without_samples(run, left_out);
+}
+
+// Whether struts would be far from the lengths that they can have: the model's limits may be somewhat off, the run is
+// there after all.
+bool in_reach(const machine::MachineModel& machine, const Run& run, double beyond) {
+  const auto least = machine.limits.length_min.array();
+  const auto most = machine.limits.length_max.array();
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    const auto pose = measure::circular_motion(machine.rotation, run, i).pose;
+    const machine::PerStrut<double> length = machine::strut_lengths<double>(machine.geometry, pose);
+    if (((length.array() - most).max(least - length.array()) > beyond * (most - least)).any()) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -54,10 +69,11 @@ Looked looked_at(const std::vector<Run>& runs, const Bench& bench, const Inspect
   for_each_index(runs.size(), [&](std::size_t r) {
     if (!runs[r].has_radial() && !runs[r].has_torque()) return;
     const Run run = coarse(without_samples(runs[r], spikes_in(runs[r], options.records)), options.most_samples);
+    if (!in_reach(bench.machine, run, options.beyond_limits)) return;
     try {
       bench.left(run);
       can[r] = run;
-    } catch (const Refusal&) {  // out of the machine's reach
+    } catch (const Refusal&) {  // it would stand in a singularity, or beyond it
     }
   });
   for (std::size_t r = 0; r < runs.size(); ++r) {
@@ -65,7 +81,7 @@ Looked looked_at(const std::vector<Run>& runs, const Bench& bench, const Inspect
       looked.numbers.push_back(r);
       looked.runs.push_back(std::move(*can[r]));
     } else if (runs[r].has_radial() || runs[r].has_torque()) {
-      faults.push_back({FaultKind::out_of_reach, {r}});
+      faults.push_back({FaultKind::unreachable, {r}});
     }
   }
   return looked;

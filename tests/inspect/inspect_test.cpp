@@ -123,7 +123,7 @@ TEST_CASE("a run that the machine cannot make is said, and the others are looked
   measured.runs[0].centre_W.z() = -3;
   const inspect::Inspection inspection = measured.inspection();
   REQUIRE(inspection.faults.size() == 1);
-  CHECK(inspection.faults[0].kind == FaultKind::out_of_reach);
+  CHECK(inspection.faults[0].kind == FaultKind::unreachable);
   CHECK(inspection.runs[0].all == 0);
   CHECK(inspection.runs[1].all > 0);
 }

@@ -57,8 +57,8 @@ std::string files_text(const imported::Imported& made) {
     const ForeignTable& table = made.tables[i];
     text += fmt::format("{}: {}, {} rows of {} columns, lines {} to {}\n", table.file, table.encoding, table.rows(),
                         table.width, table.lines.front(), table.lines.back());
-    for (std::size_t c = 0; c < made.sources[i]->columns.size(); ++c) {
-      text += column_text(table, made.sources[i]->columns[c], c);
+    for (std::size_t c = 0; c < made.sources[i].columns.size(); ++c) {
+      text += column_text(table, made.sources[i].columns[c], c);
     }
   }
   return text;

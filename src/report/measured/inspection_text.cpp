@@ -146,8 +146,9 @@ std::string record_text(const Fault& fault, const Run& run, const std::vector<Ru
           "the bar drifts within each run, by {:.2f} um as the median has it: no machine does that alike "
           "wherever a run begins",
           value / kUm);
-    case FaultKind::out_of_reach:
-      return "the machine cannot stand where the dataset says: check centre, radius and tilt";
+    case FaultKind::unreachable:
+      return "the machine cannot stand where the dataset says: check centre, radius and tilt, and the lengths of "
+             "struts in the model";
     default:
       return fmt::format("it stands out, {} most: {:.1f} times the noise, and nothing that was tried explains it", of,
                          fault.before);
