@@ -64,16 +64,16 @@ PLUMBLINE_API Result error(const Input& poses, const Model& model, const Output&
 PLUMBLINE_API Table error(const std::vector<Pose>& poses, const Model& model);
 
 /// Learns the model's parameters from circular tests: `dataset` is the path of a dataset.toml. Options: "stages",
-/// "free", "force". model() of the result is refused where something speaks against it, as the command refuses to write
-/// it.
+/// "free", "force", "accept" (runs that are taken as they are, whatever is wrong with them). model() of the result is
+/// refused where something speaks against it, as the command refuses to write it.
 PLUMBLINE_API Result identify(const Model& model, const std::string& dataset, const Options& options = {});
 
 /// Finds where the joints are and how long the struts: from circular tests, a tracker's poses (option "poses", which
 /// need be no file), or both; `dataset` may be empty. Other options: "frame-known", "geometry-alone", "free",
-/// "joint-sigma", "offset-sigma", "controller", "force".
+/// "joint-sigma", "offset-sigma", "controller", "force", "accept".
 PLUMBLINE_API Result calibrate(const Model& model, const std::string& dataset, const Options& options = {});
 
-/// Finds which effect a model misses. Options: "without", "seed".
+/// Finds which effect a model misses. Options: "without", "seed", "accept".
 PLUMBLINE_API Result diagnose(const Model& model, const std::string& dataset, const Options& options = {});
 
 /// A model against measurements. Option: "max-radial-um", above which found() is true.

@@ -79,20 +79,20 @@ inline namespace v1 {
 
 Result identify(const Model& model, const std::string& dataset, const Options& options) {
   return guarded([&] {
-    const GivenOptions given(options, {}, {"stages", "free", "force"});
+    const GivenOptions given(options, {}, {"stages", "free", "force", "accept"});
     identify::IdentifyOptions how;
     how.stages = stages_of(given);
     how.free = given.list("free");
-    return identified_result(jobs::identify_model(Inside::machine_of(model).source, dataset, how),
+    return identified_result(jobs::identify_model(Inside::machine_of(model).source, dataset, how, given.list("accept")),
                              given.is_on("force"));
   });
 }
 
 Result calibrate(const Model& model, const std::string& dataset, const Options& options) {
   return guarded([&] {
-    const GivenOptions given(
-        options, {},
-        {"poses", "frame-known", "geometry-alone", "free", "joint-sigma", "offset-sigma", "controller", "force"});
+    const GivenOptions given(options, {},
+                             {"poses", "frame-known", "geometry-alone", "free", "joint-sigma", "offset-sigma",
+                              "controller", "force", "accept"});
     jobs::CalibrateJob job;
     job.model = Inside::machine_of(model).source;
     job.dataset = dataset;
@@ -106,18 +106,20 @@ Result calibrate(const Model& model, const std::string& dataset, const Options& 
     job.options.geometry.joint_sigma = given.positive("joint-sigma").value_or(1000) * kUm;
     job.options.geometry.offset_sigma = given.positive("offset-sigma").value_or(1000) * kUm;
     job.options.free = given.list("free");
+    job.accepted = given.list("accept");
     return identified_result(jobs::calibrate_model(std::move(job)), given.is_on("force"));
   });
 }
 
 Result diagnose(const Model& model, const std::string& dataset, const Options& options) {
   return guarded([&] {
-    const GivenOptions given(options, {}, {"without", "seed"});
+    const GivenOptions given(options, {}, {"without", "seed", "accept"});
     jobs::DiagnoseJob job;
     job.model = Inside::machine_of(model).source;
     job.dataset = dataset;
     job.without = given.list("without");
     job.seed = seed_of(given);
+    job.accepted = given.list("accept");
     const jobs::DiagnoseResult result = jobs::diagnose(job);
     Inside::Found found;
     found.json = report::diagnosis_json(result.diagnosis);

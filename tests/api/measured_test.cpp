@@ -65,6 +65,17 @@ TEST_CASE("a model that measurements object to is not given, unless it is forced
   CHECK(forced.warnings().front().code == "identify-not-plausible");
   CHECK(forced.model().find("[platform]") != std::string::npos);
   CHECK(api::identify(base_model(), kCircles).model().find("[platform]") != std::string::npos);
+  for (const char* const id : {"all", "no-such-run"}) {
+    const api::Options accepts = api::Options().set("accept", id);
+    const bool is_none = std::string(id) != "all";
+    for (const auto& learn : {&api::identify, &api::calibrate, &api::diagnose}) {
+      if (is_none) {
+        CHECK(refused_with([&] { learn(base_model(), kCircles, accepts); }).code == "inspect-unknown-run");
+      } else {
+        CHECK_FALSE(learn(base_model(), kCircles, accepts).json().empty());
+      }
+    }
+  }
 }
 
 TEST_CASE("calibration takes circles or a tracker's poses, and says what is missing") {
