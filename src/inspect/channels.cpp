@@ -149,7 +149,8 @@ void try_sign(std::vector<Tried>& all, const Channels& channels, FaultKind kind,
 void try_unit(std::vector<Tried>& all, const Channels& channels, FaultKind kind, const std::vector<int>& about,
               double alternatives, std::optional<double> known = {}) {
   const double factor = known.value_or(channels.factor(about));
-  const bool may_be_the_machine = factor > kUnitLeast && factor < kUnitMost;
+  // the other sign of about the same size is a sign, no unit
+  const bool may_be_the_machine = std::abs(factor) > kUnitLeast && std::abs(factor) < kUnitMost;
   if (!std::isfinite(factor) || std::abs(factor) < 1e-6 || may_be_the_machine) return;
   const VectorXd readings =
       channels.whitened([&](std::size_t, const RunRows& rows) { return scaled(rows, about, 1 / factor); });

@@ -195,20 +195,16 @@ class Inspector {
     found.runs.resize(runs.size());
     Looked looked = looked_at(runs, bench_, options_, found.faults);
     if (looked.runs.empty()) return found;
-    make_rows(looked, bench_);
-    Outliers outliers = find_outliers(wide_, looked.rows, options_.outliers);
-    std::vector<identify::RunEquations> left = remainders(looked, outliers, bench_.noise);
+    Outliers outliers;
+    std::vector<identify::RunEquations> left;
+    look(looked, outliers, left);
     const bool of_all = coarseness(left, true) > options_.coarse || coarseness(left, false) > options_.coarse;
     if (std::optional<Fault> fault =
             fault_of_all(looked, outliers, of_all, noise_from_sample_to_sample(kept(left, outliers), bench_.noise))) {
       found.faults.push_back(std::move(*fault));
       return found;  // before that is mended no run can be told from the others
     }
-    if (take_lines(looked, left, found)) {
-      make_rows(looked, bench_);
-      outliers = find_outliers(wide_, looked.rows, options_.outliers);
-      left = remainders(looked, outliers, bench_.noise);
-    }
+    if (take_lines(looked, left, found)) look(looked, outliers, left);
     bench_.noise = at_least(diagnose::noise_of(kept(left, outliers)), options_);
     add_noise_faults(found, looked);
     make_rows(looked, bench_);
@@ -218,6 +214,13 @@ class Inspector {
   }
 
  private:
+  // With the noise that is assumed by now.
+  void look(Looked& looked, Outliers& outliers, std::vector<identify::RunEquations>& left) const {
+    make_rows(looked, bench_);
+    outliers = find_outliers(wide_, looked.rows, options_.outliers);
+    left = remainders(looked, outliers, bench_.noise);
+  }
+
   // Of runs that agree, against the model alone and its priors. `labels`: whether labels are doubted, too; that takes
   // long.
   std::optional<Fault> fault_of_all(const Looked& looked, const Outliers& outliers, bool labels, double fine) {
@@ -248,7 +251,9 @@ class Inspector {
     // what may be off by a little must explain most of what is off; a sign cannot be a little wrong
     const bool by_degrees = best.fault.kind == FaultKind::clock || best.fault.kind == FaultKind::angle_zero;
     if (by_degrees && left > options_.all_explained * excess) return std::nullopt;
-    if (fault.nats < options_.all_nats) return std::nullopt;
+    // and has no number that could be fitted to what the model lacks
+    const bool sign = best.fault.kind == FaultKind::bar_sign || best.fault.kind == FaultKind::motor_sign;
+    if (fault.nats < (sign ? 2 * options_.least_nats : options_.all_nats)) return std::nullopt;
     fault.all = true;
     fault.runs = looked.numbers;
     return fault;
