@@ -7,7 +7,7 @@ set(PLUMBLINE_INTERFACE 1)  # as in include/plumbline/plumbline.hpp: the number 
 get_property(modules GLOBAL PROPERTY PLUMBLINE_MODULES)
 get_property(libraries GLOBAL PROPERTY PLUMBLINE_LIBRARIES)
 list(REMOVE_DUPLICATES libraries)
-list(REMOVE_ITEM libraries Eigen3::Eigen nlohmann_json::nlohmann_json tomlplusplus::tomlplusplus)  # headers alone
+list(REMOVE_ITEM libraries Eigen3::Eigen nlohmann_json::nlohmann_json tomlplusplus::tomlplusplus plumbline_jet)  # headers alone
 set(objects)
 foreach(module IN LISTS modules)
   list(APPEND objects $<TARGET_OBJECTS:${module}>)

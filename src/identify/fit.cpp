@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
-#include <ceres/ceres.h>
 
 #include "base/diagnostic.hpp"
+#include "identify/levenberg_marquardt.hpp"
 
 namespace plumbline::identify {
 namespace {
@@ -16,83 +16,6 @@ constexpr double kLeastInformation = 1e-14;
 // A direction that nothing tells leaves an unknown open whose part in it is more than rounding.
 constexpr double kPartOfDirection = 1e-6;
 
-// What Ceres sees of the objective, in scales from the unknowns' start: as many residuals as unknowns and one more,
-// whose square, gradient and Gauss-Newton matrix are those of the thousands of readings. With the normal equations
-// H = V diag(h) V^T and gradient g:  r = diag(h)^(-1/2) V^T g,  dr/dz = diag(h)^(1/2) V^T, and a last residual that
-// holds the rest of the misfit.
-class Condensed : public ceres::CostFunction {
- public:
-  explicit Condensed(Objective& objective)
-      : objective_(objective),
-        start_(objective.unknowns().start()),
-        scales_(objective.unknowns().scales()),
-        prior_(prior_weights(objective.unknowns())) {
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(scales_.size()));
-    set_num_residuals(static_cast<int>(scales_.size()) + 1);
-  }
-
-  bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
-    const Eigen::Index size = scales_.size();
-    const Eigen::Map<const Eigen::VectorXd> z(parameters[0], size);
-    const bool derivatives = jacobians != nullptr && jacobians[0] != nullptr;
-    NormalEquations normal;
-    try {
-      normal = objective_.evaluate(values(z), derivatives);
-    } catch (const Refusal&) {
-      return false;  // out of reach there: a shorter step is tried
-    }
-    const double misfit = normal.misfit + z.cwiseAbs2().dot(prior_);
-    Eigen::Map<Eigen::VectorXd> r(residuals, size + 1);
-    r.setZero();
-    if (derivatives) {
-      normal.information.diagonal() += prior_;
-      normal.gradient += prior_.cwiseProduct(z);
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(normal.information);
-      const Eigen::VectorXd root =
-          eigen.eigenvalues().cwiseMax(kLeastInformation * eigen.eigenvalues().maxCoeff()).cwiseSqrt();
-      using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-      Eigen::Map<RowMajor> J(jacobians[0], size + 1, size);
-      J.topRows(size) = root.asDiagonal() * eigen.eigenvectors().transpose();
-      J.row(size).setZero();
-      r.head(size) = (eigen.eigenvectors().transpose() * normal.gradient).cwiseQuotient(root);
-      last_ = z;
-      left_ = r.head(size).squaredNorm() / misfit;  // Gauss-Newton's step ends where those vanish
-    }
-    r[size] = std::sqrt(std::max(0.0, misfit - r.head(size).squaredNorm()));
-    return true;
-  }
-
-  /// By how much of the misfit Gauss-Newton's step would lower it, at the point whose derivatives were asked for last;
-  /// infinite at another one.
-  double left_at(const Eigen::VectorXd& z) const {
-    return z == last_ ? left_ : std::numeric_limits<double>::infinity();
-  }
-
-  Eigen::VectorXd values(const Eigen::VectorXd& z) const { return start_ + scales_.cwiseProduct(z); }
-  Eigen::VectorXd in_scales(const Eigen::VectorXd& values) const { return (values - start_).cwiseQuotient(scales_); }
-
- private:
-  Objective& objective_;
-  Eigen::VectorXd start_, scales_, prior_;
-  mutable Eigen::VectorXd last_;
-  mutable double left_ = 0;
-};
-
-// Ends the iterations before the step that no longer matters, which Ceres would evaluate first.
-class WhereLittleIsLeft : public ceres::IterationCallback {
- public:
-  WhereLittleIsLeft(const Condensed& cost, const Eigen::VectorXd& z, double tolerance)
-      : cost_(cost), z_(z), tolerance_(tolerance) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary& /*summary*/) override {
-    return cost_.left_at(z_) <= tolerance_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
-  }
-
- private:
-  const Condensed& cost_;
-  const Eigen::VectorXd& z_;
-  double tolerance_;
-};
-
 struct Round {
   Eigen::VectorXd values;
   int iterations = 0;
@@ -100,37 +23,37 @@ struct Round {
   std::string message;
 };
 
+// In scales from the unknowns' start: the misfit of the data and of the priors.
 Round minimise(Objective& objective, const Eigen::VectorXd& from, const FitOptions& options) {
-  Condensed cost(objective);
   const Unknowns& unknowns = objective.unknowns();
-  Eigen::VectorXd z = cost.in_scales(from);
-  ceres::Problem::Options ownership;
-  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::Problem problem(ownership);
-  problem.AddResidualBlock(&cost, nullptr, z.data());
+  const Eigen::VectorXd start = unknowns.start();
+  const Eigen::VectorXd scales = unknowns.scales();
+  const Eigen::VectorXd prior = prior_weights(unknowns);
+  const auto sum_at = [&](const Eigen::VectorXd& z, bool derivatives) -> std::optional<SumOfSquares> {
+    NormalEquations normal;
+    try {
+      normal = objective.evaluate(start + scales.cwiseProduct(z), derivatives);
+    } catch (const Refusal&) {
+      return std::nullopt;  // out of reach there
+    }
+    const double misfit = normal.misfit + z.cwiseAbs2().dot(prior);
+    if (!derivatives) return SumOfSquares{misfit, {}, {}};
+    normal.information.diagonal() += prior;
+    normal.gradient += prior.cwiseProduct(z);
+    return SumOfSquares{misfit, std::move(normal.gradient), std::move(normal.information)};
+  };
+  Bounds bounds{start, start};
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const Unknown& u = unknowns[i];
-    if (std::isfinite(u.lower))
-      problem.SetParameterLowerBound(z.data(), static_cast<int>(i), (u.lower - u.start) / u.scale);
-    if (std::isfinite(u.upper))
-      problem.SetParameterUpperBound(z.data(), static_cast<int>(i), (u.upper - u.start) / u.scale);
+    const auto k = static_cast<Eigen::Index>(i);
+    bounds.lower[k] = (unknowns[i].lower - unknowns[i].start) / unknowns[i].scale;
+    bounds.upper[k] = (unknowns[i].upper - unknowns[i].start) / unknowns[i].scale;
   }
-  ceres::Solver::Options solver;
-  solver.linear_solver_type = ceres::DENSE_QR;
-  solver.max_num_iterations = options.most_iterations;
-  solver.function_tolerance = options.misfit_tolerance;
-  solver.parameter_tolerance = 1e-10;
-  solver.initial_trust_region_radius = 1e10;  // Gauss-Newton's step first: the model bends little
-  solver.max_trust_region_radius = 1e16;
-  solver.logging_type = ceres::SILENT;
-  WhereLittleIsLeft enough(cost, z, options.misfit_tolerance);
-  solver.callbacks.push_back(&enough);
-  solver.update_state_every_iteration = true;
-  ceres::Solver::Summary summary;
-  ceres::Solve(solver, &problem, &summary);
-  const bool converged =
-      summary.termination_type == ceres::CONVERGENCE || summary.termination_type == ceres::USER_SUCCESS;
-  return {cost.values(z), static_cast<int>(summary.iterations.size()), converged, summary.message};
+  LeastOptions least;
+  least.most_iterations = options.most_iterations;
+  least.misfit_tolerance = options.misfit_tolerance;
+  least.least_information = kLeastInformation;
+  const Least found = least_squares(sum_at, (from - start).cwiseQuotient(scales), bounds, least);
+  return {start + scales.cwiseProduct(found.z), found.iterations, found.converged, found.stopped_because};
 }
 
 // How much heavier or lighter readings become between two estimates of the noise, at low frequencies, where the model

@@ -48,7 +48,7 @@ struct Fit {
   physics::ForceModel forces() const { return unknowns.at(values); }
 };
 
-/// Fits by Ceres (Levenberg-Marquardt within the bounds, derivatives exact), the noise estimated between rounds, from
+/// Fits by Levenberg-Marquardt within the bounds, derivatives exact, the noise estimated between rounds, from
 /// the unknowns' start. `tracked`: poses that a tracker measured, beside the runs or alone. Refuses with
 /// simulate-unreachable and tracker-far.
 Fit fit(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Unknowns& unknowns,
