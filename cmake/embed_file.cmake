@@ -12,7 +12,8 @@ file(WRITE ${SOURCE}
 "#include <string_view>
 namespace plumbline::embedded {
 extern const std::string_view ${NAME};
-const std::string_view ${NAME} =
+static constexpr char kBytes[] =
     \"${text}\";
+constinit const std::string_view ${NAME}(kBytes, sizeof(kBytes) - 1);
 }  // namespace plumbline::embedded
 ")

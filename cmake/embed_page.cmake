@@ -1,5 +1,5 @@
 # The libraries that pages draw with are Debian's; each goes into the program, with its licence.
-find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)
+find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
 function(find_library_of_pages variable package)
   find_file(${variable} NAMES ${ARGN} PATHS /usr/share NO_DEFAULT_PATH)
   if(NOT ${variable})

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -92,26 +93,39 @@ std::string dialect_list() {
 
 namespace {
 
-// A table that is read when it is asked for.
+// What is read of a table, each when it is asked for.
 struct ReadTable {
-  std::once_flag once;
+  std::once_flag once, marks_once;
   Dialect dialect;
+  DialectMarks marks;
 };
+
+std::pair<const EmbeddedTable&, ReadTable&> table_of(std::string_view name) {
+  const std::span<const EmbeddedTable> tables = embedded_tables();
+  static std::vector<ReadTable> read(tables.size());
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    if (tables[i].name == name) return {tables[i], read[i]};
+  }
+  refuse(codes::kUnknownDialect, fmt::format("no dialect is named '{}'", name),
+         fmt::format("there are: {}", fmt::join(dialect_names(), ", ")));
+}
+
+std::string file_of(const EmbeddedTable& table) { return fmt::format("grammar/{}.toml", table.name); }
 
 }  // namespace
 
 const Dialect& dialect(std::string_view name) {
-  const std::span<const EmbeddedTable> tables = embedded_tables();
-  static std::vector<ReadTable> read(tables.size());
-  for (std::size_t i = 0; i < tables.size(); ++i) {
-    if (tables[i].name != name) continue;
-    std::call_once(read[i].once, [&] {
-      read[i].dialect = read_dialect(fmt::format("grammar/{}.toml", tables[i].name), *tables[i].text);
-    });
-    return read[i].dialect;
-  }
-  refuse(codes::kUnknownDialect, fmt::format("no dialect is named '{}'", name),
-         fmt::format("there are: {}", fmt::join(dialect_names(), ", ")));
+  const auto [table, read] = table_of(name);
+  std::call_once(read.once,
+                 [&table = table, &read = read] { read.dialect = read_dialect(file_of(table), *table.packed); });
+  return read.dialect;
+}
+
+const DialectMarks& marks_of_dialect(std::string_view name) {
+  const auto [table, read] = table_of(name);
+  std::call_once(read.marks_once,
+                 [&table = table, &read = read] { read.marks = read_marks(file_of(table), *table.packed); });
+  return read.marks;
 }
 
 }  // namespace plumbline::nc

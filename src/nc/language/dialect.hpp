@@ -316,6 +316,14 @@ struct ControlBehaviour {
   bool local_shift_adds = false;  // to what ATRANS added: G58 of a SINUMERIK
 };
 
+/// By what programs show which dialect they are in: recognise.hpp.
+struct DialectMarks {
+  std::vector<std::string> marks;              // what only programs for this control hold
+  std::vector<std::string> weak_marks;         // what counts where nothing else does
+  std::vector<std::string> file_endings;       // upper case
+  std::vector<std::string> weak_file_endings;  // what counts where the text shows nothing but weak marks
+};
+
 struct Dialect {
   std::string name;
   Syntax syntax;
@@ -323,11 +331,7 @@ struct Dialect {
   std::vector<CodeRow> named_codes;
   std::vector<CodeRow> at_start;  // codes that are in force before the program
   int work_systems = 9;
-  std::vector<std::string> marks;              // what only programs for this control hold: recognise.hpp
-  std::vector<std::string> weak_marks;         // what counts where nothing else does
-  std::vector<std::string> file_endings;       // upper case
-  std::vector<std::string> weak_file_endings;  // what counts where the text shows nothing but weak marks
-  std::vector<CodeRow> g_codes;                // by code
+  std::vector<CodeRow> g_codes;  // by code
   std::vector<CodeRow> m_codes;
   FeedRule feed_rule = FeedRule::unknown;
   bool feed_before_units = false;  // F counts in the units that were in force before its block
@@ -363,5 +367,7 @@ std::string dialect_list();
 
 /// The dialect of that name. Refuses with nc-unknown-dialect and the list of those that there are.
 const Dialect& dialect(std::string_view name);
+/// Its marks, without the rest of its table.
+const DialectMarks& marks_of_dialect(std::string_view name);
 
 }  // namespace plumbline::nc

@@ -7,8 +7,8 @@
 namespace plumbline::nc {
 
 struct EmbeddedTable {
-  std::string_view name;         // of the dialect
-  const std::string_view* text;  // of grammar/<name>.toml
+  std::string_view name;           // of the dialect
+  const std::string_view* packed;  // grammar/<name>.toml: packed_table.hpp
 };
 
 /// At least one.

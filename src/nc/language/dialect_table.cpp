@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "base/text/toml.hpp"
 #include "nc/language/dialect_keys.hpp"
 #include "nc/language/dialect_names.hpp"
 #include "nc/language/table_rows.hpp"
@@ -15,7 +14,7 @@ namespace {
 
 class TableReader {
  public:
-  explicit TableReader(const TomlDocument& document) : table_(document), rows_(table_) {}
+  explicit TableReader(const TableValues& table) : table_(table), rows_(table_) {}
 
   Dialect read() const {
     Dialect dialect;
@@ -25,10 +24,11 @@ class TableReader {
     dialect.feed_rule = feed_rule_named(table_.text(table_.root(), "feed_rule"));
     dialect.feed_rate_min = table_.number(table_.root(), "feed_rate_min", 0);
     dialect.line_length = static_cast<std::size_t>(table_.number(table_.root(), "line_length", 0));
-    const std::vector<TomlValue>& user_m_codes = table_.list("user_m_codes");
+    std::vector<int> user_m_codes;
+    for (const PackedValue code : table_.list("user_m_codes")) user_m_codes.push_back(static_cast<int>(code.number()));
     if (user_m_codes.size() != 2) table_.complain("'user_m_codes' needs the first and the last");
-    dialect.first_user_m_code = static_cast<int>(user_m_codes[0].number);
-    dialect.last_user_m_code = static_cast<int>(user_m_codes[1].number);
+    dialect.first_user_m_code = user_m_codes[0];
+    dialect.last_user_m_code = user_m_codes[1];
     dialect.feed_row = rows_.turn("F", Action::feed_word);
     dialect.feed_before_units =
         rows_.has_turn("units") && dialect.feed_row.step < rows_.turn("units", Action::no_motion).step;
@@ -45,28 +45,24 @@ class TableReader {
     rows_.rows("g", dialect.g_codes, dialect.g_index);
     rows_.rows("m", dialect.m_codes, dialect.m_index);
     dialect.work_systems = static_cast<int>(table_.number(table_.root(), "work_systems", dialect.work_systems));
-    if (table_.root().find("guard") != nullptr) dialect.guard = guard_named(table_.text(table_.root(), "guard"));
-    if (const TomlEntry* entry = table_.root().find("syntax")) read_syntax(entry->value, dialect.syntax);
-    if (const TomlEntry* entry = table_.root().find("habits")) read_habits(entry->value, dialect.behaviour);
+    if (table_.has("guard")) dialect.guard = guard_named(table_.text(table_.root(), "guard"));
+    if (const auto syntax = table_.root().find("syntax")) read_syntax(*syntax, dialect.syntax);
+    if (const auto habits = table_.root().find("habits")) read_habits(*habits, dialect.behaviour);
     table_.texts("subprogram_files", dialect.syntax.subprogram_files);
-    if (table_.root().find("names") != nullptr) rows_.named_rows(dialect);
-    table_.texts("marks", dialect.marks);
-    table_.texts("weak_marks", dialect.weak_marks);
-    table_.texts("file_endings", dialect.file_endings);
-    table_.texts("weak_file_endings", dialect.weak_file_endings);
-    if (table_.root().find("at_start") != nullptr) {
-      for (const TomlValue& code : table_.list("at_start"))
-        dialect.at_start.push_back(rows_.start_row(dialect, code.text));
+    if (table_.has("names")) rows_.named_rows(dialect);
+    if (table_.has("at_start")) {
+      for (const PackedValue code : table_.list("at_start"))
+        dialect.at_start.push_back(rows_.start_row(dialect, std::string(code.text())));
     }
     return dialect;
   }
 
  private:
-  void read_syntax(const TomlValue& from, Syntax& syntax) const {
+  void read_syntax(const PackedValue& from, Syntax& syntax) const {
     table_.check_keys(from, {"statements", "labels", "system_variables"}, kSyntaxFlags, kSyntaxLetters, kSyntaxNumbers,
                       kSyntaxIntegers, kSyntaxTexts);
     syntax.statements = statements_named(table_.text(from, "statements"));
-    if (from.find("labels") != nullptr) syntax.labels = labels_named(table_.text(from, "labels"));
+    if (table_.has(from, "labels")) syntax.labels = labels_named(table_.text(from, "labels"));
     syntax.system_variables = system_variables_named(table_.text(from, "system_variables"));
     table_.read_keys(from, syntax, kSyntaxFlags);
     table_.read_keys(from, syntax, kSyntaxLetters);
@@ -83,19 +79,20 @@ class TableReader {
   void read_names(Syntax& syntax) const {
     using Kind = NameMeaning::Kind;
     const auto each = [&](std::string_view key, Kind kind, const auto& which) {
-      if (table_.root().find(key) == nullptr) return;
-      for (const TomlValue& row : table_.list(key)) {
+      if (!table_.has(key)) return;
+      for (const PackedValue row : table_.list(key)) {
         const int arguments = static_cast<int>(table_.number(row, "arguments", 1));
         syntax.meanings[table_.text(row, "name")] = {kind, static_cast<int>(which(row)), arguments,
                                                      table_.number(row, "value", 0), table_.flag(row, "tool_vector")};
       }
     };
-    each("addresses", Kind::address, [&](const TomlValue& row) { return table_.text(row, "letter").at(0); });
-    each("keywords", Kind::keyword, [&](const TomlValue& row) { return keyword_named(table_.text(row, "does")); });
-    each("functions", Kind::function, [&](const TomlValue& row) { return operation_named(table_.text(row, "does")); });
+    each("addresses", Kind::address, [&](const PackedValue& row) { return table_.text(row, "letter").at(0); });
+    each("keywords", Kind::keyword, [&](const PackedValue& row) { return keyword_named(table_.text(row, "does")); });
+    each("functions", Kind::function,
+         [&](const PackedValue& row) { return operation_named(table_.text(row, "does")); });
     each("operations", Kind::operation,
-         [&](const TomlValue& row) { return operation_named(table_.text(row, "does")); });
-    each("variables", Kind::variable, [&](const TomlValue& row) {
+         [&](const PackedValue& row) { return operation_named(table_.text(row, "does")); });
+    each("variables", Kind::variable, [&](const PackedValue& row) {
       syntax.variables.push_back({table_.text(row, "name"), static_cast<int>(table_.number(row, "first", 0)),
                                   static_cast<int>(table_.number(row, "last", 0)),
                                   static_cast<int>(table_.number(row, "at", 0))});
@@ -103,26 +100,26 @@ class TableReader {
     });
   }
 
-  void read_habits(const TomlValue& from, ControlBehaviour& behaviour) const {
+  void read_habits(const PackedValue& from, ControlBehaviour& behaviour) const {
     table_.check_keys(from, {"beside_dwell", "increment_unknown_after"}, kHabitFlags, kHabitNumbers, kHabitIntegers,
                       kHabitTexts);
     table_.read_keys(from, behaviour, kHabitFlags);
     table_.read_keys(from, behaviour, kHabitNumbers);
     table_.read_keys(from, behaviour, kHabitIntegers);
     table_.read_keys(from, behaviour, kHabitTexts);
-    if (from.find("beside_dwell") != nullptr) behaviour.beside_dwell = beside_named(table_.text(from, "beside_dwell"));
+    if (table_.has(from, "beside_dwell")) behaviour.beside_dwell = beside_named(table_.text(from, "beside_dwell"));
     read_increments_after(from, behaviour);
   }
 
-  void read_increments_after(const TomlValue& from, ControlBehaviour& behaviour) const {
-    const TomlValue* const list = table_.value(from, "increment_unknown_after", TomlValue::Kind::array);
-    if (list == nullptr) return;
-    for (const TomlValue& change : list->items) {
-      bool* const flag = change.text == "offset"   ? &behaviour.increment_unknown_after_offset
-                         : change.text == "length" ? &behaviour.increment_unknown_after_length
-                         : change.text == "turn"   ? &behaviour.increment_unknown_after_turn
-                                                   : nullptr;
-      if (flag == nullptr) table_.complain(fmt::format("'increment_unknown_after' knows no '{}'", change.text));
+  void read_increments_after(const PackedValue& from, ControlBehaviour& behaviour) const {
+    const auto list = table_.value(from, "increment_unknown_after", PackedValue::Kind::array);
+    if (!list) return;
+    for (const PackedValue change : list->items()) {
+      bool* const flag = change.text() == "offset"   ? &behaviour.increment_unknown_after_offset
+                         : change.text() == "length" ? &behaviour.increment_unknown_after_length
+                         : change.text() == "turn"   ? &behaviour.increment_unknown_after_turn
+                                                     : nullptr;
+      if (flag == nullptr) table_.complain(fmt::format("'increment_unknown_after' knows no '{}'", change.text()));
       *flag = true;
     }
   }
@@ -139,9 +136,18 @@ class TableReader {
 
 }  // namespace
 
-Dialect read_dialect(std::string_view name, std::string_view text) {
-  const TomlDocument document = parse_toml(std::string(text), std::string(name));
-  return TableReader(document).read();
+Dialect read_dialect(std::string_view name, std::string_view packed) {
+  return TableReader(TableValues(name, PackedValue(packed))).read();
+}
+
+DialectMarks read_marks(std::string_view name, std::string_view packed) {
+  const TableValues table(name, PackedValue(packed));
+  DialectMarks marks;
+  table.texts("marks", marks.marks);
+  table.texts("weak_marks", marks.weak_marks);
+  table.texts("file_endings", marks.file_endings);
+  table.texts("weak_file_endings", marks.weak_file_endings);
+  return marks;
 }
 
 }  // namespace plumbline::nc

@@ -95,7 +95,7 @@ std::string plain(std::string_view line) {
 }
 
 struct Evidence {
-  const Dialect* dialect;
+  std::string_view dialect;
   std::string text;
   std::size_t line;
   std::string whole;  // that line as it stands
@@ -111,10 +111,10 @@ class Look {
     if (found_.empty()) found_ = by_name_;
     if (found_.empty()) found_ = weak_;
     if (found_.empty()) return {&dialect(dialect_names().front()), {}, 0};
-    if (found_.size() == 1) return {found_.front().dialect, found_.front().text, found_.front().line};
+    if (found_.size() == 1) return {&dialect(found_.front().dialect), found_.front().text, found_.front().line};
     std::string list;
     for (const Evidence& e : found_) {
-      list += fmt::format("{}{} speaks for {}", list.empty() ? "" : ", ", e.text, e.dialect->name);
+      list += fmt::format("{}{} speaks for {}", list.empty() ? "" : ", ", e.text, e.dialect);
     }
     Place place;
     place.file = file_.name();
@@ -127,31 +127,31 @@ class Look {
   }
 
  private:
-  static void note(std::vector<Evidence>& evidence, const Dialect& dialect, std::string text, std::size_t line,
+  static void note(std::vector<Evidence>& evidence, std::string_view dialect, std::string text, std::size_t line,
                    std::string_view whole) {
     for (const Evidence& e : evidence) {
-      if (e.dialect == &dialect) return;
+      if (e.dialect == dialect) return;
     }
-    evidence.push_back({&dialect, std::move(text), line, std::string(whole)});
+    evidence.push_back({dialect, std::move(text), line, std::string(whole)});
   }
 
   void name() {
     std::string upper_name;
     for (const char c : file_.name()) upper_name += upper(c);
     for (const std::string_view dialect_name : dialect_names()) {
-      const Dialect& known = dialect(dialect_name);
+      const DialectMarks& known = marks_of_dialect(dialect_name);
       for (const std::string& ending : known.file_endings) {
-        if (upper_name.ends_with(ending)) note(found_, known, fmt::format("the file's ending {}", ending), 0, {});
+        if (upper_name.ends_with(ending))
+          note(found_, dialect_name, fmt::format("the file's ending {}", ending), 0, {});
       }
       for (const std::string& ending : known.weak_file_endings) {
-        if (upper_name.ends_with(ending)) note(by_name_, known, fmt::format("the file's ending {}", ending), 0, {});
+        if (upper_name.ends_with(ending))
+          note(by_name_, dialect_name, fmt::format("the file's ending {}", ending), 0, {});
       }
     }
   }
 
   void text() {
-    std::vector<const Dialect*> dialects;
-    for (const std::string_view name : dialect_names()) dialects.push_back(&dialect(name));
     std::string begin(kLook, '\0');
     begin.resize(file_.read(0, begin.data(), begin.size()));
     const std::string_view all = begin;
@@ -163,16 +163,17 @@ class Look {
       at = end + 1;
       const PlainLine line(plain(whole), first);
       if (line.text.empty() || line.text == "%") continue;
-      for (const Dialect* const known : dialects) marks(*known, line, whole, number);
+      for (const std::string_view name : dialect_names()) marks(name, line, whole, number);
       first = false;
     }
   }
 
-  void marks(const Dialect& known, const PlainLine& line, std::string_view whole, std::size_t number) {
+  void marks(std::string_view name, const PlainLine& line, std::string_view whole, std::size_t number) {
+    const DialectMarks& known = marks_of_dialect(name);
     const auto held = [&](const std::string& mark) { return holds(mark, line); };
     const auto shown = [&] { return fmt::format("line {} ({})", number, line.text.substr(0, 40)); };
-    if (std::any_of(known.marks.begin(), known.marks.end(), held)) note(found_, known, shown(), number, whole);
-    if (std::any_of(known.weak_marks.begin(), known.weak_marks.end(), held)) note(weak_, known, shown(), number, whole);
+    if (std::any_of(known.marks.begin(), known.marks.end(), held)) note(found_, name, shown(), number, whole);
+    if (std::any_of(known.weak_marks.begin(), known.weak_marks.end(), held)) note(weak_, name, shown(), number, whole);
   }
 
   const InputFile& file_;

@@ -18,10 +18,7 @@ std::uint32_t letter_mask(std::string_view letters) {
   return bits;
 }
 
-bool TableRows::has_turn(std::string_view name) const {
-  const std::vector<TomlValue>& steps = table_.list("execution");
-  return std::any_of(steps.begin(), steps.end(), [&](const TomlValue& entry) { return entry.text == name; });
-}
+bool TableRows::has_turn(std::string_view name) const { return step_of(name).has_value(); }
 
 CodeRow TableRows::turn(std::string_view name, Action action) const {
   CodeRow row;
@@ -31,9 +28,9 @@ CodeRow TableRows::turn(std::string_view name, Action action) const {
 }
 
 void TableRows::rows(std::string_view key, std::vector<CodeRow>& into, std::vector<std::int16_t>& places) const {
-  for (const TomlValue& from : table_.list(key)) {
+  for (const PackedValue from : table_.list(key)) {
     into.push_back(row(from));
-    if (from.find("last") == nullptr) continue;
+    if (!table_.has(from, "last")) continue;
     const int last = static_cast<int>(std::lround(parse_number(table_.text(from, "last")).value_or(-1) * 10));
     for (int code = into.back().code + 10; code <= last; code += 10) {  // a row for each whole number up to there
       CodeRow next = into.back();
@@ -52,7 +49,7 @@ void TableRows::rows(std::string_view key, std::vector<CodeRow>& into, std::vect
 }
 
 void TableRows::named_rows(Dialect& dialect) const {
-  for (const TomlValue& from : table_.list("names")) {
+  for (const PackedValue from : table_.list("names")) {
     CodeRow named_code = row(from, false);
     named_code.name = table_.text(from, "code");
     const int place = static_cast<int>(dialect.named_codes.size());
@@ -69,13 +66,21 @@ CodeRow TableRows::start_row(const Dialect& dialect, const std::string& code) co
 }
 
 std::uint8_t TableRows::step(std::string_view name) const {
-  const std::vector<TomlValue>& steps = table_.list("execution");
-  const auto at = std::find_if(steps.begin(), steps.end(), [&](const TomlValue& entry) { return entry.text == name; });
-  if (at == steps.end()) table_.complain(fmt::format("'{}' has no turn in 'execution'", name));
-  return static_cast<std::uint8_t>(at - steps.begin());
+  const std::optional<std::uint8_t> step = step_of(name);
+  if (!step) table_.complain(fmt::format("'{}' has no turn in 'execution'", name));
+  return *step;
 }
 
-CodeRow TableRows::row(const TomlValue& from, bool has_number) const {
+std::optional<std::uint8_t> TableRows::step_of(std::string_view name) const {
+  std::uint8_t step = 0;
+  for (const PackedValue entry : table_.list("execution")) {
+    if (entry.text() == name) return step;
+    ++step;
+  }
+  return std::nullopt;
+}
+
+CodeRow TableRows::row(const PackedValue& from, bool has_number) const {
   CodeRow row;
   const std::string code = table_.text(from, "code");
   if (has_number) row.code = static_cast<int>(std::lround(parse_number(code).value_or(-1) * 10));
@@ -83,7 +88,7 @@ CodeRow TableRows::row(const TomlValue& from, bool has_number) const {
   row.group = static_cast<int>(table_.number(from, "group", -1));
   row.meaning = table_.text(from, "does");
   row.action = action_named(row.meaning);
-  if (from.find("words") != nullptr) row.words = table_.text(from, "words");
+  if (table_.has(from, "words")) row.words = table_.text(from, "words");
   row.word_mask = letter_mask(row.words);
   row.step = step(table_.text(from, "step"));
   const std::uint8_t motion = step("motion");
@@ -97,25 +102,24 @@ CodeRow TableRows::row(const TomlValue& from, bool has_number) const {
   row.needs_axes = table_.flag(from, "needs_axes");
   row.absolute_alone = table_.flag(from, "absolute_alone");
   row.unturned = table_.flag(from, "unturned");
-  if (from.find("not_beside") != nullptr) row.not_beside = table_.text(from, "not_beside").front();
-  if (from.find("beside_is") != nullptr) {
+  if (table_.has(from, "not_beside")) row.not_beside = table_.text(from, "not_beside").front();
+  if (table_.has(from, "beside_is")) {
     row.beside_is = static_cast<int>(std::lround(parse_number(table_.text(from, "beside_is")).value() * 10));
   }
-  if (from.find("feed_rule") != nullptr) row.feed_rule = feed_rule_named(table_.text(from, "feed_rule"));
-  if (const TomlValue* const only = table_.value(from, "only", TomlValue::Kind::array)) {
-    for (const TomlValue& word : only->items) {
-      row.only_letter = word.text.at(0);
-      row.only.push_back(parse_number(word.text.substr(1)).value());
+  if (table_.has(from, "feed_rule")) row.feed_rule = feed_rule_named(table_.text(from, "feed_rule"));
+  if (const auto only = table_.value(from, "only", PackedValue::Kind::array)) {
+    for (const PackedValue word : only->items()) {
+      row.only_letter = word.text().at(0);
+      row.only.push_back(parse_number(word.text().substr(1)).value());
     }
   }
   row.order_unknown = table_.flag(from, "order_unknown");
   row.tool_vectors = table_.flag(from, "tool_vectors");
-  if (from.find("written_as") != nullptr) row.written_as = table_.text(from, "written_as");
+  if (table_.has(from, "written_as")) row.written_as = table_.text(from, "written_as");
   row.has_values = table_.flag(from, "values");
-  if (from.find("stays_with") != nullptr) row.stays_mask = letter_mask(table_.text(from, "stays_with"));
-  if (from.find("levels") != nullptr) row.levels = table_.text(from, "levels");
-  if (row.action == Action::refused || !row.only.empty() || from.find("why") != nullptr)
-    row.why = table_.text(from, "why");
+  if (table_.has(from, "stays_with")) row.stays_mask = letter_mask(table_.text(from, "stays_with"));
+  if (table_.has(from, "levels")) row.levels = table_.text(from, "levels");
+  if (row.action == Action::refused || !row.only.empty() || table_.has(from, "why")) row.why = table_.text(from, "why");
   return row;
 }
 

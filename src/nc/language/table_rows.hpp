@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,7 +32,8 @@ class TableRows {
 
  private:
   std::uint8_t step(std::string_view name) const;
-  CodeRow row(const TomlValue& from, bool has_number = true) const;
+  std::optional<std::uint8_t> step_of(std::string_view name) const;
+  CodeRow row(const PackedValue& from, bool has_number = true) const;
 
   const TableValues& table_;
 };

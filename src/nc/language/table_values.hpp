@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -11,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/check.hpp"
-#include "base/text/toml.hpp"
+#include "nc/language/packed_table.hpp"
 
 namespace plumbline::nc {
 
@@ -19,54 +20,52 @@ namespace plumbline::nc {
 /// InternalError.
 class TableValues {
  public:
-  explicit TableValues(const TomlDocument& document) : document_(document) {}
+  TableValues(std::string_view name, PackedValue root) : name_(name), root_(root) {}
 
-  const TomlValue& root() const { return document_.root; }
-  bool has(std::string_view key) const { return root().find(key) != nullptr; }
+  const PackedValue& root() const { return root_; }
+  bool has(std::string_view key) const { return has(root_, key); }
+  bool has(const PackedValue& table, std::string_view key) const { return table.find(key).has_value(); }
 
-  [[noreturn]] void complain(std::string_view what) const {
-    throw InternalError(fmt::format("{}: {}", document_.file, what));
+  [[noreturn]] void complain(std::string_view what) const { throw InternalError(fmt::format("{}: {}", name_, what)); }
+
+  std::optional<PackedValue> value(const PackedValue& table, std::string_view key, PackedValue::Kind kind) const {
+    const std::optional<PackedValue> found = table.find(key);
+    if (found && found->kind() != kind) complain(fmt::format("'{}' is not of kind '{}'", key, static_cast<char>(kind)));
+    return found;
   }
 
-  const TomlValue* value(const TomlValue& table, std::string_view key, TomlValue::Kind kind) const {
-    const TomlEntry* const entry = table.find(key);
-    if (entry == nullptr) return nullptr;
-    if (entry->value.kind != kind) complain(fmt::format("'{}' is no {}", key, name_of(kind)));
-    return &entry->value;
+  std::string text(const PackedValue& table, std::string_view key) const {
+    const std::optional<PackedValue> found = value(table, key, PackedValue::Kind::text);
+    if (!found) complain(fmt::format("no text '{}'", key));
+    return std::string(found->text());
   }
 
-  std::string text(const TomlValue& table, std::string_view key) const {
-    const TomlValue* const found = value(table, key, TomlValue::Kind::text);
-    if (found == nullptr) complain(fmt::format("no text '{}'", key));
-    return found->text;
+  double number(const PackedValue& table, std::string_view key, double fallback) const {
+    const std::optional<PackedValue> found = value(table, key, PackedValue::Kind::number);
+    return found ? found->number() : fallback;
   }
 
-  double number(const TomlValue& table, std::string_view key, double fallback) const {
-    const TomlValue* const found = value(table, key, TomlValue::Kind::number);
-    return found == nullptr ? fallback : found->number;
+  bool flag(const PackedValue& table, std::string_view key) const {
+    const std::optional<PackedValue> found = value(table, key, PackedValue::Kind::boolean);
+    return found && found->flag();
   }
 
-  bool flag(const TomlValue& table, std::string_view key) const {
-    const TomlValue* const found = value(table, key, TomlValue::Kind::boolean);
-    return found != nullptr && found->flag;
-  }
-
-  const std::vector<TomlValue>& list(std::string_view key) const {
-    const TomlValue* const found = value(root(), key, TomlValue::Kind::array);
-    if (found == nullptr) complain(fmt::format("no list '{}'", key));
-    return found->items;
+  PackedValue::Items list(std::string_view key) const {
+    const std::optional<PackedValue> found = value(root_, key, PackedValue::Kind::array);
+    if (!found) complain(fmt::format("no list '{}'", key));
+    return found->items();
   }
 
   void texts(std::string_view key, std::vector<std::string>& into) const {
-    if (root().find(key) == nullptr) return;
-    for (const TomlValue& item : list(key)) into.push_back(item.text);
+    if (!has(key)) return;
+    for (const PackedValue item : list(key)) into.emplace_back(item.text());
   }
 
   // Sets the members of those keys that the table has.
   template <class Table, class Keys>
-  void read_keys(const TomlValue& from, Table& table, const Keys& keys) const {
+  void read_keys(const PackedValue& from, Table& table, const Keys& keys) const {
     for (const auto& key : keys) {
-      if (from.find(key.name) == nullptr) continue;
+      if (!has(from, key.name)) continue;
       auto& member = table.*key.member;
       using Member = std::remove_reference_t<decltype(member)>;
       if constexpr (std::is_same_v<Member, bool>) {
@@ -83,17 +82,18 @@ class TableValues {
 
   // A slip in a key would be a habit that the control does not have.
   template <class... Keys>
-  void check_keys(const TomlValue& from, std::initializer_list<std::string_view> others, const Keys&... keys) const {
-    for (const TomlEntry& entry : from.entries) {
-      const auto is_this = [&](const auto& key) { return key.name == entry.key; };
-      const bool known = std::find(others.begin(), others.end(), entry.key) != others.end() ||
+  void check_keys(const PackedValue& from, std::initializer_list<std::string_view> others, const Keys&... keys) const {
+    from.each_entry([&](std::string_view its_key, const PackedValue&) {
+      const auto is_this = [&](const auto& key) { return key.name == its_key; };
+      const bool known = std::find(others.begin(), others.end(), its_key) != others.end() ||
                          (std::any_of(std::begin(keys), std::end(keys), is_this) || ...);
-      if (!known) complain(fmt::format("'{}' is no key", entry.key));
-    }
+      if (!known) complain(fmt::format("'{}' is no key", its_key));
+    });
   }
 
  private:
-  const TomlDocument& document_;
+  std::string_view name_;
+  PackedValue root_;
 };
 
 }  // namespace plumbline::nc

@@ -106,7 +106,7 @@ TEST_CASE("what shows two dialects is refused") {
 
 TEST_CASE("marks begin with what they look for, not with what stands for something else") {
   for (const std::string_view name : dialect_names()) {
-    for (const auto* const marks : {&dialect(name).marks, &dialect(name).weak_marks}) {
+    for (const auto* const marks : {&marks_of_dialect(name).marks, &marks_of_dialect(name).weak_marks}) {
       for (const std::string& mark : *marks) {
         INFO(name << ": " << mark);
         REQUIRE(!mark.empty());
