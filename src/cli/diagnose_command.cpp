@@ -7,10 +7,10 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "base/diagnostic.hpp"
 #include "base/files/files.hpp"
+#include "base/platform/platform.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
@@ -55,8 +55,8 @@ void check_folder(const std::string& folder) {
   std::error_code missing;
   fs::path there = fs::absolute(folder);
   while (!fs::exists(there, missing) && there.has_relative_path()) there = there.parent_path();
-  if (!fs::is_directory(there, missing)) refuse_folder(folder, fmt::format("{} is a file", there.string()));
-  if (access(there.c_str(), W_OK) != 0) refuse_folder(folder, std::strerror(errno));
+  if (!fs::is_directory(there, missing)) refuse_folder(folder, fmt::format("{} is a file", there.generic_string()));
+  if (!platform::may_write(there.generic_string())) refuse_folder(folder, std::strerror(errno));
 }
 
 // The model last: where it is, the files that it rests on are, too.
@@ -87,7 +87,7 @@ std::vector<FolderFile> programs_of(const DiagnoseArguments& arguments, const jo
     measure::Run run = next.test->run;
     run.id = "next-test-" + next.from;
     const fs::path path = fs::path(arguments.folder) / jobs::test_program_name(run.id, dialect);
-    programs.push_back({path.string(), jobs::test_program(result.machine, run, dialect)});
+    programs.push_back({path.generic_string(), jobs::test_program(result.machine, run, dialect)});
   }
   return programs;
 }
@@ -110,10 +110,10 @@ std::string page_of(const DiagnoseArguments& arguments, const jobs::DiagnoseResu
 }
 
 int diagnose(const DiagnoseArguments& arguments) {
-  const std::string json = (fs::path(arguments.folder) / "diagnosis.json").string();
-  const std::string model = (fs::path(arguments.folder) / "model.toml").string();
-  const std::string page = (fs::path(arguments.folder) / "report.html").string();
-  const std::string judged = (fs::path(arguments.folder) / "inspection.json").string();
+  const std::string json = (fs::path(arguments.folder) / "diagnosis.json").generic_string();
+  const std::string model = (fs::path(arguments.folder) / "model.toml").generic_string();
+  const std::string page = (fs::path(arguments.folder) / "report.html").generic_string();
+  const std::string judged = (fs::path(arguments.folder) / "inspection.json").generic_string();
   const std::string posterior = report::posterior_path(model);
   const std::vector<std::string> inputs = inputs_of(arguments.job.dataset, {arguments.model});
   check_folder(arguments.folder);

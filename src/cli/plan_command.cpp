@@ -57,7 +57,7 @@ std::vector<NamedProgram> programs_of(const PlanArguments& arguments, const mach
   for (const measure::Run& run : dataset.runs) {
     const std::filesystem::path path =
         std::filesystem::path(arguments.programs) / jobs::test_program_name(run.id, dialect);
-    programs.push_back({path.string(), jobs::test_program(machine, run, dialect)});
+    programs.push_back({path.generic_string(), jobs::test_program(machine, run, dialect)});
   }
   return programs;
 }

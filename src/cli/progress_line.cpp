@@ -1,10 +1,10 @@
 #include "cli/progress_line.hpp"
 
 #include <cstdio>
-#include <cstdlib>
 
 #include <fmt/format.h>
 
+#include "base/platform/platform.hpp"
 #include "cli/messages.hpp"
 #include "cli/terminal.hpp"
 #include "report/progress_text.hpp"
@@ -18,10 +18,7 @@ constexpr std::chrono::milliseconds kEvery{200};
 // The last column stays free: a full line would go over into the next one.
 std::size_t width() { return columns(Stream::err) - 1; }
 
-bool asks_for_filter_progress() {
-  const char* const asked = std::getenv("AXIS_PROGRESS_BAR");
-  return asked != nullptr && std::string_view(asked) == "1" && !says_json();
-}
+bool asks_for_filter_progress() { return platform::environment("AXIS_PROGRESS_BAR") == "1" && !says_json(); }
 
 }  // namespace
 

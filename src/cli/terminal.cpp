@@ -1,11 +1,8 @@
 #include "cli/terminal.hpp"
 
-#include <cstdlib>
-
 #include <fmt/color.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
+#include "base/platform/platform.hpp"
 #include "cli/messages.hpp"
 
 namespace plumbline::cli {
@@ -13,14 +10,9 @@ namespace {
 
 constexpr std::size_t kUsualColumns = 80;
 
-int descriptor(Stream stream) { return stream == Stream::out ? STDOUT_FILENO : STDERR_FILENO; }
+int descriptor(Stream stream) { return stream == Stream::out ? platform::kStandardOutput : platform::kStandardError; }
 
-bool wants_no_colour() {
-  const char* const none = std::getenv("NO_COLOR");
-  if (none != nullptr && *none != '\0') return true;
-  const char* const terminal = std::getenv("TERM");
-  return terminal == nullptr || std::string_view(terminal) == "dumb";
-}
+bool wants_no_colour() { return !platform::environment("NO_COLOR").value_or("").empty(); }
 
 fmt::text_style style_of(Verdict verdict) {
   switch (verdict) {
@@ -36,16 +28,16 @@ fmt::text_style style_of(Verdict verdict) {
 
 }  // namespace
 
-bool is_terminal(Stream stream) { return isatty(descriptor(stream)) == 1 && !says_json(); }
+bool is_terminal(Stream stream) { return platform::is_terminal(descriptor(stream)) && !says_json(); }
 
 std::size_t columns(Stream stream) {
-  winsize size{};
-  if (ioctl(descriptor(stream), TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return kUsualColumns;
-  return size.ws_col;
+  const std::size_t told = platform::terminal_columns(descriptor(stream));
+  return told == 0 ? kUsualColumns : told;
 }
 
 std::string coloured(std::string text, std::string_view part, Verdict verdict, Stream stream) {
-  if (part.empty() || !is_terminal(stream) || wants_no_colour()) return text;
+  if (part.empty() || !is_terminal(stream) || wants_no_colour() || !platform::shows_colours(descriptor(stream)))
+    return text;
   const std::size_t at = text.find(part);
   if (at == std::string::npos) return text;
   return text.replace(at, part.size(), fmt::format(style_of(verdict), "{}", part));

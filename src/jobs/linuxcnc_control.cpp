@@ -262,14 +262,14 @@ void write_linuxcnc_control(const settings::Options& options, const SimulatedDri
     std::error_code ignored;
     if (fs::exists(fs::symlink_status(taken, ignored))) {
       refuse("control-folder-taken", fmt::format("there is a {} in {} already", file.name, folder),
-             "you may have changed it: name another folder with -o", {taken.string()});
+             "you may have changed it: name another folder with -o", {taken.generic_string()});
     }
   }
   NewFolder made(folder);
   std::list<OutputFile> outputs;
   OutputSet set;
   for (const ControlFile& file : files) {
-    outputs.emplace_back((fs::path(folder) / file.name).string()).write(file.text);
+    outputs.emplace_back((fs::path(folder) / file.name).generic_string()).write(file.text);
     set.add(outputs.back());
   }
   set.commit();

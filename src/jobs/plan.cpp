@@ -211,7 +211,7 @@ void write_plan(const PlannedTests& plan, const std::string& folder) {
   std::error_code ignored;
   if (std::filesystem::exists(taken, ignored)) {
     refuse("plan-folder-taken", fmt::format("there is a dataset in {} already", folder),
-           "it may have been measured: name another folder with -o", {taken.string()});
+           "it may have been measured: name another folder with -o", {taken.generic_string()});
   }
   measure::write_dataset(plan.dataset, folder);
 }

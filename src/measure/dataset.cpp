@@ -211,12 +211,12 @@ void read_table(const RunReader& reader, const std::string& folder, Believe beli
   const fs::path path = fs::path(folder) / run.file;
   std::error_code ignored;  // a name too long for a file is none
   if (!fs::is_regular_file(path, ignored)) {
-    refuse("dataset-file-missing", fmt::format("there is no file {}", path.string()),
+    refuse("dataset-file-missing", fmt::format("there is no file {}", path.generic_string()),
            "file names the run's table, relative to the folder of the dataset", reader.place_of("file"));
   }
   TableOptions options;
   options.believe = believe;
-  read_run_table(path.string(), run, options);
+  read_run_table(path.generic_string(), run, options);
 }
 
 }  // namespace
@@ -247,7 +247,7 @@ Dataset parse_dataset(std::string text, const std::string& file, const std::stri
 }
 
 Dataset read_dataset(const std::string& path, Believe believe) {
-  return parse_dataset(read_text(path), input_name(path), fs::path(path).parent_path().string(), believe);
+  return parse_dataset(read_text(path), input_name(path), fs::path(path).parent_path().generic_string(), believe);
 }
 
 std::vector<std::string> files_of_dataset(const std::string& path) {
@@ -259,7 +259,7 @@ std::vector<std::string> files_of_dataset(const std::string& path) {
   for (const TomlValue& run : run_list(document).items) {
     const TomlEntry* const table = run.find("file");
     if (table == nullptr || table->value.kind != Kind::text) continue;  // read_dataset refuses it
-    files.push_back((fs::path(path).parent_path() / table->value.text).string());
+    files.push_back((fs::path(path).parent_path() / table->value.text).generic_string());
   }
   return files;
 }
@@ -279,13 +279,13 @@ std::vector<fs::path> table_targets(const Dataset& dataset, const fs::path& fold
     const fs::path relative = fs::path(run.file).lexically_normal();
     if (!stays_inside(relative)) {
       refuse("dataset-file-outside",
-             fmt::format("the table {} would be written outside of {}", run.file, folder.string()),
-             "name the tables of a dataset relative to its folder, inside it", {folder.string()});
+             fmt::format("the table {} would be written outside of {}", run.file, folder.generic_string()),
+             "name the tables of a dataset relative to its folder, inside it", {folder.generic_string()});
     }
     const fs::path target = fs::weakly_canonical(folder / relative, ignored);
     if (read.contains(target)) {
       refuse("file-overwrites-input", fmt::format("the table of run {} would overwrite one that is read", run.id),
-             "name another folder for the output", {folder.string()});
+             "name another folder for the output", {folder.generic_string()});
     }
     if (!written.insert(target).second) {
       refuse("dataset-same-file", fmt::format("the table of run {} would be written over another file", run.id),
@@ -311,13 +311,13 @@ void write_dataset(const Dataset& dataset, const std::string& folder) {
   std::list<NewFolder> folders;
   std::list<OutputFile> outputs;
   OutputSet files;
-  folders.emplace_front(into.string());
+  folders.emplace_front(into.generic_string());
   const auto write = [&](const fs::path& path, const std::string& text) {
-    outputs.emplace_back(path.string()).write(text);
+    outputs.emplace_back(path.generic_string()).write(text);
     files.add(outputs.back());
   };
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    folders.emplace_front(targets[i].parent_path().string());
+    folders.emplace_front(targets[i].parent_path().generic_string());
     write(targets[i], run_table_text(dataset.runs[i]));
   }
   write(into / kDatasetName, dataset.document.text);

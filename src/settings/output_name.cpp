@@ -47,19 +47,19 @@ std::string output_name(std::string_view pattern, const std::string& program, co
       pattern, [&](std::string_view text) { name += text; },
       [&](std::string_view part) {
         if (part == "folder") {
-          const std::string folder = path.parent_path().string();
+          const std::string folder = path.parent_path().generic_string();
           name += folder.empty() ? "." : folder;
         } else if (part == "name") {
-          name += path.stem().string();
+          name += path.stem().generic_string();
         } else if (part == "ext") {
-          name += path.extension().string();
+          name += path.extension().generic_string();
         } else if (machine.empty()) {
           throw OptionError("it holds {machine}, and no machine is named: --machine NAME");
         } else {
           name += machine;
         }
       });
-  return std::filesystem::path(name).lexically_normal().string();
+  return std::filesystem::path(name).lexically_normal().generic_string();
 }
 
 }  // namespace plumbline::settings

@@ -1,7 +1,6 @@
 #include "settings/resolved.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -10,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "base/files/files.hpp"
+#include "base/platform/platform.hpp"
 #include "base/text/nearest_name.hpp"
 #include "settings/contradiction.hpp"
 
@@ -18,18 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string environment(const char* name) {
-  const char* const value = std::getenv(name);
-  return value == nullptr ? std::string() : std::string(value);
-}
-
 // In the folder of the program, which is named as the program is, and in those above it.
 std::vector<std::string> files_from_folder_up(const std::string& program) {
   std::vector<std::string> files;
   if (program == kStandardStream) return files;
   std::error_code error;
   const auto add = [&](const fs::path& folder) {
-    if (fs::is_regular_file(folder / kSettingsFileName, error)) files.push_back((folder / kSettingsFileName).string());
+    if (fs::is_regular_file(folder / kSettingsFileName, error))
+      files.push_back((folder / kSettingsFileName).generic_string());
   };
   add(fs::path(program).parent_path());
   fs::path folder = fs::absolute(program, error).lexically_normal().parent_path();
@@ -42,12 +38,11 @@ std::vector<std::string> files_from_folder_up(const std::string& program) {
 
 // Where it is not set, it is not there, which is no error.
 std::string users_own() {
-  std::string folder = environment("XDG_CONFIG_HOME");
-  if (folder.empty() && !environment("HOME").empty()) folder = environment("HOME") + "/.config";
+  const std::string folder = platform::settings_folder();
   if (folder.empty()) return {};
   const fs::path path = fs::path(folder) / "plumbline" / kSettingsFileName;
   std::error_code error;
-  return fs::is_regular_file(path, error) ? path.string() : std::string();
+  return fs::is_regular_file(path, error) ? path.generic_string() : std::string();
 }
 
 void add_once(std::vector<std::string>& files, const std::string& path) {
@@ -116,7 +111,7 @@ std::vector<std::string> settings_files(const std::string& program, const std::s
   if (file.empty()) {
     for (const std::string& path : files_from_folder_up(program)) add_once(files, path);
   }
-  add_once(files, environment(kSettingsVariable));
+  add_once(files, platform::environment(kSettingsVariable).value_or(""));
   add_once(files, users_own());
   return files;
 }

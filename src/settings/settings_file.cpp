@@ -118,7 +118,7 @@ class SettingsReader {
 
   std::string beside_file(const std::string& path) const {
     const bool is_from_program = path.starts_with(kProgramFolder);
-    return path.empty() || is_from_program ? path : (fs::path(document_.file).parent_path() / path).string();
+    return path.empty() || is_from_program ? path : (fs::path(document_.file).parent_path() / path).generic_string();
   }
 
   [[noreturn]] void refuse_type(const TomlEntry& entry, const TomlValue& value) const {

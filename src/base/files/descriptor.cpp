@@ -1,9 +1,8 @@
 #include "base/files/descriptor.hpp"
 
-#include <cerrno>
 #include <vector>
 
-#include <unistd.h>
+#include "base/platform/platform.hpp"
 
 namespace plumbline {
 namespace {
@@ -22,12 +21,11 @@ Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
 
 Descriptor::~Descriptor() { close(); }
 
-bool Descriptor::close() { return !is_open() || ::close(release()) == 0; }
+bool Descriptor::close() { return !is_open() || platform::close(release()); }
 
 bool write_all(int descriptor, const char* bytes, std::size_t count) {
   while (count > 0) {
-    const ssize_t written = ::write(descriptor, bytes, count);
-    if (written < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t written = platform::write(descriptor, bytes, count);
     if (written <= 0) return false;
     bytes += written;
     count -= static_cast<std::size_t>(written);
@@ -38,8 +36,7 @@ bool write_all(int descriptor, const char* bytes, std::size_t count) {
 bool copy_all(int from, int to) {
   std::vector<char> chunk(kChunk);
   while (true) {
-    const ssize_t count = ::read(from, chunk.data(), chunk.size());
-    if (count < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t count = platform::read(from, chunk.data(), chunk.size());
     if (count <= 0) return count == 0;
     if (!write_all(to, chunk.data(), static_cast<std::size_t>(count))) return false;
   }

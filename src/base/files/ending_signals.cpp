@@ -1,14 +1,12 @@
 #include "base/files/ending_signals.hpp"
 
-#include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <new>
 #include <utility>
 
-#include <unistd.h>
+#include "base/platform/platform.hpp"
 
 namespace plumbline {
 
@@ -21,7 +19,6 @@ struct PassingName::Slot {
 
 namespace {
 
-constexpr std::array kEndingSignals{SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ};
 constexpr int kDying = -1;
 constexpr int kMostLevels = 8;  // of new folders in new folders
 
@@ -34,11 +31,11 @@ static_assert(std::atomic<int>::is_always_lock_free && std::atomic<char*>::is_al
 void remove_all_names() {
   for (PassingName::Slot* slot = slots.load(); slot != nullptr; slot = slot->next) {
     char* const path = slot->path.exchange(nullptr);
-    if (path != nullptr && unlink(path) != 0 && errno == EISDIR) slot->path = path;
+    if (path != nullptr && !platform::remove_name(path)) slot->path = path;
   }
   for (int level = 0; level < kMostLevels; ++level) {
     for (PassingName::Slot* slot = slots.load(); slot != nullptr; slot = slot->next) {
-      if (const char* const path = slot->path.load()) rmdir(path);
+      if (const char* const path = slot->path.load()) platform::remove_name(path);
     }
   }
 }
@@ -53,13 +50,7 @@ void end_by(int signal) {
     return;  // whoever waits raises it again, or another thread is ending the process
   }
   remove_all_names();
-  std::signal(signal, SIG_DFL);
-  sigset_t this_one;
-  sigemptyset(&this_one);
-  sigaddset(&this_one, signal);
-  pthread_sigmask(SIG_UNBLOCK, &this_one, nullptr);
-  raise(signal);
-  _exit(128 + signal);
+  platform::end_by(signal);
 }
 
 PassingName::Slot* free_slot() {
@@ -76,15 +67,7 @@ PassingName::Slot* free_slot() {
 
 }  // namespace
 
-void remove_names_on_signals() {
-  struct sigaction action {};
-  action.sa_handler = end_by;
-  for (const int signal : kEndingSignals) sigaddset(&action.sa_mask, signal);
-  for (const int signal : kEndingSignals) {
-    struct sigaction was {};
-    if (sigaction(signal, nullptr, &was) == 0 && was.sa_handler == SIG_DFL) sigaction(signal, &action, nullptr);
-  }
-}
+void remove_names_on_signals() { platform::call_at_end(end_by); }
 
 PassingName::PassingName(std::string path) : path_(std::move(path)), slot_(free_slot()) {
   char* const copy = strdup(path_.c_str());
@@ -111,7 +94,7 @@ PassingName::~PassingName() { remove(); }
 
 void PassingName::remove() {
   if (slot_ == nullptr) return;
-  if (unlink(path_.c_str()) != 0 && errno == EISDIR) rmdir(path_.c_str());
+  platform::remove_name(path_.c_str());
   let_go();
 }
 
@@ -126,14 +109,14 @@ SignalsWait::SignalsWait() {
   int count = waits.load();
   while (count == kDying || !waits.compare_exchange_weak(count, count + 1)) {
     if (count != kDying) continue;
-    pause();  // the process is ending on another thread
+    platform::wait_for_end();
     count = waits.load();
   }
 }
 
 SignalsWait::~SignalsWait() {
   if (waits.fetch_sub(1) != 1) return;
-  if (const int signal = pending.exchange(0)) raise(signal);
+  if (const int signal = pending.exchange(0)) end_by(signal);
 }
 
 }  // namespace plumbline

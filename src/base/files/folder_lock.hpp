@@ -3,8 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
-#include "base/files/descriptor.hpp"
+#include "base/platform/platform.hpp"
 
 namespace plumbline {
 
@@ -23,8 +24,8 @@ class FolderLock {
   bool sync() const;
 
  private:
-  explicit FolderLock(Descriptor folder) : folder_(std::move(folder)) {}
-  Descriptor folder_;
+  explicit FolderLock(platform::FolderHandle folder) : folder_(std::move(folder)) {}
+  platform::FolderHandle folder_;
 };
 
 }  // namespace plumbline

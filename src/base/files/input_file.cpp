@@ -3,10 +3,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "base/check.hpp"
 #include "base/diagnostic.hpp"
@@ -23,6 +20,18 @@ constexpr std::uint64_t kLargestText = 1'000'000'000;
   refuse(code, std::move(message), std::move(help), place);
 }
 
+platform::FileStatus state_of(int descriptor) {
+  const std::optional<platform::FileStatus> status = platform::status_of(descriptor);
+  PLUMBLINE_CHECK(status);
+  return *status;
+}
+
+// A file that was not written to.
+bool is_unchanged(const platform::FileStatus& before, const platform::FileStatus& now) {
+  return platform::is_same_file(before, now) && before.size == now.size && before.changed_s == now.changed_s &&
+         before.changed_ns == now.changed_ns;
+}
+
 }  // namespace
 
 InputFile::InputFile(const Source& source) : name_(source.name()), text_(source.text()) {
@@ -31,7 +40,7 @@ InputFile::InputFile(const Source& source) : name_(source.name()), text_(source.
     return;
   }
   if (source.is_standard_input()) {
-    spool(STDIN_FILENO);
+    spool(platform::kStandardInput);
   } else {
     open(source.path());
   }
@@ -39,23 +48,16 @@ InputFile::InputFile(const Source& source) : name_(source.name()), text_(source.
   size_ = state_.size;
 }
 
-InputFile::State InputFile::state_of(int descriptor) {
-  struct stat status {};
-  PLUMBLINE_CHECK(fstat(descriptor, &status) == 0);
-  return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec,
-          status.st_mtim.tv_nsec};
-}
-
 void InputFile::open(const std::string& path) {
-  Descriptor opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  Descriptor opened(platform::open_to_read(path));
   if (!opened.is_open()) {
     refuse_file(errno == ENOENT ? "file-missing" : "file-unreadable", path,
                 fmt::format("cannot be opened: {}", std::strerror(errno)), "check the path and its permissions");
   }
-  struct stat status {};
-  PLUMBLINE_CHECK(fstat(opened.number(), &status) == 0);
-  if (S_ISDIR(status.st_mode)) refuse_file("file-is-folder", path, "is a folder, not a file", "name a file in it");
-  if (S_ISREG(status.st_mode)) {
+  const platform::FileKind kind = state_of(opened.number()).kind;
+  if (kind == platform::FileKind::folder)
+    refuse_file("file-is-folder", path, "is a folder, not a file", "name a file in it");
+  if (kind == platform::FileKind::file) {
     descriptor_ = std::move(opened);
   } else {
     spool(opened.number());
@@ -66,22 +68,20 @@ void InputFile::open(const std::string& path) {
 void InputFile::spool(int from) {
   is_spooled_ = true;
   descriptor_ = open_unnamed_temporary();
-  struct stat status {};
-  if (fstat(from, &status) != 0) refuse_file("file-unreadable", name_, std::strerror(errno), "check the redirection");
-  const State before = state_of(from);
+  const std::optional<platform::FileStatus> before = platform::status_of(from);
+  if (!before) refuse_file("file-unreadable", name_, std::strerror(errno), "check the redirection");
   if (!copy_all(from, descriptor_.number())) {
     refuse_file("file-unreadable", name_, fmt::format("cannot be kept: {}", std::strerror(errno)),
                 "write it into a file, and name that");
   }
-  if (S_ISREG(status.st_mode) && state_of(from) != before) refuse_changed();
+  if (before->kind == platform::FileKind::file && !is_unchanged(*before, state_of(from))) refuse_changed();
 }
 
 std::size_t InputFile::read(std::uint64_t offset, char* into, std::size_t count) const {
   if (text_) return offset < text_->size() ? text_->copy(into, count, offset) : 0;
   std::size_t got = 0;
   while (got < count) {
-    const ssize_t n = pread(descriptor_.number(), into + got, count - got, static_cast<off_t>(offset + got));
-    if (n < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t n = platform::read_at(descriptor_.number(), into + got, count - got, offset + got);
     if (n < 0) {
       refuse_file("file-unreadable", name_, fmt::format("cannot be read: {}", std::strerror(errno)),
                   "check the disk that holds it");
@@ -93,13 +93,13 @@ std::size_t InputFile::read(std::uint64_t offset, char* into, std::size_t count)
 }
 
 bool InputFile::is_same_as(const std::string& path) const {
-  struct stat other {};
-  return !text_ && ::stat(path.c_str(), &other) == 0 && state_.device == other.st_dev && state_.number == other.st_ino;
+  const std::optional<platform::FileStatus> other = text_ ? std::nullopt : platform::status_of(path);
+  return other && platform::is_same_file(state_, *other);
 }
 
 void InputFile::check_unchanged() const {
   if (is_spooled_ || text_) return;
-  if (state_of(descriptor_.number()) != state_ || !is_same_as(name_)) refuse_changed();
+  if (!is_unchanged(state_, state_of(descriptor_.number())) || !is_same_as(name_)) refuse_changed();
 }
 
 void InputFile::refuse_changed() const {

@@ -9,6 +9,7 @@
 
 #include "base/files/descriptor.hpp"
 #include "base/files/source.hpp"
+#include "base/platform/platform.hpp"
 
 namespace plumbline {
 
@@ -40,16 +41,6 @@ class InputFile {
   explicit InputFile(Unopened file) : name_(std::move(file.name)) {}
 
  private:
-  // What tells that a file was written to.
-  struct State {
-    std::uint64_t device = 0;
-    std::uint64_t number = 0;
-    std::uint64_t size = 0;
-    std::int64_t changed_s = 0;
-    std::int64_t changed_ns = 0;
-    bool operator==(const State&) const = default;
-  };
-  static State state_of(int descriptor);
   void open(const std::string& path);
   void spool(int from);
   [[noreturn]] void refuse_changed() const;
@@ -58,7 +49,7 @@ class InputFile {
   std::shared_ptr<const std::string> text_;  // null: a file
   Descriptor descriptor_;
   std::uint64_t size_ = 0;
-  State state_;
+  platform::FileStatus state_;
   bool is_spooled_ = false;
 };
 

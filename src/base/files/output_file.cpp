@@ -4,13 +4,12 @@
 #include <cstring>
 #include <vector>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "base/check.hpp"
 #include "base/diagnostic.hpp"
 #include "base/files/output_set.hpp"
+#include "base/platform/platform.hpp"
 
 namespace plumbline {
 namespace {
@@ -50,7 +49,11 @@ void OutputFile::refuse_write(int error, std::string_view also) const {
 }
 
 void OutputFile::flush() {
-  if (!write_all(descriptor_.number(), buffer_.data(), buffer_.size())) refuse_write(errno);
+  for (std::size_t put = 0; put < buffer_.size();) {
+    const std::ptrdiff_t n = platform::append(descriptor_.number(), buffer_.data() + put, buffer_.size() - put);
+    if (n <= 0) refuse_write(errno);
+    put += static_cast<std::size_t>(n);
+  }
   if (hash_) hash_ = fnv1a(buffer_, *hash_);
   buffer_.clear();
 }
@@ -69,8 +72,7 @@ void OutputFile::copy_to(OutputFile& other) {
 std::size_t OutputFile::read(std::uint64_t offset, char* into, std::size_t count) const {
   std::size_t got = 0;
   while (got < count) {
-    const ssize_t n = pread(descriptor_.number(), into + got, count - got, static_cast<off_t>(offset + got));
-    if (n < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t n = platform::read_at(descriptor_.number(), into + got, count - got, offset + got);
     if (n < 0) refuse_write(errno);
     if (n == 0) break;
     got += static_cast<std::size_t>(n);
@@ -82,7 +84,7 @@ void OutputFile::restart() {
   buffer_.clear();
   size_ = 0;
   if (hash_) hash_ = fnv1a({});
-  if (ftruncate(descriptor_.number(), 0) != 0 || lseek(descriptor_.number(), 0, SEEK_SET) < 0) refuse_write(errno);
+  if (!platform::empty(descriptor_.number())) refuse_write(errno);
 }
 
 void OutputFile::commit() {
@@ -96,8 +98,8 @@ void OutputFile::finish() {
   PLUMBLINE_CHECK(descriptor_.is_open());
   flush();
   if (!temporary_) return;
-  if (target_.replaced) adopt(descriptor_.number(), *target_.replaced);
-  if (fsync(descriptor_.number()) != 0) refuse_write(errno);
+  if (target_.replaced) platform::adopt(descriptor_.number(), *target_.replaced);
+  if (!platform::sync(descriptor_.number())) refuse_write(errno);
 }
 
 // What was spooled goes to an open file, or into the device or pipe that the path names.
@@ -105,11 +107,11 @@ void OutputFile::send() {
   if (take_) return hand_over();
   Descriptor named;
   if (target_.kind == OutputTarget::Kind::device) {
-    named = Descriptor(::open(target_.path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+    named = Descriptor(platform::open_to_append(target_.path));
     if (!named.is_open()) refuse_write(errno);
   }
   const int stream = named.is_open() ? named.number() : target_.descriptor;
-  const bool copied = lseek(descriptor_.number(), 0, SEEK_SET) == 0 && copy_all(descriptor_.number(), stream);
+  const bool copied = platform::rewind(descriptor_.number()) && copy_all(descriptor_.number(), stream);
   if (!copied || !named.close()) refuse_write(errno);
   descriptor_.close();
 }

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <set>
 #include <system_error>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "base/diagnostic.hpp"
+#include "base/platform/platform.hpp"
 
 namespace plumbline {
 namespace {
@@ -19,11 +18,11 @@ namespace fs = std::filesystem;
 
 // Both names are in one folder. Where renaming fails, removing and linking may not.
 bool put_back(const std::string& before, const std::string& path) {
-  if (rename(before.c_str(), path.c_str()) == 0) {
-    unlink(before.c_str());  // both named the same file: then renaming does nothing
+  if (platform::rename(before, path)) {
+    platform::remove_file(before);  // both named the same file: then renaming does nothing
     return true;
   }
-  return (unlink(path.c_str()) == 0 || errno == ENOENT) && link(before.c_str(), path.c_str()) == 0;
+  return (platform::remove_file(path) || errno == ENOENT) && platform::link(before, path);
 }
 
 }  // namespace
@@ -62,7 +61,7 @@ void OutputSet::lock(const std::vector<const OutputFile*>& files) {
     if (file == nullptr || file->target_.kind != OutputTarget::Kind::file) continue;
     std::error_code gone;
     const fs::path folder = fs::canonical(file->target_.folder(), gone);
-    if (!gone) folders.insert(folder.string());
+    if (!gone) folders.insert(folder.generic_string());
   }
   for (const std::string& folder : folders) locks_.emplace_back(folder, FolderLock::Kind::exclusive);
 }
@@ -94,7 +93,7 @@ void OutputSet::clear_last() {
   std::error_code ignored;
   if (target.kind != OutputTarget::Kind::file || !fs::is_regular_file(target.path, ignored)) return;
   Changed one{target.path, PassingName(passing_name_in(target.folder())), true};
-  if (rename(target.path.c_str(), one.before->path().c_str()) == 0) {
+  if (platform::rename(target.path, one.before->path())) {
     changed_.push_back(std::move(one));
   } else if (errno != ENOENT) {
     files_.back()->refuse_write(errno);
@@ -104,11 +103,11 @@ void OutputSet::clear_last() {
 bool OutputSet::appear(OutputFile& file) {
   const std::string& path = file.target_.path;
   Changed one{path, PassingName(passing_name_in(file.target_.folder())), true};
-  if (link(path.c_str(), one.before->path().c_str()) != 0) {
+  if (!platform::link(path, one.before->path())) {
     one.was_there = errno != ENOENT;
     one.before.reset();  // nothing stood there, or there are no links here
   }
-  if (rename(file.temporary_->path().c_str(), path.c_str()) != 0) return false;
+  if (!platform::rename(file.temporary_->path(), path)) return false;
   file.temporary_->let_go();
   changed_.push_back(std::move(one));
   return true;
@@ -120,7 +119,7 @@ std::string OutputSet::take_back() {
   for (; !changed_.empty(); changed_.pop_back()) {
     Changed& one = changed_.back();
     const std::string& path = one.path;
-    const bool done = one.was_there ? one.before && put_back(one.before->path(), path) : unlink(path.c_str()) == 0;
+    const bool done = one.was_there ? one.before && put_back(one.before->path(), path) : platform::remove_file(path);
     if (done) continue;
     left += fmt::format("; {} is new already and does not belong to what stands beside it", path);
     if (!one.before) continue;

@@ -5,29 +5,26 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "base/diagnostic.hpp"
 #include "base/files/source.hpp"
+#include "base/platform/platform.hpp"
 
 namespace plumbline {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Identity {
-  dev_t device;
-  ino_t number;
-  bool operator==(const Identity&) const = default;
-};
-
 // Of a regular file that exists: pipes and terminals may be used twice.
-std::optional<Identity> identity_of(const std::string& path, int standard_stream) {
-  struct stat status {};
-  const int failed = path == kStandardStream ? fstat(standard_stream, &status) : stat(path.c_str(), &status);
-  if (failed != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-  return Identity{status.st_dev, status.st_ino};
+std::optional<platform::FileStatus> status_of(const std::string& path, int standard_stream) {
+  std::optional<platform::FileStatus> status =
+      path == kStandardStream ? platform::status_of(standard_stream) : platform::status_of(path);
+  if (status && status->kind != platform::FileKind::file) status.reset();
+  return status;
+}
+
+bool is_same_file(const std::optional<platform::FileStatus>& a, const std::optional<platform::FileStatus>& b) {
+  return a && b && platform::is_same_file(*a, *b);
 }
 
 // Of files that need not be there yet.
@@ -51,16 +48,17 @@ bool is_same_name(const std::string& a, const std::string& b) {
 void refuse_shared_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
   for (auto output = outputs.begin(); output != outputs.end(); ++output) {
     if (output->empty()) continue;
-    const std::optional<Identity> identity = identity_of(*output, STDOUT_FILENO);
+    const std::optional<platform::FileStatus> status = status_of(*output, platform::kStandardOutput);
     for (const std::string& input : inputs) {
-      if (input.empty() || !identity || identity != identity_of(input, STDIN_FILENO)) continue;
+      if (input.empty() || !is_same_file(status, status_of(input, platform::kStandardInput))) continue;
       refuse_output(
           "file-overwrites-input", *output,
           fmt::format("the output would overwrite the input {}", input == kStandardStream ? "<stdin>" : input));
     }
     for (auto other = outputs.begin(); other != output; ++other) {
       if (other->empty()) continue;
-      if (!is_same_name(*other, *output) && !(identity && identity == identity_of(*other, STDOUT_FILENO))) continue;
+      if (!is_same_name(*other, *output) && !is_same_file(status, status_of(*other, platform::kStandardOutput)))
+        continue;
       refuse_output("file-written-twice", *output, "two outputs would be written to the same file");
     }
   }

@@ -19,7 +19,7 @@ CompensatedFiles::CompensatedFiles(const Destination& output, const std::optiona
 std::pair<InputFile, InputFile> open_pair(const Source& program, const Source& undo) {
   std::optional<FolderLock> lock;
   if (!program.is_held() && !program.is_standard_input()) {
-    const std::string folder = std::filesystem::path(program.path()).parent_path().string();
+    const std::string folder = std::filesystem::path(program.path()).parent_path().generic_string();
     lock.emplace(folder.empty() ? "." : folder, FolderLock::Kind::shared);
   }
   InputFile first(program);

@@ -30,12 +30,12 @@ class HalReader {
     const fs::path path = fs::path(ini_.file).parent_path() / name;
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) {
-      refuse("draft-file", fmt::format("there is no file {}", path.string()),
+      refuse("draft-file", fmt::format("there is no file {}", path.generic_string()),
              "paths count from the folder of the INI file; name HAL files yourself with --hal", from);
     }
     if (depth >= kDeepestSource)
       refuse("draft-file", "files source each other without end", "leave one of the lines out", from);
-    read_lines(path.string(), read_text(path.string()), depth);
+    read_lines(path.generic_string(), read_text(path.generic_string()), depth);
   }
 
   void read_lines(const std::string& file, std::string text, int depth) {

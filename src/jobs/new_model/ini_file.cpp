@@ -49,13 +49,13 @@ class IniReader {
     const std::filesystem::path path = std::filesystem::path(from).parent_path() / name;
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) {
-      refuse("draft-file", fmt::format("there is no file {}", path.string()),
+      refuse("draft-file", fmt::format("there is no file {}", path.generic_string()),
              "paths count from the file that includes it", place);
     }
     if (depth >= kDeepestInclude) {
       refuse("draft-file", "files include each other without end", "leave one of the inclusions out", place);
     }
-    read(path.string(), depth + 1);
+    read(path.generic_string(), depth + 1);
   }
 
   template <class PlaceOf>

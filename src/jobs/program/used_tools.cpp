@@ -114,11 +114,11 @@ void take_called_files(Scan& scan, const InputFile& program) {
   for (bool found = true; found;) {
     found = false;
     for (auto path = waiting.begin(); path != waiting.end() && !found; ++path) {
-      std::string stem = plain_name(path->stem().string());
+      std::string stem = plain_name(path->stem().generic_string());
       if (stem.starts_with("_n_")) stem = stem.substr(3, stem.rfind('_') - 3);
       if (!scan.may_call(stem)) continue;
       found = true;  // it may name others
-      const std::string file = path->string();
+      const std::string file = path->generic_string();
       waiting.erase(path);
       if (!fs::is_regular_file(file, ignored) || program.is_same_as(file)) break;
       FilesBeside::note(program.name(), "", file);

@@ -157,7 +157,7 @@ class AxisSearch {
     const std::string name = called_name(block, dialect_);
     if (name.empty()) return;
     const fs::path path = subprogram_file(program_.name(), name, dialect_);
-    if (!path.empty() && seen_.insert(path).second) scan(InputFile(path.string()), true);
+    if (!path.empty() && seen_.insert(path).second) scan(InputFile(path.generic_string()), true);
   }
 
   const InputFile& program_;

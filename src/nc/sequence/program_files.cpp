@@ -19,7 +19,7 @@ void ProgramFiles::go_to(const FilePlace& place) {
 std::optional<std::size_t> ProgramFiles::open_beside(const std::string& subprogram) {
   const std::filesystem::path path = subprogram_file(files_.front()->file->name(), subprogram, dialect_);
   if (path.empty()) return std::nullopt;
-  auto opened = std::make_unique<InputFile>(path.string());
+  auto opened = std::make_unique<InputFile>(path.generic_string());
   const InputFile& file = *opened;
   files_.push_back(std::make_unique<File>(File{std::move(opened), &file, LineSource(file, dialect_.syntax.goes_on)}));
   return files_.size() - 1;

@@ -53,7 +53,7 @@ fs::path looked_for(const std::string& program, const std::string& name, const D
   for (const std::string& pattern : patterns) {
     const std::string wanted = upper(filled(pattern, name));
     for (const fs::path& path : there) {
-      if (upper(path.filename().string()) == wanted && is_file(path)) return path;
+      if (upper(path.filename().generic_string()) == wanted && is_file(path)) return path;
     }
   }
   return {};

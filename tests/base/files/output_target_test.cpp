@@ -64,16 +64,3 @@ TEST_CASE("what is no place for an output is refused with the reason") {
   CHECK(testing::refusal_of([] { output_target("/dev/fd/99999"); }).message == "is no open file");
   CHECK(testing::refusal_of([] { output_target("/dev/fd/one"); }).message == "is no open file");
 }
-
-TEST_CASE("a file takes the permissions of the one that it replaces, whatever the umask") {
-  const testing::Scratch scratch;
-  const mode_t mask = umask(077);
-  const Descriptor file(open((scratch / "new").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
-  for (const unsigned mode : {0664U, 0755U, 0400U}) {
-    adopt(file.number(), {mode, geteuid(), getegid()});
-    struct stat status {};
-    REQUIRE(fstat(file.number(), &status) == 0);
-    CHECK((status.st_mode & 07777U) == mode);
-  }
-  umask(mask);
-}
