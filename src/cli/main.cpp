@@ -1,34 +1,27 @@
 // plumbline: the command line. Exit codes: 0 done, 1 the work failed, 2 wrong usage, 3 done and something was found.
 #include <cstdio>
 #include <new>
+#include <optional>
 #include <span>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
+#include <vector>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "base/check.hpp"
 #include "base/diagnostic.hpp"
 #include "base/files/ending_signals.hpp"
+#include "base/platform/platform.hpp"
 #include "base/version.hpp"
-#include "cli/command.hpp"
+#include "cli/application.hpp"
+#include "cli/description.hpp"
 #include "cli/messages.hpp"
 #include "cli/suggest.hpp"
 
 namespace plumbline::cli {
 namespace {
-
-// A shell can start a program with a stream closed (2>&-). The first file that is opened would take its place, and
-// messages would go into it.
-void occupy_standard_streams() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (fcntl(stream, F_GETFD) != -1) continue;
-    open("/dev/null", stream == STDERR_FILENO ? O_RDWR : stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-  }
-}
 
 int wrong_usage(const CLI::App& app, const std::string& message) {
   const std::vector<CLI::App*> asked = const_cast<CLI::App&>(app).get_subcommands();
@@ -72,35 +65,6 @@ bool asks_for_json(std::span<const char* const> arguments) {
   return false;
 }
 
-// Before the command and after it.
-void add_diagnostics(CLI::App& app) {
-  static std::string form;
-  std::vector<CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });
-  all.push_back(&app);
-  for (CLI::App* const one : all) {
-    one->add_option("--diagnostics", form, "form of the messages on standard error: text, or json, an object a line")
-        ->type_name("FORM")
-        ->check(CLI::IsMember({"text", "json"}));
-  }
-}
-
-// Before the command and after it.
-void add_loudness(CLI::App& app) {
-  const auto add = [](CLI::App& to, const char* names, Loudness loudness, const char* what) {
-    return to
-        .add_flag_callback(
-            names, [loudness] { say_as_much_as(loudness); }, what)
-        ->trigger_on_parse();
-  };
-  std::vector<CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });
-  all.push_back(&app);
-  for (CLI::App* const one : all) {
-    CLI::Option* const quiet =
-        add(*one, "-q,--quiet", Loudness::quiet, "say errors, warnings and results, and nothing else");
-    add(*one, "-v,--verbose", Loudness::verbose, "say the steps of the work, too")->excludes(quiet);
-  }
-}
-
 // What a script meant to put there was not set.
 void refuse_empty_values(const CLI::App& app) {
   for (const CLI::App* const command : app.get_subcommands()) {
@@ -111,21 +75,6 @@ void refuse_empty_values(const CLI::App& app) {
       }
     }
   }
-}
-
-void describe(CLI::App& app) {
-  app.description(
-      "plumbline straightens NC programs for hexapod machine tools: it moves the tool tip to where the "
-      "program meant it to go, against gravity, friction and elasticity of the machine.");
-  app.name("plumbline");
-  app.set_version_flag("--version", fmt::format("plumbline {}", plumbline::version()));
-  app.require_subcommand(1);
-  app.get_formatter()->column_width(36);
-  app.footer(
-      "Lengths are in mm, angles in deg, masses in kg; - stands for standard input or output.\n"
-      "Exit codes: 0 done, 1 the work failed, 2 wrong usage, 3 done and something was found (check, diff "
-      "--expect-equal,\n"
-      "compare --max-radial-um).");
 }
 
 // The help and the version are results, too: they may not fit where standard output goes.
@@ -172,19 +121,37 @@ int out_of_resources(const std::system_error& error) {
                   Severity::error});
 }
 
-int main_of(int argc, const char* const* argv) {
-  CLI::App app;
-  Run run;
-  const std::span arguments(argv, static_cast<std::size_t>(argc));
-  describe(app);
-#define PLUMBLINE_ADD(NAME) add_##NAME(app, run);
-  PLUMBLINE_COMMANDS(PLUMBLINE_ADD)
-#undef PLUMBLINE_ADD
-  add_diagnostics(app);
-  add_loudness(app);
+// Nothing: the command line could not be read, and the whole application says why.
+std::optional<int> run_one(std::span<const char* const> arguments) {
+  const std::optional<std::string> command = command_named(arguments);
+  if (!command) return std::nullopt;
+  Application application(*command);
+  try {
+    application.app.parse(static_cast<int>(arguments.size()), arguments.data());
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return answer(application.app, error);  // --help
+    return std::nullopt;
+  }
+  try {
+    refuse_empty_values(application.app);
+    return application.run();
+  } catch (const UsageError& error) {
+    return wrong_usage(application.app, error.what());
+  }
+}
+
+int main_of(const std::vector<std::string>& words) {
+  std::vector<const char*> arguments;
+  for (const std::string& word : words) arguments.push_back(word.c_str());
   say_as_json(asks_for_json(arguments));
   try {
-    return parse_and_run(app, run, arguments);
+    if (const std::optional<int> code = run_one(arguments)) return *code;
+    Application application;
+    if (words.size() == 2 && words[1] == "--description") {  // for those who make manual pages of it
+      print_result(description_json(application.app));
+      return kDone;
+    }
+    return parse_and_run(application.app, application.run, arguments);
   } catch (const Refusal& refusal) {
     return refused(refusal.diagnostic());
   } catch (const std::bad_alloc&) {
@@ -203,9 +170,10 @@ int main_of(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   try {
-    plumbline::cli::occupy_standard_streams();
+    plumbline::platform::prepare_standard_streams();
     plumbline::remove_names_on_signals();
-    return plumbline::cli::main_of(argc, argv);
+    const std::vector<std::string> arguments = plumbline::platform::arguments_of(argc, argv);
+    return plumbline::cli::main_of(arguments);
   } catch (...) {  // while saying what is wrong: standard error is gone
     return plumbline::cli::kFailed;
   }

@@ -16,12 +16,18 @@ struct Outcome {
   std::string err;
 };
 
+/// The one that was built, or another that is to be tried: $PLUMBLINE_PROGRAM.
+inline std::string program() {
+  const char* const named = std::getenv("PLUMBLINE_PROGRAM");
+  return named == nullptr ? PLUMBLINE_PROGRAM : named;
+}
+
 /// Runs `plumbline arguments` by the shell, in the scratch folder and without anybody's own settings; `before` stands
 /// before the command, as in "LC_ALL=C".
 inline Outcome run(const Scratch& scratch, const std::string& arguments, const std::string& before = "") {
   const std::string command = "cd '" + scratch.path("") +
-                              "' && unset PLUMBLINE_SETTINGS && export XDG_CONFIG_HOME=none && { " + before +
-                              " '" PLUMBLINE_PROGRAM "' " + arguments + "; } >stdout.txt 2>stderr.txt";
+                              "' && unset PLUMBLINE_SETTINGS && export XDG_CONFIG_HOME=none && { " + before + " '" +
+                              program() + "' " + arguments + "; } >stdout.txt 2>stderr.txt";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, scratch.text("stdout.txt"), scratch.text("stderr.txt")};
 }

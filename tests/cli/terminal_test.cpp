@@ -11,7 +11,7 @@ namespace {
 // Standard output and standard error as they arrive at a terminal.
 std::string on_terminal(const Scratch& scratch, const std::string& arguments, const std::string& environment = "") {
   const std::string command = "cd '" + scratch.path("") + "' && script -qec \"env -u NO_COLOR TERM=xterm " +
-                              environment + " '" PLUMBLINE_PROGRAM "' " + arguments +
+                              environment + " '" + program() + "' " + arguments +
                               "\" /dev/null </dev/null >terminal.txt 2>&1";
   [[maybe_unused]] const int status = std::system(command.c_str());
   return scratch.text("terminal.txt");
