@@ -15,10 +15,10 @@
 #include "base/files/ending_signals.hpp"
 #include "base/platform/platform.hpp"
 #include "base/version.hpp"
-#include "cli/application.hpp"
-#include "cli/description.hpp"
+#include "cli/application/application.hpp"
+#include "cli/application/description.hpp"
+#include "cli/application/suggest.hpp"
 #include "cli/messages.hpp"
-#include "cli/suggest.hpp"
 
 namespace plumbline::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/application.hpp"
+#include "cli/application/application.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "cli/command_examples.hpp"
+#include "cli/application/command_examples.hpp"
+#include "cli/application/version_text.hpp"
 #include "cli/messages.hpp"
-#include "cli/version_text.hpp"
 
 namespace plumbline::cli {
 namespace {

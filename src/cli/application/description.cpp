@@ -1,4 +1,4 @@
-#include "cli/description.hpp"
+#include "cli/application/description.hpp"
 
 #include <string_view>
 #include <vector>

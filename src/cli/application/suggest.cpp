@@ -1,4 +1,4 @@
-#include "cli/suggest.hpp"
+#include "cli/application/suggest.hpp"
 
 #include <algorithm>
 #include <iterator>

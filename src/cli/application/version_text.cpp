@@ -1,4 +1,4 @@
-#include "cli/version_text.hpp"
+#include "cli/application/version_text.hpp"
 
 #include <string_view>
 
