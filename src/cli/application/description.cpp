@@ -1,5 +1,6 @@
 #include "cli/application/description.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -38,7 +39,7 @@ Json described(const CLI::Option& option) {
   for (const std::string& name : option.get_snames()) names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
   one["names"] = names;
-  one["takes_value"] = option.get_expected_min() > 0 || option.get_type_size_min() > 0;
+  one["takes_value"] = option.get_items_expected_min() > 0;
   one["value"] = type.substr(0, type.find(":{"));
   one["choices"] = choices_of(type);
   one["required"] = option.get_required();
