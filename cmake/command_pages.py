@@ -25,8 +25,8 @@ def entries(options):
     for option in options:
         value = f" \\fI{roff(option['value'])}\\fR" if option["takes_value"] and option["value"] else ""
         names = ", ".join(f"\\fB{roff(name)}\\fR" for name in option["names"]) or f"\\fI{roff(option['name'])}\\fR"
-        more = (" Required." if option["required"] and option["names"] else "") + (
-            f" One of {', '.join(option['choices'])}." if option["choices"] else "")
+        more = ("; required" if option["required"] and option["names"] else "") + (
+            f"; one of {', '.join(option['choices'])}" if option["choices"] else "")
         out.append(f".TP\n{names}{value}\n{roff(option['for'] + more)}")
     return out
 
