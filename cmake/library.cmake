@@ -24,6 +24,9 @@ foreach(kind static shared)
   target_link_libraries(plumbline_${kind} PRIVATE ${libraries} $<BUILD_INTERFACE:plumbline_link_options>)
 endforeach()
 target_compile_definitions(plumbline_static INTERFACE PLUMBLINE_STATIC)
+if(WIN32)
+  set_target_properties(plumbline_shared PROPERTIES PREFIX "")  # plumbline.dll, as programs there ask for it
+endif()
 set_target_properties(plumbline_shared PROPERTIES
   SOVERSION ${PLUMBLINE_INTERFACE} VERSION ${PLUMBLINE_INTERFACE}.${PROJECT_VERSION})
 if(NOT WIN32 AND NOT APPLE)
