@@ -130,7 +130,7 @@ int diagnose(const DiagnoseArguments& arguments) {
   files.insert(files.begin(), {{json, numbers},
                                {judged, report::inspection_json(result.inspection, result.runs)},
                                {page, page_of(arguments, result, files)}});
-  const report::LearntFiles learnt = report::learnt_files(result, fs::path(posterior).filename().string());
+  const report::LearntFiles learnt = report::learnt_files(result, fs::path(posterior).filename().generic_string());
   files.push_back({posterior, learnt.posterior});
   files.push_back({model, learnt.model});
   std::vector<std::string> outputs;

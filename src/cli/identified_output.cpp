@@ -97,7 +97,7 @@ int write_identified(const std::vector<std::string>& inputs, const IdentifiedOut
   std::optional<OutputFile> posterior_file;
   if (has_posterior) {
     const report::LearntFiles learnt =
-        report::learnt_files(identified, std::filesystem::path(posterior).filename().string());
+        report::learnt_files(identified, std::filesystem::path(posterior).filename().generic_string());
     posterior_file.emplace(posterior).write(learnt.posterior);
     files.add(*posterior_file);
     out.write(learnt.model);

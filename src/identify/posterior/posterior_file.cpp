@@ -213,7 +213,7 @@ Posterior known_of(const machine::MachineModel& machine) {
   const machine::ModelValue& named = machine.value("posterior", "file");
   if (!named.given() || named.text.empty()) return prior_of(machine);
   const std::filesystem::path folder = std::filesystem::path(machine.document.file).parent_path();
-  const std::string path = (folder / named.text).string();
+  const std::string path = (folder / named.text).generic_string();
   std::string text = read_text(path);
   if (to_hex(fnv1a(text)) != machine.value("posterior", "hash").text) {
     refuse("posterior-other-file", fmt::format("{} is not the posterior that the model names", path),

@@ -119,7 +119,7 @@ LearntFiles learnt_files(const jobs::DiagnoseResult& result, const std::string& 
 std::string posterior_path(const std::string& model_path) {
   std::filesystem::path path(model_path);
   path.replace_extension(".posterior.toml");
-  return path.string();
+  return path.generic_string();
 }
 
 }  // namespace plumbline::report
