@@ -50,7 +50,7 @@ std::string place_of_output(const std::string& place, const settings::Options& o
   // The pattern says how a file is called, and -o where it lies.
   try {
     const fs::path name = fs::path(settings::output_name(pattern, place, options.machine)).filename();
-    return (fs::path(place).parent_path() / name).string();
+    return (fs::path(place).parent_path() / name).generic_string();
   } catch (const settings::OptionError& error) {
     refuse("settings-value", fmt::format("output_name: {}", error.what()), "name the machine with --machine");
   }
@@ -92,7 +92,7 @@ class Run {
         const std::string place = place_in_folder(request_.programs.folder, program);
         one.settings = &settings_.of(program);
         one.task.place = place_of_output(place, one.settings->options);
-        one.task.output = (fs::path(request_.programs.output) / one.task.place).string();
+        one.task.output = (fs::path(request_.programs.output) / one.task.place).generic_string();
         if (is_named_twice(one.task)) continue;
       } catch (const Refusal& refusal) {
         one.settings = nullptr;
@@ -133,7 +133,7 @@ class Run {
       if (planned.refusal) throw Refusal(*planned.refusal);
       known = record.find(task.place);
       if (std::optional<Work> work = unchanged(known, planned)) return hand_on(std::move(*work), committer);
-      make_folder(fs::path(task.output).parent_path().string());
+      make_folder(fs::path(task.output).parent_path().generic_string());
     } catch (...) {
       settle(failed(task, current_problem(task.program), known.has_value()));
       return;
@@ -153,13 +153,13 @@ class Run {
     work.entry = *known;
     const Freshness found = freshness(work.entry, task.program, task.output, *planned.settings);
     if (!found.is_fresh) return std::nullopt;
-    work.entry.source = fs::absolute(task.program).lexically_normal().string();
+    work.entry.source = fs::absolute(task.program).lexically_normal().generic_string();
     work.is_known_anew = found.looks_new || work.entry.source != known->source;
     work.task = task;
     work.item = {task.program, task.output, jobs::BatchItem::State::unchanged, known->summary, {}};
     const fs::path folder = fs::path(task.program).parent_path();
     for (const CalledFile& one : known->called) {
-      if (!one.path.empty()) work.called.push_back((folder / one.path).string());
+      if (!one.path.empty()) work.called.push_back((folder / one.path).generic_string());
     }
     return work;
   }
@@ -168,7 +168,7 @@ class Run {
   void sweep_folders() const {
     std::set<fs::path> folders;
     for (const Planned& one : planned_) folders.insert(fs::path(one.task.output).parent_path());
-    for (const fs::path& folder : folders) sweep_temporary_files(folder.string());
+    for (const fs::path& folder : folders) sweep_temporary_files(folder.generic_string());
   }
 
   void make_folder(const std::string& folder) {
@@ -179,7 +179,7 @@ class Run {
   void settle(Work&& work) {
     const std::scoped_lock lock(guard_);
     for (const std::string& file : work.called) {
-      if (!file.empty()) called_.insert(fs::absolute(file).lexically_normal().string());
+      if (!file.empty()) called_.insert(fs::absolute(file).lexically_normal().generic_string());
     }
     told_->take(work.task.number, std::move(work.item));
   }
@@ -193,7 +193,7 @@ class Run {
       if (places_.contains(entry.place) || fs::exists(entry.source, none)) return;
       const fs::path output = fs::path(request_.programs.output) / entry.place;
       if (fs::exists(output, none)) {
-        outputs.push_back(output.string());
+        outputs.push_back(output.generic_string());
       } else {
         forgotten.push_back(entry.place);
       }
@@ -229,7 +229,7 @@ class Run {
 
 std::string record_path(const Request& request) {
   if (!request.record.empty()) return request.record;
-  return (fs::path(request.programs.output) / kRecordName).string();
+  return (fs::path(request.programs.output) / kRecordName).generic_string();
 }
 
 Result run(const Request& request, const Observer& observer) {

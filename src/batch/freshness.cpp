@@ -43,7 +43,7 @@ bool calls_same(Entry& entry, const std::string& program, bool& looks_new) {
     entry.folder_changed_ns = changed_ns;
   }
   return std::all_of(entry.called.begin(), entry.called.end(), [&](CalledFile& one) {
-    return one.path.empty() || is_same(one.file, (folder / one.path).string(), looks_new);
+    return one.path.empty() || is_same(one.file, (folder / one.path).generic_string(), looks_new);
   });
 }
 
@@ -56,7 +56,7 @@ KnownFile known_file(const FileState& state, std::uint64_t hash, std::int64_t re
 }
 
 std::int64_t folder_change(const std::string& program) {
-  const std::string folder = std::filesystem::path(program).parent_path().string();
+  const std::string folder = std::filesystem::path(program).parent_path().generic_string();
   const std::int64_t now = now_ns();
   const std::optional<FileState> state = folder_state(folder.empty() ? "." : folder);
   return state && is_settled(state->changed_ns, now) ? state->changed_ns : kUnknown;

@@ -25,7 +25,7 @@ void InOrder::take(std::size_t number, jobs::BatchItem item) {
 
 void InOrder::finish(const std::set<std::string>& called) {
   for (jobs::BatchItem& item : failed_) {
-    if (called.contains(std::filesystem::absolute(item.program).lexically_normal().string())) {
+    if (called.contains(std::filesystem::absolute(item.program).lexically_normal().generic_string())) {
       item.state = State::subprogram;
     }
     tell(std::move(item));

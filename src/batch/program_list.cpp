@@ -37,7 +37,7 @@ std::vector<std::string> make_usual_endings() {
 
 [[noreturn]] void refuse_folder(const fs::path& folder, const std::error_code& error) {
   refuse("batch-folder", fmt::format("cannot be looked into: {}", error.message()),
-         "name a folder of programs that may be read", {folder.string(), 0});
+         "name a folder of programs that may be read", {folder.generic_string(), 0});
 }
 
 // As Fanuc controls call the files of their memory.
@@ -53,18 +53,18 @@ class Walk {
   }
 
   void look_into(const fs::path& folder) {
-    list_.folders.push_back(folder.string());
+    list_.folders.push_back(folder.generic_string());
     std::vector<fs::path> folders;
     std::vector<std::string> found;
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-      const std::string name = entry->path().filename().string();
+      const std::string name = entry->path().filename().generic_string();
       std::error_code broken;  // a link that leads nowhere is neither
       if (entry->is_directory(broken)) {
         // A link to a folder may lead round in circles.
         if (name[0] != '.' && !entry->is_symlink(broken) && !is_output(entry->path())) folders.push_back(entry->path());
       } else if (entry->is_regular_file(broken)) {
-        const std::string path = entry->path().string();
+        const std::string path = entry->path().generic_string();
         if (request_.leave_out.contains(path)) continue;
         (is_program_name(name, request_.endings) ? found : list_.passed_over).push_back(path);
       }
@@ -109,9 +109,9 @@ const std::vector<std::string>& usual_endings() {
 
 bool is_program_name(const std::string& path, const std::vector<std::string>& endings) {
   const fs::path file = fs::path(path).filename();
-  const std::string name = file.string();
+  const std::string name = file.generic_string();
   if (name.empty() || name[0] == '.') return false;
-  std::string ending = small(file.extension().string());
+  std::string ending = small(file.extension().generic_string());
   if (ending.empty()) return is_numbered(name);
   ending.erase(0, 1);
   const std::vector<std::string>& known = endings.empty() ? usual_endings() : endings;
@@ -135,11 +135,11 @@ std::string place_in_folder(const std::string& folder, const std::string& progra
   if (!root.has_filename()) root = root.parent_path();
   const fs::path place = whole(program).lexically_relative(root);
   if (place.empty() || *place.begin() == ".." || place == ".") {
-    refuse("batch-outside", fmt::format("does not lie in {}", root.string()),
+    refuse("batch-outside", fmt::format("does not lie in {}", root.generic_string()),
            "name the folder that holds all programs of the list: outputs have the same places in the folder of -o",
            {program, 0});
   }
-  return place.string();
+  return place.generic_string();
 }
 
 }  // namespace plumbline::batch

@@ -35,7 +35,7 @@ void hold(Source& source, Fingerprint& fingerprint) {
 
 const FolderSettings& SettingsByFolder::of(const std::string& program) {
   const std::scoped_lock lock(guard_);
-  const std::string folder = std::filesystem::path(program).parent_path().string();
+  const std::string folder = std::filesystem::path(program).parent_path().generic_string();
   auto found = folders_.find(folder);
   if (found == folders_.end()) {
     found = folders_.emplace(folder, Entry()).first;

@@ -39,7 +39,7 @@ std::vector<CalledFile> called_files(const FilesBeside& beside, const std::strin
     if (!one.path.empty()) {
       const std::int64_t now = now_ns();
       const std::optional<FileState> state = file_state(one.path);
-      file.path = folder.empty() ? one.path : fs::path(one.path).lexically_relative(folder).string();
+      file.path = folder.empty() ? one.path : fs::path(one.path).lexically_relative(folder).generic_string();
       if (state) file.file = known_file(*state, file_hash(one.path), now);
     }
     called.push_back(std::move(file));
@@ -66,7 +66,7 @@ void compensate_into(Work& work, const FolderSettings& settings, const FilesBesi
   work.item.summary = report::summary_json_line(summary, settings.options);
   Entry& entry = work.entry;
   entry.place = task.place;
-  entry.source = fs::absolute(task.program).lexically_normal().string();
+  entry.source = fs::absolute(task.program).lexically_normal().generic_string();
   entry.settings = settings.hash;
   entry.dialect = opened.dialect.name;
   entry.called = called_files(beside, task.program);

@@ -31,7 +31,7 @@ const std::string& file_of(const std::vector<std::string>& files, const std::str
     if (fs::path(file).filename() == fs::path(name).filename()) return file;
   }
   std::vector<std::string> names;
-  for (const std::string& file : files) names.push_back(fs::path(file).filename().string());
+  for (const std::string& file : files) names.push_back(fs::path(file).filename().generic_string());
   refuse("import-file", fmt::format("no file {} was given", name),
          fmt::format("name it on the command line; there are {}", fmt::join(names, ", ")), place);
 }

@@ -4,9 +4,8 @@
 #include <chrono>
 #include <vector>
 
-#include <sys/stat.h>
-
 #include "base/files/input_file.hpp"
+#include "base/platform/platform.hpp"
 #include "base/text/hash.hpp"
 
 namespace plumbline {
@@ -15,29 +14,23 @@ namespace {
 constexpr std::int64_t kNsPerS = 1'000'000'000;
 constexpr std::size_t kHashedAtOnce = std::size_t{1} << 16U;
 
-FileState state_of(const struct stat& status) {
-  return {static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec * kNsPerS + status.st_mtim.tv_nsec,
-          status.st_ino};
+std::optional<FileState> state_if(const std::optional<platform::FileStatus>& status, platform::FileKind kind) {
+  if (!status || status->kind != kind) return std::nullopt;
+  return FileState{status->size, status->changed_s * kNsPerS + status->changed_ns, status->number};
 }
 
 }  // namespace
 
 std::optional<FileState> file_state(const std::string& path) {
-  struct stat status {};
-  if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-  return state_of(status);
+  return state_if(platform::status_of(path), platform::FileKind::file);
 }
 
 std::optional<FileState> file_state(int descriptor) {
-  struct stat status {};
-  if (fstat(descriptor, &status) != 0) return std::nullopt;
-  return state_of(status);
+  return state_if(platform::status_of(descriptor), platform::FileKind::file);
 }
 
 std::optional<FileState> folder_state(const std::string& path) {
-  struct stat status {};
-  if (stat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) return std::nullopt;
-  return state_of(status);
+  return state_if(platform::status_of(path), platform::FileKind::folder);
 }
 
 std::int64_t now_ns() {

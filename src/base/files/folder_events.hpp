@@ -8,22 +8,17 @@
 #include <vector>
 
 #include "base/files/descriptor.hpp"
+#include "base/platform/platform.hpp"
 
 namespace plumbline {
 
 struct FolderEvent {
-  enum class Kind {
-    begun,     // a file is new, or is being written to
-    finished,  // one that was written to is closed, or it came here whole under this name
-    gone,
-    folder,  // a folder is new
-    lost,    // some events were: look at everything
-  };
+  using Kind = platform::ChangeKind;
   Kind kind;
   std::string path;  // in a folder that is watched
 };
 
-/// Linux: inotify, which knows nothing of what other machines write into a folder that they share.
+/// Of Linux alone: elsewhere somebody has to look again and again.
 class FolderEvents {
  public:
   /// Nothing where there is no such thing, or no more of them may be had.

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "base/check.hpp"
 #include "base/files/ending_signals.hpp"
 #include "base/files/folder_lock.hpp"
 #include "base/parallel.hpp"
+#include "base/platform/platform.hpp"
 #include "base/text/hash.hpp"
 
 namespace plumbline {
@@ -34,7 +34,7 @@ std::optional<Diagnostic> problem_of(const Work& work) {
 
 WaitingOutput::WaitingOutput(const std::string& name) : name_(name), target_(output_target(name)), hash_(fnv1a({})) {
   if (target_.kind != OutputTarget::Kind::file) refuse_write(ENOTSUP);
-  const unsigned mode = target_.replaced ? target_.replaced->mode & kNewMode : kUsualMode;
+  const unsigned mode = target_.replaced ? target_.replaced->mode & kNewMode : kNewMode;
   file_ = make_temporary_file(target_.folder(), mode);
   if (!file_) refuse_write(errno);
 }
@@ -57,12 +57,12 @@ void WaitingOutput::write(std::string_view bytes) {
 }
 
 void WaitingOutput::last() {
-  if (target_.replaced) adopt(file_->descriptor.number(), *target_.replaced);
-  if (fsync(file_->descriptor.number()) != 0) refuse_write(errno);
+  if (target_.replaced) platform::adopt(file_->descriptor.number(), *target_.replaced);
+  if (!platform::sync(file_->descriptor.number())) refuse_write(errno);
 }
 
 void WaitingOutput::appear() {
-  if (rename(file_->name.path().c_str(), target_.path.c_str()) != 0) refuse_write(errno);
+  if (!platform::rename(file_->name.path(), target_.path)) refuse_write(errno);
   file_->name.let_go();
 }
 

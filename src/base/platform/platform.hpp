@@ -92,6 +92,27 @@ bool try_lock(OpenFolder& folder, Lock kind);
 /// Names given in the folder last.
 bool sync(const OpenFolder& folder);
 
+/// What happens to files of folders that are watched. Linux: inotify, which knows nothing of what other machines write
+/// into a folder that they share.
+enum class ChangeKind {
+  begun,     // a file is new, or is being written to
+  finished,  // one that was written to is closed, or it came here whole under this name
+  gone,
+  folder,  // a folder is new
+  lost,    // some changes were: no watch and no name is told
+};
+struct Change {
+  ChangeKind kind;
+  int watch;
+  std::string name;  // empty: the folder itself
+};
+/// An open file by its number, or -1 where there is no such thing or no more of them may be had.
+int open_changes();
+/// Watches a folder, without those in it: the number of the watch, or -1.
+int watch_folder(int changes, const std::string& folder);
+/// Waits for some; empty if nothing happens in that time.
+std::vector<Change> wait_for_changes(int changes, int most_ms);
+
 // The process ---------------------------------------------------------------------------------------------------------
 
 inline constexpr int kStandardInput = 0;

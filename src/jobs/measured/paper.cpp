@@ -10,7 +10,7 @@ namespace plumbline::jobs {
 std::uint64_t dataset_hash(const measure::Dataset& dataset, const std::string& path) {
   std::uint64_t hash = fnv1a(dataset.document.text);
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  for (const measure::Run& run : dataset.runs) hash = fnv1a(read_text((folder / run.file).string()), hash);
+  for (const measure::Run& run : dataset.runs) hash = fnv1a(read_text((folder / run.file).generic_string()), hash);
   return hash;
 }
 

@@ -63,7 +63,7 @@ fs::path looked_for(const std::string& program, const std::string& name, const D
 
 fs::path subprogram_file(const std::string& program, const std::string& name, const Dialect& dialect) {
   fs::path path = looked_for(program, name, dialect);
-  FilesBeside::note(program, name, path.string());
+  FilesBeside::note(program, name, path.generic_string());
   return path;
 }
 
