@@ -1,6 +1,16 @@
 # plumbline_sqlite: SQLite, of which the program alone takes anything. The static library where there is one, so that the
 # program loads no library more than before.
 add_library(plumbline_sqlite INTERFACE)
+if(WIN32)
+  set(PLUMBLINE_WINDOWS_SQLITE ${PROJECT_SOURCE_DIR}/build/windows-sqlite CACHE PATH "What scripts/windows_sqlite made")
+  if(NOT EXISTS ${PLUMBLINE_WINDOWS_SQLITE}/libsqlite3.a)
+    message(FATAL_ERROR "there is no SQLite in ${PLUMBLINE_WINDOWS_SQLITE}: run scripts/setup --with-windows")
+  endif()
+  target_include_directories(plumbline_sqlite SYSTEM INTERFACE ${PLUMBLINE_WINDOWS_SQLITE})
+  target_link_libraries(plumbline_sqlite INTERFACE ${PLUMBLINE_WINDOWS_SQLITE}/libsqlite3.a)
+  return()
+endif()
+find_package(SQLite3 3.35 REQUIRED)
 find_library(PLUMBLINE_STATIC_SQLITE NAMES libsqlite3.a DOC "SQLite to be linked into the program")
 if(PLUMBLINE_STATIC_SQLITE)
   find_package(Threads REQUIRED)

@@ -125,6 +125,21 @@ class Setup(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("--no-install-recommends clang libclang-rt-14-dev", self.log()[-1])
 
+    def test_makes_what_debian_has_not_for_windows(self):
+        self.need_root()
+        self.play_debian(installed=packages("packages.txt"))
+        script = self.script.parent / "windows_sqlite"
+        script.write_text("#!/bin/bash\n[[ -e $STATE/wine64 ]] && : > \"$STATE/.sqlite\"\n")
+        script.chmod(0o755)
+        self.assertEqual(self.run_setup().returncode, 0)
+        self.assertFalse((self.state / ".sqlite").exists())
+        run = self.run_setup("--with-windows")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("g++-mingw-w64-x86-64-posix", self.log()[-1])
+        self.assertTrue((self.state / ".sqlite").exists())
+        script.write_text("#!/bin/bash\nexit 1\n")
+        self.assertNotEqual(self.run_setup("--with-windows").returncode, 0)
+
     def test_without_root_says_what_to_run(self):
         self.play_debian(installed=packages("packages.txt")[1:])
         run = self.run_setup(as_nobody=True)
