@@ -4,8 +4,10 @@
 windows_test.py libraries      which DLLs plumbline.exe and plumbline.dll load
 windows_test.py files          names, line ends, replaced files, interrupted runs
 windows_test.py same           outputs byte for byte those of $PLUMBLINE_PROGRAM
+windows_test.py batch          a folder of programs: as here, killed, watched
 windows_test.py run PROGRAM... runs a test program with plumbline.exe as $PLUMBLINE_PROGRAM
 """
+import json
 import os
 import re
 import shutil
@@ -213,12 +215,80 @@ class Same(UnderWine):
         self.assertTrue((plan / "dataset.toml").exists())
 
 
+class Batch(UnderWine):
+    """A folder of programs."""
+
+    PROGRAMS = 60
+    PATIENCE = 120
+
+    def setUp(self):
+        super().setUp()
+        self.names = [f"{i % 3}/Teil-{i:03}.nc" for i in range(self.PROGRAMS)]
+        for i, name in enumerate(self.names):
+            self.write(f"parts/{name}", PART.replace("X20.5", f"X{i}.5").replace("\n", "\r\n"))
+        self.words = ["batch", "parts", *OPTIONS]
+
+    def texts(self, folder):
+        return {path.relative_to(self.folder / folder).as_posix(): path.read_bytes()
+                for path in sorted((self.folder / folder).rglob("*.nc"))}
+
+    def states(self, name):
+        return [json.loads(line).get("state") for line in (self.folder / name).read_text().splitlines()]
+
+    def wait_for(self, is_there):
+        end = time.monotonic() + self.PATIENCE
+        while not is_there():
+            self.assertLess(time.monotonic(), end, "it does not come")
+            time.sleep(0.05)
+
+    def test_as_here_and_again(self):
+        here = self.run_here(*self.words, "-o", "here")
+        self.assertEqual(here.returncode, 0, here.stderr.decode())
+        there = self.run_exe(*self.words, "-o", "there", "--json", "first.jsonl")
+        self.assertEqual(there.returncode, 0, there.stderr.decode())
+        self.assertEqual(sorted(self.texts("here")), sorted(self.names))
+        self.assertEqual(self.texts("there"), self.texts("here"))
+        self.assertEqual(self.states("first.jsonl").count("done"), self.PROGRAMS)
+        self.write(f"parts/{self.names[7]}", PART)
+        again = self.run_exe(*self.words, "-o", "there", "--json", "again.jsonl")
+        self.assertEqual(again.returncode, 0, again.stderr.decode())
+        self.assertEqual(self.states("again.jsonl").count("unchanged"), self.PROGRAMS - 1)
+        self.assertEqual(self.states("again.jsonl").count("done"), 1)
+
+    def test_killed_and_run_again(self):
+        self.assertEqual(self.run_here(*self.words, "-o", "here").returncode, 0)
+        expected = self.texts("here")
+        running = subprocess.Popen([wine.WINE, wine.EXE, *self.words, "-o", "out"], cwd=self.folder,
+                                   env=self.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.wait_for(lambda: (self.folder / "out").exists() and list((self.folder / "out").rglob("*")))
+        running.kill()
+        running.wait(self.PATIENCE)
+        for name, text in self.texts("out").items():
+            self.assertEqual(text, expected[name])
+        done = self.run_exe(*self.words, "-o", "out")
+        self.assertEqual(done.returncode, 0, done.stderr.decode())
+        self.assertEqual(self.texts("out"), expected)
+        self.assertEqual([path.name for path in (self.folder / "out").rglob(".plumbline-*.tmp")], [])
+
+    def test_watched(self):
+        running = subprocess.Popen([wine.WINE, wine.EXE, *self.words, "-o", "out", "--watch", "--poll", "0.5"],
+                                   cwd=self.folder, env=self.environment, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        self.addCleanup(running.wait)
+        self.addCleanup(running.kill)
+        self.wait_for(lambda: len(self.texts("out")) == self.PROGRAMS)
+        self.write("parts/neu/späť.nc", PART)
+        self.wait_for(lambda: "neu/späť.nc" in self.texts("out"))
+        running.send_signal(signal.SIGINT)
+        self.assertNotEqual(running.wait(self.PATIENCE), 0)
+
+
 if __name__ == "__main__":
     if sys.argv[1] == "run":
         environment = wine.require()
         with tempfile.TemporaryDirectory() as scratch:
             environment["PLUMBLINE_PROGRAM"] = str(wine.wrapper(scratch))
             sys.exit(subprocess.run(sys.argv[2:], env=environment).returncode)
-    suites = {"libraries": Libraries, "files": Files, "same": Same}
+    suites = {"libraries": Libraries, "files": Files, "same": Same, "batch": Batch}
     case = unittest.defaultTestLoader.loadTestsFromTestCase(suites[sys.argv[1]])
     sys.exit(not unittest.TextTestRunner(verbosity=2).run(case).wasSuccessful())
