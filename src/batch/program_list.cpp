@@ -26,8 +26,9 @@ std::string small(std::string_view text) {
 std::vector<std::string> make_usual_endings() {
   std::vector<std::string> endings{"nc", "tap", "cnc", "eia"};
   for (const std::string_view name : nc::dialect_names()) {
-    for (const std::string& ending : nc::dialect(name).file_endings) endings.push_back(small(ending));
-    for (const std::string& ending : nc::dialect(name).weak_file_endings) endings.push_back(small(ending));
+    const nc::DialectMarks& marks = nc::marks_of_dialect(name);
+    for (const std::string& ending : marks.file_endings) endings.push_back(small(ending));
+    for (const std::string& ending : marks.weak_file_endings) endings.push_back(small(ending));
   }
   for (std::string& ending : endings) ending.erase(0, ending.find_first_not_of('.'));
   std::sort(endings.begin(), endings.end());
