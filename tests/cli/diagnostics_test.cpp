@@ -21,19 +21,11 @@ std::vector<json> messages(const Outcome& outcome) {
   return messages;
 }
 
-// The commands that help lists.
+// All that there are.
 std::vector<std::string> commands(const Scratch& scratch) {
-  std::istringstream lines(run(scratch, "--help").out);
   std::vector<std::string> names;
-  bool listed = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("Subcommands:")) {
-      listed = true;
-    } else if (listed && line.empty()) {
-      break;
-    } else if (listed && line.starts_with("  ") && line[2] != ' ') {
-      names.push_back(line.substr(2, line.find(' ', 2) - 2));
-    }
+  for (const json& command : json::parse(run(scratch, "--description").out).at("commands")) {
+    names.push_back(command.at("name").get<std::string>());
   }
   return names;
 }

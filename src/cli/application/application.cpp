@@ -70,8 +70,8 @@ void describe(CLI::App& app) {
   app.get_formatter()->column_width(36);
   app.footer(
       "Lengths are in mm, angles in deg, masses in kg; - stands for standard input or output.\n"
-      "Exit codes: 0 done, 1 the work failed, 2 wrong usage, 3 done and something was found (check, diff "
-      "--expect-equal,\n"
+      "Exit codes: 0 done, 1 the work failed, 2 wrong usage, 3 done and something was found (check, inspect, "
+      "diff --expect-equal,\n"
       "compare --max-radial-um).");
 }
 

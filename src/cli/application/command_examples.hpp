@@ -31,6 +31,8 @@ inline constexpr std::array kCommandExamples{
     CommandExample{"new-model", kOfMachines, "new-model --from-linuxcnc machine.ini -o machine.toml"},
     CommandExample{"control", kOfMachines, "control linuxcnc -m machine.toml -o control"},
     CommandExample{"plan", kOfMeasurements, "plan -m machine.toml -o tests"},
+    CommandExample{"import", kOfMeasurements, "import circles.txt --map map.toml -o tests"},
+    CommandExample{"inspect", kOfMeasurements, "inspect -d tests/dataset.toml -m machine.toml"},
     CommandExample{"circularity", kOfMeasurements, "circularity -d tests/dataset.toml"},
     CommandExample{"compare", kOfMeasurements, "compare -d tests/dataset.toml -m machine.toml"},
     CommandExample{"identify", kOfMeasurements, "identify -d tests/dataset.toml -m machine.toml -o learnt.toml"},
