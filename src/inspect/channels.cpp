@@ -17,6 +17,8 @@ using measure::Run;
 
 constexpr double kUnitLeast = 0.65, kUnitMost = 1.5;  // factors between these may be the machine's own
 
+constexpr double kUnitLeaves = 0.5;  // of the misfit in the unit that was said, that another unit may leave
+
 // All rows of the suspects below each other, and where each channel of each of them lies.
 class Channels {
  public:
@@ -44,6 +46,7 @@ class Channels {
 
   const Suspects& suspects() const { return suspects_; }
   double chi2() const { return chi2_; }
+  const VectorXd& measured() const { return measured_; }
   Index rows() const { return left_.size(); }
   /// Of some channels alone.
   Index rows_of(const std::vector<int>& channels) const {
@@ -69,6 +72,11 @@ class Channels {
   /// The misfit if these were the readings.
   double chi2_of(const VectorXd& readings) const {
     const VectorXd off = off_ + readings - measured_;
+    return prediction_->product(off, off);
+  }
+  /// The part of it that some channels have.
+  double chi2_of(const VectorXd& readings, const std::vector<int>& about) const {
+    const VectorXd off = only(off_ + readings - measured_, about);
     return prediction_->product(off, off);
   }
   /// What is predicted of some channels, nil elsewhere.
@@ -154,6 +162,11 @@ void try_unit(std::vector<Tried>& all, const Channels& channels, FaultKind kind,
   if (!std::isfinite(factor) || std::abs(factor) < 1e-6 || may_be_the_machine) return;
   const VectorXd readings =
       channels.whitened([&](std::size_t, const RunRows& rows) { return scaled(rows, about, 1 / factor); });
+  // A bar as far off as before in the unit that was said: it is the noise that is larger than assumed, and no other
+  // unit. Torques have more that a machine may owe them: of theirs noise is what tells.
+  const double before = channels.chi2_of(channels.measured(), about);
+  const bool is_bar = about.front() == kRadial;
+  if (is_bar && factor * factor * channels.chi2_of(readings, about) > kUnitLeaves * before) return;
   // Smaller readings are nearer to any prediction, and as much less likely: their density has a volume, too. Larger
   // ones gain nothing by theirs: noise may be less than is assumed.
   const double volume = static_cast<double>(channels.rows_of(about)) * std::max(0.0, std::log(std::abs(factor)));
