@@ -34,7 +34,7 @@ std::optional<Diagnostic> problem_of(const Work& work) {
 
 WaitingOutput::WaitingOutput(const std::string& name) : name_(name), target_(output_target(name)), hash_(fnv1a({})) {
   if (target_.kind != OutputTarget::Kind::file) refuse_write(ENOTSUP);
-  const unsigned mode = target_.replaced ? target_.replaced->mode & kNewMode : kUsualMode;
+  const unsigned mode = target_.replaced ? target_.replaced->mode & kNewMode : kNewMode;
   file_ = make_temporary_file(target_.folder(), mode);
   if (!file_) refuse_write(errno);
 }
