@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compensate/move.hpp"
+#include "compensate/corrector.hpp"
 #include "compensate/recorded/decimated.hpp"
 
 namespace plumbline::compensate {
