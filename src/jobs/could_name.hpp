@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "diagnose/evidence/visible.hpp"
+#include "identify/equations/noise.hpp"
 #include "measure/dataset.hpp"
 
 namespace plumbline::jobs {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "compensate/move.hpp"
 #include "compensate/corrector.hpp"
+#include "compensate/move.hpp"
 #include "compensate/recorded/decimated.hpp"
 
 namespace plumbline::compensate {
