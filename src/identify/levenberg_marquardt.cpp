@@ -14,17 +14,22 @@ namespace {
 // The damping is at least this share of the largest that a column may have.
 constexpr double kLeastDamping = 1e-6;
 
-// The sum about a point as |R p + r|^2 + rest, with R^T R the information, its eigenvalues kept from vanishing.
+// The sum about a point as |R p + r|^2 + rest, with R^T R the information, its eigenvalues in units of its diagonal
+// kept from vanishing: what the unknowns are measured in does not count.
 struct Root {
   Eigen::MatrixXd R;
   Eigen::VectorXd r;
 
   Root(const SumOfSquares& sum, double least_information) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(sum.information);
+    const double most = sum.information.diagonal().maxCoeff();
+    const Eigen::VectorXd units = sum.information.diagonal().cwiseMax(least_information * most).cwiseSqrt();
+    const Eigen::MatrixXd alike =
+        units.cwiseInverse().asDiagonal() * sum.information * units.cwiseInverse().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(alike);
     const Eigen::VectorXd root =
         parts.eigenvalues().cwiseMax(least_information * parts.eigenvalues().maxCoeff()).cwiseSqrt();
-    R = root.asDiagonal() * parts.eigenvectors().transpose();
-    r = (parts.eigenvectors().transpose() * sum.gradient).cwiseQuotient(root);
+    R = root.asDiagonal() * parts.eigenvectors().transpose() * units.asDiagonal();
+    r = (parts.eigenvectors().transpose() * sum.gradient.cwiseQuotient(units)).cwiseQuotient(root);
   }
 
   /// By how much a step lowers the sum.
@@ -119,7 +124,9 @@ class Descent {
   const char* why_enough(const Eigen::VectorXd& step) const {
     const Eigen::VectorXd downhill = within(bounds_, least_.z - sum_.gradient) - least_.z;
     if (downhill.lpNorm<Eigen::Infinity>() <= options_.gradient_tolerance) return "the misfit has no slope";
-    if (root_->gain(step) <= options_.misfit_tolerance * sum_.misfit) return "a step would hardly lower the misfit";
+    // one that bounds have cut short may foretell a loss: then a shorter one is tried
+    if (std::abs(root_->gain(step)) <= options_.misfit_tolerance * sum_.misfit)
+      return "a step would hardly lower the misfit";
     const double reach = least_.z.norm() + options_.step_tolerance;
     return step.norm() <= options_.step_tolerance * reach ? "a step hardly leads anywhere" : nullptr;
   }

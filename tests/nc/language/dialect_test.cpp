@@ -1,15 +1,48 @@
 #include "nc/language/dialect.hpp"
 
+#include <bit>
+#include <cstdint>
 #include <set>
+#include <string>
 
 #include <catch2/catch.hpp>
 
 #include "base/check.hpp"
 #include "base/diagnostic.hpp"
+#include "base/text/toml.hpp"
 #include "nc/language/dialect_table.hpp"
 
 using namespace plumbline;
 using namespace plumbline::nc;
+
+namespace {
+
+std::string low_first(std::uint64_t number, int bytes) {
+  std::string text;
+  for (int i = 0; i < bytes; ++i) text += static_cast<char>(number >> (8 * i) & 0xff);
+  return text;
+}
+
+// As cmake/pack_table.py packs a table (nc/language/packed_table.hpp).
+std::string packed(const TomlValue& value) {
+  using Kind = TomlValue::Kind;
+  std::string content;
+  for (const TomlValue& item : value.items) content += packed(item);
+  for (const TomlEntry& entry : value.entries) {
+    content += static_cast<char>(entry.key.size()) + entry.key + packed(entry.value);
+  }
+  if (value.kind == Kind::text) content = value.text;
+  if (value.kind == Kind::number) content = low_first(std::bit_cast<std::uint64_t>(value.number), 8);
+  if (value.kind == Kind::boolean) content = std::string(1, value.flag ? '\1' : '\0');
+  const char letter = value.kind == Kind::text      ? 't'
+                      : value.kind == Kind::number  ? 'n'
+                      : value.kind == Kind::boolean ? 'b'
+                      : value.kind == Kind::array   ? 'a'
+                                                    : 'o';
+  return letter + low_first(content.size(), 4) + content;
+}
+
+}  // namespace
 
 TEST_CASE("the rows of the LinuxCNC dialect say what its documentation says") {
   const Dialect& linuxcnc = dialect("linuxcnc");
@@ -43,11 +76,12 @@ TEST_CASE("F acts before the unit of its own block, motion after both, M0 at the
 
 TEST_CASE("a table that does not hold together is a bug of plumbline") {
   const auto table = [](const char* rows) {
-    return std::string(
-               "name = \"t\"\nline_length = 80\ncomment_open = \"(\"\ncomment_close = \")\"\n"
-               "feed_rule = \"xyz_first\"\nuser_m_codes = [100, 199]\n"
-               "execution = [\"F\", \"S\", \"T\", \"user\", \"motion\"]\nm = []\n") +
-           rows;
+    const std::string text = std::string(
+                                 "name = \"t\"\nline_length = 80\ncomment_open = \"(\"\ncomment_close = \")\"\n"
+                                 "feed_rule = \"xyz_first\"\nuser_m_codes = [100, 199]\n"
+                                 "execution = [\"F\", \"S\", \"T\", \"user\", \"motion\"]\nm = []\n") +
+                             rows;
+    return packed(parse_toml(text, "t").root);
   };
   CHECK(read_dialect("t", table("g = [{ code = \"1\", group = 1, does = \"feed\", step = \"motion\" }]\n"))
             .g_code(10)
