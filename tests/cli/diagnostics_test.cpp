@@ -24,7 +24,8 @@ std::vector<json> messages(const Outcome& outcome) {
 // All that there are.
 std::vector<std::string> commands(const Scratch& scratch) {
   std::vector<std::string> names;
-  for (const json& command : json::parse(run(scratch, "--description").out).at("commands")) {
+  const json description = json::parse(run(scratch, "--description").out);
+  for (const json& command : description.at("commands")) {
     names.push_back(command.at("name").get<std::string>());
   }
   return names;

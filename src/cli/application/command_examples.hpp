@@ -28,7 +28,7 @@ inline constexpr std::array kCommandExamples{
     CommandExample{"diff", kOfPrograms, "diff part.ngc straight.ngc --tolerance-mm 0.01"},
     CommandExample{"error", kOfMachines, "error poses.csv -m machine.toml"},
     CommandExample{"map", kOfMachines, "map -m machine.toml"},
-    CommandExample{"new-model", kOfMachines, "new-model --from-linuxcnc machine.ini -o machine.toml"},
+    CommandExample{"new-model", kOfMachines, "new-model --ini machine.ini -o machine.toml"},
     CommandExample{"control", kOfMachines, "control linuxcnc -m machine.toml -o control"},
     CommandExample{"plan", kOfMeasurements, "plan -m machine.toml -o tests"},
     CommandExample{"import", kOfMeasurements, "import circles.txt --map map.toml -o tests"},
