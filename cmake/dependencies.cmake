@@ -29,6 +29,3 @@ endforeach()
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY=1)
 add_library(plumbline_jet INTERFACE)
 target_include_directories(plumbline_jet SYSTEM INTERFACE ${shown})
-if(WIN32)
-  target_compile_options(plumbline_jet INTERFACE -U__STRICT_ANSI__ -fext-numeric-literals -Wno-cpp)  # else MinGW hides the functions of Bessel, which jet.h names
-endif()
