@@ -100,7 +100,7 @@ Result simulate(const Input& program, const Model& model, const Options& options
     report::SimulationTable table(out, known.posterior.has_value());
     const jobs::SimulationSummary summary = jobs::simulate_program(
         Inside::source(program), how, [&](const jobs::SimulatedPoint& point) { table.add(point); }, progress, nullptr,
-        known.posterior ? &*known.posterior : nullptr);
+        known.posterior_or_null());
     out.commit();
     Inside::Found found;
     if (known.warning) found.warnings.push_back(public_diagnostic(*known.warning));
@@ -122,7 +122,7 @@ Table simulate(const Input& program, const Model& model, const Options& options,
           add_row(table, point);
           if (known.posterior) append_expected(table, point.doubt);
         },
-        progress, nullptr, known.posterior ? &*known.posterior : nullptr);
+        progress, nullptr, known.posterior_or_null());
     return table;
   });
 }
@@ -138,8 +138,7 @@ Result error(const Input& poses, const Model& model, const Output& output) {
     const jobs::Knowledge known = jobs::knowledge_of(machine);
     report::ErrorTable table(out, known.posterior.has_value());
     const jobs::ErrorTableSummary summary = jobs::error_table(
-        machine, rows, [&](const jobs::PoseError& error) { table.add(error); },
-        known.posterior ? &*known.posterior : nullptr);
+        machine, rows, [&](const jobs::PoseError& error) { table.add(error); }, known.posterior_or_null());
     out.commit();
     Inside::Found found;
     if (known.warning) found.warnings.push_back(public_diagnostic(*known.warning));
@@ -161,7 +160,7 @@ Table error(const std::vector<Pose>& poses, const Model& model) {
           add_row(table, error);
           if (known.posterior) append_expected(table, error.doubt);
         },
-        known.posterior ? &*known.posterior : nullptr);
+        known.posterior_or_null());
     return table;
   });
 }

@@ -24,8 +24,7 @@ int error(const ErrorArguments& arguments) {
   if (known.warning) say(*known.warning);
   report::ErrorTable table(out, known.posterior.has_value());
   const jobs::ErrorTableSummary summary = jobs::error_table(
-      model, poses, [&](const jobs::PoseError& error) { table.add(error); },
-      known.posterior ? &*known.posterior : nullptr);
+      model, poses, [&](const jobs::PoseError& error) { table.add(error); }, known.posterior_or_null());
   out.commit();
   say_note(report::error_text(summary));
   return kDone;

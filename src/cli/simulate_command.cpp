@@ -49,7 +49,7 @@ int simulate(const SimulateArguments& arguments) {
   jobs::ProgramPicture picture;
   const jobs::SimulationSummary summary = jobs::simulate_program(
       arguments.program, options, [&](const jobs::SimulatedPoint& point) { table.add(point); }, line.progress(),
-      arguments.report.empty() ? nullptr : &picture, known.posterior ? &*known.posterior : nullptr);
+      arguments.report.empty() ? nullptr : &picture, known.posterior_or_null());
   line.clear();
   OutputSet files;
   page.add_to(files, [&] { return report::simulation_page(summary, picture, arguments.program); });

@@ -96,8 +96,8 @@ class Descent {
       if (!there && ++failures_ >= options_.most_failures)
         return stopped(false, "steps lead to where there is no misfit");
       if (there) failures_ = 0;
-      const double foretold = root_->gain(step);
-      const double gain = there && foretold > 0 ? (sum_.misfit - there->misfit) / foretold : -1;
+      const double predicted = root_->gain(step);
+      const double gain = there && predicted > 0 ? (sum_.misfit - there->misfit) / predicted : -1;
       if (!(gain > options_.least_gain)) {
         radius_ /= shrinks_by_;
         shrinks_by_ *= 2;
@@ -124,7 +124,7 @@ class Descent {
   const char* why_enough(const Eigen::VectorXd& step) const {
     const Eigen::VectorXd downhill = within(bounds_, least_.z - sum_.gradient) - least_.z;
     if (downhill.lpNorm<Eigen::Infinity>() <= options_.gradient_tolerance) return "the misfit has no slope";
-    // one that bounds have cut short may foretell a loss: then a shorter one is tried
+    // one that bounds have cut short may predict a loss: then a shorter one is tried
     if (std::abs(root_->gain(step)) <= options_.misfit_tolerance * sum_.misfit)
       return "a step would hardly lower the misfit";
     const double reach = least_.z.norm() + options_.step_tolerance;

@@ -28,13 +28,13 @@ struct Bounds {
 
 struct LeastOptions {
   int most_iterations = 40;
-  double misfit_tolerance = 1e-8;     // relative change of the sum, foretold or seen, at which iterations end
+  double misfit_tolerance = 1e-8;     // relative change of the sum, predicted or seen, at which iterations end
   double step_tolerance = 1e-10;      // relative to |z|
   double gradient_tolerance = 1e-10;  // of its greatest component within the bounds
   double first_radius = 1e10;         // of the region in which the equations are trusted: Gauss-Newton's step first
   double greatest_radius = 1e16;
   double least_radius = 1e-32;
-  double least_gain = 1e-3;          // of a step that is taken, as a share of what was foretold
+  double least_gain = 1e-3;          // of a step that is taken, as a share of what was predicted
   int most_failures = 5;             // steps in a row to where there is no sum
   double least_information = 1e-14;  // eigenvalues below this share of the largest count as that
 };

@@ -164,9 +164,9 @@ void try_unit(std::vector<Tried>& all, const Channels& channels, FaultKind kind,
       channels.whitened([&](std::size_t, const RunRows& rows) { return scaled(rows, about, 1 / factor); });
   // A bar as far off as before in the unit that was said: it is the noise that is larger than assumed, and no other
   // unit. Torques have more that a machine may owe them: of theirs noise is what tells.
-  const double before = channels.chi2_of(channels.measured(), about);
-  const bool is_bar = about.front() == kRadial;
-  if (is_bar && factor * factor * channels.chi2_of(readings, about) > kUnitLeaves * before) return;
+  if (about.front() == kRadial &&
+      factor * factor * channels.chi2_of(readings, about) > kUnitLeaves * channels.chi2_of(channels.measured(), about))
+    return;
   // Smaller readings are nearer to any prediction, and as much less likely: their density has a volume, too. Larger
   // ones gain nothing by theirs: noise may be less than is assumed.
   const double volume = static_cast<double>(channels.rows_of(about)) * std::max(0.0, std::log(std::abs(factor)));

@@ -85,12 +85,14 @@ bool large_enough(const Fault& fault, const Run& run, const InspectOptions& opti
   }
 }
 
+void leave_large_ones(std::vector<Tried>& all, const Run& run, const InspectOptions& options) {
+  std::erase_if(all, [&](const Tried& one) { return !large_enough(one.fault, run, options); });
+}
+
 // Of everything that was tried the best, if it explains what is off.
 std::optional<Fault> explanation(std::vector<Tried> all, const Run& run, double before, Index rows, double usual,
                                  const InspectOptions& options) {
-  all.erase(
-      std::remove_if(all.begin(), all.end(), [&](const Tried& one) { return !large_enough(one.fault, run, options); }),
-      all.end());
+  leave_large_ones(all, run, options);
   const auto count = static_cast<double>(rows);
   const double expected = usual * count;
   std::sort(all.begin(), all.end(),
@@ -232,9 +234,7 @@ class Inspector {
       suspects.rows.push_back(&looked.rows[i]);
     }
     std::vector<Tried> all = labels ? everything_tried(suspects) : tried_channels(suspects);
-    all.erase(std::remove_if(all.begin(), all.end(),
-                             [&](const Tried& one) { return !large_enough(one.fault, looked.runs[0], options_); }),
-              all.end());
+    leave_large_ones(all, looked.runs[0], options_);
     if (all.empty()) return std::nullopt;
     const Tried& best = *std::min_element(all.begin(), all.end(), [](const Tried& a, const Tried& b) {
       return a.chi2 + 2 * a.penalty < b.chi2 + 2 * b.penalty;

@@ -17,6 +17,8 @@ namespace plumbline::jobs {
 struct Knowledge {
   std::optional<identify::Posterior> posterior;  // nothing: the model does not say
   std::optional<Diagnostic> warning;             // why the posterior that the model names is not used
+
+  const identify::Posterior* posterior_or_null() const { return posterior ? &*posterior : nullptr; }
 };
 
 /// The posterior that the model names, or else its [uncertainty]. One that cannot be read, or belongs to other numbers,

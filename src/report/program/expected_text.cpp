@@ -1,5 +1,7 @@
 #include "report/program/expected_text.hpp"
 
+#include <array>
+#include <cmath>
 #include <iterator>
 #include <limits>
 
@@ -65,10 +67,10 @@ Json figures_json(const ExpectedFigures& figures) {
   return json;
 }
 
-void append_doubt(std::string& row, const jobs::TipDoubt& doubt) {
-  append_columns(row, std::array{doubt.mean, doubt.within}, kUm, 4);
-  append_columns(row, doubt.axis_within, kUm, 4);
-  append_columns(row, doubt.rms, kUm, 4);
+void append_numbers(std::vector<double>& all, const jobs::TipDoubt& doubt) {
+  for (const double number : {doubt.mean, doubt.within}) all.push_back(number / kUm);
+  for (const double number : doubt.axis_within) all.push_back(number / kUm);
+  for (const double number : doubt.rms) all.push_back(number / kUm);
 }
 
 }  // namespace
@@ -120,29 +122,21 @@ std::string_view expected_columns() {
 
 std::vector<double> expected_numbers(const std::optional<jobs::PoseDoubt>& doubt) {
   std::vector<double> all;
-  for (const jobs::TipDoubt* const one :
-       {doubt ? &doubt->stands : nullptr, doubt && doubt->touched_off ? &*doubt->touched_off : nullptr}) {
-    if (one == nullptr) {
-      all.resize(all.size() + kPerDoubt, std::numeric_limits<double>::quiet_NaN());
-      continue;
-    }
-    for (const double number : {one->mean, one->within}) all.push_back(number / kUm);
-    for (const double number : one->axis_within) all.push_back(number / kUm);
-    for (const double number : one->rms) all.push_back(number / kUm);
-  }
+  all.reserve(2 * kPerDoubt);
+  if (doubt) append_numbers(all, doubt->stands);
+  all.resize(kPerDoubt, std::numeric_limits<double>::quiet_NaN());
+  if (doubt && doubt->touched_off) append_numbers(all, *doubt->touched_off);
+  all.resize(2 * kPerDoubt, std::numeric_limits<double>::quiet_NaN());
   return all;
 }
 
 void append_expected(std::string& row, const std::optional<jobs::PoseDoubt>& doubt) {
-  if (doubt) {
-    append_doubt(row, doubt->stands);
-  } else {
-    row.append(kPerDoubt, ',');
-  }
-  if (doubt && doubt->touched_off) {
-    append_doubt(row, *doubt->touched_off);
-  } else {
-    row.append(kPerDoubt, ',');
+  for (const double number : expected_numbers(doubt)) {
+    if (std::isnan(number)) {
+      row += ',';
+    } else {
+      append_columns(row, std::array{number}, 1, 4);
+    }
   }
 }
 
