@@ -91,8 +91,10 @@ class Parallel(Shop):
     def test_by_ssh(self):
         if skips_without("parallel"):
             return
-        ssh = self.folder / "bin/ssh"  # plays it: the host, then the command
-        ssh.write_text(f"#!/bin/bash\nwhile [[ $1 == -* ]]; do shift; done\nhost=$1; shift\n[[ $1 == -- ]] && shift\necho $host >>'{self.folder}/hosts'\nexec sh -c \"$*\"\n")
+        # Plays ssh and its server: options, the host, then the command, in the user's own folder and shell.
+        ssh = self.folder / "bin/ssh"
+        ssh.write_text(f"#!/bin/bash\nwhile [[ $1 == -* ]]; do shift; done\nhost=$1; shift\n[[ $1 == -- ]] && shift\n"
+                       f"echo $host >>'{self.folder}/hosts'\ncd ~\nSHELL=/bin/sh exec sh -c \"$*\"\n")
         ssh.chmod(0o755)
         self.run_there(EXAMPLE / "with_parallel", "parts", "out", "--sshlogin", "1/hex-pc-1,1/hex-pc-2",
                        PARALLEL_SSH=str(ssh))
