@@ -14,6 +14,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/files/files.hpp"
+#include "base/files/path_of.hpp"
 #include "base/files/temporary_file.hpp"
 #include "base/parallel.hpp"
 #include "batch/committer.hpp"
@@ -39,7 +40,8 @@ struct Planned {
 
 void refuse_same_folder(const ProgramRequest& programs) {
   std::error_code none;
-  if (fs::weakly_canonical(programs.folder, none) != fs::weakly_canonical(programs.output, none)) return;
+  if (fs::weakly_canonical(path_of(programs.folder), none) != fs::weakly_canonical(path_of(programs.output), none))
+    return;
   Place place;
   place.file = programs.output;
   refuse("file-overwrites-input", "the outputs would stand among the programs", "give another folder with -o", place);
@@ -49,8 +51,8 @@ std::string place_of_output(const std::string& place, const settings::Options& o
   const std::string& pattern = options.output_pattern.empty() ? std::string(kSameName) : options.output_pattern;
   // The pattern says how a file is called, and -o where it lies.
   try {
-    const fs::path name = fs::path(settings::output_name(pattern, place, options.machine)).filename();
-    return (fs::path(place).parent_path() / name).generic_string();
+    const fs::path name = path_of(settings::output_name(pattern, place, options.machine)).filename();
+    return (path_of(place).parent_path() / name).generic_string();
   } catch (const settings::OptionError& error) {
     refuse("settings-value", fmt::format("output_name: {}", error.what()), "name the machine with --machine");
   }
@@ -92,7 +94,7 @@ class Run {
         const std::string place = place_in_folder(request_.programs.folder, program);
         one.settings = &settings_.of(program);
         one.task.place = place_of_output(place, one.settings->options);
-        one.task.output = (fs::path(request_.programs.output) / one.task.place).generic_string();
+        one.task.output = (path_of(request_.programs.output) / path_of(one.task.place)).generic_string();
         if (is_named_twice(one.task)) continue;
       } catch (const Refusal& refusal) {
         one.settings = nullptr;
@@ -133,7 +135,7 @@ class Run {
       if (planned.refusal) throw Refusal(*planned.refusal);
       known = record.find(task.place);
       if (std::optional<Work> work = unchanged(known, planned)) return hand_on(std::move(*work), committer);
-      make_folder(fs::path(task.output).parent_path().generic_string());
+      make_folder(path_of(task.output).parent_path().generic_string());
     } catch (...) {
       settle(failed(task, current_problem(task.program), known.has_value()));
       return;
@@ -153,13 +155,13 @@ class Run {
     work.entry = *known;
     const Freshness found = freshness(work.entry, task.program, task.output, *planned.settings);
     if (!found.is_fresh) return std::nullopt;
-    work.entry.source = fs::absolute(task.program).lexically_normal().generic_string();
+    work.entry.source = fs::absolute(path_of(task.program)).lexically_normal().generic_string();
     work.is_known_anew = found.looks_new || work.entry.source != known->source;
     work.task = task;
     work.item = {task.program, task.output, jobs::BatchItem::State::unchanged, known->summary, {}};
-    const fs::path folder = fs::path(task.program).parent_path();
+    const fs::path folder = path_of(task.program).parent_path();
     for (const CalledFile& one : known->called) {
-      if (!one.path.empty()) work.called.push_back((folder / one.path).generic_string());
+      if (!one.path.empty()) work.called.push_back((folder / path_of(one.path)).generic_string());
     }
     return work;
   }
@@ -167,7 +169,7 @@ class Run {
   // What killed runs left under passing names goes.
   void sweep_folders() const {
     std::set<fs::path> folders;
-    for (const Planned& one : planned_) folders.insert(fs::path(one.task.output).parent_path());
+    for (const Planned& one : planned_) folders.insert(path_of(one.task.output).parent_path());
     for (const fs::path& folder : folders) sweep_temporary_files(folder.generic_string());
   }
 
@@ -179,7 +181,7 @@ class Run {
   void settle(Work&& work) {
     const std::scoped_lock lock(guard_);
     for (const std::string& file : work.called) {
-      if (!file.empty()) called_.insert(fs::absolute(file).lexically_normal().generic_string());
+      if (!file.empty()) called_.insert(fs::absolute(path_of(file)).lexically_normal().generic_string());
     }
     told_->take(work.task.number, std::move(work.item));
   }
@@ -190,8 +192,8 @@ class Run {
     std::vector<std::string> forgotten;
     record.each([&](const Entry& entry) {
       std::error_code none;
-      if (places_.contains(entry.place) || fs::exists(entry.source, none)) return;
-      const fs::path output = fs::path(request_.programs.output) / entry.place;
+      if (places_.contains(entry.place) || fs::exists(path_of(entry.source), none)) return;
+      const fs::path output = path_of(request_.programs.output) / path_of(entry.place);
       if (fs::exists(output, none)) {
         outputs.push_back(output.generic_string());
       } else {
@@ -229,7 +231,7 @@ class Run {
 
 std::string record_path(const Request& request) {
   if (!request.record.empty()) return request.record;
-  return (fs::path(request.programs.output) / kRecordName).generic_string();
+  return (path_of(request.programs.output) / kRecordName).generic_string();
 }
 
 Result run(const Request& request, const Observer& observer) {

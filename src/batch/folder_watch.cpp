@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/diagnostic.hpp"
+#include "base/files/path_of.hpp"
 #include "settings/settings_file.hpp"
 
 namespace plumbline::batch {
@@ -67,7 +68,7 @@ void FolderWatch::note(const FolderEvent& event) {
     changed_ = true;
     return look_through();
   }
-  const bool is_settings = std::filesystem::path(event.path).filename() == settings::kSettingsFileName;
+  const bool is_settings = path_of(event.path).filename() == settings::kSettingsFileName;
   if (!is_settings && !is_program_name(event.path, programs_.endings)) return;
   if (event.kind == Kind::begun) return note_busy(event.path);
   busy_.erase(event.path);

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/diagnostic.hpp"
+#include "base/files/path_of.hpp"
 #include "nc/language/dialect.hpp"
 #include "nc/sequence/subprogram_file.hpp"
 
@@ -31,19 +32,19 @@ bool is_same(KnownFile& known, const std::string& path, bool& looks_new) {
 
 bool calls_same(Entry& entry, const std::string& program, bool& looks_new) {
   if (entry.called.empty()) return true;
-  const std::filesystem::path folder = std::filesystem::path(program).parent_path();
+  const std::filesystem::path folder = path_of(program).parent_path();
   const std::int64_t changed_ns = folder_change(program);
   if (changed_ns == kUnknown || changed_ns != entry.folder_changed_ns) {
     const nc::Dialect& dialect = nc::dialect(entry.dialect);
     for (const CalledFile& one : entry.called) {
-      const std::filesystem::path then = one.path.empty() ? std::filesystem::path() : folder / one.path;
+      const std::filesystem::path then = one.path.empty() ? std::filesystem::path() : folder / path_of(one.path);
       if (!one.name.empty() && nc::subprogram_file(program, one.name, dialect) != then) return false;
     }
     looks_new = true;
     entry.folder_changed_ns = changed_ns;
   }
   return std::all_of(entry.called.begin(), entry.called.end(), [&](CalledFile& one) {
-    return one.path.empty() || is_same(one.file, (folder / one.path).generic_string(), looks_new);
+    return one.path.empty() || is_same(one.file, (folder / path_of(one.path)).generic_string(), looks_new);
   });
 }
 
@@ -56,7 +57,7 @@ KnownFile known_file(const FileState& state, std::uint64_t hash, std::int64_t re
 }
 
 std::int64_t folder_change(const std::string& program) {
-  const std::string folder = std::filesystem::path(program).parent_path().generic_string();
+  const std::string folder = path_of(program).parent_path().generic_string();
   const std::int64_t now = now_ns();
   const std::optional<FileState> state = folder_state(folder.empty() ? "." : folder);
   return state && is_settled(state->changed_ns, now) ? state->changed_ns : kUnknown;
@@ -74,7 +75,7 @@ Freshness freshness(Entry& entry, const std::string& program, const std::string&
   }
   if (found.is_fresh && entry.has_undo) {
     std::error_code none;
-    found.is_fresh = std::filesystem::is_regular_file(output + ".undo", none);
+    found.is_fresh = std::filesystem::is_regular_file(path_of(output + ".undo"), none);
   }
   return found;
 }

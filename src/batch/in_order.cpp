@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/files/path_of.hpp"
+
 namespace plumbline::batch {
 
 using State = jobs::BatchItem::State;
@@ -25,7 +27,7 @@ void InOrder::take(std::size_t number, jobs::BatchItem item) {
 
 void InOrder::finish(const std::set<std::string>& called) {
   for (jobs::BatchItem& item : failed_) {
-    if (called.contains(std::filesystem::absolute(item.program).lexically_normal().generic_string())) {
+    if (called.contains(std::filesystem::absolute(path_of(item.program)).lexically_normal().generic_string())) {
       item.state = State::subprogram;
     }
     tell(std::move(item));

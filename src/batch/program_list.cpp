@@ -9,6 +9,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/files/files.hpp"
+#include "base/files/path_of.hpp"
 #include "base/text/characters.hpp"
 #include "nc/language/dialect.hpp"
 
@@ -50,7 +51,7 @@ class Walk {
  public:
   Walk(const ProgramRequest& request, ProgramList& list) : request_(request), list_(list) {
     std::error_code none;
-    output_ = fs::weakly_canonical(request.output, none);
+    output_ = fs::weakly_canonical(path_of(request.output), none);
   }
 
   void look_into(const fs::path& folder) {
@@ -109,7 +110,7 @@ const std::vector<std::string>& usual_endings() {
 }
 
 bool is_program_name(const std::string& path, const std::vector<std::string>& endings) {
-  const fs::path file = fs::path(path).filename();
+  const fs::path file = path_of(path).filename();
   const std::string name = file.generic_string();
   if (name.empty() || name[0] == '.') return false;
   std::string ending = small(file.extension().generic_string());
@@ -125,13 +126,13 @@ ProgramList list_programs(const ProgramRequest& request) {
     list.programs = names_in(read_text(request.list));
     return list;
   }
-  Walk(request, list).look_into(request.folder);
+  Walk(request, list).look_into(path_of(request.folder));
   std::sort(list.passed_over.begin(), list.passed_over.end());
   return list;
 }
 
 std::string place_in_folder(const std::string& folder, const std::string& program) {
-  const auto whole = [](const std::string& path) { return fs::absolute(path).lexically_normal(); };
+  const auto whole = [](const std::string& path) { return fs::absolute(path_of(path)).lexically_normal(); };
   fs::path root = whole(folder);
   if (!root.has_filename()) root = root.parent_path();
   const fs::path place = whole(program).lexically_relative(root);

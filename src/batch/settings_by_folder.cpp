@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "base/files/files.hpp"
+#include "base/files/path_of.hpp"
 #include "base/text/hash.hpp"
 #include "base/version.hpp"
 #include "machine/model_file.hpp"
@@ -35,7 +36,7 @@ void hold(Source& source, Fingerprint& fingerprint) {
 
 const FolderSettings& SettingsByFolder::of(const std::string& program) {
   const std::scoped_lock lock(guard_);
-  const std::string folder = std::filesystem::path(program).parent_path().generic_string();
+  const std::string folder = path_of(program).parent_path().generic_string();
   auto found = folders_.find(folder);
   if (found == folders_.end()) {
     found = folders_.emplace(folder, Entry()).first;

@@ -9,6 +9,7 @@
 
 #include "base/files/files.hpp"
 #include "base/files/files_beside.hpp"
+#include "base/files/path_of.hpp"
 #include "base/text/hash.hpp"
 #include "base/version.hpp"
 #include "batch/freshness.hpp"
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 
 void refuse_strange_output(const std::string& output) {
   std::error_code none;
-  if (!fs::is_regular_file(output, none) || compensate::is_compensated(InputFile(output))) return;
+  if (!fs::is_regular_file(path_of(output), none) || compensate::is_compensated(InputFile(output))) return;
   Place place;
   place.file = output;
   refuse("file-exists", fmt::format("{} stands there already, and is no compensated program", output),
@@ -32,14 +33,14 @@ void refuse_strange_output(const std::string& output) {
 }
 
 std::vector<CalledFile> called_files(const FilesBeside& beside, const std::string& program) {
-  const fs::path folder = fs::path(program).parent_path();
+  const fs::path folder = path_of(program).parent_path();
   std::vector<CalledFile> called;
   for (const FilesBeside::Sought& one : beside.files()) {
     CalledFile file{one.name, {}, {}};
     if (!one.path.empty()) {
       const std::int64_t now = now_ns();
       const std::optional<FileState> state = file_state(one.path);
-      file.path = folder.empty() ? one.path : fs::path(one.path).lexically_relative(folder).generic_string();
+      file.path = folder.empty() ? one.path : path_of(one.path).lexically_relative(folder).generic_string();
       if (state) file.file = known_file(*state, file_hash(one.path), now);
     }
     called.push_back(std::move(file));
@@ -66,7 +67,7 @@ void compensate_into(Work& work, const FolderSettings& settings, const FilesBesi
   work.item.summary = report::summary_json_line(summary, settings.options);
   Entry& entry = work.entry;
   entry.place = task.place;
-  entry.source = fs::absolute(task.program).lexically_normal().generic_string();
+  entry.source = fs::absolute(path_of(task.program)).lexically_normal().generic_string();
   entry.settings = settings.hash;
   entry.dialect = opened.dialect.name;
   entry.called = called_files(beside, task.program);
@@ -128,7 +129,7 @@ Work compensate_one(const Task& task, const FolderSettings& settings, const std:
     return work;
   } catch (...) {
     std::error_code none;
-    Work work = failed(task, current_problem(task.program), known && fs::exists(task.output, none));
+    Work work = failed(task, current_problem(task.program), known && fs::exists(path_of(task.output), none));
     for (const FilesBeside::Sought& one : beside.files()) work.called.push_back(one.path);
     return work;
   }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/files/files.hpp"
+#include "base/files/path_of.hpp"
 #include "base/text/characters.hpp"
 #include "base/units.hpp"
 #include "batch/batch.hpp"
@@ -82,7 +83,7 @@ batch::Request checked_request(const BatchArguments& arguments) {
   if (programs.folder.empty() && programs.list.empty()) throw UsageError("FOLDER is required, or --list FILE");
   if (programs.folder.empty()) programs.folder = ".";
   std::error_code none;
-  if (std::filesystem::is_regular_file(programs.folder, none)) {
+  if (std::filesystem::is_regular_file(path_of(programs.folder), none)) {
     throw UsageError(
         fmt::format("{} is a file: --list reads the names of programs from a file, and compensate takes a "
                     "program",

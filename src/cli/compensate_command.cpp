@@ -6,6 +6,7 @@
 
 #include "base/files/files.hpp"
 #include "base/files/files_beside.hpp"
+#include "base/files/path_of.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
@@ -32,7 +33,7 @@ std::vector<std::string> dependencies(const CompensateArguments& arguments, cons
                                       const FilesBeside& beside) {
   std::vector<std::string> files = files_read(arguments.program, options);
   for (const FilesBeside::Sought& one : beside.files()) {
-    const std::string path = std::filesystem::path(one.path).lexically_normal().string();
+    const std::string path = path_of(one.path).lexically_normal().generic_string();
     if (std::find(files.begin(), files.end(), path) == files.end()) files.push_back(path);
   }
   return files;

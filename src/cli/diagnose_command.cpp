@@ -10,6 +10,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/files/files.hpp"
+#include "base/files/path_of.hpp"
 #include "base/platform/platform.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
@@ -53,7 +54,7 @@ struct FolderFile {
 // Before the work; the folder itself is made after it, so that work that fails leaves none.
 void check_folder(const std::string& folder) {
   std::error_code missing;
-  fs::path there = fs::absolute(folder);
+  fs::path there = fs::absolute(path_of(folder));
   while (!fs::exists(there, missing) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there, missing)) refuse_folder(folder, fmt::format("{} is a file", there.generic_string()));
   if (!platform::may_write(there.generic_string())) refuse_folder(folder, std::strerror(errno));
@@ -86,7 +87,7 @@ std::vector<FolderFile> programs_of(const DiagnoseArguments& arguments, const jo
     if (!next.test) continue;
     measure::Run run = next.test->run;
     run.id = "next-test-" + next.from;
-    const fs::path path = fs::path(arguments.folder) / jobs::test_program_name(run.id, dialect);
+    const fs::path path = path_of(arguments.folder) / path_of(jobs::test_program_name(run.id, dialect));
     programs.push_back({path.generic_string(), jobs::test_program(result.machine, run, dialect)});
   }
   return programs;
@@ -110,10 +111,10 @@ std::string page_of(const DiagnoseArguments& arguments, const jobs::DiagnoseResu
 }
 
 int diagnose(const DiagnoseArguments& arguments) {
-  const std::string json = (fs::path(arguments.folder) / "diagnosis.json").generic_string();
-  const std::string model = (fs::path(arguments.folder) / "model.toml").generic_string();
-  const std::string page = (fs::path(arguments.folder) / "report.html").generic_string();
-  const std::string judged = (fs::path(arguments.folder) / "inspection.json").generic_string();
+  const std::string json = (path_of(arguments.folder) / "diagnosis.json").generic_string();
+  const std::string model = (path_of(arguments.folder) / "model.toml").generic_string();
+  const std::string page = (path_of(arguments.folder) / "report.html").generic_string();
+  const std::string judged = (path_of(arguments.folder) / "inspection.json").generic_string();
   const std::string posterior = report::posterior_path(model);
   const std::vector<std::string> inputs = inputs_of(arguments.job.dataset, {arguments.model});
   check_folder(arguments.folder);
@@ -130,7 +131,7 @@ int diagnose(const DiagnoseArguments& arguments) {
   files.insert(files.begin(), {{json, numbers},
                                {judged, report::inspection_json(result.inspection, result.runs)},
                                {page, page_of(arguments, result, files)}});
-  const report::LearntFiles learnt = report::learnt_files(result, fs::path(posterior).filename().generic_string());
+  const report::LearntFiles learnt = report::learnt_files(result, path_of(posterior).filename().generic_string());
   files.push_back({posterior, learnt.posterior});
   files.push_back({model, learnt.model});
   std::vector<std::string> outputs;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/files/files.hpp"
+#include "base/files/path_of.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "cli/options/report_file.hpp"
@@ -96,8 +97,7 @@ int write_identified(const std::vector<std::string>& inputs, const IdentifiedOut
   if (identified.objected()) object(report::objection_text(identified), output);
   std::optional<OutputFile> posterior_file;
   if (has_posterior) {
-    const report::LearntFiles learnt =
-        report::learnt_files(identified, std::filesystem::path(posterior).filename().generic_string());
+    const report::LearntFiles learnt = report::learnt_files(identified, path_of(posterior).filename().generic_string());
     posterior_file.emplace(posterior).write(learnt.posterior);
     files.add(*posterior_file);
     out.write(learnt.model);

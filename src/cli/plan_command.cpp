@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/files/path_of.hpp"
 #include "base/units.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
@@ -55,8 +56,7 @@ std::vector<NamedProgram> programs_of(const PlanArguments& arguments, const mach
   const nc::Dialect& dialect = nc::dialect(arguments.dialect);
   std::vector<NamedProgram> programs;
   for (const measure::Run& run : dataset.runs) {
-    const std::filesystem::path path =
-        std::filesystem::path(arguments.programs) / jobs::test_program_name(run.id, dialect);
+    const std::filesystem::path path = path_of(arguments.programs) / path_of(jobs::test_program_name(run.id, dialect));
     programs.push_back({path.generic_string(), jobs::test_program(machine, run, dialect)});
   }
   return programs;

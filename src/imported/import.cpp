@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/files/path_of.hpp"
 #include "base/units.hpp"
 #include "imported/circles.hpp"
 #include "measure/dataset_text.hpp"
@@ -28,10 +29,10 @@ const std::vector<double>* column(const Source& source, const ForeignTable& tabl
 // The file that a run names, among those that were given.
 const std::string& file_of(const std::vector<std::string>& files, const std::string& name, const Place& place) {
   for (const std::string& file : files) {
-    if (fs::path(file).filename() == fs::path(name).filename()) return file;
+    if (path_of(file).filename() == path_of(name).filename()) return file;
   }
   std::vector<std::string> names;
-  for (const std::string& file : files) names.push_back(fs::path(file).filename().generic_string());
+  for (const std::string& file : files) names.push_back(path_of(file).filename().generic_string());
   refuse("import-file", fmt::format("no file {} was given", name),
          fmt::format("name it on the command line; there are {}", fmt::join(names, ", ")), place);
 }

@@ -10,6 +10,7 @@
 #include "base/axes.hpp"
 #include "base/diagnostic.hpp"
 #include "base/files/output_set.hpp"
+#include "base/files/path_of.hpp"
 #include "base/text/number_text.hpp"
 #include "base/text/printable.hpp"
 #include "machine/inverse.hpp"
@@ -258,7 +259,7 @@ void write_linuxcnc_control(const settings::Options& options, const SimulatedDri
   const std::vector<ControlFile> files =
       linuxcnc_configuration(model, settings::program_settings(options, model), drives);
   for (const ControlFile& file : files) {
-    const fs::path taken = fs::path(folder) / file.name;
+    const fs::path taken = path_of(folder) / path_of(file.name);
     std::error_code ignored;
     if (fs::exists(fs::symlink_status(taken, ignored))) {
       refuse("control-folder-taken", fmt::format("there is a {} in {} already", file.name, folder),
@@ -269,7 +270,7 @@ void write_linuxcnc_control(const settings::Options& options, const SimulatedDri
   std::list<OutputFile> outputs;
   OutputSet set;
   for (const ControlFile& file : files) {
-    outputs.emplace_back((fs::path(folder) / file.name).generic_string()).write(file.text);
+    outputs.emplace_back((path_of(folder) / path_of(file.name)).generic_string()).write(file.text);
     set.add(outputs.back());
   }
   set.commit();

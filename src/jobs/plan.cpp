@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
+#include "base/files/path_of.hpp"
 #include "base/parallel.hpp"
 #include "base/text/nearest_name.hpp"
 #include "identify/unknowns/geometry.hpp"
@@ -207,7 +208,7 @@ PlannedTests plan_tests(const PlanJob& job) {
 }
 
 void write_plan(const PlannedTests& plan, const std::string& folder) {
-  const std::filesystem::path taken = std::filesystem::path(folder) / "dataset.toml";
+  const std::filesystem::path taken = path_of(folder) / "dataset.toml";
   std::error_code ignored;
   if (std::filesystem::exists(taken, ignored)) {
     refuse("plan-folder-taken", fmt::format("there is a dataset in {} already", folder),

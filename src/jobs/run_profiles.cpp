@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "base/files/path_of.hpp"
 #include "base/parallel.hpp"
 #include "diagnose/compensated.hpp"
 #include "diagnose/gap/channels.hpp"
@@ -112,7 +113,7 @@ RunsAndModels profiles_of_files(const std::vector<measure::Run>& runs, const std
     const bool alike = std::any_of(machines.begin(), machines.end(), [&](const machine::MachineModel& other) {
       return &other != &machines[i] && other.name == machines[i].name;
     });
-    both.models.push_back(alike ? std::filesystem::path(models[i]).filename().generic_string() : machines[i].name);
+    both.models.push_back(alike ? path_of(models[i]).filename().generic_string() : machines[i].name);
     named.push_back({both.models.back(), &machines[i], &forces[i]});
   }
   both.runs = run_profiles(runs, named);

@@ -10,6 +10,7 @@
 
 #include "base/files/files.hpp"
 #include "base/files/input_name.hpp"
+#include "base/files/path_of.hpp"
 #include "base/text/nearest_name.hpp"
 #include "base/units.hpp"
 #include "machine/model_values.hpp"
@@ -204,11 +205,11 @@ bool stays_inside(const fs::path& file) {
 }
 
 void read_table(const RunReader& reader, const std::string& folder, Believe believe, Run& run) {
-  if (!stays_inside(run.file)) {
+  if (!stays_inside(path_of(run.file))) {
     refuse("dataset-file-outside", fmt::format("the table {} lies outside of the dataset's folder", run.file),
            "put it into that folder, and name it relative to it", reader.place_of("file"));
   }
-  const fs::path path = fs::path(folder) / run.file;
+  const fs::path path = path_of(folder) / path_of(run.file);
   std::error_code ignored;  // a name too long for a file is none
   if (!fs::is_regular_file(path, ignored)) {
     refuse("dataset-file-missing", fmt::format("there is no file {}", path.generic_string()),
@@ -247,19 +248,19 @@ Dataset parse_dataset(std::string text, const std::string& file, const std::stri
 }
 
 Dataset read_dataset(const std::string& path, Believe believe) {
-  return parse_dataset(read_text(path), input_name(path), fs::path(path).parent_path().generic_string(), believe);
+  return parse_dataset(read_text(path), input_name(path), path_of(path).parent_path().generic_string(), believe);
 }
 
 std::vector<std::string> files_of_dataset(const std::string& path) {
   std::vector<std::string> files{path};
   std::error_code missing;
-  if (!fs::is_regular_file(path, missing)) return files;
+  if (!fs::is_regular_file(path_of(path), missing)) return files;
   const TomlDocument document = parse_toml(read_text(path), input_name(path));
   check_top(document);
   for (const TomlValue& run : run_list(document).items) {
     const TomlEntry* const table = run.find("file");
     if (table == nullptr || table->value.kind != Kind::text) continue;  // read_dataset refuses it
-    files.push_back((fs::path(path).parent_path() / table->value.text).generic_string());
+    files.push_back((path_of(path).parent_path() / path_of(table->value.text)).generic_string());
   }
   return files;
 }
@@ -270,13 +271,13 @@ namespace {
 // dataset that was read has.
 std::vector<fs::path> table_targets(const Dataset& dataset, const fs::path& folder) {
   std::error_code ignored;
-  const fs::path source = fs::path(dataset.document.file).parent_path();
+  const fs::path source = path_of(dataset.document.file).parent_path();
   std::set<fs::path> read;
-  for (const Run& run : dataset.runs) read.insert(fs::weakly_canonical(source / run.file, ignored));
+  for (const Run& run : dataset.runs) read.insert(fs::weakly_canonical(source / path_of(run.file), ignored));
   std::set<fs::path> written{fs::weakly_canonical(folder / kDatasetName, ignored)};
   std::vector<fs::path> targets;
   for (const Run& run : dataset.runs) {
-    const fs::path relative = fs::path(run.file).lexically_normal();
+    const fs::path relative = path_of(run.file).lexically_normal();
     if (!stays_inside(relative)) {
       refuse("dataset-file-outside",
              fmt::format("the table {} would be written outside of {}", run.file, folder.generic_string()),
@@ -300,8 +301,8 @@ std::vector<fs::path> table_targets(const Dataset& dataset, const fs::path& fold
 
 // dataset.toml last: it names the tables.
 void write_dataset(const Dataset& dataset, const std::string& folder) {
-  const fs::path into(folder);
-  const fs::path source = fs::path(dataset.document.file).parent_path();
+  const fs::path into = path_of(folder);
+  const fs::path source = path_of(dataset.document.file).parent_path();
   std::error_code error;
   if (!dataset.document.file.empty() && fs::equivalent(into, source.empty() ? fs::path(".") : source, error)) {
     refuse("file-overwrites-input", "the dataset would overwrite the one that is read",

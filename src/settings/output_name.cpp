@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/files/path_of.hpp"
 #include "settings/options.hpp"
 
 namespace plumbline::settings {
@@ -41,7 +42,7 @@ void check_output_pattern(std::string_view pattern) {
 }
 
 std::string output_name(std::string_view pattern, const std::string& program, const std::string& machine) {
-  const std::filesystem::path path(program);
+  const std::filesystem::path path = path_of(program);
   std::string name;
   each_part(
       pattern, [&](std::string_view text) { name += text; },
@@ -59,7 +60,7 @@ std::string output_name(std::string_view pattern, const std::string& program, co
           name += machine;
         }
       });
-  return std::filesystem::path(name).lexically_normal().generic_string();
+  return path_of(name).lexically_normal().generic_string();
 }
 
 }  // namespace plumbline::settings

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "base/files/files.hpp"
+#include "base/files/path_of.hpp"
 #include "base/platform/platform.hpp"
 #include "base/text/nearest_name.hpp"
 #include "settings/contradiction.hpp"
@@ -27,8 +28,8 @@ std::vector<std::string> files_from_folder_up(const std::string& program) {
     if (fs::is_regular_file(folder / kSettingsFileName, error))
       files.push_back((folder / kSettingsFileName).generic_string());
   };
-  add(fs::path(program).parent_path());
-  fs::path folder = fs::absolute(program, error).lexically_normal().parent_path();
+  add(path_of(program).parent_path());
+  fs::path folder = fs::absolute(path_of(program), error).lexically_normal().parent_path();
   while (folder.has_relative_path()) {
     folder = folder.parent_path();
     add(folder);
@@ -40,7 +41,7 @@ std::vector<std::string> files_from_folder_up(const std::string& program) {
 std::string users_own() {
   const std::string folder = platform::settings_folder();
   if (folder.empty()) return {};
-  const fs::path path = fs::path(folder) / "plumbline" / kSettingsFileName;
+  const fs::path path = path_of(folder) / "plumbline" / kSettingsFileName;
   std::error_code error;
   return fs::is_regular_file(path, error) ? path.generic_string() : std::string();
 }
@@ -48,7 +49,7 @@ std::string users_own() {
 void add_once(std::vector<std::string>& files, const std::string& path) {
   std::error_code error;
   const bool known = std::any_of(files.begin(), files.end(), [&](const std::string& file) {
-    return file == path || fs::equivalent(file, path, error);
+    return file == path || fs::equivalent(path_of(file), path_of(path), error);
   });
   if (!path.empty() && !known) files.push_back(path);
 }

@@ -9,6 +9,7 @@
 #include "base/diagnostic.hpp"
 #include "base/files/files.hpp"
 #include "base/files/input_name.hpp"
+#include "base/files/path_of.hpp"
 #include "base/text/toml.hpp"
 #include "settings/contradiction.hpp"
 #include "settings/output_name.hpp"
@@ -118,7 +119,8 @@ class SettingsReader {
 
   std::string beside_file(const std::string& path) const {
     const bool is_from_program = path.starts_with(kProgramFolder);
-    return path.empty() || is_from_program ? path : (fs::path(document_.file).parent_path() / path).generic_string();
+    return path.empty() || is_from_program ? path
+                                           : (path_of(document_.file).parent_path() / path_of(path)).generic_string();
   }
 
   [[noreturn]] void refuse_type(const TomlEntry& entry, const TomlValue& value) const {

@@ -11,6 +11,7 @@ TESTED = 0.9
 # Folders of alike things may be as long as the list of these things.
 ALIKE = {"src/physics/effects": "one file an effect"}
 
+NARROW_PATH = re.compile(r"\b(?:fs|filesystem)::path\((?![\")])")
 KEYWORD = re.compile(r"\s*(if|for|while|switch|else|do|catch|return|case|namespace|struct|class|enum|union|try|TEST_CASE|SECTION)\b")
 
 
@@ -86,6 +87,9 @@ def main():
         for of, count in private_methods(text) if name.parts[0] == "src" else ():
             if count > PRIVATE_METHODS:
                 wrong.append(f"{name}: {of} has {count} private methods, at most {PRIVATE_METHODS}")
+        if name.as_posix() != "src/base/files/path_of.hpp" and name.parts[0] == "src":
+            wrong += [f"{name}:{text.count(chr(10), 0, m.start()) + 1}: path_of() makes a path of a name in UTF-8"
+                      for m in NARROW_PATH.finditer(text)]
     folders = {p.parent for p in sources("src")}
     for folder in sorted(folders):
         files = [p for p in folder.iterdir() if p.suffix in (".cpp", ".hpp", ".re")]

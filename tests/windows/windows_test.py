@@ -202,7 +202,7 @@ class Same(UnderWine):
         self.assert_same("map", "-m", MODEL)
 
     def test_the_programs_of_the_tests(self):
-        programs = sorted((ROOT / "tests/golden").rglob("*.ngc")) + sorted((ROOT / "examples").rglob("*.ngc"))
+        programs = sorted((ROOT / "tests/fuzz/corpus").rglob("*.ngc")) + sorted((ROOT / "tests/install").rglob("*.ngc"))
         self.assertGreater(len(programs), 3)
         for program in programs:
             with self.subTest(program=program.name):
@@ -225,7 +225,7 @@ class Batch(UnderWine):
         super().setUp()
         self.names = [f"{i % 3}/Teil-{i:03}.nc" for i in range(self.PROGRAMS)]
         for i, name in enumerate(self.names):
-            self.write(f"parts/{name}", PART.replace("X20.5", f"X{i}.5").replace("\n", "\r\n"))
+            self.write(f"parts/{name}", PART.replace("B-2.5", f"B-2.{i}").replace("\n", "\r\n"))
         self.words = ["batch", "parts", *OPTIONS]
 
     def texts(self, folder):

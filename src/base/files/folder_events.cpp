@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/files/path_of.hpp"
+
 namespace plumbline {
 
 std::optional<FolderEvents> FolderEvents::open() {
@@ -22,7 +24,7 @@ std::vector<FolderEvent> FolderEvents::wait(std::chrono::milliseconds most) {
   for (const platform::Change& change : platform::wait_for_changes(queue_.number(), static_cast<int>(most.count()))) {
     const std::string folder = change.kind == FolderEvent::Kind::lost ? "" : folders_[change.watch];
     events.push_back(
-        {change.kind, change.name.empty() ? folder : (std::filesystem::path(folder) / change.name).generic_string()});
+        {change.kind, change.name.empty() ? folder : (path_of(folder) / path_of(change.name)).generic_string()});
   }
   return events;
 }

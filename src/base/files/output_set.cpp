@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
+#include "base/files/path_of.hpp"
 #include "base/platform/platform.hpp"
 
 namespace plumbline {
@@ -30,7 +31,7 @@ bool put_back(const std::string& before, const std::string& path) {
 NewFolder::NewFolder(const std::string& path) {
   std::vector<fs::path> missing;
   std::error_code problem;
-  for (fs::path folder = fs::path(path); !folder.empty() && !fs::exists(folder, problem) && !problem;
+  for (fs::path folder = path_of(path); !folder.empty() && !fs::exists(folder, problem) && !problem;
        folder = folder.parent_path()) {
     if (folder.has_filename()) missing.push_back(folder);
   }
@@ -42,7 +43,7 @@ NewFolder::NewFolder(const std::string& path) {
       name.let_go();
     }
   }
-  if (!problem && !fs::is_directory(path, problem)) problem = std::make_error_code(std::errc::not_a_directory);
+  if (!problem && !fs::is_directory(path_of(path), problem)) problem = std::make_error_code(std::errc::not_a_directory);
   if (!problem) return;
   Place place;
   place.file = path;
@@ -60,7 +61,7 @@ void OutputSet::lock(const std::vector<const OutputFile*>& files) {
   for (const OutputFile* const file : files) {
     if (file == nullptr || file->target_.kind != OutputTarget::Kind::file) continue;
     std::error_code gone;
-    const fs::path folder = fs::canonical(file->target_.folder(), gone);
+    const fs::path folder = fs::canonical(path_of(file->target_.folder()), gone);
     if (!gone) folders.insert(folder.generic_string());
   }
   for (const std::string& folder : folders) locks_.emplace_back(folder, FolderLock::Kind::exclusive);
@@ -91,7 +92,7 @@ void OutputSet::commit() {
 void OutputSet::clear_last() {
   const OutputTarget& target = files_.back()->target_;
   std::error_code ignored;
-  if (target.kind != OutputTarget::Kind::file || !fs::is_regular_file(target.path, ignored)) return;
+  if (target.kind != OutputTarget::Kind::file || !fs::is_regular_file(path_of(target.path), ignored)) return;
   Changed one{target.path, PassingName(passing_name_in(target.folder())), true};
   if (platform::rename(target.path, one.before->path())) {
     changed_.push_back(std::move(one));

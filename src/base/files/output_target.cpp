@@ -8,6 +8,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/files/input_file.hpp"
+#include "base/files/path_of.hpp"
 #include "base/platform/platform.hpp"
 #include "base/text/number_text.hpp"
 
@@ -37,10 +38,10 @@ bool lists_open_files(const fs::path& folder) {
 
 // Follows links one by one, up to the list of open files of a process, a file, or a name that is still free.
 fs::path follow(const std::string& name) {
-  fs::path path = name;
+  fs::path path = path_of(name);
   for (int links = 0; links < kMostLinks; ++links) {
     std::error_code ignored;
-    const fs::path folder = fs::canonical(folder_of(path), ignored);
+    const fs::path folder = fs::canonical(path_of(folder_of(path)), ignored);
     if (!folder.empty() && lists_open_files(folder)) return folder / path.filename();
     const fs::path link = fs::read_symlink(path, ignored);
     if (link.empty()) return path;
@@ -76,7 +77,7 @@ void refuse_read_only(const std::string& name, const std::string& path, unsigned
 
 }  // namespace
 
-std::string OutputTarget::folder() const { return folder_of(path); }
+std::string OutputTarget::folder() const { return folder_of(path_of(path)); }
 
 OutputTarget output_target(const std::string& name) {
   if (name == kStandardStream) return {OutputTarget::Kind::descriptor, name, platform::kStandardOutput, {}};

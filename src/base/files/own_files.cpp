@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
+#include "base/files/path_of.hpp"
 #include "base/files/source.hpp"
 #include "base/platform/platform.hpp"
 
@@ -32,8 +33,8 @@ bool is_same_name(const std::string& a, const std::string& b) {
   if (a == b) return true;
   if (a == kStandardStream || b == kStandardStream) return false;
   std::error_code unknown;
-  const fs::path full_a = fs::weakly_canonical(fs::absolute(a, unknown), unknown);
-  const fs::path full_b = fs::weakly_canonical(fs::absolute(b, unknown), unknown);
+  const fs::path full_a = fs::weakly_canonical(fs::absolute(path_of(a), unknown), unknown);
+  const fs::path full_b = fs::weakly_canonical(fs::absolute(path_of(b), unknown), unknown);
   return !full_a.empty() && full_a == full_b;
 }
 

@@ -11,6 +11,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/files/folder_lock.hpp"
+#include "base/files/path_of.hpp"
 #include "base/platform/platform.hpp"
 
 namespace plumbline {
@@ -35,7 +36,7 @@ bool is_passing_name(std::string_view name) {
 std::string passing_name_in(const std::string& folder) {
   static thread_local std::random_device source;
   const std::uint64_t number = (std::uint64_t{source()} << 32U) | source();
-  return (fs::path(folder) / fmt::format("{}{:016x}{}", kBegin, number, kEnd)).generic_string();
+  return (path_of(folder) / fmt::format("{}{:016x}{}", kBegin, number, kEnd)).generic_string();
 }
 
 std::optional<TemporaryFile> make_temporary_file(const std::string& folder, unsigned mode) {
@@ -53,7 +54,8 @@ std::optional<TemporaryFile> make_temporary_file(const std::string& folder, unsi
 
 void sweep_temporary_files(const std::string& folder) {
   std::error_code ignored;
-  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
+  for (fs::directory_iterator entry(path_of(folder), ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
     if (!is_passing_name(entry->path().filename().generic_string())) continue;
     // What a set of outputs replaces waits under such a name, too, with the folder locked.
     const std::optional<FolderLock> lock = FolderLock::try_lock(folder);

@@ -17,7 +17,7 @@ enum class FileKind { file, folder, other };
 
 struct FileStatus {
   FileKind kind = FileKind::other;
-  std::uint64_t device = 0;  // with the number: which file it is
+  std::uint64_t device = 0;  // with the number: which file it is; 0 where the system does not tell it
   std::uint64_t number = 0;
   std::uint64_t size = 0;
   std::int64_t changed_s = 0;
@@ -28,7 +28,7 @@ struct FileStatus {
 };
 
 inline bool is_same_file(const FileStatus& a, const FileStatus& b) {
-  return a.device == b.device && a.number == b.number;
+  return a.number == b.number && (a.device == b.device || a.device == 0 || b.device == 0);
 }
 
 std::optional<FileStatus> status_of(int descriptor);

@@ -58,21 +58,42 @@ int number_of(HANDLE handle, int flags) {
   return number;
 }
 
+template <class Info>
+bool asked(HANDLE handle, FILE_INFO_BY_HANDLE_CLASS what, Info& info) {
+  return GetFileInformationByHandleEx(handle, what, &info, sizeof info) != 0;
+}
+
+// Which file it is: 128 bits, of which NTFS fills 64. FAT gives the older number alone.
+bool identify_file(HANDLE handle, FileStatus& status) {
+  if (FILE_ID_INFO id{}; asked(handle, FileIdInfo, id)) {
+    std::array<std::uint64_t, 2> halves{};
+    static_assert(sizeof halves == sizeof id.FileId);
+    std::memcpy(halves.data(), &id.FileId, sizeof halves);
+    status.device = id.VolumeSerialNumber;
+    status.number = halves[0] ^ halves[1];
+    return true;
+  }
+  BY_HANDLE_FILE_INFORMATION older{};
+  if (!told(GetFileInformationByHandle(handle, &older))) return false;
+  status.device = older.dwVolumeSerialNumber;
+  status.number = (std::uint64_t{older.nFileIndexHigh} << 32U) | older.nFileIndexLow;
+  return true;
+}
+
 std::optional<FileStatus> status_in(HANDLE handle) {
   FileStatus result;
   if (GetFileType(handle) != FILE_TYPE_DISK) return result;
-  BY_HANDLE_FILE_INFORMATION told_of{};
-  if (!told(GetFileInformationByHandle(handle, &told_of))) return std::nullopt;
-  const auto both = [](DWORD high, DWORD low) { return (std::uint64_t{high} << 32U) | low; };
-  result.kind = (told_of.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY) != 0 ? FileKind::folder : FileKind::file;
-  result.device = told_of.dwVolumeSerialNumber;
-  result.number = both(told_of.nFileIndexHigh, told_of.nFileIndexLow);
-  result.size = both(told_of.nFileSizeHigh, told_of.nFileSizeLow);
-  const auto ticks =
-      static_cast<std::int64_t>(both(told_of.ftLastWriteTime.dwHighDateTime, told_of.ftLastWriteTime.dwLowDateTime));
-  result.changed_s = ticks / kTicksPerSecond;
-  result.changed_ns = ticks % kTicksPerSecond * 100;
-  result.mode = (told_of.dwFileAttributes & FILE_ATTRIBUTE_READONLY) != 0 ? kReadable : kReadAndWritable;
+  FILE_BASIC_INFO basic{};
+  FILE_STANDARD_INFO standard{};
+  if (!told(asked(handle, FileBasicInfo, basic) && asked(handle, FileStandardInfo, standard)) ||
+      !identify_file(handle, result)) {
+    return std::nullopt;
+  }
+  result.kind = standard.Directory != 0 ? FileKind::folder : FileKind::file;
+  result.size = static_cast<std::uint64_t>(standard.EndOfFile.QuadPart);
+  result.changed_s = basic.LastWriteTime.QuadPart / kTicksPerSecond;
+  result.changed_ns = basic.LastWriteTime.QuadPart % kTicksPerSecond * 100;
+  result.mode = (basic.FileAttributes & FILE_ATTRIBUTE_READONLY) != 0 ? kReadable : kReadAndWritable;
   return result;
 }
 

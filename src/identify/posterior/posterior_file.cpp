@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/files/files.hpp"
+#include "base/files/path_of.hpp"
 #include "base/text/hash.hpp"
 #include "base/text/toml.hpp"
 #include "base/units.hpp"
@@ -212,8 +213,8 @@ Posterior parse_posterior(std::string text, std::string file, const machine::Mac
 Posterior known_of(const machine::MachineModel& machine) {
   const machine::ModelValue& named = machine.value("posterior", "file");
   if (!named.given() || named.text.empty()) return prior_of(machine);
-  const std::filesystem::path folder = std::filesystem::path(machine.document.file).parent_path();
-  const std::string path = (folder / named.text).generic_string();
+  const std::filesystem::path folder = path_of(machine.document.file).parent_path();
+  const std::string path = (folder / path_of(named.text)).generic_string();
   std::string text = read_text(path);
   if (to_hex(fnv1a(text)) != machine.value("posterior", "hash").text) {
     refuse("posterior-other-file", fmt::format("{} is not the posterior that the model names", path),

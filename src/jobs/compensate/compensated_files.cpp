@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "base/diagnostic.hpp"
+#include "base/files/path_of.hpp"
 
 namespace plumbline::jobs {
 
@@ -19,7 +20,7 @@ CompensatedFiles::CompensatedFiles(const Destination& output, const std::optiona
 std::pair<InputFile, InputFile> open_pair(const Source& program, const Source& undo) {
   std::optional<FolderLock> lock;
   if (!program.is_held() && !program.is_standard_input()) {
-    const std::string folder = std::filesystem::path(program.path()).parent_path().generic_string();
+    const std::string folder = path_of(program.path()).parent_path().generic_string();
     lock.emplace(folder.empty() ? "." : folder, FolderLock::Kind::shared);
   }
   InputFile first(program);
@@ -30,8 +31,8 @@ std::pair<InputFile, InputFile> open_pair(const Source& program, const Source& u
 bool CompensatedFiles::join_old_undo(OutputFile& both) const {
   const std::string undo = undo_name(program_.name());
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(program_.name(), ignored)) return false;
-  if (!std::filesystem::is_regular_file(undo, ignored)) return false;
+  if (!std::filesystem::is_regular_file(path_of(program_.name()), ignored)) return false;
+  if (!std::filesystem::is_regular_file(path_of(undo), ignored)) return false;
   try {
     return nc::copy_undo(InputFile(program_.name()), InputFile(undo), both);
   } catch (const Refusal&) {

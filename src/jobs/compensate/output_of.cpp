@@ -6,6 +6,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/files/files.hpp"
+#include "base/files/path_of.hpp"
 #include "compensate/stamp_mark.hpp"
 #include "settings/output_name.hpp"
 
@@ -17,7 +18,7 @@ std::string output_of(const std::string& program, const settings::Options& optio
   const std::string output = settings::output_name(pattern.empty() ? std::string(settings::kOutputPattern) : pattern,
                                                    program, options.machine);
   std::error_code error;
-  if (std::filesystem::is_regular_file(output, error) && !compensate::is_compensated(InputFile(output))) {
+  if (std::filesystem::is_regular_file(path_of(output), error) && !compensate::is_compensated(InputFile(output))) {
     refuse("file-exists", fmt::format("{} stands there already, and is no compensated program", output),
            fmt::format("name the output with -o, which writes over it, or give another pattern with --output-name"),
            {output, 0});

@@ -3,21 +3,23 @@
 #include <filesystem>
 
 #include "base/files/files.hpp"
+#include "base/files/path_of.hpp"
 #include "base/text/hash.hpp"
 
 namespace plumbline::jobs {
 
 std::uint64_t dataset_hash(const measure::Dataset& dataset, const std::string& path) {
   std::uint64_t hash = fnv1a(dataset.document.text);
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  for (const measure::Run& run : dataset.runs) hash = fnv1a(read_text((folder / run.file).generic_string()), hash);
+  const std::filesystem::path folder = path_of(path).parent_path();
+  for (const measure::Run& run : dataset.runs)
+    hash = fnv1a(read_text((folder / path_of(run.file)).generic_string()), hash);
   return hash;
 }
 
 Paper paper_of(const std::string& path, const std::vector<std::string>& models) {
   Paper paper;
   std::error_code none;
-  const auto is_file = [&](const std::string& name) { return std::filesystem::is_regular_file(name, none); };
+  const auto is_file = [&](const std::string& name) { return std::filesystem::is_regular_file(path_of(name), none); };
   if (!is_file(path)) return paper;
   measure::Dataset dataset = measure::read_dataset(path, measure::Believe::the_table);
   paper.machine = dataset.machine;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/files/files.hpp"
+#include "base/files/path_of.hpp"
 #include "base/text/number_text.hpp"
 
 namespace plumbline::jobs {
@@ -27,7 +28,7 @@ class HalReader {
 
   // `from` is where the file is named.
   void read(const std::string& name, const Place& from, int depth) {
-    const fs::path path = fs::path(ini_.file).parent_path() / name;
+    const fs::path path = path_of(ini_.file).parent_path() / path_of(name);
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) {
       refuse("draft-file", fmt::format("there is no file {}", path.generic_string()),

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/files/files.hpp"
+#include "base/files/path_of.hpp"
 #include "base/text/number_text.hpp"
 
 namespace plumbline::jobs {
@@ -46,7 +47,7 @@ class IniReader {
 
  private:
   void include(std::string_view name, const std::string& from, int depth, const Place& place) {
-    const std::filesystem::path path = std::filesystem::path(from).parent_path() / name;
+    const std::filesystem::path path = path_of(from).parent_path() / path_of(name);
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) {
       refuse("draft-file", fmt::format("there is no file {}", path.generic_string()),

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/axes.hpp"
+#include "base/files/path_of.hpp"
 #include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "machine/axis_words.hpp"
@@ -21,7 +22,7 @@ constexpr double kTiltAllowance = 0.1;    // deg that corrections may tilt beyon
 constexpr double kFurthestJoint = 50000;  // mm, that a model may state
 constexpr double kStatableTilt = 90;      // deg that a model may state
 
-std::string file_of(const Place& place) { return std::filesystem::path(place.file).filename().generic_string(); }
+std::string file_of(const Place& place) { return path_of(place.file).filename().generic_string(); }
 
 std::string where(const Place& place) { return fmt::format("{}:{}", file_of(place), place.line); }
 

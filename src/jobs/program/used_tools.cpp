@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/files/files_beside.hpp"
+#include "base/files/path_of.hpp"
 #include "base/text/characters.hpp"
 #include "nc/syntax/line_source.hpp"
 
@@ -105,7 +106,7 @@ void take_file(Scan& scan, const InputFile& file) {
 // Files of subprograms stand beside the program, and are named after what calls them.
 void take_called_files(Scan& scan, const InputFile& program) {
   if (!scan.may_call_any()) return;
-  const fs::path folder = fs::path(program.name()).parent_path();
+  const fs::path folder = path_of(program.name()).parent_path();
   std::set<fs::path> waiting;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, ignored)) {
@@ -120,7 +121,7 @@ void take_called_files(Scan& scan, const InputFile& program) {
       found = true;  // it may name others
       const std::string file = path->generic_string();
       waiting.erase(path);
-      if (!fs::is_regular_file(file, ignored) || program.is_same_as(file)) break;
+      if (!fs::is_regular_file(path_of(file), ignored) || program.is_same_as(file)) break;
       FilesBeside::note(program.name(), "", file);
       take_file(scan, InputFile(file));
       break;

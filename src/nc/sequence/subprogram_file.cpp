@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/files/files_beside.hpp"
+#include "base/files/path_of.hpp"
 #include "base/text/characters.hpp"
 
 namespace plumbline::nc {
@@ -40,11 +41,11 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 }
 
 fs::path looked_for(const std::string& program, const std::string& name, const Dialect& dialect) {
-  const fs::path folder = fs::path(program).parent_path();
+  const fs::path folder = path_of(program).parent_path();
   const std::vector<std::string>& patterns = dialect.syntax.subprogram_files;
   if (dialect.syntax.case_of_files) {
     for (const std::string& pattern : patterns) {
-      const fs::path file = filled(pattern, name);
+      const fs::path file = path_of(filled(pattern, name));
       if (fs::path path = folder / file; stays_inside(file) && is_file(path)) return path;
     }
     return {};

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/files/path_of.hpp"
 #include "base/text/hash.hpp"
 #include "base/version.hpp"
 #include "identify/model_text.hpp"
@@ -117,7 +118,7 @@ LearntFiles learnt_files(const jobs::DiagnoseResult& result, const std::string& 
 }
 
 std::string posterior_path(const std::string& model_path) {
-  std::filesystem::path path(model_path);
+  std::filesystem::path path = path_of(model_path);
   path.replace_extension(".posterior.toml");
   return path.generic_string();
 }

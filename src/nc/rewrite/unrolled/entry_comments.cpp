@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/files/path_of.hpp"
 #include "base/text/hash.hpp"
 
 namespace plumbline::nc {
@@ -44,7 +45,7 @@ std::string EntryComments::text_of(const FlowEntry& entry) {
   if (entry.file.empty() || known) return text;
   const InputFile file{std::string(entry.file)};
   inlined_.push_back({file.name(), hash_of(file)});
-  const std::string plain_name = std::filesystem::path(file.name()).filename().generic_string();
+  const std::string plain_name = path_of(file.name()).filename().generic_string();
   return fmt::format("{}, from {}, hash {}", text, as_comment(plain_name), to_hex(inlined_.back().hash));
 }
 
