@@ -123,6 +123,14 @@ class Files(UnderWine):
         self.assertIn(b"would overwrite the input", refused.stderr)
         self.assertEqual((self.folder / "part.ngc").read_bytes(), PART.encode())
 
+    def test_a_program_and_its_undo_file_are_replaced(self):
+        self.write("part.ngc", PART)
+        for _ in range(2):
+            done = self.run_exe("compensate", "part.ngc", "-o", "out.ngc", "--undo", *OPTIONS)
+            self.assertEqual(done.returncode, 0, done.stderr.decode())
+        self.assertEqual(self.temporary_files(), [])
+        self.assertEqual(self.run_exe("restore", "out.ngc", "-o", "-").stdout, PART.encode())
+
     def test_a_read_only_file_is_not_replaced(self):
         self.write("part.ngc", PART)
         self.write("out.ngc", "old").chmod(0o444)

@@ -110,6 +110,7 @@ bool OutputSet::appear(OutputFile& file) {
   }
   if (!platform::rename(file.temporary_->path(), path)) return false;
   file.temporary_->let_go();
+  file.descriptor_.close();  // Windows replaces no file that is open: another of these, or what stood there, may follow
   changed_.push_back(std::move(one));
   return true;
 }
