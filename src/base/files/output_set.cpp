@@ -85,7 +85,6 @@ void OutputSet::commit() {
     const int error = errno;
     files_.back()->refuse_write(error, take_back());
   }
-  for (OutputFile* const file : files_) file->descriptor_.close();
   changed_.clear();
 }
 

@@ -26,9 +26,9 @@ constexpr unsigned kAnyoneWrites = 0222;
   refuse(code, std::move(message), std::move(help), place);
 }
 
-std::string folder_of(const fs::path& path) {
-  const std::string folder = path.parent_path().generic_string();
-  return folder.empty() ? "." : folder;
+fs::path folder_of(const fs::path& path) {
+  fs::path folder = path.parent_path();
+  return folder.empty() ? fs::path(".") : folder;
 }
 
 // Where Linux lists the open files of a process: /dev/stdout and /dev/fd/3 lead there.
@@ -41,7 +41,7 @@ fs::path follow(const std::string& name) {
   fs::path path = path_of(name);
   for (int links = 0; links < kMostLinks; ++links) {
     std::error_code ignored;
-    const fs::path folder = fs::canonical(path_of(folder_of(path)), ignored);
+    const fs::path folder = fs::canonical(folder_of(path), ignored);
     if (!folder.empty() && lists_open_files(folder)) return folder / path.filename();
     const fs::path link = fs::read_symlink(path, ignored);
     if (link.empty()) return path;
@@ -77,7 +77,7 @@ void refuse_read_only(const std::string& name, const std::string& path, unsigned
 
 }  // namespace
 
-std::string OutputTarget::folder() const { return folder_of(path_of(path)); }
+std::string OutputTarget::folder() const { return folder_of(path_of(path)).generic_string(); }
 
 OutputTarget output_target(const std::string& name) {
   if (name == kStandardStream) return {OutputTarget::Kind::descriptor, name, platform::kStandardOutput, {}};
