@@ -45,6 +45,7 @@ if(NOT PLUMBLINE_INSTALL)
 endif()
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/plumbline)
 install(TARGETS plumbline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/plumbline COMPONENT program)
 install(TARGETS plumbline_static EXPORT plumbline-static ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(TARGETS plumbline_shared EXPORT plumbline-shared
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT library
