@@ -1,4 +1,4 @@
-"""Outputs of plumbline in JSON, of every kind, made of the project's own models and measurements in a folder of their own."""
+"""Outputs of plumbline in JSON, of every kind, made of the project's own models and measurements."""
 import ctypes
 import json
 import os
@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 OFFSET = ("--work-offset", "G54=0,0,-1008,0,0,0")
+TABLE = ("--tools", "tools.toml", "--keeps-position", "M6")
 PATIENCE = 600
 
 ARCS = """G21 G90 G94
@@ -68,7 +69,7 @@ G53 G0 Z0
 G0 X10
 G0 Z300
 G0 X2000
-G1 A40 F500
+G1 X0 A89 F500
 M2
 """
 TOOLS = """plumbline = "tools 1"
@@ -123,7 +124,8 @@ class Folder:
     def run(self, *words, code=0):
         """Messages on standard error are outputs, too."""
         words = [os.environ["PLUMBLINE_PROGRAM"], "--diagnostics=json", *map(str, words)]
-        done = subprocess.run(words, cwd=self.folder, env=self.environment, capture_output=True, text=True, timeout=PATIENCE)
+        done = subprocess.run(words, cwd=self.folder, env=self.environment, capture_output=True, text=True,
+                              timeout=PATIENCE)
         if done.returncode != code:
             raise AssertionError(f"{' '.join(words)} ends with {done.returncode}\n{done.stdout}{done.stderr}")
         for line in done.stderr.splitlines():
@@ -159,25 +161,24 @@ def of_programs(made):
     stand_in = (ROOT / "models/pm600-like.toml").read_text()
     certain = made.write("certain.toml", stand_in.partition("[uncertainty]")[0])
     slow = made.write("slow.toml", stand_in + "\n[control]\nblock_time_ms = 5\n")
-    names = {"arcs.ngc": ARCS, "calls.ngc": CALLS, "lines.ngc": LINES, "slot.ngc": SLOT, "stores.ngc": STORES, "probes.ngc": PROBES, "far.ngc": TOO_FAR,
-             "end.ngc": "M2\n", "tools.toml": TOOLS}
-    for name, text in names.items():
+    texts = {"arcs.ngc": ARCS, "lines.ngc": LINES, "calls.ngc": CALLS, "slot.ngc": SLOT, "stores.ngc": STORES,
+             "probes.ngc": PROBES, "far.ngc": TOO_FAR, "end.ngc": "M2\n", "tools.toml": TOOLS}
+    for name, text in texts.items():
         made.write(name, text)
-    tools = ("--tools", "tools.toml", "--keeps-position", "M6")
     where = ("-m", "machine.toml", *OFFSET)
 
-    made.json_of("compensate", "arcs.ngc", *where, *tools, "--tolerance", "0.5um", "-o", "arcs-c.ngc")
-    made.json_of("compensate", "arcs.ngc", "-m", slow, *OFFSET, *tools, "--tolerance", "0.2um", "--yields", "time",
+    made.json_of("compensate", "arcs.ngc", *where, *TABLE, "--tolerance", "0.5um", "-o", "arcs-c.ngc")
+    made.json_of("compensate", "arcs.ngc", "-m", slow, *OFFSET, *TABLE, "--tolerance", "0.2um", "--yields", "time",
                  "--touch-off", "0,0,-1000,0,0,0", "--guard", "-o", "arcs-s.ngc")
-    made.json_of("compensate", "lines.ngc", *where, *tools, "--tolerance", "1um", "-o", "lines-c.ngc")
+    made.json_of("compensate", "lines.ngc", *where, *TABLE, "--tolerance", "1um", "-o", "lines-c.ngc")
     made.json_of("compensate", "calls.ngc", "-m", slow, *OFFSET, "-o", "calls-s.ngc")
     made.json_of("compensate", "calls.ngc", "-m", certain, *OFFSET, "-o", "calls-c.ngc", "--no-read-back")
     made.json_of("compensate", "end.ngc", *where, "-o", "end-c.ngc")
     made.json_of("check", "far.ngc", "-m", "machine.toml", *OFFSET, code=3)
     made.json_of("check", "calls.ngc", "-m", certain, *OFFSET)
     made.json_of("check", "stores.ngc", *where)
-    made.json_of("diff", "arcs.ngc", "arcs-c.ngc", *where, *tools)
-    made.json_of("diff", "arcs.ngc", "far.ngc", *where, *tools)
+    made.json_of("diff", "arcs.ngc", "arcs-c.ngc", *where, *TABLE)
+    made.json_of("diff", "arcs.ngc", "far.ngc", *where, *TABLE)
     made.json_of("diff", "end.ngc", "end.ngc")
 
     made.write("inside/plumbline.toml", SETTINGS)
@@ -188,10 +189,11 @@ def of_programs(made):
     made.json_of("compensate", "inside/part.ngc", "--machine", "first", "-o", "part-c.ngc")
 
     for program in ("arcs.ngc", "calls.ngc", "probes.ngc"):
-        for line in made.run("trace", program, "--tools", "tools.toml").splitlines():
+        for line in made.run("trace", program, *TABLE).splitlines():
             made.take("motion", f"trace {program}", json.loads(line))
 
-    for name, text in (("a.nc", CALLS), ("slot.ngc", SLOT), ("refused.nc", "G0 X1 X2\n"), ("gone.nc", CALLS), ("read.txt", "no program\n")):
+    parts = {"a.nc": CALLS, "slot.ngc": SLOT, "refused.nc": "G0 X1 X2\n", "gone.nc": CALLS, "read.txt": "no program\n"}
+    for name, text in parts.items():
         made.write(f"parts/{name}", text)
     batch = ("batch", "parts", *where, "--endings", "nc,ngc", "-o", "out", "--json")
     for _ in range(2):
@@ -240,8 +242,7 @@ def of_measurements(made):
     made.json_of("identify", "-m", stiff, "-d", both, "-o", "refused.toml", code=1)
     made.json_of("identify", "-m", model, "-d", both, "-o", "paper.toml", "--stages", "paper", "--force")
     made.json_of("calibrate", "-m", model, "--poses", tracked(made, model), "-o", "calibrated.toml", "--force")
-    made.json_of("compensate", "arcs.ngc", "-m", "identified.toml", *OFFSET, "--tools", "tools.toml", "--keeps-position", "M6",
-                 "-o", "arcs-i.ngc")
+    made.json_of("compensate", "arcs.ngc", "-m", "identified.toml", *OFFSET, *TABLE, "-o", "arcs-i.ngc")
     made.json_of("plan", "-m", model, "-n", 2, "--candidates", 30, "--for", "elasticity", "--radius", "120,200")
     made.json_of("plan", "-m", model, "-n", 2, "--candidates", 30, "--separate", "backlash,cyclic")
 
@@ -259,17 +260,21 @@ def of_measurements(made):
 
 
 def tracked(made, model):
-    """A table of a tracker that sees the machine where `error` says, its base moved."""
-    poses = [(i % 5 * 70 - 140, i % 4 * 80 - 120, -900 - i % 7 * 40, i % 3 * 14 - 14, i % 6 * 5 - 12, i % 2 * 8) for i in range(40)]
-    made.write("poses.csv", "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n" + "".join(",".join(map(str, pose)) + "\n" for pose in poses))
-    moved = "base_um = [[0, 0, 0], [9, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0]]"
-    made.write("true.toml", f'{model.read_text()}\n[[effect]]\nname = "joint-position"\n{moved}\nplatform_um = {[[0, 0, 0]] * 6}\n')
+    """A table of a tracker that sees the tip where `error` says on a machine whose base joint 2 stands elsewhere."""
+    columns = ["x_mm", "y_mm", "z_mm", "a_deg", "b_deg", "c_deg"]
+    poses = [(i % 5 * 70 - 140, i % 4 * 80 - 120, -900 - i % 7 * 40, i % 3 * 14 - 14, i % 6 * 5 - 12, i % 2 * 8)
+             for i in range(40)]
+    made.write("poses.csv", "".join(",".join(map(str, row)) + "\n" for row in (columns, *poses)))
+    base = [[0, 0, 0], [9, 0, 0], *[[0, 0, 0]] * 4]
+    effect = f'[[effect]]\nname = "joint-position"\nbase_um = {base}\nplatform_um = {[[0, 0, 0]] * 6}\n'
+    made.write("true.toml", f"{model.read_text()}\n{effect}")
     lines = [line.split(",") for line in made.run("error", "poses.csv", "-m", "true.toml").split()]
     at = lines[0].index("dx_um")
-    text = "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,measured_x_mm,measured_y_mm,measured_z_mm,measured_a_deg,measured_b_deg,measured_c_deg\n"
+    text = ",".join([*columns, *(f"measured_{column}" for column in columns)]) + "\n"
     for i, row in enumerate(lines[1:]):
-        seen = [float(row[k]) + float(row[at + k]) / 1000 for k in range(3)] + [float(row[k]) + 1e-4 * (i % 3 - 1) for k in range(3, 6)]
-        text += ",".join([*row[:6], *(f"{value:.7f}" for value in seen)]) + "\n"
+        place = [float(row[k]) + float(row[at + k]) / 1000 for k in range(3)]
+        turned = [float(row[k]) + 1e-4 * (i % 3 - 1) for k in range(3, 6)]
+        text += ",".join([*row[:6], *(f"{value:.7f}" for value in place + turned)]) + "\n"
     return made.write("tracker.csv", text)
 
 
@@ -314,8 +319,8 @@ def of_the_library(made, library):
         offset = options(work_offset="G54=0,0,-1008,0,0,0")
         take("simulate", called("simulate", ctypes.byref(program), machine, offset, None))
         take("error", called("error_csv", ctypes.byref(poses), machine, None))
-    take("new_model", called("new_model", options(base_radius="950", platform_radius="185", base_angles="50,70,170,190,290,310",
-                                                  platform_angles="0,120,120,240,240,0", home="0,0,-1008")))
+    take("new_model", called("new_model", options(base_radius="950", base_angles="50,70,170,190,290,310", home="0,0,-1008",
+                                                  platform_radius="185", platform_angles="0,120,120,240,240,0")))
     missing = ctypes.c_void_p()
     if lib.plumbline_model_read(context, ctypes.byref(Input.file("none.toml")), ctypes.byref(missing)) != 1:
         raise AssertionError("a model that is not there is refused")

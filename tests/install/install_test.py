@@ -87,6 +87,8 @@ def install(given):
         foreign = [name for name in includes if "/" in name and not name.startswith("plumbline/")]
         assert not foreign, f"{path} includes {foreign}"
     assert not list(given.prefix.rglob("libplumbline_*")), "modules are part of the one library"
+    schemas = {path.name for path in (given.prefix / "share/plumbline/schemas").iterdir()}
+    assert schemas == {path.name for path in (ROOT / "docs/schemas").iterdir()} and len(schemas) > 10, schemas
 
 
 def cmake_static(place):
