@@ -22,7 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "docs/schemas"
 ENDING = ".schema.json"
 SCHEMAS = {path.name: json.loads(path.read_text()) for path in sorted(FOLDER.glob("*.json"))}
-PARTS = "shared" + ENDING  # no output is of this kind
+PARTS = "shared"  # no output is of this kind
 # Null, but in no output that is quickly made: the condition number of a singular pose, an effect that was not predicted
 # from runs left out, a correlation of what is known exactly, a zero where the machine cannot stand.
 SELDOM_NULL = {
@@ -30,7 +30,7 @@ SELDOM_NULL = {
     ("check-1", "/properties/findings/items/properties/by_how_much"),
     ("diagnosis-1", "/properties/effects/items/properties/left_out_nats"),
     ("identification-1", "/properties/stages/items/properties/correlations/items/items"),
-    ("shared", "/$defs/expected/properties/touched_off"),
+    (PARTS, "/$defs/expected/properties/touched_off"),
 }
 OF_THE_LIBRARY = {"simulation-1", "error-1", "new-model-1"}
 LIBRARY = os.environ.get("PLUMBLINE_LIBRARY")
@@ -152,7 +152,7 @@ class Schemas(unittest.TestCase):
             else:
                 print("this part is skipped: a library with sanitizers cannot be loaded here")
         cls.outputs = made.outputs
-        cls.names = {name.removesuffix(ENDING) for name in SCHEMAS} - {"shared"} - (set() if LIBRARY else OF_THE_LIBRARY)
+        cls.names = {name.removesuffix(ENDING) for name in SCHEMAS} - {PARTS} - (set() if LIBRARY else OF_THE_LIBRARY)
         cls.walk = Walk()
         for schema, what, value in cls.outputs:
             cls.walk.go(value, (schema + ENDING, ""), f"{schema} of {what}: ")
@@ -181,7 +181,7 @@ class Schemas(unittest.TestCase):
     def test_each_key_that_is_described_is_written_and_what_is_always_written_is_required(self):
         unseen, loose = [], []
         for name in SCHEMAS:
-            if name.removesuffix(ENDING) not in {*self.names, "shared"}:
+            if name.removesuffix(ENDING) not in {*self.names, PARTS}:
                 continue
             for pointer, part in places(name):
                 for key in part.get("properties", {}):
