@@ -25,9 +25,6 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   set(documents ${staged}${CPACK_PACKAGING_INSTALL_PREFIX}/share/doc/${CPACK_DEBIAN_${name}_PACKAGE_NAME})
   file(MAKE_DIRECTORY ${documents})
   file(WRITE ${documents}/copyright "${copyright}")
-  file(CHMOD_RECURSE ${staged}${CPACK_PACKAGING_INSTALL_PREFIX}/share/doc
-    FILE_PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ
-    DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
   file(GLOB pages ${staged}${CPACK_PACKAGING_INSTALL_PREFIX}/share/man/man*/*)
   if(pages)
     execute_process(COMMAND gzip -9 -n -f ${pages} COMMAND_ERROR_IS_FATAL ANY)
