@@ -7,7 +7,6 @@ set(PLUMBLINE_MAINTAINER "The plumbline authors" CACHE STRING "Who answers for t
 set(here ${PROJECT_SOURCE_DIR}/cmake/packages)
 
 set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_PACKAGE_CONTACT ${PLUMBLINE_MAINTAINER})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
 set(CPACK_STRIP_FILES ON)
@@ -69,6 +68,7 @@ ${about}
 This package has the module for Python 3, with its types.")
 endif()
 
+# scripts/packages takes the sources out of git; this packs a folder that has no git, as it lies there.
 set(CPACK_SOURCE_GENERATOR TGZ)
 set(CPACK_SOURCE_PACKAGE_FILE_NAME plumbline-${PROJECT_VERSION})
 set(CPACK_SOURCE_IGNORE_FILES "/\\\\.git(/|$)" "/__pycache__/" "/\\\\.cache/" "^${PROJECT_SOURCE_DIR}/(build|out)/")

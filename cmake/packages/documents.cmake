@@ -1,5 +1,8 @@
 # Before CPack packs: manual pages are compressed, and each package gets the licences of what its binaries are made of.
 # These are read where Debian has them, so that they are those of the versions that were compiled.
+if(NOT CPACK_GENERATOR STREQUAL DEB)
+  return()  # sources
+endif()
 set(compiled_in
   libceres-dev libcli11-dev libeigen3-dev libfmt-dev libsqlite3-dev libtomlplusplus-dev nlohmann-json3-dev
   libjs-three node-d3 pybind11-dev)
