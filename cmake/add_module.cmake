@@ -5,6 +5,7 @@ target_include_directories(plumbline_options INTERFACE ${PROJECT_SOURCE_DIR}/src
 target_compile_options(plumbline_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wimplicit-fallthrough
   -Wno-missing-field-initializers  # Options{.tolerance = ...} leaves the others at their defaults
+  $<$<CONFIG:Release>:-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=>  # what is built does not tell where, and is the same anywhere
   $<$<BOOL:${PLUMBLINE_WARNINGS_AS_ERRORS}>:-Werror>)
 add_library(plumbline_link_options INTERFACE)
 if(PLUMBLINE_SANITIZE)
