@@ -251,9 +251,11 @@ class Inspector {
     // what may be off by a little must explain most of what is off; a sign cannot be a little wrong
     const bool by_degrees = best.fault.kind == FaultKind::clock || best.fault.kind == FaultKind::angle_zero;
     if (by_degrees && left > options_.all_explained * excess) return std::nullopt;
-    // and has no number that could be fitted to what the model lacks
-    const bool sign = best.fault.kind == FaultKind::bar_sign || best.fault.kind == FaultKind::motor_sign;
-    if (fault.nats < (sign ? 2 * options_.least_nats : options_.all_nats)) return std::nullopt;
+    // and has no number that could be fitted to what the model lacks. But where much stays open with it, an effect that
+    // no catalogue has may prefer the other sign of a bar, which reads little
+    const bool bar_is_open = best.fault.kind == FaultKind::bar_sign && left > options_.all_explained * excess;
+    const bool sign = best.fault.kind == FaultKind::motor_sign || best.fault.kind == FaultKind::bar_sign;
+    if (fault.nats < (sign && !bar_is_open ? 2 * options_.least_nats : options_.all_nats)) return std::nullopt;
     fault.all = true;
     fault.runs = looked.numbers;
     return fault;

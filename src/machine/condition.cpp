@@ -4,12 +4,14 @@
 #include <limits>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
 namespace plumbline::machine {
 namespace {
 
 constexpr int kSquarings = 4;
+constexpr double kClearRatio = 1e6;  // of eigenvalues of J^T J: up to there their ratio has ten digits
 constexpr double kRounding = 2e-14;  // of J^T J and of its factorisation, in parts of the largest eigenvalue
 
 // Never below the largest eigenvalue of a positive definite A, and at most 6 % above it: s <= |A^m|^(1/m) <= 6^(1/2m) s
@@ -36,7 +38,11 @@ bool condition_surely_below(const StrutGeometry<double>& struts, double radius, 
 }
 
 double condition_number(const StrutGeometry<double>& struts, double radius) {
-  const Eigen::JacobiSVD<Matrix6<double>> svd(scaled_jacobian(struts, radius));
+  const Matrix6<double> J = scaled_jacobian(struts, radius);
+  const Eigen::SelfAdjointEigenSolver<Matrix6<double>> squares(J.transpose() * J, Eigen::EigenvaluesOnly);
+  const double ratio = squares.eigenvalues()[kStruts - 1] / squares.eigenvalues()[0];
+  if (ratio > 0 && ratio < kClearRatio) return std::sqrt(ratio);
+  const Eigen::JacobiSVD<Matrix6<double>> svd(J);
   const double least = svd.singularValues()[kStruts - 1];
   return least > 0 ? svd.singularValues()[0] / least : std::numeric_limits<double>::infinity();
 }

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,24 +22,30 @@ class Decimated {
  public:
   using Figures = std::array<double, kFigures>;
 
-  /// Up to twice `stretches`; at least as many of a row that is longer than that.
-  explicit Decimated(std::size_t stretches) : stretches_(std::max<std::size_t>(1, stretches)) {}
+  /// Up to twice `stretches`; at least as many of a row that is longer than that. Of a row no longer than `whole`, or a
+  /// little more, all points are kept.
+  explicit Decimated(std::size_t stretches, std::size_t whole = 1)
+      : stretches_(std::max<std::size_t>(1, stretches)), whole_(std::bit_ceil(whole)) {}
 
   /// `make` makes the point, where it is kept for now.
   template <class Make>
   void add(const Figures& figures, Make&& make) {
-    if (count_ > 0 && count_ % width_ == 0) begin_stretch();
-    const bool keeps = extremes_.take(figures) || count_ % width_ == 0;
-    if (keeps) {
-      kept_.push_back({count_, figures, std::forward<Make>(make)()});
-      if (kept_.size() - stretch_begin_ > kLoose) thin(stretch_begin_);
+    add(std::span(&figures, 1), [&](std::size_t) { return make(); });
+  }
+  /// The same of points in a row, `make(i)` of the i-th of them: the more there are the fewer have to be made.
+  template <class Make>
+  void add(std::span<const Figures> row, Make&& make) {
+    for (std::size_t begin = 0; begin < row.size();) {
+      if (count_ > 0 && count_ % width_ == 0) begin_stretch();
+      const auto part = static_cast<std::size_t>(std::min<std::uint64_t>(width_ - count_ % width_, row.size() - begin));
+      take(row.subspan(begin, part), [&](std::size_t i) { return make(begin + i); });
+      begin += part;
     }
-    ++count_;
   }
 
   /// Of the whole row.
   std::uint64_t count() const { return count_; }
-  void clear() { *this = Decimated(stretches_); }
+  void clear() { *this = Decimated(stretches_, whole_); }
   /// The points that are kept, in their order.
   std::vector<Point> take() {
     thin(stretch_begin_);
@@ -65,27 +73,45 @@ class Decimated {
       figures.fill(value);
       return figures;
     }
-    /// True where one of the figures is a new extreme.
-    bool take(const Figures& figures) {
-      bool is_new = false;
-      for (std::size_t i = 0; i < kFigures; ++i) {
-        if (figures[i] < least[i]) {
-          least[i] = figures[i];
-          is_new = true;
+    /// Marks those of a row that are new extremes of it all.
+    void take(std::span<const Figures> row, std::vector<char>& marks) {
+      for (std::size_t f = 0; f < kFigures; ++f) {
+        std::size_t low = row.size();
+        std::size_t high = row.size();
+        for (std::size_t i = 0; i < row.size(); ++i) {
+          const double value = row[i][f];
+          if (value < least[f]) {
+            least[f] = value;
+            low = i;
+          }
+          if (value > largest[f]) {
+            largest[f] = value;
+            high = i;
+          }
         }
-        if (figures[i] > largest[i]) {
-          largest[i] = figures[i];
-          is_new = true;
-        }
+        if (low < row.size()) marks[low] = 1;
+        if (high < row.size()) marks[high] = 1;
       }
-      return is_new;
     }
   };
 
+  // Points of one stretch.
+  template <class Make>
+  void take(std::span<const Figures> row, const Make& make) {
+    marks_.assign(row.size(), 0);
+    if (count_ % width_ == 0) marks_[0] = 1;
+    extremes_.take(row, marks_);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (marks_[i] != 0) kept_.push_back({count_ + i, row[i], make(i)});
+    }
+    count_ += row.size();
+    if (kept_.size() - stretch_begin_ > kLoose) thin(stretch_begin_);
+  }
+
   void begin_stretch() {
     thin(stretch_begin_);
-    if (count_ / width_ == 2 * stretches_) {  // two become one
-      width_ *= 2;
+    if (count_ >= whole_ && count_ / width_ >= 2 * stretches_) {
+      while (count_ / width_ >= 2 * stretches_) width_ *= 2;  // two become one; it stays a part of count_
       thin(0);
     }
     stretch_begin_ = kept_.size();
@@ -129,11 +155,13 @@ class Decimated {
   }
 
   std::size_t stretches_;
+  std::size_t whole_;        // a power of two
   std::uint64_t width_ = 1;  // points of a stretch
   std::uint64_t count_ = 0;
   std::vector<Kept> kept_;
   std::size_t stretch_begin_ = 0;  // of the last one, in what is kept
   Extremes extremes_;              // of that
+  std::vector<char> marks_;
 };
 
 }  // namespace plumbline::compensate

@@ -76,7 +76,9 @@ void PathRecord::settle() {
     }
     machine_->carry(batch_);
   }
-  for (std::size_t i = 0; i < waiting_.size(); ++i) keep(waiting_[i], load_of(i));
+  figures_.clear();
+  for (std::size_t i = 0; i < waiting_.size(); ++i) figures_.push_back(figures_of(waiting_[i].point, load_of(i)));
+  points_.add(figures_, [&](std::size_t i) { return kept(waiting_[i]); });
   waiting_.clear();
   texts_.clear();
 }
@@ -99,21 +101,32 @@ PathRecord::Load PathRecord::load_of(std::size_t waiting) const {
   return load;
 }
 
-void PathRecord::keep(Waiting& waiting, const Load& load) {
-  RecordedPoint& point = waiting.point;
+PathRecord::Points::Figures PathRecord::figures_of(const RecordedPoint& point, const Load& load) {
   const AxisWords correction = point.commanded - point.asked.pose;
   const AxisWords& at = point.commanded;
-  points_.add({at[Axis::X], at[Axis::Y], at[Axis::Z], at[Axis::A], at[Axis::B], at[Axis::C], length_mm(correction),
-               path::largest_turn_deg(correction), point.mm_s.value_or(kNone), point.piece_s.value_or(kNone), load.room,
-               load.least_tension, load.largest_tension},
-              [&] {
-                point.tool = number_;
-                point.in_spindle = tool_;
-                point.text = texts_.substr(waiting.before, waiting.after - waiting.before);
-                point.after = texts_.substr(waiting.after, waiting.file - waiting.after);
-                point.file = texts_.substr(waiting.file, waiting.end - waiting.file);
-                return std::move(point);
-              });
+  return {at[Axis::X],
+          at[Axis::Y],
+          at[Axis::Z],
+          at[Axis::A],
+          at[Axis::B],
+          at[Axis::C],
+          length_mm(correction),
+          path::largest_turn_deg(correction),
+          point.mm_s.value_or(kNone),
+          point.piece_s.value_or(kNone),
+          load.room,
+          load.least_tension,
+          load.largest_tension};
+}
+
+RecordedPoint PathRecord::kept(Waiting& waiting) const {
+  RecordedPoint point = std::move(waiting.point);
+  point.tool = number_;
+  point.in_spindle = tool_;
+  point.text = texts_.substr(waiting.before, waiting.after - waiting.before);
+  point.after = texts_.substr(waiting.after, waiting.file - waiting.after);
+  point.file = texts_.substr(waiting.file, waiting.end - waiting.file);
+  return point;
 }
 
 }  // namespace plumbline::compensate

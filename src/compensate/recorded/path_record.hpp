@@ -63,9 +63,9 @@ class PathRecord {
  public:
   /// Model and settings must outlive it.
   PathRecord(const machine::MachineModel& model, const Settings& settings)
-      : model_(&model), settings_(&settings), machine_(std::in_place, model, settings), points_(kStretches) {}
+      : model_(&model), settings_(&settings), machine_(std::in_place, model, settings), points_(kStretches, kWhole) {}
   /// Of a machine that nobody knows: its struts are left out.
-  PathRecord() : points_(kStretches) {}
+  PathRecord() : points_(kStretches, kWhole) {}
 
   /// `number` of the tool; -1: not known.
   void set_tool(const ToolInSpindle& tool, int number);
@@ -83,9 +83,10 @@ class PathRecord {
   std::vector<RecordedPoint> take();
 
  private:
-  static constexpr std::size_t kStretches = 800;
+  static constexpr std::size_t kStretches = 400;
+  static constexpr std::size_t kWhole = 4096;  // points of a program that is drawn whole
   static constexpr std::size_t kFigures = 13;
-  static constexpr std::size_t kWaiting = 64;
+  static constexpr std::size_t kWaiting = 256;
 
   struct Load {                                              // at what the machine is told
     double room = std::numeric_limits<double>::quiet_NaN();  // of the strut that is nearest to a limit, m
@@ -98,7 +99,9 @@ class PathRecord {
     std::size_t before = 0, after = 0, file = 0, end = 0;
   };
   Load load_of(std::size_t waiting) const;
-  void keep(Waiting& waiting, const Load& load);
+  using Points = Decimated<RecordedPoint, kFigures>;
+  static Points::Figures figures_of(const RecordedPoint& point, const Load& load);
+  RecordedPoint kept(Waiting& waiting) const;
   void settle();
 
   const machine::MachineModel* model_ = nullptr;
@@ -109,8 +112,9 @@ class PathRecord {
   bool gap_ = true;
   std::vector<Waiting> waiting_;
   std::string texts_;
-  exact::PoseBatch batch_;  // of what waits
-  Decimated<RecordedPoint, kFigures> points_;
+  exact::PoseBatch batch_;                // of what waits
+  std::vector<Points::Figures> figures_;  // the same
+  Points points_;
 };
 
 }  // namespace plumbline::compensate

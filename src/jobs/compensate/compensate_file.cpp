@@ -127,13 +127,13 @@ compensate::Summary compensate_opened(const OpenedProgram& opened, const machine
   }
   const compensate::Settings compensation = compensation_settings(model.control, options);
 
-  CompensatedFiles files(output, undo_destination(output, undo, options), names_of(reports));
+  const auto draws = [](const ReportFile& report) { return report.draws_path; };
+  const bool tells_hash = !std::all_of(reports.begin(), reports.end(), draws);
+  CompensatedFiles files(output, undo_destination(output, undo, options), names_of(reports), tells_hash);
   compensate::Stream stream(source, survey, settings, model, compensation, std::move(emit), files.program());
   if (nc::UndoLog* const log = files.undo_log()) stream.record(*log);
   std::optional<compensate::PathRecord> record;
-  if (std::any_of(reports.begin(), reports.end(), [](const ReportFile& report) { return report.draws_path; })) {
-    stream.record(record.emplace(model, compensation));
-  }
+  if (std::any_of(reports.begin(), reports.end(), draws)) stream.record(record.emplace(model, compensation));
   ExpectedAlong along(model, compensation, expected != nullptr);
   if (along.asks()) stream.sample(along.samples());
   compensate::Summary summary = stream.run(progress);

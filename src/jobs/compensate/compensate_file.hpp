@@ -33,7 +33,7 @@ struct Compensation {
 struct ReportFile {
   std::string path;
   std::function<void(const Compensation&, OutputFile&)> write;
-  bool draws_path = false;
+  bool draws_path = false;  // a page, which tells no hash
 };
 
 /// How a program is compensated for a control: the options, and the time that the model says a block takes.

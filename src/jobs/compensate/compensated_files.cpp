@@ -10,8 +10,8 @@ namespace plumbline::jobs {
 std::string undo_name(const std::string& output) { return output + ".undo"; }
 
 CompensatedFiles::CompensatedFiles(const Destination& output, const std::optional<Destination>& undo,
-                                   const std::vector<std::string>& reports)
-    : program_(output), keeps_hash_(undo || !reports.empty() || output.is_taken()) {
+                                   const std::vector<std::string>& reports, bool tells_hash)
+    : program_(output), keeps_hash_(undo || tells_hash || output.is_taken()) {
   if (keeps_hash_) program_.keep_hash();
   if (undo) undo_.emplace(*undo);
   for (const std::string& report : reports) reports_.emplace_back(report);

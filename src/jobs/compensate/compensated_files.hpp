@@ -15,9 +15,10 @@ namespace plumbline::jobs {
 class CompensatedFiles {
  public:
   /// Opens all of them, so that one that cannot be written shows before the work. `undo`: none, or where it goes, which
-  /// is undo_name() of the output if that is a file. `reports`: the files that tell of it.
+  /// is undo_name() of the output if that is a file. `reports`: the files that tell of it, `tells_hash` whether its
+  /// hash.
   CompensatedFiles(const Destination& output, const std::optional<Destination>& undo,
-                   const std::vector<std::string>& reports);
+                   const std::vector<std::string>& reports, bool tells_hash = true);
 
   OutputFile& program() { return program_; }
   /// Somebody is told the hash of the program.

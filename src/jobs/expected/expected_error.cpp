@@ -77,6 +77,7 @@ std::vector<std::optional<PoseDoubt>> doubts_at(const machine::MachineModel& mod
                                                 const compensate::Settings& settings, const AxisWords& zero,
                                                 const std::vector<compensate::PathSample>& samples) {
   TipDoubts doubts(model, posterior, settings);
+  doubts.leave_out_axes();
   std::vector<std::optional<PoseDoubt>> all(samples.size());
   for (std::size_t begin = 0; begin < samples.size();) {  // tool by tool
     std::size_t end = begin;

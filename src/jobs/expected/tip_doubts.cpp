@@ -109,7 +109,7 @@ TipDoubt TipDoubts::doubt_of(const std::vector<Played>& played, double places) c
     doubt.axis_mean += weight * here.off;
     lengths.push_back({weight, {here.off, all}});
     doubt.mean += weight * lengths.back().length.mean();
-    for (int a = 0; a < 3; ++a)
+    for (int a = 0; says_axes_ && a < 3; ++a)
       axes[static_cast<std::size_t>(a)].push_back({weight, here.off[a], std::sqrt(all(a, a))});
     ++state;
   }
@@ -117,7 +117,7 @@ TipDoubt TipDoubts::doubt_of(const std::vector<Played>& played, double places) c
   squares[index(Cause::geometry)] += middle.squaredNorm();
   for (std::size_t c = 0; c < kCauses; ++c) doubt.rms[c] = std::sqrt(squares[c]);
   doubt.within = identify::length_within(lengths, kStatedProbability);
-  for (int a = 0; a < 3; ++a) {
+  for (int a = 0; says_axes_ && a < 3; ++a) {
     doubt.axis_within[a] = identify::number_within(axes[static_cast<std::size_t>(a)], kStatedProbability);
   }
   return doubt;

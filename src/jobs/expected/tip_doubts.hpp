@@ -16,11 +16,12 @@ namespace plumbline::jobs {
 
 /// Of the distance of the tip from where the model has it, e: m.
 struct TipDoubt {
-  double mean = 0;                                        // of |e|
-  double within = 0;                                      // what |e| does not exceed with 95 %
-  Vector3<double> axis_mean = Vector3<double>::Zero();    // of e along X, Y, Z of W
-  Vector3<double> axis_within = Vector3<double>::Zero();  // what |e| along an axis does not exceed with 95 %
-  std::array<double, kCauses> rms{};                      // of e, by what makes it
+  double mean = 0;                                      // of |e|
+  double within = 0;                                    // what |e| does not exceed with 95 %
+  Vector3<double> axis_mean = Vector3<double>::Zero();  // of e along X, Y, Z of W
+  Vector3<double> axis_within =
+      Vector3<double>::Zero();        // what |e| along an axis does not exceed with 95 %; nil: unasked
+  std::array<double, kCauses> rms{};  // of e, by what makes it
 };
 
 /// At one pose: as the tip stands, and with the zero touched off at another one.
@@ -42,6 +43,8 @@ class TipDoubts {
   TipDoubts(const TipDoubts&) = delete;
   TipDoubts& operator=(const TipDoubts&) = delete;
 
+  /// From now on axis_within is not computed.
+  void leave_out_axes() { says_axes_ = false; }
   void set_tool(const compensate::ToolInSpindle& tool);
   /// Where the zero is touched off, the machine at rest: pose in W, mm and deg. False: the machine cannot stand there.
   bool touch_off(const AxisWords& pose);
@@ -71,6 +74,7 @@ class TipDoubts {
 
   const identify::Posterior& posterior_;
   const machine::MachineModel& model_;
+  bool says_axes_ = true;
   double time_s_;
   double radius_;  // of the platform, m
   physics::Environment environment_;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <span>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -27,6 +28,35 @@ TEST_CASE("a short row is kept whole") {
   const std::vector<std::size_t> kept = kept_of(row, {{1, 1}, {1, 1}, {1, 1}, {0, 2}});
   CHECK(kept == std::vector<std::size_t>{0, 1, 2, 3});
   CHECK(row.count() == 0);  // taken
+}
+
+TEST_CASE("a row may be kept whole up to a length") {
+  for (const std::size_t count : {16U, 17U, 64U}) {
+    Row row(2, 13);
+    const std::vector<std::size_t> kept = kept_of(row, std::vector<Row::Figures>(count));
+    CHECK((kept.size() == count) == (count == 16));
+    CHECK(kept.front() == 0);
+    CHECK(std::is_sorted(kept.begin(), kept.end()));
+  }
+}
+
+TEST_CASE("points in a row are kept like points one by one") {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  std::vector<Row::Figures> figures(3000);
+  for (Row::Figures& of : figures) of = {normal(random), std::round(normal(random))};
+  figures[5][0] = figures[1000][1] = std::numeric_limits<double>::quiet_NaN();
+  Row one_by_one(8);
+  const std::vector<std::size_t> wanted = kept_of(one_by_one, figures);
+  for (const std::size_t length : {2U, 7U, 256U, 3000U}) {
+    Row row(8);
+    for (std::size_t begin = 0; begin < figures.size(); begin += length) {
+      const auto part = std::span(figures).subspan(begin, std::min(length, figures.size() - begin));
+      row.add(part, [&](std::size_t i) { return begin + i; });
+    }
+    CHECK(row.count() == figures.size());
+    CHECK(row.take() == wanted);
+  }
 }
 
 TEST_CASE("of a long row each stretch keeps its first point and all its extremes") {

@@ -224,8 +224,12 @@ export class Scene {
   /// Colours the path by a column over [from, to].
   colour(values, from, to) {
     const colourOf = lineRamp(from, to);
-    const made = new THREE.Color();
-    this.path.colour((point, numbers, at) => made.set(colourOf(values[point])).toArray(numbers, at));
+    const read = new Map();  // words are read once: a ramp has some hundred
+    const partsOf = (word) => {
+      if (!read.has(word)) read.set(word, new THREE.Color(word).toArray());
+      return read.get(word);
+    };
+    this.path.colour((point, numbers, at) => numbers.set(partsOf(colourOf(values[point])), at));
     this.draw();
   }
 
