@@ -12,6 +12,7 @@ constexpr double kClear = 1;     // a candidate that costs no more, and others m
 constexpr double kNoWayOn = 30;  // a move without a candidate
 constexpr std::array kWaysBack{1e-5, 0.02, 0.1};  // how near two ends must be to go on from there, the best first
 constexpr std::size_t kWindow = 32;               // moves of each program in which a way back is sought
+constexpr double kFades = 0.5;                    // what is usual, with each move
 constexpr double kLateShare = 0.5;                // share of a change of shift that may come late or early
 constexpr int kProjections = 2;                   // Newton steps onto a curve
 constexpr double kProbe = 1e-4;                   // fraction of a curve
@@ -60,11 +61,18 @@ bool Aligner::next() {
   return true;
 }
 
+double Aligner::usual_after(const AxisWords& shift) const {
+  return std::max(distance(shift, {}), kFades * usual_shift_);
+}
+
 // Where both stand, once `i` moves of A and `j` of B were matched from here on.
 Standing Aligner::standing(std::size_t i, std::size_t j) {
-  Standing there{at_b_, shift_, has_shift_ || i > 0};
+  Standing there{at_b_, shift_, has_shift_ || i > 0, usual_shift_};
   if (j > 0) there.b = b_.peek(j - 1)->end;
-  if (i > 0) there.shift = there.b - a_.peek(i - 1)->end;
+  if (i > 0) {
+    there.shift = there.b - a_.peek(i - 1)->end;
+    there.usual = usual_after(there.shift);
+  }
   return there;
 }
 
@@ -135,6 +143,7 @@ void Aligner::take_match(const DiffMove& move, std::size_t count) {
   note_time(move, count);
   if (record_ != nullptr) record(move, count);
   shift_ = found_.back();
+  usual_shift_ = usual_after(shift_);
   has_shift_ = true;
   if (count > 0) at_b_ = b_.peek(count - 1)->end;
   ++summary_.matched;
@@ -161,6 +170,7 @@ bool Aligner::find_way_back(double tolerance) {
       const double off = std::min(distance(b->end, a->end + shift_), distance(b->end, a->end));
       if (off > tolerance) continue;
       shift_ = b->end - a->end;
+      usual_shift_ = usual_after(shift_);
       at_b_ = b->end;
       leave_out(i + 1, sum - i + 1);
       return true;

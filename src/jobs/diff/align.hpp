@@ -24,6 +24,7 @@ class Aligner {
 
  private:
   bool align(const DiffMove& move);
+  double usual_after(const AxisWords& shift) const;
   Standing standing(std::size_t i, std::size_t j);
   double cost_ahead(std::size_t i, std::size_t j, std::size_t depth);
   bool lies_along(const DiffMove& move, std::size_t count);
@@ -44,6 +45,7 @@ class Aligner {
   DiffSummary summary_;
   AxisWords shift_;               // of B against A where the last moves ended
   bool has_shift_ = false;        // some moves were matched
+  double usual_shift_ = 0;        // how large shifts were lately
   AxisWords at_b_;                // where B stands
   std::vector<AxisWords> found_;  // shifts along a move, end last
   std::array<double, kAxes> squares_{};

@@ -21,7 +21,7 @@ constexpr double kVanishes = 0.002;    // a move shorter than that may have no c
 
 // What a candidate costs. Time tells where a move ends better than places do, unless the feed is another one.
 constexpr double kShiftUnit = 0.03;  // of a change of shift, and of what it makes the way longer,
-constexpr double kUnitShare = 0.3;   // and as much of the shift itself
+constexpr double kUnitShare = 0.3;   // and as much of what shifts are thereabouts: one may pass through nil
 constexpr double kMostForWay = 1;
 constexpr double kMostForTime = 8;
 constexpr double kMuchForPlace = 20;   // where the time says that it is the end, the place says little more than this,
@@ -43,7 +43,7 @@ double tiny(const Standing& standing, double way = 0) {
   return kSlack + (standing.has_shift ? kShiftShare * size(standing.shift) : 0) + kChangeShare * way;
 }
 
-double shift_unit(const Standing& standing) { return kShiftUnit + kUnitShare * size(standing.shift); }
+double shift_unit(const Standing& standing) { return kShiftUnit + kUnitShare * standing.usual; }
 
 // What rounding makes of the length of a short move, it makes of its time.
 double time_share(const DiffMove& move) { return kTimeShare + kRounded / std::max(move.length, kRounded); }

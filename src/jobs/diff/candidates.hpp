@@ -21,6 +21,7 @@ struct Standing {
   AxisWords b;             // where B stands
   AxisWords shift;         // of B against A there
   bool has_shift = false;  // some moves were matched
+  double usual = 0;        // how large shifts are thereabouts, mm and deg together: at least this one
 };
 
 class Candidates {
