@@ -25,7 +25,10 @@ std::string_view FileNames::keep(std::string_view name) {
   return last_;
 }
 
-KeptSteps::KeptSteps() : steps_(kSteps) { texts_.reserve(kTexts); }
+KeptSteps::KeptSteps() {
+  steps_.reserve(kSteps);
+  texts_.reserve(kTexts);
+}
 
 void KeptSteps::clear() {
   used_ = 0;
@@ -45,11 +48,12 @@ std::string_view KeptSteps::keep_text(std::string_view text) {
 bool KeptSteps::add(const Step& step, Program& program, FileNames& files) {
   const std::size_t names = step.flow ? step.flow->name.size() : 0;
   const std::size_t room = step.block->text.size() + step.block->line_end.size() + names;
-  if (used_ == steps_.size()) return false;
+  if (used_ == kSteps) return false;
   if (texts_.size() + room > texts_.capacity()) {
     if (used_ > 0) return false;
     texts_.reserve(room);
   }
+  if (used_ == steps_.size()) steps_.emplace_back();
   Kept& kept = steps_[used_++];
   kept.jumped = program.jumped();
   kept.position_read = program.position_read();

@@ -55,7 +55,7 @@ class KeptSteps {
  private:
   std::string_view keep_text(std::string_view text);
 
-  std::vector<Kept> steps_;  // of which the first used_ are filled; never grows, so that steps may point into it
+  std::vector<Kept> steps_;  // of which the first used_ are filled; they never move, so that steps may point to them
   std::size_t used_ = 0;
   std::string texts_;  // never grows beyond what it has room for while something points into it
   std::deque<Modal> modals_;

@@ -7,15 +7,15 @@
 namespace plumbline::nc {
 
 LineSource::LineSource(const InputFile& file, char goes_on, std::size_t window)
-    : file_(file), goes_on_(goes_on), window_(window + 1) {}
+    : file_(file), goes_on_(goes_on), size_(window + 1), window_(std::make_unique_for_overwrite<char[]>(size_)) {}
 
 // Moves what is left to the front and reads after it; a NUL follows.
 void LineSource::fill() {
-  std::memmove(window_.data(), window_.data() + begin_, end_ - begin_);
+  std::memmove(window_.get(), window_.get() + begin_, end_ - begin_);
   end_ -= begin_;
   begin_ = 0;
-  const std::size_t room = window_.size() - 1 - end_;
-  end_ += file_.read(place_.offset + end_, window_.data() + end_, room);
+  const std::size_t room = size_ - 1 - end_;
+  end_ += file_.read(place_.offset + end_, window_.get() + end_, room);
   window_[end_] = '\0';
 }
 
@@ -31,15 +31,15 @@ std::size_t longest_line(std::string_view text) {
 // Whether the line at `next` of the window belongs to the one before. One that ends in % is the head of a program.
 bool LineSource::goes_on(std::size_t next) {
   if (goes_on_ == '\0' || window_[begin_] == goes_on_ || window_[next] != goes_on_) return false;
-  const std::size_t end = std::string_view(window_.data(), end_).find('\n', next);
-  const std::string_view line(window_.data() + next, std::min(end, end_) - next);
+  const std::size_t end = std::string_view(window_.get(), end_).find('\n', next);
+  const std::string_view line(window_.get() + next, std::min(end, end_) - next);
   const std::size_t last = line.find_last_not_of(" \t\r");
   return line[last] != '%';
 }
 
 bool LineSource::next(Line& line) {
   const auto find_end = [&](std::size_t from) {
-    return static_cast<const char*>(std::memchr(window_.data() + from, '\n', end_ - from));
+    return static_cast<const char*>(std::memchr(window_.get() + from, '\n', end_ - from));
   };
   const char* newline = find_end(begin_);
   if (newline == nullptr) {
@@ -48,30 +48,30 @@ bool LineSource::next(Line& line) {
     newline = find_end(begin_);
   }
   std::size_t further = 0;
-  const std::size_t enough = window_.size() / 2;
+  const std::size_t enough = size_ / 2;
   while (newline != nullptr && goes_on_ != '\0') {
-    std::size_t after = static_cast<std::size_t>(newline - window_.data()) + 1;
+    std::size_t after = static_cast<std::size_t>(newline - window_.get()) + 1;
     if (begin_ > 0 && (after == end_ || find_end(after) == nullptr)) {
       after -= begin_;
       fill();
-      newline = window_.data() + after - 1;
+      newline = window_.get() + after - 1;
     }
     if (!goes_on(after) || after - begin_ > enough) break;
     const char* const end_of_it = find_end(after);
     newline = end_of_it;
     ++further;
   }
-  const char* const text = window_.data() + begin_;
-  const char* text_end = newline != nullptr ? newline : window_.data() + end_;
+  const char* const text = window_.get() + begin_;
+  const char* text_end = newline != nullptr ? newline : window_.get() + end_;
   const char* const next = newline != nullptr ? newline + 1 : text_end;
-  const bool ends_here = newline != nullptr || end_ < window_.size() - 1;
+  const bool ends_here = newline != nullptr || end_ < size_ - 1;
   if (newline != nullptr && text_end != text && text_end[-1] == '\r') --text_end;
   line.text = {text, static_cast<std::size_t>(text_end - text)};
   line.line_end = {text_end, static_cast<std::size_t>(next - text_end)};
   line.place = place_;
   line.whole = ends_here && !middle_;
   middle_ = !ends_here;
-  begin_ = static_cast<std::size_t>(next - window_.data());
+  begin_ = static_cast<std::size_t>(next - window_.get());
   place_.offset += static_cast<std::uint64_t>(next - text);
   place_.line += further + (newline != nullptr ? 1 : 0);
   return true;

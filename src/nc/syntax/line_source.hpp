@@ -4,8 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string_view>
-#include <vector>
 
 #include "base/files/files.hpp"
 
@@ -46,11 +46,12 @@ class LineSource {
   bool goes_on(std::size_t next);
   const InputFile& file_;
   char goes_on_;
-  std::vector<char> window_;
-  std::size_t begin_ = 0;  // of what is not yet handed out, in the window
-  std::size_t end_ = 0;    // of what was read
-  LinePlace place_;        // of begin_
-  bool middle_ = false;    // begin_ is inside a line longer than the window
+  std::size_t size_;                // of the window
+  std::unique_ptr<char[]> window_;  // not zeroed: a short program touches little of it
+  std::size_t begin_ = 0;           // of what is not yet handed out, in the window
+  std::size_t end_ = 0;             // of what was read
+  LinePlace place_;                 // of begin_
+  bool middle_ = false;             // begin_ is inside a line longer than the window
 };
 
 }  // namespace plumbline::nc

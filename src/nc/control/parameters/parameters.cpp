@@ -55,16 +55,16 @@ void Parameters::set(std::string_view name, Value value) {
 void Parameters::enter(LocalNumbers numbers) {
   Scope scope;
   if (numbers == LocalNumbers::own) {
-    scope.callers.assign(numbered_.begin() + 1, numbered_.begin() + 1 + kLocalParameters);
-    std::fill_n(numbered_.begin() + 1, kLocalParameters, Numbered{{}, true});
+    scope.callers.assign(locals(), locals() + kLocalParameters);
+    std::fill_n(locals(), kLocalParameters, Numbered{{}, true});
   }
   scopes_.push_back(std::move(scope));
 }
 
 void Parameters::enter_with_own(int count) {
   Scope scope;
-  scope.callers.assign(numbered_.begin() + 1, numbered_.begin() + 1 + count);
-  std::fill_n(numbered_.begin() + 1, count, Numbered{});
+  scope.callers.assign(locals(), locals() + count);
+  std::fill_n(locals(), count, Numbered{});
   scopes_.push_back(std::move(scope));
 }
 
@@ -81,7 +81,7 @@ bool Parameters::was_local_elsewhere(std::string_view name) {
 
 void Parameters::leave() {
   for (const auto& [name, value] : scopes_.back().names) left_.insert(name);
-  std::copy(scopes_.back().callers.begin(), scopes_.back().callers.end(), numbered_.begin() + 1);
+  std::copy(scopes_.back().callers.begin(), scopes_.back().callers.end(), locals());
   scopes_.pop_back();
 }
 

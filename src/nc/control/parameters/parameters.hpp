@@ -33,9 +33,9 @@ enum class LocalNumbers : std::uint8_t { own, callers };
 class Parameters {
  public:
   /// True if the program or its settings gave it a value. `number` is 1..kLastParameter.
-  bool has(int number) const { return numbered_[static_cast<std::size_t>(number)].set; }
-  Value get(int number) const { return numbered_[static_cast<std::size_t>(number)].value; }
-  void set(int number, Value value) { numbered_[static_cast<std::size_t>(number)] = {value, true}; }
+  bool has(int number) const { return numbered(number).set; }
+  Value get(int number) const { return numbered(number).value; }
+  void set(int number, Value value) { numbered(number) = {value, true}; }
 
   /// Names are the same whatever their case and blanks [RS274/NGC 3.3.1]. Null: never set.
   const Value* find(std::string_view name);
@@ -68,7 +68,25 @@ class Parameters {
     using is_transparent = void;
     std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
   };
-  std::array<Numbered, kMostParameters + 1> numbered_{};
+  // Few of the thousands are ever set: those in a row come to be with the first of them.
+  static constexpr std::size_t kRow = 128;
+  static_assert(kLocalParameters < kRow);
+  using Row = std::vector<Numbered>;
+  const Numbered& numbered(int number) const {
+    static constexpr Numbered kUnset;
+    const auto at = static_cast<std::size_t>(number);
+    const Row& row = numbered_[at / kRow];
+    return row.empty() ? kUnset : row[at % kRow];
+  }
+  Numbered& numbered(int number) { return row_of(number)[static_cast<std::size_t>(number) % kRow]; }
+  Row& row_of(int number) {
+    Row& row = numbered_[static_cast<std::size_t>(number) / kRow];
+    if (row.empty()) row.resize(kRow);
+    return row;
+  }
+  Row::iterator locals() { return row_of(1).begin() + 1; }
+
+  std::array<Row, kMostParameters / kRow + 1> numbered_;
   using Names = std::unordered_map<std::string, Value, Hash, std::equal_to<>>;
   struct Scope {
     Names names;
