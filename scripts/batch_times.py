@@ -50,7 +50,7 @@ def measure(plumbline, folder, jobs):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--program", default=str(ROOT / "build/release/plumbline"), help="plumbline")
+    parser.add_argument("--program", default=ROOT / "build/release/plumbline", type=pathlib.Path, help="plumbline")
     parser.add_argument("--count", type=int, default=10_000, help="programs")
     parser.add_argument("--blocks", type=int, default=10, help="blocks of each")
     parser.add_argument("--in-each", type=int, default=1000, help="programs in a folder")
@@ -67,7 +67,7 @@ def main():
         print(f"{given.count} programs of {given.blocks} blocks, {processors} processors")
         print(f"{'':12} {'s':>8} {'a second':>9} {'CPU s':>8} {'a CPU second':>13} {'MB':>6}")
         for name in ("first run", "unchanged"):
-            wall, cpu, said, memory = measure(given.program, scratch, given.jobs)
+            wall, cpu, said, memory = measure(given.program.resolve(), scratch, given.jobs)
             print(f"{name:12} {wall:8.2f} {given.count / wall:9.0f} {cpu:8.2f} {given.count / cpu:13.0f} {memory / 1024:6.0f}   {said}")
     finally:
         if not given.folder:
