@@ -247,13 +247,14 @@ class Inspector {
     fault.nats = (before - best.chi2) / (2 * noise) - best.penalty;
     fault.before = std::sqrt(before / static_cast<double>(rows));
     fault.after = std::sqrt(best.chi2 / static_cast<double>(rows));
-    const double left = std::max(0.0, best.chi2 - fine), excess = before - fine;
+    const double left = std::max(0.0, best.chi2 - fine);
+    const double excess = before - fine;
     // what may be off by a little must explain most of what is off; a sign cannot be a little wrong
     const bool by_degrees = best.fault.kind == FaultKind::clock || best.fault.kind == FaultKind::angle_zero;
     if (by_degrees && left > options_.all_explained * excess) return std::nullopt;
     // and has no number that could be fitted to what the model lacks. But where much stays open with it, an effect that
     // no catalogue has may prefer the other sign of a bar, which reads little
-    const bool bar_is_open = best.fault.kind == FaultKind::bar_sign && left > options_.all_explained * excess;
+    const bool bar_is_open = best.fault.kind == FaultKind::bar_sign && fault.after > options_.all_open;
     const bool sign = best.fault.kind == FaultKind::motor_sign || best.fault.kind == FaultKind::bar_sign;
     if (fault.nats < (sign && !bar_is_open ? 2 * options_.least_nats : options_.all_nats)) return std::nullopt;
     fault.all = true;
@@ -262,7 +263,7 @@ class Inspector {
   }
 
   // What is periodic in time is told, and taken out of what is looked at. Whether there is any.
-  bool take_lines(Looked& looked, const std::vector<identify::RunEquations>& left, Inspection& found) {
+  bool take_lines(Looked& looked, const std::vector<identify::RunEquations>& left, Inspection& found) const {
     std::vector<Line> lines = find_lines(looked.runs, left, diagnose::noise_of(left), options_.lines);
     if (lines.empty()) return false;
     for (Fault& fault : periodic_faults(looked, lines, options_.lines)) found.faults.push_back(std::move(fault));
@@ -289,13 +290,14 @@ class Inspector {
   // The bar drifts in most runs: its instrument does.
   bool all_drift(const Looked& looked, const Outliers& outliers, Inspection& found) const {
     std::vector<double> sizes;
-    double sum = 0, with = 0;
+    double sum = 0;
+    int with = 0;
     for (std::size_t i = 0; i < looked.rows.size(); ++i) {
       const Knowledge known = knowledge_of_others(outliers, looked.rows, i);
       const std::optional<Drift> drift = drift_of({bench_, looked.runs, {i}, {&looked.rows[i]}, known});
       if (!drift) continue;
       sum += drift->gain - 1;
-      with += drift->gain > options_.least_nats / 4;
+      if (drift->gain > options_.least_nats / 4) ++with;
       sizes.push_back(std::abs(drift->size));
     }
     const auto count = static_cast<double>(sizes.size());
@@ -351,7 +353,10 @@ Inspection inspect(const machine::MachineModel& machine, const std::vector<Run>&
 }
 
 std::vector<Run> cleaned(std::vector<Run> runs, const Inspection& inspection, const InspectOptions& options) {
-  for (Run& run : runs) run = without_samples(std::move(run), spikes_in(run, options.records));
+  for (Run& run : runs) {
+    const auto spikes = spikes_in(run, options.records);
+    run = without_samples(std::move(run), spikes);
+  }
   std::vector<Line> lines = inspection.lines;
   for (Line& line : lines) {  // what is folded within every so many samples is folded otherwise within all of them
     line.runs.erase(std::remove_if(line.runs.begin(), line.runs.end(),

@@ -34,6 +34,7 @@ struct InspectOptions {
   double beyond_next = 4;        // and so many times that of the next one
   double all_explained = 0.35;   // of what all runs are off beyond noise that a clock or an angle of all may leave
   double all_nats = 100;         // by which a fault of all runs must make the readings more likely
+  double all_open = 1.05;        // times the noise, from which something stays open in all runs
   double drift_sigmas = 12;      // of chi-square over all runs, from which all of them drift
   double larger = 1.5;           // times what the instrument states, from which noise is said to be larger
   double least_noise = 0.2;      // of the noise that is assumed

@@ -21,16 +21,18 @@ double above(double x) { return 0.5 * std::erfc(x / std::numbers::sqrt2); }
 // (Chandrupatla, Advances in Engineering Software 28, 1997).
 template <class Function>
 double crossing(const Function& falling, double wanted, double low, double high) {
-  double a = high, b = low, c = high;  // the last place, one on the other side of the crossing, the last but one
-  double at_a = falling(a) - wanted, at_b = falling(b) - wanted, at_c = at_a;
+  double a = high;  // the last place
+  double b = low;   // one on the other side of the crossing
+  double at_a = falling(a) - wanted;
+  double at_b = falling(b) - wanted;
   if (at_a > 0 || at_b < 0) return at_a > 0 ? high : low;
   double share = 0.5;
   for (int i = 0; i < kHalvings && at_a != 0 && std::abs(b - a) > kNear * std::max(a, b); ++i) {
     const double x = a + share * (b - a);
     const double at_x = falling(x) - wanted;
     const bool same_side = (at_x < 0) == (at_a < 0);
-    c = same_side ? a : b;
-    at_c = same_side ? at_a : at_b;
+    const double c = same_side ? a : b;  // the last but one
+    const double at_c = same_side ? at_a : at_b;
     if (!same_side) {
       b = a;
       at_b = at_a;

@@ -52,7 +52,7 @@ compensate::Summary compensate_file(const Source& program, const Destination& ou
                                     const Destination& undo = {}, Expectation* expected = nullptr);
 
 /// The same of a program that is open, on a model that was read before: once for many.
-compensate::Summary compensate_opened(const OpenedProgram& program, const machine::MachineModel& model,
+compensate::Summary compensate_opened(const OpenedProgram& opened, const machine::MachineModel& model,
                                       const Destination& output, const settings::Options& options,
                                       const Progress& progress = {}, const std::vector<ReportFile>& reports = {},
                                       const Destination& undo = {}, Expectation* expected = nullptr);

@@ -55,7 +55,7 @@ class TipDoubts {
  private:
   // One way in which the machine may be.
   struct State {
-    State(const identify::Posterior& posterior, const identify::PosteriorState& of, bool own);
+    State(const identify::Posterior& posterior, const identify::PosteriorState& state, bool own);
 
     const identify::PosteriorState& of;
     physics::ForceModel forces;
