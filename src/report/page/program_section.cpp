@@ -139,6 +139,11 @@ void add_stand(std::vector<Column>& columns) {
   columns.push_back({"tip", "tip along the spindle", "mm", 3, 1e-4, [](const DrawnPoint& p) { return p.tip_z / kMm; }});
 }
 
+bool has_tools(const DrawnPath& path) {
+  return std::any_of(path.points.begin(), path.points.end(),
+                     [&](const DrawnPoint& p) { return p.recorded.tool != path.points.front().recorded.tool; });
+}
+
 Json column_json(const Column& column, const DrawnPath& path) {
   std::vector<double> values;
   values.reserve(path.points.size());
@@ -310,9 +315,10 @@ Json program_section(const DrawnPath& path, const machine::MachineModel* model, 
   add_blocks(section, path, name_in_folder(kind.program));
   Json& colours = section["colours"] = Json::array();
   for (const char* const key :
-       {"shift", "left", "error", "within", "within_off", "feed", "block", "condition", "force", "room"}) {
+       {"shift", "left", "error", "within", "within_off", "feed", "block", "condition", "force", "room", "kind"}) {
     if (all.contains(key)) colours.push_back(key);
   }
+  if (has_tools(path)) colours.push_back("tool");
   return section;
 }
 

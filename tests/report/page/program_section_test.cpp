@@ -1,7 +1,9 @@
 #include "report/page/program_section.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 
 #include <catch2/catch.hpp>
 
@@ -109,6 +111,20 @@ TEST_CASE("a path that nothing corrects has no columns of it") {
     for (const report::Json& key : track["keys"]) CHECK(section["columns"].contains(key.get<std::string>()));
   }
   for (const report::Json& key : section["colours"]) CHECK(section["columns"].contains(key.get<std::string>()));
+}
+
+TEST_CASE("a path is coloured by its tools where there are several") {
+  const machine::MachineModel machine = model();
+  compensate::DrawnPath path{{point(machine, 1, 0), point(machine, 2, 0)}, 2};
+  const auto is_colour = [&](std::string_view wanted) {
+    const report::Json section = report::program_section(path, &machine, {});
+    const report::Json& keys = section["colours"];
+    return std::find(keys.begin(), keys.end(), wanted) != keys.end();
+  };
+  CHECK(is_colour("kind"));
+  CHECK_FALSE(is_colour("tool"));
+  path.points.back().recorded.tool = 7;
+  CHECK(is_colour("tool"));
 }
 
 }  // namespace

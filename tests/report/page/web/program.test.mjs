@@ -7,6 +7,7 @@ const { countText, figure, numberText, timeText } = await import(`${modules}numb
 const { Selection } = await import(`${modules}selection.mjs`);
 const { fitted, niceGain } = await import(`${modules}scene.mjs`);
 const { extremePoints, PathLines, sampled, segments, simplified } = await import(`${modules}path_lines.mjs`);
+const { valuesOfCuts } = await import(`${modules}program.mjs`);
 const { Pace } = await import(`${modules}pace.mjs`);
 
 test("packed numbers come back, missing ones as NaN", () => {
@@ -16,6 +17,12 @@ test("packed numbers come back, missing ones as NaN", () => {
   assert.ok(Number.isNaN(values[4]) && Number.isNaN(values[5]));
   assert.equal(decoded({ quantum: 0.1, data: "AwAAAA==" })[0], 0.3);
   assert.equal(decoded({ quantum: 1, data: "" }).length, 0);
+});
+
+test("tools and ways have a colour each that cuts, in order", () => {
+  const columns = { kind: { values: Float64Array.of(0, 3, 1, 2, 2) }, tool: { values: Float64Array.of(9, 2, 7, -1, 2) } };
+  assert.deepEqual([...valuesOfCuts(columns, "kind")], [2, 3]);
+  assert.deepEqual([...valuesOfCuts(columns, "tool")], [-1, 2]);
 });
 
 test("an extent leaves out what is missing", () => {

@@ -10,6 +10,11 @@ export function lineRamp(from, to) {
   return (value) => (Number.isFinite(value) ? d3.interpolateViridis(low + (high - low) * share(value)) : "#8a8f96");
 }
 
+/// The colour of that style, as the page has it, dark or light.
+export function colourOfSeries(index) {
+  return getComputedStyle(document.documentElement).getPropertyValue(`--series-${seriesOf(index)}`).trim();
+}
+
 /// The number of a style of series (1 to 6), for the classes stroke-1, dash-1 ...
 export function seriesOf(index) {
   return (index % 6) + 1;

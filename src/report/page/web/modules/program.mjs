@@ -1,6 +1,6 @@
 // The path of a program: in space, along the program, its worst places; one chosen point for all of them.
 import { decoded, extent } from "./columns.mjs";
-import { lineRamp } from "./colours.mjs";
+import { colourOfSeries, lineRamp } from "./colours.mjs";
 import { chooser, element, slider } from "./dom.mjs";
 import { countText, figure, numberText } from "./numbers.mjs";
 import { niceGain, Scene } from "./scene.mjs";
@@ -8,6 +8,13 @@ import { Selection } from "./selection.mjs";
 import { tracks } from "./tracks.mjs";
 
 const kWays = ["start", "rapid", "straight", "arc"];
+const kFirstCut = 2;  // of these
+
+/// Columns whose numbers stand for something: its name.
+const kNames = { kind: (way) => kWays[way], tool: (number) => (number < 0 ? "tool not known" : `T${number}`) };
+
+/// Those of the first two curves are the lines' that lie beside the path.
+const colourOfNamed = (index) => colourOfSeries(index + 2);
 
 function columnsOf(section) {
   return Object.fromEntries(Object.entries(section.columns).map(([key, column]) => [key, { ...column, values: decoded(column) }]));
@@ -78,10 +85,16 @@ function sceneBox(section, columns, selection) {
   }
   const colourKey = element("div", { class: "legend" });
   const colourBy = (key) => {
-    const column = columns[key];
-    const [from, to] = extent(column.values);
-    scene.colour(column.values, from, to);
-    colourKey.replaceChildren(colourBar(column, from, to), ...lineKeys(section));
+    const { values } = columns[key];
+    if (key in kNames) {
+      const there = valuesOfCuts(columns, key);
+      scene.colour(values, (value) => colourOfNamed(Math.max(0, there.indexOf(value))));
+      colourKey.replaceChildren(...there.map((value, i) => lineKey(colourOfNamed(i), false, kNames[key](value))), ...lineKeys(section));
+      return;
+    }
+    const [from, to] = extent(values);
+    scene.colour(values, lineRamp(from, to));
+    colourKey.replaceChildren(colourBar(columns[key], from, to), ...lineKeys(section));
   };
   const shifts = columns.shift ?? columns.error;
   const gain = niceGain(scene.size, extent(shifts.values)[1]);
@@ -140,15 +153,24 @@ function sagging(section) {
   return section.corrected ? "the tip without correction" : "where the tip goes";
 }
 
+/// The values of such a column that cuts have, in order.
+export function valuesOfCuts(columns, key) {
+  const { values } = columns[key];
+  const cuts = values.filter((_, i) => columns.kind.values[i] >= kFirstCut);
+  return [...new Set(cuts)].sort((a, b) => a - b);
+}
+
+/// A line of the picture, and what it is.
+function lineKey(colour, dashed, name) {
+  const svg = d3.create("svg").attr("width", 30).attr("height", 10).attr("aria-hidden", "true");
+  svg.append("line").attr("x1", 0).attr("x2", 30).attr("y1", 5).attr("y2", 5).attr("stroke", colour).attr("stroke-width", 2).attr("stroke-dasharray", dashed ? "5 4" : null);
+  return element("span", { class: "key" }, svg.node(), name);
+}
+
 /// What the lines of the picture are.
 function lineKeys(section) {
-  const key = (colour, dashed, name) => {
-    const svg = d3.create("svg").attr("width", 30).attr("height", 10).attr("aria-hidden", "true");
-    svg.append("line").attr("x1", 0).attr("x2", 30).attr("y1", 5).attr("y2", 5).attr("stroke", colour).attr("stroke-width", 2).attr("stroke-dasharray", dashed ? "5 4" : null);
-    return element("span", { class: "key" }, svg.node(), name);
-  };
-  return [key("#8a8f96", true, "rapid"), section.corrected ? key("#0072b2", false, `${section.told}, exaggerated`) : null,
-    section.machine ? key("#d55e00", false, `${sagging(section)}, exaggerated`) : null].filter((of) => of);
+  return [lineKey("#8a8f96", true, "rapid"), section.corrected ? lineKey("#0072b2", false, `${section.told}, exaggerated`) : null,
+    section.machine ? lineKey("#d55e00", false, `${sagging(section)}, exaggerated`) : null].filter((of) => of);
 }
 
 /// A click that did not turn the picture chooses the point under it.

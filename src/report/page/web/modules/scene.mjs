@@ -1,5 +1,4 @@
 // The path and the machine in space. Z of the machine is up.
-import { lineRamp } from "./colours.mjs";
 import { Painter } from "./painter.mjs";
 import { extremePoints, PathLines, segments, simplified } from "./path_lines.mjs";
 
@@ -221,9 +220,8 @@ export class Scene {
     this.draw();
   }
 
-  /// Colours the path by a column over [from, to].
-  colour(values, from, to) {
-    const colourOf = lineRamp(from, to);
+  /// Colours the path by a column: `colourOf` of a value is a colour in words.
+  colour(values, colourOf) {
     const read = new Map();  // words are read once: a ramp has some hundred
     const partsOf = (word) => {
       if (!read.has(word)) read.set(word, new THREE.Color(word).toArray());
