@@ -1,5 +1,6 @@
 // What a channel may hold instead of what it says: another sign, another unit, another motor, another clock, a drift.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "inspect/hypothesis.hpp"
@@ -16,6 +17,11 @@ using identify::kRadial;
 using measure::Run;
 
 constexpr double kUnitLeast = 0.65, kUnitMost = 1.5;  // factors between these may be the machine's own
+
+// Readings of a bar come in steps of 0.1 um at best [Renishaw, QC20-W: resolution]; noise below that is of another
+// unit:
+constexpr double kFinestBar = 0.02e-6;                               // m, 1 sigma from sample to sample
+constexpr std::array kLargerUnits{1e-3, 1 / 25.4, 1 / 25.4 * 1e-3};  // mm, thousandths of an inch, inches
 
 constexpr double kUnitLeaves = 0.5;  // of the misfit in the unit that was said, that another unit may leave
 
@@ -316,6 +322,29 @@ std::optional<Drift> drift_of(const Suspects& suspects) {
   column.col(0).segment(*first, rows.raw.samples) = VectorXd::LinSpaced(rows.raw.samples, 0, 1);
   const auto added = Channels(suspects).added(suspects.bench.white(rows, column));
   return Drift{added[0].gain, added[0].size};
+}
+
+std::optional<Fault> finer_than_any_bar(const Suspects& suspects) {
+  const Channels channels(suspects);
+  if (!channels.has(kRadial)) return std::nullopt;
+  double squares = 0;
+  Index count = 0;
+  for (const RunRows* run : suspects.rows) {
+    if (!run->raw.first_row(kRadial)) continue;
+    const VectorXd readings = segment(run->measured, *run, kRadial);
+    squares += (readings.tail(readings.size() - 1) - readings.head(readings.size() - 1)).squaredNorm() / 2;
+    count += readings.size() - 1;
+  }
+  const double noise = std::sqrt(squares / static_cast<double>(std::max<Index>(1, count)));
+  const double factor = channels.factor({kRadial});
+  for (const double unit : kLargerUnits) {
+    if (noise >= kFinestBar || factor < kUnitLeast * unit || factor > kUnitMost * unit) continue;
+    Fault fault{FaultKind::bar_unit, suspects.runs};
+    fault.channels = {kRadial};
+    fault.values = {unit, noise};
+    return fault;
+  }
+  return std::nullopt;
 }
 
 double chi2_as_stated(const Suspects& suspects) { return Channels(suspects).chi2(); }

@@ -51,6 +51,10 @@ struct Drift {
 };
 std::optional<Drift> drift_of(const Suspects& suspects);
 
+/// The bar is quieter than any is, and reads the part of what is predicted that a larger unit leaves: the number of um
+/// of the unit inverted, and the noise, m.
+std::optional<Fault> finer_than_any_bar(const Suspects& suspects);
+
 /// What a channel may hold instead of what it says: signs, units, channels exchanged, steps and drifts.
 std::vector<Tried> tried_channels(const Suspects& suspects);
 

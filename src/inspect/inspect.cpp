@@ -233,6 +233,11 @@ class Inspector {
       suspects.runs.push_back(i);
       suspects.rows.push_back(&looked.rows[i]);
     }
+    if (std::optional<Fault> fine_bar = finer_than_any_bar(suspects)) {
+      fine_bar->all = true;
+      fine_bar->runs = looked.numbers;
+      return fine_bar;
+    }
     std::vector<Tried> all = labels ? everything_tried(suspects) : tried_channels(suspects);
     leave_large_ones(all, looked.runs[0], options_);
     if (all.empty()) return std::nullopt;

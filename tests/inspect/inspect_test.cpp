@@ -106,6 +106,19 @@ TEST_CASE("what is wrong alike with all runs is said of all") {
   }
 }
 
+TEST_CASE("readings of all runs in mm, or in inches, are told by a noise that no bar has") {
+  for (const double um : {1e-3, 1 / 25400.0}) {
+    Measured measured;
+    for (Run& run : measured.runs) turn(run.radial, um);
+    const inspect::Inspection inspection = measured.inspection();
+    REQUIRE(inspection.faults.size() == 1);
+    CHECK(inspection.faults[0].kind == FaultKind::bar_unit);
+    CHECK(inspection.faults[0].all);
+    CHECK(inspection.faults[0].values.at(0) == Approx(um).epsilon(1e-9));
+    CHECK(inspection.faults[0].values.at(1) < 0.02e-6);
+  }
+}
+
 TEST_CASE("an effect that the model lacks is no spoiled run") {
   Measured measured;
   const physics::ForceModel forces(measured.machine);

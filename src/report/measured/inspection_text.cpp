@@ -106,6 +106,12 @@ std::string periodic_text(const Fault& fault) {
   return text + "; it is kept out of everything else";
 }
 
+// Of so many of it a um.
+std::string_view larger_unit(double per_um) {
+  if (per_um == 1e-3) return "mm";
+  return per_um < 1e-3 ? "inches" : "thousandths of an inch";
+}
+
 std::string record_text(const Fault& fault, const Run& run, const std::vector<Run>& runs) {
   const double value = fault.values.empty() ? 0 : fault.values[0];
   const std::string of = channel_text(fault.channels);
@@ -141,6 +147,12 @@ std::string record_text(const Fault& fault, const Run& run, const std::vector<Ru
                                fault.values.at(1) / kUm)
                  : fmt::format("the noise of the torques is {:.3f} N m, and their instrument states {:.3f} N m", value,
                                fault.values.at(1));
+    case FaultKind::bar_unit:
+      return fmt::format(
+          "readings of the bar are {:.2g} of what the model predicts, their noise is {:.1g} um, less than any bar has: "
+          "they "
+          "are in {}, not in um",
+          value, fault.values.at(1) / kUm, larger_unit(value));
     case FaultKind::drift:
       return fmt::format(
           "the bar drifts within each run, by {:.2f} um as the median has it: no machine does that alike "
