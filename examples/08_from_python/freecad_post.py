@@ -7,19 +7,36 @@ makes another such function of it; in a module of your own, say straight_linuxcn
     from freecad_post import straightened
     export = straightened(plain_export, settings="/etc/plumbline/shop.toml", machine="hex-3")
 """
+import os
+
 import plumbline
 
 
 def straightened(export, model=None, **options):
-    """The same export function, whose program is compensated. A program that plumbline refuses is not saved."""
+    """The same export function, whose program is compensated. Of a program that plumbline refuses nothing is saved: it
+    raises plumbline.Refused, whose text says why, and a file of an earlier export stays as it is."""
 
     def straight_export(objects, filename, arguments=""):
         program = export(objects, "-", arguments)  # "-": FreeCAD's posts save nothing then
         done = plumbline.compensate(plumbline.Text(program, filename), model, **options)
         print(done.words)
+        for warning in done.warnings:
+            print(f"{warning['file']}:{warning['line']}: warning: {warning['message']}\nhelp: {warning['help']}")
         if filename != "-":
-            with open(filename, "w", encoding="utf-8", errors="surrogateescape", newline="") as file:
-                file.write(done.text)
+            save(done.bytes, filename)
         return done.text
 
     return straight_export
+
+
+def save(program, filename):
+    """The whole program or, where that does not go, the file as it was."""
+    passing = filename + ".passing"
+    try:
+        with open(passing, "wb") as file:
+            file.write(program)
+        os.replace(passing, os.path.realpath(filename))
+    except BaseException:
+        if os.path.exists(passing):
+            os.remove(passing)
+        raise

@@ -51,7 +51,10 @@ void wrong_usage(std::string message, std::string help) {
   throw Error(Error::Kind::wrong_usage, {"usage-wrong", std::move(message), std::move(help), {}});
 }
 
-void no_model() { wrong_usage("a model of the machine is needed", "read one: Model(Input::file(\"model.toml\"))"); }
+void no_model() {
+  wrong_usage("a model of the machine is needed",
+              "give one; or, with options, settings and a machine that they describe");
+}
 
 }  // namespace v1
 }  // namespace plumbline::api

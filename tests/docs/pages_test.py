@@ -154,9 +154,23 @@ class Pages(unittest.TestCase):
             if shutil.which(tool) is None:
                 print(f"this test is skipped: {tool} is not installed")
                 continue
-            (self.folder / "out/a.nc").unlink(missing_ok=True)
+            shutil.rmtree(self.folder / "out", ignore_errors=True)
             self.run_shell(f"{tool} {target}")
             self.assertTrue((self.folder / target).exists())
+
+        self.programs_of_two_controls_lie_in_two_folders()
+
+    def programs_of_two_controls_lie_in_two_folders(self):
+        of_the_control = 'plumbline = "settings 1"\n{option}\n[work_offset]\n{system} = [0, 0, -1008, 0, 0, 0]\n'
+        of_the_machine = 'plumbline = "settings 1"\nmodel = "../machine.toml"\n'
+        self.write("shop/plumbline.toml", of_the_machine)
+        self.write("shop/linuxcnc/a.ngc", "G54\n" + PART)
+        self.write("shop/linuxcnc/plumbline.toml", of_the_control.format(option="", system="G54"))
+        self.write("shop/okuma/a.min", "G15 H1\n" + PART)
+        self.write("shop/okuma/plumbline.toml", of_the_control.format(option='feed_rule = "xyz"', system="G15H1"))
+        self.assertIn("2 compensated", self.run_shell("plumbline batch shop -o straight-shop"))
+        self.write("shop/plumbline.toml", of_the_machine + "[work_offset]\nG55 = [0, 0, -1008, 0, 0, 0]\n")
+        self.assertIn("G55, which okuma does not have", self.run_shell("plumbline batch shop -o straight-shop", 1))
 
     def test_linuxcnc(self):
         (self.folder / "models").mkdir()

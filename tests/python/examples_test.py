@@ -1,4 +1,6 @@
 """examples/08_from_python, and the examples of docs/library.md in Python."""
+import contextlib
+import io
 import re
 import subprocess
 import sys
@@ -48,6 +50,27 @@ class FreecadPost(unittest.TestCase):
                              work_offset=OFFSET)(["Job"], str(saved))
             self.assertEqual(caught.exception.file, str(saved))
             self.assertFalse(saved.exists())
+            saved.write_text("an earlier export")
+            with self.assertRaises(plumbline.Refused):
+                straightened(lambda *_: "", MODEL, work_offset=OFFSET)(["Job"], str(saved))
+            self.assertEqual(saved.read_text(), "an earlier export")
+
+    def test_warnings_are_shown(self):
+        from freecad_post import straightened
+
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            straightened(lambda *_: PROGRAM.read_text(), MODEL, work_offset=OFFSET, step_length=0.001)(["Job"], "-")
+        self.assertRegex(said.getvalue(), r"-:\d+: warning: .* shorter than 1 ms, .*\nhelp: ")
+
+    def test_what_cannot_be_saved_leaves_nothing(self):
+        from freecad_post import save
+
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "part.ngc").mkdir()
+            with self.assertRaises(OSError):
+                save(b"G0", str(Path(folder) / "part.ngc"))
+            self.assertEqual([path.name for path in Path(folder).iterdir()], ["part.ngc"])
 
 
 class Notebook(unittest.TestCase):

@@ -1,14 +1,17 @@
 """import plumbline: what the command writes, from Python."""
 import ast
 import concurrent.futures
+import decimal
 import json
 import os
 import pickle
 import re
+import signal
 import subprocess
 import sys
 import tempfile
 import threading
+import traceback
 import unittest
 from pathlib import Path
 
@@ -138,6 +141,43 @@ class Programs(unittest.TestCase):
 
         with self.assertRaises(Enough):
             plumbline.compensate(program, self.model, work_offset=OFFSET, progress=stop)
+        with self.assertRaisesRegex(TypeError, "progress: expected a function"):
+            plumbline.compensate(program, self.model, work_offset=OFFSET, progress=3)
+
+    @unittest.skipUnless(hasattr(signal, "setitimer"), "no timer of the system raises signals here")
+    def test_a_signal_ends_the_work_before_it_is_done(self):
+        """As Ctrl-C does: the handler of Python runs while the program is read, not after all of it is done."""
+        program = plumbline.Text("G0 X0 Y0 Z0 A0 B0 C0\nF500\n" + "G1 X1\nG1 X0\n" * 20000)
+
+        class Enough(Exception):
+            pass
+
+        def stop(*_):
+            raise Enough
+
+        before = signal.signal(signal.SIGALRM, stop)
+        self.addCleanup(signal.signal, signal.SIGALRM, before)
+        for function in (plumbline.compensate, plumbline.check, plumbline.simulate):
+            signal.setitimer(signal.ITIMER_REAL, 0.01)
+            within = []
+            try:
+                function(program, self.model, work_offset=OFFSET)
+            except Enough as enough:
+                within = [frame.name for frame in traceback.extract_tb(enough.__traceback__)]
+            self.assertIn("_nobody_is_told", within, function.__name__)
+
+    def test_what_is_text_and_what_is_none(self):
+        for program in (bytearray(PART.encode()), memoryview(PART.encode()), PART.encode()):
+            self.assertEqual(plumbline.trace(program), plumbline.trace(PART))
+        for empty in ("", b""):
+            with self.assertRaises(plumbline.Refused) as caught:
+                plumbline.check(empty, self.model)
+            self.assertEqual(caught.exception.code, "file-empty")
+        with self.assertRaisesRegex(TypeError, "a text is a str or bytes, not NoneType"):
+            plumbline.Text(None, "part.ngc")
+        exact = {"G54": [decimal.Decimal(one) for one in ("0", "0", "-1008.0", "0", "0", "0")]}
+        self.assertEqual(plumbline.compensate(PART, self.model, work_offset=exact).text,
+                         plumbline.compensate(PART, self.model, work_offset=OFFSET).text)
 
 
 class Tables(unittest.TestCase):
@@ -152,6 +192,10 @@ class Tables(unittest.TestCase):
             table["nothing"]
         with self.assertRaises(ValueError):
             plumbline.error(np.zeros((3, 5)), MODEL)
+        with self.assertRaisesRegex(ValueError, "not finite"):
+            plumbline.error([(0, 0, -1008, 0, float("nan"), 0)], MODEL)
+        with self.assertRaises(ValueError):
+            plumbline.error("poses.csv", MODEL)
 
     def test_simulate_is_the_table_of_the_command(self):
         lines = command("simulate", PROGRAM, "-m", MODEL, "--work-offset", "G54=0,0,-1008,0,0,0",

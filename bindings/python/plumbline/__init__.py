@@ -1,17 +1,18 @@
 """plumbline straightens NC programs for hexapod machine tools: it moves the tool tip to where the program means it to
 go, against gravity, friction and elasticity of the machine.
 
-Programs, models and tool tables are given as text or as a file: bytes, and a str with a line end in it, are text; any
-other str, and what os.fspath takes, is the path of a file; Text(text, name) is text that messages call `name`.
+Programs, models and tool tables are given as text or as a file: bytes, a str with a line end in it and an empty one are
+text; any other str, and what os.fspath takes, is the path of a file; Text(text, name) is text that messages call `name`.
 
 Options are those of the command by their long names, with _ for -: tolerance="1um", friction_turn=10, undo. True and
 False are on and off; numbers between commas may be a sequence, as start=(0, 0, 100, 0, 0, 0); what may be repeated is a
 list of texts, or a dict: work_offset={"G54": (0, 0, -1008, 0, 0, 0)}. None is no option.
 
 Every function raises Error: Refused where the input is refused, WrongUsage where the call cannot be meant, Bug. The
-interpreter's lock is released while they work.
+interpreter's lock is released while they work. Ctrl-C ends compensate, check and simulate in the middle of their work.
 """
 
+import decimal as _decimal
 import functools as _functools
 import json as _json
 import numbers as _numbers
@@ -154,17 +155,27 @@ class Table:
 
 
 def _bytes(text):
-    return text if isinstance(text, bytes) else text.encode("utf-8", "surrogateescape")
+    if isinstance(text, str):
+        return text.encode("utf-8", "surrogateescape")
+    if isinstance(text, (bytes, bytearray, memoryview)):
+        return bytes(text)
+    raise TypeError(f"a text is a str or bytes, not {type(text).__name__}")
 
 
 def _str(text):
     return text.decode("utf-8", "surrogateescape")
 
 
+def _is_text(source):
+    if isinstance(source, str):
+        return "\n" in source or source == ""
+    return isinstance(source, (bytes, bytearray, memoryview))
+
+
 def _input(source):
     if isinstance(source, Text):
         return _core.Text(source.name, source.bytes)
-    if isinstance(source, bytes) or (isinstance(source, str) and "\n" in source):
+    if _is_text(source):
         return _core.Text("<text>", _bytes(source))
     return _core.Text(_os.fspath(source), None)
 
@@ -182,7 +193,7 @@ def _value(value):
         return value
     if isinstance(value, _numbers.Integral):
         return str(int(value))
-    if isinstance(value, _numbers.Real):
+    if isinstance(value, (_numbers.Real, _decimal.Decimal)):
         return repr(float(value))
     if hasattr(value, "__fspath__"):
         return _os.fspath(value)
@@ -199,24 +210,37 @@ def _options(given):
             options += [(name, f"{of}={_value(one)}") for of, one in value.items()]
         elif isinstance(value, list) and value and all(isinstance(one, str) for one in value):
             options += [(name, one) for one in value]
-        elif isinstance(value, (bytes, Text)) or (isinstance(value, str) and "\n" in value):
+        elif isinstance(value, Text) or (value != "" and _is_text(value)):
             options.append((name, _input(value)))
         else:
             options.append((name, _value(value)))
     return options
 
 
+def _told(progress):
+    """The work calls it now and then; Python sees there, too, whether Ctrl-C was pressed."""
+    if progress is None:
+        return _nobody_is_told
+    if not callable(progress):
+        raise TypeError(f"progress: expected a function of (done, total), not {type(progress).__name__}")
+    return progress
+
+
+def _nobody_is_told(done, total):
+    pass
+
+
 def compensate(program, model=None, *, undo=False, progress=None, **options):
     """Corrects a program for a machine: a Result with its text, and with undo=True what restore needs. The model may be
     left out where settings=... and machine=... name one. progress(done, total) is called now and then; what it raises ends
     the work."""
-    core, text, log = _core.compensate(_input(program), _model(model), _options(options), undo, progress)
+    core, text, log = _core.compensate(_input(program), _model(model), _options(options), undo, _told(progress))
     return Result(core, text, log)
 
 
 def check(program, model=None, *, progress=None, **options):
     """All places where a program, compensated, breaks limits of the machine; found says whether there are some."""
-    return Result(_core.check(_input(program), _model(model), _options(options), progress))
+    return Result(_core.check(_input(program), _model(model), _options(options), _told(progress)))
 
 
 def diff(a, b, model=None, **options):
@@ -238,12 +262,17 @@ def restore(program, undo):
 def simulate(program, model=None, *, progress=None, **options):
     """Plays a program, as it stands, on the model: a Table with a row for every point of the path. motion is 0 for rapids,
     1 for cuts along lines, 2 for arcs."""
-    return Table(*_core.simulate(_input(program), _model(model), _options(options), progress))
+    return Table(*_core.simulate(_input(program), _model(model), _options(options), _told(progress)))
 
 
 def error(poses, model):
     """The error of the tool tip at poses, an array (n, 6) of x, y, z in mm and a, b, c in deg in the machine's base frame,
     the machine at rest: a Table with strut lengths, nut tensions, stretches and errors beside them."""
+    import numpy
+
+    poses = numpy.asarray(poses, dtype=float)
+    if not numpy.isfinite(poses).all():
+        raise ValueError("poses: a number in it is not finite")
     return Table(*_core.error(poses, _model(model)))
 
 

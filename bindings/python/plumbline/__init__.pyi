@@ -9,12 +9,14 @@ import numpy.typing as npt
 __version__: str
 INTERFACE: int
 
+Bytes = Union[builtins.bytes, bytearray, memoryview]
+
 class Text:
     name: str
     bytes: builtins.bytes
-    def __init__(self, text: Union[str, builtins.bytes], name: Union[str, PathLike[str]] = ...) -> None: ...
+    def __init__(self, text: Union[str, Bytes], name: Union[str, PathLike[str]] = ...) -> None: ...
 
-Source = Union[str, bytes, PathLike[str], Text]
+Source = Union[str, Bytes, PathLike[str], Text]
 Path = Union[str, PathLike[str]]
 Progress = Callable[[int, int], object]
 
