@@ -15,6 +15,7 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
+#include "cli/options/number_check.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
 #include "report/depfile.hpp"
@@ -43,8 +44,10 @@ class Telling {
     return {[this](const jobs::BatchItem& item) { tell(item); }, line_.progress()};
   }
   void clear() { line_.clear(); }
+  const std::vector<std::string>& outputs() const { return outputs_; }
 
   void tell(const jobs::BatchItem& item) {
+    outputs_.push_back(item.output);
     if (json_ != nullptr) json_->write(report::batch_json_line(item));
     if (item.state == State::subprogram) {
       say_step(fmt::format("{}: others call it, it is no program of its own", item.program));
@@ -63,6 +66,7 @@ class Telling {
   OutputFile* json_;
   bool says_json_;
   bool has_heading_ = false;
+  std::vector<std::string> outputs_;
   ProgressLine line_{"batch"};
 };
 
@@ -124,6 +128,19 @@ int watch_folder(const BatchArguments& arguments, const batch::Request& request)
   return kDone;
 }
 
+// Which files are read and made shows only when all programs have been.
+void check_reports(const BatchArguments& arguments, std::vector<std::string> files,
+                   const std::vector<std::string>& made) {
+  std::vector<std::string> there;
+  std::error_code none;
+  for (const std::string& report : {arguments.json, arguments.depfile}) {
+    if (report != kStandardStream && std::filesystem::exists(path_of(report), none)) there.push_back(report);
+  }
+  if (there.empty()) return;
+  files.insert(files.end(), made.begin(), made.end());
+  check_outputs(files, there);
+}
+
 int run_batch(const BatchArguments& arguments) {
   const batch::Request request = checked_request(arguments);
   if (arguments.watch) return watch_folder(arguments, request);
@@ -137,6 +154,7 @@ int run_batch(const BatchArguments& arguments) {
   folder.keep();
   telling.clear();
   say_what_is_left(result.summary);
+  check_reports(arguments, result.files_read, telling.outputs());
   OutputSet files;
   if (depfile) {
     depfile->write(report::depfile_text(json ? arguments.json : batch::record_path(request), result.files_read));
@@ -181,7 +199,7 @@ void add_own_options(CLI::App& command, BatchArguments& arguments) {
       .add_option("--poll", arguments.poll_s,
                   "with --watch: look through the folder that often, for folders that other machines write into")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.1, 86400.0));
+      ->check(number_between(0.1, 86400));
   command
       .add_option("--depfile", arguments.depfile,
                   "write which files were read, as a rule for make and ninja whose target is the file of --json, else "

@@ -4,6 +4,7 @@
 #include "cli/command_files.hpp"
 #include "cli/identified_output.hpp"
 #include "cli/options/accept.hpp"
+#include "cli/options/number_check.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -53,13 +54,13 @@ void add_unknowns(CLI::App& command, CalibrateArguments& arguments) {
       .add_option("--joint-sigma", arguments.joint_um,
                   "1 sigma of a joint's coordinate, um, if [uncertainty] does not list joint_position_um")
       ->type_name("UM")
-      ->check(CLI::PositiveNumber)
+      ->check(number_above_zero())
       ->capture_default_str();
   command
       .add_option("--offset-sigma", arguments.offset_um,
                   "1 sigma of a strut's length, um, if [uncertainty] does not list strut_offset_um")
       ->type_name("UM")
-      ->check(CLI::PositiveNumber)
+      ->check(number_above_zero())
       ->capture_default_str();
 }
 

@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
+#include "cli/options/number_check.hpp"
 #include "cli/options/report_file.hpp"
 #include "jobs/compare.hpp"
 #include "report/measured/compare_text.hpp"
@@ -81,7 +82,7 @@ void add_compare(CLI::App& app, Run& run) {
       ->add_option("--max-radial-um", arguments->most_radial_um,
                    "exit code 3 if the rms of all bar readings with MODEL is above that")
       ->type_name("UM")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_from_zero());
   command->callback([arguments, &run] { run = [arguments] { return compare(*arguments); }; });
 }
 

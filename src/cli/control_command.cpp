@@ -4,6 +4,7 @@
 
 #include "cli/command.hpp"
 #include "cli/messages.hpp"
+#include "cli/options/number_check.hpp"
 #include "cli/shared_options.hpp"
 #include "jobs/linuxcnc_control.hpp"
 
@@ -41,11 +42,11 @@ void add_control(CLI::App& app, Run& run) {
       ->add_option("--speed", arguments->drives.speed_mm_min,
                    "fastest speed of the tip, and of a rapid; a degree counts as a millimetre")
       ->type_name("MM/MIN")
-      ->check(CLI::Range(1.0, 1e6))
+      ->check(number_between(1, 1e6))
       ->capture_default_str();
   command->add_option("--acceleration", arguments->drives.acceleration_mm_s2, "largest acceleration of an axis, mm/s^2")
       ->type_name("MM/S2")
-      ->check(CLI::Range(1.0, 1e6))
+      ->check(number_between(1, 1e6))
       ->capture_default_str();
   arguments->shared.add_named(*command, {"model", "tools", "work-offset", "variables"});
   command->callback([arguments, &run] { run = [arguments] { return control(*arguments); }; });

@@ -2,6 +2,7 @@
 
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
+#include "cli/options/number_check.hpp"
 #include "cli/options/report_file.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/shared_options.hpp"
@@ -54,10 +55,10 @@ void add_files(CLI::App& command, DiffArguments& arguments) {
                    "exit code 3 if an axis is off by more than the tolerance, or blocks are out of line");
   command.add_option("--tolerance-mm", arguments.tolerance_mm, "of X, Y, Z (default 0.0001 mm)")
       ->type_name("MM")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_from_zero());
   command.add_option("--tolerance-deg", arguments.tolerance_deg, "of A, B, C (default 0.0001 deg)")
       ->type_name("DEG")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_from_zero());
 }
 
 }  // namespace

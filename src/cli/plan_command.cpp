@@ -9,6 +9,7 @@
 #include "base/units.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
+#include "cli/options/number_check.hpp"
 #include "cli/options/report_file.hpp"
 #include "cli/options/test_dialect.hpp"
 #include "jobs/plan.hpp"
@@ -128,7 +129,7 @@ void add_circles(CLI::App& command, PlanArguments& arguments) {
     command.add_option(name, values, help)
         ->type_name(type)
         ->delimiter(',')
-        ->check(CLI::NonNegativeNumber)
+        ->check(number_from_zero())
         ->capture_default_str();
   };
   list("--radius", arguments.radii_mm, "MM,...", "radii of circles to choose from");
@@ -136,7 +137,7 @@ void add_circles(CLI::App& command, PlanArguments& arguments) {
   list("--payload", arguments.payloads_kg, "KG,...", "known masses at the tool tip to choose from");
   command.add_option("--bar", arguments.bar_mm, "length of the bar, mm; it lies in the plane of larger circles")
       ->type_name("MM")
-      ->check(CLI::PositiveNumber)
+      ->check(number_above_zero())
       ->capture_default_str();
   command.add_option("--channels", arguments.channels, "what will be measured")
       ->type_name("bar|torques|both")
@@ -151,11 +152,11 @@ void add_circles(CLI::App& command, PlanArguments& arguments) {
 void add_noise(CLI::App& command, PlanArguments& arguments) {
   command.add_option("--bar-noise", arguments.radial_um, "1 sigma of a reading of the bar, um")
       ->type_name("UM")
-      ->check(CLI::PositiveNumber)
+      ->check(number_above_zero())
       ->capture_default_str();
   command.add_option("--torque-noise", arguments.job.torque_noise, "1 sigma of a torque, N m")
       ->type_name("NM")
-      ->check(CLI::PositiveNumber)
+      ->check(number_above_zero())
       ->capture_default_str();
   command.add_option("--candidates", arguments.job.candidates.most, "how many circles are drawn to choose from")
       ->type_name("N")

@@ -107,6 +107,28 @@ TEST_CASE("batch: what cannot be meant is wrong usage") {
   CHECK(contains(run(scratch, "batch parts -o parts " + kMachine).err, "[file-overwrites-input]"));
 }
 
+TEST_CASE("batch: no report takes the place of what is read or made") {
+  const Scratch scratch;
+  write_parts(scratch);
+  const std::string model = plumbline::read_text(PLUMBLINE_SOURCE_DIR "/models/pm600-like.toml");
+  scratch.file("hex.toml", model);
+  const std::string start = "batch parts -o out -m hex.toml --no-settings " + kOffset;
+  for (const char* const report : {"parts/a.nc", "parts/inner/b.nc", "hex.toml", "out/a.nc"}) {
+    for (const char* const option : {"--json ", "--depfile "}) {
+      INFO(option << report);
+      const Outcome outcome = run(scratch, start + option + report);
+      CHECK(outcome.code == 1);
+      CHECK(contains(outcome.err, "[file-overwrites-input]"));
+      CHECK(scratch.text("parts/a.nc") == kPart);
+      CHECK(scratch.text("parts/inner/b.nc") == kPart);
+      CHECK(scratch.text("hex.toml") == model);
+      CHECK(contains(scratch.text("out/a.nc"), "G1"));
+    }
+  }
+  scratch.file("old.json", "{}\n");
+  CHECK(run(scratch, start + "--json old.json").code == 0);
+}
+
 TEST_CASE("a depfile names the program, what it calls and what it is made with") {
   const Scratch scratch;
   scratch.file("a.nc", "O1\nG90 G21 G94\nG0 X0. Y0. Z0. A0. B0. C0.\nM98 P1000\nM30\n");

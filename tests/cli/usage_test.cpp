@@ -7,6 +7,21 @@
 
 using namespace plumbline::testing;
 
+TEST_CASE("no number of an option may be nan or without end") {
+  const Scratch scratch;
+  for (const char* const words :
+       {"control linuxcnc -m x -o y --speed nan", "control linuxcnc -m x -o y --acceleration inf",
+        "plan -m x --bar-noise nan", "plan -m x --torque-noise inf", "plan -m x --feed 500,nan",
+        "plan -m x --payload nan", "plan -m x --bar -1", "calibrate -m x -d y -o z --joint-sigma nan",
+        "calibrate -m x -d y -o z --offset-sigma 0", "diff a b --tolerance-mm nan", "diff a b --tolerance-deg -1",
+        "compare -m x -d y --max-radial-um nan", "batch a -o b --watch --poll nan"}) {
+    INFO(words);
+    const Outcome outcome = run(scratch, words);
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "is no number "));
+  }
+}
+
 TEST_CASE("help and version are results") {
   const Scratch scratch;
   const Outcome version = run(scratch, "--version");
