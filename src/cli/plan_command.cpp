@@ -11,6 +11,7 @@
 #include "cli/command_files.hpp"
 #include "cli/options/report_file.hpp"
 #include "cli/options/test_dialect.hpp"
+#include "cli/options/with.hpp"
 #include "jobs/plan.hpp"
 #include "jobs/test_program.hpp"
 #include "machine/model_file.hpp"
@@ -72,7 +73,7 @@ report::Page page_of(const jobs::PlannedTests& planned, const machine::MachineMo
 
 int plan(const PlanArguments& arguments) {
   const jobs::PlanJob job = job_of(arguments);
-  const std::vector<std::string> inputs = inputs_of(job.measured, {job.model});
+  const std::vector<std::string> inputs = inputs_of(job.measured, {job.model}, job.with);
   check_outputs(inputs, {arguments.json, arguments.report});
   JsonResult json(arguments.json);
   ReportFile page(arguments.report);
@@ -121,6 +122,7 @@ void add_aim(CLI::App& command, PlanArguments& arguments) {
       ->capture_default_str();
   command.add_option("-d,--dataset", arguments.job.measured, "what was measured already: the plan adds to it")
       ->type_name("DATASET");
+  add_with(command, arguments.job.with);
 }
 
 void add_circles(CLI::App& command, PlanArguments& arguments) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <numbers>
 
@@ -15,6 +16,7 @@
 #include "identify/unknowns/geometry.hpp"
 #include "identify/unknowns/named_keys.hpp"
 #include "jobs/could_name.hpp"
+#include "jobs/measured/joined.hpp"
 #include "machine/model_file.hpp"
 #include "measure/dataset_text.hpp"
 #include "measure/planned_run.hpp"
@@ -100,13 +102,16 @@ std::vector<Eigen::MatrixXd> informations(const machine::MachineModel& machine, 
   return all;
 }
 
-Eigen::MatrixXd known_already(const machine::MachineModel& machine, const std::string& dataset,
+std::vector<measure::Run> measured_already(const PlanJob& job) {
+  if (job.measured.empty()) return {};
+  return read_joined(job.measured, job.with).dataset.runs;
+}
+
+Eigen::MatrixXd known_already(const machine::MachineModel& machine, const std::vector<measure::Run>& measured,
                               const Unknowns& unknowns, const identify::NoiseModel& noise) {
   const auto size = static_cast<Eigen::Index>(unknowns.size());
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
-  if (dataset.empty()) return sum;
-  for (const Eigen::MatrixXd& one : informations(machine, measure::read_dataset(dataset).runs, unknowns, noise))
-    sum += one;
+  for (const Eigen::MatrixXd& one : informations(machine, measured, unknowns, noise)) sum += one;
   return sum;
 }
 
@@ -174,7 +179,8 @@ PlannedTests plan_tests(const PlanJob& job) {
   }
   const identify::NoiseModel noise = noise_of(job);
   const std::vector<Eigen::MatrixXd> information = informations(machine, candidates, unknowns, noise);
-  const Eigen::MatrixXd known = known_already(machine, job.measured, unknowns, noise);
+  std::vector<measure::Run> measured = measured_already(job);
+  const Eigen::MatrixXd known = known_already(machine, measured, unknowns, noise);
   identify::DesignOptions options = job.design;
   options.readings_per_sample = static_cast<double>(job.samples) / static_cast<double>(job.candidates.samples);
   const identify::Criterion criterion =
@@ -197,9 +203,7 @@ PlannedTests plan_tests(const PlanJob& job) {
     }
   }
   std::vector<measure::Run> all = plan.dataset.runs;
-  if (!job.measured.empty()) {
-    for (measure::Run& run : measure::read_dataset(job.measured).runs) all.push_back(std::move(run));
-  }
+  std::move(measured.begin(), measured.end(), std::back_inserter(all));
   plan.could_name = could_name(machine, all, noise);
   plan.named_by = all.size();
   plan.unseen = identify::observability(plan.after, plan.dataset.runs);

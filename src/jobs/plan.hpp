@@ -14,7 +14,8 @@ namespace plumbline::jobs {
 
 struct PlanJob {
   std::string model;
-  std::string measured;  // a dataset that is there already; empty: none
+  std::string measured;           // a dataset that is there already; empty: none
+  std::vector<std::string> with;  // further ones of the same machine: jobs/measured/joined.hpp
   /// What is to be determined: groups (geometry, elasticity, friction, masses, centre-of-mass, level, all) and keys
   /// ("strut.motor_mass_kg", "cyclic.amplitude_um").
   std::vector<std::string> asked{"geometry"};

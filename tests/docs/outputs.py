@@ -249,6 +249,9 @@ def of_measurements(made):
     narrow = made.write("narrow.toml", model.read_text().replace("[-300, 300]", "[-10, 10]"))  # no circle fits in
     loads = made.runs("loads", "open-14", range(2), without=("radial",))
     hertz = made.runs("hertz", "open-09", range(8))
+    joined = made.runs("bar-alone", "open-14", range(2), without=("torque",))
+    made.take("diagnosis-1", "diagnose --with", json.loads(
+        made.run("diagnose", "-m", blind / "open-14/base.toml", "-d", loads, "--with", joined, "-o", "joined", "--json")))
     for machine, dataset in ((model, both), (narrow, bar), (model, torques), (model, spoilt),
                              (blind / "open-14/base.toml", loads), (blind / "open-09/base.toml", hertz)):
         folder = f"found-{pathlib.Path(dataset).parent}"
