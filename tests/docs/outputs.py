@@ -244,6 +244,7 @@ def of_measurements(made):
     made.json_of("calibrate", "-m", model, "--poses", tracked(made, model), "-o", "calibrated.toml", "--force")
     made.json_of("compensate", "arcs.ngc", "-m", "identified.toml", *OFFSET, *TABLE, "-o", "arcs-i.ngc")
     made.json_of("plan", "-m", model, "-n", 2, "--candidates", 30, "--for", "elasticity", "--radius", "120,200")
+    made.json_of("plan", "-m", model, "-n", 2, "--candidates", 30, "--for", "tip", "--tilts", "0,10")
     made.json_of("plan", "-m", model, "-n", 2, "--candidates", 30, "--separate", "backlash,cyclic")
 
     narrow = made.write("narrow.toml", model.read_text().replace("[-300, 300]", "[-10, 10]"))  # no circle fits in
