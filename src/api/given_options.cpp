@@ -123,4 +123,12 @@ std::vector<std::string> GivenOptions::list(std::string_view name) const {
   return texts;
 }
 
+std::vector<std::string> GivenOptions::each(std::string_view name) const {
+  std::vector<std::string> texts;
+  for (const Options::Given& given : given_) {
+    if (given.name == name) texts.push_back(given.value);
+  }
+  return texts;
+}
+
 }  // namespace plumbline::api

@@ -35,6 +35,8 @@ class GivenOptions {
   std::optional<double> positive(std::string_view name) const;
   /// The texts between commas, of all that were given.
   std::vector<std::string> list(std::string_view name) const;
+  /// All that were given, each as it stands: names of files may have commas.
+  std::vector<std::string> each(std::string_view name) const;
 
  private:
   std::vector<settings::StatedOption> stated() const;

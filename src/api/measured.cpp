@@ -12,7 +12,9 @@
 #include "jobs/compare.hpp"
 #include "jobs/diagnose.hpp"
 #include "jobs/identify.hpp"
+#include "jobs/measured/joined.hpp"
 #include "report/measured/compare_text.hpp"
+#include "report/measured/datasets_text.hpp"
 #include "report/measured/diagnosis_text.hpp"
 #include "report/measured/identification_text.hpp"
 #include "report/measured/model_file.hpp"
@@ -79,12 +81,13 @@ inline namespace v1 {
 
 Result identify(const Model& model, const std::string& dataset, const Options& options) {
   return guarded([&] {
-    const GivenOptions given(options, {}, {"stages", "free", "force", "accept"});
+    const GivenOptions given(options, {}, {"stages", "free", "force", "accept", "with"});
     identify::IdentifyOptions how;
     how.stages = stages_of(given);
     how.free = given.list("free");
-    return identified_result(jobs::identify_model(Inside::machine_of(model).source, dataset, how, given.list("accept")),
-                             given.is_on("force"));
+    return identified_result(
+        jobs::identify_model(Inside::machine_of(model).source, dataset, how, given.list("accept"), given.each("with")),
+        given.is_on("force"));
   });
 }
 
@@ -92,14 +95,17 @@ Result calibrate(const Model& model, const std::string& dataset, const Options& 
   return guarded([&] {
     const GivenOptions given(options, {},
                              {"poses", "frame-known", "geometry-alone", "free", "joint-sigma", "offset-sigma",
-                              "controller", "force", "accept"});
+                              "controller", "force", "accept", "with"});
     jobs::CalibrateJob job;
     job.model = Inside::machine_of(model).source;
     job.dataset = dataset;
+    job.with = given.each("with");
     job.poses = given.source("poses");
     if (job.dataset.empty() && job.poses.empty()) {
       wrong_usage("a dataset or the option `poses` is needed: circular tests, a tracker's poses, or both");
     }
+    if (job.dataset.empty() && !job.with.empty())
+      wrong_usage("`with` joins datasets with another one, and there is none");
     job.frame_known = given.is_on("frame-known");
     job.controller = given.is_on("controller");
     job.options.geometry.alone = given.is_on("geometry-alone");
@@ -113,17 +119,19 @@ Result calibrate(const Model& model, const std::string& dataset, const Options& 
 
 Result diagnose(const Model& model, const std::string& dataset, const Options& options) {
   return guarded([&] {
-    const GivenOptions given(options, {}, {"without", "seed", "accept"});
+    const GivenOptions given(options, {}, {"without", "seed", "accept", "with"});
     jobs::DiagnoseJob job;
     job.model = Inside::machine_of(model).source;
     job.dataset = dataset;
     job.without = given.list("without");
     job.seed = seed_of(given);
     job.accepted = given.list("accept");
+    job.with = given.each("with");
     const jobs::DiagnoseResult result = jobs::diagnose(job);
     Inside::Found found;
-    found.json = report::diagnosis_json(result.diagnosis);
-    found.words = report::diagnosis_text(result.diagnosis) + report::thinning_text(result.thinning);
+    found.json = report::diagnosis_json(result.diagnosis, result.measured);
+    found.words = report::diagnosis_text(result.diagnosis) + report::thinning_text(result.thinning) +
+                  report::renamed_text(result.measured);
     found.model = report::model_file(result);
     if (!result.diagnosis.converged) {
       found.no_model = Error(Error::Kind::refused, {"diagnose-not-converged",
@@ -137,9 +145,10 @@ Result diagnose(const Model& model, const std::string& dataset, const Options& o
 
 Result compare(const Model& model, const std::string& dataset, const Options& options) {
   return guarded([&] {
-    const GivenOptions given(options, {}, {"max-radial-um"});
+    const GivenOptions given(options, {}, {"max-radial-um", "with"});
     const std::optional<double> most = given.positive("max-radial-um");
-    const jobs::Comparison comparison = jobs::compare(Inside::machine_of(model).source, measure::read_dataset(dataset));
+    const jobs::Comparison comparison =
+        jobs::compare(Inside::machine_of(model).source, jobs::read_joined(dataset, given.each("with")).dataset);
     if (most && !comparison.radial_rms_um) {
       refuse("compare-no-bar", "max-radial-um bounds readings of the bar, and no run has any",
              "leave it out, or measure radial_um", plumbline::Place{.file = dataset});

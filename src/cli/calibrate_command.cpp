@@ -5,6 +5,7 @@
 #include "cli/identified_output.hpp"
 #include "cli/options/accept.hpp"
 #include "cli/options/number_check.hpp"
+#include "cli/options/with.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -26,13 +27,14 @@ int calibrate(const CalibrateArguments& arguments) {
   }
   job.options.geometry.joint_sigma = arguments.joint_um * kUm;
   job.options.geometry.offset_sigma = arguments.offset_um * kUm;
-  return write_identified(inputs_of(job.dataset, {arguments.model, arguments.poses}), arguments.output,
+  return write_identified(inputs_of(job.dataset, {arguments.model, arguments.poses}, job.with), arguments.output,
                           [&] { return jobs::calibrate_model(job); });
 }
 
 void add_measurements(CLI::App& command, CalibrateArguments& arguments) {
   command.add_option("-m,--model", arguments.model, "the machine's model file")->type_name("MODEL")->required();
   command.add_option("-d,--dataset", arguments.job.dataset, "circular tests: a dataset.toml")->type_name("DATASET");
+  add_with(command, arguments.job.with);
   command
       .add_option("--poses", arguments.poses,
                   "poses that a tracker measured: CSV, x_mm,y_mm,z_mm,a_deg,b_deg,c_deg as commanded, then "

@@ -17,10 +17,16 @@ void check_outputs(const std::vector<std::string>& inputs, const std::vector<std
   refuse_shared_files(inputs, outputs);
 }
 
-std::vector<std::string> inputs_of(const std::string& dataset, std::vector<std::string> others) {
+std::vector<std::string> inputs_of(const std::string& dataset, std::vector<std::string> others,
+                                   const std::vector<std::string>& with) {
+  if (dataset.empty() && !with.empty()) throw UsageError("--with joins datasets with that of -d, and there is no -d");
   if (dataset.empty()) return others;
-  const std::vector<std::string> files = measure::files_of_dataset(dataset);
-  others.insert(others.end(), files.begin(), files.end());
+  std::vector<std::string> datasets{dataset};
+  datasets.insert(datasets.end(), with.begin(), with.end());
+  for (const std::string& each : datasets) {
+    const std::vector<std::string> files = measure::files_of_dataset(each);
+    others.insert(others.end(), files.begin(), files.end());
+  }
   return others;
 }
 

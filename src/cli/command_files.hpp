@@ -15,9 +15,10 @@ namespace plumbline::cli {
 /// UsageError if two inputs are standard input.
 void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
-/// What a command reads that reads a dataset (may be empty): its files, and others. Refuses as
-/// measure::files_of_dataset does.
-std::vector<std::string> inputs_of(const std::string& dataset, std::vector<std::string> others);
+/// What a command reads that reads a dataset (may be empty) and those joined with it: their files, and others. Refuses
+/// as measure::files_of_dataset does.
+std::vector<std::string> inputs_of(const std::string& dataset, std::vector<std::string> others,
+                                   const std::vector<std::string>& with = {});
 
 /// A result in words on standard output, and as JSON in the file that --json names.
 class JsonResult {

@@ -10,7 +10,9 @@
 #include "cli/messages.hpp"
 #include "cli/options/number_check.hpp"
 #include "cli/options/report_file.hpp"
+#include "cli/options/with.hpp"
 #include "jobs/compare.hpp"
+#include "jobs/measured/joined.hpp"
 #include "report/measured/compare_text.hpp"
 #include "report/measured/inspection_text.hpp"
 #include "report/page/compare_page.hpp"
@@ -21,6 +23,7 @@ namespace {
 
 struct CompareArguments {
   std::string model, beside, dataset, json, report;
+  std::vector<std::string> with;
   double most_radial_um = std::numeric_limits<double>::infinity();
 };
 
@@ -35,12 +38,13 @@ std::string words_of(const std::vector<jobs::Comparison>& comparisons, const std
 }
 
 int compare(const CompareArguments& arguments) {
-  check_outputs(inputs_of(arguments.dataset, {arguments.model, arguments.beside}), {arguments.json, arguments.report});
+  check_outputs(inputs_of(arguments.dataset, {arguments.model, arguments.beside}, arguments.with),
+                {arguments.json, arguments.report});
   JsonResult json(arguments.json);
   ReportFile page(arguments.report);
   std::vector<std::string> models{arguments.model};
   if (!arguments.beside.empty()) models.push_back(arguments.beside);
-  const measure::Dataset measured = measure::read_dataset(arguments.dataset);
+  const measure::Dataset measured = jobs::read_joined(arguments.dataset, arguments.with).dataset;
   std::vector<jobs::Comparison> comparisons;
   for (const std::string& model : models) comparisons.push_back(jobs::compare(model, measured));
   const bool is_bounded = std::isfinite(arguments.most_radial_um);
@@ -53,7 +57,7 @@ int compare(const CompareArguments& arguments) {
                                             : report::compare_json(comparisons[0]));
   page.add_to(files, [&] {
     report::Page made = report::compare_page(comparisons, jobs::profiles_of_files(measured.runs, models));
-    report::add_paper(made, jobs::paper_of(arguments.dataset, models));
+    report::add_paper(made, jobs::paper_of(arguments.dataset, models, arguments.with));
     return made;
   });
   if (!json.takes_standard_output() && !page.takes_standard_output()) print_result(words_of(comparisons, models));
@@ -74,6 +78,7 @@ void add_compare(CLI::App& app, Run& run) {
   command->add_option("-d,--dataset", arguments->dataset, "the measurements: a dataset.toml")
       ->type_name("DATASET")
       ->required();
+  add_with(*command, arguments->with);
   command->add_option("--beside", arguments->beside, "another model, compared with the same measurements")
       ->type_name("MODEL2");
   command->add_option("--json", arguments->json, "write the result as JSON, too")->type_name("FILE");

@@ -17,9 +17,11 @@
 #include "cli/messages.hpp"
 #include "cli/options/accept.hpp"
 #include "cli/options/test_dialect.hpp"
+#include "cli/options/with.hpp"
 #include "cli/progress_line.hpp"
 #include "jobs/run_profiles.hpp"
 #include "jobs/test_program.hpp"
+#include "report/measured/datasets_text.hpp"
 #include "report/measured/diagnosis_text.hpp"
 #include "report/measured/inspection_text.hpp"
 #include "report/measured/model_file.hpp"
@@ -106,7 +108,7 @@ std::string page_of(const DiagnoseArguments& arguments, const jobs::DiagnoseResu
   std::vector<std::string> texts;
   for (const FolderFile& program : programs) texts.push_back(program.text);
   report::Page page = report::diagnosis_page(result, profiles, texts);
-  report::add_paper(page, jobs::paper_of(arguments.job.dataset, {arguments.model}));
+  report::add_paper(page, jobs::paper_of(arguments.job.dataset, {arguments.model}, arguments.job.with));
   return report::page_text(page);
 }
 
@@ -116,7 +118,7 @@ int diagnose(const DiagnoseArguments& arguments) {
   const std::string page = (path_of(arguments.folder) / "report.html").generic_string();
   const std::string judged = (path_of(arguments.folder) / "inspection.json").generic_string();
   const std::string posterior = report::posterior_path(model);
-  const std::vector<std::string> inputs = inputs_of(arguments.job.dataset, {arguments.model});
+  const std::vector<std::string> inputs = inputs_of(arguments.job.dataset, {arguments.model}, arguments.job.with);
   check_folder(arguments.folder);
   check_outputs(inputs, {json, model, posterior, page, judged});
   ProgressLine line("diagnose");
@@ -126,7 +128,7 @@ int diagnose(const DiagnoseArguments& arguments) {
   job.model = arguments.model;
   const jobs::DiagnoseResult result = jobs::diagnose(job, told);
   line.clear();
-  const std::string numbers = report::diagnosis_json(result.diagnosis);
+  const std::string numbers = report::diagnosis_json(result.diagnosis, result.measured);
   std::vector<FolderFile> files = programs_of(arguments, result);
   files.insert(files.begin(), {{json, numbers},
                                {judged, report::inspection_json(result.inspection, result.runs)},
@@ -140,7 +142,7 @@ int diagnose(const DiagnoseArguments& arguments) {
   write_folder(arguments.folder, files);
   const std::string words = report::diagnosis_text(result.diagnosis) +
                             report::faults_text(result.inspection, result.runs) +
-                            report::thinning_text(result.thinning);
+                            report::thinning_text(result.thinning) + report::renamed_text(result.measured);
   if (arguments.json) {
     print_result(numbers);
   } else {
@@ -165,6 +167,7 @@ void add_diagnose(CLI::App& app, Run& run) {
   command->add_option("-d,--dataset", arguments->job.dataset, "the measurements: a dataset.toml")
       ->type_name("DATASET")
       ->required();
+  add_with(*command, arguments->job.with);
   command
       ->add_option("-o,--output", arguments->folder,
                    "folder for diagnosis.json, model.toml, report.html and NC programs of tests that would tell more")

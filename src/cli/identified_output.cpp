@@ -10,6 +10,7 @@
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "cli/options/report_file.hpp"
+#include "report/measured/datasets_text.hpp"
 #include "report/measured/identification_text.hpp"
 #include "report/measured/model_file.hpp"
 #include "report/measured/objection_text.hpp"
@@ -58,10 +59,13 @@ namespace {
 // With a protocol, where circular tests were measured.
 report::Page signed_page(const jobs::IdentifiedModel& identified) {
   report::Page page = report::identification_page(identified, report::profiles_of(identified));
+  std::vector<std::string> datasets;
   for (const jobs::MeasuredFile& file : identified.measured) {
-    if (file.kind != jobs::MeasuredFile::Kind::runs) continue;
-    report::add_paper(page, jobs::paper_of(file.path, {identified.machine.document.file}));
+    if (file.kind == jobs::MeasuredFile::Kind::runs) datasets.push_back(file.path);
   }
+  if (datasets.empty()) return page;
+  report::add_paper(page, jobs::paper_of(datasets.front(), {identified.machine.document.file},
+                                         {datasets.begin() + 1, datasets.end()}));
   return page;
 }
 
@@ -76,7 +80,8 @@ int write_identified(const std::vector<std::string>& inputs, const IdentifiedOut
   JsonResult json_result(output.json);
   ReportFile page(output.report);
   const jobs::IdentifiedModel identified = make();
-  std::string words = report::identification_text(identified.found) + report::thinning_text(identified.thinning);
+  std::string words = report::identification_text(identified.found) + report::thinning_text(identified.thinning) +
+                      report::renamed_text(identified.measured);
   if (output.model == kStandardStream || page.takes_standard_output()) {
     say_note(words);
     words.clear();

@@ -4,6 +4,7 @@
 #include "cli/command_files.hpp"
 #include "cli/identified_output.hpp"
 #include "cli/options/accept.hpp"
+#include "cli/options/with.hpp"
 
 namespace plumbline::cli {
 namespace {
@@ -12,12 +13,13 @@ struct IdentifyArguments {
   std::string model, dataset;
   IdentifiedOutput output;
   identify::IdentifyOptions options;
-  std::vector<std::string> accepted;
+  std::vector<std::string> accepted, with;
 };
 
 int identify_model(const IdentifyArguments& arguments) {
-  return write_identified(inputs_of(arguments.dataset, {arguments.model}), arguments.output, [&] {
-    return jobs::identify_model(arguments.model, arguments.dataset, arguments.options, arguments.accepted);
+  return write_identified(inputs_of(arguments.dataset, {arguments.model}, arguments.with), arguments.output, [&] {
+    return jobs::identify_model(arguments.model, arguments.dataset, arguments.options, arguments.accepted,
+                                arguments.with);
   });
 }
 
@@ -32,6 +34,7 @@ void add_identify(CLI::App& app, Run& run) {
   command->add_option("-d,--dataset", arguments->dataset, "the measurements: a dataset.toml")
       ->type_name("DATASET")
       ->required();
+  add_with(*command, arguments->with);
   add_identified_output(*command, arguments->output);
   const std::map<std::string, identify::Stages> stages{{"joint", identify::Stages::joint},
                                                        {"paper", identify::Stages::paper}};

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <list>
 #include <memory>
@@ -5,13 +7,17 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "base/files/path_of.hpp"
 #include "base/units.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "cli/options/number_check.hpp"
+#include "cli/options/number_list.hpp"
 #include "cli/options/report_file.hpp"
 #include "cli/options/test_dialect.hpp"
+#include "cli/options/with.hpp"
 #include "jobs/plan.hpp"
 #include "jobs/test_program.hpp"
 #include "machine/model_file.hpp"
@@ -27,14 +33,46 @@ struct PlanArguments {
   std::string folder, json, report, programs;
   std::string dialect = "linuxcnc";
   std::vector<double> radii_mm{144}, feeds_mm_min{1000}, payloads_kg{0};
+  std::string box_mm;
+  std::vector<double> tilts_deg{0};
   double bar_mm = 150;
   double radial_um = 0.5;
   std::string channels = "both";
 };
 
+// "X0:X1,Y0:Y1,Z0:Z1"
+std::array<std::optional<machine::Range>, 3> box_of(const std::string& text) {
+  std::string flat = text;
+  std::replace(flat.begin(), flat.end(), ':', ',');
+  const auto wrong = [&] { return UsageError(fmt::format("--box {}: expected X0:X1,Y0:Y1,Z0:Z1 in mm", text)); };
+  std::string marks;
+  for (const char c : text) {
+    if (c == ':' || c == ',') marks += c;
+  }
+  if (marks != ":,:,:") throw wrong();
+  const std::vector<double> ends = numbers_between_commas(flat, "--box " + text);
+  std::array<std::optional<machine::Range>, 3> box;
+  for (std::size_t a = 0; a < 3; ++a) box[a] = machine::Range{ends[2 * a] * kMm, ends[2 * a + 1] * kMm};
+  return box;
+}
+
+// What the plan is for, as the job has it.
+void take_aim(const PlanArguments& arguments, jobs::PlanJob& job) {
+  if (!job.separate.empty() && job.separate.size() != 2) throw UsageError("--separate names two effects, as in A,B");
+  const bool tip = std::find(job.asked.begin(), job.asked.end(), "tip") != job.asked.end();
+  if (tip && job.asked.size() > 1) throw UsageError("--for tip goes by itself: it asks for what the tip needs of all");
+  if (tip && job.separate.empty()) {
+    if (!arguments.box_mm.empty()) job.box.box = box_of(arguments.box_mm);
+    job.box.tilts.clear();
+    for (const double tilt : arguments.tilts_deg) job.box.tilts.push_back(tilt * kDeg);
+  } else if (!arguments.box_mm.empty() || arguments.tilts_deg != std::vector<double>{0}) {
+    throw UsageError("--box and --tilts say where --for tip is to be certain, and the plan is for something else");
+  }
+}
+
 jobs::PlanJob job_of(const PlanArguments& arguments) {
   jobs::PlanJob job = arguments.job;
-  if (!job.separate.empty() && job.separate.size() != 2) throw UsageError("--separate names two effects, as in A,B");
+  take_aim(arguments, job);
   identify::CandidateOptions& candidates = job.candidates;
   candidates.radii.clear();
   for (const double mm : arguments.radii_mm) candidates.radii.push_back(mm * kMm);
@@ -73,7 +111,7 @@ report::Page page_of(const jobs::PlannedTests& planned, const machine::MachineMo
 
 int plan(const PlanArguments& arguments) {
   const jobs::PlanJob job = job_of(arguments);
-  const std::vector<std::string> inputs = inputs_of(job.measured, {job.model});
+  const std::vector<std::string> inputs = inputs_of(job.measured, {job.model}, job.with);
   check_outputs(inputs, {arguments.json, arguments.report});
   JsonResult json(arguments.json);
   ReportFile page(arguments.report);
@@ -107,9 +145,21 @@ void add_aim(CLI::App& command, PlanArguments& arguments) {
       .add_option(
           "--for", arguments.job.asked,
           "what the plan is to tell: geometry, elasticity, friction, masses, centre-of-mass, level, all, or keys "
-          "as strut.motor_mass_kg and cyclic.amplitude_um")
+          "as strut.motor_mass_kg and cyclic.amplitude_um; or tip: where the tip is, over --box")
       ->type_name("NAME,...")
       ->delimiter(',')
+      ->capture_default_str();
+  command
+      .add_option("--box", arguments.box_mm,
+                  "of --for tip: from and to of the tool tip in X, Y and Z of W, mm; default the middle half of the "
+                  "model's travel")
+      ->type_name("X0:X1,Y0:Y1,Z0:Z1");
+  command
+      .add_option("--tilts", arguments.tilts_deg,
+                  "of --for tip: how far the platform is tilted there, to all four sides, about A and about B")
+      ->type_name("DEG,...")
+      ->delimiter(',')
+      ->check(CLI::Range(0.0, 90.0).description(""))
       ->capture_default_str();
   command
       .add_option("--separate", arguments.job.separate,
@@ -122,6 +172,7 @@ void add_aim(CLI::App& command, PlanArguments& arguments) {
       ->capture_default_str();
   command.add_option("-d,--dataset", arguments.job.measured, "what was measured already: the plan adds to it")
       ->type_name("DATASET");
+  add_with(command, arguments.job.with);
 }
 
 void add_circles(CLI::App& command, PlanArguments& arguments) {

@@ -10,6 +10,7 @@
 #include "base/check.hpp"
 #include "base/diagnostic.hpp"
 #include "base/parallel.hpp"
+#include "base/units.hpp"
 #include "identify/fit.hpp"
 #include "measure/planned_run.hpp"
 
@@ -99,6 +100,25 @@ Criterion d_optimal(const Unknowns& unknowns, std::vector<std::size_t> asked) {
     all.diagonal() += prior;
     // of those asked for: det M / det M_others
     return log_determinant(all) - (others.empty() ? 0 : log_determinant(all(others, others)));
+  };
+}
+
+// With M the precision in scales and R a root of a mean square, trace(M^-1 R R^T) = |L^-1 R|^2 for M = L L^T.
+Criterion v_optimal(const Unknowns& unknowns, const std::vector<Eigen::MatrixXd>& mean_squares) {
+  Eigen::VectorXd prior = prior_weights(unknowns).cwiseMax(kFreeInformation);
+  const Eigen::VectorXd scales = unknowns.scales() / kUm;
+  std::vector<Eigen::MatrixXd> roots;
+  for (const Eigen::MatrixXd& square : mean_squares) {
+    roots.push_back(root_of(scales.asDiagonal() * square * scales.asDiagonal()));
+  }
+  return [prior = std::move(prior), roots = std::move(roots)](const Eigen::MatrixXd& information) {
+    Eigen::MatrixXd precision = information;
+    precision.diagonal() += prior;
+    const Eigen::LLT<Eigen::MatrixXd> llt(precision);
+    if (llt.info() != Eigen::Success) return -std::numeric_limits<double>::infinity();
+    double sum = 0;
+    for (const Eigen::MatrixXd& root : roots) sum -= std::log(llt.matrixL().solve(root).squaredNorm());
+    return sum / static_cast<double>(roots.size());
   };
 }
 

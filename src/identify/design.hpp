@@ -37,6 +37,11 @@ using Criterion = std::function<double(const Eigen::MatrixXd& information)>;
 /// others within their priors  [Atkinson, Donev, Tobias 2007, 10.3: D_s].
 Criterion d_optimal(const Unknowns& unknowns, std::vector<std::size_t> asked);
 
+/// V-optimality: minus the logarithm of the mean variance, um^2, of what moves with the unknowns, S the slopes;
+/// `mean_squares` are means of S^T S, SI. Of several, the mean of the logarithms: each counts by the share by which it
+/// falls  [Atkinson, Donev, Tobias 2007, 10.6].
+Criterion v_optimal(const Unknowns& unknowns, const std::vector<Eigen::MatrixXd>& mean_squares);
+
 /// How far one effect stands out when another one and everything else may take what it can: the noncentrality of the
 /// weakest number of `effect`, its size one scale (Unknown::scale: a hundredth of its range), the others within their
 /// priors. Numbers that nothing shows at the unknowns' start are left out.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "jobs/measured/inspect.hpp"
+#include "jobs/measured/joined.hpp"
 #include "machine/model_file.hpp"
 #include "measure/simulation.hpp"
 
@@ -67,7 +68,8 @@ std::optional<diagnose::SpoiledData> spoiled(const inspect::Inspection& inspecti
 
 DiagnoseResult diagnose(const DiagnoseJob& job, const diagnose::Say& say) {
   machine::MachineModel machine = machine::read_model(job.model);
-  measure::Dataset dataset = measure::read_dataset(job.dataset);
+  JoinedData data = read_joined(job.dataset, job.with);
+  measure::Dataset& dataset = data.dataset;
   diagnose::DiagnoseOptions options;
   options.candidates.without = job.without;
   options.search.threshold.seed = job.seed;
@@ -76,8 +78,9 @@ DiagnoseResult diagnose(const DiagnoseJob& job, const diagnose::Say& say) {
   options.spoiled = spoiled(looked.inspection, looked.runs);
   const measure::Thinned thinned = measure::thinned(machine, std::move(looked.runs));
   diagnose::Diagnosis diagnosis = diagnose::diagnose(machine, thinned.runs, options, say);
-  DiagnoseResult result{std::move(machine), std::move(diagnosis),         thinned.thinning,
-                        thinned.runs,       std::move(looked.inspection), {}};
+  DiagnoseResult result{std::move(machine),   std::move(diagnosis),         thinned.thinning,
+                        thinned.runs,         std::move(looked.inspection), {},
+                        std::move(data.files)};
   if (result.diagnosis.withheld) return result;
   for (const diagnose::NamedEffect& effect : result.diagnosis.effects) {
     result.at_tip.push_back(at_tip(result.machine, result.runs, result.diagnosis.forces, effect.name));

@@ -8,6 +8,7 @@
 #include "base/files/source.hpp"
 #include "diagnose/diagnose.hpp"
 #include "inspect/fault.hpp"
+#include "jobs/measured/measured_file.hpp"
 #include "measure/thinning.hpp"
 
 namespace plumbline::jobs {
@@ -18,6 +19,7 @@ struct DiagnoseJob {
   std::vector<std::string> without;  // effects to be left out of the catalogue
   std::uint64_t seed = 1;
   std::vector<std::string> accepted = {};  // runs that are taken as they are
+  std::vector<std::string> with = {};      // further datasets of the same machine: jobs/measured/joined.hpp
 };
 
 /// What an effect that was found does at the tool tip, m: how far the tip is from where it would be without it, over
@@ -35,9 +37,10 @@ struct DiagnoseResult {
   std::vector<measure::Run> runs;  // as they were looked at: long records made short
   inspect::Inspection inspection;  // what may be wrong with the data; where that blocks, nothing is learnt from them
   std::vector<AtTip> at_tip;       // of the effects named, in their order; none where the model stays as it was given
+  std::vector<MeasuredFile> measured;
 };
 
-/// Refuses as read_model, read_dataset and diagnose::diagnose do.
+/// Refuses as read_model, read_joined and diagnose::diagnose do.
 DiagnoseResult diagnose(const DiagnoseJob& job, const diagnose::Say& say = {});
 
 }  // namespace plumbline::jobs

@@ -6,17 +6,13 @@
 #include "base/text/hash.hpp"
 #include "diagnose/doubt.hpp"
 #include "jobs/measured/inspect.hpp"
-#include "jobs/measured/paper.hpp"
+#include "jobs/measured/joined.hpp"
 #include "machine/model_file.hpp"
 
 namespace plumbline::jobs {
 namespace {
 
 using identify::Identification;
-
-MeasuredFile measured_file(const std::string& path, const measure::Dataset& dataset) {
-  return {path, dataset_hash(dataset, path), dataset.runs.size(), MeasuredFile::Kind::runs};
-}
 
 // Where the joints really are becomes what the controller believes, and no longer adds to it.
 void believe_joints(IdentifiedModel& model) {
@@ -111,11 +107,11 @@ IdentifiedModel identified(machine::MachineModel machine, measure::Dataset datas
 }  // namespace
 
 IdentifiedModel identify_model(const Source& model, const std::string& dataset,
-                               const identify::IdentifyOptions& options, const std::vector<std::string>& accepted) {
+                               const identify::IdentifyOptions& options, const std::vector<std::string>& accepted,
+                               const std::vector<std::string>& with) {
   machine::MachineModel machine = machine::read_model(model);
-  measure::Dataset measured = measure::read_dataset(dataset);
-  const MeasuredFile file = measured_file(dataset, measured);
-  return identified(std::move(machine), std::move(measured), {file}, options, accepted);
+  JoinedData data = read_joined(dataset, with);
+  return identified(std::move(machine), std::move(data.dataset), std::move(data.files), options, accepted);
 }
 
 IdentifiedModel calibrate_model(CalibrateJob job) {
@@ -124,8 +120,9 @@ IdentifiedModel calibrate_model(CalibrateJob job) {
   std::optional<identify::Tracked> tracked;
   std::vector<MeasuredFile> files;
   if (!job.dataset.empty()) {
-    dataset = measure::read_dataset(job.dataset);
-    files.push_back(measured_file(job.dataset, dataset));
+    JoinedData data = read_joined(job.dataset, job.with);
+    dataset = std::move(data.dataset);
+    files = std::move(data.files);
   }
   if (!job.poses.empty()) {
     tracked = {measure::read_tracked_poses(job.poses), job.frame_known};

@@ -1,7 +1,6 @@
 // Identification and calibration from files: a model and measurements in, what was learnt out.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,19 +11,11 @@
 #include "identify/model_text.hpp"
 #include "identify/posterior/posterior.hpp"
 #include "inspect/fault.hpp"
+#include "jobs/measured/measured_file.hpp"
 #include "measure/dataset.hpp"
 #include "measure/thinning.hpp"
 
 namespace plumbline::jobs {
-
-/// Measurements that something was learnt from.
-struct MeasuredFile {
-  enum class Kind { runs, poses };
-  std::string path;
-  std::uint64_t hash = 0;  // FNV-1a, of a dataset and the tables that it names
-  std::size_t count = 0;
-  Kind kind = Kind::runs;
-};
 
 /// What a tracker measured of a pose less what a model says of it, in the tracker's axes, its frame fitted.
 struct TrackedResidual {
@@ -55,16 +46,19 @@ struct IdentifiedModel {
   bool objected() const { return found.objected() != nullptr || open_gap.has_value() || inspection.blocks(); }
 };
 
-/// Reads both and identifies; what is wrong with runs that `accepted` names (jobs/measured/inspect.hpp) is no
-/// objection. Refuses what the readers of models and datasets, physics::ForceModel and identify::identify refuse.
+/// Reads both, and the datasets `with` (jobs/measured/joined.hpp), and identifies; what is wrong with runs that
+/// `accepted` names (jobs/measured/inspect.hpp) is no objection. Refuses what the readers of models and datasets,
+/// physics::ForceModel and identify::identify refuse.
 IdentifiedModel identify_model(const Source& model, const std::string& dataset,
-                               const identify::IdentifyOptions& options, const std::vector<std::string>& accepted = {});
+                               const identify::IdentifyOptions& options, const std::vector<std::string>& accepted = {},
+                               const std::vector<std::string>& with = {});
 
 /// What a calibration is made from.
 struct CalibrateJob {
   Source model;
-  std::string dataset;  // circular tests; empty: none
-  Source poses;         // a tracker's table; empty: none
+  std::string dataset;                 // circular tests; empty: none
+  std::vector<std::string> with = {};  // further ones of the same machine
+  Source poses;                        // a tracker's table; empty: none
   identify::IdentifyOptions options;
   bool frame_known = false;           // the tracker measures in the machine's frame W
   std::vector<std::string> accepted;  // runs that are taken as they are

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,6 +19,7 @@
 #include "identify/unknowns/geometry.hpp"
 #include "identify/unknowns/named_keys.hpp"
 #include "jobs/could_name.hpp"
+#include "jobs/measured/joined.hpp"
 #include "machine/model_file.hpp"
 #include "measure/dataset_text.hpp"
 #include "measure/planned_run.hpp"
@@ -29,6 +34,8 @@ using identify::Unknowns;
 // --- what is asked for ---
 
 using Places = std::vector<std::size_t>;
+
+constexpr std::string_view kTip = "tip";
 
 // What people ask for together, by the keys of [uncertainty] that say how well it is known.
 const std::map<std::string, std::vector<std::string>>& groups() {
@@ -100,13 +107,16 @@ std::vector<Eigen::MatrixXd> informations(const machine::MachineModel& machine, 
   return all;
 }
 
-Eigen::MatrixXd known_already(const machine::MachineModel& machine, const std::string& dataset,
+std::vector<measure::Run> measured_already(const PlanJob& job) {
+  if (job.measured.empty()) return {};
+  return read_joined(job.measured, job.with).dataset.runs;
+}
+
+Eigen::MatrixXd known_already(const machine::MachineModel& machine, const std::vector<measure::Run>& measured,
                               const Unknowns& unknowns, const identify::NoiseModel& noise) {
   const auto size = static_cast<Eigen::Index>(unknowns.size());
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
-  if (dataset.empty()) return sum;
-  for (const Eigen::MatrixXd& one : informations(machine, measure::read_dataset(dataset).runs, unknowns, noise))
-    sum += one;
+  for (const Eigen::MatrixXd& one : informations(machine, measured, unknowns, noise)) sum += one;
   return sum;
 }
 
@@ -151,37 +161,73 @@ measure::Dataset dataset_of(const machine::MachineModel& machine, const PlanJob&
   return dataset;
 }
 
+// What the plan is for.
+struct Aim {
+  Unknowns unknowns;
+  Places asked, other;  // other: of the second effect to be separated
+  std::optional<TipBox> box;
+};
+
+bool asks_for(const PlanJob& job, std::string_view name) {
+  return job.separate.empty() && std::find(job.asked.begin(), job.asked.end(), name) != job.asked.end();
+}
+
+Aim aim_of(const machine::MachineModel& machine, const PlanJob& job) {
+  const physics::ForceModel forces(machine);
+  const bool tip = asks_for(job, kTip);
+  const bool geometry = tip || asks_for(job, "geometry");
+  Aim aim{geometry ? identify::geometry_unknowns(machine, forces) : identify::nuisances(machine, forces), {}, {}, {}};
+  if (tip) {
+    aim.asked = asked_for(aim.unknowns, {"all"});
+    aim.box.emplace(machine, aim.unknowns, job.box);
+  } else if (job.separate.empty()) {
+    aim.asked = asked_for(aim.unknowns, job.asked);
+  } else {
+    aim.asked = effect_numbers(aim.unknowns, job.separate.at(0));
+    aim.other = effect_numbers(aim.unknowns, job.separate.at(1));
+  }
+  return aim;
+}
+
+identify::Criterion criterion_of(const Aim& aim) {
+  if (aim.box) {
+    return identify::v_optimal(aim.unknowns, {aim.box->mean_square(), aim.box->mean_square_touched_off()});
+  }
+  return aim.other.empty() ? identify::d_optimal(aim.unknowns, aim.asked)
+                           : identify::separating(aim.unknowns, aim.asked, aim.other);
+}
+
+// Run by run, as the design adds them.
+PlannedTip planned_tip(const Aim& aim, const PlanJob& job, const std::vector<Eigen::MatrixXd>& information,
+                       Eigen::MatrixXd known, const identify::Design& design, double weight) {
+  const auto now = [&] { return aim.box->with(identify::posterior_covariance(aim.unknowns, known)); };
+  PlannedTip tip{aim.box->box(), job.box.tilts, aim.box->poses(), aim.box->reached(), now(), {}};
+  for (const std::size_t chosen : design.chosen) {
+    known += weight * information[chosen];
+    tip.after.push_back(now());
+  }
+  return tip;
+}
+
 }  // namespace
 
 PlannedTests plan_tests(const PlanJob& job) {
   const machine::MachineModel machine = machine::read_model(job.model);
-  const physics::ForceModel forces(machine);
-  const bool geometry =
-      job.separate.empty() && std::find(job.asked.begin(), job.asked.end(), "geometry") != job.asked.end();
-  Unknowns unknowns = geometry ? identify::geometry_unknowns(machine, forces) : identify::nuisances(machine, forces);
-  Places asked;
-  Places other;
-  if (job.separate.empty()) {
-    asked = asked_for(unknowns, job.asked);
-  } else {
-    asked = effect_numbers(unknowns, job.separate.at(0));
-    other = effect_numbers(unknowns, job.separate.at(1));
-  }
+  const Aim aim = aim_of(machine, job);
   const std::vector<measure::Run> candidates = identify::candidate_runs(machine, job.candidates);
   if (candidates.empty()) {
     refuse("plan-no-candidates", "the machine can make no such circle within its limits",
            "choose a smaller --radius, or look at [limits] of the model", {machine.document.file});
   }
   const identify::NoiseModel noise = noise_of(job);
-  const std::vector<Eigen::MatrixXd> information = informations(machine, candidates, unknowns, noise);
-  const Eigen::MatrixXd known = known_already(machine, job.measured, unknowns, noise);
+  const std::vector<Eigen::MatrixXd> information = informations(machine, candidates, aim.unknowns, noise);
+  std::vector<measure::Run> measured = measured_already(job);
+  const Eigen::MatrixXd known = known_already(machine, measured, aim.unknowns, noise);
   identify::DesignOptions options = job.design;
   options.readings_per_sample = static_cast<double>(job.samples) / static_cast<double>(job.candidates.samples);
-  const identify::Criterion criterion =
-      job.separate.empty() ? identify::d_optimal(unknowns, asked) : identify::separating(unknowns, asked, other);
-  const identify::Design design = identify::design(information, known, criterion, options);
+  const identify::Design design = identify::design(information, known, criterion_of(aim), options);
 
-  PlannedTests plan(unknowns);
+  PlannedTests plan(aim.unknowns);
   fill(plan.before, known);
   fill(plan.after, design.information);
   std::vector<measure::Run> runs;
@@ -189,21 +235,20 @@ PlannedTests plan_tests(const PlanJob& job) {
   plan.dataset = dataset_of(machine, job, std::move(runs));
   plan.candidates = candidates.size();
   plan.criterion = design.criterion;
-  plan.asked = asked;
+  if (aim.box) plan.tip = planned_tip(aim, job, information, known, design, options.readings_per_sample);
+  plan.asked = aim.asked;
+  plan.asked.insert(plan.asked.end(), aim.other.begin(), aim.other.end());
   if (!job.separate.empty()) {
-    plan.asked.insert(plan.asked.end(), other.begin(), other.end());
-    for (const auto& [these, those] : {std::pair(asked, other), std::pair(other, asked)}) {
-      plan.apart.push_back(std::sqrt(identify::noncentrality(unknowns, design.information, these, those)));
+    for (const auto& [these, those] : {std::pair(aim.asked, aim.other), std::pair(aim.other, aim.asked)}) {
+      plan.apart.push_back(std::sqrt(identify::noncentrality(aim.unknowns, design.information, these, those)));
     }
   }
   std::vector<measure::Run> all = plan.dataset.runs;
-  if (!job.measured.empty()) {
-    for (measure::Run& run : measure::read_dataset(job.measured).runs) all.push_back(std::move(run));
-  }
+  std::move(measured.begin(), measured.end(), std::back_inserter(all));
   plan.could_name = could_name(machine, all, noise);
   plan.named_by = all.size();
   plan.unseen = identify::observability(plan.after, plan.dataset.runs);
-  plan.geometry = identify::shown_geometry(machine.geometry, unknowns, plan.after.covariance);
+  plan.geometry = identify::shown_geometry(machine.geometry, aim.unknowns, plan.after.covariance);
   return plan;
 }
 

@@ -47,8 +47,17 @@ TEST_CASE("a diagnosis is the one of the command, its model too") {
   job.dataset = kCircles;
   const plumbline::jobs::DiagnoseResult expected = plumbline::jobs::diagnose(job);
   const api::Result found = api::diagnose(base_model(), kCircles);
-  CHECK(found.json() == plumbline::report::diagnosis_json(expected.diagnosis));
+  CHECK(found.json() == plumbline::report::diagnosis_json(expected.diagnosis, expected.measured));
   CHECK(found.model() == plumbline::report::model_file(expected));
+  const std::string further = kBlind + "holdout/dataset.toml";
+  job.with = {further};
+  const api::Options with = api::Options().set("with", further);
+  const plumbline::jobs::DiagnoseResult joined = plumbline::jobs::diagnose(job);
+  CHECK(api::diagnose(base_model(), kCircles, with).json() ==
+        plumbline::report::diagnosis_json(joined.diagnosis, joined.measured));
+  CHECK(api::compare(base_model(), kCircles, with).json().find("\"h1\"") != std::string::npos);
+  CHECK(refused_with([&] { api::calibrate(base_model(), "", api::Options(with).set("poses", "x.csv")); }).code ==
+        "usage-wrong");
   CHECK(refused_with([] { api::diagnose(base_model(), kCircles, api::Options().set("seed", "1.5")); }).code ==
         "usage-wrong");
 }

@@ -244,11 +244,15 @@ def of_measurements(made):
     made.json_of("calibrate", "-m", model, "--poses", tracked(made, model), "-o", "calibrated.toml", "--force")
     made.json_of("compensate", "arcs.ngc", "-m", "identified.toml", *OFFSET, *TABLE, "-o", "arcs-i.ngc")
     made.json_of("plan", "-m", model, "-n", 2, "--candidates", 30, "--for", "elasticity", "--radius", "120,200")
+    made.json_of("plan", "-m", model, "-n", 2, "--candidates", 30, "--for", "tip", "--tilts", "0,10")
     made.json_of("plan", "-m", model, "-n", 2, "--candidates", 30, "--separate", "backlash,cyclic")
 
     narrow = made.write("narrow.toml", model.read_text().replace("[-300, 300]", "[-10, 10]"))  # no circle fits in
     loads = made.runs("loads", "open-14", range(2), without=("radial",))
     hertz = made.runs("hertz", "open-09", range(8))
+    joined = made.runs("bar-alone", "open-14", range(2), without=("torque",))
+    made.take("diagnosis-1", "diagnose --with", json.loads(
+        made.run("diagnose", "-m", blind / "open-14/base.toml", "-d", loads, "--with", joined, "-o", "joined", "--json")))
     for machine, dataset in ((model, both), (narrow, bar), (model, torques), (model, spoilt),
                              (blind / "open-14/base.toml", loads), (blind / "open-09/base.toml", hertz)):
         folder = f"found-{pathlib.Path(dataset).parent}"

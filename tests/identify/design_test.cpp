@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/units.hpp"
 #include "identify/fit.hpp"
 #include "identify/plans.hpp"
 #include "identify/unknowns/geometry.hpp"
@@ -36,6 +37,22 @@ TEST_CASE("the criterion is the determinant of what is known of those asked for"
   CHECK(d_optimal(unknowns, {0, 1})(information) == Approx(std::log(6 * 2 - 1)));
   // variance of the first: 2 / 11
   CHECK(d_optimal(unknowns, {0})(information) == Approx(std::log(11.0 / 2)));
+}
+
+TEST_CASE("a plan for what moves with the unknowns minds its mean variance alone") {
+  const Unknowns unknowns = two_unknowns();
+  const Eigen::MatrixXd information = kSmall[0] + kSmall[2];  // with priors [6 1; 1 2], its inverse [2 -1; -1 6] / 11
+  const auto square = [](double a, double b) {
+    return Eigen::MatrixXd(kUm * kUm * Eigen::Vector2d(a, b) * Eigen::RowVector2d(a, b));
+  };
+  const Eigen::MatrixXd sum = square(1, 1);  // um for each scale, 1 kg: 2 - 2 + 6
+  const Eigen::MatrixXd first = square(3, 0);
+  CHECK(v_optimal(unknowns, {sum})(information) == Approx(-std::log(6.0 / 11)));
+  CHECK(v_optimal(unknowns, {first})(information) == Approx(-std::log(18.0 / 11)));
+  CHECK(v_optimal(unknowns, {sum, first})(information) == Approx(-(std::log(6.0 / 11) + std::log(18.0 / 11)) / 2));
+  const Eigen::MatrixXd nothing = Eigen::MatrixXd::Zero(2, 2);
+  CHECK(design(kSmall, nothing, v_optimal(unknowns, {first}), {.runs = 1}).chosen[0] == 0);
+  CHECK(design(kSmall, nothing, v_optimal(unknowns, {square(0, 1)}), {.runs = 1}).chosen[0] != 0);
 }
 
 TEST_CASE("a design takes what tells most, and exchanges what turned out worse") {

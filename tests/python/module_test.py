@@ -260,6 +260,13 @@ class Learning(unittest.TestCase):
             self.assertEqual(found.summary, json.loads((Path(name) / "diagnosis.json").read_text()))
             self.assertEqual(found.model, without_posterior(Path(name) / "model.toml"))
 
+    def test_datasets_are_joined(self):
+        blind = ROOT / "tests/blind/open-08"
+        more = os.fspath(blind / "holdout/dataset.toml")
+        alone = plumbline.compare(blind / "base.toml", blind / "data/dataset.toml")
+        both = plumbline.compare(blind / "base.toml", blind / "data/dataset.toml", with_=[more])
+        self.assertEqual(len(both.summary["runs"]), len(alone.summary["runs"]) + 6)
+
     def test_new_model_says_what_it_assumes(self):
         made = plumbline.new_model(name="shop", base_radius=600, base_angles=(0, 30, 120, 150, 240, 270),
                                    platform_radius=200, platform_angles=(345, 45, 105, 165, 225, 285),

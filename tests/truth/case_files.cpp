@@ -161,6 +161,7 @@ void write_case(const DrawnCase& drawn, const std::string& folder) {
   opened(root / "base.toml") << drawn.model.text;
   write_dataset(drawn.model.machine.name, drawn.data, (root / "data").string());
   if (!drawn.holdout.empty()) write_dataset(drawn.model.machine.name, drawn.holdout, (root / "holdout").string());
+  if (!drawn.more.empty()) write_dataset(drawn.model.machine.name, drawn.more, (root / "more").string());
   opened(root / "answer.json") << answer_of(drawn).dump(1) << '\n';
 }
 

@@ -13,6 +13,12 @@ int draw(int argc, char** argv) {
   app.add_option(
       "--programs", options.programs,
       "folder with ID.jsonl for each run of the plan: what plumbline trace says of the program to run instead");
+  app.add_option("--circle", options.more,
+                 "X,Y,Z,A,B,C,ccw,FEED,PAYLOAD in mm, deg, mm/min, kg: a circle that the same machine makes after the "
+                 "plan, into the folder more; may be given several times")
+      ->expected(1)
+      ->type_size(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_flag("--quick", quick, "do not look for effects that look alike");
   app.add_option("-o", out, "folder")->required();
   CLI11_PARSE(app, argc, argv);

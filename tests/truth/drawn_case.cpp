@@ -177,6 +177,9 @@ DrawnCase draw_case(const CaseOptions& options) {
   for (const PlannedRun& run : holdout(options.samples)) {
     drawn.holdout.push_back(measured_with_noise(drawn, run, random));
   }
+  for (const PlannedRun& run : circles_of(options.more, options.samples)) {
+    drawn.more.push_back(measured_with_noise(drawn, run, random));
+  }
   return drawn;
 }
 

@@ -21,8 +21,9 @@ struct CaseOptions {
   double memory = 0.7;
   double radial_noise = 0.5e-6, torque_noise = 0.05;  // m, N m
   FrictionLaw law = FrictionLaw::tanh;
-  std::string programs;     // folder with a trace ID.jsonl for each run, to be run in place of the circles
-  bool look_alikes = true;  // say what the rest of the catalogue makes of it: takes a second
+  std::string programs;           // folder with a trace ID.jsonl for each run, to be run in place of the circles
+  std::vector<std::string> more;  // circles to be measured after the plan: X,Y,Z,A,B,C,ccw,FEED,PAYLOAD in mm, deg, kg
+  bool look_alikes = true;        // say what the rest of the catalogue makes of it: takes a second
 };
 
 /// One thing that was hidden.
@@ -47,7 +48,7 @@ struct DrawnCase {
   Model model;
   Truth truth;
   std::vector<Hidden> hidden;
-  std::vector<MeasuredRun> data, holdout;
+  std::vector<MeasuredRun> data, holdout, more;
 };
 
 /// Everything follows from the options. Throws std::runtime_error for what cannot be.
@@ -56,7 +57,7 @@ DrawnCase draw_case(const CaseOptions& options);
 /// The machine of draw_case alone: what it is, and what is hidden in it.
 Truth draw_truth(const CaseOptions& options);
 
-/// Writes folder/base.toml, folder/data/, folder/holdout/ and folder/answer.json.
+/// Writes folder/base.toml, folder/data/, folder/holdout/, where there is more folder/more/, and folder/answer.json.
 void write_case(const DrawnCase& drawn, const std::string& folder);
 
 /// Writes folder/dataset.toml and its runs.

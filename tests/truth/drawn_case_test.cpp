@@ -48,6 +48,30 @@ TEST_CASE("a drawn case has the strength that was asked for, and is the same aga
   CHECK(again.truth.flaws.payload == drawn.truth.flaws.payload);
 }
 
+TEST_CASE("the machine of a case makes further circles, and all else stays as it is") {
+  truth::CaseOptions more = options("payload", 25);
+  more.more = {"10,-20,-980,8,-4,0,cw,3000,5", "0,0,-1000,0,0,0,ccw,1000,0"};
+  const truth::DrawnCase drawn = truth::draw_case(more);
+  const truth::DrawnCase plain = truth::draw_case(options("payload", 25));
+  REQUIRE(drawn.more.size() == 2);
+  CHECK(plain.more.empty());
+  const truth::Circle& circle = drawn.more[0].planned.circle;
+  CHECK(circle.centre.isApprox(truth::Vec(0.01, -0.02, -0.98)));
+  CHECK(circle.turn == -1);
+  CHECK(circle.payload == 5);
+  CHECK(drawn.more[1].planned.circle.start > drawn.more[0].planned.circle.seconds());
+  CHECK(drawn.data[1].samples[7].reading.radial == plain.data[1].samples[7].reading.radial);
+  CHECK(drawn.holdout[5].samples[7].reading.radial == plain.holdout[5].samples[7].reading.radial);
+  const Scratch scratch;
+  truth::write_case(drawn, scratch.path("case"));
+  CHECK(measure::read_dataset(scratch.path("case/more/dataset.toml")).runs[1].id == "02-ccw");
+  for (const char* const wrong :
+       {"10,-20,-980,8,-4,0,cw,3000", "10,-20,-480,8,-4,0,up,3000,5", "1,2,3,4,5,6,ccw,-1,0"}) {
+    more.more = {wrong};
+    CHECK_THROWS_AS(truth::draw_case(more), std::runtime_error);
+  }
+}
+
 TEST_CASE("an effect that cannot be as strong as was asked for stays within its bounds") {
   const truth::DrawnCase drawn = truth::draw_case(options("joint-viscous", 1e6));
   CHECK(drawn.hidden[0].snr < 1e5);

@@ -1,6 +1,7 @@
 #include "truth/plan.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -84,6 +85,26 @@ Plan plan_of(const std::string& name, int samples) {
   if (name == "paper") return paper(samples);
   if (name == "figures") return figures(samples);
   throw std::runtime_error("no plan is called " + name + ": eight-pose, paper, figures");
+}
+
+Plan circles_of(const std::vector<std::string>& texts, int samples) {
+  Plan plan;
+  for (const std::string& text : texts) {
+    Vec centre, abc;
+    char turn[4] = {};
+    double feed = 0;
+    double payload = 0;
+    const int read = std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf,%3[cw],%lf,%lf", &centre.x(), &centre.y(),
+                                 &centre.z(), &abc.x(), &abc.y(), &abc.z(), turn, &feed, &payload);
+    const std::string direction = turn;
+    if (read != 9 || feed <= 0 || (direction != "ccw" && direction != "cw")) {
+      throw std::runtime_error("no circle: " + text + "; X,Y,Z,A,B,C,ccw,FEED,PAYLOAD");
+    }
+    const std::string id = fmt::format("{:02}-{}", plan.size() + 1, direction);
+    plan.push_back({id, circle(centre, abc, direction == "ccw" ? 1 : -1, feed, payload), samples});
+  }
+  set_starts(plan, plan.size());
+  return plan;
 }
 
 Samples measured_on(const Truth& truth, const PlannedRun& run, const Program& program, FrictionLaw law,

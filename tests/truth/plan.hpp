@@ -27,6 +27,10 @@ Plan figures(int samples);
 /// By name: eight-pose, paper, figures. Throws std::runtime_error for another.
 Plan plan_of(const std::string& name, int samples);
 
+/// Circles of the plans' radius and bar, one after the other: X,Y,Z,A,B,C,ccw,FEED,PAYLOAD in mm, deg, mm/min, kg each.
+/// Throws std::runtime_error for another text.
+Plan circles_of(const std::vector<std::string>& texts, int samples);
+
 /// Moments of a run, where the machine stands at each, and what it reads there.
 struct Sample {
   double seconds = 0;  // from the start of the run

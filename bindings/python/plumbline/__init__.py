@@ -203,7 +203,7 @@ def _value(value):
 def _options(given):
     options = []
     for key, value in given.items():
-        name = key if "." in key else key.replace("_", "-")
+        name = key if "." in key else key.rstrip("_").replace("_", "-")  # with_: a word of Python
         if value is None:
             continue
         if isinstance(value, dict):

@@ -5,8 +5,10 @@
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "cli/options/report_file.hpp"
+#include "cli/options/with.hpp"
 #include "jobs/measured/inspect.hpp"
 #include "jobs/measured/paper.hpp"
+#include "report/measured/datasets_text.hpp"
 #include "report/measured/inspection_text.hpp"
 #include "report/page/inspection_page.hpp"
 #include "report/page/paper_sections.hpp"
@@ -20,7 +22,8 @@ struct InspectArguments {
 };
 
 int inspect(const InspectArguments& arguments) {
-  check_outputs(inputs_of(arguments.job.dataset, {arguments.job.model}), {arguments.json, arguments.report});
+  check_outputs(inputs_of(arguments.job.dataset, {arguments.job.model}, arguments.job.with),
+                {arguments.json, arguments.report});
   JsonResult json(arguments.json);
   ReportFile page(arguments.report);
   const jobs::InspectResult result = jobs::inspect(arguments.job);
@@ -28,12 +31,13 @@ int inspect(const InspectArguments& arguments) {
   json.add_to(files, report::inspection_json(result.inspection, result.runs));
   page.add_to(files, [&] {
     report::Page made = report::inspection_page(result);
-    report::add_paper(made, jobs::paper_of(arguments.job.dataset, {arguments.job.model}));
+    report::add_paper(made, jobs::paper_of(arguments.job.dataset, {arguments.job.model}, arguments.job.with));
     return made;
   });
   const bool blocks = result.inspection.blocks();
   if (!json.takes_standard_output() && !page.takes_standard_output()) {
-    const std::string words = report::inspection_text(result.inspection, result.runs, result.with_model);
+    const std::string words = report::inspection_text(result.inspection, result.runs, result.with_model) +
+                              report::renamed_text(result.measured);
     print_result(words, {std::string_view(words).substr(0, words.find('\n')), blocks ? Verdict::bad : Verdict::good});
   }
   files.commit();
@@ -51,6 +55,7 @@ void add_inspect(CLI::App& app, Run& run) {
   command->add_option("-d,--dataset", arguments->job.dataset, "the measurements: a dataset.toml")
       ->type_name("DATASET")
       ->required();
+  add_with(*command, arguments->job.with);
   command
       ->add_option("-m,--model", arguments->job.model,
                    "the machine's model file; without it the records alone are looked at")

@@ -1,11 +1,13 @@
 #include "jobs/measured/inspect.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
 #include "base/text/nearest_name.hpp"
+#include "jobs/measured/joined.hpp"
 #include "machine/model_file.hpp"
 
 namespace plumbline::jobs {
@@ -27,7 +29,9 @@ void check_accepted(const std::vector<measure::Run>& runs, const std::vector<std
 
 InspectResult inspect(const InspectJob& job) {
   InspectResult result;
-  measure::Dataset dataset = measure::read_dataset(job.dataset, measure::Believe::the_table);
+  JoinedData data = read_joined(job.dataset, job.with, measure::Believe::the_table);
+  measure::Dataset& dataset = data.dataset;
+  result.measured = std::move(data.files);
   result.runs = std::move(dataset.runs);
   inspect::InspectOptions options;
   options.instrument = dataset.instrument;

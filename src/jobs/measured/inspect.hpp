@@ -6,21 +6,24 @@
 
 #include "base/files/source.hpp"
 #include "inspect/inspect.hpp"
+#include "jobs/measured/measured_file.hpp"
 
 namespace plumbline::jobs {
 
 struct InspectJob {
   std::string model;  // empty: records alone are looked at
   std::string dataset;
+  std::vector<std::string> with = {};  // further ones of the same machine: jobs/measured/joined.hpp
 };
 
 struct InspectResult {
   std::vector<measure::Run> runs;  // as they were read
   inspect::Inspection inspection;
   bool with_model = false;
+  std::vector<MeasuredFile> measured;
 };
 
-/// Refuses as read_model and read_dataset do; where a table contradicts the dataset the table is believed, and said so.
+/// Refuses as read_model and read_joined do; where a table contradicts the dataset the table is believed, and said so.
 InspectResult inspect(const InspectJob& job);
 
 /// What was judged before something is learnt.

@@ -4,6 +4,7 @@
 
 #include "base/units.hpp"
 #include "report/measured/could_show_text.hpp"
+#include "report/measured/datasets_text.hpp"
 #include "report/measured/diagnosis_text.hpp"
 #include "report/measured/objection_text.hpp"
 #include "report/measured/where_json.hpp"
@@ -119,7 +120,7 @@ Json test_json(const diagnose::Separation& separation) {
 
 }  // namespace
 
-std::string diagnosis_json(const Diagnosis& d) {
+std::string diagnosis_json(const Diagnosis& d, const std::vector<jobs::MeasuredFile>& measured) {
   Json json;
   json["plumbline"] = "diagnosis 1";
   json["verdict"] = to_text(d.verdict);
@@ -150,8 +151,9 @@ std::string diagnosis_json(const Diagnosis& d) {
   json["where"] = where_json(d.gap_map);
   json["runs"] = Json::array();
   for (const diagnose::RunGap& run : d.runs) json["runs"].push_back(run_json(run));
+  json["datasets"] = datasets_json(measured);
   json["converged"] = d.converged;
-  return json.dump(1) + "\n";
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace plumbline::report

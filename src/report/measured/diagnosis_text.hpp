@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "diagnose/diagnose.hpp"
+#include "jobs/measured/measured_file.hpp"
 
 namespace plumbline::report {
 
@@ -15,6 +17,6 @@ std::string names_text(const diagnose::Diagnosis& diagnosis);
 /// For people: the verdict, what was found, what else is not ruled out and the next test.
 std::string diagnosis_text(const diagnose::Diagnosis& diagnosis);
 /// As docs/formats.md says.
-std::string diagnosis_json(const diagnose::Diagnosis& diagnosis);
+std::string diagnosis_json(const diagnose::Diagnosis& diagnosis, const std::vector<jobs::MeasuredFile>& measured = {});
 
 }  // namespace plumbline::report

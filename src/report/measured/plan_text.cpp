@@ -1,6 +1,7 @@
 #include "report/measured/plan_text.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/axes.hpp"
 #include "base/units.hpp"
 #include "identify/unknowns/geometry.hpp"
 #include "report/measured/could_show_text.hpp"
@@ -77,6 +79,45 @@ std::string errors_text(const jobs::PlannedTests& plan) {
   return text;
 }
 
+std::string tip_text(const jobs::PlannedTip& tip) {
+  std::string text = fmt::format("the tip over {}, 1 sigma\n", box_text(tip));
+  const auto line = [&](const char* name, double before, double after) {
+    text += fmt::format("{:<34}{:>12.3g}{:>12.3g}   um\n", name, before / kUm, after / kUm);
+  };
+  const jobs::TipOverBox& after = tip.after.back();
+  line("as it stands, rms", tip.before.stands.rms, after.stands.rms);
+  line("as it stands, worst", tip.before.stands.worst, after.stands.worst);
+  line("zero touched off, rms", tip.before.touched_off.rms, after.touched_off.rms);
+  line("zero touched off, worst", tip.before.touched_off.worst, after.touched_off.worst);
+  return text;
+}
+
+ordered_json figures_json(const jobs::TipFigures& figures) {
+  ordered_json at;
+  for (const Axis axis : kAllAxes) {
+    const bool turns = index(axis) >= index(Axis::A);
+    at[fmt::format("{}_{}", static_cast<char>(std::tolower(letter(axis))), turns ? "deg" : "mm")] =
+        figures.worst_at[axis];
+  }
+  return {{"rms_um", figures.rms / kUm}, {"worst_um", figures.worst / kUm}, {"worst_at", std::move(at)}};
+}
+
+ordered_json over_box_json(const jobs::TipOverBox& over) {
+  return {{"stands", figures_json(over.stands)}, {"touched_off", figures_json(over.touched_off)}};
+}
+
+ordered_json tip_json(const jobs::PlannedTip& tip) {
+  ordered_json json{{"box_mm", ordered_json::array()}, {"tilts_deg", ordered_json::array()}};
+  for (const machine::Range& side : tip.box) json["box_mm"].push_back({side.lower / kMm, side.upper / kMm});
+  for (const double tilt : tip.tilts) json["tilts_deg"].push_back(tilt / kDeg);
+  json["poses"] = tip.poses;
+  json["reached"] = tip.reached;
+  json["before"] = over_box_json(tip.before);
+  json["after"] = ordered_json::array();
+  for (const jobs::TipOverBox& after : tip.after) json["after"].push_back(over_box_json(after));
+  return json;
+}
+
 // null: nothing tells it.
 ordered_json error_json(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
 
@@ -97,6 +138,17 @@ ordered_json planned_run_json(const measure::Run& run, double criterion) {
 
 }  // namespace
 
+std::string box_text(const jobs::PlannedTip& tip) {
+  std::vector<std::string> sides, tilts;
+  for (std::size_t a = 0; a < tip.box.size(); ++a) {
+    sides.push_back(
+        fmt::format("{} {:.6g} to {:.6g}", kAxisLetters[a], tip.box[a].lower / kMm, tip.box[a].upper / kMm));
+  }
+  for (const double tilt : tip.tilts) tilts.push_back(fmt::format("{:.6g}", tilt / kDeg));
+  return fmt::format("{} mm, tilted by {} deg ({} of {} in reach)", fmt::join(sides, ", "), fmt::join(tilts, ", "),
+                     tip.reached, count_text(tip.poses, "pose"));
+}
+
 std::vector<std::string> unseen_text(const jobs::PlannedTests& plan) {
   std::vector<std::string> sentences = observability_text(plan.after, plan.unseen);
   if (!plan.geometry) return sentences;
@@ -108,6 +160,7 @@ std::string plan_text(const jobs::PlannedTests& plan) {
   std::string text =
       fmt::format("{} of {}\n", count_text(plan.dataset.runs.size(), "run"), count_text(plan.candidates, "candidate"));
   text += runs_text(plan) + "\n" + errors_text(plan);
+  if (plan.tip) text += tip_text(*plan.tip);
   if (!plan.apart.empty()) {
     text += fmt::format(
         "distance of the weakest number of each from the other effect: {:.3g} and {:.3g} sigma for a "
@@ -134,6 +187,7 @@ std::string plan_json(const jobs::PlannedTests& plan) {
     one["after"] = error_json(plan.after.standard_error(i) / u.unit.si);
     json["unknowns"].push_back(std::move(one));
   }
+  if (plan.tip) json["tip"] = tip_json(*plan.tip);
   if (!plan.apart.empty()) json["apart_sigma"] = plan.apart;
   json["cannot_tell"] = unseen_text(plan);
   json["could_name"] = could_show_json(plan.could_name);

@@ -44,6 +44,9 @@ namespace {
 Json protocol_section(const jobs::Paper& paper) {
   std::vector<Json> rows{{"machine", paper.machine.empty() ? "not said" : paper.machine}};
   for (const auto& [name, text] : paper.protocol.rows()) rows.push_back({name, text});
+  for (const auto& [file, protocol] : paper.further) {
+    for (const auto& [name, text] : protocol.rows()) rows.push_back({fmt::format("{}, {}", name, file), text});
+  }
   rows.push_back({"software", fmt::format("plumbline {}", version())});
   for (const jobs::Paper::File& file : paper.files) {
     rows.push_back({file.what, fmt::format("{} (FNV-1a {:016x})", file.name, file.hash)});

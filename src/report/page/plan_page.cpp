@@ -13,6 +13,7 @@
 #include "report/page/run_sections.hpp"
 #include "report/page/sections.hpp"
 #include "report/page/test_section.hpp"
+#include "report/program/map_text.hpp"
 #include "report/text_table.hpp"
 
 namespace plumbline::report {
@@ -41,6 +42,14 @@ std::string lead(const PlannedTests& plan) {
   if (!plan.apart.empty()) {
     return fmt::format("{} tell the two effects apart by {:.3g} and {:.3g} sigma, for a hundredth of their range.",
                        circles, plan.apart[0], plan.apart[1]);
+  }
+  if (plan.tip) {
+    const jobs::TipOverBox& after = plan.tip->after.back();
+    return fmt::format(
+        "{} bring the tip's uncertainty over the box from {:.3g} to {:.3g} um as it stands, with the zero touched off "
+        "from {:.3g} to {:.3g} um (1 sigma, rms).",
+        circles, plan.tip->before.stands.rms / kUm, after.stands.rms / kUm, plan.tip->before.touched_off.rms / kUm,
+        after.touched_off.rms / kUm);
   }
   return fmt::format("{} bring the standard errors of what is asked for down to {:.0f} % (median of {}).", circles,
                      100 * median_left(plan), count_text(plan.asked.size(), "number"));
@@ -111,6 +120,48 @@ Json errors_table(const PlannedTests& plan) {
   return table_section("Standard errors", {{"number"}, {"without the plan"}, {"with it"}, {"unit"}}, std::move(rows));
 }
 
+Json tip_table(const jobs::PlannedTip& tip) {
+  std::vector<Json> rows;
+  const jobs::TipOverBox& after = tip.after.back();
+  const auto add = [&](const char* name, const jobs::TipFigures& before, const jobs::TipFigures& now) {
+    rows.push_back(
+        {name, before.rms / kUm, now.rms / kUm, before.worst / kUm, now.worst / kUm, pose_text(now.worst_at)});
+  };
+  add("as it stands", tip.before.stands, after.stands);
+  add("zero touched off", tip.before.touched_off, after.touched_off);
+  return table_section("The tip over the box",
+                       {{""},
+                        {"rms without the plan", "um", 2},
+                        {"with it", "um", 2},
+                        {"worst without", "um", 2},
+                        {"with it", "um", 2},
+                        {"worst at"}},
+                       std::move(rows),
+                       fmt::format("1 sigma of X, Y and Z together, over {}, at rest. The zero is touched off in the "
+                                   "middle of the box, not tilted.",
+                                   box_text(tip)));
+}
+
+// How sure the tip is after each run.
+Json tip_section(const jobs::PlannedTip& tip) {
+  CurveGroup group{""};
+  CurveAxis axis{"Runs"};
+  axis.digits = 0;
+  Curve stands{"as it stands", 1, 0, {tip.before.stands.rms / kUm}, true};
+  Curve touched_off{"zero touched off", 2, 0, {tip.before.touched_off.rms / kUm}, true};
+  for (const jobs::TipOverBox& after : tip.after) {
+    stands.values.push_back(after.stands.rms / kUm);
+    touched_off.values.push_back(after.touched_off.rms / kUm);
+  }
+  for (std::size_t i = 0; i < stands.values.size(); ++i) group.x.push_back(static_cast<double>(i));
+  CurvePanel panel{"Tip, 1 sigma, rms over the box", "um", {std::move(stands), std::move(touched_off)}, 2, 1e-4};
+  panel.from_zero = true;
+  group.panels.push_back(std::move(panel));
+  CurveOptions options;
+  options.words = "Where the curves are flat, more circles tell little more.";
+  return curves_section("What each circle adds", axis, {group}, options);
+}
+
 Json criterion_section(const PlannedTests& plan) {
   if (plan.criterion.size() < 2) return nullptr;
   CurveGroup group{""};
@@ -136,7 +187,8 @@ Page plan_page(const PlannedTests& plan, const machine::MachineModel& machine, c
   }
   page.sections.push_back(tests_section("The circles in the machine", machine, tests));
   add_section(page, errors_section(plan));
-  add_section(page, criterion_section(plan));
+  if (plan.tip) page.sections.push_back(tip_table(*plan.tip));
+  add_section(page, plan.tip ? tip_section(*plan.tip) : criterion_section(plan));
   if (std::vector<std::string> notes = unseen_text(plan); !notes.empty()) {
     for (std::string& note : notes) note = sentence(std::move(note));
     page.sections.push_back(text_section("What the plan does not tell", std::move(notes)));

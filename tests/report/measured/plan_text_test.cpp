@@ -94,3 +94,33 @@ TEST_CASE("a plan as JSON has its runs to be measured, and null for what nothing
   CHECK(json["apart_sigma"] == nlohmann::json{3.5, 12.0});
   CHECK(json["runs"][0]["bar_mm"].get<double>() == Approx(300));
 }
+
+TEST_CASE("a plan for the tip says how certain it becomes over the box") {
+  jobs::PlannedTests plan = one_circle();
+  CHECK_FALSE(nlohmann::json::parse(report::plan_json(plan)).contains("tip"));
+  AxisWords worst;
+  worst[Axis::Y] = -60;
+  worst[Axis::B] = 10;
+  const auto over = [&](double um) {
+    return jobs::TipOverBox{{um * kUm, 2 * um * kUm, worst}, {um / 4 * kUm, um / 2 * kUm, worst}};
+  };
+  plan.tip = jobs::PlannedTip{
+      {machine::Range{-0.1, 0.1}, {-0.06, 0.06}, {-1.1, -0.9}}, {0, 10 * kDeg}, 625, 600, over(20), {over(12)}};
+  CHECK(report::plan_text(plan).find("the tip over X -100 to 100, Y -60 to 60, Z -1100 to -900 mm, tilted by 0, 10 deg "
+                                     "(600 of 625 poses in reach), 1 "
+                                     "sigma\n"
+                                     "as it stands, rms                           20          12   um\n"
+                                     "as it stands, worst                         40          24   um\n"
+                                     "zero touched off, rms                        5           3   um\n"
+                                     "zero touched off, worst                     10           6   um\n") !=
+        std::string::npos);
+  const nlohmann::json tip = nlohmann::json::parse(report::plan_json(plan)).at("tip");
+  CHECK(tip.at("box_mm")[2][0].get<double>() == Approx(-1100));
+  CHECK(tip.at("tilts_deg")[1].get<double>() == Approx(10));
+  CHECK(tip.at("reached") == 600);
+  CHECK(tip.at("before").at("touched_off").at("rms_um").get<double>() == Approx(5));
+  REQUIRE(tip.at("after").size() == 1);
+  CHECK(tip.at("after")[0].at("stands").at("worst_um").get<double>() == Approx(24));
+  CHECK(tip.at("after")[0].at("stands").at("worst_at").at("b_deg") == 10);
+  CHECK(tip.at("after")[0].at("stands").at("worst_at").at("y_mm") == -60);
+}

@@ -56,6 +56,27 @@ TEST_CASE("a plan is drawn with its programs, and says what it tells") {
   CHECK(section_of(page, "Standard errors")["rows"][0][2] == "0.2");
 }
 
+TEST_CASE("a plan for the tip shows how certain each circle makes it") {
+  jobs::PlannedTests plan = two_circles();
+  const auto over = [](double um) {
+    return jobs::TipOverBox{{um * kUm, 2 * um * kUm, {}}, {um / 4 * kUm, um / 2 * kUm, {}}};
+  };
+  plan.tip = jobs::PlannedTip{
+      {machine::Range{-0.1, 0.1}, {-0.06, 0.06}, {-1.1, -0.9}}, {0}, 125, 125, over(20), {over(16), over(12)}};
+  const Page page = plan_page(plan, pm600(), {}, {});
+  CHECK(page.lead ==
+        "2 circles bring the tip's uncertainty over the box from 20 to 12 um as it stands, with the zero touched off "
+        "from "
+        "5 to 3 um (1 sigma, rms).");
+  const Json rows = section_of(page, "The tip over the box")["rows"];
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[1][2].get<double>() == Approx(3));
+  CHECK(rows[1][4].get<double>() == Approx(6));
+  const Json panel = section_of(page, "What each circle adds")["groups"][0]["panels"][0];
+  CHECK(panel["series"][0]["values"] == packed(std::vector<double>{20, 16, 12}, 1e-4));
+  CHECK(panel["series"][1]["values"] == packed(std::vector<double>{5, 4, 3}, 1e-4));
+}
+
 TEST_CASE("what the model predicts is not called measured") {
   jobs::RunsAndModels runs = testing::small_runs();
   runs.models.clear();
