@@ -257,3 +257,20 @@ TEST_CASE("a program number alone steers nothing, and stands before the stamp") 
   const Result result = run("%\nO1234 (PART)\nG21 G90 G94\nG0 X9 Y0 Z0 A0 B0 C0\nG1 X5 F100\n%\n", {});
   CHECK(result.text.starts_with("%\nO1234 (PART)\n("));
 }
+
+TEST_CASE("a program may begin with what steers it") {
+  Job job = without_friction();
+  job.program.start.fill(0);
+  for (auto& offset : job.program.work_offsets) offset = job.program.work_offsets[0];
+  const auto check = [&](const char* dialect, const std::string& text, double kept_um = 0) {
+    INFO(text);
+    job.dialect = dialect;
+    const Result result = run(text, job);
+    INFO(result.text);
+    CHECK(result.summary.unrolled);
+    CHECK(play(text, result.text, job).at_points_um <= 0.15 + kept_um);
+  };
+  check("siemens", "FOR R11=1 TO 2\nG54 G0 X0 Y0 Z20 A0 B0 C0\nG1 X5 F100\nENDFOR\nM30\n");
+  check("siemens", "; HEAD\nR1=0\nFOR R11=1 TO 2\nG54 G0 X0 Y0 Z20 A0 B0 C0\nG1 X5 F100\nENDFOR\nM30\n");
+  check("fanuc", "O1\n#1=5\nIF[#1EQ5]THEN#1=6\nG90 G54 G21 G0 X0 Y0 Z50. A0 B0 C0\nGOTO5\nN5 G1 X#1 F100.\nM30\n", 0.5);
+}

@@ -157,3 +157,38 @@ TEST_CASE("a word with a sign names its place after a stop, too") {
     CHECK(played.at_points_um <= 0.3);
   }
 }
+
+TEST_CASE("where an axis may still stand after a stop, no corrected word turns it all the way round") {
+  const Job job = job_for("linuxcnc", nc::RotaryRule::sign);
+  int refused = 0;
+  for (const char* const stop : {"M0", "M1", "M6"}) {
+    for (const char* const c : {"10", "0", "250"}) {
+      const std::string there = std::string(" A0 B0 C").append(c).append("\n");
+      const std::string text = "T1\nG0 X5 Y0 Z9" + there + "G1 X4 F100\n" + stop + "\nG0 X-40 Y30 Z9" + there +
+                               "G1 X1\nG0 X5 Y0 Z9" + there + stop + "\nG0 X5 Y0 Z9" + there + "M2\n";
+      INFO(text);
+      const std::string code = code_of(text, job);
+      CHECK((code.empty() || code == "emit-rotary-word"));
+      if (code.empty()) {
+        CHECK(largest_turn(run(text, job).text, job) < 350);
+      } else {
+        ++refused;
+      }
+    }
+  }
+  CHECK(refused > 0);
+}
+
+TEST_CASE("a word that counts within a turn says DC though its number stays") {
+  Job job = job_for("siemens", nc::RotaryRule::linear);
+  job.program.start.fill({});
+  for (const char* const moves :
+       {"G1 C=DC(2.321) F100\nG0 X-3.378 Y19.546 Z13.848 A0 B0 C0\nG0 X-3.378 Y19.546 Z13.848 A0 B0 C0\n",
+        "G1 C=DC(1) F100\nG0 X1 Y1 Z9 A0 B0 C0\nM0\nG0 X0 Y0 Z50 A0 B0 C0\n"}) {
+    const std::string text = std::string("G54 G0 X0 Y0 Z20 A0 B0 C0\n").append(moves).append("M30\n");
+    const Result result = run(text, job);
+    INFO(result.text);
+    CHECK(largest_turn(result.text, job) < 5);
+    CHECK_FALSE(matches(result.text.substr(result.text.find("DC(")), "C0$"));
+  }
+}

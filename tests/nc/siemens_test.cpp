@@ -69,6 +69,16 @@ void check_refused(const std::vector<Refused>& cases) {
 
 }  // namespace
 
+TEST_CASE("where M6 changes tools, D takes no length of a tool that T only prepared") {
+  check_refused({{"G54 T1 D1\nG0 X0 Y0 Z50\nT2\nM6\nM30\n", 4, 1, "nc-tool-unknown"},
+                 {"G54 T1\nD1\nG0 X0 Y0 Z50\nG1 Z5 F100\nM6\nM30\n", 5, 1, "nc-tool-unknown"}});
+  for (const char* const text : {"G54 T1 D1\nG0 X0 Y0 Z50\nM30\n", "G54 T1 D1\nM6\nG0 X0 Y0 Z50\nM30\n",
+                                 "G54 T1\nM6\nD1\nG0 X0 Y0 Z50\nT1\nM6\nM30\n"}) {
+    INFO(text);
+    CHECK(outcome_of(text).code.empty());
+  }
+}
+
 TEST_CASE("an increment after a change of offsets is refused until an absolute word made the axis follow") {
   check_refused({{"G54 G0 X0 Y0 Z0\nTRANS X10\nG91 X5\n", 3, 5},
                  {"G54 G0 X0 Y0 Z0\nG55\nG1 Y1 X=IC(5) F100\n", 3, 7},

@@ -59,6 +59,7 @@ const Step& Interpreter::execute(Block& block) {
     if (!act_on_saved_modes(chosen)) act(run_, chosen);
   }
   if (!moved) make_motion(run_);
+  control_.moved_on_selected |= control_.edge_of_selected && !run_.motions.empty();
   // Whether the change of tools comes before the move or after it is the builder's choice.
   const bool where_unknown =
       run_.dialect.behaviour.change_beside_move_unknown && run_.step.tool_change != ToolChange::none;

@@ -202,7 +202,9 @@ const std::string& PieceWriter::change_axis_words(const Step& step, const Piece&
       editor_.replace(word->span, "");
       continue;
     }
-    if (word->mode == WordMode::modal && std::abs(word->value - piece.value[axis]) < 1e-12) continue;
+    const bool says_direct = piece.direct && piece.endless.contains(axis);
+    const bool same = word->mode == WordMode::modal && std::abs(word->value - piece.value[axis]) < 1e-12;
+    if (same && !says_direct) continue;
     append_axis_word(editor_.replace(word->span), piece, axis, alone);
   }
   return added_;

@@ -90,11 +90,10 @@ void PiecePlanner::round(const Step& step, const CorrectedPoint& point, AxisSet 
     if (endless) piece.endless.insert(axis);
     piece.value[axis] = value;
     // A word that stands there is written as it is kept now, though the axis was left with more digits.
-    const bool says =
-        first && !incremental && step.named.contains(axis) && (endless ? says_way_round(step, axis) : end != at[axis]);
+    const bool says = first && !incremental && step.named.contains(axis) &&
+                      (endless ? says_way_round(step, axis) || std::abs(end - at[axis]) > kSamePlace : end != at[axis]);
     if (!known || says || std::abs(end - at[axis]) > kMovesFrom * g.quantum * g.per_unit) {
-      if (endless)
-        piece.value[axis] = words_.endless_word(step, axis, end, known ? std::optional(at[axis]) : std::nullopt);
+      if (endless) piece.value[axis] = words_.endless_word(step, axis, end, at[axis], known);
       piece.moved.insert(axis);
       at[axis] = end;
     } else if (incremental) {

@@ -66,8 +66,8 @@ bool WordGrid::stays(const Step& step, std::span<const CorrectedPoint> points, A
     const double half = g.quantum * g.per_unit / 2;
     // An arc may be none at all where its start is a little off its end, and an axis turn all the way round.
     const double allowed = counts_turns(step, axis) ? kSamePlace : arc ? std::min(half, kArcStart) : half;
-    if (depends_on_start(step, axis) && motion.known_before.contains(axis) && std::abs(standing[axis]) >= allowed)
-      return false;
+    const bool stands_somewhere = motion.known_before.contains(axis) || counts_turns(step, axis);
+    if (depends_on_start(step, axis) && stands_somewhere && std::abs(standing[axis]) >= allowed) return false;
     for (const CorrectedPoint& point : points) {
       if (std::abs(point.shift[axis]) >= half) return false;
     }
@@ -119,7 +119,8 @@ bool WordGrid::depends_on_start(const Step& step, Axis axis) {
 
 // The word that sends an axis which turns without end to `to`. Where it stands may not be known: then the way round is
 // the one that the original goes.
-double WordGrid::endless_word(const Step& step, Axis axis, double to, std::optional<double> from) const {
+double WordGrid::endless_word(const Step& step, Axis axis, double to, double left_at, bool is_known) const {
+  const std::optional<double> from = is_known ? std::optional(left_at) : std::nullopt;
   const bool direct = dialect_.syntax.word_modes;
   const RotaryRule rule = direct ? RotaryRule::shortest : step.after->rule_of(axis);
   std::optional<double> word = within_one_turn(to);
@@ -130,6 +131,7 @@ double WordGrid::endless_word(const Step& step, Axis axis, double to, std::optio
     const double place = written != nullptr ? within_one_turn(std::abs(written->value)) : *word;
     if (std::abs(place - *word) > kFullTurn / 2) word.reset();
     if (word && written != nullptr && rule == RotaryRule::sign && std::signbit(written->value)) word = -*word;
+    if (word && written != nullptr) refuse_way_round(step, axis, rule, *word, written->value, left_at);
   }
   const bool in_first_turn =
       from || !word || std::abs(rotary_end(rule, *word, std::signbit(*word), {}) - to) < kSamePlace;
@@ -139,6 +141,20 @@ double WordGrid::endless_word(const Step& step, Axis axis, double to, std::optio
                            letter(axis), to),
                from ? "turn there in two blocks, or by increments (G91)"
                     : "say where the axis stands (--start), so that the way round is known");
+}
+
+// Nobody knows where the axis stands; but it may well stand where it was left, and then the corrected word must not
+// turn it all the way round where the original's does not.
+void WordGrid::refuse_way_round(const Step& step, Axis axis, RotaryRule rule, double word, double written,
+                                double left_at) const {
+  const auto way = [&](double to, double from) { return rotary_end(rule, to, std::signbit(to), from) - from; };
+  if (std::abs(way(word, left_at) - way(written, step.motions.front().from[axis])) < kFullTurn / 2) return;
+  refuse_block(*step.block, "emit-rotary-word",
+               fmt::format("where {} stands is not known here; if it is where it was left, its corrected word turns it "
+                           "all the way round",
+                           letter(axis)),
+               "say that the axes stay where they are (--keeps-position, as in --keeps-position M0), or move it by "
+               "increments (G91)");
 }
 
 bool WordGrid::rounds_to_zero(const Step& step, const AxisWords& shift, AxisSet writable) const {

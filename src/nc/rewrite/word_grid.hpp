@@ -61,9 +61,9 @@ class WordGrid {
   /// A word that says where the axis stands: what is rounded away there would be an offset from then on.
   double offset_word(const Step& step, Axis axis, double value) const;
 
-  /// The word that sends an axis which turns without end to `to`, deg. Where it stands (`from`) may not be known: then
-  /// the way round is the one that the original goes. Refuses with emit-rotary-word.
-  double endless_word(const Step& step, Axis axis, double to, std::optional<double> from) const;
+  /// The word that sends an axis which turns without end to `to`, deg. Where it stands may not be known: then the way
+  /// round is the one that the original goes, from where it was left as well. Refuses with emit-rotary-word.
+  double endless_word(const Step& step, Axis axis, double to, double left_at, bool is_known) const;
 
   /// Refuse with emit-out-of-range what cannot be written with all its digits, or is longer than the control takes.
   static void check_word(const Step& step, double value) {
@@ -82,6 +82,8 @@ class WordGrid {
   }
   const Grid& grid(const Step& step, Axis axis, const Word* word) const;
   bool keeps_time(const Step& step, const AxisWords& standing) const;
+  void refuse_way_round(const Step& step, Axis axis, RotaryRule rule, double word, double written,
+                        double left_at) const;
   static bool counts_turns(const Step& step, Axis axis);
   static bool depends_on_start(const Step& step, Axis axis);
 

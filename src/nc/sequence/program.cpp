@@ -86,9 +86,11 @@ struct Program::Parts {
     in_percents,  // the program began with %
     ended,        // M2, M30 or the second % was executed
   } stage = Stage::blank;
-  bool jumped = false;    // before the block of the last step
-  bool in_guard = false;  // of a compensated program
-  Place guard_line;       // the last one of it
+  bool has_text = false;       // a line of the program was read
+  bool ends_doubtful = false;  // by a % that may be the first one: whether the control reads on there, nobody says
+  bool jumped = false;         // before the block of the last step
+  bool in_guard = false;       // of a compensated program
+  Place guard_line;            // the last one of it
 
   std::uint64_t executed = 0;
 
@@ -100,6 +102,7 @@ struct Program::Parts {
   const Step* ignore();
   const Step* pass_guard();
   [[noreturn]] void refuse_guard(std::string_view what) const;
+  void refuse_text_behind() const;
   const Step* percent();
 };
 
@@ -112,7 +115,10 @@ const Step* Program::Parts::next() {
       return nullptr;
     }
     place_block(*block, line, flow.file());
-    if (stage == Stage::ended) return ignore();
+    if (stage == Stage::ended) {
+      if (ends_doubtful) refuse_text_behind();
+      return ignore();
+    }
     if (in_guard || (is_guard_line(block->text, kGuardBegins, dialect) && !flow.skipping())) return pass_guard();
     if (flow.skipping() && stage == Stage::in_percents && ends_text(line.text)) flow.end_of_text();
     if (flow.skipping() && !begins_with_flow(line.text)) continue;
@@ -122,7 +128,10 @@ const Step* Program::Parts::next() {
     if (block->kind == LineKind::percent && around_file) continue;  // of a subprogram
     if (block->kind == LineKind::percent) return percent();
     if (block->kind == LineKind::ignored) return &interpreter.pass(*block);
-    if (stage == Stage::blank && !holds_nothing(block->text)) stage = Stage::text;
+    if (!holds_nothing(block->text)) {
+      has_text = true;
+      if (stage == Stage::blank) stage = Stage::text;
+    }
     if (flow.used()) count(1);
     if (block->flow.word == FlowWord::none) return execute();
     if (const Step* const step = steer()) return step;
@@ -224,8 +233,18 @@ const Step* Program::Parts::percent() {
     refuse_at(*block, {at, at + 1}, codes::kBadCharacter, "% ends a program that did not begin with %",
               "put % on the first line as well, or end with M2");
   }
+  ends_doubtful = !dialect.syntax.percent_pairs && (stage == Stage::text || (stage == Stage::in_percents && !has_text));
   stage = stage == Stage::blank ? Stage::in_percents : Stage::ended;
   return &interpreter.pass(*block);
+}
+
+// What stands before the first % is none of the program; but where it holds words, the % may be the end as well.
+void Program::Parts::refuse_text_behind() const {
+  const std::size_t at = block->text.find_first_not_of(" \t\r%");
+  if (at == std::string_view::npos) return;
+  refuse_at(*block, {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(block->text.size())},
+            codes::kBadCharacter, "text stands behind a % that something stands before: either may be the program",
+            "begin the program with %, or take out what is none of it");
 }
 
 Program::Program(const InputFile& file, const Dialect& dialect, ProgramSettings settings)

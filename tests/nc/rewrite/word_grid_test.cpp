@@ -103,12 +103,12 @@ TEST_CASE("an arc stays only where it starts almost on the spot") {
 TEST_CASE("the word of an axis without end leads on from where the axis stands") {
   const Words words;
   const LastStep sign("G0 A10\n", "linuxcnc", endless(RotaryRule::sign));
-  CHECK(words.grid.endless_word(*sign, Axis::A, 370, 350) == Approx(10));
-  CHECK(words.grid.endless_word(*sign, Axis::A, 340, 350) == Approx(-340));
+  CHECK(words.grid.endless_word(*sign, Axis::A, 370, 350, true) == Approx(10));
+  CHECK(words.grid.endless_word(*sign, Axis::A, 340, 350, true) == Approx(-340));
   const LastStep shortest("G0 A10\n", "linuxcnc", endless(RotaryRule::shortest));
-  CHECK(words.grid.endless_word(*shortest, Axis::A, -10, 5) == Approx(350));
-  const auto refusal = [&](double to, std::optional<double> from) {
-    return testing::refusal_of([&] { words.grid.endless_word(*shortest, Axis::A, to, from); }).code;
+  CHECK(words.grid.endless_word(*shortest, Axis::A, -10, 5, true) == Approx(350));
+  const auto refusal = [&](double to, double from) {
+    return testing::refusal_of([&] { words.grid.endless_word(*shortest, Axis::A, to, from, true); }).code;
   };
   CHECK(refusal(300, 5) == "emit-rotary-word");  // the shorter way leads to -60
   CHECK(refusal(-10, 5).empty());
@@ -117,10 +117,19 @@ TEST_CASE("the word of an axis without end leads on from where the axis stands")
 TEST_CASE("where an axis without end stands may be unknown: then its place is within the first turn") {
   const Words words;
   const LastStep step("G0 A10\n", "linuxcnc", endless(RotaryRule::shortest));
-  CHECK(words.grid.endless_word(*step, Axis::A, 10.5, {}) == Approx(10.5));
-  CHECK(testing::refusal_of([&] { words.grid.endless_word(*step, Axis::A, 370, {}); }).code == "emit-rotary-word");
+  CHECK(words.grid.endless_word(*step, Axis::A, 10.5, 0, false) == Approx(10.5));
+  CHECK(testing::refusal_of([&] { words.grid.endless_word(*step, Axis::A, 370, 0, false); }).code ==
+        "emit-rotary-word");
   const LastStep sign("G0 A10\n", "linuxcnc", endless(RotaryRule::sign));
-  CHECK(words.grid.endless_word(*sign, Axis::A, 9.5, {}) == Approx(9.5));
+  CHECK(words.grid.endless_word(*sign, Axis::A, 9.5, 0, false) == Approx(9.5));
+}
+
+TEST_CASE("an axis that may still stand where it was left is not turned all the way round") {
+  const Words words;
+  const LastStep step("G0 A10\n", "linuxcnc", endless(RotaryRule::sign));  // it stood at 0 before
+  CHECK(words.grid.endless_word(*step, Axis::A, 10.1, 0.2, false) == Approx(10.1));
+  CHECK(testing::refusal_of([&] { words.grid.endless_word(*step, Axis::A, 10.1, 10.2, false); }).code ==
+        "emit-rotary-word");
 }
 
 TEST_CASE("numbers that no word holds are refused") {

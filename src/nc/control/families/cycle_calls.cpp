@@ -163,6 +163,11 @@ double CalledHole::depth_mm() const {
   if (both && given_.number(kDepth) != 0 && std::abs(below - given_.length_mm(kDepth)) > 1e-9) {
     given_.refuse("its two depths contradict each other", "leave out one of DP and DPR");
   }
+  // [Siemens, 6FC5398-2EP40, CYCLE82: the tens say seconds or turns of the spindle]
+  if (const long dwell = std::labs(std::lround(given_.number(places_.how))) / 10 % 10; dwell > 1) {
+    given_.refuse("its last value asks for a dwell in turns of the spindle, which is not interpreted",
+                  "give the dwell in seconds, and 0 or 1 as the tens of that value");
+  }
   if (how > 2 || (how == 1 && !given_.value(kRelativeDepth)) || (how == 2 && !given_.value(kDepth))) {
     given_.refuse("its last value asks for a depth that is not there", "give the depth that it names, or leave it out");
   }

@@ -102,6 +102,13 @@ void CycleRun::make() {
   const Word* count = run_.words.find('L');
   if (as_fanuc_ && count == nullptr) count = run_.words.find('K');
   const int holes = count == nullptr ? 1 : run_.whole(*count, as_fanuc_ ? 0 : 1, kNoLimit);
+  const AxisSet plane{axes_.first, axes_.second};
+  if (holes == 0 && !(run_.axes & plane).empty()) {
+    run_.refuse(*count, codes::kNotInterpreted,
+                "with a count of 0 nothing is drilled; whether the control goes to the place of the hole was found in "
+                "no source",
+                "leave the axes of the plane out of this block, or go there with G0 before");
+  }
   check_motions(run_, holes);
   for (int i = 0; i < holes; ++i) make_hole(i == 0);
 }

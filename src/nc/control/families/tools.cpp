@@ -150,13 +150,14 @@ void choose_edge(Execution& run, const Word& word) {
   control.edge_unknown = false;
   control.modal.tool_of_offset = -1;
   control.edge = edge;
+  control.edge_of_selected = false;
   if (edge == 0) return take_offset(run, AxisWords{});
   if (edge > 1) {
     run.refuse(word, codes::kToolUnknown, "a tool of the table has one edge, and this chooses another",
                "give the edge's length as a tool of its own");
   }
-  const int number = control.modal.tool_in_spindle >= 0 ? control.modal.tool_in_spindle : control.selected_tool;
-  take_edge(run, word, number);
+  control.edge_of_selected = control.modal.tool_in_spindle < 0;
+  take_edge(run, word, control.edge_of_selected ? control.selected_tool : control.modal.tool_in_spindle);
 }
 
 void select_tool(Execution& run, const Word& word) {
@@ -172,6 +173,14 @@ void change_tool(Execution& run, const Chosen& chosen) {
     control.modal.tool_in_spindle = tool_number(run, run.need('Q', "M61"), "the number of a tool");
     return;
   }
+  // With M6 in a program T only prepares [Siemens, MD22550 1]; without it T changes the tool.
+  if (control.moved_on_selected) {
+    run.refuse(
+        *chosen.word, codes::kToolUnknown,
+        "M6 changes tools here, so the T before it only prepared one; but D took its length for moves before this",
+        "write M6 before D and the first move, or say which tool is in the spindle: --tool-in-spindle");
+  }
+  control.edge_of_selected = false;
   control.modal.tool_in_spindle = control.selected_tool;
   if (run.dialect.behaviour.change_stops_spindle) control.modal.switches.spindle = kSpindleStands;
   if (run.dialect.behaviour.tool_length_at_change && control.edge != 0) {

@@ -117,6 +117,8 @@ struct Control {
   std::map<int, ToolRow> tools;            // tool table rows that the program wrote (G10 L1, L10, L11)
   int selected_tool = -1;                  // T; -1: none yet
   int edge = 1;                            // D
+  bool edge_of_selected = false;           // D took the length of T while no tool was known in the spindle,
+  bool moved_on_selected = false;          // and moves were made with it
   bool edge_unknown = false;               // after D0 a tool was changed: D0 or D1, as the control is set
   double spindle_speed = 0;
   bool surface_speed = false;  // G96

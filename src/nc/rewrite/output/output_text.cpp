@@ -49,9 +49,10 @@ void OutputText::follow(const Step& step) {
   if (block.kind == LineKind::percent) ++percents_;
   if (!in_header_) return;
   header_end_ = std::max<std::uint64_t>(header_end_, byte_order_mark_size(block));
-  const bool text = block.words.empty() && block.settings.empty() && !block.block_delete;  // / is rewritten
-  const bool blank = text && block.comments.empty() && block.kind == LineKind::block;
   const bool number = block.flow.word == FlowWord::program && !block.block_delete;
+  const bool steers = block.flow.word != FlowWord::none && !number;  // what it sets is no line of an unrolled program
+  const bool text = block.words.empty() && (block.settings.empty() || steers) && !block.block_delete;  // / is rewritten
+  const bool blank = text && block.comments.empty() && block.kind == LineKind::block;
   if (block.kind == LineKind::percent || (text && !block.comments.empty()) || number) {
     header_end_ = source_end_;
   } else if (!blank) {
