@@ -37,6 +37,7 @@ namespace fs = std::filesystem;
 struct DiagnoseArguments {
   jobs::DiagnoseJob job;
   std::string model, folder;
+  std::string report;  // empty: report.html of the folder
   std::string dialect = "linuxcnc";
   bool json = false;
 };
@@ -115,7 +116,9 @@ std::string page_of(const DiagnoseArguments& arguments, const jobs::DiagnoseResu
 int diagnose(const DiagnoseArguments& arguments) {
   const std::string json = (path_of(arguments.folder) / "diagnosis.json").generic_string();
   const std::string model = (path_of(arguments.folder) / "model.toml").generic_string();
-  const std::string page = (path_of(arguments.folder) / "report.html").generic_string();
+  if (arguments.report == kStandardStream) throw UsageError("--report of diagnose names a file");
+  const std::string page =
+      arguments.report.empty() ? (path_of(arguments.folder) / "report.html").generic_string() : arguments.report;
   const std::string judged = (path_of(arguments.folder) / "inspection.json").generic_string();
   const std::string posterior = report::posterior_path(model);
   const std::vector<std::string> inputs = inputs_of(arguments.job.dataset, {arguments.model}, arguments.job.with);
@@ -173,6 +176,8 @@ void add_diagnose(CLI::App& app, Run& run) {
                    "folder for diagnosis.json, model.toml, report.html and NC programs of tests that would tell more")
       ->type_name("DIR")
       ->required();
+  command->add_option("--report", arguments->report, "where the page goes, in place of report.html in that folder")
+      ->type_name("FILE.html");
   add_accept(*command, arguments->job.accepted);
   add_test_dialect(*command, arguments->dialect);
   command->add_option("--without", arguments->job.without, "effects to leave out of the catalogue")

@@ -317,6 +317,13 @@ TEST_CASE("a diagnosis that leaves several effects writes the programs of the te
     scratch.file(table, text);
   }
   REQUIRE(run(scratch, "diagnose -d sim/dataset.toml -o found " + kModel).code == 0);
+  CHECK(scratch.has("found/report.html"));
+  REQUIRE(run(scratch, "diagnose -d sim/dataset.toml -o elsewhere --report page.html " + kModel).code == 0);
+  CHECK(scratch.text("page.html") == scratch.text("found/report.html"));
+  CHECK_FALSE(scratch.has("elsewhere/report.html"));
+  CHECK(run(scratch, "diagnose -d sim/dataset.toml -o third --report - " + kModel).code == 2);
+  CHECK(contains(run(scratch, "diagnose -d sim/dataset.toml -o third --report sim/dataset.toml " + kModel).err,
+                 "[file-overwrites-input]"));
   const json tests = json::parse(scratch.text("found/diagnosis.json")).at("next_tests");
   REQUIRE_FALSE(tests.empty());
   std::size_t programs = 0;
