@@ -91,10 +91,11 @@ class Run {
       Planned one;
       one.task.program = program;
       try {
-        const std::string place = place_in_folder(request_.programs.folder, program);
+        one.task.place = place_in_folder(request_.programs.folder, program);
+        one.task.output = output_at(one.task.place);
         one.settings = &settings_.of(program);
-        one.task.place = place_of_output(place, one.settings->options);
-        one.task.output = (path_of(request_.programs.output) / path_of(one.task.place)).generic_string();
+        one.task.place = place_of_output(one.task.place, one.settings->options);
+        one.task.output = output_at(one.task.place);
         if (is_named_twice(one.task)) continue;
       } catch (const Refusal& refusal) {
         one.settings = nullptr;
@@ -103,6 +104,10 @@ class Run {
       one.task.number = planned_.size();
       planned_.push_back(std::move(one));
     }
+  }
+
+  std::string output_at(const std::string& place) const {
+    return (path_of(request_.programs.output) / path_of(place)).generic_string();
   }
 
   // A list may name a program twice; two programs may not have one output.
@@ -132,8 +137,8 @@ class Run {
     const Task& task = planned.task;
     std::optional<Entry> known;
     try {
+      known = record.find(task.place);  // of refused settings: where it would be without a name of their own
       if (planned.refusal) throw Refusal(*planned.refusal);
-      known = record.find(task.place);
       if (std::optional<Work> work = unchanged(known, planned)) return hand_on(std::move(*work), committer);
       make_folder(path_of(task.output).parent_path().generic_string());
     } catch (...) {

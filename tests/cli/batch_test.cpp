@@ -78,6 +78,22 @@ TEST_CASE("batch: one that is refused has its message, and the exit code is 1") 
   CHECK(lines_of(run(scratch, "batch parts -o out --json - " + kMachine).out).size() == 4);
 }
 
+TEST_CASE("batch: where settings are refused the outputs of before are named") {
+  const Scratch scratch;
+  write_parts(scratch);
+  scratch.file("parts/plumbline.toml", "plumbline = \"settings 1\"\n[work_offset]\nG54 = [0, 0, -1008, 0, 0, 0]\n");
+  REQUIRE(run(scratch, "batch parts -o out " + kModel).code == 0);
+  scratch.file("parts/plumbline.toml", "plumbline = \"settings 1\"\nno_such_key = 1\n");
+  scratch.file("parts/new.nc", kPart);
+  const Outcome again = run(scratch, "batch parts -o out " + kModel);
+  INFO(again.err);
+  CHECK(again.code == 1);
+  CHECK(contains(again.err, "3 refused"));
+  CHECK(contains(again.err, "out/a.nc: warning: was made in an earlier run"));
+  CHECK(contains(again.err, "out/inner/b.nc: warning: was made in an earlier run"));
+  CHECK_FALSE(contains(again.err, "out/new.nc: warning"));
+}
+
 TEST_CASE("batch: undo files, lists, names and another record") {
   const Scratch scratch;
   write_parts(scratch);

@@ -12,10 +12,19 @@ namespace {
 constexpr double kLeastShare = 1e-12;  // of the largest weight: a smaller one is none
 constexpr double kNearMean = 1e-3;     // standard deviations of Q off its mean, within which its limit there is taken
 constexpr int kHalvings = 60;
+constexpr int kBits = 22;       // of a length that are kept
 constexpr double kNear = 1e-7;  // of a length, that it is found to
 
 // That a standard deviate lies above x.
 double above(double x) { return 0.5 * std::erfc(x / std::numbers::sqrt2); }
+
+// To the digits that are found: the last bits of exp and erfc are not the same on every system, and its steps show
+// them.
+double rounded(double length) {
+  int exponent = 0;
+  const double mantissa = std::frexp(length, &exponent);
+  return std::ldexp(std::round(std::ldexp(mantissa, kBits)), exponent - kBits);
+}
 
 // Where a falling function comes down to `wanted`: inverse quadratic steps where they are safe, else halves
 // (Chandrupatla, Advances in Engineering Software 28, 1997).
@@ -48,7 +57,7 @@ double crossing(const Function& falling, double wanted, double low, double high)
                     : 0.5;
     share = std::clamp(share, least, 1 - least);
   }
-  return std::abs(at_a) < std::abs(at_b) ? a : b;
+  return rounded(std::abs(at_a) < std::abs(at_b) ? a : b);
 }
 
 }  // namespace
