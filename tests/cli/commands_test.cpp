@@ -86,7 +86,8 @@ TEST_CASE("trace and diff take the order of rotations from a model") {
   scratch.file("b.mpf", "G54 G0 X0 Y0 Z0 A0 B0 C0\nG1 X5 A-45 B35.264389683 F100\nM30\n");
   const auto last_to = [&](const std::string& options) {
     const Outcome outcome = run(scratch, "trace a.mpf " + options);
-    CHECK(outcome.code == 0);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
     return json::parse(outcome.out.substr(outcome.out.rfind('\n', outcome.out.size() - 2) + 1)).at("to");
   };
   CHECK(std::abs(last_to("").at(3).get<double>() + 35.264389683) < 1e-6);
