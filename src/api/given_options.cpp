@@ -112,11 +112,10 @@ std::optional<double> GivenOptions::positive(std::string_view name) const {
 
 std::vector<std::string> GivenOptions::list(std::string_view name) const {
   std::vector<std::string> texts;
-  for (const Options::Given& given : given_) {
-    if (given.name != name) continue;
-    for (std::size_t at = 0; at <= given.value.size();) {
-      const std::size_t end = std::min(given.value.find(',', at), given.value.size());
-      texts.push_back(given.value.substr(at, end - at));
+  for (const std::string& given : each(name)) {
+    for (std::size_t at = 0; at <= given.size();) {
+      const std::size_t end = std::min(given.find(',', at), given.size());
+      texts.push_back(given.substr(at, end - at));
       at = end + 1;
     }
   }

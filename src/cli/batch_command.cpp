@@ -44,10 +44,8 @@ class Telling {
     return {[this](const jobs::BatchItem& item) { tell(item); }, line_.progress()};
   }
   void clear() { line_.clear(); }
-  const std::vector<std::string>& outputs() const { return outputs_; }
 
   void tell(const jobs::BatchItem& item) {
-    outputs_.push_back(item.output);
     if (json_ != nullptr) json_->write(report::batch_json_line(item));
     if (item.state == State::subprogram) {
       say_step(fmt::format("{}: others call it, it is no program of its own", item.program));
@@ -66,7 +64,6 @@ class Telling {
   OutputFile* json_;
   bool says_json_;
   bool has_heading_ = false;
-  std::vector<std::string> outputs_;
   ProgressLine line_{"batch"};
 };
 
@@ -150,11 +147,17 @@ int run_batch(const BatchArguments& arguments) {
   std::optional<OutputFile> depfile;
   if (!arguments.depfile.empty()) depfile.emplace(arguments.depfile);
   Telling telling(json ? &*json : nullptr, arguments.json == kStandardStream);
-  const batch::Result result = batch::run(request, telling.observer());
+  batch::Observer observer = telling.observer();
+  std::vector<std::string> outputs;
+  observer.item = [&](const jobs::BatchItem& item) {
+    outputs.push_back(item.output);
+    telling.tell(item);
+  };
+  const batch::Result result = batch::run(request, observer);
   folder.keep();
   telling.clear();
   say_what_is_left(result.summary);
-  check_reports(arguments, result.files_read, telling.outputs());
+  check_reports(arguments, result.files_read, outputs);
   OutputSet files;
   if (depfile) {
     depfile->write(report::depfile_text(json ? arguments.json : batch::record_path(request), result.files_read));

@@ -83,10 +83,10 @@ struct Program::Parts {
   enum class Stage : std::uint8_t {
     blank,        // no line was read but blank ones
     text,         // without a % before it
+    opened,       // by %, and nothing stands behind it yet
     in_percents,  // the program began with %
     ended,        // M2, M30 or the second % was executed
   } stage = Stage::blank;
-  bool has_text = false;       // a line of the program was read
   bool ends_doubtful = false;  // by a % that may be the first one: whether the control reads on there, nobody says
   bool jumped = false;         // before the block of the last step
   bool in_guard = false;       // of a compensated program
@@ -129,8 +129,8 @@ const Step* Program::Parts::next() {
     if (block->kind == LineKind::percent) return percent();
     if (block->kind == LineKind::ignored) return &interpreter.pass(*block);
     if (!holds_nothing(block->text)) {
-      has_text = true;
       if (stage == Stage::blank) stage = Stage::text;
+      if (stage == Stage::opened) stage = Stage::in_percents;
     }
     if (flow.used()) count(1);
     if (block->flow.word == FlowWord::none) return execute();
@@ -233,8 +233,8 @@ const Step* Program::Parts::percent() {
     refuse_at(*block, {at, at + 1}, codes::kBadCharacter, "% ends a program that did not begin with %",
               "put % on the first line as well, or end with M2");
   }
-  ends_doubtful = !dialect.syntax.percent_pairs && (stage == Stage::text || (stage == Stage::in_percents && !has_text));
-  stage = stage == Stage::blank ? Stage::in_percents : Stage::ended;
+  ends_doubtful = !dialect.syntax.percent_pairs && (stage == Stage::text || stage == Stage::opened);
+  stage = stage == Stage::blank ? Stage::opened : Stage::ended;
   return &interpreter.pass(*block);
 }
 

@@ -150,8 +150,7 @@ std::string record_text(const Fault& fault, const Run& run, const std::vector<Ru
     case FaultKind::bar_unit:
       return fmt::format(
           "readings of the bar are {:.2g} of what the model predicts, their noise is {:.1g} um, less than any bar has: "
-          "they "
-          "are in {}, not in um",
+          "they are in {}, not in um",
           value, fault.values.at(1) / kUm, larger_unit(value));
     case FaultKind::drift:
       return fmt::format(
