@@ -142,6 +142,7 @@ Result error(const Input& poses, const Model& model, const Output& output) {
     out.commit();
     Inside::Found found;
     if (known.warning) found.warnings.push_back(public_diagnostic(*known.warning));
+    if (summary.first_beyond) found.warnings.push_back(public_diagnostic(*summary.first_beyond));
     found.json = report::error_json(summary);
     found.words = report::error_text(summary);
     return Inside::result(std::move(found));

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -58,6 +59,20 @@ std::string place_of_output(const std::string& place, const settings::Options& o
   }
 }
 
+std::string output_beside(const std::string& program, const settings::Options& options) {
+  const std::string_view pattern =
+      options.output_pattern.empty() ? settings::kOutputPattern : std::string_view(options.output_pattern);
+  return settings::output_name(pattern, program, options.machine);
+}
+
+// Of a program that holds corrections already.
+void tell_expected(jobs::BatchItem& item, bool is_expected) {
+  if (is_expected) return item.diagnostics.clear();
+  Diagnostic& why = item.diagnostics.front();
+  why.severity = Severity::warning;
+  why.help = "it is passed over: put the program that it was made of into the folder";
+}
+
 class Run {
  public:
   Run(const Request& request, const Observer& observer)
@@ -97,6 +112,7 @@ class Run {
         one.task.place = place_of_output(one.task.place, one.settings->options);
         one.task.output = output_at(one.task.place);
         if (is_named_twice(one.task)) continue;
+        beside_.insert(output_beside(program, one.settings->options));
       } catch (const Refusal& refusal) {
         one.settings = nullptr;
         one.refusal = refusal.diagnostic();
@@ -145,7 +161,11 @@ class Run {
       settle(failed(task, current_problem(task.program), known.has_value()));
       return;
     }
-    hand_on(compensate_one(task, *planned.settings, known), committer);
+    Work work = compensate_one(task, *planned.settings, known);
+    if (work.item.state == jobs::BatchItem::State::compensated) {
+      tell_expected(work.item, beside_.contains(path_of(task.program).lexically_normal().generic_string()));
+    }
+    hand_on(std::move(work), committer);
   }
 
   void hand_on(Work&& work, Committer& committer) {
@@ -160,7 +180,7 @@ class Run {
     work.entry = *known;
     const Freshness found = freshness(work.entry, task.program, task.output, *planned.settings);
     if (!found.is_fresh) return std::nullopt;
-    work.entry.source = fs::absolute(path_of(task.program)).lexically_normal().generic_string();
+    work.entry.source = whole_path(task.program);
     work.is_known_anew = found.looks_new || work.entry.source != known->source;
     work.task = task;
     work.item = {task.program, task.output, jobs::BatchItem::State::unchanged, known->summary, {}};
@@ -186,7 +206,7 @@ class Run {
   void settle(Work&& work) {
     const std::scoped_lock lock(guard_);
     for (const std::string& file : work.called) {
-      if (!file.empty()) called_.insert(fs::absolute(path_of(file)).lexically_normal().generic_string());
+      if (!file.empty()) called_.insert(whole_path(file));
     }
     told_->take(work.task.number, std::move(work.item));
   }
@@ -229,6 +249,7 @@ class Run {
   std::mutex guard_;
   std::set<std::string> made_;    // folders
   std::set<std::string> called_;  // files that programs call
+  std::set<std::string> beside_;  // outputs that `compensate` would make of the programs, mostly beside them
   std::optional<InOrder> told_;
 };
 

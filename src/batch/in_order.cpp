@@ -1,9 +1,8 @@
 #include "batch/in_order.hpp"
 
-#include <filesystem>
 #include <utility>
 
-#include "base/files/path_of.hpp"
+#include "batch/program_list.hpp"
 
 namespace plumbline::batch {
 
@@ -27,7 +26,7 @@ void InOrder::take(std::size_t number, jobs::BatchItem item) {
 
 void InOrder::finish(const std::set<std::string>& called) {
   for (jobs::BatchItem& item : failed_) {
-    if (called.contains(std::filesystem::absolute(path_of(item.program)).lexically_normal().generic_string())) {
+    if (called.contains(whole_path(item.program))) {
       item.state = State::subprogram;
     }
     tell(std::move(item));
@@ -36,10 +35,11 @@ void InOrder::finish(const std::set<std::string>& called) {
 }
 
 void InOrder::tell(jobs::BatchItem item) {
-  std::size_t& count = item.state == State::done        ? summary_.done
-                       : item.state == State::unchanged ? summary_.unchanged
-                       : item.state == State::failed    ? summary_.failed
-                                                        : summary_.subprograms;
+  std::size_t& count = item.state == State::done         ? summary_.done
+                       : item.state == State::unchanged  ? summary_.unchanged
+                       : item.state == State::failed     ? summary_.failed
+                       : item.state == State::subprogram ? summary_.subprograms
+                                                         : summary_.compensated;
   ++count;
   if (observer_.item) observer_.item(item);
 }

@@ -131,11 +131,14 @@ ProgramList list_programs(const ProgramRequest& request) {
   return list;
 }
 
+std::string whole_path(const std::string& path) {
+  return fs::absolute(path_of(path)).lexically_normal().generic_string();
+}
+
 std::string place_in_folder(const std::string& folder, const std::string& program) {
-  const auto whole = [](const std::string& path) { return fs::absolute(path_of(path)).lexically_normal(); };
-  fs::path root = whole(folder);
+  fs::path root = path_of(whole_path(folder));
   if (!root.has_filename()) root = root.parent_path();
-  const fs::path place = whole(program).lexically_relative(root);
+  const fs::path place = path_of(whole_path(program)).lexically_relative(root);
   if (place.empty() || *place.begin() == ".." || place == ".") {
     refuse("batch-outside", fmt::format("does not lie in {}", root.generic_string()),
            "name the folder that holds all programs of the list: outputs have the same places in the folder of -o",

@@ -33,6 +33,9 @@ bool is_program_name(const std::string& path, const std::vector<std::string>& en
 /// does.
 ProgramList list_programs(const ProgramRequest& request);
 
+/// Absolute, without "." and "..": links are not followed.
+std::string whole_path(const std::string& path);
+
 /// The place of a program in the folder, which is the place of its output: "a/part.nc". Refuses with batch-outside a
 /// program that does not lie in it.
 std::string place_in_folder(const std::string& folder, const std::string& program);

@@ -13,6 +13,7 @@
 #include "base/text/hash.hpp"
 #include "base/version.hpp"
 #include "batch/freshness.hpp"
+#include "batch/program_list.hpp"
 #include "compensate/stamp_mark.hpp"
 #include "jobs/compensate/compensate_file.hpp"
 #include "jobs/compensate/compensated_files.hpp"
@@ -30,6 +31,12 @@ void refuse_strange_output(const std::string& output) {
   place.file = output;
   refuse("file-exists", fmt::format("{} stands there already, and is no compensated program", output),
          "move it away, or give another folder with -o", place);
+}
+
+// Of the program itself, not of a file that it calls.
+bool is_about_stamp(const jobs::BatchItem& item) {
+  const Diagnostic& why = item.diagnostics.front();
+  return why.code == "compensate-stamped" && why.place.file == item.program;
 }
 
 std::vector<CalledFile> called_files(const FilesBeside& beside, const std::string& program) {
@@ -67,7 +74,7 @@ void compensate_into(Work& work, const FolderSettings& settings, const FilesBesi
   work.item.summary = report::summary_json_line(summary, settings.options);
   Entry& entry = work.entry;
   entry.place = task.place;
-  entry.source = fs::absolute(path_of(task.program)).lexically_normal().generic_string();
+  entry.source = whole_path(task.program);
   entry.settings = settings.hash;
   entry.dialect = opened.dialect.name;
   entry.called = called_files(beside, task.program);
@@ -129,7 +136,9 @@ Work compensate_one(const Task& task, const FolderSettings& settings, const std:
     return work;
   } catch (...) {
     std::error_code none;
-    Work work = failed(task, current_problem(task.program), known && fs::exists(path_of(task.output), none));
+    const bool stays = known && fs::exists(path_of(task.output), none);
+    Work work = failed(task, current_problem(task.program), stays);
+    if (!stays && is_about_stamp(work.item)) work.item.state = jobs::BatchItem::State::compensated;
     for (const FilesBeside::Sought& one : beside.files()) work.called.push_back(one.path);
     return work;
   }

@@ -3,6 +3,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -44,6 +47,8 @@ class Telling {
     return {[this](const jobs::BatchItem& item) { tell(item); }, line_.progress()};
   }
   void clear() { line_.clear(); }
+  /// What was said is said anew.
+  void forget() { said_.clear(); }
 
   void tell(const jobs::BatchItem& item) {
     if (json_ != nullptr) json_->write(report::batch_json_line(item));
@@ -51,9 +56,12 @@ class Telling {
       say_step(fmt::format("{}: others call it, it is no program of its own", item.program));
       return;
     }
-    const bool is_shown = item.state != State::unchanged || loudness() == Loudness::verbose;
+    const bool is_verbose = loudness() == Loudness::verbose;
+    const bool is_shown = item.state == State::done || item.state == State::failed || is_verbose;
     if (is_shown || !item.diagnostics.empty()) line_.clear();
-    for (const Diagnostic& one : item.diagnostics) say(one);
+    for (const Diagnostic& one : item.diagnostics) {
+      if (said_.insert(to_text(one)).second) say(one);  // settings may be refused for many programs alike
+    }
     if (says_json_ && json_ == nullptr) print_result(report::batch_json_line(item));
     if (!is_shown || says_json_) return;
     print_result((has_heading_ ? "" : report::batch_heading()) + report::batch_line(item));
@@ -64,17 +72,20 @@ class Telling {
   OutputFile* json_;
   bool says_json_;
   bool has_heading_ = false;
+  std::set<std::string> said_;
   ProgressLine line_{"batch"};
 };
 
+void say_vanished(const std::string& output) {
+  Place place;
+  place.file = output;
+  say({"batch-vanished", "the program that it was made of is gone", "remove it too, if the program is no more", place,
+       Severity::warning});
+}
+
 void say_what_is_left(const jobs::BatchSummary& summary) {
   for (const std::string& file : summary.passed_over) say_step(fmt::format("{}: no program, passed over", file));
-  for (const std::string& output : summary.vanished) {
-    Place place;
-    place.file = output;
-    say({"batch-vanished", "the program that it was made of is gone", "remove it too, if the program is no more", place,
-         Severity::warning});
-  }
+  for (const std::string& output : summary.vanished) say_vanished(output);
 }
 
 // What does not fit together. Outputs of the command itself; those of the programs are looked at one by one.
@@ -117,10 +128,18 @@ int watch_folder(const BatchArguments& arguments, const batch::Request& request)
     if (item.state != State::unchanged) telling.tell(item);
   };
   bool is_first = true;
+  std::set<std::string> vanished;
   watcher.round = [&](const batch::Result& result) {
+    telling.forget();
+    std::set<std::string> now(result.summary.vanished.begin(), result.summary.vanished.end());
+    for (const std::string& output : now) {
+      if (!vanished.contains(output)) say_vanished(output);
+    }
+    vanished = std::move(now);
     if (is_first) say_note(report::batch_total(result.summary) + "waiting for programs\n");
     is_first = false;
   };
+  watcher.warning = [](const Diagnostic& diagnostic) { say(diagnostic); };
   batch::watch(request, how, watcher);
   return kDone;
 }

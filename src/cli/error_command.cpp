@@ -26,6 +26,7 @@ int error(const ErrorArguments& arguments) {
   const jobs::ErrorTableSummary summary = jobs::error_table(
       model, poses, [&](const jobs::PoseError& error) { table.add(error); }, known.posterior_or_null());
   out.commit();
+  if (summary.first_beyond) say(*summary.first_beyond);
   say_note(report::error_text(summary));
   return kDone;
 }

@@ -1,9 +1,13 @@
 #include <deque>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include <fmt/format.h>
 
+#include "base/diagnostic.hpp"
 #include "base/files/files.hpp"
+#include "base/files/path_of.hpp"
 #include "base/text/nearest_name.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
@@ -52,6 +56,7 @@ struct NewModelArguments {
   std::string output = std::string(kStandardStream);
   std::string ini, rotation;
   std::vector<std::string> hal, settings;
+  bool force = false;
   std::deque<Given> given;  // their places stay
 };
 
@@ -120,6 +125,14 @@ jobs::NewModelJob job_of(const NewModelArguments& arguments) {
   return job;
 }
 
+// A model file is worked on by hand.
+void refuse_to_write_over(const std::string& file, const std::string& text) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path_of(file), none) || read_text(file) == text) return;
+  refuse("model-exists", "there is another file of this name already",
+         "give another name with -o, or --force to write over it", {file, 0});
+}
+
 int new_model(const NewModelArguments& arguments) {
   const jobs::NewModelJob job = job_of(arguments);
   std::vector<std::string> inputs = arguments.hal;
@@ -127,6 +140,7 @@ int new_model(const NewModelArguments& arguments) {
   check_outputs(inputs, {arguments.output});
   OutputFile out(arguments.output);
   const jobs::NewModel made = jobs::make_new_model(job);
+  if (out.is_file() && !arguments.force) refuse_to_write_over(arguments.output, made.text);
   out.write(made.text);
   out.commit();
   say_note(report::new_model_text(made));
@@ -187,6 +201,7 @@ void add_ring(CLI::App& command, jobs::JointRing& ring, const std::string& name,
 void add_files(CLI::App& command, NewModelArguments& arguments) {
   command.add_option("-o,--output", arguments.output, "the model file to write; default standard output")
       ->type_name("FILE");
+  command.add_flag("--force", arguments.force, "write over a model file that is there");
   command.add_option("--name", arguments.job.name, "of the machine; default MACHINE of the INI file, or hexapod")
       ->type_name("NAME");
   command.add_option("--provenance", arguments.job.provenance, "where what you state comes from, for the file's head")

@@ -13,9 +13,10 @@ namespace plumbline::jobs {
 struct BatchItem {
   enum class State {
     done,
-    unchanged,   // what it was made from is as it was, and so is the output
-    failed,      // refused
-    subprogram,  // refused on its own, but others call it and hold what it does
+    unchanged,    // what it was made from is as it was, and so is the output
+    failed,       // refused
+    subprogram,   // refused on its own, but others call it and hold what it does
+    compensated,  // it holds corrections already: what it was made of is the program
   };
 
   std::string program;
@@ -31,6 +32,7 @@ struct BatchSummary {
   std::size_t unchanged = 0;
   std::size_t failed = 0;
   std::size_t subprograms = 0;
+  std::size_t compensated = 0;           // programs that were so before
   std::vector<std::string> passed_over;  // files that are no programs
   std::vector<std::string> vanished;     // outputs whose program is gone
   double seconds = 0;                    // that it took

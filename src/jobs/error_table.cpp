@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "base/units.hpp"
 #include "machine/axis_words.hpp"
+#include "machine/limits.hpp"
 #include "physics/error.hpp"
 
 namespace plumbline::jobs {
@@ -18,6 +19,19 @@ namespace {
   refuse("error-unreachable", fmt::format("the machine cannot stand at this pose: {}", why),
          "the pose lies at or beyond a singularity of the machine; leave it out or check its units (mm, deg)",
          row.place);
+}
+
+// Warns of poses where the model holds and the machine does not come.
+void note_limits(const machine::MachineModel& model, const PoseRow& row, ErrorTableSummary& summary) {
+  const Pose<double> pose = machine::pose_of(model.rotation, row.pose);
+  const std::vector<machine::Violation> broken = machine::check_compensated(model.limits, model.geometry, pose);
+  if (broken.empty()) return;
+  ++summary.beyond_travel;
+  if (summary.first_beyond) return;
+  summary.first_beyond =
+      Diagnostic{"error-beyond-travel", fmt::format("{} at this pose", machine::to_text(broken.front())),
+                 "the figures hold for a machine that could go there: look at [limits] and [strut] of the model",
+                 row.place, Severity::warning};
 }
 
 constexpr std::size_t kPosesTogether = 512;  // poses that are looked at on all processors together
@@ -87,8 +101,10 @@ ErrorTableSummary error_table(const machine::MachineModel& model, std::span<cons
   std::vector<PoseError> batch;
   for (; !poses.empty(); poses = poses.subspan(batch.size())) {
     batch.clear();
-    for (const PoseRow& row : poses.first(std::min(kPosesTogether, poses.size())))
+    for (const PoseRow& row : poses.first(std::min(kPosesTogether, poses.size()))) {
       batch.push_back(pose_error(model, forces, at_rest, row));
+      note_limits(model, row, summary);
+    }
     if (doubts) doubts->add_to(batch);
     for (const PoseError& error : batch) {
       take(error);

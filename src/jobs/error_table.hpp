@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "base/diagnostic.hpp"
 #include "jobs/expected/expected_error.hpp"
 #include "jobs/pose_table.hpp"
 #include "machine/model.hpp"
@@ -24,12 +25,14 @@ struct PoseError {
 
 struct ErrorTableSummary {
   std::uint64_t poses = 0;
-  double largest_um = 0;  // distance of the tip from its pose
+  std::uint64_t beyond_travel = 0;         // of them
+  std::optional<Diagnostic> first_beyond;  // a warning of the first
+  double largest_um = 0;                   // distance of the tip from its pose
   std::optional<ExpectedError> expected;
 };
 
-/// Hands over pose after pose. No friction, no limits. `known`: where it is not null, how far the tip may be from where
-/// it says comes with each. Refuses with error-unreachable a pose where the machine cannot
+/// Hands over pose after pose. No friction; poses beyond the limits are counted. `known`: where it is not null, how far
+/// the tip may be from where it says comes with each. Refuses with error-unreachable a pose where the machine cannot
 /// stand, and what physics::ForceModel refuses.
 ErrorTableSummary error_table(const machine::MachineModel& model, std::span<const PoseRow> poses,
                               const std::function<void(const PoseError&)>& take,

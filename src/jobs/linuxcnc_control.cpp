@@ -228,10 +228,10 @@ void refuse_what_linuxcnc_has_not(const machine::MachineModel& model) {
 
 // A name may be that of another system on another control: G54.1P1 is Fanuc's seventh.
 void refuse_other_systems(const settings::Options& options) {
-  for (const auto& [name, system] : options.work_offset_names) {
-    if (nc::dialect("linuxcnc").system_of_name(name) == system) continue;
-    refuse("control-work-system", fmt::format("LinuxCNC has no work system {}", name),
-           "it has G54 to G59 and G59.1 to G59.3: name one of these in --work-offset", {});
+  for (const settings::NamedSystem& system : options.offset_systems) {
+    if (nc::dialect("linuxcnc").system_of_name(system.name) == system.number) continue;
+    refuse("control-work-system", fmt::format("LinuxCNC has no work system {}", system.name),
+           "it has G54 to G59 and G59.1 to G59.3: name one of these in --work-offset", system.stated);
   }
 }
 

@@ -141,7 +141,7 @@ void set_work_offset(Options& options, std::string_view text) {
   if (!values) throw OptionError(std::string(kExpected));
   refuse_absurd(*values);
   options.program.work_offsets[static_cast<std::size_t>(system - 1)] = nc::WorkOffset{{*values}, 0};
-  options.work_offset_names.emplace_back(name, system);
+  options.offset_systems.push_back({name, system, {}});
 }
 
 void set_start(Options& options, std::string_view text) {

@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include "base/diagnostic.hpp"
 #include "base/files/source.hpp"
 #include "compensate/settings.hpp"
 #include "nc/control/state/program_settings.hpp"
@@ -28,12 +28,18 @@ struct Paths {
   std::vector<std::string> settings_files;  // that options come from, the one that counts most first
 };
 
+/// A work system by the name under which an offset was given for it.
+struct NamedSystem {
+  std::string name;
+  int number = 0;  // what the name was taken for, 1 the first
+  Place stated;    // in a settings file; no file: the command line states it
+};
+
 struct Options {
   Paths paths;
   std::string machine;  // by its name in a settings file; empty: none was named
   std::string dialect;  // empty: seen from the program
-  std::vector<std::pair<std::string, int>>
-      work_offset_names;        // as they were given, and which system they were taken for
+  std::vector<NamedSystem> offset_systems;
   nc::ProgramSettings program;  // without what the files hold: see program_settings.hpp
   compensate::Settings compensation;
   nc::EmitSettings emit;     // without what the model says of the control

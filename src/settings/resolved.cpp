@@ -84,7 +84,7 @@ void require_machine(const std::string& name, const Place& place, const std::vec
 int system_in(const StatedOption& stated) {
   Options scratch;
   set_option(scratch, *stated.row, stated.text);
-  return scratch.work_offset_names.empty() ? 0 : scratch.work_offset_names.front().second;
+  return scratch.offset_systems.empty() ? 0 : scratch.offset_systems.front().number;
 }
 
 // Whether one statement leaves nothing of another that is weaker.
@@ -140,7 +140,12 @@ ResolvedSettings resolve_settings(const SettingsRequest& request, const std::vec
   resolved.machine_place = place;
   std::stable_sort(resolved.stated.begin(), resolved.stated.end(),
                    [](const StatedOption& a, const StatedOption& b) { return a.row < b.row; });
-  for (const StatedOption& one : resolved.stated) set_option(resolved.options, *one.row, one.text);
+  std::vector<NamedSystem>& systems = resolved.options.offset_systems;
+  for (const StatedOption& one : resolved.stated) {
+    const std::size_t known = systems.size();
+    set_option(resolved.options, *one.row, one.text);
+    if (systems.size() > known) systems.back().stated = one.place;
+  }
   return resolved;
 }
 

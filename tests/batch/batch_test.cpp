@@ -92,6 +92,50 @@ TEST_CASE("batch: a subprogram that others call is no failure, and its change ma
   CHECK(items[1].state == State::unchanged);
 }
 
+TEST_CASE("batch: outputs of compensate beside their programs are passed over, others with a warning") {
+  const Shop shop;
+  shop.run();
+  const std::string compensated = shop.scratch.text("out/a.nc");
+  shop.scratch.file("parts/a_straight.nc", compensated);
+  shop.scratch.file("parts/inner/lost.nc", compensated);
+  const auto of = [&](const std::vector<jobs::BatchItem>& items, const char* place) {
+    return *std::find_if(items.begin(), items.end(),
+                         [&](const jobs::BatchItem& item) { return item.program == shop.scratch.path(place); });
+  };
+  auto items = shop.run();
+  REQUIRE(items.size() == 4);
+  CHECK(of(items, "parts/a_straight.nc").state == State::compensated);
+  CHECK(of(items, "parts/a_straight.nc").diagnostics.empty());
+  const jobs::BatchItem lost = of(items, "parts/inner/lost.nc");
+  CHECK(lost.state == State::compensated);
+  REQUIRE(lost.diagnostics.size() == 1);
+  CHECK(lost.diagnostics[0].severity == Severity::warning);
+  CHECK_FALSE(shop.scratch.has("out/a_straight.nc"));
+  const batch::Result result = batch::run(shop.request(), {});
+  CHECK(result.summary.compensated == 2);
+  CHECK(result.summary.failed == 0);
+
+  // By the name that the settings give it.
+  shop.scratch.file("parts/inner/hex_a.nc", compensated);
+  shop.scratch.file("parts/plumbline.toml",
+                    "output_name = \"{folder}/inner/hex_{name}{ext}\"\n" + shop.scratch.text("parts/plumbline.toml"));
+  items = shop.run();
+  CHECK(of(items, "parts/inner/hex_a.nc").diagnostics.empty());
+  CHECK(of(items, "parts/a_straight.nc").diagnostics.size() == 1);
+}
+
+TEST_CASE("batch: a program that is compensated now, and was not before, leaves an output that is named") {
+  const Shop shop;
+  shop.run();
+  shop.scratch.file("parts/a.nc", shop.scratch.text("out/a.nc"));
+  const auto items = shop.run();
+  REQUIRE(items.size() == 2);
+  CHECK(items[1].state == State::failed);
+  REQUIRE(items[1].diagnostics.size() == 2);
+  CHECK(items[1].diagnostics[0].code == "compensate-stamped");
+  CHECK(items[1].diagnostics[1].code == "batch-old-output");
+}
+
 TEST_CASE("batch: nothing of the user's is written over") {
   const Shop shop;
   batch::Request request = shop.request();

@@ -1,6 +1,7 @@
 """`plumbline batch --watch`: a CAM system exports, and the corrected program is there."""
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -40,6 +41,12 @@ class Watch(unittest.TestCase):
             self.assertLess(time.monotonic(), end, "it does not come")
             time.sleep(0.02)
 
+    def read_until(self, running, words):
+        line = " "
+        while line and words not in line:
+            line = running.stderr.readline()
+        self.assertIn(words, line)
+
     def exports(self):
         """A program that is written slowly, in pieces that are programs by themselves, then one in a new folder."""
         text = folders.program(7, moves=40)
@@ -77,6 +84,26 @@ class Watch(unittest.TestCase):
         self.assertIn('"state":"done"', running.stdout.readline())
         (self.folder / "export/bad.nc").write_text("G0 X0 Y0 Z0 A0 B0 C0\nG1 X1 X2 F100\n")
         self.assertIn('"code":"nc-word-twice"', running.stdout.readline())
+
+    def test_a_folder_that_goes_is_waited_for_and_a_program_that_goes_is_told(self):
+        for words in (), ("--poll", "0.3"):
+            with self.subTest(words):
+                running = self.start(*words)
+                (self.folder / "export/b.nc").write_text(folders.program(7))
+                self.wait_for(lambda: (self.folder / "out/b.nc").exists())
+                (self.folder / "export/b.nc").rename(self.folder / "export/c.nc")
+                self.read_until(running, "out/b.nc: warning: the program that it was made of is gone")
+                (self.folder / "export").rename(self.folder / "away")
+                self.read_until(running, "export: warning: the folder that is watched is gone")
+                (self.folder / "export").mkdir()
+                shutil.copy(self.folder / "away/plumbline.toml", self.folder / "export")
+                (self.folder / "export/d.nc").write_text(folders.program(8))
+                self.wait_for(lambda: (self.folder / "out/d.nc").exists())
+                running.kill()
+                running.wait()
+                for name in "out", "export":
+                    shutil.rmtree(self.folder / name)
+                (self.folder / "away").rename(self.folder / "export")
 
 
 if __name__ == "__main__":

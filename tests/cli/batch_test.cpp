@@ -59,6 +59,18 @@ TEST_CASE("batch: a second run has nothing to do, and says so") {
   CHECK(contains(verbose.err, "parts/readme.txt: no program, passed over"));
 }
 
+TEST_CASE("batch: what is wrong with the settings of all is said once") {
+  const Scratch scratch;
+  write_parts(scratch);
+  const Outcome batch = run(scratch, "batch parts -o out --json all.jsonl --machine hex-9 -m x.toml");
+  CHECK(batch.code == 1);
+  CHECK(batch.err.find("settings-no-machine") == batch.err.rfind("settings-no-machine"));
+  CHECK(contains(batch.err, "[settings-no-machine]"));
+  CHECK(contains(batch.out, "refused  parts/a.nc\n"));
+  CHECK(contains(batch.out, "refused  parts/inner/b.nc\n"));
+  CHECK(lines_of(scratch.text("all.jsonl"))[1]["diagnostics"][0]["code"] == "settings-no-machine");
+}
+
 TEST_CASE("batch: one that is refused has its message, and the exit code is 1") {
   const Scratch scratch;
   write_parts(scratch);

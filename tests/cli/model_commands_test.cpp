@@ -34,6 +34,19 @@ TEST_CASE("new-model writes a model that every command takes, and says what it a
   CHECK(contains(printed.out, "plumbline = \"machine 1\"\n"));
 }
 
+TEST_CASE("new-model writes over a model that was worked on only where it is told to") {
+  const Scratch scratch;
+  REQUIRE(run(scratch, "new-model " + kCircles + "-o m.toml").code == 0);
+  CHECK(run(scratch, "new-model " + kCircles + "-o m.toml").code == 0);  // it holds the same
+  scratch.file("m.toml", scratch.text("m.toml") + "# measured\n");
+  const Outcome again = run(scratch, "new-model " + kCircles + "-o m.toml");
+  CHECK(again.code == 1);
+  CHECK(contains(again.err, "m.toml: error: there is another file of this name already [model-exists]"));
+  CHECK(contains(scratch.text("m.toml"), "# measured\n"));
+  CHECK(run(scratch, "new-model --force " + kCircles + "-o m.toml").code == 0);
+  CHECK_FALSE(contains(scratch.text("m.toml"), "# measured\n"));
+}
+
 TEST_CASE("new-model makes a model of the control that control wrote") {
   const Scratch scratch;
   CHECK(run(scratch, "control linuxcnc -o sim " + kModel).code == 0);

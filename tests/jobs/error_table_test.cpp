@@ -93,6 +93,20 @@ TEST_CASE("a table of poses that is none is refused at its place") {
   }
 }
 
+TEST_CASE("a pose beyond the limits is in the table, and warned of") {
+  const testing::Scratch scratch;
+  scratch.file("p.csv", "x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n0,0,-1008,0,0,0\n0,0,-1300,0,0,0\n0,0,-1350,0,0,0\n");
+  const machine::MachineModel model = pm600();
+  std::size_t rows = 0;
+  const jobs::ErrorTableSummary summary =
+      jobs::error_table(model, jobs::read_poses(scratch.path("p.csv")), [&](const jobs::PoseError&) { ++rows; });
+  CHECK(rows == 3);
+  CHECK(summary.beyond_travel == 2);
+  REQUIRE(summary.first_beyond);
+  CHECK(summary.first_beyond->place.line == 3);
+  CHECK(summary.first_beyond->severity == Severity::warning);
+}
+
 TEST_CASE("a pose where the machine cannot stand is refused with its row") {
   const testing::Scratch scratch;
   const Diagnostic d = testing::refusal_of(

@@ -1,5 +1,7 @@
 #include "jobs/program/program_dialect.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
@@ -7,16 +9,29 @@
 #include "nc/language/recognise.hpp"
 
 namespace plumbline::jobs {
+namespace {
+
+[[noreturn]] void refuse_system(const settings::NamedSystem& system, const nc::Dialect& dialect,
+                                const std::string& program) {
+  Place place = system.stated;
+  if (place.file.empty()) place.file = program;
+  refuse(
+      "settings-work-system",
+      fmt::format("a work offset is given for {}, which {} does not have, the control of {}", system.name, dialect.name,
+                  program),
+      fmt::format("its first work system is called {}; --dialect names another control; programs of several controls "
+                  "need a folder and a plumbline.toml each",
+                  dialect.name_of_system(1)),
+      std::move(place));
+}
+
+}  // namespace
 
 const nc::Dialect& dialect_of(const settings::Options& options, const InputFile& program) {
   refuse_unless_program_text(program);
   const nc::Dialect& dialect = options.dialect.empty() ? *nc::recognise(program).dialect : nc::dialect(options.dialect);
-  for (const auto& [name, system] : options.work_offset_names) {
-    if (dialect.system_of_name(name) == system) continue;
-    refuse(
-        "settings-work-system",
-        fmt::format("a work offset was given for {}, which {} does not have", name, dialect.name),
-        fmt::format("its first work system is called {}; --dialect names another control", dialect.name_of_system(1)));
+  for (const settings::NamedSystem& system : options.offset_systems) {
+    if (dialect.system_of_name(system.name) != system.number) refuse_system(system, dialect, program.name());
   }
   if (options.program.input_increment && dialect.behaviour.increment_mm == 0) {
     refuse("settings-input-increment", fmt::format("numbers without a point count mm and deg for {}", dialect.name),

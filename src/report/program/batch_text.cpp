@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/text/printable.hpp"
 #include "report/diagnostic_json.hpp"
 #include "report/text_table.hpp"
 
@@ -21,9 +22,11 @@ std::string_view name_of(Item::State state) {
     case Item::State::failed:
       return "refused";
     case Item::State::subprogram:
+      return "subprogram";
+    case Item::State::compensated:
       break;
   }
-  return "subprogram";
+  return "compensated";
 }
 
 std::string quoted(const std::string& text) { return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace); }
@@ -41,13 +44,13 @@ std::string batch_heading() {
 
 std::string batch_line(const Item& item) {
   const Json json = item.summary.empty() ? Json() : Json::parse(item.summary, nullptr, false);
-  if (!json.is_object()) return fmt::format("{:>70}  {}\n", name_of(item.state), item.program);
+  if (!json.is_object()) return fmt::format("{:>70}  {}\n", name_of(item.state), printable(item.program));
   const Json& left = json["worst_residual_um"];
   return fmt::format("{:>10} {:>10} {:>11.4f} mm {:>12} {:>20}  {}\n", count_text(json["blocks"].get<std::uint64_t>()),
                      count_text(json["points"].get<std::uint64_t>()),
                      json["largest_correction_mm"]["value"].get<double>(),
                      left.is_null() ? "" : fmt::format("{:.2f} um", left["value"].get<double>()),
-                     time_text(json["time_after_s"].get<double>()), item.output);
+                     time_text(json["time_after_s"].get<double>()), printable(item.output));
 }
 
 std::string batch_total(const jobs::BatchSummary& summary) {
@@ -60,6 +63,7 @@ std::string batch_total(const jobs::BatchSummary& summary) {
   text += fmt::format(" in {}", time_text(summary.seconds));
   std::string others;
   add_count(others, count_text(summary.passed_over.size(), "file"), "passed over");
+  add_count(others, count_text(summary.compensated), "compensated before");
   add_count(others, count_text(summary.vanished.size(), "output"), "whose program is gone");
   return text + (others.empty() ? "" : "; " + others) + "\n";
 }
@@ -80,8 +84,9 @@ std::string batch_json_line(const Item& item) {
 std::string batch_json_total(const jobs::BatchSummary& summary) {
   const Json json{{"plumbline", "batch total 1"},       {"done", summary.done},
                   {"unchanged", summary.unchanged},     {"refused", summary.failed},
-                  {"subprograms", summary.subprograms}, {"passed_over", summary.passed_over},
-                  {"vanished", summary.vanished},       {"time_s", summary.seconds}};
+                  {"subprograms", summary.subprograms}, {"compensated", summary.compensated},
+                  {"passed_over", summary.passed_over}, {"vanished", summary.vanished},
+                  {"time_s", summary.seconds}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

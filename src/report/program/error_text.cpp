@@ -52,13 +52,17 @@ void ErrorTable::add(const jobs::PoseError& error) {
 std::string error_json(const jobs::ErrorTableSummary& summary) {
   const nlohmann::ordered_json json{{"plumbline", "error 1"},
                                     {"poses", summary.poses},
+                                    {"beyond_travel", summary.beyond_travel},
                                     {"largest_um", summary.largest_um},
                                     {"expected", expected_json(summary.expected)}};
   return json.dump(2) + "\n";
 }
 
 std::string error_text(const jobs::ErrorTableSummary& summary) {
-  return fmt::format("{}, the tip up to {:.3f} um off\n", count_text(summary.poses, "pose"), summary.largest_um) +
+  const std::string beyond =
+      summary.beyond_travel == 0 ? "" : fmt::format(" ({} beyond the limits)", count_text(summary.beyond_travel));
+  return fmt::format("{}{}, the tip up to {:.3f} um off\n", count_text(summary.poses, "pose"), beyond,
+                     summary.largest_um) +
          expected_text(summary.expected);
 }
 

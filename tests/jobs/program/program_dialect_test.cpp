@@ -42,12 +42,27 @@ TEST_CASE("what is no program is refused before its dialect is asked for") {
 
 TEST_CASE("a work offset of a system that the dialect does not have is refused") {
   settings::Options options = said("fanuc");
-  options.work_offset_names = {{"G54", 1}};
+  options.offset_systems = {{"G54", 1, {}}};
   CHECK(chosen(options, kOfAnyControl) == "fanuc");
-  options.work_offset_names = {{"G54", 1}, {"G505", 5}};  // of Siemens
+  options.offset_systems = {{"G54", 1, {}}, {"G505", 5, {}}};  // of Siemens
   CHECK(chosen(options, kOfAnyControl) == "settings-work-system");
   options.dialect = "siemens";
   CHECK(chosen(options, kOfAnyControl) == "siemens");
+}
+
+TEST_CASE("a work offset that is refused is found: the line of the settings file, and the program") {
+  const testing::Scratch scratch;
+  scratch.file("p.nc", kOfAnyControl);
+  settings::Options options = said("linuxcnc");
+  options.offset_systems = {{"G15H2", 2, {}}};
+  const auto refused = [&] {
+    return testing::refusal_of([&] { jobs::dialect_of(options, InputFile(scratch.path("p.nc"))); });
+  };
+  CHECK(refused().place.file == scratch.path("p.nc"));
+  options.offset_systems[0].stated = {"plumbline.toml", 7};
+  CHECK(refused().place.file == "plumbline.toml");
+  CHECK(refused().place.line == 7);
+  CHECK(refused().message.find(scratch.path("p.nc")) != std::string::npos);
 }
 
 TEST_CASE("an input increment is refused where numbers need no point") {

@@ -35,6 +35,12 @@ TEST_CASE("the total names what there was, and no more") {
   CHECK(report::batch_total(summary) == "1,200 compensated, 1 refused in 2.00 s; 1 output whose program is gone\n");
 }
 
+TEST_CASE("a line of the table is one line, whatever the names are") {
+  CHECK(
+      report::batch_line({"a\nb\x1b[2J.nc", "out", State::failed, "", {}}).ends_with("refused  a\\x0ab\\x1b[2J.nc\n"));
+  CHECK(report::batch_line({"a", "out/a\nb.nc", State::done, kSummary, {}}).ends_with("  out/a\\x0ab.nc\n"));
+}
+
 TEST_CASE("each line of JSON is an object, whatever the names are") {
   jobs::BatchItem item{"a\n\"\xff.nc", "out", State::done, kSummary, {}};
   item.diagnostics.push_back({"nc-x", "wrong", "do this", {"a", 2}, Severity::warning});
@@ -48,11 +54,15 @@ TEST_CASE("each line of JSON is an object, whatever the names are") {
   CHECK(nlohmann::json::parse(report::batch_json_line({"a", "", State::failed, "", {}})).at("summary").is_null());
   CHECK(nlohmann::json::parse(report::batch_json_line({"a", "", State::subprogram, "", {}})).at("state") ==
         "subprogram");
+  CHECK(nlohmann::json::parse(report::batch_json_line({"a", "", State::compensated, "", {}})).at("state") ==
+        "compensated");
   jobs::BatchSummary summary;
   summary.unchanged = 3;
+  summary.compensated = 2;
   summary.passed_over = {"n.txt"};
   const nlohmann::json total = nlohmann::json::parse(report::batch_json_total(summary));
   CHECK(total.at("plumbline") == "batch total 1");
   CHECK(total.at("unchanged") == 3);
+  CHECK(total.at("compensated") == 2);
   CHECK(total.at("passed_over").at(0) == "n.txt");
 }

@@ -27,5 +27,6 @@ TEST_CASE("a pose and its error are a row in the units of its columns") {
 }
 
 TEST_CASE("a table of errors is told by its poses and the largest error") {
-  CHECK(report::error_text({1, 41.2034}) == "1 pose, the tip up to 41.203 um off\n");
+  CHECK(report::error_text({1, 0, {}, 41.2034, {}}) == "1 pose, the tip up to 41.203 um off\n");
+  CHECK(report::error_text({3, 2, {}, 41.2034, {}}) == "3 poses (2 beyond the limits), the tip up to 41.203 um off\n");
 }
