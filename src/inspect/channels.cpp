@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "inspect/hypothesis.hpp"
+#include "inspect/records.hpp"
 #include "inspect/statistics.hpp"
 
 namespace plumbline::inspect {
@@ -202,29 +203,37 @@ void try_motors(std::vector<Tried>& all, const Channels& channels) {
   }
 }
 
-// Readings as they would be a little further on the way: between samples in proportion, a whole turn going on with its
-// start.
-VectorXd further_on(const Run& run, const VectorXd& readings, double angle) {
-  const auto n = static_cast<Index>(run.samples());
+// How far each sample is along the way from the first one, rad.
+std::vector<double> ways_of(const Run& run, double from) {
   std::vector<double> way(run.samples());
   for (std::size_t i = 0; i < way.size(); ++i) {
-    const double step = i == 0 ? 0 : std::remainder(run.angle[i] - run.angle[i - 1], kTurn);
-    way[i] = i == 0 ? 0 : way[i - 1] + std::abs(step);
+    const double before = i == 0 ? from : run.angle[i - 1];
+    way[i] = (i == 0 ? 0 : way[i - 1]) + std::abs(std::remainder(run.angle[i] - before, kTurn));
   }
+  return way;
+}
+
+// Readings of the whole run as they would be a little further on the way than the samples of `run` are: between samples
+// in proportion, a whole turn going on with its start.
+VectorXd further_on(const Run& run, const Run& whole, const std::vector<double>& readings, double angle) {
+  const std::vector<double> way = ways_of(whole, whole.angle[0]);
+  const std::vector<double> looked = ways_of(run, whole.angle[0]);
+  const auto n = static_cast<Index>(way.size());
   const double mean_step = way.back() / static_cast<double>(n - 1);
-  const bool whole = way.back() + 2 * mean_step > kTurn;
-  VectorXd moved(n);
-  for (Index i = 0; i < n; ++i) {
-    double at = way[static_cast<std::size_t>(i)] + angle;
-    if (whole) at -= kTurn * std::floor(at / kTurn);
+  const bool turns = way.back() + 2 * mean_step > kTurn;
+  VectorXd moved(static_cast<Index>(looked.size()));
+  for (Index i = 0; i < moved.size(); ++i) {
+    double at = looked[static_cast<std::size_t>(i)] + angle;
+    if (turns) at -= kTurn * std::floor(at / kTurn);
     const auto above = std::upper_bound(way.begin(), way.end(), at) - way.begin();
     const Index b = std::clamp<Index>(above, 0, n);
     const Index lower = b == 0 ? 0 : b - 1;
-    const Index upper = b == n ? (whole ? 0 : n - 1) : b;
+    const Index upper = b == n ? (turns ? 0 : n - 1) : b;
     const double from = way[static_cast<std::size_t>(lower)];
     const double to = b == n ? kTurn : way[static_cast<std::size_t>(upper)];
     const double share = to > from ? std::clamp((at - from) / (to - from), 0.0, 1.0) : 0;
-    moved[i] = readings[lower] + share * (readings[upper] - readings[lower]);
+    const double start = readings[static_cast<std::size_t>(lower)];
+    moved[i] = start + share * (readings[static_cast<std::size_t>(upper)] - start);
   }
   return moved;
 }
@@ -234,11 +243,12 @@ double chi2_of_clock(const Channels& channels, const std::vector<int>& about, do
   const Suspects& suspects = channels.suspects();
   return channels.chi2_of(channels.whitened([&](std::size_t i, const RunRows& rows) {
     const Run& run = suspects.all[suspects.runs[i]];
+    const Run& whole = suspects.whole[suspects.runs[i]];
     VectorXd readings = rows.measured;
     for (const int channel : about) {
       if (!rows.raw.first_row(channel)) continue;
-      const VectorXd moved = further_on(run, segment(rows.measured, rows, channel), seconds * run.feed / run.radius);
-      segment(readings, rows, channel) = moved;
+      segment(readings, rows, channel) =
+          further_on(run, whole, readings_of_channel(whole, channel), seconds * run.feed / run.radius);
     }
     return readings;
   }));

@@ -20,9 +20,10 @@ struct Tried {
 /// Runs that are mended alike, and what is known of the machine from elsewhere.
 struct Suspects {
   const Bench& bench;
-  const std::vector<measure::Run>& all;  // the dataset
-  std::vector<std::size_t> runs;         // which of them
-  std::vector<const RunRows*> rows;      // of these
+  const std::vector<measure::Run>& all;    // the dataset
+  const std::vector<measure::Run>& whole;  // with the samples where struts turn round
+  std::vector<std::size_t> runs;           // which of them
+  std::vector<const RunRows*> rows;        // of these
   const Knowledge& known;
 };
 

@@ -131,7 +131,7 @@ std::vector<Tried> everything_tried(const Suspects& suspects) {
 std::optional<Fault> fault_of_run(const Looked& looked, const Bench& bench, const Outliers& outliers, std::size_t i,
                                   const InspectOptions& options) {
   const Knowledge known = knowledge_of_others(outliers, looked.rows, i);
-  const Suspects suspects{bench, looked.runs, {i}, {&looked.rows[i]}, known};
+  const Suspects suspects{bench, looked.runs, looked.whole, {i}, {&looked.rows[i]}, known};
   const Index rows = looked.rows[i].rows();
   const double before = outliers.mean_square[i] * static_cast<double>(rows);
   return explanation(everything_tried(suspects), looked.runs[i], before, rows, std::max(1.0, outliers.usual), options);
@@ -227,7 +227,7 @@ class Inspector {
   // long.
   std::optional<Fault> fault_of_all(const Looked& looked, const Outliers& outliers, bool labels, double fine) {
     const Knowledge nothing(wide_);
-    Suspects suspects{bench_, looked.runs, {}, {}, nothing};
+    Suspects suspects{bench_, looked.runs, looked.whole, {}, {}, nothing};
     for (std::size_t i = 0; i < looked.runs.size(); ++i) {
       if (outliers.out[i]) continue;  // what is wrong with it alone would hide what all have in common
       suspects.runs.push_back(i);
@@ -273,6 +273,7 @@ class Inspector {
     if (lines.empty()) return false;
     for (Fault& fault : periodic_faults(looked, lines, options_.lines)) found.faults.push_back(std::move(fault));
     looked.runs = without_lines(std::move(looked.runs), lines);
+    looked.whole = without_lines(std::move(looked.whole), lines);
     for (Line& line : lines) {
       for (std::size_t& r : line.runs) r = looked.numbers[r];
     }
@@ -299,7 +300,7 @@ class Inspector {
     int with = 0;
     for (std::size_t i = 0; i < looked.rows.size(); ++i) {
       const Knowledge known = knowledge_of_others(outliers, looked.rows, i);
-      const std::optional<Drift> drift = drift_of({bench_, looked.runs, {i}, {&looked.rows[i]}, known});
+      const std::optional<Drift> drift = drift_of({bench_, looked.runs, looked.whole, {i}, {&looked.rows[i]}, known});
       if (!drift) continue;
       sum += drift->gain - 1;
       if (drift->gain > options_.least_nats / 4) ++with;
@@ -360,7 +361,7 @@ Inspection inspect(const machine::MachineModel& machine, const std::vector<Run>&
 std::vector<Run> cleaned(std::vector<Run> runs, const Inspection& inspection, const InspectOptions& options) {
   for (Run& run : runs) {
     const auto spikes = spikes_in(run, options.records);
-    run = without_samples(std::move(run), spikes);
+    run = measure::without_samples(std::move(run), spikes);
   }
   std::vector<Line> lines = inspection.lines;
   for (Line& line : lines) {  // what is folded within every so many samples is folded otherwise within all of them

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -17,8 +18,14 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using measure::Run;
 
-double step_s(const Run& run) { return (run.time.back() - run.time.front()) / static_cast<double>(run.samples() - 1); }
-double length_s(const Run& run) { return step_s(run) * static_cast<double>(run.samples()); }
+// Between two samples, where none was left out.
+double step_s(const Run& run) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < run.samples(); ++i) steps.push_back(run.time[i] - run.time[i - 1]);
+  return median(std::move(steps));
+}
+
+double length_s(const Run& run) { return run.time.back() - run.time.front() + step_s(run); }
 
 constexpr int kWaves = 8;  // of the circle, that are the machine's
 

@@ -6,6 +6,7 @@
 #include "base/parallel.hpp"
 #include "machine/inverse.hpp"
 #include "measure/circular_motion.hpp"
+#include "measure/friction_turns.hpp"
 
 namespace plumbline::inspect {
 namespace {
@@ -23,7 +24,7 @@ Run coarse(const Run& run, std::size_t most) {
   for (std::size_t i = 0; i < run.samples(); ++i) {
     if (i % each != 0) left_out.push_back(i);
   }
-  return without_samples(run, left_out);
+  return measure::without_samples(run, left_out);
 }
 
 // Whether struts would be far from the lengths that they can have: the model's limits may be somewhat off, the run is
@@ -66,9 +67,12 @@ Looked looked_at(const std::vector<Run>& runs, const Bench& bench, const Inspect
                  std::vector<Fault>& faults) {
   Looked looked;
   std::vector<std::optional<Run>> can(runs.size());
+  std::vector<Run> whole(runs.size());
   for_each_index(runs.size(), [&](std::size_t r) {
     if (!runs[r].has_radial() && !runs[r].has_torque()) return;
-    const Run run = coarse(without_samples(runs[r], spikes_in(runs[r], options.records)), options.most_samples);
+    Run run = measure::without_samples(runs[r], spikes_in(runs[r], options.records));
+    whole[r] = coarse(run, options.most_samples);
+    run = coarse(measure::without_friction_turns(bench.machine, bench.forces, std::move(run)), options.most_samples);
     if (!in_reach(bench.machine, run, options.beyond_limits)) return;
     try {
       bench.left(run);
@@ -80,6 +84,7 @@ Looked looked_at(const std::vector<Run>& runs, const Bench& bench, const Inspect
     if (can[r]) {
       looked.numbers.push_back(r);
       looked.runs.push_back(std::move(*can[r]));
+      looked.whole.push_back(std::move(whole[r]));
     } else if (runs[r].has_radial() || runs[r].has_torque()) {
       faults.push_back({FaultKind::unreachable, {r}});
     }

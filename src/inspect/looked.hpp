@@ -9,6 +9,7 @@ namespace plumbline::inspect {
 struct Looked {
   std::vector<std::size_t> numbers;  // in the dataset
   std::vector<measure::Run> runs;
+  std::vector<measure::Run> whole;  // with the samples where struts turn round
   std::vector<RunRows> rows;
 };
 

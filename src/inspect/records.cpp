@@ -11,11 +11,6 @@ namespace {
 
 using measure::Run;
 
-// The readings of a channel; empty: not measured.
-const std::vector<double>& channel(const Run& run, int number) {
-  return number == identify::kRadial ? run.radial : run.torque.at(static_cast<std::size_t>(number) - 1);
-}
-
 // The least step between two different values: what is less than that is no difference.
 double resolution(const std::vector<double>& values) {
   std::vector<double> sorted = values;
@@ -88,8 +83,8 @@ bool same_readings(const Run& a, const Run& b, const RecordOptions& options) {
   if (a.samples() != b.samples()) return false;
   std::size_t alike = 0, compared = 0;
   for (int c = 0; c < identify::kChannels; ++c) {
-    const std::vector<double>& one = channel(a, c);
-    const std::vector<double>& other = channel(b, c);
+    const std::vector<double>& one = readings_of_channel(a, c);
+    const std::vector<double>& other = readings_of_channel(b, c);
     if (one.size() != other.size()) return false;
     compared += one.size();
     for (std::size_t i = 0; i < one.size(); ++i) alike += one[i] == other[i];
@@ -106,7 +101,7 @@ Fault record_fault(FaultKind kind, std::size_t run, std::vector<double> values, 
 
 void add_channel_faults(const Run& run, std::size_t number, const RecordOptions& options, std::vector<Fault>& faults) {
   for (int c = 0; c < identify::kChannels; ++c) {
-    const std::vector<double>& values = channel(run, c);
+    const std::vector<double>& values = readings_of_channel(run, c);
     if (values.empty()) continue;
     const Standing standing = standing_of(values);
     const bool stands = static_cast<double>(standing.longest) > options.stands * static_cast<double>(values.size());
@@ -128,34 +123,17 @@ double feed_of(const Run& run) {
 
 }  // namespace
 
+const std::vector<double>& readings_of_channel(const Run& run, int channel) {
+  return channel == identify::kRadial ? run.radial : run.torque.at(static_cast<std::size_t>(channel) - 1);
+}
+
 std::vector<std::size_t> spikes_in(const Run& run, const RecordOptions& options) {
   std::vector<std::size_t> found;
-  for (int c = 0; c < identify::kChannels; ++c) add_spikes(channel(run, c), options, found);
+  for (int c = 0; c < identify::kChannels; ++c) add_spikes(readings_of_channel(run, c), options, found);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   const double most = std::max(2.0, options.most_spikes * static_cast<double>(run.samples()));
   return static_cast<double>(found.size()) <= most ? found : std::vector<std::size_t>{};
-}
-
-Run without_samples(Run run, const std::vector<std::size_t>& samples) {
-  const auto drop = [&](auto& values) {
-    if (values.empty()) return;
-    std::size_t next = 0, to = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (next < samples.size() && samples[next] == i) {
-        ++next;
-      } else {
-        values[to++] = values[i];
-      }
-    }
-    values.resize(to);
-  };
-  drop(run.time);
-  drop(run.angle);
-  drop(run.radial);
-  for (std::vector<double>& torque : run.torque) drop(torque);
-  drop(run.signs);
-  return run;
 }
 
 std::vector<Fault> record_faults(const std::vector<Run>& runs, const RecordOptions& options) {

@@ -18,11 +18,11 @@ struct RecordOptions {
   double feed = 0.03;          // by which the feed that is stated may be off what the times say
 };
 
+/// The readings of a channel; empty: not measured.
+const std::vector<double>& readings_of_channel(const measure::Run& run, int channel);
+
 /// Samples with a spike in any channel, ascending.
 std::vector<std::size_t> spikes_in(const measure::Run& run, const RecordOptions& options = {});
-
-/// A run without some of its samples (ascending).
-measure::Run without_samples(measure::Run run, const std::vector<std::size_t>& samples);
 
 /// All of it; no fault is fitted to anything.
 std::vector<Fault> record_faults(const std::vector<measure::Run>& runs, const RecordOptions& options = {});

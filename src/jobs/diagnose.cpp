@@ -76,7 +76,7 @@ DiagnoseResult diagnose(const DiagnoseJob& job, const diagnose::Say& say) {
   say.begin(fmt::format("judging the readings of {} runs", dataset.runs.size()));
   Judged looked = judged(machine, std::move(dataset.runs), dataset.instrument, job.accepted);
   options.spoiled = spoiled(looked.inspection, looked.runs);
-  const measure::Thinned thinned = measure::thinned(machine, std::move(looked.runs));
+  const measure::Thinned thinned = measure::fit_runs(machine, std::move(looked.runs));
   diagnose::Diagnosis diagnosis = diagnose::diagnose(machine, thinned.runs, options, say);
   DiagnoseResult result{std::move(machine),   std::move(diagnosis),         thinned.thinning,
                         thinned.runs,         std::move(looked.inspection), {},

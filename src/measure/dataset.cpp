@@ -327,4 +327,25 @@ void write_dataset(const Dataset& dataset, const std::string& folder) {
   for (NewFolder& made : folders) made.keep();
 }
 
+Run without_samples(Run run, const std::vector<std::size_t>& samples) {
+  const auto drop = [&](auto& values) {
+    if (values.empty()) return;
+    std::size_t next = 0, to = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (next < samples.size() && samples[next] == i) {
+        ++next;
+      } else {
+        values[to++] = values[i];
+      }
+    }
+    values.resize(to);
+  };
+  drop(run.time);
+  drop(run.angle);
+  drop(run.radial);
+  for (std::vector<double>& torque : run.torque) drop(torque);
+  drop(run.signs);
+  return run;
+}
+
 }  // namespace plumbline::measure

@@ -78,6 +78,9 @@ enum class Believe {
   the_table,  // the run is as its table says, and keeps a note: for who judges data
 };
 
+/// A run without some of its samples (ascending).
+Run without_samples(Run run, const std::vector<std::size_t>& samples);
+
 struct Dataset {
   std::string machine;  // name of the model that it was measured on
   Protocol protocol;

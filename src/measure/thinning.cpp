@@ -10,6 +10,7 @@
 #include "measure/circular_motion.hpp"
 #include "measure/even_grid.hpp"
 #include "measure/fine_waves.hpp"
+#include "measure/friction_turns.hpp"
 #include "measure/simulation.hpp"
 
 namespace plumbline::measure {
@@ -148,6 +149,15 @@ bool make_short(const machine::MachineModel& machine, const physics::ForceModel&
 
 }  // namespace
 
+Thinned fit_runs(const machine::MachineModel& machine, std::vector<Run> runs, const ThinningOptions& options) {
+  Thinned made = thinned(machine, std::move(runs), options);
+  const physics::ForceModel forces(machine);
+  for_each_index(made.runs.size(), [&](std::size_t i) {
+    made.runs[i] = without_friction_turns(machine, forces, std::move(made.runs[i]));
+  });
+  return made;
+}
+
 Thinned thinned(const machine::MachineModel& machine, std::vector<Run> runs, const ThinningOptions& options) {
   Thinning thinning{.runs = runs.size()};
   std::vector<bool> is_long;
@@ -162,6 +172,7 @@ Thinned thinned(const machine::MachineModel& machine, std::vector<Run> runs, con
   std::vector<unsigned char> made_short(runs.size(), 0);
   for_each_index(runs.size(), [&](std::size_t i) {
     if (!is_long[i] || runs[i].samples() < 2 * thinning.points) return;
+    fill_friction_turns(machine, forces, runs[i]);
     made_short[i] = make_short(machine, forces, thinning.points, runs[i]) ? 1 : 0;
   });
   thinning.thinned = static_cast<std::size_t>(std::count(made_short.begin(), made_short.end(), 1));

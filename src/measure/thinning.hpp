@@ -29,11 +29,15 @@ struct Thinned {
 
 /// Runs of twice the fewest points and more, by EvenGrid: readings, and through the same low-pass time and the signs of
 /// the struts' speeds on the commanded path: friction turns around within less than a point and drifts begin anew with
-/// each turn, and what the readings have of that the model has then as well. Each channel says how fine a grid holds
-/// it; all of all runs go on the finest of these, which is fine enough for waves as long as the leads of `machine`'s
-/// screws, too: on a finer grid than it needs a channel tells the same, and the model simulates each point once for
-/// all. Runs whose samples are too few or too uneven for it stay as they are. Results do not depend on the number of
-/// threads.
+/// each turn, and what the readings have of that the model has then as well. Where struts turn round readings are first
+/// filled in (friction_turns.hpp): they go by a law that the model may not have. Each channel says how fine a grid
+/// holds it; all of all runs go on the finest of these, which is fine enough for waves as long as the leads of
+/// `machine`'s screws, too: on a finer grid than it needs a channel tells the same, and the model simulates each point
+/// once for all. Runs whose samples are too few or too uneven for it stay as they are. Results do not depend on the
+/// number of threads. Refuses with simulate-unreachable a long run that the machine cannot make.
 Thinned thinned(const machine::MachineModel& machine, std::vector<Run> runs, const ThinningOptions& options = {});
+
+/// Runs as a fit takes them: thinned, and without samples where struts turn round.
+Thinned fit_runs(const machine::MachineModel& machine, std::vector<Run> runs, const ThinningOptions& options = {});
 
 }  // namespace plumbline::measure

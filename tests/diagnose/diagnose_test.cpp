@@ -97,7 +97,7 @@ Diagnosis diagnosed(const Hidden& hidden, std::size_t samples) {
   Eigen::VectorXd values = candidates.unknowns.start();
   if (*hidden.effect != 0) values[candidates.unknowns.find(hidden.effect, hidden.key, hidden.index)] = hidden.value;
   testing::Random random(17);
-  const measure::Thinned thinned = measure::thinned(
+  const measure::Thinned thinned = measure::fit_runs(
       machine, testing::measured(testing::wider_plan(samples), candidates.unknowns.at(values), 0.5e-6, 0.05, random));
   CHECK(thinned.thinning.thinned == (samples < 720 ? 0 : thinned.runs.size()));
   DiagnoseOptions options;

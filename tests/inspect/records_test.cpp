@@ -43,7 +43,7 @@ TEST_CASE("single spikes are found, and left out when they are few") {
 
 TEST_CASE("a gap is said in degrees, and stands in nobody's way") {
   Measured measured;
-  measured.runs[1] = inspect::without_samples(measured.runs[1], {20, 21, 22, 23, 24});
+  measured.runs[1] = measure::without_samples(measured.runs[1], {20, 21, 22, 23, 24});
   const auto faults = inspect::record_faults(measured.runs);
   REQUIRE(faults.size() == 1);
   CHECK(faults[0].kind == FaultKind::gaps);

@@ -7,6 +7,7 @@
 #include <sched.h>
 
 #include "machine/machines.hpp"
+#include "measure/friction_turns.hpp"
 #include "measure/runs.hpp"
 #include "measure/simulation.hpp"
 
@@ -57,6 +58,17 @@ TEST_CASE("what became of long records is said") {
   CHECK(made.runs[2].signs.empty());
 }
 
+TEST_CASE("a fit takes runs without samples where struts turn round, however long they were") {
+  for (const std::size_t samples : {120, 3600}) {
+    const Run run = circle_run({0, 100, -1008}, {0, 0, 0}, Direction::cw, samples);
+    const Thinned made = fit_runs(pm600_like(), {run});
+    const std::size_t whole = thinned(pm600_like(), {run}).runs.front().samples();
+    CHECK(made.runs.front().samples() < whole);
+    CHECK(made.runs.front().samples() > whole * 3 / 4);
+    CHECK(friction_turns(pm600_like(), physics::ForceModel(pm600_like()), made.runs.front()).empty());
+  }
+}
+
 TEST_CASE("records that are short enough stay as they are") {
   for (const std::size_t samples : {120, 360, 719}) {
     const Run before = circle_run({0, 100, -1008}, {0, 0, 0}, Direction::cw, samples);
@@ -76,10 +88,12 @@ TEST_CASE("a fine wave in one motor's torque makes the grid as fine as it needs"
   CHECK(made.thinning.points == 720);
   const Run& run = made.runs[1];
   const RunSimulation model = simulate_run(pm600_like(), physics::ForceModel(pm600_like()), run);
+  int off = 0;  // near a turn of friction, where readings are filled in
   for (std::size_t k = 0; k < run.samples(); ++k) {
     const double left = run.torque[3][k] - model.samples[k].torque[3];
-    CHECK(left == Approx(0.02 * std::cos(200 * run.angle[k])).margin(1e-3));
+    off += std::abs(left - 0.02 * std::cos(200 * run.angle[k])) > 1e-3;
   }
+  CHECK(off < 0.25 * 720);
 }
 
 TEST_CASE("a screw of a fine lead makes the grid fine enough for waves as long") {
