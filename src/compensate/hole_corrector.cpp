@@ -86,20 +86,21 @@ void HoleCorrector::check_way_to(const CorrectedHole& hole) const {
 }
 
 // A cycle of an OSP is read for a tool that stands where it goes back to: on R, which is shifted with the hole (M54),
-// or on the level of G71, which is not (M53). One of a Fanuc that begins on R goes back to R. The correction may have
-// shifted the tool otherwise.
+// or on the level of G71, which is not (M53). One of a Fanuc that begins on R, or on the bottom, goes back there. The
+// correction may have shifted the tool otherwise.
 void HoleCorrector::check_level(const CorrectedHole& corrected) const {
   const nc::Step& step = step_of(corrected);
   const nc::Hole& hole = step.holes.front();
   const bool levels = dialect_.behaviour.return_levels;
   const bool goes_to_start = !levels && dialect_.behaviour.fanuc_cycles && !step.after->retract_to_r;
-  if (!levels && !(goes_to_start && hole.clear == hole.r)) return;
+  const bool on_bottom = goes_to_start && hole.clear == hole.bottom;
+  if (!levels && !(goes_to_start && hole.clear == hole.r) && !on_bottom) return;
   const Axis normal = nc::axes_of(step.after->plane).third;
   const bool to_r = goes_to_start || step.after->retract_to_r || hole.clear == hole.r;
   const double r = hole.r + corrected.shift[normal];
-  const double level = to_r ? r : hole.clear;
+  const double level = on_bottom ? hole.bottom + corrected.shift[normal] : to_r ? r : hole.clear;
   const double stands = stands_at_ + corrected.at->standing[normal];
-  if (std::abs(stands - level) < (goes_to_start ? kStandsOnR : nc::kSameLevel) && r <= level) return;
+  if (std::abs(stands - level) < (goes_to_start ? kStandsOnR : nc::kSameLevel) && (on_bottom || r <= level)) return;
   if (!to_r && std::abs(stands_at_ - level) >= kStandsOnR) {
     refuse(
         "compensate-cycle",
@@ -111,7 +112,10 @@ void HoleCorrector::check_level(const CorrectedHole& corrected) const {
   refuse("compensate-cycle",
          fmt::format("the correction puts the tool {:.3f} mm off {}, on which it stands in the original: how it comes "
                      "to the hole and back from there was found in no source",
-                     stands - level, to_r ? "R" : "the level of G71"),
+                     stands - level,
+                     on_bottom ? "the bottom of the hole"
+                     : to_r    ? "R"
+                               : "the level of G71"),
          goes_to_start ? "move the tool above R before the cycle, or write G99"
          : to_r        ? "state all six axes before the cycle, so that the move to above the hole is corrected as well"
                        : "drill the hole with moves (G0, G1), or where the correction is smaller",

@@ -268,6 +268,7 @@ TEST_CASE("a tap that begins on R and goes back to where it began is refused whe
   const std::string before = kHead + "G99 G82 X10. Y0. Z-4. R2. P200 F100.\nX12.\nG80\n";
   CHECK(code_of(before + "G98 G84 X10. Z-4. R2. F100.\nG80\nM30\n", job) == "compensate-cycle");
   CHECK(code_of(before + "G98 G86 X10. Z-4. R2. F100.\nG80\nM30\n", job) == "compensate-cycle");
+  CHECK(code_of(kHead + "G1 Z-4. F100.\nX12.\nG98 G86 X10. Z-4. R2.\nG80\nM30\n", job) == "compensate-cycle");
   CHECK(code_of(before + "G99 G84 X10. Z-4. R2. F100.\nG80\nM30\n", job).empty());
   CHECK(code_of(before + "G98 G84 X10. Z-4. R1.5 F100.\nG80\nM30\n", job).empty());
 }
@@ -278,7 +279,7 @@ TEST_CASE("M codes that wait for a move are refused beside a cycle that is writt
     CHECK(code_of(kHead + "G81 X5. Y5. Z-8. R1. F200. " + code + "\nG80\nM30\n", job) == "emit-m-code");
   }
   CHECK(code_of(kHead + "G83 X5. Y5. Z-8. R1. Q3. F200.\nX9. M9\nG80\nM30\n", job) == "emit-m-code");
-  CHECK(code_of(kHead + "G81 X5. Y5. Z-8. R1. F200. M98 P2\nG80\nM30\nO2\nX9.\nM99\n", job).empty());
+  CHECK(code_of(kHead + "G81 X5. Y5. Z-8. R1. F200. M98 P2\nG80\nM30\nO2\nX9.\nM99\n", job) == "nc-not-interpreted");
   const std::string out = run(kHead + "G81 X5. Y5. Z-8. R1. F200. M8\nG80\nM30\n", job).text;
   CHECK(has(out, "^(F200\\. )?M8\n(.*\n)*G1 Z"));
 }
@@ -329,4 +330,16 @@ TEST_CASE("F under G93 that the control does not take is named as such, not as t
     }
   }
   CHECK(code_of(kHead + "G93 G1 X.001 F9999.999\nM30\n", fanuc()).empty());
+}
+
+TEST_CASE("a cycle that waits is not written out where nobody knows what G4 counts") {
+  const Job job = fanuc();
+  const std::string turning = kHead + "S1000 M3\n";
+  for (const std::string cycle :
+       {"G95 G82 X5. Y5. Z-8. R1. P200 F.2", "G95 G89 X5. Z-8. R1. P50 F.1", "G95 F.1\nG82 X5. Z-8. R1. P100"}) {
+    INFO(cycle);
+    CHECK(code_of(turning + cycle + "\nG80\nM30\n", job) == "nc-not-interpreted");
+  }
+  CHECK(has(run(turning + "G95 G81 X5. Y5. Z-8. R1. F.2\nG80\nM30\n", job).text, "^G1 ?Z"));
+  CHECK(has(run(turning + "G95 G84 X5. Y5. Z-8. R1. P200 F1.\nG80\nM30\n", job).text, "^G95 G84 X.* P200 "));
 }

@@ -113,3 +113,23 @@ TEST_CASE("a cut may begin where a turn of the coordinates left the axes, if it 
   check_same(head + "G68 X0. Y0. R30.\nG1 X5. Y5. F300.\nX9. Y-2.\nG69\nX1. Y2. F500.\nM30\n",
              head + "G1 X1.830 Y6.830 F300.\nX8.794 Y2.768\nX1. Y2. F500.\nM30\n", job);
 }
+
+TEST_CASE("until G43 is written after G28, G30 and G53 of Z, rapids in X and Y go through as they stand") {
+  const Job job = kept_over_changes("fanuc");
+  const std::string start = "O0001\nG21 G90 G17 G40 G49 G80\nG54 G0 X0. Y0. A0. B0. C0.\nG43 H1 Z60.\n";
+  const std::string rest = "G43 H1 Z20.\nG1 Z-2. F300.\nX20. F600.\nG0 Z20.\nM30\n";
+  const std::string settled = run(start + "G0 X10. Y5.5\n" + rest, job).text;
+  for (const std::string home : {"G91 G28 Z0.\nG90", "G91 G30 Z0.\nG90", "G53 Z-850.", "G53 G0 Z-850.\nM8"}) {
+    INFO(home);
+    const std::string out = run(start + home + "\nN22 G0 X10. Y5.5\n" + rest, job).text;
+    INFO(out);
+    CHECK(finds(out, "^N22 G0 X10. Y5.5$"));
+    CHECK(finds(out, "^G43 H1 Z20\\.0[0-9]+ X"));
+    CHECK(cuts_of(out) == cuts_of(settled));
+    CHECK(code_of(start + home + "\nG0 X10. Y5.5 Z20.\nM30\n", job) == "nc-not-interpreted");
+    CHECK(code_of(start + home + "\nG0 A5.\nM30\n", job) == "nc-not-interpreted");
+    CHECK(code_of(start + home + "\nG1 X10. F300.\nM30\n", job) == "compensate-position-unknown");
+  }
+  const std::string aside = run(start + "G91 G28 X0. Y0.\nG90 G0 X10. Y5.5 Z20.\nM30\n", job).text;
+  CHECK(finds(aside, "^G90 G0 X9.99[0-9] Y5.49[0-9] Z20.0[0-9]+ "));
+}

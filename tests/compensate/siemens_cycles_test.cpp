@@ -1,4 +1,6 @@
 // Cycles that a SINUMERIK program calls by name: written out, or called hole by hole with their levels shifted.
+#include <regex>
+
 #include <catch2/catch.hpp>
 
 #include "compensate/play.hpp"
@@ -151,4 +153,66 @@ TEST_CASE("variables that a block hands to the control are refused where the pro
     INFO(passed);
     CHECK(code_of(head + "WHILE R1<3\n" + passed + "\nG1 X=R1\nR1=R1+1\nENDWHILE\nM30\n", job).empty());
   }
+}
+
+TEST_CASE("subprograms that end by M30, or with their last move, come out whole") {
+  const Job job = siemens_job();
+  for (const std::string end : {"X15 M30\n", "X15\nM2\n", "X15 M17\n", "G91 X15\nG90 Y3 M30\n",
+                                "G2 X10 Y5 I2.5 J2.5 TURN=1 M17\n", "R1=4 X15 M5 M17 ; back\n"}) {
+    const std::string whole =
+        kDrillStart + "G1 X5 Y0\nPART\nG1 X2 Y2\nPART P2\nG0 Z30\nM30\n%_N_PART_SPF\nG1 X5 Y0 F500\n" + end;
+    INFO(whole);
+    const Result result = run(whole, job);
+    INFO(result.text);
+    CHECK(play(whole, result.text, job).at_points_um <= 2.5);
+    CHECK(count_of(result.text, "M30") == 1);
+    CHECK(count_of(result.text, "M17") + count_of(result.text, "M2\n") == 0);
+  }
+}
+
+TEST_CASE("planes that the call of a cycle leaves out are written where they are shifted") {
+  const Job job = siemens_job();
+  for (const std::string part :
+       {"CYCLE83(10,,2,-9,,-4,,0,0,0,1,1)\n", "MCALL CYCLE84(10,,2,-8,,0,3,8,,0,400,400)\nX10 Y5\nX20\nMCALL\n",
+        "CYCLE85(,-10,2,-18,,0,200,300)\n", "MCALL CYCLE81(10,,2,-8)\nX5\nMCALL\n"}) {
+    const std::string whole = kDrillStart + part + "G0 X1 Y1 Z30\nM30\n";
+    INFO(whole);
+    const Result result = run(whole, job);
+    INFO(result.text);
+    CHECK(result.summary.changed_blocks > 0);
+    CHECK_FALSE(std::regex_search(result.text, std::regex("\nCYCLE[0-9]+\\((10)?,,?[-2]")));
+  }
+}
+
+TEST_CASE("positions that say themselves how they count are drilled at where the program is written out") {
+  const Job job = siemens_job();
+  for (const std::string part :
+       {"MCALL CYCLE81(10,0,2,-5)\nY=AC(5)\nMCALL\n", "MCALL CYCLE82(10,0,2,-5,,1)\nX=IC(4) Y=AC(5)\nMCALL\n",
+        "R1=5\nMCALL CYCLE83(10,0,2,-9,,-3,,0,0,0,1,1)\nX=AC(R1) Y=AC(7)\nX=IC(R1)\nMCALL\n",
+        "MCALL CYCLE81(10,0,2,-5)\nY=AC(5)\n"}) {
+    const std::string whole = kDrillStart + "PART\n" + part + "%_N_PART_SPF\nG1 X3 F500\nRET\n";
+    INFO(whole);
+    const Result result = run(whole, job);
+    INFO(result.text);
+    CHECK(result.summary.changed_blocks > 0);
+    CHECK(count_of(result.text, "=AC(") + count_of(result.text, "=IC(") == 0);
+  }
+}
+
+TEST_CASE("a correction is no increment of an axis whose offset changed before") {
+  const Job job = siemens_job();
+  for (const std::string change : {"G1 X1 F200\nTRANS Z2\n", "G1 X1 F200\nTRANS Y4 Z1\n", "G1 X1 F200\nATRANS Z-1\n"}) {
+    INFO(change);
+    CHECK(code_of(kDrillStart + change + "G91 X60\nM30\n", job) == "nc-not-interpreted");
+    CHECK(code_of(kDrillStart + change + "Y3 Z19\nG91 X60\nM30\n", job).empty());
+  }
+}
+
+TEST_CASE("a word that says which way round it turns is not cut into increments") {
+  const Job job = siemens_job();
+  for (const std::string turn : {"A=DC(5)", "B=ACP(4) X3", "A=ACN(355)"}) {
+    INFO(turn);
+    CHECK(code_of(kDrillStart + "G1 F200\nG91 " + turn + "\nM30\n", job) == "emit-rotary-word");
+  }
+  CHECK(code_of(kDrillStart + "G1 F200\nA=DC(5)\nM30\n", job).empty());
 }

@@ -101,7 +101,8 @@ void append_code(const nc::Word& word, const nc::CodeRow* row, const nc::Step& s
   const nc::Block& block = *step.block;
   if (row == nullptr || row->action == nc::Action::refused) row = &dialect.user_row;  // --pass
   if (shows_otherwise(row->action)) return;
-  if (row->action == nc::Action::end_program && step.flow) return;
+  const bool ends = row->action == nc::Action::end_program || row->action == nc::Action::end;
+  if (ends && step.flow) return;  // of a subprogram
   BlockEffect effect;
   if (word.letter == nc::kNamedCode) {
     effect.text = row->has_arguments ? std::string(block.at(word.span)) : row->name;

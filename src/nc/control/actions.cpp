@@ -52,8 +52,14 @@ bool sets_motion(const Execution& run) {
 }
 
 // The feed stays what it is in mm/min; F of a rotary move stays what was written [LinuxCNC, measured].
-void change_unit(Execution& run, bool inches) {
+void change_unit(Execution& run, const Word& code, bool inches) {
   if (run.control.modal.inches == inches) return;
+  if (run.dialect.behaviour.unit_change_length_unknown && run.control.frame.tool != AxisWords{}) {
+    run.refuse(code, codes::kNotInterpreted,
+               "what the tool length in force is worth after a change of units depends on a parameter of the control "
+               "(5006 OIM)",
+               "write G49 before the change, and G43 after it; this control's manual asks for it at the begin");
+  }
   run.control.change_unit(inches);
   if (!run.dialect.behaviour.unit_change_drops_feed) return;
   // What F is worth then stands in no source.
@@ -74,12 +80,13 @@ void act_on_mode(Execution& run, const Chosen& chosen) {
       if (run.motion == nullptr && !sets_motion(run)) end_motion(run);
       return;
     case Action::surface_speed:
+      if (chosen.row->value == 1) run.need('S', run.text_of(*chosen.word));
       run.control.surface_speed = chosen.row->value == 1;
       return;
     case Action::inches:
-      return change_unit(run, true);
+      return change_unit(run, *chosen.word, true);
     case Action::millimetres:
-      return change_unit(run, false);
+      return change_unit(run, *chosen.word, false);
     case Action::inverse_time:
       return set_feed_mode(run, FeedMode::inverse_time);
     case Action::per_minute:

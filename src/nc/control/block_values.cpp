@@ -12,7 +12,8 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr int kNamed = -1;  // in place of the number of a named parameter
+constexpr int kStoreHome = 281;  // G28.1
+constexpr int kNamed = -1;       // in place of the number of a named parameter
 
 bool may_be_unknown(char letter) { return letter == 'S'; }
 
@@ -142,7 +143,8 @@ void BlockValues::leave_out_vacant_words(Block& block) {
   for (const Word& word : block.words) {
     if (!word.vacant || run_.dialect.syntax.drops_vacant_words) continue;
     run_.refuse(word, codes::kParameterUnset, fmt::format("{} was never given a value", block.at(word.span)),
-                "set the variable before, or ask with EQ EMPTY");
+                run_.dialect.syntax.empty_names ? "set the variable before, or ask with EQ EMPTY"
+                                                : "declare it with DEF, and set it before");
   }
   for (const Word& word : block.words) {
     if (word.vacant) block.left_out.push_back(word.span);
@@ -158,8 +160,12 @@ int BlockValues::setting_number(const Block& block, const Setting& setting) {
   }
   if (number == kNamed ? system_parameters_.is_read_only(block.at(block.names[setting.name]))
                        : system_parameters_.is_read_only(number)) {
-    refuse_at(block, setting.span, codes::kParameterReadOnly, "this parameter shows the control's own state",
-              "change offsets with G10 or G92, tools with G10 L1, stored positions with G28.1 and G30.1");
+    refuse_at(
+        block, setting.span, codes::kParameterReadOnly, "this parameter shows the control's own state",
+        run_.dialect.g_code(kStoreHome) != nullptr
+            ? "change offsets with G10 or G92, tools with G10 L1, stored positions with G28.1 and G30.1"
+            : "change offsets with G10 or G92; the program's own variables are #1 to #33, #100 to #199 and #500 to "
+              "#999");
   }
   return number;
 }

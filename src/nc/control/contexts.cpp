@@ -47,7 +47,7 @@ void check_values(const Execution& run) {
 }
 
 void check_moves_beside(const Execution& run) {
-  if (run.motion == nullptr || run.axes.empty()) return;
+  if (run.motion == nullptr) return;
   for (const Chosen& code : run.chosen) {
     if (!code.row->alone) continue;
     run.refuse(*code.word, codes::kNotInterpreted,
@@ -176,19 +176,6 @@ void check_alone_after_turn(const Execution& run) {
              "name both X and Y in the first move after G68 and G69");
 }
 
-// D0, T2, M6: which edge is in force then is MD20270.
-void check_edge_known(const Execution& run) {
-  const bool stated = run.words.has('D') || run.machine_word != nullptr || run.in_machine_system();
-  if (!run.control.edge_unknown || run.motion == nullptr || stated) return;
-  for (const Axis axis : kAllAxes) {
-    if (axis == Axis::X || axis == Axis::Y || !run.axes.contains(axis)) continue;
-    run.refuse(*run.words.find(axis), codes::kNotInterpreted,
-               "a tool was changed while D0 was in force, and whether its length counts from then on depends on the "
-               "settings of the control",
-               "write D1 (or D0) after the change of the tool");
-  }
-}
-
 // R and the depth of a cycle count from where the axis stands.
 void check_cycle_increments(const Execution& run) {
   if (run.motion->action != Action::cycle || !counts_increments(run)) return;
@@ -206,6 +193,18 @@ void check_cycle_increments(const Execution& run) {
   }
 }
 
+// X5. M98 P8 in a cycle: P is the program, or the time to wait as well [Haas 96-8000, p. 191].
+void check_words_of_call(const Execution& run, const CodeRow& call) {
+  for (const char letter : call.words) {
+    const Word* const word = run.words.find(letter);
+    if (word == nullptr || (run.motion->word_mask & letter_bit(letter)) == 0) continue;
+    run.refuse(*word, codes::kNotInterpreted,
+               fmt::format("{} belongs to the call of a program, and may be taken for a word of the drilling cycle",
+                           run.text_of(*word)),
+               "put the call into a block of its own, without axis words");
+  }
+}
+
 // Which axis drills there, and when a tool's length counts in.
 void check_beside_cycle(const Execution& run) {
   const bool drills = run.motion != nullptr && run.motion->action == Action::cycle;
@@ -215,10 +214,15 @@ void check_beside_cycle(const Execution& run) {
   const bool in_xy = run.control.modal.plane == Plane::xy || find_code(run, Action::plane_xy) != nullptr;
   if (other != nullptr || !in_xy) {
     run.refuse(other != nullptr ? *other->word : run.motion_code(), codes::kNotInterpreted,
-               "which axis drills in G18 and G19 is said by a parameter of the control (5101 FXY)",
+               run.dialect.behaviour.return_levels
+                   ? "along which axis the cycles drill in G18 and G19 was found in no source"
+                   : "which axis drills in G18 and G19 is said by a parameter of the control (5101 FXY)",
                "write G17 before it, and drill along Z");
   }
   for (const Chosen& code : run.chosen) {
+    if (code.row->action == Action::call_program || code.row->action == Action::end_program) {
+      check_words_of_call(run, *code.row);
+    }
     if (code.row->action != Action::tool_length && code.row->action != Action::tool_length_off) continue;
     run.refuse(
         *code.word, codes::kNotInterpreted,
@@ -242,7 +246,7 @@ void check_contexts(const Execution& run) {
   check_turned(run);
   check_not_beside(run);
   check_beside_cycle(run);
-  check_edge_known(run);
+  check_length_known(run);
 }
 
 // A turn or a work offset of the block itself counts already.
@@ -336,7 +340,8 @@ void check_milliseconds(const Execution& run, const Word& word) {
   if (run.dialect.behaviour.dwell_p_s == 1 || word.value == std::floor(word.value)) return;
   run.refuse(word, codes::kNotWhole,
              fmt::format("P counts whole milliseconds, and {} is none", run.block->at(word.span)),
-             "write milliseconds without a point; of G4, X and seconds");
+             run.chosen_row(Action::dwell) != nullptr ? "write milliseconds without a point, or X and seconds"
+                                                      : "write milliseconds without a point");
 }
 
 void check_words_before_call(const Execution& run) {

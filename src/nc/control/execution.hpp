@@ -127,6 +127,11 @@ void home_or_unit(Execution& run, const Chosen& chosen);     // G20 of the OSP
 void set_tool_length(Execution& run, const Chosen& chosen);  // tools.cpp: G43 G43.1 G43.2 G49
 /// The length of the tool in the spindle (G43 without H), or none (G49), at a block that names neither.
 void restore_tool_length(Execution& run, bool in_force);
+/// Refuses a move along Z, or one that turns, while it is not known whether a tool's length counts.
+void check_length_known(const Execution& run);
+[[noreturn]] void refuse_length_doubt(const Execution& run, const Word& word);
+/// After a move of Z to a place of the machine, where that ends the length in force.
+void end_length_at_home(Execution& run);
 /// Refuses at `word` when the length unit has changed under the tool length in force.
 void check_tool_unit(const Execution& run, const Word& word);
 /// The offset of a tool that a code names; refuses one that no table has: tool_table.cpp

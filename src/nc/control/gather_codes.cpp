@@ -1,6 +1,8 @@
 // Which codes a block holds, each with its row, and its other words; whether they go together.
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -17,9 +19,17 @@ constexpr int kUserGroup = 63;
 constexpr std::uint32_t kUninterpretedLetters = letter_bit('U') | letter_bit('V') | letter_bit('W');
 constexpr double kLargestValue = 1e9;  // so that sums of them can be written with all that a double holds of them
 
+// What stands after ; in a row's reason is the way out.
 [[noreturn]] void refuse_row(const Execution& run, const CodeRow& row, const Word& word) {
-  run.refuse(word, codes::kNotInterpreted, fmt::format("{} {}", run.text_of(word), row.why),
-             "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system");
+  const std::size_t end = row.why.find("; ");
+  std::string help = "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system";
+  if (word.letter == 'M') {
+    help = fmt::format("leave it out, or, if it moves nothing on this machine, let it through: --pass {}",
+                       run.text_of(word));
+  }
+  if (end != std::string::npos) help = row.why.substr(end + 2);
+  run.refuse(word, codes::kNotInterpreted, fmt::format("{} {}", run.text_of(word), row.why.substr(0, end)),
+             std::move(help));
 }
 
 const CodeRow* g_row(const Execution& run, const Word& word) {

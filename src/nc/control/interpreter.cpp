@@ -97,6 +97,7 @@ void Interpreter::finish() {
   step.frame = &control_.frame;
   step.position = control_.position;
   step.known = control_.known;
+  step.shifted = control_.shifted;
   step.named = run_.axes;
 }
 

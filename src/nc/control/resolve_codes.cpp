@@ -138,8 +138,9 @@ void check_machine_coordinates(const Execution& run) {
   const bool straight =
       run.motion != nullptr && (run.motion->action == Action::rapid || run.motion->action == Action::feed);
   if (!straight) {
-    run.refuse(*run.machine_word, codes::kMachineMove, "G53 needs G0 or G1",
-               "write the motion code into the block of G53");
+    run.refuse(*run.machine_word, codes::kMachineMove,
+               fmt::format("{0} needs G0 or G1", run.text_of(*run.machine_word)),
+               fmt::format("write the motion code into the block of {0}", run.text_of(*run.machine_word)));
   }
 }
 
@@ -153,6 +154,26 @@ bool is_exponent(const Execution& run, const Word& word) {
 std::uint32_t numbers_without_offset(const Execution& run) {
   const bool ends = run.chosen_row(Action::tool_length_off) != nullptr;
   return letter_bit('D') | (ends || run.control.frame.tool == AxisWords{} ? letter_bit('H') : 0);
+}
+
+// R3. in a block of its own, H2 under G43: controls differ in what they make of it.
+void refuse_kept_word(const Execution& run, const Word& word) {
+  const CodeRow* const mode = run.control.motion_row;
+  const bool of_cycle =
+      mode != nullptr && mode->action == Action::cycle && (mode->word_mask & letter_bit(word.letter)) != 0;
+  if (of_cycle && run.motion == nullptr &&
+      (run.dialect.behaviour.fanuc_cycles || run.dialect.behaviour.return_levels)) {
+    run.refuse(
+        word, codes::kWordUnused,
+        fmt::format("{} stands in a drilling cycle without a hole: whether that drills again, or is kept for the "
+                    "next hole, differs between controls",
+                    run.text_of(word)),
+        "put it into the block of the next hole, beside X and Y");
+  }
+  if (word.letter != 'H' || !run.dialect.behaviour.offset_numbers_last) return;
+  run.refuse(word, codes::kWordUnused,
+             "whether another H takes its length without G43, and how Z moves then, differs between controls",
+             "write G43 (or G44) beside it, with Z");
 }
 
 void check_words_used(const Execution& run) {
@@ -171,6 +192,7 @@ void check_words_used(const Execution& run) {
       run.refuse(word, codes::kWordUnused, "numbers have no exponent: the control reads E as a word of its own",
                  "write the number out, X0.0000001 or X0, and have the post-processor write fixed decimals");
     }
+    refuse_kept_word(run, word);
     run.refuse(word, codes::kWordUnused, fmt::format("no code of this block uses the {} word", word.letter),
                "remove it, or add the code that it belongs to");
   }

@@ -118,6 +118,7 @@ struct Step {
   const Frame* frame = nullptr;     // the offsets in force for its motion and after it
   AxisWords position;               // where the axes stand after it, in the work system that is then active
   AxisSet known;                    // of which this is known
+  AxisSet shifted;                  // whose increments may bring along an offset that changed before
   AxisSet named;                    // axes whose words stand in the block
   BlockRole role = BlockRole::plain;
   double offset_rotation_deg = 0;  // sets_offset: of the work system that its words are in, active or not

@@ -210,6 +210,7 @@ struct Syntax {
   bool word_modes = false;          // X=AC(5), A=DC(5)
   bool open_assignment = false;     // what is assigned needs no brackets
   bool settings_at_once = false;    // all values of a block are found before any is set
+  bool exponents = false;           // 8.2EX-3
   bool one_sign = false;            // X--5 is a slip, not X5
   bool repeated_ijk = false;        // I, J and K may stand more than once (arguments of a macro)
   bool rounds_to_zero = false;      // FIX and FUP
@@ -271,6 +272,8 @@ struct ControlBehaviour {
   bool machine_move_is_rapid = false;        // G53 goes as G0 whatever is in force
   bool offset_numbers_last = false;  // D and H stay in force without a code that uses them: G43 needs an H of its own
   bool machine_move_tool_unknown = false;  // whether G53 counts to the tip while a length is in force
+  bool home_ends_length = false;  // G28, G30 and G53 of Z end a tool's length; whether it comes back is not known
+  bool unit_change_length_unknown = false;  // what a length in force is worth after G20, G21
   bool h0_is_no_tool = false;
   bool tool_length_moves = false;           // whether G43 without Z moves depends on the control's parameters
   std::string unknown_beside_unit;          // words of which it is not known in which unit they count beside G20, G21

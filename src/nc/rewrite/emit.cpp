@@ -196,6 +196,7 @@ EmittedMove Emitter::rewrite(const Step& step, std::span<const CorrectedPoint> p
   begin_change(step);
   const std::uint64_t begin = text_.size();
   const std::span<Piece> pieces = planner_.plan(step, points, writable, seconds, control_);
+  refuse_doubtful_increments(step, pieces);
   if (pieces.size() > 1) refuse_builders_codes(step, dialect_);
   std::string_view line;
   for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
 #include "nc/rewrite/output/emit_text.hpp"
 
@@ -48,6 +49,29 @@ void refuse_beside_unit(const Step& step, const Dialect& dialect) {
   refuse_block(*step.block, "emit-shared-words",
                "this block changes the unit and moves, and the move must be corrected",
                "put the change of units into a block of its own");
+}
+
+void refuse_doubtful_increments(const Step& step, std::span<const Piece> pieces) {
+  if (!step.after->incremental) return;
+  for (const Word& word : step.block->words) {
+    const bool says_way =
+        word.mode == WordMode::shortest || word.mode == WordMode::positive || word.mode == WordMode::negative;
+    if (!says_way) continue;
+    refuse_at(*step.block, word.span, "emit-rotary-word",
+              fmt::format("{} says which way round it turns, and the correction is written as increments (G91), which "
+                          "say nothing of that",
+                          step.block->at(word.span)),
+              "write G90 before this block");
+  }
+  for (const Piece& piece : pieces) {
+    const AxisSet doubtful = piece.moved & step.shifted;
+    if (doubtful.empty()) continue;
+    refuse_block(*step.block, codes::kNotInterpreted,
+                 fmt::format("the correction of this block is an increment of {}, and whether that brings along the "
+                             "offset that changed before it depends on the settings of the control",
+                             axis_list(doubtful)),
+                 "move these axes once by absolute words (G90) after the change");
+  }
 }
 
 void refuse_builders_codes(const Step& step, const Dialect& dialect) {

@@ -1,10 +1,13 @@
 // What cannot be corrected without changing something else.
 #pragma once
 
+#include <span>
+
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"
 #include "nc/rewrite/output/emit_codes.hpp"
 #include "nc/rewrite/output/emit_state.hpp"
+#include "nc/rewrite/piece_feeds.hpp"
 
 namespace plumbline::nc {
 
@@ -21,6 +24,9 @@ void refuse_if_shared(const Step& step, const BlockCodes& codes);
 /// The words that a correction adds would stand beside a change of units, where it is not known in which they count:
 /// emit-shared-words.
 void refuse_beside_unit(const Step& step, const Dialect& dialect);
+
+/// An increment of an axis whose offset changed before, which the correction adds under G91: nc-not-interpreted.
+void refuse_doubtful_increments(const Step& step, std::span<const Piece> pieces);
 
 /// With several pieces in its place the block's M code acts beside the first, or after the last; its builder decides:
 /// emit-m-code.

@@ -27,6 +27,7 @@ struct Call {
   std::size_t line = 0;          // of the call
   std::uint64_t pass = 1;        // of the calls of the same block
   std::vector<Value> arguments;  // by position, for its head
+  bool takes_values = false;     // its head (PROC) was read
 };
 
 class CallStack {

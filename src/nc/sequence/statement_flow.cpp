@@ -22,11 +22,32 @@ FilePlace program_called(const Block& block, const std::string& name, LabelIndex
       fmt::format("put it into a file of its name beside the program, as {}", subprogram_file_name(name, dialect)));
 }
 
+std::string how_programs_end(const Dialect& dialect) {
+  switch (dialect.syntax.statements) {
+    case Statements::user_task:
+      return "end it with RTS";
+    case Statements::high_level:
+      return "end it with M17 or RET";
+    default:
+      return "end it with M99";
+  }
+}
+
 // M97: the block with that number, in the program that calls.
 LinePlace part_called(const Block& block, const std::string& number, LabelIndex& labels) {
   if (const LinePlace* const place = labels.find_label(number, block.line, Direction::both)) return *place;
   refuse_flow(block, codes::kFlowLabel, fmt::format("there is no {} in this program to call", number),
               "M97 calls a part of its own program: check its P, or write M98 for another program");
+}
+
+// SUB(1,2) needs a head that takes as many: PROC SUB(REAL A, REAL B).
+void take_values(const Block& block, Call& call) {
+  call.takes_values = true;
+  if (call.arguments.size() <= block.settings.size()) return;
+  refuse_flow(block, codes::kFlowControl,
+              fmt::format("{} is called in line {} with {} values, and takes {}", call.name, call.line,
+                          call.arguments.size(), block.settings.size()),
+              "leave values out of the call, or add parameters here");
 }
 
 }  // namespace
@@ -55,7 +76,7 @@ bool StatementFlow::next(Line& line) {
   Place place;
   place.file = file();
   refuse(codes::kFlowOpen, fmt::format("the file ends inside subprogram {}", calls_.top().name),
-         "end it with M99, RTS, M17 or RET, as its control has it", std::move(place));
+         how_programs_end(dialect_), std::move(place));
 }
 
 bool StatementFlow::take(const Block& block) {
@@ -129,6 +150,7 @@ void StatementFlow::head(const Block& block) {
     reading_ = Reading::body;
     const std::vector<Value> none;
     const std::vector<Value>& arguments = called() ? calls_.top().arguments : none;
+    if (block.flow.word == FlowWord::sub && called()) take_values(block, calls_.top());
     for (std::size_t i = 0; i < block.settings.size(); ++i) {
       interpreter_.set_variable(block, i, i < arguments.size() ? arguments[i] : Value{0, true});
     }
@@ -136,7 +158,7 @@ void StatementFlow::head(const Block& block) {
   }
   if (called()) {
     refuse_flow(block, codes::kFlowOpen, fmt::format("subprogram {} runs into the next program", calls_.top().name),
-                "end it with M99, RTS, M17 or RET, as its control has it");
+                how_programs_end(dialect_));
   }
   if (dialect_.syntax.statements ==
       Statements::user_task) {  // OMIT and other words of an OSP look like names of programs
@@ -295,6 +317,12 @@ void StatementFlow::jump_back(const Block& block, int number) {
 }
 
 void StatementFlow::leave(const Block& block) {
+  if (const Call& call = calls_.top(); !call.arguments.empty() && !call.takes_values) {
+    refuse_flow(
+        block, codes::kFlowControl,
+        fmt::format("{} is called in line {} with values, and has no PROC that takes them", call.name, call.line),
+        "call it without values, or begin it with PROC and its parameters");
+  }
   sections_.leave(calls_.depth());
   if (calls_.begins_again()) {
     loops_.begin_call_again();

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -28,8 +29,10 @@ void check_words(const Execution& run, const PlaneAxes& axes) {
   const bool by_centre = run.words.has('I') || run.words.has('J') || run.words.has('K');
   if (by_radius == by_centre) {
     run.refuse(run.motion_code(), codes::kArcWords,
-               by_radius ? "the arc has both a radius and a centre" : "the arc has neither a centre nor a radius",
-               "give either R or the centre (two of I, J, K)");
+               by_radius ? "the arc has both a radius and a centre, and what controls make of that differs"
+                         : "the arc has neither a centre nor a radius",
+               fmt::format("give either {} or the centre (two of I, J, K)",
+                           run.dialect.syntax.word_modes ? "the radius (CR=)" : "R"));
   }
   if (const Word* word = run.words.find(centre_letter(axes.third))) {
     run.refuse(*word, codes::kArcWords, fmt::format("{} is no centre word of the plane in force", word->letter),
@@ -75,6 +78,13 @@ void centre_by_radius(const Execution& run, PlaneArc& arc, bool clockwise) {
                 (arc.start[1] + arc.end[1]) / 2 + side * height * x};
 }
 
+std::string_view how_centres_count(const Dialect& dialect) {
+  constexpr int kAbsoluteCentres = 901;  // G90.1
+  if (dialect.g_code(kAbsoluteCentres) != nullptr) return "G90.1 makes I, J and K absolute";
+  if (dialect.syntax.word_modes) return "I=AC(..) and J=AC(..) count from the zero of the work system";
+  return "I, J and K count from the start of the arc";
+}
+
 void centre_by_words(const Execution& run, PlaneArc& arc, const PlaneAxes& axes) {
   const std::array<Axis, 2> in_plane{axes.first, axes.second};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -93,7 +103,7 @@ void centre_by_words(const Execution& run, PlaneArc& arc, const PlaneAxes& axes)
     const double unit = run.control.length_unit();
     run.refuse(run.motion_code(), codes::kArcRadius,
                fmt::format("the radius is {:.4f} at the start and {:.4f} at the end", at_start / unit, at_end / unit),
-               "check the centre and the end point; G90.1 makes I, J and K absolute");
+               fmt::format("check the centre and the end point; {}", how_centres_count(run.dialect)));
   }
 }
 

@@ -1,6 +1,7 @@
 // Drilling cycles that are called by name with their values in brackets, once or after each move (MCALL) [C 2.1, 2.2].
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -27,7 +28,8 @@ enum CalledCycle {
 // Places in the brackets [C 2.1.2 to 2.1.11; the order is that of the posts, too].
 constexpr std::size_t kRetractPlane = 0, kReferencePlane = 1, kSafety = 2, kDepth = 3, kRelativeDepth = 4, kDwell = 5;
 
-constexpr double kMostPecks = 1e4;  // that are told one by one
+constexpr double kSamePitch = 1e-6;  // mm
+constexpr double kMostPecks = 1e4;   // that are told one by one
 
 /// What else stands in the brackets of a cycle; -1: nothing of the kind.
 struct Places {
@@ -123,9 +125,8 @@ void CalledHole::check() const {
     given_.refuse("no source says what the last values in its brackets mean",
                   fmt::format("leave out what stands after the first {}", places_.last + 1));
   }
-  if (!given_.value(kRetractPlane) || !given_.value(kReferencePlane) ||
-      (!given_.value(kDepth) && !given_.value(kRelativeDepth))) {
-    given_.refuse("it needs a retraction plane, a reference plane and a depth", "write it as in CYCLE81(10,0,2,-15)");
+  if (!given_.value(kDepth) && !given_.value(kRelativeDepth)) {
+    given_.refuse("it needs a depth", "write it as in CYCLE81(10,0,2,-15)");
   }
   if (given_.number(places_.geometry) != 0) {
     given_.refuse("a depth that counts to the diameter depends on the shape of the tool", "give the depth of the tip");
@@ -189,6 +190,7 @@ void CalledHole::take_levels() {
 
 void CalledHole::make() {
   need_offsets(run_);
+  if (control_.length_doubt != Control::LengthDoubt::none) refuse_length_doubt(run_, run_.block->words.front());
   check();
   const AxisSet plane{axes_.first, axes_.second};
   if (!control_.known.contains(plane)) {
@@ -212,16 +214,32 @@ void CalledHole::make() {
   if (call_.row->loses_position) lose_position(run_, AxisSet{Axis::X, Axis::Y, Axis::Z});
 }
 
+// Of the threads that MPIT names by their diameter: M3 to M48, coarse [C 2.1.5; ISO 261].
+double pitch_of_thread(double diameter) {
+  constexpr std::pair<int, double> kCoarse[] = {{3, 0.5},   {4, 0.7},  {5, 0.8},  {6, 1},    {8, 1.25}, {10, 1.5},
+                                                {12, 1.75}, {14, 2},   {16, 2},   {18, 2.5}, {20, 2.5}, {22, 2.5},
+                                                {24, 3},    {27, 3},   {30, 3.5}, {33, 3.5}, {36, 4},   {39, 4},
+                                                {42, 4.5},  {45, 4.5}, {48, 5}};
+  for (const auto& [size, pitch] : kCoarse) {
+    if (std::abs(diameter) == size) return pitch;
+  }
+  return 0;
+}
+
 // Pitch x speed; without them F counts. CYCLE84 has a speed of its own on the way down, SST, and on the way up, SST1.
 double CalledHole::tapping_feed(bool up) const {
   const int pitch = places_.code == kCalledTap ? 8 : 10;
   const double down_speed =
       places_.code == kCalledTap && given_.number(10) != 0 ? given_.number(10) : control_.spindle_speed;
   const double speed = up && places_.code == kCalledTap && given_.number(11) != 0 ? given_.number(11) : down_speed;
-  const bool known = given_.number(pitch) != 0 && given_.number(places_.axis + 1) <= 1 && speed > 0;
-  if (known) return std::abs(given_.length_mm(pitch)) * speed;
+  const double thread_mm = pitch_of_thread(given_.number(pitch - 1));
+  const double pitch_mm = given_.number(pitch) != 0 ? std::abs(given_.length_mm(pitch)) : thread_mm;
+  if (thread_mm != 0 && std::abs(pitch_mm - thread_mm) > kSamePitch) {
+    given_.refuse("its two pitches (MPIT and PIT) contradict each other", "leave out one of them");
+  }
+  if (pitch_mm > 0 && given_.number(places_.axis + 1) <= 1 && speed > 0) return pitch_mm * speed;
   if (places_.code == kCalledFloatingTap) return feed_of_move(run_, true);
-  given_.refuse("how fast it taps is not known", "give its pitch (PIT) in mm or inches and its speed (SST)");
+  given_.refuse("how fast it taps is not known", "give its pitch (PIT, or MPIT for M3 to M48) and its speed (SST)");
 }
 
 double CalledHole::own_feed(double rate) const {
@@ -326,7 +344,10 @@ CycleCall call_of(const Execution& run, const CodeRow& row) {
   for (const Argument& argument : run.block->arguments) {
     CallArgument& given = call.arguments.emplace_back();
     if (argument.expression != kLiteral) given.value = argument.value;
-    if (argument.plain) {
+    const bool is_plane = call.arguments.size() <= kReferencePlane + 1;
+    if (is_plane && argument.span.begin == argument.span.end) {  // what is left out is 0 [N p. 494]
+      given = {"0", 0};
+    } else if (argument.plain) {
       given.text = std::string(run.block->at(argument.span));
     } else {
       append_decimal(given.text, argument.value, kMostDecimals);

@@ -87,6 +87,12 @@ void CycleWords::take_words() {
   }
   if (pecks && cycle_.peck <= 0) {
     const Word* const word = run_.words.find(peck);
+    if (word != nullptr && cycle_.peck < 0) {
+      run_.refuse(*word, codes::kNotInterpreted,
+                  of_osp ? "what a peck below 0 is taken for was found in no source"
+                         : "the manual says that a depth below 0 is ignored, which leaves open how deep the pecks go",
+                  fmt::format("write {} greater than 0", peck));
+    }
     run_.refuse(word != nullptr ? *word : run_.motion_code(), codes::kOutOfRange, "a peck has no depth",
                 fmt::format("write {} greater than 0", peck));
   }

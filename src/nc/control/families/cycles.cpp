@@ -174,8 +174,9 @@ void CycleRun::check_shift() {
 void move_in_cycle(Execution& run) {
   need_offsets(run);
   if (run.machine_word != nullptr) {
-    run.refuse(*run.machine_word, codes::kMachineMove, "G53 needs G0 or G1",
-               "write the motion code into the block of G53");
+    run.refuse(*run.machine_word, codes::kMachineMove,
+               fmt::format("{0} needs G0 or G1", run.text_of(*run.machine_word)),
+               fmt::format("write the motion code into the block of {0}", run.text_of(*run.machine_word)));
   }
   check_cycle(run);
   run.control.known = run.control.modal.incremental ? run.control.known : run.control.known | run.axes;

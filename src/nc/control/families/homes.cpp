@@ -46,6 +46,7 @@ void go_home(Execution& run, int which) {
   }
   add_motion(run, motion);
   if (!known.contains(moved)) run.step.loses_position = true;
+  end_length_at_home(run);
   if (control.frame.tilted) lose_position(run, AxisSet::linear());
 }
 

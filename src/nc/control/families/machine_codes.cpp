@@ -82,13 +82,14 @@ void call_program(Execution& run, const Chosen& chosen) {
   for (const Word& word : run.block->words) {
     if (run.dialect.behaviour.call_with_moves) break;
     if (&word == chosen.word || (calls && (word.letter == 'P' || word.letter == 'L'))) continue;
-    run.refuse(word, codes::kFlowControl, "M98 and M99 stand alone in their block",
+    run.refuse(word, codes::kFlowControl, fmt::format("{} stands alone in its block", run.text_of(*chosen.word)),
                "put the other words into a block of their own");
   }
   const bool calls_part = calls && chosen.row->value != 0;
   run.call.kind = !calls ? ProgramCall::Kind::end : calls_part ? ProgramCall::Kind::part : ProgramCall::Kind::program;
   if (!calls) {
-    if (const Word* to = run.words.find('P')) run.call.return_to = run.whole(*to, 0, kNoLimit);
+    const bool takes_p = (chosen.row->word_mask & letter_bit('P')) != 0;  // M99, not M17
+    if (const Word* to = takes_p ? run.words.find('P') : nullptr) run.call.return_to = run.whole(*to, 0, kNoLimit);
     return;
   }
   run.call.number = run.whole(run.need('P', run.text_of(*chosen.word)), 0, kNoLimit);

@@ -1,4 +1,6 @@
 // The motion in force: what sets it, what ends it, and the move that it makes.
+#include <fmt/format.h>
+
 #include "nc/control/execution.hpp"
 #include "nc/language/codes.hpp"
 
@@ -12,8 +14,9 @@ bool moves_specially(Execution& run, Action action) {
   const bool spindle_leads = action == Action::synchronised || action == Action::rigid_tap;
   if (!spline && !nurbs && !spindle_leads && action != Action::probe) return false;
   if (run.machine_word != nullptr) {
-    run.refuse(*run.machine_word, codes::kMachineMove, "G53 needs G0 or G1",
-               "write the motion code into the block of G53");
+    run.refuse(*run.machine_word, codes::kMachineMove,
+               fmt::format("{0} needs G0 or G1", run.text_of(*run.machine_word)),
+               fmt::format("write the motion code into the block of {0}", run.text_of(*run.machine_word)));
   }
   if (spline) move_spline(run);
   if (!spline) run.control.spline_end.reset();

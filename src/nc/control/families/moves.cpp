@@ -281,7 +281,7 @@ void add_motion(Execution& run, const Motion& planned) {
   keep_inches(run, motion);
   control.position = motion.to;
   control.known = motion.known_after;
-  if (control.edge_unknown) {  // where the tip stands then depends on which edge is in force
+  if (control.length_doubt != Control::LengthDoubt::none) {  // where the tip stands then is not known
     motion.known_before.erase(Axis::Z);
     motion.known_after.erase(Axis::Z);
   }

@@ -1,6 +1,8 @@
 // G0 and G1, in the work system or, with G53, in machine coordinates.
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "nc/control/execution.hpp"
 #include "nc/language/codes.hpp"
 
@@ -12,7 +14,8 @@ constexpr double kTiny = 1e-7;  // mm under which an axis counts as standing [Li
 void end_in_machine_coordinates(const Execution& run, Motion& motion) {
   const Control& control = run.control;
   if (control.modal.incremental) {
-    run.refuse(*run.machine_word, codes::kMachineMove, "G53 cannot move by increments", "write G90 before it");
+    run.refuse(*run.machine_word, codes::kMachineMove,
+               fmt::format("{} cannot move by increments", run.text_of(*run.machine_word)), "write G90 before it");
   }
   check_tool_unit(run, *run.machine_word);
   check_no_rotary_words(run);
@@ -77,6 +80,7 @@ void move_straight(Execution& run) {
     if (run.vector != nullptr) check_way_of_vector(run, motion);
   }
   add_motion(run, motion);
+  if (run.machine_word != nullptr) end_length_at_home(run);
   if (run.machine_word != nullptr && control.frame.tilted) lose_position(run, AxisSet::linear());
   const bool tip_unknown = run.machine_word != nullptr && run.dialect.behaviour.machine_move_tool_unknown;
   if (tip_unknown && control.frame.tool != AxisWords{}) lose_position(run, run.axes & AxisSet::linear());

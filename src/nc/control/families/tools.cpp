@@ -62,6 +62,12 @@ void take_offset(Execution& run, const AxisWords& offset) {
   run.control.tool_in_inches = run.control.modal.inches;
 }
 
+// G43, G49, D: from the block's own turn on it is known again which length counts.
+bool states_length(const Execution& run) {
+  if (run.dialect.has_edges) return run.words.has('D');
+  return run.chosen_row(Action::tool_length) != nullptr || run.chosen_row(Action::tool_length_off) != nullptr;
+}
+
 // The length of a tool's edge, without H.
 void take_edge(Execution& run, const Word& word, int number) {
   const std::optional<AxisWords> offset =
@@ -81,6 +87,38 @@ void take_edge(Execution& run, const Word& word, int number) {
 
 }  // namespace
 
+void refuse_length_doubt(const Execution& run, const Word& word) {
+  if (run.control.length_doubt == Control::LengthDoubt::edge) {  // MD20270
+    run.refuse(word, codes::kNotInterpreted,
+               "a tool was changed while D0 was in force, and whether its length counts from then on depends on the "
+               "settings of the control",
+               "write D1 (or D0) after the change of the tool");
+  }
+  run.refuse(word, codes::kNotInterpreted,
+             "the move of Z to a place of the machine before it ended the tool length, and whether that comes back by "
+             "itself depends on a parameter of the control (5001 EVO)",
+             "write G43 H (or G49) after G28, G30 and G53");
+}
+
+void check_length_known(const Execution& run) {
+  const bool in_doubt = run.control.length_doubt != Control::LengthDoubt::none;
+  if (!in_doubt || run.motion == nullptr || run.machine_word != nullptr || run.in_machine_system()) return;
+  if (states_length(run)) return;
+  if (run.motion->action == Action::cycle) refuse_length_doubt(run, run.motion_code());
+  for (const Axis axis : kAllAxes) {
+    if (axis == Axis::X || axis == Axis::Y || !run.axes.contains(axis)) continue;
+    refuse_length_doubt(run, *run.words.find(axis));
+  }
+}
+
+// G28 Z0 under G43: "vectors are canceled" [B-63844EN 14.1.2]; "G28 cancels tool length offsets" [Haas 96-8000].
+void end_length_at_home(Execution& run) {
+  Control& control = run.control;
+  const bool along_tool = run.axes.empty() || run.axes.contains(Axis::Z);
+  if (!run.dialect.behaviour.home_ends_length || !along_tool || control.frame.tool == AxisWords{}) return;
+  control.length_doubt = Control::LengthDoubt::home;
+}
+
 // LinuxCNC keeps a tool's offset as a number: after a change of units it takes 2 mm for 2 inches [measured].
 void check_tool_unit(const Execution& run, const Word& word) {
   const Control& control = run.control;
@@ -96,6 +134,7 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
   check_tool_unit(run, *chosen.word);
   AxisWords offset = control.frame.tool;
   control.modal.tool_of_offset = -1;
+  control.length_doubt = Control::LengthDoubt::none;
   const bool has_rule = chosen.row->feed_rule != FeedRule::unknown;
   if (has_rule) check_no_plane(run, *chosen.word);
   control.tool_vectors = chosen.row->tool_vectors;
@@ -112,6 +151,11 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
       break;
     }
     case Action::tool_length_added:
+      for (const Axis axis : kAllAxes) {
+        if (!run.axes.contains(axis)) continue;
+        run.refuse(*run.words.find(axis), codes::kAxesTwice, "G43.2 takes H or axis words, and its block holds both",
+                   "put the move into a block of its own");
+      }
       offset += needed_offset(run, word_of_length(run, chosen), tool_of_block(run, chosen));
       break;
     case Action::tool_length_by_words:
@@ -147,7 +191,7 @@ void restore_tool_length(Execution& run, bool in_force) {
 void choose_edge(Execution& run, const Word& word) {
   Control& control = run.control;
   const int edge = run.whole(word, 0, kNoLimit);
-  control.edge_unknown = false;
+  control.length_doubt = Control::LengthDoubt::none;
   control.modal.tool_of_offset = -1;
   control.edge = edge;
   control.edge_of_selected = false;
@@ -186,7 +230,9 @@ void change_tool(Execution& run, const Chosen& chosen) {
   if (run.dialect.behaviour.tool_length_at_change && control.edge != 0) {
     take_edge(run, *chosen.word, control.modal.tool_in_spindle);
   }
-  control.edge_unknown = run.dialect.behaviour.tool_length_at_change && control.edge == 0;
+  if (run.dialect.behaviour.tool_length_at_change) {
+    control.length_doubt = control.edge == 0 ? Control::LengthDoubt::edge : Control::LengthDoubt::none;
+  }
   const int code = chosen.row->code / 10;
   if (chosen.row->loses_position && !run.settings.keeps_position.contains(code)) lose_position(run, AxisSet::all());
 }

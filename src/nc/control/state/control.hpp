@@ -119,7 +119,6 @@ struct Control {
   int edge = 1;                            // D
   bool edge_of_selected = false;           // D took the length of T while no tool was known in the spindle,
   bool moved_on_selected = false;          // and moves were made with it
-  bool edge_unknown = false;               // after D0 a tool was changed: D0 or D1, as the control is set
   double spindle_speed = 0;
   bool surface_speed = false;  // G96
   double feed_linear = 0;      // the F in force as mm/min (mm/rev under G95)
@@ -132,6 +131,9 @@ struct Control {
   enum class MotionEnd : std::uint8_t { none, off, nurbs_end } motion_end = MotionEnd::none;  // G80, G5.3
   /// Where the length in force comes from; unknown: G170 after G169 H, as no source says whether that ends the length.
   enum class Length : std::uint8_t { by_code, by_tip, unknown } length = Length::by_code;
+  /// Why it is not known whether a tool's length counts: after D0 a tool was changed, and D0 or D1 is in force as the
+  /// control is set; or G28, G30 or G53 ended the length of G43, and a parameter brings it back.
+  enum class LengthDoubt : std::uint8_t { none, edge, home } length_doubt = LengthDoubt::none;
   enum class Return : std::uint8_t { unknown, level, r } cycle_return = Return::unknown;  // M53, M54
   std::optional<double> return_level;  // G71, in machine coordinates along the normal of the plane
 

@@ -17,6 +17,11 @@ MadeStep& MadeSteps::next(const Step& like) {
   return made;
 }
 
+bool MadeSteps::holds(const Step& step) const {
+  return std::any_of(made_.begin(), made_.begin() + static_cast<std::ptrdiff_t>(used_),
+                     [&](const MadeStep& made) { return &made.step == &step; });
+}
+
 void MadeSteps::parse(MadeStep& made, const Step& like) {
   made.block.file = like.block->file;
   made.block.text = made.text;

@@ -26,6 +26,9 @@ class MadeSteps {
   /// The dialect must outlive it.
   explicit MadeSteps(const Dialect& dialect) : parser_(dialect) {}
 
+  /// Whether it is one of those given since clear().
+  bool holds(const Step& step) const;
+
   /// Those given so far are free again.
   void clear() { used_ = 0; }
 

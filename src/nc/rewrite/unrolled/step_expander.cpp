@@ -19,8 +19,6 @@ bool is_polar(const Word& word) { return word.letter == '@' || word.letter == '^
 
 bool turns_tool(const Step& step) { return step.end_words == EndWords::tool_vector; }
 
-constexpr std::string_view kWordsOfCall = "PL";
-
 // Active comments that show parameters, which a program without parameters has not.
 bool shows_parameters(std::string_view comment) {
   std::string text;
@@ -64,6 +62,7 @@ Span StepExpander::label_of(const Block& block) const {
 }
 
 const Step* StepExpander::plain(const Step& step, bool keeps_settings) {
+  if (made_.holds(step)) return &step;  // as it was written out before, X=AC(5) and all
   made_.clear();
   const Block& block = *step.block;
   if (step.stop != StopByVariable::none) return &step;
@@ -215,17 +214,25 @@ const Step* StepExpander::beside_flow(const Step& step, bool acts) {
   return &own.step;
 }
 
-// The words of the call are P and L.
+// P and L of M98; M30 where it ends a subprogram.
 void StepExpander::write_without_call(const Step& step, std::string& text) {
   const Block& block = *step.block;
-  spelling_ = spelling_of(block, spelling_);
-  editor_.start(block, spelling_);
-  write_values(step, false, kWordsOfCall);
-  defuse_comments(block);
-  for (const Word& word : block.words) {
+  const auto steers = [&](const Word& word) {
     const CodeRow* const row = dialect_.row_of(word);
     const bool calls = row != nullptr && (row->action == Action::call_program || row->action == Action::end_program);
-    if (calls || kWordsOfCall.find(word.letter) != std::string_view::npos) editor_.replace(word.span, "");
+    return calls || (row != nullptr && row->action == Action::end) ? row : nullptr;
+  };
+  std::string words_of_call;
+  for (const Word& word : block.words) {
+    if (const CodeRow* const row = steers(word)) words_of_call += row->words;
+  }
+  spelling_ = spelling_of(block, spelling_);
+  editor_.start(block, spelling_);
+  write_values(step, false, words_of_call);
+  defuse_comments(block);
+  for (const Word& word : block.words) {
+    const bool belongs = words_of_call.find(word.letter) != std::string::npos;
+    if (belongs || steers(word) != nullptr) editor_.replace(word.span, "");
   }
   editor_.apply(text);
 }

@@ -10,6 +10,7 @@
 #include "base/text/characters.hpp"
 #include "base/text/number_text.hpp"
 #include "nc/control/state/kept.hpp"
+#include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
 #include "nc/rewrite/output/emit_text.hpp"
 
@@ -28,6 +29,18 @@ void make_hole(MadeStep& own, const Step& step, const Hole& hole, std::size_t be
   own.step.call = step.call;
   own.step.loses_position = step.loses_position;
   own.step.named = AxisSet::linear();
+}
+
+// What G4 counts under G95 and G93 is not known on some controls, whatever P of the cycle counts.
+void refuse_unknown_dwell(const Step& step, const Dialect& dialect) {
+  const FeedMode mode = step.after->feed_mode;
+  const bool unknown = (mode == FeedMode::per_revolution && dialect.behaviour.dwell_unknown_per_revolution) ||
+                       (mode == FeedMode::inverse_time && dialect.behaviour.dwell_unknown_inverse_time);
+  if (!unknown) return;
+  refuse_at(*step.block, {0, static_cast<std::uint32_t>(step.block->text.size())}, codes::kNotInterpreted,
+            "the cycle waits, it must be written out, and whether G4 counts seconds in this feed mode depends on the "
+            "control",
+            "write G94 before the cycle, with a feed per minute");
 }
 
 }  // namespace
@@ -164,6 +177,7 @@ void WrittenMoves::add_move(const Step& step, const Motion& motion) {
   own.text = std::exchange(number_, {});
   own.before.motion = mode_;
   if (dwells) {
+    refuse_unknown_dwell(step, dialect_);
     append_code(own.text, codes_.dwell(), spelling_);
     append_dwell(own.text, motion.dwell_s);
   } else {

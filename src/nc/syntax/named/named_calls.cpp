@@ -27,13 +27,15 @@ void check_stands_alone(const BlockReading& in, Span name) {
                    "look for a slip; the name of a subprogram stands alone in its block");
 }
 
-// arguments = "(" , [ value , { "," , value } ] , ")"
+// arguments = "(" , [ value ] , { "," , [ value ] } , ")"; what is left out is 0 [N p. 494]
 void call_arguments(BlockReading& in, Span name) {
   if (!item_follows(in, TokenKind::parenthesis)) return;
   in.cursor.take(lex_named_item);
   if (item_follows(in, TokenKind::closing_parenthesis)) return in.cursor.take(lex_named_item);
   do {
-    in.out.flow().values.push_back(read_named_value(in));
+    const Token next = in.cursor.peek(lex_named_operation);
+    const bool left_out = next.kind == TokenKind::comma || next.kind == TokenKind::closing_parenthesis;
+    in.out.flow().values.push_back(left_out ? in.out.add_number(0, name) : read_named_value(in));
     in.cursor.take(lex_named_operation);
   } while (in.cursor.is(TokenKind::comma));
   if (in.cursor.is(TokenKind::closing_parenthesis)) return;
@@ -72,8 +74,23 @@ void parameters(BlockReading& in) {
 
 }  // namespace
 
+void refuse_unread_keyword(const BlockReading& in, Span keyword) {
+  const std::string name = upper(in.out.at(keyword));
+  if (name == "CALL" || name == "PCALL" || name == "ISOCALL") {
+    in.cursor.refuse(keyword, codes::kNotInterpreted,
+                     fmt::format("{} calls a program in a way that is not interpreted", in.out.at(keyword)),
+                     "call it by its name alone, with its values in brackets");
+  }
+  if (name != "GOTOC" && name != "GOTOS") return;
+  in.cursor.refuse(keyword, codes::kNotInterpreted,
+                   name == "GOTOS" ? "GOTOS goes back to the begin of the program, which is not interpreted"
+                                   : "where GOTOC goes on if its label is missing was found in no source",
+                   name == "GOTOS" ? "end the program with M30" : "write GOTO, GOTOF or GOTOB");
+}
+
 // call = name , [ arguments ] , [ "P" , number ]
 void read_call_by_name(BlockReading& in, Span name) {
+  refuse_unread_keyword(in, name);
   check_stands_alone(in, name);
   Flow& flow = in.out.begin_flow(FlowWord::call, name);
   flow.name = name;

@@ -5,6 +5,9 @@
 
 namespace plumbline::nc {
 
+/// Refuses GOTOC, GOTOS, and the keywords that call otherwise than by a name.
+void refuse_unread_keyword(const BlockReading& in, Span keyword);
+
 /// SUB(1,2) P3: the name, at `name`, has been read; it stands alone in its block. Reads the line to its end.
 void read_call_by_name(BlockReading& in, Span name);
 

@@ -27,6 +27,11 @@ Span jump_label(BlockReading& in) {
   const bool sequence_names = in.syntax->labels == Labels::sequence_names;
   const bool is_number = cursor.is_letter(TokenKind::word, 'N');
   const bool is_name = cursor.is(TokenKind::identifier) && (!sequence_names || upper(*cursor.token().begin) == 'N');
+  if (cursor.is(TokenKind::word) && !is_number && !sequence_names) {
+    cursor.refuse(cursor.span(), codes::kFlowControl,
+                  fmt::format("{} is no label: their names begin with two letters", in.out.at(cursor.span())),
+                  "rename it, as in GOTOF LABEL1");
+  }
   if (!is_number && !is_name) {
     cursor.refuse(in.out.flow().span, codes::kFlowControl, "the label to go on at is missing after this",
                   sequence_names ? "write it as in IF [VC1 GT 5] N100, or GOTO NEND"
@@ -51,6 +56,7 @@ void named_jump(BlockReading& in, bool conditional) {
   Span keyword = flow.span;
   if (conditional) {
     flow.values.push_back(read_named_value(in));
+    refuse_unread_keyword(in, in.cursor.span_of(in.cursor.peek(lex_named_item)));
     const bool jumps = goto_follows(in);
     if (!jumps && in.syntax->branches) return;
     keyword = jumps ? in.cursor.span() : Span{};
@@ -135,14 +141,29 @@ void repeat_statement(BlockReading& in, bool block_alone) {
   }
 }
 
+// "EXTERN" , name , [ "(" , types , ")" ]: what a program elsewhere takes; its own head says so again
+void declared_elsewhere(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  cursor.take(lex_named_item);
+  if (!cursor.is(TokenKind::identifier) && !cursor.is(TokenKind::word)) cursor.refuse_token("a name");
+  if (!item_follows(in, TokenKind::parenthesis)) return;
+  do {
+    cursor.take(lex_named_item);
+  } while (!cursor.is(TokenKind::closing_parenthesis) && !cursor.is(TokenKind::end));
+  if (cursor.is(TokenKind::end)) {
+    cursor.refuse(in.out.flow().span, codes::kBracketOpen, "the bracket ( is not closed", "add the missing )");
+  }
+}
+
 // definition = "DEF" , type , variable , [ "=" , value ] , { "," , variable , [ "=" , value ] }
 void define_statement(BlockReading& in) {
   TokenCursor& cursor = in.cursor;
+  if (upper(in.out.at(in.out.flow().span)) == "EXTERN") return declared_elsewhere(in);
   cursor.take(lex_named_item);
   const VariableType type = variable_type(in, "variables");
   do {
     cursor.take(lex_named_item);
-    if (!cursor.is(TokenKind::identifier)) cursor.refuse_token("a name");
+    if (!cursor.is(TokenKind::identifier)) cursor.refuse_token("a name, which begins with two letters");
     const Span name = cursor.span();
     if (item_follows(in, TokenKind::equals)) {
       read_assigned_variable(in, name, nullptr);

@@ -1,7 +1,9 @@
 #include "nc/syntax/named/named_values.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -127,13 +129,43 @@ void named_identifier(BlockReading& in) {
   in.out.push(Operation::name, span, 0, in.out.add_name(span));
 }
 
+// number = digits , [ "EX" , [ sign ] , digits ]; the number is token()
+void named_number(BlockReading& in) {
+  TokenCursor& cursor = in.cursor;
+  Span span = cursor.span();
+  const double mantissa = cursor.token().value;
+  const Token next = cursor.peek(lex_named_operation);
+  const std::string name = next.kind == TokenKind::identifier ? upper(text_of(next)) : std::string();
+  const bool exponent = in.syntax->exponents && name.starts_with("EX") &&
+                        std::all_of(name.begin() + 2, name.end(), [](char c) { return is_digit(c); });
+  if (!exponent) return in.out.push(Operation::number, span, mantissa);
+  std::string digits = name.substr(2);
+  cursor.accept(next);
+  if (digits.empty()) {
+    cursor.take(lex_named_value);
+    if (cursor.is(TokenKind::sign)) {
+      if (cursor.token().letter == '-') digits = "-";
+      cursor.take(lex_named_value);
+    }
+    if (cursor.is(TokenKind::number)) digits += text_of(cursor.token());
+  }
+  const std::string number = fmt::format("{}e{}", mantissa, digits);
+  double value = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+  span.end = cursor.here();
+  if (digits.empty() || error != std::errc{} || end != number.data() + number.size()) {
+    cursor.refuse(span, codes::kBadNumber, "this is no number with an exponent", "write it as in 8.2EX-3");
+  }
+  in.out.push(Operation::number, span, value);
+}
+
 // term = number | sign , term | bracketed value | variable | function
 void named_term(BlockReading& in) {
   in.cursor.take(lex_named_value);
   const Span span = in.cursor.span();
   switch (in.cursor.token().kind) {
     case TokenKind::number:
-      return in.out.push(Operation::number, span, in.cursor.token().value);
+      return named_number(in);
     case TokenKind::sign: {
       const bool negative = in.cursor.token().letter == '-';
       refuse_second_sign(in);

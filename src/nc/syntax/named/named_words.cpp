@@ -60,6 +60,7 @@ void make_literal(BlockReading& in, Word& word) {
   const std::vector<Instruction>& code = in.out.block().code;
   if (code.size() != word.expression + 2 || code[word.expression].operation != Operation::number) return;
   const std::string_view text = in.out.at(code[word.expression].span);
+  if (text.find_first_of("Ee") != std::string_view::npos) return;  // 8.2EX-3 is written as its value
   word.value = code[word.expression].number;
   const std::size_t point = text.find('.');
   word.point = point != std::string_view::npos;

@@ -53,8 +53,11 @@ void TokenCursor::refuse_token(std::string_view expected) const {
   refuse_damage(place);
   refuse_byte(place, c);
   if (expected == "a value" && c != '.' && c != '<') {
-    refuse(place, codes::kValueMissing, "a value is missing here",
-           "write a number, [expression], #parameter or function");
+    refuse(place, codes::kValueMissing,
+           plumbline::is_letter(c) ? "this is no value, and no function that is known here" : "a value is missing here",
+           !syntax_->names        ? "write a number, [expression], #parameter or function"
+           : syntax_->open == '(' ? "write a number, or = and a number, a variable, a function or (expression)"
+                                  : "write a number, or = and a number, a variable, a function or [expression]");
   }
   if (c == '.') refuse(place, codes::kBadNumber, "this is no number", "write digits before or after one point");
   refuse(place, codes::kBadCharacter, fmt::format("{} cannot stand here", shown(c)),

@@ -1,0 +1,6 @@
+(expect: nc-word-unused 5 1 dialect: fanuc)
+G10 L10 P1 R100.
+G90 G54 G0 X0 Y0
+G43 H1 Z50.
+H2
+M30

@@ -1,0 +1,86 @@
+// The way out that a refusal names is one of the control's own: no code or word of another control.
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "nc/programs.hpp"
+
+using namespace plumbline;
+using namespace plumbline::nc;
+using namespace plumbline::nc::tests;
+
+namespace {
+
+struct Case {
+  const char* dialect;
+  std::string program;
+  std::string names;     // what the message or its help says
+  std::string does_not;  // and what it must not
+};
+
+std::string said_of(const Case& c) {
+  ProgramSettings settings = empty_tables();
+  const ProgramFile program(c.program);
+  const InputFile file(program.path());
+  try {
+    Program blocks(file, dialect(c.dialect), settings);
+    while (blocks.next() != nullptr) {
+    }
+  } catch (const Refusal& refusal) {
+    return refusal.diagnostic().message + " | " + refusal.diagnostic().help;
+  }
+  return "";
+}
+
+void check(const std::vector<Case>& cases) {
+  for (const Case& c : cases) {
+    INFO(c.dialect << ": " << c.program);
+    const std::string said = said_of(c);
+    INFO(said);
+    CHECK_FALSE(said.empty());
+    CHECK(said.find(c.names) != std::string::npos);
+    CHECK((c.does_not.empty() || said.find(c.does_not) == std::string::npos));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("where the centre of an arc counts from is said in the control's own words") {
+  check({{"linuxcnc", "F9\nG2 X10 I3\nM2\n", "G90.1", "AC("},
+         {"fanuc", "O1\nG54 G0 X0 Y0\nG2 X10. I3. F9.\nM30\n", "from the start of the arc", "G90.1"},
+         {"okuma", "G15 H1\nG0 X0 Y0\nG2 X10 I3 F9\nM2\n", "from the start of the arc", "G90.1"},
+         {"siemens", "G54\nG0 X0 Y0\nG2 X10 I3 F9\nM30\n", "I=AC(..)", "G90.1"},
+         {"siemens", "G54\nG0 X0 Y0\nG2 X10 I3 CR=3 F9\nM30\n", "CR=", "either R"}});
+}
+
+TEST_CASE("parameters, levels and counts of another control are not named") {
+  check({{"okuma", "G15 H1\nG18 G0 X0 Y50 Z0\nG71 Y50\nG81 X9 Y-5 R2 F9 M53\nM2\n", "G18 and G19", "5101"},
+         {"fanuc", "O1\nG54 G18 G0 X0 Y50. Z0\nG81 X9. Y-5. R2. F9.\nM30\n", "5101", ""},
+         {"okuma", "G15 H1\nG0 X0 Y0 Z50\nG71 Z50\nG82 X9 Z-5 R2 P0.5 F9 M53\nM2\n", "whole milliseconds", "G4"},
+         {"fanuc", "O1\nG4 P0.5\nM30\n", "X and seconds", ""},
+         {"fanuc", "O1\n#5221=5.\nM30\n", "G92", "G28.1"},
+         {"fanuc", "O1\n#2001=5.\nM30\n", "#100 to #199", "G10 L1,"},
+         {"linuxcnc", "#5420=5\nM2\n", "G28.1", "#100 to #199"}});
+}
+
+TEST_CASE("values, subprograms and calls are spoken of as the control writes them") {
+  check({{"siemens", "G54\nG1 X(5) F9\nM30\n", "(expression)", "#parameter"},
+         {"okuma", "G15 H1\nG1 X[5+3] F9\nM2\n", "[expression]", "#parameter"},
+         {"fanuc", "O1\n#1=BIN[16]\nM30\n", "no function that is known", ""},
+         {"fanuc", "O1\nM98 P9\nM30\nO9\nG4 P1\n", "M99", "RTS"},
+         {"okuma", "CALL O9\nM2\nO9\nG4 F1\n", "RTS", "M99"},
+         {"siemens", "L9\nM30\n%_N_L9_SPF\nG4 F1\n", "M17 or RET", "M99"},
+         {"linuxcnc", "G0 M99 X5\nM2\n", "M99 stands alone", "M98"},
+         {"siemens", "G54\nSUPA G2 X9 I4 F9\nM30\n", "SUPA", "G53"},
+         {"siemens", "G54\nG91\nG0 SUPA X9\nM30\n", "SUPA", "G53"}});
+}
+
+TEST_CASE("the way out of a code that is not read is the one that its row names") {
+  check({{"fanuc", "O1\nG66 P9\nM30\n", "| write G65 after each", "write it out in G0"},
+         {"siemens", "FGREF[A]=10\nM30\n", "| write FGROUP(X,Y,Z)", "write it out in G0"},
+         {"okuma", "G54 X5\nM2\n", "write G56 H", "write it out in G0"},
+         {"okuma", "M16\nM2\n", "", "write it out in G0"},
+         {"okuma", "M83\nM2\n", "--pass M83", "write it out in G0"},
+         {"siemens", "MIRROR X0\nM30\n", "| write it out in G0", ""}});
+}
