@@ -78,7 +78,9 @@ void describe_beside_base(const Case& of, const Model& model, const Assessment& 
   conclusion.errors = std::move(beside.fitted.errors);
   conclusion.marginalised = marginalised_by(candidates, {}, model.base.fit.values);
   // with terms that the runs held out bear out, nuisances are others than those of the base model alone
-  if (beside.borne_out && !conclusion.description.terms.empty()) conclusion.marginalised.departure.setZero();
+  if (beside.borne_out && (beside.residual || !conclusion.description.terms.empty()))
+    conclusion.marginalised.departure.setZero();
+  conclusion.residual = std::move(beside.residual);
   conclusion.residuals.after = std::move(beside.residuals);
 }
 

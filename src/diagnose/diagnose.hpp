@@ -13,6 +13,7 @@
 #include "diagnose/held_out.hpp"
 #include "diagnose/next_test.hpp"
 #include "diagnose/objection.hpp"
+#include "diagnose/residual_model/learner.hpp"
 #include "diagnose/search/search.hpp"
 #include "identify/held.hpp"
 #include "identify/posterior/posterior.hpp"
@@ -46,6 +47,7 @@ struct DiagnoseOptions {
   HeldOutOptions held_out;
   SearchOptions search;
   DescriptionOptions description;
+  ResidualOptions residual;
   VerdictOptions verdict;
   NextTestOptions next_test;
   GapMapOptions gap_map;

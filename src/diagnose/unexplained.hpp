@@ -3,6 +3,7 @@
 
 #include "diagnose/diagnose.hpp"
 #include "diagnose/doubt.hpp"
+#include "diagnose/residual_model/rows.hpp"
 
 namespace plumbline::diagnose {
 
@@ -28,6 +29,7 @@ struct Unexplained {
   Fitted fitted;            // with these terms where the runs held out bear them out, else the base model
   std::vector<identify::RunEquations> residuals;  // of all runs
   bool borne_out = true;
+  std::optional<LearntResidual> residual;  // that stands in the model in place of the terms
 };
 
 /// Describes what the base model leaves; where that is within the noise, again with what comes again taken for none.

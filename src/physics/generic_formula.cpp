@@ -13,9 +13,9 @@ namespace plumbline::physics {
 namespace {
 
 // The factors as Generic lists them.
-constexpr std::array<std::string_view, Generic::kStrutFactors> kStrutFactors{
+constexpr std::array<std::string_view, kStrutFactors> kStrutWords{
     "((L - L_mid) / 100 mm)", "(Ldot / (10 mm/s))", "s", "(t / kN)", "|t / kN|", "u_x", "u_y", "u_z"};
-constexpr std::array<std::string_view, Generic::kSharedFactors> kSharedFactors{
+constexpr std::array<std::string_view, kSharedFactors> kSharedWords{
     "(x / 100 mm)", "(y / 100 mm)", "((z + 1 m) / 100 mm)", "z_x", "z_y", "(time / h)"};
 
 std::string powers_text(std::span<const double> powers, std::span<const std::string_view> factors) {
@@ -40,8 +40,8 @@ constexpr std::array kChannels{Channel{"length_um", "length_j", true}, Channel{"
 
 std::string generic_formula(std::span<const double> parameters) {
   const std::string shared =
-      powers_text(parameters.subspan(Generic::kSharedPowers, Generic::kSharedFactors), kSharedFactors);
-  std::string own = powers_text(parameters.subspan(Generic::kStrutPowers, Generic::kStrutFactors), kStrutFactors);
+      powers_text(parameters.subspan(Generic::kSharedPowers, kSharedFactors), kSharedWords);
+  std::string own = powers_text(parameters.subspan(Generic::kStrutPowers, kStrutFactors), kStrutWords);
   if (parameters[Generic::kPitch] > 0) {
     own += fmt::format(" x cos(2 pi L / {:.4g} mm + {:.4g} deg)", parameters[Generic::kPitch] / kMm,
                        parameters[Generic::kPhase] / kDeg);
