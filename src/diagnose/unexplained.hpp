@@ -3,16 +3,9 @@
 
 #include "diagnose/diagnose.hpp"
 #include "diagnose/doubt.hpp"
-#include "diagnose/residual_model/rows.hpp"
+#include "diagnose/learnt_residual.hpp"
 
 namespace plumbline::diagnose {
-
-/// A model that was fitted, and the standard errors of its parameters, SI.
-struct Fitted {
-  physics::ForceModel forces;
-  std::vector<double> errors;
-  Refit fit;  // before a shift was held back
-};
 
 /// The base model, nuisances refitted to the runs of the bench.
 struct Base {
@@ -35,6 +28,6 @@ struct Unexplained {
 /// Describes what the base model leaves; where that is within the noise, again with what comes again taken for none.
 /// `out`: which of all `runs` are held out.
 Unexplained unexplained(const Base& base, const std::vector<measure::Run>& runs, const std::vector<bool>& out,
-                        const DiagnoseOptions& options);
+                        const DiagnoseOptions& options, const Say& say);
 
 }  // namespace plumbline::diagnose

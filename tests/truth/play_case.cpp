@@ -24,7 +24,6 @@ int play(int argc, char** argv) {
   std::vector<std::string> programs;
   double step = 0.25;
   std::string at_rest;
-  bool as_modelled = false;
   truth::add_case_options(app, options);
   options.look_alikes = false;
   app.add_option("--meant", meant, "trace of the program whose path is meant")->required();
@@ -32,12 +31,10 @@ int play(int argc, char** argv) {
   app.add_option(
       "--points", at_rest,
       "say of each look where the tip is beside the path, um, and of a machine at rest where this trace begins");
-  app.add_flag("--as-modelled", as_modelled, "a machine that is just as the model says, in place of the drawn one");
   app.add_option("programs", programs, "traces of programs to run")->required();
   CLI11_PARSE(app, argc, argv);
   truth::check_case_options(options);
-  const truth::Truth machine =
-      as_modelled ? truth::Truth{truth::read_model(options.machine).machine, {}} : truth::draw_truth(options);
+  const truth::Truth machine = truth::draw_truth(options);
   const truth::Program path = truth::read_program(meant);
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
   for (const std::string& program : programs) {

@@ -231,15 +231,6 @@ bool Learner::learn() {
       if (found.score < options_.least_log_odds || refused >= options_.most_refused) break;
       Component component = found.component;
       component.left_out = left_out(component);
-      if (getenv("PL_DEBUG")) {  // DEBUG
-        fprintf(stderr, "  ch %d strut", (int)component.shape.channel);
-        for (int p : component.shape.strut_powers) fprintf(stderr, "%d", p);
-        fprintf(stderr, " shared ");
-        for (int p : component.shape.shared_powers) fprintf(stderr, "%d", p);
-        fprintf(stderr, " coord");
-        for (int p : component.shape.coordinates) fprintf(stderr, " %d", p);
-        fprintf(stderr, " pitch %g parts %d of %zu ls %g tau %g score %g out %g\n", component.shape.pitch, component.parts[0], component.parts.size(), component.length_scale, component.spread, found.score, component.left_out);
-      }
       if (component.left_out < options_.least_left_out) {
         ++refused;
         continue;

@@ -8,12 +8,13 @@ namespace plumbline::diagnose {
 
 struct ResidualOptions {
   int most_components = 8;
-  int most_rounds = 3;        // linear problems, each about what the one before found
-  double least_log_odds = 8;  // nats, all that was tried counted
-  double least_left_out = 3;  // nats, by which poses that were left out are more likely
-  double same_nats = 3;       // a plainer component that is at most so much less likely stands for another
-  int most_refused = 4;       // of the best ones that poses left out do not confirm
-  int pitches = 6;            // that are looked at
+  int most_rounds = 3;         // linear problems, each about what the one before found
+  double least_log_odds = 8;   // nats, all that was tried counted
+  double least_left_out = 3;   // nats, by which poses that were left out are more likely
+  double may_be_worse = 1e-5;  // chance that a part comes out further off, see identify::HoldOptions: functions that
+                               // imitate a cause are less sure than they state
+  int most_refused = 4;        // of the best ones that poses left out do not confirm
+  int pitches = 6;             // that are looked at
   std::vector<double> length_scales{0.3, 0.6, 1.2, 2.4};  // in half widths of what was measured
 };
 
@@ -56,7 +57,6 @@ class Learner {
   struct Found {
     Component component;
     double score = -1e9;
-    double plainness = 0;
   };
 
   identify::SlopeRows whitened(const Shape& shape, const Region& region, std::size_t run) const;

@@ -29,28 +29,6 @@ double coordinate_of(int coordinate, const SampleState& state, const physics::Ma
 
 std::size_t dimensions_of(const Shape& shape) { return shape.coordinates.size(); }
 
-// The functions of a shape at a sample, for one part.
-void functions_at(const Shape& shape, const Region& region, const SampleState& state,
-                  const physics::MachineConstants& machine, int part, Eigen::Ref<Eigen::RowVectorXd> values) {
-  if (shape.is_wave()) {
-    const double turn = 2 * std::numbers::pi * state.struts.length[part] / shape.pitch;
-    values[0] = std::cos(turn);
-    values[1] = -std::sin(turn);
-    return;
-  }
-  values.setOnes();
-  const std::size_t dimensions = dimensions_of(shape);
-  if (dimensions == 0) return;
-  const Residual::Orders order = Residual::orders(static_cast<int>(dimensions));
-  for (std::size_t d = 0; d < dimensions; ++d) {
-    const auto sines =
-        Residual::sines<double>(coordinate_of(shape.coordinates[d], state, machine, part), region.middle[d],
-                                region.half_width[d], Residual::kHighest.at(dimensions - 1));
-    for (Eigen::Index k = 0; k < values.size(); ++k)
-      values[k] *= sines.at(static_cast<std::size_t>(order.at(static_cast<std::size_t>(k)).at(d) - 1));
-  }
-}
-
 Shape of(Channel channel, std::vector<int> coordinates, std::vector<int> powers = {}) {
   Shape shape{channel, {}, {}, std::move(coordinates)};
   for (const int p : powers) {
@@ -118,19 +96,48 @@ Eigen::VectorXd prior_widths(const Shape& shape, double length_scale) {
   return widths / std::sqrt(in_the_middle);
 }
 
+Eigen::RowVectorXd functions_at(const Shape& shape, const Region& region, const std::vector<double>& at) {
+  Eigen::RowVectorXd values = Eigen::RowVectorXd::Ones(shape.functions());
+  const std::size_t dimensions = dimensions_of(shape);
+  const Residual::Orders order = Residual::orders(static_cast<int>(dimensions));
+  for (std::size_t d = 0; d < dimensions; ++d) {
+    const auto sines =
+        Residual::sines<double>(at[d], region.middle[d], region.half_width[d], Residual::kHighest.at(dimensions - 1));
+    for (Eigen::Index k = 0; k < values.size(); ++k)
+      values[k] *= sines.at(static_cast<std::size_t>(order.at(static_cast<std::size_t>(k)).at(d) - 1));
+  }
+  return values;
+}
+
+namespace {
+
+// At a sample, for one part.
+Eigen::RowVectorXd functions_of(const Shape& shape, const Region& region, const SampleState& state,
+                                const physics::MachineConstants& machine, int part) {
+  if (shape.is_wave()) {
+    const double turn = 2 * std::numbers::pi * state.struts.length[part] / shape.pitch;
+    return Eigen::RowVector2d(std::cos(turn), -std::sin(turn));
+  }
+  if (!shape.is_smooth()) return Eigen::RowVectorXd::Ones(1);
+  std::vector<double> at;
+  for (const int coordinate : shape.coordinates) at.push_back(coordinate_of(coordinate, state, machine, part));
+  return functions_at(shape, region, at);
+}
+
+}  // namespace
+
 SlopeRows columns_of(const Shape& shape, const Region& region, const ReadyRun& run,
                      const physics::MachineConstants& machine) {
   const Eigen::Index n = run.raw->samples;
   const Eigen::Index count = shape.functions();
   const Eigen::MatrixXd slopes = slopes_of(run, shape.channel);
   SlopeRows columns(run.raw->residual.size(), count * shape.parts());
-  Eigen::RowVectorXd values(count);
   for (int part = 0; part < shape.parts(); ++part) {
     for (Eigen::Index s = 0; s < n; ++s) {
       const SampleState& state = run.states[static_cast<std::size_t>(s)];
       double factor = product(shared_factors(state), shape.shared_powers);
       if (is_per_strut(shape.channel)) factor *= product(strut_factors(machine, state, part), shape.strut_powers);
-      functions_at(shape, region, state, machine, part, values);
+      const Eigen::RowVectorXd values = functions_of(shape, region, state, machine, part);
       for (std::size_t c = 0; c < run.raw->channels.size(); ++c) {
         const Eigen::Index row = static_cast<Eigen::Index>(c) * n + s;
         columns.row(row).segment(part * count, count) = slopes(row, part) * factor * values;

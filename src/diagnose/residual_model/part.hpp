@@ -36,6 +36,9 @@ Region region_of(const Shape& shape, const std::vector<ReadyRun>& runs, const ph
 /// 2020, Eq. 20].
 Eigen::VectorXd prior_widths(const Shape& shape, double length_scale);
 
+/// The functions of a smooth shape where its coordinates are `at`.
+Eigen::RowVectorXd functions_at(const Shape& shape, const Region& region, const std::vector<double>& at);
+
 /// How the readings of a run move with all numbers of all parts, function after function, part after part: not
 /// whitened.
 identify::SlopeRows columns_of(const Shape& shape, const Region& region, const ReadyRun& run,

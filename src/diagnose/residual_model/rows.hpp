@@ -12,6 +12,7 @@ struct RowNumber {
   int index = 0;
   int row = 0;  // of the rows of that effect
   Eigen::RowVectorXd by_weights;
+  double sigma = 0;  // beforehand, SI
 };
 
 /// Adds the rows of a component; says which numbers its weights are.
@@ -22,6 +23,7 @@ struct LearntResidual {
   std::vector<Component> components;
   std::vector<RowNumber> numbers;  // of the rows that stand for them in the model
   Eigen::MatrixXd covariance;      // of the nuisances and these numbers, SI
+  Eigen::MatrixXd of_weights;      // of all weights, component after component, SI
 };
 
 }  // namespace plumbline::diagnose

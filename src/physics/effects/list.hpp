@@ -85,7 +85,13 @@ using CatalogueEffects = std::tuple<Payload,                  //
                                     Counterbalance,           //
                                     LeadError,                //
                                     RingThermal,              //
-                                    JointPosition, GimbalOffset, ScrewRoll, SpindleGrowth, FrameCompliance, Generic, Residual>;
+                                    JointPosition,            //
+                                    GimbalOffset,             //
+                                    ScrewRoll,                //
+                                    SpindleGrowth,            //
+                                    FrameCompliance,          //
+                                    Generic,                  //
+                                    Residual>;
 
 using Effects = decltype(std::tuple_cat(BaseEffects{}, CatalogueEffects{}));
 inline constexpr std::size_t kBaseEffects = std::tuple_size_v<BaseEffects>;
