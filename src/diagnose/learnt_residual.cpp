@@ -76,6 +76,7 @@ Fitted fitted_beside(const Workbench& bench, const FittedStage& stage, const phy
   covariance(places, places) = learnt.covariance;
   identify::HoldOptions hold = options.hold;
   hold.may_be_worse = options.residual.may_be_worse;
+  hold.steps = 1;  // a part of a shift that is no better known than its size is as likely to be the wrong way
   const identify::Held held =
       identify::hold_unsure(bench.machine.rotation, bench.runs, bench.forces, unknowns, values, covariance, hold);
   say(shift_text(held));

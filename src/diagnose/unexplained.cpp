@@ -85,7 +85,8 @@ Unexplained unexplained(const Base& base, const std::vector<measure::Run>& runs,
   std::optional<Learnt> learnt = learn_residual(bench, *stage, options, say);
   if (!learnt) return best;
   auto of_learnt = residuals(bench.machine, runs, learnt->fitted.forces, base.noise);
-  if (held_out_misfit(of_learnt, out, base.noise) >= least) return best;
+  const double with = held_out_misfit(of_learnt, out, base.noise);
+  if (with >= without || with > options.residual.as_near * least) return best;
   best.fitted = std::move(learnt->fitted);
   best.residuals = std::move(of_learnt);
   best.borne_out = true;

@@ -23,7 +23,7 @@ std::string weights(std::size_t place, double value) {
   return text + "]";
 }
 
-ForceModel with_row(const std::string& keys) {
+ForceModel with_residual(const std::string& keys) {
   const std::string text = pm600_like().document.text + "\n[[effect]]\nname = \"residual\"\n" + keys;
   return ForceModel(machine::parse_model(text, "m.toml"));
 }
@@ -44,9 +44,9 @@ StrutStretch<double> added(const ForceModel& model, const Motion<double>& motion
 TEST_CASE("a residual function of a strut's length makes that strut longer by it, and is flat outside of its region") {
   Random random(75);
   const ForceModel model =
-      with_row("length_um = " + weights(2, 5) +
-               "\npart = 4\ncoordinates = [7, 0, 0]\nmiddle = [0.5, 0, 0]\nhalf_width = [3, 1, 1]\n"
-               "lower = [-1, 0, 0]\nupper = [0.8, 0, 0]");
+      with_residual("length_um = " + weights(2, 5) +
+                    "\npart = 4\ncoordinates = [7, 0, 0]\nmiddle = [0.5, 0, 0]\nhalf_width = [3, 1, 1]\n"
+                    "lower = [-1, 0, 0]\nupper = [0.8, 0, 0]");
   int below = 0;
   int above = 0;
   for (int n = 0; n < 60; ++n) {
@@ -67,9 +67,9 @@ TEST_CASE("a residual function of a strut's length makes that strut longer by it
 TEST_CASE("a residual function of the place moves the tip along its axis, and pulls at tip or centre of mass") {
   Random random(76);
   const std::string place = "\npart = 2\ncoordinates = [1, 3, 0]\nhalf_width = [2, 4, 1]";
-  const ForceModel tip = with_row("tip_um = " + weights(1, 7) + place);
-  const ForceModel force = with_row("force_N = " + weights(1, 7) + place);
-  const ForceModel centre = with_row("centre_N = " + weights(1, 7) + place);
+  const ForceModel tip = with_residual("tip_um = " + weights(1, 7) + place);
+  const ForceModel force = with_residual("force_N = " + weights(1, 7) + place);
+  const ForceModel centre = with_residual("centre_N = " + weights(1, 7) + place);
   for (int n = 0; n < 5; ++n) {
     const Motion<double> motion = moment_within(pm600_like().limits, random);
     // the second function of two coordinates: orders 1 and 2
@@ -95,7 +95,7 @@ TEST_CASE("a residual function of the place moves the tip along its axis, and pu
 
 TEST_CASE("a residual function of what only struts have does nothing at the tip") {
   Random random(77);
-  const ForceModel model = with_row("tip_um = " + weights(0, 7) + "\ncoordinates = [7, 0, 0]");
+  const ForceModel model = with_residual("tip_um = " + weights(0, 7) + "\ncoordinates = [7, 0, 0]");
   const Motion<double> motion = moment_within(pm600_like().limits, random);
   CHECK(added(model, motion).tip.isZero(0));
 }

@@ -11,6 +11,8 @@ struct ResidualOptions {
   int most_rounds = 3;         // linear problems, each about what the one before found
   double least_log_odds = 8;   // nats, all that was tried counted
   double least_left_out = 3;   // nats, by which poses that were left out are more likely
+  double as_near = 1.01;       // as the terms of a description are runs held out, squared: what was learnt knows how
+                               // sure it is
   double may_be_worse = 1e-5;  // chance that a part comes out further off, see identify::HoldOptions: functions that
                                // imitate a cause are less sure than they state
   int most_refused = 4;        // of the best ones that poses left out do not confirm

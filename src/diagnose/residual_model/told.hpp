@@ -16,6 +16,7 @@ struct FunctionValue {
 struct LearntFunction {
   Shape shape;
   int part = -1;                     // -1: all struts alike
+  bool mean_aside = false;           // its values are those beside its mean over the region
   FunctionValue least, most;         // where it is smallest and largest
   std::vector<FunctionValue> along;  // of one coordinate: from the lower end of the region to the upper one
   std::vector<Term> formula;         // where it is one: no values then

@@ -97,7 +97,8 @@ std::string function_text(const LearntFunction& function, const physics::Machine
   const std::string powers = physics::powers_formula(function.shape.strut_powers, function.shape.shared_powers);
   return fmt::format("{}, as a function of {}{}: {} to {}{}", function_name(function), own ? "its " : "",
                      fmt::join(of, own ? " and its " : ", "), value_text(function, function.least, machine),
-                     value_text(function, function.most, machine), powers.empty() ? "" : "," + powers);
+                     value_text(function, function.most, machine), powers.empty() ? "" : "," + powers) +
+         (function.mean_aside ? ", beside its mean" : "");
 }
 
 std::vector<std::string> function_lines(const diagnose::Diagnosis& diagnosis) {

@@ -37,6 +37,9 @@ LearntFunction of_length() {
 TEST_CASE("a function is told by where it is smallest and largest, with its uncertainty") {
   CHECK(report::function_text(of_length(), constants()) ==
         "length of strut 3, as a function of its length: -2.14 +- 0.3 um at 1.05 m to +6 +- 0.42 um at 1.4 m");
+  LearntFunction beside = of_length();
+  beside.mean_aside = true;
+  CHECK(report::function_text(beside, constants()).ends_with("um at 1.4 m, beside its mean"));
   LearntFunction all = of_length();
   all.shape.channel = Channel::drive;
   all.shape.strut_powers[2] = 1;
