@@ -290,8 +290,8 @@ void Learner::fit_spreads() {
   }
 }
 
-// Leaves out a component. Weights that the model has already stay taken as they are: the model is linear in them, and
-// the residual becomes that without them.
+// Leaves out a component. The model is linear in its weights: the residual becomes what it is without those that the
+// model has already.
 void Learner::drop(std::size_t place) {
   const Eigen::Index first = first_of(place);
   const Eigen::Index size = components_[place].sigmas.size();
