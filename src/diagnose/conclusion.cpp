@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "base/units.hpp"
 #include "diagnose/doubt.hpp"
 #include "diagnose/held_values.hpp"
 #include "diagnose/unexplained.hpp"
@@ -57,20 +54,19 @@ void hold_back(const Case& of, const Model& model, const DiagnoseOptions& option
                Conclusion& conclusion) {
   const Workbench& bench = of.bench;
   const identify::Held held = held_values(bench, bench.forces, picks_of(model), model.fit, options.hold);
-  say(fmt::format("the tip as a whole would move by {:.1f} um, +- {:.1f}: {:.1f} um of it held back", held.shift / kUm,
-                  held.shift_doubt / kUm, held.back / kUm));
+  say(shift_text(held));
   conclusion.forces = bench.candidates.unknowns.at(held.values);
   conclusion.residuals.after = residuals(bench.machine, of.runs, conclusion.forces, model.noise);
 }
 
 // The base model: no effect of the catalogue is believed.
 void describe_beside_base(const Case& of, const Model& model, const Assessment& assessment,
-                          const DiagnoseOptions& options, Conclusion& conclusion) {
+                          const DiagnoseOptions& options, const Say& say, Conclusion& conclusion) {
   const CandidateSet& candidates = of.bench.candidates;
   Unexplained beside = unexplained(
       {of.bench, model.base, conclusion.residuals.base, recurring(assessment.gap_map.contrasts, options.verdict),
        model.noise, model.found.empty() ? &assessment.description : nullptr},
-      of.runs, of.out, options);
+      of.runs, of.out, options, say);
   conclusion.description = std::move(beside.description);
   if (!beside.borne_out && assessment.remainder) conclusion.description.terms.clear();  // it says enough
   conclusion.fit = std::move(beside.fitted.fit);
@@ -78,7 +74,9 @@ void describe_beside_base(const Case& of, const Model& model, const Assessment& 
   conclusion.errors = std::move(beside.fitted.errors);
   conclusion.marginalised = marginalised_by(candidates, {}, model.base.fit.values);
   // with terms that the runs held out bear out, nuisances are others than those of the base model alone
-  if (beside.borne_out && !conclusion.description.terms.empty()) conclusion.marginalised.departure.setZero();
+  if (beside.borne_out && (beside.residual || !conclusion.description.terms.empty()))
+    conclusion.marginalised.departure.setZero();
+  conclusion.residual = std::move(beside.residual);
   conclusion.residuals.after = std::move(beside.residuals);
 }
 
@@ -93,7 +91,7 @@ Conclusion conclude(const Case& of, const Model& model, Assessment assessment, c
   conclusion.marginalised = marginalised_by(candidates, picks_of(model), model.fit.values);
   conclusion.residuals = std::move(assessment.residuals);
   if (assessment.verdict == Verdict::unknown) {
-    describe_beside_base(of, model, assessment, options, conclusion);
+    describe_beside_base(of, model, assessment, options, say, conclusion);
     return conclusion;
   }
   conclusion.picks = picks_of(model);

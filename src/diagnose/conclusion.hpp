@@ -3,6 +3,7 @@
 #pragma once
 
 #include "diagnose/assessment.hpp"
+#include "diagnose/residual_model/rows.hpp"
 
 namespace plumbline::diagnose {
 
@@ -14,12 +15,13 @@ struct Conclusion {
   std::vector<Separation> next;
   // in any case
   physics::ForceModel forces;
-  std::vector<double> errors;  // of its parameters, SI
-  Marginalised marginalised;   // nuisances, and how far they departed
-  std::vector<Pick> picks;     // what stands in the model beside them,
-  Refit fit;                   // and its fit, before a shift was held back
-  Description description;     // of what nothing explains; no terms: nothing is left to tell
-  StageResiduals residuals;    // with that model
+  std::vector<double> errors;              // of its parameters, SI
+  Marginalised marginalised;               // nuisances, and how far they departed
+  std::vector<Pick> picks;                 // what stands in the model beside them,
+  Refit fit;                               // and its fit, before a shift was held back
+  Description description;                 // of what nothing explains; no terms: nothing is left to tell
+  std::optional<LearntResidual> residual;  // that the model has in its place
+  StageResiduals residuals;                // with that model
 };
 
 Conclusion conclude(const Case& of, const Model& model, Assessment assessment, const DiagnoseOptions& options,

@@ -13,6 +13,7 @@
 #include "diagnose/held_out.hpp"
 #include "diagnose/next_test.hpp"
 #include "diagnose/objection.hpp"
+#include "diagnose/residual_model/told.hpp"
 #include "diagnose/search/search.hpp"
 #include "identify/held.hpp"
 #include "identify/posterior/posterior.hpp"
@@ -46,6 +47,7 @@ struct DiagnoseOptions {
   HeldOutOptions held_out;
   SearchOptions search;
   DescriptionOptions description;
+  ResidualOptions residual;
   VerdictOptions verdict;
   NextTestOptions next_test;
   GapMapOptions gap_map;
@@ -128,7 +130,8 @@ struct Diagnosis {
   double threshold = 0;            // nats
   std::optional<Doubt> doubt;      // unknown: why effects that were found are not believed; nothing: none was found
   std::optional<Remainder> remainder;
-  std::vector<Separation> next;  // for each other effect of the confidence set
+  std::vector<LearntFunction> functions;  // unknown: what the model has all the same, in place of the remainder's terms
+  std::vector<Separation> next;           // for each other effect of the confidence set
   identify::NoiseModel noise;
   GapMap gap_map;  // with the base model, nuisances refitted, all runs
   std::vector<RunGap> runs;

@@ -1,5 +1,9 @@
 #include "diagnose/held_values.hpp"
 
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+
 namespace plumbline::diagnose {
 
 identify::Held held_values(const Workbench& bench, const physics::ForceModel& given, const std::vector<Pick>& picks,
@@ -12,6 +16,11 @@ identify::Held held_values(const Workbench& bench, const physics::ForceModel& gi
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(size, size);
   covariance(fit.places, fit.places) = fit.covariance;
   return identify::hold_unsure(bench.machine.rotation, bench.runs, given, unknowns, fit.values, covariance, options);
+}
+
+std::string shift_text(const identify::Held& held) {
+  return fmt::format("the tip as a whole would move by {:.1f} um, +- {:.1f}: {:.1f} um of it held back",
+                     held.shift / kUm, held.shift_doubt / kUm, held.back / kUm);
 }
 
 }  // namespace plumbline::diagnose

@@ -1,6 +1,8 @@
 // The values of a fit without what might make the tip worse than the model as given does.
 #pragma once
 
+#include <string>
+
 #include "diagnose/search/refit.hpp"
 #include "identify/held.hpp"
 
@@ -11,5 +13,8 @@ namespace plumbline::diagnose {
 /// added.
 identify::Held held_values(const Workbench& bench, const physics::ForceModel& given, const std::vector<Pick>& picks,
                            const Refit& fit, const identify::HoldOptions& options = {});
+
+/// What was held back, in words.
+std::string shift_text(const identify::Held& held);
 
 }  // namespace plumbline::diagnose

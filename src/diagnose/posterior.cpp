@@ -43,6 +43,25 @@ std::vector<const Rival*> others_of(const Model& model, const Conclusion& conclu
   return others;
 }
 
+// The numbers of the functions that were learnt beside the base model, known together with its nuisances.
+void add_numbers(const LearntResidual& residual, const Refit& fit, Posterior& posterior) {
+  PosteriorState& state = posterior.states.front();
+  const Eigen::Index before = state.mean.size();
+  const auto more = static_cast<Eigen::Index>(residual.numbers.size());
+  state.mean.conservativeResize(before + more);
+  std::vector<Eigen::Index> at;
+  for (const int place : fit.places) at.push_back(place);  // nuisances alone, in their order
+  for (Eigen::Index k = 0; k < more; ++k) {
+    const RowNumber& number = residual.numbers[static_cast<std::size_t>(k)];
+    const std::size_t added = posterior.unknowns.add(number.effect, number.key, std::max(number.index, 0), number.row);
+    posterior.unknowns.set_prior(added, number.sigma);
+    state.mean[before + k] = posterior.unknowns[added].start;
+    at.push_back(before + k);
+  }
+  state.covariance = residual.covariance(at, at);
+  state.moved.resize(before + more, 0);
+}
+
 }  // namespace
 
 Posterior posterior_of(const Case& of, const Model& model, const Conclusion& conclusion,
@@ -63,6 +82,7 @@ Posterior posterior_of(const Case& of, const Model& model, const Conclusion& con
     if (picked) posterior.unknowns.set_free(added);
   }
   posterior.states.push_back(state_of(conclusion.fit, places, "", 1));
+  if (conclusion.residual) add_numbers(*conclusion.residual, conclusion.fit, posterior);
   double weights = 1;
   for (const Rival* const rival : others) {
     const double weight = std::exp(rival->log_odds - model.found.front().log_odds);

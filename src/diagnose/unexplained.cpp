@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "base/diagnostic.hpp"
-#include "diagnose/held_values.hpp"
+#include "diagnose/fit_beside.hpp"
+#include "diagnose/learnt_residual.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -41,29 +41,13 @@ std::optional<FittedStage> without_what_recurs(const Workbench& bench, const Fit
   return stage;
 }
 
-// The base model with the terms of a description, its nuisances refitted beside them; without them where that leaves
-// more than before: the terms come from a linear problem.
 Fitted described(const Workbench& bench, const FittedStage& stage, const std::vector<Term>& terms,
                  const DiagnoseOptions& options) {
-  const physics::ForceModel before =
-      bench.candidates.unknowns.at(held_values(bench, bench.forces, {}, stage.fit, options.hold).values);
-  Fitted base{before, parameter_errors(bench.candidates, before, stage.fit), stage.fit};
-  if (terms.empty()) return base;
   physics::ForceModel forces = bench.forces;
   add_terms(forces, terms);
-  const CandidateSet candidates = make_candidate_set(bench.machine, forces, options.candidates);
-  try {
-    const Refit fit =
-        refit({bench.machine, forces, bench.runs, candidates}, {}, stage.fit.values, stage.noise, options.search.refit);
-    if (fit.misfit < stage.fit.misfit) {
-      const Workbench beside{bench.machine, forces, bench.runs, candidates};
-      const physics::ForceModel fitted =
-          candidates.unknowns.at(held_values(beside, bench.forces, {}, fit, options.hold).values);
-      return {fitted, parameter_errors(candidates, fitted, fit), fit};
-    }
-  } catch (const Refusal&) {  // with the terms as they are, the machine falls through a singularity
-  }
-  return base;
+  std::optional<Fitted> fitted;
+  if (!terms.empty()) fitted = fit_beside(bench, stage, forces, options);
+  return fitted ? std::move(*fitted) : plain_fit(bench, stage, options);
 }
 
 Description describe_base(const Workbench& bench, const FittedStage& stage, const DiagnoseOptions& options) {
@@ -74,7 +58,7 @@ Description describe_base(const Workbench& bench, const FittedStage& stage, cons
 }  // namespace
 
 Unexplained unexplained(const Base& base, const std::vector<measure::Run>& runs, const std::vector<bool>& out,
-                        const DiagnoseOptions& options) {
+                        const DiagnoseOptions& options, const Say& say) {
   const Workbench& bench = base.bench;
   const FittedStage* stage = &base.stage;
   Description description = base.description != nullptr ? *base.description : describe_base(bench, *stage, options);
@@ -84,14 +68,30 @@ Unexplained unexplained(const Base& base, const std::vector<measure::Run>& runs,
     if (quieter) description = describe_base(bench, *(stage = &*quieter), options);
   }
   if (!is_gap(description, options.verdict)) description.terms.clear();
+  Fitted plain = plain_fit(bench, base.stage, options);
   Fitted fitted = described(bench, *stage, description.terms, options);
+  auto of_plain = residuals(bench.machine, runs, plain.forces, base.noise);
   auto of_fitted = residuals(bench.machine, runs, fitted.forces, base.noise);
-  if (held_out_misfit(of_fitted, out, base.noise) > held_out_misfit(base.residuals, out, base.noise)) {
-    Fitted plain = described(bench, base.stage, {}, options);
-    of_fitted = residuals(bench.machine, runs, plain.forces, base.noise);
-    return {std::move(description), std::move(plain), std::move(of_fitted), false};
+  const double without = held_out_misfit(base.residuals, out, base.noise);
+  Unexplained best{std::move(description), std::move(fitted), std::move(of_fitted), true, {}};
+  double least = held_out_misfit(best.residuals, out, base.noise);
+  if (least > without) {
+    best.fitted = std::move(plain);
+    best.residuals = std::move(of_plain);
+    best.borne_out = false;
+    least = without;
   }
-  return {std::move(description), std::move(fitted), std::move(of_fitted)};
+  if (std::find(out.begin(), out.end(), true) == out.end()) return best;  // nothing would confirm it
+  std::optional<Learnt> learnt = learn_residual(bench, *stage, options, say);
+  if (!learnt) return best;
+  auto of_learnt = residuals(bench.machine, runs, learnt->fitted.forces, base.noise);
+  const double with = held_out_misfit(of_learnt, out, base.noise);
+  if (with >= without || with > options.residual.as_near * least) return best;
+  best.fitted = std::move(learnt->fitted);
+  best.residuals = std::move(of_learnt);
+  best.borne_out = true;
+  best.residual = std::move(learnt->residual);
+  return best;
 }
 
 }  // namespace plumbline::diagnose

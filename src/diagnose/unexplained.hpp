@@ -3,15 +3,9 @@
 
 #include "diagnose/diagnose.hpp"
 #include "diagnose/doubt.hpp"
+#include "diagnose/learnt_residual.hpp"
 
 namespace plumbline::diagnose {
-
-/// A model that was fitted, and the standard errors of its parameters, SI.
-struct Fitted {
-  physics::ForceModel forces;
-  std::vector<double> errors;
-  Refit fit;  // before a shift was held back
-};
 
 /// The base model, nuisances refitted to the runs of the bench.
 struct Base {
@@ -28,11 +22,12 @@ struct Unexplained {
   Fitted fitted;            // with these terms where the runs held out bear them out, else the base model
   std::vector<identify::RunEquations> residuals;  // of all runs
   bool borne_out = true;
+  std::optional<LearntResidual> residual;  // that stands in the model in place of the terms
 };
 
 /// Describes what the base model leaves; where that is within the noise, again with what comes again taken for none.
 /// `out`: which of all `runs` are held out.
 Unexplained unexplained(const Base& base, const std::vector<measure::Run>& runs, const std::vector<bool>& out,
-                        const DiagnoseOptions& options);
+                        const DiagnoseOptions& options, const Say& say);
 
 }  // namespace plumbline::diagnose

@@ -33,8 +33,8 @@ std::vector<FrictionTurn> friction_turns(const machine::MachineModel& machine, c
 Run without_friction_turns(const machine::MachineModel& machine, const physics::ForceModel& forces, Run run,
                            const FrictionTurnOptions& options = {});
 
-/// Readings there as a machine without memory would have them: what the model leaves goes on as it does beside them. So that what is
-/// low-passed has nothing of them beside itself. Refuses with simulate-unreachable as simulate_run does.
+/// Readings there as a machine without memory would have them: what the model leaves goes on as it does beside them. So
+/// that what is low-passed has nothing of them beside itself. Refuses with simulate-unreachable as simulate_run does.
 void fill_friction_turns(const machine::MachineModel& machine, const physics::ForceModel& forces, Run& run,
                          const FrictionTurnOptions& options = {});
 

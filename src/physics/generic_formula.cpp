@@ -13,12 +13,13 @@ namespace plumbline::physics {
 namespace {
 
 // The factors as Generic lists them.
-constexpr std::array<std::string_view, Generic::kStrutFactors> kStrutFactors{
+constexpr std::array<std::string_view, kStrutFactors> kStrutWords{
     "((L - L_mid) / 100 mm)", "(Ldot / (10 mm/s))", "s", "(t / kN)", "|t / kN|", "u_x", "u_y", "u_z"};
-constexpr std::array<std::string_view, Generic::kSharedFactors> kSharedFactors{
+constexpr std::array<std::string_view, kSharedFactors> kSharedWords{
     "(x / 100 mm)", "(y / 100 mm)", "((z + 1 m) / 100 mm)", "z_x", "z_y", "(time / h)"};
 
-std::string powers_text(std::span<const double> powers, std::span<const std::string_view> factors) {
+template <class Number>
+std::string powers_text(std::span<const Number> powers, std::span<const std::string_view> factors) {
   std::string text;
   for (std::size_t k = 0; k < factors.size(); ++k) {
     const int n = static_cast<int>(powers[k]);
@@ -38,10 +39,13 @@ constexpr std::array kChannels{Channel{"length_um", "length_j", true}, Channel{"
 
 }  // namespace
 
+std::string powers_formula(std::span<const int> strut_powers, std::span<const int> shared_powers) {
+  return powers_text(strut_powers, kStrutWords) + powers_text(shared_powers, kSharedWords);
+}
+
 std::string generic_formula(std::span<const double> parameters) {
-  const std::string shared =
-      powers_text(parameters.subspan(Generic::kSharedPowers, Generic::kSharedFactors), kSharedFactors);
-  std::string own = powers_text(parameters.subspan(Generic::kStrutPowers, Generic::kStrutFactors), kStrutFactors);
+  const std::string shared = powers_text(parameters.subspan(Generic::kSharedPowers, kSharedFactors), kSharedWords);
+  std::string own = powers_text(parameters.subspan(Generic::kStrutPowers, kStrutFactors), kStrutWords);
   if (parameters[Generic::kPitch] > 0) {
     own += fmt::format(" x cos(2 pi L / {:.4g} mm + {:.4g} deg)", parameters[Generic::kPitch] / kMm,
                        parameters[Generic::kPhase] / kDeg);

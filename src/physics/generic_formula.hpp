@@ -10,4 +10,7 @@ namespace plumbline::physics {
 /// "length_j: [0, 3.2, 0, 0, 0, 0] um x s x (t / kN)^2". Empty where all coefficients are zero.
 std::string generic_formula(std::span<const double> parameters);
 
+/// " x s x (t / kN)^2": what a description is multiplied by.
+std::string powers_formula(std::span<const int> strut_powers, std::span<const int> shared_powers);
+
 }  // namespace plumbline::physics

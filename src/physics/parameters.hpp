@@ -63,6 +63,25 @@ class Values {
  public:
   explicit Values(const Parameter<T>* first) : first_(first) {}
   std::conditional_t<kIsPack<T>, T, const T&> operator[](int i) const { return first_[i]; }
+  /// A setting that is a whole number: all lanes have it alike, and nothing is derived by it.
+  int whole(int i) const {
+    if constexpr (requires { first_[i].a; }) {
+      return static_cast<int>(first_[i].a);
+    } else {
+      return static_cast<int>(first_[i]);
+    }
+  }
+  /// Whether none of so many parameters does anything, not even by its derivative.
+  bool idle(int first, int count) const {
+    if constexpr (std::is_same_v<Parameter<T>, double>) {
+      for (int i = first; i < first + count; ++i) {
+        if (first_[i] != 0) return false;
+      }
+      return true;
+    } else {
+      return false;
+    }
+  }
 
  private:
   const Parameter<T>* first_;

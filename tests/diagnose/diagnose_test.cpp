@@ -7,6 +7,7 @@
 #include "diagnose/diagnose.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <catch2/catch.hpp>
 
@@ -53,9 +54,46 @@ TEST_CASE("what no effect explains is described, and the description closes the 
   CHECK(d.verdict == Verdict::unknown);
   CHECK(d.effects.empty());
   REQUIRE(d.remainder.has_value());
-  CHECK(d.forces.find("generic", "length_um") >= 0);
+  REQUIRE_FALSE(d.functions.empty());  // which the model has in place of the description's terms
+  const auto& rows = d.forces.instances();
+  CHECK(std::any_of(rows.begin(), rows.end(),
+                    [](const physics::Instance& row) { return physics::effect_infos()[row.effect].description; }));
   CHECK(*d.fit.after.radial < 0.6 * *d.fit.before.radial);
   CHECK(*d.held_out.after.radial < 0.6 * *d.held_out.before.radial);
+}
+
+// A machine whose friction and play grow with the square of how far a strut is from its middle: in no catalogue.
+TEST_CASE("what no catalogue has is learnt where poses left out confirm it, and the posterior knows how sure it is") {
+  const machine::MachineModel machine = testing::pm600_like();
+  physics::ForceModel hiding(machine);
+  const auto first = static_cast<std::size_t>(hiding.add("generic"));
+  for (std::size_t j = 0; j < 6; ++j) {
+    hiding.parameters[first + physics::Generic::kDrive + j] = -60;
+    hiding.parameters[first + physics::Generic::kLength + j] = 5e-6;
+  }
+  hiding.parameters[first + physics::Generic::kStrutPowers] = 2;
+  hiding.parameters[first + physics::Generic::kStrutPowers + 2] = 1;
+  testing::Random random(19);
+  DiagnoseOptions options;
+  options.search.threshold.draws = 2000;
+  const Diagnosis d =
+      diagnose(machine, testing::measured(testing::wider_plan(120), hiding, 0.5e-6, 0.05, random), options);
+  REQUIRE(d.verdict == Verdict::unknown);
+  REQUIRE_FALSE(d.withheld);
+  REQUIRE_FALSE(d.functions.empty());
+  CHECK(*d.held_out.after.torque < 0.055);
+  CHECK(*d.held_out.after.torque < 0.7 * *d.held_out.before.torque);
+  CHECK(d.functions[0].log_odds > 8);
+  CHECK(d.functions[0].left_out > 3);
+  const auto learnt = std::count_if(d.posterior.unknowns.begin(), d.posterior.unknowns.end(), [](const auto& unknown) {
+    return unknown.effect == physics::Residual::name || unknown.effect == physics::Generic::name;
+  });
+  CHECK(learnt > 0);
+  for (std::size_t i = 0; i < d.posterior.unknowns.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    CHECK(d.posterior.states[0].covariance(k, k) > 0);
+    CHECK(d.posterior.states[0].covariance(k, k) <= 1.0001 * std::pow(d.posterior.unknowns[i].sigma, 2));
+  }
 }
 
 TEST_CASE("a diagnosis is the same each time") {

@@ -107,6 +107,9 @@ const std::map<std::string, Keys>& table() {
       {"hose", one("force_N_m2", 1, 8000, &Flaws::hose)},
       {"table-sag", one("sag_um", kMicro, 60, &Flaws::table_sag)},
       {"side-friction", one("force_N", 1, 300, &Flaws::side_friction)},
+      {"softening", one("um_at_kN", kMicro, 60, &Flaws::softening)},
+      {"magnet", one("force_N", 1, 600, &Flaws::magnet)},
+      {"two-gears", one("amplitude_um", kMicro, 30, &Flaws::two_gears)},
   };
   return effects;
 }
@@ -191,7 +194,8 @@ const std::vector<std::string>& second_shelf() {
 
 const std::vector<std::string>& outside_effects() {
   static const std::vector<std::string> names{"hertz-contact", "gear-beat", "cogging",   "preload-slope",
-                                              "hardening",     "hose",      "table-sag", "side-friction"};
+                                              "hardening",     "hose",      "table-sag", "side-friction",
+                                              "softening",     "magnet",    "two-gears"};
   return names;
 }
 

@@ -55,6 +55,9 @@ struct Flaws {
   double hose = 0;           // N per square metre from the middle: a hose that pulls ever harder
   double table_sag = 0;      // m at 0.1 m x 0.1 m off the middle: a table that is warped
   double side_friction = 0;  // N of a strut that leans, none of one that stands upright
+  double softening = 0;      // m at 1 kN in the middle: a strut that gives way as the square of its length
+  double magnet = 0;         // N at 0.3 m: a magnet under the table
+  Six two_gears{};           // m: two gears of nearly the same pitch
 };
 
 }  // namespace truth

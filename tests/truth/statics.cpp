@@ -13,6 +13,9 @@ constexpr double kRestSpeed = 1e-5;  // m/s, at which a joint's dry friction fad
 constexpr double kTurnTension = 20;  // N, at which a joint's play is passed through
 const Vec kMiddle(0, 0, -1);         // of the room, m
 constexpr double kBeatPitch = 0.37;  // of the screw's lead
+constexpr std::array kGears{0.31, 0.345};
+const Vec kMagnet(0.18, 0.1, -1.3);  // in W, m
+constexpr double kMagnetFrom = 0.3;  // m
 constexpr double kKilo = 1000;       // N
 
 struct Strut {
@@ -65,6 +68,8 @@ void add_platform_forces(const Truth& truth, const Stand& at, const Moment& mome
   act(f.cable - f.cable_stiffness * off, centre);
   act(-f.inertia * moment.tip_acceleration + f.counterbalance, centre);
   act(-f.hose * off.norm() * off, centre);
+  const Vec to_magnet = kMagnet - at.x;
+  act(f.magnet * kMagnetFrom * kMagnetFrom / to_magnet.squaredNorm() * to_magnet.normalized(), at.x);
 }
 
 // What a strut gets longer by at its tension, in a machine that stands there.
@@ -92,6 +97,10 @@ double longer(const Truth& truth, const Stand& at, const Moment& moment, const S
   more += f.gimbal[j] * std::sqrt(1 - along_axis * along_axis);
   more += f.hertz * std::copysign(std::pow(std::abs(tension) / kKilo, 2.0 / 3), tension);
   more += f.gear_beat * std::sin(2 * M_PI * turns / kBeatPitch + static_cast<double>(j));
+  for (const double pitch : kGears) {
+    more += f.two_gears[j] / 2 * std::sin(2 * M_PI * turns / pitch + static_cast<double>(j));
+  }
+  more += f.softening * tension / kKilo * std::pow(s.length / m.middle_length[j], 2);
   more += f.hardening * tension * std::abs(tension) / (kKilo * kKilo);
   return more;
 }

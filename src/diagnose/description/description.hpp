@@ -12,7 +12,14 @@ namespace plumbline::diagnose {
 
 /// One term, as the effect `generic` has it (physics/effects/generic.hpp).
 struct Term {
-  enum class Channel { length, drive, torque, force, tip };
+  enum class Channel {
+    length,
+    drive,
+    torque,
+    force,
+    tip,
+    centre
+  };  // centre: a force at the centre of mass, in no product
   Channel channel = Channel::length;
   int part = -1;  // the strut or the axis; -1: all struts alike
   std::array<int, 8> strut_powers{};

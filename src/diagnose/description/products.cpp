@@ -26,8 +26,8 @@ using Product = std::vector<int>;
 // All products of up to two factors, and some of three.
 std::vector<Product> products(bool per_strut) {
   std::vector<Product> all{{}};
-  const int first = per_strut ? 0 : Generic::kStrutFactors;
-  const int last = Generic::kStrutFactors + Generic::kSharedFactors;
+  const int first = per_strut ? 0 : physics::kStrutFactors;
+  const int last = physics::kStrutFactors + physics::kSharedFactors;
   for (int a = first; a < last; ++a) {
     all.push_back({a});
     for (int b = a; b < last; ++b) all.push_back({a, b});
@@ -67,10 +67,10 @@ struct Family {
     term.channel = channel;
     term.part = column < parts ? column : -1;
     for (const int f : products[product]) {
-      if (f < Generic::kStrutFactors) {
+      if (f < physics::kStrutFactors) {
         ++term.strut_powers[static_cast<std::size_t>(f)];
       } else {
-        ++term.shared_powers[static_cast<std::size_t>(f - Generic::kStrutFactors)];
+        ++term.shared_powers[static_cast<std::size_t>(f - physics::kStrutFactors)];
       }
     }
     return term;
@@ -80,7 +80,7 @@ struct Family {
 // The products of a part at each sample: a row each.
 SlopeRows values_of(const Family& family, const ReadyRun& run, const physics::MachineConstants& machine, int part) {
   SlopeRows values(run.raw->samples, family.size());
-  std::array<double, Generic::kStrutFactors + Generic::kSharedFactors> factors{};
+  std::array<double, physics::kStrutFactors + physics::kSharedFactors> factors{};
   for (Eigen::Index s = 0; s < values.rows(); ++s) {
     const SampleState& state = run.states[static_cast<std::size_t>(s)];
     if (family.all_alike) {
@@ -88,7 +88,7 @@ SlopeRows values_of(const Family& family, const ReadyRun& run, const physics::Ma
       std::copy(own.begin(), own.end(), factors.begin());
     }
     const auto shared = shared_factors(state);
-    std::copy(shared.begin(), shared.end(), factors.begin() + Generic::kStrutFactors);
+    std::copy(shared.begin(), shared.end(), factors.begin() + physics::kStrutFactors);
     for (Eigen::Index p = 0; p < values.cols(); ++p) {
       double value = 1;
       for (const int f : family.products[static_cast<std::size_t>(p)]) value *= factors[static_cast<std::size_t>(f)];

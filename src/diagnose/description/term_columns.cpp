@@ -14,15 +14,6 @@ using machine::kStruts;
 using physics::Generic;
 using Channel = Term::Channel;
 
-template <std::size_t N>
-double product(const std::array<double, N>& factors, const std::array<int, N>& powers) {
-  double value = 1;
-  for (std::size_t k = 0; k < N; ++k) {
-    for (int n = 0; n < powers[k]; ++n) value *= factors[k];
-  }
-  return value;
-}
-
 ReadyRun ready_run(const Workbench& bench, const physics::ForceModel& forces, const LinearProblem& problem,
                    std::size_t i) {
   ReadyRun run;
@@ -32,6 +23,9 @@ ReadyRun ready_run(const Workbench& bench, const physics::ForceModel& forces, co
   const Eigen::Index rows = run.raw->residual.size();
   run.drive = run.raw->slopes;
   run.force.setZero(rows, 3);
+  run.centre.setZero(rows, 3);
+  const int centre = forces.find(physics::PlatformGravity::name, "centre_of_mass_mm");
+  const Vector3<double> centre_P = Eigen::Map<const Vector3<double>>(forces.parameters.data() + centre);
   run.tip.setZero(rows, 3);
   const Vector3<double> ball = measure::ideal_ball(bench.runs[i]);
   for (Eigen::Index s = 0; s < n; ++s) {
@@ -45,15 +39,19 @@ ReadyRun ready_run(const Workbench& bench, const physics::ForceModel& forces, co
       }
       if (channel == kRadial) run.tip.row(row) = (state.pose.p_WT - ball).normalized().transpose();
     }
-    // a force at the tip: J^T t = (F, 0)
+    // a force at the tip, or at the centre of mass: J^T t = (F, arm x F)
+    const Vector3<double> arm = state.pose.R_WP * (centre_P - forces.machine.geometry.tool_tip_P);
     const machine::Lu6<double> lu(machine::jacobian(state.struts));
     for (int a = 0; a < 3; ++a) {
       machine::Vector6<double> load = machine::Vector6<double>::Zero();
       load[a] = 1;
       const machine::PerStrut<double> tension = lu.solve_transposed(load);
+      load.tail<3>() = arm.cross(Vector3<double>(load.head<3>()));
+      const machine::PerStrut<double> from_centre = lu.solve_transposed(load);
       for (std::size_t c = 0; c < run.raw->channels.size(); ++c) {
         const Eigen::Index row = static_cast<Eigen::Index>(c) * n + s;
         run.force(row, a) = run.drive.row(row).dot(tension);
+        run.centre(row, a) = run.drive.row(row).dot(from_centre);
       }
     }
   }
@@ -85,6 +83,8 @@ Eigen::VectorXd change_by_part(const ReadyRun& run, const physics::MachineConsta
       return run.drive.col(part).cwiseProduct(all);
     case Channel::force:
       return run.force.col(part).cwiseProduct(all);
+    case Channel::centre:
+      return run.centre.col(part).cwiseProduct(all);
     case Channel::tip:
       return run.tip.col(part).cwiseProduct(all);
     case Channel::torque:
@@ -103,7 +103,7 @@ bool is_per_strut(Channel channel) {
   return channel == Channel::length || channel == Channel::drive || channel == Channel::torque;
 }
 
-std::array<double, Generic::kStrutFactors> strut_factors(const physics::MachineConstants& machine, const SampleState& s,
+std::array<double, physics::kStrutFactors> strut_factors(const physics::MachineConstants& machine, const SampleState& s,
                                                          int j) {
   const double tension = s.nut_tension[j] * 1e-3;
   const Vector3<double> u = s.struts.direction.col(j);
@@ -117,10 +117,10 @@ std::array<double, Generic::kStrutFactors> strut_factors(const physics::MachineC
           u.z()};
 }
 
-std::array<double, Generic::kSharedFactors> shared_factors(const SampleState& s) {
+std::array<double, physics::kSharedFactors> shared_factors(const SampleState& s) {
   const Vector3<double>& x = s.pose.p_WT;
   const Vector3<double> z = s.pose.R_WP.col(2);
-  return {x[0] * 10, x[1] * 10, (x[2] - Generic::kMiddleHeight) * 10, z[0], z[1], s.time / 3600};
+  return {x[0] * 10, x[1] * 10, (x[2] - physics::kMiddleHeight) * 10, z[0], z[1], s.time / 3600};
 }
 
 Eigen::MatrixXd slopes_of(const ReadyRun& run, Channel channel) {
@@ -131,6 +131,8 @@ Eigen::MatrixXd slopes_of(const ReadyRun& run, Channel channel) {
       return run.drive;
     case Channel::force:
       return run.force;
+    case Channel::centre:
+      return run.centre;
     case Channel::tip:
       return run.tip;
     case Channel::torque:

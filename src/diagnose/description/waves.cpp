@@ -22,12 +22,12 @@ struct Back {
 };
 
 // A channel each.
-std::vector<Back> backs_of(const ReadyRun& run, const Block& block, const identify::NoiseModel& noise) {
+std::vector<Back> backs_of(const ReadyRun& run, const identify::SlopeRows& left, const identify::NoiseModel& noise) {
   const Eigen::Index n = run.raw->samples;
   std::vector<Back> backs;
   for (std::size_t c = 0; c < run.raw->channels.size(); ++c) {
     const identify::ChannelNoise& channel = noise.channels[static_cast<std::size_t>(run.raw->channels[c])];
-    identify::SlopeRows residual = block.rows.rightCols<1>().segment(static_cast<Eigen::Index>(c) * n, n);
+    identify::SlopeRows residual = left.middleRows(static_cast<Eigen::Index>(c) * n, n);
     identify::whiten_back(channel, residual);
     backs.push_back({residual, identify::whitened_unit(channel, n)});
   }
@@ -124,7 +124,8 @@ std::vector<Term> foremost(std::vector<Term> terms, int count) {
 std::vector<Term> best_waves(const std::vector<ReadyRun>& runs, const LinearProblem& problem,
                              const identify::NoiseModel& noise, const DescriptionOptions& options, double& tried) {
   std::vector<std::vector<Back>> backs(runs.size());
-  for_each_index(runs.size(), [&](std::size_t i) { backs[i] = backs_of(runs[i], problem.blocks[i], noise); });
+  for_each_index(runs.size(),
+                 [&](std::size_t i) { backs[i] = backs_of(runs[i], problem.blocks[i].rows.rightCols<1>(), noise); });
   std::vector<double> frequencies;
   for (double f = options.fewest_cycles; f < 1 / options.finest_pitch; f += options.wave_step) frequencies.push_back(f);
   constexpr std::array kChannels{Channel::length, Channel::torque};
@@ -144,6 +145,49 @@ std::vector<Term> best_waves(const std::vector<ReadyRun>& runs, const LinearProb
   std::vector<Term> peaks;
   for (const std::vector<Term>& more : each) peaks.insert(peaks.end(), more.begin(), more.end());
   return foremost(std::move(peaks), options.waves_looked_at);
+}
+
+std::vector<double> best_pitches(const std::vector<ReadyRun>& runs, const std::vector<identify::SlopeRows>& left,
+                                 const identify::NoiseModel& noise, Channel channel, const DescriptionOptions& options,
+                                 int count, double& tried) {
+  std::vector<Pulls> pulls(kStruts);
+  for_each_index(pulls.size(), [&](std::size_t j) {
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      add_pulls(runs[i], backs_of(runs[i], left[i], noise), channel, static_cast<int>(j), pulls[j]);
+  });
+  // the sum over struts of what the misfit drops by
+  const auto gains = [&](const std::vector<double>& frequencies, double step) {
+    std::vector<Eigen::ArrayXd> each(kStruts);
+    for_each_index(pulls.size(), [&](std::size_t j) {
+      const Common common = common_with(pulls[j], frequencies, step);
+      const double weight = 0.5 * std::accumulate(pulls[j].weight.begin(), pulls[j].weight.end(), 0.0);
+      each[j] = (common.cosine.square() + common.sine.square()) / std::max(weight, 1e-300);
+    });
+    for (std::size_t j = 1; j < each.size(); ++j) each[0] += each[j];
+    return each[0];
+  };
+  const double step = options.wave_step / 2;
+  std::vector<double> frequencies;
+  for (double f = options.fewest_cycles; f < 1 / options.finest_pitch; f += step) frequencies.push_back(f);
+  tried += static_cast<double>(frequencies.size());
+  const Eigen::ArrayXd coarse = gains(frequencies, step);
+  std::vector<Eigen::Index> peaks;
+  for (Eigen::Index f = 1; f + 1 < coarse.size(); ++f) {
+    if (coarse[f] > coarse[f - 1] && coarse[f] >= coarse[f + 1]) peaks.push_back(f);
+  }
+  std::stable_sort(peaks.begin(), peaks.end(), [&](Eigen::Index a, Eigen::Index b) { return coarse[a] > coarse[b]; });
+  peaks.resize(std::min(peaks.size(), static_cast<std::size_t>(count)));
+  constexpr int kFiner = 10;
+  std::vector<double> pitches;
+  for (const Eigen::Index peak : peaks) {
+    std::vector<double> near;
+    for (int k = -kFiner; k <= kFiner; ++k)
+      near.push_back(frequencies[static_cast<std::size_t>(peak)] + step * k / kFiner);
+    Eigen::Index best = 0;
+    gains(near, step / kFiner).maxCoeff(&best);
+    pitches.push_back(1 / near[static_cast<std::size_t>(best)]);
+  }
+  return pitches;
 }
 
 }  // namespace plumbline::diagnose

@@ -15,4 +15,10 @@ std::vector<Term> foremost(std::vector<Term> terms, int count);
 std::vector<Term> best_waves(const std::vector<ReadyRun>& runs, const LinearProblem& problem,
                              const identify::NoiseModel& noise, const DescriptionOptions& options, double& tried);
 
+/// The pitches of the waves in length or torque, each strut with its own phase, that go best with what is `left` of
+/// each run (whitened), strongest first. Adds how many were tried.
+std::vector<double> best_pitches(const std::vector<ReadyRun>& runs, const std::vector<identify::SlopeRows>& left,
+                                 const identify::NoiseModel& noise, Term::Channel channel,
+                                 const DescriptionOptions& options, int count, double& tried);
+
 }  // namespace plumbline::diagnose

@@ -78,7 +78,7 @@ std::size_t add_like(Unknowns& unknowns, const Unknown& like) {
                                  [&](const physics::ParameterSpec& s) { return s.key == like.key; });
   const bool shared = like.index < 0 && spec->size() > 1;
   const std::size_t place = shared ? unknowns.add_shared(like.effect, like.key)
-                                   : unknowns.add(like.effect, like.key, std::max(like.index, 0));
+                                   : unknowns.add(like.effect, like.key, std::max(like.index, 0), like.row);
   if (!like.free()) unknowns.set_prior(place, like.sigma);
   return place;
 }

@@ -47,6 +47,7 @@ std::string unknown_text(const Unknown& unknown) {
   std::string text =
       fmt::format("\n[[unknown]] # {}\neffect = \"{}\"\nkey = \"{}\"\n", unknown.label, unknown.effect, unknown.key);
   if (unknown.index >= 0) text += fmt::format("index = {}\n", unknown.index);
+  if (unknown.row > 0) text += fmt::format("row = {}\n", unknown.row);
   text += fmt::format("unit = \"{}\"\nvalue = {}\n", unknown.unit.name, unknown.start / unknown.unit.si);
   if (!unknown.free()) text += fmt::format("prior_sigma = {}\n", unknown.sigma / unknown.unit.si);
   return text;
@@ -114,6 +115,7 @@ void read_unknown(const TomlDocument& document, const TomlValue& row, Unknowns& 
   like.effect = entry(document, row, "effect", TomlValue::Kind::text).text;
   like.key = entry(document, row, "key", TomlValue::Kind::text).text;
   if (row.find("index") != nullptr) like.index = static_cast<int>(number(document, row, "index"));
+  if (row.find("row") != nullptr) like.row = static_cast<int>(number(document, row, "row"));
   const std::size_t effect = physics::effect_index(like.effect);
   const auto spec_of = [&]() -> const physics::ParameterSpec* {
     if (effect >= physics::kEffects) return nullptr;
@@ -125,6 +127,9 @@ void read_unknown(const TomlDocument& document, const TomlValue& row, Unknowns& 
   const physics::ParameterSpec* const spec = spec_of();
   if (spec == nullptr || like.index < -1 || like.index >= spec->size())
     refuse_file(document, row.span, fmt::format("no effect {} has such a number {}", like.effect, like.key));
+  const std::size_t rows = unknowns.forces().instances_of(effect).size();
+  if (like.row < 0 || (like.row > 0 && static_cast<std::size_t>(like.row) >= rows))
+    refuse_file(document, row.span, fmt::format("the model has no row {} of the effect {}", like.row, like.effect));
   if (row.find("prior_sigma") != nullptr) {
     like.sigma = number(document, row, "prior_sigma") * spec->unit.si;
     if (!(like.sigma > 0)) refuse_file(document, row.find("prior_sigma")->value.span, "a sigma is larger than nothing");

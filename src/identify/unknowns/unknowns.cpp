@@ -28,6 +28,7 @@ std::string label_of(std::string_view effect, const physics::ParameterSpec& spec
   if (index < 0) return label;
   if (spec.each == 3) return label + fmt::format(" strut {} {}", index / 3 + 1, kAxes[index % 3]);
   if (spec.count == 6) return label + fmt::format(" strut {}", index + 1);
+  if (spec.count > 3) return label + fmt::format(" {}", index + 1);
   if (spec.count > 1) return label + fmt::format(" {}", kAxes[index]);
   return label;
 }
@@ -53,11 +54,13 @@ std::vector<KeyOfEffect> keys_known_by(std::string_view uncertainty) {
   return keys;
 }
 
-int Unknowns::instance(std::string_view effect) {
+int Unknowns::instance(std::string_view effect, int row) {
   const std::size_t index = physics::effect_index(effect);
   PLUMBLINE_CHECK(index < physics::kEffects);
   const std::vector<int>& instances = forces_.instances_of(index);
-  return instances.empty() ? forces_.add(effect) : instances.front();
+  if (instances.empty() && row == 0) return forces_.add(effect);
+  PLUMBLINE_CHECK(row >= 0 && row < static_cast<int>(instances.size()));
+  return instances[static_cast<std::size_t>(row)];
 }
 
 std::size_t Unknowns::append(Unknown unknown) {
@@ -66,6 +69,7 @@ std::size_t Unknowns::append(Unknown unknown) {
   unknown.shape = spec.shape;
   unknown.periodic = spec.periodic;
   unknown.label = label_of(unknown.effect, spec, unknown.index);
+  if (unknown.row > 0) unknown.label += fmt::format(", row {}", unknown.row + 1);
   unknown.lower = spec.lower * spec.unit.si;
   unknown.upper = spec.upper * spec.unit.si;
   unknown.scale = kShareOfRange * (spec.upper - spec.lower) * spec.unit.si;
@@ -75,11 +79,11 @@ std::size_t Unknowns::append(Unknown unknown) {
   return list_.size() - 1;
 }
 
-std::size_t Unknowns::add(std::string_view effect, std::string_view key, int index) {
-  const int first = instance(effect) + physics::effect_infos()[physics::effect_index(effect)].offset_of(key);
+std::size_t Unknowns::add(std::string_view effect, std::string_view key, int index, int row) {
+  const int first = instance(effect, row) + physics::effect_infos()[physics::effect_index(effect)].offset_of(key);
   const physics::ParameterSpec& spec = spec_of(effect, key);
   PLUMBLINE_CHECK(index >= 0 && index < spec.size());
-  Unknown unknown{std::string(effect), std::string(key), spec.size() == 1 ? -1 : index};
+  Unknown unknown{std::string(effect), std::string(key), spec.size() == 1 ? -1 : index, row};
   unknown.terms = {{first + index, 1}};
   unknown.start = forces_.parameters[static_cast<std::size_t>(first + index)];
   return append(std::move(unknown));
@@ -113,7 +117,7 @@ void Unknowns::set_free(std::size_t unknown) { list_[unknown].sigma = std::numer
 
 int Unknowns::find(std::string_view effect, std::string_view key, int index) const {
   const auto found = std::find_if(list_.begin(), list_.end(), [&](const Unknown& u) {
-    return u.effect == effect && u.key == key && u.index == index;
+    return u.effect == effect && u.key == key && u.index == index && u.row == 0;
   });
   return found == list_.end() ? -1 : static_cast<int>(found - list_.begin());
 }

@@ -23,6 +23,7 @@ struct Unknown {
   std::string effect;  // a name of the list of effects
   std::string key;     // of its parameters
   int index = -1;      // among the key's numbers; -1: the key is one number, or all six struts share it
+  int row = 0;         // of the rows of that effect
   std::string label;   // as people call it: "K1", "joint-position base_um strut 3 y"
   machine::Unit unit;  // of files
   std::vector<Term> terms;
@@ -47,8 +48,8 @@ class Unknowns {
   explicit Unknowns(physics::ForceModel forces) : forces_(std::move(forces)) {}
 
   /// One number of an effect's key, free within the effect's bounds. Adds the effect if it does not act yet. `index`
-  /// counts the key's numbers from 0. Returns its place in the list.
-  std::size_t add(std::string_view effect, std::string_view key, int index);
+  /// counts the key's numbers from 0, `row` the effect's rows. Returns its place in the list.
+  std::size_t add(std::string_view effect, std::string_view key, int index, int row = 0);
   /// All numbers of a key that the struts share: they move in proportion to what they are; if they are all zero, alike.
   std::size_t add_shared(std::string_view effect, std::string_view key);
   /// Every number of every key of an effect that is no setting, free within its bounds.
@@ -63,7 +64,7 @@ class Unknowns {
   const std::vector<Unknown>& list() const { return list_; }
   std::vector<Unknown>::const_iterator begin() const { return list_.begin(); }
   std::vector<Unknown>::const_iterator end() const { return list_.end(); }
-  /// The place of an effect's number in the list, -1 if it is not unknown.
+  /// The place of a number of an effect's first row in the list, -1 if it is not unknown.
   int find(std::string_view effect, std::string_view key, int index = -1) const;
   /// All places of an effect's numbers.
   std::vector<std::size_t> of_effect(std::string_view effect) const;
@@ -78,7 +79,7 @@ class Unknowns {
 
  private:
   std::size_t append(Unknown unknown);
-  int instance(std::string_view effect);
+  int instance(std::string_view effect, int row = 0);
 
   physics::ForceModel forces_;
   std::vector<Unknown> list_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "physics/situation.hpp"
+#include "physics/factors.hpp"
 
 namespace plumbline::physics {
 
@@ -65,31 +65,9 @@ struct Generic {
     kPhase = 39
   };
 
-  // What the powers are of, per strut: (L - L_mid) / 100 mm, Ldot / (10 mm/s), s, t / 1 kN, |t| / 1 kN, u_x, u_y, u_z,
-  // u in W and t of the nut; and of all struts alike: (x - x_0) / 100 mm, x_0 = (0, 0, -1000) mm in W, the X and Y of
-  // the platform's Z in W, time / 1 h.
-  static constexpr int kStrutFactors = 8;
-  static constexpr int kSharedFactors = 6;
-  static constexpr double kMiddleHeight = -1.0;  // m
-
-  // x^n, n = 0 to 4 a whole number
-  template <class T>
-  static T power(const T& x, const T& n) {
-    T result(1.0);
-    for (int k = 0; k < 4; ++k) result = select<T>(n > T(k + 0.5), result * x, result);
-    return result;
-  }
-
   template <class T>
   static T shared(Values<T> p, const Situation<T>& at) {
-    const Vector3<T>& x = at.pose.p_WT;
-    const Vector3<T> z = at.pose.R_WP.col(2);
-    const std::array<T, kSharedFactors> factors{x[0] * T(10.0), x[1] * T(10.0), (x[2] - T(kMiddleHeight)) * T(10.0),
-                                                z[0],           z[1],           at.motion.time * T(1 / 3600.0)};
-    T product(1.0);
-    for (int k = 0; k < kSharedFactors; ++k)
-      product *= power<T>(factors[static_cast<std::size_t>(k)], p[kSharedPowers + k]);
-    return product;
+    return times_powers<T>(T(1.0), shared_factors<T>(at), p, kSharedPowers);
   }
 
   // shared factors x per-strut factors x cos(2 pi L / pitch + phase), the last one where there is a pitch
@@ -99,21 +77,8 @@ struct Generic {
     machine::PerStrut<T> product = machine::PerStrut<T>::Constant(shared<T>(p, at));
     const T pitch = select<T>(p[kPitch] > T(0.0), p[kPitch], T(1.0));
     for (int j = 0; j < machine::kStruts; ++j) {
-      const Vector3<T> u = at.struts.direction.col(j);
-      const T length = at.struts.length[j];
-      const T tension = at.nut_tension[j] * T(1e-3);
-      const std::array<T, kStrutFactors> factors{(length - T(at.machine.middle_length[j])) * T(10.0),
-                                                 at.rates.speed[j] * T(100.0),
-                                                 at.rates.sign[j],
-                                                 tension,
-                                                 absolute<T>(tension),
-                                                 u[0],
-                                                 u[1],
-                                                 u[2]};
-      for (int k = 0; k < kStrutFactors; ++k) {
-        product[j] *= power<T>(factors[static_cast<std::size_t>(k)], p[kStrutPowers + k]);
-      }
-      const T wave = cos(length * T(2 * std::numbers::pi) / pitch + p[kPhase]);
+      product[j] = times_powers<T>(product[j], strut_factors<T>(at, j), p, kStrutPowers);
+      const T wave = cos(at.struts.length[j] * T(2 * std::numbers::pi) / pitch + p[kPhase]);
       product[j] *= select<T>(p[kPitch] > T(0.0), wave, T(1.0));
     }
     return product;

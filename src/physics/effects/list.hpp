@@ -30,6 +30,7 @@
 #include "physics/effects/platform_gravity.hpp"
 #include "physics/effects/platform_joint_compliance.hpp"
 #include "physics/effects/platform_mass.hpp"
+#include "physics/effects/residual.hpp"
 #include "physics/effects/ring_thermal.hpp"
 #include "physics/effects/screw_coulomb.hpp"
 #include "physics/effects/screw_friction.hpp"
@@ -84,7 +85,13 @@ using CatalogueEffects = std::tuple<Payload,                  //
                                     Counterbalance,           //
                                     LeadError,                //
                                     RingThermal,              //
-                                    JointPosition, GimbalOffset, ScrewRoll, SpindleGrowth, FrameCompliance, Generic>;
+                                    JointPosition,            //
+                                    GimbalOffset,             //
+                                    ScrewRoll,                //
+                                    SpindleGrowth,            //
+                                    FrameCompliance,          //
+                                    Generic,                  //
+                                    Residual>;
 
 using Effects = decltype(std::tuple_cat(BaseEffects{}, CatalogueEffects{}));
 inline constexpr std::size_t kBaseEffects = std::tuple_size_v<BaseEffects>;

@@ -6,6 +6,7 @@
 #include "report/measured/could_show_text.hpp"
 #include "report/measured/datasets_text.hpp"
 #include "report/measured/diagnosis_text.hpp"
+#include "report/measured/functions_text.hpp"
 #include "report/measured/objection_text.hpp"
 #include "report/measured/where_json.hpp"
 
@@ -137,6 +138,11 @@ std::string diagnosis_json(const Diagnosis& d, const std::vector<jobs::MeasuredF
   json["could_show"] = could_show_json(d.visible);
   if (d.remainder) {
     json["remainder"] = {{"snr", rounded(d.remainder->snr)}, {"description", remainder_text(*d.remainder)}};
+  }
+  for (const diagnose::LearntFunction& function : d.functions) {
+    json["functions"].push_back({{"says", function_text(function, d.forces.machine)},
+                                 {"log_odds", rounded(function.log_odds)},
+                                 {"left_out_nats", rounded(function.left_out)}});
   }
   json["next_tests"] = Json::array();
   for (const diagnose::Separation& separation : d.next) json["next_tests"].push_back(test_json(separation));

@@ -8,6 +8,7 @@
 
 #include "base/units.hpp"
 #include "report/measured/could_show_text.hpp"
+#include "report/measured/functions_text.hpp"
 #include "report/measured/next_test_text.hpp"
 #include "report/measured/objection_text.hpp"
 #include "report/measured/where_json.hpp"
@@ -96,6 +97,10 @@ std::string diagnosis_text(const Diagnosis& d) {
   if (d.remainder) {
     text += fmt::format("not explained by the catalogue (a description, not a cause; strength {:.0f}):\n{}\n",
                         d.remainder->snr, remainder_text(*d.remainder));
+  }
+  if (!d.functions.empty()) {
+    text += fmt::format("corrected all the same, as poses left out confirm it, and no further than was measured:\n{}\n",
+                        fmt::join(function_lines(d), "\n"));
   }
   text += rms_line("fitted", d.fit, d.noise);
   if (d.held_out.before.radial || d.held_out.before.torque) text += rms_line("held out", d.held_out, d.noise);

@@ -13,6 +13,7 @@
 #include "machine/model_file.hpp"
 #include "machine/numbers_hash.hpp"
 #include "report/measured/diagnosis_text.hpp"
+#include "report/measured/functions_text.hpp"
 #include "report/measured/objection_text.hpp"
 #include "report/measured/observability_text.hpp"
 
@@ -62,6 +63,7 @@ std::vector<std::string> notes_of(const Diagnosis& diagnosis) {
   }
   if (diagnosis.verdict == diagnose::Verdict::unknown) {
     notes.emplace_back("the effects named generic describe what was seen; they are no cause");
+    for (const std::string& line : function_lines(diagnosis)) notes.push_back(line);
   }
   return notes;
 }

@@ -9,10 +9,12 @@
 
 #include "base/units.hpp"
 #include "report/measured/diagnosis_text.hpp"
+#include "report/measured/functions_text.hpp"
 #include "report/measured/next_test_text.hpp"
 #include "report/measured/objection_text.hpp"
 #include "report/measured/where_json.hpp"
 #include "report/page/evidence_sections.hpp"
+#include "report/page/measured_sections.hpp"
 #include "report/page/run_sections.hpp"
 #include "report/page/sections.hpp"
 #include "report/page/test_section.hpp"
@@ -155,6 +157,29 @@ Json found_section(const NamedEffect& effect) {
                        note);
 }
 
+// Functions of one coordinate, each with its 95 % band.
+Json functions_section(const Diagnosis& d) {
+  std::vector<CurveGroup> groups;
+  for (const diagnose::LearntFunction& function : d.functions) {
+    if (function.along.empty()) continue;
+    const ShownCoordinate coordinate = shown_coordinate(function, 0, d.forces.machine);
+    const ShownUnit unit = shown_unit(function);
+    CurveGroup group{fmt::format("{}, {} {}", function_name(function), coordinate.name, coordinate.unit), {}, {}};
+    CurvePanel panel{"value", std::string(unit.name), {{"learnt", 1}, {"95 % from", 2}, {"95 % to", 2}}};
+    constexpr double kTimes = 1.96;
+    for (const diagnose::FunctionValue& here : function.along) {
+      group.x.push_back(coordinate.value(here.at[0]));
+      panel.curves[0].values.push_back(here.value / unit.si);
+      panel.curves[1].values.push_back((here.value - kTimes * here.sigma) / unit.si);
+      panel.curves[2].values.push_back((here.value + kTimes * here.sigma) / unit.si);
+    }
+    group.panels.push_back(std::move(panel));
+    groups.push_back(std::move(group));
+  }
+  if (groups.empty()) return {};
+  return curves_section("Functions that were learnt", {"where it is measured", "", 3}, groups, {"Function", false, {}});
+}
+
 Json could_show_section(const Diagnosis& d) {
   if (d.verdict != diagnose::Verdict::nothing_missing || d.visible.empty()) return nullptr;
   std::vector<Json> rows;
@@ -210,6 +235,13 @@ Page diagnosis_page(const jobs::DiagnoseResult& result, const jobs::RunsAndModel
     page.sections.push_back(
         listing_section("What the catalogue does not explain", remainder_text(*d.remainder),
                         fmt::format("A description, not a cause; {:.0f} times the noise in all.", d.remainder->snr)));
+  }
+  if (!d.functions.empty()) {
+    page.sections.push_back(listing_section("What is corrected all the same",
+                                            fmt::format("{}", fmt::join(function_lines(d), "\n")),
+                                            "Learnt from these runs, confirmed by poses left out, and held as it is at "
+                                            "the border outside of what was measured."));
+    add_section(page, functions_section(d));
   }
   page.sections.push_back(gap_section(d));
   add_section(page, residual_circles_section(d, result.runs));

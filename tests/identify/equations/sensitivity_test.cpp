@@ -96,7 +96,7 @@ TEST_CASE("the readings' derivatives by each parameter of each effect equal fini
   const machine::MachineModel machine = pm600_like();
   for (const physics::EffectInfo& info : physics::effect_infos()) {
     INFO(info.name);
-    if (info.name == physics::Generic::name) continue;  // silent without powers: the next test
+    if (info.description) continue;  // silent without settings: the next tests
     Unknowns unknowns{physics::ForceModel(machine)};
     unknowns.add_effect(info.name);
     if (unknowns.size() > 0) check_slopes(unknowns, ordinary(unknowns, random));
@@ -117,12 +117,31 @@ TEST_CASE("the readings' derivatives by a generic term equal finite differences"
   check_slopes(unknowns, values);
 }
 
+TEST_CASE("the readings' derivatives by the weights of a residual function equal finite differences") {
+  Random random(35);
+  physics::ForceModel forces(pm600_like());
+  forces.add("residual");
+  const int first = forces.add("residual");
+  const auto set = [&](int offset, double value) {
+    forces.parameters[static_cast<std::size_t>(first + offset)] = value;
+  };
+  set(physics::Residual::kCoordinate, 10);  // the tension
+  set(physics::Residual::kPart, 3);
+  Unknowns unknowns(forces);
+  for (const char* key : {"length_um", "drive_N", "torque_Nm"}) unknowns.add("residual", key, 1, 1);
+  Eigen::VectorXd values(3);
+  values << 2e-6, 3, 0.01;
+  check_slopes(unknowns, values);
+  CHECK(unknowns[0].label == "residual length_um 2, row 2");
+}
+
 TEST_CASE("derivatives hold with all effects acting at once") {
   Random random(33);
   const machine::MachineModel machine = pm600_like();
   Unknowns unknowns = nuisances(machine, physics::ForceModel(machine));
   for (const std::string_view name : physics::catalogue_names()) {
-    if (unknowns.of_effect(name).empty() && name != physics::Generic::name) unknowns.add_effect(name);
+    const bool description = physics::effect_infos()[physics::effect_index(name)].description;
+    if (unknowns.of_effect(name).empty() && !description) unknowns.add_effect(name);
   }
   check_slopes(unknowns, 0.5 * (unknowns.start() + ordinary(unknowns, random)));
 }
