@@ -23,7 +23,7 @@ def usage_of(command):
 def entries(options):
     out = []
     for option in options:
-        value = f" \\fI{roff(option['value'])}\\fR" if option["takes_value"] and option["value"] else ""
+        value = f" \\fI{roff(option['value'])}\\fR" if option["takes_value"] and option["value"] not in ("", option["name"]) else ""
         names = ", ".join(f"\\fB{roff(name)}\\fR" for name in option["names"]) or f"\\fI{roff(option['name'])}\\fR"
         more = ("; required" if option["required"] and option["names"] else "") + (
             f"; one of {', '.join(option['choices'])}" if option["choices"] else "")

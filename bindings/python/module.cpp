@@ -76,6 +76,10 @@ std::vector<std::string> warnings(const api::Result& result) {
 
 /// The columns and a view of the values, which Python owns from now on.
 py::tuple table(api::Table made) {
+  for (const api::Diagnostic& warning : made.warnings) {
+    const std::string words = warning.message + " [" + warning.code + "]: " + warning.help;
+    if (PyErr_WarnEx(PyExc_UserWarning, words.c_str(), 2) != 0) throw py::error_already_set();
+  }
   auto* const kept = new api::Table(std::move(made));
   const py::capsule owner(kept, [](void* data) { delete static_cast<api::Table*>(data); });
   const auto columns = static_cast<py::ssize_t>(kept->columns.size());

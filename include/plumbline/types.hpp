@@ -191,6 +191,7 @@ struct Pose {
 struct Table {
   std::vector<std::string> columns;  // their units at the end of their names: "dx_um"
   std::vector<double> values;        // row after row
+  std::vector<Diagnostic> warnings;
   std::size_t rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
   double at(std::size_t row, std::size_t column) const { return values[row * columns.size() + column]; }
 };

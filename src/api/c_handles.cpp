@@ -71,12 +71,16 @@ bool is_on(const Options& options, const std::string& name) {
   return on;
 }
 
+void keep_warnings(plumbline_result& handle, const std::vector<Diagnostic>& warnings) {
+  for (const Diagnostic& warning : warnings) {
+    handle.parts[PLUMBLINE_WARNINGS] += Error(Error::Kind::refused, warning).json() + "\n";
+  }
+}
+
 int kept(plumbline_result& handle, Result found) {
   handle.parts[PLUMBLINE_JSON] = found.json();
   handle.parts[PLUMBLINE_WORDS] = found.words();
-  for (const Diagnostic& warning : found.warnings()) {
-    handle.parts[PLUMBLINE_WARNINGS] += Error(Error::Kind::refused, warning).json() + "\n";
-  }
+  keep_warnings(handle, found.warnings());
   handle.result = found;
   handle.parts[PLUMBLINE_MODEL] = found.model();
   return found.found() ? PLUMBLINE_FOUND : PLUMBLINE_DONE;

@@ -63,6 +63,9 @@ Model optional_model(const plumbline_model* model);
 const Options& optional_options(const plumbline_options* options);
 bool is_on(const Options& options, const std::string& name);
 
+/// Warnings as a part of the result, one JSON object a line.
+void keep_warnings(plumbline_result& handle, const std::vector<Diagnostic>& warnings);
+
 /// Takes the texts of what was found into the handle. Gives the code; throws the Error that refuses its model.
 int kept(plumbline_result& handle, Result found);
 

@@ -156,6 +156,7 @@ int plumbline_simulate_table(plumbline_context* context, const plumbline_input* 
   return into(context, result, [&](plumbline_result& made) {
     made.table = api::simulate(api::c::input_of(program, "program"), optional_model(model), optional_options(options),
                                context->progress);
+    api::c::keep_warnings(made, made.table.warnings);
     return PLUMBLINE_DONE;
   });
 }
@@ -178,6 +179,7 @@ int plumbline_error_table(plumbline_context* context, const plumbline_pose* pose
       all.push_back({one.x, one.y, one.z, one.a, one.b, one.c});
     }
     made.table = api::error(all, optional_model(model));
+    api::c::keep_warnings(made, made.table.warnings);
     return PLUMBLINE_DONE;
   });
 }

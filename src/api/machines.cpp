@@ -123,6 +123,7 @@ Table simulate(const Input& program, const Model& model, const Options& options,
           if (known.posterior) append_expected(table, point.doubt);
         },
         progress, nullptr, known.posterior_or_null());
+    if (known.warning) table.warnings.push_back(public_diagnostic(*known.warning));
     return table;
   });
 }
@@ -155,13 +156,15 @@ Table error(const std::vector<Pose>& poses, const Model& model) {
     const jobs::Knowledge known = jobs::knowledge_of(machine);
     Table table = table_of(report::error_columns(), known);
     table.values.reserve(poses.size() * table.columns.size());
-    jobs::error_table(
+    const jobs::ErrorTableSummary summary = jobs::error_table(
         machine, rows_of(poses),
         [&](const jobs::PoseError& error) {
           add_row(table, error);
           if (known.posterior) append_expected(table, error.doubt);
         },
         known.posterior_or_null());
+    if (known.warning) table.warnings.push_back(public_diagnostic(*known.warning));
+    if (summary.first_beyond) table.warnings.push_back(public_diagnostic(*summary.first_beyond));
     return table;
   });
 }

@@ -18,9 +18,11 @@
 #include "base/files/path_of.hpp"
 #include "base/files/temporary_file.hpp"
 #include "base/parallel.hpp"
+#include "base/text/characters.hpp"
 #include "batch/committer.hpp"
 #include "batch/freshness.hpp"
 #include "batch/in_order.hpp"
+#include "batch/outputs.hpp"
 #include "batch/record.hpp"
 #include "batch/settings_by_folder.hpp"
 #include "batch/work.hpp"
@@ -59,6 +61,44 @@ std::string place_of_output(const std::string& place, const settings::Options& o
   }
 }
 
+Diagnostic same_output(const Task& task, const std::string& other) {
+  Place place;
+  place.file = task.program;
+  return {"file-written-twice", fmt::format("has the same output as {}: {}", other, task.output),
+          "keep {ext} in --output-name, or rename one of them", place, Severity::error};
+}
+
+// Whether a file that is there is found by its name in other letters, too.
+bool ignores_case(const std::string& file) {
+  const fs::path path = path_of(file);
+  std::string name = path.filename().generic_string();
+  for (char& c : name) c = upper(c);
+  std::error_code none;
+  return name != path.filename().generic_string() && fs::equivalent(path, path.parent_path() / path_of(name), none);
+}
+
+// Two folders with programs of one name would take turns.
+void refuse_other_source(const Entry& known, const Task& task) {
+  std::error_code none;
+  if (known.source == whole_path(task.program) || !fs::is_regular_file(path_of(known.source), none)) return;
+  if (fs::equivalent(path_of(known.source), path_of(task.program), none)) return;
+  if (!fs::is_regular_file(path_of(task.output), none)) return;
+  Place place;
+  place.file = task.program;
+  refuse("batch-other-source", fmt::format("{} was made of {}, which is there still", task.output, known.source),
+         "give another folder with -o; or remove that output, if it is no longer wanted", place);
+}
+
+// A pipe would be waited for.
+void refuse_no_file(const std::string& program) {
+  std::error_code none;
+  const fs::file_status there = fs::status(path_of(program), none);
+  if (!fs::exists(there) || fs::is_regular_file(there) || fs::is_directory(there)) return;
+  Place place;
+  place.file = program;
+  refuse("batch-no-file", "is no file", "name files in the list", place);
+}
+
 std::string output_beside(const std::string& program, const settings::Options& options) {
   const std::string_view pattern =
       options.output_pattern.empty() ? settings::kOutputPattern : std::string_view(options.output_pattern);
@@ -87,12 +127,18 @@ class Run {
     Record record(record_path(request_));
     folder.keep();
     sweep_folders();
+    if (ignores_case(record_path(request_))) refuse_alike();
     do_all(record);
     told_->finish(called_);
     Result result;
     result.summary = told_->summary();
     result.summary.passed_over = list_.passed_over;
-    if (request_.programs.list.empty()) result.summary.vanished = vanished(record);
+    if (request_.programs.list.empty()) {
+      result.summary.vanished = vanished_outputs(request_.programs.output, places_, record);
+      if (list_.holds_outputs) {
+        result.summary.among_outputs = programs_among_outputs(request_.programs, places_, record);
+      }
+    }
     result.files_read = files_read();
     result.tables_read = settings_.files();
     const std::chrono::duration<double> since = std::chrono::steady_clock::now() - begin;
@@ -108,6 +154,7 @@ class Run {
       try {
         one.task.place = place_in_folder(request_.programs.folder, program);
         one.task.output = output_at(one.task.place);
+        if (!request_.programs.list.empty()) refuse_no_file(program);
         one.settings = &settings_.of(program);
         one.task.place = place_of_output(one.task.place, one.settings->options);
         one.task.output = output_at(one.task.place);
@@ -120,6 +167,25 @@ class Run {
       one.task.number = planned_.size();
       planned_.push_back(std::move(one));
     }
+    for (const Diagnostic& shut : list_.shut) {
+      Planned one;
+      one.task = {
+          planned_.size(), shut.place.file, {}, output_at(place_in_folder(request_.programs.folder, shut.place.file))};
+      one.refusal = shut;
+      planned_.push_back(std::move(one));
+    }
+  }
+
+  // Where "Part.nc" and "part.nc" are one file.
+  void refuse_alike() {
+    std::map<std::string, std::string> places;
+    for (Planned& one : planned_) {
+      if (one.refusal) continue;
+      std::string plain = one.task.place;
+      for (char& c : plain) c = lower(c);
+      const auto [there, is_new] = places.emplace(std::move(plain), one.task.program);
+      if (!is_new) one.refusal = same_output(one.task, there->second);
+    }
   }
 
   std::string output_at(const std::string& place) const {
@@ -130,11 +196,8 @@ class Run {
   bool is_named_twice(const Task& task) {
     const auto [there, is_new] = places_.emplace(task.place, task.program);
     if (is_new) return false;
-    if (there->second == task.program) return true;
-    Place place;
-    place.file = task.program;
-    refuse("file-written-twice", fmt::format("has the same output as {}: {}", there->second, task.output),
-           "keep {ext} in --output-name, or rename one of them", place);
+    if (whole_path(there->second) == whole_path(task.program)) return true;
+    throw Refusal(same_output(task, there->second));
   }
 
   void do_all(Record& record) {
@@ -155,10 +218,13 @@ class Run {
     try {
       known = record.find(task.place);  // of refused settings: where it would be without a name of their own
       if (planned.refusal) throw Refusal(*planned.refusal);
+      if (known) refuse_other_source(*known, task);
       if (std::optional<Work> work = unchanged(known, planned)) return hand_on(std::move(*work), committer);
       make_folder(path_of(task.output).parent_path().generic_string());
     } catch (...) {
-      settle(failed(task, current_problem(task.program), known.has_value()));
+      const Diagnostic why = current_problem(task.program);
+      settle(
+          failed(task, why, known.has_value() && why.code != "file-written-twice" && why.code != "batch-other-source"));
       return;
     }
     Work work = compensate_one(task, *planned.settings, known);
@@ -211,24 +277,6 @@ class Run {
     told_->take(work.task.number, std::move(work.item));
   }
 
-  // Entries without a program and without an output are forgotten.
-  std::vector<std::string> vanished(Record& record) {
-    std::vector<std::string> outputs;
-    std::vector<std::string> forgotten;
-    record.each([&](const Entry& entry) {
-      std::error_code none;
-      if (places_.contains(entry.place) || fs::exists(path_of(entry.source), none)) return;
-      const fs::path output = path_of(request_.programs.output) / path_of(entry.place);
-      if (fs::exists(output, none)) {
-        outputs.push_back(output.generic_string());
-      } else {
-        forgotten.push_back(entry.place);
-      }
-    });
-    record.remove(forgotten);
-    return outputs;
-  }
-
   std::vector<std::string> files_read() const {
     std::set<std::string> files(called_);
     for (const auto& [file, state] : settings_.files()) files.insert(file);
@@ -244,7 +292,7 @@ class Run {
   SettingsByFolder settings_;
   ProgramList list_;
   std::vector<Planned> planned_;
-  std::map<std::string, std::string> places_;  // of outputs, and the programs that they are of
+  OutputPlaces places_;
   std::atomic<bool> stopped_ = false;
   std::mutex guard_;
   std::set<std::string> made_;    // folders

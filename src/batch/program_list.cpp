@@ -37,9 +37,12 @@ std::vector<std::string> make_usual_endings() {
   return endings;
 }
 
-[[noreturn]] void refuse_folder(const fs::path& folder, const std::error_code& error) {
-  refuse("batch-folder", fmt::format("cannot be looked into: {}", error.message()),
-         "name a folder of programs that may be read", {folder.generic_string(), 0});
+Diagnostic shut_folder(const fs::path& folder, const std::error_code& error) {
+  return {"batch-folder",
+          fmt::format("cannot be looked into: {}", error.message()),
+          "name a folder of programs that may be read",
+          {folder.generic_string(), 0},
+          Severity::error};
 }
 
 // As Fanuc controls call the files of their memory.
@@ -63,15 +66,31 @@ class Walk {
       const std::string name = entry->path().filename().generic_string();
       std::error_code broken;  // a link that leads nowhere is neither
       if (entry->is_directory(broken)) {
+        if (name[0] == '.') continue;
+        if (is_output(entry->path())) {
+          list_.holds_outputs = true;
+          continue;
+        }
         // A link to a folder may lead round in circles.
-        if (name[0] != '.' && !entry->is_symlink(broken) && !is_output(entry->path())) folders.push_back(entry->path());
+        if (entry->is_symlink(broken)) {
+          list_.passed_over.push_back(entry->path().generic_string());
+        } else {
+          folders.push_back(entry->path());
+        }
       } else if (entry->is_regular_file(broken)) {
         const std::string path = entry->path().generic_string();
         if (request_.leave_out.contains(path)) continue;
         (is_program_name(name, request_.endings) ? found : list_.passed_over).push_back(path);
+      } else if (is_program_name(name, request_.endings)) {  // a link that leads nowhere, a pipe
+        list_.passed_over.push_back(entry->path().generic_string());
       }
     }
-    if (error) refuse_folder(folder, error);
+    if (error) {
+      list_.folders.pop_back();
+      if (list_.folders.empty()) throw Refusal(shut_folder(folder, error));
+      list_.shut.push_back(shut_folder(folder, error));
+      return;
+    }
     std::sort(found.begin(), found.end());
     list_.programs.insert(list_.programs.end(), found.begin(), found.end());
     std::sort(folders.begin(), folders.end());
@@ -89,12 +108,14 @@ class Walk {
   fs::path output_;
 };
 
-std::vector<std::string> names_in(const std::string& text) {
+std::vector<std::string> names_in(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const char end = text.find('\0') == std::string::npos ? '\n' : '\0';
   std::vector<std::string> names;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t stop = std::min(text.find(end, at), text.size());
-    std::string name = text.substr(at, stop - at);
+    std::string name(text.substr(at, stop - at));
     if (end == '\n' && name.ends_with('\r')) name.pop_back();
     if (!name.empty()) names.push_back(std::move(name));
     at = stop + 1;

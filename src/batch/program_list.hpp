@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostic.hpp"
+
 namespace plumbline::batch {
 
 struct ProgramRequest {
@@ -19,6 +21,8 @@ struct ProgramList {
   std::vector<std::string> programs;     // in the order of their names, those of a list in its order
   std::vector<std::string> passed_over;  // files of the folder that are no programs
   std::vector<std::string> folders;      // that were looked into
+  std::vector<Diagnostic> shut;          // of folders in it that cannot be
+  bool holds_outputs = false;            // the folder of the outputs is one of those in it
 };
 
 /// The endings of programs where nobody names others: those by which the dialects know theirs, nc, tap, cnc and eia. A
@@ -29,8 +33,8 @@ const std::vector<std::string>& usual_endings();
 bool is_program_name(const std::string& path, const std::vector<std::string>& endings);
 
 /// A folder is looked through with all below it, but for hidden ones and the folder of the outputs. A list has a name
-/// on each line, or between zero bytes. Refuses with batch-folder a folder that cannot be looked into, and as InputFile
-/// does.
+/// on each line, or between zero bytes. Refuses with batch-folder where the folder itself cannot be looked into, and as
+/// InputFile does.
 ProgramList list_programs(const ProgramRequest& request);
 
 /// Absolute, without "." and "..": links are not followed.

@@ -86,6 +86,12 @@ void say_vanished(const std::string& output) {
 void say_what_is_left(const jobs::BatchSummary& summary) {
   for (const std::string& file : summary.passed_over) say_step(fmt::format("{}: no program, passed over", file));
   for (const std::string& output : summary.vanished) say_vanished(output);
+  for (const std::string& program : summary.among_outputs) {
+    Place place;
+    place.file = program;
+    say({"batch-among-outputs", "lies among the outputs and is none: it was not corrected",
+         "put it where the other programs are, or give another folder with -o", place, Severity::warning});
+  }
 }
 
 // What does not fit together. Outputs of the command itself; those of the programs are looked at one by one.

@@ -35,7 +35,9 @@ struct BatchSummary {
   std::size_t compensated = 0;           // programs that were so before
   std::vector<std::string> passed_over;  // files that are no programs
   std::vector<std::string> vanished;     // outputs whose program is gone
-  double seconds = 0;                    // that it took
+  std::vector<std::string>
+      among_outputs;   // programs that lie in the folder of the outputs, which is in that of programs
+  double seconds = 0;  // that it took
 };
 
 }  // namespace plumbline::jobs

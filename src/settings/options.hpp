@@ -37,8 +37,9 @@ struct NamedSystem {
 
 struct Options {
   Paths paths;
-  std::string machine;  // by its name in a settings file; empty: none was named
-  std::string dialect;  // empty: seen from the program
+  std::string machine;                // by its name in a settings file; empty: none was named
+  std::vector<std::string> machines;  // that settings files describe
+  std::string dialect;                // empty: seen from the program
   std::vector<NamedSystem> offset_systems;
   nc::ProgramSettings program;  // without what the files hold: see program_settings.hpp
   compensate::Settings compensation;

@@ -21,9 +21,10 @@ void each_part(std::string_view pattern, const Copy& copy, const Take& take) {
     const std::size_t open = pattern.find('{');
     copy(pattern.substr(0, open));
     if (open == std::string_view::npos) return;
-    const std::size_t close = std::min(pattern.find('}', open), pattern.size());
+    const std::size_t close = pattern.find('}', open);
+    if (close == std::string_view::npos) throw OptionError("a { in it has no }");
     take(pattern.substr(open + 1, close - open - 1));
-    pattern.remove_prefix(std::min(close + 1, pattern.size()));
+    pattern.remove_prefix(close + 1);
   }
 }
 
@@ -32,7 +33,10 @@ void each_part(std::string_view pattern, const Copy& copy, const Take& take) {
 void check_output_pattern(std::string_view pattern) {
   bool has_name = false;
   each_part(
-      pattern, [](std::string_view) {},
+      pattern,
+      [](std::string_view text) {
+        if (text.find('}') != std::string_view::npos) throw OptionError("a } in it has no {");
+      },
       [&](std::string_view name) {
         if (std::find(kNames.begin(), kNames.end(), name) == kNames.end())
           throw OptionError("expected no braces but {folder}, {name}, {ext} and {machine}");

@@ -137,6 +137,7 @@ ResolvedSettings resolve_settings(const SettingsRequest& request, const std::vec
     resolved.options.paths.settings_files.push_back(file.path);
   }
   resolved.options.machine = machine;
+  resolved.options.machines = resolved.machines;
   resolved.machine_place = place;
   std::stable_sort(resolved.stated.begin(), resolved.stated.end(),
                    [](const StatedOption& a, const StatedOption& b) { return a.row < b.row; });

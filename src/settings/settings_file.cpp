@@ -10,6 +10,7 @@
 #include "base/files/files.hpp"
 #include "base/files/input_name.hpp"
 #include "base/files/path_of.hpp"
+#include "base/text/nearest_name.hpp"
 #include "base/text/toml.hpp"
 #include "settings/contradiction.hpp"
 #include "settings/output_name.hpp"
@@ -30,6 +31,15 @@ std::string list_of_keys() {
   std::string list;
   for (const OptionRow& row : option_rows()) list += fmt::format("{}{}", list.empty() ? "" : ", ", key_of(row));
   return list;
+}
+
+// "did you mean step_angle? "; empty where none is near.
+std::string nearest_key(std::string key) {
+  std::replace(key.begin(), key.end(), '-', '_');
+  std::vector<std::string> keys{"machine", "machines"};
+  for (const OptionRow& row : option_rows()) keys.push_back(key_of(row));
+  const std::string_view nearest = nearest_name(key, {keys.begin(), keys.end()});
+  return nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
 }
 
 const OptionRow* row_of_key(std::string_view key) {
@@ -84,7 +94,7 @@ class SettingsReader {
     const OptionRow* const row = row_of_key(entry.key);
     if (row == nullptr) {
       refuse("settings-key", fmt::format("there is no setting {}", entry.key),
-             fmt::format("settings are {}, and machine, [machines.NAME]", list_of_keys()),
+             fmt::format("{}settings are {}, and machine, [machines.NAME]", nearest_key(entry.key), list_of_keys()),
              document_.place(entry.key_span));
     }
     for (Stated& stated : stated_by(*row, entry)) {

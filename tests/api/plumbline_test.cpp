@@ -112,6 +112,10 @@ TEST_CASE("the error at poses is a table of numbers, and CSV") {
   CHECK(distance == Approx(15.379).epsilon(1e-3));
   CHECK(result.number("largest_um") == Approx(distance));
   CHECK(csv.starts_with("x_mm,y_mm,z_mm"));
+  CHECK(table.warnings.empty());
+  const api::Table far = api::error({{0, 0, -1008, 0, 0, 0}, {0, 0, -1300, 0, 0, 0}}, model());
+  REQUIRE(far.warnings.size() == 1);
+  CHECK(far.warnings[0].code == "error-beyond-travel");
   const api::Error beyond = error_of([] { api::error({{0, 0, 0, 0, 0, 0}, {0, 0, 99999, 0, 0, 0}}, model()); });
   CHECK(beyond.diagnostic().code == "error-unreachable");
 }

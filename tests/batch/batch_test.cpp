@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include <catch2/catch.hpp>
+#ifndef _WIN32
+#include <sys/stat.h>
+#endif
 
 #include "base/version.hpp"
 #include "batch/shop.hpp"
@@ -134,6 +137,64 @@ TEST_CASE("batch: a program that is compensated now, and was not before, leaves 
   REQUIRE(items[1].diagnostics.size() == 2);
   CHECK(items[1].diagnostics[0].code == "compensate-stamped");
   CHECK(items[1].diagnostics[1].code == "batch-old-output");
+}
+
+#ifndef _WIN32
+TEST_CASE("batch: what is not looked at is named: links, programs among the outputs") {
+  const Shop shop;
+  std::filesystem::create_directories(shop.scratch.path("far"));
+  shop.scratch.file("far/f.nc", kPart);
+  std::filesystem::create_directory_symlink(shop.scratch.path("far"), shop.scratch.path("parts/link"));
+  std::filesystem::create_symlink("nowhere.nc", shop.scratch.path("parts/broken.nc"));
+  std::filesystem::create_directories(shop.scratch.path("parts/out"));
+  shop.scratch.file("parts/out/b.nc", kPart);
+  batch::Request request = shop.request();
+  request.programs.output = shop.scratch.path("parts/out");
+  for (int round = 0; round < 2; ++round) {
+    const batch::Result result = batch::run(request, {});
+    CHECK(result.summary.passed_over ==
+          std::vector<std::string>{shop.scratch.path("parts/broken.nc"), shop.scratch.path("parts/link"),
+                                   shop.scratch.path("parts/notes.txt"), shop.scratch.path("parts/plumbline.toml")});
+    CHECK(result.summary.among_outputs == std::vector<std::string>{shop.scratch.path("parts/out/b.nc")});
+    CHECK(result.summary.failed == 0);
+  }
+}
+
+#endif
+
+TEST_CASE("batch: a program does not take the place of another one's output while that is there") {
+  const Shop shop;
+  shop.run();
+  std::filesystem::create_directories(shop.scratch.path("others"));
+  shop.scratch.file("others/a.nc", "G0 X0 Y0 Z0 A0 B0 C0\nG1 X9 F500\nM2\n");
+  batch::Request request = shop.request();
+  request.programs.folder = shop.scratch.path("others");
+  const std::string output = shop.scratch.text("out/a.nc");
+  auto items = Shop::run(request);
+  REQUIRE(items.size() == 1);
+  CHECK(items[0].diagnostics[0].code == "batch-other-source");
+  CHECK(items[0].diagnostics.size() == 1);
+  CHECK(shop.scratch.text("out/a.nc") == output);
+  std::filesystem::remove(shop.scratch.path("parts/a.nc"));  // moved, say
+  items = Shop::run(request);
+  CHECK(items[0].state == State::done);
+}
+
+TEST_CASE("batch: a list may name a program in two ways, begin with a mark, and name no pipe") {
+  const Shop shop;
+  batch::Request request = shop.request();
+  const std::string name = shop.scratch.path("parts/a.nc");
+  request.programs.list = shop.scratch.path("list");
+  shop.scratch.file("list", "\xEF\xBB\xBF" + name + "\n" + shop.scratch.path("parts/./inner/../a.nc") + "\n");
+  CHECK(Shop::run(request).size() == 1);
+  const auto items = Shop::run(request);
+  REQUIRE(items.size() == 1);
+  CHECK(items[0].state == State::unchanged);
+#ifndef _WIN32
+  REQUIRE(mkfifo(shop.scratch.path("parts/p.nc").c_str(), 0600) == 0);
+  shop.scratch.file("list", shop.scratch.path("parts/p.nc") + "\n");
+  CHECK(Shop::run(request)[0].diagnostics[0].code == "batch-no-file");
+#endif
 }
 
 TEST_CASE("batch: nothing of the user's is written over") {

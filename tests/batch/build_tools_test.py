@@ -16,7 +16,7 @@ TOOLS = 'plumbline = "tools 1"\n[[tool]]\nnumber = 1\nlength_mm = 80\n'
 
 MAKEFILE = """out/%.nc: parts/%.nc
 \t{plumbline} compensate -q '$<' -o '$@' --depfile '$@.d'
--include $(wildcard out/*.d)
+-include $(shell find out -name '*.d' 2>/dev/null)
 """
 NINJA = """rule straighten
   command = {plumbline} compensate -q $in -o $out --depfile $out.d

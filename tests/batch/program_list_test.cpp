@@ -35,7 +35,9 @@ TEST_CASE("a folder is listed in order, without hidden folders and the folder of
   std::filesystem::create_directory_symlink("..", scratch.path("in/b/round"));
   const auto list = batch::list_programs({scratch.path("in"), "", scratch.path("in/out"), {}});
   CHECK(list.programs == Names{scratch.path("in/a.nc"), scratch.path("in/z.nc"), scratch.path("in/b/c.nc")});
-  CHECK(list.passed_over == Names{scratch.path("in/n.txt")});
+  CHECK(list.passed_over == Names{scratch.path("in/b/round"), scratch.path("in/n.txt")});
+  CHECK(list.holds_outputs);
+  CHECK(list.shut.empty());
   CHECK(list.folders == Names{scratch.path("in"), scratch.path("in/b")});
   CHECK(refusal_of([&] { batch::list_programs({scratch.path("none"), "", "out", {}}); }).code == "batch-folder");
 }

@@ -108,3 +108,14 @@ TEST_CASE("settings come from the file that PLUMBLINE_SETTINGS names, and from t
   CHECK(missing.code == 1);
   CHECK(missing.err.starts_with("missing.toml: error: "));
 }
+
+TEST_CASE(
+    "settings: a slip in a key is told with the key that is near, and machines that are not chosen with their names") {
+  const Scratch scratch;
+  scratch.file("part.nc", kPart);
+  scratch.file("plumbline.toml", "plumbline = \"settings 1\"\nstep-angle = 1\n");
+  CHECK(contains(run(scratch, "compensate part.nc").err, "did you mean step_angle? settings are"));
+  scratch.file("plumbline.toml", "plumbline = \"settings 1\"\n[machines.hex-3]\nmodel = \"m.toml\"\n");
+  CHECK(contains(run(scratch, "compensate part.nc").err, "--machine NAME takes one of hex-3"));
+  CHECK(contains(run(scratch, "batch . -o out").err, "--machine NAME takes one of hex-3"));
+}

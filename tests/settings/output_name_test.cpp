@@ -23,7 +23,8 @@ TEST_CASE("a pattern that holds a machine needs one") {
 
 TEST_CASE("a pattern without the name, or with other names, is none") {
   CHECK_NOTHROW(check_output_pattern("{folder}/{name}{ext}"));
-  for (const char* const pattern : {"", "out.ngc", "{folder}/out{ext}", "{nam}", "{nam", "{name}{", "{name}{}"}) {
+  for (const char* const pattern : {"", "out.ngc", "{folder}/out{ext}", "{nam}", "{nam", "{name}{", "{name}{}",
+                                    "{folder}/{name", "{name}}{ext}", "}{name}"}) {
     INFO(pattern);
     CHECK_THROWS_AS(check_output_pattern(pattern), OptionError);
   }

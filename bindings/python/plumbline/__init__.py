@@ -4,7 +4,7 @@ go, against gravity, friction and elasticity of the machine.
 Programs, models and tool tables are given as text or as a file: bytes, a str with a line end in it and an empty one are
 text; any other str, and what os.fspath takes, is the path of a file; Text(text, name) is text that messages call `name`.
 
-Options are those of the command by their long names, with _ for -: tolerance="1um", friction_turn=10, undo. True and
+Options are those of the command by their long names, with _ for -: tolerance="1um", friction_turn=0.01, undo. True and
 False are on and off; numbers between commas may be a sequence, as start=(0, 0, 100, 0, 0, 0); what may be repeated is a
 list of texts, or a dict: work_offset={"G54": (0, 0, -1008, 0, 0, 0)}. None is no option.
 
@@ -267,7 +267,7 @@ def simulate(program, model=None, *, progress=None, **options):
 
 def error(poses, model):
     """The error of the tool tip at poses, an array (n, 6) of x, y, z in mm and a, b, c in deg in the machine's base frame,
-    the machine at rest: a Table with strut lengths, nut tensions, stretches and errors beside them."""
+    the machine at rest: a Table with strut lengths, nut tensions, stretches and errors beside them. Warns (UserWarning) where the model's limits leave a pose out."""
     import numpy
 
     poses = numpy.asarray(poses, dtype=float)

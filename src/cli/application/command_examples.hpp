@@ -24,7 +24,8 @@ inline constexpr std::array kCommandExamples{
     CommandExample{"restore", kOfPrograms, "restore straight.ngc -o part.ngc"},
     CommandExample{"trace", kOfPrograms, "trace part.ngc -o moves.jsonl"},
     CommandExample{"check", kOfPrograms, "check part.ngc -m machine.toml --work-offset G54=0,0,-1008,0,0,0"},
-    CommandExample{"simulate", kOfPrograms, "simulate part.ngc -m machine.toml -o path.csv"},
+    CommandExample{"simulate", kOfPrograms,
+                   "simulate part.ngc -m machine.toml --work-offset G54=0,0,-1008,0,0,0 -o path.csv"},
     CommandExample{"diff", kOfPrograms, "diff part.ngc straight.ngc --tolerance-mm 0.01"},
     CommandExample{"error", kOfMachines, "error poses.csv -m machine.toml"},
     CommandExample{"map", kOfMachines, "map -m machine.toml"},
@@ -40,7 +41,7 @@ inline constexpr std::array kCommandExamples{
     CommandExample{"diagnose", kOfMeasurements, "diagnose -d tests/dataset.toml -m machine.toml -o diagnosis"},
     CommandExample{"explain", kOfPlumbline, "explain nc-unknown-code"},
     CommandExample{"settings", kOfPlumbline, "settings part.ngc"},
-    CommandExample{"batch", kOfPrograms, "batch export -m machine.toml -o straight"},
+    CommandExample{"batch", kOfPrograms, "batch export -m machine.toml --work-offset G54=0,0,-1008,0,0,0 -o straight"},
 };
 
 }  // namespace plumbline::cli

@@ -35,7 +35,8 @@ const nc::Dialect& dialect_of(const settings::Options& options, const InputFile&
   }
   if (options.program.input_increment && dialect.behaviour.increment_mm == 0) {
     refuse("settings-input-increment", fmt::format("numbers without a point count mm and deg for {}", dialect.name),
-           "leave --input-increment out; --dialect names another control");
+           "leave --input-increment (input_increment of the settings) out; --dialect names another control",
+           {program.name(), 0});
   }
   return dialect;
 }

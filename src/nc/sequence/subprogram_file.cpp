@@ -4,6 +4,10 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "base/diagnostic.hpp"
+#include "base/files/file_state.hpp"
 #include "base/files/files_beside.hpp"
 #include "base/files/path_of.hpp"
 #include "base/text/characters.hpp"
@@ -40,6 +44,20 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
+bool is_number(std::string_view name) { return std::all_of(name.begin(), name.end(), is_digit); }
+
+// A control has one program of a number; which of these files it was is not known.
+void refuse_if_different(const std::string& program, const std::string& name, const fs::path& one,
+                         const fs::path& other) {
+  if (file_hash(one.generic_string()) == file_hash(other.generic_string())) return;
+  Place place;
+  place.file = program;
+  refuse("nc-subprogram-ambiguous",
+         fmt::format("program {} is called, and both {} and {} may be it: they differ", name,
+                     one.filename().generic_string(), other.filename().generic_string()),
+         "move away the one that the control does not have", place);
+}
+
 fs::path looked_for(const std::string& program, const std::string& name, const Dialect& dialect) {
   const fs::path folder = path_of(program).parent_path();
   const std::vector<std::string>& patterns = dialect.syntax.subprogram_files;
@@ -51,13 +69,17 @@ fs::path looked_for(const std::string& program, const std::string& name, const D
     return {};
   }
   const std::vector<fs::path> there = files_in(folder.empty() ? fs::path(".") : folder);
+  fs::path found;
   for (const std::string& pattern : patterns) {
     const std::string wanted = upper(filled(pattern, name));
     for (const fs::path& path : there) {
-      if (upper(path.filename().generic_string()) == wanted && is_file(path)) return path;
+      if (path == found || upper(path.filename().generic_string()) != wanted || !is_file(path)) continue;
+      if (found.empty()) found = path;
+      if (!is_number(name)) return found;
+      if (path != found) refuse_if_different(program, name, found, path);
     }
   }
-  return {};
+  return found;
 }
 
 }  // namespace

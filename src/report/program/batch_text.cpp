@@ -50,7 +50,8 @@ std::string batch_line(const Item& item) {
                      count_text(json["points"].get<std::uint64_t>()),
                      json["largest_correction_mm"]["value"].get<double>(),
                      left.is_null() ? "" : fmt::format("{:.2f} um", left["value"].get<double>()),
-                     time_text(json["time_after_s"].get<double>()), printable(item.output));
+                     time_text(json["time_after_s"].get<double>()),
+                     printable(item.output) + (item.state == Item::State::unchanged ? "  (unchanged)" : ""));
 }
 
 std::string batch_total(const jobs::BatchSummary& summary) {
@@ -82,11 +83,11 @@ std::string batch_json_line(const Item& item) {
 }
 
 std::string batch_json_total(const jobs::BatchSummary& summary) {
-  const Json json{{"plumbline", "batch total 1"},       {"done", summary.done},
-                  {"unchanged", summary.unchanged},     {"refused", summary.failed},
-                  {"subprograms", summary.subprograms}, {"compensated", summary.compensated},
-                  {"passed_over", summary.passed_over}, {"vanished", summary.vanished},
-                  {"time_s", summary.seconds}};
+  const Json json{{"plumbline", "batch total 1"},           {"done", summary.done},
+                  {"unchanged", summary.unchanged},         {"refused", summary.failed},
+                  {"subprograms", summary.subprograms},     {"compensated", summary.compensated},
+                  {"passed_over", summary.passed_over},     {"vanished", summary.vanished},
+                  {"among_outputs", summary.among_outputs}, {"time_s", summary.seconds}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
