@@ -169,10 +169,11 @@ std::optional<Doubt> doubt_of(const CandidateSet& candidates, const Doubted& of,
     return why.has_value();
   };
   const std::optional<OneMore> more = of.model.one_more ? std::optional<OneMore>(OneMore{}) : std::nullopt;
-  const bool doubted = says(at_bound(candidates, of.model, options)) || says(further_off(of.held_out, options)) ||
-                       says(open_gap(of.recurs, of.fit, options.open_share, options)) || says(more) ||
-                       says(large_remainder(of.model, of.description, options)) ||
-                       says(not_predicted(of.after, of.out, options));
+  const bool stays_open = of.recurs.radial || of.recurs.torque || is_gap(of.description, options);
+  const bool doubted =
+      (stays_open && says(at_bound(candidates, of.model, options))) || says(further_off(of.held_out, options)) ||
+      says(open_gap(of.recurs, of.fit, options.open_share, options)) || says(more) ||
+      says(large_remainder(of.model, of.description, options)) || says(not_predicted(of.after, of.out, options));
   return doubted ? std::optional(std::move(doubt)) : std::nullopt;
 }
 

@@ -52,7 +52,7 @@ struct SpoiledData {
   bool all = false;
 };
 
-/// A number of an effect stands as far off as it can be at all.
+/// A number of an effect stands as far off as it can be at all, and the gap stays open.
 struct AtBound {
   std::string effect;
   identify::Unknown number;

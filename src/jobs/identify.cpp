@@ -90,7 +90,7 @@ IdentifiedModel identified(machine::MachineModel machine, measure::Dataset datas
                            const identify::IdentifyOptions& options, const std::vector<std::string>& accepted,
                            const identify::Tracked* tracked = nullptr) {
   Judged looked = judged(machine, std::move(dataset.runs), dataset.instrument, accepted);
-  const measure::Thinned thinned = measure::fit_runs(machine, std::move(looked.runs));
+  const measure::Thinned thinned = measure::thinned(machine, std::move(looked.runs));
   Identification found = identify::identify(machine, thinned.runs, options, tracked);
   const std::optional<diagnose::OpenGap> open = open_gap(machine, thinned.runs, found, options.plausible.open_share);
   physics::ForceModel forces = found.forces;

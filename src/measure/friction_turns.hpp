@@ -11,7 +11,7 @@
 namespace plumbline::measure {
 
 struct FrictionTurnOptions {
-  double way = 40e-6;  // m of travel of a strut after it turned round: screws bend for 10 to 50 um before they slip
+  double way = 25e-6;  // m of travel of a strut after it turned round: screws bend for some 10 um before they slip
   double slow = 3;     // v0 of the model, up to which the friction of a strut turns with its speed
   double most_of_run = 0.25;  // of the samples; with more a strut rests nearly all the time
   std::size_t edge = 5;       // samples on either side that say what a model leaves there

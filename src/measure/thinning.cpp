@@ -149,7 +149,8 @@ bool make_short(const machine::MachineModel& machine, const physics::ForceModel&
 
 }  // namespace
 
-Thinned fit_runs(const machine::MachineModel& machine, std::vector<Run> runs, const ThinningOptions& options) {
+Thinned fit_runs(const machine::MachineModel& machine, std::vector<Run> runs, ThinningOptions options) {
+  options.fill_turns = true;
   Thinned made = thinned(machine, std::move(runs), options);
   const physics::ForceModel forces(machine);
   for_each_index(made.runs.size(), [&](std::size_t i) {
@@ -172,7 +173,7 @@ Thinned thinned(const machine::MachineModel& machine, std::vector<Run> runs, con
   std::vector<unsigned char> made_short(runs.size(), 0);
   for_each_index(runs.size(), [&](std::size_t i) {
     if (!is_long[i] || runs[i].samples() < 2 * thinning.points) return;
-    fill_friction_turns(machine, forces, runs[i]);
+    if (options.fill_turns) fill_friction_turns(machine, forces, runs[i]);
     made_short[i] = make_short(machine, forces, thinning.points, runs[i]) ? 1 : 0;
   });
   thinning.thinned = static_cast<std::size_t>(std::count(made_short.begin(), made_short.end(), 1));

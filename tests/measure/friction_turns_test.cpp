@@ -59,7 +59,7 @@ TEST_CASE("each strut turns round twice on a circle, and its friction within a w
 
 TEST_CASE("samples that are far apart are left out only where they fall on a turn") {
   Bench bench;
-  const measure::Run run = testing::circle_run(kMiddle, {0, 0, 0}, measure::Direction::cw, 120);
+  const measure::Run run = testing::circle_run({0, 100, -1008}, {0, 0, 0}, measure::Direction::cw, 120);
   const std::size_t turning = count_of(bench.turns(run));
   CHECK(turning > 0);
   CHECK(turning <= 12);

@@ -112,6 +112,6 @@ TEST_CASE("the functions of several coordinates are those of the lowest orders, 
         highest = std::max(highest, order[d]);
       }
     }
-    CHECK(highest == Residual::kHighest[static_cast<std::size_t>(dimensions - 1)]);
+    CHECK(highest == Residual::highest_of(dimensions));
   }
 }

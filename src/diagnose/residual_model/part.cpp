@@ -101,8 +101,8 @@ Eigen::RowVectorXd functions_at(const Shape& shape, const Region& region, const 
   const std::size_t dimensions = dimensions_of(shape);
   const Residual::Orders order = Residual::orders(static_cast<int>(dimensions));
   for (std::size_t d = 0; d < dimensions; ++d) {
-    const auto sines =
-        Residual::sines<double>(at[d], region.middle[d], region.half_width[d], Residual::kHighest.at(dimensions - 1));
+    const auto sines = Residual::sines<double>(at[d], region.middle[d], region.half_width[d],
+                                               Residual::highest_of(static_cast<int>(dimensions)));
     for (Eigen::Index k = 0; k < values.size(); ++k)
       values[k] *= sines.at(static_cast<std::size_t>(order.at(static_cast<std::size_t>(k)).at(d) - 1));
   }

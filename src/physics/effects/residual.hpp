@@ -97,7 +97,7 @@ struct Residual {
 
   // How wide the interval is on which the functions stand, what they are used on being one, and the highest order.
   static constexpr double kMargin = 2;
-  static constexpr std::array<int, kDimensions> kHighest{35, 8, 5};
+  static constexpr int highest_of(int dimensions) { return dimensions == 1 ? 35 : dimensions == 2 ? 8 : 5; }
 
   template <class T>
   static T held(const T& x, const T& lower, const T& upper) {
@@ -136,8 +136,7 @@ struct Residual {
     for (int d = 0; d < dimensions; ++d) {
       const auto coordinate = static_cast<std::size_t>(p.whole(kCoordinate + d) - 1);
       const T within = held<T>(factors[coordinate], p[kLower + d], p[kUpper + d]);
-      along[static_cast<std::size_t>(d)] =
-          sines<T>(within, p[kMiddle + d], p[kHalfWidth + d], kHighest[static_cast<std::size_t>(dimensions - 1)]);
+      along[static_cast<std::size_t>(d)] = sines<T>(within, p[kMiddle + d], p[kHalfWidth + d], highest_of(dimensions));
     }
     T sum(0.0);
     for (std::size_t k = 0; k < kFunctions; ++k) {
