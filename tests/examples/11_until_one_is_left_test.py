@@ -62,10 +62,10 @@ class Drawn(unittest.TestCase):
     def test_a_machine_that_is_drawn_goes_the_same_way(self):
         program, draw = os.environ["PLUMBLINE_PROGRAM"], os.environ["PLUMBLINE_DRAW_CASE"]
         run = subprocess.run([sys.executable, "-B", EXAMPLE / "close_the_loop.py", "--plumbline", program, "--draw", draw,
-                              "--seeds", "16:18"], capture_output=True, text=True)
+                              "--seeds", "15:17"], capture_output=True, text=True)
         self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertEqual(run.stdout.splitlines(), ["seed 16: joint-coulomb or joint-viscous -> joint-viscous",
-                                                   "seed 17: joint-coulomb or joint-viscous -> joint-viscous",
+        self.assertEqual(run.stdout.splitlines(), ["seed 15: joint-viscous or joint-coulomb -> joint-viscous",
+                                                   "seed 16: joint-coulomb or joint-viscous -> joint-viscous",
                                                    "at the end: joint-viscous 2"])
 
 
