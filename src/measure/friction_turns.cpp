@@ -127,7 +127,8 @@ std::optional<Edge> edge_of(std::span<const double> left, std::ptrdiff_t first, 
   const std::optional<double> near = median_from(first);
   if (!near) return std::nullopt;
   const std::optional<double> further = median_from(first + beyond);
-  const double middle = static_cast<double>(first) + outwards * static_cast<double>(count / 2);
+  const auto half = static_cast<std::ptrdiff_t>(count / 2);
+  const auto middle = static_cast<double>(first + outwards * half);
   return Edge{middle, *near, further ? (*further - *near) / static_cast<double>(beyond) : 0};
 }
 
