@@ -39,6 +39,10 @@ double number_of(nc::MotionKind kind) {
   return kind == nc::MotionKind::rapid ? 0 : kind == nc::MotionKind::arc ? 2 : 1;
 }
 
+void add_warning(std::vector<Diagnostic>& warnings, const std::optional<plumbline::Diagnostic>& warning) {
+  if (warning) warnings.push_back(public_diagnostic(*warning));
+}
+
 void append_expected(Table& table, const std::optional<jobs::PoseDoubt>& doubt) {
   const std::vector<double> numbers = report::expected_numbers(doubt);
   table.values.insert(table.values.end(), numbers.begin(), numbers.end());
@@ -103,7 +107,7 @@ Result simulate(const Input& program, const Model& model, const Options& options
         known.posterior_or_null());
     out.commit();
     Inside::Found found;
-    if (known.warning) found.warnings.push_back(public_diagnostic(*known.warning));
+    add_warning(found.warnings, known.warning);
     found.json = report::simulation_json(summary);
     found.words = report::simulation_text(summary);
     return Inside::result(std::move(found));
@@ -123,7 +127,7 @@ Table simulate(const Input& program, const Model& model, const Options& options,
           if (known.posterior) append_expected(table, point.doubt);
         },
         progress, nullptr, known.posterior_or_null());
-    if (known.warning) table.warnings.push_back(public_diagnostic(*known.warning));
+    add_warning(table.warnings, known.warning);
     return table;
   });
 }
@@ -142,8 +146,8 @@ Result error(const Input& poses, const Model& model, const Output& output) {
         machine, rows, [&](const jobs::PoseError& error) { table.add(error); }, known.posterior_or_null());
     out.commit();
     Inside::Found found;
-    if (known.warning) found.warnings.push_back(public_diagnostic(*known.warning));
-    if (summary.first_beyond) found.warnings.push_back(public_diagnostic(*summary.first_beyond));
+    add_warning(found.warnings, known.warning);
+    add_warning(found.warnings, summary.first_beyond);
     found.json = report::error_json(summary);
     found.words = report::error_text(summary);
     return Inside::result(std::move(found));
@@ -163,8 +167,8 @@ Table error(const std::vector<Pose>& poses, const Model& model) {
           if (known.posterior) append_expected(table, error.doubt);
         },
         known.posterior_or_null());
-    if (known.warning) table.warnings.push_back(public_diagnostic(*known.warning));
-    if (summary.first_beyond) table.warnings.push_back(public_diagnostic(*summary.first_beyond));
+    add_warning(table.warnings, known.warning);
+    add_warning(table.warnings, summary.first_beyond);
     return table;
   });
 }

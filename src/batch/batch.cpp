@@ -71,10 +71,9 @@ Diagnostic same_output(const Task& task, const std::string& other) {
 // Whether a file that is there is found by its name in other letters, too.
 bool ignores_case(const std::string& file) {
   const fs::path path = path_of(file);
-  std::string name = path.filename().generic_string();
-  for (char& c : name) c = upper(c);
+  const std::string name = path.filename().generic_string();
   std::error_code none;
-  return name != path.filename().generic_string() && fs::equivalent(path, path.parent_path() / path_of(name), none);
+  return upper(name) != name && fs::equivalent(path, path.parent_path() / path_of(upper(name)), none);
 }
 
 // Two folders with programs of one name would take turns.
@@ -97,12 +96,6 @@ void refuse_no_file(const std::string& program) {
   Place place;
   place.file = program;
   refuse("batch-no-file", "is no file", "name files in the list", place);
-}
-
-std::string output_beside(const std::string& program, const settings::Options& options) {
-  const std::string_view pattern =
-      options.output_pattern.empty() ? settings::kOutputPattern : std::string_view(options.output_pattern);
-  return settings::output_name(pattern, program, options.machine);
 }
 
 // Of a program that holds corrections already.
@@ -159,7 +152,7 @@ class Run {
         one.task.place = place_of_output(one.task.place, one.settings->options);
         one.task.output = output_at(one.task.place);
         if (is_named_twice(one.task)) continue;
-        beside_.insert(output_beside(program, one.settings->options));
+        beside_.insert(settings::output_name(program, one.settings->options));
       } catch (const Refusal& refusal) {
         one.settings = nullptr;
         one.refusal = refusal.diagnostic();
@@ -181,9 +174,7 @@ class Run {
     std::map<std::string, std::string> places;
     for (Planned& one : planned_) {
       if (one.refusal) continue;
-      std::string plain = one.task.place;
-      for (char& c : plain) c = lower(c);
-      const auto [there, is_new] = places.emplace(std::move(plain), one.task.program);
+      const auto [there, is_new] = places.emplace(upper(one.task.place), one.task.program);
       if (!is_new) one.refusal = same_output(one.task, there->second);
     }
   }

@@ -109,8 +109,7 @@ class Walk {
 };
 
 std::vector<std::string> names_in(std::string_view text) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  text.remove_prefix(byte_order_mark_size(text));
   const char end = text.find('\0') == std::string::npos ? '\n' : '\0';
   std::vector<std::string> names;
   for (std::size_t at = 0; at < text.size();) {

@@ -2,9 +2,6 @@
 
 #include <filesystem>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "base/files/files.hpp"
 #include "base/files/path_of.hpp"
 #include "base/text/hash.hpp"
@@ -64,12 +61,9 @@ FolderSettings SettingsByFolder::read(const std::string& program) {
   settings.options = resolved.options;
   settings::Paths& paths = settings.options.paths;
   if (paths.model.empty()) {
-    const std::vector<std::string>& machines = settings.options.machines;
-    const bool can_choose = settings.options.machine.empty() && !machines.empty();
+    const std::string choice = settings::choice_of_machine(settings.options);
     refuse("settings-no-model", "no model of the machine is named for this program",
-           can_choose ? fmt::format("--machine NAME takes one of {}", fmt::join(machines, ", "))
-                      : std::string("name it with -m, or in a settings file"),
-           {program, 0});
+           choice.empty() ? "name it with -m, or in a settings file" : choice, {program, 0});
   }
   for (const Source& source : {paths.model, paths.tools, paths.variables}) {
     if (!source.empty()) note(source.path());

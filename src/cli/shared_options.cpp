@@ -107,11 +107,8 @@ std::vector<std::string> files_read(const std::string& program, const settings::
 
 void require_model(const settings::Options& options) {
   if (!options.paths.model.empty()) return;
-  if (options.machine.empty() && !options.machines.empty()) {
-    throw UsageError(
-        fmt::format("which machine is meant? --machine NAME takes one of {}; or --model MODEL names a file",
-                    fmt::join(options.machines, ", ")));
-  }
+  if (const std::string choice = settings::choice_of_machine(options); !choice.empty())
+    throw UsageError(fmt::format("which machine is meant? {}; or --model MODEL names a file", choice));
   throw UsageError(fmt::format("--model MODEL is required: the machine's model file; or name it in {}",
                                settings::kSettingsFileName));
 }

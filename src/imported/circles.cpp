@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "base/median.hpp"
 #include "base/units.hpp"
 
 namespace plumbline::imported {
@@ -73,8 +75,7 @@ std::vector<Circle> circles_in(const Ways& ways, const ImportOptions& options) {
   }
   std::vector<Circle> circles;
   if (sizes.empty()) return circles;
-  std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2), sizes.end());
-  const double usual = sizes[sizes.size() / 2];
+  const double usual = median(std::move(sizes));
   for (std::size_t i = 0; i < count;) {
     const auto goes = [&](std::size_t k) {
       return ways.on_circle[k] && std::abs(speed[k]) > options.standing * usual && speed[k] * speed[i] > 0;

@@ -77,6 +77,7 @@ std::vector<std::vector<std::size_t>> sampled_alike(const std::vector<Run>& runs
 
 struct Residual {
   std::size_t run = 0;
+  double step_s = 0;
   VectorXd e;
 };
 
@@ -95,7 +96,7 @@ Fitted fit_line(const std::vector<Run>& runs, const std::vector<Residual>& resid
     const MatrixXd columns = columns_of(run, channel, frequency);
     const VectorXd size = columns.householderQr().solve(residual.e);
     const double gain = residual.e.squaredNorm() - (residual.e - columns * size).squaredNorm();
-    const double power = diagnose::noise_power(noise, std::abs(frequency) * step_s(run));
+    const double power = diagnose::noise_power(noise, std::abs(frequency) * residual.step_s);
     const auto count = static_cast<double>(columns.cols());
     sum += gain / power;
     degrees += count;
@@ -209,7 +210,7 @@ std::vector<Line> find_lines(const std::vector<Run>& runs, const std::vector<ide
         // what is left of long waves would leak into all frequencies
         const VectorXd e = left[r].residual.segment(*row, left[r].samples);
         const MatrixXd waves = waves_of(runs[r]);
-        of_group.push_back({r, e - waves * waves.householderQr().solve(e)});
+        of_group.push_back({r, step_s(runs[r]), e - waves * waves.householderQr().solve(e)});
       }
     }
     for (const std::vector<Residual>& of_group : residuals) {

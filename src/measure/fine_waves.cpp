@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include <unsupported/Eigen/FFT>
+
+#include "base/median.hpp"
 
 namespace plumbline::measure {
 namespace {
@@ -78,9 +81,7 @@ double steps_of(const std::vector<Band>& bands, const FineWaveOptions& options) 
     sizes.push_back(std::abs(band.common) / band.terms * band.middle() * band.middle());
   }
   if (sizes.empty()) return 0;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return *middle;
+  return median(std::move(sizes));
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <numbers>
 #include <optional>
 #include <span>
+#include <utility>
 
+#include "base/median.hpp"
 #include "machine/inverse.hpp"
 #include "measure/simulation.hpp"
 
@@ -96,12 +98,6 @@ Run modelled(const machine::MachineModel& machine, const physics::ForceModel& fo
   return run;
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // What a model leaves about a sample, and how that goes on from one to the next.
 struct Edge {
   double at = 0;
@@ -121,7 +117,7 @@ std::optional<Edge> edge_of(std::span<const double> left, std::ptrdiff_t first, 
       if (i < 0 || i >= std::ssize(left)) return std::nullopt;
       values.push_back(left[static_cast<std::size_t>(i)]);
     }
-    return median_of(std::move(values));
+    return median(std::move(values));
   };
   const auto beyond = static_cast<std::ptrdiff_t>(far) * outwards;
   const std::optional<double> near = median_from(first);

@@ -67,4 +67,9 @@ std::string output_name(std::string_view pattern, const std::string& program, co
   return path_of(name).lexically_normal().generic_string();
 }
 
+std::string output_name(const std::string& program, const Options& options) {
+  const std::string_view pattern = options.output_pattern.empty() ? kOutputPattern : options.output_pattern;
+  return output_name(pattern, program, options.machine);
+}
+
 }  // namespace plumbline::settings

@@ -6,6 +6,8 @@
 
 namespace plumbline::settings {
 
+struct Options;
+
 /// Stands for the program's folder in a pattern.
 inline constexpr std::string_view kProgramFolder = "{folder}";
 inline constexpr std::string_view kOutputPattern = "{folder}/{name}_straight{ext}";
@@ -18,5 +20,8 @@ void check_output_pattern(std::string_view pattern);
 /// point, {machine} the name of the machine. The pattern is one that was checked. Throws OptionError if it holds
 /// {machine} and no machine was named.
 std::string output_name(std::string_view pattern, const std::string& program, const std::string& machine);
+
+/// The same by the pattern and the machine of the options; kOutputPattern where they state no pattern.
+std::string output_name(const std::string& program, const Options& options);
 
 }  // namespace plumbline::settings

@@ -73,8 +73,7 @@ std::vector<std::string> machines_in(const std::vector<SettingsFile>& files) {
 
 void require_machine(const std::string& name, const Place& place, const std::vector<std::string>& machines) {
   if (name.empty() || std::binary_search(machines.begin(), machines.end(), name)) return;
-  const std::string_view nearest = nearest_name(name, {machines.begin(), machines.end()});
-  std::string help = nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
+  std::string help = did_you_mean(name, {machines.begin(), machines.end()});
   help += machines.empty() ? fmt::format("describe it in a settings file under [machines.{}]", name)
                            : fmt::format("machines are {}", fmt::join(machines, ", "));
   refuse("settings-no-machine", fmt::format("no settings file describes a machine {}", name), std::move(help), place);
@@ -117,6 +116,11 @@ std::vector<std::string> settings_files(const std::string& program, const std::s
   return files;
 }
 
+std::string choice_of_machine(const Options& options) {
+  if (!options.machine.empty() || options.machines.empty()) return {};
+  return fmt::format("--machine NAME takes one of {}", fmt::join(options.machines, ", "));
+}
+
 ResolvedSettings resolve_settings(const SettingsRequest& request) {
   return resolve_settings(
       request, request.without_files ? std::vector<std::string>() : settings_files(request.program, request.file));
@@ -126,9 +130,10 @@ ResolvedSettings resolve_settings(const SettingsRequest& request, const std::vec
   std::vector<SettingsFile> files;
   for (const std::string& path : paths) files.push_back(read_settings_file(path));
   ResolvedSettings resolved;
-  resolved.machines = machines_in(files);
+  std::vector<std::string>& machines = resolved.options.machines;
+  machines = machines_in(files);
   const auto [machine, place] = machine_of(request, files);
-  require_machine(machine, place, resolved.machines);
+  require_machine(machine, place, machines);
   add_layer(resolved.stated, request.given);
   for (const SettingsFile& file : files) {
     if (const auto found = file.machines.find(machine); found != file.machines.end())
@@ -137,7 +142,6 @@ ResolvedSettings resolve_settings(const SettingsRequest& request, const std::vec
     resolved.options.paths.settings_files.push_back(file.path);
   }
   resolved.options.machine = machine;
-  resolved.options.machines = resolved.machines;
   resolved.machine_place = place;
   std::stable_sort(resolved.stated.begin(), resolved.stated.end(),
                    [](const StatedOption& a, const StatedOption& b) { return a.row < b.row; });

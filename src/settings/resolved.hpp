@@ -23,15 +23,17 @@ struct SettingsRequest {
 
 struct ResolvedSettings {
   Options options;
-  std::vector<StatedOption> stated;   // what holds, in the order of option_rows(); the rest is as by default
-  Place machine_place;                // where the machine is named; no file: on the command line, or nowhere
-  std::vector<std::string> machines;  // that the files describe
+  std::vector<StatedOption> stated;  // what holds, in the order of option_rows(); the rest is as by default
+  Place machine_place;               // where the machine is named; no file: on the command line, or nowhere
 };
 
 /// The settings files of a program, the one that counts most first: `file`, or else each plumbline.toml in the folder
 /// of the program and the folders above it; the one that PLUMBLINE_SETTINGS names; the user's own,
 /// $XDG_CONFIG_HOME/plumbline/plumbline.toml or ~/.config/plumbline/plumbline.toml. None twice.
 std::vector<std::string> settings_files(const std::string& program, const std::string& file);
+
+/// "--machine NAME takes one of hex-3, hex-4"; empty where one is named, or none described.
+std::string choice_of_machine(const Options& options);
 
 /// Of each option the strongest statement holds: the command line's, then those of the files in their order, in each
 /// file the machine's before what it states for every machine. One that contradicts a stronger one is left out. Work

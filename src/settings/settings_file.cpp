@@ -38,8 +38,7 @@ std::string nearest_key(std::string key) {
   std::replace(key.begin(), key.end(), '-', '_');
   std::vector<std::string> keys{"machine", "machines"};
   for (const OptionRow& row : option_rows()) keys.push_back(key_of(row));
-  const std::string_view nearest = nearest_name(key, {keys.begin(), keys.end()});
-  return nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
+  return did_you_mean(key, {keys.begin(), keys.end()});
 }
 
 const OptionRow* row_of_key(std::string_view key) {

@@ -108,7 +108,7 @@ TEST_CASE("a machine's options count before those of every machine in the same f
   const ResolvedSettings third = shop.resolved();
   CHECK(third.options.machine == "hex-3");
   CHECK(third.machine_place.line == 2);
-  CHECK(third.machines == std::vector<std::string>{"hex-3", "hex-4"});
+  CHECK(third.options.machines == std::vector<std::string>{"hex-3", "hex-4"});
   CHECK(third.options.compensation.step.length_mm == 3);
   CHECK(third.options.compensation.step.angle_deg == 1);
   CHECK(third.options.program.passed_m_codes == std::set{1, 2});

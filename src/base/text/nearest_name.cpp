@@ -39,6 +39,11 @@ std::string_view nearest_name(std::string_view name, const std::vector<std::stri
   return nearest;
 }
 
+std::string did_you_mean(std::string_view name, const std::vector<std::string_view>& candidates) {
+  const std::string_view nearest = nearest_name(name, candidates);
+  return nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
+}
+
 std::string suggestion(std::string_view name, const std::vector<std::string_view>& candidates) {
   const std::string_view nearest = nearest_name(name, candidates);
   const std::string known = fmt::format("known are: {}", fmt::join(candidates, ", "));

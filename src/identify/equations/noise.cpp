@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Cholesky>
 
+#include "base/median.hpp"
 #include "base/parallel.hpp"
 #include "identify/equations/fitted_directions.hpp"
 #include "identify/equations/whitening.hpp"
@@ -51,9 +53,7 @@ double robust_sigma(const ChannelResiduals& all) {
     for (const double e : run) sizes.push_back(std::abs(e));
   }
   if (sizes.empty()) return 0;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return kMedianToSigma * *middle;
+  return kMedianToSigma * median(std::move(sizes));
 }
 
 double least_sigma(int channel, const NoiseOptions& options) {

@@ -33,10 +33,9 @@ std::vector<NamedKey> named_keys() {
 [[noreturn]] void refuse_unknown(const std::string& name, const std::vector<NamedKey>& keys) {
   std::vector<std::string_view> known;
   for (const NamedKey& k : keys) known.push_back(k.name);
-  const std::string_view nearest = nearest_name(name, known);
   refuse("identify-unknown-key", fmt::format("{} is nothing that can be fitted", name),
          fmt::format("{}write table.key of the model file or effect.key, as strut.motor_mass_kg or backlash.width_um",
-                     nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest)));
+                     did_you_mean(name, known)));
 }
 
 }  // namespace

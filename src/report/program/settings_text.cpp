@@ -23,16 +23,14 @@ std::string from(const Place& place) {
 std::string machine_text(const ResolvedSettings& resolved) {
   if (!resolved.options.machine.empty())
     return fmt::format("machine {}, as {} says\n", resolved.options.machine, from(resolved.machine_place));
-  if (resolved.machines.empty()) return {};
-  return fmt::format("no machine named; --machine NAME takes one of {}\n", fmt::join(resolved.machines, ", "));
+  const std::string choice = settings::choice_of_machine(resolved.options);
+  return choice.empty() ? "" : fmt::format("no machine named; {}\n", choice);
 }
 
 // Empty: the program is not named, or comes from standard input.
 std::string output_text(const ResolvedSettings& resolved, const std::string& program) {
-  const std::string& pattern = resolved.options.output_pattern;
   if (program.empty() || program == kStandardStream) return {};
-  return settings::output_name(pattern.empty() ? std::string(settings::kOutputPattern) : pattern, program,
-                               resolved.options.machine);
+  return settings::output_name(program, resolved.options);
 }
 
 }  // namespace
@@ -69,7 +67,7 @@ std::string settings_json(const ResolvedSettings& resolved, const std::string& p
   const Json json{{"plumbline", "resolved settings 1"},
                   {"program", program.empty() ? Json() : Json(program)},
                   {"machine", machine.empty() ? Json() : Json(machine)},
-                  {"machines", resolved.machines},
+                  {"machines", resolved.options.machines},
                   {"files", resolved.options.paths.settings_files},
                   {"output", output.empty() ? Json() : Json(output)},
                   {"options", options}};

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "diagnose/search/refit.hpp"
+#include "diagnose/usual_noise.hpp"
 #include "identify/plans.hpp"
 #include "physics/effects/generic.hpp"
 
@@ -24,9 +25,7 @@ Description description_of(const physics::ForceModel& hiding, std::uint64_t seed
   const std::vector<measure::Run> runs = testing::measured(testing::wider_plan(60), hiding, 0.5e-6, 0.05, random);
   const CandidateSet candidates = make_candidate_set(machine, forces);
   const Workbench bench{machine, forces, runs, candidates};
-  identify::NoiseModel noise;
-  for (identify::ChannelNoise& channel : noise.channels) channel = {0.05, 0.6, 1, 0};
-  noise.channels[identify::kRadial].sigma = 0.5e-6;
+  const identify::NoiseModel noise = testing::usual_noise(0.6);
   const Eigen::VectorXd start = candidates.unknowns.start();
   const LinearProblem problem = linearise(machine.rotation, runs, candidates, start, noise);
   return describe(bench, forces, problem, marginalised_by(candidates, {}, start), noise);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "diagnose/search/picks.hpp"
+#include "diagnose/usual_noise.hpp"
 #include "identify/plans.hpp"
 
 namespace plumbline::diagnose {
@@ -37,9 +38,7 @@ TEST_CASE("the gain of a product is that of its column beside the nuisances") {
   for (auto& torque : runs[3].torque) torque.clear();
   const CandidateSet candidates = make_candidate_set(machine, forces);
   const Workbench bench{machine, forces, runs, candidates};
-  identify::NoiseModel noise;
-  for (identify::ChannelNoise& channel : noise.channels) channel = {0.05, 0.6, 1, 0.2};
-  noise.channels[identify::kRadial].sigma = 0.5e-6;
+  const identify::NoiseModel noise = testing::usual_noise(0.6, 0.2);
   Eigen::VectorXd values = candidates.unknowns.start();
   values[0] += 0.7 * candidates.unknowns[0].sigma;
   const LinearProblem problem =

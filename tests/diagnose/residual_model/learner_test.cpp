@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "diagnose/residual_model/rows.hpp"
+#include "diagnose/usual_noise.hpp"
 #include "identify/plans.hpp"
 #include "physics/effects/generic.hpp"
 #include "physics/effects/residual.hpp"
@@ -19,14 +20,6 @@ namespace {
 using physics::Generic;
 using physics::Residual;
 
-// As testing::measured makes it.
-identify::NoiseModel noise_of_readings() {
-  identify::NoiseModel noise;
-  for (identify::ChannelNoise& channel : noise.channels) channel = {0.05, 0.6, 1, 0};
-  noise.channels[identify::kRadial].sigma = 0.5e-6;
-  return noise;
-}
-
 // What is learnt of readings of a machine beside a model without what it hides.
 Learner learnt(const physics::ForceModel& hiding, std::uint64_t seed) {
   testing::Random random(seed);
@@ -35,7 +28,7 @@ Learner learnt(const physics::ForceModel& hiding, std::uint64_t seed) {
   const std::vector<measure::Run> runs = testing::measured(testing::wider_plan(60), hiding, 0.5e-6, 0.05, random);
   const CandidateSet candidates = make_candidate_set(machine, forces);
   const Workbench bench{machine, forces, runs, candidates};
-  const identify::NoiseModel noise = noise_of_readings();
+  const identify::NoiseModel noise = testing::usual_noise(0.6);
   const Eigen::VectorXd start = candidates.unknowns.start();
   const LinearProblem problem = linearise(machine.rotation, runs, candidates, start, noise);
   // a learner keeps what it needs of the bench
@@ -113,7 +106,7 @@ TEST_CASE("a component that nothing asks for shrinks away") {
   const std::vector<measure::Run> runs = testing::measured(testing::wider_plan(60), forces, 0.5e-6, 0.05, random);
   const CandidateSet candidates = make_candidate_set(machine, forces);
   const Eigen::VectorXd start = candidates.unknowns.start();
-  const identify::NoiseModel noise = noise_of_readings();
+  const identify::NoiseModel noise = testing::usual_noise(0.6);
   const LinearProblem problem = linearise(machine.rotation, runs, candidates, start, noise);
   Learner learner({machine, forces, runs, candidates}, forces, problem, marginalised_by(candidates, {}, start), noise,
                   {}, {});
