@@ -97,7 +97,7 @@ Diagnosis diagnosis_of(const Case& of, const Model& model, Assessment assessment
   if (diagnosis.withheld) {
     diagnosis.posterior = posterior_as_given(machine, of.runs, of.given);
   } else {
-    if (conclusion.residual) diagnosis.functions = functions_of(*conclusion.residual);
+    if (conclusion.residual) diagnosis.functions = functions_of(*conclusion.residual, conclusion.forces.machine);
     diagnosis.posterior = posterior_of(of, model, conclusion, options.verdict);
     diagnosis.forces = std::move(conclusion.forces);
     diagnosis.errors = std::move(conclusion.errors);

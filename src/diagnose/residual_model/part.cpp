@@ -15,12 +15,10 @@ using physics::kSharedFactors;
 using physics::kStrutFactors;
 using physics::Residual;
 using Channel = Term::Channel;
+using namespace coordinates;
 
 constexpr int kOfOne = 16;           // numbers of a function of one coordinate
 constexpr double kLeastHalf = 1e-3;  // of a region, in the units of coordinates: narrower ones say nothing
-
-// The coordinates of Residual, from 1.
-enum Coordinate { kX = 1, kY, kZ, kAx, kAy, kTime, kL, kSpeed, kSign, kTension, kSize, kUx, kUy, kUz };
 
 double coordinate_of(int coordinate, const SampleState& state, const physics::MachineConstants& machine, int part) {
   if (coordinate <= kSharedFactors) return shared_factors(state)[static_cast<std::size_t>(coordinate - 1)];
@@ -148,24 +146,24 @@ SlopeRows columns_of(const Shape& shape, const Region& region, const ReadyRun& r
 }
 
 const std::vector<Shape>& smooth_shapes() {
-  static const std::vector<Shape> all{of(Channel::length, {kL}),
+  static const std::vector<Shape> all{of(Channel::length, {kLength}),
                                       of(Channel::length, {kTension}),
-                                      of(Channel::length, {kL}, {kTension}),
-                                      of(Channel::length, {kL}, {kSign}),
+                                      of(Channel::length, {kLength}, {kTension}),
+                                      of(Channel::length, {kLength}, {kSign}),
                                       of(Channel::length, {kTension}, {kSign}),
                                       of(Channel::length, {kUz}),
                                       of(Channel::length, {kUz}, {kTension}),
                                       of(Channel::length, {kSpeed}),
-                                      of(Channel::length, {kL, kTension}),
-                                      of(Channel::drive, {kL}),
+                                      of(Channel::length, {kLength, kTension}),
+                                      of(Channel::drive, {kLength}),
                                       of(Channel::drive, {kTension}),
                                       of(Channel::drive, {kSpeed}),
-                                      of(Channel::drive, {kL}, {kSign}),
+                                      of(Channel::drive, {kLength}, {kSign}),
                                       of(Channel::drive, {kUz}, {kSign}),
                                       of(Channel::drive, {kTension}, {kSign}),
-                                      of(Channel::torque, {kL}),
+                                      of(Channel::torque, {kLength}),
                                       of(Channel::torque, {kTension}),
-                                      of(Channel::torque, {kL}, {kSign}),
+                                      of(Channel::torque, {kLength}, {kSign}),
                                       of(Channel::force, {kX, kY, kZ}),
                                       of(Channel::centre, {kX, kY, kZ}),
                                       of(Channel::tip, {kX, kY, kZ}),

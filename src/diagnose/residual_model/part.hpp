@@ -7,6 +7,12 @@
 
 namespace plumbline::diagnose {
 
+/// The coordinates of physics::Residual, from 1; kCoordinateLength is what those of a strut's length count in.
+namespace coordinates {
+enum { kX = 1, kY, kZ, kAx, kAy, kTime, kLength, kSpeed, kSign, kTension, kSize, kUx, kUy, kUz };
+}
+inline constexpr double kCoordinateLength = 0.1;  // m
+
 /// What functions add to, and of what: powers x a smooth function of some coordinates, x a wave in the length, or the
 /// powers alone.
 struct Shape {

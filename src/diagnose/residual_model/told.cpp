@@ -34,7 +34,7 @@ bool may_be_an_offset(const Shape& shape) {
 }
 
 LearntFunction smooth(const Component& of, std::size_t k, const Eigen::MatrixXd& covariance) {
-  LearntFunction told{of.shape, of.parts[k], may_be_an_offset(of.shape), {}, {}, {}, {}, of.log_odds, of.left_out};
+  LearntFunction told{of.shape, of.parts[k], may_be_an_offset(of.shape), {}, {}, {}, {}, {}, of.log_odds, of.left_out};
   const std::size_t dimensions = of.shape.coordinates.size();
   const Eigen::Index count = of.shape.functions();
   const Eigen::Index first = static_cast<Eigen::Index>(k) * count;
@@ -65,7 +65,7 @@ LearntFunction smooth(const Component& of, std::size_t k, const Eigen::MatrixXd&
 }
 
 LearntFunction formula(const Component& of) {
-  LearntFunction told{of.shape,   of.parts.size() == 1 ? of.parts[0] : -1, false, {}, {}, {}, {}, of.log_odds,
+  LearntFunction told{of.shape,   of.parts.size() == 1 ? of.parts[0] : -1, false, {}, {}, {}, {}, {}, of.log_odds,
                       of.left_out};
   const Eigen::Index count = of.shape.functions();
   for (std::size_t k = 0; k < of.parts.size(); ++k) {
@@ -80,7 +80,7 @@ LearntFunction formula(const Component& of) {
 
 }  // namespace
 
-std::vector<LearntFunction> functions_of(const LearntResidual& learnt) {
+std::vector<LearntFunction> functions_of(const LearntResidual& learnt, const physics::MachineConstants& machine) {
   std::vector<LearntFunction> all;
   Eigen::Index first = 0;
   for (const Component& component : learnt.components) {
@@ -92,6 +92,7 @@ std::vector<LearntFunction> functions_of(const LearntResidual& learnt) {
       continue;
     }
     for (std::size_t k = 0; k < component.parts.size(); ++k) all.push_back(smooth(component, k, covariance));
+    all.back().law = power_law_of(component, covariance, machine);
   }
   return all;
 }

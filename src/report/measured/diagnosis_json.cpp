@@ -140,9 +140,11 @@ std::string diagnosis_json(const Diagnosis& d, const std::vector<jobs::MeasuredF
     json["remainder"] = {{"snr", rounded(d.remainder->snr)}, {"description", remainder_text(*d.remainder)}};
   }
   for (const diagnose::LearntFunction& function : d.functions) {
-    json["functions"].push_back({{"says", function_text(function, d.forces.machine)},
-                                 {"log_odds", rounded(function.log_odds)},
-                                 {"left_out_nats", rounded(function.left_out)}});
+    Json told{{"says", function_text(function, d.forces.machine)},
+              {"log_odds", rounded(function.log_odds)},
+              {"left_out_nats", rounded(function.left_out)}};
+    if (function.law) told["exponent"] = {function.law->exponent, function.law->least, function.law->most};
+    json["functions"].push_back(std::move(told));
   }
   json["next_tests"] = Json::array();
   for (const diagnose::Separation& separation : d.next) json["next_tests"].push_back(test_json(separation));

@@ -30,6 +30,7 @@ constexpr std::array<ShownCoordinate, 14> kCoordinates{{{"x", "mm", 100},
                                                         {"u_y", ""},
                                                         {"u_z", ""}}};
 constexpr std::size_t kLength = 6;
+constexpr std::size_t kTension = 9;
 
 std::string value_text(const LearntFunction& function, const diagnose::FunctionValue& value,
                        const physics::MachineConstants& machine) {
@@ -44,6 +45,42 @@ std::string value_text(const LearntFunction& function, const diagnose::FunctionV
   }
   return fmt::format("{:+.3g} +- {:.2g} {} at {}", value.value / unit.si, value.sigma / unit.si, unit.name,
                      fmt::join(at, ", "));
+}
+
+// Laws that have a name: by what a length depends on, and its power.
+struct NamedLaw {
+  std::size_t coordinate;  // of kCoordinates
+  double exponent;
+  std::string_view says;
+};
+constexpr std::array<NamedLaw, 3> kNamedLaws{
+    {{kTension, 2.0 / 3, "the exponent of Hertz's contacts, which give way at their balls or rollers"},
+     {kTension, 2, "the exponent of a compliance that changes with the load"},
+     {kLength, 2, "the exponent of what changes with the square of a strut's length"}}};
+
+std::string_view name_of(const diagnose::PowerLaw& law, std::size_t coordinate) {
+  std::string_view name;
+  for (const NamedLaw& named : kNamedLaws) {
+    if (named.coordinate != coordinate || named.exponent < law.least || named.exponent > law.most) continue;
+    name = named.says;
+  }
+  return name;
+}
+
+std::string law_text(const LearntFunction& function) {
+  const diagnose::PowerLaw& law = *function.law;
+  const auto coordinate = static_cast<std::size_t>(function.shape.coordinates[0] - 1);
+  const std::string_view of = coordinate == kTension  ? "|t / kN|"
+                              : coordinate == kLength ? "(L / L_mid)"
+                                                      : "|v / (10 mm/s)|";
+  const ShownUnit unit = shown_unit(function);
+  const std::string_view sign = coordinate == kTension ? "sign(t) " : coordinate == kLength ? "" : "sign(v) ";
+  const std::string formula =
+      fmt::format("{:+.3g} +- {:.2g} {} x {}{}^{:.2f} (exponent {:.2f} to {:.2f} with 95 %)", law.size / unit.si,
+                  law.size_sigma / unit.si, unit.name, sign, of, law.exponent, law.least, law.most);
+  const bool length = function.shape.channel == Channel::length;
+  const std::string_view name = length ? name_of(law, coordinate) : "";
+  return fmt::format("; it is a power: {}{}{}", formula, name.empty() ? "" : ", ", name);
 }
 
 }  // namespace
@@ -98,7 +135,7 @@ std::string function_text(const LearntFunction& function, const physics::Machine
   return fmt::format("{}, as a function of {}{}: {} to {}{}", function_name(function), own ? "its " : "",
                      fmt::join(of, own ? " and its " : ", "), value_text(function, function.least, machine),
                      value_text(function, function.most, machine), powers.empty() ? "" : "," + powers) +
-         (function.mean_aside ? ", beside its mean" : "");
+         (function.mean_aside ? ", beside its mean" : "") + (function.law ? law_text(function) : "");
 }
 
 std::vector<std::string> function_lines(const diagnose::Diagnosis& diagnosis) {

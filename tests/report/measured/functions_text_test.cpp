@@ -34,6 +34,30 @@ LearntFunction of_length() {
 
 }  // namespace
 
+TEST_CASE("a function that is a power says which, and whose law that is") {
+  LearntFunction function = of_length();
+  function.shape.coordinates = {10};
+  function.part = -1;
+  function.least = {{-0.5}, -5e-6, 0.1e-6};
+  function.most = {{2}, 12.7e-6, 0.1e-6};
+  function.law = diagnose::PowerLaw{8e-6, 0.1e-6, 0.66, 0.62, 0.7};
+  CHECK(report::function_text(function, constants()) ==
+        "length of each strut, as a function of its tension: -5 +- 0.1 um at -0.5 kN to +12.7 +- 0.1 um at 2 kN; it is "
+        "a power: +8 +- 0.1 um x sign(t) |t / kN|^0.66 (exponent 0.62 to 0.70 with 95 %), the exponent of Hertz's "
+        "contacts, which give way at their balls or rollers");
+  function.law = diagnose::PowerLaw{-8e-6, 0.1e-6, 1.4, 1.3, 1.5};
+  CHECK(report::function_text(function, constants())
+            .ends_with("it is a power: -8 +- 0.1 um x sign(t) |t / kN|^1.40 (exponent 1.30 to 1.50 with 95 %)"));
+  function.shape.coordinates = {7};
+  function.law = diagnose::PowerLaw{8e-6, 0.1e-6, 2.01, 1.9, 2.1};
+  CHECK(report::function_text(function, constants()).find("um x (L / L_mid)^2.01 (") != std::string::npos);
+  function.shape.channel = Channel::drive;
+  function.shape.coordinates = {8};
+  function.law = diagnose::PowerLaw{20, 1, 0.5, 0.4, 0.6};
+  CHECK(report::function_text(function, constants())
+            .ends_with("+20 +- 1 N x sign(v) |v / (10 mm/s)|^0.50 (exponent 0.40 to 0.60 with 95 %)"));
+}
+
 TEST_CASE("a function is told by where it is smallest and largest, with its uncertainty") {
   CHECK(report::function_text(of_length(), constants()) ==
         "length of strut 3, as a function of its length: -2.14 +- 0.3 um at 1.05 m to +6 +- 0.42 um at 1.4 m");
