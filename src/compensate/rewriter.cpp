@@ -39,6 +39,7 @@ void Rewriter::finish() {
 
 // Where one block has A, B and C in place of its vector, or its code says that they follow, all after it have.
 bool Rewriter::writes_vector(const nc::Step& step) const {
+  if (step.end_words == nc::EndWords::angles_of_vector) return true;
   if (step.end_words != nc::EndWords::tool_vector) return false;
   return emitter_.changed() ||
          std::any_of(step.block->words.begin(), step.block->words.end(), [&](const nc::Word& word) {

@@ -214,6 +214,12 @@ TEST_CASE("a direction rounded to A, B and C makes a short move longer or shorte
     INFO(move << result.text);
     CHECK(std::count(result.text.begin(), result.text.end(), 'F') == 2);
     CHECK(result.summary.time_change.value < 1e-3);
+    const std::string loop = "#1=2\nWHILE [#1 GT 0] DO 1\n#1=#1-1\nEND 1\n";
+    const Result written_out = run(begin + move + loop + "M30\n", job);
+    INFO(written_out.text);
+    const std::size_t own_feed = result.text.find('F', result.text.find("F500.") + 1);
+    CHECK(contains_text(written_out.text, result.text.substr(own_feed, result.text.find('\n', own_feed) - own_feed)));
+    CHECK(written_out.summary.time_change.value < 1e-3);
   }
   // Where it makes no difference, F stands.
   const Result long_one = run(begin + "X90. I.1 K9.\nM30\n", job);

@@ -53,8 +53,9 @@ enum class ToolChange : std::uint8_t { none, before_motion, after_motion };
 /// In which words a block gives where its move ends.
 enum class EndWords : std::uint8_t {
   axes,
-  polar,        // @ and ^
-  tool_vector,  // the direction of the tool for A, B and C: by its words, or its code says that they follow
+  polar,             // @ and ^
+  tool_vector,       // the direction of the tool for A, B and C: by its words, or its code says that they follow
+  angles_of_vector,  // A, B and C as they were written, rounded, in place of such a direction
 };
 
 /// A block of a NURBS curve (G5.2).

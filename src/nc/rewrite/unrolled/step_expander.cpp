@@ -83,7 +83,11 @@ const Step* StepExpander::plain(const Step& step, bool keeps_settings) {
   editor_.apply(own.text);
   if (!is_blank(block.text.front())) own.text.erase(0, own.text.find_first_not_of(" \t"));
   own.step = step;
-  if (step.cycle == CycleForm::none || turns_tool(step)) own.step.end_words = EndWords::axes;
+  if (turns_tool(step)) {
+    own.step.end_words = EndWords::angles_of_vector;
+  } else if (step.cycle == CycleForm::none) {
+    own.step.end_words = EndWords::axes;
+  }
   made_.parse(own, step);
   // As many decimals as the control needs are written where the block changes, not as many as the value has.
   auto word = own.block.words.begin();
@@ -208,7 +212,7 @@ const Step* StepExpander::beside_flow(const Step& step, bool acts) {
   own.step = step;
   own.step.flow.reset();
   own.step.saves_modes = false;
-  if (acts) own.step.end_words = EndWords::axes;
+  if (acts) own.step.end_words = turns_tool(step) ? EndWords::angles_of_vector : EndWords::axes;
   if (!acts) own.step.motions = {};
   made_.parse(own, step);
   return &own.step;
