@@ -235,6 +235,13 @@ bool Learner::learn() {
         ++refused;
         continue;
       }
+      Learner with = *this;
+      with.append(component);
+      with.solve();
+      if (with.cancel()) {
+        ++refused;
+        continue;
+      }
       append(component);
       added = any = true;
       break;
@@ -243,6 +250,11 @@ bool Learner::learn() {
   }
   fit_spreads();
   solve();
+  while (cancel()) {
+    drop(components_.size() - 1);
+    fit_spreads();
+    solve();
+  }
   return any;
 }
 
@@ -323,6 +335,27 @@ void Learner::solve() {
     component.weights = component.sigmas.cwiseProduct(step.segment(first, component.sigmas.size()) +
                                                       taken_.departure.segment(first, component.sigmas.size()));
   }
+}
+
+// Whether components are large by themselves and little together, as a power is beside a function of the same tension.
+bool Learner::cancel() const {
+  const Eigen::Index first = first_of(0);
+  const auto count = static_cast<Eigen::Index>(taken_.columns.size()) - first;
+  Eigen::VectorXd weights(count);
+  for (std::size_t place = 0; place < components_.size(); ++place) {
+    const Component& component = components_[place];
+    weights.segment(first_of(place) - first, component.sigmas.size()) =
+        component.weights.cwiseQuotient(component.sigmas);
+  }
+  const Eigen::MatrixXd gram = problem_.gram.block(first, first, count, count);
+  const double together = weights.dot(gram * weights);
+  for (std::size_t place = 0; place < components_.size(); ++place) {
+    const Eigen::Index from = first_of(place) - first;
+    const Eigen::Index size = components_[place].sigmas.size();
+    const Eigen::VectorXd own = weights.segment(from, size);
+    if (own.dot(gram.block(from, from, size, size) * own) > std::pow(options_.most_over_all, 2) * together) return true;
+  }
+  return false;
 }
 
 Eigen::MatrixXd Learner::covariance() const {

@@ -16,6 +16,8 @@ struct ResidualOptions {
   double may_be_worse = 1e-5;  // chance that a part comes out further off, see identify::HoldOptions: functions that
                                // imitate a cause are less sure than they state
   int most_refused = 4;        // of the best ones that poses left out do not confirm
+  double most_over_all = 4;    // of what the readings have of all components, that they may have of one: more than that
+                               // and they cancel each other, which ends where the region ends
   int pitches = 6;             // that are looked at
   std::vector<double> length_scales{0.3, 0.6, 1.2, 2.4};  // in half widths of what was measured
 };
@@ -44,7 +46,7 @@ class Learner {
   /// A component whose weights the model has.
   void take(const Component& component);
   /// Adds components as long as there are some, then fits the spreads of all anew and leaves out those that do not pay
-  /// any more. Whether any was added.
+  /// any more, or that cancel what was there before. Whether any was added.
   bool learn();
 
   const std::vector<Component>& components() const { return components_; }
@@ -70,6 +72,7 @@ class Learner {
   void fit_spreads();
   void drop(std::size_t place);
   void solve();
+  bool cancel() const;
   Eigen::Index first_of(std::size_t place) const;
 
   const physics::MachineConstants& machine_;

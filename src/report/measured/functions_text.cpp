@@ -58,10 +58,13 @@ constexpr std::array<NamedLaw, 3> kNamedLaws{
      {kTension, 2, "the exponent of a compliance that changes with the load"},
      {kLength, 2, "the exponent of what changes with the square of a strut's length"}}};
 
+constexpr double kSameExponent = 0.02;  // functions come no nearer to a power whose slope has no bound
+
 std::string_view name_of(const diagnose::PowerLaw& law, std::size_t coordinate) {
   std::string_view name;
   for (const NamedLaw& named : kNamedLaws) {
-    if (named.coordinate != coordinate || named.exponent < law.least || named.exponent > law.most) continue;
+    const bool is_it = named.exponent > law.least - kSameExponent && named.exponent < law.most + kSameExponent;
+    if (named.coordinate != coordinate || !is_it) continue;
     name = named.says;
   }
   return name;

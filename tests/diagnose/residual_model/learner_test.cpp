@@ -21,7 +21,7 @@ using physics::Generic;
 using physics::Residual;
 
 // What is learnt of readings of a machine beside a model without what it hides.
-Learner learnt(const physics::ForceModel& hiding, std::uint64_t seed) {
+Learner learnt(const physics::ForceModel& hiding, std::uint64_t seed, const ResidualOptions& options = {}) {
   testing::Random random(seed);
   const machine::MachineModel machine = testing::pm600_like();
   const physics::ForceModel forces(machine);
@@ -32,7 +32,7 @@ Learner learnt(const physics::ForceModel& hiding, std::uint64_t seed) {
   const Eigen::VectorXd start = candidates.unknowns.start();
   const LinearProblem problem = linearise(machine.rotation, runs, candidates, start, noise);
   // a learner keeps what it needs of the bench
-  Learner learner(bench, forces, problem, marginalised_by(candidates, {}, start), noise, {}, {});
+  Learner learner(bench, forces, problem, marginalised_by(candidates, {}, start), noise, {}, options);
   learner.learn();
   return learner;
 }
@@ -156,6 +156,15 @@ TEST_CASE("waves of one pitch on all struts are one component, and the model has
     CHECK(numbers[2 * j].index == static_cast<int>(j));
     CHECK(numbers[2 * j].row == static_cast<int>(j));
   }
+}
+
+TEST_CASE("a component that is larger than so many times all together is not added") {
+  const physics::ForceModel hiding = with_function({0, 6, 0, -5, 3, 0, 4});
+  ResidualOptions options;
+  options.most_over_all = 1.01;  // one alone is all
+  CHECK(learnt(hiding, 31, options).components().size() == 1);
+  options.most_over_all = 0.99;
+  CHECK(learnt(hiding, 31, options).components().empty());
 }
 
 TEST_CASE("the spread that is likeliest is that of the numbers, and noise has none") {
