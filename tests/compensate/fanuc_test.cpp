@@ -332,6 +332,14 @@ TEST_CASE("F under G93 that the control does not take is named as such, not as t
   CHECK(code_of(kHead + "G93 G1 X.001 F9999.999\nM30\n", fanuc()).empty());
 }
 
+TEST_CASE("an F that has too few digits for the time of a slow turn is refused") {
+  Job job = fanuc();
+  job.program.feed_rule = nc::FeedRule::xyz_first;
+  const std::string begin = kHead + "G0 X-5.8 Y-9.844 Z12.834 A.94 B-4.9 C-3.704\nG1 C5.868 F";
+  CHECK(code_of(begin + ".001\nM30\n", job) == "emit-feed-range");
+  CHECK(code_of(begin + "70.\nM30\n", job).empty());
+}
+
 TEST_CASE("a cycle that waits is not written out where nobody knows what G4 counts") {
   const Job job = fanuc();
   const std::string turning = kHead + "S1000 M3\n";
