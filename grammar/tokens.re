@@ -300,11 +300,12 @@ again:
   begin = at;
   /*!re2c
     plain      = [A-Za-z];
+    solid      = digit+ ("." digit*)? | "." digit+;  // a blank ends a number [6FC5398-2EP40-0BA0 p. 52]
     identifier = [A-Za-z_] [A-Za-z_] [A-Za-z0-9_]*;
     string     = "\"" [^"\n\x00]* "\"" | "'" [^'\n\x00]* "'";
 
     blank+                { goto again; }
-    plain w number        { return keep_word(token, text(begin), text(at)); }
+    plain w [+-]? w solid { return keep_word(token, text(begin), text(at)); }
     identifier            { return keep(token, TokenKind::identifier, text(begin), text(at)); }
     plain                 { return keep_letter(token, text(begin), text(at)); }
     string                { return keep(token, TokenKind::string, text(begin), text(at)); }
@@ -332,7 +333,7 @@ again:
   begin = at;
   /*!re2c
     blank+       { goto again; }
-    unsigned     { keep(token, TokenKind::number, text(begin), text(at));
+    solid        { keep(token, TokenKind::number, text(begin), text(at));
                    return read_number(token, text(begin), text(at)); }
     [+-]         { keep(token, TokenKind::sign, text(begin), text(at));
                    token.letter = *text(begin);

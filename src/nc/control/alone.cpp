@@ -27,6 +27,19 @@ void check_call_alone(const Execution& run) {
   }
 }
 
+// The blocks by which the control brings modes back overwrite the one that it is reading: what should act after M72 in
+// its block is lost then, even M2 [LinuxCNC, measured].
+void check_restoring_alone(const Execution& run) {
+  if (run.chosen_row(Action::restore_modes) == nullptr) return;
+  for (const Word& word : run.block->words) {
+    const CodeRow* const row = run.dialect.row_of(word);
+    if (row != nullptr && row->action == Action::restore_modes) continue;
+    run.refuse(word, codes::kNotInterpreted,
+               "what stands beside M72 is lost at the control wherever M72 brings a mode back",
+               "put the other words into a block of their own");
+  }
+}
+
 }  // namespace
 
 void check_extended(const Execution& run, const CodeRow& row, const Word& word) {
@@ -41,6 +54,9 @@ void check_extended(const Execution& run, const CodeRow& row, const Word& word) 
              "of M1=.. the codes of the spindle are known: M1=3, M1=4, M1=5 and their like");
 }
 
-void check_alone(const Execution& run) { check_call_alone(run); }
+void check_alone(const Execution& run) {
+  check_call_alone(run);
+  check_restoring_alone(run);
+}
 
 }  // namespace plumbline::nc

@@ -75,6 +75,8 @@ struct Execution {
 // How the block is read.
 /// Finds the rows of all codes, their order, the motion; refuses what does not go together: resolve_codes.cpp
 void resolve_codes(Execution& run);
+/// The word of an axis that the block names, or the one that stands for two: @ or ^.
+const Word& first_axis_word(const Execution& run);
 /// Finds its words and the rows of its codes, as they stand in the block; refuses words that stand for nothing, and two
 /// codes of a group: gather_codes.cpp
 void gather_codes(Execution& run);

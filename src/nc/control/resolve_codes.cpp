@@ -40,14 +40,6 @@ void check_spindle(const Execution& run, const Word& word) {
              "programs that turn several spindles are not read; the first one is $0");
 }
 
-const Word& first_axis_word(const Execution& run) {
-  for (const Axis axis : kAllAxes) {
-    if (const Word* word = run.words.find(axis)) return *word;
-  }
-  if (run.words.polar()) return polar_word(run);
-  return run.vector != nullptr ? *run.vector : run.block->words.front();
-}
-
 // Codes that take the axis words, other than a motion: G10, G28, G92... and the tool length codes.
 struct AxisTakers {
   const Chosen* motion = nullptr;
@@ -201,6 +193,14 @@ void check_words_used(const Execution& run) {
 int turn_of(const Chosen& chosen) { return chosen.row->step * 2 + (chosen.row->group == 1 ? 1 : 0); }
 
 }  // namespace
+
+const Word& first_axis_word(const Execution& run) {
+  for (const Axis axis : kAllAxes) {
+    if (const Word* word = run.words.find(axis)) return *word;
+  }
+  if (run.words.polar()) return polar_word(run);
+  return run.vector != nullptr ? *run.vector : run.block->words.front();
+}
 
 void resolve_codes(Execution& run) {
   run.machine_word = nullptr;

@@ -161,7 +161,10 @@ bool OWordFlow::end_program(const Block& block, const ProgramCall& /*call*/) {
 
 // ENDSUB and RETURN, with a value or without; either may bear any label [LinuxCNC, measured].
 void OWordFlow::give_back(const Block& block) {
-  if (leaves_out(LeftOut::Until::end_sub)) return left_out_.reset();
+  if (leaves_out(LeftOut::Until::end_sub)) {
+    keep_value_passed_over(block);
+    return left_out_.reset();
+  }
   if (!called() || calls_.top().by == CalledBy::code) {
     refuse_flow(block, codes::kFlowLabel, "no subprogram is being executed that this could end",
                 "a subprogram that M98 calls ends with M99");
@@ -173,6 +176,21 @@ void OWordFlow::give_back(const Block& block) {
     parameters.set("_value", {value, true});
   }
   leave(block);
+}
+
+// The control evaluates the value behind ENDSUB of a definition that it passes over, too [LinuxCNC, measured].
+void OWordFlow::keep_value_passed_over(const Block& block) {
+  Parameters& parameters = interpreter_.control().parameters;
+  const bool gives = !block.flow.values.empty();
+  Value value{0.0, true};
+  try {
+    if (gives) value.number = interpreter_.value_of(block, block.flow.values.front(), block.flow.span);
+  } catch (const Refusal& refusal) {
+    if (refusal.diagnostic().code != codes::kParameterUnset && refusal.diagnostic().code != codes::kValueUnknown) throw;
+    value.known = false;
+  }
+  parameters.set("_value_returned", {gives ? 1.0 : 0.0, true});
+  parameters.set("_value", value);
 }
 
 void OWordFlow::leave(const Block& block) {

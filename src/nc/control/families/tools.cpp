@@ -151,16 +151,15 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
       break;
     }
     case Action::tool_length_added:
-      for (const Axis axis : kAllAxes) {
-        if (!run.axes.contains(axis)) continue;
-        run.refuse(*run.words.find(axis), codes::kAxesTwice, "G43.2 takes H or axis words, and its block holds both",
+      if (!run.axes.empty()) {
+        run.refuse(first_axis_word(run), codes::kAxesTwice, "G43.2 takes H or axis words, and its block holds both",
                    "put the move into a block of its own");
       }
       offset += needed_offset(run, word_of_length(run, chosen), tool_of_block(run, chosen));
       break;
     case Action::tool_length_by_words:
       for (const Axis axis : kAllAxes) {
-        if (run.axes.contains(axis)) offset[axis] = run.value(axis);
+        if (run.words.find(axis) != nullptr) offset[axis] = run.value(axis);  // @ and ^ name axes without their words
       }
       break;
     default:

@@ -21,6 +21,8 @@ bool is_logical(Operation operation) {
          operation == Operation::exclusive_or;
 }
 
+bool compares(Operation operation) { return operation >= Operation::equal && operation <= Operation::less_equal; }
+
 // The binding of operators: in the 840D relations bind weakest [PGA 1.8], else logic does.
 int named_precedence(Operation operation, const Syntax& syntax) {
   switch (operation) {
@@ -57,12 +59,19 @@ std::optional<Operation> operator_at(const BlockReading& in) {
   return static_cast<Operation>(meaning->which);
 }
 
-// Which of AND, OR and a comparison binds first is in no source of such a control: brackets must say it. `joined_by`:
-// the comparison or the logical operator of this bracket so far.
-void refuse_unknown_binding(const BlockReading& in, Operation operation, std::optional<Operation>& joined_by) {
-  const bool compares = operation >= Operation::equal && operation <= Operation::less_equal;
-  if (!in.syntax->truths_only || !(compares || is_logical(operation))) return;
-  if (joined_by && (compares || *joined_by != operation)) {
+// Which of AND, OR and a comparison binds first is in no source of such a control, or the control has it otherwise than
+// who wrote it will have meant: brackets must say it. `joined_by`: the comparison or the logical operator of this
+// bracket so far.
+void refuse_unclear_binding(const BlockReading& in, Operation operation, std::optional<Operation>& joined_by) {
+  const bool weak = in.syntax->relations_last;
+  if (!(in.syntax->truths_only || weak) || !(compares(operation) || is_logical(operation))) return;
+  const bool mixes = joined_by && compares(*joined_by) != compares(operation);
+  if (mixes && weak) {
+    in.cursor.refuse(in.cursor.span(), codes::kNotInterpreted,
+                     "AND, OR and XOR bind before a comparison, so that R1==1 AND R2==2 compares R1 with 1 AND R2",
+                     "write brackets around each condition, as in (R1==1) AND (R2==2)");
+  }
+  if (joined_by && !weak && (compares(operation) || *joined_by != operation)) {
     const Span span = in.cursor.span();
     in.cursor.refuse(
         span, codes::kNotInterpreted,
@@ -77,7 +86,7 @@ void named_operations(BlockReading& in, int least_precedence, std::optional<Oper
   while (const std::optional<Operation> operation = operator_at(in)) {
     const int precedence = named_precedence(*operation, *in.syntax);
     if (precedence < least_precedence) return;
-    refuse_unknown_binding(in, *operation, joined_by);
+    refuse_unclear_binding(in, *operation, joined_by);
     const Span span = in.cursor.span();
     in.cursor.pass();
     named_term(in);

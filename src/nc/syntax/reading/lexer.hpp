@@ -1,4 +1,5 @@
-// Tokens of a block; grammar/tokens.re says what they look like. Blanks may stand anywhere, in numbers and names too.
+// Tokens of a block; grammar/tokens.re says what they look like. Blanks may stand anywhere, in numbers and names too,
+// except in the languages whose words may be names.
 #pragma once
 
 #include <cstdint>

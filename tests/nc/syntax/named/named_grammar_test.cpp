@@ -31,6 +31,15 @@ TEST_CASE("words have values that are names, modes and numbers") {
   CHECK_THROWS_AS(siemens("X=IC 5"), Refusal);
 }
 
+TEST_CASE("a blank ends a number") {
+  CHECK(siemens("X 15").block.words.front().value == 15);
+  CHECK(siemens("X - 1.5").block.words.front().value == -1.5);
+  for (const char* text : {"X1 5", "X1. 5", "X1 .5", "X=1 5", "X=1 .5", "R1=1 0", "G0 1 X1"}) {
+    INFO(text);
+    CHECK_THROWS_AS(siemens(text), Refusal);
+  }
+}
+
 TEST_CASE("variables with numbers are parameters, others have names") {
   const Parsed p = siemens("R1=2 R[3]=4 DEPTH=5");
   REQUIRE(p.block.settings.size() == 3);
@@ -42,9 +51,14 @@ TEST_CASE("variables with numbers are parameters, others have names") {
   CHECK_THROWS_AS(okuma("VC999=1"), Refusal);
 }
 
-TEST_CASE("relations bind weaker than AND in the 840D; other controls need brackets") {
+TEST_CASE("relations bind weaker than AND in the 840D, which few mean; brackets are needed as on other controls") {
   const auto last = [](const Parsed& p) { return p.block.code[p.block.code.size() - 2].operation; };
-  CHECK(last(siemens("IF R1 AND R2 == 3 GOTOF ENDE")) == Operation::equal);
+  CHECK_THROWS_AS(siemens("IF R1 AND R2 == 3 GOTOF ENDE"), Refusal);
+  CHECK_THROWS_AS(siemens("IF R1 == 3 OR R2 GOTOF ENDE"), Refusal);
+  CHECK_THROWS_AS(siemens("IF (R1 == 3) AND R2 > 3 GOTOF ENDE"), Refusal);
+  CHECK(last(siemens("IF (R1 == 3) AND (R2 == 3) GOTOF ENDE")) == Operation::logical_and);
+  CHECK(last(siemens("IF (R1 AND R2) == (R3 OR R4) GOTOF ENDE")) == Operation::equal);
+  CHECK(last(siemens("IF R1 AND R2 OR R3 GOTOF ENDE")) == Operation::logical_or);
   CHECK_THROWS_AS(okuma("IF [VC1 EQ 1 AND VC2 EQ 2] N10"), Refusal);
   CHECK(last(okuma("IF [[VC1 EQ 1] AND [VC2 EQ 2]] N10")) == Operation::logical_and);
 }
