@@ -274,3 +274,10 @@ TEST_CASE("a program may begin with what steers it") {
   check("siemens", "; HEAD\nR1=0\nFOR R11=1 TO 2\nG54 G0 X0 Y0 Z20 A0 B0 C0\nG1 X5 F100\nENDFOR\nM30\n");
   check("fanuc", "O1\n#1=5\nIF[#1EQ5]THEN#1=6\nG90 G54 G21 G0 X0 Y0 Z50. A0 B0 C0\nGOTO5\nN5 G1 X#1 F100.\nM30\n", 0.5);
 }
+
+TEST_CASE("a point of a NURBS does not go on in the mode of a spline that was written as G1") {
+  const std::string open = kStart + "F100\nG5.2 X1 Y1 P1 L3\nX2 Y2 P1\nG5.1 X3 Y3 I1 J1\n";
+  std::size_t line = 0;
+  CHECK(code_of(open + "X3 Y1 P1\nG1 X5\nM2\n", without_friction(), &line) == "nc-not-interpreted");
+  CHECK(line == 7);
+}

@@ -104,8 +104,10 @@ void Emitter::copy(const Step& step) {
                               control_.motion != step.after->motion &&
                               (step.role == BlockRole::plain || (step.call != nullptr && !step.named.empty())) &&
                               step.motions.front().kind != MotionKind::dwell;
+  if (offset_words) refuse_shared_offset(step, codes);
   if (offset_words || text_.unrolls()) begin_change(step);
   if (text_.changed()) {
+    refuse_point_without_code(step, codes, control_.motion);
     const std::uint64_t begin = text_.size();
     restore_feed_state(step, codes.feed != nullptr);
     editor_.start(block, spelling_);

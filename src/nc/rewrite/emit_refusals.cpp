@@ -43,6 +43,23 @@ void refuse_if_shared(const Step& step, const BlockCodes& codes) {
             "put the two into blocks of their own");
 }
 
+void refuse_shared_offset(const Step& step, const BlockCodes& codes) {
+  if (codes.other_taker == nullptr) return;
+  refuse_at(*step.block, codes.axis_taker->span, "emit-shared-words",
+            fmt::format("{} and {} both take the axis words of this block", step.block->at(codes.other_taker->span),
+                        step.block->at(codes.axis_taker->span)),
+            "put the two into blocks of their own");
+}
+
+void refuse_point_without_code(const Step& step, const BlockCodes& codes, MotionMode in_output) {
+  const bool point = step.motions.empty() && !step.named.empty() && codes.motion == nullptr &&
+                     codes.axis_taker == nullptr && step.role == BlockRole::plain;
+  if (!point || step.after->motion != MotionMode::special || in_output == MotionMode::special) return;
+  refuse_block(*step.block, codes::kNotInterpreted,
+               "this point of a NURBS goes on in the mode of a move before it, which was written anew as G1",
+               "write G5.2 into this block, or end the NURBS with G5.3 before the move");
+}
+
 void refuse_beside_unit(const Step& step, const Dialect& dialect) {
   if (step.before->inches == step.after->inches) return;
   if (dialect.behaviour.unknown_beside_unit.find('X') == std::string::npos) return;

@@ -21,6 +21,12 @@ void refuse_if_turned(const Step& step, const OutputState& control);
 /// emit-shared-words.
 void refuse_if_shared(const Step& step, const BlockCodes& codes);
 
+/// The same of G10 L20 X0 G43.1, where the one must change its words and the other not.
+void refuse_shared_offset(const Step& step, const BlockCodes& codes);
+
+/// A point of a NURBS in the mode of a code that came out as G1: nc-not-interpreted.
+void refuse_point_without_code(const Step& step, const BlockCodes& codes, MotionMode in_output);
+
 /// The words that a correction adds would stand beside a change of units, where it is not known in which they count:
 /// emit-shared-words.
 void refuse_beside_unit(const Step& step, const Dialect& dialect);

@@ -245,6 +245,17 @@ TEST_CASE("words that set a tool length as well as move are not corrected") {
   CHECK(testing::refusal_of([&] { rewrite(text, lift(0.01)); }).code == "emit-shared-words");
 }
 
+TEST_CASE("words that set an offset by the corrected place as well as a tool length are not corrected") {
+  for (const char* const block : {"G10 L20 P1 X0 G43.1\n", "G43.1 G92 X0\n"}) {
+    const std::string text = "G0 X1\n" + std::string(block);
+    INFO(text);
+    CHECK(rewrite(text, lift(0)) == text);
+    Rewriting aside = lift(0);
+    aside.shift = [](const AxisWords&) { return AxisWords{{0.01, 0, 0, 0, 0, 0}}; };
+    CHECK(testing::refusal_of([&] { rewrite(text, aside); }).code == "emit-shared-words");
+  }
+}
+
 TEST_CASE("what the control resolves bounds the digits") {
   Rewriting how = lift(0.0123);
   how.emit.increment_mm = 0.005;

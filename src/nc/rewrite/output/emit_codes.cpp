@@ -81,7 +81,10 @@ BlockCodes CodeWriter::codes_of(const Block& block) const {
       if (row->group == kFeedModeGroup) codes.feed_mode = &word;
       if (row->action == Action::modal_call) codes.modal_call = &word;
       if (is_path_control(row->action)) codes.path_control = &word;
-      if (row->group != kMotionGroup && row->takes_axes) codes.axis_taker = &word;
+      if (row->group != kMotionGroup && row->takes_axes) {
+        codes.other_taker = codes.axis_taker;
+        codes.axis_taker = &word;
+      }
     } else if (row->order == Order::after_motion) {
       codes.add_after_motion(word);
     }

@@ -23,6 +23,7 @@ struct BlockCodes {
   const Word* feed = nullptr;          // F
   const Word* modal_call = nullptr;    // MCALL
   const Word* axis_taker = nullptr;    // G43.1: the axis words are its own, too
+  const Word* other_taker = nullptr;   // of the same words: G10 L20 beside G43.1
 
   /// M0, M2...: executed once the motion is done.
   std::span<const Word* const> after_motion() const { return std::span(after_).first(after_count_); }
