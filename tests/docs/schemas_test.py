@@ -24,11 +24,13 @@ ENDING = ".schema.json"
 SCHEMAS = {path.name: json.loads(path.read_text()) for path in sorted(FOLDER.glob("*.json"))}
 PARTS = "shared"  # no output is of this kind
 # Null, but in no output that is quickly made: the condition number of a singular pose, an effect that was not predicted
-# from runs left out, a correlation of what is known exactly, a zero where the machine cannot stand.
+# from runs left out, the exponent of a function that is no power, a correlation of what is known exactly, a zero where
+# the machine cannot stand.
 SELDOM_NULL = {
     ("check-1", "/properties/findings/items/properties/value"),
     ("check-1", "/properties/findings/items/properties/by_how_much"),
     ("diagnosis-1", "/properties/effects/items/properties/left_out_nats"),
+    ("diagnosis-1", "/properties/functions/items/properties/exponent"),
     ("identification-1", "/properties/stages/items/properties/correlations/items/items"),
     (PARTS, "/$defs/expected/properties/touched_off"),
 }

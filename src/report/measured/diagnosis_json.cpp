@@ -143,6 +143,7 @@ std::string diagnosis_json(const Diagnosis& d, const std::vector<jobs::MeasuredF
     Json told{{"says", function_text(function, d.forces.machine)},
               {"log_odds", rounded(function.log_odds)},
               {"left_out_nats", rounded(function.left_out)}};
+    told["exponent"] = nullptr;
     if (function.law) told["exponent"] = {function.law->exponent, function.law->least, function.law->most};
     json["functions"].push_back(std::move(told));
   }
