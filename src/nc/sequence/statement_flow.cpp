@@ -33,6 +33,17 @@ std::string how_programs_end(const Dialect& dialect) {
   }
 }
 
+// What stands behind such a line would be passed over. Archives of high-level programs keep each as a file of its own,
+// whose end is that of the program.
+void refuse_unended(const Block& block, Statements statements) {
+  if (statements == Statements::high_level) return;
+  refuse_flow(
+      block, codes::kFlowOpen, "this begins another program, and the one before it has not ended",
+      statements == Statements::user_task  // OMIT and other words of an OSP look like names of programs
+          ? "end that with M2 or M30 before this line; patterns of holes (LAA, BHC, OMIT) are not read"
+          : "end that with M30 before this line; the number of a program stands at the begin of its first line");
+}
+
 // M97: the block with that number, in the program that calls.
 LinePlace part_called(const Block& block, const std::string& number, LabelIndex& labels) {
   if (const LinePlace* const place = labels.find_label(number, block.line, Direction::both)) return *place;
@@ -160,11 +171,7 @@ void StatementFlow::head(const Block& block) {
     refuse_flow(block, codes::kFlowOpen, fmt::format("subprogram {} runs into the next program", calls_.top().name),
                 how_programs_end(dialect_));
   }
-  if (dialect_.syntax.statements ==
-      Statements::user_task) {  // OMIT and other words of an OSP look like names of programs
-    refuse_flow(block, codes::kFlowOpen, "this begins another program, and the one before it has not ended",
-                "end that with M2 or M30 before this line; patterns of holes (LAA, BHC, OMIT) are not read");
-  }
+  refuse_unended(block, dialect_.syntax.statements);
   reading_ = Reading::after_end;
 }
 

@@ -62,8 +62,10 @@ TEST_CASE("what a condition leaves out ends at its own end") {
   CHECK(refused_statement("ENDLOOP\nM30\n", "siemens") == "nc-flow-label");
 }
 
-TEST_CASE("a program that runs into the next one of its file ends, a subprogram is refused") {
-  CHECK(visited_by_statements("O1\nG0 X1.\nO2\nG0 X2.\n", "fanuc") == Positions{1});
+TEST_CASE("a program that runs into the next one of its file is refused, and so is a subprogram") {
+  CHECK(refused_statement("O1\nG0 X1.\nO2\nG0 X2.\n", "fanuc") == "nc-flow-open");
+  CHECK(visited_by_statements("O1\nG0 X1.\nM99\nO2\nG0 X2.\n", "fanuc") == Positions{1});
+  CHECK(visited_by_statements("%\nO1\nG0 X1.\n%\nO2\nG0 X2.\n", "fanuc") == Positions{1});
   CHECK(refused_statement("O1\nM98 P2\nM30\nO2\nG0 X1.\nO3\nM99\n", "fanuc") == "nc-flow-open");
   CHECK(refused_statement("O1\nGOTO 5\nM30\n", "fanuc") == "nc-flow-label");
 }

@@ -98,7 +98,9 @@ void expression(BlockReading& in) {
   if (cursor.is(TokenKind::end)) refuse_open_bracket(in, open);
   if (!cursor.is(TokenKind::close)) {
     cursor.refuse(cursor.span(), codes::kOperator, fmt::format("{} is no operator", shown(*cursor.token().begin)),
-                  "between two values stands one of ** * / MOD + - EQ NE GT GE LT LE AND OR XOR, after the last one ]");
+                  fmt::format("between two values stands one of {}* / MOD + - EQ NE GT GE LT LE AND OR XOR, after the "
+                              "last one ]",
+                              in.syntax->statements == Statements::macro_b ? "" : "** "));
   }
   cursor.pass();
 }
