@@ -37,7 +37,8 @@ void Rewriter::finish() {
   if (read_back_ && emitter_.changed()) figures_ = read_back_->finish(intention_, emitter_.guard_span());
 }
 
-// Where one block has A, B and C in place of its vector, or its code says that they follow, all after it have.
+// Where one block has A, B and C in place of its vector, or its code says that they follow, all after it have; and so
+// has what goes on by angles that a vector left (angles_of_vector).
 bool Rewriter::writes_vector(const nc::Step& step) const {
   if (step.end_words == nc::EndWords::angles_of_vector) return true;
   if (step.end_words != nc::EndWords::tool_vector) return false;

@@ -13,6 +13,11 @@ constexpr int kPoints = 101;          // of a region
 constexpr double kLeastTold = 1e-3;   // of a direction of the weights, as what was known of it: less says nothing
 constexpr double kOfInterval = 3.84;  // chi-square of one number, 95 %
 
+// Those of numbers that hardly count are no zeros to divide by.
+Eigen::VectorXd sigmas_of(const Component& component) {
+  return component.sigmas.cwiseMax(1e-12 * component.sigmas.maxCoeff());
+}
+
 // What the readings alone say of the weights in their sigmas: chi-square = (w - w_0)^T L (w - w_0), L diagonal along
 // `axes`, pull = L w_0.
 struct Told {
@@ -21,7 +26,7 @@ struct Told {
   double chi_square = 0;  // of none at all
 
   Told(const Component& of, const Eigen::MatrixXd& covariance) {
-    const Eigen::VectorXd inverse = of.sigmas.cwiseMax(1e-12 * of.sigmas.maxCoeff()).cwiseInverse();
+    const Eigen::VectorXd inverse = sigmas_of(of).cwiseInverse();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> after(inverse.asDiagonal() * covariance *
                                                                inverse.asDiagonal());
     axes = after.eigenvectors();
@@ -47,8 +52,7 @@ double base_of(int coordinate, double at, const physics::MachineConstants& machi
 // The weights, in their sigmas, of functions that come nearest to powers over the region.
 class Powers {
  public:
-  Powers(const Component& of, const physics::MachineConstants& machine)
-      : sigmas_(of.sigmas.cwiseMax(1e-12 * of.sigmas.maxCoeff())), x_(kPoints) {
+  Powers(const Component& of, const physics::MachineConstants& machine) : sigmas_(sigmas_of(of)), x_(kPoints) {
     Eigen::MatrixXd functions(kPoints, of.shape.functions());
     const double lower = of.region.middle[0] - of.region.half_width[0];
     for (int i = 0; i < kPoints; ++i) {

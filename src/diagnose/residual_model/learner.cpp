@@ -174,14 +174,28 @@ std::vector<Learner::Found> Learner::ranked() const {
   return found;
 }
 
-// Nats by which poses that are left out are more likely with the component.
-double Learner::left_out(const Component& component) const {
+// Nats by which poses that are left out are more likely with the last component of `with` than as it stands here.
+double Learner::left_out(const Learner& with) const {
+  const auto count = taken_.columns.size();
+  std::vector<int> columns(with.taken_.columns.size() - count);
+  std::iota(columns.begin(), columns.end(), static_cast<int>(count));
+  return left_out_nats(with.problem_, taken_, columns, Eigen::VectorXd::Ones(static_cast<Eigen::Index>(columns.size())),
+                       poses_);
+}
+
+// Adds the component if poses that are left out confirm it and it cancels nothing.
+bool Learner::try_adding(const Component& component) {
   Learner with = *this;
   with.append(component);
-  const auto count = static_cast<int>(taken_.columns.size());
-  std::vector<int> columns(static_cast<std::size_t>(component.sigmas.size()));
-  std::iota(columns.begin(), columns.end(), count);
-  return left_out_nats(with.problem_, taken_, columns, Eigen::VectorXd::Ones(component.sigmas.size()), poses_);
+  const double nats = left_out(with);
+  if (nats < options_.least_left_out) return false;
+  with.components_.back().left_out = nats;
+  with.solve();
+  if (with.cancel()) return false;
+  problem_ = std::move(with.problem_);
+  taken_ = std::move(with.taken_);
+  components_ = std::move(with.components_);
+  return true;
 }
 
 // The columns of a component, in its sigmas, before the residual.
@@ -229,23 +243,11 @@ bool Learner::learn() {
     bool added = false;
     for (const Found& found : all) {
       if (found.score < options_.least_log_odds || refused >= options_.most_refused) break;
-      Component component = found.component;
-      component.left_out = left_out(component);
-      if (component.left_out < options_.least_left_out) {
-        ++refused;
-        continue;
-      }
-      Learner with = *this;
-      with.append(component);
-      with.solve();
-      if (with.cancel()) {
-        ++refused;
-        continue;
-      }
-      append(component);
-      added = any = true;
-      break;
+      added = try_adding(found.component);
+      if (added) break;
+      ++refused;
     }
+    any = any || added;
     if (!added) break;
   }
   fit_spreads();

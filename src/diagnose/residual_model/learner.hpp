@@ -67,7 +67,8 @@ class Learner {
   Sums sums_of(const Shape& shape, const Region& region) const;
   void look_at(const Shape& shape, double tried, std::vector<Found>& found) const;
   std::vector<Found> ranked() const;
-  double left_out(const Component& component) const;
+  double left_out(const Learner& with) const;
+  bool try_adding(const Component& component);
   void append(const Component& component);
   void fit_spreads();
   void drop(std::size_t place);

@@ -1,5 +1,6 @@
 // Codes that stand alone in their block: a dwell where the control says so, calls of cycles.
 #include <algorithm>
+#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -14,29 +15,17 @@ bool calls(Action action) {
   return action == Action::modal_call || action == Action::called_cycle || action == Action::swivel;
 }
 
-// What the control does with other words beside a call is in no source.
-void check_call_alone(const Execution& run) {
-  const bool any =
-      std::any_of(run.chosen.begin(), run.chosen.end(), [](const Chosen& chosen) { return calls(chosen.row->action); });
+bool restores(Action action) { return action == Action::restore_modes; }
+
+// Refuses the first word beside a code of such an action.
+void refuse_beside(const Execution& run, bool (*stands_alone)(Action), std::string_view why) {
+  const bool any = std::any_of(run.chosen.begin(), run.chosen.end(),
+                               [&](const Chosen& chosen) { return stands_alone(chosen.row->action); });
   if (!any) return;
   for (const Word& word : run.block->words) {
     const CodeRow* const row = run.dialect.row_of(word);
-    if (row != nullptr && calls(row->action)) continue;
-    run.refuse(word, codes::kNotInterpreted, "the call of a cycle stands alone in its block",
-               "put the other words into a block of their own");
-  }
-}
-
-// The blocks by which the control brings modes back overwrite the one that it is reading: what should act after M72 in
-// its block is lost then, even M2 [LinuxCNC, measured].
-void check_restoring_alone(const Execution& run) {
-  if (run.chosen_row(Action::restore_modes) == nullptr) return;
-  for (const Word& word : run.block->words) {
-    const CodeRow* const row = run.dialect.row_of(word);
-    if (row != nullptr && row->action == Action::restore_modes) continue;
-    run.refuse(word, codes::kNotInterpreted,
-               "what stands beside M72 is lost at the control wherever M72 brings a mode back",
-               "put the other words into a block of their own");
+    if (row != nullptr && stands_alone(row->action)) continue;
+    run.refuse(word, codes::kNotInterpreted, std::string(why), "put the other words into a block of their own");
   }
 }
 
@@ -55,8 +44,11 @@ void check_extended(const Execution& run, const CodeRow& row, const Word& word) 
 }
 
 void check_alone(const Execution& run) {
-  check_call_alone(run);
-  check_restoring_alone(run);
+  // what the control does with other words beside a call is in no source
+  refuse_beside(run, calls, "the call of a cycle stands alone in its block");
+  // the blocks by which the control brings modes back overwrite the one that it is reading: what should act after M72
+  // in its block is lost then, even M2 [LinuxCNC, measured]
+  refuse_beside(run, restores, "what stands beside M72 is lost at the control wherever M72 brings a mode back");
 }
 
 }  // namespace plumbline::nc

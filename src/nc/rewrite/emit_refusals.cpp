@@ -9,6 +9,15 @@
 #include "nc/rewrite/output/emit_text.hpp"
 
 namespace plumbline::nc {
+namespace {
+
+[[noreturn]] void refuse_shared_words(const Block& block, std::string_view user, const Word& taker) {
+  refuse_at(block, taker.span, "emit-shared-words",
+            fmt::format("{} and {} both take the axis words of this block", user, block.at(taker.span)),
+            "put the two into blocks of their own");
+}
+
+}  // namespace
 
 void refuse_if_shifted(const Step& step, const OutputState& control) {
   for (const Axis axis : kAllAxes) {
@@ -36,19 +45,13 @@ void refuse_if_turned(const Step& step, const OutputState& control) {
 }
 
 void refuse_if_shared(const Step& step, const BlockCodes& codes) {
-  const Word* const taker = codes.axis_taker;
-  if (taker == nullptr || step.named.empty()) return;
-  refuse_at(*step.block, taker->span, "emit-shared-words",
-            fmt::format("{} and the motion of this block both take its axis words", step.block->at(taker->span)),
-            "put the two into blocks of their own");
+  if (codes.axis_taker == nullptr || step.named.empty()) return;
+  refuse_shared_words(*step.block, "the motion of this block", *codes.axis_taker);
 }
 
 void refuse_shared_offset(const Step& step, const BlockCodes& codes) {
   if (codes.other_taker == nullptr) return;
-  refuse_at(*step.block, codes.axis_taker->span, "emit-shared-words",
-            fmt::format("{} and {} both take the axis words of this block", step.block->at(codes.other_taker->span),
-                        step.block->at(codes.axis_taker->span)),
-            "put the two into blocks of their own");
+  refuse_shared_words(*step.block, step.block->at(codes.other_taker->span), *codes.axis_taker);
 }
 
 void refuse_point_without_code(const Step& step, const BlockCodes& codes, MotionMode in_output) {

@@ -53,25 +53,26 @@ bool tip_stands(const Motion& motion) {
          std::abs(delta[Axis::A]) + std::abs(delta[Axis::B]) + std::abs(delta[Axis::C]) > kSamePlace;
 }
 
-[[noreturn]] void refuse_feed(const Step& step, double feed) {
-  refuse_block(*step.block, "emit-feed-range", fmt::format("this block would need F{:.6g} to keep its time", feed),
-               "check its feed, let several such blocks be one, or program the block in inverse time (G93)");
+}  // namespace
+
+void PieceFeeds::refuse_feed(double feed) const {
+  const bool inverse_time = step_.after->feed_mode == FeedMode::inverse_time;
+  refuse_block(*step_.block, "emit-feed-range", fmt::format("this block would need F{:.6g} to keep its time", feed),
+               inverse_time ? "check its feed, or let several such blocks be one"
+                            : "check its feed, let several such blocks be one, or program the block in inverse time "
+                              "(G93)");
 }
 
 // F as written: six digits that count, so that it is within 5e-6 of what was asked; fewer where the control takes no
 // longer words.
-double rounded_feed(const Step& step, double feed, int most_digits) {
-  if (!(feed > kLeastFeed && feed < kLargestFeed)) refuse_feed(step, feed);
-  const int power = static_cast<int>(std::floor(std::log10(feed)));
-  const int most_decimals =
-      most_digits > 0 ? std::clamp(most_digits - 1 - std::max(power, 0), 0, kMostDecimals) : kMostDecimals;
-  const int decimals = std::clamp(5 - power, 0, most_decimals);
+double PieceFeeds::rounded_feed(double feed) const {
+  if (!(feed > kLeastFeed && feed < kLargestFeed)) refuse_feed(feed);
+  const int of_six = std::clamp(5 - static_cast<int>(std::floor(std::log10(feed))), 0, kMostDecimals);
+  const int decimals = decimals_within(dialect_.behaviour.most_digits, feed, of_six);
   const double rounded = from_ticks(to_ticks(feed, decimals), decimals);
-  if (differs(rounded, feed, kNearFeed)) refuse_feed(step, feed);
+  if (differs(rounded, feed, kNearFeed)) refuse_feed(feed);
   return rounded;
 }
-
-}  // namespace
 
 double PieceFeeds::choose(const AxisWords& start, double seconds, OutputState& control) {
   set_lengths(start);
@@ -133,7 +134,7 @@ void PieceFeeds::state_feed(Piece& piece, double feed, OutputState& control) con
   const double written = piece.in_degrees ? feed : feed * ratio;
   const Word* const word = find_word(*step_.block, 'F');
   const bool as_written = word != nullptr && !differs(word->value, written, kSameFeed);
-  piece.feed = as_written ? word->value : changes ? rounded_feed(step_, written, dialect_.behaviour.most_digits) : feed;
+  piece.feed = as_written ? word->value : changes ? rounded_feed(written) : feed;
   control.feed = *piece.feed / ratio;
   control.feed_rotary = *piece.feed;
 }
@@ -159,8 +160,7 @@ double PieceFeeds::choose_rates(double seconds, OutputState& control) {
   double spent = 0;
   for (Piece& piece : pieces_) {
     double feed = programmed;
-    if (!keeps && piece.length > 0)
-      feed = rounded_feed(step_, alike ? mean : piece.length / (piece.share * time), dialect_.behaviour.most_digits);
+    if (!keeps && piece.length > 0) feed = rounded_feed(alike ? mean : piece.length / (piece.share * time));
     const bool stated = &piece == &pieces_.front() && find_word(*step_.block, 'F') != nullptr;
     const double allowed = keeps ? 0 : settings_.time_tolerance / 4;
     const double standing = in_force(piece, control);
@@ -173,7 +173,7 @@ double PieceFeeds::choose_rates(double seconds, OutputState& control) {
 // F under G93, as the control keeps it.
 double PieceFeeds::inverse_time(double per_minute) const {
   const double least = dialect_.behaviour.inverse_time_increment;
-  if (least <= 0) return rounded_feed(step_, per_minute, dialect_.behaviour.most_digits);
+  if (least <= 0) return rounded_feed(per_minute);
   const double largest = std::pow(10, dialect_.behaviour.most_digits - 1) * least - least;  // 9999.999 of 0.001
   const double kept = std::round(per_minute / least) * least;
   if (kept <= largest && std::abs(kept - per_minute) <= settings_.time_tolerance * 10 * per_minute) return kept;
@@ -204,8 +204,7 @@ double PieceFeeds::choose_inverse_times(double seconds, OutputState& control) {
     piece.restates_mode = mode != control.feed_mode;
     control.feed_mode = mode;
     const bool whole = pieces_.size() == 1 && !piece.leaves_inverse_time;
-    const double feed = piece.leaves_inverse_time ? rounded_feed(step_, rate, dialect_.behaviour.most_digits)
-                                                  : inverse_time(1 / minutes);
+    const double feed = piece.leaves_inverse_time ? rounded_feed(rate) : inverse_time(1 / minutes);
     const bool keep = whole && !differs(step_.motions.front().feed, feed, settings_.time_tolerance);
     if (!keep && piece.leaves_inverse_time) state_feed(piece, feed, control);
     if (!keep && !piece.leaves_inverse_time) piece.feed = feed;

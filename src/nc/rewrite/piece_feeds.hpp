@@ -54,6 +54,8 @@ class PieceFeeds {
 
  private:
   void set_lengths(const AxisWords& start);
+  [[noreturn]] void refuse_feed(double feed) const;
+  double rounded_feed(double feed) const;
   static double in_force(const Piece& piece, const OutputState& control);
   void state_feed(Piece& piece, double feed, OutputState& control) const;
   double choose_rates(double seconds, OutputState& control);

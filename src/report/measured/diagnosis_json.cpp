@@ -99,6 +99,11 @@ Json run_json(const diagnose::RunGap& run) {
   return json;
 }
 
+Json exponent_json(const diagnose::LearntFunction& function) {
+  if (!function.law) return nullptr;
+  return {function.law->exponent, function.law->least, function.law->most};
+}
+
 Json test_json(const diagnose::Separation& separation) {
   Json json{{"from", separation.from}};
   if (!separation.test) {
@@ -140,12 +145,10 @@ std::string diagnosis_json(const Diagnosis& d, const std::vector<jobs::MeasuredF
     json["remainder"] = {{"snr", rounded(d.remainder->snr)}, {"description", remainder_text(*d.remainder)}};
   }
   for (const diagnose::LearntFunction& function : d.functions) {
-    Json told{{"says", function_text(function, d.forces.machine)},
-              {"log_odds", rounded(function.log_odds)},
-              {"left_out_nats", rounded(function.left_out)}};
-    told["exponent"] = nullptr;
-    if (function.law) told["exponent"] = {function.law->exponent, function.law->least, function.law->most};
-    json["functions"].push_back(std::move(told));
+    json["functions"].push_back({{"says", function_text(function, d.forces.machine)},
+                                 {"log_odds", rounded(function.log_odds)},
+                                 {"left_out_nats", rounded(function.left_out)},
+                                 {"exponent", exponent_json(function)}});
   }
   json["next_tests"] = Json::array();
   for (const diagnose::Separation& separation : d.next) json["next_tests"].push_back(test_json(separation));

@@ -13,6 +13,7 @@ namespace {
 
 using Channel = diagnose::Term::Channel;
 using diagnose::LearntFunction;
+using namespace diagnose::coordinates;
 
 // As physics::Residual counts coordinates, from 1.
 constexpr std::array<ShownCoordinate, 14> kCoordinates{{{"x", "mm", 100},
@@ -21,7 +22,7 @@ constexpr std::array<ShownCoordinate, 14> kCoordinates{{{"x", "mm", 100},
                                                         {"z_x", ""},
                                                         {"z_y", ""},
                                                         {"time", "h"},
-                                                        {"length", "m", 0.1},
+                                                        {"length", "m", diagnose::kCoordinateLength},
                                                         {"speed", "mm/s", 10},
                                                         {"direction", ""},
                                                         {"tension", "kN"},
@@ -29,8 +30,6 @@ constexpr std::array<ShownCoordinate, 14> kCoordinates{{{"x", "mm", 100},
                                                         {"u_x", ""},
                                                         {"u_y", ""},
                                                         {"u_z", ""}}};
-constexpr std::size_t kLength = 6;
-constexpr std::size_t kTension = 9;
 
 std::string value_text(const LearntFunction& function, const diagnose::FunctionValue& value,
                        const physics::MachineConstants& machine) {
@@ -49,7 +48,7 @@ std::string value_text(const LearntFunction& function, const diagnose::FunctionV
 
 // Laws that have a name: by what a length depends on, and its power.
 struct NamedLaw {
-  std::size_t coordinate;  // of kCoordinates
+  int coordinate;  // of diagnose::coordinates
   double exponent;
   std::string_view says;
 };
@@ -60,27 +59,33 @@ constexpr std::array<NamedLaw, 3> kNamedLaws{
 
 constexpr double kSameExponent = 0.02;  // functions come no nearer to a power whose slope has no bound
 
-std::string_view name_of(const diagnose::PowerLaw& law, std::size_t coordinate) {
-  std::string_view name;
+std::string_view name_of(const diagnose::PowerLaw& law, int coordinate) {
   for (const NamedLaw& named : kNamedLaws) {
     const bool is_it = named.exponent > law.least - kSameExponent && named.exponent < law.most + kSameExponent;
-    if (named.coordinate != coordinate || !is_it) continue;
-    name = named.says;
+    if (named.coordinate == coordinate && is_it) return named.says;
   }
-  return name;
+  return "";
+}
+
+// What the power is taken of, with its sign.
+std::string_view base_text(int coordinate) {
+  switch (coordinate) {
+    case kTension:
+      return "sign(t) |t / kN|";
+    case kSpeed:
+      return "sign(v) |v / (10 mm/s)|";
+    default:
+      return "(L / L_mid)";
+  }
 }
 
 std::string law_text(const LearntFunction& function) {
   const diagnose::PowerLaw& law = *function.law;
-  const auto coordinate = static_cast<std::size_t>(function.shape.coordinates[0] - 1);
-  const std::string_view of = coordinate == kTension  ? "|t / kN|"
-                              : coordinate == kLength ? "(L / L_mid)"
-                                                      : "|v / (10 mm/s)|";
+  const int coordinate = function.shape.coordinates[0];
   const ShownUnit unit = shown_unit(function);
-  const std::string_view sign = coordinate == kTension ? "sign(t) " : coordinate == kLength ? "" : "sign(v) ";
   const std::string formula =
-      fmt::format("{:+.3g} +- {:.2g} {} x {}{}^{:.2f} (exponent {:.2f} to {:.2f} with 95 %)", law.size / unit.si,
-                  law.size_sigma / unit.si, unit.name, sign, of, law.exponent, law.least, law.most);
+      fmt::format("{:+.3g} +- {:.2g} {} x {}^{:.2f} (exponent {:.2f} to {:.2f} with 95 %)", law.size / unit.si,
+                  law.size_sigma / unit.si, unit.name, base_text(coordinate), law.exponent, law.least, law.most);
   const bool length = function.shape.channel == Channel::length;
   const std::string_view name = length ? name_of(law, coordinate) : "";
   return fmt::format("; it is a power: {}{}{}", formula, name.empty() ? "" : ", ", name);
@@ -107,7 +112,7 @@ ShownCoordinate shown_coordinate(const LearntFunction& function, std::size_t dim
                                  const physics::MachineConstants& machine) {
   const auto place = static_cast<std::size_t>(function.shape.coordinates[dimension] - 1);
   ShownCoordinate shown = kCoordinates.at(place);
-  if (place == kLength)
+  if (function.shape.coordinates[dimension] == kLength)
     shown.offset = function.part < 0 ? machine.middle_length.mean() : machine.middle_length[function.part];
   return shown;
 }

@@ -146,6 +146,13 @@ void append_word(std::string& out, char letter, double value, int decimals, cons
   out.append(word.data(), static_cast<std::size_t>(end - word.data()));
 }
 
+int decimals_within(int most_digits, double value, int decimals) {
+  if (most_digits == 0) return decimals;
+  int before = 1;
+  for (double rest = std::abs(value); rest >= 10; rest /= 10) ++before;
+  return std::clamp(most_digits - before, 0, decimals);
+}
+
 char* write_word(char* out, char letter, double value, int decimals, const Spelling& spelling) {
   *out++ = in_case(letter, spelling.lower_case);
   constexpr double kExact = 1e15;  // units of the last decimal that a double counts
@@ -153,12 +160,7 @@ char* write_word(char* out, char letter, double value, int decimals, const Spell
   while (decimals > 0 && std::abs(value) > kAlwaysExact && std::abs(value) > kExact * from_ticks(1, decimals)) {
     --decimals;
   }
-  if (spelling.most_digits > 0) {
-    int before = 1;
-    for (double rest = std::abs(value); rest >= 10; rest /= 10) ++before;
-    decimals = std::clamp(spelling.most_digits - before, 0, decimals);
-  }
-  char* end = write_decimal(out, value, decimals);
+  char* end = write_decimal(out, value, decimals_within(spelling.most_digits, value, decimals));
   if (spelling.point && std::find(out, end, '.') == end) *end++ = '.';
   return end;
 }

@@ -62,6 +62,8 @@ void append_code(std::string& out, std::string_view code, const Spelling& spelli
 void append_word(std::string& out, char letter, double value, int decimals, const Spelling& spelling);
 /// The same without a blank before it, to where there is room for kWordRoom; returns its end.
 char* write_word(char* out, char letter, double value, int decimals, const Spelling& spelling);
+/// So many of these decimals fit a number of at most that many digits (0: any).
+int decimals_within(int most_digits, double value, int decimals);
 inline constexpr std::size_t kWordRoom = kDecimalRoom + 2;
 
 /// Refuses a block as a whole.

@@ -23,8 +23,8 @@ bool is_logical(Operation operation) {
 
 bool compares(Operation operation) { return operation >= Operation::equal && operation <= Operation::less_equal; }
 
-// The binding of operators: in the 840D relations bind weakest [PGA 1.8], else logic does.
-int named_precedence(Operation operation, const Syntax& syntax) {
+// The binding of operators. Where comparisons stand among AND and OR is refused (refuse_unclear_binding).
+int named_precedence(Operation operation) {
   switch (operation) {
     case Operation::times:
     case Operation::divide:
@@ -42,7 +42,7 @@ int named_precedence(Operation operation, const Syntax& syntax) {
     case Operation::logical_or:
       return 3;
     default:
-      return syntax.relations_last ? 1 : 6;
+      return 6;
   }
 }
 
@@ -84,7 +84,7 @@ void refuse_unclear_binding(const BlockReading& in, Operation operation, std::op
 // Precedence climbing; token() is the operation after the value just read, and again on return.
 void named_operations(BlockReading& in, int least_precedence, std::optional<Operation>& joined_by) {
   while (const std::optional<Operation> operation = operator_at(in)) {
-    const int precedence = named_precedence(*operation, *in.syntax);
+    const int precedence = named_precedence(*operation);
     if (precedence < least_precedence) return;
     refuse_unclear_binding(in, *operation, joined_by);
     const Span span = in.cursor.span();
