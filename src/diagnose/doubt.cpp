@@ -158,6 +158,14 @@ std::optional<NotPredicted> not_predicted(const std::vector<identify::RunEquatio
   return std::nullopt;
 }
 
+std::optional<Suspected> suspected(const Model& model) {
+  for (const Found& found : model.found) {
+    const std::string& name = found.pick.candidate->name;
+    if (physics::effect_infos()[physics::effect_index(name)].suspect) return Suspected{name};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Doubt> doubt_of(const CandidateSet& candidates, const Doubted& of, const VerdictOptions& options) {
@@ -170,10 +178,11 @@ std::optional<Doubt> doubt_of(const CandidateSet& candidates, const Doubted& of,
   };
   const std::optional<OneMore> more = of.model.one_more ? std::optional<OneMore>(OneMore{}) : std::nullopt;
   const bool stays_open = of.recurs.radial || of.recurs.torque || is_gap(of.description, options);
-  const bool doubted =
-      (stays_open && says(at_bound(candidates, of.model, options))) || says(further_off(of.held_out, options)) ||
-      says(open_gap(of.recurs, of.fit, options.open_share, options)) || says(more) ||
-      says(large_remainder(of.model, of.description, options)) || says(not_predicted(of.after, of.out, options));
+  const bool doubted = (stays_open && says(at_bound(candidates, of.model, options))) ||
+                       says(further_off(of.held_out, options)) ||
+                       says(open_gap(of.recurs, of.fit, options.open_share, options)) || says(more) ||
+                       says(large_remainder(of.model, of.description, options)) ||
+                       says(not_predicted(of.after, of.out, options)) || says(suspected(of.model));
   return doubted ? std::optional(std::move(doubt)) : std::nullopt;
 }
 

@@ -81,10 +81,16 @@ struct GivenIsNearer {
   ReadingKind kind = ReadingKind::radial;
 };
 
+/// What was found is an effect that much looks like which no catalogue has.
+struct Suspected {
+  std::string effect;
+};
+
 /// Why effects that were found are not to be named.
 struct Doubt {
   std::vector<std::string> effects;  // none: no effect makes such readings
-  std::variant<ChannelFlaw, SpoiledData, AtBound, FurtherOff, OpenGap, OneMore, LargeRemainder, NotPredicted> why;
+  std::variant<ChannelFlaw, SpoiledData, AtBound, FurtherOff, OpenGap, OneMore, LargeRemainder, NotPredicted, Suspected>
+      why;
 };
 
 /// Why nothing that was learnt is to be believed, be it named or not.

@@ -42,6 +42,7 @@ EffectInfo info_of(bool base) {
   PLUMBLINE_SAYS(own_strut_alone)
   PLUMBLINE_SAYS(dynamic)
   PLUMBLINE_SAYS(rare)
+  PLUMBLINE_SAYS(suspect)
   PLUMBLINE_SAYS(sums_to_zero)
   PLUMBLINE_SAYS(geometry)
   PLUMBLINE_SAYS(path)

@@ -28,6 +28,7 @@ struct EffectInfo {
   bool dynamic = false;          // follows from accelerations or from the control's following: it depends on how the
                                  // control shapes the speed
   bool rare = false;             // less common than the others of the catalogue
+  bool suspect = false;          // much that no catalogue has looks like it: found, it is suspected and not named
   bool sums_to_zero = false;     // its numbers do, all of them together
   bool geometry = false;         // where joints are and how long struts are, other than the controller believes
   bool path = false;             // it moves the tip by what it does to lengths and joints, whatever the forces are

@@ -161,5 +161,17 @@ TEST_CASE("long records have the verdict of short ones") {
   CHECK(many.verdict == Verdict::named);
 }
 
+TEST_CASE("a contact that gives way at its balls is suspected and not named") {
+  const double um_at_kN = GENERATE(15e-6, -15e-6);
+  const Diagnosis d = diagnosed(Hidden{"contact-compliance", "um_at_kN", -1, um_at_kN}, 360);
+  CHECK(d.verdict == Verdict::unknown);
+  CHECK(d.effects.empty());
+  REQUIRE(d.doubt);
+  CHECK(d.doubt->effects == std::vector<std::string>{"contact-compliance"});
+  REQUIRE(std::holds_alternative<Suspected>(d.doubt->why));
+  CHECK_FALSE(d.withheld);
+  CHECK(*d.fit.after.radial < 0.7 * *d.fit.before.radial);  // it is learnt all the same
+}
+
 }  // namespace
 }  // namespace plumbline::diagnose

@@ -109,6 +109,11 @@ TEST_CASE("effects on the length of a strut add what their equation says") {
        }},
       {"strut-compliance", [](const Trial& t, int j) { return t.at(j) * t.before.drive_tension[j]; }},
       {"joint-clearance", [](const Trial& t, int j) { return t.p[0] / 2 * std::tanh(t.before.nut_tension[j] / 20); }},
+      {"contact-compliance",
+       [](const Trial& t, int j) {
+         const double load = t.before.nut_tension[j] / 1000;
+         return t.p[0] * load / std::cbrt(std::hypot(load, 1e-4));
+       }},
       {"lead-error", [](const Trial& t, int j) { return t.at(j) * (t.length(j) - t.bare.machine.middle_length[j]); }},
       {"ring-thermal",
        [](const Trial& t, int j) {

@@ -100,6 +100,7 @@ const std::map<std::string, Keys>& table() {
                                  {"tilt_urad_Nm", kMicro, 5, each(f.frame_tilt), false}};
        }},
       {"hertz-contact", one("um_at_kN", kMicro, 60, &Flaws::hertz)},
+      {"contact-compliance", one("um_at_kN", kMicro, 60, &Flaws::hertz)},  // as plumbline's catalogue calls it
       {"gear-beat", one("amplitude_um", kMicro, 50, &Flaws::gear_beat)},
       {"cogging", one("torque_Nm", 1, 2, &Flaws::cogging)},
       {"preload-slope", one("force_N_m", 1, 500, &Flaws::preload_slope)},
@@ -119,11 +120,17 @@ bool fixed(const std::string& key) { return key == "phase_deg" || key == "speed_
 
 // Effects whose numbers may be negative.
 bool signed_effect(const std::string& name) {
-  static const std::vector<std::string> names{
-      "platform-mass", "centre-of-mass", "level",         "strut-mass", "strut-offset",   "thermal-drift",
-      "cyclic",        "servo-mismatch", "torque-scale",  "cable",      "counterbalance", "lead-error",
-      "ring-thermal",  "joint-position", "gimbal-offset", "screw-roll", "spindle-growth", "hertz-contact",
-      "preload-slope", "hardening",      "table-sag"};
+  static const std::vector<std::string> names{"platform-mass",  "centre-of-mass",
+                                              "level",          "strut-mass",
+                                              "strut-offset",   "thermal-drift",
+                                              "cyclic",         "servo-mismatch",
+                                              "torque-scale",   "cable",
+                                              "counterbalance", "lead-error",
+                                              "ring-thermal",   "joint-position",
+                                              "gimbal-offset",  "screw-roll",
+                                              "spindle-growth", "hertz-contact",
+                                              "preload-slope",  "hardening",
+                                              "table-sag",      "contact-compliance"};
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 

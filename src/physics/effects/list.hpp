@@ -11,6 +11,7 @@
 #include "physics/effects/base_joint_compliance.hpp"
 #include "physics/effects/cable.hpp"
 #include "physics/effects/centre_of_mass.hpp"
+#include "physics/effects/contact_compliance.hpp"
 #include "physics/effects/counterbalance.hpp"
 #include "physics/effects/cyclic.hpp"
 #include "physics/effects/frame_compliance.hpp"
@@ -90,6 +91,7 @@ using CatalogueEffects = std::tuple<Payload,                  //
                                     ScrewRoll,                //
                                     SpindleGrowth,            //
                                     FrameCompliance,          //
+                                    ContactCompliance,        //
                                     Generic,                  //
                                     Residual>;
 

@@ -157,6 +157,14 @@ struct DoubtWords {
     return fmt::format("{} would explain the runs fitted, but {} of the runs held out are {:.1f} times as far off",
                        names, words_of(of.kind).readings, of.times);
   }
+
+  std::string operator()(const diagnose::Suspected& of) const {
+    return fmt::format(
+        "{} is a suspect only: other stiffnesses that change with the load, which no "
+        "catalogue has, look much like it",
+        several ? fmt::format("{} explain the readings, of which {}", names, of.effect)
+                : fmt::format("{} explains the readings, and", names));
+  }
 };
 
 }  // namespace

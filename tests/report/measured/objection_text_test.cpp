@@ -111,6 +111,10 @@ TEST_CASE("a doubt names the effects that it is about") {
   CHECK(text(diagnose::OneMore{}) == "backlash and level are not enough: one more effect would pass the threshold");
   CHECK(report::doubt_text({{"level"}, diagnose::OneMore{}}) ==
         "level is not enough: one more effect would pass the threshold");
+  CHECK_THAT(report::doubt_text({{"contact-compliance"}, diagnose::Suspected{"contact-compliance"}}),
+             Catch::StartsWith("contact-compliance explains the readings, and is a suspect only: "));
+  CHECK_THAT(text(diagnose::Suspected{"level"}),
+             Catch::StartsWith("backlash and level explain the readings, of which level is a suspect only: "));
   CHECK(text(diagnose::LargeRemainder{12.4}) == "backlash and level would leave too much: 12 times the noise in all");
   CHECK(text(diagnose::NotPredicted{ReadingKind::radial, 2.04}) ==
         "backlash and level would explain the runs fitted, but the readings of the bar of the runs held out are 2.0 "
