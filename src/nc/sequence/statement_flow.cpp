@@ -260,6 +260,7 @@ void StatementFlow::call(const Block& block) {
   call.entry = program_called(block, call.name, labels_, dialect_);
   enter(block, std::move(call), true);
   for (std::size_t i = 0; i < named.size(); ++i) interpreter_.set_variable(block, i, named[i]);
+  if (calls_.top().remaining > 0) interpreter_.remember_call();
 }
 
 // M98, G65, M97
@@ -278,6 +279,7 @@ void StatementFlow::call_program(const Block& block, const ProgramCall& program)
   const bool macro = program.kind == ProgramCall::Kind::macro;
   enter(block, std::move(call), macro);
   if (macro) interpreter_.set_macro_arguments();
+  if (calls_.top().remaining > 0) interpreter_.remember_call();
 }
 
 void StatementFlow::enter(const Block& block, Call call, bool own_variables) {
@@ -303,6 +305,13 @@ void StatementFlow::begin_call() {
 
 bool StatementFlow::end_program(const Block& block, const ProgramCall& program) {
   if (called()) {
+    if (program.return_to && calls_.top().remaining > 0) {
+      refuse_flow(block, codes::kNotInterpreted,
+                  fmt::format("line {} calls this more than once, and whether P of M99 leaves the calls to come out "
+                              "was found in no source",
+                              calls_.top().line),
+                  "call it once in a block, or leave P out here");
+    }
     leave(block);
   } else if (!program.return_to) {
     return false;  // M99 in the main program: one pass
@@ -332,6 +341,7 @@ void StatementFlow::leave(const Block& block) {
   }
   sections_.leave(calls_.depth());
   if (calls_.begins_again()) {
+    interpreter_.call_again();
     loops_.begin_call_again();
     begin_call();
     return;

@@ -60,6 +60,7 @@ double of_two(Operation operation, double a, double b, double equal_within) {
     case Operation::whole_quotient:
       return std::trunc(a / b);
     case Operation::remainder:
+    case Operation::whole_remainder:
       return std::fmod(a, b);
     case Operation::power:
       return std::pow(a, b);
@@ -171,6 +172,14 @@ void check_arc_sine(const Block& block, const Instruction& step, const Value& va
             "write the angle itself, or -ASIN of the number without its sign");
 }
 
+// Some controls round both numbers first, others do not.
+void check_remainder(const Block& block, const Instruction& step, const Value& a, const Value& b) {
+  if (step.operation != Operation::whole_remainder) return;
+  for (const Value& value : {a, b}) {
+    if (value.known) whole_number(block, step.span, value.number, "what MOD divides, or divides by,");
+  }
+}
+
 }  // namespace
 
 // AND and OR give the same for 0 and 1, whether they join truths or bits.
@@ -234,6 +243,7 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
       stack_.pop_back();
       const Value a = stack_.back();
       result.known = a.known && b.known;
+      check_remainder(block, *step, a, b);
       result.number = is_of_bits(step->operation) ? of_bits(block, *step, a, b)
                                                   : of_two(step->operation, a.number, b.number, equal_within_);
       // To be vacant is not to be zero, for EQ and NE alone [B-63174EN, 13.1].
