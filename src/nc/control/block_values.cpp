@@ -105,7 +105,7 @@ std::string_view name_left_open(const Block& block, std::uint32_t code, Paramete
 BlockValues::BlockValues(Execution& run)
     : run_(run),
       system_parameters_(run.control, run.settings, run.dialect),
-      evaluator_(run.dialect.syntax.equal_within) {}
+      evaluator_(run.dialect.syntax.equal_within, !run.dialect.syntax.empty_names) {}
 
 double BlockValues::value_of(const Block& block, std::uint32_t code, Span span) {
   const Value value = evaluator_.run(block, code, system_parameters_);
