@@ -68,7 +68,10 @@ void check_variable(const Execution& run, const Block& block, const Setting& pla
               fmt::format("if it is a variable, declare it: DEF REAL {}", name));
   }
   const bool like_an_axis = std::all_of(name.begin() + 1, name.end(), is_digit);
-  if (!syntax.settings_alone || (block.words.empty() && !like_an_axis)) return;
+  const bool alone = std::all_of(block.words.begin(), block.words.end(), [&](const Word& word) {
+    return word.letter == kNamedCode && run.dialect.named_codes[static_cast<std::size_t>(word.value)].alone;  // NOEX
+  });
+  if (!syntax.settings_alone || (alone && !like_an_axis)) return;
   refuse_at(block, place.span, codes::kUnknownCode,
             fmt::format("{} is no word of this control that is known here", name),
             "a variable needs a block of its own, and a name that begins with two letters");
