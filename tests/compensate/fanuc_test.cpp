@@ -351,3 +351,18 @@ TEST_CASE("a cycle that waits is not written out where nobody knows what G4 coun
   CHECK(has(run(turning + "G95 G81 X5. Y5. Z-8. R1. F.2\nG80\nM30\n", job).text, "^G1 ?Z"));
   CHECK(has(run(turning + "G95 G84 X5. Y5. Z-8. R1. P200 F1.\nG80\nM30\n", job).text, "^G95 G84 X.* P200 "));
 }
+
+TEST_CASE("a statement behind / that is executed, before anything else stands in the output, is no line of it") {
+  Job job = fanuc();
+  job.program.block_delete = false;
+  job.program.start.fill(0);
+  const std::string cut = "G90 G54 G1 X2. F100.\n";
+  for (const std::string& begin :
+       {"/IF [1 EQ 1] GOTO 5\nG0 X9.\nN5 " + cut, "#1=2.\n/WHILE [#1 LT 3] DO 1\n#1=#1+1\n" + cut + "END 1\n",
+        "/#1=2.\n(A)\n/GOTO 5\n(B)\nG0 X9.\nN5 " + cut, "/WHILE [#1 LT 1] DO 1\n#1=1\nEND 1\n" + cut}) {
+    const std::string out = run("O1\n" + begin + "M30\n", job).text;
+    INFO(out);
+    CHECK(count(out, "plumbline") == 1);
+    CHECK(end_of(out, job)[Axis::X] == Approx(2).margin(0.02));
+  }
+}

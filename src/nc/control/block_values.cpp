@@ -68,7 +68,10 @@ void check_variable(const Execution& run, const Block& block, const Setting& pla
               fmt::format("if it is a variable, declare it: DEF REAL {}", name));
   }
   const bool like_an_axis = std::all_of(name.begin() + 1, name.end(), is_digit);
-  if (!syntax.settings_alone || (block.words.empty() && !like_an_axis)) return;
+  const bool alone = std::all_of(block.words.begin(), block.words.end(), [&](const Word& word) {
+    return word.letter == kNamedCode && run.dialect.named_codes[static_cast<std::size_t>(word.value)].alone;  // NOEX
+  });
+  if (!syntax.settings_alone || (alone && !like_an_axis)) return;
   refuse_at(block, place.span, codes::kUnknownCode,
             fmt::format("{} is no word of this control that is known here", name),
             "a variable needs a block of its own, and a name that begins with two letters");
@@ -105,7 +108,7 @@ std::string_view name_left_open(const Block& block, std::uint32_t code, Paramete
 BlockValues::BlockValues(Execution& run)
     : run_(run),
       system_parameters_(run.control, run.settings, run.dialect),
-      evaluator_(run.dialect.syntax.equal_within) {}
+      evaluator_(run.dialect.syntax.equal_within, !run.dialect.syntax.empty_names) {}
 
 double BlockValues::value_of(const Block& block, std::uint32_t code, Span span) {
   const Value value = evaluator_.run(block, code, system_parameters_);

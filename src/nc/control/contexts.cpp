@@ -335,11 +335,14 @@ void check_cycle(const Execution& run) {
              "them where they stood");
 }
 
-// Some controls take P1.5 for seconds, others stop at it.
-void check_milliseconds(const Execution& run, const Word& word) {
-  if (run.dialect.behaviour.dwell_p_s == 1 || word.value == std::floor(word.value)) return;
+// Some controls take P1.5 and P2. for seconds, others stop at them.
+void check_milliseconds(const Execution& run, const Word& word, bool waits) {
+  if (run.dialect.behaviour.dwell_p_s == 1) return;
+  const bool pointed =
+      waits && word.expression == kLiteral && run.block->at(word.span).find('.') != std::string_view::npos;
+  if (!pointed && word.value == std::floor(word.value)) return;
   run.refuse(word, codes::kNotWhole,
-             fmt::format("P counts whole milliseconds, and {} is none", run.block->at(word.span)),
+             fmt::format("P counts whole milliseconds without a point, and {} is none", run.block->at(word.span)),
              run.chosen_row(Action::dwell) != nullptr ? "write milliseconds without a point, or X and seconds"
                                                       : "write milliseconds without a point");
 }

@@ -89,7 +89,7 @@ void check_contexts(const Execution& run);
 /// The same, of words whose meaning depends on the offsets that the block may have changed: before its motion.
 void check_offsets_of_motion(const Execution& run);
 void check_cycle(const Execution& run);
-void check_milliseconds(const Execution& run, const Word& word);
+void check_milliseconds(const Execution& run, const Word& word, bool waits);
 void check_cycle_beside_motion(const Execution& run);
 void check_beside_dwell(const Execution& run);
 /// Of an axis word that counts from where its axis stands.

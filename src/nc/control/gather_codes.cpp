@@ -90,10 +90,27 @@ void keep_last_of_groups(Execution& run) {
   chosen.resize(kept);
 }
 
+// Some controls read each axis by the code before it, others all of them by the last one.
+void check_both_distances(const Execution& run) {
+  if (run.axes.empty() && !run.words.has('R')) return;
+  const Chosen* first = nullptr;
+  for (const Chosen& chosen : run.chosen) {
+    if (chosen.row->action != Action::absolute && chosen.row->action != Action::incremental) continue;
+    if (first != nullptr && first->row != chosen.row) {
+      run.refuse(*chosen.word, codes::kNotInterpreted,
+                 fmt::format("which axes {} and {} count for in one block differs between controls",
+                             run.text_of(*first->word), run.text_of(*chosen.word)),
+                 "put one of them into a block of its own, as in G91 G28 Z0, then G90");
+    }
+    first = &chosen;
+  }
+}
+
 // Two codes of one modal group cannot both act.
 void check_groups(Execution& run) {
   if (run.dialect.behaviour.last_of_group) {
     check_cycle_beside_motion(run);
+    check_both_distances(run);
     return keep_last_of_groups(run);
   }
   std::uint64_t seen_g = 0;

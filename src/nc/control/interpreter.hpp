@@ -33,6 +33,9 @@ class Interpreter {
   void enter_sharing();
   /// G65: gives the subprogram just entered its arguments.
   void set_macro_arguments();
+  /// The subprogram just entered will be called once more by the same block, and it begins that call.
+  void remember_call() { control_.parameters.remember_begin(); }
+  void call_again() { control_.parameters.begin_again(); }
   /// The settings of a block that steers.
   void assign(const Block& block) { values_.assign(block); }
   Value value(const Block& block, std::uint32_t code) { return values_.value(block, code); }

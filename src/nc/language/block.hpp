@@ -113,6 +113,7 @@ enum class Operation : std::uint8_t {
   bit_or,
   bit_exclusive_or,
   whole_quotient,    // DIV
+  whole_remainder,   // of whole numbers alone
   remainder,         // with the sign of the dividend
   truncate,          // towards zero
   round_away,        // away from zero

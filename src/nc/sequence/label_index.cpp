@@ -23,7 +23,7 @@ void for_each_head(const InputFile& file, const Dialect& dialect, const Take& ta
     if (ends_tape(line.text, begun, dialect)) return;
     const LineHead head = head_of(line.text, dialect);
     begun = begun || !head.empty;
-    take(head, line.place);
+    take(head, line);
   }
 }
 
@@ -33,8 +33,8 @@ LabelIndex::Index& LabelIndex::programs_of(std::size_t file) {
   const auto [at, is_new] = indices_.try_emplace(file);
   Index& index = at->second;
   if (!is_new) return index;
-  for_each_head(files_.file(file), dialect_, [&](const LineHead& head, const LinePlace& place) {
-    if (!head.program.empty()) index.programs.emplace_back(head.program, place);
+  for_each_head(files_.file(file), dialect_, [&](const LineHead& head, const Line& line) {
+    if (!head.program.empty()) index.programs.emplace_back(head.program, line.place);
   });
   return index;
 }
@@ -42,9 +42,9 @@ LabelIndex::Index& LabelIndex::programs_of(std::size_t file) {
 const LabelIndex::Index& LabelIndex::labels_of(std::size_t file) {
   Index& index = programs_of(file);
   if (std::exchange(index.has_labels, true)) return index;
-  for_each_head(files_.file(file), dialect_, [&](const LineHead& head, const LinePlace& place) {
-    if (!head.number.empty()) index.labels[head.number].push_back(place);
-    if (!head.label.empty()) index.labels[head.label].push_back(place);
+  for_each_head(files_.file(file), dialect_, [&](const LineHead& head, const Line& line) {
+    if (!head.number.empty()) index.labels[head.number].push_back(line.place);
+    if (!head.label.empty()) index.labels[head.label].push_back(line.place);
   });
   return index;
 }
@@ -95,6 +95,27 @@ std::optional<FilePlace> LabelIndex::find_program(const std::string& name) {
   auto& programs = programs_of(*file).programs;
   if (programs.empty()) programs.emplace_back(name, LinePlace{});  // a file that names none holds the one of its name
   return find_in_open_files(name);
+}
+
+bool LabelIndex::is_twice(const std::string& name) {
+  for (std::size_t file = 0; file < files_.size(); ++file) {
+    const auto& programs = programs_of(file).programs;
+    const auto is_called_so = [&](const auto& program) { return program.first == name; };
+    if (std::count_if(programs.begin(), programs.end(), is_called_so) > 1) return true;
+  }
+  return false;
+}
+
+std::optional<LinePlace> LabelIndex::other_main(const std::set<std::size_t>& begun) {
+  std::optional<LinePlace> other;
+  std::optional<LinePlace> found;
+  for_each_head(files_.file(0), dialect_, [&](const LineHead& head, const Line& line) {
+    if (!head.program.empty()) {
+      other = begun.contains(line.place.line) ? std::nullopt : std::optional(line.place);
+    }
+    if (other && !found && holds_program_end(line.text)) found = other;
+  });
+  return found;
 }
 
 }  // namespace plumbline::nc

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -24,6 +25,10 @@ class LabelIndex {
   const LinePlace* find_label(const std::string& label, std::size_t line, Direction direction);
   /// The program of that name: in the files that are open, else in one of its name beside the program.
   std::optional<FilePlace> find_program(const std::string& name);
+  /// True if a file holds several programs of that name.
+  bool is_twice(const std::string& name);
+  /// The first program of the program's own file that ends as a main program does, and begins in none of these lines.
+  std::optional<LinePlace> other_main(const std::set<std::size_t>& begun);
 
  private:
   struct Index {

@@ -89,6 +89,7 @@ struct Program::Parts {
   } stage = Stage::blank;
   bool ends_doubtful = false;  // by a % that may be the first one: whether the control reads on there, nobody says
   bool jumped = false;         // before the block of the last step
+  bool words_behind = false;   // its end
   bool in_guard = false;       // of a compensated program
   Place guard_line;            // the last one of it
 
@@ -116,6 +117,7 @@ const Step* Program::Parts::next() {
     }
     place_block(*block, line, flow.file());
     if (stage == Stage::ended) {
+      words_behind = words_behind || block->text.find_first_not_of(" \t\r%") != std::string_view::npos;
       if (ends_doubtful) refuse_text_behind();
       return ignore();
     }
@@ -254,7 +256,10 @@ Program::~Program() = default;
 
 const Step* Program::next() {
   const Step* const step = parts_->next();
-  if (step == nullptr) parts_->flow.check_files();
+  if (step == nullptr) {
+    parts_->flow.check_files();
+    if (parts_->words_behind || parts_->flow.used()) parts_->flow.check_others();
+  }
   return step;
 }
 

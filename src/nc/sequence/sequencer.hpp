@@ -32,6 +32,9 @@ class Sequencer {
   /// True once the program ran into the next one of its file.
   virtual bool ended() const { return false; }
 
+  /// Refuses where the program's file holds another one that nobody calls: it would not be read.
+  virtual void check_others() {}
+
   /// % ends the text here, though lines after it may be looked for; refuses where they are.
   virtual void end_of_text() {}
 

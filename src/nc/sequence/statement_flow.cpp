@@ -16,7 +16,11 @@ namespace {
 
 // Where a subprogram begins.
 FilePlace program_called(const Block& block, const std::string& name, LabelIndex& labels, const Dialect& dialect) {
-  if (const std::optional<FilePlace> found = labels.find_program(name)) return *found;
+  if (const std::optional<FilePlace> found = labels.find_program(name)) {
+    if (!labels.is_twice(name)) return *found;
+    refuse_flow(block, codes::kFlowOpen, fmt::format("several programs of these files are named {}", name),
+                "leave the one that is meant, or give them names of their own");
+  }
   refuse_flow(
       block, codes::kFlowOpen, fmt::format("subprogram {} is neither in this file nor beside it", name),
       fmt::format("put it into a file of its name beside the program, as {}", subprogram_file_name(name, dialect)));
@@ -159,6 +163,7 @@ void StatementFlow::steer(const Block& block) {
 void StatementFlow::head(const Block& block) {
   if (reading_ == Reading::head || block.flow.word == FlowWord::sub) {
     reading_ = Reading::body;
+    if (!called()) begun_.insert(block.line);
     const std::vector<Value> none;
     const std::vector<Value>& arguments = called() ? calls_.top().arguments : none;
     if (block.flow.word == FlowWord::sub && called()) take_values(block, calls_.top());
@@ -173,6 +178,18 @@ void StatementFlow::head(const Block& block) {
   }
   refuse_unended(block, dialect_.syntax.statements);
   reading_ = Reading::after_end;
+}
+
+void StatementFlow::check_others() {
+  if (dialect_.syntax.statements == Statements::high_level) return;
+  const auto other = labels_.other_main(begun_);
+  if (!other) return;
+  Place place;
+  place.file = files_.program_name();
+  place.line = other->line;
+  place.column = 1;
+  refuse(codes::kFlowOpen, "a program of its own begins here, which nothing before it calls: it would stay as it is",
+         "put it into a file of its own, and work on each of them", std::move(place));
 }
 
 void StatementFlow::jump(const Block& block, const std::string& label, Direction direction) {
@@ -260,6 +277,7 @@ void StatementFlow::call(const Block& block) {
   call.entry = program_called(block, call.name, labels_, dialect_);
   enter(block, std::move(call), true);
   for (std::size_t i = 0; i < named.size(); ++i) interpreter_.set_variable(block, i, named[i]);
+  if (calls_.top().remaining > 0) interpreter_.remember_call();
 }
 
 // M98, G65, M97
@@ -278,6 +296,7 @@ void StatementFlow::call_program(const Block& block, const ProgramCall& program)
   const bool macro = program.kind == ProgramCall::Kind::macro;
   enter(block, std::move(call), macro);
   if (macro) interpreter_.set_macro_arguments();
+  if (calls_.top().remaining > 0) interpreter_.remember_call();
 }
 
 void StatementFlow::enter(const Block& block, Call call, bool own_variables) {
@@ -297,12 +316,20 @@ void StatementFlow::enter(const Block& block, Call call, bool own_variables) {
 
 void StatementFlow::begin_call() {
   files_.go_to(calls_.top().entry);
+  if (files_.in_program()) begun_.insert(calls_.top().entry.line.line);
   reading_ = Reading::head;
   entry_ = calls_.entry(files_);
 }
 
 bool StatementFlow::end_program(const Block& block, const ProgramCall& program) {
   if (called()) {
+    if (program.return_to && calls_.top().remaining > 0) {
+      refuse_flow(block, codes::kNotInterpreted,
+                  fmt::format("line {} calls this more than once, and whether P of M99 leaves the calls to come out "
+                              "was found in no source",
+                              calls_.top().line),
+                  "call it once in a block, or leave P out here");
+    }
     leave(block);
   } else if (!program.return_to) {
     return false;  // M99 in the main program: one pass
@@ -332,6 +359,7 @@ void StatementFlow::leave(const Block& block) {
   }
   sections_.leave(calls_.depth());
   if (calls_.begins_again()) {
+    interpreter_.call_again();
     loops_.begin_call_again();
     begin_call();
     return;

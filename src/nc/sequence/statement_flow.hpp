@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 
 #include "base/files/files.hpp"
@@ -26,6 +27,7 @@ class StatementFlow : public Sequencer {
   const std::string& file() const override { return files_.name(); }
   bool called() const override { return !calls_.empty(); }
   void check_files() const override { files_.check_unchanged(); }
+  void check_others() override;
   bool ended() const override { return reading_ == Reading::after_end; }
   bool take(const Block& block) override;
   void call_program(const Block& block, const ProgramCall& program) override;
@@ -56,6 +58,7 @@ class StatementFlow : public Sequencer {
   LabelIndex labels_;
   StatementLoops loops_;
   RepeatedSections sections_;
+  std::set<std::size_t> begun_;  // the lines of the program's file in which it and its subprograms begin
   Reading reading_ = Reading::head;
 };
 

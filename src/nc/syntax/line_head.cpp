@@ -151,6 +151,21 @@ bool digits_from(const std::string& text, std::size_t from) {
 
 LineHead head_of(std::string_view line, const Dialect& dialect) { return HeadReader(line, dialect).read(); }
 
+bool holds_program_end(std::string_view line) {
+  bool comment = false;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    if (line[at] == '(' || line[at] == ')') comment = line[at] == '(';
+    const bool begins = upper(line[at]) == 'M' && (at == 0 || !is_of_name(line[at - 1]) || is_digit(line[at - 1]));
+    if (comment || !begins) continue;
+    const std::size_t first = std::min(line.find_first_not_of("0 ", at + 1), line.size());
+    std::size_t end = first;
+    while (end < line.size() && (is_digit(line[end]) || line[end] == '.')) ++end;
+    const std::string_view number = line.substr(first, end - first);
+    if (number == "2" || number == "30") return true;
+  }
+  return false;
+}
+
 std::string canonical_label(std::string_view text) {
   std::string label = upper_without_blanks(text);
   if (!label.empty() && label.front() == ':') label.front() = 'N';

@@ -19,6 +19,9 @@ struct LineHead {
 
 LineHead head_of(std::string_view line, const Dialect& dialect);
 
+/// True if the line holds M2 or M30, outside its comments.
+bool holds_program_end(std::string_view line);
+
 /// Labels and names of programs as they are compared: upper case, numbers without leading zeros.
 std::string canonical_label(std::string_view text);
 std::string canonical_program(std::string_view text);

@@ -79,3 +79,10 @@ TEST_CASE("labels and names are compared in upper case, without blanks and leadi
   CHECK(canonical_program("O07A") == "O07A");
   CHECK(canonical_program("%_N_L010_SPF") == "L010");
 }
+
+TEST_CASE("M2 and M30 end a program, in whatever way they are written") {
+  for (const char* const line : {"M30", "N5 m02", "X1.M30", "G0 X1. M2 (END)", "/M30", "NEND M2"})
+    CHECK(holds_program_end(line));
+  for (const char* const line : {"M3 S30", "(M30)", "M300", "M20", "M2.5", "LM2=5", "M98 P30", ""})
+    CHECK_FALSE(holds_program_end(line));
+}

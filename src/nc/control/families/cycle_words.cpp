@@ -80,7 +80,8 @@ void CycleWords::take_words() {
   for (std::size_t i = 0; i < 3; ++i) {
     cycle_.ijk[i] = inherited(kCentreLetters[i], cycle_.ijk[i], length(kCentreLetters[i]), code_ == kBackBore);
   }
-  if (const Word* const word = run_.words.find('P')) check_milliseconds(run_, *word);
+  const bool waits = of_osp || !(pecks || code_ == kDrill || code_ == kBore);
+  if (const Word* const word = run_.words.find('P')) check_milliseconds(run_, *word, waits);
   if (of_osp) take_words_of_osp(is_new);
   if (cycle_.dwell_s < 0) {
     run_.refuse(*run_.words.find('P'), codes::kNegative, "the time to wait is negative", "write P0 or more");

@@ -125,7 +125,7 @@ void dwell(Execution& run, const Word& code) {
   if (word->value < 0) {
     run.refuse(*word, codes::kNegative, "the time to wait is negative", fmt::format("write {}0 or more", word->letter));
   }
-  if (word->letter == 'P') check_milliseconds(run, *word);
+  if (word->letter == 'P') check_milliseconds(run, *word, true);
   Motion motion;
   motion.kind = MotionKind::dwell;
   if (run.chosen_row(Action::dwell)->takes_axes) run.axes = AxisSet{};  // X is the time

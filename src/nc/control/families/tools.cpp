@@ -40,7 +40,9 @@ int tool_of_block(const Execution& run, const Chosen& chosen) {
   if (named > 0 || (word != nullptr && run.dialect.behaviour.h0_is_no_tool))
     return named;  // H0 is the tool in the spindle [LinuxCNC, measured]
   if (word == nullptr && chosen.row->action == Action::tool_length_added) run.need('H', "G43.2");
-  if (word == nullptr && run.dialect.behaviour.offset_numbers_last) run.need('H', run.block->at(chosen.word->span));
+  const ControlBehaviour& control = run.dialect.behaviour;
+  if (word == nullptr && (control.offset_numbers_last || control.h0_is_no_tool))
+    run.need('H', run.block->at(chosen.word->span));
   return tool_in_spindle(run, *chosen.word);
 }
 

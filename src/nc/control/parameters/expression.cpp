@@ -60,6 +60,7 @@ double of_two(Operation operation, double a, double b, double equal_within) {
     case Operation::whole_quotient:
       return std::trunc(a / b);
     case Operation::remainder:
+    case Operation::whole_remainder:
       return std::fmod(a, b);
     case Operation::power:
       return std::pow(a, b);
@@ -171,6 +172,14 @@ void check_arc_sine(const Block& block, const Instruction& step, const Value& va
             "write the angle itself, or -ASIN of the number without its sign");
 }
 
+// Some controls round both numbers first, others do not.
+void check_remainder(const Block& block, const Instruction& step, const Value& a, const Value& b) {
+  if (step.operation != Operation::whole_remainder) return;
+  for (const Value& value : {a, b}) {
+    if (value.known) whole_number(block, step.span, value.number, "what MOD divides, or divides by,");
+  }
+}
+
 }  // namespace
 
 // AND and OR give the same for 0 and 1, whether they join truths or bits.
@@ -183,6 +192,16 @@ void Evaluator::check_truths(const Block& block, const Instruction& step) const 
                           block.at(step.span), value.number),
               "join conditions, which are 0 or 1, as in [VC1 EQ 3] AND [VC2 LT 4]");
   }
+}
+
+// What such a variable counts as was found in no source.
+void Evaluator::check_vacant(const Block& block, const Instruction& step, const Value& a, const Value& b) const {
+  if (vacant_is_zero_ || (!a.vacant && !b.vacant)) return;
+  const Instruction* const before = &step - 1;
+  const bool compares = step.operation == Operation::equal || step.operation == Operation::not_equal;
+  if (compares && (before[0].operation == Operation::vacant || before[-1].operation == Operation::vacant)) return;
+  refuse_at(block, step.span, codes::kParameterUnset, fmt::format("a value of {} was never set", block.at(step.span)),
+            "set the variable before, or ask with EQ EMPTY");
 }
 
 double Evaluator::rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding) {
@@ -234,14 +253,18 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
       stack_.pop_back();
       const Value a = stack_.back();
       result.known = a.known && b.known;
+      check_remainder(block, *step, a, b);
+      check_vacant(block, *step, a, b);
       result.number = is_of_bits(step->operation) ? of_bits(block, *step, a, b)
                                                   : of_two(step->operation, a.number, b.number, equal_within_);
       // To be vacant is not to be zero, for EQ and NE alone [B-63174EN, 13.1].
       if (a.vacant != b.vacant && step->operation == Operation::equal) result.number = 0;
       if (a.vacant != b.vacant && step->operation == Operation::not_equal) result.number = 1;
     } else if (step->operation == Operation::round) {
+      check_vacant(block, *step, b, b);
       result.number = rounded(block, *step, b.number, rounding);
     } else {
+      if (step->operation != Operation::negate) check_vacant(block, *step, b, b);
       check_arc_sine(block, *step, b);
       result.number = of_one(step->operation, b.number);
       result.vacant = b.vacant && step->operation == Operation::negate;

@@ -34,14 +34,18 @@ struct Rounding {
 
 class Evaluator {
  public:
-  /// `equal_within`: of EQ and NE; 1e-4 [LinuxCNC, measured].
-  explicit Evaluator(double equal_within = 1e-4) : equal_within_(equal_within) {}
+  /// `equal_within`: of EQ and NE; 1e-4 [LinuxCNC, measured]. `vacant_is_zero`: a variable that was never set counts as
+  /// 0; else it is compared with EMPTY alone.
+  explicit Evaluator(double equal_within = 1e-4, bool vacant_is_zero = true)
+      : equal_within_(equal_within), vacant_is_zero_(vacant_is_zero) {}
   /// The value of the code that begins at `code` in block.code. Refuses what the control would: nc-arithmetic and the
   /// like.
   Value run(const Block& block, std::uint32_t code, ParameterReader& parameters, const Rounding& rounding = {});
 
  private:
+  void check_vacant(const Block& block, const Instruction& step, const Value& a, const Value& b) const;
   double equal_within_;
+  bool vacant_is_zero_;
   static double rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding);
   void check_truths(const Block& block, const Instruction& step) const;
   std::vector<Value> stack_;

@@ -25,24 +25,22 @@ const Value* Parameters::find(std::string_view name) {
 // From REAL to INT what is 0.5 or more is rounded up, the rest down; any value but 0 is TRUE [6FC5398-2BP40-0BA0 p.
 // 54].
 Value Parameters::converted(Value value) {
-  std::size_t at = scopes_.size() - 1;
-  while (scopes_[at].shared) --at;
-  const auto type = scopes_[at].types.find(plain_);
-  if (type == scopes_[at].types.end() || !value.known || value.vacant) return value;
+  const Scope& scope = owner();
+  const auto type = scope.types.find(plain_);
+  if (type == scope.types.end() || !value.known || value.vacant) return value;
   value.number = type->second == VariableType::whole ? std::round(value.number) : value.number != 0 ? 1 : 0;
   return value;
 }
 
 void Parameters::declare(std::string_view name, VariableType type) {
   plain(name);
-  std::size_t at = scopes_.size() - 1;
-  while (scopes_[at].shared) --at;
-  if (type != VariableType::real) scopes_[at].types[plain_] = type;
+  if (type != VariableType::real) owner().types[plain_] = type;
 }
 
 void Parameters::set(std::string_view name, Value value) {
   plain(name);
   value = converted(value);
+  owner().left_over.erase(plain_);
   Names& names = scope_of(plain_);
   const auto at = names.find(plain_);
   if (at != names.end()) {
@@ -77,6 +75,35 @@ bool Parameters::was_local_elsewhere(std::string_view name) {
   plain(name);
   return left_.contains(plain_) ||
          std::any_of(scopes_.begin(), scopes_.end(), [&](const Scope& scope) { return scope.names.contains(plain_); });
+}
+
+void Parameters::remember_begin() {
+  Scope& scope = scopes_.back();
+  if (scope.shared) return;
+  scope.first.assign(locals(), locals() + static_cast<std::ptrdiff_t>(scope.callers.size()));
+  scope.first_names = scope.names;
+}
+
+void Parameters::begin_again() {
+  const auto differs = [](const Value& a, const Value& b) {
+    return a.number != b.number || a.known != b.known || a.vacant != b.vacant;
+  };
+  Scope& scope = scopes_.back();
+  if (scope.shared) return;
+  auto now = locals();
+  for (const Numbered& first : scope.first) {
+    now->left_over = now->set != first.set || differs(now->value, first.value);
+    ++now;
+  }
+  for (const auto& [name, value] : scope.names) {
+    const auto first = scope.first_names.find(name);
+    if (first == scope.first_names.end() || differs(value, first->second)) scope.left_over.insert(name);
+  }
+}
+
+bool Parameters::is_left_over(std::string_view name) {
+  plain(name);
+  return owner().left_over.contains(plain_);
 }
 
 void Parameters::leave() {

@@ -51,6 +51,12 @@ class Parameters {
   void enter_with_own(int count);
   /// A subprogram begins that shares all names and numbers with its caller.
   void enter_sharing();
+  /// The block that called calls once more: what the subprogram left in names and numbers of its own, and what they are
+  /// worth as it begins again, is known of those alone that are as they were when `remember_begin` was called.
+  void remember_begin();
+  void begin_again();
+  bool is_left_over(int number) const { return numbered(number).left_over; }
+  bool is_left_over(std::string_view name);
   /// It ends: those of its caller are back.
   void leave();
   /// Subprograms that are being executed.
@@ -63,6 +69,7 @@ class Parameters {
   struct Numbered {
     Value value;
     bool set = false;
+    bool left_over = false;  // of the call before, by the same block
   };
   struct Hash {
     using is_transparent = void;
@@ -92,14 +99,18 @@ class Parameters {
     Names names;
     std::unordered_map<std::string, VariableType, Hash, std::equal_to<>> types;  // of those that are not real
     std::vector<Numbered> callers;                                               // #1..#30 of the caller
-    bool shared = false;                                                         // the names are those of the caller
+    std::vector<Numbered> first;                                                 // its own, as it began
+    Names first_names;
+    std::set<std::string, std::less<>> left_over;  // names
+    bool shared = false;                           // the names are those of the caller
   };
-  Names& scope_of(std::string_view plain) {
-    if (plain.starts_with('_')) return global_;
+  /// Whose names those of the scope that is executed are.
+  Scope& owner() {
     std::size_t at = scopes_.size() - 1;
     while (scopes_[at].shared) --at;
-    return scopes_[at].names;
+    return scopes_[at];
   }
+  Names& scope_of(std::string_view plain) { return plain.starts_with('_') ? global_ : owner().names; }
   Names global_;
   std::vector<Scope> scopes_{Scope{}};
   std::set<std::string, std::less<>> left_;  // names of subprograms that have ended

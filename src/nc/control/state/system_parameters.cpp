@@ -131,11 +131,21 @@ Value SystemParameters::unset(const Block& block, Span span) const {
             "set it in the program before, or give the control's variables: --variables FILE");
 }
 
+void SystemParameters::refuse_left_over(const Block& block, Span span) {
+  refuse_at(
+      block, span, codes::kNotInterpreted,
+      fmt::format("{} was set by the call before of the same block: whether it begins anew with each of them was "
+                  "found in no source",
+                  block.at(span)),
+      "set it at the begin of what is called, count in a common variable, or write each call in a block of its own");
+}
+
 // A local variable that was not set is vacant; a common one may hold what another program left there.
 Value SystemParameters::read_macro_variable(const Block& block, int number, Span span) const {
   const auto axis_from = [&](int first) { return kAllAxes[static_cast<std::size_t>(number - first)]; };
   const auto is_axis_from = [&](int first) { return number >= first && number < first + static_cast<int>(kAxes); };
   if (number == 0) return {0, true, true};
+  if (control_.parameters.is_left_over(number)) refuse_left_over(block, span);
   if (control_.parameters.has(number)) return control_.parameters.get(number);
   if (number <= dialect_.syntax.local_variables) return {0, true, true};
   if (is_common(number)) return unset(block, span);
@@ -202,6 +212,7 @@ bool SystemParameters::is_made(const Block& block, std::string_view plain, Span 
 }
 
 Value SystemParameters::read(const Block& block, std::string_view name, Span span) {
+  if (control_.parameters.is_left_over(name)) refuse_left_over(block, span);
   if (const Value* value = control_.parameters.find(name)) return *value;
   if (dialect_.syntax.empty_names) return {0, true, true};
   if (dialect_.syntax.system_variables == SystemVariables::none) return unset(block, span);

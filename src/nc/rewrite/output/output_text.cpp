@@ -51,7 +51,8 @@ void OutputText::follow(const Step& step) {
   header_end_ = std::max<std::uint64_t>(header_end_, byte_order_mark_size(block));
   const bool number = block.flow.word == FlowWord::program && !block.block_delete;
   const bool steers = block.flow.word != FlowWord::none && !number;  // what it sets is no line of an unrolled program
-  const bool text = block.words.empty() && (block.settings.empty() || steers) && !block.block_delete;  // / is rewritten
+  const bool rewritten = block.block_delete && !(unrolls_ && steers && step.block_delete != BlockDelete::left_out);
+  const bool text = block.words.empty() && (block.settings.empty() || steers) && !rewritten;
   const bool blank = text && block.comments.empty() && block.kind == LineKind::block;
   if (block.kind == LineKind::percent || (text && !block.comments.empty()) || number) {
     header_end_ = source_end_;

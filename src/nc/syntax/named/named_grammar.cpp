@@ -43,11 +43,9 @@ void check_goes_on(const BlockReading& in) {
   }
 }
 
-// NCYL is a code, whatever else begins with N a label.
-bool is_code_of_motion(const BlockReading& in) {
-  const NameMeaning* const meaning = in.dialect->meaning(in.out.at(in.cursor.span()));
-  return means(meaning, Kind::code) &&
-         in.dialect->named_codes[static_cast<std::size_t>(meaning->which)].action == Action::no_hole;
+// NCYL and NOEX are codes, whatever else begins with N a label.
+bool is_code_by_name(const BlockReading& in) {
+  return means(in.dialect->meaning(in.out.at(in.cursor.span())), Kind::code);
 }
 
 // number = "N" , ( number | name ) | ":" , number; token() is what stands after it
@@ -63,7 +61,7 @@ void block_number(BlockReading& in) {
     cursor.pass_digits();
     number.end = cursor.here();
   } else if (!may_be_name || !cursor.is(TokenKind::identifier) || upper(*cursor.token().begin) != 'N' ||
-             is_code_of_motion(in)) {
+             is_code_by_name(in)) {
     return;
   }
   in.out.set_number(number);

@@ -130,6 +130,17 @@ void value_arguments(BlockReading& in, Span name) {
   }
 }
 
+// CALLOSUB PX=5: no blank is needed on some controls, and what is set then is none of the name.
+void refuse_glued_keyword(const BlockReading& in, Span name) {
+  if (!in.dialect->syntax.settings_alone) return;
+  const std::string text = upper(in.out.at(name));
+  for (const std::string_view keyword : {"CALL", "GOTO", "MODIN"}) {
+    if (!text.starts_with(keyword)) continue;
+    in.cursor.refuse(name, codes::kAssignment, fmt::format("{} begins with {}", in.out.at(name), keyword),
+                     "put a blank behind it, or choose another name for the variable");
+  }
+}
+
 }  // namespace
 
 void read_assigned_word(BlockReading& in, char letter, Span span, WordUse use) {
@@ -168,6 +179,7 @@ void read_assigned_variable(BlockReading& in, Span name, const NameMeaning* mean
     in.out.end_code();
   } else {
     if (is_reserved(in, text)) refuse_reserved(in, name);
+    refuse_glued_keyword(in, name);
     if (item_follows(in, TokenKind::open)) {
       in.cursor.refuse(name, codes::kNotInterpreted, fmt::format("{} is a field, which is not interpreted", text),
                        "write a variable for each of its elements");

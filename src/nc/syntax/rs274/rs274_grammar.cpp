@@ -1,5 +1,7 @@
 #include "nc/syntax/rs274/rs274_grammar.hpp"
 
+#include <algorithm>
+
 #include "nc/language/codes.hpp"
 #include "nc/syntax/rs274/macro_statements.hpp"
 #include "nc/syntax/rs274/o_words.hpp"
@@ -7,6 +9,18 @@
 
 namespace plumbline::nc {
 namespace {
+
+// G0 15. would be G15: more likely a letter is missing than a blank too many (macro B).
+void refuse_blank_in_number(const BlockReading& in) {
+  if (in.syntax->statements != Statements::macro_b) return;
+  const std::string_view text = in.out.at(in.cursor.span());
+  const std::size_t first = text.find_first_of("+-.0123456789");
+  const std::size_t blank = text.find_first_of(" \t", std::min(first, text.size()));
+  if (blank == std::string_view::npos || text.find_first_of(".0123456789", blank) == std::string_view::npos) return;
+  const auto at = in.cursor.span().begin + static_cast<std::uint32_t>(blank);
+  in.cursor.refuse({at, at + 1}, codes::kBadNumber, "a blank inside a number",
+                   "take it out, or add the letter that is missing behind it");
+}
 
 void line_number(BlockReading& in) {
   const Token& token = in.cursor.token();
@@ -55,6 +69,7 @@ void items(BlockReading& in) {
   for (;; cursor.take(lex_item)) {
     switch (cursor.token().kind) {
       case TokenKind::word:
+        refuse_blank_in_number(in);
         in.out.add_literal(cursor.token(), cursor.span());
         break;
       case TokenKind::letter:

@@ -68,7 +68,7 @@ void operations(BlockReading& in, int least_precedence, bool& compared) {
       }
       compared = true;
     }
-    if (operation == Operation::modulo && in.syntax->rounds_to_zero) operation = Operation::remainder;
+    if (operation == Operation::modulo && in.syntax->rounds_to_zero) operation = Operation::whole_remainder;
     const Span span = cursor.span();
     cursor.pass();
     real_value(in);
