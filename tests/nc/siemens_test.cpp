@@ -310,7 +310,7 @@ TEST_CASE("where the tool is tilted, a change of its length moves X and Y of the
   const auto known_after = [](const std::string& text) {
     const ProgramFile program("G54 G0 X0 Y0 Z50 " + text);
     const InputFile file(program.path());
-    ProgramSettings settings = with_tools();
+    ProgramSettings settings = with_offsets();
     settings.as_with_empty_tables = false;
     settings.keeps_position = {6};
     AxisSet known;
