@@ -22,6 +22,7 @@ MEANINGS = {
     "no_next_tool": "the tool change to come takes no tool",
     "return_level": "level that cycles go back to",
     "tool_tip_off": "tool-tip mode off: the tool's length is stated anew",
+    "transformation": "states the tool-tip mode, goes through as it stands",
     "tool_tip_on": "tool-tip mode, with H the tool's length",
     "arc_centre_absolute": "absolute centres of arcs",
     "arc_centre_incremental": "centres of arcs from their start",

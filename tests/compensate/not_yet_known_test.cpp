@@ -48,6 +48,22 @@ TEST_CASE("until D is written after a change of tools, rapids in X and Y go thro
     CHECK(cuts_of(out) == cuts_of(settled));
   }
   CHECK(code_of(start + "D0\nT1\nM6\nG1 X10 F300\nM30\n", job) == "compensate-position-unknown");
+  const std::string turned = run(start + "D0\nT1\nM6\nN22 G0 A0 B0 C0\nX10 Y5.5\nG0 Z40 D1\n" + rest, job).text;
+  CHECK(finds(turned, "^N22 G0 A0 B0 C0$"));
+  CHECK(cuts_of(turned) == cuts_of(settled));
+}
+
+TEST_CASE("a change of the length of a tilted tool leaves X, Y and Z to be stated") {
+  const Job job = kept_over_changes("siemens");
+  const std::string start = "G54 G17 G710 G90 G94\nG0 X0 Y0 Z80 A5 B0 C0 D0\n";
+  for (const std::string cut : {"D1\nG1 Y5 F100\nM30\n", "D1\nG0 X0 Y0\nG1 Y5 F100\nM30\n",
+                                "D1\nG0 Z30\nG1 Y5 F100\nM30\n", "G0 X0 D1\nG1 X5 Y0 F100\nM30\n"}) {
+    INFO(cut);
+    CHECK(code_of(start + cut, job) == "compensate-position-unknown");
+  }
+  const std::string out = run(start + "D1\nN9 G0 X1 Y2\nZ30\nG1 Y5 F100\nM30\n", job).text;
+  CHECK(finds(out, "^N9 G0 X1 Y2$"));
+  CHECK(finds(out, "^Z[0-9.]+ "));
 }
 
 TEST_CASE("axis words before the first motion code and F are rapids, in the output too") {

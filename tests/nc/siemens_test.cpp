@@ -297,13 +297,34 @@ TEST_CASE("where G53 puts the tip while a tool's length is in force is not known
 TEST_CASE("a tool changed while D0 is in force leaves open which edge counts, until D says it") {
   check_refused({{"G54 G0 X0 Y0 Z50 D0\nT1\nM6\nX5\nZ10\n", 5, 1},
                  {"G54 G0 X0 Y0 Z50 D0\nT1 M6\nG91 G1 X1 Z-1 F100\n", 3, 11},
-                 {"G54 G0 X0 Y0 Z50 D0\nT1 M6\nTRAORI\nX5 A3\n", 4, 4}});
+                 {"G54 G0 X0 Y0 Z50 D0\nT1 M6\nTRAORI\nG1 X5 A3 F100\n", 4, 7}});
   for (const char* program :
        {"G54 G0 X0 Y0 Z50 D0\nT1\nM6\nX5 Y5\nZ10 D1\nZ5\n", "G54 G0 SUPA Z50 D0\nT1 M6\nG0 SUPA Z20\nD1\nX5 Z5\n",
-        "G54 G0 Z50 D0\nT1 M6\nD0 Z20\n"}) {
+        "G54 G0 X0 Y0 Z50 D0\nT1 M6\nTRAORI\nX5 A3\nZ10 D1\n", "G54 G0 Z50 D0\nT1 M6\nD0 Z20\n"}) {
     INFO(program);
     CHECK(outcome_of(program).code.empty());
   }
+}
+
+TEST_CASE("where the tool is tilted, a change of its length moves X and Y of the tip as well") {
+  const auto known_after = [](const std::string& text) {
+    const ProgramFile program("G54 G0 X0 Y0 Z50 " + text);
+    const InputFile file(program.path());
+    ProgramSettings settings = with_offsets();
+    settings.as_with_empty_tables = false;
+    settings.keeps_position = {6};
+    AxisSet known;
+    Program blocks(file, dialect("siemens"), settings);
+    while (const Step* step = blocks.next()) known = step->known;
+    return known;
+  };
+  const AxisSet turns{Axis::A, Axis::B, Axis::C};
+  CHECK(known_after("A0 B0 C9 D0\nT1 M6\nD1\n") == AxisSet::all());
+  CHECK(known_after("A5 B0 C0 D0\nT1 M6\nD1\n") == turns);
+  CHECK(known_after("A5 B0 C0 D0\nT1 M6\nD1\nG0 Y7\n") == (turns | AxisSet{Axis::Y}));
+  CHECK(known_after("A0 B0 C0 D0\nT1 M6\nG0 B-4\nG0 X1 Z9 D1\n") == (turns | AxisSet{Axis::X, Axis::Z}));
+  CHECK(known_after("A0 B0 C0\nT1 M6\nG0 B-4 X3\nD0\n") == turns);
+  CHECK(known_after("A0 B2 C0 D0\nT1 M6\nG0 Y1\n") == (turns | AxisSet{Axis::Y}));
 }
 
 TEST_CASE("R parameters that were never given are zero where tables count as empty") {

@@ -165,6 +165,8 @@ void act_on_position(Execution& run, const Chosen& chosen) {
     case Action::change_tool:
     case Action::set_tool:
       return change_tool(run, chosen);
+    case Action::transformation:
+      return choose_transformation(run, chosen);
     case Action::feed_group:
       return set_feed_group(run, chosen);
     case Action::tool_edge:

@@ -175,9 +175,10 @@ void check_tool_vector(Execution& run);
 void end_along_vector(const Execution& run, Motion& motion);
 /// Refuses a move whose way or time depends on how the control turns the tool from one direction to the next.
 void check_way_of_vector(const Execution& run, const Motion& motion);
-void set_feed_group(Execution& run, const Chosen& chosen);  // FGROUP
-void choose_edge(Execution& run, const Word& word);         // tools.cpp: D
-void call_macro(Execution& run);                            // macro_call.cpp: G65
+void set_feed_group(Execution& run, const Chosen& chosen);         // FGROUP
+void choose_transformation(Execution& run, const Chosen& chosen);  // TRAORI, TRAFOOF
+void choose_edge(Execution& run, const Word& word);                // tools.cpp: D
+void call_macro(Execution& run);                                   // macro_call.cpp: G65
 
 void set_modal_call(Execution& run);                  // cycle_calls.cpp: MCALL
 void call_cycle(Execution& run, const CodeRow& row);  // CYCLE81(10,0,2,-15)

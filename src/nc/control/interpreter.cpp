@@ -138,9 +138,9 @@ void Interpreter::set_macro_arguments() {
 
 void Interpreter::leave_subprogram(const Block& block) {
   control_.parameters.leave();
-  const std::optional<SavedModes> modes = saved_.back();
+  const ModesOfCall modes = saved_.back();
   saved_.pop_back();
-  if (modes && modes->of_call) restore_modes(run_, *modes, block);
+  if (modes.saved && modes.come_back) restore_modes(run_, *modes.saved, block);
 }
 
 // M70 to M73; false: another code.
@@ -151,16 +151,17 @@ bool Interpreter::act_on_saved_modes(const Chosen& chosen) {
   run_.step.saves_modes = true;
   switch (action) {
     case Action::forget_modes:
-      saved_.back().reset();
+      saved_.back().saved.reset();
       return true;
     case Action::restore_modes:
-      if (!saved_.back()) {
+      if (!saved_.back().saved) {
         run_.refuse(*chosen.word, codes::kModesNotSaved, "no modes were saved here", "save them with M70 before");
       }
-      restore_modes(run_, *saved_.back(), *run_.block);
+      restore_modes(run_, *saved_.back().saved, *run_.block);
       return true;
     default:
-      saved_.back() = save_modes(control_, action == Action::save_modes_of_call);
+      saved_.back().saved = save_modes(control_);
+      saved_.back().come_back |= action == Action::save_modes_of_call;
       return true;
   }
 }

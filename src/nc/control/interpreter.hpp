@@ -62,8 +62,8 @@ class Interpreter {
 
   Control control_;
   Modal before_;
-  Frame frame_of_block_;                                        // where the work system is that of one block alone
-  std::vector<std::optional<SavedModes>> saved_{std::nullopt};  // one a call level, the program itself first
+  Frame frame_of_block_;                           // where the work system is that of one block alone
+  std::vector<ModesOfCall> saved_{ModesOfCall{}};  // one a call level, the program itself first
   Execution run_;
   BlockValues values_;
 };

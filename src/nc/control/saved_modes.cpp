@@ -86,8 +86,8 @@ void restore_shift(Execution& run, const SavedModes& saved) {
 
 }  // namespace
 
-SavedModes save_modes(const Control& control, bool of_call) {
-  return {of_call, control.modal, control.surface_speed, control.frame.tool != AxisWords{}, control.g92.applied};
+SavedModes save_modes(const Control& control) {
+  return {control.modal, control.surface_speed, control.frame.tool != AxisWords{}, control.g92.applied};
 }
 
 // The length unit comes back in a block of its own, the others together [interp_convert.cc, restore_settings].

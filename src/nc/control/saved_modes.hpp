@@ -8,14 +8,19 @@
 namespace plumbline::nc {
 
 struct SavedModes {
-  bool of_call = false;  // M73: come back at the end of the subprogram
   Modal modal;
   bool surface_speed = false;
   bool tool_length = false;         // some length was in force: G43, else G49
   std::optional<bool> g92_applied;  // whether an offset of G92 or G52 was; nothing: not known
 };
 
-SavedModes save_modes(const Control& control, bool of_call);
+/// What a call has kept. Once M73 was written, whatever M70 keeps after it comes back at the end as well [M].
+struct ModesOfCall {
+  std::optional<SavedModes> saved;
+  bool come_back = false;
+};
+
+SavedModes save_modes(const Control& control);
 /// As the control does it, which executes the codes of those modes that differ: G43 is the length of the tool in the
 /// spindle then, F and S come back rounded, G92.2 or G92.3 stands for G92. `block` is the one at fault where they
 /// cannot come back.

@@ -87,6 +87,7 @@ enum class Action : std::uint8_t {
   frame_new,             // TRANS, ROT: the programmable frame is this
   frame_added,           // ATRANS, AROT
   feed_group,            // FGROUP
+  transformation,        // TRAORI, TRAFOOF: what is always so, where no frame is in force
   exact_stop_once,       // G9: of this block alone
   work_system_by_word,   // G54.1 P3, G15 H3
   work_system_of_block,  // G16 H3: of this block alone

@@ -82,6 +82,7 @@ constexpr std::array kActions{
     ActionName{"frame_new", Action::frame_new},
     ActionName{"frame_added", Action::frame_added},
     ActionName{"feed_group", Action::feed_group},
+    ActionName{"transformation", Action::transformation},
     ActionName{"exact_stop_once", Action::exact_stop_once},
     ActionName{"work_system_by_word", Action::work_system_by_word},
     ActionName{"work_system_of_block", Action::work_system_of_block},

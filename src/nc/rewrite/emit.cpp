@@ -98,7 +98,7 @@ void Emitter::copy(const Step& step) {
   if (step.role == BlockRole::stores_position) refuse_if_shifted(step, control_);
   if (text_.changed()) refuse_if_turned(step, control_);
   if (step.cycle != CycleForm::none) note_cycle_level(step);
-  if (step.block_delete != BlockDelete::none) return copy_with_choice_applied(step);
+  if (step.block_delete == BlockDelete::left_out) return leave_out(step);
   const bool offset_words = step.role == BlockRole::sets_offset && shifts_words(step, offset_shift(step, control_));
   const bool motion_missing = text_.changed() && !step.motions.empty() && codes.motion == nullptr &&
                               control_.motion != step.after->motion &&
@@ -106,11 +106,13 @@ void Emitter::copy(const Step& step) {
                               step.motions.front().kind != MotionKind::dwell;
   if (offset_words) refuse_shared_offset(step, codes);
   if (offset_words || text_.unrolls()) begin_change(step);
+  if (!text_.changed() && step.block_delete == BlockDelete::executed) text_.hold(step, without_slash(block));
   if (text_.changed()) {
     refuse_point_without_code(step, codes, control_.motion);
     const std::uint64_t begin = text_.size();
     restore_feed_state(step, codes.feed != nullptr);
     editor_.start(block, spelling_);
+    if (step.block_delete == BlockDelete::executed) editor_.replace(block.slash, "");
     if (offset_words) add_offset_shifts(step);
     if (motion_missing) {
       const Word* first = first_axis_word(block);
@@ -151,30 +153,23 @@ void Emitter::add_offset_shifts(const Step& step) {
 }
 
 // Block delete: what the control's switch would decide is decided in the text.
-void Emitter::copy_with_choice_applied(const Step& step) {
-  const Block& block = *step.block;
-  const bool left_out = step.block_delete == BlockDelete::left_out;
+std::string Emitter::without_slash(const Block& block) {
   std::string text;
-  if (left_out) {
-    text = dialect_.comment_open + std::string(kSkipped) + dialect_.comment_close;
-  } else {
-    editor_.start(block, spelling_);
-    editor_.replace(block.slash, "");
-    editor_.apply(text);
-  }
+  editor_.start(block, spelling_);
+  editor_.replace(block.slash, "");
+  editor_.apply(text);
+  return text;
+}
+
+void Emitter::leave_out(const Step& step) {
+  const std::string text = dialect_.comment_open + std::string(kSkipped) + dialect_.comment_close;
   if (text_.unrolls()) begin_change(step);
-  if (!text_.changed()) {
-    text_.hold(step, text);
-  } else {
-    const std::uint64_t begin = text_.size();
-    if (!left_out) restore_feed_state(step, find_word(block, 'F') != nullptr);
-    text_.write_line(step, text);
-    text_.end_block(step);
-    line_ = text;
-    text_.note_replaced(step, begin, line_);
-  }
-  if (left_out) return;
-  control_.follow(step, codes_.codes_of(block));
+  if (!text_.changed()) return text_.hold(step, text);
+  const std::uint64_t begin = text_.size();
+  text_.write_line(step, text);
+  text_.end_block(step);
+  line_ = text;
+  text_.note_replaced(step, begin, line_);
 }
 
 EmittedMove Emitter::move(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,

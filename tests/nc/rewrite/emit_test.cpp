@@ -239,6 +239,18 @@ TEST_CASE("block delete: the choice is applied") {
   CHECK(rewrite("G0 X1\n/G0 X6\n/(note)\n", how) == "(stamped)\nG0 X1 Z0.01\nG0 X6\n/(note)\n");
 }
 
+TEST_CASE("what sets an offset from where the control stands is changed behind / as elsewhere") {
+  Rewriting how = lift(0.01);
+  how.program.block_delete = false;
+  CHECK(rewrite("G0 X1\n/G92 Z5\nG0 Z6\n", how) == "(stamped)\nG0 X1 Z0.01\nG92 Z5.01\nG0 Z6.01\n");
+  CHECK(rewrite("G0 X1\n/N8 X2 G92 Z5\nG0 Z6\n", how) == "(stamped)\nG0 X1 Z0.01\nN8 X2 G92 Z5.01\nG0 Z6.01\n");
+  CHECK(rewrite("G0 X1\n/G10 L20 P1 Z5\nG0 Z6\n", how) == "(stamped)\nG0 X1 Z0.01\nG10 L20 P1 Z5.01\nG0 Z6.01\n");
+  CHECK(testing::refusal_of([&] { rewrite("G0 X1\n/G10 L20 P1 Z0 G43.1\n", how); }).code == "emit-shared-words");
+  how.program.block_delete = true;
+  CHECK(rewrite("G0 X1\n/G92 Z5\nG0 Z6\n", how) ==
+        "(stamped)\nG0 X1 Z0.01\n(block delete is on: this block was left out)\nG0 Z6.01\n");
+}
+
 TEST_CASE("words that set a tool length as well as move are not corrected") {
   const std::string text = "G0 X1\nG43.1 Z8 G0 X2\n";
   CHECK(rewrite(text, lift(0)) == text);

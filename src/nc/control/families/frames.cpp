@@ -1,5 +1,8 @@
 // Further work systems and shifts: G54.1 P, G15 H, G10 L2 of Fanuc, G52, G68, TRANS, ROT.
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -245,6 +248,27 @@ void change_programmed_frame(Execution& run, const Chosen& chosen) {
     default:
       return change_frame_by_name(run, chosen);
   }
+}
+
+// TRAORI, TRAFOOF: further values of TRAORI turn the tool at its zero and shift the zero of A, B and C [A 6.2.2];
+// either deselects the frame before it [W 7.10].
+void choose_transformation(Execution& run, const Chosen& chosen) {
+  const std::string_view text = run.block->at(chosen.word->span);
+  std::string values;
+  for (std::size_t i = text.find('('); i < text.size(); ++i) {
+    if (text[i] != ' ' && text[i] != '\t') values += text[i];
+  }
+  constexpr std::array<std::string_view, 4> kAsItIs{"", "()", "(1)", "(1,0,0,1)"};
+  if (std::find(kAsItIs.begin(), kAsItIs.end(), values) == kAsItIs.end()) {
+    run.refuse(*chosen.word, codes::kNotInterpreted,
+               "these values choose another transformation, direction of the tool, or zero of A, B and C",
+               "TRAORI, TRAORI(1) and TRAORI(1,0,0,1) are interpreted");
+  }
+  check_no_plane(run, *chosen.word);
+  if (run.control.local == AxisWords{} && run.control.turn_deg == 0) return;
+  run.refuse(*chosen.word, codes::kNotInterpreted,
+             "the control deselects the frame in force here, and machine data say whether it comes back",
+             "write TRANS and ROT after it, and TRANS alone before it");
 }
 
 // FGROUP(X,Y,Z): F is the speed of these; FGROUP() brings the default back.

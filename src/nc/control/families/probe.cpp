@@ -34,6 +34,10 @@ void move_probe(Execution& run) {
   if (control.modal.feed_mode == FeedMode::inverse_time) {
     run.refuse(run.motion_code(), codes::kFeedMissing, "a probe takes no inverse time (G93)", "write G94 before it");
   }
+  if (control.modal.feed_mode == FeedMode::per_revolution) {  // [M]
+    run.refuse(run.motion_code(), codes::kFeedMissing, "a probe takes no feed per revolution (G95)",
+               "write G94 before it");
+  }
   Motion motion;
   motion.kind = MotionKind::probe;
   motion.to = end_of_move(run);

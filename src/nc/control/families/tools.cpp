@@ -1,4 +1,6 @@
 // Tools: T, M6, M61, and their lengths: G43, G43.1, G43.2, G49.
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "nc/control/execution.hpp"
@@ -57,7 +59,23 @@ void mark_unknown_length(Execution& run, int number) {
   if (number > 0 && !given && run.dialect.behaviour.increment_unknown_after_length) run.control.shifted.insert(Axis::Z);
 }
 
+// A correction tilts the tool less than that.
+constexpr double kUprightDeg = 0.1;
+
+// The length counts along the tool: where it is tilted, X and Y of the tip change with it, and not before the move that
+// names them does the control say how.
+void lose_tilted_tip(Execution& run) {
+  const Control& control = run.control;
+  if (!run.dialect.has_edges) return;
+  const AxisWords machine = control.frame.to_machine(control.position);
+  const bool upright = control.known.contains(AxisSet{Axis::A, Axis::B}) && std::abs(machine[Axis::A]) < kUprightDeg &&
+                       std::abs(machine[Axis::B]) < kUprightDeg;
+  const AxisSet tip{Axis::X, Axis::Y, Axis::Z};
+  if (!upright && !(control.known & tip).empty()) lose_position(run, tip);
+}
+
 void take_offset(Execution& run, const AxisWords& offset) {
+  if (offset != run.control.frame.tool) lose_tilted_tip(run);
   Frame next = run.control.frame;
   next.tool = offset;
   run.control.change_frame(next);
@@ -107,8 +125,10 @@ void check_length_known(const Execution& run) {
   if (!in_doubt || run.motion == nullptr || run.machine_word != nullptr || run.in_machine_system()) return;
   if (states_length(run)) return;
   if (run.motion->action == Action::cycle) refuse_length_doubt(run, run.motion_code());
+  const bool may_turn = run.control.length_doubt == Control::LengthDoubt::edge && run.motion->action == Action::rapid;
   for (const Axis axis : kAllAxes) {
     if (axis == Axis::X || axis == Axis::Y || !run.axes.contains(axis)) continue;
+    if (may_turn && is_rotary(axis)) continue;
     refuse_length_doubt(run, *run.words.find(axis));
   }
 }
@@ -233,6 +253,7 @@ void change_tool(Execution& run, const Chosen& chosen) {
   }
   if (run.dialect.behaviour.tool_length_at_change) {
     control.length_doubt = control.edge == 0 ? Control::LengthDoubt::edge : Control::LengthDoubt::none;
+    if (control.edge == 0) lose_tilted_tip(run);
   }
   const int code = chosen.row->code / 10;
   if (chosen.row->loses_position && !run.settings.keeps_position.contains(code)) lose_position(run, AxisSet::all());
