@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kAlikeSpeeds = 0.02;  // pieces of a block whose speeds differ less share one F
 constexpr double kSameFeed = 1e-12;    // relative
-constexpr double kNearFeed = 1e-4;     // as near as F must be written
+constexpr double kNearFeed = 1e-4;     // as near as F must be written at least,
+constexpr double kSixDigits = 5e-6;    // as near as six digits are
 constexpr double kLeastFeed = 1e-6;
 constexpr double kLargestFeed = 1e12;
 
@@ -70,7 +71,7 @@ double PieceFeeds::rounded_feed(double feed) const {
   const int of_six = std::clamp(5 - static_cast<int>(std::floor(std::log10(feed))), 0, kMostDecimals);
   const int decimals = decimals_within(dialect_.behaviour.most_digits, feed, of_six);
   const double rounded = from_ticks(to_ticks(feed, decimals), decimals);
-  if (differs(rounded, feed, kNearFeed)) refuse_feed(feed);
+  if (differs(rounded, feed, std::min(kNearFeed, settings_.time_tolerance / 2 + kSixDigits))) refuse_feed(feed);
   return rounded;
 }
 

@@ -165,3 +165,15 @@ TEST_CASE("a move without a time keeps its F, in the unit of the block") {
   CHECK(none.control.feed == Approx(254));
   CHECK(none.control.feed_rotary == 10);
 }
+
+TEST_CASE("an F whose digits do not say it is refused where the time must be kept better than that") {
+  for (const double needed : {0.00110215, 0.00030005, 0.01000005}) {  // between two numbers of eight digits
+    CAPTURE(needed);
+    Feeds feeds("G1 X10. F60.\n", {{at_x(10), 1}}, "fanuc", empty_tables());
+    const double seconds = 10 / needed * 60;
+    feeds.emit.time_tolerance = 1e-3;
+    CHECK(feeds.refusal(seconds) == (needed < 4e-4 ? "emit-feed-range" : ""));
+    feeds.emit.time_tolerance = 1e-8;
+    CHECK(feeds.refusal(seconds) == (needed < 4e-3 ? "emit-feed-range" : ""));
+  }
+}
