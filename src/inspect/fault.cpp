@@ -28,4 +28,9 @@ bool Inspection::blocks() const {
   return std::any_of(faults.begin(), faults.end(), [](const Fault& fault) { return fault.blocks; });
 }
 
+bool is_setting(FaultKind kind) {
+  return kind == FaultKind::centre || kind == FaultKind::tilt || kind == FaultKind::payload ||
+         kind == FaultKind::radius || kind == FaultKind::bar_length;
+}
+
 }  // namespace plumbline::inspect

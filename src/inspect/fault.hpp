@@ -46,6 +46,9 @@ enum class FaultKind {
 /// "direction", "angle-zero", ...
 std::string_view to_text(FaultKind kind);
 
+/// Where a run was made and with what: a number, or several, of what the dataset says of it.
+bool is_setting(FaultKind kind);
+
 /// One thing that is wrong with one run, or alike with all of them.
 struct Fault {
   FaultKind kind = FaultKind::stands_out;
@@ -60,6 +63,7 @@ struct Fault {
   double after = 0;
   double nats = 0;                  // by which mending it makes the readings more likely
   std::vector<FaultKind> or_these;  // that explain it about as well
+  bool may_be_effect = false;       // what the model lacks may look like it
   bool blocks = true;               // no name is given to an effect before it is mended or accepted
 };
 

@@ -27,6 +27,8 @@ struct InspectOptions {
   std::size_t most_samples = 180;  // of a run that are looked at
   double beyond_limits = 0.5;    // of the travel of a strut, by which a run may be beyond the lengths that it can have
   double least_nats = 25;        // by which a fault must make the readings more likely
+  double setting_nats = 100;     // the same of settings: their numbers follow much that a model lacks, too
+  double clearly = 1.5;          // times as far off as when it is mended is a run whose setting is clearly wrong
   double explained = 0.7;        // of what a run is off beyond the usual, that a fault must take away
   double near = 2.2;             // times the usual mean square, within which a mended run must come
   double as_good = 12;           // nats within which another fault explains a run as well

@@ -119,6 +119,24 @@ TEST_CASE("readings of all runs in mm, or in inches, are told by a noise that no
   }
 }
 
+TEST_CASE("several runs that ask for the same setting by little are told, and stand in nobody's way") {
+  const bool several = GENERATE(false, true);
+  CAPTURE(several);
+  Measured measured;
+  measured.runs[5].payload_mass = 4;
+  if (several) measured.runs[3].payload_mass = 4;
+  inspect::InspectOptions options;
+  options.clearly = 3;  // times: few samples have little noise to be compared with
+  const inspect::Inspection inspection = inspect::inspect(measured.machine, measured.runs, options);
+  REQUIRE(inspection.faults.size() == (several ? 2 : 1));
+  CHECK(inspection.blocks() == !several);
+  for (const Fault& fault : inspection.faults) {
+    CHECK(fault.kind == FaultKind::payload);
+    CHECK(fault.may_be_effect == several);
+    CHECK(fault.blocks == !several);
+  }
+}
+
 TEST_CASE("an effect that the model lacks is no spoiled run") {
   Measured measured;
   const physics::ForceModel forces(measured.machine);
