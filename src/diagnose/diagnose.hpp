@@ -27,12 +27,13 @@ struct VerdictOptions {
   double told_apart_nats = 20;       // unless what the other one leaves of the first is so much: little noise tells
   double remainder_gain = 60;        // misfit that a description must take away to count as a gap
   double remainder_share = 0.04;     // of what the effects explain; a remainder above that and
-  double remainder_most = 150;       // above that makes the verdict unknown
+  double remainder_most = 150;       // above that makes the verdict unknown, or one surer than one of two effects
   double nuisance_sigmas = 6;        // a nuisance further off than that is no nuisance
   double held_out_times = 1.35;      // as far off as the runs fitted may those held out be, and that
   double held_out_sigmas = 3;        // many standard deviations of single runs
   double recurrence_sigmas = 5;      // of chi-square, from which what is left in runs at one pose is no noise
   double held_out_rise = 1.03;       // times as far off as without an effect may runs held out be with it
+  double rise_share = 0.1;           // unless it is less, squared, than that of what runs fitted come nearer
   double at_bound = 0.999;           // of its bound, from which a number stands at it
   double bound_sigmas = 3;           // if it is that many of its standard errors, or all numbers of the effect do
   double open_share = 0.5;           // of what was left before; with more, what comes again is a gap that stays open,

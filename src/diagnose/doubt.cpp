@@ -130,22 +130,31 @@ std::optional<AtBound> at_bound(const CandidateSet& candidates, const Model& mod
   return std::nullopt;
 }
 
-std::optional<FurtherOff> further_off(const Gap& held_out, const VerdictOptions& options) {
-  const auto rises = [&](ReadingKind kind, const std::optional<double>& before,
-                         const std::optional<double>& after) -> std::optional<FurtherOff> {
-    const bool is_further = before && after && *after > options.held_out_rise * *before;
-    return is_further ? std::optional(FurtherOff{{kind, *before, *after}}) : std::nullopt;
+// What runs held out lose is noise where it is little beside what the others gain: none of the numbers is exact.
+std::optional<FurtherOff> further_off(const Gap& fit, const Gap& held_out, const VerdictOptions& options) {
+  const auto rises = [&](ReadingKind kind, std::optional<double> Rms::*rms) -> std::optional<FurtherOff> {
+    const auto &before = held_out.before.*rms, &after = held_out.after.*rms;
+    if (!before || !after || *after <= options.held_out_rise * *before) return std::nullopt;
+    const auto squares = [](const std::optional<double>& a, const std::optional<double>& b) {
+      return std::pow(a.value_or(0), 2) - std::pow(b.value_or(0), 2);
+    };
+    if (squares(after, before) < options.rise_share * squares(fit.before.*rms, fit.after.*rms)) return std::nullopt;
+    return FurtherOff{{kind, *before, *after}};
   };
-  const auto radial = rises(ReadingKind::radial, held_out.before.radial, held_out.after.radial);
-  return radial ? radial : rises(ReadingKind::torque, held_out.before.torque, held_out.after.torque);
+  const auto radial = rises(ReadingKind::radial, &Rms::radial);
+  return radial ? radial : rises(ReadingKind::torque, &Rms::torque);
 }
 
 std::optional<LargeRemainder> large_remainder(const Model& model, const Description& description,
                                               const VerdictOptions& options) {
   double explained = 0;
-  for (const Found& found : model.found) explained += 2 * found.log_odds;
-  const bool is_large = is_gap(description, options) &&
-                        description.gain > std::max(options.remainder_most, options.remainder_share * explained);
+  bool outdoes = false;  // it is surer than one of several effects is, which may have taken a part of it
+  for (const Found& found : model.found) {
+    explained += 2 * found.log_odds;
+    outdoes = outdoes || (model.found.size() > 1 && description.log_odds > found.log_odds);
+  }
+  const bool is_large = is_gap(description, options) && description.gain > options.remainder_share * explained &&
+                        (outdoes || description.gain > options.remainder_most);
   return is_large ? std::optional(LargeRemainder{std::sqrt(description.gain)}) : std::nullopt;
 }
 
@@ -179,7 +188,7 @@ std::optional<Doubt> doubt_of(const CandidateSet& candidates, const Doubted& of,
   const std::optional<OneMore> more = of.model.one_more ? std::optional<OneMore>(OneMore{}) : std::nullopt;
   const bool stays_open = of.recurs.radial || of.recurs.torque || is_gap(of.description, options);
   const bool doubted = (stays_open && says(at_bound(candidates, of.model, options))) ||
-                       says(further_off(of.held_out, options)) ||
+                       says(further_off(of.fit, of.held_out, options)) ||
                        says(open_gap(of.recurs, of.fit, options.open_share, options)) || says(more) ||
                        says(large_remainder(of.model, of.description, options)) ||
                        says(not_predicted(of.after, of.out, options)) || says(suspected(of.model));
