@@ -133,7 +133,8 @@ std::optional<AtBound> at_bound(const CandidateSet& candidates, const Model& mod
 // What runs held out lose is noise where it is little beside what the others gain: none of the numbers is exact.
 std::optional<FurtherOff> further_off(const Gap& fit, const Gap& held_out, const VerdictOptions& options) {
   const auto rises = [&](ReadingKind kind, std::optional<double> Rms::*rms) -> std::optional<FurtherOff> {
-    const auto &before = held_out.before.*rms, &after = held_out.after.*rms;
+    const std::optional<double>& before = held_out.before.*rms;
+    const std::optional<double>& after = held_out.after.*rms;
     if (!before || !after || *after <= options.held_out_rise * *before) return std::nullopt;
     const auto squares = [](const std::optional<double>& a, const std::optional<double>& b) {
       return std::pow(a.value_or(0), 2) - std::pow(b.value_or(0), 2);
