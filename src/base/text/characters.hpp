@@ -25,6 +25,15 @@ constexpr std::size_t byte_order_mark_size(std::string_view text) {
   return text.starts_with(kMark) ? kMark.size() : 0;
 }
 
+/// \p text without its blanks.
+inline std::string without_blanks(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (!is_blank(c)) out += c;
+  }
+  return out;
+}
+
 /// \p text in capital letters.
 inline std::string upper(std::string_view text) {
   std::string out(text);

@@ -107,6 +107,9 @@ bool LabelIndex::is_twice(const std::string& name) {
 }
 
 std::optional<LinePlace> LabelIndex::other_main(const std::set<std::size_t>& begun) {
+  const auto& programs = programs_of(0).programs;
+  if (std::all_of(programs.begin(), programs.end(), [&](const auto& one) { return begun.contains(one.second.line); }))
+    return std::nullopt;
   std::optional<LinePlace> other;
   std::optional<LinePlace> found;
   for_each_head(files_.file(0), dialect_, [&](const LineHead& head, const Line& line) {

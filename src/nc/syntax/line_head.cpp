@@ -9,13 +9,7 @@ namespace {
 
 bool is_of_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
-std::string upper_without_blanks(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (!is_blank(c)) out += upper(c);
-  }
-  return out;
-}
+std::string upper_without_blanks(std::string_view text) { return upper(without_blanks(text)); }
 
 class HeadReader {
  public:

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/characters.hpp"
 #include "nc/control/execution.hpp"
 #include "nc/language/codes.hpp"
 
@@ -254,10 +255,7 @@ void change_programmed_frame(Execution& run, const Chosen& chosen) {
 // either deselects the frame before it [W 7.10].
 void choose_transformation(Execution& run, const Chosen& chosen) {
   const std::string_view text = run.block->at(chosen.word->span);
-  std::string values;
-  for (std::size_t i = text.find('('); i < text.size(); ++i) {
-    if (text[i] != ' ' && text[i] != '\t') values += text[i];
-  }
+  const std::string values = without_blanks(text.substr(std::min(text.find('('), text.size())));
   constexpr std::array<std::string_view, 4> kAsItIs{"", "()", "(1)", "(1,0,0,1)"};
   if (std::find(kAsItIs.begin(), kAsItIs.end(), values) == kAsItIs.end()) {
     run.refuse(*chosen.word, codes::kNotInterpreted,

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/check.hpp"
+#include "base/text/characters.hpp"
 #include "base/units.hpp"
 #include "nc/control/execution.hpp"
 #include "nc/control/parameters/expression.hpp"
@@ -53,11 +54,6 @@ const Word& Execution::motion_code() const { return motion_word != nullptr ? *mo
 namespace {
 
 constexpr double kMostMotionsOfBlock = 100'000;  // all of a block are kept at once
-
-std::string without_blanks(std::string text) {
-  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
-  return text;
-}
 
 void check_within_turn(const Execution& run, const Word& word) {
   if (std::abs(word.value) < kFullTurn) return;

@@ -102,8 +102,10 @@ void Parameters::begin_again() {
 }
 
 bool Parameters::is_left_over(std::string_view name) {
+  const auto& left_over = owner().left_over;
+  if (left_over.empty()) return false;
   plain(name);
-  return owner().left_over.contains(plain_);
+  return left_over.contains(plain_);
 }
 
 void Parameters::leave() {

@@ -14,6 +14,7 @@ namespace {
 void refuse_blank_in_number(const BlockReading& in) {
   if (in.syntax->statements != Statements::macro_b) return;
   const std::string_view text = in.out.at(in.cursor.span());
+  if (text.find_first_of(" \t") == std::string_view::npos) return;
   const std::size_t first = text.find_first_of("+-.0123456789");
   const std::size_t blank = text.find_first_of(" \t", std::min(first, text.size()));
   if (blank == std::string_view::npos || text.find_first_of(".0123456789", blank) == std::string_view::npos) return;
