@@ -3,7 +3,6 @@
 #include "base/units.hpp"
 #include "compensate/limits.hpp"
 #include "path/duration.hpp"
-#include "path/figures.hpp"
 
 namespace plumbline::compensate {
 namespace {
@@ -107,10 +106,6 @@ UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
     }
   }
   return found;
-}
-
-UnknownPosition MoveReader::unknown(const nc::Step& step, const nc::Motion& motion) {
-  return unknown(step, path::is_cut(motion.kind) ? motion.known_after & motion.known_before : motion.known_after);
 }
 
 // True if it can be followed, and move_ is that.

@@ -11,6 +11,7 @@
 #include "compensate/limits.hpp"
 #include "compensate/move.hpp"
 #include "nc/sequence/program_ahead.hpp"
+#include "path/figures.hpp"
 #include "path/subdivide.hpp"
 
 namespace plumbline::compensate {
@@ -95,7 +96,11 @@ class MoveReader {
   /// stood elsewhere before.
   UnknownPosition unknown(const nc::Step& step, AxisSet known);
   /// The same of what a move needs: where it ends, and of one that cuts where it begins.
-  UnknownPosition unknown(const nc::Step& step, const nc::Motion& motion);
+  UnknownPosition unknown(const nc::Step& step, const nc::Motion& motion) {
+    const AxisSet known = path::is_cut(motion.kind) ? motion.known_after & motion.known_before : motion.known_after;
+    const bool all = known == AxisSet::all() && (at_zero_ & step.named).empty();
+    return all ? UnknownPosition{} : unknown(step, known);
+  }
 
   /// A move of the step, or of one that was made of it, in one piece.
   Move move(const nc::Step& step, const nc::Motion& motion) const {

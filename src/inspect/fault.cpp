@@ -33,4 +33,8 @@ bool is_setting(FaultKind kind) {
          kind == FaultKind::radius || kind == FaultKind::bar_length;
 }
 
+bool is_by_degrees(FaultKind kind) {
+  return is_setting(kind) || kind == FaultKind::drift || kind == FaultKind::bar_step || kind == FaultKind::motor_zero;
+}
+
 }  // namespace plumbline::inspect

@@ -48,6 +48,8 @@ std::string_view to_text(FaultKind kind);
 
 /// Where a run was made and with what: a number, or several, of what the dataset says of it.
 bool is_setting(FaultKind kind);
+/// A setting, or something that a channel has more or less of.
+bool is_by_degrees(FaultKind kind);
 
 /// One thing that is wrong with one run, or alike with all of them.
 struct Fault {

@@ -9,6 +9,7 @@
 #include "diagnose/readings/noise_spectrum.hpp"
 #include "inspect/hypothesis.hpp"
 #include "inspect/looked.hpp"
+#include "inspect/small_faults.hpp"
 #include "inspect/statistics.hpp"
 
 namespace plumbline::inspect {
@@ -181,23 +182,6 @@ std::optional<Fault> unexplained(const Looked& looked, const Outliers& outliers,
   return fault;
 }
 
-// Runs that are a little off, each as if the same setting were wrong: what the model lacks is likelier than so many
-// mistakes. One alone must be sure.
-void doubt_settings_in_common(std::vector<Fault>& faults, const InspectOptions& options) {
-  const auto may_be = [&](const Fault& fault) {
-    return is_setting(fault.kind) && !fault.all && fault.before < options.clearly * fault.after;
-  };
-  for (Fault& fault : faults) {
-    const auto alike = std::count_if(faults.begin(), faults.end(),
-                                     [&](const Fault& other) { return other.kind == fault.kind && may_be(other); });
-    fault.may_be_effect = may_be(fault) && alike > 1;
-    if (fault.may_be_effect) fault.blocks = false;
-  }
-  std::erase_if(faults, [&](const Fault& fault) {
-    return is_setting(fault.kind) && !fault.all && !fault.may_be_effect && fault.nats < options.setting_nats;
-  });
-}
-
 class Inspector {
  public:
   Inspector(const machine::MachineModel& machine, const InspectOptions& options)
@@ -359,7 +343,7 @@ class Inspector {
       }
       found.faults.push_back(std::move(*faults[i]));
     }
-    doubt_settings_in_common(found.faults, options_);
+    doubt_small_faults(found, options_);
   }
 
   const machine::MachineModel& machine_;

@@ -1,6 +1,8 @@
 #include "base/text/number_text.hpp"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -9,8 +11,6 @@
 
 namespace plumbline {
 namespace {
-
-constexpr std::size_t kMostSigns = 24;  // of a number within kLargestExact: 16 digits, point, sign, some more
 
 // "00" to "99"
 constexpr std::array<char, 200> kPairs = [] {
@@ -22,7 +22,7 @@ constexpr std::array<char, 200> kPairs = [] {
   return pairs;
 }();
 
-// The last `count` digits, before `end`.
+// The last `count` digits of a number, before `end`: they are taken off it.
 char* put_digits(char* end, std::uint64_t& left, int count) {
   for (; count >= 2; count -= 2) {
     end -= 2;
@@ -33,6 +33,21 @@ char* put_digits(char* end, std::uint64_t& left, int count) {
   *--end = static_cast<char>('0' + left % 10);
   left /= 10;
   return end;
+}
+
+// 1, 10, ... to 10^18
+constexpr std::array<std::uint64_t, 19> kWholePowers = [] {
+  std::array<std::uint64_t, 19> powers{1};
+  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * 10;
+  return powers;
+}();
+
+// 1 of 0 to 9. Without branches, which nobody could foretell.
+int count_digits(std::uint64_t value) {
+  constexpr unsigned kLog2 = 1233;  // log10(2) x 4096
+  const std::uint64_t counted = value | 1U;
+  const unsigned at_least = static_cast<unsigned>(std::bit_width(counted)) * kLog2 >> 12U;
+  return static_cast<int>(at_least) + static_cast<int>(counted >= kWholePowers[at_least]);
 }
 
 }  // namespace
@@ -48,18 +63,16 @@ char* write_decimal(char* out, double value, int decimals, int least) {
     left /= 10;
     --decimals;
   }
-  std::array<char, 2 * kMostSigns> text{};  // the number ends in its middle, so that as many signs can be copied always
-  char* const end = text.data() + kMostSigns;
-  char* begin = end;
+  *out = '-';
+  char* const begin = out + (ticks < 0 ? 1 : 0);
+  char* const end = begin + std::max(count_digits(left), decimals + 1) + (decimals > 0 ? 1 : 0);
+  char* at = end;
   if (decimals > 0) {
-    begin = put_digits(begin, left, decimals);
-    *--begin = '.';
+    at = put_digits(at, left, decimals);
+    *--at = '.';
   }
-  while (left >= 10) begin = put_digits(begin, left, 2);
-  if (left > 0 || begin == end || *begin == '.') begin = put_digits(begin, left, 1);
-  if (ticks < 0) *--begin = '-';
-  std::memcpy(out, begin, kMostSigns);
-  return out + (end - begin);
+  put_digits(at, left, static_cast<int>(at - begin));
+  return end;
 }
 
 void append_decimal(std::string& out, double value, int decimals, int least) {

@@ -181,7 +181,7 @@ std::string fault_text(const Fault& fault, const std::vector<Run>& runs) {
   for (const FaultKind kind : fault.or_these) others.push_back(to_text(kind));
   if (!others.empty()) text += fmt::format("; {} would explain it about as well", fmt::join(others, ", "));
   if (fault.may_be_effect)
-    text += "; other runs ask for the same by as little, as an effect makes them that the model lacks";
+    text += "; other runs are off by as much, as an effect makes them that the model lacks";
   return text;
 }
 
