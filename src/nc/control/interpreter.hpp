@@ -51,6 +51,8 @@ class Interpreter {
   const ProgramCall& program_call() const { return run_.call; }
   bool ended() const { return control_.ended; }
   bool position_read() const { return control_.position_read; }
+  /// How often a variable of the program got another value.
+  std::uint64_t changes_of_variables() const { return control_.parameters.changes(); }
   /// M30 ended a subprogram alone.
   void go_on() { control_.ended = false; }
   Control& control() { return control_; }

@@ -136,6 +136,7 @@ struct Step {
   EndWords end_words = EndWords::axes;
   ToolChange tool_change = ToolChange::none;
   bool passes_variables = false;  // what stands in the brackets of a name, and is not looked into, names variables
+  bool sets_kept_variable = false;  // one that other programs may read, or the control obeys: #500, #3004
   bool loses_position = false;    // M0, M6, user M code, G28...: some axis may stand elsewhere now
 };
 

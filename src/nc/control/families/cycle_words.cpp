@@ -27,6 +27,7 @@ class CycleWords {
 
  private:
   void take_words_of_osp(bool is_new);
+  [[noreturn]] void refuse_wait(const Word& word) const;
   double inherited(char letter, double before, double value, bool needed) const;
 
   Execution& run_;
@@ -81,7 +82,10 @@ void CycleWords::take_words() {
     cycle_.ijk[i] = inherited(kCentreLetters[i], cycle_.ijk[i], length(kCentreLetters[i]), code_ == kBackBore);
   }
   const bool waits = of_osp || !(pecks || code_ == kDrill || code_ == kBore);
-  if (const Word* const word = run_.words.find('P')) check_milliseconds(run_, *word, waits);
+  if (const Word* const word = run_.words.find('P')) {
+    check_milliseconds(run_, *word, waits);
+    if (!waits && word->value != 0) refuse_wait(*word);
+  }
   if (of_osp) take_words_of_osp(is_new);
   if (cycle_.dwell_s < 0) {
     run_.refuse(*run_.words.find('P'), codes::kNegative, "the time to wait is negative", "write P0 or more");
@@ -97,6 +101,14 @@ void CycleWords::take_words() {
     run_.refuse(word != nullptr ? *word : run_.motion_code(), codes::kOutOfRange, "a peck has no depth",
                 fmt::format("write {} greater than 0", peck));
   }
+}
+
+// The manual has no P there [U part 2, p. 53], a Haas waits at the bottom [H].
+void CycleWords::refuse_wait(const Word& word) const {
+  run_.refuse(word, codes::kNotInterpreted,
+              fmt::format("whether G{} waits at the bottom, as {} asks for, differs between controls", code_,
+                          run_.text_of(word)),
+              "leave it out, or write G82 or G89, which wait");
 }
 
 // With J the tool goes up to R whenever that depth has come together (setting); FA is the feed out of the hole.
