@@ -27,7 +27,8 @@ void refuse_kept_variables(const nc::Step& step) {
   refuse("compensate-flow",
          "other programs may read the variable that is set here, or the control obeys it, and the program, written "
          "out, sets none",
-         "use #100 to #199 where this program alone needs it, or set it in a program that calls this one", place_of(step));
+         "use #100 to #199 where this program alone needs it, or set it in a program that calls this one",
+         place_of(step));
 }
 
 }  // namespace

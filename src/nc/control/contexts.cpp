@@ -252,8 +252,7 @@ void check_axis_words_of_one(const Execution& run) {
     const Chosen* const other = other_taker(run, code);
     if (other == nullptr) continue;
     run.refuse(*other->word, codes::kAxesTwice,
-               fmt::format("the words of the axes belong to {} or to {}, and which of them the control takes was found "
-                           "in no source",
+               fmt::format("what {} makes of the words of the axes beside {} was found in no source",
                            run.text_of(*code.word), run.text_of(*other->word)),
                "put them into blocks of their own");
   }
