@@ -72,7 +72,8 @@ StatementFlow::StatementFlow(const InputFile& program, const Dialect& dialect, I
       interpreter_(interpreter),
       files_(program, dialect),
       labels_(files_, dialect),
-      loops_(files_, dialect, interpreter) {}
+      loops_(files_, dialect, interpreter),
+      ways_(files_, labels_, dialect, interpreter) {}
 
 bool StatementFlow::next(Line& line) {
   loops_.pass_left_out();
@@ -123,7 +124,7 @@ bool StatementFlow::take(const Block& block) {
     case FlowWord::end_loop:
     case FlowWord::until:
       entry_ = loops_.end(block);
-      if (entry_.kind == FlowEntry::Kind::pass) check_goes_on(block);
+      if (entry_.kind == FlowEntry::Kind::pass) ways_.check_way_back(block);
       return true;
     default:
       used_ = true;
@@ -156,36 +157,9 @@ void StatementFlow::steer(const Block& block) {
     case FlowWord::begin_for:
       return loops_.begin_for(block);
     default:
-      check_nesting(block);
+      ways_.check_loop(block);
       return loops_.begin(block);
   }
-}
-
-// DO 1 to DO 3, one inside the other [P 13].
-void StatementFlow::check_nesting(const Block& block) {
-  if (!dialect_.syntax.numbered_loops || block.flow.label == kLiteral) return;
-  const int number = number_of(interpreter_, block, block.flow.label, "the number of a loop");
-  if (number < 1 || number > kLoopNumbers) {
-    refuse_flow(block, codes::kFlowControl, fmt::format("the control has no loop with the number {}", number),
-                "loops are DO 1, DO 2 and DO 3; put a loop that lies deeper into a subprogram");
-  }
-  if (!nested_.emplace(files_.current(), block.line).second) return;
-  const std::optional<std::size_t> line = labels_.crossing(block.line);
-  if (!line) return;
-  refuse_flow(block, codes::kFlowControl,
-              fmt::format("the loop that begins here and that of line {} cross, or have one number", *line),
-              "let each DO have its END before that of the loop around it, and a number of its own");
-}
-
-// Where a line leads back once more, and no variable has another value since, it will for ever.
-void StatementFlow::check_goes_on(const Block& block) {
-  const std::uint64_t changes = interpreter_.changes_of_variables();
-  const auto [at, is_new] = led_back_.try_emplace({files_.current(), block.line}, changes);
-  const std::uint64_t before = std::exchange(at->second, changes);
-  if (is_new || before != changes || interpreter_.position_read()) return;
-  refuse_flow(block, codes::kTooManyBlocks,
-              "this leads back without end: no variable has changed since it did so before",
-              "end the loop by a condition, or write M30 where the program shall end");
 }
 
 // The name of a program: of the one that begins here, or of the one after it.
@@ -230,7 +204,7 @@ void StatementFlow::jump(const Block& block, const std::string& label, Direction
                                              : "it is looked for in one direction alone: check that as well");
   }
   sections_.check_jump(block, *place, calls_.depth());
-  if (place->line <= block.line) check_goes_on(block);
+  if (place->line <= block.line) ways_.check_way_back(block);
   files_.seek(*place);
 }
 
@@ -244,7 +218,7 @@ void StatementFlow::choose(const Block& block) {
 }
 
 void StatementFlow::go_on(const RepeatedSections::GoesOn& there) {
-  led_back_.clear();
+  ways_.forget();
   if (there.entry) entry_ = *there.entry;
   files_.seek(there.at);
 }
@@ -255,7 +229,7 @@ void StatementFlow::repeat(const Block& block) {
   RepeatedSection section = section_of(block);
   if (count <= 0) return;
   section.remaining = count;
-  led_back_.clear();
+  ways_.forget();
   go_on(sections_.begin(section));
 }
 
@@ -347,7 +321,7 @@ void StatementFlow::enter(const Block& block, Call call, bool own_variables) {
 }
 
 void StatementFlow::begin_call() {
-  led_back_.clear();
+  ways_.forget();
   files_.go_to(calls_.top().entry);
   if (files_.in_program()) begun_.insert(calls_.top().entry.line.line);
   reading_ = Reading::head;
@@ -397,7 +371,7 @@ void StatementFlow::leave(const Block& block) {
     begin_call();
     return;
   }
-  led_back_.clear();
+  ways_.forget();
   interpreter_.leave_subprogram(block);
   files_.go_to(calls_.top().back);
   calls_.pop();

@@ -3,10 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <set>
 #include <string>
-#include <utility>
 
 #include "base/files/files.hpp"
 #include "nc/control/interpreter.hpp"
@@ -17,6 +15,7 @@
 #include "nc/sequence/repeated_sections.hpp"
 #include "nc/sequence/sequencer.hpp"
 #include "nc/sequence/statement_loops.hpp"
+#include "nc/sequence/ways_back.hpp"
 
 namespace plumbline::nc {
 
@@ -37,13 +36,10 @@ class StatementFlow : public Sequencer {
 
  private:
   static constexpr std::size_t kProgramLevels = 10;
-  static constexpr int kLoopNumbers = 3;
   /// What is read of the program, or of the subprogram on top.
   enum class Reading : std::uint8_t { head, body, after_end };
 
   void steer(const Block& block);
-  void check_nesting(const Block& block);
-  void check_goes_on(const Block& block);
   void choose(const Block& block);
   void repeat(const Block& block);
   RepeatedSection section_of(const Block& block);
@@ -62,10 +58,9 @@ class StatementFlow : public Sequencer {
   CallStack calls_{kProgramLevels};
   LabelIndex labels_;
   StatementLoops loops_;
+  WaysBack ways_;
   RepeatedSections sections_;
   std::set<std::size_t> begun_;  // the lines of the program's file in which it and its subprograms begin
-  std::set<std::pair<std::size_t, std::size_t>> nested_;  // file and line of loops that lie inside each other
-  std::map<std::pair<std::size_t, std::size_t>, std::uint64_t> led_back_;  // of lines that did: what had changed then
   Reading reading_ = Reading::head;
 };
 
