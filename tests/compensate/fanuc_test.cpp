@@ -373,7 +373,7 @@ TEST_CASE("a hole whose P some controls wait for and others do not stays a cycle
                                   "G73 X5. Y5. Z-8. R1. Q3. P500 F200.", "G85 X5. Y5. Z-8. R1. P500 F200."}) {
     const std::string out = run(kHead + cycle + "\nX9.\nG80\nM30\n", job).text;
     INFO(out);
-    CHECK(has(out, "^" + cycle.substr(0, 3) + " X.* P500 F200\\.$"));
+    CHECK(has(out, std::string(cycle, 0, 3).append(" X.* P500 F200\\.$")));
     CHECK(count(out, "^G1") == 0);
   }
   CHECK(has(run(kHead + "G83 X5. Y5. Z-8. R1. Q3. P0 F200.\nG80\nM30\n", job).text, "^G1 ?Z"));
@@ -386,7 +386,7 @@ TEST_CASE("what a program sets for others, or for the control, is not lost where
     INFO(set);
     CHECK(code_of(kHead + loop + set + "\nM30\n", job) == "compensate-flow");
     if (set.find("#1") == std::string::npos)
-      CHECK(has(run(kHead + "G1 X5. F200.\n" + set + "\nM30\n", job).text, set.substr(0, 2)));
+      CHECK(run(kHead + "G1 X5. F200.\n" + set + "\nM30\n", job).text.find(set) != std::string::npos);
   }
   for (const std::string set : {"#100=5.", "#199=1", "#33=2"})
     CHECK(code_of(kHead + loop + set + "\nM30\n", job).empty());

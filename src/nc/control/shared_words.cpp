@@ -125,6 +125,18 @@ void check_tip_mode(const Execution& run) {
              "write P0 or leave it out, so that A, B and C turn evenly");
 }
 
+// What NCYL does where no cycle is in force was found in no source.
+void check_no_hole(const Execution& run) {
+  if (run.motion == nullptr || run.motion->action == Action::cycle) return;
+  const auto none = std::find_if(run.chosen.begin(), run.chosen.end(),
+                                 [](const Chosen& code) { return code.row->action == Action::no_hole; });
+  if (none == run.chosen.end()) return;
+  run.refuse(
+      *none->word, codes::kNotInterpreted,
+      fmt::format("{} says that nothing is drilled, and no drilling cycle is in force", run.text_of(*none->word)),
+      "leave it out, or write the cycle before");
+}
+
 }  // namespace
 
 void check_shared_words(const Execution& run) {
@@ -133,6 +145,7 @@ void check_shared_words(const Execution& run) {
   check_words_of_one(run);
   check_one_way_on(run);
   check_tip_mode(run);
+  check_no_hole(run);
 }
 
 }  // namespace plumbline::nc
