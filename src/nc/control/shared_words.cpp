@@ -82,7 +82,8 @@ void check_words_of_one(const Execution& run) {
     const Chosen* first = nullptr;
     const bool of_mode = run.motion != nullptr && run.motion_word == nullptr && (run.motion->word_mask & bit) != 0;
     for (const Chosen& code : run.chosen) {
-      if (!is_code(*code.word) || (code.row->word_mask & bit) == 0) continue;
+      const bool of_builder = code.row == &run.dialect.user_row;  // which could have any word
+      if (!is_code(*code.word) || of_builder || (code.row->word_mask & bit) == 0) continue;
       if (first == nullptr && !of_mode) {
         first = &code;
         continue;
