@@ -22,6 +22,15 @@ void refuse_handed_variables(const nc::Step& step) {
          "write their values in their place", place_of(step));
 }
 
+void refuse_kept_variables(const nc::Step& step) {
+  if (!step.sets_kept_variable) return;
+  refuse("compensate-flow",
+         "other programs may read the variable that is set here, or the control obeys it, and the program, written "
+         "out, sets none",
+         "use #100 to #199 where this program alone needs it, or set it in a program that calls this one",
+         place_of(step));
+}
+
 }  // namespace
 
 WrittenSteps::WrittenSteps(const nc::Dialect& dialect, const nc::EmitSettings& emit, nc::Form form)
@@ -41,6 +50,7 @@ WrittenSteps::OfBlock WrittenSteps::only(const nc::Step* step) {
 WrittenSteps::OfBlock WrittenSteps::of(const nc::Step& step) {
   if (form_ == nc::Form::in_text_order) return only(&step);
   refuse_what_stops(step);
+  refuse_kept_variables(step);
   if (step.flow || step.saves_modes) return of_steering(step);
   refuse_handed_variables(step);
   const nc::Step* const plain = expander_.plain(step, false);

@@ -235,6 +235,7 @@ void BlockValues::set_parameter(const Block& block, const Setting& place, int nu
     if (run_.step.stop == StopByVariable::none) run_.step.stop = StopByVariable::message;
     if (!run_.settings.keeps_position.contains(0)) lose_position(run_, AxisSet::all());  // as after M0
   } else {
+    run_.step.sets_kept_variable = run_.step.sets_kept_variable || system_parameters_.is_kept(number);
     run_.control.parameters.set(number, value);
   }
 }

@@ -245,6 +245,7 @@ void check_contexts(const Execution& run) {
   check_word_modes(run);
   check_turned(run);
   check_not_beside(run);
+  check_shared_words(run);
   check_beside_cycle(run);
   check_length_known(run);
 }

@@ -86,6 +86,8 @@ const CodeRow* row_after_cycle(const Execution& run);
 void check_alone(const Execution& run);
 /// Refuses what no source covers for a code beside the others of its block, or in the modes in force: contexts.cpp
 void check_contexts(const Execution& run);
+/// Refuses words that two codes of the block could take, and codes of which one would do nothing: shared_words.cpp
+void check_shared_words(const Execution& run);
 /// The same, of words whose meaning depends on the offsets that the block may have changed: before its motion.
 void check_offsets_of_motion(const Execution& run);
 void check_cycle(const Execution& run);

@@ -144,11 +144,11 @@ void take_polar(Execution& run) {
 
 // F and S of a dwell are its time, not a feed and a speed; G131 has an F of its own.
 void take_words_of_dwell(Execution& run) {
-  const auto dwell = std::find_if(run.chosen.begin(), run.chosen.end(), [](const Chosen& chosen) {
-    return chosen.row->action == Action::dwell || chosen.row->action == Action::no_motion;
-  });
-  if (dwell == run.chosen.end()) return;
-  const std::uint32_t of_dwell = dwell->row->word_mask;
+  std::uint32_t of_dwell = 0;
+  for (const Chosen& chosen : run.chosen) {
+    const Action action = chosen.row->action;
+    if (action == Action::dwell || action == Action::no_motion) of_dwell |= chosen.row->word_mask;
+  }
   std::erase_if(run.chosen, [&](const Chosen& chosen) {
     return (chosen.word->letter == 'F' || chosen.word->letter == 'S') &&
            (letter_bit(chosen.word->letter) & of_dwell) != 0;

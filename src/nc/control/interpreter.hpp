@@ -1,6 +1,7 @@
 // Executes blocks one after the other, as the control would.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "nc/control/block_values.hpp"
@@ -51,6 +52,11 @@ class Interpreter {
   const ProgramCall& program_call() const { return run_.call; }
   bool ended() const { return control_.ended; }
   bool position_read() const { return control_.position_read; }
+  /// M99 of the main program begins it again: refused where a mode that it found at its start, and did not state before
+  /// it moved, is another one by now.
+  void check_begins_again(const Block& block) const;
+  /// How often a variable of the program got another value.
+  std::uint64_t changes_of_variables() const { return control_.parameters.changes(); }
   /// M30 ended a subprogram alone.
   void go_on() { control_.ended = false; }
   Control& control() { return control_; }
@@ -61,8 +67,12 @@ class Interpreter {
   bool act_on_saved_modes(const Chosen& chosen);
 
   Control control_;
+  void note_stated_modes();
+
   Modal before_;
-  Frame frame_of_block_;                           // where the work system is that of one block alone
+  bool moved_ = false;    // some block made a motion
+  std::set<int> stated_;  // the steps of execution whose modes stood in the program before that, or beside it
+  Frame frame_of_block_;  // where the work system is that of one block alone
   std::vector<ModesOfCall> saved_{ModesOfCall{}};  // one a call level, the program itself first
   Execution run_;
   BlockValues values_;

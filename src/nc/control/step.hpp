@@ -135,8 +135,9 @@ struct Step {
   std::optional<Orienting> orienting = {};  // it turns the tool along a direction (G53.1)
   EndWords end_words = EndWords::axes;
   ToolChange tool_change = ToolChange::none;
-  bool passes_variables = false;  // what stands in the brackets of a name, and is not looked into, names variables
-  bool loses_position = false;    // M0, M6, user M code, G28...: some axis may stand elsewhere now
+  bool passes_variables = false;    // what stands in the brackets of a name, and is not looked into, names variables
+  bool sets_kept_variable = false;  // one that other programs may read, or the control obeys: #500, #3004
+  bool loses_position = false;      // M0, M6, user M code, G28...: some axis may stand elsewhere now
 };
 
 /// G4 P1 X5: the control waits, then moves; the wait is the first of the motions.

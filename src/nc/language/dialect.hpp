@@ -276,6 +276,7 @@ struct ControlBehaviour {
   bool home_ends_length = false;  // G28, G30 and G53 of Z end a tool's length; whether it comes back is not known
   bool unit_change_length_unknown = false;  // what a length in force is worth after G20, G21
   bool h0_is_no_tool = false;
+  bool length_needs_number = false;         // without H the tool length is not that of the tool in the spindle
   bool tool_length_moves = false;           // whether G43 without Z moves depends on the control's parameters
   std::string unknown_beside_unit;          // words of which it is not known in which unit they count beside G20, G21
   bool unit_change_drops_feed = false;      // what F is worth after G20, G21 is not known

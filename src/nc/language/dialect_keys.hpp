@@ -88,6 +88,7 @@ inline constexpr Key<bool ControlBehaviour::*> kHabitFlags[] = {
     {"home_ends_length", &ControlBehaviour::home_ends_length},
     {"unit_change_length_unknown", &ControlBehaviour::unit_change_length_unknown},
     {"h0_is_no_tool", &ControlBehaviour::h0_is_no_tool},
+    {"length_needs_number", &ControlBehaviour::length_needs_number},
     {"tool_length_moves", &ControlBehaviour::tool_length_moves},
     {"unit_change_drops_feed", &ControlBehaviour::unit_change_drops_feed},
     {"tool_length_at_change", &ControlBehaviour::tool_length_at_change},

@@ -45,8 +45,28 @@ const LabelIndex::Index& LabelIndex::labels_of(std::size_t file) {
   for_each_head(files_.file(file), dialect_, [&](const LineHead& head, const Line& line) {
     if (!head.number.empty()) index.labels[head.number].push_back(line.place);
     if (!head.label.empty()) index.labels[head.label].push_back(line.place);
+    if (!dialect_.syntax.numbered_loops || head.word == FlowWord::none) return;
+    index.loops.push_back({line.place.line, head.loop, head.word != FlowWord::end_while});
   });
   return index;
+}
+
+std::optional<std::size_t> LabelIndex::crossing(std::size_t line) {
+  const Index& index = labels_of(files_.current());
+  auto at = std::lower_bound(index.loops.begin(), index.loops.end(), line,
+                             [](const LoopLine& loop, std::size_t wanted) { return loop.line < wanted; });
+  std::vector<int> open;
+  for (; at != index.loops.end(); ++at) {
+    if (at->begins) {
+      if (std::find(open.begin(), open.end(), at->number) != open.end()) return at->line;
+      open.push_back(at->number);
+      continue;
+    }
+    if (!open.empty() && open.back() != at->number) return at->line;
+    if (!open.empty()) open.pop_back();
+    if (open.empty()) break;
+  }
+  return std::nullopt;
 }
 
 const LinePlace* LabelIndex::find_label(const std::string& label, std::size_t line, Direction direction) {

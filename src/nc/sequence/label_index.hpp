@@ -27,13 +27,22 @@ class LabelIndex {
   std::optional<FilePlace> find_program(const std::string& name);
   /// True if a file holds several programs of that name.
   bool is_twice(const std::string& name);
+  /// The first line that loops by number, begun in this line of the file that is read, must not hold: DO with the
+  /// number of a loop around it, or the END of one around them, so that they cross. Nothing: there is none.
+  std::optional<std::size_t> crossing(std::size_t line);
   /// The first program of the program's own file that ends as a main program does, and begins in none of these lines.
   std::optional<LinePlace> other_main(const std::set<std::size_t>& begun);
 
  private:
+  struct LoopLine {
+    std::size_t line = 0;
+    int number = 0;
+    bool begins = false;
+  };
   struct Index {
     std::vector<std::pair<std::string, LinePlace>> programs;
     std::unordered_map<std::string, std::vector<LinePlace>> labels;
+    std::vector<LoopLine> loops;  // in the order of the text
     bool has_labels = false;
   };
   Index& programs_of(std::size_t file);

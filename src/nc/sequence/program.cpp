@@ -155,7 +155,10 @@ const Step* Program::Parts::execute() {
   if (interpreter.ended()) stage = Stage::ended;
   const bool steers = call.calls() || (call.ends() && (call.return_to || flow.called()));
   if (call.calls()) flow.call_program(*block, call);
-  if (call.ends() && !flow.end_program(*block, call)) stage = Stage::ended;
+  if (call.ends() && !flow.end_program(*block, call)) {
+    if (dialect.syntax.statements == Statements::macro_b) interpreter.check_begins_again(*block);
+    stage = Stage::ended;
+  }
   const FlowEntry entry = flow.take_entry();
   if (steers) step.flow = entry;
   return &step;

@@ -72,7 +72,8 @@ StatementFlow::StatementFlow(const InputFile& program, const Dialect& dialect, I
       interpreter_(interpreter),
       files_(program, dialect),
       labels_(files_, dialect),
-      loops_(files_, dialect, interpreter) {}
+      loops_(files_, dialect, interpreter),
+      ways_(files_, labels_, dialect, interpreter) {}
 
 bool StatementFlow::next(Line& line) {
   loops_.pass_left_out();
@@ -123,6 +124,7 @@ bool StatementFlow::take(const Block& block) {
     case FlowWord::end_loop:
     case FlowWord::until:
       entry_ = loops_.end(block);
+      if (entry_.kind == FlowEntry::Kind::pass) ways_.check_way_back(block);
       return true;
     default:
       used_ = true;
@@ -155,6 +157,7 @@ void StatementFlow::steer(const Block& block) {
     case FlowWord::begin_for:
       return loops_.begin_for(block);
     default:
+      ways_.check_loop(block);
       return loops_.begin(block);
   }
 }
@@ -201,6 +204,7 @@ void StatementFlow::jump(const Block& block, const std::string& label, Direction
                                              : "it is looked for in one direction alone: check that as well");
   }
   sections_.check_jump(block, *place, calls_.depth());
+  if (place->line <= block.line) ways_.check_way_back(block);
   files_.seek(*place);
 }
 
@@ -214,6 +218,7 @@ void StatementFlow::choose(const Block& block) {
 }
 
 void StatementFlow::go_on(const RepeatedSections::GoesOn& there) {
+  ways_.forget();
   if (there.entry) entry_ = *there.entry;
   files_.seek(there.at);
 }
@@ -224,6 +229,7 @@ void StatementFlow::repeat(const Block& block) {
   RepeatedSection section = section_of(block);
   if (count <= 0) return;
   section.remaining = count;
+  ways_.forget();
   go_on(sections_.begin(section));
 }
 
@@ -315,6 +321,7 @@ void StatementFlow::enter(const Block& block, Call call, bool own_variables) {
 }
 
 void StatementFlow::begin_call() {
+  ways_.forget();
   files_.go_to(calls_.top().entry);
   if (files_.in_program()) begun_.insert(calls_.top().entry.line.line);
   reading_ = Reading::head;
@@ -364,6 +371,7 @@ void StatementFlow::leave(const Block& block) {
     begin_call();
     return;
   }
+  ways_.forget();
   interpreter_.leave_subprogram(block);
   files_.go_to(calls_.top().back);
   calls_.pop();

@@ -15,6 +15,7 @@
 #include "nc/sequence/repeated_sections.hpp"
 #include "nc/sequence/sequencer.hpp"
 #include "nc/sequence/statement_loops.hpp"
+#include "nc/sequence/ways_back.hpp"
 
 namespace plumbline::nc {
 
@@ -57,6 +58,7 @@ class StatementFlow : public Sequencer {
   CallStack calls_{kProgramLevels};
   LabelIndex labels_;
   StatementLoops loops_;
+  WaysBack ways_;
   RepeatedSections sections_;
   std::set<std::size_t> begun_;  // the lines of the program's file in which it and its subprograms begin
   Reading reading_ = Reading::head;

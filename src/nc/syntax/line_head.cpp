@@ -82,10 +82,22 @@ class HeadReader {
       head_.number = canonical_label('N' + std::string(digits()));
       blanks();
     }
-    const std::string rest = upper_without_blanks(line_.substr(at_, 24));
-    if (!rest.starts_with("END") || rest.size() < 4 || !is_digit(rest[3])) return;
-    head_.word = FlowWord::end_while;
-    head_.loop = std::atoi(rest.c_str() + 3);
+    if (next_is('E')) return loop("END", 0, FlowWord::end_while);
+    if (next_is('D')) return loop("DO", 0, FlowWord::begin_do);
+    if (next_is('W')) loop("DO", line_.substr(0, line_.find('(')).rfind(']'), FlowWord::begin_while);
+  }
+
+  // END 1, DO 1, WHILE [..] DO 1: the keyword stands after what a comment is taken from, from `after` on.
+  void loop(std::string_view keyword, std::size_t after, FlowWord word) {
+    if (after == std::string_view::npos) return;
+    const std::string_view code = line_.substr(0, line_.find('('));
+    const std::size_t begin = std::max(at_, after == 0 ? 0 : after + 1);
+    if (begin >= code.size()) return;
+    const std::string rest = upper_without_blanks(code.substr(begin));
+    const bool whole = rest.starts_with(keyword) && rest.size() > keyword.size() && is_digit(rest[keyword.size()]);
+    if (!whole) return;
+    head_.word = word;
+    head_.loop = std::atoi(rest.c_str() + keyword.size());
   }
 
   void names() {

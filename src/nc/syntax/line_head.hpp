@@ -13,7 +13,7 @@ struct LineHead {
   std::string number;   // N100 as a label
   std::string label;    // NAME: of a high-level language
   FlowWord word = FlowWord::none;
-  int loop = 0;        // the number after END
+  int loop = 0;        // the number after DO and END
   bool empty = false;  // nothing but blanks, a comment or %
 };
 

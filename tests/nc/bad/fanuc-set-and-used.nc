@@ -1,2 +1,2 @@
-(expect: nc-not-interpreted 2 11 dialect: fanuc)
+(expect: nc-flow-control 2 7 dialect: fanuc)
 #1=5. G0 X#1

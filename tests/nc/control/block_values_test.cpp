@@ -38,9 +38,7 @@ TEST_CASE("RS274 finds all values of a block before it sets any; where no source
   CHECK(linuxcnc.give(both).words.front().value == 2);
   CHECK(linuxcnc.control.parameters.get(2).number == 2);
   CHECK(linuxcnc.control.parameters.get(1).number == 5);
-  Parsed fanuc_both("#1=5. X#1", "fanuc");
-  Valued fanuc("fanuc");
-  CHECK_THROWS_AS(fanuc.give(fanuc_both), Refusal);
+  CHECK_THROWS_AS(Parsed("#1=5. X#1", "fanuc"), Refusal);
 }
 
 TEST_CASE("a word worth a vacant variable is left out, or refused") {

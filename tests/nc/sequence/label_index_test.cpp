@@ -53,3 +53,16 @@ TEST_CASE("after the second % of a tape stands nothing that the control knows") 
   LabelIndex index(files, dialect("fanuc"));
   CHECK(index.find_label("N10", 2, Direction::both) == nullptr);
 }
+
+TEST_CASE("loops by number lie one inside the other; a comment is none") {
+  const testing::Scratch scratch;
+  const InputFile program(
+      scratch.file("main.nc",
+                   "O1\nDO 1\nN5 WHILE [#1 LT 2] DO 2 (DO 1])\nEND 2\nEND 1\nDO 1\nEND1\nDO 3\nDO 1\nEND 3\nEND 1\n"
+                   "DO 2\n/ DO 2\nEND 2\nEND 2\nM30\n"));
+  ProgramFiles files(program, dialect("fanuc"));
+  LabelIndex index(files, dialect("fanuc"));
+  for (const std::size_t line : {2, 3, 6}) CHECK_FALSE(index.crossing(line).has_value());
+  CHECK(index.crossing(8) == 10);
+  CHECK(index.crossing(12) == 13);
+}

@@ -141,7 +141,8 @@ int centre_by_point(const Execution& run, PlaneArc& arc, const PlaneAxes& axes, 
 }
 
 int turns_of(const Execution& run, bool clockwise) {
-  const Word* const word = run.words.find('P');
+  const bool counts = (run.motion->word_mask & letter_bit('P')) != 0;  // else it is another code's
+  const Word* const word = counts ? run.words.find('P') : nullptr;
   int turns = 1;
   if (word != nullptr) {
     const double extra = run.dialect.behaviour.turns_are_extra ? 1 : 0;  // TURN does not count the one begun [PG 9.5]

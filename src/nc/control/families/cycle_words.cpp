@@ -65,15 +65,16 @@ void CycleWords::take_words() {
     const Word* const word = run_.words.find(letter);
     return word == nullptr ? 0 : word->value;
   };
+  const bool of_osp = run_.dialect.behaviour.return_levels;
   cycle_.r = inherited('R', cycle_.r, length('R'), true);
   const char normal = letter(axes_of(run_.control.modal.plane).third);
   cycle_.bottom = inherited(normal, cycle_.bottom, length(normal), true);
   const bool is_new = run_.dialect.behaviour.return_levels ? run_.motion_word != nullptr : as_fanuc_ && !goes_on_;
+  if (is_new && !of_osp) cycle_.stays = false;
   if (is_new) cycle_.dwell_s = 0;  // G80 and G0 end what was kept [Haas 96-8000, p. 185]
   const bool dwells = code_ == kDrillDwell || code_ == kBoreStop || code_ == kBoreByHand || code_ == kBoreDwell;
   cycle_.dwell_s = inherited('P', cycle_.dwell_s, number('P'), dwells && !as_fanuc_);
   cycle_.dwell_s = run_.words.has('P') ? cycle_.dwell_s * run_.dialect.behaviour.dwell_p_s : cycle_.dwell_s;
-  const bool of_osp = run_.dialect.behaviour.return_levels;
   const bool pecks = code_ == kChipBreaking || code_ == kPeck;
   const char peck = of_osp && run_.words.has('I') ? 'I' : 'Q';
   cycle_.peck = inherited(peck, cycle_.peck, length(peck), pecks);
@@ -81,7 +82,11 @@ void CycleWords::take_words() {
     cycle_.ijk[i] = inherited(kCentreLetters[i], cycle_.ijk[i], length(kCentreLetters[i]), code_ == kBackBore);
   }
   const bool waits = of_osp || !(pecks || code_ == kDrill || code_ == kBore);
-  if (const Word* const word = run_.words.find('P')) check_milliseconds(run_, *word, waits);
+  if (const Word* const word = run_.words.find('P')) {
+    check_milliseconds(run_, *word, waits);
+    // the manual has no P in these [U part 2, p. 53], a Haas waits at the bottom [H]: the hole stays a cycle
+    cycle_.stays = cycle_.stays || (as_fanuc_ && !waits && word->value != 0);
+  }
   if (of_osp) take_words_of_osp(is_new);
   if (cycle_.dwell_s < 0) {
     run_.refuse(*run_.words.find('P'), codes::kNegative, "the time to wait is negative", "write P0 or more");

@@ -188,7 +188,7 @@ void move_in_cycle(Execution& run) {
   CycleRun(run).make();
   // What P counts in a cycle of an OSP depends on its settings: such a hole stays a cycle, whose P stays as it is.
   const Cycle& cycle = run.control.cycle;
-  const bool stays = run.dialect.behaviour.return_levels && (cycle.dwell_s != 0 || cycle.stays);
+  const bool stays = cycle.stays || (run.dialect.behaviour.return_levels && cycle.dwell_s != 0);
   const bool whole = (works_spindle(run.motion->value) || stays) && run.chosen_row(Action::no_hole) == nullptr;
   run.step.cycle = whole ? CycleForm::spindle : CycleForm::moves;
   run.step.holes = run.holes;

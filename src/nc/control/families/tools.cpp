@@ -43,7 +43,7 @@ int tool_of_block(const Execution& run, const Chosen& chosen) {
     return named;  // H0 is the tool in the spindle [LinuxCNC, measured]
   if (word == nullptr && chosen.row->action == Action::tool_length_added) run.need('H', "G43.2");
   const ControlBehaviour& control = run.dialect.behaviour;
-  if (word == nullptr && (control.offset_numbers_last || control.h0_is_no_tool))
+  if (word == nullptr && (control.offset_numbers_last || control.length_needs_number))
     run.need('H', run.block->at(chosen.word->span));
   return tool_in_spindle(run, *chosen.word);
 }

@@ -5,6 +5,13 @@
 #include <utility>
 
 namespace plumbline::nc {
+namespace {
+
+bool differs(const Value& a, const Value& b) {
+  return a.number != b.number || a.known != b.known || a.vacant != b.vacant;
+}
+
+}  // namespace
 
 std::string_view Parameters::plain(std::string_view name) {
   plain_.clear();
@@ -37,12 +44,19 @@ void Parameters::declare(std::string_view name, VariableType type) {
   if (type != VariableType::real) owner().types[plain_] = type;
 }
 
+void Parameters::set(int number, Value value) {
+  Numbered& now = numbered(number);
+  if (!now.set || differs(now.value, value)) ++changes_;
+  now = {value, true};
+}
+
 void Parameters::set(std::string_view name, Value value) {
   plain(name);
   value = converted(value);
   owner().left_over.erase(plain_);
   Names& names = scope_of(plain_);
   const auto at = names.find(plain_);
+  if (at == names.end() || differs(at->second, value)) ++changes_;
   if (at != names.end()) {
     at->second = value;
   } else {
@@ -85,9 +99,6 @@ void Parameters::remember_begin() {
 }
 
 void Parameters::begin_again() {
-  const auto differs = [](const Value& a, const Value& b) {
-    return a.number != b.number || a.known != b.known || a.vacant != b.vacant;
-  };
   Scope& scope = scopes_.back();
   if (scope.shared) return;
   auto now = locals();

@@ -35,7 +35,7 @@ class Parameters {
   /// True if the program or its settings gave it a value. `number` is 1..kLastParameter.
   bool has(int number) const { return numbered(number).set; }
   Value get(int number) const { return numbered(number).value; }
-  void set(int number, Value value) { numbered(number) = {value, true}; }
+  void set(int number, Value value);
 
   /// Names are the same whatever their case and blanks [RS274/NGC 3.3.1]. Null: never set.
   const Value* find(std::string_view name);
@@ -59,6 +59,8 @@ class Parameters {
   bool is_left_over(std::string_view name);
   /// It ends: those of its caller are back.
   void leave();
+  /// How often one got another value.
+  std::uint64_t changes() const { return changes_; }
   /// Subprograms that are being executed.
   std::size_t depth() const { return scopes_.size() - 1; }
   /// The name as it is looked up; valid until the next call.
@@ -114,6 +116,7 @@ class Parameters {
   Names global_;
   std::vector<Scope> scopes_{Scope{}};
   std::set<std::string, std::less<>> left_;  // names of subprograms that have ended
+  std::uint64_t changes_ = 0;
   std::string plain_;
 };
 

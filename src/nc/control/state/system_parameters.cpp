@@ -26,7 +26,8 @@ constexpr int kToolChanger = 5600;  // and 5601: whether it failed, and why, wha
 constexpr int kClocks = 3001, kClocksEnd = 3002, kDate = 3011, kTime = 3012;
 constexpr int kSingleBlock = 3003, kFeedHold = 3004;  // whether stops act: no matter for the path
 constexpr int kBlockEnd = 5001, kPositionNow = 5041, kMacroSystems = 5221, kMacroSystemsEnd = 5340;
-bool is_common(int number) { return (number >= 100 && number <= 199) || (number >= 500 && number <= 999); }
+constexpr int kKept = 500, kKeptEnd = 999;  // permanent common variables: the power may be off between
+bool is_common(int number) { return (number >= 100 && number <= 199) || (number >= kKept && number <= kKeptEnd); }
 
 // The numbers between the rows (#5170 to #5180, #5231 to #5240 and so on) are free: tool changers keep pockets in them.
 bool is_in_row(int number, int first, int last, int used) {
@@ -53,6 +54,11 @@ bool SystemParameters::is_read_only(int number) const {
            number != syntax.message_variable;
   }
   return syntax.system_variables == SystemVariables::rs274 && is_of_tables(number);
+}
+
+bool SystemParameters::is_kept(int number) const {
+  return dialect_.syntax.system_variables == SystemVariables::macro_b &&
+         ((number >= kKept && number <= kKeptEnd) || number == kSingleBlock || number == kFeedHold);
 }
 
 bool SystemParameters::is_read_only(std::string_view name) {

@@ -17,6 +17,8 @@ class SystemParameters : public ParameterReader {
   /// True for parameters that a program may read but not set.
   bool is_read_only(int number) const;
   bool is_read_only(std::string_view name);
+  /// True for parameters that are made for what comes after the program, or that the control itself obeys.
+  bool is_kept(int number) const;
 
  private:
   Value position(const Block& block, Axis axis, Span span) const;

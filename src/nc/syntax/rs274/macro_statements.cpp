@@ -66,6 +66,10 @@ MacroLine statement(BlockReading& in, FlowWord word) {
     condition(in);
     if (keyword_follows(in, FlowWord::if_then)) {
       flow.word = FlowWord::if_then;
+      if (keyword_follows(in, FlowWord::go_to)) {
+        in.cursor.refuse(flow.span, codes::kFlowControl, "THEN stands before an assignment alone, and GOTO stands here",
+                         "leave THEN out, as in IF [#1 GT 5] GOTO 100");
+      }
       in.cursor.take(lex_item);
       return MacroLine::assignments;
     }
@@ -106,11 +110,23 @@ MacroLine read_macro_statement(BlockReading& in) {
   return statement(in, word);
 }
 
-void check_assignments_alone(const BlockReading& in) {
+// A block is a macro statement or a block of words [cncforum.net, macro and NC statements].
+void check_assignment_alone(const BlockReading& in, bool then) {
   const std::vector<Word>& words = in.out.block().words;
-  if (words.empty()) return;
-  in.cursor.refuse(words.front().span, codes::kFlowControl, "THEN takes nothing but an assignment",
-                   "write IF [..] GOTO, and the words into blocks of their own");
+  const std::vector<Setting>& settings = in.out.block().settings;
+  if (then && !words.empty()) {
+    in.cursor.refuse(words.front().span, codes::kFlowControl, "THEN takes nothing but an assignment",
+                     "write IF [..] GOTO, and the words into blocks of their own");
+  }
+  if (!settings.empty() && !words.empty()) {
+    in.cursor.refuse(words.front().span, codes::kFlowControl,
+                     "an assignment and words in one block: which the control does first was found in no source",
+                     "put them into blocks of their own");
+  }
+  if (settings.size() < 2) return;
+  in.cursor.refuse(settings[1].span, codes::kFlowControl,
+                   "two assignments in one block: whether the control makes both was found in no source",
+                   "put them into blocks of their own");
 }
 
 }  // namespace plumbline::nc

@@ -18,7 +18,7 @@ enum class MacroLine : std::uint8_t {
 /// of the control.
 MacroLine read_macro_statement(BlockReading& in);
 
-/// Refuses words after THEN.
-void check_assignments_alone(const BlockReading& in);
+/// Refuses words beside an assignment, and a second one; `then`: it stands after THEN.
+void check_assignment_alone(const BlockReading& in, bool then);
 
 }  // namespace plumbline::nc

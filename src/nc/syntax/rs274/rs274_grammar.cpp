@@ -113,7 +113,7 @@ void read_rs274_block(BlockReading& in) {
   if (line == MacroLine::whole) return;
   if (line == MacroLine::words && begins_with('O')) return read_o_word(in);
   items(in);
-  if (line == MacroLine::assignments) check_assignments_alone(in);
+  if (macro_b) check_assignment_alone(in, line == MacroLine::assignments);
 }
 
 }  // namespace plumbline::nc

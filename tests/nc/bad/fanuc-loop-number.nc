@@ -1,0 +1,3 @@
+(expect: nc-flow-control 2 1 dialect: fanuc)
+DO 4
+END 4

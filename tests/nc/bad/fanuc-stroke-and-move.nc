@@ -1,0 +1,4 @@
+(expect: nc-axes-twice 4 1 dialect: fanuc)
+G21 G17 G90 G94 G54
+G0 X0. Y0. Z20.
+G1 X10. Y5. F500. G22
