@@ -1,5 +1,6 @@
 // Which motion a block makes, whether all of its words are used, and in which order its codes act.
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -168,6 +169,19 @@ void refuse_kept_word(const Execution& run, const Word& word) {
              "write G43 (or G44) beside it, with Z");
 }
 
+// TURN of TURN=2, X of X5.
+std::string_view name_of(const Execution& run, const Word& word) {
+  const std::string_view text = run.text_of(word);
+  const std::size_t equals = text.find('=');
+  return text.substr(0, equals == std::string_view::npos ? 1 : text.find_first_of("= \t"));
+}
+
+// P2 beside an arc: P only stands for TURN= here.
+bool is_letter_of_name(const Execution& run, const Word& word) {
+  return (run.dialect.syntax.address_letters & letter_bit(word.letter)) != 0 &&
+         upper(run.text_of(word).front()) == word.letter;
+}
+
 void check_words_used(const Execution& run) {
   std::uint32_t used = kFreeLetters | kAxisLetters;
   if (run.dialect.has_edges) used |= letter_bit('D');
@@ -177,15 +191,17 @@ void check_words_used(const Execution& run) {
   if (run.vector != nullptr) used |= kCentreBits;
   for (const Chosen& chosen : run.chosen) used |= chosen.row->word_mask;
   const std::uint32_t unused = run.words.letters() & ~used;
-  if (unused == 0) return;
+  const bool has_names = (run.words.letters() & run.dialect.syntax.address_letters) != 0;
+  if (unused == 0 && !has_names) return;
   for (const Word& word : run.block->words) {
-    if (is_code(word) || (letter_bit(word.letter) & unused) == 0) continue;
+    if (is_code(word)) continue;
+    if ((letter_bit(word.letter) & unused) == 0 && !(has_names && is_letter_of_name(run, word))) continue;
     if (is_exponent(run, word)) {
       run.refuse(word, codes::kWordUnused, "numbers have no exponent: the control reads E as a word of its own",
                  "write the number out, X0.0000001 or X0, and have the post-processor write fixed decimals");
     }
     refuse_kept_word(run, word);
-    run.refuse(word, codes::kWordUnused, fmt::format("no code of this block uses the {} word", word.letter),
+    run.refuse(word, codes::kWordUnused, fmt::format("no code of this block uses the {} word", name_of(run, word)),
                "remove it, or add the code that it belongs to");
   }
 }

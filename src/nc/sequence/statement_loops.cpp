@@ -1,6 +1,7 @@
 #include "nc/sequence/statement_loops.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "nc/language/codes.hpp"
@@ -40,7 +41,13 @@ void StatementLoops::begin_for(const Block& block) {
     loops().push_back({FlowWord::begin_for, 0, place_of_line(block), files_.here().line, 1});
   }
   const double limit = interpreter_.value_of(block, block.flow.values.front(), block.flow.span);
-  if (interpreter_.variable(block, 0).number <= limit) return;
+  const double count = interpreter_.variable(block, 0).number;
+  if (count != std::round(count) || limit != std::round(limit)) {
+    refuse_flow(block, codes::kNotInterpreted,
+                "this counts by values that are not whole, and when they are rounded was found in no source",
+                "count by whole numbers, as in FOR R1=1 TO 3, or write WHILE");
+  }
+  if (count <= limit) return;
   loops().pop_back();
   leave_out(block, FlowWord::end_for, false, 0);
 }

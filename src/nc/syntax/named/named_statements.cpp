@@ -111,6 +111,10 @@ void case_statement(BlockReading& in) {
   while (true) {
     const Token next = in.cursor.peek(lex_named_item);
     if (next.kind == TokenKind::end || next.kind == TokenKind::comment) return;
+    if (!flow.choices.empty() && flow.choices.back().value == kLiteral) {
+      in.cursor.refuse(in.cursor.span_of(next), codes::kFlowControl, "a choice stands after DEFAULT",
+                       "write DEFAULT as the last one");
+    }
     flow.choices.push_back(choice(in, next));
   }
 }
