@@ -95,3 +95,24 @@ TEST_CASE("swivel cycles where no source says what else they end, move or turn a
              "CYCLE800(0, \"0\" ,0,39,0,0,0,0,5,0,0,0,0,1)\n", "CYCLE800(1,\"0\",0,27,0,0,0,0,0,5,0,0,0,1)\n"});
   check_all("", {tilt + "X0 Y0 Z10\nCYCLE800()\n", "CYCLE800(0,\"0\",0,57,0,0,0,0,0,0,0,0,0,1)\n"});
 }
+
+TEST_CASE("NOT before a comparison needs brackets") {
+  check_all("nc-not-interpreted", {"IF NOT R1==5 GOTOF AA\nAA: X1\n", "WHILE NOT R1>2\nR1=R1+1\nENDWHILE\n",
+                                   "IF NOT (R1+1)<>R2\nX1\nENDIF\n"});
+  check_all("", {"IF NOT (R1==5) GOTOF AA\nAA: X1\n", "IF NOT R1\nX1\nENDIF\n", "IF R1==NOT R2\nX1\nENDIF\n"});
+}
+
+TEST_CASE("positions of the spindle say which way round as those of axes do") {
+  check_all("", {"SPOS=DC(90)\n", "SPOS[1]=ACP(R1+5) X1\n", "SPOSA=IC(30)\n", "SPOS=90\n"});
+  check_all("nc-bracket-open", {"SPOS=DC(90\n"});
+}
+
+TEST_CASE("what is refused is called by its name") {
+  check_all("nc-not-interpreted", {"X=7 B_AND 3\n", "R1=R2 B_OR 4\n", "PROC UP(REAL DEEP=5)\n", "X=MINVAL(1,2)\n"});
+  check_all("nc-axes-unused", {"CIP X10 Y10 I1=10 J1=0\nX20 Y10 I1=15 J1=15\n"});
+}
+
+TEST_CASE("ATRANS and AROT say what they add") {
+  check_all("nc-not-interpreted", {"ATRANS\n", "TRANS X5\nATRANS\nX1\n", "AROT\n", "G18 AROT\n"});
+  check_all("", {"ATRANS X0\n", "AROT RPL=5\nX1 Y1\n", "TRANS\n", "ROT\n"});
+}

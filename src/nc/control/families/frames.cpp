@@ -78,6 +78,12 @@ void change_frame_by_name(Execution& run, const Chosen& chosen) {
   Control& control = run.control;
   const bool adds = chosen.row->action == Action::frame_added;
   const bool turns = chosen.row->value == 1;
+  if (adds && run.axes.empty() && !run.words.has('Q')) {
+    run.refuse(*chosen.word, codes::kNotInterpreted,
+               fmt::format("{} adds nothing, and whether it ends a frame then was found in no source",
+                           run.text_of(*chosen.word)),
+               turns ? "write ROT alone, or say by how much it turns" : "write TRANS alone, or say what it adds");
+  }
   double degrees = adds ? control.turn_deg : 0;
   AxisWords shift = adds ? control.local : AxisWords{};
   if (turns) {
