@@ -116,3 +116,11 @@ TEST_CASE("ATRANS and AROT say what they add") {
   check_all("nc-not-interpreted", {"ATRANS\n", "TRANS X5\nATRANS\nX1\n", "AROT\n", "G18 AROT\n"});
   check_all("", {"ATRANS X0\n", "AROT RPL=5\nX1 Y1\n", "TRANS\n", "ROT\n"});
 }
+
+TEST_CASE("what is set in the block of a statement is not lost") {
+  check_all("nc-flow-control",
+            {"R2=5 IF R1==0\nX1\nENDIF\n", "R2=5 GOTOF AA\nAA: X1\n", "R2=5 FOR R1=1 TO 2\nX=R1\nENDFOR\n",
+             "R2=5 WHILE R1<2\nR1=R1+1\nENDWHILE\n", "IF R1==0\nX1\nR2=5 ELSE\nX2\nENDIF\n",
+             "REPEAT\nR1=R1+1\nR2=7 UNTIL R1>2\n", "AA: X1\nR2=5 REPEAT AA\n", "R2=5 CASE R1 OF 0 GOTOF AA\nAA: X1\n",
+             "R2=5 DEF REAL CC=3\nX=CC\n"});
+}

@@ -188,7 +188,7 @@ void define_statement(BlockReading& in) {
 
 void read_named_statement(BlockReading& in, FlowWord word) {
   Flow& flow = in.out.begin_flow(word, in.cursor.span());
-  if (!in.out.block().words.empty()) {
+  if (!in.out.block().words.empty() || !in.out.block().settings.empty()) {
     in.cursor.refuse(flow.span, codes::kFlowControl, fmt::format("{} stands after other words", in.out.at(flow.span)),
                      "put it into a block of its own");
   }
