@@ -1,4 +1,5 @@
 // Words, codes and counts of a SINUMERIK that would change nothing, or something else than they say: refused.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,11 @@ namespace {
 
 const std::string kHead = "G54 G17 G90 G94 G710\nG0 X0 Y0 Z50 A0 B0 C0 S1000 M3\nG1 Z10 F500\n";
 
-std::string code_of(const std::string& lines) {
+std::string code_of(const std::string& lines, std::optional<bool> block_delete = std::nullopt) {
   const ProgramFile program(kHead + lines);
   const InputFile file(program.path());
   ProgramSettings settings = empty_tables();
+  settings.block_delete = block_delete;
   for (std::size_t i = 0; i < 2; ++i) settings.work_offsets[i] = WorkOffset{};
   try {
     Program blocks(file, dialect("siemens"), settings);
@@ -123,4 +125,15 @@ TEST_CASE("what is set in the block of a statement is not lost") {
              "R2=5 WHILE R1<2\nR1=R1+1\nENDWHILE\n", "IF R1==0\nX1\nR2=5 ELSE\nX2\nENDIF\n",
              "REPEAT\nR1=R1+1\nR2=7 UNTIL R1>2\n", "AA: X1\nR2=5 REPEAT AA\n", "R2=5 CASE R1 OF 0 GOTOF AA\nAA: X1\n",
              "R2=5 DEF REAL CC=3\nX=CC\n"});
+}
+
+TEST_CASE("a branch that is left out does not end in a line behind /") {
+  for (const std::string lines : {"IF R1==1\nX1\n/ELSE\nX5\nENDIF\nX2\n", "IF R1==1\nX1\n/ENDIF\nX2\nENDIF\n",
+                                  "WHILE R1>1\nX1\n / ENDWHILE\nX2\nENDWHILE\n"}) {
+    INFO(lines);
+    CHECK(code_of(lines, true) == "nc-not-interpreted");
+  }
+  CHECK(code_of("/IF R1==1\nX1\n/ENDIF\nX2\n", true).empty());
+  CHECK(code_of("IF R1==1\n/X1\nELSE\n/X5\nENDIF\n", true).empty());
+  CHECK(code_of("IF R1==1\nX1\n/ELSE\nX5\nENDIF\nX2\n", false).empty());
 }
