@@ -48,6 +48,8 @@ MEANINGS = {
     "exact_stop_once": "exact stop of one block",
     "feed": "straight move at feed",
     "feed_group": "axes whose path F counts",
+    "main_spindle": "main spindle: the first alone",
+    "speed_limit": "limit of the spindle's speed",
     "frame_added": "shift or turn, added",
     "frame_new": "shift or turn",
     "forget_modes": "kept modes forgotten",

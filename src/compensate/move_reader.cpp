@@ -24,6 +24,12 @@ void refuse_to_follow(const nc::Step& step, const UnknownPosition& unknown) {
 
 }  // namespace
 
+nc::ProgramSettings settings_of_reading(nc::ProgramSettings program, const ReaderSettings& settings) {
+  constexpr double kOwnTiltDeg = 1e-6;
+  if (!settings.as_it_stands) program.upright_deg = kOwnTiltDeg;
+  return program;
+}
+
 std::optional<ToolInSpindle> SpindleTool::change(const nc::Step& step) {
   const AxisWords& offset = step.frame->tool;
   const bool moves_old_tool = step.tool_change == nc::ToolChange::after_motion;

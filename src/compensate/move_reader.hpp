@@ -49,6 +49,7 @@ struct ReaderSettings {
   path::StepSettings step;
   double reference_tool_mass = 0;  // kg
   AxisWords touch_off_error;       // that every pose gets
+  bool as_it_stands = false;       // it may be a program that was corrected already
 };
 
 /// Axes that no correction of the step's motion may write.
@@ -65,6 +66,9 @@ void forget_time_of_no_way(Move& move);
 /// Sets its pieces, at the step settings. Refuses with path-too-many-pieces.
 void divide(Move& move, const path::StepSettings& settings);
 
+/// Where the program tilts the tool at all, its tilts are its own.
+nc::ProgramSettings settings_of_reading(nc::ProgramSettings program, const ReaderSettings& settings);
+
 class MoveReader {
  public:
   /// All but `settings` must outlive it; `looks` is as of nc::ProgramAhead.
@@ -73,7 +77,7 @@ class MoveReader {
       : source_(source),
         dialect_(dialect),
         settings_(settings),
-        program_(source, dialect, program, looks),
+        program_(source, dialect, settings_of_reading(program, settings), looks),
         spindle_(program.tools, settings.reference_tool_mass) {
     for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
       if (program.start[index(axis)].value_or(0) != 0) away_.insert(axis);

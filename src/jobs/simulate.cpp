@@ -143,7 +143,7 @@ SimulationSummary simulate_program(const Source& program, const settings::Option
 
   compensate::MoveReader reader(
       source, dialect, settings,
-      {nc::named_axes(source, dialect), options.compensation.step, model.reference_tool_mass, {}});
+      {nc::named_axes(source, dialect), options.compensation.step, model.reference_tool_mass, {}, true});
   std::optional<compensate::PathRecord> record;
   if (picture != nullptr) record.emplace(model, options.compensation);
   Player player(model, options.compensation, take, record ? &*record : nullptr, known);

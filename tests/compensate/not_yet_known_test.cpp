@@ -61,6 +61,14 @@ TEST_CASE("a change of the length of a tilted tool leaves X, Y and Z to be state
     INFO(cut);
     CHECK(code_of(start + cut, job) == "compensate-position-unknown");
   }
+  for (const std::string tilt : {"A0.05 B0", "A0 B-0.09", "A0.002 B0.001"}) {  // the program's own, however small
+    INFO(tilt);
+    const std::string head = "G54 G17 G710 G90 G94\nG0 X0 Y0 Z80 " + tilt + " C0 D0\nD1\n";
+    CHECK(code_of(head + "G1 Y5 F100\nM30\n", job) == "compensate-position-unknown");
+    CHECK(code_of(head + "G0 X0 Y0\nG1 Y5 F100\nM30\n", job) == "compensate-position-unknown");
+    CHECK(code_of(head + "G0 X0 Y0\nZ30\nG1 Y5 F100\nM30\n", job).empty());
+  }
+  CHECK(code_of("G54 G17 G710 G90 G94\nG0 X0 Y0 Z80 A0 B0 C0 D0\nD1\nG1 Y5 F100\nM30\n", job).empty());
   const std::string out = run(start + "D1\nN9 G0 X1 Y2\nZ30\nG1 Y5 F100\nM30\n", job).text;
   CHECK(finds(out, "^N9 G0 X1 Y2$"));
   CHECK(finds(out, "^Z[0-9.]+ "));

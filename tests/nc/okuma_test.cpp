@@ -105,3 +105,16 @@ TEST_CASE("OSP: a program whose name begins with O is called like any other") {
              {"G15 H1\nCALL OORI Q2\nM2\nOORI\nG0 X0 Y0 Z0\nRTS\n", 0, 0},
              {"CALL OO88 PX=0 PY=0 PZ=0 PA=-90 PC=0 PH=1 PP=2\nM2\n", 1, 1, "nc-flow-open"}});
 }
+
+TEST_CASE("OSP: HP= is a home position, and no P") {
+  check_osp({{"G15 H1\nG20 HP=4\nM2\n", 0, 0},
+             {"G15 H1\nG20 P4\nM2\n", 2, 5, "nc-word-unused"},
+             {"G15 H1\nG21 P=1\nM2\n", 2, 5, "nc-word-unused"},
+             {"G15 H1\nG0 X0 Y0 Z50\nG71 Z50\nG82 X9 Z-5 R2 HP=2 F9 M53\nM2\n", 4, 15, "nc-word-unused"}});
+}
+
+TEST_CASE("OSP: what is set in the block of a statement is not lost") {
+  check_osp({{"G15 H1\nVC1=5 GOTO N10\nN10 G0 X=VC1 Y0 Z0\nM2\n", 2, 7, "nc-flow-control"},
+             {"G15 H1\nVC2=0\nVC1=5 IF [VC2 EQ 0] N10\nN10 G0 X=VC1 Y0 Z0\nM2\n", 3, 7, "nc-flow-control"},
+             {"CALL O8\nM2\nO8\nVC1=5 RTS\n", 4, 7, "nc-flow-control"}});
+}

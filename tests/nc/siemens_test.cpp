@@ -220,7 +220,6 @@ TEST_CASE("parts of a program are repeated by their labels") {
   CHECK(path("PART: X2\nX3\nENDLABEL:\nX5\nREPEAT PART P1\nX4\n") == "2 3 5 2 3 4 ");
   CHECK(path("ONE: X2\nX3\nTWO: X4\nX5\nREPEAT ONE TWO P=2\nX6\n") == "2 3 4 5 2 3 4 2 3 4 6 ");
   CHECK(path("HOLE: G91 X1\nG90 Y1\nREPEATB HOLE P=3\nG90 X9\n") == "1 1 2 3 4 9 ");
-  CHECK(path("PART: X2\nREPEAT PART P=0\nX4\n") == "2 4 ");
   CHECK(path("OUT: X1\nIN: X2\nREPEATB IN\nX3\nREPEAT OUT\nX9\n") == "1 2 2 3 1 2 2 3 9 ");
   CHECK(path("PART: X2\nKURZ\nREPEAT PART\nM30\n%_N_KURZ_SPF\nX7\nX8\nM17\n") == "2 7 8 2 7 8 ");
   check_refused({{"G54 G0\nX1\nREPEAT PART P=3\nPART: X2\n", 3, 1, "nc-flow-label"},

@@ -55,7 +55,7 @@ double distance(const AxisWords& a, const AxisWords& b) {
 }
 
 MoveQueue::MoveQueue(const InputFile& file, const nc::Dialect& dialect, const nc::ProgramSettings& settings)
-    : dialect_(dialect), reader_(file, dialect, settings, {}) {}
+    : dialect_(dialect), reader_(file, dialect, settings, {.as_it_stands = true}) {}
 
 bool MoveQueue::read_more() {
   const nc::Step* const step = reader_.next();

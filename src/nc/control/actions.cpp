@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "base/text/characters.hpp"
 #include "nc/control/execution.hpp"
 #include "nc/language/codes.hpp"
 
@@ -105,6 +106,16 @@ void act_on_mode(Execution& run, const Chosen& chosen) {
   }
 }
 
+// SETMS and SETMS(1) are the spindle that is followed here.
+void check_main_spindle(const Execution& run, const Word& word) {
+  const std::string_view text = run.text_of(word);
+  const std::string values = without_blanks(text.substr(std::min(text.find_first_of("(=["), text.size())));
+  if (values.empty() || values == "()" || values == "(1)") return;
+  run.refuse(word, codes::kNotInterpreted,
+             "this makes another spindle the one that S, M3 to M5 and feeds per revolution are of",
+             "programs that turn several spindles are not read");
+}
+
 // Work systems and frames, tilted planes among them; false: another code.
 bool act_on_frame(Execution& run, const Chosen& chosen) {
   switch (chosen.row->action) {
@@ -169,6 +180,11 @@ void act_on_position(Execution& run, const Chosen& chosen) {
       return choose_transformation(run, chosen);
     case Action::feed_group:
       return set_feed_group(run, chosen);
+    case Action::main_spindle:
+      return check_main_spindle(run, *chosen.word);
+    case Action::speed_limit:
+      run.control.speed_limited = true;
+      return;
     case Action::tool_edge:
       return choose_edge(run, *chosen.word);
     case Action::modal_call:

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -159,8 +160,25 @@ void refuse_twice(const Execution& run, const Word& word) {
   run.refuse(word, codes::kWordTwice, fmt::format("two {} words in one block", word.letter), "leave one of them");
 }
 
+// AC and IC are of axes and of points of a circle, the others of axes that turn [N p. 143, p. 149].
+void check_word_mode(const Execution& run, const Word& word) {
+  const std::optional<Axis> axis = axis_of(word.letter);
+  const bool of_point = std::string_view("IJK123").find(word.letter) != std::string_view::npos;
+  const bool straight = word.mode == WordMode::absolute || word.mode == WordMode::incremental;
+  if (word.use == WordUse::tool_vector || (straight && (axis || of_point))) return;
+  if (!straight && axis && is_rotary(*axis)) return;
+  run.refuse(word, codes::kNotInterpreted,
+             straight
+                 ? fmt::format("{} is no word of an axis or of a point, and what it counts from was found in no "
+                               "source",
+                               run.text_of(word))
+                 : fmt::format("{} says which way round an axis turns, and this is no such axis", run.text_of(word)),
+             straight ? "write the value itself" : "write the value itself; DC, ACP and ACN are of A, B and C");
+}
+
 // Only an axis that turns without end has a shorter or a positive way round; G90 counts within its turn then (setting).
 void take_word_mode(Execution& run, const Word& word) {
+  check_word_mode(run, word);
   run.has_word_modes = true;
   const std::optional<Axis> axis = axis_of(word.letter);
   if (word.mode == WordMode::absolute || word.mode == WordMode::incremental || !axis || !is_rotary(*axis)) return;

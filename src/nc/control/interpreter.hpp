@@ -37,6 +37,8 @@ class Interpreter {
   /// The subprogram just entered will be called once more by the same block, and it begins that call.
   void remember_call() { control_.parameters.remember_begin(); }
   void call_again() { control_.parameters.begin_again(); }
+  /// Blocks behind / are not executed.
+  bool leaves_out_skipped() const { return run_.settings.block_delete.value_or(false); }
   /// The settings of a block that steers.
   void assign(const Block& block) { values_.assign(block); }
   Value value(const Block& block, std::uint32_t code) { return values_.value(block, code); }

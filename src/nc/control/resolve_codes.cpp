@@ -1,5 +1,6 @@
 // Which motion a block makes, whether all of its words are used, and in which order its codes act.
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -114,6 +115,11 @@ void find_motion(Execution& run) {
   const bool centre = is_arc(mode) && (run.words.letters() & kCentreBits) != 0;
   if (run.axes.empty() && !centre && run.vector == nullptr) return;
   if (mode == nullptr) mode = motion_before_codes(run);
+  constexpr std::uint32_t kPointBits = letter_bit('1') | letter_bit('2') | letter_bit('3');
+  if (mode == nullptr && run.dialect.syntax.word_modes && (run.words.letters() & kPointBits) != 0) {
+    run.refuse(first_axis_word(run), codes::kAxesUnused, "a circle through a point states its CIP in each block",
+               "write CIP into this block as well");
+  }
   if (mode == nullptr) {
     run.refuse(first_axis_word(run), codes::kAxesUnused, "no motion code is in force for these axis words",
                "write G0, G1, G2 or G3 before them");
@@ -168,6 +174,19 @@ void refuse_kept_word(const Execution& run, const Word& word) {
              "write G43 (or G44) beside it, with Z");
 }
 
+// TURN of TURN=2, X of X5.
+std::string_view name_of(const Execution& run, const Word& word) {
+  const std::string_view text = run.text_of(word);
+  const std::size_t equals = text.find('=');
+  return text.substr(0, equals == std::string_view::npos ? 1 : text.find_first_of("= \t"));
+}
+
+// P2 beside an arc: P only stands for TURN= here.
+bool is_letter_of_name(const Execution& run, const Word& word) {
+  return (run.dialect.syntax.address_letters & letter_bit(word.letter)) != 0 &&
+         upper(run.text_of(word).front()) == word.letter;
+}
+
 void check_words_used(const Execution& run) {
   std::uint32_t used = kFreeLetters | kAxisLetters;
   if (run.dialect.has_edges) used |= letter_bit('D');
@@ -177,15 +196,17 @@ void check_words_used(const Execution& run) {
   if (run.vector != nullptr) used |= kCentreBits;
   for (const Chosen& chosen : run.chosen) used |= chosen.row->word_mask;
   const std::uint32_t unused = run.words.letters() & ~used;
-  if (unused == 0) return;
+  const bool has_names = (run.words.letters() & run.dialect.syntax.address_letters) != 0;
+  if (unused == 0 && !has_names) return;
   for (const Word& word : run.block->words) {
-    if (is_code(word) || (letter_bit(word.letter) & unused) == 0) continue;
+    if (is_code(word)) continue;
+    if ((letter_bit(word.letter) & unused) == 0 && !(has_names && is_letter_of_name(run, word))) continue;
     if (is_exponent(run, word)) {
       run.refuse(word, codes::kWordUnused, "numbers have no exponent: the control reads E as a word of its own",
                  "write the number out, X0.0000001 or X0, and have the post-processor write fixed decimals");
     }
     refuse_kept_word(run, word);
-    run.refuse(word, codes::kWordUnused, fmt::format("no code of this block uses the {} word", word.letter),
+    run.refuse(word, codes::kWordUnused, fmt::format("no code of this block uses the {} word", name_of(run, word)),
                "remove it, or add the code that it belongs to");
   }
 }

@@ -110,6 +110,8 @@ enum class Action : std::uint8_t {
   spindle,           // M3, M4, M5
   coolant,           // M7, M8, M9
   override_switch,   // M48 to M53
+  main_spindle,      // SETMS: S, M3 to M5 and feeds per revolution are of this spindle
+  speed_limit,       // LIMS: a spindle's speed is no greater, in some feed modes
   feed_word,
   speed_word,
   tool_word,  // F, S and T, which take their turn among the codes
@@ -243,6 +245,7 @@ struct Syntax {
   bool truths_only = false;                               // AND, OR: whether they join truths or bits is not known
   std::string reserved;                                   // names of the control's own variables begin with this
   std::unordered_map<std::string, NameMeaning> meanings;  // upper case
+  std::uint32_t address_letters = 0;                      // that only stand for names, as P for TURN=: no words alone
   std::vector<NumberedVariables> variables;
   std::vector<std::string> subprogram_files;  // what a file of a subprogram is called: {} stands for its name
 };

@@ -105,6 +105,8 @@ constexpr std::array kActions{
     ActionName{"spindle", Action::spindle},
     ActionName{"coolant", Action::coolant},
     ActionName{"override", Action::override_switch},
+    ActionName{"main_spindle", Action::main_spindle},
+    ActionName{"speed_limit", Action::speed_limit},
 };
 
 constexpr std::array kStatements{

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "nc/language/block_words.hpp"
 #include "nc/language/dialect_keys.hpp"
 #include "nc/language/dialect_names.hpp"
 #include "nc/language/table_rows.hpp"
@@ -86,7 +87,12 @@ class TableReader {
                                                      table_.number(row, "value", 0), table_.flag(row, "tool_vector")};
       }
     };
-    each("addresses", Kind::address, [&](const PackedValue& row) { return table_.text(row, "letter").at(0); });
+    each("addresses", Kind::address, [&](const PackedValue& row) {
+      const char letter = table_.text(row, "letter").at(0);
+      const bool of_name = table_.text(row, "name").at(0) != letter && !table_.flag(row, "tool_vector");
+      if (of_name) syntax.address_letters |= letter_bit(letter);
+      return letter;
+    });
     each("keywords", Kind::keyword, [&](const PackedValue& row) { return keyword_named(table_.text(row, "does")); });
     each("functions", Kind::function,
          [&](const PackedValue& row) { return operation_named(table_.text(row, "does")); });

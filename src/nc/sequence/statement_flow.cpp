@@ -227,7 +227,10 @@ void StatementFlow::repeat(const Block& block) {
   const int count =
       block.flow.count == kLiteral ? 1 : number_of(interpreter_, block, block.flow.count, "how often this repeats");
   RepeatedSection section = section_of(block);
-  if (count <= 0) return;
+  if (count <= 0) {
+    refuse_flow(block, codes::kOutOfRange, "P asks for no repetition at all",
+                "write P=1 or more, or jump over the REPEAT");
+  }
   section.remaining = count;
   ways_.forget();
   go_on(sections_.begin(section));

@@ -1,6 +1,7 @@
 #include "nc/sequence/statement_loops.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "nc/language/codes.hpp"
@@ -40,7 +41,13 @@ void StatementLoops::begin_for(const Block& block) {
     loops().push_back({FlowWord::begin_for, 0, place_of_line(block), files_.here().line, 1});
   }
   const double limit = interpreter_.value_of(block, block.flow.values.front(), block.flow.span);
-  if (interpreter_.variable(block, 0).number <= limit) return;
+  const double count = interpreter_.variable(block, 0).number;
+  if (count != std::round(count) || limit != std::round(limit)) {
+    refuse_flow(block, codes::kNotInterpreted,
+                "this counts by values that are not whole, and when they are rounded was found in no source",
+                "count by whole numbers, as in FOR R1=1 TO 3, or write WHILE");
+  }
+  if (count <= limit) return;
   loops().pop_back();
   leave_out(block, FlowWord::end_for, false, 0);
 }
@@ -104,6 +111,14 @@ void StatementLoops::pass_left_out() {
   for (Line line; files_.next(line);) {
     const LineHead head = head_of(line.text, dialect_);
     if (!head.program.empty()) break;
+    const bool steers = head.word == left_out->opens || head.word == left_out->closes ||
+                        (head.word == FlowWord::otherwise && left_out->stops_at_else);
+    const std::size_t first = line.text.find_first_not_of(" \t");
+    if (steers && first != std::string_view::npos && line.text[first] == '/' && interpreter_.leaves_out_skipped()) {
+      refuse(codes::kNotInterpreted,
+             "what this line begins is left out, and a line behind / that is left out as well would end it",
+             "put / before all lines of a branch or a loop, or before none", left_out->from);
+    }
     if (by_number) {
       if (head.word == left_out->closes && head.loop == left_out->number) return;
       continue;

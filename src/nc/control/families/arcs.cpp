@@ -148,7 +148,7 @@ int turns_of(const Execution& run, bool clockwise) {
     const double extra = run.dialect.behaviour.turns_are_extra ? 1 : 0;  // TURN does not count the one begun [PG 9.5]
     const double whole = std::round(word->value) + extra;
     if (std::abs(word->value + extra - whole) > kWholeTurns || whole < 1 || whole > kNoLimit) {
-      run.refuse(*word, codes::kArcTurns, "P of an arc is no count of turns",
+      run.refuse(*word, codes::kArcTurns, fmt::format("{} is no count of turns", run.text_of(*word)),
                  fmt::format("write {} or a greater whole number", 1 - extra));
     }
     turns = static_cast<int>(whole);

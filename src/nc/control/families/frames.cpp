@@ -78,18 +78,24 @@ void change_frame_by_name(Execution& run, const Chosen& chosen) {
   Control& control = run.control;
   const bool adds = chosen.row->action == Action::frame_added;
   const bool turns = chosen.row->value == 1;
+  if (adds && run.axes.empty() && !run.words.has('Q')) {
+    run.refuse(*chosen.word, codes::kNotInterpreted,
+               fmt::format("{} adds nothing, and whether it ends a frame then was found in no source",
+                           run.text_of(*chosen.word)),
+               turns ? "write ROT alone, or say by how much it turns" : "write TRANS alone, or say what it adds");
+  }
   double degrees = adds ? control.turn_deg : 0;
   AxisWords shift = adds ? control.local : AxisWords{};
   if (turns) {
     for (const Axis axis : kAllAxes) {
       if (axis != Axis::Z && run.axes.contains(axis)) refuse_plane(run, *run.words.find(axis));
     }
-    if (const Word* word = run.words.find('P')) {
+    if (const Word* word = run.words.find('Q')) {
       if (control.modal.plane != Plane::xy) refuse_plane(run, *word);
       degrees += word->value;  // RPL
     }
     if (const Word* word = run.words.find('Z')) {
-      if (run.words.has('P')) {
+      if (run.words.has('Q')) {
         run.refuse(*word, codes::kAxesTwice, "the turn is given by RPL and by Z as well", "leave one of them");
       }
       degrees += word->value;
@@ -272,14 +278,21 @@ void choose_transformation(Execution& run, const Chosen& chosen) {
 // FGROUP(X,Y,Z): F is the speed of these; FGROUP() brings the default back.
 void set_feed_group(Execution& run, const Chosen& chosen) {
   const std::string_view text = run.block->at(chosen.word->span);
-  AxisSet group;
   const std::size_t open = text.find('(');
-  for (std::size_t i = open; i < text.size(); ++i) {
-    const char c = text[i] >= 'a' ? static_cast<char>(text[i] - 'a' + 'A') : text[i];
-    if (const std::optional<Axis> axis = axis_of(c)) group.insert(*axis);
+  const std::string names = upper(without_blanks(text.substr(std::min(open, text.size()))));
+  AxisSet group;
+  bool as_written = names == "()";
+  for (std::size_t i = 1; i + 1 < names.size() && names != "()"; i += 2) {  // (X,Y,Z)
+    const std::optional<Axis> axis = axis_of(names[i]);
+    as_written = axis && (names[i + 1] == ',' || i + 2 == names.size());
+    if (!as_written) break;
+    group.insert(*axis);
   }
   const AxisSet linear{Axis::X, Axis::Y, Axis::Z};
-  if (group.empty()) {
+  if (!as_written) {
+    run.refuse(*chosen.word, codes::kNotInterpreted, "a path group is interpreted as names of axes in brackets alone",
+               "write it as in FGROUP(X,Y,Z)");
+  } else if (group.empty()) {
     run.control.feed_rule = run.settings.feed_rule.value_or(run.dialect.feed_rule);
   } else if (group == linear) {
     run.control.feed_rule = FeedRule::path_group;

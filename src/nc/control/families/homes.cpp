@@ -59,7 +59,7 @@ void store_home(Execution& run, int which) {
 }
 
 void home_or_unit(Execution& run, const Chosen& chosen) {
-  if (run.words.has('P')) {
+  if (run.words.has('2')) {  // HP=
     run.step.role = BlockRole::machine_move;
     return lose_position(run, AxisSet::all());
   }

@@ -215,6 +215,12 @@ double feed_of_move(const Execution& run, bool linear) {
     run.refuse(run.motion_code(), codes::kFeedMissing, "a feed per revolution (G95) needs a turning spindle",
                "write S and M3 before this move");
   }
+  if (per_revolution && control.speed_limited) {
+    run.refuse(
+        run.motion_code(), codes::kNotInterpreted,
+        "LIMS limits the spindle's speed under G97, and with it this feed per revolution, which is not interpreted",
+        "leave LIMS out, and write the S that the spindle keeps");
+  }
   if (per_revolution && !linear && control.modal.inches && run.dialect.behaviour.inch_turn_per_revolution_unknown) {
     run.refuse(run.motion_code(), codes::kNotInterpreted,
                "a turn alone with a feed per revolution (G95) in inches: whether F counts degrees or inches then was "

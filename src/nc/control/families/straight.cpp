@@ -17,6 +17,13 @@ void end_in_machine_coordinates(const Execution& run, Motion& motion) {
     run.refuse(*run.machine_word, codes::kMachineMove,
                fmt::format("{} cannot move by increments", run.text_of(*run.machine_word)), "write G90 before it");
   }
+  for (const Axis axis : kAllAxes) {
+    const Word* const word = run.has_word_modes ? run.words.find(axis) : nullptr;
+    if (word == nullptr || word->mode == WordMode::modal || word->mode == WordMode::absolute) continue;
+    run.refuse(*word, codes::kMachineMove,
+               fmt::format("how {} counts in machine coordinates was found in no source", run.text_of(*word)),
+               "write the position itself");
+  }
   check_tool_unit(run, *run.machine_word);
   check_no_rotary_words(run);
   const Frame frame = control.frame.without_rotary_tool();

@@ -13,7 +13,8 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr std::size_t kStatus = 2, kMode = 3, kFirstShift = 4, kFirstAngle = 7, kSecondShift = 10, kWay = 13;
+constexpr std::size_t kRecord = 1, kStatus = 2, kMode = 3, kFirstShift = 4, kFirstAngle = 7, kSecondShift = 10,
+                      kWay = 13;
 
 struct SwivelMode {
   int mode;
@@ -33,8 +34,28 @@ class Swivel {
     return true;
   }
 
+  // Of calls that end a plane as well.
+  void check_context() const {
+    const Control& control = run_.control;
+    if (control.modal_call.row != nullptr) {
+      refuse_word(fmt::format("while {} is called after each move: whether the moves of one make the other drill",
+                              control.modal_call.row->name),
+                  "write MCALL alone before it");
+    }
+    if (control.local != AxisWords{} || control.turn_deg != 0) {
+      refuse_word("while TRANS or ROT is in force: whether it ends them", "write TRANS alone before it");
+    }
+  }
+
   // What no source covers.
   void check() const {
+    if (record() == "\"0\"") {
+      refuse(kRecord, "deselects the swivel data by the name \"0\", and tilts a plane as well",
+             "name the swivel data, or leave the name empty");
+    }
+    if (run_.control.modal.plane != Plane::xy) {
+      refuse_word("in G18 or G19: along which axis the tool is turned", "write G17 before it");
+    }
     for (const std::size_t first : {kFirstShift, kSecondShift}) {
       for (std::size_t i = first; i < first + 3; ++i) {
         if (value(i) != 0)
@@ -71,6 +92,14 @@ class Swivel {
   }
 
  private:
+  std::string_view record() const {
+    const std::vector<Argument>& arguments = run_.block->arguments;
+    if (arguments.size() <= kRecord) return {};
+    const std::string_view text = run_.block->at(arguments[kRecord].span);
+    const std::size_t begin = text.find_first_not_of(" \t");
+    return begin == std::string_view::npos ? text : text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+  }
+
   double value(std::size_t place) const {
     const std::vector<Argument>& arguments = run_.block->arguments;
     return place < arguments.size() && arguments[place].expression != kLiteral ? arguments[place].value : 0;
@@ -80,6 +109,10 @@ class Swivel {
     const std::vector<Argument>& arguments = run_.block->arguments;
     const Span span = place < arguments.size() ? arguments[place].span : word_.span;
     refuse_at(*run_.block, span, codes::kTiltedPlane, fmt::format("{} {}", name_, what), std::move(help));
+  }
+
+  [[noreturn]] void refuse_word(std::string_view what, std::string help) const {
+    run_.refuse(word_, codes::kTiltedPlane, fmt::format("{} {} was found in no source", name_, what), std::move(help));
   }
 
   const Execution& run_;
@@ -92,6 +125,7 @@ class Swivel {
 // CYCLE800() and the like end the plane; where the axes go then, the machine's own data say.
 void swivel(Execution& run, const Chosen& chosen) {
   const Swivel call(run, chosen);
+  call.check_context();
   if (call.is_reset()) {
     end_tilted_plane(run);
     run.step.role = BlockRole::machine_move;

@@ -59,17 +59,15 @@ void mark_unknown_length(Execution& run, int number) {
   if (number > 0 && !given && run.dialect.behaviour.increment_unknown_after_length) run.control.shifted.insert(Axis::Z);
 }
 
-// A correction tilts the tool less than that.
-constexpr double kUprightDeg = 0.1;
-
 // The length counts along the tool: where it is tilted, X and Y of the tip change with it, and not before the move that
 // names them does the control say how.
 void lose_tilted_tip(Execution& run) {
   const Control& control = run.control;
   if (!run.dialect.has_edges) return;
   const AxisWords machine = control.frame.to_machine(control.position);
-  const bool upright = control.known.contains(AxisSet{Axis::A, Axis::B}) && std::abs(machine[Axis::A]) < kUprightDeg &&
-                       std::abs(machine[Axis::B]) < kUprightDeg;
+  const double least = run.settings.upright_deg;
+  const bool upright = control.known.contains(AxisSet{Axis::A, Axis::B}) && std::abs(machine[Axis::A]) < least &&
+                       std::abs(machine[Axis::B]) < least;
   const AxisSet tip{Axis::X, Axis::Y, Axis::Z};
   if (!upright && !(control.known & tip).empty()) lose_position(run, tip);
 }

@@ -121,6 +121,7 @@ struct Control {
   bool moved_on_selected = false;          // and moves were made with it
   double spindle_speed = 0;
   bool surface_speed = false;  // G96
+  bool speed_limited = false;  // LIMS
   double feed_linear = 0;      // the F in force as mm/min (mm/rev under G95)
   Parameters parameters;
   bool tool_in_inches = false;     // the unit in force when the tool's offset was taken

@@ -38,6 +38,7 @@ struct ProgramSettings {
   FreeRotation free_rotation{};                    // --free-rotation, where a direction of the tool leaves C open
   std::optional<bool> calculator_type;             // --calculator-type: a number without a point counts units
   std::optional<double> input_increment;           // --input-increment: what it counts, mm and deg
+  double upright_deg = 0.1;                        // A and B below: of a correction, not of the program
   std::uint64_t max_blocks = 10'000'000;           // --max-blocks: lines that a program with jumps may execute
   std::optional<bool> block_delete;                // --block-delete on|off
   /// Expressions may read where the axes are (#5001 and up of macro B): true for who only looks, since a rewritten

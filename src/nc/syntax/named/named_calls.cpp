@@ -67,6 +67,10 @@ void parameters(BlockReading& in) {
     if (!cursor.is(TokenKind::identifier)) cursor.refuse_token("a name");
     in.out.declare(cursor.span(), type);
     cursor.take(lex_named_item);
+    if (cursor.is(TokenKind::equals)) {
+      cursor.refuse(cursor.span(), codes::kNotInterpreted, "values that parameters have by default are not interpreted",
+                    "leave it out here, and give the value in each call");
+    }
     if (cursor.is(TokenKind::comma)) cursor.take(lex_named_item);
   }
   if (!cursor.is(TokenKind::closing_parenthesis)) cursor.refuse_token(")");
@@ -80,6 +84,11 @@ void refuse_unread_keyword(const BlockReading& in, Span keyword) {
     in.cursor.refuse(keyword, codes::kNotInterpreted,
                      fmt::format("{} calls a program in a way that is not interpreted", in.out.at(keyword)),
                      "call it by its name alone, with its values in brackets");
+  }
+  if (in.syntax->relations_last && name.starts_with("B_")) {
+    in.cursor.refuse(keyword, codes::kNotInterpreted,
+                     fmt::format("{} works bit by bit, which is not interpreted", name),
+                     "write its result, or AND, OR, XOR and NOT of truths");
   }
   if (name != "GOTOC" && name != "GOTOS") return;
   in.cursor.refuse(keyword, codes::kNotInterpreted,

@@ -111,6 +111,10 @@ void case_statement(BlockReading& in) {
   while (true) {
     const Token next = in.cursor.peek(lex_named_item);
     if (next.kind == TokenKind::end || next.kind == TokenKind::comment) return;
+    if (!flow.choices.empty() && flow.choices.back().value == kLiteral) {
+      in.cursor.refuse(in.cursor.span_of(next), codes::kFlowControl, "a choice stands after DEFAULT",
+                       "write DEFAULT as the last one");
+    }
     flow.choices.push_back(choice(in, next));
   }
 }
@@ -184,7 +188,7 @@ void define_statement(BlockReading& in) {
 
 void read_named_statement(BlockReading& in, FlowWord word) {
   Flow& flow = in.out.begin_flow(word, in.cursor.span());
-  if (!in.out.block().words.empty()) {
+  if (!in.out.block().words.empty() || !in.out.block().settings.empty()) {
     in.cursor.refuse(flow.span, codes::kFlowControl, fmt::format("{} stands after other words", in.out.at(flow.span)),
                      "put it into a block of its own");
   }

@@ -102,11 +102,22 @@ TokenKind closing(const Syntax& syntax) {
   return syntax.open == '[' ? TokenKind::close : TokenKind::closing_parenthesis;
 }
 
+// NOT R1==5 is (NOT R1)==5 [N p. 444].
+void refuse_not_compared(BlockReading& in, Span span) {
+  if (!in.syntax->relations_last) return;
+  const std::string_view next = text_of(in.cursor.peek(lex_named_operation));
+  if (next.empty() || std::string_view("=<>").find(next.front()) == std::string_view::npos) return;
+  in.cursor.refuse(span, codes::kNotInterpreted,
+                   "NOT binds before a comparison, so that NOT R1==5 compares NOT R1 with 5",
+                   "write brackets around the condition, as in NOT (R1==5)");
+}
+
 void call_function(BlockReading& in, const NameMeaning& meaning, Span span) {
   const auto operation = static_cast<Operation>(meaning.which);
   if (meaning.arguments == 0) return in.out.push(operation, span, meaning.value);
   if (operation == Operation::logical_not) {  // NOT takes what follows, with brackets or without
     named_term(in);
+    refuse_not_compared(in, span);
     return in.out.push(operation, span);
   }
   in.cursor.take(lex_named_value);

@@ -91,7 +91,9 @@ void pass_arguments(BlockReading& in) {
   }
   if (!item_follows(in, TokenKind::equals)) return;
   cursor.take(lex_named_item);
+  const bool by_mode = word_mode(in) != WordMode::modal;  // SPOS=DC(90)
   read_named_value(in);
+  if (by_mode) expect_after_value(in, TokenKind::closing_parenthesis, ")");
 }
 
 // argument = [ value | text ]
