@@ -180,8 +180,7 @@ std::string fault_text(const Fault& fault, const std::vector<Run>& runs) {
   std::vector<std::string_view> others;
   for (const FaultKind kind : fault.or_these) others.push_back(to_text(kind));
   if (!others.empty()) text += fmt::format("; {} would explain it about as well", fmt::join(others, ", "));
-  if (fault.may_be_effect)
-    text += "; other runs are off by as much, as an effect makes them that the model lacks";
+  if (fault.may_be_effect) text += "; other runs are off by as much, as an effect makes them that the model lacks";
   return text;
 }
 
