@@ -176,12 +176,17 @@ void act_on_position(Execution& run, const Chosen& chosen) {
     case Action::change_tool:
     case Action::set_tool:
       return change_tool(run, chosen);
+    case Action::tolerance_cycle:
+      return set_tolerances(run, chosen);
     case Action::transformation:
       return choose_transformation(run, chosen);
     case Action::feed_group:
       return set_feed_group(run, chosen);
     case Action::main_spindle:
       return check_main_spindle(run, *chosen.word);
+    case Action::position_spindle:
+      run.control.turn_spindle(kSpindleStands);
+      return;
     case Action::speed_limit:
       run.control.speed_limited = true;
       return;
