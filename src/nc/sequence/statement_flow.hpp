@@ -46,8 +46,6 @@ class StatementFlow : public Sequencer {
   void go_on(const RepeatedSections::GoesOn& there);
   void head(const Block& block);
   void jump(const Block& block, const std::string& label, Direction direction);
-  const LinePlace* find_label(const Block& block, const std::string& label, std::size_t line, Direction direction);
-  LinePlace part_called(const Block& block, const std::string& number);
   void call(const Block& block);
   void enter(const Block& block, Call call, bool own_variables);
   void begin_call();
