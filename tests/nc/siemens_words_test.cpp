@@ -163,9 +163,14 @@ TEST_CASE("what FOR leaves in its variable is not known") {
 }
 
 TEST_CASE("a feed per revolution needs a spindle that turns") {
-  check_all("nc-feed-missing", {"M5\nG95 F0.1 X10\n", "G95 F0.1 X10\nM5\nX20\n", "SPOS=0\nG95 F0.1 X10\n",
-                                "M19\nG97 F0.1\nG2 X10 Y0 I5 J0\n", "SPOSA=DC(90)\nG95 F0.1 X10\n",
-                                "M70\nG95 F0.1\nCYCLE81(60,0,2,-5)\n", "M1=5\nG95 F0.1 X10\n"});
+  check_all("nc-feed-missing",
+            {"M5\nG95 F0.1 X10\n", "G95 F0.1 X10\nM5\nX20\n", "SPOS=0\nG95 F0.1 X10\n",
+             "M19\nG97 F0.1\nG2 X10 Y0 I5 J0\n", "SPOSA=DC(90)\nG95 F0.1 X10\n", "M70\nG95 F0.1\nCYCLE81(60,0,2,-5)\n",
+             "M1=5\nG95 F0.1 X10\n", "CYCLE86(60,0,2,-5,,1,3,0,0,0,0)\nG95 F0.1 X10\n",
+             "CYCLE84(60,0,2,-5,,,5,,1,,300,600)\nG95 F0.1 X10\n", "CYCLE840(60,0,2,-5,,,4,5,1,,1.5)\nG95 F0.1 X10\n"});
+  check_all("", {"CYCLE86(60,0,2,-5,,1,3,0,0,0,0)\nG95 F0.1 M3 X10\n",
+                 "M5\nCYCLE84(60,0,2,-5,,,3,,1,,300,600)\nG95 F0.1 X10\n",
+                 "CYCLE840(60,0,2,-5,,,4,3,1,,1.5)\nG95 F0.1 X10\n", "CYCLE85(60,0,2,-5,,1,80,160)\nG95 F0.1 X10\n"});
   check_all("", {"G95 F0.1\nM5\nM4\nX10\n", "M5\nG0 X10\n", "SPOS=90\nM3\nG95 F0.1 X10\n", "M5\nG94 F100 X10\n",
                  "SPOS=90\nG95 F0.1\nM1=3 X10\n"});
 }
