@@ -1,4 +1,5 @@
 // Codes of Fanuc beside others, or in a mode, where its manuals forbid it or no source says what comes of it.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,10 @@ struct Reading {
   AxisWords end;
 };
 
-Reading reading_of(const std::string& text, bool as_with_empty_tables) {
+Reading reading_of(const std::string& text, bool as_with_empty_tables,
+                   std::optional<bool> block_delete = std::nullopt) {
   ProgramSettings settings = empty_tables();
+  settings.block_delete = block_delete;
   settings.as_with_empty_tables = as_with_empty_tables;
   settings.work_offsets[0] = WorkOffset{};
   Tool tool;
@@ -123,4 +126,15 @@ TEST_CASE("a turn about the place of the tool is looked at, and not rewritten") 
   const std::string text = "G90 G54 G0 X10. Y10. Z50.\nG68 R90.\nX20. Y10.\nG69\nX0 Y0\n";
   CHECK(reading_of(text, true).code.empty());
   CHECK(reading_of(text, false).code == "nc-position-read");
+}
+
+TEST_CASE("a number is not looked for in a line that is left out") {
+  const std::string head = "O1000\nG21 G90 G94 G54\nG0 X0 Y0 Z10.\n";
+  for (const std::string lines : {"GOTO 100\nX50.\n/N100 X10.\nM30\n", "IF [1 EQ 1] GOTO 100\nX50.\n /N100 X10.\nM30\n",
+                                  "M98 P2000\nX3.\n/N200 X5.\nM30\nO2000\nX1.\nM99 P200\n"}) {
+    INFO(lines);
+    CHECK(reading_of(head + lines, true, true).code == "nc-not-interpreted");
+    CHECK(reading_of(head + lines, true, false).code.empty());
+  }
+  CHECK(reading_of(head + "GOTO 100\n/X50.\nN100 X10.\nM30\n", true, true).code.empty());
 }

@@ -137,3 +137,48 @@ TEST_CASE("a branch that is left out does not end in a line behind /") {
   CHECK(code_of("IF R1==1\n/X1\nELSE\n/X5\nENDIF\n", true).empty());
   CHECK(code_of("IF R1==1\nX1\n/ELSE\nX5\nENDIF\nX2\n", false).empty());
 }
+
+TEST_CASE("a label is not looked for in a line that is left out") {
+  for (const std::string lines :
+       {"GOTOF ZIEL\nX50\n/ZIEL: X10\nX20\n", "GOTOF N100\nX50\n /N100 X10\nX20\n", "GOTO ZIEL\nX5\n/2 ZIEL: X10\n",
+        "ANF: X10\n/MITTE: X20\nENDE: X30\nREPEAT MITTE ENDE\n", "ANF: X10\n/ENDE: X30\nREPEAT ANF ENDE\n",
+        "/ZEILE: X1\nX2\nREPEATB ZEILE P=2\n", "ANF: X10\n/ENDLABEL: X2\nX3\nREPEAT ANF\n",
+        "R1=0\nCASE R1 OF 0 GOTOF EINS DEFAULT GOTOF ZWEI\n/EINS: X20\nZWEI: X30\n"}) {
+    INFO(lines);
+    CHECK(code_of(lines, true) == "nc-not-interpreted");
+    CHECK(code_of(lines, false).empty());
+  }
+  CHECK(code_of("GOTOF ZIEL\nX50\nZIEL:\n/X10\nX20\n", true).empty());
+  CHECK(code_of("ANF: X10\n/X20\nENDE: X30\nREPEAT ANF ENDE\n", true).empty());
+}
+
+TEST_CASE("what FOR leaves in its variable is not known") {
+  check_all("nc-value-unknown", {"FOR R1=0 TO 2\nX=R1\nENDFOR\nY=R1\n", "FOR R1=0 TO 2\nENDFOR\nR2=R1+1\nX=R2\n",
+                                 "FOR R1=0 TO 2\nX=R1\nENDFOR\nIF R1>2 GOTOF AUS\nX5\nAUS: X6\n",
+                                 "FOR R1=1 TO 1\nENDFOR\nWHILE R1<5\nR1=R1+1\nX=R1\nENDWHILE\n"});
+  check_all("", {"FOR R1=0 TO 2\nX=R1\nENDFOR\nR1=7\nY=R1\n", "FOR R1=5 TO 2\nX=R1\nENDFOR\nY=R1\n",
+                 "FOR R1=0 TO 2\nFOR R2=0 TO R1\nX=R1 Y=R2\nENDFOR\nENDFOR\n",
+                 "FOR R1=0 TO 9\nIF R1==3 GOTOF AUS\nENDFOR\nAUS: X=R1\n",
+                 "FOR R1=0 TO 1\nENDFOR\nFOR R1=0 TO 1\nX=R1\nENDFOR\n"});
+}
+
+TEST_CASE("a feed per revolution needs a spindle that turns") {
+  check_all("nc-feed-missing",
+            {"M5\nG95 F0.1 X10\n", "G95 F0.1 X10\nM5\nX20\n", "SPOS=0\nG95 F0.1 X10\n",
+             "M19\nG97 F0.1\nG2 X10 Y0 I5 J0\n", "SPOSA=DC(90)\nG95 F0.1 X10\n", "M70\nG95 F0.1\nCYCLE81(60,0,2,-5)\n",
+             "M1=5\nG95 F0.1 X10\n", "CYCLE86(60,0,2,-5,,1,3,0,0,0,0)\nG95 F0.1 X10\n",
+             "CYCLE84(60,0,2,-5,,,5,,1,,300,600)\nG95 F0.1 X10\n", "CYCLE840(60,0,2,-5,,,4,5,1,,1.5)\nG95 F0.1 X10\n"});
+  check_all("", {"CYCLE86(60,0,2,-5,,1,3,0,0,0,0)\nG95 F0.1 M3 X10\n",
+                 "M5\nCYCLE84(60,0,2,-5,,,3,,1,,300,600)\nG95 F0.1 X10\n",
+                 "CYCLE840(60,0,2,-5,,,4,3,1,,1.5)\nG95 F0.1 X10\n", "CYCLE85(60,0,2,-5,,1,80,160)\nG95 F0.1 X10\n"});
+  check_all("", {"G95 F0.1\nM5\nM4\nX10\n", "M5\nG0 X10\n", "SPOS=90\nM3\nG95 F0.1 X10\n", "M5\nG94 F100 X10\n",
+                 "SPOS=90\nG95 F0.1\nM1=3 X10\n"});
+}
+
+TEST_CASE("digits of an older CYCLE832 may deselect a frame") {
+  check_all("nc-not-interpreted", {"TRANS X5\nCYCLE832(0.05,112103)\n", "ROT RPL=90\nX1 Y1\nCYCLE832(0.05, 10100,1)\n",
+                                   "G58 X5\nR1=3\nCYCLE832(0.05,R1)\n", "TRANS Y1\nCYCLE832(0.05,1000203,1)\n"});
+  check_all("", {"CYCLE832(0.05,112103)\n", "TRANS X5\nCYCLE832(0.05,3,1)\n", "TRANS X5\nCYCLE832(0.05,_FINISH,1)\n",
+                 "TRANS X5\nCYCLE832()\nCYCLE832(0.05)\n", "TRANS X5\nCYCLE832(0.05,2000013,0.5)\n",
+                 "TRANS X5\nTRANS\nCYCLE832(0.05,112103)\n"});
+}

@@ -116,6 +116,12 @@ void check_main_spindle(const Execution& run, const Word& word) {
              "programs that turn several spindles are not read");
 }
 
+void act_on_spindle(Execution& run, const Chosen& chosen) {
+  if (chosen.row->action == Action::main_spindle) check_main_spindle(run, *chosen.word);
+  if (chosen.row->action == Action::position_spindle) run.control.turn_spindle(kSpindleStands);
+  if (chosen.row->action == Action::speed_limit) run.control.speed_limited = true;
+}
+
 // Work systems and frames, tilted planes among them; false: another code.
 bool act_on_frame(Execution& run, const Chosen& chosen) {
   switch (chosen.row->action) {
@@ -176,15 +182,16 @@ void act_on_position(Execution& run, const Chosen& chosen) {
     case Action::change_tool:
     case Action::set_tool:
       return change_tool(run, chosen);
+    case Action::tolerance_cycle:
+      return set_tolerances(run, chosen);
     case Action::transformation:
       return choose_transformation(run, chosen);
     case Action::feed_group:
       return set_feed_group(run, chosen);
     case Action::main_spindle:
-      return check_main_spindle(run, *chosen.word);
+    case Action::position_spindle:
     case Action::speed_limit:
-      run.control.speed_limited = true;
-      return;
+      return act_on_spindle(run, chosen);
     case Action::tool_edge:
       return choose_edge(run, *chosen.word);
     case Action::modal_call:

@@ -89,8 +89,13 @@ std::string_view name_left_open(const Block& block, std::uint32_t code, Paramete
   return {};
 }
 
-[[noreturn]] void refuse_unknown(const Block& block, std::uint32_t code, Span span, ParameterReader& parameters,
-                                 std::string_view message) {
+[[noreturn]] void refuse_unknown(const Execution& run, const Block& block, std::uint32_t code, Span span,
+                                 ParameterReader& parameters, std::string_view message) {
+  if (run.dialect.syntax.statements == Statements::high_level) {
+    refuse_at(block, span, codes::kValueUnknown,
+              "a FOR that has ended counted by a variable of this, and what is left in it then was found in no source",
+              "set the variable anew after ENDFOR, or count by WHILE");
+  }
   if (const std::string_view name = name_left_open(block, code, parameters); !name.empty()) {
     const bool of_machine = name.find('[') != std::string_view::npos;  // an entry of its INI file, a pin of its HAL
     refuse_at(block, span, codes::kValueUnknown,
@@ -113,7 +118,7 @@ BlockValues::BlockValues(Execution& run)
 double BlockValues::value_of(const Block& block, std::uint32_t code, Span span) {
   const Value value = evaluator_.run(block, code, system_parameters_);
   if (value.known) return value.number;
-  refuse_unknown(block, code, span, system_parameters_,
+  refuse_unknown(run_, block, code, span, system_parameters_,
                  "where the program goes on is known only when the machine runs");
 }
 
@@ -127,7 +132,7 @@ void BlockValues::evaluate(Block& block) {
     word.vacant = value.vacant;
     vacant = vacant || value.vacant;
     if (!value.known && !may_be_unknown(word.letter)) {
-      refuse_unknown(block, word.expression, word.span, system_parameters_,
+      refuse_unknown(run_, block, word.expression, word.span, system_parameters_,
                      "this value is known only when the machine runs");
     }
     word.value = value.number;

@@ -179,6 +179,7 @@ void end_along_vector(const Execution& run, Motion& motion);
 void check_way_of_vector(const Execution& run, const Motion& motion);
 void set_feed_group(Execution& run, const Chosen& chosen);         // FGROUP
 void choose_transformation(Execution& run, const Chosen& chosen);  // TRAORI, TRAFOOF
+void set_tolerances(Execution& run, const Chosen& chosen);         // CYCLE832
 void choose_edge(Execution& run, const Word& word);                // tools.cpp: D
 void call_macro(Execution& run);                                   // macro_call.cpp: G65
 

@@ -87,6 +87,7 @@ enum class Action : std::uint8_t {
   frame_new,             // TRANS, ROT: the programmable frame is this
   frame_added,           // ATRANS, AROT
   feed_group,            // FGROUP
+  tolerance_cycle,       // CYCLE832, which older programs let choose a transformation
   transformation,        // TRAORI, TRAFOOF: what is always so, where no frame is in force
   exact_stop_once,       // G9: of this block alone
   work_system_by_word,   // G54.1 P3, G15 H3
@@ -110,6 +111,7 @@ enum class Action : std::uint8_t {
   spindle,           // M3, M4, M5
   coolant,           // M7, M8, M9
   override_switch,   // M48 to M53
+  position_spindle,  // SPOS, M19: it stands from then on
   main_spindle,      // SETMS: S, M3 to M5 and feeds per revolution are of this spindle
   speed_limit,       // LIMS: a spindle's speed is no greater, in some feed modes
   feed_word,

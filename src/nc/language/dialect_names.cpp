@@ -82,6 +82,7 @@ constexpr std::array kActions{
     ActionName{"frame_new", Action::frame_new},
     ActionName{"frame_added", Action::frame_added},
     ActionName{"feed_group", Action::feed_group},
+    ActionName{"tolerance_cycle", Action::tolerance_cycle},
     ActionName{"transformation", Action::transformation},
     ActionName{"exact_stop_once", Action::exact_stop_once},
     ActionName{"work_system_by_word", Action::work_system_by_word},
@@ -105,6 +106,7 @@ constexpr std::array kActions{
     ActionName{"spindle", Action::spindle},
     ActionName{"coolant", Action::coolant},
     ActionName{"override", Action::override_switch},
+    ActionName{"position_spindle", Action::position_spindle},
     ActionName{"main_spindle", Action::main_spindle},
     ActionName{"speed_limit", Action::speed_limit},
 };

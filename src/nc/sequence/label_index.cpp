@@ -45,6 +45,11 @@ const LabelIndex::Index& LabelIndex::labels_of(std::size_t file) {
   for_each_head(files_.file(file), dialect_, [&](const LineHead& head, const Line& line) {
     if (!head.number.empty()) index.labels[head.number].push_back(line.place);
     if (!head.label.empty()) index.labels[head.label].push_back(line.place);
+    const std::size_t first = line.text.find_first_not_of(" \t");
+    const bool is_label = !head.number.empty() || !head.label.empty();
+    if (is_label && first != std::string_view::npos && line.text[first] == '/') {
+      index.behind_slash.insert(line.place.line);
+    }
     if (!dialect_.syntax.numbered_loops || head.word == FlowWord::none) return;
     index.loops.push_back({line.place.line, head.loop, head.word != FlowWord::end_while});
   });
@@ -98,6 +103,8 @@ const LinePlace* LabelIndex::find_label(const std::string& label, std::size_t li
   if (direction == Direction::backward) return nearest;
   return after != nullptr ? after : before;
 }
+
+bool LabelIndex::is_behind_slash(std::size_t line) { return labels_of(files_.current()).behind_slash.contains(line); }
 
 std::optional<FilePlace> LabelIndex::find_in_open_files(const std::string& name) {
   for (std::size_t file = 0; file < files_.size(); ++file) {

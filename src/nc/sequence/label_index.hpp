@@ -23,6 +23,8 @@ class LabelIndex {
   /// line to the end of the program, then from its begin; backward: the nearest before the line. Holds while the index
   /// does.
   const LinePlace* find_label(const std::string& label, std::size_t line, Direction direction);
+  /// True if that line of the file that is read begins with /.
+  bool is_behind_slash(std::size_t line);
   /// The program of that name: in the files that are open, else in one of its name beside the program.
   std::optional<FilePlace> find_program(const std::string& name);
   /// True if a file holds several programs of that name.
@@ -42,7 +44,8 @@ class LabelIndex {
   struct Index {
     std::vector<std::pair<std::string, LinePlace>> programs;
     std::unordered_map<std::string, std::vector<LinePlace>> labels;
-    std::vector<LoopLine> loops;  // in the order of the text
+    std::vector<LoopLine> loops;         // in the order of the text
+    std::set<std::size_t> behind_slash;  // lines with a label or a number
     bool has_labels = false;
   };
   Index& programs_of(std::size_t file);

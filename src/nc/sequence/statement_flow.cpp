@@ -48,9 +48,22 @@ void refuse_unended(const Block& block, Statements statements) {
           : "end that with M30 before this line; the number of a program stands at the begin of its first line");
 }
 
+const LinePlace* find_label(const Block& block, LabelIndex& labels, const Interpreter& interpreter,
+                            const std::string& label, std::size_t line, Direction direction) {
+  const LinePlace* const place = labels.find_label(label, line, direction);
+  if (place == nullptr || !interpreter.leaves_out_skipped() || !labels.is_behind_slash(place->line)) return place;
+  refuse_flow(block, codes::kNotInterpreted,
+              fmt::format("{} stands in line {}, which is left out because of its /, and whether the control finds it "
+                          "there was found in no source",
+                          label, place->line),
+              "put the label into a line of its own, without /");
+}
+
 // M97: the block with that number, in the program that calls.
-LinePlace part_called(const Block& block, const std::string& number, LabelIndex& labels) {
-  if (const LinePlace* const place = labels.find_label(number, block.line, Direction::both)) return *place;
+LinePlace part_called(const Block& block, const std::string& number, LabelIndex& labels,
+                      const Interpreter& interpreter) {
+  const LinePlace* const place = find_label(block, labels, interpreter, number, block.line, Direction::both);
+  if (place != nullptr) return *place;
   refuse_flow(block, codes::kFlowLabel, fmt::format("there is no {} in this program to call", number),
               "M97 calls a part of its own program: check its P, or write M98 for another program");
 }
@@ -197,7 +210,7 @@ void StatementFlow::check_others() {
 
 void StatementFlow::jump(const Block& block, const std::string& label, Direction direction) {
   used_ = true;
-  const LinePlace* const place = labels_.find_label(label, block.line, direction);
+  const LinePlace* const place = find_label(block, labels_, interpreter_, label, block.line, direction);
   if (place == nullptr) {
     refuse_flow(block, codes::kFlowLabel, fmt::format("there is no label {} to go on at", label),
                 direction == Direction::both ? "add it to this program, or check its name"
@@ -241,7 +254,7 @@ RepeatedSection StatementFlow::section_of(const Block& block) {
   const std::vector<Choice>& labels = block.flow.choices;
   const auto place_of_label = [&](const Choice& choice) {
     const std::string label = canonical_label(block.at(choice.label));
-    const LinePlace* const place = labels_.find_label(label, block.line, Direction::backward);
+    const LinePlace* const place = find_label(block, labels_, interpreter_, label, block.line, Direction::backward);
     if (place == nullptr) {
       refuse_flow(block, codes::kFlowLabel, fmt::format("there is no label {} before this line", label),
                   "REPEAT stands after the part that it repeats: check the label, or call a subprogram");
@@ -257,7 +270,8 @@ RepeatedSection StatementFlow::section_of(const Block& block) {
     section.end = section.begin.line + 1;
   } else if (labels.size() == 2) {
     section.end = place_of_label(labels.back()).line + 1;
-  } else if (const LinePlace* const end = labels_.find_label("ENDLABEL", section.begin.line, Direction::forward)) {
+  } else if (const LinePlace* const end =
+                 find_label(block, labels_, interpreter_, "ENDLABEL", section.begin.line, Direction::forward)) {
     if (end->line < block.line) section.end = end->line + 1;
   }
   if (section.end <= section.begin.line || block.line < section.end - 1) {
@@ -298,7 +312,7 @@ void StatementFlow::call_program(const Block& block, const ProgramCall& program)
   call.remaining = program.count - 1;
   if (program.kind == ProgramCall::Kind::part) {
     call.name.insert(0, 1, 'N');
-    call.entry = {files_.current(), part_called(block, call.name, labels_)};
+    call.entry = {files_.current(), part_called(block, call.name, labels_, interpreter_)};
   } else {
     call.entry = program_called(block, call.name, labels_, dialect_);
   }
@@ -351,7 +365,8 @@ bool StatementFlow::end_program(const Block& block, const ProgramCall& program) 
 // M99 P100: the caller goes on at N100.
 void StatementFlow::jump_back(const Block& block, int number) {
   const std::size_t line = files_.here().line.line;
-  const LinePlace* const place = labels_.find_label(fmt::format("N{}", number), line, Direction::both);
+  const LinePlace* const place =
+      find_label(block, labels_, interpreter_, fmt::format("N{}", number), line, Direction::both);
   if (place == nullptr) {
     refuse_flow(block, codes::kFlowLabel,
                 fmt::format("there is no N{} to return to in the program that called", number), "check the P of M99");

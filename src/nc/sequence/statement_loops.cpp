@@ -31,7 +31,8 @@ void StatementLoops::begin(const Block& block) {
 
 void StatementLoops::begin_for(const Block& block) {
   auto loop = begun_at(block);
-  if (loop != loops().end() && std::exchange(loop->counts_on, false)) {
+  const bool counted = loop != loops().end() && std::exchange(loop->counts_on, false);
+  if (counted) {
     Value value = interpreter_.variable(block, 0);
     value.number += 1;
     interpreter_.set_variable(block, 0, value);
@@ -48,6 +49,7 @@ void StatementLoops::begin_for(const Block& block) {
                 "count by whole numbers, as in FOR R1=1 TO 3, or write WHILE");
   }
   if (count <= limit) return;
+  if (counted) interpreter_.set_variable(block, 0, {count, false});  // what is left in it was found in no source
   loops().pop_back();
   leave_out(block, FlowWord::end_for, false, 0);
 }

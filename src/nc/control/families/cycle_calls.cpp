@@ -81,6 +81,14 @@ void in_strokes(double from, double to, double stroke, Make make) {
   for (double depth = from - stroke; depth > to + 1e-9; depth -= stroke) make(depth);
 }
 
+// It stands after boring [C 2.1.8 to 2.1.10], and does what SDAC says after tapping [C 2.1.5, 2.1.6].
+void leave_spindle(Control& control, const CalledValues& given, int code) {
+  const bool bores = code >= kCalledBore && code <= kCalledBoreByHand;
+  const double after = code == kCalledTap ? given.number(6) : code == kCalledFloatingTap ? given.number(7) : 0;
+  if (bores || after == kSpindleStands) return control.turn_spindle(kSpindleStands);
+  if (after == kClockwise || after == kCounterClockwise) control.turn_spindle(static_cast<int>(after));
+}
+
 // One call of a cycle where the axes stand.
 class CalledHole {
  public:
@@ -211,6 +219,7 @@ void CalledHole::make() {
   run_.step.role = BlockRole::cycle;
   run_.step.cycle = places_.keeps ? CycleForm::spindle : CycleForm::moves;
   run_.step.call = &call_;
+  leave_spindle(control_, given_, places_.code);
   if (call_.row->loses_position) lose_position(run_, AxisSet{Axis::X, Axis::Y, Axis::Z});
 }
 

@@ -257,6 +257,18 @@ void change_programmed_frame(Execution& run, const Chosen& chosen) {
   }
 }
 
+namespace {
+
+void deselect_frame(Execution& run, const Word& code) {
+  check_no_plane(run, code);
+  if (run.control.local == AxisWords{} && run.control.turn_deg == 0) return;
+  run.refuse(code, codes::kNotInterpreted,
+             "the control deselects the frame in force here, and machine data say whether it comes back",
+             "write TRANS and ROT after it, and TRANS alone before it");
+}
+
+}  // namespace
+
 // TRAORI, TRAFOOF: further values of TRAORI turn the tool at its zero and shift the zero of A, B and C [A 6.2.2];
 // either deselects the frame before it [W 7.10].
 void choose_transformation(Execution& run, const Chosen& chosen) {
@@ -268,11 +280,24 @@ void choose_transformation(Execution& run, const Chosen& chosen) {
                "these values choose another transformation, direction of the tool, or zero of A, B and C",
                "TRAORI, TRAORI(1) and TRAORI(1,0,0,1) are interpreted");
   }
-  check_no_plane(run, *chosen.word);
-  if (run.control.local == AxisWords{} && run.control.turn_deg == 0) return;
-  run.refuse(*chosen.word, codes::kNotInterpreted,
-             "the control deselects the frame in force here, and machine data say whether it comes back",
-             "write TRANS and ROT after it, and TRANS alone before it");
+  deselect_frame(run, *chosen.word);
+}
+
+// CYCLE832(0.02,112103): digits that are there for older programs [N p. 1108], one of which chose a transformation.
+void set_tolerances(Execution& run, const Chosen& chosen) {
+  const std::string_view text = run.block->at(chosen.word->span);
+  const std::string values = without_blanks(text.substr(std::min(text.find('('), text.size())));
+  const std::size_t comma = values.find(',');
+  if (comma == std::string::npos) return;
+  const std::string kind = values.substr(comma + 1, values.find_first_of(",)", comma + 1) - comma - 1);
+  if (kind.empty() || kind.front() == '_') return;  // _FINISH and the other names of today
+  constexpr std::size_t kDigitsOfToday = 2, kFirstOfSurface = 6;
+  const bool is_number = std::all_of(kind.begin(), kind.end(), is_digit);
+  const std::size_t older = kind.size() - std::min(kind.size(), kFirstOfSurface);
+  const bool of_today =
+      kind.size() <= kDigitsOfToday ||
+      kind.substr(older, kind.size() - older - kDigitsOfToday).find_first_not_of('0') == std::string::npos;
+  if (!is_number || !of_today) deselect_frame(run, *chosen.word);
 }
 
 // FGROUP(X,Y,Z): F is the speed of these; FGROUP() brings the default back.

@@ -14,7 +14,7 @@ constexpr int kInputResult = 5399;  // parameter that M66 sets
 constexpr int kWaitModes = 4;
 
 void orient_spindle(Execution& run) {
-  run.control.modal.switches.spindle = kSpindleStands;
+  run.control.turn_spindle(kSpindleStands);
   const Word* const angle = run.words.find('R');
   if (angle != nullptr && (angle->value < 0 || angle->value > kFullTurn)) {
     run.refuse(*angle, codes::kOutOfRange, "the spindle's angle is out of range", "write R0 to R360");
@@ -157,7 +157,7 @@ void machine_code(Execution& run, const Chosen& chosen) {
     case Action::end_program:
       return call_program(run, chosen);
     case Action::spindle:
-      run.control.modal.switches.spindle = chosen.row->value;
+      run.control.turn_spindle(chosen.row->value);
       return;
     case Action::coolant:
       return switch_coolant(run.control.modal.switches, chosen.row->value);

@@ -211,7 +211,8 @@ double feed_of_move(const Execution& run, bool linear) {
                "add the F word: 1 over the minutes of the move");
   }
   const bool per_revolution = control.modal.feed_mode == FeedMode::per_revolution;
-  if (per_revolution && control.spindle_speed == 0) {
+  const bool stands = control.spindle_told && control.modal.switches.spindle == kSpindleStands;
+  if (per_revolution && (control.spindle_speed == 0 || stands)) {
     run.refuse(run.motion_code(), codes::kFeedMissing, "a feed per revolution (G95) needs a turning spindle",
                "write S and M3 before this move");
   }

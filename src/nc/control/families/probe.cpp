@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kProbeResult = 5061;   // to #5066: where it touched
 constexpr int kProbeSuccess = 5070;  // 1: it did; in rs274 it never does
+constexpr int kToContact = 382, kFromContact = 384;
 constexpr double kBackOffMm = 0.254, kBackOffInch = 0.01;
 
 // Where rs274, which has no probe, takes the tool to stand: a little before the end [measured].
@@ -41,6 +42,12 @@ void move_probe(Execution& run) {
   Motion motion;
   motion.kind = MotionKind::probe;
   motion.to = end_of_move(run);
+  // G38.2 and G38.4, to which no contact is an error [M]
+  const bool needs_contact = run.motion->code == kToContact || run.motion->code == kFromContact;
+  if (needs_contact && motion.to == control.position && control.known.contains(run.axes)) {
+    run.refuse(run.motion_code(), codes::kOutOfRange, "the probe stands already where this sends it",
+               "send it beyond the place where it shall touch");
+  }
   motion.known_after = known_after_move(run);
   motion.feed = feed_of_move(run, true);
   add_motion(run, motion);

@@ -120,6 +120,7 @@ struct Control {
   bool edge_of_selected = false;           // D took the length of T while no tool was known in the spindle,
   bool moved_on_selected = false;          // and moves were made with it
   double spindle_speed = 0;
+  bool spindle_told = false;   // by M3 to M5: before, the program may be a part of another
   bool surface_speed = false;  // G96
   bool speed_limited = false;  // LIMS
   double feed_linear = 0;      // the F in force as mm/min (mm/rev under G95)
@@ -152,6 +153,11 @@ struct Control {
   /// Offsets change, the machine does not move: the position gets its new words.
   void change_frame(const Frame& next);
   AxisSet shifted_by(const Frame& next, const AxisWords& moved) const;
+  /// M3, M4, M5, SPOS: kClockwise and so on.
+  void turn_spindle(int code) {
+    modal.switches.spindle = code;
+    spindle_told = true;
+  }
   /// The active work system of the table takes force.
   void use_active_system();
   /// The program changed the row in force (G10 L2).
