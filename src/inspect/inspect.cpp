@@ -151,12 +151,16 @@ RunMisfit misfit_of(const Looked& looked, const Outliers& outliers, std::size_t 
   return misfit;
 }
 
-// Neighbouring samples of what is left of a channel have nothing in common: it is noise.
-bool is_white(const Looked& looked, const Outliers& outliers, std::size_t i, int channel) {
-  const RunRows& rows = looked.rows[i];
-  const VectorXd off = rows.left - rows.slopes * knowledge_of_others(outliers, looked.rows, i).mean();
-  const VectorXd e = off.segment(*rows.raw.first_row(channel), rows.raw.samples);
-  return std::abs(e.head(e.size() - 1).dot(e.tail(e.size() - 1))) < 0.25 * e.squaredNorm();
+// Neighbouring samples of what is left of a channel have nothing in common, or go against each other, as noise does
+// after others that remember.
+bool is_white(const VectorXd& e) { return e.head(e.size() - 1).dot(e.tail(e.size() - 1)) < 0.25 * e.squaredNorm(); }
+
+// A few samples are far off, and the others are not.
+bool is_of_few(const VectorXd& e) {
+  constexpr double kOfNormal = 1.4826;  // standard deviations a median of sizes
+  const VectorXd sizes = e.cwiseAbs();
+  const double of_most = kOfNormal * median(std::vector<double>(sizes.begin(), sizes.end()));
+  return of_most < 0.7 * std::sqrt(e.squaredNorm() / static_cast<double>(e.size()));
 }
 
 // A run that nothing explains: noisy, or standing out far beyond the next one.
@@ -173,7 +177,12 @@ std::optional<Fault> unexplained(const Looked& looked, const Outliers& outliers,
   Fault fault{FaultKind::stands_out, {looked.numbers[i]}};
   fault.channels = {static_cast<int>(worst - misfit.channels.begin())};
   fault.before = fault.after = std::sqrt(square);
-  if (*worst > 2 && is_white(looked, outliers, i, fault.channels[0])) {
+  const RunRows& rows = looked.rows[i];
+  const VectorXd off = (rows.left - rows.slopes * knowledge_of_others(outliers, looked.rows, i).mean())
+                           .segment(*rows.raw.first_row(fault.channels[0]), rows.raw.samples);
+  if (*worst > 2 && is_white(off)) {
+    if (is_of_few(off))
+      return square < next ? std::nullopt : std::optional(fault);  // edges of steps may be the machine
     fault.kind = FaultKind::noisy;
     fault.values = {*worst};
     return fault;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <random>
 
 #include <catch2/catch.hpp>
 
@@ -135,6 +136,25 @@ TEST_CASE("several runs that ask for the same setting by little are told, and st
     CHECK(fault.may_be_effect == several);
     CHECK(fault.blocks == !several);
   }
+}
+
+TEST_CASE("a channel of one run is noisy where most of its samples are off, and not where a few are") {
+  const auto disturb = [](Run& run, std::size_t every, double um) {
+    for (std::size_t i = 0; i < run.samples(); i += every) run.radial[i] += (i / every % 3 == 0 ? -um : um) * 1e-6;
+  };
+  Measured noisy;
+  Random random(3);
+  std::normal_distribution<double> noise(0, 5e-6);
+  for (double& radial : noisy.runs[2].radial) radial += noise(random);
+  const inspect::Inspection found = noisy.inspection();
+  REQUIRE(found.faults.size() == 1);
+  CHECK(found.faults[0].kind == FaultKind::noisy);
+  Measured steps;
+  disturb(steps.runs[2], 14, 7);
+  REQUIRE(steps.inspection().faults.size() == 1);
+  CHECK(steps.inspection().faults[0].kind == FaultKind::stands_out);
+  for (const std::size_t other : {4U, 6U}) disturb(steps.runs[other], 14, 8);
+  for (const Fault& fault : steps.inspection().faults) CHECK(fault.runs != std::vector<std::size_t>{2});
 }
 
 TEST_CASE("an effect that the model lacks is no spoiled run") {
