@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace plumbline::nc {
 
 void SecondPass::note_codes(const Execution& run) {
@@ -55,6 +57,8 @@ std::string SecondPass::differs(const Control& control) const {
   if (control.local != AxisWords{} && !stated({Action::local_shift})) return "a shift by G52";
   if (control.frame.g92 != AxisWords{}) return "a shift by G92";
   if (control.frame.tool != AxisWords{} && !stated_length()) return "a tool's length";
+  if (const HandedVariable* variable = control.of_main.first_carried())
+    return fmt::format("another {}, set in line {}", variable->name, variable->line);
   return writes_tables_ ? "other offsets, which G10 wrote" : "";
 }
 

@@ -21,4 +21,11 @@ const HandedVariable* HandedVariables::first() const {
   return nullptr;
 }
 
+const HandedVariable* HandedVariables::first_carried() const {
+  for (const auto& [number, variable] : variables_) {
+    if (variable.line != 0 && variable.carried) return &variable;
+  }
+  return nullptr;
+}
+
 }  // namespace plumbline::nc

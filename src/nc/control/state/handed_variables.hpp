@@ -23,6 +23,8 @@ class HandedVariables {
   void note_set(int number, std::string_view name, std::size_t line);
   /// One that is set for another program, or for the next run of this one; null: none is.
   const HandedVariable* first() const;
+  /// One that was read before it was set, and set afterwards; null: none was.
+  const HandedVariable* first_carried() const;
 
  private:
   std::map<int, HandedVariable> variables_;

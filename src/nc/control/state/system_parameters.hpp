@@ -21,6 +21,8 @@ class SystemParameters : public ParameterReader {
   bool is_kept(int number) const;
   /// It outlasts the program, which may as well need it for itself alone.
   bool is_lasting(int number) const;
+  /// M99 of the main program leaves its value to the next pass.
+  bool goes_to_next_pass(int number) const;
 
  private:
   Value position(const Block& block, Axis axis, Span span) const;
