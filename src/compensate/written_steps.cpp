@@ -31,6 +31,15 @@ void refuse_kept_variables(const nc::Step& step) {
          place_of(step));
 }
 
+void refuse_handed_on(const nc::Step& step) {
+  if (step.handed == nullptr) return;
+  refuse("compensate-flow",
+         fmt::format(
+             "{}, set in line {}, {}, and the program, written out, sets none", step.handed->name, step.handed->line,
+             step.handed->carried ? "counts from run to run" : "is not read here, but may be by other programs"),
+         "remove it, or set it in a program that calls this one", place_of(step));
+}
+
 }  // namespace
 
 WrittenSteps::WrittenSteps(const nc::Dialect& dialect, const nc::EmitSettings& emit, nc::Form form)
@@ -51,6 +60,7 @@ WrittenSteps::OfBlock WrittenSteps::of(const nc::Step& step) {
   if (form_ == nc::Form::in_text_order) return only(&step);
   refuse_what_stops(step);
   refuse_kept_variables(step);
+  refuse_handed_on(step);
   if (step.flow || step.saves_modes) return of_steering(step);
   refuse_handed_variables(step);
   const nc::Step* const plain = expander_.plain(step, false);

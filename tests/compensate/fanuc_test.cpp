@@ -378,16 +378,3 @@ TEST_CASE("a hole whose P some controls wait for and others do not stays a cycle
   }
   CHECK(has(run(kHead + "G83 X5. Y5. Z-8. R1. Q3. P0 F200.\nG80\nM30\n", job).text, "^G1 ?Z"));
 }
-
-TEST_CASE("what a program sets for others, or for the control, is not lost where it is written out") {
-  const Job job = fanuc();
-  const std::string loop = "#1=0\nWHILE [#1 LT 2] DO 1\n#1=#1+1\nG1 X[#1*5] F200.\nEND 1\n";
-  for (const std::string set : {"#500=5.", "#999=#1", "#3004=7", "#3003=1", "IF [#1 EQ 2] THEN #505=1", "#[500+1]=2"}) {
-    INFO(set);
-    CHECK(code_of(kHead + loop + set + "\nM30\n", job) == "compensate-flow");
-    if (set.find("#1") == std::string::npos)
-      CHECK(run(kHead + "G1 X5. F200.\n" + set + "\nM30\n", job).text.find(set) != std::string::npos);
-  }
-  for (const std::string set : {"#100=5.", "#199=1", "#33=2"})
-    CHECK(code_of(kHead + loop + set + "\nM30\n", job).empty());
-}

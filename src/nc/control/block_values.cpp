@@ -241,6 +241,12 @@ void BlockValues::set_parameter(const Block& block, const Setting& place, int nu
     if (!run_.settings.keeps_position.contains(0)) lose_position(run_, AxisSet::all());  // as after M0
   } else {
     run_.step.sets_kept_variable = run_.step.sets_kept_variable || system_parameters_.is_kept(number);
+    if (system_parameters_.goes_to_next_pass(number)) {
+      run_.control.of_main.note_set(number, block.at(place.span), block.line);
+    }
+    if (system_parameters_.is_lasting(number)) {
+      run_.control.handed.note_set(number, block.at(place.span), block.line);
+    }
     run_.control.parameters.set(number, value);
   }
 }

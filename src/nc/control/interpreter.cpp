@@ -1,8 +1,6 @@
 #include "nc/control/interpreter.hpp"
 
-#include <algorithm>
-#include <initializer_list>
-#include <string_view>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -54,7 +52,7 @@ const Step& Interpreter::execute(Block& block) {
   resolve_codes(run_);
   run_.step.passes_variables = run_.dialect.syntax.names && passes_variables(run_, block);
   values_.apply(block);
-  if (!moved_) note_stated_modes();
+  second_pass_.note_codes(run_);
   bool moved = run_.motion == nullptr || run_.motion_word != nullptr;
   for (const Chosen& chosen : run_.chosen) {
     // The motion in force takes its turn before the codes after it.
@@ -83,26 +81,14 @@ const Step& Interpreter::execute(Block& block) {
   return run_.step;
 }
 
-void Interpreter::note_stated_modes() {
-  for (const Chosen& chosen : run_.chosen) stated_.insert(static_cast<int>(chosen.row->action));
-}
-
 void Interpreter::check_begins_again(const Block& block) const {
-  const auto stated = [&](std::initializer_list<Action> actions) {
-    return std::any_of(actions.begin(), actions.end(),
-                       [&](Action action) { return stated_.contains(static_cast<int>(action)); });
-  };
-  const Modal& modal = control_.modal;
-  std::string_view mode;
-  if (modal.incremental && !stated({Action::absolute, Action::incremental})) mode = "G91";
-  if (modal.inches && !stated({Action::inches, Action::millimetres})) mode = "G20";
-  if (modal.plane != Plane::xy && !stated({Action::plane_xy, Action::plane_zx, Action::plane_yz})) mode = "G18 or G19";
-  const bool fed = stated({Action::per_minute, Action::inverse_time, Action::per_revolution});
-  if (modal.feed_mode != FeedMode::per_minute && !fed) mode = "G93 or G95";
-  if (mode.empty()) return;
-  refuse_at(block, {0, static_cast<std::uint32_t>(block.text.size())}, codes::kNotInterpreted,
-            fmt::format("M99 begins the main program again, then under {}, which it does not state at its begin", mode),
-            "state the mode before the first move (G90, G21, G17, G94), or end the program with M30");
+  const std::string differs = second_pass_.differs(control_);
+  if (differs.empty()) return;
+  refuse_at(
+      block, {0, static_cast<std::uint32_t>(block.text.size())}, codes::kNotInterpreted,
+      fmt::format("M99 begins the main program again, then under {}, which it does not state at its begin", differs),
+      "end the shift, turn or length, state the mode before the first move (G90, G21, G17, G94, G54, G49), or end "
+      "the program with M30");
 }
 
 void Interpreter::begin(const Block& block) {
@@ -119,7 +105,7 @@ void Interpreter::begin(const Block& block) {
 
 void Interpreter::finish() {
   Step& step = run_.step;
-  moved_ = moved_ || !run_.motions.empty();
+  second_pass_.note_motions(run_);
   step.motions = run_.motions;
   step.before = &before_;
   step.after = &control_.modal;

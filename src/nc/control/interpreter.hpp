@@ -1,12 +1,12 @@
 // Executes blocks one after the other, as the control would.
 #pragma once
 
-#include <set>
 #include <vector>
 
 #include "nc/control/block_values.hpp"
 #include "nc/control/execution.hpp"
 #include "nc/control/saved_modes.hpp"
+#include "nc/control/second_pass.hpp"
 #include "nc/control/state/control.hpp"
 
 namespace plumbline::nc {
@@ -69,12 +69,9 @@ class Interpreter {
   bool act_on_saved_modes(const Chosen& chosen);
 
   Control control_;
-  void note_stated_modes();
-
   Modal before_;
-  bool moved_ = false;    // some block made a motion
-  std::set<int> stated_;  // the steps of execution whose modes stood in the program before that, or beside it
-  Frame frame_of_block_;  // where the work system is that of one block alone
+  SecondPass second_pass_;
+  Frame frame_of_block_;                           // where the work system is that of one block alone
   std::vector<ModesOfCall> saved_{ModesOfCall{}};  // one a call level, the program itself first
   Execution run_;
   BlockValues values_;

@@ -241,6 +241,9 @@ struct Syntax {
   double equal_within = 1e-4;  // EQ and NE
   int local_variables = 30;    // #1... of a subprogram
   int last_variable = 5601;
+  /// The variables that outlast the program and that it may as well need for itself alone; 0: none are told from
+  /// others.
+  int first_lasting = 0, last_lasting = 0;
   int alarm_variable = kNoVariable;                       // setting it stops the control
   int message_variable = kNoVariable;                     // setting it shows a message and stops as M0 does
   bool draws = false;                                     // DEF WORK ... END: the blank that the control draws

@@ -57,10 +57,9 @@ inline constexpr Key<double Syntax::*> kSyntaxNumbers[] = {
     {"equal_within", &Syntax::equal_within},
 };
 inline constexpr Key<int Syntax::*> kSyntaxIntegers[] = {
-    {"local_variables", &Syntax::local_variables},
-    {"last_variable", &Syntax::last_variable},
-    {"alarm_variable", &Syntax::alarm_variable},
-    {"message_variable", &Syntax::message_variable},
+    {"local_variables", &Syntax::local_variables}, {"last_variable", &Syntax::last_variable},
+    {"first_lasting", &Syntax::first_lasting},     {"last_lasting", &Syntax::last_lasting},
+    {"alarm_variable", &Syntax::alarm_variable},   {"message_variable", &Syntax::message_variable},
 };
 inline constexpr Key<std::string Syntax::*> kSyntaxTexts[] = {
     {"reserved", &Syntax::reserved},

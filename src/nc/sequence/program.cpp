@@ -159,6 +159,7 @@ const Step* Program::Parts::execute() {
     if (dialect.syntax.statements == Statements::macro_b) interpreter.check_begins_again(*block);
     stage = Stage::ended;
   }
+  if (stage == Stage::ended) step.handed = interpreter.control().handed.first();
   const FlowEntry entry = flow.take_entry();
   if (steers) step.flow = entry;
   return &step;

@@ -223,6 +223,11 @@ void set_work_table(Execution& run) {
                which == 2 ? "write P1 to P6" : "write P1 to P300");
   }
   Control& control = run.control;
+  if (system == control.modal.work_system && control.frame.g92 != AxisWords{}) {
+    run.refuse(table, codes::kNotInterpreted,
+               "what becomes of a shift by G92 when the offset under it is written was found in no source",
+               "write G10 before G92, or G92.1 before it");
+  }
   WorkSystem& row = control.systems[static_cast<std::size_t>(system - 1)];
   for (const Axis axis : kAllAxes) {
     if (!run.axes.contains(axis)) continue;

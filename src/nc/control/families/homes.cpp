@@ -19,6 +19,10 @@ void go_home(Execution& run, int which) {
   Control& control = run.control;
   check_tool_unit(run, run.block->words.front());
   check_no_rotary_words(run);
+  if (const Word* word = run.words.find('P')) {
+    const bool of_fanuc = run.dialect.syntax.statements == Statements::macro_b;
+    run.whole(*word, of_fanuc ? 2 : 1, of_fanuc ? 4 : kNoLimit);
+  }
   run.step.role = BlockRole::machine_move;
   if (run.axes.empty() && run.dialect.behaviour.bare_home_loses_position) return lose_position(run, AxisSet::all());
   Motion through;

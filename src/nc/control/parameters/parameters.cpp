@@ -44,6 +44,10 @@ void Parameters::declare(std::string_view name, VariableType type) {
   if (type != VariableType::real) owner().types[plain_] = type;
 }
 
+bool Parameters::numbers_are_of_main() const {
+  return std::all_of(scopes_.begin() + 1, scopes_.end(), [](const Scope& scope) { return scope.shared; });
+}
+
 void Parameters::set(int number, Value value) {
   Numbered& now = numbered(number);
   if (!now.set || differs(now.value, value)) ++changes_;

@@ -61,6 +61,8 @@ class Parameters {
   void leave();
   /// How often one got another value.
   std::uint64_t changes() const { return changes_; }
+  /// #1 and so on are those of the main program.
+  bool numbers_are_of_main() const;
   /// Subprograms that are being executed.
   std::size_t depth() const { return scopes_.size() - 1; }
   /// The name as it is looked up; valid until the next call.

@@ -9,6 +9,7 @@
 
 #include "nc/control/parameters/parameters.hpp"
 #include "nc/control/state/frame.hpp"
+#include "nc/control/state/handed_variables.hpp"
 #include "nc/control/state/modal.hpp"
 #include "nc/control/state/motion.hpp"
 #include "nc/control/state/program_settings.hpp"
@@ -125,6 +126,8 @@ struct Control {
   bool speed_limited = false;  // LIMS
   double feed_linear = 0;      // the F in force as mm/min (mm/rev under G95)
   Parameters parameters;
+  HandedVariables handed;          // of those that outlast the program
+  HandedVariables of_main;         // of all that M99 of the main program leaves to its next pass
   bool tool_in_inches = false;     // the unit in force when the tool's offset was taken
   bool ended = false;              // M2, M30
   bool position_read = false;      // by an expression: what is written must hold its value

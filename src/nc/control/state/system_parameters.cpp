@@ -56,6 +56,15 @@ bool SystemParameters::is_read_only(int number) const {
   return syntax.system_variables == SystemVariables::rs274 && is_of_tables(number);
 }
 
+bool SystemParameters::is_lasting(int number) const {
+  return number >= dialect_.syntax.first_lasting && number <= dialect_.syntax.last_lasting && number > 0;
+}
+
+bool SystemParameters::goes_to_next_pass(int number) const {
+  if (dialect_.syntax.system_variables != SystemVariables::macro_b || number == 0 || is_read_only(number)) return false;
+  return number > dialect_.syntax.local_variables || control_.parameters.numbers_are_of_main();
+}
+
 bool SystemParameters::is_kept(int number) const {
   return dialect_.syntax.system_variables == SystemVariables::macro_b &&
          ((number >= kKept && number <= kKeptEnd) || number == kSingleBlock || number == kFeedHold);
@@ -177,6 +186,8 @@ Value SystemParameters::read_macro_variable(const Block& block, int number, Span
 
 Value SystemParameters::read(const Block& block, int number, Span span) {
   const SystemVariables own = dialect_.syntax.system_variables;
+  if (is_lasting(number)) control_.handed.note_read(number);
+  if (goes_to_next_pass(number)) control_.of_main.note_read(number);
   if (own == SystemVariables::macro_b) return read_macro_variable(block, number, span);
   if (own == SystemVariables::none) {
     if (control_.parameters.has(number)) return control_.parameters.get(number);

@@ -19,6 +19,10 @@ class SystemParameters : public ParameterReader {
   bool is_read_only(std::string_view name);
   /// True for parameters that are made for what comes after the program, or that the control itself obeys.
   bool is_kept(int number) const;
+  /// It outlasts the program, which may as well need it for itself alone.
+  bool is_lasting(int number) const;
+  /// M99 of the main program leaves its value to the next pass.
+  bool goes_to_next_pass(int number) const;
 
  private:
   Value position(const Block& block, Axis axis, Span span) const;

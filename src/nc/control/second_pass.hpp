@@ -1,0 +1,35 @@
+// M99 of the main program begins it again, with what the control then has in force.
+#pragma once
+
+#include <initializer_list>
+#include <set>
+#include <string>
+
+#include "nc/control/execution.hpp"
+#include "nc/control/state/control.hpp"
+
+namespace plumbline::nc {
+
+/// What a program states before it depends on it.
+class SecondPass {
+ public:
+  /// The codes of a block, before they act.
+  void note_codes(const Execution& run);
+  /// Its motions.
+  void note_motions(const Execution& run);
+  /// What is in force at the end and would be in force at the begin of a second pass, otherwise than in the first;
+  /// empty: nothing is.
+  std::string differs(const Control& control) const;
+
+ private:
+  bool stated(std::initializer_list<Action> actions) const;
+  bool stated_length() const;
+
+  std::set<int> before_moves_;  // actions of the codes that stood before the first motion, or beside it
+  std::set<int> before_z_;      // before the first of Z, A, B or C
+  std::set<int> before_holes_;
+  bool moved_ = false, moved_z_ = false, drilled_ = false;
+  bool writes_tables_ = false;  // G10 of what was used before, or under G91
+};
+
+}  // namespace plumbline::nc

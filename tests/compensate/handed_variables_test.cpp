@@ -1,0 +1,62 @@
+// Variables that outlast a program, which the output sets no more where it is written out.
+#include <catch2/catch.hpp>
+
+#include "compensate/play.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+Job job_of_control(const std::string& dialect) {
+  Job job;
+  job.dialect = dialect;
+  job.settings.friction = false;
+  for (auto& offset : job.program.work_offsets) offset = job.program.work_offsets[0];
+  return job;
+}
+
+const std::string kProgramBegin = "O0001\nG21 G17 G90 G54 G94\nG0 X0. Y0. Z50. A0. B0. C0.\n";
+
+}  // namespace
+
+TEST_CASE("what a program sets for others, or for the control, is not lost where it is written out") {
+  const Job job = job_of_control("fanuc");
+  const std::string loop = "#1=0\nWHILE [#1 LT 2] DO 1\n#1=#1+1\nG1 X[#1*5] F200.\nEND 1\n";
+  for (const std::string set : {"#500=5.", "#999=#1", "#3004=7", "#3003=1", "IF [#1 EQ 2] THEN #505=1", "#[500+1]=2"}) {
+    INFO(set);
+    CHECK(code_of(kProgramBegin + loop + set + "\nM30\n", job) == "compensate-flow");
+    if (set.find("#1") == std::string::npos)
+      CHECK(run(kProgramBegin + "G1 X5. F200.\n" + set + "\nM30\n", job).text.find(set) != std::string::npos);
+  }
+  CHECK(code_of(kProgramBegin + loop + "#33=2\nM30\n", job).empty());
+}
+
+TEST_CASE("a common variable that a program sets and does not read is not lost where it is written out") {
+  const Job job = job_of_control("fanuc");
+  CHECK(run(kProgramBegin + "G1 X5. F200.\n#100=5.\nM30\n", job).text.find("#100=5.") != std::string::npos);
+  const std::string loop = "#1=0\nWHILE [#1 LT 2] DO 1\n#1=#1+1\nG1 X[#1*5] F200.\nEND 1\n";
+  for (const std::string set : {"#100=5.", "#199=#1", "IF [#1 EQ 2] THEN #105=1", "#[100+1]=2"}) {
+    INFO(set);
+    CHECK(code_of(kProgramBegin + loop + set + "\nM30\n", job) == "compensate-flow");
+    CHECK(code_of(kProgramBegin + loop + set + "\nM99\n", job) == "compensate-flow");
+  }
+  for (const std::string used : {"#100=5.\nG1 X#100 F200.", "#101=0\nWHILE [#101 LT 2] DO 1\n#101=#101+1\nEND 1",
+                                 "#102=1\nIF [#102 EQ 1] GOTO 9\nG1 X9. F200.\nN9 G1 Y5. F200."}) {
+    INFO(used);
+    CHECK(code_of(kProgramBegin + loop + used + "\nM30\n", job).empty());
+  }
+}
+
+TEST_CASE("common variables of an OSP that a program sets and does not read are not lost where it is written out") {
+  Job job = job_of_control("okuma");
+  job.program.variables = {{3, 1.0}};
+  const std::string head = "G15 H1\nG90 G94 G0 X0 Y0 Z20 A0 B0 C0\n";
+  const std::string loop = "VC1=0\nNA IF [VC1 GE 2] NB\nG1 X=VC1*10 F500\nVC1=VC1+1\nGOTO NA\nNB ";
+  for (const std::string set : {"VC2=5", "VC[2]=VC1", "VC3=VC3+1"}) {
+    INFO(set);
+    CHECK(code_of(head + loop + set + "\nM2\n", job) == "compensate-flow");
+    CHECK(run(head + "VC1=1\nG1 X5 F500\n" + set + "\nM2\n", job).text.find(set) != std::string::npos);
+  }
+  CHECK(code_of(head + loop + "VC2=5\nG1 X=VC2\nM2\n", job).empty());
+  CHECK(code_of(head + loop + "G1 X=VC3\nM2\n", job).empty());
+}

@@ -1,0 +1,6 @@
+(expect: nc-not-interpreted 6 1 dialect: fanuc)
+O1
+G10 L2 P2 X1. Y0. Z0. A0. B0. C0.
+G90 G0 X0. Y0. Z20.
+G55 X1.
+M99
