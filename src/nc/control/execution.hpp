@@ -91,6 +91,8 @@ void check_shared_words(const Execution& run);
 /// The same, of words whose meaning depends on the offsets that the block may have changed: before its motion.
 void check_offsets_of_motion(const Execution& run);
 void check_cycle(const Execution& run);
+/// Refuses C-0 of an axis whose words have a sign for the way round, unless the control is known to keep that of 0.
+void check_sign_of_zero(const Execution& run, const Word& word, Axis axis);
 void check_milliseconds(const Execution& run, const Word& word, bool waits);
 void check_cycle_beside_motion(const Execution& run);
 void check_beside_dwell(const Execution& run);

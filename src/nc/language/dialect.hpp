@@ -269,6 +269,7 @@ struct ControlBehaviour {
   double feed_per_revolution_increment = 0;
   bool keeps_increment = false;        // of a number no more than these are kept
   bool round_keeps_increment = false;  // ROUND in the value of a word rounds to these, too
+  bool zero_has_sign = false;          // C-0 turns downwards where the sign of a word says the way round
   std::string whole_words;             // letters whose values are whole numbers, and written without a point
   double increment_word_mm = 0, increment_word_inch = 0, increment_word_deg = 0;  // kept of a word under G91; 0: all
   int most_digits = 0;                                                            // of a number; 0: any

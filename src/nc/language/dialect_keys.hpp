@@ -76,6 +76,7 @@ inline constexpr Key<bool ControlBehaviour::*> kHabitFlags[] = {
     {"increment_of_rest_unknown", &ControlBehaviour::increment_of_rest_unknown},
     {"keeps_increment", &ControlBehaviour::keeps_increment},
     {"round_keeps_increment", &ControlBehaviour::round_keeps_increment},
+    {"zero_has_sign", &ControlBehaviour::zero_has_sign},
     {"m_beside_cut_unknown", &ControlBehaviour::m_beside_cut_unknown},
     {"change_beside_move_unknown", &ControlBehaviour::change_beside_move_unknown},
     {"inverse_time_by_radius", &ControlBehaviour::inverse_time_by_radius},

@@ -61,6 +61,22 @@ void check_within_turn(const Execution& run, const Word& word) {
              "on an axis whose words have a sign for the way round (--rotary), write 0 to 359.999, or use G91");
 }
 
+}  // namespace
+
+void check_sign_of_zero(const Execution& run, const Word& word, Axis axis) {
+  if (run.control.modal.rule_of(axis) != RotaryRule::sign || run.dialect.behaviour.zero_has_sign) return;
+  const std::string_view text = run.block->at(word.span);
+  const std::size_t value = text.find_first_not_of(" \t=", 1);
+  if (run.value(axis) != 0 || value == std::string_view::npos || text[value] != '-') return;
+  run.refuse(word, codes::kNotInterpreted,
+             fmt::format("the sign of {} says which way round the axis turns, and whether the control keeps that of 0 "
+                         "was found in no source",
+                         text),
+             fmt::format("write {}0 where it turns upwards, or turn it by increments (G91)", word.letter));
+}
+
+namespace {
+
 // The end that a word means for an axis that stands at `from`.
 double end_of_word(const Execution& run, const Word& word, Axis axis, double begin) {
   const double value = run.value(axis);
@@ -82,6 +98,7 @@ double end_of_word(const Execution& run, const Word& word, Axis axis, double beg
   const RotaryRule rule = run.control.modal.rule_of(axis);
   if (rule == RotaryRule::linear) return value;
   if (rule == RotaryRule::sign) check_within_turn(run, word);
+  check_sign_of_zero(run, word, axis);
   return rotary_end(rule, value, std::signbit(value), from);
 }
 
