@@ -138,10 +138,15 @@ std::optional<Fault> fault_of_run(const Looked& looked, const Bench& bench, cons
   return explanation(everything_tried(suspects), looked.runs[i], before, rows, std::max(1.0, outliers.usual), options);
 }
 
-// What is left of each channel of a run, about the prediction, in units of the noise.
-RunMisfit misfit_of(const Looked& looked, const Outliers& outliers, std::size_t i) {
+// What is left of a run, about what the others predict.
+VectorXd off_prediction(const Looked& looked, const Outliers& outliers, std::size_t i) {
   const RunRows& rows = looked.rows[i];
-  const VectorXd off = rows.left - rows.slopes * knowledge_of_others(outliers, looked.rows, i).mean();
+  return rows.left - rows.slopes * knowledge_of_others(outliers, looked.rows, i).mean();
+}
+
+// The same of each channel, in units of the noise.
+RunMisfit misfit_of(const Looked& looked, const Outliers& outliers, std::size_t i, const VectorXd& off) {
+  const RunRows& rows = looked.rows[i];
   RunMisfit misfit{std::sqrt(outliers.mean_square[i]), std::vector<double>(kChannels, 0)};
   for (std::size_t c = 0; c < rows.raw.channels.size(); ++c) {
     const double square = off.segment(static_cast<Index>(c) * rows.raw.samples, rows.raw.samples).squaredNorm();
@@ -172,16 +177,16 @@ std::optional<Fault> unexplained(const Looked& looked, const Outliers& outliers,
   for (std::size_t k = 0; k < looked.rows.size(); ++k) {
     if (k != i && !explained[k]) next = std::max(next, outliers.mean_square[k]);
   }
-  const RunMisfit misfit = misfit_of(looked, outliers, i);
+  const VectorXd off = off_prediction(looked, outliers, i);
+  const RunMisfit misfit = misfit_of(looked, outliers, i, off);
   const auto worst = std::max_element(misfit.channels.begin(), misfit.channels.end());
   Fault fault{FaultKind::stands_out, {looked.numbers[i]}};
   fault.channels = {static_cast<int>(worst - misfit.channels.begin())};
   fault.before = fault.after = std::sqrt(square);
-  const RunRows& rows = looked.rows[i];
-  const VectorXd off = (rows.left - rows.slopes * knowledge_of_others(outliers, looked.rows, i).mean())
-                           .segment(*rows.raw.first_row(fault.channels[0]), rows.raw.samples);
-  if (*worst > 2 && is_white(off)) {
-    if (is_of_few(off))
+  const identify::RunEquations& raw = looked.rows[i].raw;
+  const VectorXd of_worst = off.segment(*raw.first_row(fault.channels[0]), raw.samples);
+  if (*worst > 2 && is_white(of_worst)) {
+    if (is_of_few(of_worst))
       return square < next ? std::nullopt : std::optional(fault);  // edges of steps may be the machine
     fault.kind = FaultKind::noisy;
     fault.values = {*worst};
@@ -331,7 +336,7 @@ class Inspector {
     std::vector<std::optional<Fault>> faults(looked.runs.size());
     std::vector<bool> explained(looked.runs.size(), false);
     for (std::size_t i = 0; i < looked.runs.size(); ++i) {
-      found.runs[looked.numbers[i]] = misfit_of(looked, outliers, i);
+      found.runs[looked.numbers[i]] = misfit_of(looked, outliers, i, off_prediction(looked, outliers, i));
       if (excess_of(outliers, i, options_.outliers) < 1) continue;
       faults[i] = fault_of_run(looked, bench_, outliers, i, options_);
       explained[i] = faults[i].has_value();

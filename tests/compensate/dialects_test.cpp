@@ -9,14 +9,6 @@ using namespace plumbline;
 
 namespace {
 
-Job job_for(const std::string& dialect) {
-  Job job;
-  job.dialect = dialect;
-  job.settings.friction = false;
-  for (auto& offset : job.program.work_offsets) offset = job.program.work_offsets[0];
-  return job;
-}
-
 // What a control keeps of mm and deg is not among the tip's errors that a correction can take away.
 void check(const std::string& text, const std::string& output, const Job& job, double kept_um = 0) {
   INFO(output);
@@ -51,7 +43,7 @@ const std::string kSiemens =
 }  // namespace
 
 TEST_CASE("a program for Fanuc comes out for Fanuc") {
-  Job job = job_for("fanuc");
+  Job job = job_of_control("fanuc");
   job.program.feed_rule = nc::FeedRule::xyz_first;
   const Result result = run(kFanuc, job);
   check(kFanuc, result.text, job, 1.5);  // thousandths of mm and deg
@@ -63,7 +55,7 @@ TEST_CASE("a program for Fanuc comes out for Fanuc") {
 }
 
 TEST_CASE("a flat program for Okuma comes out for Okuma") {
-  Job job = job_for("okuma");
+  Job job = job_of_control("okuma");
   CHECK(code_of(kOkuma, job) == "emit-feed-rule");
   job.program.feed_rule = nc::FeedRule::xyz_first;
   const Result result = run(kOkuma, job);
@@ -76,7 +68,7 @@ TEST_CASE("a flat program for Okuma comes out for Okuma") {
 
 TEST_CASE("a program for Okuma in which nothing turns needs no feed rule, though its correction turns a little") {
   const std::string head = "$FLAT.MIN%\nO42\nG15 H1\nG0 X0 Y0 Z20 A5 B-3 C0\n";
-  const Job job = job_for("okuma");
+  const Job job = job_of_control("okuma");
   for (const char* const cuts :
        {"G1 X40 Y10 Z0 F500\nX-40\n", "G1 Z0 F100\nG2 X20 Y20 I20 F800\nG1 Y60\n", "G91 G1 X0.5 Y2 F300\nX3\nZ-2\n"}) {
     const std::string text = head + cuts + "M2\n";
@@ -90,7 +82,7 @@ TEST_CASE("a program for Okuma in which nothing turns needs no feed rule, though
 }
 
 TEST_CASE("under G93 no feed rule is needed, whatever turns") {
-  const Job job = job_for("okuma");
+  const Job job = job_of_control("okuma");
   const std::string head = "G15 H1\nG0 X0 Y0 Z20 A0 B0 C0\n";
   for (const char* const cuts :
        {"G93 G1 X11 A0.3 B0.1 F30\nX12 A0.6 B0.3 F25\n", "G93\nG1 A2 F3\nB1 C3 F4\nX5 C2 F10\n",
@@ -105,7 +97,7 @@ TEST_CASE("under G93 no feed rule is needed, whatever turns") {
 }
 
 TEST_CASE("a block of several lines is joined where it changes, and stays as it is where it does not") {
-  const Job job = job_for("okuma");
+  const Job job = job_of_control("okuma");
   const std::string text =
       "$A.MIN%\nG15 H1\nG90\n$ G94\nG0 X0 Y0 Z20\n$ A0 B0 C0\nN7 G1 X40\n$Y10 F500 (CUT)\nG3 X20\n$  Y30\n$ R22 "
       "M8\nM5\n$ "
@@ -120,7 +112,7 @@ TEST_CASE("a block of several lines is joined where it changes, and stays as it 
 }
 
 TEST_CASE("a tool that Okuma's control changes after a move is not carried along it") {
-  Job job = job_for("okuma");
+  Job job = job_of_control("okuma");
   job.program.feed_rule = nc::FeedRule::xyz_first;
   job.program.tool_in_spindle = 1;
   nc::Tool light;
@@ -141,7 +133,7 @@ TEST_CASE("a tool that Okuma's control changes after a move is not carried along
 }
 
 TEST_CASE("what Okuma's control does when the axes have arrived stands after the last piece") {
-  Job job = job_for("okuma");
+  Job job = job_of_control("okuma");
   job.program.feed_rule = nc::FeedRule::xyz_first;
   const std::string text = "G15 H1\nG0 X0 Y0 Z20 A0 B0 C0\nG1 X40 Y10 Z0 F500 M3 M8\nG1 X0 Y0 M5 M9\nM2\n";
   const std::string out = run(text, job).text;
@@ -152,7 +144,7 @@ TEST_CASE("what Okuma's control does when the axes have arrived stands after the
 }
 
 TEST_CASE("a flat program for Siemens comes out for Siemens") {
-  const Job job = job_for("siemens");
+  const Job job = job_of_control("siemens");
   const Result result = run(kSiemens, job);
   check(kSiemens, result.text, job);
   INFO(result.text);
@@ -164,18 +156,18 @@ TEST_CASE("a flat program for Siemens comes out for Siemens") {
 
 TEST_CASE("loops and subprograms of every dialect are written out") {
   const std::string head = "G0 X0 Y0 Z20. A0 B0 C0\n";
-  Job fanuc = job_for("fanuc");
+  Job fanuc = job_of_control("fanuc");
   const std::string macro =
       "O7\n" + head +
       "#1=0\nWHILE [#1 LT 3] DO 1\nG1 X[#1*10.] Y#5 F500\n#1=#1+1\nEND 1\nG65 P8 X25.\nM30\nO8\nG1 X#24 Y#25\nM99\n";
   check(macro, run(macro, fanuc).text, fanuc, 1.5);
-  Job okuma = job_for("okuma");
+  Job okuma = job_of_control("okuma");
   okuma.program.feed_rule = nc::FeedRule::xyz_first;
   const std::string task =
       "O7\nG15 H1\n" + head +
       "VC1=0\nNA IF [VC1 GE 3] NB\nG1 X=VC1*10 F500\nVC1=VC1+1\nGOTO NA\nNB CALL O8 PX=25\nM2\nO8\nG1 X=PX\nRTS\n";
   check(task, run(task, okuma).text, okuma);
-  Job siemens = job_for("siemens");
+  Job siemens = job_of_control("siemens");
   const std::string loops =
       "G54\n" + head + "FOR R1=0 TO 2\nR2=R1\nG1 X=R1*10 Y=IC(1) F500\nENDFOR\nIF R2>1\nG2 X10 Y5 CR=30\nENDIF\nM30\n";
   const std::string out = run(loops, siemens).text;
@@ -186,7 +178,7 @@ TEST_CASE("loops and subprograms of every dialect are written out") {
 TEST_CASE("variables that are set beside a move are not written out") {
   const std::string loop =
       "G54\nG0 X0 Y0 Z20 A0 B0 C0\nR1=1 R2=2\nFOR R3=0 TO 2\nR1=R3*2 G1 X=R2 Y5 R4=R2 F500\nR2=R2+R1\nENDFOR\nM30\n";
-  const Job job = job_for("siemens");
+  const Job job = job_of_control("siemens");
   const std::string out = run(loop, job).text;
   check(loop, out, job);
   INFO(out);
@@ -194,7 +186,7 @@ TEST_CASE("variables that are set beside a move are not written out") {
 }
 
 TEST_CASE("a word whose variable is vacant gives way to the corrected one") {
-  const Job job = job_for("fanuc");
+  const Job job = job_of_control("fanuc");
   const std::string text = "G54 F500.\nG0 X0 Y0 Z20. A0 B0 C0\nG0 X#0 Y4.\nG1 X5. F#2\nM30\n";
   const std::string out = run(text, job).text;
   check(text, out, job, 1.5);
@@ -203,7 +195,7 @@ TEST_CASE("a word whose variable is vacant gives way to the corrected one") {
 }
 
 TEST_CASE("OSP: a hole with words that no source says all of stays a cycle, shifted, its words as they were") {
-  const Job job = job_for("okuma");
+  const Job job = job_of_control("okuma");
   const std::string text =
       "G15 H1\nG90 G94 M53\nG0 X5. Y5. Z20. A0 B0 C0\nG71 Z20.\nS500 M3\n"
       "G73 X5. Y5. Z-6. R1. I2. J4. F100\nX10.\nG0 Z20.\nG85 X5. Z-2. R1. F80 FA=200\nG81 Y8. Z-1. R1. P250\n"
@@ -218,7 +210,7 @@ TEST_CASE("OSP: a hole with words that no source says all of stays a cycle, shif
 }
 
 TEST_CASE("OSP: an arc of a program in which nothing turns needs no rule for F, however short its pieces are") {
-  const Job job = job_for("okuma");
+  const Job job = job_of_control("okuma");
   for (const char* const cut : {"G2 X10 R5 F100\n", "G18 G3 X4 Z20 I2 K0 F250\n", "G1 X0.5 F100\nG3 I0.5\n"}) {
     const std::string text = "G15 H1\nG90 G94 G0 X0 Y0 Z20 A0 B0 C0\n" + std::string(cut) + "M2\n";
     const std::string out = run(text, job).text;
@@ -232,7 +224,7 @@ TEST_CASE("OSP: an arc of a program in which nothing turns needs no rule for F, 
 }
 
 TEST_CASE("OSP: what was worked out has a point only where the control takes one") {
-  const Job job = job_for("okuma");
+  const Job job = job_of_control("okuma");
   const std::string text =
       "G15 H1\nG90 G94 G0 X0 Y0 Z20 A0 B0 C0\nVC1=1\nNA IF [VC1 GT 1] NB\nS=1000*VC1 M=2+VC1\nG15 H=VC1\nG0 X0 Y0 Z20\n"
       "G=VC1 X=VC1*5 F=100*2\nG4 F=VC1/2\nG56 H=VC1-1\nVC1=VC1+1\nGOTO NA\nNB M2\n";
@@ -246,7 +238,7 @@ TEST_CASE("OSP: what was worked out has a point only where the control takes one
 }
 
 TEST_CASE("OSP: a code of the builder beside a cut of several pieces is refused") {
-  Job job = job_for("okuma");
+  Job job = job_of_control("okuma");
   const std::string head = "G15 H1\nG90 G94 G0 X0 Y0 Z20 A0 B0 C0\n";
   job.program.passed_m_codes = job.program.keeps_position = {300};
   CHECK(code_of(head + "G1 X10 F100 M300\nM2\n", job) == "emit-m-code");
@@ -255,13 +247,13 @@ TEST_CASE("OSP: a code of the builder beside a cut of several pieces is refused"
 }
 
 TEST_CASE("a work system of one block alone cannot hold for its pieces") {
-  Job job = job_for("okuma");
+  Job job = job_of_control("okuma");
   const std::string text = "G15 H1\nG0 X0 Y0 Z20 A0 B0 C0\nG16 H2 G1 X5 F100\nM2\n";
   CHECK(code_of(text, job) == "compensate-work-system");
 }
 
 TEST_CASE("a block that moves and calls moves first, and what is called stands after it") {
-  const Job job = job_for("fanuc");
+  const Job job = job_of_control("fanuc");
   const std::string text =
       "<PART-1>\nG0 X0 Y0 Z20. A0 B0 C0 D0 H0\nG1 F500 X5. M98 P8\nY2. M98 P8 L2 M8\nM30\nO8\nX6.\nX4. M99\n";
   const std::string out = run(text, job).text;
@@ -273,7 +265,7 @@ TEST_CASE("a block that moves and calls moves first, and what is called stands a
 }
 
 TEST_CASE("a dwell of a cycle counts what the control counts") {
-  const Job job = job_for("fanuc");
+  const Job job = job_of_control("fanuc");
   const std::string text =
       "O1\nG54\nG0 X0. Y0. Z20. A0. B0. C0.\nG82 X1. Z0. R2. P500 F100.\nG80\nG84 X5. Z-1. R2. P250 F100.\nG80\nM30\n";
   const std::string out = run(text, job).text;
@@ -283,7 +275,7 @@ TEST_CASE("a dwell of a cycle counts what the control counts") {
 }
 
 TEST_CASE("a program that is written out repeats no label") {
-  const Job job = job_for("siemens");
+  const Job job = job_of_control("siemens");
   const std::string text =
       "G54\nG0 X0 Y0 Z20 A0 B0 C0\nR1=0\nN10 LOOP: G1 X=R1*5 Y1 F500\nAGAIN:\nMORE: R1=R1+1\nIF R1<3 GOTOB LOOP\nM30\n";
   const std::string out = run(text, job).text;
@@ -294,7 +286,7 @@ TEST_CASE("a program that is written out repeats no label") {
 }
 
 TEST_CASE("moves beside calls: arcs, increments and calls of calls") {
-  const Job job = job_for("fanuc");
+  const Job job = job_of_control("fanuc");
   for (const char* const calls : {"G2 X10. Y0 I5. J0 F400. M98 P8\n", "G91 G1 Y3. F400. M98 P8 L2\nG90\n",
                                   "M98 P30009 G1 X12. F400. M9\n", "G65 P9 A1.\nG0 Z21. M98 P9\n"}) {
     const std::string text = std::string("O1\nG90 G54 G0 X0 Y0 Z20. A0 B0 C0\n") + calls +
@@ -308,7 +300,7 @@ TEST_CASE("moves beside calls: arcs, increments and calls of calls") {
 }
 
 TEST_CASE("a place above a hole that is not drilled is written out with the cycle that it belongs to") {
-  const Job job = job_for("okuma");
+  const Job job = job_of_control("okuma");
   for (const char* const holes :
        {"G81 X5 Y0 R2 Z-4 F100 M53\nX8 NCYL\nX11\n", "NCYL G81 X5 R2 Z-4 F100 M53\nY3 NCYL\nX1\n",
         "G83 X5 R2 Z-4 Q1 F100 M53\nNCYL X9\nG0 X0\n"}) {
@@ -329,6 +321,6 @@ TEST_CASE("a motion code in a header moves nothing, whatever is not known there"
         std::pair<const char*, const char*>{"siemens", "G0 G17 G40 G60 G90\nG54\nX0 Y0 Z20\nM30\n"},
         std::pair<const char*, const char*>{"siemens", "N1 G1 G64\nN2 G54 G0 X0 Y0 Z20\nG1\nX1 F100\nM30\n"}}) {
     INFO(text);
-    CHECK(code_of(text, job_for(dialect)).empty());
+    CHECK(code_of(text, job_of_control(dialect)).empty());
   }
 }

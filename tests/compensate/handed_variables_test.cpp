@@ -7,14 +7,6 @@ using namespace plumbline;
 
 namespace {
 
-Job job_of_control(const std::string& dialect) {
-  Job job;
-  job.dialect = dialect;
-  job.settings.friction = false;
-  for (auto& offset : job.program.work_offsets) offset = job.program.work_offsets[0];
-  return job;
-}
-
 const std::string kProgramBegin = "O0001\nG21 G17 G90 G54 G94\nG0 X0. Y0. Z50. A0. B0. C0.\n";
 
 }  // namespace

@@ -36,6 +36,15 @@ struct Job {
   nc::EmitSettings emit = {.stamp = {"plumbline 0 compensated this program"}};
 };
 
+/// A program for this control, under any work system, without friction.
+inline Job job_of_control(const std::string& dialect) {
+  Job job;
+  job.dialect = dialect;
+  job.settings.friction = false;
+  for (auto& offset : job.program.work_offsets) offset = job.program.work_offsets[0];
+  return job;
+}
+
 inline compensate::ProgramSurvey surveyed(const InputFile& source, const Job& job) {
   const nc::Dialect& dialect = nc::dialect(job.dialect);
   return {dialect, nc::named_axes(source, dialect)};

@@ -11,12 +11,9 @@ using namespace plumbline;
 namespace {
 
 Job job_for(const std::string& dialect, nc::RotaryRule rule) {
-  Job job;
-  job.dialect = dialect;
-  job.settings.friction = false;
+  Job job = job_of_control(dialect);
   job.program.rotary.fill(rule);
   job.program.start.fill(0);
-  for (auto& offset : job.program.work_offsets) offset = job.program.work_offsets[0];
   return job;
 }
 

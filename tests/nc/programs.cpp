@@ -32,9 +32,10 @@ ProgramSettings at_zero() {
   return settings;
 }
 
-std::vector<Motion> motions_of_file(const std::string& path, const ProgramSettings& settings) {
+std::vector<Motion> motions_of_file(const std::string& path, const ProgramSettings& settings,
+                                    std::string_view control) {
   const InputFile file(path);
-  Program program(file, dialect("linuxcnc"), settings);
+  Program program(file, dialect(control), settings);
   std::vector<Motion> motions;
   while (const Step* step = program.next()) motions.insert(motions.end(), step->motions.begin(), step->motions.end());
   return motions;
@@ -44,21 +45,22 @@ std::vector<Motion> motions_of(std::string_view text, const ProgramSettings& set
   return motions_of_file(ProgramFile(text).path(), settings);
 }
 
-std::optional<Diagnostic> refusal_of_file(const std::string& path, const ProgramSettings& settings) {
+std::optional<Diagnostic> refusal_of_file(const std::string& path, const ProgramSettings& settings,
+                                          std::string_view control) {
   try {
-    motions_of_file(path, settings);
+    motions_of_file(path, settings, control);
   } catch (const Refusal& refusal) {
     return refusal.diagnostic();
   }
   return std::nullopt;
 }
 
-std::optional<Diagnostic> refusal_of(std::string_view text, const ProgramSettings& settings) {
-  return refusal_of_file(ProgramFile(text).path(), settings);
+std::optional<Diagnostic> refusal_of(std::string_view text, const ProgramSettings& settings, std::string_view control) {
+  return refusal_of_file(ProgramFile(text).path(), settings, control);
 }
 
-std::string code_of(std::string_view text, const ProgramSettings& settings) {
-  const auto refusal = refusal_of(text, settings);
+std::string code_of(std::string_view text, const ProgramSettings& settings, std::string_view control) {
+  const auto refusal = refusal_of(text, settings, control);
   return refusal ? refusal->code : "";
 }
 

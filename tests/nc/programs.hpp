@@ -31,13 +31,17 @@ ProgramSettings empty_tables();
 /// As compensate does it: every offset of G54 given as zero, axes at zero.
 ProgramSettings at_zero();
 
-std::vector<Motion> motions_of_file(const std::string& path, const ProgramSettings& settings);
+std::vector<Motion> motions_of_file(const std::string& path, const ProgramSettings& settings,
+                                    std::string_view control = "linuxcnc");
 std::vector<Motion> motions_of(std::string_view text, const ProgramSettings& settings = empty_tables());
 /// The diagnostic that the program is refused with, or nothing.
-std::optional<Diagnostic> refusal_of_file(const std::string& path, const ProgramSettings& settings);
-std::optional<Diagnostic> refusal_of(std::string_view text, const ProgramSettings& settings = empty_tables());
+std::optional<Diagnostic> refusal_of_file(const std::string& path, const ProgramSettings& settings,
+                                          std::string_view control = "linuxcnc");
+std::optional<Diagnostic> refusal_of(std::string_view text, const ProgramSettings& settings = empty_tables(),
+                                     std::string_view control = "linuxcnc");
 /// Its code, or "".
-std::string code_of(std::string_view text, const ProgramSettings& settings = empty_tables());
+std::string code_of(std::string_view text, const ProgramSettings& settings = empty_tables(),
+                    std::string_view control = "linuxcnc");
 /// The texts and line ends of all blocks.
 std::string text_of_blocks(const std::string& path, const ProgramSettings& settings = empty_tables());
 

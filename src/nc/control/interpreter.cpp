@@ -52,7 +52,7 @@ const Step& Interpreter::execute(Block& block) {
   resolve_codes(run_);
   run_.step.passes_variables = run_.dialect.syntax.names && passes_variables(run_, block);
   values_.apply(block);
-  second_pass_.note_codes(run_);
+  if (main_begins_again()) second_pass_.note_codes(run_);
   bool moved = run_.motion == nullptr || run_.motion_word != nullptr;
   for (const Chosen& chosen : run_.chosen) {
     // The motion in force takes its turn before the codes after it.
@@ -82,6 +82,7 @@ const Step& Interpreter::execute(Block& block) {
 }
 
 void Interpreter::check_begins_again(const Block& block) const {
+  if (!main_begins_again()) return;
   const std::string differs = second_pass_.differs(control_);
   if (differs.empty()) return;
   refuse_at(
@@ -105,7 +106,7 @@ void Interpreter::begin(const Block& block) {
 
 void Interpreter::finish() {
   Step& step = run_.step;
-  second_pass_.note_motions(run_);
+  if (main_begins_again()) second_pass_.note_motions(run_);
   step.motions = run_.motions;
   step.before = &before_;
   step.after = &control_.modal;

@@ -70,6 +70,8 @@ class Interpreter {
 
   Control control_;
   Modal before_;
+  bool main_begins_again() const { return run_.dialect.syntax.statements == Statements::macro_b; }
+
   SecondPass second_pass_;
   Frame frame_of_block_;                           // where the work system is that of one block alone
   std::vector<ModesOfCall> saved_{ModesOfCall{}};  // one a call level, the program itself first

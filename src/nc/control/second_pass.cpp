@@ -10,10 +10,10 @@ void SecondPass::note_codes(const Execution& run) {
   if (moved_ && moved_z_ && drilled_ && writes_tables_) return;
   bool incremental = run.control.modal.incremental;
   for (const Chosen& chosen : run.chosen) {
-    const int action = static_cast<int>(chosen.row->action);
-    if (!moved_) before_moves_.insert(action);
-    if (!moved_z_) before_z_.insert(action);
-    if (!drilled_) before_holes_.insert(action);
+    const auto action = static_cast<std::size_t>(chosen.row->action);
+    if (!moved_) before_moves_.set(action);
+    if (!moved_z_) before_z_.set(action);
+    if (!drilled_) before_holes_.set(action);
     if (chosen.row->action == Action::absolute) incremental = false;
     if (chosen.row->action == Action::incremental) incremental = true;
     if (chosen.row->action == Action::set_work_table) writes_tables_ |= moved_ || incremental;
@@ -29,11 +29,11 @@ void SecondPass::note_motions(const Execution& run) {
 
 bool SecondPass::stated(std::initializer_list<Action> actions) const {
   return std::any_of(actions.begin(), actions.end(),
-                     [&](Action action) { return before_moves_.contains(static_cast<int>(action)); });
+                     [&](Action action) { return before_moves_.test(static_cast<std::size_t>(action)); });
 }
 
 bool SecondPass::stated_length() const {
-  const auto has = [&](Action action) { return before_z_.contains(static_cast<int>(action)); };
+  const auto has = [&](Action action) { return before_z_.test(static_cast<std::size_t>(action)); };
   return has(Action::tool_length) || has(Action::tool_length_off);
 }
 
@@ -43,8 +43,8 @@ std::string SecondPass::differs(const Control& control) const {
   const bool fed = stated({Action::per_minute, Action::inverse_time, Action::per_revolution});
   const bool moves =
       stated({Action::rapid, Action::feed, Action::arc_cw, Action::arc_ccw, Action::cycle, Action::motion_off});
-  const bool returns = before_holes_.contains(static_cast<int>(Action::retract_to_start)) ||
-                       before_holes_.contains(static_cast<int>(Action::retract_to_r));
+  const bool returns = before_holes_.test(static_cast<std::size_t>(Action::retract_to_start)) ||
+                       before_holes_.test(static_cast<std::size_t>(Action::retract_to_r));
   if (modal.incremental && !stated({Action::absolute, Action::incremental})) return "G91";
   if (modal.inches && !stated({Action::inches, Action::millimetres})) return "G20";
   if (modal.plane != Plane::xy && !stated({Action::plane_xy, Action::plane_zx, Action::plane_yz})) return "G18 or G19";

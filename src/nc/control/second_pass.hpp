@@ -1,8 +1,8 @@
 // M99 of the main program begins it again, with what the control then has in force.
 #pragma once
 
+#include <bitset>
 #include <initializer_list>
-#include <set>
 #include <string>
 
 #include "nc/control/execution.hpp"
@@ -10,7 +10,7 @@
 
 namespace plumbline::nc {
 
-/// What a program states before it depends on it.
+/// What a program states before it depends on it. Of controls that M99 of the main program begins again.
 class SecondPass {
  public:
   /// The codes of a block, before they act.
@@ -22,12 +22,13 @@ class SecondPass {
   std::string differs(const Control& control) const;
 
  private:
+  using Actions = std::bitset<256>;
   bool stated(std::initializer_list<Action> actions) const;
   bool stated_length() const;
 
-  std::set<int> before_moves_;  // actions of the codes that stood before the first motion, or beside it
-  std::set<int> before_z_;      // before the first of Z, A, B or C
-  std::set<int> before_holes_;
+  Actions before_moves_;  // of the codes that stood before the first motion, or beside it
+  Actions before_z_;      // before the first of Z, A, B or C
+  Actions before_holes_;
   bool moved_ = false, moved_z_ = false, drilled_ = false;
   bool writes_tables_ = false;  // G10 of what was used before, or under G91
 };

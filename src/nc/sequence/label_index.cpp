@@ -45,11 +45,8 @@ const LabelIndex::Index& LabelIndex::labels_of(std::size_t file) {
   for_each_head(files_.file(file), dialect_, [&](const LineHead& head, const Line& line) {
     if (!head.number.empty()) index.labels[head.number].push_back(line.place);
     if (!head.label.empty()) index.labels[head.label].push_back(line.place);
-    const std::size_t first = line.text.find_first_not_of(" \t");
     const bool is_label = !head.number.empty() || !head.label.empty();
-    if (is_label && first != std::string_view::npos && line.text[first] == '/') {
-      index.behind_slash.insert(line.place.line);
-    }
+    if (is_label && head.behind_slash) index.behind_slash.insert(line.place.line);
     if (!dialect_.syntax.numbered_loops || head.word == FlowWord::none) return;
     index.loops.push_back({line.place.line, head.loop, head.word != FlowWord::end_while});
   });

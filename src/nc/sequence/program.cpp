@@ -156,7 +156,7 @@ const Step* Program::Parts::execute() {
   const bool steers = call.calls() || (call.ends() && (call.return_to || flow.called()));
   if (call.calls()) flow.call_program(*block, call);
   if (call.ends() && !flow.end_program(*block, call)) {
-    if (dialect.syntax.statements == Statements::macro_b) interpreter.check_begins_again(*block);
+    interpreter.check_begins_again(*block);
     stage = Stage::ended;
   }
   if (stage == Stage::ended) step.handed = interpreter.control().handed.first();

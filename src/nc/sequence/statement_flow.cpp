@@ -245,7 +245,6 @@ void StatementFlow::repeat(const Block& block) {
                 "write P=1 or more, or jump over the REPEAT");
   }
   section.remaining = count;
-  ways_.forget();
   go_on(sections_.begin(section));
 }
 

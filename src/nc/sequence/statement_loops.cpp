@@ -115,8 +115,7 @@ void StatementLoops::pass_left_out() {
     if (!head.program.empty()) break;
     const bool steers = head.word == left_out->opens || head.word == left_out->closes ||
                         (head.word == FlowWord::otherwise && left_out->stops_at_else);
-    const std::size_t first = line.text.find_first_not_of(" \t");
-    if (steers && first != std::string_view::npos && line.text[first] == '/' && interpreter_.leaves_out_skipped()) {
+    if (steers && head.behind_slash && interpreter_.leaves_out_skipped()) {
       refuse(codes::kNotInterpreted,
              "what this line begins is left out, and a line behind / that is left out as well would end it",
              "put / before all lines of a branch or a loop, or before none", left_out->from);

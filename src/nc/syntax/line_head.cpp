@@ -23,6 +23,7 @@ class HeadReader {
     }
     if (line_[at_] == '%') return percent();
     if (line_[at_] == '/') {
+      head_.behind_slash = true;
       ++at_;
       while (!at_end() && is_digit(line_[at_])) ++at_;
       blanks();

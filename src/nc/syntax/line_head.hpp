@@ -15,6 +15,7 @@ struct LineHead {
   FlowWord word = FlowWord::none;
   int loop = 0;        // the number after DO and END
   bool empty = false;  // nothing but blanks, a comment or %
+  bool behind_slash = false;
 };
 
 LineHead head_of(std::string_view line, const Dialect& dialect);

@@ -5,7 +5,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/diagnostic.hpp"
 #include "nc/programs.hpp"
 
 using namespace plumbline;
@@ -30,15 +29,6 @@ std::vector<double> ends_of_c(std::string_view text, const ProgramSettings& sett
     for (const Motion& motion : step->motions) ends.push_back(motion.to[Axis::C]);
   }
   return ends;
-}
-
-std::string refusal(const std::string& text, RotaryRule rule, std::string_view control) {
-  try {
-    ends_of_c(text, with_rule(rule), control);
-  } catch (const Refusal& refused) {
-    return refused.diagnostic().code;
-  }
-  return "";
 }
 
 }  // namespace
@@ -66,19 +56,20 @@ TEST_CASE("the sign of a word says which way round") {
 }
 
 TEST_CASE("the sign of 0 says no way round where a control is not known to keep it") {
-  const RotaryRule sign = RotaryRule::sign;
+  const ProgramSettings sign = with_rule(RotaryRule::sign);
+  const ProgramSettings shortest = with_rule(RotaryRule::shortest);
   for (const std::string_view control : {"fanuc", "okuma"}) {
     CAPTURE(control);
     for (const std::string word : {"C-0.", "C-.0", "C-0"}) {
       CAPTURE(word);
-      CHECK(refusal("G90 G0 C4.5\n" + word + "\n", sign, control) == "nc-not-interpreted");
-      CHECK(refusal("G90 G0 C4.5\n" + word + "\n", RotaryRule::shortest, control).empty());
-      CHECK(refusal("G90 G0 C4.5\nG91 " + word + "\n", sign, control).empty());
+      CHECK(code_of("G90 G0 C4.5\n" + word + "\n", sign, control) == "nc-not-interpreted");
+      CHECK(code_of("G90 G0 C4.5\n" + word + "\n", shortest, control).empty());
+      CHECK(code_of("G90 G0 C4.5\nG91 " + word + "\n", sign, control).empty());
     }
-    CHECK(refusal("G90 G0 C4.5\nC0.\nC-0.5\n", sign, control).empty());
+    CHECK(code_of("G90 G0 C4.5\nC0.\nC-0.5\n", sign, control).empty());
   }
-  CHECK(refusal("G90 G0 C4.5\nC-0.0000001\n", sign, "fanuc") == "nc-not-interpreted");  // kept as 0
-  CHECK(refusal("G90 G0 C4.5\nG53 C-0.\n", sign, "fanuc") == "nc-not-interpreted");
+  CHECK(code_of("G90 G0 C4.5\nC-0.0000001\n", sign, "fanuc") == "nc-not-interpreted");  // kept as 0
+  CHECK(code_of("G90 G0 C4.5\nG53 C-0.\n", sign, "fanuc") == "nc-not-interpreted");
 }
 
 TEST_CASE("the shorter way round") {

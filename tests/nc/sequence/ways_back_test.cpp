@@ -13,18 +13,12 @@ using namespace plumbline::nc::tests;
 
 namespace {
 
+// The message of the refusal, or "".
 std::string refusal(std::string_view control, std::string_view text) {
-  const ProgramFile written(text);
-  const InputFile file(written.path());
   ProgramSettings settings = empty_tables();
   settings.max_blocks = 1000;
-  Program program(file, dialect(control), settings);
-  try {
-    while (program.next() != nullptr) continue;
-  } catch (const Refusal& refused) {
-    return refused.diagnostic().message;
-  }
-  return "";
+  const auto refused = refusal_of(text, settings, control);
+  return refused ? refused->message : "";
 }
 
 }  // namespace

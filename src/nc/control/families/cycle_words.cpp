@@ -69,7 +69,7 @@ void CycleWords::take_words() {
   cycle_.r = inherited('R', cycle_.r, length('R'), true);
   const char normal = letter(axes_of(run_.control.modal.plane).third);
   cycle_.bottom = inherited(normal, cycle_.bottom, length(normal), true);
-  const bool is_new = run_.dialect.behaviour.return_levels ? run_.motion_word != nullptr : as_fanuc_ && !goes_on_;
+  const bool is_new = of_osp ? run_.motion_word != nullptr : as_fanuc_ && !goes_on_;
   if (is_new && !of_osp) cycle_.stays = false;
   if (is_new) cycle_.dwell_s = 0;  // G80 and G0 end what was kept [Haas 96-8000, p. 185]
   const bool dwells = code_ == kDrillDwell || code_ == kBoreStop || code_ == kBoreByHand || code_ == kBoreDwell;

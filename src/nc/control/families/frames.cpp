@@ -264,6 +264,12 @@ void change_programmed_frame(Execution& run, const Chosen& chosen) {
 
 namespace {
 
+// What stands behind the name of a word, brackets and all, without blanks; "": nothing.
+std::string values_in_brackets(const Execution& run, const Word& word) {
+  const std::string_view text = run.text_of(word);
+  return without_blanks(text.substr(std::min(text.find('('), text.size())));
+}
+
 void deselect_frame(Execution& run, const Word& code) {
   check_no_plane(run, code);
   if (run.control.local == AxisWords{} && run.control.turn_deg == 0) return;
@@ -277,8 +283,7 @@ void deselect_frame(Execution& run, const Word& code) {
 // TRAORI, TRAFOOF: further values of TRAORI turn the tool at its zero and shift the zero of A, B and C [A 6.2.2];
 // either deselects the frame before it [W 7.10].
 void choose_transformation(Execution& run, const Chosen& chosen) {
-  const std::string_view text = run.block->at(chosen.word->span);
-  const std::string values = without_blanks(text.substr(std::min(text.find('('), text.size())));
+  const std::string values = values_in_brackets(run, *chosen.word);
   constexpr std::array<std::string_view, 4> kAsItIs{"", "()", "(1)", "(1,0,0,1)"};
   if (std::find(kAsItIs.begin(), kAsItIs.end(), values) == kAsItIs.end()) {
     run.refuse(*chosen.word, codes::kNotInterpreted,
@@ -290,8 +295,7 @@ void choose_transformation(Execution& run, const Chosen& chosen) {
 
 // CYCLE832(0.02,112103): digits that are there for older programs [N p. 1108], one of which chose a transformation.
 void set_tolerances(Execution& run, const Chosen& chosen) {
-  const std::string_view text = run.block->at(chosen.word->span);
-  const std::string values = without_blanks(text.substr(std::min(text.find('('), text.size())));
+  const std::string values = values_in_brackets(run, *chosen.word);
   const std::size_t comma = values.find(',');
   if (comma == std::string::npos) return;
   const std::string kind = values.substr(comma + 1, values.find_first_of(",)", comma + 1) - comma - 1);
@@ -307,9 +311,7 @@ void set_tolerances(Execution& run, const Chosen& chosen) {
 
 // FGROUP(X,Y,Z): F is the speed of these; FGROUP() brings the default back.
 void set_feed_group(Execution& run, const Chosen& chosen) {
-  const std::string_view text = run.block->at(chosen.word->span);
-  const std::size_t open = text.find('(');
-  const std::string names = upper(without_blanks(text.substr(std::min(open, text.size()))));
+  const std::string names = upper(values_in_brackets(run, *chosen.word));
   AxisSet group;
   bool as_written = names == "()";
   for (std::size_t i = 1; i + 1 < names.size() && names != "()"; i += 2) {  // (X,Y,Z)

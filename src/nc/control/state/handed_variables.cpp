@@ -1,5 +1,7 @@
 #include "nc/control/state/handed_variables.hpp"
 
+#include <algorithm>
+
 namespace plumbline::nc {
 
 void HandedVariables::note_read(int number) {
@@ -14,18 +16,19 @@ void HandedVariables::note_set(int number, std::string_view name, std::size_t li
   variable.line = line;
 }
 
+const HandedVariable* HandedVariables::first(bool (*is)(const HandedVariable&)) const {
+  const auto found = std::find_if(variables_.begin(), variables_.end(), [&](const auto& numbered) {
+    return numbered.second.line != 0 && is(numbered.second);
+  });
+  return found == variables_.end() ? nullptr : &found->second;
+}
+
 const HandedVariable* HandedVariables::first() const {
-  for (const auto& [number, variable] : variables_) {
-    if (variable.line != 0 && (variable.carried || !variable.read)) return &variable;
-  }
-  return nullptr;
+  return first([](const HandedVariable& variable) { return variable.carried || !variable.read; });
 }
 
 const HandedVariable* HandedVariables::first_carried() const {
-  for (const auto& [number, variable] : variables_) {
-    if (variable.line != 0 && variable.carried) return &variable;
-  }
-  return nullptr;
+  return first([](const HandedVariable& variable) { return variable.carried; });
 }
 
 }  // namespace plumbline::nc

@@ -27,6 +27,8 @@ class HandedVariables {
   const HandedVariable* first_carried() const;
 
  private:
+  const HandedVariable* first(bool (*is)(const HandedVariable&)) const;  // of those that are set
+
   std::map<int, HandedVariable> variables_;
 };
 
