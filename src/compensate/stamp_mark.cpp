@@ -1,6 +1,7 @@
 #include "compensate/stamp_mark.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +18,9 @@ namespace {
 constexpr std::string_view kProgram = "plumbline";
 constexpr std::string_view kMark = "compensatedthisprogram";
 
+constexpr std::string_view kTimeTolerance = "timetolerance";
+
+constexpr std::size_t kHead = std::size_t{1} << 16U;
 constexpr std::size_t kChunk = std::size_t{1} << 18U;
 
 // Where the first comment of a text begins; its end if it holds none.
@@ -93,6 +97,24 @@ void refuse_stamped(const InputFile& file) {
 }  // namespace
 
 bool is_compensated(const InputFile& file) { return find_stamp(file).has_value(); }
+
+std::optional<double> stamped_time_tolerance(const InputFile& file) {
+  std::vector<char> head(kHead);
+  head.resize(file.read(0, head.data(), head.size()));
+  // Signs of comments, and of comments that go on with the text of the one before, are left out with the blanks.
+  std::string plain;
+  for (const char c : head) {
+    if (is_letter(c) || is_digit(c) || c == '.' || c == '-') plain += lower(c);
+    if (plain.ends_with("..")) plain.resize(plain.size() - 2);
+  }
+  const std::size_t mark = plain.find(kMark);
+  const std::size_t key = mark != std::string::npos ? plain.find(kTimeTolerance, mark) : mark;
+  if (key == std::string::npos) return std::nullopt;
+  double share = 0;
+  const char* const begin = plain.data() + key + kTimeTolerance.size();
+  const auto [end, error] = std::from_chars(begin, plain.data() + plain.size(), share);
+  return error == std::errc() && share >= 0 ? std::optional(share) : std::nullopt;
+}
 
 void StampSearch::look_at_program() const { refuse_stamped(program_); }
 

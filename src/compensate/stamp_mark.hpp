@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -12,6 +13,10 @@ namespace plumbline::compensate {
 
 /// Whether the mark stands anywhere in the file, in whatever case and with whatever blanks.
 bool is_compensated(const InputFile& file);
+
+/// The share of a block's time that a compensated program's stamp says its blocks may differ by; none where the head of
+/// the file does not say it.
+std::optional<double> stamped_time_tolerance(const InputFile& file);
 
 /// A compensated program holds the corrections already; a second helping would double them. Refuses with
 /// compensate-stamped a file that is one.

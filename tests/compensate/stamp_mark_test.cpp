@@ -1,5 +1,6 @@
 #include "compensate/stamp_mark.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,30 @@ TEST_CASE("the mark of a compensated program counts in whatever case and whereve
   CHECK(code_of("G0 X0 Y0 Z0 A0 B0 C0\nM2\n" + mark, {}) == "compensate-stamped");
   CHECK(code_of("o1 if [0]\n" + mark + "o1 endif\nG0 X0 Y0 Z0 A0 B0 C0\nM2\n", {}) == "compensate-stamped");
   CHECK(code_of("(plumbline compensates this program)\nG0 X0 Y0 Z0 A0 B0 C0\nM2\n", {}).empty());
+}
+
+TEST_CASE("the stamp says what share of the time of its blocks may have changed") {
+  struct Example {
+    std::string head;
+    std::optional<double> share;
+  };
+  const std::string mark = "(plumbline 0.1.0 compensated this program)\n";
+  const std::vector<Example> examples{
+      {mark + "(method exact, friction on, step 1 deg or 1 mm, time tolerance 0.006 of a block)\nG0 X1\n", 0.006},
+      {mark + "(step 1 deg or 1 mm, time)\n(.. tolerance)\n(.. 0.0061480 of a)\n(.. block)\nG0 X1\n", 0.006148},
+      {"; PLUMBLINE 0.1.0 COMPENSATED THIS PROGRAM\r\n; STEP 1 DEG, TIME TOLERANCE\r\n; .. 1e-05 OF A BLOCK\r\n", 1e-5},
+      {mark + "G0 X1\n", std::nullopt},
+      {mark + "(time tolerance unknown)\n", std::nullopt},
+      {"(time tolerance 0.5 of a block)\n", std::nullopt},
+      {"", std::nullopt},
+  };
+  for (const Example& example : examples) {
+    INFO(example.head);
+    const std::optional<double> found =
+        compensate::stamped_time_tolerance(InputFile(Source::held("b.nc", example.head)));
+    REQUIRE(found.has_value() == example.share.has_value());
+    if (found) CHECK(*found == Approx(*example.share));
+  }
 }
 
 TEST_CASE("a compensated file of a subprogram is refused in every dialect") {

@@ -13,9 +13,10 @@ namespace plumbline::jobs {
 
 class Aligner {
  public:
-  /// `record` gets where B's moves end and where A has them; it may be null.
-  Aligner(MoveQueue& a, MoveQueue& b, compensate::PathRecord* record = nullptr)
-      : a_(a), b_(b), candidates_(a, b), record_(record) {}
+  /// `time_tolerance`: the share of a block's time that B may have changed. `record` gets where B's moves end and where
+  /// A has them; it may be null.
+  Aligner(MoveQueue& a, MoveQueue& b, double time_tolerance, compensate::PathRecord* record = nullptr)
+      : a_(a), b_(b), candidates_(a, b, kOfTolerance * time_tolerance), record_(record) {}
 
   /// Handles the next moves of both programs; false when both have ended.
   bool next();
@@ -35,6 +36,8 @@ class Aligner {
   void note_shift(const AxisWords& shift, std::size_t line_a, std::size_t line_b);
   void note_time(const DiffMove& move, std::size_t count);
   void record(const DiffMove& move, std::size_t count);
+
+  static constexpr double kOfTolerance = 1.5;  // rounding comes on top
 
   MoveQueue& a_;
   MoveQueue& b_;

@@ -14,8 +14,7 @@ constexpr double kMostOfShift = 5;     // likewise, of a move that its pieces ta
 constexpr double kFirstShift = 10;     // before anything was matched, and of rapids
 constexpr double kRapidShare = 0.01;   // of a rapid's length
 constexpr double kChangeShare = 1e-3;  // of a rapid's length, that the correction may change by on its way
-constexpr double kTimeShare = 0.0015;  // of a move's time, that its pieces may differ from it,
-constexpr double kRounded = 1e-4;      // and so much of its length: what its ends are rounded by
+constexpr double kRounded = 1e-4;      // of a move's length: what its ends are rounded by
 constexpr double kStandstill = 1e-9;   // mm and deg
 constexpr double kVanishes = 0.002;    // a move shorter than that may have no counterpart: its end rounds to its start
 
@@ -44,9 +43,6 @@ double tiny(const Standing& standing, double way = 0) {
 }
 
 double shift_unit(const Standing& standing) { return kShiftUnit + kUnitShare * standing.usual; }
-
-// What rounding makes of the length of a short move, it makes of its time.
-double time_share(const DiffMove& move) { return kTimeShare + kRounded / std::max(move.length, kRounded); }
 
 double place_cost(double off, const Standing& standing, bool in_time) {
   const double cost = off / shift_unit(standing);
@@ -133,6 +129,11 @@ const DiffMove* Candidates::piece(const DiffMove& move, std::size_t j, std::size
   if (next == nullptr || !next->cuts()) return nullptr;
   if (count > 1 && next->begins_numbered) return nullptr;  // N stays on the first piece, or before it
   return count == 1 && numbers_differ(move, *next) ? nullptr : next;
+}
+
+// What rounding makes of the length of a short move, it makes of its time.
+double Candidates::time_share(const DiffMove& move) const {
+  return time_share_ + kRounded / std::max(move.length, kRounded);
 }
 
 // Numbered moves end where the next number stands.

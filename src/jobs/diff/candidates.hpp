@@ -26,7 +26,8 @@ struct Standing {
 
 class Candidates {
  public:
-  Candidates(MoveQueue& a, MoveQueue& b) : a_(a), b_(b) {}
+  /// `time_share`: of a move's time, that the pieces which B makes of it may differ from it.
+  Candidates(MoveQueue& a, MoveQueue& b, double time_share) : a_(a), b_(b), time_share_(time_share) {}
 
   /// Of the move of A that is `i` ahead, from the move of B that is `j` ahead on; the best first. None: B does not make
   /// that move there.
@@ -45,9 +46,11 @@ class Candidates {
   const DiffMove* piece(const DiffMove& move, std::size_t j, std::size_t count);
   std::optional<std::size_t> count_by_number(const DiffMove& move, std::size_t i, std::size_t j,
                                              const Standing& standing);
+  double time_share(const DiffMove& move) const;
 
   MoveQueue& a_;
   MoveQueue& b_;
+  double time_share_;
 };
 
 /// Whether both have numbers, and not the same.

@@ -2,9 +2,11 @@
 
 #include <optional>
 
+#include "compensate/stamp_mark.hpp"
 #include "jobs/diff/align.hpp"
 #include "jobs/program/open_program.hpp"
 #include "jobs/program/program_text.hpp"
+#include "nc/rewrite/output/emit_settings.hpp"
 
 namespace plumbline::jobs {
 
@@ -29,7 +31,8 @@ DiffSummary diff_files(const Source& a, const Source& b, const settings::Options
     moves_a.keep_texts();
     moves_b.keep_texts();
   }
-  Aligner aligner(moves_a, moves_b, record ? &*record : nullptr);
+  const double time_tolerance = compensate::stamped_time_tolerance(file_b).value_or(nc::EmitSettings{}.time_tolerance);
+  Aligner aligner(moves_a, moves_b, time_tolerance, record ? &*record : nullptr);
   for (std::uint64_t i = 1; aligner.next(); ++i) {
     if (progress && i % kProgressEvery == 0) progress(moves_b.bytes_read(), file_b.size());
   }

@@ -14,7 +14,7 @@ namespace {
 jobs::DiffSummary aligned(std::string_view a, std::string_view b) {
   testing::ReadMoves first(a);
   testing::ReadMoves second(b);
-  jobs::Aligner aligner(first.queue(), second.queue());
+  jobs::Aligner aligner(first.queue(), second.queue(), nc::EmitSettings{}.time_tolerance);
   while (aligner.next()) {
   }
   return aligner.take();

@@ -15,7 +15,7 @@ namespace {
 std::vector<Candidate> after_the_rapid(std::string_view a, std::string_view b) {
   testing::ReadMoves first("G21 G90 G94\nG0 Z5\n" + std::string(a));
   testing::ReadMoves second("G21 G90 G94\nG0 Z5\n" + std::string(b));
-  return jobs::Candidates(first.queue(), second.queue()).of(1, 1, {{{0, 0, 5, 0, 0, 0}}, {}, true});
+  return jobs::Candidates(first.queue(), second.queue(), 0.0015).of(1, 1, {{{0, 0, 5, 0, 0, 0}}, {}, true});
 }
 
 }  // namespace

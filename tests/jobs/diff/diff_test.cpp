@@ -94,6 +94,20 @@ TEST_CASE("a last move whose end the correction moves by millimetres is in line,
   }
 }
 
+TEST_CASE("pieces that take their move's time within the tolerance of the stamp are that move's, not the next one's") {
+  for (const char* const moves :
+       {"G0 X-16.153 Y-1.915 Z-224.05 A-15.63 B-2.196 C3.288\nG91\nG1 Z418.38 B17.72 F2000\n",
+        "G0 X2.774 Y-1.915 Z-224.05 A-15.26 B-2.196 C3.288\nG91\nG1 Z420.25 B17.94 F3000\n",
+        "G0 X-24.138 Y-1.915 Z-224.05 A-15.92 B-2.196 C3.288\nG91\nG1 Z421.83 B17.25 F1200\n"}) {
+    INFO(moves);
+    const std::string program = std::string(moves) + "G1 B4.599 C-13.987 A7.673\nM2\n";
+    const testing::Scratch scratch;
+    const DiffSummary s = diff_of(program, compensated(scratch, program, 2.994, 2.64, 0.006));
+    CHECK(is_whole(s));
+    CHECK(s.time_change.value <= 0.0061);
+  }
+}
+
 TEST_CASE("pieces of micrometres are in line one by one, though rounding makes some a tenth longer") {
   const std::string begin = "G0 X3.0859 Y-4.845 Z-17.0213 A0.622 B4.9755 C-3.700267\nF483.1\n";
   for (const std::string points :
