@@ -5,6 +5,8 @@
 #include <set>
 
 #include "diagnose/gap/contrasts.hpp"
+#include "identify/plausible.hpp"
+#include "identify/prior_strain.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -24,7 +26,6 @@ PosteriorState state_of(const Refit& fit, const std::vector<int>& places, std::s
   PosteriorState state{std::move(name), weight, fit.values(places), {}, 1, {}};
   const auto size = static_cast<Eigen::Index>(places.size());
   state.covariance = Eigen::MatrixXd::Zero(size, size);
-  state.moved.resize(size, 0);
   std::vector<Eigen::Index> at;
   for (const int place : fit.places)
     at.push_back(std::lower_bound(places.begin(), places.end(), place) - places.begin());
@@ -43,6 +44,39 @@ std::vector<const Rival*> others_of(const Model& model, const Conclusion& conclu
   return others;
 }
 
+// By how much the priors are too narrow, as the readings have it  [Birge 1932]. `places`: of the state's unknowns.
+double widening_of(const CandidateSet& candidates, const std::vector<int>& places, const PosteriorState& state) {
+  std::vector<Eigen::Index> known;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    const bool has_prior = !candidates.unknowns[static_cast<std::size_t>(places[k])].free();
+    if (has_prior && state.covariance(i, i) > 0) known.push_back(i);
+  }
+  if (known.empty()) return 1;
+  Eigen::VectorXd sigmas(static_cast<Eigen::Index>(known.size()));
+  Eigen::VectorXd moved(sigmas.size());
+  for (Eigen::Index k = 0; k < sigmas.size(); ++k) {
+    const Eigen::Index i = known[static_cast<std::size_t>(k)];
+    const int place = places[static_cast<std::size_t>(i)];
+    const identify::Unknown& unknown = candidates.unknowns[static_cast<std::size_t>(place)];
+    sigmas[k] = unknown.sigma;
+    moved[k] = state.mean[i] - unknown.start;
+  }
+  const identify::PriorStrain strain =
+      identify::prior_strain(moved, sigmas, state.covariance(known, known), identify::PlausibleOptions{}.least_share);
+  return strain.degrees > 0 ? std::max(1.0, strain.chi2 / strain.degrees) : 1;
+}
+
+// What leaving out poses changes: what the model lacks moves each of them otherwise.
+Eigen::MatrixXd moved_by_poses(const Workbench& bench, const Posterior& posterior, const PosteriorState& state,
+                               const identify::NoiseModel& noise) {
+  identify::Fit fit(posterior.unknowns);
+  fit.values = state.mean;
+  fit.noise = noise;
+  return identify::jackknife(identify::moved_by_poses(bench.machine.rotation, bench.runs, fit, {.huber = 0},
+                                                      identify::PlausibleOptions{}.least_poses));
+}
+
 // The numbers of the functions that were learnt beside the base model, known together with its nuisances.
 void add_numbers(const LearntResidual& residual, const Refit& fit, Posterior& posterior) {
   PosteriorState& state = posterior.states.front();
@@ -59,7 +93,6 @@ void add_numbers(const LearntResidual& residual, const Refit& fit, Posterior& po
     at.push_back(before + k);
   }
   state.covariance = residual.covariance(at, at);
-  state.moved.resize(before + more, 0);
 }
 
 }  // namespace
@@ -89,7 +122,11 @@ Posterior posterior_of(const Case& of, const Model& model, const Conclusion& con
     posterior.states.push_back(state_of(rival->fit, places, rival->pick.candidate->name, weight));
     weights += weight;
   }
-  for (PosteriorState& state : posterior.states) state.weight /= weights;
+  for (PosteriorState& state : posterior.states) {
+    state.weight /= weights;
+    state.widening = widening_of(candidates, places, state);
+    state.moved = moved_by_poses(of.bench, posterior, state, model.noise);
+  }
   posterior.noise.radial = model.noise.channels[identify::kRadial].sigma;
   for (std::size_t channel = identify::kRadial + 1; channel < identify::kChannels; ++channel)
     posterior.noise.torque = std::max(posterior.noise.torque, model.noise.channels[channel].sigma);

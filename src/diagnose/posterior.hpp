@@ -7,7 +7,8 @@
 namespace plumbline::diagnose {
 
 /// The fit, and beside it every other effect of the confidence set that was fitted in the place of the strongest, each
-/// as likely as its log odds say. What comes again in the readings of the bar is what no number stands for.
+/// as likely as its log odds say; wider where the priors are too narrow, and by what leaving out poses changes. What
+/// comes again in the readings of the bar is what no number stands for.
 identify::Posterior posterior_of(const Case& of, const Model& model, const Conclusion& conclusion,
                                  const VerdictOptions& options);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 
@@ -18,16 +19,14 @@ void add_chi2(const Fit& fit, const std::vector<Eigen::Index>& places, const Pla
               Plausibility& found) {
   if (places.empty()) return;
   Eigen::VectorXd sigmas(static_cast<Eigen::Index>(places.size()));
-  Eigen::VectorXd off(sigmas.size());
+  Eigen::VectorXd moved(sigmas.size());
   for (Eigen::Index k = 0; k < sigmas.size(); ++k) {
     const Eigen::Index i = places[static_cast<std::size_t>(k)];
     const Unknown& u = fit.unknowns[static_cast<std::size_t>(i)];
     sigmas[k] = u.sigma;
-    off[k] = (fit.values[i] - u.start) / u.sigma;
+    moved[k] = fit.values[i] - u.start;
   }
-  const Eigen::MatrixXd posterior =
-      sigmas.cwiseInverse().asDiagonal() * fit.covariance(places, places) * sigmas.cwiseInverse().asDiagonal();
-  const PriorStrain strain = prior_strain(off, posterior, options.least_share);
+  const PriorStrain strain = prior_strain(moved, sigmas, fit.covariance(places, places), options.least_share);
   found.chi2 = strain.chi2;
   found.degrees = strain.degrees;
   found.all_sigmas = strain.deviate();
@@ -76,37 +75,60 @@ KindSums sums_at_start(Objective& objective, const Fit& fit) {
   return sums;
 }
 
-// To first order the fit without some runs is where the others' misfit and the priors have their least:
-// (A - A_k) d = -g + g_k, g being nil at the fit
+// Normal equations of the runs at each pose, and of all with the priors.
+struct OfPoses {
+  std::vector<Eigen::MatrixXd> information;
+  std::vector<Eigen::VectorXd> gradient;
+  Eigen::MatrixXd all;
+
+  OfPoses(const std::vector<int>& poses, int count, const std::vector<NormalEquations>& runs, const Unknowns& unknowns)
+      : all(prior_weights(unknowns).asDiagonal()) {
+    const auto size = static_cast<Eigen::Index>(unknowns.size());
+    information.resize(static_cast<std::size_t>(count), Eigen::MatrixXd::Zero(size, size));
+    gradient.resize(static_cast<std::size_t>(count), Eigen::VectorXd::Zero(size));
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const auto pose = static_cast<std::size_t>(poses[i]);
+      information[pose] += runs[i].information;
+      gradient[pose] += runs[i].gradient;
+      all += runs[i].information;
+    }
+  }
+
+  /// To first order the fit without some runs is where the others' misfit and the priors have their least:
+  /// (A - A_k) d = -g + g_k, g being nil at the fit. A - A_k, and d in scales of the unknowns.
+  using Others = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
+  Others without(int pose) const { return Others(all - information[static_cast<std::size_t>(pose)]); }
+  Eigen::VectorXd step(const Others& others, int pose) const {
+    return others.solve(gradient[static_cast<std::size_t>(pose)]);
+  }
+};
+
+int count_of(const std::vector<int>& poses) {
+  return poses.empty() ? 0 : *std::max_element(poses.begin(), poses.end()) + 1;
+}
+
 void predict_left_out(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Fit& fit,
                       const FitOptions& fitted_with, const PlausibleOptions& options, Plausibility& found) {
   const std::vector<int> poses = poses_of(runs);
-  const int count = runs.empty() ? 0 : *std::max_element(poses.begin(), poses.end()) + 1;
+  const int count = count_of(poses);
   if (count < static_cast<int>(options.least_poses)) return;
 
   Objective objective(order, runs, fit.unknowns, fitted_with.objective);
   objective.set_noise(fit.noise);
   const KindSums before = sums_at_start(objective, fit);
   const std::vector<RunEquations> equations = objective.equations(fit.values, true);
+  std::vector<NormalEquations> normal;
+  for (const RunEquations& run : equations)
+    normal.push_back(normal_equations(run, fit.noise, fit.unknowns, fitted_with.objective.huber));
+  const OfPoses of_poses(poses, count, normal, fit.unknowns);
   const auto size = static_cast<Eigen::Index>(fit.unknowns.size());
-  std::vector<Eigen::MatrixXd> information(static_cast<std::size_t>(count), Eigen::MatrixXd::Zero(size, size));
-  std::vector<Eigen::VectorXd> gradient(static_cast<std::size_t>(count), Eigen::VectorXd::Zero(size));
-  Eigen::MatrixXd all = prior_weights(fit.unknowns).asDiagonal();
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const NormalEquations normal = normal_equations(equations[i], fit.noise, fit.unknowns, fitted_with.objective.huber);
-    const auto pose = static_cast<std::size_t>(poses[i]);
-    information[pose] += normal.information;
-    gradient[pose] += normal.gradient;
-    all += normal.information;
-  }
   const Eigen::VectorXd scales = fit.unknowns.scales();
   found.left_out.resize(size, count);
   KindSums sums;
   KindSums doubt;  // how far off the fit to the others must expect to be, being unsure of its unknowns
   for (int pose = 0; pose < count; ++pose) {
-    const auto k = static_cast<std::size_t>(pose);
-    const auto others = (all - information[k]).completeOrthogonalDecomposition();
-    const Eigen::VectorXd step = scales.cwiseProduct(others.solve(gradient[k]));
+    const OfPoses::Others others = of_poses.without(pose);
+    const Eigen::VectorXd step = scales.cwiseProduct(of_poses.step(others, pose));
     const Eigen::MatrixXd spread = scales.asDiagonal() * root_of(others.pseudoInverse());
     found.left_out.col(pose) = step;
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -145,12 +167,34 @@ Eigen::MatrixXd doubt_of(const Fit& fit, const Plausibility& plausible) {
     covariance.col(i).setZero();
   }
   if (plausible.degrees > 0) covariance *= std::max(1.0, plausible.chi2 / plausible.degrees);
-  const auto poses = static_cast<double>(plausible.left_out.cols());
-  if (poses > 1) {
-    const Eigen::MatrixXd apart = plausible.left_out.colwise() - plausible.left_out.rowwise().mean().eval();
-    covariance += (poses - 1) / poses * apart * apart.transpose();
-  }
-  return covariance;
+  const Eigen::MatrixXd moved = jackknife(plausible.left_out);
+  return covariance + moved * moved.transpose();
+}
+
+Eigen::MatrixXd moved_by_poses(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
+                               const Fit& fit, const ObjectiveOptions& fitted_with, std::size_t least_poses) {
+  const auto size = static_cast<Eigen::Index>(fit.unknowns.size());
+  const std::vector<int> poses = poses_of(runs);
+  const int count = count_of(poses);
+  if (count < static_cast<int>(least_poses)) return Eigen::MatrixXd(size, 0);
+
+  Objective objective(order, runs, fit.unknowns, fitted_with);
+  objective.set_noise(fit.noise);
+  std::vector<NormalEquations> normal(runs.size());
+  objective.each_run(fit.values, [&](std::size_t i, RunEquations equations) {
+    normal[i] = normal_equations(std::move(equations), fit.noise, fit.unknowns, fitted_with.huber);
+  });
+  const OfPoses of_poses(poses, count, normal, fit.unknowns);
+  Eigen::MatrixXd moved(size, count);
+  for (int pose = 0; pose < count; ++pose)
+    moved.col(pose) = fit.unknowns.scales().cwiseProduct(of_poses.step(of_poses.without(pose), pose));
+  return moved;
+}
+
+Eigen::MatrixXd jackknife(const Eigen::MatrixXd& moved_by_poses) {
+  const auto poses = static_cast<double>(moved_by_poses.cols());
+  if (poses < 2) return Eigen::MatrixXd::Zero(moved_by_poses.rows(), moved_by_poses.cols());
+  return std::sqrt((poses - 1) / poses) * (moved_by_poses.colwise() - moved_by_poses.rowwise().mean().eval());
 }
 
 Plausibility plausibility(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Fit& fit,

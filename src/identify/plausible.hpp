@@ -64,6 +64,14 @@ Eigen::MatrixXd doubt_of(const Fit& fit, const Plausibility& plausible);
 Plausibility plausibility(const machine::RotationOrder& order, const std::vector<measure::Run>& runs, const Fit& fit,
                           const FitOptions& fitted_with, const PlausibleOptions& options = {});
 
+/// How far each unknown moves when a pose is left out, to first order about the fit, SI: a column for each pose; none
+/// where there are fewer than `least_poses`.
+Eigen::MatrixXd moved_by_poses(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
+                               const Fit& fit, const ObjectiveOptions& fitted_with, std::size_t least_poses);
+
+/// Those moves so that the sum of their outer products is what they add to a covariance: their jackknife.
+Eigen::MatrixXd jackknife(const Eigen::MatrixXd& moved_by_poses);
+
 /// The same number for runs at one pose (centre and tilt), from 0 in the order in which poses come first.
 std::vector<int> poses_of(const std::vector<measure::Run>& runs);
 

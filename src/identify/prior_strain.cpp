@@ -29,4 +29,10 @@ PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& post
   return strain;
 }
 
+PriorStrain prior_strain(const Eigen::VectorXd& moved, const Eigen::VectorXd& sigmas, const Eigen::MatrixXd& covariance,
+                         double least_share) {
+  const auto per_sigma = sigmas.cwiseInverse().asDiagonal();
+  return prior_strain(per_sigma * moved, per_sigma * covariance * per_sigma, least_share);
+}
+
 }  // namespace plumbline::identify

@@ -25,4 +25,9 @@ PriorStrain prior_strain(const Eigen::VectorXd& off);
 /// `least_share` of that variance the data say nothing: they do not count.
 PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& posterior, double least_share);
 
+/// The same of unknowns in their own units: how far each was moved, the sigma of its prior, and the covariance after
+/// the data.
+PriorStrain prior_strain(const Eigen::VectorXd& moved, const Eigen::VectorXd& sigmas, const Eigen::MatrixXd& covariance,
+                         double least_share);
+
 }  // namespace plumbline::identify

@@ -116,6 +116,39 @@ TEST_CASE("what a pose left out is predicted to be is what a fit without it pred
   CHECK(plausible.radial.doubt < 1e-6);
 }
 
+TEST_CASE("what leaving out a pose moves is what a fit without it finds elsewhere") {
+  const machine::MachineModel machine = pm600_like();
+  const Unknowns unknowns = nuisances(machine, physics::ForceModel(machine));
+  Random random(42);
+  const physics::ForceModel forces = unknowns.at(drawn(unknowns, random));
+  const auto runs = measured(wider_plan(), forces, 0.5e-6, 0.05, random);
+  FitOptions options;
+  options.objective.huber = 0;
+  const Fit whole = fit(machine.rotation, runs, unknowns, options);
+  const Eigen::MatrixXd moved = moved_by_poses(machine.rotation, runs, whole, options.objective, 3);
+  REQUIRE(moved.cols() == 4);
+  options.known_noise = whole.noise;
+  for (std::size_t pose = 0; pose < 4; ++pose) {
+    std::vector<measure::Run> others;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (i % 4 != pose) others.push_back(runs[i]);
+    }
+    const Eigen::VectorXd found = fit(machine.rotation, others, unknowns, options).values - whole.values;
+    const Eigen::VectorXd off = (moved.col(static_cast<Eigen::Index>(pose)) - found).cwiseQuotient(unknowns.scales());
+    CHECK(off.norm() < 0.05 * found.cwiseQuotient(unknowns.scales()).norm());
+  }
+  CHECK(moved_by_poses(machine.rotation, runs, whole, options.objective, 5).cols() == 0);
+}
+
+TEST_CASE("the jackknife of a mean is its standard error") {
+  // Leaving one of n readings out moves their mean by (mean - reading) / (n - 1).
+  const Eigen::RowVectorXd readings = (Eigen::RowVectorXd(5) << 1, 2, 4, 7, 11).finished();
+  const Eigen::MatrixXd moved = (readings.mean() - readings.array()) / 4;
+  const double variance = (readings.array() - readings.mean()).square().sum() / 4;
+  CHECK(jackknife(moved).squaredNorm() == Approx(variance / 5));
+  CHECK(jackknife(moved.leftCols(1)).norm() == 0);
+}
+
 TEST_CASE("poses predicted worse are an objection beyond what the fit must expect, not within it") {
   PlausibleOptions options;
   Predicted predicted{0.5e-6, 1.2e-6, 0.7e-6, 100};

@@ -20,6 +20,17 @@ TEST_CASE("chi-square of the priors counts what the data tell alone") {
   CHECK(PriorStrain{}.deviate() == 0);
 }
 
+TEST_CASE("the strain of unknowns in their own units is that in sigmas") {
+  const Eigen::Vector2d sigmas(1e-5, 0.05);
+  const Eigen::Vector2d off(1.5, -2);
+  const Eigen::Matrix2d posterior = (Eigen::Matrix2d() << 0.3, 0.1, 0.1, 0.6).finished();
+  const Eigen::MatrixXd covariance = sigmas.asDiagonal() * posterior * sigmas.asDiagonal();
+  const PriorStrain in_sigmas = prior_strain(off, posterior, 0.03);
+  const PriorStrain in_units = prior_strain(sigmas.cwiseProduct(off), sigmas, covariance, 0.03);
+  CHECK(in_units.chi2 == Approx(in_sigmas.chi2));
+  CHECK(in_units.degrees == in_sigmas.degrees);
+}
+
 TEST_CASE("chi-square as a deviate and in its standard deviations agree where degrees are many") {
   // tables of chi-square: 99.9 % of 10 degrees lie below 29.59, of 100 below 149.45
   CHECK(PriorStrain{29.59, 10}.deviate() == Approx(3.09).margin(0.02));

@@ -18,12 +18,7 @@ PosteriorState state_of(const Stage& stage) {
   }
   const Plausibility& plausible = stage.plausible;
   if (plausible.degrees > 0) state.widening = std::max(1.0, plausible.chi2 / plausible.degrees);
-  const auto poses = static_cast<double>(plausible.left_out.cols());
-  state.moved = Eigen::MatrixXd::Zero(state.mean.size(), plausible.left_out.cols());
-  if (poses > 1) {
-    state.moved =
-        std::sqrt((poses - 1) / poses) * (plausible.left_out.colwise() - plausible.left_out.rowwise().mean().eval());
-  }
+  state.moved = jackknife(plausible.left_out);
   return state;
 }
 
