@@ -10,7 +10,8 @@ namespace {
 constexpr double kSlack = 0.1;         // what the shift may change along a move: friction turns at corners
 constexpr double kLengthShare = 0.1;   // of a move's length, likewise
 constexpr double kShiftShare = 0.5;    // of the shift itself: near the end of the workspace it grows fast
-constexpr double kMostOfShift = 5;     // likewise, of a move that its pieces take the time of
+constexpr double kMostOfShift = 5;     // likewise, of a move that its pieces take the time of,
+constexpr double kMostOfLength = 0.4;  // and of its length: beside a singularity a move may be shifted by millimetres
 constexpr double kFirstShift = 10;     // before anything was matched, and of rapids
 constexpr double kRapidShare = 0.01;   // of a rapid's length
 constexpr double kChangeShare = 1e-3;  // of a rapid's length, that the correction may change by on its way
@@ -205,7 +206,7 @@ std::vector<Candidate> Candidates::pieces_of_cut(const DiffMove& move, std::size
     if (!goes_on) break;
     if (!in_time && !on_way) continue;
     const double off = distance(next->end, wanted);
-    const double more = kLengthShare * move.length + (standing.has_shift ? kMostOfShift * size(standing.shift) : 0);
+    const double more = kMostOfLength * move.length + (standing.has_shift ? kMostOfShift * size(standing.shift) : 0);
     if (off > allowed + (in_time ? more : 0)) continue;
     const bool both_vanish = way <= kStandstill && move.length <= kVanishes;
     const double for_time = has_time && !both_vanish ? time_cost(gone, seconds, share) : 0;

@@ -94,6 +94,19 @@ TEST_CASE("a last move whose end the correction moves by millimetres is in line,
   }
 }
 
+TEST_CASE(
+    "a move beside a singularity, shifted by a quarter of its length, is in line, since its pieces take its time") {
+  for (const char* const moves : {"G0 X-290 Y78.4 Z200 A-4.55 B1.2 C-0.7\nG1 X238.1 F2905.8\nB18.2\n",
+                                  "G0 X-290 Y78.4 Z200 A-4.55 B1.2 C-0.7\nG1 X238.1 F900\nB18.3\nB17.5 Y77\n",
+                                  "G0 X-290 Y78.4 Z204 A-4.55 B1.2 C-0.7\nG1 X238.1 F2905.8\nB18.2\n"}) {
+    INFO(moves);
+    const testing::Scratch scratch;
+    const DiffSummary s = diff_of(moves, compensated(scratch, moves, 10.341017267, 5.285348696));
+    CHECK(is_whole(s));
+    CHECK(s.shift[index(Axis::Z)].largest > 2);
+  }
+}
+
 TEST_CASE("pieces that take their move's time within the tolerance of the stamp are that move's, not the next one's") {
   for (const char* const moves :
        {"G0 X-16.153 Y-1.915 Z-224.05 A-15.63 B-2.196 C3.288\nG91\nG1 Z418.38 B17.72 F2000\n",
