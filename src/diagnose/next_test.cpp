@@ -76,7 +76,11 @@ std::optional<NextTest> next_test(const machine::MachineModel& machine, const ph
   const std::vector<Run> all = designs(machine, like, options);
   std::vector<double> separations(all.size(), 0);
   for_each_index(all.size(), [&](std::size_t i) {
-    if (measure::within_limits(machine, all[i])) separations[i] = separation(machine, one, other, all[i], noise);
+    const auto firm = [&](const physics::ForceModel& forces) {
+      return measure::stands_firm(machine, forces, all[i], options.most_off);
+    };
+    if (measure::within_limits(machine, all[i]) && firm(one) && firm(other))
+      separations[i] = separation(machine, one, other, all[i], noise);
   });
   std::size_t best = 0;
   for (std::size_t i = 1; i < all.size(); ++i) {

@@ -80,11 +80,13 @@ Best best_addition(const std::vector<Eigen::MatrixXd>& candidates, const Eigen::
 }  // namespace
 
 std::vector<measure::Run> candidate_runs(const machine::MachineModel& machine, const CandidateOptions& options) {
+  const physics::ForceModel forces(machine);
   std::mt19937_64 random(options.seed);
   std::vector<measure::Run> runs;
   for (std::size_t tries = options.most * options.tries; tries > 0 && runs.size() < options.most; --tries) {
     measure::Run run = drawn_run(machine, options, random);
-    if (measure::within_limits(machine, run)) runs.push_back(std::move(run));
+    if (measure::within_limits(machine, run) && measure::stands_firm(machine, forces, run, options.most_off))
+      runs.push_back(std::move(run));
   }
   return runs;
 }

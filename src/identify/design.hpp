@@ -17,6 +17,7 @@ struct CandidateOptions {
   double step = 0.010;                        // m, to which centres are rounded
   double tilt_step = 0.017453292519943295;    // rad
   double tilt_share = 0.9;                    // of the limit of tilt that plans use
+  double most_off = 0.5e-3;                   // m, that the model's tip may be off on a circle (measure::stands_firm)
   bool bar_readings = true;
   bool torques = true;
   std::size_t samples = 36;  // of each candidate
@@ -25,8 +26,8 @@ struct CandidateOptions {
   std::uint64_t seed = 1;
 };
 
-/// Circular tests that the machine can make, drawn evenly from its travel and tilt, both directions. Their order and
-/// number depend on the seed alone.
+/// Circular tests that the machine can make, the tip never further off than `most_off`, drawn evenly from its travel
+/// and tilt, both directions. Their order and number depend on the seed alone.
 std::vector<measure::Run> candidate_runs(const machine::MachineModel& machine, const CandidateOptions& options = {});
 
 /// What a plan is good for, the greater the better: of the information that all its runs give together, in scales of

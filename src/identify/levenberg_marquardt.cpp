@@ -82,7 +82,7 @@ Eigen::VectorXd step_within(const Root& root, const Eigen::VectorXd& gradient, d
 
 class Descent {
  public:
-  Descent(const SumAt& sum_at, Eigen::VectorXd z, const Bounds& bounds, const LeastOptions& options)
+  Descent(const SumAt& sum_at, const Eigen::VectorXd& z, const Bounds& bounds, const LeastOptions& options)
       : sum_at_(sum_at), bounds_(bounds), options_(options), radius_(options.first_radius) {
     least_.z = within(bounds, z);
   }

@@ -176,7 +176,9 @@ Eigen::MatrixXd moved_by_poses(const machine::RotationOrder& order, const std::v
   const auto size = static_cast<Eigen::Index>(fit.unknowns.size());
   const std::vector<int> poses = poses_of(runs);
   const int count = count_of(poses);
-  if (count < static_cast<int>(least_poses)) return Eigen::MatrixXd(size, 0);
+  const bool enough = count >= static_cast<int>(least_poses);
+  Eigen::MatrixXd moved(size, enough ? count : 0);
+  if (!enough) return moved;
 
   Objective objective(order, runs, fit.unknowns, fitted_with);
   objective.set_noise(fit.noise);
@@ -185,7 +187,6 @@ Eigen::MatrixXd moved_by_poses(const machine::RotationOrder& order, const std::v
     normal[i] = normal_equations(std::move(equations), fit.noise, fit.unknowns, fitted_with.huber);
   });
   const OfPoses of_poses(poses, count, normal, fit.unknowns);
-  Eigen::MatrixXd moved(size, count);
   for (int pose = 0; pose < count; ++pose)
     moved.col(pose) = fit.unknowns.scales().cwiseProduct(of_poses.step(of_poses.without(pose), pose));
   return moved;

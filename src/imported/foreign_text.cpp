@@ -95,8 +95,11 @@ std::string guessed(std::string_view bytes) {
   if (bytes.starts_with(kMark16Little)) return "utf-16le";
   if (bytes.starts_with(kMark16Big)) return "utf-16be";
   const std::string_view start = bytes.substr(0, 1000);
-  std::size_t even = 0, odd = 0;
-  for (std::size_t i = 0; i < start.size(); ++i) (i % 2 == 0 ? even : odd) += start[i] == '\0';
+  std::size_t even = 0;
+  std::size_t odd = 0;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    if (start[i] == '\0') ++(i % 2 == 0 ? even : odd);
+  }
   if (3 * odd > start.size()) return "utf-16le";
   if (3 * even > start.size()) return "utf-16be";
   return flaw_in_utf8(bytes) == std::string_view::npos ? "utf-8" : "latin-1";

@@ -156,7 +156,7 @@ class MapReader {
     const TomlEntry* const columns = in.find("columns");
     if (columns == nullptr) {
       refuse("import-key", "the map does not say which columns there are",
-             "add [columns], as in radial = {name = \"Deviation\", unit = \"um\"}", document_.place(in.span));
+             R"(add [columns], as in radial = {name = "Deviation", unit = "um"})", document_.place(in.span));
     }
     require(document_, columns->value, Kind::table, "columns");
     for (const TomlEntry& column : columns->value.entries) source.columns.push_back(column_of(column, source.form));
@@ -175,20 +175,20 @@ class MapReader {
       const std::string& d = *delimiter;
       if (d != "tab" && d != "blanks" && d.size() != 1) {
         refuse_value(document_, in.find("delimiter")->value, fmt::format("the delimiter is \"{}\"", d),
-                     "one character, \"tab\", or \"blanks\" for any number of them");
+                     R"(one character, "tab", or "blanks" for any number of them)");
       }
       form.delimiter = d == "tab" ? '\t' : d == "blanks" ? ' ' : d[0];
     }
     if (const auto decimal = text(in, "decimal")) {
       if (*decimal != "." && *decimal != ",") {
         refuse_value(document_, in.find("decimal")->value, fmt::format("the decimal mark is \"{}\"", *decimal),
-                     "\".\" or \",\"");
+                     R"("." or ",")");
       }
       form.decimal = (*decimal)[0];
     }
     if (form.decimal == form.delimiter) {
       refuse("import-value", "the decimal mark stands between columns, too",
-             "say delimiter = \";\", \"tab\" or what else stands between the columns", document_.place(in.span));
+             R"(say delimiter = ";", "tab" or what else stands between the columns)", document_.place(in.span));
     }
     if (const TomlEntry* const comment = in.find("comment")) form.comments = texts(document_, *comment);
     form.skip_lines = count(in, "skip_lines", 0, 1e6).value_or(form.skip_lines);
@@ -244,7 +244,7 @@ class MapReader {
     std::vector<std::string_view> names;
     for (const UnitName& unit : units) names.push_back(unit.name);
     if (torque) names.insert(names.end(), {"A", "percent"});
-    if (column.quantity == Quantity::time) names.push_back("samples");
+    if (column.quantity == Quantity::time) names.emplace_back("samples");
     const auto unit = text(value, "unit");
     if (!unit) {
       refuse_value(document_, value, fmt::format("{}: in which unit is it?", entry.key),

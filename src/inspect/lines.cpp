@@ -53,7 +53,8 @@ MatrixXd columns_of(const Run& run, int channel, double frequency) {
     columns(i, 0) = std::cos(phase);
     columns(i, 1) = std::sin(phase);
     if (columns.cols() == 2) continue;
-    const double x = std::cos(run.angle[k]), y = std::sin(run.angle[k]);
+    const double x = std::cos(run.angle[k]);
+    const double y = std::sin(run.angle[k]);
     columns.row(i).tail<4>() << x * columns(i, 0), x * columns(i, 1), y * columns(i, 0), y * columns(i, 1);
   }
   return columns;
@@ -90,7 +91,9 @@ struct Fitted {
 Fitted fit_line(const std::vector<Run>& runs, const std::vector<Residual>& residuals, int channel, double frequency,
                 const identify::ChannelNoise& noise, const LineOptions& options) {
   Fitted fitted;
-  double sum = 0, degrees = 0, with = 0;
+  double sum = 0;
+  double degrees = 0;
+  double with = 0;
   for (const Residual& residual : residuals) {
     const Run& run = runs[residual.run];
     const MatrixXd columns = columns_of(run, channel, frequency);
@@ -100,7 +103,7 @@ Fitted fit_line(const std::vector<Run>& runs, const std::vector<Residual>& resid
     const auto count = static_cast<double>(columns.cols());
     sum += gain / power;
     degrees += count;
-    with += gain / power > options.least_gain * count;
+    if (gain / power > options.least_gain * count) ++with;
     fitted.sizes.push_back(size);
   }
   fitted.sigmas = (sum - degrees) / std::sqrt(2 * degrees);
@@ -110,7 +113,8 @@ Fitted fit_line(const std::vector<Run>& runs, const std::vector<Residual>& resid
 
 // How large a line is, and which way it shakes.
 void describe(Line& line, const std::vector<VectorXd>& sizes) {
-  std::vector<double> alike, along;
+  std::vector<double> alike;
+  std::vector<double> along;
   Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
   for (const VectorXd& size : sizes) {
     alike.push_back(std::hypot(size[0], size[1]));
@@ -134,7 +138,8 @@ std::vector<Line> lines_of_group(const std::vector<Run>& runs, std::vector<Resid
   const double length = length_s(first);
   const double highest = 0.5 / step_s(first) - 3 / length;  // nearer to half of the sampling sine and cosine are one
   while (lines.size() < options.most) {
-    double best = options.least_order / length, sigmas = -1;
+    double best = options.least_order / length;
+    double sigmas = -1;
     const double step = 1 / (options.steps_an_order * length);
     for (double f = best; f < highest; f += step) {
       const Fitted fitted = fit_line(runs, residuals, channel, f, noise, options);

@@ -26,7 +26,8 @@ void predict_all(Outliers& outliers, const std::vector<RunRows>& runs) {
     outliers.mean_square[r] = prediction.chi2(runs[r].left) / static_cast<double>(runs[r].rows());
     outliers.bar_square[r] = bar_square(known, runs[r]);
   });
-  std::vector<double> kept, bars;
+  std::vector<double> kept;
+  std::vector<double> bars;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     if (outliers.out[r]) continue;
     kept.push_back(outliers.mean_square[r]);

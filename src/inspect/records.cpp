@@ -81,13 +81,16 @@ Standing standing_of(const std::vector<double>& values) {
 
 bool same_readings(const Run& a, const Run& b, const RecordOptions& options) {
   if (a.samples() != b.samples()) return false;
-  std::size_t alike = 0, compared = 0;
+  std::size_t alike = 0;
+  std::size_t compared = 0;
   for (int c = 0; c < identify::kChannels; ++c) {
     const std::vector<double>& one = readings_of_channel(a, c);
     const std::vector<double>& other = readings_of_channel(b, c);
     if (one.size() != other.size()) return false;
     compared += one.size();
-    for (std::size_t i = 0; i < one.size(); ++i) alike += one[i] == other[i];
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      if (one[i] == other[i]) ++alike;
+    }
   }
   return compared > 0 && static_cast<double>(alike) > options.same_readings * static_cast<double>(compared);
 }

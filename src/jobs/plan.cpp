@@ -216,7 +216,7 @@ PlannedTests plan_tests(const PlanJob& job) {
   const Aim aim = aim_of(machine, job);
   const std::vector<measure::Run> candidates = identify::candidate_runs(machine, job.candidates);
   if (candidates.empty()) {
-    refuse("plan-no-candidates", "the machine can make no such circle within its limits",
+    refuse("plan-no-candidates", "the machine can make no such circle within its limits and away from singularities",
            "choose a smaller --radius, or look at [limits] of the model", {machine.document.file});
   }
   const identify::NoiseModel noise = noise_of(job);

@@ -84,7 +84,7 @@ class TestProgramText {
     const Matrix3<double> R = machine::rotation<double>(machine_.rotation, run_.tilt);
     double reached = 0;
     while (reached + options.retreat_step <= options.retreat * (1 + 1e-9)) {
-      const Pose<double> pose{point(180, reached + options.retreat_step), R};
+      const Pose<double> pose{point(180, reached + options.retreat_step + options.reserve), R};
       if (!machine::check_compensated(machine_.limits, machine_.geometry, pose).empty()) break;
       reached += options.retreat_step;
     }

@@ -12,6 +12,7 @@ namespace plumbline::jobs {
 struct TestProgramOptions {
   double retreat = 0.050;                 // m, the highest that the tool goes up to before and after the test
   double retreat_step = 0.010;            // m, by which it goes less high where the machine's limits are near
+  double reserve = 0.001;                 // m, up to these limits, for the correction of the program
   double approach_feed = 1000.0 / 60000;  // m/s, the fastest that it goes down
 };
 

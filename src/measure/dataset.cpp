@@ -330,7 +330,8 @@ void write_dataset(const Dataset& dataset, const std::string& folder) {
 Run without_samples(Run run, const std::vector<std::size_t>& samples) {
   const auto drop = [&](auto& values) {
     if (values.empty()) return;
-    std::size_t next = 0, to = 0;
+    std::size_t next = 0;
+    std::size_t to = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (next < samples.size() && samples[next] == i) {
         ++next;

@@ -78,7 +78,7 @@ void check_left_out(const Run& run, std::size_t rows, const Place& first, const 
 bool goes_back(const Run& run) {
   std::size_t back = 0;
   for (std::size_t i = 1; i < run.angle.size(); ++i) {
-    back += std::remainder(run.angle[i] - run.angle[i - 1], kTurn) * run.turn() < 0;
+    if (std::remainder(run.angle[i] - run.angle[i - 1], kTurn) * run.turn() < 0) ++back;
   }
   return run.angle.size() > 1 && back + 1 == run.angle.size();
 }

@@ -1,8 +1,9 @@
 // Against the C library in long double, over the ranges that each function states.
 #include "base/elementary.hpp"
 
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -29,7 +30,7 @@ std::vector<double> drawn(double most) {
 
 long double off(double found, long double wanted) { return std::abs(static_cast<long double>(found) - wanted); }
 
-bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
 template <int N, class Function>
 void check_lanes(double most, Function&& function) {

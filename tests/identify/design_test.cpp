@@ -89,6 +89,7 @@ TEST_CASE("a design is never worse than the best of many drawn ones") {
 
 TEST_CASE("candidates keep the machine's limits, and follow from the seed alone") {
   const machine::MachineModel machine = pm600_like();
+  const physics::ForceModel forces(machine);
   const std::vector<measure::Run> runs = candidate_runs(machine, {.payloads = {0, 20}, .most = 60, .seed = 3});
   REQUIRE(runs.size() == 60);
   bool ccw = false;
@@ -96,6 +97,7 @@ TEST_CASE("candidates keep the machine's limits, and follow from the seed alone"
   bool loaded = false;
   for (const measure::Run& run : runs) {
     CHECK(measure::within_limits(machine, run));
+    CHECK(measure::stands_firm(machine, forces, run, 0.5e-3));
     CHECK(run.samples() == 36);
     for (const Vector3<double>& v : {run.centre_W, run.tilt}) {
       for (const double x : v) CHECK_FALSE((x == 0 && std::signbit(x)));  // "-0" would stand in the plan

@@ -33,7 +33,7 @@ void check_turn(const measure::Run& run, std::size_t samples, bool torques, doub
     if (run.has_radial()) CHECK(run.radial[i] / kUm == Approx(radial_um(deg)).margin(tolerance));
     CHECK(run.has_torque() == torques);
     for (int j = 0; torques && j < 6; ++j) {
-      CHECK(run.torque[static_cast<std::size_t>(j)][i] == Approx(torque_Nm(j + 1, deg)).margin(tolerance));
+      CHECK(run.torque[static_cast<std::size_t>(j)][i] == Approx(torque_of(j + 1, deg)).margin(tolerance));
     }
   }
 }
@@ -123,7 +123,7 @@ TEST_CASE("layout 6: places of the tip, standing still before and after, both di
     const double phi = m.deg * kPi / 180;
     std::string text = fmt::format("{:.5f} {:.6f} {:.6f} {:.5f}", m.seconds, 144 * std::cos(phi),
                                    100 + 144 * std::sin(phi), radial_um(m.deg));
-    for (int j = 1; j <= 6; ++j) text += fmt::format(" {:.6f}", torque_Nm(j, m.deg));
+    for (int j = 1; j <= 6; ++j) text += fmt::format(" {:.6f}", torque_of(j, m.deg));
     return text;
   };
   const auto still = [&](double deg, double from) {
@@ -152,9 +152,9 @@ TEST_CASE("layout 7: motors in another order, as currents and per cent of rated,
   const Scratch scratch;
   scratch.file("c.csv", "a,m6,m5,m4,m3,m2,m1\n" + lines(way(0, 357), [](const Moment& m) {
                           return fmt::format("{:.3f},{:.7f},{:.7f},{:.7f},{:.7f},{:.7f},{:.7f}", m.deg,
-                                             torque_Nm(6, m.deg) / 0.5, torque_Nm(5, m.deg) / 0.12,
-                                             -torque_Nm(4, m.deg), torque_Nm(3, m.deg) * 1000, torque_Nm(2, m.deg),
-                                             torque_Nm(1, m.deg));
+                                             torque_of(6, m.deg) / 0.5, torque_of(5, m.deg) / 0.12,
+                                             -torque_of(4, m.deg), torque_of(3, m.deg) * 1000, torque_of(2, m.deg),
+                                             torque_of(1, m.deg));
                         }));
   const std::string map = kMapHead + R"([columns]
 angle = {name = "a", unit = "deg"}
@@ -177,7 +177,7 @@ TEST_CASE("layout 8: motors in a file of their own, on a clock of their own, at 
   scratch.file("drives.csv", "clock,1,2,3,4,5,6\n" + lines(way(-30, 390, 0.5), [&](const Moment& m) {
                                const double deg_per_s = 1000 / 60.0 / 144 * 180 / kPi;
                                std::string text = fmt::format("{:.6f}", ahead + m.deg / deg_per_s);
-                               for (int j = 1; j <= 6; ++j) text += fmt::format(",{:.7f}", torque_Nm(j, m.deg));
+                               for (int j = 1; j <= 6; ++j) text += fmt::format(",{:.7f}", torque_of(j, m.deg));
                                return text;
                              }));
   std::string map = kMapHead +
@@ -197,7 +197,7 @@ TEST_CASE("layout 9: what LinuxCNC's halsampler prints, averaged to 120 samples 
                               const double phi = m.deg * kPi / 180;
                               std::string text =
                                   fmt::format("{} {:f} {:f}", number++, 144 * std::cos(phi), 100 + 144 * std::sin(phi));
-                              for (int j = 1; j <= 6; ++j) text += fmt::format(" {:f}", torque_Nm(j, m.deg));
+                              for (int j = 1; j <= 6; ++j) text += fmt::format(" {:f}", torque_of(j, m.deg));
                               return text + " ";
                             }));
   std::string map(imported::example_map("linuxcnc-halsampler"));

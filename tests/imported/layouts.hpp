@@ -16,7 +16,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 /// What is measured at an angle (deg).
 inline double radial_um(double deg) { return 12 * std::cos(2 * deg * kPi / 180) + 3 * std::sin(deg * kPi / 180); }
-inline double torque_Nm(int motor, double deg) { return motor + std::sin(deg * kPi / 180 + motor); }
+inline double torque_of(int motor, double deg) { return motor + std::sin(deg * kPi / 180 + motor); }
 
 /// One sample: seconds from the start of the record, angle in deg, not wrapped.
 struct Moment {

@@ -15,11 +15,12 @@ struct Bench {
   machine::MachineModel machine = machine::read_model(testing::source_file("models/pm600-like.toml"));
   physics::ForceModel forces{machine};
 
-  std::vector<measure::FrictionTurn> turns(const measure::Run& run, const measure::FrictionTurnOptions& options = {}) {
+  std::vector<measure::FrictionTurn> turns(const measure::Run& run,
+                                           const measure::FrictionTurnOptions& options = {}) const {
     return measure::friction_turns(machine, forces, run, options);
   }
   /// Readings of the model, and of a bar and a motor that have an error of their own.
-  measure::Run measured(std::size_t samples) {
+  measure::Run measured(std::size_t samples) const {
     measure::Run run = testing::circle_run({0, 0, -1008}, {0, 0, 0}, measure::Direction::ccw, samples);
     const measure::RunSimulation simulation = measure::simulate_run(machine, forces, run);
     const Eigen::VectorXd radial = simulation.radial(measure::ideal_ball(run), run.bar_length());

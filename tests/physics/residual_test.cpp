@@ -53,8 +53,8 @@ TEST_CASE("a residual function of a strut's length makes that strut longer by it
     const Motion<double> motion = moment_within(pm600_like().limits, random);
     const machine::StrutGeometry<double> struts = machine::strut_geometry(model.machine.geometry, motion.pose);
     const double coordinate = (struts.length[3] - model.machine.middle_length[3]) / 0.1;
-    below += coordinate < -1;
-    above += coordinate > 0.8;
+    if (coordinate < -1) ++below;
+    if (coordinate > 0.8) ++above;
     const double x = (std::clamp(coordinate, -1.0, 0.8) - 0.5) / 3;
     machine::PerStrut<double> expected = machine::PerStrut<double>::Zero();
     expected[3] = 5e-6 * std::sin(std::numbers::pi * 3 * (x + 2) / 4);

@@ -18,12 +18,12 @@ namespace {
 namespace fs = std::filesystem;
 
 // Both names are in one folder. Where renaming fails, removing and linking may not.
-bool put_back(const std::string& before, const std::string& path) {
-  if (platform::rename(before, path)) {
+bool put_back(const std::string& before, const std::string& name) {
+  if (platform::rename(before, name)) {
     platform::remove_file(before);  // both named the same file: then renaming does nothing
     return true;
   }
-  return (platform::remove_file(path) || errno == ENOENT) && platform::link(before, path);
+  return (platform::remove_file(name) || errno == ENOENT) && platform::link(before, name);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -74,12 +75,12 @@ Spread best_spread(const Eigen::MatrixXd& gram, const Eigen::VectorXd& pull) {
 }
 
 Learner::Learner(const Workbench& bench, const physics::ForceModel& forces, const LinearProblem& problem,
-                 const Marginalised& nuisances, const identify::NoiseModel& noise,
-                 const DescriptionOptions& description, const ResidualOptions& options)
+                 const Marginalised& nuisances, identify::NoiseModel noise, const DescriptionOptions& description,
+                 const ResidualOptions& options)
     : machine_(forces.machine),
       runs_(ready_runs(bench, forces, problem)),
       poses_(poses_of(bench.runs)),
-      noise_(noise),
+      noise_(std::move(noise)),
       description_(description),
       options_(options),
       taken_(nuisances) {

@@ -27,7 +27,7 @@ double coordinate_of(int coordinate, const SampleState& state, const physics::Ma
 
 std::size_t dimensions_of(const Shape& shape) { return shape.coordinates.size(); }
 
-Shape of(Channel channel, std::vector<int> coordinates, std::vector<int> powers = {}) {
+Shape of(Channel channel, std::vector<int> coordinates, const std::vector<int>& powers = {}) {
   Shape shape{channel, {}, {}, std::move(coordinates)};
   for (const int p : powers) {
     if (p <= kSharedFactors) {

@@ -52,7 +52,7 @@ TEST_CASE("one draw of twenty exceeds what 95 % do not") {
     constexpr int kDraws = 40000;
     for (int i = 0; i < kDraws; ++i) {
       const double drawn = (mean + root * Vector3<double>(normal(random), normal(random), normal(random))).norm();
-      beyond += drawn > bound;
+      if (drawn > bound) ++beyond;
       sum += drawn;
     }
     INFO("case " << n);
