@@ -113,7 +113,7 @@ std::optional<double> stamped_time_tolerance(const InputFile& file) {
   double share = 0;
   const char* const begin = plain.data() + key + kTimeTolerance.size();
   const auto [end, error] = std::from_chars(begin, plain.data() + plain.size(), share);
-  return error == std::errc() && share >= 0 ? std::optional(share) : std::nullopt;
+  return error == std::errc() && share >= 0 && share <= 1 ? std::optional(share) : std::nullopt;
 }
 
 void StampSearch::look_at_program() const { refuse_stamped(program_); }

@@ -56,6 +56,7 @@ TEST_CASE("the stamp says what share of the time of its blocks may have changed"
       {"; PLUMBLINE 0.1.0 COMPENSATED THIS PROGRAM\r\n; STEP 1 DEG, TIME TOLERANCE\r\n; .. 1e-05 OF A BLOCK\r\n", 1e-5},
       {mark + "G0 X1\n", std::nullopt},
       {mark + "(time tolerance unknown)\n", std::nullopt},
+      {mark + "(time tolerance inf of a block)\n", std::nullopt},
       {"(time tolerance 0.5 of a block)\n", std::nullopt},
       {"", std::nullopt},
   };
