@@ -54,6 +54,8 @@ struct Execution {
   [[noreturn]] void refuse(const Word& word, std::string_view code, std::string message, std::string help) const;
   /// Refuses with the first word of the block under the caret.
   [[noreturn]] void refuse(std::string_view code, std::string message, std::string help) const;
+  /// Of the block; one that is the whole block where it has none, as where a subprogram ends.
+  Word first_word() const;
   /// A word's value in mm (X Y Z I J K R) or as it stands.
   double length(const Word& word) const { return word.value * control.length_unit(); }
   double value(Axis axis) const {

@@ -198,7 +198,7 @@ void CalledHole::take_levels() {
 
 void CalledHole::make() {
   need_offsets(run_);
-  if (control_.length_doubt != Control::LengthDoubt::none) refuse_length_doubt(run_, run_.block->words.front());
+  if (control_.length_doubt != Control::LengthDoubt::none) refuse_length_doubt(run_, run_.first_word());
   check();
   const AxisSet plane{axes_.first, axes_.second};
   if (!control_.known.contains(plane)) {

@@ -17,7 +17,7 @@ AxisSet known_in_work(const Frame& frame, AxisSet known_in_machine) {
 
 void go_home(Execution& run, int which) {
   Control& control = run.control;
-  check_tool_unit(run, run.block->words.front());
+  check_tool_unit(run, run.first_word());
   check_no_rotary_words(run);
   if (const Word* word = run.words.find('P')) {
     const bool of_fanuc = run.dialect.syntax.statements == Statements::macro_b;

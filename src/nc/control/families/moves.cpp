@@ -19,9 +19,14 @@ void Execution::refuse(const Word& word, std::string_view code, std::string mess
 }
 
 void Execution::refuse(std::string_view code, std::string message, std::string help) const {
-  const Span whole{0, static_cast<std::uint32_t>(block->text.size())};
-  refuse_at(*block, block->words.empty() ? whole : block->words.front().span, code, std::move(message),
-            std::move(help));
+  refuse(first_word(), code, std::move(message), std::move(help));
+}
+
+Word Execution::first_word() const {
+  if (!block->words.empty()) return block->words.front();
+  Word whole;
+  whole.span = {0, static_cast<std::uint32_t>(block->text.size())};
+  return whole;
 }
 
 int Execution::whole(const Word& word, int least, int most) const {

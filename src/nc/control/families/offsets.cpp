@@ -91,7 +91,7 @@ void need_position(const Execution& run, AxisSet axes) {
   for (const Axis axis : kAllAxes) {
     if (!axes.contains(axis) || run.control.known.contains(axis)) continue;
     const Word* const word = run.words.find(axis);
-    run.refuse(word != nullptr ? *word : run.block->words.front(), codes::kPositionUnknown,
+    run.refuse(word != nullptr ? *word : run.first_word(), codes::kPositionUnknown,
                fmt::format("the offset would depend on where {} stands, which is not known", letter(axis)),
                "move the axis to a programmed position first, or say where the axes start: --start");
   }
@@ -99,7 +99,7 @@ void need_position(const Execution& run, AxisSet axes) {
 
 void choose_work_system(Execution& run, int system) {
   const bool changes = system != run.control.modal.work_system;
-  if (changes) check_no_plane(run, run.block->words.front());
+  if (changes) check_no_plane(run, run.first_word());
   if (changes && run.dialect.behaviour.set_position_unknown_elsewhere && run.control.frame.g92 != AxisWords{}) {
     run.refuse(codes::kNotInterpreted,
                "whether what G92 set counts in another work system as well was found in no source",
@@ -133,7 +133,7 @@ void set_table(Execution& run) {
 
 void set_position(Execution& run) {
   Control& control = run.control;
-  check_no_plane(run, run.block->words.front());
+  check_no_plane(run, run.first_word());
   if (run.axes.empty()) {
     run.refuse(codes::kAxesMissing, "G92 names no axis", "add the words that the axes shall stand on");
   }
@@ -178,7 +178,7 @@ void preset_named_axes(Execution& run) {
 
 void clear_position(Execution& run, Action action) {
   Control& control = run.control;
-  check_no_plane(run, run.block->words.front());
+  check_no_plane(run, run.first_word());
   if (const CodeRow* const row = run.chosen_row(action); row != nullptr && row->needs_axes) {
     return preset_named_axes(run);
   }

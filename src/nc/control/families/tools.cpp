@@ -195,9 +195,7 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
 }
 
 void restore_tool_length(Execution& run, bool in_force) {
-  Word block;
-  block.span = {0, static_cast<std::uint32_t>(run.block->text.size())};
-  const Word& word = run.block->words.empty() ? block : run.block->words.front();
+  const Word word = run.first_word();
   check_tool_unit(run, word);
   run.control.modal.tool_of_offset = -1;
   if (!in_force) return take_offset(run, AxisWords{});
