@@ -76,7 +76,7 @@ class Learner {
   bool cancel() const;
   Eigen::Index first_of(std::size_t place) const;
 
-  const physics::MachineConstants& machine_;
+  physics::MachineConstants machine_;
   std::vector<ReadyRun> runs_;
   std::vector<int> poses_;
   identify::NoiseModel noise_;
