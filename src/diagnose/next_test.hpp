@@ -17,7 +17,7 @@ struct NextTestOptions {
   double tilt_share = 0.8;  // of the limit of tilt
   std::vector<double> feeds_mm_min{1000, 6000};
   std::vector<double> payloads_kg{0, 20};
-  double most_off = 1e-3;        // m, that the tip may be off in a test with either model (measure::stands_firm)
+  double most_off = 1e-3;        // m, that the tip may be off in a test with either model (identify::stands_firm)
   int samples = 24;              // of each test that is tried
   double both_axes = 0.7;        // of that tilt in A and B, where a test is tilted about both
   double clearly_better = 1.02;  // times as far apart must a test show the two that is less simple than another

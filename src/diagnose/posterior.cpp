@@ -6,7 +6,6 @@
 
 #include "diagnose/gap/contrasts.hpp"
 #include "identify/plausible.hpp"
-#include "identify/prior_strain.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -44,27 +43,20 @@ std::vector<const Rival*> others_of(const Model& model, const Conclusion& conclu
   return others;
 }
 
-// By how much the priors are too narrow, as the readings have it  [Birge 1932]. `places`: of the state's unknowns.
+// Of the state's unknowns, which stand at these places of the candidates'.
 double widening_of(const CandidateSet& candidates, const std::vector<int>& places, const PosteriorState& state) {
-  std::vector<Eigen::Index> known;
+  std::vector<Eigen::Index> at;
+  std::vector<const identify::Unknown*> known;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    const bool has_prior = !candidates.unknowns[static_cast<std::size_t>(places[k])].free();
-    if (has_prior && state.covariance(i, i) > 0) known.push_back(i);
+    const identify::Unknown& unknown = candidates.unknowns[static_cast<std::size_t>(places[k])];
+    if (unknown.free() || !(state.covariance(i, i) > 0)) continue;
+    at.push_back(i);
+    known.push_back(&unknown);
   }
-  if (known.empty()) return 1;
-  Eigen::VectorXd sigmas(static_cast<Eigen::Index>(known.size()));
-  Eigen::VectorXd moved(sigmas.size());
-  for (Eigen::Index k = 0; k < sigmas.size(); ++k) {
-    const Eigen::Index i = known[static_cast<std::size_t>(k)];
-    const int place = places[static_cast<std::size_t>(i)];
-    const identify::Unknown& unknown = candidates.unknowns[static_cast<std::size_t>(place)];
-    sigmas[k] = unknown.sigma;
-    moved[k] = state.mean[i] - unknown.start;
-  }
-  const identify::PriorStrain strain =
-      identify::prior_strain(moved, sigmas, state.covariance(known, known), identify::PlausibleOptions{}.least_share);
-  return strain.degrees > 0 ? std::max(1.0, strain.chi2 / strain.degrees) : 1;
+  return identify::prior_strain(known, state.mean(at), state.covariance(at, at),
+                                identify::PlausibleOptions{}.least_share)
+      .widening();
 }
 
 // What leaving out poses changes: what the model lacks moves each of them otherwise.

@@ -79,13 +79,22 @@ Best best_addition(const std::vector<Eigen::MatrixXd>& candidates, const Eigen::
 
 }  // namespace
 
+bool stands_firm(const machine::RotationOrder& order, const physics::ForceModel& forces, const measure::Run& run,
+                 double most) {
+  try {
+    return simulate_run(order, forces, run).furthest_off <= most;
+  } catch (const Refusal&) {
+    return false;
+  }
+}
+
 std::vector<measure::Run> candidate_runs(const machine::MachineModel& machine, const CandidateOptions& options) {
   const physics::ForceModel forces(machine);
   std::mt19937_64 random(options.seed);
   std::vector<measure::Run> runs;
   for (std::size_t tries = options.most * options.tries; tries > 0 && runs.size() < options.most; --tries) {
     measure::Run run = drawn_run(machine, options, random);
-    if (measure::within_limits(machine, run) && measure::stands_firm(machine, forces, run, options.most_off))
+    if (measure::within_limits(machine, run) && stands_firm(machine.rotation, forces, run, options.most_off))
       runs.push_back(std::move(run));
   }
   return runs;

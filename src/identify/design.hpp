@@ -17,7 +17,7 @@ struct CandidateOptions {
   double step = 0.010;                        // m, to which centres are rounded
   double tilt_step = 0.017453292519943295;    // rad
   double tilt_share = 0.9;                    // of the limit of tilt that plans use
-  double most_off = 0.5e-3;                   // m, that the model's tip may be off on a circle (measure::stands_firm)
+  double most_off = 0.5e-3;                   // m, that the model's tip may be off on a circle (stands_firm)
   bool bar_readings = true;
   bool torques = true;
   std::size_t samples = 36;  // of each candidate
@@ -25,6 +25,11 @@ struct CandidateOptions {
   std::size_t tries = 60;    // draws for each of them: most circles that are drawn go beyond the machine's limits
   std::uint64_t seed = 1;
 };
+
+/// Whether the model's tip is at no sample of a run further than `most` (m) from where it is commanded. Beside a
+/// singularity it is: a machine that gives way a little more than its model may not stand there.
+bool stands_firm(const machine::RotationOrder& order, const physics::ForceModel& forces, const measure::Run& run,
+                 double most);
 
 /// Circular tests that the machine can make, the tip never further off than `most_off`, drawn evenly from its travel
 /// and tilt, both directions. Their order and number depend on the seed alone.

@@ -7,7 +7,6 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/mean_square.hpp"
-#include "identify/prior_strain.hpp"
 #include "identify/unknowns/geometry.hpp"
 
 namespace plumbline::identify {
@@ -17,16 +16,10 @@ constexpr double kSamePlace = 1e-6;  // m, rad: files write places to a micromet
 
 void add_chi2(const Fit& fit, const std::vector<Eigen::Index>& places, const PlausibleOptions& options,
               Plausibility& found) {
-  if (places.empty()) return;
-  Eigen::VectorXd sigmas(static_cast<Eigen::Index>(places.size()));
-  Eigen::VectorXd moved(sigmas.size());
-  for (Eigen::Index k = 0; k < sigmas.size(); ++k) {
-    const Eigen::Index i = places[static_cast<std::size_t>(k)];
-    const Unknown& u = fit.unknowns[static_cast<std::size_t>(i)];
-    sigmas[k] = u.sigma;
-    moved[k] = fit.values[i] - u.start;
-  }
-  const PriorStrain strain = prior_strain(moved, sigmas, fit.covariance(places, places), options.least_share);
+  std::vector<const Unknown*> known;
+  for (const Eigen::Index i : places) known.push_back(&fit.unknowns[static_cast<std::size_t>(i)]);
+  const PriorStrain strain =
+      prior_strain(known, fit.values(places), fit.covariance(places, places), options.least_share);
   found.chi2 = strain.chi2;
   found.degrees = strain.degrees;
   found.all_sigmas = strain.deviate();
@@ -166,7 +159,7 @@ Eigen::MatrixXd doubt_of(const Fit& fit, const Plausibility& plausible) {
     covariance.row(i).setZero();
     covariance.col(i).setZero();
   }
-  if (plausible.degrees > 0) covariance *= std::max(1.0, plausible.chi2 / plausible.degrees);
+  covariance *= plausible.widening();
   const Eigen::MatrixXd moved = jackknife(plausible.left_out);
   return covariance + moved * moved.transpose();
 }

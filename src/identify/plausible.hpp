@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "identify/fit.hpp"
+#include "identify/prior_strain.hpp"
 
 namespace plumbline::identify {
 
@@ -53,6 +54,8 @@ struct Plausibility {
   bool all_strained = false;     // and that is beyond most_sigmas_all
   Eigen::MatrixXd left_out;      // how far each unknown moves when a pose is left out, SI: a column for each pose
   Predicted radial, torque;      // poses left out in turn; no readings: too few poses
+
+  double widening() const { return PriorStrain{chi2, degrees}.widening(); }
 };
 
 /// How sure the values found are: of `fit` (rows and columns of zeros: what nothing tells), wider where chi2 says that

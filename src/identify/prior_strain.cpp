@@ -1,5 +1,6 @@
 #include "identify/prior_strain.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
@@ -13,6 +14,8 @@ double PriorStrain::deviate() const {
 }
 
 double PriorStrain::excess() const { return degrees > 0 ? (chi2 - degrees) / std::sqrt(2 * degrees) : 0; }
+
+double PriorStrain::widening() const { return degrees > 0 ? std::max(1.0, chi2 / degrees) : 1; }
 
 PriorStrain prior_strain(const Eigen::VectorXd& off) { return {off.squaredNorm(), static_cast<double>(off.size())}; }
 
@@ -29,10 +32,18 @@ PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& post
   return strain;
 }
 
-PriorStrain prior_strain(const Eigen::VectorXd& moved, const Eigen::VectorXd& sigmas, const Eigen::MatrixXd& covariance,
-                         double least_share) {
+PriorStrain prior_strain(const std::vector<const Unknown*>& unknowns, const Eigen::VectorXd& values,
+                         const Eigen::MatrixXd& covariance, double least_share) {
+  if (unknowns.empty()) return {};
+  Eigen::VectorXd sigmas(values.size());
+  Eigen::VectorXd off(values.size());
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    const Unknown& unknown = *unknowns[static_cast<std::size_t>(k)];
+    sigmas[k] = unknown.sigma;
+    off[k] = (values[k] - unknown.start) / unknown.sigma;
+  }
   const auto per_sigma = sigmas.cwiseInverse().asDiagonal();
-  return prior_strain(per_sigma * moved, per_sigma * covariance * per_sigma, least_share);
+  return prior_strain(off, per_sigma * covariance * per_sigma, least_share);
 }
 
 }  // namespace plumbline::identify

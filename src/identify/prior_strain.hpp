@@ -1,7 +1,11 @@
 // How far a fit moves what was known beforehand, all of it together: chi-square of the priors.
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
+
+#include "identify/unknowns/unknowns.hpp"
 
 namespace plumbline::identify {
 
@@ -13,6 +17,8 @@ struct PriorStrain {
   double deviate() const;
   /// How far chi2 is above its mean, in its standard deviations: of many degrees about the same.
   double excess() const;
+  /// By how much the priors are too narrow, at least 1: chi2 / degrees  [Birge 1932].
+  double widening() const;
 };
 
 /// `off`: how far each unknown was moved, in sigmas of its prior; each counts as one degree.
@@ -25,9 +31,8 @@ PriorStrain prior_strain(const Eigen::VectorXd& off);
 /// `least_share` of that variance the data say nothing: they do not count.
 PriorStrain prior_strain(const Eigen::VectorXd& off, const Eigen::MatrixXd& posterior, double least_share);
 
-/// The same of unknowns in their own units: how far each was moved, the sigma of its prior, and the covariance after
-/// the data.
-PriorStrain prior_strain(const Eigen::VectorXd& moved, const Eigen::VectorXd& sigmas, const Eigen::MatrixXd& covariance,
-                         double least_share);
+/// The same of unknowns in their own units: the values found, and the covariance after the data, in their order.
+PriorStrain prior_strain(const std::vector<const Unknown*>& unknowns, const Eigen::VectorXd& values,
+                         const Eigen::MatrixXd& covariance, double least_share);
 
 }  // namespace plumbline::identify

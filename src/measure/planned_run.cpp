@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "machine/limits.hpp"
-#include "measure/simulation.hpp"
+#include "measure/circular_motion.hpp"
 
 namespace plumbline::measure {
 
@@ -24,17 +24,6 @@ bool within_limits(const machine::MachineModel& machine, const Run& run) {
     const Pose<double> pose = circular_motion(machine.rotation, run, i).pose;
     if (!machine::check_programmed(machine.limits, pose).empty()) return false;
     if (!machine::check_compensated(machine.limits, machine.geometry, pose).empty()) return false;
-  }
-  return true;
-}
-
-bool stands_firm(const machine::MachineModel& machine, const physics::ForceModel& forces, const Run& run, double most) {
-  const physics::Environment environment = environment_of(forces, run);
-  for (std::size_t i = 0; i < run.samples(); ++i) {
-    const physics::Motion<double> motion = circular_motion(machine.rotation, run, i);
-    const SampleReading<double> reading = simulate_sample(forces, forces.parameters.data(), environment, motion);
-    if (reading.stopped_because != physics::ErrorStop::converged) return false;
-    if ((reading.tip_W - motion.pose.p_WT).norm() > most) return false;
   }
   return true;
 }

@@ -12,8 +12,4 @@ void lay_samples(Run& run, std::size_t samples, bool bar, bool torques);
 /// Whether the machine keeps its limits of tilt, travel and struts at every sample of a run.
 bool within_limits(const machine::MachineModel& machine, const Run& run);
 
-/// Whether the model's tip is at no sample of a run further than `most` (m) from where it is commanded. Beside a
-/// singularity it is: a machine that gives way a little more than its model may not stand there.
-bool stands_firm(const machine::MachineModel& machine, const physics::ForceModel& forces, const Run& run, double most);
-
 }  // namespace plumbline::measure

@@ -87,6 +87,28 @@ TEST_CASE("a design is never worse than the best of many drawn ones") {
   }
 }
 
+TEST_CASE("a circle beside a singularity is within the limits, and the tip does not stand firm there") {
+  const machine::MachineModel machine = pm600_like();
+  const physics::ForceModel forces(machine);
+  const measure::Run usual = circle_run({0, 100, -1008}, {-20, 0, 0});
+  CHECK(measure::within_limits(machine, usual));
+  CHECK(stands_firm(machine.rotation, forces, usual, 0.5e-3));
+  CHECK_FALSE(stands_firm(machine.rotation, forces, usual, 0.05e-3));
+  const measure::Run beside = circle_run({-110, -130, -860}, {12, -18, 0});
+  CHECK(measure::within_limits(machine, beside));
+  CHECK_FALSE(stands_firm(machine.rotation, forces, beside, 0.5e-3));
+  measure::Run loaded = usual;
+  loaded.payload_mass = 2000;
+  CHECK_FALSE(stands_firm(machine.rotation, forces, loaded, 0.5e-3));
+}
+
+TEST_CASE("where the machine cannot stand at all it does not stand firm") {
+  const machine::MachineModel machine = pm600_like();
+  physics::ForceModel forces(machine);
+  forces.parameters[static_cast<std::size_t>(forces.find("platform-gravity", "mass_kg"))] = 1e8;
+  CHECK_FALSE(stands_firm(machine.rotation, forces, circle_run({0, 100, -1008}, {-20, 0, 0}), 1e9));
+}
+
 TEST_CASE("candidates keep the machine's limits, and follow from the seed alone") {
   const machine::MachineModel machine = pm600_like();
   const physics::ForceModel forces(machine);
@@ -97,7 +119,7 @@ TEST_CASE("candidates keep the machine's limits, and follow from the seed alone"
   bool loaded = false;
   for (const measure::Run& run : runs) {
     CHECK(measure::within_limits(machine, run));
-    CHECK(measure::stands_firm(machine, forces, run, 0.5e-3));
+    CHECK(stands_firm(machine.rotation, forces, run, 0.5e-3));
     CHECK(run.samples() == 36);
     for (const Vector3<double>& v : {run.centre_W, run.tilt}) {
       for (const double x : v) CHECK_FALSE((x == 0 && std::signbit(x)));  // "-0" would stand in the plan

@@ -28,6 +28,26 @@ Identification identified(const physics::ForceModel& forces, unsigned seed, doub
   return identify::identify(pm600_like(), measured(wider_plan(), forces, 0.5e-6, torque_noise, random));
 }
 
+// A machine as [uncertainty] says, and the fit to what it reads.
+struct FittedToDrawn {
+  machine::MachineModel machine;
+  Unknowns unknowns;
+  std::vector<measure::Run> runs;
+  FitOptions options;
+  Fit whole;
+};
+
+FittedToDrawn fitted_to_drawn(unsigned seed) {
+  const machine::MachineModel machine = pm600_like();
+  const Unknowns unknowns = nuisances(machine, physics::ForceModel(machine));
+  Random random(seed);
+  const physics::ForceModel forces = unknowns.at(drawn(unknowns, random));
+  const auto runs = measured(wider_plan(), forces, 0.5e-6, 0.05, random);
+  FitOptions options;
+  options.objective.huber = 0;
+  return {machine, unknowns, runs, options, fit(machine.rotation, runs, unknowns, options)};
+}
+
 // Labels of the unknowns whose priors are refuted, if that is the objection.
 std::vector<std::string> strained_in(const Identification& found) {
   const Stage* const stage = found.objected();
@@ -88,14 +108,7 @@ TEST_CASE(
 }
 
 TEST_CASE("what a pose left out is predicted to be is what a fit without it predicts") {
-  const machine::MachineModel machine = pm600_like();
-  const Unknowns unknowns = nuisances(machine, physics::ForceModel(machine));
-  Random random(41);
-  const physics::ForceModel forces = unknowns.at(drawn(unknowns, random));
-  const auto runs = measured(wider_plan(), forces, 0.5e-6, 0.05, random);
-  FitOptions options;
-  options.objective.huber = 0;
-  const Fit whole = fit(machine.rotation, runs, unknowns, options);
+  auto [machine, unknowns, runs, options, whole] = fitted_to_drawn(41);
   const Plausibility plausible = plausibility(machine.rotation, runs, whole, options);
 
   options.known_noise = whole.noise;
@@ -117,14 +130,7 @@ TEST_CASE("what a pose left out is predicted to be is what a fit without it pred
 }
 
 TEST_CASE("what leaving out a pose moves is what a fit without it finds elsewhere") {
-  const machine::MachineModel machine = pm600_like();
-  const Unknowns unknowns = nuisances(machine, physics::ForceModel(machine));
-  Random random(42);
-  const physics::ForceModel forces = unknowns.at(drawn(unknowns, random));
-  const auto runs = measured(wider_plan(), forces, 0.5e-6, 0.05, random);
-  FitOptions options;
-  options.objective.huber = 0;
-  const Fit whole = fit(machine.rotation, runs, unknowns, options);
+  auto [machine, unknowns, runs, options, whole] = fitted_to_drawn(42);
   const Eigen::MatrixXd moved = moved_by_poses(machine.rotation, runs, whole, options.objective, 3);
   REQUIRE(moved.cols() == 4);
   options.known_noise = whole.noise;

@@ -23,12 +23,21 @@ TEST_CASE("chi-square of the priors counts what the data tell alone") {
 TEST_CASE("the strain of unknowns in their own units is that in sigmas") {
   const Eigen::Vector2d sigmas(1e-5, 0.05);
   const Eigen::Vector2d off(1.5, -2);
+  Unknown length;
+  length.sigma = sigmas[0];
+  Unknown tilt;
+  tilt.sigma = sigmas[1];
+  tilt.start = 0.2;
+  const Eigen::Vector2d values(off[0] * sigmas[0], tilt.start + off[1] * sigmas[1]);
   const Eigen::Matrix2d posterior = (Eigen::Matrix2d() << 0.3, 0.1, 0.1, 0.6).finished();
   const Eigen::MatrixXd covariance = sigmas.asDiagonal() * posterior * sigmas.asDiagonal();
   const PriorStrain in_sigmas = prior_strain(off, posterior, 0.03);
-  const PriorStrain in_units = prior_strain(sigmas.cwiseProduct(off), sigmas, covariance, 0.03);
+  const PriorStrain in_units = prior_strain({&length, &tilt}, values, covariance, 0.03);
   CHECK(in_units.chi2 == Approx(in_sigmas.chi2));
   CHECK(in_units.degrees == in_sigmas.degrees);
+  CHECK(in_units.widening() == Approx(in_sigmas.chi2 / in_sigmas.degrees));
+  CHECK(PriorStrain{0.5, 2}.widening() == 1);
+  CHECK(prior_strain({}, {}, {}, 0.03).widening() == 1);
 }
 
 TEST_CASE("chi-square as a deviate and in its standard deviations agree where degrees are many") {

@@ -43,25 +43,3 @@ TEST_CASE("a circle is within the limits where each of its samples is") {
   CHECK(within_limits(machine, testing::circle_run({reach_mm - 145, 0, -1008}, {0, 0, 0})));
   CHECK_FALSE(within_limits(machine, testing::circle_run({reach_mm - 143, 0, -1008}, {0, 0, 0})));  // radius 144 mm
 }
-
-TEST_CASE("a circle beside a singularity is within the limits, and the tip does not stand firm there") {
-  const machine::MachineModel machine = testing::pm600_like();
-  const physics::ForceModel forces(machine);
-  const Run usual = testing::circle_run({0, 100, -1008}, {-20, 0, 0});
-  CHECK(within_limits(machine, usual));
-  CHECK(stands_firm(machine, forces, usual, 0.5e-3));
-  CHECK_FALSE(stands_firm(machine, forces, usual, 0.05e-3));
-  const Run beside = testing::circle_run({-110, -130, -860}, {12, -18, 0});
-  CHECK(within_limits(machine, beside));
-  CHECK_FALSE(stands_firm(machine, forces, beside, 0.5e-3));
-  Run loaded = usual;
-  loaded.payload_mass = 2000;
-  CHECK_FALSE(stands_firm(machine, forces, loaded, 0.5e-3));
-}
-
-TEST_CASE("where the machine cannot stand at all it does not stand firm") {
-  const machine::MachineModel machine = testing::pm600_like();
-  physics::ForceModel forces(machine);
-  forces.parameters[static_cast<std::size_t>(forces.find("platform-gravity", "mass_kg"))] = 1e8;
-  CHECK_FALSE(stands_firm(machine, forces, testing::circle_run({0, 100, -1008}, {-20, 0, 0}), 1e9));
-}

@@ -25,7 +25,7 @@ OutputTarget taken_target(const std::string& name) {
 
 }  // namespace
 
-OutputFile::OutputFile(Destination to)  // NOLINT(performance-unnecessary-value-param): callers hand it over
+OutputFile::OutputFile(const Destination& to)
     : path_(to.name()), take_(to.taker()), target_(take_ ? taken_target(path_) : output_target(path_)) {
   if (target_.kind != OutputTarget::Kind::file) {
     descriptor_ = open_unnamed_temporary();

@@ -22,7 +22,7 @@ namespace plumbline {
 /// with file-unwritable.
 class OutputFile {
  public:
-  explicit OutputFile(Destination to);
+  explicit OutputFile(const Destination& to);
   OutputFile(OutputFile&&) = delete;
   OutputFile& operator=(OutputFile&&) = delete;
   OutputFile(const OutputFile&) = delete;

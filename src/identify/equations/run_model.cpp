@@ -48,6 +48,7 @@ SimulatedRun simulate_run(const machine::RotationOrder& order, const physics::Fo
     const physics::Motion<double> motion = measure::circular_motion(order, run, sample);
     const physics::TipError<double> error = standing(forces, environment, motion, run, sample);
     simulated.tip_W.col(i) = error.pose.p_WT;
+    simulated.furthest_off = std::max(simulated.furthest_off, (error.pose.p_WT - motion.pose.p_WT).norm());
     simulated.torque.col(i) = error.loads.torque;
     if (sensitivity == nullptr) continue;
     sensitivity->at(environment, motion, error, slopes);

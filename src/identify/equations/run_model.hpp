@@ -32,6 +32,7 @@ using SlopeRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 /// samples, tip y, tip z, then the torques of strut 1, of strut 2, ...
 struct SimulatedRun {
   Eigen::Matrix3Xd tip_W;                           // m
+  double furthest_off = 0;                          // m, of the tip from where it is commanded, at the worst sample
   Eigen::Matrix<double, 6, Eigen::Dynamic> torque;  // N m
   SlopeRows slopes;                                 // empty if not asked for
 };

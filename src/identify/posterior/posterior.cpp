@@ -17,7 +17,7 @@ PosteriorState state_of(const Stage& stage) {
     state.covariance.col(i).setZero();
   }
   const Plausibility& plausible = stage.plausible;
-  if (plausible.degrees > 0) state.widening = std::max(1.0, plausible.chi2 / plausible.degrees);
+  state.widening = plausible.widening();
   state.moved = jackknife(plausible.left_out);
   return state;
 }

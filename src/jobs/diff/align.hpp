@@ -16,7 +16,7 @@ class Aligner {
   /// `time_tolerance`: the share of a block's time that B may have changed. `record` gets where B's moves end and where
   /// A has them; it may be null.
   Aligner(MoveQueue& a, MoveQueue& b, double time_tolerance, compensate::PathRecord* record = nullptr)
-      : a_(a), b_(b), candidates_(a, b, kOfTolerance * time_tolerance), record_(record) {}
+      : a_(a), b_(b), candidates_(a, b, time_tolerance), record_(record) {}
 
   /// Handles the next moves of both programs; false when both have ended.
   bool next();
@@ -36,8 +36,6 @@ class Aligner {
   void note_shift(const AxisWords& shift, std::size_t line_a, std::size_t line_b);
   void note_time(const DiffMove& move, std::size_t count);
   void record(const DiffMove& move, std::size_t count);
-
-  static constexpr double kOfTolerance = 1.5;  // rounding comes on top
 
   MoveQueue& a_;
   MoveQueue& b_;

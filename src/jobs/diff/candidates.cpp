@@ -15,7 +15,8 @@ constexpr double kMostOfLength = 0.4;  // and of its length: beside a singularit
 constexpr double kFirstShift = 10;     // before anything was matched, and of rapids
 constexpr double kRapidShare = 0.01;   // of a rapid's length
 constexpr double kChangeShare = 1e-3;  // of a rapid's length, that the correction may change by on its way
-constexpr double kRounded = 1e-4;      // of a move's length: what its ends are rounded by
+constexpr double kOfTolerance = 1.5;   // times the tolerance of its time may the pieces of a move differ from it,
+constexpr double kRounded = 1e-4;      // and so much of its length: what its ends are rounded by
 constexpr double kStandstill = 1e-9;   // mm and deg
 constexpr double kVanishes = 0.002;    // a move shorter than that may have no counterpart: its end rounds to its start
 
@@ -134,7 +135,7 @@ const DiffMove* Candidates::piece(const DiffMove& move, std::size_t j, std::size
 
 // What rounding makes of the length of a short move, it makes of its time.
 double Candidates::time_share(const DiffMove& move) const {
-  return time_share_ + kRounded / std::max(move.length, kRounded);
+  return kOfTolerance * time_tolerance_ + kRounded / std::max(move.length, kRounded);
 }
 
 // Numbered moves end where the next number stands.

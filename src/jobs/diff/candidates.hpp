@@ -26,8 +26,8 @@ struct Standing {
 
 class Candidates {
  public:
-  /// `time_share`: of a move's time, that the pieces which B makes of it may differ from it.
-  Candidates(MoveQueue& a, MoveQueue& b, double time_share) : a_(a), b_(b), time_share_(time_share) {}
+  /// `time_tolerance`: the share of a block's time that B may have changed.
+  Candidates(MoveQueue& a, MoveQueue& b, double time_tolerance) : a_(a), b_(b), time_tolerance_(time_tolerance) {}
 
   /// Of the move of A that is `i` ahead, from the move of B that is `j` ahead on; the best first. None: B does not make
   /// that move there.
@@ -50,7 +50,7 @@ class Candidates {
 
   MoveQueue& a_;
   MoveQueue& b_;
-  double time_share_;
+  double time_tolerance_;
 };
 
 /// Whether both have numbers, and not the same.

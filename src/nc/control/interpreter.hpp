@@ -67,11 +67,10 @@ class Interpreter {
   void begin(const Block& block);
   void finish();
   bool act_on_saved_modes(const Chosen& chosen);
+  bool main_begins_again() const { return run_.dialect.syntax.statements == Statements::macro_b; }
 
   Control control_;
   Modal before_;
-  bool main_begins_again() const { return run_.dialect.syntax.statements == Statements::macro_b; }
-
   SecondPass second_pass_;
   Frame frame_of_block_;                           // where the work system is that of one block alone
   std::vector<ModesOfCall> saved_{ModesOfCall{}};  // one a call level, the program itself first

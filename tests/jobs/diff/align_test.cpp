@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "jobs/diff/read_moves.hpp"
+#include "nc/rewrite/output/emit_settings.hpp"
 
 using namespace plumbline;
 

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "jobs/diff/read_moves.hpp"
+#include "nc/rewrite/output/emit_settings.hpp"
 
 using namespace plumbline;
 using jobs::Candidate;
@@ -15,7 +16,8 @@ namespace {
 std::vector<Candidate> after_the_rapid(std::string_view a, std::string_view b) {
   testing::ReadMoves first("G21 G90 G94\nG0 Z5\n" + std::string(a));
   testing::ReadMoves second("G21 G90 G94\nG0 Z5\n" + std::string(b));
-  return jobs::Candidates(first.queue(), second.queue(), 0.0015).of(1, 1, {{{0, 0, 5, 0, 0, 0}}, {}, true});
+  return jobs::Candidates(first.queue(), second.queue(), nc::EmitSettings{}.time_tolerance)
+      .of(1, 1, {{{0, 0, 5, 0, 0, 0}}, {}, true});
 }
 
 }  // namespace
