@@ -178,21 +178,12 @@ class RunSums {
       together = columns.row(s).head(size);
       for (Eigen::Index k = 1; k < count; ++k) together += columns.row(s).segment(k * size, size);
     }
-    identify::whiten(noise_of(c), columns);
-    if (run_.raw->channels[c] == identify::kRadial) take_out_setup(noise_of(c), columns);
+    take_setup_out(*run_.raw, c, noise_, columns);
     const Eigen::VectorXd own = columns.colwise().squaredNorm().transpose();
     for (Eigen::Index k = 0; k < count; ++k) {
       squares.segment(acting[static_cast<std::size_t>(k)] * size, size) += own.segment(k * size, size);
     }
     if (family_.all_alike && count > 0) squares.tail(size) += own.tail(size);
-  }
-
-  void take_out_setup(const identify::ChannelNoise& noise, SlopeRows& columns) const {
-    Eigen::MatrixXd setup = run_.raw->setup_slopes;
-    identify::whiten(noise, setup);
-    const Eigen::MatrixXd Q =
-        setup.householderQr().householderQ() * Eigen::MatrixXd::Identity(setup.rows(), setup.cols());
-    columns -= Q * (Q.transpose() * columns).eval();
   }
 
   const Family& family_;

@@ -31,18 +31,22 @@ SlopeRows rows_of_run(const machine::RotationOrder& order, const measure::Run& r
 
 }  // namespace
 
+void take_setup_out(const identify::RunEquations& equations, std::size_t channel, const identify::NoiseModel& noise,
+                    Eigen::Ref<SlopeRows> rows) {
+  const identify::ChannelNoise& own = noise.channels[static_cast<std::size_t>(equations.channels[channel])];
+  identify::whiten(own, rows);
+  if (equations.channels[channel] != identify::kRadial) return;
+  Eigen::MatrixXd setup = equations.setup_slopes;
+  identify::whiten(own, setup);
+  const Eigen::MatrixXd Q =
+      setup.householderQr().householderQ() * Eigen::MatrixXd::Identity(setup.rows(), setup.cols());
+  rows -= Q * (Q.transpose() * rows).eval();
+}
+
 SlopeRows without_setup(const identify::RunEquations& equations, SlopeRows columns, const identify::NoiseModel& noise) {
   const Eigen::Index n = equations.samples;
-  for (std::size_t c = 0; c < equations.channels.size(); ++c) {
-    const identify::ChannelNoise& channel = noise.channels[static_cast<std::size_t>(equations.channels[c])];
-    identify::whiten(channel, columns.middleRows(static_cast<Eigen::Index>(c) * n, n));
-    if (equations.channels[c] != identify::kRadial) continue;
-    Eigen::MatrixXd setup = equations.setup_slopes;
-    identify::whiten(channel, setup);
-    const Eigen::MatrixXd Q = setup.householderQr().householderQ() * Eigen::MatrixXd::Identity(n, setup.cols());
-    auto radial = columns.middleRows(static_cast<Eigen::Index>(c) * n, n);
-    radial -= Q * (Q.transpose() * radial).eval();
-  }
+  for (std::size_t c = 0; c < equations.channels.size(); ++c)
+    take_setup_out(equations, c, noise, columns.middleRows(static_cast<Eigen::Index>(c) * n, n));
   return columns;
 }
 

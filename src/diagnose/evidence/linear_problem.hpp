@@ -52,6 +52,10 @@ std::vector<Eigen::VectorXd> column_squares(const machine::RotationOrder& order,
                                             const CandidateSet& candidates, const Eigen::VectorXd& values,
                                             const identify::NoiseModel& noise);
 
+/// Whitens rows of one channel of a run, by its place among those measured, and takes the set-up out of them.
+void take_setup_out(const identify::RunEquations& equations, std::size_t channel, const identify::NoiseModel& noise,
+                    Eigen::Ref<identify::SlopeRows> rows);
+
 /// Whitens the equations of one run (columns of slopes scaled already, residual last) and takes its set-up out.
 identify::SlopeRows without_setup(const identify::RunEquations& equations, identify::SlopeRows columns,
                                   const identify::NoiseModel& noise);

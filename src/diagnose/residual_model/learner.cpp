@@ -21,8 +21,6 @@ using identify::SlopeRows;
 
 constexpr double kLeastSeen = 1e-9;  // of a column's square, in units of the noise
 
-bool only_alike(const Shape& shape) { return is_per_strut(shape.channel) && shape.coordinates.size() > 1; }
-
 std::vector<std::vector<int>> carriers_of(const Shape& shape) {
   if (only_alike(shape)) return {{-1}};
   std::vector<std::vector<int>> all;
@@ -105,12 +103,16 @@ SlopeRows Learner::whitened(const Shape& shape, const Region& region, std::size_
   return without_setup(*runs_[run].raw, std::move(columns), noise_);
 }
 
-Learner::Sums Learner::sums_of(const Shape& shape, const Region& region) const {
-  std::vector<Sums> each(runs_.size());
+// What was taken, and last the residual, with the columns of a shape.
+Overlap Learner::overlap_of(const Shape& shape, const Region& region, const std::vector<SlopeRows>& gathered) const {
+  std::vector<Overlap> each(runs_.size());
   for_each_index(runs_.size(), [&](std::size_t i) {
+    if (shape.is_smooth()) {
+      each[i] = overlap_in_groups(shape, region, runs_[i], machine_, noise_, gathered[i], options_.points);
+      return;
+    }
     const SlopeRows columns = whitened(shape, region, i);
-    each[i].gram = columns.transpose() * columns;
-    each[i].cross = problem_.blocks[i].rows.transpose() * columns;
+    each[i] = {columns.transpose() * columns, problem_.blocks[i].rows.transpose() * columns};
   });
   for (std::size_t i = 1; i < each.size(); ++i) {
     each[0].gram += each[i].gram;
@@ -119,23 +121,24 @@ Learner::Sums Learner::sums_of(const Shape& shape, const Region& region) const {
   return std::move(each[0]);
 }
 
-void Learner::look_at(const Shape& shape, double tried, std::vector<Found>& found) const {
+void Learner::look_at(const Shape& shape, double tried, const std::vector<SlopeRows>& gathered,
+                      std::vector<Found>& found) const {
   const Region region = region_of(shape, runs_, machine_);
-  Sums sums = sums_of(shape, region);
+  Overlap overlap = overlap_of(shape, region, gathered);
   const auto count = static_cast<Eigen::Index>(taken_.columns.size());
   Eigen::MatrixXd own = problem_.gram.topLeftCorner(count, count);
   own.diagonal() += taken_.precision;
   Eigen::VectorXd pull = problem_.gram.col(count).head(count) - taken_.precision.cwiseProduct(taken_.departure);
   const Eigen::LDLT<Eigen::MatrixXd> ldlt(own);
-  const Eigen::MatrixXd cross = sums.cross.topRows(count);
-  sums.gram -= cross.transpose() * ldlt.solve(cross);
-  const Eigen::VectorXd left = sums.cross.row(count).transpose() - cross.transpose() * ldlt.solve(pull);
+  const Eigen::MatrixXd cross = overlap.cross.topRows(count);
+  overlap.gram -= cross.transpose() * ldlt.solve(cross);
+  const Eigen::VectorXd left = overlap.cross.row(count).transpose() - cross.transpose() * ldlt.solve(pull);
   const std::vector<double> scales = shape.is_smooth() ? options_.length_scales : std::vector<double>{0};
   for (const std::vector<int>& parts : carriers_of(shape)) {
     const auto size = static_cast<Eigen::Index>(parts.size());
     const Eigen::MatrixXd choice = only_alike(shape) ? Eigen::MatrixXd::Identity(left.size(), left.size())
                                                      : choice_of(parts, shape.functions(), shape.parts());
-    const Eigen::MatrixXd gram = choice.transpose() * sums.gram * choice;
+    const Eigen::MatrixXd gram = choice.transpose() * overlap.gram * choice;
     const Eigen::VectorXd b = choice.transpose() * left;
     Found best;
     for (const double scale : scales) {
@@ -153,14 +156,18 @@ void Learner::look_at(const Shape& shape, double tried, std::vector<Found>& foun
 // Everything that may be added, the likeliest first.
 std::vector<Learner::Found> Learner::ranked() const {
   std::vector<Found> found;
+  std::vector<SlopeRows> few(runs_.size());
+  for_each_index(runs_.size(), [&](std::size_t i) {
+    few[i] = in_groups(problem_.blocks[i].rows, runs_[i].raw->samples, options_.points);
+  });
   const double smooth = 8.0 * static_cast<double>(smooth_shapes().size() * options_.length_scales.size());
-  for (const Shape& shape : smooth_shapes()) look_at(shape, smooth, found);
+  for (const Shape& shape : smooth_shapes()) look_at(shape, smooth, few, found);
   double tried = 0;
   const std::vector<Term> products =
       best_products(runs_, machine_, problem_, Nuisances(problem_, taken_), noise_, description_, tried);
   for (auto term = products.begin(); term != products.end(); ++term) {
     if (std::any_of(products.begin(), term, [&](const Term& before) { return same_factors(before, *term); })) continue;
-    look_at({term->channel, term->strut_powers, term->shared_powers, {}, 0}, tried, found);
+    look_at({term->channel, term->strut_powers, term->shared_powers, {}, 0}, tried, few, found);
   }
   tried = 0;
   const Eigen::VectorXd sizes = Nuisances(problem_, taken_).sizes;
@@ -169,7 +176,7 @@ std::vector<Learner::Found> Learner::ranked() const {
     left.emplace_back(block.rows.rightCols<1>() - block.rows.leftCols(sizes.size()) * sizes);
   for (const Term::Channel channel : {Term::Channel::length, Term::Channel::torque}) {
     for (const double pitch : best_pitches(runs_, left, noise_, channel, description_, options_.pitches, tried))
-      look_at({channel, {}, {}, {}, pitch}, 8 * tried, found);
+      look_at({channel, {}, {}, {}, pitch}, 8 * tried, few, found);
   }
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.score > b.score; });
   return found;

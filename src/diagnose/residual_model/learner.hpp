@@ -2,7 +2,7 @@
 // poses that were left out confirm it.
 #pragma once
 
-#include "diagnose/residual_model/part.hpp"
+#include "diagnose/residual_model/overlap.hpp"
 
 namespace plumbline::diagnose {
 
@@ -19,6 +19,7 @@ struct ResidualOptions {
   double most_over_all = 4;    // of what the readings have of all components, that they may have of one: more than that
                                // and they cancel each other, which ends where the region ends
   int pitches = 6;             // that are looked at
+  int points = 180;            // of a run, by which smooth functions are ranked; by all of them what is added is learnt
   std::vector<double> length_scales{0.3, 0.6, 1.2, 2.4};  // in half widths of what was measured
 };
 
@@ -54,18 +55,15 @@ class Learner {
   Eigen::MatrixXd covariance() const;
 
  private:
-  struct Sums {
-    Eigen::MatrixXd gram;   // of the columns of a shape
-    Eigen::MatrixXd cross;  // what was taken, and last the residual, with them
-  };
   struct Found {
     Component component;
     double score = -1e9;
   };
 
   identify::SlopeRows whitened(const Shape& shape, const Region& region, std::size_t run) const;
-  Sums sums_of(const Shape& shape, const Region& region) const;
-  void look_at(const Shape& shape, double tried, std::vector<Found>& found) const;
+  Overlap overlap_of(const Shape& shape, const Region& region, const std::vector<identify::SlopeRows>& gathered) const;
+  void look_at(const Shape& shape, double tried, const std::vector<identify::SlopeRows>& gathered,
+               std::vector<Found>& found) const;
   std::vector<Found> ranked() const;
   double left_out(const Learner& with) const;
   bool try_adding(const Component& component);

@@ -124,22 +124,33 @@ Eigen::RowVectorXd functions_of(const Shape& shape, const Region& region, const 
 
 }  // namespace
 
+std::vector<SlopeRows> values_of(const Shape& shape, const Region& region, const ReadyRun& run,
+                                 const physics::MachineConstants& machine) {
+  std::vector<SlopeRows> values(static_cast<std::size_t>(shape.parts()),
+                                SlopeRows(run.raw->samples, shape.functions()));
+  for (int part = 0; part < shape.parts(); ++part) {
+    for (Eigen::Index s = 0; s < run.raw->samples; ++s) {
+      const SampleState& state = run.states[static_cast<std::size_t>(s)];
+      double factor = product(shared_factors(state), shape.shared_powers);
+      if (is_per_strut(shape.channel)) factor *= product(strut_factors(machine, state, part), shape.strut_powers);
+      values[static_cast<std::size_t>(part)].row(s) = factor * functions_of(shape, region, state, machine, part);
+    }
+  }
+  return values;
+}
+
 SlopeRows columns_of(const Shape& shape, const Region& region, const ReadyRun& run,
                      const physics::MachineConstants& machine) {
   const Eigen::Index n = run.raw->samples;
   const Eigen::Index count = shape.functions();
   const Eigen::MatrixXd slopes = slopes_of(run, shape.channel);
+  const std::vector<SlopeRows> values = values_of(shape, region, run, machine);
   SlopeRows columns(run.raw->residual.size(), count * shape.parts());
   for (int part = 0; part < shape.parts(); ++part) {
-    for (Eigen::Index s = 0; s < n; ++s) {
-      const SampleState& state = run.states[static_cast<std::size_t>(s)];
-      double factor = product(shared_factors(state), shape.shared_powers);
-      if (is_per_strut(shape.channel)) factor *= product(strut_factors(machine, state, part), shape.strut_powers);
-      const Eigen::RowVectorXd values = functions_of(shape, region, state, machine, part);
-      for (std::size_t c = 0; c < run.raw->channels.size(); ++c) {
-        const Eigen::Index row = static_cast<Eigen::Index>(c) * n + s;
-        columns.row(row).segment(part * count, count) = slopes(row, part) * factor * values;
-      }
+    for (std::size_t c = 0; c < run.raw->channels.size(); ++c) {
+      const Eigen::Index first = static_cast<Eigen::Index>(c) * n;
+      columns.block(first, part * count, n, count) =
+          slopes.col(part).segment(first, n).asDiagonal() * values[static_cast<std::size_t>(part)];
     }
   }
   return columns;

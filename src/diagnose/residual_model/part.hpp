@@ -45,6 +45,10 @@ Eigen::VectorXd prior_widths(const Shape& shape, double length_scale);
 /// The functions of a smooth shape where its coordinates are `at`.
 Eigen::RowVectorXd functions_at(const Shape& shape, const Region& region, const std::vector<double>& at);
 
+/// The functions of each part at the samples of a run, times the powers.
+std::vector<identify::SlopeRows> values_of(const Shape& shape, const Region& region, const ReadyRun& run,
+                                           const physics::MachineConstants& machine);
+
 /// How the readings of a run move with all numbers of all parts, function after function, part after part: not
 /// whitened.
 identify::SlopeRows columns_of(const Shape& shape, const Region& region, const ReadyRun& run,
