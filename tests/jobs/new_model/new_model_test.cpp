@@ -89,7 +89,8 @@ TEST_CASE("limits that nobody stated are in reach") {
   for (unsigned c = 0; c < 8; ++c) {
     for (int a = 0; a < 3; ++a)
       corner.p_WT[a] = home[a] + (((c >> static_cast<unsigned>(a)) & 1U) != 0 ? 1 : -1) * (half + 0.005);
-    const auto lengths = machine::strut_lengths<double>(model.geometry, corner).array();
+    const Eigen::Array<double, machine::kStruts, 1> lengths =
+        machine::strut_lengths<double>(model.geometry, corner).array();
     all =
         all && (lengths >= model.limits.length_min.array()).all() && (lengths <= model.limits.length_max.array()).all();
   }
