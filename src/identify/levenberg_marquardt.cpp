@@ -156,8 +156,8 @@ class Descent {
 
 }  // namespace
 
-Least least_squares(const SumAt& sum_at, Eigen::VectorXd z, const Bounds& bounds, const LeastOptions& options) {
-  return Descent(sum_at, std::move(z), bounds, options).run();
+Least least_squares(const SumAt& sum_at, const Eigen::VectorXd& z, const Bounds& bounds, const LeastOptions& options) {
+  return Descent(sum_at, z, bounds, options).run();
 }
 
 }  // namespace plumbline::identify

@@ -49,6 +49,7 @@ struct Least {
 /// From `z`, which is moved into the bounds, by Levenberg and Marquardt: each step solves the equations, damped by
 /// their own diagonal, within the bounds [Nocedal, Wright, Numerical Optimization, 2nd ed., 4.1 and 10.3; the damping
 /// follows Nielsen, Damping parameter in Marquardt's method, IMM-REP-1999-05].
-Least least_squares(const SumAt& sum_at, Eigen::VectorXd z, const Bounds& bounds, const LeastOptions& options = {});
+Least least_squares(const SumAt& sum_at, const Eigen::VectorXd& z, const Bounds& bounds,
+                    const LeastOptions& options = {});
 
 }  // namespace plumbline::identify

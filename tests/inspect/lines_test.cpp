@@ -56,7 +56,8 @@ double rms(const std::vector<double>& values) {
 TEST_CASE("noise has no lines") { CHECK(Shaken(0, 0, 0, 4).lines().empty()); }
 
 TEST_CASE("a floor that shakes is one frequency in slow and fast runs, with its direction") {
-  const double hertz = 4.9, direction = 0.5;
+  const double hertz = 4.9;
+  const double direction = 0.5;
   const Shaken shaken(hertz, 1.5e-6, direction, 4);
   const std::vector<inspect::Line> lines = shaken.lines();
   REQUIRE(lines.size() == 2);

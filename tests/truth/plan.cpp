@@ -90,7 +90,8 @@ Plan plan_of(const std::string& name, int samples) {
 Plan circles_of(const std::vector<std::string>& texts, int samples) {
   Plan plan;
   for (const std::string& text : texts) {
-    Vec centre, abc;
+    Vec centre;
+    Vec abc;
     char turn[4] = {};
     double feed = 0;
     double payload = 0;

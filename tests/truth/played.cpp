@@ -149,7 +149,7 @@ Offs offs(const Truth& truth, const Program& meant, const Program& run, const Pr
   const auto off = [&](const Moment& moment, double t) {
     return Vec(tip_ball(prompt, settled(prompt, moment).at, moment) - meant.path(t).x);
   };
-  const Stand begin = at_rest.path(0);
+  Stand begin = at_rest.path(0);
   Follower standing(
       truth.machine, [&](double) { return begin; }, kPiece, law);
   Offs all{off(standing.at(0, 0, 0), 0), {}};

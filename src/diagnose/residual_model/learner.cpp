@@ -73,16 +73,17 @@ Spread best_spread(const Eigen::MatrixXd& gram, const Eigen::VectorXd& pull) {
 }
 
 Learner::Learner(const Workbench& bench, const physics::ForceModel& forces, const LinearProblem& problem,
-                 const Marginalised& nuisances, identify::NoiseModel noise, const DescriptionOptions& description,
+                 Marginalised nuisances, const identify::NoiseModel& noise, const DescriptionOptions& description,
                  const ResidualOptions& options)
     : machine_(forces.machine),
       runs_(ready_runs(bench, forces, problem)),
       poses_(poses_of(bench.runs)),
-      noise_(std::move(noise)),
+      noise_(noise),
       description_(description),
       options_(options),
-      taken_(nuisances) {
-  const auto count = static_cast<Eigen::Index>(nuisances.columns.size());
+      taken_(std::move(nuisances)) {
+  const std::vector<int> columns = taken_.columns;
+  const auto count = static_cast<Eigen::Index>(columns.size());
   std::iota(taken_.columns.begin(), taken_.columns.end(), 0);
   problem_.kept.resize(static_cast<std::size_t>(count) + 1);
   std::iota(problem_.kept.begin(), problem_.kept.end(), 0);
@@ -90,7 +91,7 @@ Learner::Learner(const Workbench& bench, const physics::ForceModel& forces, cons
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     Block block;
     block.rows.resize(problem.blocks[i].rows.rows(), count + 1);
-    block.rows << problem.rows_of(i, nuisances.columns), problem.blocks[i].rows.rightCols<1>();
+    block.rows << problem.rows_of(i, columns), problem.blocks[i].rows.rightCols<1>();
     block.gram = block.rows.transpose() * block.rows;
     problem_.gram += block.gram;
     problem_.blocks.push_back(std::move(block));

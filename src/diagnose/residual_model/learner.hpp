@@ -41,7 +41,7 @@ struct Component {
 class Learner {
  public:
   Learner(const Workbench& bench, const physics::ForceModel& forces, const LinearProblem& problem,
-          const Marginalised& nuisances, identify::NoiseModel noise, const DescriptionOptions& description,
+          Marginalised nuisances, const identify::NoiseModel& noise, const DescriptionOptions& description,
           const ResidualOptions& options);
 
   /// A component whose weights the model has.

@@ -68,7 +68,7 @@ class PackedValue {
       std::string_view rest_;
     };
     Iterator begin() const { return Iterator(rest_); }
-    Iterator end() const { return Iterator({}); }
+    static Iterator end() { return Iterator({}); }
 
    private:
     std::string_view rest_;

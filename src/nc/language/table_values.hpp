@@ -24,7 +24,7 @@ class TableValues {
 
   const PackedValue& root() const { return root_; }
   bool has(std::string_view key) const { return has(root_, key); }
-  bool has(const PackedValue& table, std::string_view key) const { return table.find(key).has_value(); }
+  static bool has(const PackedValue& table, std::string_view key) { return table.find(key).has_value(); }
 
   [[noreturn]] void complain(std::string_view what) const { throw InternalError(fmt::format("{}: {}", name_, what)); }
 

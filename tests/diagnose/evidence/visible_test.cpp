@@ -89,7 +89,7 @@ TEST_CASE("of machines that carry an effect at the size that is stated 19 of 20 
       const Eigen::VectorXd right = size * gram.col(weakest) + root * noise;
       reduced.col(columns).head(columns) = right;
       reduced.row(columns).head(columns) = right.transpose();
-      passed += best_score(reduced, candidates, candidate).log_odds >= kThreshold;
+      if (best_score(reduced, candidates, candidate).log_odds >= kThreshold) ++passed;
     }
     INFO(name << ": " << visible.smallest << " " << visible.unit);
     CHECK(passed / double(kMachines) > 0.91);

@@ -300,7 +300,8 @@ void set_tolerances(Execution& run, const Chosen& chosen) {
   if (comma == std::string::npos) return;
   const std::string kind = values.substr(comma + 1, values.find_first_of(",)", comma + 1) - comma - 1);
   if (kind.empty() || kind.front() == '_') return;  // _FINISH and the other names of today
-  constexpr std::size_t kDigitsOfToday = 2, kFirstOfSurface = 6;
+  constexpr std::size_t kDigitsOfToday = 2;
+  constexpr std::size_t kFirstOfSurface = 6;
   const bool is_number = std::all_of(kind.begin(), kind.end(), is_digit);
   const std::size_t older = kind.size() - std::min(kind.size(), kFirstOfSurface);
   const bool of_today =
