@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "compensate/move_reader.hpp"
+
 namespace plumbline::compensate {
 namespace {
 
@@ -16,12 +18,17 @@ const CorrectedMove& MoveCorrector::correct(const Move& move, const AxisWords& s
   begin(move, standing);
   if (move.is_rapid()) {
     correct_rapid();
+  } else if (goes_nowhere(move.path.curve) && has_moved_) {
+    stand();
   } else if (chooser_) {
     correct_by_bound(words);
   } else {
     correct_cut();
   }
-  if (!result_.signs.empty()) standing_sign_ = result_.signs.back();
+  if (!result_.signs.empty()) {
+    standing_sign_ = result_.signs.back();
+    has_moved_ = true;
+  }
   return result_;
 }
 
@@ -132,6 +139,13 @@ void MoveCorrector::correct_rapid() {
   const Target end = move.begin_known ? move.path.target(1, std::nullopt) : move.path.at_rest(motion.to);
   if (!take(end, motion.to) || stops() || !move.begin_known) return;
   note(check_way(corrector_, limits_, move.path.at_rest(motion.from), end, result_.commanded(0)));
+}
+
+// Where the tool stands, the struts keep the friction of the way there.
+void MoveCorrector::stand() {
+  const nc::Motion& motion = *result_.move.motion;
+  result_.points.push_back({motion.to, result_.standing, 1});
+  result_.signs.push_back(standing_sign_);
 }
 
 void MoveCorrector::correct_cut() {

@@ -76,6 +76,7 @@ class MoveCorrector {
   bool stops() const { return at_violation_ == AtViolation::stop && !result_.violations.empty(); }
   void note(std::vector<machine::Violation> violations);
   void correct_rapid();
+  void stand();
   void correct_cut();
   void take_expected(const MoveAhead& ahead);
   bool take_expected();
@@ -87,6 +88,7 @@ class MoveCorrector {
   std::optional<PointChooser> chooser_;
   machine::PerStrut<double> standing_sign_ =
       machine::PerStrut<double>::Zero();  // of friction, where the control stands
+  bool has_moved_ = false;                // to a corrected place
   CorrectedMove result_;
   std::vector<path::CurvePoint> points_;  // of pieces that are corrected together
   std::vector<Target> targets_;

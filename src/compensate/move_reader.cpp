@@ -60,10 +60,12 @@ Move move_of(const nc::Step& step, const nc::Motion& motion, const nc::Dialect& 
   return move;
 }
 
+bool goes_nowhere(const path::Curve& curve) {
+  return curve.linear_mm() < kNoWay && path::largest_turn_deg(curve.delta()) < kNoWay;
+}
+
 void forget_time_of_no_way(Move& move) {
-  const path::Curve& curve = move.path.curve;
-  if (move.motion->feed_mode == nc::FeedMode::inverse_time || curve.linear_mm() >= kNoWay) return;
-  if (path::largest_turn_deg(curve.delta()) < kNoWay) move.duration = move.seconds = std::nullopt;
+  if (goes_nowhere(move.path.curve)) move.duration = move.seconds = std::nullopt;
 }
 
 void divide(Move& move, const path::StepSettings& settings) {

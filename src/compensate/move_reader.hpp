@@ -60,6 +60,8 @@ inline AxisSet fixed_axes(const nc::Step& step, AxisSet at_zero) {
 /// The motion of a step as the machine makes it, in one piece. `at_zero`: axes that are taken to stand at zero.
 Move move_of(const nc::Step& step, const nc::Motion& motion, const nc::Dialect& dialect, const ReaderSettings& settings,
              AxisSet at_zero);
+/// Whether a curve leads to where the tool stands already, but for the last digits of an expression.
+bool goes_nowhere(const path::Curve& curve);
 /// Where it leads to where the tool stands already, but for the last digits of an expression, no F could keep its time:
 /// that is forgotten.
 void forget_time_of_no_way(Move& move);

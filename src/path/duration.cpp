@@ -18,7 +18,8 @@ std::optional<double> duration(const nc::Motion& motion, const Curve& curve, con
     // F is the feed over the radius: an arc of the angle a takes a / F [B-62764EN 5].
     if (dialect.behaviour.inverse_time_by_radius && motion.kind == nc::MotionKind::arc)
       return std::abs(curve.arc_deg()) * kDeg / motion.feed * kMinute;
-    if (length.value_or(0) <= 0) return kMinute / motion.feed;
+    if (!length) return kMinute / motion.feed;
+    if (*length <= 0) return 0;  // LinuxCNC leaves such a move out [measured]
     // RS274/NGC: the rate is length x F, and never less than the control's least.
     const bool in_degrees = nc::feed_length_is_angle(curve.linear_mm());
     const double least = dialect.feed_rate_min * (in_degrees ? 1 : motion.mm_per_unit);

@@ -53,6 +53,25 @@ TEST_CASE("until D is written after a change of tools, rapids in X and Y go thro
   CHECK(cuts_of(turned) == cuts_of(settled));
 }
 
+TEST_CASE("until G43 is written after a way home, rapids of X, Y and the turns go through as they stand") {
+  Job job = kept_over_changes("fanuc");
+  for (auto& axis : job.program.start) axis = 0;
+  const std::string start = "O0001\nG21 G90 G40 G49 G80\nG54 G0 X0 Y0 A0 B0 C0\nG43 H1 Z80.\nG91 G28 Z0\nG90\n";
+  const std::string rest = "G1 Z30. F300.\nX40. F800.\nG0 Z60.\nM30\n";
+  const std::string settled = run(start + "G43 H1 Z50.\nG0 X10. Y5.5 A2. B0 C0\nZ40.\n" + rest, job).text;
+  for (const std::string change :
+       {"N22 G0 X10. Y5.5 A2. B0 C0\nG43 H1 Z40.\n", "N22 G0 A2. B0 C0\nX10. Y5.5\nG43 H1 Z40.\n",
+        "G0 X3. A1.\nN22 X10. Y5.5 A2. B0 C0\nS1000 M3\nG43 H1 Z40.\n"}) {
+    INFO(change);
+    const std::string out = run(start + change + rest, job).text;
+    INFO(out);
+    CHECK(finds(out, "^N22 (G0 )?(X10. Y5.5 )?A2. B0 C0$"));
+    CHECK(cuts_of(out) == cuts_of(settled));
+  }
+  CHECK(code_of(start + "G1 A2. F300.\nM30\n", job) == "nc-not-interpreted");
+  CHECK(code_of(start + "G0 Z20.\nM30\n", job) == "nc-not-interpreted");
+}
+
 TEST_CASE("a change of the length of a tilted tool leaves X, Y and Z to be stated") {
   const Job job = kept_over_changes("siemens");
   const std::string start = "G54 G17 G710 G90 G94\nG0 X0 Y0 Z80 A5 B0 C0 D0\n";
@@ -151,7 +170,7 @@ TEST_CASE("until G43 is written after G28, G30 and G53 of Z, rapids in X and Y g
     CHECK(finds(out, "^G43 H1 Z20\\.0[0-9]+ X"));
     CHECK(cuts_of(out) == cuts_of(settled));
     CHECK(code_of(start + home + "\nG0 X10. Y5.5 Z20.\nM30\n", job) == "nc-not-interpreted");
-    CHECK(code_of(start + home + "\nG0 A5.\nM30\n", job) == "nc-not-interpreted");
+    CHECK(code_of(start + home + "\nG1 A5. F300.\nM30\n", job) == "nc-not-interpreted");
     CHECK(code_of(start + home + "\nG1 X10. F300.\nM30\n", job) == "compensate-position-unknown");
   }
   const std::string aside = run(start + "G91 G28 X0. Y0.\nG90 G0 X10. Y5.5 Z20.\nM30\n", job).text;

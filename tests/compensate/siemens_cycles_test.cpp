@@ -115,13 +115,24 @@ TEST_CASE("increments are written as the control keeps them, and what is rounded
   CHECK(play(text, output, job).at_points_um <= 1.5);
 }
 
+TEST_CASE("a turn alone that F does not count is refused, for how long it takes no program says") {
+  const std::string head = "G54 G17 G710 G90 G94\nF500\nG0 X0 Y0 Z20 A0 B0 C0\nFGROUP(X,Y,Z)\n";
+  for (const std::string turn : {"G1 A5", "G1 X0 B3 C-2", "G91 G1 C4"}) {
+    INFO(turn);
+    CHECK(code_of(head + turn + "\nM30\n", siemens_job()) == "emit-feed-rule");
+    CHECK(code_of(head + "FGROUP()\n" + turn + "\nM30\n", siemens_job()).empty());
+    CHECK(code_of(head + "G93\n" + turn + " F20\nM30\n", siemens_job()).empty());
+  }
+  CHECK(code_of(head + "G0 A5\nG1 X10 A0\nM30\n", siemens_job()).empty());
+}
+
 TEST_CASE("in inches a cut that turns is refused until somebody says what a degree counts") {
   const std::string head = "G54 G17 G700 G90 G94\nF10\nG0 X0 Y0 Z1 A0 B0 C0\n";
   for (const std::string cut : {"G1 X1 A2", "G1 A2", "G1 C1 Y.5 F20", "G3 X1 CR=2 B1"}) {
     Job job = siemens_job();
     INFO(cut);
     CHECK(code_of(head + cut + "\nM30\n", job) == "emit-feed-rule");
-    CHECK(code_of(head + "FGROUP(X,Y,Z)\n" + cut + "\nM30\n", job).empty());
+    CHECK(code_of(head + "FGROUP(X,Y,Z)\n" + cut + "\nM30\n", job) == (cut == "G1 A2" ? "emit-feed-rule" : ""));
     job.program.feed_rule = nc::FeedRule::all_axes_as_mm;
     CHECK(code_of(head + cut + "\nM30\n", job).empty());
   }

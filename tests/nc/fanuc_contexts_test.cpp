@@ -93,6 +93,14 @@ TEST_CASE("increments of Z after G43 and G49 alone are refused until Z is stated
   CHECK(ran.end[Axis::Z] == 10);
 }
 
+TEST_CASE("G92 in a system shifted by G52 is refused") {
+  const std::string head = "G90 G54 G0 X10. Y10. Z50.\n";
+  check_refused_at({{(head + "G52 X10. Y5.\nX0 Y0\nG92 X0 Y0\n").c_str(), 4, 1},
+                    {(head + "G52 Z-5.\nX0 Y0\nG92 X3.\n").c_str(), 4, 1},
+                    {(head + "G52 X1.\nG0 X0\nG52 Y2.\nG92 Y0\n").c_str(), 5, 1}});
+  CHECK(reading_of(head + "G52 X10.\nX0\nG52 X0 Y0 Z0\nG92 X0 Y0\n", true).code.empty());
+}
+
 TEST_CASE("G52 and G92 under G91 are refused") {
   check_refused_at({{"G91 G54 G52 X5.\n", 1, 9},
                     {"G90 G54 G0 X10. Y10. Z50.\nG91\nG52 X0 Y0 Z0\n", 3, 1},

@@ -109,8 +109,26 @@ TEST_CASE("positions of the spindle say which way round as those of axes do") {
   check_all("nc-bracket-open", {"SPOS=DC(90\n"});
 }
 
+TEST_CASE("a dwell in turns needs a spindle that turns") {
+  check_all("nc-feed-missing", {"M5\nG4 S30\n", "SPOS=0\nG4 S3\n", "M19\nG4 S3\n"});
+  check_all("nc-not-interpreted",
+            {"M5\nX10\nCYCLE82(50,0,2,-10,,-3)\n", "CYCLE86(50,0,2,-5,,0,3,0,0,0,0)\nCYCLE82(50,0,2,-10,,-3)\n",
+             "CYCLE840(50,0,2,-5,,0,0,5,0,0,1)\nS300\nCYCLE82(50,0,2,-10,,-3)\n"});
+  check_all("", {"G4 S30\n", "M5\nM4\nG4 S30\n", "CYCLE82(50,0,2,-10,,-3)\n", "M5\nG4 F3\n"});
+}
+
+TEST_CASE("the share of the first feed of CYCLE83 is one or less") {
+  check_all("nc-not-interpreted", {"CYCLE83(50,0,2,-10,,-3,,0,0,0,1.5,1)\n", "CYCLE83(50,0,2,-10,,-3,,0,0,0,100,1)\n",
+                                   "CYCLE83(50,0,2,-10,,-3,,0,0,0,50,1,,,,0,0,0,1,1001110)\n",
+                                   "CYCLE83(50,0,2,-10,,-3,,0,0,0,0.5,1,,,,0,0,0,1,20000002)\n",
+                                   "CYCLE83(50,0,2,-10,,-3,,0,0,1,1,1,,,,0,0,0,1,202)\n"});
+  check_all("",
+            {"CYCLE83(50,0,2,-10,,-3,,0,0,0,0.5,1)\n", "CYCLE83(50,0,2,-10,,-3,,0,0,0,50,1,,,,0,0,0,1,11111112)\n"});
+}
+
 TEST_CASE("what is refused is called by its name") {
-  check_all("nc-not-interpreted", {"X=7 B_AND 3\n", "R1=R2 B_OR 4\n", "PROC UP(REAL DEEP=5)\n", "X=MINVAL(1,2)\n"});
+  check_all("nc-not-interpreted", {"X=7 B_AND 3\n", "R1=R2 B_OR 4\n", "PROC UP(REAL DEEP=5)\n", "X=BOUND(1,2,3)\n"});
+  check_all("nc-operator", {"X=MINVAL(1)\n", "X=MAXVAL(1,2,3)\n"});
   check_all("nc-axes-unused", {"CIP X10 Y10 I1=10 J1=0\nX20 Y10 I1=15 J1=15\n"});
 }
 

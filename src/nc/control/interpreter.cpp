@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "nc/language/active_comments.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
 
@@ -35,6 +36,16 @@ const Step& Interpreter::pass(const Block& block) {
   return run_.step;
 }
 
+// (ABORT, text): the control ends the program there with an error; of several comments the last one acts [LinuxCNC,
+// measured].
+void Interpreter::check_abort(const Block& block) const {
+  if (block.comments.empty() || run_.dialect.syntax.system_variables != SystemVariables::rs274) return;
+  const Span span = block.comments.back().span;
+  if (run_.settings.as_with_empty_tables || !is_active_comment(block.at(span), "abort")) return;
+  refuse_at(block, span, codes::kNotInterpreted, "the control ends the program here with an error",
+            "look why the program comes here, or end it with M2");
+}
+
 const Step& Interpreter::execute(Block& block) {
   begin(block);
   run_.block_in_machine_system = false;
@@ -47,6 +58,7 @@ const Step& Interpreter::execute(Block& block) {
     finish();
     return run_.step;
   }
+  check_abort(block);
   values_.evaluate(block);
   if (run_.dialect.behaviour.increment_mm > 0) count_increments(run_, block);
   resolve_codes(run_);

@@ -57,6 +57,7 @@ class Interpreter {
   /// M99 of the main program begins it again: refused where a mode that it found at its start, and did not state before
   /// it moved, is another one by now.
   void check_begins_again(const Block& block) const;
+  void check_abort(const Block& block) const;
   /// How often a variable of the program got another value.
   std::uint64_t changes_of_variables() const { return control_.parameters.changes(); }
   /// M30 ended a subprogram alone.

@@ -119,6 +119,8 @@ enum class Operation : std::uint8_t {
   round_away,        // away from zero
   arc_tangent_turn,  // 0 to 360
   arc_tangent_of_one,
+  smaller,  // of two numbers
+  larger,
   square,
   logical_not,
   check_truths,  // refuses two values that are not 0 or 1

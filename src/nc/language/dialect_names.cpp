@@ -178,6 +178,8 @@ constexpr std::array kOperations{
     std::pair<std::string_view, Operation>{"tangent", Operation::tangent},
     std::pair<std::string_view, Operation>{"power", Operation::power},
     std::pair<std::string_view, Operation>{"logical_not", Operation::logical_not},
+    std::pair<std::string_view, Operation>{"smaller", Operation::smaller},
+    std::pair<std::string_view, Operation>{"larger", Operation::larger},
     std::pair<std::string_view, Operation>{"remainder", Operation::remainder},
     std::pair<std::string_view, Operation>{"whole_quotient", Operation::whole_quotient},
     std::pair<std::string_view, Operation>{"equal", Operation::equal},

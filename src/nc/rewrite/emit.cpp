@@ -73,14 +73,15 @@ void Emitter::restore_feed_state(const Step& step, bool has_feed_word) {
     return m.kind == MotionKind::feed || m.kind == MotionKind::arc || m.kind == MotionKind::probe;
   });
   line_.clear();
-  if (control_.feed_mode != step.before->feed_mode && (cuts || step.loses_position)) {
+  const bool counts_on_it = step.loses_position || step.saves_modes;  // M70 keeps F, M72 looks whether it is another
+  if (control_.feed_mode != step.before->feed_mode && (cuts || counts_on_it)) {
     line_ += codes_.feed_mode(step.before->feed_mode);
     control_.feed_mode = step.before->feed_mode;
     control_.drop_feed();
   }
   const bool turns = std::any_of(step.motions.begin(), step.motions.end(), turns_alone);
   const double feed = turns ? step.before->feed_rotary : step.before->feed;
-  const bool needs_feed = (cuts && !has_feed_word) || step.loses_position;
+  const bool needs_feed = (cuts && !has_feed_word) || counts_on_it;
   if (needs_feed && control_.feed_mode != FeedMode::inverse_time && feed > 0 &&
       (turns ? control_.feed_rotary : control_.feed) != feed) {
     append_word(line_, 'F', feed, kMostDecimals, {false, false, spelling_.point, spelling_.most_digits});

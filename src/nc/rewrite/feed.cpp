@@ -17,11 +17,11 @@ std::optional<double> feed_length(double linear_mm, const AxisWords& delta, Feed
   const double rotary_deg = norm(delta[Axis::A], delta[Axis::B], delta[Axis::C]);
   switch (rule) {
     case FeedRule::xyz_first:
-    case FeedRule::path_group:
       return linear_mm > 0 ? linear_mm : rotary_deg;
     case FeedRule::all_axes_as_mm:
       // A degree counts as the program's unit, a mm or an inch: alone it is deg/min either way [B-63174EN 4.2].
       return linear_mm > 0 ? std::hypot(linear_mm, rotary_deg * mm_per_unit) : rotary_deg;
+    case FeedRule::path_group:
     case FeedRule::tool_tip:
       if (linear_mm == 0 && rotary_deg > 0) return std::nullopt;
       return linear_mm;

@@ -38,18 +38,27 @@ bool turns(const Motion& motion) {
                "count as mm); or program the block in inverse time (G93)");
 }
 
+// F is the speed of X, Y and Z, whatever turns beside them.
+bool counts_linear_axes(const Motion& motion) {
+  return motion.feed_rule == FeedRule::tool_tip || motion.feed_rule == FeedRule::path_group;
+}
+
 [[noreturn]] void refuse_turn_alone(const Step& step) {
+  const bool group = step.motions.front().feed_rule == FeedRule::path_group;
   refuse_block(
       *step.block, "emit-feed-rule",
-      "F is the speed of the tool's tip here, and A, B, C turn where the tip stands still: how long that takes "
-      "no program says, and beside the micrometres of the correction F would mean another time",
-      "program the block in inverse time (G93), or say which speed F is on this control: --feed-rule xyz or "
-      "all");
+      fmt::format("F is the speed of {} here, and A, B, C turn where {}: how long that takes no program says, and "
+                  "beside the micrometres of the correction F would mean another time",
+                  group ? "the axes of the path group (X, Y, Z)" : "the tool's tip",
+                  group ? "none of them moves" : "the tip stands still"),
+      group ? "write FGROUP() before the block, or program it in inverse time (G93)"
+            : "program the block in inverse time (G93), or say which speed F is on this control: --feed-rule xyz or "
+              "all");
 }
 
 bool tip_stands(const Motion& motion) {
   const AxisWords delta = motion.to - motion.from;
-  return motion.feed_rule == FeedRule::tool_tip && motion.feed_mode != FeedMode::inverse_time && motion.feed > 0 &&
+  return counts_linear_axes(motion) && motion.feed_mode != FeedMode::inverse_time && motion.feed > 0 &&
          motion.kind == MotionKind::feed && length_mm(delta) == 0 &&
          std::abs(delta[Axis::A]) + std::abs(delta[Axis::B]) + std::abs(delta[Axis::C]) > kSamePlace;
 }
@@ -109,11 +118,10 @@ void PieceFeeds::set_lengths(const AxisWords& start) {
     const FeedRule rule = little ? FeedRule::xyz_first : motion.feed_rule;
     std::optional<double> length = feed_length(linear, delta, rule, motion.mm_per_unit);
     if (arc && motion.feed_along_circle) length = arc->circle_mm();
-    if (!length && motion.feed_rule == FeedRule::tool_tip && motion.feed_mode != FeedMode::inverse_time)
-      refuse_turn_alone(step_);
+    if (!length && counts_linear_axes(motion) && motion.feed_mode != FeedMode::inverse_time) refuse_turn_alone(step_);
     // The time is F alone under G93, unless the control lifts the speed to its least rate.
     const bool needless = motion.feed_mode == FeedMode::inverse_time && dialect_.feed_rate_min <= 0;
-    if (!length && motion.feed_rule != FeedRule::tool_tip && !needless) refuse_feed_rule(step_, dialect_);
+    if (!length && !counts_linear_axes(motion) && !needless) refuse_feed_rule(step_, dialect_);
     // A feed a revolution counts degrees as it counts millimetres, and follows the unit.
     const bool turns_alone = feed_length_is_angle(linear);
     pieces_[i].in_degrees = turns_alone && motion.feed_mode != FeedMode::per_revolution;

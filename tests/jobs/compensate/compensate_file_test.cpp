@@ -210,8 +210,8 @@ TEST_CASE("an axis that stood elsewhere and may have been moved since is not tak
   settings::Options how = options();
   how.program.start = {0.0, 0.0, 0.0, 5.0, 0.0, 0.0};
   for (const char* const program :
-       {"G0 X0 Y0 Z0\nM0\nG0 X0 Y0 Z0\nG1 X30 F500\nM2\n", "M0\nG0 X0 Y0 Z0\nG1 X30 F500\nM2\n",
-        "G0 X0 Y0 Z0\nG1 X10 F500\nM1\nG0 X0 Y0 Z0\nG1 Y30\nM2\n"}) {
+       {"G0 X0 Y0 Z0\nM60\nG0 X0 Y0 Z0\nG1 X30 F500\nM2\n", "M60\nG0 X0 Y0 Z0\nG1 X30 F500\nM2\n",
+        "G0 X0 Y0 Z0\nG1 X10 F500\nM60\nG0 X0 Y0 Z0\nG1 Y30\nM2\n"}) {
     INFO(program);
     const std::string path = scratch.file("a.ngc", program);
     CHECK(testing::refusal_of([&] { jobs::compensate_file(path, scratch.path("b.ngc"), how); }).code ==

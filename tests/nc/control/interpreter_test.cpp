@@ -68,15 +68,15 @@ TEST_CASE("an absolute word makes its axis known, an increment does not") {
 TEST_CASE("stops, tool changes, user codes and homes lose the position, unless it is kept") {
   ProgramSettings settings = at_zero();
   settings.passed_m_codes = {100};
-  for (const char* code : {"M0", "M1", "M60", "T1 M6", "M100", "G28", "G30"}) {
+  for (const char* code : {"M60", "T1 M6", "M100", "G28", "G30"}) {
     INFO(code);
     const auto steps = run(std::string(code) + "\n", settings);
     CHECK(steps[0].known.empty());
     CHECK(steps[0].loses_position);
   }
   CHECK(run("G28 Z5\n", settings)[0].known == AxisSet::all() - AxisSet{Axis::Z});
-  settings.keeps_position = {0, 6, 100};
-  for (const char* code : {"M0", "T1 M6", "M100", "M3", "M2", "G4 P1", "M61 Q2"}) {
+  settings.keeps_position = {60, 6, 100};
+  for (const char* code : {"M0", "M1", "M60", "T1 M6", "M100", "M3", "M2", "G4 P1", "M61 Q2"}) {
     INFO(code);
     const auto steps = run(std::string(code) + "\n", settings);
     CHECK(steps[0].known == AxisSet::all());

@@ -7,72 +7,14 @@
 
 #include "base/text/number_text.hpp"
 #include "nc/control/execution.hpp"
+#include "nc/control/families/called_values.hpp"
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {
 namespace {
 
-enum CalledCycle {
-  kCalledDrill = 81,
-  kCalledDrillDwell,
-  kCalledDeep,
-  kCalledTap,
-  kCalledReam,
-  kCalledBore,
-  kCalledBoreStop,
-  kCalledBoreByHand,
-  kCalledBoreDwell,
-  kCalledFloatingTap = 840
-};
-
-// Places in the brackets [C 2.1.2 to 2.1.11; the order is that of the posts, too].
-constexpr std::size_t kRetractPlane = 0, kReferencePlane = 1, kSafety = 2, kDepth = 3, kRelativeDepth = 4, kDwell = 5;
-
 constexpr double kSamePitch = 1e-6;  // mm
 constexpr double kMostPecks = 1e4;   // that are told one by one
-
-/// What else stands in the brackets of a cycle; -1: nothing of the kind.
-struct Places {
-  int code;
-  int last;            // beyond it no source says what stands there
-  int geometry;        // 1: the depth is that of the diameter
-  int plane;           // its last digit other than 0: a plane of its own
-  int how;             // its last digit 1: the depth is relative; 2: absolute
-  int axis;            // of the tool
-  bool keeps = false;  // stays a cycle, shifted: the pecks, the spindle or feeds of its own are its business
-};
-constexpr Places kPlaces[] = {
-    {kCalledDrill, 8, -1, -1, -1, -1},          {kCalledDrillDwell, 8, 6, 7, 8, -1},
-    {kCalledDeep, 19, 17, 18, 19, 12, true},    {kCalledTap, 23, -1, 22, 23, 12, true},
-    {kCalledReam, 10, -1, 9, 10, -1, true},     {kCalledBore, 13, -1, 12, 13, -1, true},
-    {kCalledBoreStop, 5, -1, -1, -1, -1, true}, {kCalledBoreByHand, 6, -1, -1, -1, -1, true},
-    {kCalledBoreDwell, 8, -1, 7, 8, -1},        {kCalledFloatingTap, 19, -1, 18, 19, 11, true},
-};
-
-int last_digit(double value) { return static_cast<int>(std::abs(std::lround(value)) % 10); }
-
-// What stands in the brackets of a call.
-class CalledValues {
- public:
-  CalledValues(const Execution& run, const CycleCall& call) : run_(run), call_(call) {}
-
-  [[noreturn]] void refuse(std::string message, std::string help) const {
-    run_.refuse(codes::kNotInterpreted, fmt::format("{}: {}", call_.row->name, message), std::move(help));
-  }
-  /// Nothing: the place is empty, or -1.
-  std::optional<double> value(int place) const {
-    if (place < 0 || static_cast<std::size_t>(place) >= call_.arguments.size()) return std::nullopt;
-    return call_.arguments[static_cast<std::size_t>(place)].value;
-  }
-  double number(int place) const { return value(place).value_or(0); }
-  double length_mm(int place) const { return number(place) * run_.control.length_unit(); }
-  /// Where the place is empty or 0: `otherwise`.
-  double length_mm(int place, double otherwise) const { return number(place) > 0 ? length_mm(place) : otherwise; }
-
- private:
-  const Execution& run_;
-  const CycleCall& call_;
-};
 
 // Each depth but the last; so many that nobody reads them are left out.
 template <class Make>
@@ -97,8 +39,7 @@ class CalledHole {
         control_(run.control),
         call_(call),
         given_(run, call),
-        places_(*std::find_if(std::begin(kPlaces), std::end(kPlaces),
-                              [&](const Places& places) { return places.code == call.row->value; })),
+        places_(places_of(call)),
         axes_(axes_of(run.control.modal.plane)) {
     hole_.approach_begin = approach;
   }
@@ -123,7 +64,7 @@ class CalledHole {
   Control& control_;
   const CycleCall& call_;
   CalledValues given_;
-  const Places& places_;
+  Places places_;
   PlaneAxes axes_;
   Hole hole_;
 };
@@ -151,7 +92,7 @@ void CalledHole::check() const {
   if (control_.modal.feed_mode == FeedMode::inverse_time) {
     given_.refuse("it takes no inverse time", "write G94 before it");
   }
-  if (places_.code == kCalledDrill) check_simple();
+  if (places_.code == kCalledDrill && places_.how < 0) check_simple();
 }
 
 // Newer controls have a dwell after the depth of CYCLE81, posts write no place for it: where all is 0, both agree.
@@ -223,18 +164,6 @@ void CalledHole::make() {
   if (call_.row->loses_position) lose_position(run_, AxisSet{Axis::X, Axis::Y, Axis::Z});
 }
 
-// Of the threads that MPIT names by their diameter: M3 to M48, coarse [C 2.1.5; ISO 261].
-double pitch_of_thread(double diameter) {
-  constexpr std::pair<int, double> kCoarse[] = {{3, 0.5},   {4, 0.7},  {5, 0.8},  {6, 1},    {8, 1.25}, {10, 1.5},
-                                                {12, 1.75}, {14, 2},   {16, 2},   {18, 2.5}, {20, 2.5}, {22, 2.5},
-                                                {24, 3},    {27, 3},   {30, 3.5}, {33, 3.5}, {36, 4},   {39, 4},
-                                                {42, 4.5},  {45, 4.5}, {48, 5}};
-  for (const auto& [size, pitch] : kCoarse) {
-    if (std::abs(diameter) == size) return pitch;
-  }
-  return 0;
-}
-
 // Pitch x speed; without them F counts. CYCLE84 has a speed of its own on the way down, SST, and on the way up, SST1.
 double CalledHole::tapping_feed(bool up) const {
   const int pitch = places_.code == kCalledTap ? 8 : 10;
@@ -256,8 +185,8 @@ double CalledHole::own_feed(double rate) const {
 }
 
 void CalledHole::at_hole() {
-  const bool no_wait = places_.code == kCalledDrill || places_.code == kCalledBoreStop;
-  const double seconds = no_wait ? 0 : given_.number(places_.code == kCalledDeep ? 8 : kDwell);
+  const bool no_wait = (places_.code == kCalledDrill && places_.how < 0) || places_.code == kCalledBoreStop;
+  const double seconds = no_wait ? 0 : given_.number(kDwell);
   switch (places_.code) {
     case kCalledDeep:
       return pecks();
@@ -287,23 +216,34 @@ void CalledHole::at_hole() {
   go(MotionKind::rapid, hole_.clear);
 }
 
-// How deep each peck goes is the cycle's business: its moves are told from the first depth alone [C 2.1.4].
+// How deep each peck goes is the cycle's business: its moves are told from the first depth alone. It waits DTB at each
+// depth, at the last one DTD if that is given, and DTS above the hole if it clears the chips there [C 2.1.4].
 void CalledHole::pecks() {
   const double reference = given_.length_mm(kReferencePlane);
   const double first =
       given_.value(5) && given_.number(5) != 0 ? reference - given_.length_mm(5) : std::abs(given_.length_mm(6));
   const bool chips = given_.number(11) == 0;
   const ControlBehaviour& habits = run_.dialect.behaviour;
+  const double at_depth = dwell_of_deep_hole(given_, 8);
+  const double at_start = dwell_of_deep_hole(given_, 9);
+  const double at_end = dwell_of_deep_hole(given_, 15);
+  double share = first_share(given_);
+  const auto next_peck = [&](double depth) {
+    go(MotionKind::feed, depth, share * feed_of_move(run_, true));
+    share = 1;
+  };
   if (first > 0 && given_.number(7) == 0) {
     in_strokes(reference, hole_.bottom, first, [&](double depth) {
-      feed_to(depth);
+      next_peck(depth);
+      wait(at_depth);
       if (chips) return feed_to(std::min(depth + given_.length_mm(14, habits.chip_break_mm), hole_.r));
       go(MotionKind::rapid, hole_.r);
+      wait(at_start);
       go(MotionKind::rapid, depth + given_.length_mm(16, habits.peck_gap_mm));
     });
   }
-  feed_to(hole_.bottom);
-  wait(given_.number(8));
+  next_peck(hole_.bottom);
+  wait(at_end != 0 ? at_end : at_depth);
   go(MotionKind::rapid, hole_.clear);
 }
 
@@ -337,7 +277,7 @@ void CalledHole::go(MotionKind kind, double level, double feed) {
 void CalledHole::wait(double seconds) {
   if (seconds == 0) return;
   const bool turns = seconds < 0;
-  if (turns && control_.spindle_speed <= 0)
+  if (turns && control_.spindle_stands())
     given_.refuse("a dwell in turns needs a turning spindle", "write S and M3 before");
   Motion motion;
   motion.kind = MotionKind::dwell;
@@ -353,7 +293,7 @@ CycleCall call_of(const Execution& run, const CodeRow& row) {
   for (const Argument& argument : run.block->arguments) {
     CallArgument& given = call.arguments.emplace_back();
     if (argument.expression != kLiteral) given.value = argument.value;
-    const bool is_plane = call.arguments.size() <= kReferencePlane + 1;
+    const bool is_plane = static_cast<int>(call.arguments.size()) <= kReferencePlane + 1;
     if (is_plane && argument.span.begin == argument.span.end) {  // what is left out is 0 [N p. 494]
       given = {"0", 0};
     } else if (argument.plain) {

@@ -18,13 +18,19 @@ constexpr double kSameShift = 1e-6;  // mm
 // A cycle at one hole after the other.
 class CycleRun {
  public:
-  explicit CycleRun(Execution& run)
-      : run_(run), control_(run.control), cycle_(run.control.cycle), axes_(axes_of(run.control.modal.plane)) {}
+  /// `known`: the axes whose places are known before it.
+  CycleRun(Execution& run, AxisSet known)
+      : run_(run),
+        control_(run.control),
+        cycle_(run.control.cycle),
+        axes_(axes_of(run.control.modal.plane)),
+        known_before_(known) {}
 
   void make();
 
  private:
   void check_level() const;
+  void lift();
   void check_distance_mode();
   void check_shift();
   void take_place();
@@ -34,6 +40,7 @@ class CycleRun {
   Control& control_;
   Cycle& cycle_;
   PlaneAxes axes_;
+  AxisSet known_before_;
   int code_ = 0;
   bool goes_on_ = false;  // the same cycle is in force: words that are missing are inherited
   bool as_fanuc_ = false;
@@ -78,6 +85,21 @@ void CycleRun::take_place() {
   }
 }
 
+// To R, where the tool stands.
+void CycleRun::lift() {
+  for (const Axis axis : {axes_.first, axes_.second}) {
+    if (known_before_.contains(axis)) continue;
+    run_.refuse(
+        run_.motion_code(), codes::kPositionUnknown,
+        fmt::format("the cycle lifts the tool to R where it stands, and where {} stands is not known", letter(axis)),
+        fmt::format("move {0} and {1} by a G0 that names both before the cycle, or begin it above R",
+                    letter(axes_.first), letter(axes_.second)));
+  }
+  hole_.first = control_.position[axes_.first];
+  hole_.second = control_.position[axes_.second];
+  HoleMotions(run_, hole_, levels_).along(MotionKind::rapid, hole_.r);
+}
+
 void CycleRun::make() {
   code_ = run_.motion->value;
   as_fanuc_ = run_.dialect.behaviour.fanuc_cycles;
@@ -91,9 +113,7 @@ void CycleRun::make() {
   if (!as_fanuc_) check_cycle_spindle(run_, code_);
   double start = levels_.start;
   if (start < hole_.r && !as_fanuc_) {
-    hole_.first = control_.position[axes_.first];
-    hole_.second = control_.position[axes_.second];
-    HoleMotions(run_, hole_, levels_).along(MotionKind::rapid, hole_.r);
+    lift();
     start = level_ = hole_.r;
   }
   const bool returns = run_.dialect.behaviour.return_levels;
@@ -179,13 +199,14 @@ void move_in_cycle(Execution& run) {
                fmt::format("write the motion code into the block of {0}", run.text_of(*run.machine_word)));
   }
   check_cycle(run);
+  const AxisSet known = run.control.known;
   run.control.known = run.control.modal.incremental ? run.control.known : run.control.known | run.axes;
   run.step.role = BlockRole::cycle;
   if (run.dialect.behaviour.return_levels && run.control.modal.incremental) {
     run.refuse(run.motion_code(), codes::kNotInterpreted,
                "what a cycle's words count from under G91 was found in no source", "write G90 before it");
   }
-  CycleRun(run).make();
+  CycleRun(run, known).make();
   // What P counts in a cycle of an OSP depends on its settings: such a hole stays a cycle, whose P stays as it is.
   const Cycle& cycle = run.control.cycle;
   const bool stays = cycle.stays || (run.dialect.behaviour.return_levels && cycle.dwell_s != 0);

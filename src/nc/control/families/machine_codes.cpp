@@ -134,7 +134,7 @@ void dwell(Execution& run, const Word& code) {
   motion.dwell_s = word->value;
   if (word->letter == 'P') motion.dwell_s *= run.dialect.behaviour.dwell_p_s;
   if (word->letter == 'S') {  // turns of the spindle
-    if (run.control.spindle_speed <= 0) {
+    if (run.control.spindle_stands()) {
       run.refuse(*word, codes::kFeedMissing, "a dwell in turns needs a turning spindle", "write S and M3 before it");
     }
     motion.dwell_s = word->value / run.control.spindle_speed * 60;
@@ -177,6 +177,7 @@ void machine_code(Execution& run, const Chosen& chosen) {
         return;
       [[fallthrough]];
     case Action::stop:
+      if (!chosen.row->loses_position) return;
       return lose_unless_kept(run, static_cast<int>(std::lround(chosen.word->value)));
     default:
       return;

@@ -233,8 +233,7 @@ double feed_of_move(const Execution& run, bool linear) {
                "add the F word: 1 over the minutes of the move");
   }
   const bool per_revolution = control.modal.feed_mode == FeedMode::per_revolution;
-  const bool stands = control.spindle_told && control.modal.switches.spindle == kSpindleStands;
-  if (per_revolution && (control.spindle_speed == 0 || stands)) {
+  if (per_revolution && control.spindle_stands()) {
     run.refuse(run.motion_code(), codes::kFeedMissing, "a feed per revolution (G95) needs a turning spindle",
                "write S and M3 before this move");
   }

@@ -137,6 +137,10 @@ void set_position(Execution& run) {
   if (run.axes.empty()) {
     run.refuse(codes::kAxesMissing, "G92 names no axis", "add the words that the axes shall stand on");
   }
+  if (control.local != AxisWords{}) {  // G92 ends it on some controls for the axes that it names [NCT 9.2.4]
+    run.refuse(codes::kNotInterpreted, "what G92 leaves of a shift by G52 is not interpreted",
+               "end the shift before it, with G52 X0 Y0 Z0");
+  }
   if (run.in_machine_system() || !control.active().known.contains(run.axes)) need_offsets(run);
   need_position(run, run.axes);
   if (run.dialect.behaviour.set_position_unknown_elsewhere && control.modal.incremental) {

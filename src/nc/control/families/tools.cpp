@@ -123,7 +123,8 @@ void check_length_known(const Execution& run) {
   if (!in_doubt || run.motion == nullptr || run.machine_word != nullptr || run.in_machine_system()) return;
   if (states_length(run)) return;
   if (run.motion->action == Action::cycle) refuse_length_doubt(run, run.motion_code());
-  const bool may_turn = run.control.length_doubt == Control::LengthDoubt::edge && run.motion->action == Action::rapid;
+  const bool may_turn = run.motion->action == Action::rapid && run.control.length == Control::Length::by_code &&
+                        !run.control.centre_point;
   for (const Axis axis : kAllAxes) {
     if (axis == Axis::X || axis == Axis::Y || !run.axes.contains(axis)) continue;
     if (may_turn && is_rotary(axis)) continue;
@@ -158,6 +159,7 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
   const bool has_rule = chosen.row->feed_rule != FeedRule::unknown;
   if (has_rule) check_no_plane(run, *chosen.word);
   control.tool_vectors = chosen.row->tool_vectors;
+  control.centre_point = has_rule;
   if (control.tool_vectors) run.step.end_words = EndWords::tool_vector;
   control.feed_rule = run.settings.feed_rule.value_or(has_rule ? chosen.row->feed_rule : run.dialect.feed_rule);
   switch (chosen.row->action) {

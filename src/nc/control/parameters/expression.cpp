@@ -1,5 +1,6 @@
 #include "nc/control/parameters/expression.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -20,7 +21,7 @@ constexpr double kTurn = 360;
 
 bool is_binary(Operation operation) {
   return (operation >= Operation::power && operation <= Operation::remainder) || operation == Operation::arc_tangent ||
-         operation == Operation::arc_tangent_turn;
+         operation == Operation::arc_tangent_turn || operation == Operation::smaller || operation == Operation::larger;
 }
 
 double truth(bool value) { return value ? 1 : 0; }
@@ -57,6 +58,10 @@ double of_two(Operation operation, double a, double b, double equal_within) {
       const double angle = to_degrees(std::atan2(a, b));
       return angle < 0 ? angle + kTurn : angle;
     }
+    case Operation::smaller:
+      return std::min(a, b);
+    case Operation::larger:
+      return std::max(a, b);
     case Operation::whole_quotient:
       return std::trunc(a / b);
     case Operation::remainder:

@@ -111,6 +111,7 @@ struct Control {
   AxisWords local_before_turn;             // G68 changes it, G69 brings it back
   double turn_deg = 0;                     // G68, ROT: about Z
   AxisWords plane_origin;                  // of a tilted plane, from that of the work system
+  bool centre_point = false;               // the tool's tip stays where it is while A, B and C turn (G43.4, G43.5)
   bool tool_vectors = false;               // I, J and K are the direction of the tool (G43.5)
   bool tool_on_plane = false;              // the tool stands along its Z (G53.1)
   FeedRule feed_rule = FeedRule::unknown;  // the dialect's, or as FGROUP says
@@ -160,6 +161,10 @@ struct Control {
   void turn_spindle(int code) {
     modal.switches.spindle = code;
     spindle_told = true;
+  }
+  /// No speed, or M5: the spindle turns no way that the program told.
+  bool spindle_stands() const {
+    return spindle_speed <= 0 || (spindle_told && modal.switches.spindle == kSpindleStands);
   }
   /// The active work system of the table takes force.
   void use_active_system();

@@ -109,6 +109,11 @@ std::optional<Value> predefined(const Control& control, const ProgramSettings& s
   return std::nullopt;
 }
 
+bool is_rewritten(std::string_view plain) {
+  constexpr std::array<std::string_view, 4> kRewritten{"_feed", "_motion_mode", "_retract_r_plane", "_retract_old_z"};
+  return std::find(kRewritten.begin(), kRewritten.end(), plain) != kRewritten.end();
+}
+
 std::optional<Axis> position_named(std::string_view plain) { return axis_named(kPositions, plain); }
 std::optional<Axis> machine_position_named(std::string_view plain) { return axis_named(kMachinePositions, plain); }
 

@@ -15,6 +15,10 @@ bool is_predefined(std::string_view plain);
 /// the line or the depth of calls.
 std::optional<Value> predefined(const Control& control, const ProgramSettings& settings, std::string_view plain);
 
+/// Whether a rewritten program has another value of it where this one stands: pieces have their own F, and cycles and
+/// arcs become other moves.
+bool is_rewritten(std::string_view plain);
+
 /// The axis whose place in the work system, or on the control's display, the name shows.
 std::optional<Axis> position_named(std::string_view plain);
 std::optional<Axis> machine_position_named(std::string_view plain);

@@ -237,7 +237,10 @@ Value SystemParameters::read(const Block& block, std::string_view name, Span spa
   if (const std::optional<Axis> axis = position_named(plain)) return position(block, *axis, span);
   if (const std::optional<Axis> axis = machine_position_named(plain)) return machine_position(block, *axis, span);
   if (plain == "_current_tool") return read(block, kTool, span);
-  if (const std::optional<Value> value = predefined(control_, settings_, plain)) return *value;
+  if (const std::optional<Value> value = predefined(control_, settings_, plain)) {
+    control_.position_read = control_.position_read || is_rewritten(plain);
+    return *value;
+  }
   if (plain == "_line") return {static_cast<double>(block.line), settings_.as_with_empty_tables};  // of the text
   if (plain == "_call_level") return {static_cast<double>(control_.parameters.depth()), true};
   if (is_made(block, plain, span) && (!plain.starts_with('_') || settings_.as_with_empty_tables)) return {0, true};
