@@ -113,6 +113,16 @@ TEST_CASE("OSP: HP= is a home position, and no P") {
              {"G15 H1\nG0 X0 Y0 Z50\nG71 Z50\nG82 X9 Z-5 R2 HP=2 F9 M53\nM2\n", 4, 15, "nc-word-unused"}});
 }
 
+TEST_CASE(
+    "OSP: a label that stands twice is refused where a program jumps to it, and an arc by its radius without an end") {
+  check_osp({{"G15 H1\nG0 X0 Y0 Z0\nGOTO N6\nN06 X8\nN6 X3\nM2\n", 3, 1, "nc-not-interpreted"},
+             {"G15 H1\nG0 X0 Y0 Z0\nGOTO N3\nN3 X6\nN3 X7\nM2\n", 3, 1, "nc-not-interpreted"},
+             {"G15 H1\nG0 X0 Y0 Z0\nVC1=1\nIF [VC1 EQ 1] NA\nX2\nNA X6\nNA X7\nM2\n", 4, 1, "nc-not-interpreted"},
+             {"G15 H1\nG0 X0 Y0 Z0\nN3 X6\nN3 X7\nM2\n", 0, 0},
+             {"G15 H1\nG0 X0 Y0 Z0\nG2 R5 F100\nG1 X1\nM2\n", 3, 1, "nc-arc-ends"},
+             {"G15 H1\nG0 X0 Y0 Z0\nG2 I5 F100\nG1 X1\nM2\n", 0, 0}});
+}
+
 TEST_CASE("OSP: what is set in the block of a statement is not lost") {
   check_osp({{"G15 H1\nVC1=5 GOTO N10\nN10 G0 X=VC1 Y0 Z0\nM2\n", 2, 7, "nc-flow-control"},
              {"G15 H1\nVC2=0\nVC1=5 IF [VC2 EQ 0] N10\nN10 G0 X=VC1 Y0 Z0\nM2\n", 3, 7, "nc-flow-control"},

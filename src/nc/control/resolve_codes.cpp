@@ -71,7 +71,8 @@ AxisTakers axis_takers(Execution& run) {
 
 // G2 I5, or a cycle.
 bool goes_without_axes(const Execution& run) {
-  return run.motion->action == Action::cycle || (is_arc(run.motion) && (run.words.letters() & kCentreBits) != 0);
+  const auto of_arc = kCentreBits | (run.dialect.behaviour.radius_alone_stands ? 0 : letter_bit('R'));
+  return run.motion->action == Action::cycle || (is_arc(run.motion) && (run.words.letters() & of_arc) != 0);
 }
 
 // Before the first motion code: where no F is known either, a control that begins with G1 stops with an alarm.

@@ -315,6 +315,7 @@ struct ControlBehaviour {
   bool cycle_off_stops_spindle = false;   // G80
   bool rapid_after_cycles = false;        // G80 ends the cycle alone: the G0 from before it is in force again
   bool inverse_time_arc_unknown = false;  // what F of an arc says under G93
+  bool radius_alone_stands = false;       // G2 R5 without an end: the tool stays
   bool set_position_unknown_elsewhere = false;  // what G92 is under G91, and in another work system
   bool radius_positive = false;                 // R of an arc: what less than 0 asks for is not known
   // G91 after a change of these: whether the increment brings it along is not known.

@@ -107,6 +107,7 @@ inline constexpr Key<bool ControlBehaviour::*> kHabitFlags[] = {
     {"cycle_off_stops_spindle", &ControlBehaviour::cycle_off_stops_spindle},
     {"rapid_after_cycles", &ControlBehaviour::rapid_after_cycles},
     {"inverse_time_arc_unknown", &ControlBehaviour::inverse_time_arc_unknown},
+    {"radius_alone_stands", &ControlBehaviour::radius_alone_stands},
     {"set_position_unknown_elsewhere", &ControlBehaviour::set_position_unknown_elsewhere},
     {"radius_positive", &ControlBehaviour::radius_positive},
     {"turned_axis_alone_unknown", &ControlBehaviour::turned_axis_alone_unknown},

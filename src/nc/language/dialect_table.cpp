@@ -63,7 +63,7 @@ class TableReader {
     table_.check_keys(from, {"statements", "labels", "system_variables"}, kSyntaxFlags, kSyntaxLetters, kSyntaxNumbers,
                       kSyntaxIntegers, kSyntaxTexts);
     syntax.statements = statements_named(table_.text(from, "statements"));
-    if (table_.has(from, "labels")) syntax.labels = labels_named(table_.text(from, "labels"));
+    if (TableValues::has(from, "labels")) syntax.labels = labels_named(table_.text(from, "labels"));
     syntax.system_variables = system_variables_named(table_.text(from, "system_variables"));
     table_.read_keys(from, syntax, kSyntaxFlags);
     table_.read_keys(from, syntax, kSyntaxLetters);
@@ -113,7 +113,8 @@ class TableReader {
     table_.read_keys(from, behaviour, kHabitNumbers);
     table_.read_keys(from, behaviour, kHabitIntegers);
     table_.read_keys(from, behaviour, kHabitTexts);
-    if (table_.has(from, "beside_dwell")) behaviour.beside_dwell = beside_named(table_.text(from, "beside_dwell"));
+    if (TableValues::has(from, "beside_dwell"))
+      behaviour.beside_dwell = beside_named(table_.text(from, "beside_dwell"));
     read_increments_after(from, behaviour);
   }
 

@@ -30,7 +30,7 @@ CodeRow TableRows::turn(std::string_view name, Action action) const {
 void TableRows::rows(std::string_view key, std::vector<CodeRow>& into, std::vector<std::int16_t>& places) const {
   for (const PackedValue from : table_.list(key)) {
     into.push_back(row(from));
-    if (!table_.has(from, "last")) continue;
+    if (!TableValues::has(from, "last")) continue;
     const int last = static_cast<int>(std::lround(parse_number(table_.text(from, "last")).value_or(-1) * 10));
     for (int code = into.back().code + 10; code <= last; code += 10) {  // a row for each whole number up to there
       CodeRow next = into.back();
@@ -88,7 +88,7 @@ CodeRow TableRows::row(const PackedValue& from, bool has_number) const {
   row.group = static_cast<int>(table_.number(from, "group", -1));
   row.meaning = table_.text(from, "does");
   row.action = action_named(row.meaning);
-  if (table_.has(from, "words")) row.words = table_.text(from, "words");
+  if (TableValues::has(from, "words")) row.words = table_.text(from, "words");
   row.word_mask = letter_mask(row.words);
   row.step = step(table_.text(from, "step"));
   const std::uint8_t motion = step("motion");
@@ -102,11 +102,11 @@ CodeRow TableRows::row(const PackedValue& from, bool has_number) const {
   row.needs_axes = table_.flag(from, "needs_axes");
   row.absolute_alone = table_.flag(from, "absolute_alone");
   row.unturned = table_.flag(from, "unturned");
-  if (table_.has(from, "not_beside")) row.not_beside = table_.text(from, "not_beside").front();
-  if (table_.has(from, "beside_is")) {
+  if (TableValues::has(from, "not_beside")) row.not_beside = table_.text(from, "not_beside").front();
+  if (TableValues::has(from, "beside_is")) {
     row.beside_is = static_cast<int>(std::lround(parse_number(table_.text(from, "beside_is")).value() * 10));
   }
-  if (table_.has(from, "feed_rule")) row.feed_rule = feed_rule_named(table_.text(from, "feed_rule"));
+  if (TableValues::has(from, "feed_rule")) row.feed_rule = feed_rule_named(table_.text(from, "feed_rule"));
   if (const auto only = table_.value(from, "only", PackedValue::Kind::array)) {
     for (const PackedValue word : only->items()) {
       row.only_letter = word.text().at(0);
@@ -115,11 +115,12 @@ CodeRow TableRows::row(const PackedValue& from, bool has_number) const {
   }
   row.order_unknown = table_.flag(from, "order_unknown");
   row.tool_vectors = table_.flag(from, "tool_vectors");
-  if (table_.has(from, "written_as")) row.written_as = table_.text(from, "written_as");
+  if (TableValues::has(from, "written_as")) row.written_as = table_.text(from, "written_as");
   row.has_values = table_.flag(from, "values");
-  if (table_.has(from, "stays_with")) row.stays_mask = letter_mask(table_.text(from, "stays_with"));
-  if (table_.has(from, "levels")) row.levels = table_.text(from, "levels");
-  if (row.action == Action::refused || !row.only.empty() || table_.has(from, "why")) row.why = table_.text(from, "why");
+  if (TableValues::has(from, "stays_with")) row.stays_mask = letter_mask(table_.text(from, "stays_with"));
+  if (TableValues::has(from, "levels")) row.levels = table_.text(from, "levels");
+  if (row.action == Action::refused || !row.only.empty() || TableValues::has(from, "why"))
+    row.why = table_.text(from, "why");
   return row;
 }
 

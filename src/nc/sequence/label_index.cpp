@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "nc/language/codes.hpp"
+#include "nc/sequence/flow_block.hpp"
 #include "nc/syntax/line_head.hpp"
 
 namespace plumbline::nc {
@@ -71,24 +75,29 @@ std::optional<std::size_t> LabelIndex::crossing(std::size_t line) {
   return std::nullopt;
 }
 
+// Of the lines of the program around a line: its first, and the first behind it.
+LabelIndex::LineRange LabelIndex::program_around(const Index& index, std::size_t line) {
+  LineRange range;
+  for (const auto& [name, place] : index.programs) {
+    if (place.line > line) {
+      range.end = place.line;
+      break;
+    }
+    range.first = place.line;
+  }
+  return range;
+}
+
 const LinePlace* LabelIndex::find_label(const std::string& label, std::size_t line, Direction direction) {
   const Index& index = labels_of(files_.current());
   const auto found = index.labels.find(label);
   if (found == index.labels.end()) return nullptr;
-  std::size_t first = 0;
-  std::size_t end = std::string::npos;
-  for (const auto& [name, place] : index.programs) {
-    if (place.line > line) {
-      end = place.line;
-      break;
-    }
-    first = place.line;
-  }
+  const LineRange range = program_around(index, line);
   const LinePlace* before = nullptr;
   const LinePlace* nearest = nullptr;
   const LinePlace* after = nullptr;
   for (const LinePlace& place : found->second) {
-    if (place.line < first || place.line >= end) continue;
+    if (!range.contains(place.line)) continue;
     if (place.line <= line) {
       if (before == nullptr) before = &place;
       nearest = &place;
@@ -99,6 +108,23 @@ const LinePlace* LabelIndex::find_label(const std::string& label, std::size_t li
   if (direction == Direction::forward) return after;
   if (direction == Direction::backward) return nearest;
   return after != nullptr ? after : before;
+}
+
+// Labels that differ by zeros before their numbers count as one here.
+void LabelIndex::check_once(const Block& block, const std::string& label, std::size_t line) {
+  const Index& index = labels_of(files_.current());
+  const auto found = index.labels.find(label);
+  if (found == index.labels.end() || dialect_.syntax.statements != Statements::user_task) return;
+  const LineRange range = program_around(index, line);
+  int seen = 0;
+  for (const LinePlace& place : found->second) {
+    if (!range.contains(place.line) || ++seen < 2) continue;
+    refuse_flow(block, codes::kNotInterpreted,
+                fmt::format("{} stands in line {} as well, and which of the two the control goes to, or whether zeros "
+                            "before its number make it another label, was found in no source",
+                            label, place.line),
+                "give each label a name of its own");
+  }
 }
 
 bool LabelIndex::is_behind_slash(std::size_t line) { return labels_of(files_.current()).behind_slash.contains(line); }

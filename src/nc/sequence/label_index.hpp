@@ -23,6 +23,8 @@ class LabelIndex {
   /// line to the end of the program, then from its begin; backward: the nearest before the line. Holds while the index
   /// does.
   const LinePlace* find_label(const std::string& label, std::size_t line, Direction direction);
+  /// Refuses, at the block that jumps, a label that stands twice in the same program of an OSP.
+  void check_once(const Block& block, const std::string& label, std::size_t line);
   /// True if that line of the file that is read begins with /.
   bool is_behind_slash(std::size_t line);
   /// The program of that name: in the files that are open, else in one of its name beside the program.
@@ -48,6 +50,11 @@ class LabelIndex {
     std::set<std::size_t> behind_slash;  // lines with a label or a number
     bool has_labels = false;
   };
+  struct LineRange {
+    std::size_t first = 0, end = std::string::npos;
+    bool contains(std::size_t line) const { return line >= first && line < end; }
+  };
+  static LineRange program_around(const Index& index, std::size_t line);
   Index& programs_of(std::size_t file);
   const Index& labels_of(std::size_t file);
   std::optional<FilePlace> find_in_open_files(const std::string& name);

@@ -51,6 +51,7 @@ void refuse_unended(const Block& block, Statements statements) {
 const LinePlace* find_label(const Block& block, LabelIndex& labels, const Interpreter& interpreter,
                             const std::string& label, std::size_t line, Direction direction) {
   const LinePlace* const place = labels.find_label(label, line, direction);
+  if (place != nullptr) labels.check_once(block, label, line);
   if (place == nullptr || !interpreter.leaves_out_skipped() || !labels.is_behind_slash(place->line)) return place;
   refuse_flow(block, codes::kNotInterpreted,
               fmt::format("{} stands in line {}, which is left out because of its /, and whether the control finds it "
