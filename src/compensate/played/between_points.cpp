@@ -262,7 +262,7 @@ void BetweenPoints::measure(const Part& part, const Enough& enough, Look& look, 
   const bool ends = part.from + part.share > 1 - FirstLooks::kEdge;
   for (const double end : {0.0, 1.0}) {
     if ((begins || ends) && comes_by_again(here_->curve)) beside(*here_, end);
-    if (before_ && begins) beside(*before_, end);
+    if (before_ != nullptr && begins) beside(*before_, end);
     if (next != nullptr && ends) beside(*next, end);
   }
   tip_.found.take(look.tip_mm, here_->line);

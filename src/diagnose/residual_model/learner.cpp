@@ -74,13 +74,13 @@ Spread best_spread(const Eigen::MatrixXd& gram, const Eigen::VectorXd& pull) {
 
 Learner::Learner(const Workbench& bench, const physics::ForceModel& forces, const LinearProblem& problem,
                  Marginalised nuisances, const identify::NoiseModel& noise, const DescriptionOptions& description,
-                 const ResidualOptions& options)
+                 ResidualOptions options)
     : machine_(forces.machine),
       runs_(ready_runs(bench, forces, problem)),
       poses_(poses_of(bench.runs)),
       noise_(noise),
       description_(description),
-      options_(options),
+      options_(std::move(options)),
       taken_(std::move(nuisances)) {
   const std::vector<int> columns = taken_.columns;
   const auto count = static_cast<Eigen::Index>(columns.size());

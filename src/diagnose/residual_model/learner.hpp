@@ -42,7 +42,7 @@ class Learner {
  public:
   Learner(const Workbench& bench, const physics::ForceModel& forces, const LinearProblem& problem,
           Marginalised nuisances, const identify::NoiseModel& noise, const DescriptionOptions& description,
-          const ResidualOptions& options);
+          ResidualOptions options);
 
   /// A component whose weights the model has.
   void take(const Component& component);

@@ -146,7 +146,7 @@ double WordGrid::endless_word(const Step& step, Axis axis, double to, double lef
 // Nobody knows where the axis stands; but it may well stand where it was left, and then the corrected word must not
 // turn it all the way round where the original's does not.
 void WordGrid::refuse_way_round(const Step& step, Axis axis, RotaryRule rule, double word, double written,
-                                double left_at) const {
+                                double left_at) {
   const auto way = [&](double to, double from) { return rotary_end(rule, to, std::signbit(to), from) - from; };
   if (std::abs(way(word, left_at) - way(written, step.motions.front().from[axis])) < kFullTurn / 2) return;
   refuse_block(*step.block, "emit-rotary-word",

@@ -82,8 +82,8 @@ class WordGrid {
   }
   const Grid& grid(const Step& step, Axis axis, const Word* word) const;
   bool keeps_time(const Step& step, const AxisWords& standing) const;
-  void refuse_way_round(const Step& step, Axis axis, RotaryRule rule, double word, double written,
-                        double left_at) const;
+  static void refuse_way_round(const Step& step, Axis axis, RotaryRule rule, double word, double written,
+                               double left_at);
   static bool counts_turns(const Step& step, Axis axis);
   static bool depends_on_start(const Step& step, Axis axis);
 

@@ -32,7 +32,8 @@ std::string value_text(Quantity quantity, double value) {
 }
 
 std::string column_text(const ForeignTable& table, const ColumnSource& column, std::size_t place) {
-  double least = HUGE_VAL, most = -HUGE_VAL;
+  double least = HUGE_VAL;
+  double most = -HUGE_VAL;
   std::size_t missing = 0;
   for (const double value : table.values[place]) {
     if (!std::isfinite(value)) {

@@ -9,7 +9,9 @@
 using namespace plumbline;
 
 TEST_CASE("drawn arcs stay arcs or become few, and keep the bound") {
-  std::uint64_t stayed = 0, split = 0, blocks = 0;
+  std::uint64_t stayed = 0;
+  std::uint64_t split = 0;
+  std::uint64_t blocks = 0;
   for (const double tolerance_um : {0.5, 2.0}) {
     for (unsigned seed = 1; seed <= 6; ++seed) {
       const std::string text = DrawnArcs(seed).text(8);

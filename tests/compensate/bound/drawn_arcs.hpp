@@ -44,7 +44,11 @@ class DrawnArcs {
     const nc::PlaneAxes axes = nc::axes_of(plane_);
     const bool counter_clockwise = chance(0.5);
     const bool whole = chance(0.15);
-    double radius = 0, begin = 0, sweep = 0, u = 0, v = 0;
+    double radius = 0;
+    double begin = 0;
+    double sweep = 0;
+    double u = 0;
+    double v = 0;
     do {  // until it stays near the middle
       radius = std::exp(uniform(std::log(1.0), std::log(40.0))) / (inches_ ? 25.4 : 1);
       begin = uniform(0, 2 * std::numbers::pi);

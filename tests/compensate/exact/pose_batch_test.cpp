@@ -3,8 +3,9 @@
 #include "compensate/exact/pose_batch.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 
 #include <catch2/catch.hpp>
 
@@ -134,12 +135,13 @@ AxisWords by_the_formula(const Machine& machine, const Asked& asked) {
   return machine::words_of(machine.model.rotation, machine::displaced<double>(reached.pose, -loads.tip), asked.pose);
 }
 
-bool same_bits(const AxisWords& a, const AxisWords& b) {
-  return std::memcmp(a.values.data(), b.values.data(), sizeof a.values) == 0;
+template <class Numbers>
+bool same_bits_of(const Numbers& a, const Numbers& b) {
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  return std::equal(a.data(), a.data() + a.size(), b.data(), [&](double x, double y) { return bits(x) == bits(y); });
 }
-bool same_bits(const machine::PerStrut<double>& a, const machine::PerStrut<double>& b) {
-  return std::memcmp(a.data(), b.data(), 6 * sizeof(double)) == 0;
-}
+bool same_bits(const AxisWords& a, const AxisWords& b) { return same_bits_of(a.values, b.values); }
+bool same_bits(const machine::PerStrut<double>& a, const machine::PerStrut<double>& b) { return same_bits_of(a, b); }
 
 void check_same(const PoseBatch& a, std::size_t i, const PoseBatch& b, std::size_t k) {
   REQUIRE(a.state(i) == b.state(k));
@@ -152,8 +154,8 @@ void check_same(const PoseBatch& a, std::size_t i, const PoseBatch& b, std::size
   if (!a.stands(i)) return;
   const Pose<double> here = a.stands_at(i);
   const Pose<double> there = b.stands_at(k);
-  REQUIRE(std::memcmp(here.p_WT.data(), there.p_WT.data(), 3 * sizeof(double)) == 0);
-  REQUIRE(std::memcmp(here.R_WP.data(), there.R_WP.data(), 9 * sizeof(double)) == 0);
+  REQUIRE(same_bits_of(here.p_WT, there.p_WT));
+  REQUIRE(same_bits_of(here.R_WP, there.R_WP));
   REQUIRE(same_bits(a.speed(i), b.speed(k)));
 }
 

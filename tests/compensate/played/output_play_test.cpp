@@ -43,7 +43,9 @@ TEST_CASE("what is played on a thread of its own is what is played at once") {
   compensate::BetweenPoints at_once(corrector);
   compensate::OutputPlay aside(opened.job.model, opened.job.settings);
   AxisWords begin;
-  for (int count = 0; const compensate::Move* const move = reader.next_move(); ++count) {
+  int count = -1;
+  while (const compensate::Move* const move = reader.next_move()) {
+    ++count;
     const compensate::ToolInSpindle tool{0, 5.0 * (count % 3), 0.1};
     if (count % 250 == 0) {
       at_once.leave();

@@ -60,7 +60,7 @@ TEST_CASE("each point of a short program is drawn, with its line, its text and w
   const DrawnPoint& last = path.points.back();
   CHECK(last.recorded.line == 7);
   CHECK(last.recorded.text == "G1 X30 F1200");
-  CHECK(last.recorded.after.find("X") != std::string::npos);
+  CHECK(last.recorded.after.find('X') != std::string::npos);
   CHECK(last.recorded.asked.pose[Axis::X] == Approx(30));
   CHECK(last.recorded.mm_s == Approx(20));
   CHECK(last.recorded.time_s == Approx(summary.seconds_before));

@@ -48,7 +48,8 @@ TEST_CASE("the tip over a box is as uncertain as a map has it") {
   as_map.step = 100 * kMm;
   for (const auto& [axis, angle] : {std::pair(Axis::A, 10.0), {Axis::A, -10.0}, {Axis::B, 10.0}, {Axis::B, -10.0}})
     as_map.tilts.emplace_back()[axis] = angle;
-  double sum = 0, worst = 0;
+  double sum = 0;
+  double worst = 0;
   std::size_t reached = 0;
   jobs::map_workspace(kMachine, as_map, [&](const jobs::MapCell& cell) {
     if (!cell.reached()) return;
