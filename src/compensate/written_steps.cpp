@@ -74,7 +74,8 @@ WrittenSteps::OfBlock WrittenSteps::of_steering(const nc::Step& step) {
   OfBlock written = only(expander_.beside_flow(step, acts));
   written.steering = step;
   const bool enters = step.flow && step.flow->kind != nc::FlowEntry::Kind::none;
-  if (acts && enters) written.steering->before = step.after;  // that is done
+  const bool brings_back = dialect_.syntax.system_variables == nc::SystemVariables::rs274;  // M73, at the end
+  if (acts && (enters || !brings_back)) written.steering->before = step.after;              // that is done
   return written;
 }
 

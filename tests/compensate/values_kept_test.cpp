@@ -101,3 +101,41 @@ TEST_CASE("a move of no length takes no time under G93 as well") {
     CHECK(result.text.find("F0.0") == std::string::npos);
   }
 }
+
+TEST_CASE("what stands beside a call or the end of a subprogram is written once, as it stands") {
+  struct Case {
+    const char* dialect;
+    std::string text;
+    std::vector<std::string> lines;  // of the output
+    const char* none;                // what nobody wrote
+  };
+  const std::string fanuc = "G54 G0 X0. Y0. Z50. A0. B0. C0. S600 M3\n";
+  const std::string siemens = "G54 G17 G90 G710 G94 G64\nG0 X0 Y0 Z60 A0 B0 C0 S500 M3\n";
+  for (const Case& of :
+       {Case{"fanuc",
+             "O0001\nG90 G21 G17 G94 M98 P1000\nM30\nO1000\n" + fanuc + "G1 X10. F300.\nG17 G94 M99\n",
+             {"\nG90 G21 G17 G94\n", "\nG17 G94\n"},
+             "P0"},
+        Case{"fanuc",
+             "O0001\nG90 G21 G17\n" + fanuc + "G61\nG64 M98 P50\nG0 X9.\nM30\nO50\nG1 X10. F300.\nS900 G64 M99\n",
+             {"\nG61\nG64\n", "\nS900 G64\n"},
+             "S900."},
+        Case{"siemens",
+             siemens + "UPA1\nG1 X60 Y20 F500\nM30\n%_N_UPA1_SPF\nG0 X5\nG642 M19 M17\n",
+             {"\nG642 M19\n"},
+             "M5"},
+        Case{"siemens",
+             siemens + "G60\nUPA1\nG1 X60 F500\nM30\n%_N_UPA1_SPF\nG0 X5\nADIS=0.1 G641 M17\n",
+             {"\nADIS=0.1 G641\n"},
+             "G64 "}}) {
+    INFO(of.text);
+    Job job;
+    job.dialect = of.dialect;
+    job.settings.friction = false;
+    const std::string out = run(of.text, job).text;
+    INFO(out);
+    for (const std::string& line : of.lines) CHECK(out.find(line) != std::string::npos);
+    const std::string body = out.substr(out.find("X0"));
+    CHECK(body.substr(body.find('\n')).find(of.none) == std::string::npos);
+  }
+}

@@ -93,6 +93,14 @@ TEST_CASE("increments of Z after G43 and G49 alone are refused until Z is stated
   CHECK(ran.end[Axis::Z] == 10);
 }
 
+TEST_CASE("a jump to a number that stands twice is refused, as parameters decide where it goes") {
+  const std::string head = "G90 G54 G0 X10. Y10. Z50.\n";
+  check_refused_at({{(head + "N9 X1.\nGOTO 9\nN9 X5.\nM30\n").c_str(), 3, 1},
+                    {(head + "#1=1\nIF [#1 EQ 1] GOTO 20\nX1.\nN20 X2.\nN0020 X3.\nM30\n").c_str(), 3, 1},
+                    {(head + "M98 P7\nN30 X1.\nN30 X2.\nM30\nO7\nX9.\nM99 P30\n").c_str(), 8, 1}});
+  CHECK(reading_of(head + "N9 X1.\nN9 X5.\nGOTO 10\nN10 X2.\nM30\n", true).code.empty());
+}
+
 TEST_CASE("G92 in a system shifted by G52 is refused") {
   const std::string head = "G90 G54 G0 X10. Y10. Z50.\n";
   check_refused_at({{(head + "G52 X10. Y5.\nX0 Y0\nG92 X0 Y0\n").c_str(), 4, 1},

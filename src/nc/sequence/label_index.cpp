@@ -114,15 +114,19 @@ const LinePlace* LabelIndex::find_label(const std::string& label, std::size_t li
 void LabelIndex::check_once(const Block& block, const std::string& label, std::size_t line) {
   const Index& index = labels_of(files_.current());
   const auto found = index.labels.find(label);
-  if (found == index.labels.end() || dialect_.syntax.statements != Statements::user_task) return;
+  if (found == index.labels.end() || dialect_.syntax.statements == Statements::high_level) return;
   const LineRange range = program_around(index, line);
   int seen = 0;
   for (const LinePlace& place : found->second) {
     if (!range.contains(place.line) || ++seen < 2) continue;
     refuse_flow(block, codes::kNotInterpreted,
-                fmt::format("{} stands in line {} as well, and which of the two the control goes to, or whether zeros "
-                            "before its number make it another label, was found in no source",
-                            label, place.line),
+                dialect_.syntax.statements == Statements::user_task
+                    ? fmt::format("{} stands in line {} as well, and which of the two the control goes to, or whether "
+                                  "zeros before its number make it another label, was found in no source",
+                                  label, place.line)
+                    : fmt::format("{} stands in line {} as well, and which of the two the control goes to depends on "
+                                  "its parameters",
+                                  label, place.line),
                 "give each label a name of its own");
   }
 }

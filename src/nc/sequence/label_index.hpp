@@ -23,7 +23,8 @@ class LabelIndex {
   /// line to the end of the program, then from its begin; backward: the nearest before the line. Holds while the index
   /// does.
   const LinePlace* find_label(const std::string& label, std::size_t line, Direction direction);
-  /// Refuses, at the block that jumps, a label that stands twice in the same program of an OSP.
+  /// Refuses, at the block that jumps, a label that stands twice in the same program, but where the way it is looked
+  /// for is part of the language (GOTOF, GOTOB).
   void check_once(const Block& block, const std::string& label, std::size_t line);
   /// True if that line of the file that is read begins with /.
   bool is_behind_slash(std::size_t line);

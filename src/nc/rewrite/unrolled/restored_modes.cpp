@@ -18,7 +18,11 @@ class CodeText {
 
   void code(std::string_view text) { append_code(text_, text, spelling_); }
   void code(std::string_view meaning, std::optional<int> value) { code(codes_.text_of(meaning, value)); }
-  void word(char letter, double value) { append_word(text_, letter, value, kMostDecimals, spelling_); }
+  void word(char letter, double value) {
+    Spelling spelling = spelling_;
+    if (letter == 'S' || letter == 'H') spelling.point = false;  // whole numbers take none [Fanuc]
+    append_word(text_, letter, value, kMostDecimals, spelling);
+  }
   const CodeWriter& codes() const { return codes_; }
   std::string take() { return std::exchange(text_, {}); }
 
