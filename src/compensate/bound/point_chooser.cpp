@@ -23,6 +23,9 @@ constexpr std::size_t kMostPoints = 200'000;
 
 double whole_way(const path::Curve& curve) { return curve.linear_mm() + path::largest_turn_deg(curve.delta()); }
 
+constexpr double kSlowMm = 2e-3;  // mm and deg that a block of the least time goes
+constexpr int kManyShort = 16;    // pieces, one behind another
+
 }  // namespace
 
 std::span<const ChosenPoint> PointChooser::choose(const Move& move, const ControlBefore& before) {
@@ -30,6 +33,7 @@ std::span<const ChosenPoint> PointChooser::choose(const Move& move, const Contro
   bound_ = {};
   chosen_.clear();
   reached_ = true;
+  short_pieces_ = 0;
   set_allowed(move, before.words.half_quanta);
   curve_.follow(move, rounding_);
   arcs_.follow(move, before.words.arcs);
@@ -66,6 +70,7 @@ void PointChooser::set_allowed(const Move& move, const AxisWords& half_quanta) {
   } else {
     block_share_ = kUnknownMm / std::max(whole_way(move.path.curve), kSlack);
   }
+  is_slow_ = block_share_ * whole_way(move.path.curve) < kSlowMm;
   least_share_ = block_share_ * (settings_.yields == BoundSettings::Yields::time ? kTimeYields : 1);
 }
 
@@ -161,15 +166,24 @@ void PointChooser::fit_arc(const PieceEnd& begin, Piece& piece) {
   piece.corrected.pose = end.told;
 }
 
+bool PointChooser::turns_bit_by_bit(const PieceEnd& begin) const {
+  if (!is_slow_) return false;
+  const machine::PerStrut<double> soon = turns_.sign_at_end(begin, begin.fraction + block_share_);
+  return turns_.tip_jump_mm(begin.sign, soon) <= allowed_.tip_mm;
+}
+
 // Where a piece ends that is too long; its own end where no shorter one is better, or the time of a block allows none.
 // Where friction is taken to turn the sooner the better, but not within less than a block's time: the tip jumps either
-// way. Where it turns otherwise than it is taken to, length does not matter.
+// way. At a feed so slow that such a block hardly moves, it turns bit by bit, and half the length is turned less. Where
+// many short pieces do not end it, or it turns otherwise than it is taken to, length does not matter.
 double PointChooser::shortened(const PieceEnd& begin, double last, const Piece& piece) const {
   const double end = piece.end.fraction;
-  const double least = piece.jumps ? block_share_ : least_share_;
+  const bool at_once = piece.jumps && short_pieces_ < kManyShort;
+  const double least = at_once ? block_share_ : least_share_;
   if (keeps(piece.as_told) || last - begin.fraction < 2 * least) return end;
   double shorter = 0;
-  if (!piece.jumps) {
+  if (at_once && turns_bit_by_bit(begin)) shorter = piece.share / 2;
+  if (!at_once) {
     if (keeps(piece.as_taken)) return end;
     shorter = piece.share * kNearer / std::sqrt(over(piece.as_taken));
     // As many pieces of one length as that makes.
@@ -180,6 +194,7 @@ double PointChooser::shortened(const PieceEnd& begin, double last, const Piece& 
 }
 
 void PointChooser::accept(const Piece& piece) {
+  short_pieces_ = piece.share < 2 * block_share_ ? short_pieces_ + 1 : 0;
   const double tip_mm = piece.as_told.tip_mm + rounding_.tip_mm;
   const double turned_rad = piece.as_told.turned_rad + rounding_.turned_rad;
   const double turned_deg = turned_rad / kDeg;

@@ -71,6 +71,7 @@ class PointChooser {
   bool choose_up_to(double last, PieceEnd& at);
   bool try_piece(const PieceEnd& begin, double end, Piece& piece);
   void fit_arc(const PieceEnd& begin, Piece& piece);
+  bool turns_bit_by_bit(const PieceEnd& begin) const;
   double shortened(const PieceEnd& begin, double last, const Piece& piece) const;
   bool keeps(const Deviation& deviation) const;
   double over(const Deviation& deviation) const;
@@ -85,6 +86,8 @@ class PointChooser {
   Deviation allowed_, rounding_;
   double block_share_ = 0;  // of the move: what the control's time for a block is
   double least_share_ = 0;  // and the shortest of a piece
+  bool is_slow_ = false;    // a block of the control's least time hardly moves
+  int short_pieces_ = 0;    // one behind another, about as short as a block may be
   bool reached_ = true;
   BoundOfMove bound_;
   std::vector<ChosenPoint> chosen_;

@@ -64,6 +64,19 @@ TEST_CASE("a block that goes nowhere has one point, whatever its time") {
   }
 }
 
+TEST_CASE("where struts turn at a feed so slow that a block hardly moves, some points are enough") {
+  for (const std::string text : {"G21 G90\nG0 X72 Y0 Z100 A0 B0 C0\nG2 X97 Y25 I25 J0 F30\nM2\n",
+                                 "G20 G90\nG0 X2.84 Y0 Z4 A0 B0 C0\nG2 X3.84 Y1 I1 J0 F1.18\nM2\n",
+                                 "G21 G90\nG0 X72 Y0 Z100 A0 B0 C0\nG1 X60 Y20 Z95 A2 F25\nM2\n"}) {
+    for (const double tolerance_um : {1.0, 2.0, 5.0}) {
+      const HeldBound held = held_bound(text, job_within(tolerance_um, true), kDense);
+      check_held(held, text);
+      INFO(tolerance_um << " um");
+      CHECK(held.result.summary.points < 60);
+    }
+  }
+}
+
 TEST_CASE("axes that get no word do not ask for points") {
   const std::string text = "G21 G90 G94\nG0 X0 Y0 Z0\nG1 X40 Y10 F1000\nX0 Z-20\nM2\n";  // A, B, C are never named
   Job job = job_within(0.5, false);
