@@ -22,9 +22,9 @@ namespace {
 class Checker {
  public:
   Checker(const nc::Dialect& dialect, const machine::MachineModel& model, const compensate::Settings& settings,
-          const nc::EmitSettings& emit, compensate::PathRecord* record)
+          nc::EmitSettings emit, compensate::PathRecord* record)
       : dialect_(dialect),
-        emit_(emit),
+        emit_(std::move(emit)),
         words_(dialect, emit_),
         corrector_(model, settings),
         touch_off_error_(compensate::touch_off_error(corrector_, settings)),

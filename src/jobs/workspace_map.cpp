@@ -180,7 +180,7 @@ WorkspaceGrid workspace_grid(const machine::MachineModel& model, const MapOption
     longest = std::max(longest, width);
   }
   const double step = options.step.value_or(longest / kDefaultParts);
-  double poses = static_cast<double>(options.tilts.size());
+  auto poses = static_cast<double>(options.tilts.size());
   for (std::size_t a = 0; a < 3; ++a) {
     const bool planes = a == 2 && !options.planes.empty();
     poses *= planes ? static_cast<double>(options.planes.size()) : (box[a].upper - box[a].lower) / step + 1;

@@ -14,7 +14,7 @@ namespace plumbline::jobs {
 
 std::string output_of(const std::string& program, const settings::Options& options) {
   if (program == kStandardStream) return std::string(kStandardStream);
-  const std::string output = settings::output_name(program, options);
+  std::string output = settings::output_name(program, options);
   std::error_code error;
   if (std::filesystem::is_regular_file(path_of(output), error) && !compensate::is_compensated(InputFile(output))) {
     refuse("file-exists", fmt::format("{} stands there already, and is no compensated program", output),

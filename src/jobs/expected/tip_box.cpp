@@ -180,7 +180,8 @@ TipBox::TipBox(const machine::MachineModel& model, const identify::Unknowns& unk
 }
 
 TipOverBox TipBox::with(const Eigen::MatrixXd& covariance) const {
-  Figures stands, touched_off;
+  Figures stands;
+  Figures touched_off;
   for (const Place& place : places_) {
     stands.add(place.slopes, covariance, place.pose);
     touched_off.add(place.slopes - middle_, covariance, place.pose);

@@ -27,7 +27,7 @@ struct Paper {
 /// Of a dataset, those that are joined `with` it, and the models that are laid beside them (empty names: none). What
 /// was read from a pipe cannot be read again: without a model it is left out, without a dataset all is. Refuses as
 /// their readers do.
-Paper paper_of(const std::string& dataset, const std::vector<std::string>& models,
+Paper paper_of(const std::string& path, const std::vector<std::string>& models,
                const std::vector<std::string>& with = {});
 
 /// FNV-1a of a dataset and the tables that it names.

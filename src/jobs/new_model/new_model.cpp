@@ -157,7 +157,7 @@ std::vector<std::string> heading_of(const NewModelJob& job, const ModelDraft& dr
                               to_decimal(draft.home_mm[0]), to_decimal(draft.home_mm[1]), to_decimal(draft.home_mm[2]),
                               draft.home_note));
   if (assumes)
-    lines.push_back(
+    lines.emplace_back(
         "Lines with \"assumed\" are rules of thumb that nobody stated: put the machine's own numbers there");
   return lines;
 }
