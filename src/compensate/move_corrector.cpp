@@ -18,17 +18,14 @@ const CorrectedMove& MoveCorrector::correct(const Move& move, const AxisWords& s
   begin(move, standing);
   if (move.is_rapid()) {
     correct_rapid();
-  } else if (goes_nowhere(move.path.curve) && has_moved_) {
+  } else if (goes_nowhere(move.path.curve) && standing_sign_) {
     stand();
   } else if (chooser_) {
     correct_by_bound(words);
   } else {
     correct_cut();
   }
-  if (!result_.signs.empty()) {
-    standing_sign_ = result_.signs.back();
-    has_moved_ = true;
-  }
+  if (!result_.signs.empty()) standing_sign_ = result_.signs.back();
   return result_;
 }
 
@@ -145,7 +142,7 @@ void MoveCorrector::correct_rapid() {
 void MoveCorrector::stand() {
   const nc::Motion& motion = *result_.move.motion;
   result_.points.push_back({motion.to, result_.standing, 1});
-  result_.signs.push_back(standing_sign_);
+  result_.signs.push_back(*standing_sign_);
 }
 
 void MoveCorrector::correct_cut() {
@@ -176,7 +173,7 @@ void MoveCorrector::correct_cut() {
 
 void MoveCorrector::correct_by_bound(const WordsOfMove& words) {
   const Move& move = result_.move;
-  ControlBefore before{std::nullopt, standing_sign_, words};
+  ControlBefore before{std::nullopt, standing_sign_.value_or(machine::PerStrut<double>::Zero()), words};
   if (at_violation_ == AtViolation::stop) before.told = move.path.in_base_frame(move.motion->from + result_.standing);
   double from = 0;
   for (const ChosenPoint& point : chooser_->choose(move, before)) {

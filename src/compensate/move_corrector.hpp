@@ -86,9 +86,7 @@ class MoveCorrector {
   const machine::Limits& limits_;
   AtViolation at_violation_;
   std::optional<PointChooser> chooser_;
-  machine::PerStrut<double> standing_sign_ =
-      machine::PerStrut<double>::Zero();  // of friction, where the control stands
-  bool has_moved_ = false;                // to a corrected place
+  std::optional<machine::PerStrut<double>> standing_sign_;  // of friction, at the last corrected place
   CorrectedMove result_;
   std::vector<path::CurvePoint> points_;  // of pieces that are corrected together
   std::vector<Target> targets_;

@@ -70,7 +70,7 @@ WrittenSteps::OfBlock WrittenSteps::of(const nc::Step& step) {
 
 // What stands beside a call comes before it, and so do comments.
 WrittenSteps::OfBlock WrittenSteps::of_steering(const nc::Step& step) {
-  const bool acts = acts_beside_flow(step, dialect_);
+  const bool acts = expander_.acts_beside_flow(step);
   OfBlock written = only(expander_.beside_flow(step, acts));
   written.steering = step;
   const bool enters = step.flow && step.flow->kind != nc::FlowEntry::Kind::none;

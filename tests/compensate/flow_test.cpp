@@ -9,12 +9,6 @@ namespace {
 
 const std::string kStart = "G21 G90 G94 G17\nG0 X0 Y0 Z5 A0 B0 C0\n";
 
-Job without_friction() {
-  Job job;
-  job.settings.friction = false;
-  return job;
-}
-
 Job without_gravity() {
   Job job = without_friction();
   job.model.gravity.setZero();

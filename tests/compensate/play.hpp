@@ -36,6 +36,12 @@ struct Job {
   nc::EmitSettings emit = {.stamp = {"plumbline 0 compensated this program"}};
 };
 
+inline Job without_friction() {
+  Job job;
+  job.settings.friction = false;
+  return job;
+}
+
 /// A program for this control, under any work system, without friction.
 inline Job job_of_control(const std::string& dialect) {
   Job job;

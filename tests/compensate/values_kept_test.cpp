@@ -10,16 +10,10 @@ namespace {
 
 const std::string kSpinning = "G21 G90 G54 G94 G17\nM3 S500\nG0 X0 Y0 Z5 A0 B0 C0\n";
 
-Job gravity_alone() {
-  Job job;
-  job.settings.friction = false;
-  return job;
-}
-
 }  // namespace
 
 TEST_CASE("a program that reads F, the motion code or the way back is written out with what it reads") {
-  const Job job = gravity_alone();
+  const Job job = without_friction();
   const auto text_of = [&](const std::string& text) { return run(kSpinning + text, job).text; };
   CHECK(text_of("G1 Y1 F100\nX1\nG10 L2 P2 X[#<_feed>]\nG1 X2\nM2\n").find("G10 L2 P2 X100\n") != std::string::npos);
   CHECK(
@@ -54,7 +48,7 @@ TEST_CASE("modes that M70 keeps are those of the original, F with all its decima
 }
 
 TEST_CASE("a cycle that begins below R where nobody knows where the tool stands is refused") {
-  Job job = gravity_alone();
+  Job job = without_friction();
   job.program.keeps_position = {6};
   for (const std::string unknown : {"M60\nG0 Z5\n", "G38.2 X3 F10\nG0 Z5\n", "M60\nG0 Z5 A0 B0 C0\nG0 X2\n"}) {
     INFO(unknown);
@@ -69,23 +63,23 @@ TEST_CASE("a cycle that begins below R where nobody knows where the tool stands 
 
 TEST_CASE("a program that reaches (ABORT, text) is refused, one that goes past it is not") {
   const std::string loop = "#1=3\no1 while [#1 GT 0]\nG1 X#1 F100\no2 if [#1 EQ 2]\n";
-  CHECK(code_of(kSpinning + loop + "(ABORT, too deep)\no2 endif\n#1=[#1-1]\no1 endwhile\nM2\n", gravity_alone()) ==
+  CHECK(code_of(kSpinning + loop + "(ABORT, too deep)\no2 endif\n#1=[#1-1]\no1 endwhile\nM2\n", without_friction()) ==
         "nc-not-interpreted");
-  CHECK(code_of(kSpinning + "G1 X1 F100 ( abort,x)\nM2\n", gravity_alone()) == "nc-not-interpreted");
-  CHECK(code_of(kSpinning + "G1 X1 F100\n(one) (Abort, two)\nM2\n", gravity_alone()) == "nc-not-interpreted");
+  CHECK(code_of(kSpinning + "G1 X1 F100 ( abort,x)\nM2\n", without_friction()) == "nc-not-interpreted");
+  CHECK(code_of(kSpinning + "G1 X1 F100\n(one) (Abort, two)\nM2\n", without_friction()) == "nc-not-interpreted");
   for (const std::string goes_on : {"(ab ort, x)\n", "; abort, x\n", "(abort, x) (y)\n", "(aborted)\n",
                                     "#1=3\no2 if [#1 EQ 2]\n(ABORT, too deep)\no2 endif\n"}) {
     INFO(goes_on);
-    CHECK(code_of(kSpinning + goes_on + "G1 X1 F100\nM2\n", gravity_alone()).empty());
+    CHECK(code_of(kSpinning + goes_on + "G1 X1 F100\nM2\n", without_friction()).empty());
   }
 }
 
 TEST_CASE("after M0 and M1 a LinuxCNC stands where it stood, after M60 nobody knows") {
   for (const std::string stop : {"M0 (MEASURE)\n", "M1\n", "M5\nM0\nM3 S500\n"}) {
     INFO(stop);
-    CHECK(code_of(kSpinning + stop + "G0 Z2\nG1 Z-2 F100\nM2\n", gravity_alone()).empty());
+    CHECK(code_of(kSpinning + stop + "G0 Z2\nG1 Z-2 F100\nM2\n", without_friction()).empty());
   }
-  CHECK(code_of(kSpinning + "M60\nG0 Z2\nG1 Z-2 F100\nM2\n", gravity_alone()) == "compensate-position-unknown");
+  CHECK(code_of(kSpinning + "M60\nG0 Z2\nG1 Z-2 F100\nM2\n", without_friction()) == "compensate-position-unknown");
 }
 
 TEST_CASE("a move of no length takes no time under G93 as well") {

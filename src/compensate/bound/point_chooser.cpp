@@ -70,7 +70,6 @@ void PointChooser::set_allowed(const Move& move, const AxisWords& half_quanta) {
   } else {
     block_share_ = kUnknownMm / std::max(whole_way(move.path.curve), kSlack);
   }
-  is_slow_ = block_share_ * whole_way(move.path.curve) < kSlowMm;
   least_share_ = block_share_ * (settings_.yields == BoundSettings::Yields::time ? kTimeYields : 1);
 }
 
@@ -167,7 +166,7 @@ void PointChooser::fit_arc(const PieceEnd& begin, Piece& piece) {
 }
 
 bool PointChooser::turns_bit_by_bit(const PieceEnd& begin) const {
-  if (!is_slow_) return false;
+  if (block_share_ * whole_way(move_->path.curve) >= kSlowMm) return false;
   const machine::PerStrut<double> soon = turns_.sign_at_end(begin, begin.fraction + block_share_);
   return turns_.tip_jump_mm(begin.sign, soon) <= allowed_.tip_mm;
 }

@@ -86,7 +86,6 @@ class PointChooser {
   Deviation allowed_, rounding_;
   double block_share_ = 0;  // of the move: what the control's time for a block is
   double least_share_ = 0;  // and the shortest of a piece
-  bool is_slow_ = false;    // a block of the control's least time hardly moves
   int short_pieces_ = 0;    // one behind another, about as short as a block may be
   bool reached_ = true;
   BoundOfMove bound_;

@@ -135,27 +135,6 @@ bool alike(const AxisWords& a, const AxisWords& b) {
 
 }  // namespace
 
-// Words of its own that go on counting (G90, G64) are acts as well. All words beside G65 are the macro's.
-bool acts_beside_flow(const nc::Step& step, const nc::Dialect& dialect) {
-  if (!step.flow) return false;
-  if (!step.motions.empty()) return true;
-  std::string words_of_call;
-  std::vector<const nc::Word*> others;
-  for (const nc::Word& word : step.block->words) {
-    const nc::CodeRow* const row = is_code(word) ? dialect.row_of(word) : nullptr;
-    if (row != nullptr && row->action == nc::Action::call_macro) return false;
-    const bool steers = row != nullptr && (row->action == nc::Action::call_program ||
-                                           row->action == nc::Action::end_program || row->action == nc::Action::end);
-    if (steers) {
-      words_of_call += row->words;
-    } else {
-      others.push_back(&word);
-    }
-  }
-  return std::any_of(others.begin(), others.end(),
-                     [&](const nc::Word* word) { return words_of_call.find(word->letter) == std::string::npos; });
-}
-
 void append_effects(const nc::Step& step, const nc::Dialect& dialect, std::vector<BlockEffect>& effects) {
   const nc::Block& block = *step.block;
   for (const nc::Comment& comment : block.comments) {

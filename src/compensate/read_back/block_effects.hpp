@@ -13,9 +13,6 @@ namespace plumbline::compensate {
 /// executes them. Left out is what shows otherwise: moves, feed, and modes that IntendedState holds.
 void append_effects(const nc::Step& step, const nc::Dialect& dialect, std::vector<BlockEffect>& effects);
 
-/// True of a line that calls a program, or ends one, and does something else as well.
-bool acts_beside_flow(const nc::Step& step, const nc::Dialect& dialect);
-
 /// True if both say the same, their values alike to what nine decimals hold.
 bool are_alike(const BlockEffect& a, const BlockEffect& b);
 

@@ -214,5 +214,6 @@ void check_motions(const Execution& run, double count);
 void add_motion(Execution& run, const Motion& planned);
 /// From here on the axes may stand anywhere.
 void lose_position(Execution& run, AxisSet axes);
+void lose_unless_kept(Execution& run, const Chosen& chosen);  // as its row and --keeps-position say
 
 }  // namespace plumbline::nc

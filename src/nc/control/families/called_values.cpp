@@ -61,12 +61,9 @@ double first_share(const CalledValues& given) {
   given.refuse("no source says what its factor of the first feed means", "write FRF from 0.001 to 1, or leave it out");
 }
 
-double dwell_of_deep_hole(const CalledValues& given, int place) {
-  constexpr std::pair<int, long> kDigits[] = {{8, 10}, {9, 100}, {15, 1000}};
-  const auto* const digit =
-      std::find_if(std::begin(kDigits), std::end(kDigits), [&](const auto& of) { return of.first == place; });
+double dwell_of_deep_hole(const CalledValues& given, int place, long unit) {
   const double dwell = given.number(place);
-  if (dwell != 0 && mode_digit(given, digit->second) > 1) {
+  if (dwell != 0 && mode_digit(given, unit) > 1) {
     given.refuse("its last value asks for a dwell in turns of the spindle, which is not interpreted",
                  "give the dwell in seconds, and 0 or 1 as that digit of the value");
   }

@@ -68,8 +68,8 @@ double pitch_of_thread(double diameter);
 
 /// CYCLE83: by how much the feed of its first peck is less (FRF). Refuses what no source explains.
 double first_share(const CalledValues& given);
-/// CYCLE83: s, or turns of the spindle where it is negative: DTB, DTS, DTD. Refuses dwells that the last value of the
-/// call counts in turns.
-double dwell_of_deep_hole(const CalledValues& given, int place);
+/// CYCLE83: s, or turns of the spindle where it is negative: DTB, DTS, DTD. `unit`: of the digit of the last value that
+/// says which; refuses those that it counts in turns.
+double dwell_of_deep_hole(const CalledValues& given, int place, long unit);
 
 }  // namespace plumbline::nc

@@ -224,9 +224,9 @@ void CalledHole::pecks() {
       given_.value(5) && given_.number(5) != 0 ? reference - given_.length_mm(5) : std::abs(given_.length_mm(6));
   const bool chips = given_.number(11) == 0;
   const ControlBehaviour& habits = run_.dialect.behaviour;
-  const double at_depth = dwell_of_deep_hole(given_, 8);
-  const double at_start = dwell_of_deep_hole(given_, 9);
-  const double at_end = dwell_of_deep_hole(given_, 15);
+  const double at_depth = dwell_of_deep_hole(given_, 8, 10);
+  const double at_start = dwell_of_deep_hole(given_, 9, 100);
+  const double at_end = dwell_of_deep_hole(given_, 15, 1000);
   double share = first_share(given_);
   const auto next_peck = [&](double depth) {
     go(MotionKind::feed, depth, share * feed_of_move(run_, true));

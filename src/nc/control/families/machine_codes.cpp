@@ -71,11 +71,12 @@ void switch_override(const Execution& run, int code) {
   if (code == kFeedStop) switches.feed_stop = on;
 }
 
-void lose_unless_kept(Execution& run, int code) {
-  if (!run.settings.keeps_position.contains(code)) lose_position(run, AxisSet::all());
-}
-
 }  // namespace
+
+void lose_unless_kept(Execution& run, const Chosen& chosen) {
+  const int code = static_cast<int>(std::lround(chosen.word->value));
+  if (chosen.row->loses_position && !run.settings.keeps_position.contains(code)) lose_position(run, AxisSet::all());
+}
 
 void call_program(Execution& run, const Chosen& chosen) {
   const bool calls = chosen.row->action == Action::call_program;
@@ -177,8 +178,7 @@ void machine_code(Execution& run, const Chosen& chosen) {
         return;
       [[fallthrough]];
     case Action::stop:
-      if (!chosen.row->loses_position) return;
-      return lose_unless_kept(run, static_cast<int>(std::lround(chosen.word->value)));
+      return lose_unless_kept(run, chosen);
     default:
       return;
   }

@@ -131,16 +131,23 @@ void set_table(Execution& run) {
   }
 }
 
+namespace {
+
+void check_no_local_shift(const Execution& run, std::string_view name) {
+  if (run.control.local == AxisWords{}) return;
+  run.refuse(codes::kNotInterpreted, fmt::format("what {} leaves of a shift by G52 is not interpreted", name),
+             "end the shift before it, with G52 X0 Y0 Z0");
+}
+
+}  // namespace
+
 void set_position(Execution& run) {
   Control& control = run.control;
   check_no_plane(run, run.first_word());
   if (run.axes.empty()) {
     run.refuse(codes::kAxesMissing, "G92 names no axis", "add the words that the axes shall stand on");
   }
-  if (control.local != AxisWords{}) {  // G92 ends it on some controls for the axes that it names [NCT 9.2.4]
-    run.refuse(codes::kNotInterpreted, "what G92 leaves of a shift by G52 is not interpreted",
-               "end the shift before it, with G52 X0 Y0 Z0");
-  }
+  check_no_local_shift(run, "G92");  // some controls end it for the axes that G92 names [NCT 9.2.4]
   if (run.in_machine_system() || !control.active().known.contains(run.axes)) need_offsets(run);
   need_position(run, run.axes);
   if (run.dialect.behaviour.set_position_unknown_elsewhere && control.modal.incremental) {
@@ -163,11 +170,10 @@ namespace {
 // The control brings the named axes back to the work offset, whatever shifted them: a tool's length and G52 as well.
 void preset_named_axes(Execution& run) {
   Control& control = run.control;
-  if (control.frame.tool != AxisWords{} || control.local != AxisWords{}) {
-    run.refuse(codes::kNotInterpreted,
-               control.local != AxisWords{} ? "what G92.1 leaves of a shift by G52 is not interpreted"
-                                            : "G92.1 while a tool's length is in force is not interpreted",
-               control.local != AxisWords{} ? "end the shift before it, with G52 X0 Y0 Z0" : "write G49 before it");
+  check_no_local_shift(run, "G92.1");
+  if (control.frame.tool != AxisWords{}) {
+    run.refuse(codes::kNotInterpreted, "G92.1 while a tool's length is in force is not interpreted",
+               "write G49 before it");
   }
   Frame next = control.frame;
   for (const Axis axis : kAllAxes) {

@@ -253,8 +253,7 @@ void change_tool(Execution& run, const Chosen& chosen) {
     control.length_doubt = control.edge == 0 ? Control::LengthDoubt::edge : Control::LengthDoubt::none;
     if (control.edge == 0) lose_tilted_tip(run);
   }
-  const int code = chosen.row->code / 10;
-  if (chosen.row->loses_position && !run.settings.keeps_position.contains(code)) lose_position(run, AxisSet::all());
+  lose_unless_kept(run, chosen);
 }
 
 }  // namespace plumbline::nc

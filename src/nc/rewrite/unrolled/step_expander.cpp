@@ -218,25 +218,45 @@ const Step* StepExpander::beside_flow(const Step& step, bool acts) {
   return &own.step;
 }
 
-// P and L of M98; M30 where it ends a subprogram.
+bool StepExpander::acts_beside_flow(const Step& step) const {
+  if (!step.flow) return false;
+  if (!step.motions.empty()) return true;
+  const std::vector<Word>& words = step.block->words;
+  const auto calls_macro = [&](const Word& word) {
+    const CodeRow* const row = is_code(word) ? dialect_.row_of(word) : nullptr;
+    return row != nullptr && row->action == Action::call_macro;
+  };
+  if (std::any_of(words.begin(), words.end(), calls_macro)) return false;
+  const std::string of_flow = words_of_flow(*step.block);
+  return std::any_of(words.begin(), words.end(),
+                     [&](const Word& word) { return !steers(word) && of_flow.find(word.letter) == std::string::npos; });
+}
+
+// M98, M99; M30 where it ends a subprogram.
+bool StepExpander::steers(const Word& word) const {
+  const CodeRow* const row = dialect_.row_of(word);
+  return row != nullptr &&
+         (row->action == Action::call_program || row->action == Action::end_program || row->action == Action::end);
+}
+
+// P and L of M98.
+std::string StepExpander::words_of_flow(const Block& block) const {
+  std::string letters;
+  for (const Word& word : block.words) {
+    if (steers(word)) letters += dialect_.row_of(word)->words;
+  }
+  return letters;
+}
+
 void StepExpander::write_without_call(const Step& step, std::string& text) {
   const Block& block = *step.block;
-  const auto steers = [&](const Word& word) {
-    const CodeRow* const row = dialect_.row_of(word);
-    const bool calls = row != nullptr && (row->action == Action::call_program || row->action == Action::end_program);
-    return calls || (row != nullptr && row->action == Action::end) ? row : nullptr;
-  };
-  std::string words_of_call;
-  for (const Word& word : block.words) {
-    if (const CodeRow* const row = steers(word)) words_of_call += row->words;
-  }
+  const std::string of_flow = words_of_flow(block);
   spelling_ = spelling_of(block, spelling_);
   editor_.start(block, spelling_);
-  write_values(step, false, words_of_call);
+  write_values(step, false, of_flow);
   defuse_comments(block);
   for (const Word& word : block.words) {
-    const bool belongs = words_of_call.find(word.letter) != std::string::npos;
-    if (belongs || steers(word) != nullptr) editor_.replace(word.span, "");
+    if (steers(word) || of_flow.find(word.letter) != std::string::npos) editor_.replace(word.span, "");
   }
   editor_.apply(text);
 }

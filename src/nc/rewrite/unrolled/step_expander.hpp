@@ -28,6 +28,9 @@ class StepExpander {
   /// knows (emit-value-unknown).
   const Step* plain(const Step& step, bool keeps_settings);
 
+  /// Whether a line that steers does something else as well: it moves, or has words of its own, among them those that
+  /// go on counting (G90, G64). All words beside G65 are the macro's.
+  bool acts_beside_flow(const Step& step) const;
   /// What else stands in a line that steers: where it `acts`, all but the call or the end of a program, else its
   /// comments; null if there are none. Holds until the next call.
   const Step* beside_flow(const Step& step, bool acts);
@@ -35,6 +38,8 @@ class StepExpander {
  private:
   std::string with_value(std::string_view text, const Word& word) const;
   void write_values(const Step& step, bool keeps_settings, std::string_view without = {});
+  bool steers(const Word& word) const;
+  std::string words_of_flow(const Block& block) const;
   void write_without_call(const Step& step, std::string& text);
   static bool is_end_in_other_words(const Step& step, const Word& word);
   std::string_view code_without_vectors(const Step& step, const Word& word) const;
