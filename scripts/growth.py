@@ -133,7 +133,7 @@ def main():
     results = {}
     with tempfile.TemporaryDirectory(dir=arguments.folder) as folder:
         for blocks in map(int, arguments.blocks.split(",")):
-            results[blocks] = measure(arguments.plumbline, pathlib.Path(folder), blocks, arguments.rounds)
+            results[blocks] = measure(arguments.plumbline, pathlib.Path(folder).resolve(), blocks, arguments.rounds)
     print("\n\n".join(report(results)))
 
 

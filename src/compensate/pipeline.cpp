@@ -136,6 +136,7 @@ void Pipeline::take_block(const nc::Step& step) {
   }
   follow_tool(step);
   const WrittenSteps::OfBlock written = steps_.of(step);
+  for (const std::string& line : steps_.restated_variables(step)) rewriter_.add_line(step, line);
   for (const nc::Step* const part : written.steps) take(*part);
   if (written.steering) rewriter_.steer(*written.steering);
 }

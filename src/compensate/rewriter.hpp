@@ -48,6 +48,8 @@ class Rewriter {
   const WrittenMove& write(const CorrectedMove& corrected);
   nc::EmittedMove write_hole(const nc::Step& hole, const AxisWords& shift);
   void steer(const nc::Step& step) { emitter_.steer(step); }
+  /// A block that stands for none of the original, before that of `step`.
+  void add_line(const nc::Step& step, const std::string& line) { emitter_.add_line(step, line); }
   /// What is written between these two stands for the block of a cycle.
   void begin_cycle(const nc::Step& step) { emitter_.begin_group(step); }
   void end_cycle(const nc::Step& step) { emitter_.end_group(step); }

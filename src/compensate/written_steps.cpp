@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "base/text/number_text.hpp"
 #include "compensate/limits.hpp"
 #include "compensate/read_back/block_effects.hpp"
 
 namespace plumbline::compensate {
 namespace {
+
+constexpr int kDecimalsOfR = 8;  // that R parameters may be given with [Fundamentals, 05/2017, A5E40869423]
 
 void refuse_what_stops(const nc::Step& step) {
   if (!step.flow || step.stop == nc::StopByVariable::none) return;
@@ -31,13 +34,32 @@ void refuse_kept_variables(const nc::Step& step) {
          place_of(step));
 }
 
-void refuse_handed_on(const nc::Step& step) {
-  if (step.handed == nullptr) return;
+void refuse_handed_on(const nc::Step& step, bool restates) {
+  const nc::HandedVariable* const handed = step.handed == nullptr ? nullptr
+                                           : restates             ? step.handed->first_carried()
+                                                                  : step.handed->first();
+  if (handed == nullptr) return;
   refuse("compensate-flow",
-         fmt::format(
-             "{}, set in line {}, {}, and the program, written out, sets none", step.handed->name, step.handed->line,
-             step.handed->carried ? "counts from run to run" : "is not read here, but may be by other programs"),
+         fmt::format("{}, set in line {}, {}, and the program, written out, sets none", handed->name, handed->line,
+                     handed->carried ? "counts from run to run" : "is not read here, but may be by other programs"),
          "remove it, or set it in a program that calls this one", place_of(step));
+}
+
+// "R5=2.5", "#100=2.5", "#<_height>=2.5"
+std::string restated(const nc::Dialect& dialect, int number, const nc::HandedVariable& variable, const nc::Step& step) {
+  if (!variable.value.known) {
+    refuse("compensate-flow",
+           fmt::format("{}, set in line {}, keeps for other programs what only the machine knows, and the program, "
+                       "written out, sets none",
+                       variable.name, variable.line),
+           "remove it, or set it in a program that calls this one", place_of(step));
+  }
+  const std::vector<nc::NumberedVariables>& ranges = dialect.syntax.variables;
+  const std::string name = number == 0 && ranges.empty() ? "#<" + variable.name + '>'
+                           : ranges.empty()              ? fmt::format("#{}", number)
+                                                         : fmt::format("{}{}", ranges.front().name, number);
+  const double value = variable.value.number;
+  return name + '=' + (ranges.empty() ? exact_decimal(value) : to_decimal(value, kDecimalsOfR));
 }
 
 }  // namespace
@@ -60,12 +82,23 @@ WrittenSteps::OfBlock WrittenSteps::of(const nc::Step& step) {
   if (form_ == nc::Form::in_text_order) return only(&step);
   refuse_what_stops(step);
   refuse_kept_variables(step);
-  refuse_handed_on(step);
+  refuse_handed_on(step, dialect_.syntax.restates_lasting);
   if (step.flow || step.saves_modes) return of_steering(step);
   refuse_handed_variables(step);
   const nc::Step* const plain = expander_.plain(step, false);
   if (plain == nullptr || plain->nurbs != nc::NurbsBlock::point) return only(plain);
   return {moves_.of(*plain), std::nullopt};  // its curve is written out at its end
+}
+
+// What FOR leaves in its variable was found in no source: it is left as it is.
+std::vector<std::string> WrittenSteps::restated_variables(const nc::Step& step) const {
+  std::vector<std::string> lines;
+  if (form_ == nc::Form::in_text_order || step.handed == nullptr || !dialect_.syntax.restates_lasting) return lines;
+  for (const auto& [number, variable] : step.handed->set()) {
+    const bool counted = dialect_.syntax.statements == nc::Statements::high_level && !variable->value.known;
+    if (!counted) lines.push_back(restated(dialect_, number, *variable, step));
+  }
+  return lines;
 }
 
 // What stands beside a call comes before it, and so do comments.

@@ -4,6 +4,8 @@
 
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "nc/rewrite/emit.hpp"
 #include "nc/rewrite/unrolled/step_expander.hpp"
@@ -22,6 +24,9 @@ class WrittenSteps {
   };
   /// Holds until the next call. Refuses with compensate-flow what nothing can stand for.
   OfBlock of(const nc::Step& step);
+
+  /// Before the end of a program that is written out: blocks that leave to others the variables that it set.
+  std::vector<std::string> restated_variables(const nc::Step& step) const;
 
   /// A cycle move by move. Holds until the next call.
   std::span<const nc::Step* const> of_cycle(const nc::Step& step) { return moves_.of(*expander_.plain(step, true)); }

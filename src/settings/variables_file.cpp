@@ -16,7 +16,7 @@ namespace {
 constexpr int kFirstWorkOffset = 5221;
 constexpr int kRotation = 9;  // after the first of a work system
 constexpr std::string_view kBlanks = " \t\r";
-constexpr std::string_view kForm = R"(write "#NUMBER VALUE", as in "#100 12.5")";
+constexpr std::string_view kForm = R"(write "#NUMBER VALUE", as in "#100 12.5"; of R parameters "R5 12.5")";
 
 struct Piece {
   std::size_t begin = 0;
@@ -44,9 +44,13 @@ class VariablesReader {
     const Piece rest = next_piece(line, value.begin + value.size);
     if (value.size == 0) refuse_at(begin, number, "variables-line", "a variable without a value");
     if (rest.size != 0) refuse_at(begin, rest, "variables-line", "a line holds one variable and its value");
-    if (line[number.begin] == '#') ++number.begin, --number.size;
+    int first = 1;
+    if (line[number.begin] == '#' || line[number.begin] == 'R') {
+      first = line[number.begin] == 'R' ? 0 : 1;
+      ++number.begin, --number.size;
+    }
     const std::optional<double> index = parse_number(line.substr(number.begin, number.size));
-    if (!index || *index < 1 || *index > nc::kLastParameter || *index != static_cast<int>(*index)) {
+    if (!index || *index < first || *index > nc::kLastParameter || *index != static_cast<int>(*index)) {
       refuse_at(begin, number, "variables-number",
                 fmt::format("the number of a variable is a whole one, 1 to {}", nc::kLastParameter));
     }

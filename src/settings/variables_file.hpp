@@ -11,9 +11,9 @@
 
 namespace plumbline::settings {
 
-/// Lines "#NUMBER VALUE", "#NUMBER = VALUE" or "NUMBER VALUE" (what LinuxCNC keeps as .var); blank lines and what
-/// follows ; are left out. Values are taken as they stand: lengths in mm, angles in deg. Refuses with variables-line,
-/// variables-number, variables-value or variables-twice and the place.
+/// Lines "#NUMBER VALUE", "#NUMBER = VALUE", "RNUMBER VALUE" or "NUMBER VALUE" (what LinuxCNC keeps as .var); blank
+/// lines and what follows ; are left out. Values are taken as they stand: lengths in mm, angles in deg. Refuses with
+/// variables-line, variables-number, variables-value or variables-twice and the place.
 std::map<int, double> read_variables(const Source& source);
 
 /// The work systems that the variables state whole: #5221 to #5226 for G54 with its rotation #5230, then every

@@ -52,3 +52,42 @@ TEST_CASE("common variables of an OSP that a program sets and does not read are 
   CHECK(code_of(head + loop + "VC2=5\nG1 X=VC2\nM2\n", job).empty());
   CHECK(code_of(head + loop + "G1 X=VC3\nM2\n", job).empty());
 }
+
+TEST_CASE("variables that outlast a program of LinuxCNC have their last values where it is written out") {
+  Job job = job_of_control("linuxcnc");
+  const std::string head = "G21 G90 G94 G0 X0 Y0 Z5 A0 B0 C0\n";
+  const std::string loop = "#1=0\no1 while [#1 LT 2]\n#1=[#1+1]\nG1 X[#1*5] F200\no1 endwhile\n";
+  for (const auto& [set, restated] :
+       {std::pair<std::string, std::string>{"#100=5\n#5000=-0.5\nM2\n", "\n#100=5\n#5000=-0.5\nM2\n"},
+        {"#<_Safe Height>=[1/3]\n#<own>=4\nM30\n", "\n#<_safeheight>=0.3333333333333333\nM30\n"},
+        {"#31=[2*4]\n#[30+1]=[#31/1000]\n#30=1\nM2\n", "\n#31=0.008\nM2\n"},
+        {"o9 sub\n#<_n>=#1\n#40=7\no9 endsub\no9 call [3]\nM2\n", "\n#<_n>=3\n#40=7\nM2\n"}}) {
+    INFO(set);
+    CHECK(run(head + loop + set, job).text.ends_with(restated));
+  }
+  CHECK(run("%\n" + head + loop + "#33=1\n%\n", job).text.ends_with("\n#33=1\n%\n"));
+  CHECK(run(head + "#100=5\nG1 X5 F200\nM2\n", job).text.find("#100=5\nG1") != std::string::npos);
+  job.program.variables = {{101, 3.0}};
+  CHECK(code_of(head + loop + "#101=[#101+1]\nM2\n", job) == "compensate-flow");
+  CHECK(code_of(head + loop + "G1 X#101\nM2\n", job).empty());
+}
+
+TEST_CASE("R parameters that a program sets have their last values where it is written out") {
+  Job job = job_of_control("siemens");
+  const std::string head = "G17 G71 G90 G94\nG0 X0 Y0 Z5 A0 B0 C0\n";
+  const std::string loop = "R1=0\nWHILE R1<3\nR1=R1+1\nG1 X=R1*5 F200\nENDWHILE\n";
+  for (const auto& [set, restated] :
+       {std::pair{"R99=5", "R99=5\n"}, {"R[7]=R1/3", "R7=1\n"}, {"R0=-1/3", "R0=-0.33333333\n"}}) {
+    INFO(set);
+    const std::string text = run(head + loop + set + "\nM30\n", job).text;
+    CHECK(text.find(restated) != std::string::npos);
+    CHECK(text.find("R1=3\n") != std::string::npos);
+    CHECK(text.ends_with("M30\n"));
+  }
+  const std::string counted = run(head + "FOR R1=1 TO 2\nG1 X=R1*5 F200\nENDFOR\nR2=4\nM30\n", job).text;
+  CHECK(counted.find("R1=") == std::string::npos);  // no source says what FOR leaves in it
+  CHECK(counted.ends_with("R2=4\nM30\n"));
+  CHECK(run(head + "DEF REAL DEPTH=2\n" + loop + "DEPTH=3\nM30\n", job).text.find("DEPTH") == std::string::npos);
+  job.program.variables = {{0, 3.0}};
+  CHECK(code_of(head + loop + "R0=R0+1\nM30\n", job) == "compensate-flow");
+}

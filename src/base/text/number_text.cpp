@@ -87,6 +87,14 @@ std::string to_decimal(double value, int decimals, int least) {
   return out;
 }
 
+std::string exact_decimal(double value) {
+  std::array<char, 2 * kDecimalRoom> text{};
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value + 0.0, std::chars_format::fixed);
+  PLUMBLINE_CHECK(error == std::errc{} && std::isfinite(value));
+  return {text.data(), end};
+}
+
 std::optional<double> parse_number(std::string_view text) {
   if (!text.empty() && text.front() == '+') {
     text.remove_prefix(1);

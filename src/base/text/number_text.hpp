@@ -49,6 +49,9 @@ char* write_decimal(char* out, double value, int decimals, int least = 0);
 inline constexpr std::size_t kDecimalRoom = 400;  // a double without digits behind its point has 310 at most
 std::string to_decimal(double value, int decimals = kMostDecimals, int least = 0);
 
+/// The shortest text without an exponent that is this very number.
+std::string exact_decimal(double value);
+
 /// The number that the whole of `text` is, exponent allowed; nothing if any of it is no number, or it is not finite.
 std::optional<double> parse_number(std::string_view text);
 

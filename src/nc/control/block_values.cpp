@@ -233,6 +233,7 @@ void BlockValues::set_parameter(const Block& block, const Setting& place, int nu
       run_.control.parameters.declare(block.at(block.names[place.name]), place.type);
     }
     run_.control.parameters.set(block.at(block.names[place.name]), value);
+    note_handed_name(block, place, value);
   } else if (number == run_.dialect.syntax.alarm_variable) {
     run_.control.ended = true;
     run_.step.stop = StopByVariable::alarm;
@@ -242,13 +243,20 @@ void BlockValues::set_parameter(const Block& block, const Setting& place, int nu
   } else {
     run_.step.sets_kept_variable = run_.step.sets_kept_variable || system_parameters_.is_kept(number);
     if (system_parameters_.goes_to_next_pass(number)) {
-      run_.control.of_main.note_set(number, block.at(place.span), block.line);
+      run_.control.of_main.note_set(number, block.at(place.span), block.line, value);
     }
     if (system_parameters_.is_lasting(number)) {
-      run_.control.handed.note_set(number, block.at(place.span), block.line);
+      run_.control.handed.note_set(number, block.at(place.span), block.line, value);
     }
     run_.control.parameters.set(number, value);
   }
+}
+
+// #<_name>, which all programs see
+void BlockValues::note_handed_name(const Block& block, const Setting& place, Value value) {
+  if (run_.dialect.syntax.system_variables != SystemVariables::rs274) return;
+  const std::string_view name = run_.control.parameters.plain(block.at(block.names[place.name]));
+  if (name.starts_with('_')) run_.control.handed.note_set(name, block.line, value);
 }
 
 void BlockValues::apply(const Block& block) {

@@ -38,6 +38,7 @@ class BlockValues {
   void evaluate_settings(const Block& block);
   Value value_before(const Block& block, std::uint32_t code, std::size_t settings, const Rounding& rounding = {});
   void set_parameter(const Block& block, const Setting& place, int number, Value value);
+  void note_handed_name(const Block& block, const Setting& place, Value value);
 
   Execution& run_;
   SystemParameters system_parameters_;

@@ -54,11 +54,13 @@ void restore_path_control(Modal& modal, const Modal& saved) {
 double printed(double value, int decimals) { return parse_number(fmt::format("{:.{}f}", value, decimals)).value(); }
 
 // F and S come back with one decimal and none; a change of the feed mode alone drops F. The control looks at the number
-// that was written last, whatever unit it counted: F100 under G20 where F100 was kept under G21 stays what it is.
+// that was written last, whatever unit it counted: F100 under G20 where F100 was kept under G21 stays what it is. G93 leaves it, until a move sets
+// its own.
 void restore_feed_and_speed(Execution& run, const SavedModes& saved) {
   Control& control = run.control;
   Modal& modal = control.modal;
-  const bool feed_differs = saved.modal.feed_rotary != modal.feed_rotary;
+  const bool inverse = modal.feed_mode == FeedMode::inverse_time;
+  const bool feed_differs = saved.modal.feed_rotary != (inverse ? control.feed_kept : modal.feed_rotary);
   if (saved.modal.feed_mode != modal.feed_mode) set_feed_mode(run, saved.modal.feed_mode);
   if (feed_differs && modal.feed_mode != FeedMode::inverse_time) {
     modal.feed = modal.feed_rotary = printed(saved.modal.feed_rotary, 1);

@@ -91,7 +91,7 @@ struct Hole {
 };
 
 struct CycleCall;
-struct HandedVariable;
+class HandedVariables;
 
 /// M98 and G65 call a program, M97 a part of the one that is executed, M99 ends it.
 struct ProgramCall {
@@ -138,8 +138,8 @@ struct Step {
   ToolChange tool_change = ToolChange::none;
   bool passes_variables = false;    // what stands in the brackets of a name, and is not looked into, names variables
   bool sets_kept_variable = false;  // one that other programs may read, or the control obeys: #500, #3004
-  const HandedVariable* handed = nullptr;  // at the end of the program: set for another one, or for its next run
-  bool loses_position = false;             // M0, M6, user M code, G28...: some axis may stand elsewhere now
+  const HandedVariables* handed = nullptr;  // at the end of the program
+  bool loses_position = false;              // M0, M6, user M code, G28...: some axis may stand elsewhere now
 };
 
 /// G4 P1 X5: the control waits, then moves; the wait is the first of the motions.

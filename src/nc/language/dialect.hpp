@@ -244,11 +244,12 @@ struct Syntax {
   /// The variables that outlast the program and that it may as well need for itself alone; 0: none are told from
   /// others.
   int first_lasting = 0, last_lasting = 0;
-  int alarm_variable = kNoVariable;                       // setting it stops the control
-  int message_variable = kNoVariable;                     // setting it shows a message and stops as M0 does
-  bool draws = false;                                     // DEF WORK ... END: the blank that the control draws
-  bool truths_only = false;                               // AND, OR: whether they join truths or bits is not known
-  std::string reserved;                                   // names of the control's own variables begin with this
+  bool restates_lasting = false;       // where a program is written out, it sets them once, at its end
+  int alarm_variable = kNoVariable;    // setting it stops the control
+  int message_variable = kNoVariable;  // setting it shows a message and stops as M0 does
+  bool draws = false;                  // DEF WORK ... END: the blank that the control draws
+  bool truths_only = false;            // AND, OR: whether they join truths or bits is not known
+  std::string reserved;                // names of the control's own variables begin with this
   std::unordered_map<std::string, NameMeaning> meanings;  // upper case
   std::uint32_t address_letters = 0;                      // that only stand for names, as P for TURN=: no words alone
   std::vector<NumberedVariables> variables;

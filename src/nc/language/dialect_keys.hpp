@@ -40,6 +40,7 @@ inline constexpr Key<bool Syntax::*> kSyntaxFlags[] = {
     {"word_modes", &Syntax::word_modes},
     {"settings_at_once", &Syntax::settings_at_once},
     {"exists_numbers", &Syntax::exists_numbers},
+    {"restates_lasting", &Syntax::restates_lasting},
     {"empty_names", &Syntax::empty_names},
     {"drops_vacant_words", &Syntax::drops_vacant_words},
     {"calls_by_name", &Syntax::calls_by_name},

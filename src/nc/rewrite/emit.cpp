@@ -244,6 +244,12 @@ void Emitter::steer(const Step& step) {
   });
 }
 
+void Emitter::add_line(const Step& step, const std::string& line) {
+  follow(step);
+  entries_.write(text_);
+  text_.write_own_line(line);
+}
+
 void Emitter::begin_group(const Step& step) {
   follow(step);
   begin_change(step);

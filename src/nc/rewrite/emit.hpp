@@ -86,6 +86,9 @@ class Emitter {
   /// A hole of a cycle that stays one (WrittenMoves::of), shifted by `shift` in X, Y and Z, in mm of the work system.
   EmittedMove hole(const Step& step, const AxisWords& shift);
 
+  /// Unrolled: a block that moves nothing and stands for none of the original, before that of `step`.
+  void add_line(const Step& step, const std::string& line);
+
   /// Passes a block through: no correction. Its axis words are changed only where they tell the control where it
   /// stands (G92), so that it ends with the offset that the original gives. Refuses with emit-stores-position.
   void copy(const Step& step);

@@ -98,6 +98,7 @@ struct Program::Parts {
   const Step* next();
   const Step* execute();
   const Step* steer();
+  void note_handed(Step& step);
   void count(std::uint64_t blocks);
   void count_moves(const Step& step);
   const Step* ignore();
@@ -159,7 +160,7 @@ const Step* Program::Parts::execute() {
     interpreter.check_begins_again(*block);
     stage = Stage::ended;
   }
-  if (stage == Stage::ended) step.handed = interpreter.control().handed.first();
+  note_handed(step);
   const FlowEntry entry = flow.take_entry();
   if (steers) step.flow = entry;
   return &step;
@@ -182,7 +183,12 @@ const Step* Program::Parts::steer() {
   const bool declares = block->flow.word == FlowWord::program || block->flow.word == FlowWord::define;
   const FlowEntry entry = flow.take_entry();
   if (!declares || jumped) step.flow = entry;
+  note_handed(step);
   return &step;
+}
+
+void Program::Parts::note_handed(Step& step) {
+  if (stage == Stage::ended) step.handed = &interpreter.control().handed;
 }
 
 // What a few letters spell: the moves of repeated cycles, the turns of arcs.
@@ -241,7 +247,9 @@ const Step* Program::Parts::percent() {
   }
   ends_doubtful = !dialect.syntax.percent_pairs && (stage == Stage::text || stage == Stage::opened);
   stage = stage == Stage::blank ? Stage::opened : Stage::ended;
-  return &interpreter.pass(*block);
+  interpreter.pass(*block);
+  note_handed(interpreter.step());
+  return &interpreter.step();
 }
 
 // What stands before the first % is none of the program; but where it holds words, the % may be the end as well.

@@ -1,4 +1,6 @@
 // F, and the three meanings of it: G93, G94, G95.
+#include <limits>
+
 #include "nc/control/execution.hpp"
 #include "nc/language/codes.hpp"
 
@@ -7,7 +9,10 @@ namespace plumbline::nc {
 void set_feed(Execution& run, const Word& word) {
   Control& control = run.control;
   if (word.value < 0) run.refuse(word, codes::kNegative, "the feed is negative", "write a feed of zero or more");
-  if (control.modal.feed_mode == FeedMode::inverse_time) return;  // it belongs to this block's move alone
+  if (control.modal.feed_mode == FeedMode::inverse_time) {  // it belongs to this block's move alone
+    control.feed_kept = std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
   control.modal.feed = word.value;
   control.feed_linear = run.length(word);
   control.modal.feed_rotary = word.value;
@@ -17,6 +22,7 @@ void set_feed(Execution& run, const Word& word) {
 void set_feed_mode(Execution& run, FeedMode mode) {
   Control& control = run.control;
   if (control.modal.feed_mode == mode && !run.dialect.behaviour.feed_mode_drops_feed) return;
+  if (control.modal.feed_mode != FeedMode::inverse_time) control.feed_kept = control.modal.feed_rotary;
   control.modal.feed_mode = mode;
   control.modal.feed = control.feed_linear = control.modal.feed_rotary = 0;
 }

@@ -54,7 +54,7 @@ Control::Control(const Dialect& dialect, const ProgramSettings& settings)
   if (dialect.behaviour.no_work_system_at_start) modal.work_system = 0;
   if (settings.as_with_empty_tables) no_system.known = AxisSet::all();
   for (const auto& [number, value] : settings.variables) {
-    if (number >= 1 && number <= kLastParameter) parameters.set(number, {value, true});
+    if (number >= 0 && number <= kLastParameter) parameters.set(number, {value, true});
   }
   for (std::size_t i = 0; i < systems.size(); ++i) {
     if (settings.as_with_empty_tables) systems[i].known = AxisSet::all();

@@ -125,6 +125,7 @@ struct Control {
   bool spindle_told = false;   // by M3 to M5: before, the program may be a part of another
   bool surface_speed = false;  // G96
   bool speed_limited = false;  // LIMS
+  double feed_kept = 0;        // number of the F that G93 found in force, until a move has its own; then no number
   double feed_linear = 0;      // the F in force as mm/min (mm/rev under G95)
   Parameters parameters;
   HandedVariables handed;          // of those that outlast the program

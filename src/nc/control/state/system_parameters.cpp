@@ -57,7 +57,8 @@ bool SystemParameters::is_read_only(int number) const {
 }
 
 bool SystemParameters::is_lasting(int number) const {
-  return number >= dialect_.syntax.first_lasting && number <= dialect_.syntax.last_lasting && number > 0;
+  const Syntax& syntax = dialect_.syntax;
+  return syntax.last_lasting > 0 && number >= syntax.first_lasting && number <= syntax.last_lasting;
 }
 
 bool SystemParameters::goes_to_next_pass(int number) const {
