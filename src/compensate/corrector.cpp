@@ -4,12 +4,17 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
 #include "base/units.hpp"
 #include "machine/axis_words.hpp"
 #include "machine/condition.hpp"
 #include "machine/forward.hpp"
+#include "machine/limits.hpp"
 #include "path/figures.hpp"
 
 namespace plumbline::compensate {
@@ -358,12 +363,20 @@ std::optional<double> Corrector::drift_per_hour_mm(const Target& target) const {
   return tips_apart_mm(now, physics::tip_error(physics_, environment, motion));
 }
 
-AxisWords touch_off_error(const Corrector& corrector, const Settings& settings) {
+AxisWords touch_off_error(const Corrector& corrector, const machine::Limits& limits, const Settings& settings) {
   if (!settings.touch_off) return {};
+  const auto refuse_pose = [](std::string message) {
+    refuse("compensate-touch-off", std::move(message),
+           "give the pose in W at which the work offset was probed: --touch-off X,Y,Z,A,B,C in mm and deg");
+  };
   const std::optional<AxisWords> error = corrector.error({*settings.touch_off, {}, {}, std::nullopt});
-  if (error) return *error;
-  refuse("compensate-touch-off", "the machine cannot stand at the touch-off pose",
-         "give the pose in W at which the work offset was probed: --touch-off X,Y,Z,A,B,C in mm and deg");
+  if (!error) refuse_pose("the machine cannot stand at the touch-off pose");
+  const std::vector<machine::Violation> broken =
+      machine::check_compensated(limits, corrector.geometry(), corrector.pose_of(*settings.touch_off));
+  if (!broken.empty()) {
+    refuse_pose(fmt::format("the machine does not come to the touch-off pose: {}", machine::to_text(broken.front())));
+  }
+  return *error;
 }
 
 }  // namespace plumbline::compensate

@@ -156,7 +156,7 @@ class Corrector {
 };
 
 /// The rest of a touch-off on the sagging machine, which every pose gets; zero where none is set. Refuses with
-/// compensate-touch-off.
-AxisWords touch_off_error(const Corrector& corrector, const Settings& settings);
+/// compensate-touch-off a pose where the machine cannot stand, or does not come within `limits`.
+AxisWords touch_off_error(const Corrector& corrector, const machine::Limits& limits, const Settings& settings);
 
 }  // namespace plumbline::compensate

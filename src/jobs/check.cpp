@@ -27,7 +27,7 @@ class Checker {
         emit_(std::move(emit)),
         words_(dialect, emit_),
         corrector_(model, settings),
-        touch_off_error_(compensate::touch_off_error(corrector_, settings)),
+        touch_off_error_(compensate::touch_off_error(corrector_, model.limits, settings)),
         moves_(corrector_, model.limits, compensate::MoveCorrector::AtViolation::go_on, settings.bound),
         holes_(dialect, corrector_, model.limits, settings, moves_),
         by_bound_(settings.bound.is_asked()),

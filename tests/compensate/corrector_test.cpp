@@ -3,12 +3,16 @@
 
 #include <cmath>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "base/files/files.hpp"
 #include "base/units.hpp"
 #include "machine/model_file.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 using compensate::Corrected;
@@ -238,4 +242,29 @@ TEST_CASE("the motion along a path has the acceleration of its turns and of its 
   environment.dynamic = false;
   CHECK(at_fraction(0).twist.w_WP == motion.twist.w_WP);
   CHECK(at_fraction(0).acceleration.w_WP.isZero(0));
+}
+
+TEST_CASE("a touch-off has the error at its pose, where the machine comes") {
+  Settings settings;
+  settings.friction = false;
+  const Corrector corrector(pm600(), settings);
+  const auto error = [&](const AxisWords& pose) {
+    Settings touched;
+    touched.touch_off = pose;
+    return compensate::touch_off_error(corrector, pm600().limits, touched);
+  };
+  CHECK(error({{0, 0, -1008, 0, 0, 0}})[Axis::Z] == Approx(-0.0154).margin(1e-3));
+  CHECK_NOTHROW(error({{299, 0, -1008, 0, 24, 0}}));
+  CHECK(compensate::touch_off_error(corrector, pm600().limits, {}) == AxisWords{});
+  for (const auto& [pose, what] :
+       std::vector<std::pair<AxisWords, std::string>>{{{{0, 0, 0, 0, 0, 0}}, "Z would be 0"},
+                                                      {{{900, 0, -1008, 0, 0, 0}}, "X would be"},
+                                                      {{{0, -301, -1008, 0, 0, 0}}, "Y would"},
+                                                      {{{0, 0, -1008, 0, 30, 0}}, "tilt would"},
+                                                      {{{0, 0, -1, 0, 0, 0}}, ""}}) {
+    const Diagnostic refused = testing::refusal_of([&, &asked = pose] { error(asked); });
+    INFO(refused.message);
+    CHECK(refused.code == "compensate-touch-off");
+    CHECK(refused.message.find(what) != std::string::npos);
+  }
 }
