@@ -122,7 +122,10 @@ TEST_CASE("messages do not end up in files where standard error is closed") {
   const std::string expected = run(scratch, arguments).out;
   CHECK(run(scratch, arguments + "-o s.csv <&- >&- 2>&-").code == 0);
   CHECK(scratch.text("s.csv") == expected);
-  CHECK(run(scratch, "trace - -o t.jsonl <&-").code == 1);
+  const Outcome closed = run(scratch, "trace - -o t.jsonl <&-");
+  CHECK(closed.code == 1);
+  CHECK(contains(closed.err, "is closed"));
+  CHECK(contains(closed.err, "or name its file"));
   CHECK_FALSE(scratch.has("t.jsonl"));
 }
 
@@ -160,4 +163,16 @@ TEST_CASE("the settings file beside the program counts, and the command line cou
   const Outcome wrong = run(scratch, "trace part/p.ngc");
   CHECK(wrong.code == 1);
   CHECK(wrong.err.starts_with("part/plumbline.toml:2:1: error: "));
+}
+
+TEST_CASE("where too many files are open that is said, and not that a folder is missing") {
+  const Scratch scratch;
+  scratch.file("p.ngc", kPart);
+  for (const int most : {3, 4, 5}) {
+    INFO(most);
+    const Outcome outcome = run(scratch, "trace p.ngc -o t.jsonl", "ulimit -n " + std::to_string(most) + ";");
+    if (outcome.code == 0) continue;
+    CHECK_FALSE(contains(outcome.err, "check that"));
+    CHECK_FALSE(contains(outcome.err, "check the path"));
+  }
 }

@@ -59,6 +59,7 @@ TEST_CASE("what is missing or unknown is wrong usage") {
 TEST_CASE("what stands wrongly on the command line is named as its user would") {
   const Scratch scratch;
   scratch.file("p.ngc", kPart);
+  scratch.file("-there", kPart);
   struct Case {
     const char* arguments;
     const char* expected;
@@ -68,6 +69,10 @@ TEST_CASE("what stands wrongly on the command line is named as its user would") 
         Case{"restore p.ngc", "-o FILE is required"},
         Case{"restore", "PROGRAM and -o FILE are required"},
         Case{"compensate", "PROGRAM is required"},
+        Case{"compensate -lead.ngc -m m.toml", "name the file as ./-lead.ngc"},
+        Case{"trace -there", "name the file as ./-there"},
+        Case{"diff p.ngc -q.nc", "name the file as ./-q.nc"},
+        Case{"trace -zz", "no option -z"},
         Case{"compensate p.ngc -m m.toml -o", "-o needs its value: -o FILE"},
         Case{"compensate p.ngc -m -o out.ngc", "-m needs its value: -m "},
         Case{"compensate p.ngc -o o.ngc --undo o.undo", "o.undo is one too many: --undo is a switch"},

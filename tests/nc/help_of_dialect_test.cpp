@@ -86,3 +86,30 @@ TEST_CASE("the way out of a code that is not read is the one that its row names"
          {"okuma", "M83\nM2\n", "--pass M83", "write it out in G0"},
          {"siemens", "MIRROR X0\nM30\n", "| write it out in G0", ""}});
 }
+
+TEST_CASE("the way out is one that can be gone") {
+  check({{"linuxcnc", "G1 X#<_hal[motion.pin]> F100\nM2\n", "a pin of its HAL", "set it in the program"},
+         {"linuxcnc", "G0 X#<_ini[axis_x]max_limit>\nM2\n", "an entry of its INI file", "set it in the program"},
+         {"linuxcnc", "#1=[#<_HAL[p]>+1]\nM2\n", "write the value itself", "set it in the program"},
+         {"linuxcnc", "G0 X#<_here>\nM2\n", "set it in the program", "HAL"},
+         {"fanuc", "O1\n#3001=0\nM30\n", "leave it out", "G10"},
+         {"fanuc", "O1\n#3011=1\nM30\n", "leave it out", "G10"},
+         {"fanuc", "O1\n#200=3.\nM30\n", "choose another number", "G10"},
+         {"fanuc", "O1\n#499=3.\nM30\n", "choose another number", "G10"},
+         {"fanuc", "O1\n#5241=3.\nM30\n", "G10", "leave it out"},
+         {"fanuc", "O1\nM98 P1000 Q200\nM30\n", "a subprogram of its own", "remove it"},
+         {"linuxcnc", "M98 P1000 Q200\nM2\n", "a subprogram of its own", "remove it"},
+         {"fanuc", "O1\nM98 P1000 R200\nM30\n", "no code of this block uses", "a subprogram of its own"},
+         {"fanuc", "O1\nN10/X5.\nM30\n", "before the N", "expected a word"},
+         {"linuxcnc", "G0 X1 /Y5\nM2\n", "begins the line", "expected a word"},
+         {"siemens", "N10 /G0 X5\nM30\n", "begins the line", "expected a word"},
+         {"siemens", "DEF REAL\nM30\n", "the block ends where something is missing | expected a name", "0x00"},
+         {"siemens", "DEF REAL AB,\nM30\n", "expected a name", "0x00"},
+         {"siemens", "EXTERN\nM30\n", "expected a name", "0x00"},
+         {"siemens", "CUTMOD=1\nM30\n", "function of the control", "DEF REAL"},
+         {"siemens", "G1 X5 F100 OFFN=3\nM30\n", "function of the control", "DEF REAL"},
+         {"siemens", "OFFN=R1\nM30\n", "function of the control", "DEF REAL"},
+         {"siemens", "ABC=3\nM30\n", "declare it: DEF REAL ABC", ""},
+         {"siemens", "A1: G0 X5\nM30\n", "begin with two letters", "expected a word"},
+         {"siemens", "N10 X1:\nM30\n", "begin with two letters", "expected a word"}});
+}

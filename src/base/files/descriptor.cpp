@@ -1,5 +1,7 @@
 #include "base/files/descriptor.hpp"
 
+#include <cerrno>
+#include <utility>
 #include <vector>
 
 #include "base/platform/platform.hpp"
@@ -22,6 +24,11 @@ Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
 Descriptor::~Descriptor() { close(); }
 
 bool Descriptor::close() { return !is_open() || platform::close(release()); }
+
+std::string way_out(int error, std::string usual) {
+  if (error != EMFILE && error != ENFILE) return usual;
+  return "too many files are open: allow more (ulimit -n), or do less at a time (--jobs)";
+}
 
 bool write_all(int descriptor, const char* bytes, std::size_t count) {
   while (count > 0) {

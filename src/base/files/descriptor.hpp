@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <utility>
 
 namespace plumbline {
@@ -33,5 +34,8 @@ bool write_all(int descriptor, const char* bytes, std::size_t count);
 
 /// Copies one open file to another, from where each stands to the end of the first; false with errno if that failed.
 bool copy_all(int from, int to);
+
+/// What to do where a file could not be opened: `usual`, but of an `error` (errno) that says that too many are open.
+std::string way_out(int error, std::string usual);
 
 }  // namespace plumbline

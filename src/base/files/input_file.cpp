@@ -51,8 +51,10 @@ InputFile::InputFile(const Source& source) : name_(source.name()), text_(source.
 void InputFile::open(const std::string& path) {
   Descriptor opened(platform::open_to_read(path));
   if (!opened.is_open()) {
-    refuse_file(errno == ENOENT ? "file-missing" : "file-unreadable", path,
-                fmt::format("cannot be opened: {}", std::strerror(errno)), "check the path and its permissions");
+    const int error = errno;
+    refuse_file(error == ENOENT ? "file-missing" : "file-unreadable", path,
+                fmt::format("cannot be opened: {}", std::strerror(error)),
+                way_out(error, "check the path and its permissions"));
   }
   const platform::FileKind kind = state_of(opened.number()).kind;
   if (kind == platform::FileKind::folder)
@@ -71,6 +73,10 @@ void InputFile::spool(int from) {
   const std::optional<platform::FileStatus> before = platform::status_of(from);
   if (!before) refuse_file("file-unreadable", name_, std::strerror(errno), "check the redirection");
   if (!copy_all(from, descriptor_.number())) {
+    if (errno == EBADF) {
+      refuse_file("file-unreadable", name_, "is closed: there is nothing to read",
+                  "give it by < or a pipe, or name its file");
+    }
     refuse_file("file-unreadable", name_, fmt::format("cannot be kept: {}", std::strerror(errno)),
                 "write it into a file, and name that");
   }

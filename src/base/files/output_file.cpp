@@ -43,8 +43,8 @@ void OutputFile::refuse_write(int error, std::string_view also) const {
   Place place;
   place.file = path_;
   refuse("file-unwritable", fmt::format("cannot be written: {}{}", std::strerror(error), also),
-         fmt::format("check that {} exists, may be written to and has room",
-                     target_.kind == OutputTarget::Kind::file ? target_.folder() : path_),
+         way_out(error, fmt::format("check that {} exists, may be written to and has room",
+                                    target_.kind == OutputTarget::Kind::file ? target_.folder() : path_)),
          place);
 }
 

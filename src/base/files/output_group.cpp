@@ -43,7 +43,7 @@ void WaitingOutput::refuse_write(int error) const {
   Place place;
   place.file = name_;
   refuse("file-unwritable", fmt::format("cannot be written: {}", std::strerror(error)),
-         fmt::format("check that {} exists, may be written to and has room", target_.folder()), place);
+         way_out(error, fmt::format("check that {} exists, may be written to and has room", target_.folder())), place);
 }
 
 Destination WaitingOutput::destination() {

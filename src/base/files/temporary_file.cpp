@@ -71,12 +71,13 @@ Descriptor open_unnamed_temporary() {
     if (file.is_open()) return file;
     if (auto made = make_temporary_file(folder.generic_string(), 0600)) return std::move(made->descriptor);
   }
+  const int error = errno;
   const std::optional<std::string> stated = platform::environment("TMPDIR");
   Place place;
   place.file = no_folder && stated ? *stated : folder.generic_string();
   refuse("file-unwritable",
-         fmt::format("cannot make a temporary file: {}", no_folder ? no_folder.message() : std::strerror(errno)),
-         "name a folder with room in the environment variable TMPDIR", place);
+         fmt::format("cannot make a temporary file: {}", no_folder ? no_folder.message() : std::strerror(error)),
+         way_out(no_folder ? 0 : error, "name a folder with room in the environment variable TMPDIR"), place);
 }
 
 }  // namespace plumbline

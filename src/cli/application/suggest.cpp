@@ -1,6 +1,7 @@
 #include "cli/application/suggest.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <set>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/files/path_of.hpp"
 #include "base/text/nearest_name.hpp"
 
 namespace plumbline::cli {
@@ -48,6 +50,13 @@ bool is_option(std::string_view argument) {
   if (argument.size() < 2 || argument[0] != '-') return false;
   if (argument[1] == '.' || (argument[1] >= '0' && argument[1] <= '9')) return false;  // a number below zero
   return argument[1] == '-' || CLI::detail::valid_first_char(argument[1]);
+}
+
+// "-lead.ngc"
+bool is_file_name(std::string_view argument) {
+  std::error_code none;
+  const bool has_ending = !argument.starts_with("--") && argument.find('.') != std::string_view::npos;
+  return has_ending || std::filesystem::exists(path_of(std::string(argument)), none);
 }
 
 std::string list_of(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
@@ -177,7 +186,10 @@ std::optional<std::string> what_is_unknown(const CLI::App& app, std::span<const 
     if (argument == "--") break;
     if (is_option(argument)) {
       const std::string_view name = option_of(argument);
-      if (!holds(options, name)) return unknown_option(app, name, options);
+      if (holds(options, name)) continue;
+      if (is_file_name(argument))
+        return fmt::format("{} is taken for an option: name the file as ./{}", argument, argument);
+      return unknown_option(app, name, options);
     } else if (asked.empty()) {
       return holds(commands, argument) ? std::nullopt : std::optional(unknown("command", argument, commands));
     }

@@ -12,8 +12,7 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr int kStoreHome = 281;  // G28.1
-constexpr int kNamed = -1;       // in place of the number of a named parameter
+constexpr int kNamed = -1;  // in place of the number of a named parameter
 
 bool may_be_unknown(char letter) { return letter == 'S'; }
 
@@ -75,6 +74,22 @@ void check_variable(const Execution& run, const Block& block, const Setting& pla
   refuse_at(block, place.span, codes::kUnknownCode,
             fmt::format("{} is no word of this control that is known here", name),
             "a variable needs a block of its own, and a name that begins with two letters");
+}
+
+// Tables of offsets [B-63944EN 16.2]; below #1000 what a control has by its option.
+[[noreturn]] void refuse_macro_variable(const Block& block, const Setting& setting, int number) {
+  constexpr int kFirstOfControl = 1000;
+  const auto is_within = [&](int first, int last) { return number >= first && number <= last; };
+  const bool holds_offsets = is_within(2001, 2999) || is_within(5201, 5340) || is_within(7001, 7960) || number > 10000;
+  const std::string_view own = "the program's own variables are #1 to #33, #100 to #199 and #500 to #999";
+  const std::string name(block.at(setting.span));
+  refuse_at(block, setting.span, codes::kParameterReadOnly,
+            number < kFirstOfControl
+                ? fmt::format("{} is no variable that each control has", name)
+                : fmt::format("{} is a variable of the control itself, which is not interpreted", name),
+            holds_offsets              ? fmt::format("change offsets with G10 or G92; {}", own)
+            : number < kFirstOfControl ? fmt::format("choose another number: {}", own)
+                                       : fmt::format("leave it out, if no move depends on it; {}", own));
 }
 
 bool belongs_to_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
@@ -168,12 +183,9 @@ int BlockValues::setting_number(const Block& block, const Setting& setting) {
   }
   if (number == kNamed ? system_parameters_.is_read_only(block.at(block.names[setting.name]))
                        : system_parameters_.is_read_only(number)) {
-    refuse_at(
-        block, setting.span, codes::kParameterReadOnly, "this parameter shows the control's own state",
-        run_.dialect.g_code(kStoreHome) != nullptr
-            ? "change offsets with G10 or G92, tools with G10 L1, stored positions with G28.1 and G30.1"
-            : "change offsets with G10 or G92; the program's own variables are #1 to #33, #100 to #199 and #500 to "
-              "#999");
+    if (run_.dialect.syntax.system_variables == SystemVariables::macro_b) refuse_macro_variable(block, setting, number);
+    refuse_at(block, setting.span, codes::kParameterReadOnly, "this parameter shows the control's own state",
+              "change offsets with G10 or G92, tools with G10 L1, stored positions with G28.1 and G30.1");
   }
   return number;
 }

@@ -207,6 +207,10 @@ void check_words_used(const Execution& run) {
                  "write the number out, X0.0000001 or X0, and have the post-processor write fixed decimals");
     }
     refuse_kept_word(run, word);
+    if (word.letter == 'Q' && run.chosen_row(Action::call_program) != nullptr) {
+      run.refuse(word, codes::kWordUnused, "Q of a call says at which block the subprogram begins, which is not read",
+                 "make what begins there a subprogram of its own, and call that");
+    }
     run.refuse(word, codes::kWordUnused, fmt::format("no code of this block uses the {} word", name_of(run, word)),
                "remove it, or add the code that it belongs to");
   }

@@ -77,3 +77,9 @@ TEST_CASE("bytes that the system does not take are told") {
   CHECK_FALSE(write_all(readable.number(), "text", 4));
   CHECK_FALSE(copy_all(full.number(), readable.number()));
 }
+
+TEST_CASE("where too many files are open that is the way out") {
+  CHECK(way_out(EACCES, "look at its permissions") == "look at its permissions");
+  CHECK(way_out(EMFILE, "look at its permissions").find("ulimit -n") != std::string::npos);
+  CHECK(way_out(ENFILE, "check that it exists").find("check that it exists") == std::string::npos);
+}

@@ -251,6 +251,12 @@ Value SystemParameters::read(const Block& block, std::string_view name, Span spa
         fmt::format("#<{}> has no value here: each subprogram, and the program itself, has names of its own", plain),
         fmt::format("call it #<_{}> where it is set and where it is read: names with _ are seen everywhere", plain));
   }
+  if (plain.starts_with("_hal[") || plain.starts_with("_ini[")) {
+    refuse_at(block, span, codes::kParameterUnset,
+              fmt::format("{} is a value of the machine ({}), which is not known here", block.at(span),
+                          plain.starts_with("_hal[") ? "a pin of its HAL" : "an entry of its INI file"),
+              "write the value itself into the program");
+  }
   refuse_at(block, span, codes::kParameterUnset, fmt::format("#<{}> has no value here", plain),
             "set it in the program before it is read");
 }

@@ -59,6 +59,17 @@ void TokenCursor::refuse_token(std::string_view expected) const {
            : syntax_->open == '(' ? "write a number, or = and a number, a variable, a function or (expression)"
                                   : "write a number, or = and a number, a variable, a function or [expression]");
   }
+  if (is_at_end_of_block())
+    refuse(place, codes::kBadCharacter, "the block ends where something is missing",
+           fmt::format("expected {}", expected));
+  if (c == '/' && expected == "a word") {
+    refuse(place, codes::kBadCharacter, "/ leaves a block out where it begins the line, and this one does not",
+           "write it before the N, as in /N10 X5.; what is to be left out is a block of its own");
+  }
+  if (c == ':' && expected == "a word" && syntax_->labels == Labels::names) {
+    refuse(place, codes::kBadCharacter, "this is no label: their names begin with two letters",
+           "rename it, as in LABEL1:, also where the program goes to it");
+  }
   if (c == '.') refuse(place, codes::kBadNumber, "this is no number", "write digits before or after one point");
   refuse(place, codes::kBadCharacter, fmt::format("{} cannot stand here", shown(c)),
          fmt::format("expected {}", expected));
