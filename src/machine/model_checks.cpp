@@ -44,11 +44,37 @@ bool at_three_points(const StrutVectors<double>& joints) {
   return true;
 }
 
+// A single joint in metres lies near the origin of its frame: beside the ring or the plane of the others, and on their
+// ring a thousand times as far.
+bool is_in_metres(const StrutVectors<double>& joints, int j) {
+  Eigen::Matrix<double, 3, kStruts - 1> others;
+  for (int i = 0; i < kStruts - 1; ++i) others.col(i) = joints.col(i < j ? i : i + 1);
+  const Vector3<double> joint = joints.col(j);
+  const double size = joint.cwiseAbs().maxCoeff();
+  if (size == 0 || size > others.cwiseAbs().maxCoeff() / 100) return false;
+  const Vector3<double> centre = others.rowwise().mean();
+  const double radius = (others.colwise() - centre).colwise().norm().mean();
+  const auto is_on_ring = [&](const Vector3<double>& point, double most) {
+    const double share = (point - centre).norm() / radius;
+    return share < most && share > 1 / most;
+  };
+  const Vector3<double> room = Vector3<double>::Constant(0.6 * radius);
+  const bool is_beside = ((joint - others.rowwise().maxCoeff() - room).array() > 0).any() ||
+                         ((others.rowwise().minCoeff() - room - joint).array() > 0).any();
+  return (is_beside || !is_on_ring(joint, 1.25)) && is_on_ring(joint * 1000, 2);
+}
+
 void check_joints(const MachineModel& model, std::string_view table, const StrutVectors<double>& joints) {
   const ModelValue& value = model.value(table, "joints_mm");
   if (joints.cwiseAbs().maxCoeff() < kSmallestMachine) {
     refuse("model-unit", fmt::format("all coordinates of the joints of [{}] are below 10 mm", table),
            "joints_mm are in millimetres: multiply metres by 1000", model.document.place(value.span));
+  }
+  for (int j = 0; j < kStruts; ++j) {
+    if (!is_in_metres(joints, j)) continue;
+    refuse("model-unit", fmt::format("joint {} of [{}] lies among the others only if it is in metres", j + 1, table),
+           "joints_mm are in millimetres: multiply this one by 1000",
+           model.document.place(value.spans[3 * static_cast<std::size_t>(j)]));
   }
   if (at_three_points(joints)) return;
   for (int j = 1; j < kStruts; ++j) {

@@ -2,6 +2,7 @@
 #include "machine/model_checks.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include "machine/machines.hpp"
 #include "support/scratch.hpp"
@@ -55,6 +56,26 @@ TEST_CASE("joints are six points of a machine that is larger than a fist") {
   const Diagnostic small = refused_model([](MachineModel& m) { m.geometry.platform_joints_P *= 1e-3; });
   CHECK(small.code == "model-unit");
   CHECK(small.message == "all coordinates of the joints of [platform] are below 10 mm");
+}
+
+TEST_CASE("a single joint in metres is found, wherever it stands") {
+  for (int j = 0; j < kStruts; ++j) {
+    for (const bool base : {true, false}) {
+      INFO(j << base);
+      const Diagnostic one = refused_model(
+          [&](MachineModel& m) { (base ? m.geometry.base_joints_W : m.geometry.platform_joints_P).col(j) *= 1e-3; });
+      CHECK(one.code == "model-unit");
+      CHECK(one.message.starts_with(fmt::format("joint {} of [{}]", j + 1, base ? "base" : "platform")));
+    }
+  }
+  // a frame whose origin is a joint, as a fit to measurements leaves it
+  for (const double off : {0.0, 30e-6, -2e-6}) {
+    CHECK(refused_model([&](MachineModel& m) {
+            const Vector3<double> origin = m.geometry.base_joints_W.col(2);
+            m.geometry.base_joints_W.colwise() -= origin;
+            m.geometry.base_joints_W.col(2) += Vector3<double>(off, -off, off / 2);
+          }).code != "model-unit");
+  }
 }
 
 TEST_CASE("travel and lengths have their lower limit first") {
