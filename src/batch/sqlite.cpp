@@ -16,8 +16,9 @@ std::string_view way_out(int error) {
     case SQLITE_LOCKED:
       return "another process has held it for a minute: wait until that is done, or give each a file of its own with "
              "--record";
-    case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
+      return "it holds something else: name another file with --record";
+    case SQLITE_CORRUPT:
       return "remove it: then all programs are compensated once more; or name another file with --record";
     default:
       return "check that its folder exists, may be written to and has room; --record puts it elsewhere";

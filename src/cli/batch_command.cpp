@@ -119,6 +119,12 @@ batch::Request checked_request(const BatchArguments& arguments) {
     for (char& c : ending) c = lower(c);
   }
   request.settings = arguments.shared.request();
+  const std::filesystem::path folder = path_of(arguments.shared.given().output_pattern).parent_path();
+  if (!folder.empty() && folder != path_of("{folder}")) {
+    throw UsageError(fmt::format(
+        "--output-name {}: here it says how a file is called, as {{name}}_x{{ext}}, and -o in which folder it lies",
+        arguments.shared.given().output_pattern));
+  }
   return request;
 }
 

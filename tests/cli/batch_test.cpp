@@ -170,3 +170,32 @@ TEST_CASE("a depfile names the program, what it calls and what it is made with")
   CHECK(contains(text, "pm600-like.toml"));
   CHECK(run(scratch, "compensate a.nc -o - --depfile out.d " + kMachine).code == 2);
 }
+
+TEST_CASE("batch: a file that is no record stays, and another is to be named") {
+  const Scratch scratch;
+  write_parts(scratch);
+  scratch.file("notes.txt", std::string(200, 'n') + "\n");
+  scratch.file("short", "G0\n");
+  for (const std::string record : {"parts/a.nc", "notes.txt", "short"}) {
+    INFO(record);
+    const std::string before = scratch.text(record);
+    const Outcome refused = run(scratch, "batch parts -o out --record " + record + " " + kMachine);
+    CHECK(refused.code == 1);
+    CHECK(contains(refused.err, "name another file with --record"));
+    CHECK_FALSE(contains(refused.err, "remove"));
+    CHECK(scratch.text(record) == before);
+  }
+}
+
+TEST_CASE("batch: a folder in --output-name is wrong usage, since -o says it") {
+  const Scratch scratch;
+  write_parts(scratch);
+  for (const char* const pattern : {"x/{name}{ext}", "{folder}/x/{name}{ext}", "../{name}{ext}", "/tmp/{name}{ext}"}) {
+    INFO(pattern);
+    const Outcome refused = run(scratch, std::string("batch parts -o out --output-name '") + pattern + "' " + kMachine);
+    CHECK(refused.code == 2);
+    CHECK(contains(refused.err, "-o in which folder"));
+  }
+  CHECK(run(scratch, "batch parts -o out --output-name '{folder}/{name}_x{ext}' " + kMachine).code == 0);
+  CHECK(run(scratch, "batch parts -o out --output-name '{name}_y{ext}' " + kMachine).code == 0);
+}
