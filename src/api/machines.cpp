@@ -108,6 +108,7 @@ Result simulate(const Input& program, const Model& model, const Options& options
     out.commit();
     Inside::Found found;
     add_warning(found.warnings, known.warning);
+    add_warning(found.warnings, summary.first_beyond);
     found.json = report::simulation_json(summary);
     found.words = report::simulation_text(summary);
     return Inside::result(std::move(found));
@@ -120,7 +121,7 @@ Table simulate(const Input& program, const Model& model, const Options& options,
     const settings::Options how = given.machine_options(model);
     const jobs::Knowledge known = jobs::knowledge_of(machine::read_model(how.paths.model));
     Table table = table_of(report::simulation_columns(), known);
-    jobs::simulate_program(
+    const jobs::SimulationSummary summary = jobs::simulate_program(
         Inside::source(program), how,
         [&](const jobs::SimulatedPoint& point) {
           add_row(table, point);
@@ -128,6 +129,7 @@ Table simulate(const Input& program, const Model& model, const Options& options,
         },
         progress, nullptr, known.posterior_or_null());
     add_warning(table.warnings, known.warning);
+    add_warning(table.warnings, summary.first_beyond);
     return table;
   });
 }

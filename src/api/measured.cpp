@@ -54,10 +54,15 @@ void object(Inside::Found& found, const jobs::IdentifiedModel& identified, bool 
   }
 }
 
+void add_warning(Inside::Found& found, const std::optional<plumbline::Diagnostic>& warning) {
+  if (warning) found.warnings.push_back(public_diagnostic(*warning));
+}
+
 Result identified_result(const jobs::IdentifiedModel& identified, bool force) {
   Inside::Found found;
   found.json = report::identification_json(identified.found);
   found.words = report::identification_text(identified.found) + report::thinning_text(identified.thinning);
+  add_warning(found, identified.other_model);
   object(found, identified, force);
   if (!found.no_model) found.model = report::model_file(identified);
   return Inside::result(std::move(found));
@@ -132,6 +137,7 @@ Result diagnose(const Model& model, const std::string& dataset, const Options& o
     found.json = report::diagnosis_json(result.diagnosis, result.measured);
     found.words = report::diagnosis_text(result.diagnosis) + report::thinning_text(result.thinning) +
                   report::renamed_text(result.measured);
+    add_warning(found, result.other_model);
     found.model = report::model_file(result);
     if (!result.diagnosis.converged) {
       found.no_model = Error(Error::Kind::refused, {"diagnose-not-converged",
@@ -156,6 +162,7 @@ Result compare(const Model& model, const std::string& dataset, const Options& op
     Inside::Found found;
     found.json = report::compare_json(comparison);
     found.words = report::compare_text(comparison);
+    add_warning(found, comparison.other_model);
     found.found = most && *comparison.radial_rms_um > *most;
     return Inside::result(std::move(found));
   });

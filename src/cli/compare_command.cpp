@@ -47,6 +47,9 @@ int compare(const CompareArguments& arguments) {
   const measure::Dataset measured = jobs::read_joined(arguments.dataset, arguments.with).dataset;
   std::vector<jobs::Comparison> comparisons;
   for (const std::string& model : models) comparisons.push_back(jobs::compare(model, measured));
+  for (const jobs::Comparison& comparison : comparisons) {
+    if (comparison.other_model) say(*comparison.other_model);
+  }
   const bool is_bounded = std::isfinite(arguments.most_radial_um);
   if (is_bounded && !comparisons[0].radial_rms_um) {
     refuse("compare-no-bar", "--max-radial-um bounds readings of the bar, and no run has any",

@@ -131,6 +131,7 @@ int diagnose(const DiagnoseArguments& arguments) {
   job.model = arguments.model;
   const jobs::DiagnoseResult result = jobs::diagnose(job, told);
   line.clear();
+  if (result.other_model) say(*result.other_model);
   const std::string numbers = report::diagnosis_json(result.diagnosis, result.measured);
   std::vector<FolderFile> files = programs_of(arguments, result);
   files.insert(files.begin(), {{json, numbers},

@@ -80,6 +80,7 @@ int write_identified(const std::vector<std::string>& inputs, const IdentifiedOut
   JsonResult json_result(output.json);
   ReportFile page(output.report);
   const jobs::IdentifiedModel identified = make();
+  if (identified.other_model) say(*identified.other_model);
   std::string words = report::identification_text(identified.found) + report::thinning_text(identified.thinning) +
                       report::renamed_text(identified.measured);
   if (output.model == kStandardStream || page.takes_standard_output()) {

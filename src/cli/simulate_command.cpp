@@ -55,6 +55,7 @@ int simulate(const SimulateArguments& arguments) {
   page.add_to(files, [&] { return report::simulation_page(summary, picture, arguments.program); });
   files.add(out);
   files.commit();
+  if (summary.first_beyond) say(*summary.first_beyond);
   say_note(report::simulation_text(summary));
   return kDone;
 }

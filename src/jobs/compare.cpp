@@ -4,6 +4,7 @@
 
 #include "base/units.hpp"
 #include "jobs/measured/inspect.hpp"
+#include "jobs/measured/joined.hpp"
 #include "machine/model_file.hpp"
 #include "measure/setup.hpp"
 
@@ -65,6 +66,7 @@ Comparison compare(const Source& model, const measure::Dataset& measured) {
   const machine::MachineModel machine = machine::read_model(model);
   const physics::ForceModel forces(machine);
   Comparison comparison;
+  comparison.other_model = other_model(measured, machine);
   Pool radial;
   Pool torque;
   Judged looked = judged(machine, measured.runs, measured.instrument, {});

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostic.hpp"
 #include "base/files/source.hpp"
 #include "inspect/fault.hpp"
 #include "machine/geometry.hpp"
@@ -28,7 +29,8 @@ struct Comparison {
   std::optional<double> torque_rms_Nm;  // over all samples and struts
   std::array<double, machine::kStruts> torque_mean_abs_Nm{};
   std::vector<RunComparison> runs;
-  inspect::Inspection inspection;  // what may be wrong with the data
+  inspect::Inspection inspection;         // what may be wrong with the data
+  std::optional<Diagnostic> other_model;  // a warning: the data are of another machine
 };
 
 /// Simulates every run of a dataset, as it is but for single spikes, and compares, the set-up (ball centre, bar length)

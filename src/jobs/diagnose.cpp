@@ -70,6 +70,7 @@ DiagnoseResult diagnose(const DiagnoseJob& job, const diagnose::Say& say) {
   machine::MachineModel machine = machine::read_model(job.model);
   JoinedData data = read_joined(job.dataset, job.with);
   measure::Dataset& dataset = data.dataset;
+  std::optional<Diagnostic> other = other_model(dataset, machine);
   diagnose::DiagnoseOptions options;
   options.candidates.without = job.without;
   options.search.threshold.seed = job.seed;
@@ -78,9 +79,9 @@ DiagnoseResult diagnose(const DiagnoseJob& job, const diagnose::Say& say) {
   options.spoiled = spoiled(looked.inspection, looked.runs);
   const measure::Thinned thinned = measure::fit_runs(machine, std::move(looked.runs));
   diagnose::Diagnosis diagnosis = diagnose::diagnose(machine, thinned.runs, options, say);
-  DiagnoseResult result{std::move(machine),   std::move(diagnosis),         thinned.thinning,
-                        thinned.runs,         std::move(looked.inspection), {},
-                        std::move(data.files)};
+  DiagnoseResult result{
+      std::move(machine),    std::move(diagnosis), thinned.thinning, thinned.runs, std::move(looked.inspection), {},
+      std::move(data.files), std::move(other)};
   if (result.diagnosis.withheld) return result;
   for (const diagnose::NamedEffect& effect : result.diagnosis.effects) {
     result.at_tip.push_back(at_tip(result.machine, result.runs, result.diagnosis.forces, effect.name));

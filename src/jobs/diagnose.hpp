@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/diagnostic.hpp"
 #include "base/files/source.hpp"
 #include "diagnose/diagnose.hpp"
 #include "inspect/fault.hpp"
@@ -38,6 +40,7 @@ struct DiagnoseResult {
   inspect::Inspection inspection;  // what may be wrong with the data; where that blocks, nothing is learnt from them
   std::vector<AtTip> at_tip;       // of the effects named, in their order; none where the model stays as it was given
   std::vector<MeasuredFile> measured;
+  std::optional<Diagnostic> other_model = {};  // a warning: the data are of another machine
 };
 
 /// Refuses as read_model, read_joined and diagnose::diagnose do.

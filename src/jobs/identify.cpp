@@ -89,6 +89,7 @@ std::vector<TrackedGap> tracked_gaps(const machine::MachineModel& machine, const
 IdentifiedModel identified(machine::MachineModel machine, measure::Dataset dataset, std::vector<MeasuredFile> measured,
                            const identify::IdentifyOptions& options, const std::vector<std::string>& accepted,
                            const identify::Tracked* tracked = nullptr) {
+  std::optional<Diagnostic> other = other_model(dataset, machine);
   Judged looked = judged(machine, std::move(dataset.runs), dataset.instrument, accepted);
   const measure::Thinned thinned = measure::thinned(machine, std::move(looked.runs));
   Identification found = identify::identify(machine, thinned.runs, options, tracked);
@@ -99,9 +100,9 @@ IdentifiedModel identified(machine::MachineModel machine, measure::Dataset datas
   if (tracked != nullptr) poses = tracked_gaps(machine, found, *tracked);
   std::optional<identify::Posterior> posterior = posterior_of(machine, thinned.runs, found);
   return {
-      std::move(machine),  std::move(found), std::move(measured),          thinned.thinning, open, std::move(forces),
-      std::move(errors),   thinned.runs,     std::move(looked.inspection), std::move(poses), {},   false,
-      std::move(posterior)};
+      std::move(machine),   std::move(found), std::move(measured),          thinned.thinning, open, std::move(forces),
+      std::move(errors),    thinned.runs,     std::move(looked.inspection), std::move(poses), {},   false,
+      std::move(posterior), std::move(other)};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostic.hpp"
 #include "base/files/source.hpp"
 #include "diagnose/objection.hpp"
 #include "identify/identify.hpp"
@@ -41,6 +42,7 @@ struct IdentifiedModel {
   std::optional<identify::BelievedJoints> joints;  // for the controller
   bool calibrated = false;
   std::optional<identify::Posterior> posterior;  // of the numbers of `forces`
+  std::optional<Diagnostic> other_model = {};    // a warning: the data are of another machine
 
   /// Whether something speaks against the model.
   bool objected() const { return found.objected() != nullptr || open_gap.has_value() || inspection.blocks(); }

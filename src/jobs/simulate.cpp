@@ -15,6 +15,7 @@
 #include "compensate/move_reader.hpp"
 #include "jobs/program/open_program.hpp"
 #include "machine/inverse.hpp"
+#include "machine/limits.hpp"
 #include "machine/model_file.hpp"
 
 namespace plumbline::jobs {
@@ -30,7 +31,12 @@ class Player {
   /// `record` and `known` may be null.
   Player(const machine::MachineModel& model, const compensate::Settings& settings, const Take& take,
          compensate::PathRecord* record, const identify::Posterior* known)
-      : machine_(model, settings), take_(take), record_(record), settings_(settings), known_(known) {
+      : machine_(model, settings),
+        limits_(model.limits),
+        take_(take),
+        record_(record),
+        settings_(settings),
+        known_(known) {
     if (known_ != nullptr) doubts_.emplace(model, *known_, settings);
   }
 
@@ -78,6 +84,7 @@ class Player {
                          error.loads.torque,
                          {}};
     note(point);
+    note_limits(motion.pose, *move.step);
     doubts_ ? wait(std::move(point), at.asked) : take_(point);
     if (record_ == nullptr) return;
     at.commanded = at.asked.pose;
@@ -108,6 +115,18 @@ class Player {
     asked_.clear();
   }
 
+  void note_limits(const Pose<double>& pose, const nc::Step& step) {
+    const std::vector<machine::Violation> broken = machine::check_compensated(limits_, machine_.geometry(), pose);
+    if (broken.empty()) return;
+    ++summary_.beyond_travel;
+    if (summary_.first_beyond) return;
+    summary_.first_beyond =
+        Diagnostic{"simulate-beyond-travel", fmt::format("{} here", machine::to_text(broken.front())),
+                   "the figures hold for a machine that could go there: check the work offset "
+                   "(--work-offset), and [limits] and [strut] of the model",
+                   compensate::place_of(step), Severity::warning};
+  }
+
   void note(const SimulatedPoint& point) {
     const double um = point.error.head<3>().norm() / kUm;
     ++summary_.points;
@@ -119,6 +138,7 @@ class Player {
   }
 
   compensate::LoadedMachine machine_;
+  const machine::Limits& limits_;
   const Take& take_;
   compensate::PathRecord* record_;
   SimulationSummary summary_;

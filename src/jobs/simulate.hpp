@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/axes.hpp"
+#include "base/diagnostic.hpp"
 #include "base/files/source.hpp"
 #include "base/progress.hpp"
 #include "compensate/recorded/drawn_path.hpp"
@@ -39,6 +40,8 @@ struct SimulationSummary {
   std::size_t largest_line = 0;
   double rms_um = 0;
   double seconds = 0;
+  std::uint64_t beyond_travel = 0;         // of the points
+  std::optional<Diagnostic> first_beyond;  // a warning of the first
   std::optional<ExpectedError> expected;
 };
 
@@ -49,7 +52,8 @@ struct ProgramPicture {
   std::vector<std::optional<PoseDoubt>> doubts;  // at its points; empty: nothing is known
 };
 
-/// Hands over every point of the path at the step settings, in order. The program is taken as it stands, no limits.
+/// Hands over every point of the path at the step settings, in order. The program is taken as it stands; points
+/// beyond the limits are counted.
 /// `known`: where it is not null, points and summary have how far the tip may be from where they say.
 /// Refuses what compensate::MoveReader refuses, and simulate-unreachable.
 SimulationSummary simulate_program(const Source& program, const settings::Options& options,

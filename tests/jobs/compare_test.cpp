@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "jobs/dataset_files.hpp"
+#include "jobs/measured/inspect.hpp"
+#include "jobs/measured/joined.hpp"
 #include "jobs/simulate_dataset.hpp"
 #include "report/measured/compare_text.hpp"
 
@@ -60,4 +62,27 @@ TEST_CASE("what was not measured is left out of a comparison") {
   CHECK(found.radial_rms_um.has_value());
   CHECK_FALSE(found.torque_rms_Nm.has_value());
   CHECK(nlohmann::json::parse(report::compare_json(found))["torque_rms_Nm"].is_null());
+}
+
+TEST_CASE("data that name another machine than the model are told") {
+  const Scratch scratch;
+  machine::MachineModel model;
+  model.name = "pm600-like";
+  measure::Dataset dataset;
+  CHECK_FALSE(jobs::other_model(dataset, model));
+  dataset.machine = "pm600-like";
+  CHECK_FALSE(jobs::other_model(dataset, model));
+  std::string table = "angle_deg,radial_um\n";
+  for (int i = 0; i < 36; ++i) table += fmt::format("{},0\n", 10 * i);
+  scratch.file("a.csv", table);
+  const std::string path =
+      scratch.file("dataset.toml", run_text("a", "ccw", "plumbline = \"dataset 1\"\nmachine = \"other\"\n"));
+  const std::string file = source_file("models/pm600-like.toml");
+  const std::optional<Diagnostic> told = jobs::compare(file, measure::read_dataset(path)).other_model;
+  REQUIRE(told);
+  CHECK(told->code == "dataset-other-model");
+  CHECK(told->severity == Severity::warning);
+  CHECK(told->place.line == 2);
+  CHECK(jobs::inspect({file, path}).other_model);
+  CHECK_FALSE(jobs::inspect({"", path}).other_model);
 }

@@ -108,3 +108,27 @@ TEST_CASE("a move that cannot be looked at is refused in the file that it stands
   CHECK(unknown.code == "walk-position-unknown");
   CHECK(unknown.place.file == sub);
 }
+
+TEST_CASE("points beyond the limits are counted, and the first is told at its block") {
+  const testing::Scratch scratch;
+  const auto summary = [&](const std::string& program) {
+    return jobs::simulate_program(scratch.file("sim.ngc", program), playback(), [](const jobs::SimulatedPoint&) {});
+  };
+  const jobs::SimulationSummary within = summary(kArcProgram);
+  CHECK(within.beyond_travel == 0);
+  CHECK_FALSE(within.first_beyond);
+  CHECK(report::simulation_text(within).find("beyond") == std::string::npos);
+  const std::string start = "G0 X0 Y0 Z0 A0 B0 C0\n";
+  for (const auto& [move, what] : std::vector<std::pair<std::string, std::string>>{
+           {"G1 X302 F1000\n", "X would be"}, {"G0 Z209\n", "Z would be"}, {"G1 A26 F1000\n", "tilt would be"}}) {
+    const jobs::SimulationSummary beyond = summary(start + move);
+    INFO(move);
+    REQUIRE(beyond.first_beyond);
+    CHECK(beyond.beyond_travel >= 1);
+    CHECK(beyond.beyond_travel < beyond.points);
+    CHECK(beyond.first_beyond->severity == Severity::warning);
+    CHECK(beyond.first_beyond->message.starts_with(what));
+    CHECK(beyond.first_beyond->place.line == 2);
+    CHECK(report::simulation_text(beyond).find("beyond the limits") != std::string::npos);
+  }
+}

@@ -27,6 +27,7 @@ int inspect(const InspectArguments& arguments) {
   JsonResult json(arguments.json);
   ReportFile page(arguments.report);
   const jobs::InspectResult result = jobs::inspect(arguments.job);
+  if (result.other_model) say(*result.other_model);
   OutputSet files;
   json.add_to(files, report::inspection_json(result.inspection, result.runs));
   page.add_to(files, [&] {

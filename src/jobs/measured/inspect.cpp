@@ -37,7 +37,9 @@ InspectResult inspect(const InspectJob& job) {
   options.instrument = dataset.instrument;
   result.with_model = !job.model.empty();
   if (result.with_model) {
-    result.inspection = inspect::inspect(machine::read_model(job.model), result.runs, options);
+    const machine::MachineModel machine = machine::read_model(job.model);
+    result.other_model = other_model(dataset, machine);
+    result.inspection = inspect::inspect(machine, result.runs, options);
   } else {
     result.inspection.faults = inspect::record_faults(result.runs);
   }

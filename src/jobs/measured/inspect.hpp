@@ -1,9 +1,11 @@
 // What the command `inspect` does: a dataset, and a model if there is one, in; what may be wrong with the data out.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/diagnostic.hpp"
 #include "base/files/source.hpp"
 #include "inspect/inspect.hpp"
 #include "jobs/measured/measured_file.hpp"
@@ -21,6 +23,7 @@ struct InspectResult {
   inspect::Inspection inspection;
   bool with_model = false;
   std::vector<MeasuredFile> measured;
+  std::optional<Diagnostic> other_model;  // a warning: the data are of another machine
 };
 
 /// Refuses as read_model and read_joined do; where a table contradicts the dataset the table is believed, and said so.

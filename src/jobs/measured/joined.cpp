@@ -128,4 +128,15 @@ JoinedData read_joined(const std::string& first, const std::vector<std::string>&
   return joined;
 }
 
+std::optional<Diagnostic> other_model(const measure::Dataset& dataset, const machine::MachineModel& model) {
+  if (dataset.machine.empty() || dataset.machine == model.name) return std::nullopt;
+  const TomlEntry* const entry = dataset.document.root.find("machine");
+  return Diagnostic{
+      "dataset-other-model",
+      fmt::format("the dataset is of the machine \"{}\", and the model is that of \"{}\"", dataset.machine, model.name),
+      "look whether they belong together; if they do, write the model's name into the dataset",
+      entry != nullptr ? dataset.document.place(entry->value.span) : Place{.file = dataset.document.file},
+      Severity::warning};
+}
+
 }  // namespace plumbline::jobs

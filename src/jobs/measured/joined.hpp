@@ -1,10 +1,13 @@
 // Several datasets of one machine, as one: a plan and the test that it left to be made, or the circles of two days.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/diagnostic.hpp"
 #include "jobs/measured/measured_file.hpp"
+#include "machine/model.hpp"
 #include "measure/dataset.hpp"
 
 namespace plumbline::jobs {
@@ -21,5 +24,8 @@ struct JoinedData {
 /// number; dataset-other-instrument: the instrument or its sigmas), and what was read already (dataset-twice).
 JoinedData read_joined(const std::string& first, const std::vector<std::string>& with,
                        measure::Believe believe = measure::Believe::nothing);
+
+/// A warning where a dataset says by name that it is of another machine than the model's: dataset-other-model.
+std::optional<Diagnostic> other_model(const measure::Dataset& dataset, const machine::MachineModel& model);
 
 }  // namespace plumbline::jobs

@@ -61,7 +61,9 @@ void SimulationTable::add(const jobs::SimulatedPoint& point) {
 }
 
 std::string simulation_text(const jobs::SimulationSummary& summary) {
-  std::string text = fmt::format("{} in {}", count_text(summary.points, "point"), time_text(summary.seconds));
+  const std::string beyond =
+      summary.beyond_travel == 0 ? "" : fmt::format(" ({} beyond the limits)", count_text(summary.beyond_travel));
+  std::string text = fmt::format("{}{} in {}", count_text(summary.points, "point"), beyond, time_text(summary.seconds));
   if (summary.points > 0) {
     text += fmt::format(": the tip up to {:.3f} um off (line {}), rms {:.3f} um", summary.largest_um,
                         summary.largest_line, summary.rms_um);
@@ -75,11 +77,15 @@ std::string simulation_text(const jobs::SimulationSummary& summary) {
 }
 
 std::string simulation_json(const jobs::SimulationSummary& summary) {
-  const nlohmann::ordered_json json{
-      {"plumbline", "simulation 1"},          {"points", summary.points},
-      {"passed_moves", summary.passed_moves}, {"largest_um", summary.largest_um},
-      {"largest_line", summary.largest_line}, {"rms_um", summary.rms_um},
-      {"seconds", summary.seconds},           {"expected", expected_json(summary.expected)}};
+  const nlohmann::ordered_json json{{"plumbline", "simulation 1"},
+                                    {"points", summary.points},
+                                    {"passed_moves", summary.passed_moves},
+                                    {"beyond_travel", summary.beyond_travel},
+                                    {"largest_um", summary.largest_um},
+                                    {"largest_line", summary.largest_line},
+                                    {"rms_um", summary.rms_um},
+                                    {"seconds", summary.seconds},
+                                    {"expected", expected_json(summary.expected)}};
   return json.dump(2) + "\n";
 }
 
