@@ -8,6 +8,7 @@
 
 #include "base/files/files.hpp"
 #include "base/files/input_name.hpp"
+#include "base/text/characters.hpp"
 #include "base/text/nearest_name.hpp"
 #include "base/text/number_text.hpp"
 #include "imported/foreign_text.hpp"
@@ -76,6 +77,10 @@ class ForeignReader {
       line_ = rest.substr(0, end);
       if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
       rest.remove_prefix(std::min(end + 1, rest.size()));
+      if (const std::size_t at = lone_carriage_return(line_); at != std::string_view::npos) {
+        refuse("import-line-end", std::string(kLoneCarriageReturn), std::string(kOtherLineEnds),
+               {table_.file, number_, at + 1, 1, std::string(line_)});
+      }
       if (number_ <= form_.skip_lines || trimmed(line_).empty() || is_comment()) continue;
       if (lines_of_header > 0) {
         if (!named) find_columns(fields_of(line_, form_.delimiter));

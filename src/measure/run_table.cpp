@@ -126,8 +126,9 @@ class TableReader {
   [[noreturn]] void refuse_unknown(const CsvField& field) const {
     std::vector<std::string_view> names;
     for (const ColumnSpec& spec : kColumns) names.push_back(spec.name);
+    const std::string separated = other_separator(field.text);
     refuse("table-unknown-column", fmt::format("\"{}\" is no column of a run", field.text),
-           suggestion(field.text, names), lines_.place(field));
+           separated.empty() ? suggestion(field.text, names) : separated, lines_.place(field));
   }
 
   void check_header() const {

@@ -241,6 +241,18 @@ TEST_CASE("layout 12, with a fault: the last line is cut off") {
   CHECK(d.place.column == 1);
 }
 
+TEST_CASE("a table whose lines end with carriage returns alone is refused") {
+  const Scratch scratch;
+  for (const char* const text : {"a,r\r0,1.5\r3,1.4\r", "a,r\n0,1.5\r3,1.4\n", "a,r # bar\r0,1.5\n"}) {
+    INFO(text);
+    scratch.file("c.csv", text);
+    const Diagnostic d =
+        refusal_of([&] { made(scratch, kMapHead + kAngleAndBar + map_run("one", "c.csv"), {"c.csv"}); });
+    CHECK(d.code == "import-line-end");
+    CHECK(d.help.find("line ends") != std::string::npos);
+  }
+}
+
 TEST_CASE("rows without a reading are left out and counted") {
   const Scratch scratch;
   scratch.file("c.csv", "a,r\n" + lines(way(0, 357), [](const Moment& m) {

@@ -90,6 +90,8 @@ TEST_CASE("every flaw of a table is refused at its row and column") {
   };
   const std::vector<Bad> cases{
       {with("radial_um", "radial_mm"), "table-unknown-column", 1, 11, "did you mean `radial_um`"},
+      {"angle_deg;radial_um\n0;1\n", "table-unknown-column", 1, 1, "separated by semicolons"},
+      {"angle_deg,radial_um\r0,1\r", "csv-line-end", 1, 20, "line ends of Unix"},
       {with("radial_um", "angle_deg"), "table-same-column", 1, 11, "leave one"},
       {"radial_um\n1\n", "table-missing-column", 1, 1, "where on the circle"},
       {"angle_deg\n1\n", "table-missing-column", 1, 1, "nothing was measured"},

@@ -25,6 +25,20 @@ constexpr std::size_t byte_order_mark_size(std::string_view text) {
   return text.starts_with(kMark) ? kMark.size() : 0;
 }
 
+/// Where a carriage return stands between two parts of a line, as the line ends of old Mac texts do; npos: nowhere.
+/// Those before a line feed and at the end of `text` are line ends.
+constexpr std::size_t lone_carriage_return(std::string_view text) {
+  for (std::size_t at = text.find('\r'); at != std::string_view::npos; at = text.find('\r', at + 1)) {
+    const std::size_t next = text.find_first_not_of(" \t\r", at);
+    if (next != std::string_view::npos && text[next] != '\n') return at;
+  }
+  return std::string_view::npos;
+}
+inline constexpr std::string_view kLoneCarriageReturn =
+    "a carriage return stands alone, as the line ends of old Mac texts do: where a line ends is not certain";
+inline constexpr std::string_view kOtherLineEnds =
+    "save the file with the line ends of Unix (LF) or Windows (CR LF), and look at the lines there";
+
 /// \p text without its blanks.
 inline std::string without_blanks(std::string_view text) {
   std::string out;

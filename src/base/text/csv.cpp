@@ -1,6 +1,9 @@
 #include "base/text/csv.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "base/text/characters.hpp"
 
@@ -22,6 +25,10 @@ bool CsvLines::next() {
     if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     ++number_;
+    if (const std::size_t at = lone_carriage_return(line_); at != std::string_view::npos) {
+      refuse("csv-line-end", std::string(kLoneCarriageReturn), std::string(kOtherLineEnds),
+             {file_, number_, at + 1, 1, std::string(line_)});
+    }
     if (line_.find_first_not_of(kBlanks) != std::string_view::npos) return true;
   }
   number_ = std::max<std::size_t>(number_, 1);
@@ -40,6 +47,16 @@ std::vector<CsvField> CsvLines::fields() const {
     begin = end + 1;
   }
   return fields;
+}
+
+std::string other_separator(std::string_view line) {
+  if (line.find(',') != std::string_view::npos && line.find(';') == std::string_view::npos) return {};
+  for (const auto& [separator, name] : {std::pair(';', "semicolons"), std::pair('\t', "tabs")}) {
+    if (line.find(separator) == std::string_view::npos) continue;
+    return fmt::format("the columns seem to be separated by {}: put commas between them, and a point for decimals",
+                       name);
+  }
+  return {};
 }
 
 Place CsvLines::place() const {

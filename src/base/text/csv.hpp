@@ -19,7 +19,8 @@ class CsvLines {
   /// `text` must outlive this. A byte order mark is passed over.
   CsvLines(std::string file, std::string_view text);
 
-  /// Goes to the next line that is not blank; false at the end, where the last line stays.
+  /// Goes to the next line that is not blank; false at the end, where the last line stays. Refuses with csv-line-end a
+  /// carriage return inside a line.
   bool next();
   std::size_t number() const { return number_; }
   std::vector<CsvField> fields() const;
@@ -33,5 +34,8 @@ class CsvLines {
   std::string_view line_;
   std::size_t number_ = 0;  // of the line, from 1
 };
+
+/// What to do about a first line whose columns are separated by semicolons or tabs; empty: they are not.
+std::string other_separator(std::string_view line);
 
 }  // namespace plumbline

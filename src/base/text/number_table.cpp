@@ -39,11 +39,17 @@ class Reader {
     count_ = names.size();
     table_.header = lines_.place();
     for (const NumberColumn& column : columns_) {
-      const auto found =
-          std::find_if(names.begin(), names.end(), [&](const CsvField& name) { return name.text == column.name; });
+      const auto is_it = [&](const CsvField& name) { return name.text == column.name; };
+      const auto found = std::find_if(names.begin(), names.end(), is_it);
       if (found == names.end() && column.required) {
+        const std::string separated = other_separator(lines_.place().text);
         refuse("csv-header", fmt::format("the first line does not name a column {}", column.name),
-               fmt::format("begin the file with the line {}", header), lines_.place());
+               separated.empty() ? fmt::format("begin the file with the line {}", header) : separated, lines_.place());
+      }
+      const auto again = found == names.end() ? found : std::find_if(found + 1, names.end(), is_it);
+      if (again != names.end()) {
+        refuse("csv-same-column", fmt::format("there are two columns {}", column.name), "leave one of them out",
+               lines_.place(*again));
       }
       table_.has.push_back(found != names.end());
       at_.push_back(static_cast<std::size_t>(found - names.begin()));

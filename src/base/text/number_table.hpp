@@ -28,7 +28,8 @@ struct NumberTable {
 
 /// Reads columns found by the names of the first line, in any order; others are passed over, and so are rows of empty
 /// fields, which spreadsheets leave behind. Refuses with csv-header a required column that is not there (`header`: a
-/// line that would do), csv-columns a row of another length, csv-number what is no finite number up to a million.
+/// line that would do), csv-same-column one that is there twice, csv-columns a row of another length, csv-number what
+/// is no finite number up to a million.
 NumberTable read_number_table(const std::string& file, std::string_view text, const std::vector<NumberColumn>& columns,
                               std::string_view header);
 

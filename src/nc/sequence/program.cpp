@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
+#include "base/text/characters.hpp"
 #include "nc/control/interpreter.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/guard_lines.hpp"
@@ -26,6 +27,22 @@ void place_block(Block& block, const Line& line, std::string_view file) {
   block.line_end = line.line_end;
   block.line = line.place.line;
   block.offset = line.place.offset;
+}
+
+void check_line_ends(const Block& block) {
+  const std::size_t at = lone_carriage_return(block.text);
+  if (at == std::string_view::npos) return;
+  const auto begin = static_cast<std::uint32_t>(at);
+  refuse_at(block, {begin, begin + 1}, codes::kBadCharacter, std::string(kLoneCarriageReturn),
+            std::string(kOtherLineEnds));
+}
+
+// rs274 stops at its first byte: "Bad character '\357' used".
+void check_byte_order_mark(const Block& block, const Dialect& dialect) {
+  if (dialect.syntax.system_variables != SystemVariables::rs274 || byte_order_mark_size(block) == 0) return;
+  refuse_at(block, {0, static_cast<std::uint32_t>(byte_order_mark_size(block))}, codes::kBadCharacter,
+            "the file begins with a byte order mark, at which the control stops",
+            "save it as UTF-8 without a byte order mark (BOM), or as ASCII");
 }
 
 void check_length(const Block& block, const Line& line, const Dialect& dialect) {
@@ -117,6 +134,8 @@ const Step* Program::Parts::next() {
       return nullptr;
     }
     place_block(*block, line, flow.file());
+    check_line_ends(*block);
+    check_byte_order_mark(*block, dialect);
     if (stage == Stage::ended) {
       words_behind = words_behind || block->text.find_first_not_of(" \t\r%") != std::string_view::npos;
       if (ends_doubtful) refuse_text_behind();

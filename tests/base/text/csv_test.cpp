@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/scratch.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -26,6 +28,29 @@ TEST_CASE("lines of a table are told with their fields, places and numbers") {
   CHECK(place.length == 2);
   CHECK(place.text == "1, -2 ,");
   CHECK_FALSE(lines.next());
+}
+
+TEST_CASE("a carriage return inside a line is refused, at its end it is none") {
+  for (const char* const text : {"a,b\r1,2\r", "a,b\n1\r,2\n", "\ra,b\r\n"}) {
+    INFO(text);
+    const Diagnostic refused = testing::refusal_of([&] {
+      CsvLines lines("table.csv", text);
+      while (lines.next()) continue;
+    });
+    CHECK(refused.code == "csv-line-end");
+    CHECK(refused.help.find("line ends") != std::string::npos);
+  }
+  CsvLines lines("table.csv", "a,b\r\r\n1,2\r");
+  CHECK(lines.next());
+  CHECK(lines.next());
+}
+
+TEST_CASE("columns between semicolons or tabs are told") {
+  CHECK(other_separator("x_mm;y_mm").find("semicolons") != std::string::npos);
+  CHECK(other_separator("1,5;2,5").find("semicolons") != std::string::npos);
+  CHECK(other_separator("x_mm\ty_mm").find("tabs") != std::string::npos);
+  CHECK(other_separator("x_mm,y_mm\t").empty());
+  CHECK(other_separator("x_mm").empty());
 }
 
 TEST_CASE("an empty table has a first line to point at") {

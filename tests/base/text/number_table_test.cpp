@@ -53,6 +53,11 @@ TEST_CASE("a table that lacks a column, a field or a number is refused there") {
   CHECK(header.code == "csv-header");
   CHECK(header.message == "the first line does not name a column force_N");
   CHECK(header.help == "begin the file with the line x_mm,force_N");
+  CHECK(refused_forces("x_mm;force_N\n1;2\n").help.find("semicolons") != std::string::npos);
+  for (const char* const twice :
+       {"x_mm,force_N,x_mm\n1,2,3\n", "force_N,x_mm,force_N\n", "x_mm,force_N,tilt_deg,tilt_deg\n"})
+    CHECK(refused_forces(twice).code == "csv-same-column");
+  CHECK(forces_in("x_mm,note,force_N,note\n1,2,3,4\n").rows.size() == 1);
   const Diagnostic columns = refused_forces("x_mm,force_N\n1,2\n1,2,3\n");
   CHECK(columns.code == "csv-columns");
   CHECK(columns.message == "row 3 has 3 columns, and the first line names 2");

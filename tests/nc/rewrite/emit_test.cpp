@@ -24,6 +24,7 @@ namespace {
 using Shift = std::function<AxisWords(const AxisWords&)>;
 
 struct Rewriting {
+  std::string_view dialect = "linuxcnc";
   int pieces = 1;     // of every cutting move
   bool arcs = false;  // that are arcs are arcs, their centres shifted as the points are
   Shift shift = [](const AxisWords&) { return AxisWords{}; };
@@ -50,7 +51,7 @@ std::string rewrite(const std::string& text, const Rewriting& how) {
   {
     const InputFile source(folder / "in.ngc");
     OutputFile out(folder / "out.ngc");
-    const nc::Dialect& dialect = nc::dialect("linuxcnc");
+    const nc::Dialect& dialect = nc::dialect(how.dialect);
     nc::Program program(source, dialect, how.program);
     nc::Emitter emitter(source, dialect, how.emit, out);
     while (const nc::Step* step = program.next()) {
@@ -113,11 +114,12 @@ TEST_CASE("the stamp stands after %, and the comments that the program begins wi
 
 TEST_CASE("a byte order mark stays at the begin of the file") {
   const std::string mark = "\xEF\xBB\xBF";
-  CHECK(rewrite(mark + "G0 X1\nX2\n", lift(0.01)) == mark + "(stamped)\nG0 X1 Z0.01\nX2\n");
-  CHECK(rewrite(mark + "%\nG0 X1\n", lift(0.01)) == mark + "%\n(stamped)\nG0 X1 Z0.01\n");
   Rewriting how = lift(0.01);
+  how.dialect = "fanuc";
+  CHECK(rewrite(mark + "G0 X1.\nX2.\n", how) == mark + "(stamped)\nG0 X1. Z0.01\nX2.\n");
+  CHECK(rewrite(mark + "%\nG0 X1.\n", how) == mark + "%\n(stamped)\nG0 X1. Z0.01\n");
   how.program.block_delete = false;
-  CHECK(rewrite(mark + "/G21\nG0 X1\n", how) == mark + "(stamped)\nG21\nG0 X1 Z0.01\n");
+  CHECK(rewrite(mark + "/G21\nG0 X1.\n", how) == mark + "(stamped)\nG21\nG0 X1. Z0.01\n");
 }
 
 TEST_CASE("decimals are at least those of the source") {

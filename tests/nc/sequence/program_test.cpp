@@ -43,15 +43,38 @@ TEST_CASE("axes are looked for in what could be executed alone") {
 }
 
 TEST_CASE("the texts of all blocks are the program, byte for byte") {
-  for (const std::string text :
-       {"", "\n", "G0 X1", "G0 X1\n", "G0 X1\r\nG1 X2 F3\r\n", "\r\n\n \t\n",
-        "%\nG0 X1\n%\nbehind \x01 \xFF (\n\n% 3\n", "G0 X1 M2\n#!?\nG1 X\n", "\xEF\xBB\xBF%\r\nG0 X1\r\n%",
-        "(M\xFCller) g0x1 ; \xE2\x82\xAC\n", "G0\r X1 \r\r\nM30"}) {
+  for (const std::string text : {"", "\n", "G0 X1", "G0 X1\n", "G0 X1\r\nG1 X2 F3\r\n", "\r\n\n \t\n",
+                                 "%\nG0 X1\n%\nbehind \x01 \xFF (\n\n% 3\n", "G0 X1 M2\n#!?\nG1 X\n", "%\r\nG0 X1\r\n%",
+                                 "(M\xFCller) g0x1 ; \xE2\x82\xAC\n", "G0 X1 \r\r\nM30\r"}) {
     INFO(text);
     CHECK(round_trip(text) == text);
   }
   const std::string after = "M2\n" + std::string(1'000'000, 'x') + "\n" + std::string("\0\0\n", 3);
   CHECK(round_trip(after) == after);
+}
+
+TEST_CASE(
+    "a carriage return inside a line is refused in every dialect, a byte order mark where the control stops at it") {
+  const testing::Scratch scratch;
+  const auto refused = [&](std::string_view name, const std::string& text) {
+    return testing::refusal_of([&] {
+      const InputFile file(scratch.file("part.nc", text));
+      Program program(file, dialect(name), at_zero());
+      while (program.next() != nullptr) continue;
+    });
+  };
+  const std::string mark = "\xEF\xBB\xBF";
+  for (const std::string_view name : dialect_names()) {
+    INFO(name);
+    for (const std::string text : {"G90 G0 X10.\rY10.\nM2\n", "G90\rG0 X10.\rM2\r", "G0 X1.\r\n\rM2\r\n"}) {
+      const Diagnostic diagnostic = refused(name, text);
+      CHECK(diagnostic.code == "nc-bad-character");
+      CHECK(diagnostic.help.find("line ends") != std::string::npos);
+    }
+    const bool stops = name == "linuxcnc";
+    CHECK(refused(name, mark + "G21\n").code == (stops ? "nc-bad-character" : refused(name, "G21\n").code));
+    CHECK(refused(name, "G21\r\nM30 \r\r\n").code == refused(name, "G21\nM30\n").code);
+  }
 }
 
 TEST_CASE("the programs of others come out byte for byte as far as they are read") {
