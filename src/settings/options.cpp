@@ -72,7 +72,15 @@ nc::FreeRotation free_rotation_in(std::string_view text) {
   throw OptionError("expected c-stays or c-zero");
 }
 
-// sign, or A=sign,C=shortest.
+// What is said once more is no matter; another thing for the same leaves open which is meant.
+template <class Value>
+void set_once(std::optional<Value>& into, const Value& value, std::string_view what) {
+  if (into && *into != value)
+    throw OptionError(fmt::format("{} is given twice, and not the same: leave one of them", what));
+  into = value;
+}
+
+// sign, or A=sign,C=shortest. A rule for all leaves the axes alone that have one of their own.
 void set_rotary(Options& options, std::string_view text) {
   constexpr std::string_view kExpected =
       "expected linear, sign, shortest or one-turn, for one axis as in C=sign, several between commas";
@@ -84,14 +92,17 @@ void set_rotary(Options& options, std::string_view text) {
     if (rule == kRules.end()) throw OptionError(std::string(kExpected));
     const auto value = static_cast<nc::RotaryRule>(rule - kRules.begin());
     if (equals == std::string_view::npos) {
-      options.program.rotary.fill(value);
+      set_once(options.rotary.of_all, value, "the rule for all axes");
       return;
     }
     const std::string axis_name = upper(trimmed(part.substr(0, equals)));
     const std::optional<Axis> axis = axis_name.size() == 1 ? axis_of(axis_name.front()) : std::nullopt;
     if (!axis || !is_rotary(*axis)) throw OptionError(std::string(kExpected));
-    options.program.rotary[index(*axis) - 3] = value;
+    set_once(options.rotary.of_axis[index(*axis) - 3], value, axis_name);
   });
+  for (std::size_t i = 0; i < options.program.rotary.size(); ++i) {
+    options.program.rotary[i] = options.rotary.of_axis[i].value_or(options.rotary.of_all.value_or(nc::RotaryRule{}));
+  }
 }
 
 void add_m_codes(std::set<int>& codes, std::string_view text) {
@@ -140,7 +151,7 @@ void set_work_offset(Options& options, std::string_view text) {
   const auto values = six_numbers(text.substr(equals + 1));
   if (!values) throw OptionError(std::string(kExpected));
   refuse_absurd(*values);
-  options.program.work_offsets[static_cast<std::size_t>(system - 1)] = nc::WorkOffset{{*values}, 0};
+  set_once(options.program.work_offsets[static_cast<std::size_t>(system - 1)], nc::WorkOffset{{*values}, 0}, name);
   options.offset_systems.push_back({name, system, {}});
 }
 
@@ -149,7 +160,8 @@ void set_start(Options& options, std::string_view text) {
       "expected six numbers X,Y,Z,A,B,C in mm and deg, or those of some axes as in A=0,B=0,C=0";
   if (const auto values = six_numbers(text)) {
     refuse_absurd(*values);
-    for (std::size_t i = 0; i < kAxes; ++i) options.program.start[i] = (*values)[i];
+    for (const Axis axis : kAllAxes)
+      set_once(options.program.start[index(axis)], (*values)[index(axis)], std::string(1, letter(axis)));
     return;
   }
   each_part(text, [&](std::string_view part) {
@@ -160,7 +172,7 @@ void set_start(Options& options, std::string_view text) {
     const std::optional<double> number = parse_number(trimmed(value));
     if (!number) throw OptionError(std::string(kExpected));
     refuse_absurd(std::array{*number});
-    options.program.start[index(*axis)] = *number;
+    set_once(options.program.start[index(*axis)], *number, std::string(1, letter(*axis)));
   });
 }
 

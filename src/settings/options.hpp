@@ -35,6 +35,12 @@ struct NamedSystem {
   Place stated;    // in a settings file; no file: the command line states it
 };
 
+/// What --rotary has said so far, for all axes and for A, B and C each.
+struct StatedRotary {
+  std::optional<nc::RotaryRule> of_all;
+  std::array<std::optional<nc::RotaryRule>, 3> of_axis;
+};
+
 struct Options {
   Paths paths;
   std::string machine;                // by its name in a settings file; empty: none was named
@@ -42,6 +48,7 @@ struct Options {
   std::string dialect;                // empty: seen from the program
   std::vector<NamedSystem> offset_systems;
   nc::ProgramSettings program;  // without what the files hold: see program_settings.hpp
+  StatedRotary rotary;
   compensate::Settings compensation;
   nc::EmitSettings emit;     // without what the model says of the control
   bool steps_given = false;  // --step-angle or --step-length
@@ -77,7 +84,8 @@ std::string help_of(const OptionRow& row);
 /// Null: there is none of that name.
 const OptionRow* find_option(std::string_view name);
 
-/// Sets one option from its text. Throws OptionError: "expected ...".
+/// Sets one option from its text. Throws OptionError: "expected ...", or that it says another thing than was set before
+/// for the same work system or axis.
 void set_option(Options& options, const OptionRow& row, std::string_view text);
 
 /// "G54" and so on: the name of work system 0..8 as programs write it.

@@ -112,7 +112,14 @@ class SettingsReader {
 
   void check_together(const std::vector<StatedOption>& stated, const TomlValue& table) const {
     Options options;
-    for (const StatedOption& one : stated) set_option(options, *one.row, one.text);
+    for (const StatedOption& one : stated) {
+      try {
+        set_option(options, *one.row, one.text);
+      } catch (const OptionError& error) {  // each alone was tried before
+        refuse("settings-value", fmt::format("{}: {}", key_of(*one.row), error.what()),
+               "leave one of them out of the file", one.place);
+      }
+    }
     if (const std::optional<std::string> why = contradiction(options)) {
       const TomlEntry* const entry = table.find("tolerance");
       refuse("settings-value", *why, "leave one of them out of the file",

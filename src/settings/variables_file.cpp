@@ -7,6 +7,7 @@
 #include "base/diagnostic.hpp"
 #include "base/files/files.hpp"
 #include "base/files/input_name.hpp"
+#include "base/text/characters.hpp"
 #include "base/text/number_text.hpp"
 #include "nc/control/parameters/parameters.hpp"
 
@@ -37,6 +38,10 @@ class VariablesReader {
 
   void take_line(std::size_t begin, std::size_t end) {
     std::string_view line = std::string_view(text_).substr(begin, end - begin);
+    if (const std::size_t at = lone_carriage_return(line); at != std::string_view::npos) {
+      refuse("variables-line", std::string(kLoneCarriageReturn), std::string(kOtherLineEnds),
+             place_in(path_, text_, begin + at, 1));
+    }
     line = line.substr(0, line.find(';'));
     if (line.find_first_not_of(kBlanks) == std::string_view::npos) return;
     Piece number = next_piece(line, 0);
@@ -86,6 +91,19 @@ std::map<int, double> read_variables(const Source& source) {
     begin = end + 1;
   }
   return reader.take();
+}
+
+std::vector<OffsetVariable> offset_variables(int system, const std::map<int, double>& variables) {
+  std::vector<OffsetVariable> held;
+  if (system < 1 || system > static_cast<int>(kSystemsOfVariables)) return held;
+  const int first = kFirstWorkOffset + nc::kParametersPerRow * (system - 1);
+  const auto add = [&](int number, std::optional<Axis> axis) {
+    if (const auto found = variables.find(number); found != variables.end())
+      held.push_back({number, axis, found->second});
+  };
+  for (const Axis axis : kAllAxes) add(first + static_cast<int>(index(axis)), axis);
+  add(first + kRotation, std::nullopt);
+  return held;
 }
 
 std::array<std::optional<nc::WorkOffset>, nc::kWorkSystems> work_offsets_of(const std::map<int, double>& variables) {

@@ -9,18 +9,20 @@
 
 #include "base/files/files.hpp"
 #include "report/program/trace_text.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 namespace fs = std::filesystem;
 
 namespace {
 
-std::string trace_of(std::string_view program) {
+std::string trace_of(std::string_view program, const std::string& variables = {}) {
   const std::string path =
       (fs::temp_directory_path() / ("plumbline-trace-" + std::to_string(getpid()) + ".ngc")).string();
   write_text(path, program);
   settings::Options options;
   options.dialect = "linuxcnc";
+  if (!variables.empty()) options.paths.variables = variables;
   std::string text;
   jobs::trace_file(path, options, [&](const nc::Motion& motion) { report::append_trace_line(text, motion); });
   fs::remove(path);
@@ -41,6 +43,20 @@ TEST_CASE("a trace has one object a line, with the keys that others rely on") {
         "\"feed\": 0, \"feed_mode\": \"G94\", \"seconds\": 1}\n"
         "{\"line\": 2, \"motion\": \"feed\", \"to\": [0.123456789, 0, 0, 0, 0, 0], "
         "\"machine\": [0.123456789, 0, 0, 0, 0, 0], \"feed\": 100, \"feed_mode\": \"G94\"}\n");
+}
+
+TEST_CASE("a program reads the work offsets that a variables file holds, and is moved by them") {
+  const testing::Scratch scratch;
+  const auto last = [&](std::string_view program, std::string_view variables) {
+    const std::string text = trace_of(program, scratch.file("v.var", variables));
+    const std::size_t line = text.rfind('\n', text.size() - 2);
+    const auto motion = nlohmann::json::parse(text.substr(line == std::string::npos ? 0 : line + 1));
+    return std::pair(motion["to"][0].get<double>(), motion["machine"][0].get<double>());
+  };
+  CHECK(last("G1 X#5221 F100\n", "5221 5\n") == std::pair(5.0, 10.0));
+  CHECK(last("G55 G1 X[#5241+1] F100\n", "5241 -2\n5242 3\n") == std::pair(-1.0, -3.0));
+  CHECK(last("G1 X#5221 F100\n", "5221 5\n5222 1\n5223 1\n5224 0\n5225 0\n5226 0\n") == std::pair(5.0, 10.0));
+  CHECK(last("G1 X[#5222+1] F100\n", "5221 5\n") == std::pair(1.0, 6.0));
 }
 
 TEST_CASE("every line of a long trace is JSON, numbers kept to a billionth") {

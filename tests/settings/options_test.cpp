@@ -1,5 +1,8 @@
 #include "settings/options.hpp"
 
+#include <utility>
+#include <vector>
+
 #include <catch2/catch.hpp>
 
 #include "nc/language/dialect.hpp"
@@ -72,7 +75,7 @@ TEST_CASE("M codes, switches and numbers are checked") {
   CHECK(with("touch-off", "0,0,-1008,0,0,0").compensation.touch_off->values[2] == -1008);
 }
 
-TEST_CASE("repeated options add up, and what is given last wins") {
+TEST_CASE("repeated options add up, and none says another thing for the same") {
   Options options;
   const auto set = [&](std::string_view name, std::string_view text) {
     settings::set_option(options, *settings::find_option(name), text);
@@ -81,9 +84,26 @@ TEST_CASE("repeated options add up, and what is given last wins") {
   set("pass", "M101");
   set("work-offset", "G54=1,0,0,0,0,0");
   set("work-offset", "G55=2,0,0,0,0,0");
-  set("work-offset", "G54=3,0,0,0,0,0");
+  set("work-offset", "g54=1,0,0,0,0,0.0");  // the same once more
+  for (const auto& [name, text] :
+       std::vector<std::pair<const char*, const char*>>{{"work-offset", "G54=3,0,0,0,0,0"},
+                                                        {"work-offset", "g 55=2,0,0,0,0,1e-3"},
+                                                        {"start", "A=0,A=1"},
+                                                        {"start", "x1,X2"},
+                                                        {"rotary", "C=sign,C=shortest"}}) {
+    INFO(text);
+    Options copy = options;
+    CHECK_THROWS_WITH(settings::set_option(copy, *settings::find_option(name), text), Catch::Contains("given twice"));
+  }
+  set("rotary", "C=shortest");
+  set("rotary", "sign");
+  set("rotary", "c=shortest");
+  CHECK_THROWS_AS(set("rotary", "C=sign"), OptionError);
+  CHECK_THROWS_AS(set("rotary", "one-turn"), OptionError);
+  using nc::RotaryRule;
+  CHECK(options.program.rotary == nc::RotaryRules{RotaryRule::sign, RotaryRule::sign, RotaryRule::shortest});
   CHECK(options.program.passed_m_codes == std::set{100, 101});
-  CHECK(options.program.work_offsets[0]->origin[Axis::X] == 3);
+  CHECK(options.program.work_offsets[0]->origin[Axis::X] == 1);
   CHECK(options.program.work_offsets[1]->origin[Axis::X] == 2);
 }
 
@@ -96,18 +116,25 @@ TEST_CASE("every option says what it is") {
   CHECK(settings::find_option("nonsense") == nullptr);
 }
 
-TEST_CASE("work offsets of a variables file count as given, those of options come before them") {
+TEST_CASE("work offsets of a variables file count as given, and options say no other ones") {
   const testing::Scratch scratch;
-  Options options = with("work-offset", "G54=7,0,0,0,0,0");
+  Options options = with("work-offset", "G56=1,7,0,0,0,0");
   options.paths.variables = scratch.file("v.var",
                                          "5221 1\n5222 2\n5223 3\n5224 0\n5225 0\n5226 0\n5230 10\n"
                                          "5241 1\n5242 2\n5243 3\n5244 4\n5245 5\n5246 6\n5250 30\n5261 1\n");
   const nc::ProgramSettings settings = settings::program_settings(options);
-  CHECK(settings.work_offsets[0]->origin[Axis::X] == 7);
-  CHECK(settings.work_offsets[0]->rotation_deg == 0);
+  CHECK(settings.work_offsets[0]->origin[Axis::X] == 1);
+  CHECK(settings.work_offsets[0]->rotation_deg == 10);
   CHECK(settings.work_offsets[1]->origin == AxisWords{{1, 2, 3, 4, 5, 6}});
   CHECK(settings.work_offsets[1]->rotation_deg == 30);
-  CHECK_FALSE(settings.work_offsets[2]);
+  CHECK(settings.work_offsets[2]->origin == AxisWords{{1, 7, 0, 0, 0, 0}});
+  CHECK_FALSE(settings.work_offsets[3]);
+  for (const char* const other : {"G54=1,2,3,0,0,0", "G55=1,2,3,4,5,6.1", "G56=1.001,7,0,0,0,0", "G54=7,2,3,0,0,0"}) {
+    INFO(other);
+    Options both = with("work-offset", other);
+    both.paths.variables = options.paths.variables;
+    CHECK(testing::refusal_of([&] { settings::program_settings(both); }).code == "variables-offset");
+  }
 }
 
 TEST_CASE("a rule of rotary words holds for all axes or for those that are named") {

@@ -138,3 +138,16 @@ output_name = "{folder}/{name}_{machine}{ext}"
   CHECK(third[2].place.line == 8);
   CHECK(file.machines.at("hex-4")[0].text == "{folder}/{name}_{machine}{ext}");
 }
+
+TEST_CASE("a settings file says one thing of a work system, an axis, a rule") {
+  const testing::Scratch scratch;
+  for (const char* const text : {"work_offset = [\"G54=0,0,0,0,0,0\", \"G54=1,0,0,0,0,0\"]",
+                                 "[work_offset]\nG54 = [0, 0, 0, 0, 0, 0]\ng54 = [0, 0, 0, 0, 0, 1]",
+                                 "[start]\nA = 0\na = 1", "rotary = [\"C=sign\", \"C=linear\"]"}) {
+    INFO(text);
+    const std::string path = scratch.file("plumbline.toml", std::string("plumbline = \"settings 1\"\n") + text + "\n");
+    const Diagnostic refused = testing::refusal_of([&] { settings::read_settings_file(path); });
+    CHECK(refused.code == "settings-value");
+    CHECK(refused.place.line > 1);
+  }
+}

@@ -22,6 +22,7 @@ TEST_CASE("lines that are none are refused at their place") {
   };
   const testing::Scratch scratch;
   for (const Case& c : {Case{"#1 2\n#100\n", "variables-line", 2, 1}, Case{"1 2 3\n", "variables-line", 1, 5},
+                        Case{"1 2\r2 3\r", "variables-line", 1, 4}, Case{"1 2\n2 3 ; a\r3 4\n", "variables-line", 2, 8},
                         Case{"#x 2\n", "variables-number", 1, 2}, Case{"0 2\n", "variables-number", 1, 1},
                         Case{"R1000.5 2\n", "variables-number", 1, 2}, Case{"#R1 2\n", "variables-number", 1, 2},
                         Case{"5602 2\n", "variables-number", 1, 1}, Case{"1.5 2\n", "variables-number", 1, 1},

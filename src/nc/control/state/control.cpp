@@ -11,7 +11,8 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr int kFirstHome = 5161;  // parameters of G28, twenty further G30 [LinuxCNC; RS274/NGC 3.2.1]
+constexpr int kFirstHome = 5161;    // parameters of G28, twenty further G30 [LinuxCNC; RS274/NGC 3.2.1]
+constexpr int kFirstSystem = 5221;  // of G54
 constexpr int kG92 = 5211;
 constexpr double kNoShift = 1e-9;  // mm and deg
 
@@ -27,6 +28,13 @@ double inches_of(double mm) {
     fewest = digits;
   }
   return best;
+}
+
+// Work systems whose offsets are parameters: G54 to G59.3, of macro B G54 to G59.
+std::size_t rows_of_offsets(const Dialect& dialect) {
+  const SystemVariables own = dialect.syntax.system_variables;
+  if (own == SystemVariables::none) return 0;
+  return own == SystemVariables::rs274 ? 9 : 6;
 }
 
 // Those of six parameters in a row that somebody gave.
@@ -57,6 +65,10 @@ Control::Control(const Dialect& dialect, const ProgramSettings& settings)
     if (number >= 0 && number <= kLastParameter) parameters.set(number, {value, true});
   }
   for (std::size_t i = 0; i < systems.size(); ++i) {
+    if (i < rows_of_offsets(dialect)) {
+      const int first = kFirstSystem + kParametersPerRow * static_cast<int>(i);
+      systems[i].known = given(parameters, first, systems[i].origin);
+    }
     if (settings.as_with_empty_tables) systems[i].known = AxisSet::all();
     if (!settings.work_offsets[i]) continue;
     systems[i] = {settings.work_offsets[i]->origin, settings.work_offsets[i]->rotation_deg, AxisSet::all()};

@@ -20,6 +20,8 @@ inline constexpr int kWorkSystems = 306;  // of any control; Dialect::work_syste
 struct WorkOffset {
   AxisWords origin;
   double rotation_deg = 0;
+
+  bool operator==(const WorkOffset&) const = default;
 };
 
 /// What the program's text alone does not say.
