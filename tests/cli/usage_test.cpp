@@ -71,7 +71,7 @@ TEST_CASE("what stands wrongly on the command line is named as its user would") 
         Case{"compensate", "PROGRAM is required"},
         Case{"compensate -lead.ngc -m m.toml", "name the file as ./-lead.ngc"},
         Case{"trace -there", "name the file as ./-there"},
-        Case{"diff p.ngc -q.nc", "name the file as ./-q.nc"},
+        Case{"diff p.ngc -x.nc", "name the file as ./-x.nc"},
         Case{"trace -zz", "no option -z"},
         Case{"compensate p.ngc -m m.toml -o", "-o needs its value: -o FILE"},
         Case{"compensate p.ngc -m -o out.ngc", "-m needs its value: -m "},

@@ -66,7 +66,7 @@ TEST_CASE(
   const std::string mark = "\xEF\xBB\xBF";
   for (const std::string_view name : dialect_names()) {
     INFO(name);
-    for (const std::string text : {"G90 G0 X10.\rY10.\nM2\n", "G90\rG0 X10.\rM2\r", "G0 X1.\r\n\rM2\r\n"}) {
+    for (const std::string text : {"G90 G0 X10.\rY10.\nM2\n", "G90\rG0 X10.\rM2\r", "G90\r\n\rM2\r\n"}) {
       const Diagnostic diagnostic = refused(name, text);
       CHECK(diagnostic.code == "nc-bad-character");
       CHECK(diagnostic.help.find("line ends") != std::string::npos);
