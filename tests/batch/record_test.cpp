@@ -96,7 +96,8 @@ TEST_CASE("record: what is none, or a later version's, is refused with the way o
   scratch.file("text", std::string(5000, 'x'));
   const Diagnostic none = refusal_of([&] { Record(scratch / "text"); });
   CHECK(none.code == "batch-record");
-  CHECK(none.help.find("remove it") != std::string::npos);
+  CHECK(none.help.find("name another file with --record") != std::string::npos);
+  CHECK(none.help.find("remove") == std::string::npos);
   batch::Database(scratch / "later").run("PRAGMA user_version = 2");
   CHECK(refusal_of([&] { Record(scratch / "later"); }).message.find("later version") != std::string::npos);
   CHECK(refusal_of([&] { Record(scratch / "no/folder"); }).code == "batch-record");

@@ -120,7 +120,7 @@ TEST_CASE("points beyond the limits are counted, and the first is told at its bl
   CHECK(report::simulation_text(within).find("beyond") == std::string::npos);
   const std::string start = "G0 X0 Y0 Z0 A0 B0 C0\n";
   for (const auto& [move, what] : std::vector<std::pair<std::string, std::string>>{
-           {"G1 X302 F1000\n", "X would be"}, {"G0 Z209\n", "Z would be"}, {"G1 A26 F1000\n", "tilt would be"}}) {
+           {"G1 X302 F1000\n", "X would be"}, {"G0 Z209\n", "Z would be"}, {"G1 B26 F1000\n", "tilt would be"}}) {
     const jobs::SimulationSummary beyond = summary(start + move);
     INFO(move);
     REQUIRE(beyond.first_beyond);
