@@ -82,6 +82,11 @@ TEST_CASE("another main spindle, and a limit of the speed under a feed per revol
 TEST_CASE("FOR counts by whole numbers, REPEAT at least once, and DEFAULT is the last choice") {
   check_all("nc-not-interpreted", {"FOR R1=0.5 TO 2\nX=R1\nENDFOR\n", "FOR R1=1 TO 2.5\nX=R1\nENDFOR\n",
                                    "FOR R1=1 TO 3\nR1=R1+0.25\nX=R1\nENDFOR\n"});
+  check_all("nc-not-interpreted", {"R3=4\nFOR R1=1 TO R3\nR3=2\nX=R1\nENDFOR\n",
+                                   "R3=1\nFOR R1=1 TO R3\nX=R1\nR3=R3+1\nIF R1>5 GOTOF AA\nENDFOR\nAA: X1\n",
+                                   "FOR R1=1 TO 6-R1\nX=R1\nENDFOR\n"});
+  check_all("", {"R3=4\nFOR R1=1 TO R3\nX=R1\nENDFOR\nR3=1\nFOR R1=1 TO R3\nX1\nENDFOR\n",
+                 "FOR R2=1 TO 3\nFOR R1=1 TO R2\nX=R1\nENDFOR\nENDFOR\n"});
   check_all("nc-out-of-range", {"AA: X1\nREPEAT AA P=0\n", "AA: X1\nREPEATB AA P=R1\n", "AA: X1\nREPEAT AA P=-2\n"});
   check_all("nc-flow-control", {"CASE R1 OF DEFAULT GOTOF AA 0 GOTOF AA\nAA: X1\n",
                                 "CASE R1 OF 1 GOTOF AA DEFAULT GOTOF AA 0 GOTOF BB\nBB:\nAA: X1\n",
@@ -140,9 +145,27 @@ TEST_CASE("ATRANS and AROT say what they add") {
 TEST_CASE("what is set in the block of a statement is not lost") {
   check_all("nc-flow-control",
             {"R2=5 IF R1==0\nX1\nENDIF\n", "R2=5 GOTOF AA\nAA: X1\n", "R2=5 FOR R1=1 TO 2\nX=R1\nENDFOR\n",
-             "R2=5 WHILE R1<2\nR1=R1+1\nENDWHILE\n", "IF R1==0\nX1\nR2=5 ELSE\nX2\nENDIF\n",
-             "REPEAT\nR1=R1+1\nR2=7 UNTIL R1>2\n", "AA: X1\nR2=5 REPEAT AA\n", "R2=5 CASE R1 OF 0 GOTOF AA\nAA: X1\n",
-             "R2=5 DEF REAL CC=3\nX=CC\n"});
+             "R2=5 WHILE R1<2\nR1=R1+1\nENDWHILE\n", "IF R1==0\nX1\nR2=5 ELSE\nX2\nENDIF\n", "AA: X1\nR2=5 REPEAT AA\n",
+             "R2=5 CASE R1 OF 0 GOTOF AA\nAA: X1\n", "R2=5 DEF REAL CC=3\nX=CC\n"});
+  check_all("nc-flow-open", {"REPEAT\nR1=R1+1\nR2=7 UNTIL R1>2\n", "IF R1==0\nX1\nR2=5 ENDIF\n",
+                             "LOOP\nX1\nGOTOF AA\nR2=5 ENDLOOP\nAA: X2\n"});
+}
+
+TEST_CASE("what ends a branch or a loop stands alone in its block, wherever it is reached from") {
+  check_all("nc-flow-control",
+            {"IF R1==1\nX1\nELSE IF R1==0\nX2\nENDIF\nENDIF\n", "IF R1==1\nX1\nELSE GOTOF AA\nX2\nENDIF\nAA: X3\n",
+             "IF R1==1\nX1\nELSE G0 X2 M8\nENDIF\n", "IF R1==1\nX1\nENDIF X2\n", "WHILE R1>0\nX1\nENDWHILE X2\n",
+             "FOR R1=2 TO 1\nX1\nENDFOR M8\n", "IF R1==0\nX1\nENDIF X2\n", "REPEAT\nR1=R1+1\nUNTIL R1>2 X5\n"});
+  check_all("nc-flow-label",
+            {"IF R1==1\nX1\nELSEIF R1==0\nX2\nENDIF\n", "IF R1==0\nX1\nELSEIF R1==1\nX2\nELSE\nX3\nENDIF\n", "ENDIF\n",
+             "ELSE\nX1\nENDIF\n", "IF R1==0\nX1\nELSE\nX2\nELSE\nX3\nENDIF\n",
+             "IF R1==1\nX1\nELSE\nX2\nELSE\nX3\nENDIF\n", "LOOP\nX1\nELSE\nGOTOF AA\nENDLOOP\nAA: X2\n"});
+  check_all("nc-flow-control", {"ELSEIF R1==0\n", "ELSIF\n"});
+  check_all("nc-flow-open",
+            {"IF R1==0\nX1\n", "IF R1==0\nX1\nELSE\nX2\n", "FOR R1=1 TO 2\nIF R1==1\nX1\nENDFOR\nENDIF\n",
+             "IF R1==0\nFOR R2=1 TO 2\nX1\nENDIF\nENDFOR\n"});
+  check_all("", {"IF R1==1\nX1\nELSE ; X2\nX3\nENDIF ; of R1\n", "N10 IF R1==1\nX1\nN20 ELSE\nX3\nAA: ENDIF\n",
+                 "IF R1==0 GOTOF AA\nX1\nAA: X2\n", "IF R1==1\nIF R1==0\nELSE\nENDIF\nELSE\nX1\nENDIF\n"});
 }
 
 TEST_CASE("a branch that is left out does not end in a line behind /") {

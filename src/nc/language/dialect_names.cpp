@@ -138,6 +138,7 @@ constexpr std::array kGuards{
 
 constexpr std::array kKeywords{
     std::pair<std::string_view, FlowWord>{"if", FlowWord::begin_if},
+    std::pair<std::string_view, FlowWord>{"else_if", FlowWord::else_if},
     std::pair<std::string_view, FlowWord>{"else", FlowWord::otherwise},
     std::pair<std::string_view, FlowWord>{"end_if", FlowWord::end_if},
     std::pair<std::string_view, FlowWord>{"go_to", FlowWord::go_to},

@@ -75,6 +75,16 @@ std::optional<std::size_t> LabelIndex::crossing(std::size_t line) {
   return std::nullopt;
 }
 
+const Nesting& LabelIndex::nesting(bool left_out) {
+  const auto [at, is_new] = nestings_.try_emplace(files_.current());
+  Nesting& nesting = at->second;
+  if (!is_new) return nesting;
+  for_each_head(files_.file(files_.current()), dialect_,
+                [&](const LineHead& head, const Line& line) { nesting.add(head, line.place, left_out); });
+  nesting.close();
+  return nesting;
+}
+
 // Of the lines of the program around a line: its first, and the first behind it.
 LabelIndex::LineRange LabelIndex::program_around(const Index& index, std::size_t line) {
   LineRange range;

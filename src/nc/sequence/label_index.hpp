@@ -10,6 +10,7 @@
 
 #include "nc/language/block.hpp"
 #include "nc/language/dialect.hpp"
+#include "nc/sequence/nesting.hpp"
 #include "nc/sequence/program_files.hpp"
 
 namespace plumbline::nc {
@@ -32,6 +33,8 @@ class LabelIndex {
   std::optional<FilePlace> find_program(const std::string& name);
   /// True if a file holds several programs of that name.
   bool is_twice(const std::string& name);
+  /// The loops and branches of the file that is read. `left_out`, the same in each call: lines behind / are.
+  const Nesting& nesting(bool left_out);
   /// The first line that loops by number, begun in this line of the file that is read, must not hold: DO with the
   /// number of a loop around it, or the END of one around them, so that they cross. Nothing: there is none.
   std::optional<std::size_t> crossing(std::size_t line);
@@ -63,6 +66,7 @@ class LabelIndex {
   ProgramFiles& files_;
   const Dialect& dialect_;
   std::unordered_map<std::size_t, Index> indices_;  // by the number of the file
+  std::unordered_map<std::size_t, Nesting> nestings_;
 };
 
 }  // namespace plumbline::nc

@@ -86,11 +86,10 @@ StatementFlow::StatementFlow(const InputFile& program, const Dialect& dialect, I
       interpreter_(interpreter),
       files_(program, dialect),
       labels_(files_, dialect),
-      loops_(files_, dialect, interpreter),
+      loops_(files_, labels_, interpreter),
       ways_(files_, labels_, dialect, interpreter) {}
 
 bool StatementFlow::next(Line& line) {
-  loops_.pass_left_out();
   while (files_.next(line)) {
     if (const auto there = sections_.after(line, calls_.depth())) {
       go_on(*there);
@@ -110,6 +109,7 @@ bool StatementFlow::next(Line& line) {
 }
 
 bool StatementFlow::take(const Block& block) {
+  if (loops_.ends_left_out(block)) return true;
   switch (block.flow.word) {
     case FlowWord::program:
     case FlowWord::sub:
@@ -132,6 +132,7 @@ bool StatementFlow::take(const Block& block) {
       }
       return true;
     case FlowWord::end_if:
+      loops_.branch(block);
       return true;
     case FlowWord::end_while:
     case FlowWord::end_for:
@@ -164,10 +165,8 @@ void StatementFlow::steer(const Block& block) {
       if (condition_holds(interpreter_, block)) interpreter_.assign(block);
       return;
     case FlowWord::begin_if:
-      if (!condition_holds(interpreter_, block)) loops_.leave_out_branch(block);
-      return;
     case FlowWord::otherwise:  // reached from above: the branch before it was executed
-      return loops_.leave_out_branch(block);
+      return loops_.branch(block);
     case FlowWord::begin_for:
       return loops_.begin_for(block);
     default:
@@ -219,6 +218,7 @@ void StatementFlow::jump(const Block& block, const std::string& label, Direction
   }
   sections_.check_jump(block, *place, calls_.depth());
   if (place->line <= block.line) ways_.check_way_back(block);
+  loops_.leave_by_jump(place->line);
   files_.seek(*place);
 }
 
@@ -372,6 +372,7 @@ void StatementFlow::jump_back(const Block& block, int number) {
                 fmt::format("there is no N{} to return to in the program that called", number), "check the P of M99");
   }
   used_ = true;
+  loops_.leave_by_jump(place->line);
   files_.seek(*place);
 }
 

@@ -6,12 +6,22 @@
 
 #include "nc/language/codes.hpp"
 #include "nc/sequence/flow_block.hpp"
-#include "nc/syntax/line_head.hpp"
 
 namespace plumbline::nc {
 
-int StatementLoops::number_of_loop(const Block& block) {
-  return block.flow.label == kLiteral ? 0 : number_of(interpreter_, block, block.flow.label, "the number of a loop");
+// Refuses where the text has it otherwise than the control takes it.
+const NestedPart& StatementLoops::part_of(const Block& block) {
+  const NestedPart* const part = nesting().part_at(block.line);
+  if (part == nullptr) {
+    refuse_flow(block, codes::kFlowControl, "this begins or ends a loop or a branch behind something else",
+                "write it at the begin of its line, the number of a loop as a number, and comments behind it");
+  }
+  if (part->fault.empty()) return *part;
+  if (part->is_open)
+    refuse_flow(block, codes::kFlowOpen, part->fault,
+                "add it, at the begin of a line, before that of what stands around it");
+  refuse_flow(block, codes::kFlowLabel, part->fault,
+              "each end has its begin before it, in the same program, and each IF one ELSE at most");
 }
 
 std::vector<StatementLoops::Loop>::iterator StatementLoops::begun_at(const Block& block) {
@@ -22,14 +32,15 @@ void StatementLoops::begin(const Block& block) {
   const auto again = begun_at(block);
   const std::uint64_t pass = again == loops().end() ? 1 : again->pass;
   loops().erase(again, loops().end());  // left by a jump, or reached from its end
-  const int number = number_of_loop(block);
+  const NestedPart& part = part_of(block);
   if (block.flow.word == FlowWord::begin_while && !condition_holds(interpreter_, block)) {
-    return leave_out(block, FlowWord::end_while, false, number);
+    return leave_out(block, part, part.end);
   }
-  loops().push_back({block.flow.word, number, place_of_line(block), files_.here().line, pass});
+  loops().push_back({block.flow.word, place_of_line(block), files_.here().line, part.end.line, 0, pass});
 }
 
 void StatementLoops::begin_for(const Block& block) {
+  const NestedPart& part = part_of(block);
   auto loop = begun_at(block);
   const bool counted = loop != loops().end() && std::exchange(loop->counts_on, false);
   if (counted) {
@@ -39,9 +50,16 @@ void StatementLoops::begin_for(const Block& block) {
   } else {
     loops().erase(loop, loops().end());
     interpreter_.assign(block);
-    loops().push_back({FlowWord::begin_for, 0, place_of_line(block), files_.here().line, 1});
+    loops().push_back({FlowWord::begin_for, place_of_line(block), files_.here().line, part.end.line});
   }
   const double limit = interpreter_.value_of(block, block.flow.values.front(), block.flow.span);
+  if (!counted) loops().back().limit = limit;
+  if (limit != loops().back().limit) {
+    refuse_flow(block, codes::kNotInterpreted,
+                "the value behind TO changes while this loop counts, and whether the control takes the new one was "
+                "found in no source",
+                "keep it in a variable that the loop does not change, or write WHILE");
+  }
   const double count = interpreter_.variable(block, 0).number;
   if (count != std::round(count) || limit != std::round(limit)) {
     refuse_flow(block, codes::kNotInterpreted,
@@ -51,18 +69,19 @@ void StatementLoops::begin_for(const Block& block) {
   if (count <= limit) return;
   if (counted) interpreter_.set_variable(block, 0, {count, false});  // what is left in it was found in no source
   loops().pop_back();
-  leave_out(block, FlowWord::end_for, false, 0);
+  leave_out(block, part, part.end);
 }
 
-// Those inside it were left by a jump.
-StatementLoops::Loop& StatementLoops::innermost(const Block& block, FlowWord word, int number) {
-  const bool by_number = dialect_.syntax.numbered_loops;
-  for (; !loops().empty(); loops().pop_back()) {
-    Loop& loop = loops().back();
-    if (by_number ? loop.number == number : loop.word == word) return loop;
-  }
+StatementLoops::Loop& StatementLoops::ended_by(const Block& block) {
+  const NestedPart& part = part_of(block);
+  if (!loops().empty() && loops().back().begin.line == part.begin.line) return loops().back();
   refuse_flow(block, codes::kFlowLabel, "this ends a loop that was not begun",
-              "each end of a loop has its begin before it, in the same program");
+              "a jump may lead out of a loop, and not into one: let it lead to the line that begins the loop");
+}
+
+void StatementLoops::leave_by_jump(std::size_t line) {
+  const auto holds = [line](const Loop& loop) { return line >= loop.begin.line && line <= loop.end; };
+  while (!loops().empty() && !holds(loops().back())) loops().pop_back();
 }
 
 FlowEntry StatementLoops::go_back(Loop& loop, const LinePlace& to) {
@@ -72,63 +91,39 @@ FlowEntry StatementLoops::go_back(Loop& loop, const LinePlace& to) {
 }
 
 FlowEntry StatementLoops::end(const Block& block) {
+  Loop& loop = ended_by(block);
   switch (block.flow.word) {
-    case FlowWord::end_while: {
-      const int number = number_of_loop(block);
-      Loop& loop = innermost(block, FlowWord::begin_while, number);
+    case FlowWord::end_while:
       return go_back(loop, loop.begin);
-    }
-    case FlowWord::end_for: {
-      Loop& loop = innermost(block, FlowWord::begin_for, 0);
+    case FlowWord::end_for:
       loop.counts_on = true;
       return go_back(loop, loop.begin);
-    }
-    case FlowWord::end_loop: {
-      Loop& loop = innermost(block, FlowWord::begin_loop, 0);
+    case FlowWord::end_loop:
       return go_back(loop, loop.content);
-    }
-    default: {
-      Loop& loop = innermost(block, FlowWord::begin_repeat, 0);
+    default:
       if (!condition_holds(interpreter_, block)) return go_back(loop, loop.content);
       loops().pop_back();
       return {};
-    }
   }
 }
 
-void StatementLoops::leave_out_branch(const Block& block) {
-  leave_out(block, FlowWord::end_if, block.flow.word == FlowWord::begin_if, 0);
-}
-
-void StatementLoops::leave_out(const Block& block, FlowWord closes, bool stops_at_else, int number) {
-  const FlowWord opens = closes == FlowWord::end_if ? FlowWord::begin_if : block.flow.word;
-  left_out_ = {opens, closes, stops_at_else, number, steering_place(block)};
-}
-
-void StatementLoops::pass_left_out() {
-  const std::optional<LeftOut> left_out = std::exchange(left_out_, std::nullopt);
-  if (!left_out) return;
-  int depth = 1;
-  const bool by_number = dialect_.syntax.numbered_loops;
-  for (Line line; files_.next(line);) {
-    const LineHead head = head_of(line.text, dialect_);
-    if (!head.program.empty()) break;
-    const bool steers = head.word == left_out->opens || head.word == left_out->closes ||
-                        (head.word == FlowWord::otherwise && left_out->stops_at_else);
-    if (steers && head.behind_slash && interpreter_.leaves_out_skipped()) {
-      refuse(codes::kNotInterpreted,
-             "what this line begins is left out, and a line behind / that is left out as well would end it",
-             "put / before all lines of a branch or a loop, or before none", left_out->from);
-    }
-    if (by_number) {
-      if (head.word == left_out->closes && head.loop == left_out->number) return;
-      continue;
-    }
-    if (head.word == left_out->opens) ++depth;
-    if (head.word == FlowWord::otherwise && left_out->stops_at_else && depth == 1) return;
-    if (head.word == left_out->closes && --depth == 0) return;
+void StatementLoops::branch(const Block& block) {
+  const NestedPart& part = part_of(block);
+  if (block.flow.word == FlowWord::end_if) return;
+  if (block.flow.word == FlowWord::otherwise) return leave_out(block, part, part.end);
+  if (!condition_holds(interpreter_, block)) {
+    leave_out(block, part, part.otherwise.line != 0 ? part.otherwise : part.end);
   }
-  refuse(codes::kFlowOpen, "what this line begins has no end in this program", "add it", left_out->from);
+}
+
+void StatementLoops::leave_out(const Block& block, const NestedPart& part, const LinePlace& up_to) {
+  if (nesting().leaves_out_between(place_of_line(block), up_to, part.word)) {
+    refuse_flow(block, codes::kNotInterpreted,
+                "what this line begins is left out, and a line behind / that is left out as well would end it",
+                "put / before all lines of a branch or a loop, or before none");
+  }
+  left_out_up_to_ = up_to.line;
+  files_.seek(up_to);
 }
 
 }  // namespace plumbline::nc

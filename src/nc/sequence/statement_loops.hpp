@@ -3,13 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <utility>
 #include <vector>
 
-#include "base/diagnostic.hpp"
 #include "nc/control/interpreter.hpp"
 #include "nc/control/step.hpp"
 #include "nc/language/dialect.hpp"
+#include "nc/sequence/label_index.hpp"
 #include "nc/sequence/program_files.hpp"
 
 namespace plumbline::nc {
@@ -17,18 +17,21 @@ namespace plumbline::nc {
 class StatementLoops {
  public:
   /// All must outlive it.
-  StatementLoops(ProgramFiles& files, const Dialect& dialect, Interpreter& interpreter)
-      : files_(files), dialect_(dialect), interpreter_(interpreter) {}
+  StatementLoops(ProgramFiles& files, LabelIndex& labels, Interpreter& interpreter)
+      : files_(files), labels_(labels), interpreter_(interpreter) {}
 
   /// WHILE, DO, LOOP, REPEAT without labels.
   void begin(const Block& block);
   void begin_for(const Block& block);
   /// Gives the pass that begins, if one does. Refuses with nc-flow-label the end of what was not begun.
   FlowEntry end(const Block& block);
-  /// IF and ELSE: reading goes on after the ENDIF; of an IF after its ELSE, if it has one.
-  void leave_out_branch(const Block& block);
-  /// Passes over what was left out last. Those lines are not parsed, as the control does not.
-  void pass_left_out();
+  /// IF, ELSE and ENDIF. Where a condition does not hold, and at an ELSE that is reached from above, reading goes on at
+  /// the line that ends what is left out. The lines before that are not parsed, as the control does not.
+  void branch(const Block& block);
+  /// True if this line is read since it ends what was left out last: it does nothing else.
+  bool ends_left_out(const Block& block) { return std::exchange(left_out_up_to_, 0) == block.line; }
+  /// A jump to this line of the same program: loops that it leads out of are over.
+  void leave_by_jump(std::size_t line);
 
   /// A subprogram begins, which has loops of its own; begins once more; ends.
   void enter_call() { levels_.emplace_back(); }
@@ -38,31 +41,27 @@ class StatementLoops {
  private:
   struct Loop {
     FlowWord word = FlowWord::none;
-    int number = 0;     // of DO
-    LinePlace begin;    // of the line that begins it
-    LinePlace content;  // of the line after
+    LinePlace begin;      // of the line that begins it
+    LinePlace content;    // of the line after
+    std::size_t end = 0;  // the line that ends it
+    double limit = 0;     // of FOR
     std::uint64_t pass = 1;
     bool counts_on = false;  // FOR is reached from its end
   };
-  struct LeftOut {  // the lines up to the end of a loop or branch
-    FlowWord opens, closes;
-    bool stops_at_else = false;
-    int number = 0;
-    Place from;
-  };
 
   std::vector<Loop>& loops() { return levels_.back(); }
-  int number_of_loop(const Block& block);
+  const Nesting& nesting() { return labels_.nesting(interpreter_.leaves_out_skipped()); }
+  const NestedPart& part_of(const Block& block);
   std::vector<Loop>::iterator begun_at(const Block& block);
-  Loop& innermost(const Block& block, FlowWord word, int number);
+  Loop& ended_by(const Block& block);
   FlowEntry go_back(Loop& loop, const LinePlace& to);
-  void leave_out(const Block& block, FlowWord closes, bool stops_at_else, int number);
+  void leave_out(const Block& block, const NestedPart& part, const LinePlace& up_to);
 
   ProgramFiles& files_;
-  const Dialect& dialect_;
+  LabelIndex& labels_;
   Interpreter& interpreter_;
   std::vector<std::vector<Loop>> levels_ = std::vector<std::vector<Loop>>(1);  // of calls, the program itself first
-  std::optional<LeftOut> left_out_;
+  std::size_t left_out_up_to_ = 0;                                             // this line; 0: nothing was left out
 };
 
 }  // namespace plumbline::nc

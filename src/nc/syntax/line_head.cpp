@@ -132,6 +132,7 @@ class HeadReader {
     const std::string_view rest = line_.substr(at_);
     const std::string code = upper_without_blanks(rest.substr(0, rest.find(';')));
     if (head_.word == FlowWord::begin_if && code.find("GOTO") != std::string::npos) head_.word = FlowWord::go_to;
+    if (head_.word == FlowWord::begin_repeat && !code.empty()) head_.word = FlowWord::repeat_section;
     if (head_.word == FlowWord::sub) {
       blanks();
       head_.program.clear();

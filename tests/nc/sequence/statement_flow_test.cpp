@@ -46,6 +46,43 @@ TEST_CASE("FOR counts from its begin whenever it is reached from above") {
   CHECK(visited_by_statements("FOR R1=3 TO 2\nG0 X1\nENDFOR\nG0 X2\nM30\n", "siemens") == Positions{2});
 }
 
+TEST_CASE("a jump out of a loop leaves it, and the end behind it is that of the loop around") {
+  const auto both = [](const std::string& inner, const std::string& end) {
+    return "R2=0 R3=0\nFOR R1=1 TO 2\n" + inner + "\nR3=R3+1\nIF R3==2 GOTOF OUT\nG0 X=R1\n" + end +
+           "\nOUT: G0 X=R1*10\nENDFOR\nM30\n";
+  };
+  CHECK(visited_by_statements(both("FOR R2=1 TO 3", "ENDFOR"), "siemens") == Positions{1, 10, 2, 2, 2, 20});
+  CHECK(visited_by_statements("R1=0\nWHILE R1<2\nR1=R1+1\nWHILE R1<9\nIF R1==2 GOTOF OUT\nG0 X=R1\nR1=R1+1\n"
+                              "ENDWHILE\nOUT: G0 X=R1*10\nENDWHILE\nM30\n",
+                              "siemens") == Positions{1, 20});
+  CHECK(visited_by_statements("R1=0\nREPEAT\nREPEAT\nR1=R1+1\nIF R1>1 GOTOF OUT\nG0 X=R1\nUNTIL R1>5\n"
+                              "OUT: G0 X=R1*10\nUNTIL R1>2\nG0 X5\nM30\n",
+                              "siemens") == Positions{1, 20, 30, 5});
+  CHECK(visited_by_statements("R1=0\nLOOP\nLOOP\nR1=R1+1\nIF R1>1 GOTOF OUT\nG0 X=R1\nENDLOOP\n"
+                              "OUT: G0 X=R1*10\nIF R1>2 GOTOF AWAY\nENDLOOP\nAWAY: M30\n",
+                              "siemens") == Positions{1, 20, 30});
+}
+
+TEST_CASE("a jump into a loop finds none begun, even if it was left by a jump before") {
+  CHECK(refused_statement("R2=0\nFOR R1=1 TO 3\nBACK: G0 X=R1\nIF R2==0 GOTOF OUT\nENDFOR\nM30\n"
+                          "OUT: R2=1\nGOTOB BACK\n",
+                          "siemens") == "nc-flow-label");
+  CHECK(refused_statement("O1\n#1=0\nWHILE [#1 LT 2] DO 1\n#1=#1+1\nGOTO 10\nEND 1\nWHILE [#1 LT 2] DO 1\n"
+                          "N10 G0 X#1\n#1=#1+1\nEND 1\nM30\n",
+                          "fanuc") == "nc-flow-label");
+  CHECK(refused_statement("R1=0\nGOTOF IN\nLOOP\nIN: G0 X1\nENDLOOP\nM30\n", "siemens") == "nc-flow-label");
+  CHECK(visited_by_statements("O1\n#1=0\nWHILE [#1 LT 2] DO 1\n#1=#1+1\n#2=0\nWHILE [#2 LT 3] DO 2\n#2=#2+1\n"
+                              "IF [#2 EQ 2] GOTO 10\nG0 X#2\nEND 2\nN10 G0 X[#1*10]\nEND 1\nM30\n",
+                              "fanuc") == Positions{1, 10, 1, 20});
+}
+
+TEST_CASE("an end behind a comment, or a loop without an end, is refused") {
+  CHECK(refused_statement("O1\n#1=0\nWHILE [#1 LT 1] DO 1\n#1=#1+1\n(A) END 1\nM30\n", "fanuc") == "nc-flow-open");
+  CHECK(refused_statement("O1\n#1=5\nWHILE [#1 LT 1] DO 1\nG0 X1.\n(A) END 1\nM30\n", "fanuc") == "nc-flow-open");
+  CHECK(refused_statement("O1\n#1=0\nDO 1\nG0 X1.\nM30\n", "fanuc") == "nc-flow-open");
+  CHECK(refused_statement("O1\n#1=1\nWHILE [#1 LT 1] DO #1\nG0 X1.\nEND 1\nM30\n", "fanuc") == "nc-flow-control");
+}
+
 TEST_CASE("loops of a subprogram are its own, and forgotten when it begins again") {
   CHECK(visited_by_statements("O1\n#1=0\nWHILE [#1 LT 2] DO 1\n#1=#1+1\nM98 P2 L2\nEND 1\nM30\n"
                               "O2\nWHILE [#1 LT 9] DO 1\nG0 X#1\nGOTO 5\nEND 1\nN5 M99\n",

@@ -193,6 +193,9 @@ void read_named_statement(BlockReading& in, FlowWord word) {
                      "put it into a block of its own");
   }
   switch (word) {
+    case FlowWord::else_if:
+      in.cursor.refuse(flow.span, codes::kFlowControl, fmt::format("the control has no {}", in.out.at(flow.span)),
+                       "write ELSE, and IF with its ENDIF in the lines behind it");
     case FlowWord::begin_if:
     case FlowWord::go_to:
       named_jump(in, word == FlowWord::begin_if);
