@@ -38,7 +38,12 @@ LabelIndex::Index& LabelIndex::programs_of(std::size_t file) {
   Index& index = at->second;
   if (!is_new) return index;
   for_each_head(files_.file(file), dialect_, [&](const LineHead& head, const Line& line) {
-    if (!head.program.empty()) index.programs.emplace_back(head.program, line.place);
+    ProgramHeads& programs = index.programs;
+    if (!head.program.empty()) {
+      programs.heads.push_back({head.program, line.place, head.is_main});
+    } else if (!head.empty && programs.heads.empty() && !programs.words_before) {
+      programs.words_before = line.place;
+    }
   });
   return index;
 }
@@ -88,12 +93,12 @@ const Nesting& LabelIndex::nesting(bool left_out) {
 // Of the lines of the program around a line: its first, and the first behind it.
 LabelIndex::LineRange LabelIndex::program_around(const Index& index, std::size_t line) {
   LineRange range;
-  for (const auto& [name, place] : index.programs) {
-    if (place.line > line) {
-      range.end = place.line;
+  for (const ProgramHead& head : index.programs.heads) {
+    if (head.place.line > line) {
+      range.end = head.place.line;
       break;
     }
-    range.first = place.line;
+    range.first = head.place.line;
   }
   return range;
 }
@@ -145,8 +150,8 @@ bool LabelIndex::is_behind_slash(std::size_t line) { return labels_of(files_.cur
 
 std::optional<FilePlace> LabelIndex::find_in_open_files(const std::string& name) {
   for (std::size_t file = 0; file < files_.size(); ++file) {
-    for (const auto& [program, place] : programs_of(file).programs) {
-      if (program == name) return FilePlace{file, place};
+    for (const ProgramHead& head : programs_of(file).programs.heads) {
+      if (head.name == name) return FilePlace{file, head.place};
     }
   }
   return std::nullopt;
@@ -156,24 +161,31 @@ std::optional<FilePlace> LabelIndex::find_program(const std::string& name) {
   if (const std::optional<FilePlace> found = find_in_open_files(name)) return found;
   const std::optional<std::size_t> file = files_.open_beside(name);
   if (!file) return std::nullopt;
-  auto& programs = programs_of(*file).programs;
-  if (programs.empty()) programs.emplace_back(name, LinePlace{});  // a file that names none holds the one of its name
+  ProgramHeads& programs = programs_of(*file).programs;
+  if (programs.heads.empty()) {
+    programs.heads.push_back({name, {}, false});  // a file that names none holds the one of its name
+  } else if (programs.words_before) {
+    refuse(codes::kFlowOpen, "this stands before the first program of the file, and belongs to none",
+           "put it behind the line that names the program, or take it out",
+           Place{files_.file(*file).name(), programs.words_before->line, 1, 1, {}});
+  }
   return find_in_open_files(name);
 }
 
 bool LabelIndex::is_twice(const std::string& name) {
   for (std::size_t file = 0; file < files_.size(); ++file) {
-    const auto& programs = programs_of(file).programs;
-    const auto is_called_so = [&](const auto& program) { return program.first == name; };
-    if (std::count_if(programs.begin(), programs.end(), is_called_so) > 1) return true;
+    const std::vector<ProgramHead>& heads = programs_of(file).programs.heads;
+    if (std::count_if(heads.begin(), heads.end(), [&](const ProgramHead& head) { return head.name == name; }) > 1) {
+      return true;
+    }
   }
   return false;
 }
 
 std::optional<LinePlace> LabelIndex::other_main(const std::set<std::size_t>& begun) {
-  const auto& programs = programs_of(0).programs;
-  if (std::all_of(programs.begin(), programs.end(), [&](const auto& one) { return begun.contains(one.second.line); }))
-    return std::nullopt;
+  const std::vector<ProgramHead>& heads = programs_of(0).programs.heads;
+  const auto was_begun = [&](const ProgramHead& head) { return begun.contains(head.place.line); };
+  if (std::all_of(heads.begin(), heads.end(), was_begun)) return std::nullopt;
   std::optional<LinePlace> other;
   std::optional<LinePlace> found;
   for_each_head(files_.file(0), dialect_, [&](const LineHead& head, const Line& line) {

@@ -15,6 +15,19 @@
 
 namespace plumbline::nc {
 
+/// Where a program begins that says its name.
+struct ProgramHead {
+  std::string name;
+  LinePlace place;
+  bool is_main = false;  // by its name: %_N_NAME_MPF
+};
+
+/// Those of a file.
+struct ProgramHeads {
+  std::vector<ProgramHead> heads;
+  std::optional<LinePlace> words_before;  // the first line with words, if it stands before all of them
+};
+
 class LabelIndex {
  public:
   /// Both must outlive it.
@@ -29,7 +42,8 @@ class LabelIndex {
   void check_once(const Block& block, const std::string& label, std::size_t line);
   /// True if that line of the file that is read begins with /.
   bool is_behind_slash(std::size_t line);
-  /// The program of that name: in the files that are open, else in one of its name beside the program.
+  /// The program of that name: in the files that are open, else in one of its name beside the program. Refuses such a
+  /// file if words stand before the first program of it.
   std::optional<FilePlace> find_program(const std::string& name);
   /// True if a file holds several programs of that name.
   bool is_twice(const std::string& name);
@@ -38,6 +52,8 @@ class LabelIndex {
   /// The first line that loops by number, begun in this line of the file that is read, must not hold: DO with the
   /// number of a loop around it, or the END of one around them, so that they cross. Nothing: there is none.
   std::optional<std::size_t> crossing(std::size_t line);
+  /// Of the program's own file.
+  const ProgramHeads& own_programs() { return programs_of(0).programs; }
   /// The first program of the program's own file that ends as a main program does, and begins in none of these lines.
   std::optional<LinePlace> other_main(const std::set<std::size_t>& begun);
 
@@ -48,7 +64,7 @@ class LabelIndex {
     bool begins = false;
   };
   struct Index {
-    std::vector<std::pair<std::string, LinePlace>> programs;
+    ProgramHeads programs;
     std::unordered_map<std::string, std::vector<LinePlace>> labels;
     std::vector<LoopLine> loops;         // in the order of the text
     std::set<std::size_t> behind_slash;  // lines with a label or a number

@@ -147,7 +147,10 @@ const Step* Program::Parts::next() {
     check_length(*block, line, dialect);
     parser.parse(*block);
     const bool around_file = flow.called() && !dialect.syntax.percent_pairs;
-    if (block->kind == LineKind::percent && around_file) continue;  // of a subprogram
+    if (block->kind == LineKind::percent && around_file) {
+      flow.pass_percent(*block);
+      continue;
+    }
     if (block->kind == LineKind::percent) return percent();
     if (block->kind == LineKind::ignored) return &interpreter.pass(*block);
     if (!holds_nothing(block->text)) {

@@ -35,6 +35,9 @@ class Sequencer {
   /// Refuses where the program's file holds another one that nobody calls: it would not be read.
   virtual void check_others() {}
 
+  /// % in a subprogram; refuses one that ends it.
+  virtual void pass_percent(const Block& /*block*/) {}
+
   /// % ends the text here, though lines after it may be looked for; refuses where they are.
   virtual void end_of_text() {}
 

@@ -7,7 +7,9 @@
 
 #include "base/diagnostic.hpp"
 #include "nc/language/codes.hpp"
+#include "nc/language/refusal.hpp"
 #include "nc/sequence/flow_block.hpp"
+#include "nc/sequence/program_ends.hpp"
 #include "nc/sequence/subprogram_file.hpp"
 #include "nc/syntax/line_head.hpp"
 
@@ -24,28 +26,6 @@ FilePlace program_called(const Block& block, const std::string& name, LabelIndex
   refuse_flow(
       block, codes::kFlowOpen, fmt::format("subprogram {} is neither in this file nor beside it", name),
       fmt::format("put it into a file of its name beside the program, as {}", subprogram_file_name(name, dialect)));
-}
-
-std::string how_programs_end(const Dialect& dialect) {
-  switch (dialect.syntax.statements) {
-    case Statements::user_task:
-      return "end it with RTS";
-    case Statements::high_level:
-      return "end it with M17 or RET";
-    default:
-      return "end it with M99";
-  }
-}
-
-// What stands behind such a line would be passed over. Archives of high-level programs keep each as a file of its own,
-// whose end is that of the program.
-void refuse_unended(const Block& block, Statements statements) {
-  if (statements == Statements::high_level) return;
-  refuse_flow(
-      block, codes::kFlowOpen, "this begins another program, and the one before it has not ended",
-      statements == Statements::user_task  // OMIT and other words of an OSP look like names of programs
-          ? "end that with M2 or M30 before this line; patterns of holes (LAA, BHC, OMIT) are not read"
-          : "end that with M30 before this line; the number of a program stands at the begin of its first line");
 }
 
 const LinePlace* find_label(const Block& block, LabelIndex& labels, const Interpreter& interpreter,
@@ -196,16 +176,14 @@ void StatementFlow::head(const Block& block) {
   reading_ = Reading::after_end;
 }
 
-void StatementFlow::check_others() {
-  if (dialect_.syntax.statements == Statements::high_level) return;
-  const auto other = labels_.other_main(begun_);
-  if (!other) return;
-  Place place;
-  place.file = files_.program_name();
-  place.line = other->line;
-  place.column = 1;
-  refuse(codes::kFlowOpen, "a program of its own begins here, which nothing before it calls: it would stay as it is",
-         "put it into a file of its own, and work on each of them", std::move(place));
+void StatementFlow::check_others() { check_other_programs(labels_, files_.program_name(), begun_, dialect_); }
+
+// It ends the file, but where it stands before all else.
+void StatementFlow::pass_percent(const Block& block) {
+  if (reading_ == Reading::head) return;
+  const auto at = static_cast<std::uint32_t>(block.text.find('%'));
+  refuse_at(block, {at, at + 1}, codes::kFlowOpen,
+            fmt::format("the file ends here, inside subprogram {}", calls_.top().name), how_programs_end(dialect_));
 }
 
 void StatementFlow::jump(const Block& block, const std::string& label, Direction direction) {

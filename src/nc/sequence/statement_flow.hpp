@@ -29,6 +29,7 @@ class StatementFlow : public Sequencer {
   bool called() const override { return !calls_.empty(); }
   void check_files() const override { files_.check_unchanged(); }
   void check_others() override;
+  void pass_percent(const Block& block) override;
   bool ended() const override { return reading_ == Reading::after_end; }
   bool take(const Block& block) override;
   void call_program(const Block& block, const ProgramCall& program) override;

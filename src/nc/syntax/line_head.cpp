@@ -59,6 +59,7 @@ class HeadReader {
     const std::string_view rest = line_.substr(at_);
     if (dialect_.syntax.archive_heads && rest.starts_with("%_")) {
       head_.program = canonical_program(rest);
+      head_.is_main = upper_without_blanks(rest).ends_with("_MPF");
     } else {
       head_.empty = true;
     }

@@ -13,8 +13,9 @@ struct LineHead {
   std::string number;   // N100 as a label
   std::string label;    // NAME: of a high-level language
   FlowWord word = FlowWord::none;
-  int loop = 0;        // the number after DO and END
-  bool empty = false;  // nothing but blanks, a comment or %
+  int loop = 0;          // the number after DO and END
+  bool is_main = false;  // the program, by its name: %_N_NAME_MPF
+  bool empty = false;    // nothing but blanks, a comment or %
   bool behind_slash = false;
 };
 

@@ -8,6 +8,7 @@
 
 #include "base/diagnostic.hpp"
 #include "nc/programs.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 using namespace plumbline::nc;
@@ -105,4 +106,46 @@ TEST_CASE("a program that runs into the next one of its file is refused, and so 
   CHECK(visited_by_statements("%\nO1\nG0 X1.\n%\nO2\nG0 X2.\n", "fanuc") == Positions{1});
   CHECK(refused_statement("O1\nM98 P2\nM30\nO2\nG0 X1.\nO3\nM99\n", "fanuc") == "nc-flow-open");
   CHECK(refused_statement("O1\nGOTO 5\nM30\n", "fanuc") == "nc-flow-label");
+}
+
+TEST_CASE("of an archive the main program is the first, and the only one that nothing calls") {
+  const std::string sub = "%_N_SUB_SPF\nG0 X5\nM17\n";
+  const std::string main = "%_N_MAIN_MPF\nG0 X1\nSUB\nM30\n";
+  CHECK(refused_statement(sub + main, "siemens") == "nc-flow-open");
+  CHECK(refused_statement("%_N_SUB_SPF\nG0 X5\n%_N_MAIN_MPF\nG0 X1\nM30\n", "siemens") == "nc-flow-open");
+  CHECK(refused_statement("%_N_ONE_MPF\nG0 X1\nM30\n%_N_TWO_MPF\nG0 X2\nM30\n", "siemens") == "nc-flow-open");
+  CHECK(refused_statement("%_N_ONE_MPF\nG0 X1\n" + sub + "%_N_two_mpf\nG0 X2\n", "siemens") == "nc-flow-open");
+  CHECK(refused_statement(sub + "%_N_FURTHER_SPF\nG0 X6\nM17\n", "siemens") == "nc-flow-open");
+  CHECK(refused_statement("G0 X1\nM30\n%_N_TWO_MPF\nG0 X2\nM30\n", "siemens") == "nc-flow-open");
+  CHECK(visited_by_statements(main + sub, "siemens") == Positions{1, 5});
+  CHECK(visited_by_statements("; of the CAM\n" + main + sub + "%_N_FURTHER_SPF\nG0 X6\nM17\n", "siemens") ==
+        Positions{1, 5});
+  CHECK(visited_by_statements("%_N_ONE_MPF\nG0 X1\nTWO\nM30\n%_N_TWO_MPF\nG0 X2\nM17\n", "siemens") == Positions{1, 2});
+  CHECK(visited_by_statements(sub, "siemens") == Positions{5});
+}
+
+TEST_CASE("the file of a subprogram ends at its second %, and begins with its name") {
+  const auto code = [](std::string_view name, std::string_view content, std::string_view control) {
+    const testing::Scratch scratch;
+    scratch.file(std::string(name), std::string(content));
+    const bool fanuc = control == "fanuc";
+    const auto refused =
+        refusal_of_file(scratch.file(fanuc ? "main.nc" : "main.min", fanuc ? "O1\nM98 P100\nM30\n" : "CALL O100\nM2\n"),
+                        empty_tables(), control);
+    return refused ? refused->code : std::string();
+  };
+  for (const std::string_view percent : {"%\n", ""}) {
+    INFO(percent);
+    const std::string begin(percent);
+    CHECK(code("O100.nc", begin + "O100\nG0 X7.\n%\nG0 X8.\nM99\n", "fanuc") == "nc-flow-open");
+    CHECK(code("O100.nc", begin + "G0 X7.\n%\nG0 X8.\nM99\n", "fanuc") == "nc-flow-open");
+    CHECK(code("O100.nc", begin + "G0 X3.\nO100\nG0 X7.\nM99\n", "fanuc") == "nc-flow-open");
+    CHECK(code("O100.nc", begin + "(A)\nO100\nG0 X7.\nM99\n%\n", "fanuc").empty());
+    CHECK(code("O100.nc", begin + "G0 X7.\nM99\n%\n", "fanuc").empty());
+    CHECK(code("O100.SUB", begin + "O100\nG0 X7\n%\nG0 X8\nRTS\n", "okuma") == "nc-flow-open");
+    CHECK(code("O100.SUB", begin + "G0 X3\nO100\nG0 X7\nRTS\n", "okuma") == "nc-flow-open");
+    CHECK(code("O100.SUB", begin + "O100\nG0 X7\nRTS\n%\n", "okuma").empty());
+  }
+  CHECK(code("O100.nc", "G0 X3.\n%\nO100\nG0 X7.\nM99\n%\n", "fanuc") == "nc-flow-open");
+  CHECK(refused_statement("%\nO1\nM98 P2\nM30\nO2\nG0 X1.\n%\nG0 X2.\nM99\n", "fanuc") == "nc-flow-open");
 }

@@ -1,0 +1,67 @@
+#include "nc/sequence/program_ends.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "base/diagnostic.hpp"
+#include "nc/language/codes.hpp"
+#include "nc/sequence/flow_block.hpp"
+
+namespace plumbline::nc {
+namespace {
+
+[[noreturn]] void refuse_at_line(const std::string& file, const LinePlace& place, std::string message,
+                                 std::string help) {
+  refuse(codes::kFlowOpen, std::move(message), std::move(help), Place{file, place.line, 1, 1, {}});
+}
+
+[[noreturn]] void refuse_other(const std::string& file, const LinePlace& place) {
+  refuse_at_line(file, place, "a program of its own begins here, which nothing before it calls: it would stay as it is",
+                 "put it into a file of its own, and work on each of them");
+}
+
+// Of an archive the first program is read, and those that it calls.
+void check_archive(const ProgramHeads& programs, const std::string& file, const std::set<std::size_t>& begun) {
+  if (programs.heads.empty()) return;
+  const ProgramHead& first = programs.heads.front();
+  if (!programs.words_before && programs.heads.size() > 1 && !first.is_main) {
+    refuse_at_line(file, first.place,
+                   "the first program of this archive is taken for the main one, and its name does not end with _MPF",
+                   "put the main program before its subprograms, and no more than one into a file");
+  }
+  for (const ProgramHead& head : programs.heads) {
+    if (head.is_main && !begun.contains(head.place.line)) refuse_other(file, head.place);
+  }
+}
+
+}  // namespace
+
+std::string how_programs_end(const Dialect& dialect) {
+  switch (dialect.syntax.statements) {
+    case Statements::user_task:
+      return "end it with RTS";
+    case Statements::high_level:
+      return "end it with M17 or RET";
+    default:
+      return "end it with M99";
+  }
+}
+
+// What stands behind such a line would be passed over. Archives of high-level programs keep each as a file of its own,
+// whose end is that of the program.
+void refuse_unended(const Block& block, Statements statements) {
+  if (statements == Statements::high_level) return;
+  refuse_flow(
+      block, codes::kFlowOpen, "this begins another program, and the one before it has not ended",
+      statements == Statements::user_task  // OMIT and other words of an OSP look like names of programs
+          ? "end that with M2 or M30 before this line; patterns of holes (LAA, BHC, OMIT) are not read"
+          : "end that with M30 before this line; the number of a program stands at the begin of its first line");
+}
+
+void check_other_programs(LabelIndex& labels, const std::string& file, const std::set<std::size_t>& begun,
+                          const Dialect& dialect) {
+  if (dialect.syntax.statements == Statements::high_level) return check_archive(labels.own_programs(), file, begun);
+  if (const std::optional<LinePlace> other = labels.other_main(begun)) refuse_other(file, *other);
+}
+
+}  // namespace plumbline::nc
