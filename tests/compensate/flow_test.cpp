@@ -70,6 +70,18 @@ TEST_CASE("every kind of loop and call is unrolled") {
       "o1 endrepeat\nM2\n");
 }
 
+TEST_CASE("comments that do nothing beside an O word do nothing where it is written out") {
+  const std::string output = check_unrolled("o100 sub (PRINT, a)\nG1 X#1 F500\no100 endsub (LOGOPEN,a.txt)\n" + kStart +
+                                            "o1 repeat [2] (MSG, again)\no100 call [5] (debug, b) (note)\n"
+                                            "(MSG, here)\nG1 X0\no1 endrepeat (PROBEOPEN a.txt)\nM2\n");
+  CHECK(output.find("(was MSG, again)") != std::string::npos);
+  CHECK(output.find("(was debug, b) (note)") != std::string::npos);
+  CHECK(output.find("\n(MSG, here)") != std::string::npos);
+  for (const char* const acts : {"(PRINT", "(LOGOPEN", "(MSG, again", "(debug", "(PROBEOPEN"}) {
+    CHECK(output.find(acts) == std::string::npos);
+  }
+}
+
 TEST_CASE("parameters that are set beside a move are not written out") {
   for (const std::string block : {"#1=5 G1 X3 F100", "G1 #1=[#2 * 2]X#1 #<ab> = 4 F100", "G1 X#1 F100 #[1+1]=7#1=6"}) {
     const std::string output =

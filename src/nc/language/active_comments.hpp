@@ -1,4 +1,5 @@
-// Comments that LinuxCNC's interpreter acts on: they begin with one of these words and a comma.
+// Comments that LinuxCNC's interpreter acts on: they begin with one of these words and a comma, or a word about a file
+// alone.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +15,17 @@ struct ActiveComment {
   bool shows_parameters = false;  // those that are named in its text, by #
 };
 
-inline constexpr std::array<ActiveComment, 8> kActiveComments{
-    {{"msg"}, {"debug", true}, {"print", true}, {"log", true}, {"probeopen"}, {"probeclose"}, {"py"}, {"abort"}}};
+inline constexpr std::array<ActiveComment, 11> kActiveComments{{{"msg"},
+                                                                {"debug", true},
+                                                                {"print", true},
+                                                                {"log", true},
+                                                                {"logopen"},
+                                                                {"logappend"},
+                                                                {"logclose"},
+                                                                {"probeopen"},
+                                                                {"probeclose"},
+                                                                {"py"},
+                                                                {"abort"}}};
 
 /// Whether a comment, with its bracket, is the active one of this word: `( Abort, text)` of "abort".
 inline bool is_active_comment(std::string_view comment, std::string_view word) {

@@ -69,6 +69,7 @@ bool OWordFlow::take(const Block& block) {
                       : skipping() ? label_of_skipped(block, interpreter_)
                                    : label_of(block, interpreter_);
   if (!is_of_subprogram(word)) label = scoped(label);
+  if (leaves_out(LeftOut::Until::end_sub)) check_not_nested(block);
   if (left_out_ && !left_out_->ends_at(word, label)) return false;
   switch (word) {
     case FlowWord::program:
@@ -87,6 +88,14 @@ bool OWordFlow::take(const Block& block) {
       entry_ = loops_.steer(block, label, left_out_);
       return true;
   }
+}
+
+// "Nested subroutine definition" [LinuxCNC, measured], of any label.
+void OWordFlow::check_not_nested(const Block& block) {
+  if (block.flow.word != FlowWord::sub && block.flow.word != FlowWord::program) return;
+  refuse_flow(block, codes::kFlowLabel,
+              fmt::format("a subprogram begins here, inside that of line {}", left_out_->from.line),
+              "end that one with ENDSUB before it");
 }
 
 // Met on the way: a definition, passed over; looked for: the begin of the call.

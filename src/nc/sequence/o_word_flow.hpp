@@ -44,6 +44,7 @@ class OWordFlow : public Sequencer {
 
   std::string scoped(const std::string& label) const;
   bool leaves_out(LeftOut::Until until) const { return left_out_ && left_out_->until == until; }
+  void check_not_nested(const Block& block);
   void define(const Block& block, const std::string& label);
   void enter(const Block& block, Call call);
   void go_to_subprogram(const Block& block, const std::string& name);

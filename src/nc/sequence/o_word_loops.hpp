@@ -58,6 +58,7 @@ class OWordLoops {
   void end_do(const Block& block, Begin& loop);
   void end_loop(const Block& block, const std::string& label, std::optional<LeftOut>& left_out);
   void leave(const Block& block, const std::string& label, std::optional<LeftOut>& left_out);
+  void evaluate_passed_over(const Block& block);
   void branch(const Block& block, const std::string& label, std::optional<LeftOut>& left_out);
   void go_back(Begin& loop);
 

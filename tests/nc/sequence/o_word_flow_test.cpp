@@ -40,6 +40,45 @@ TEST_CASE("a REPEAT that was executed begins anew") {
   CHECK(visited_by_o_words("O1 REPEAT [0]\nG0 X1\nO1 ENDREPEAT\nG0 X2\n") == Visited{2});
 }
 
+TEST_CASE("a REPEAT rounds halves to even, as LinuxCNC does it") {
+  const auto passes = [](const std::string& count) {
+    return visited_by_o_words("O1 REPEAT [" + count + "]\nG0 X1\nO1 ENDREPEAT\n").size();
+  };
+  CHECK(passes("0.5") == 0);
+  CHECK(passes("1.5") == 2);
+  CHECK(passes("2.5") == 2);
+  CHECK(passes("3.5") == 4);
+  CHECK(passes("4.5") == 4);
+  CHECK(passes("2.51") == 3);
+  CHECK(passes("-0.5") == 0);
+}
+
+TEST_CASE("what stands behind an ELSEIF is evaluated though a branch before it was executed, as LinuxCNC does it") {
+  const std::string taken = "O1 IF [1]\nG0 X1\nO1 ELSEIF [";
+  const std::string rest = "]\nG0 X2\nO1 ENDIF\n";
+  CHECK(code_of(taken + "1/0" + rest) == "nc-arithmetic");
+  CHECK(code_of(taken + "SQRT[-1]" + rest) == "nc-arithmetic");
+  CHECK(code_of(taken + "#<nope> GT 1" + rest) == "nc-parameter-unset");
+  CHECK(code_of(taken + "1]\nG0 X3\nO1 ELSEIF [1/0" + rest) == "nc-arithmetic");
+  CHECK(code_of("O1 IF [0]\nO1 ELSEIF [1]\nO1 ELSEIF [1/0" + rest) == "nc-arithmetic");
+  CHECK(visited_by_o_words(taken + "1" + rest) == Visited{1});
+  CHECK(visited_by_o_words("O2 IF [0]\n" + taken + "1/0" + rest + "O2 ENDIF\nG0 X3\n") == Visited{3});
+  CHECK(visited_by_o_words("O3 WHILE [1]\nO1 IF [1]\nG0 X1\nO3 BREAK\nO1 ELSEIF [1/0" + rest + "O3 ENDWHILE\n") ==
+        Visited{1});
+  CHECK(code_of("M66 P0 L0\n" + taken + "#5399" + rest, at_zero()).empty());
+}
+
+TEST_CASE("no subprogram is defined inside another") {
+  const std::string inner = "O2 SUB\nG0 X2\nO2 ENDSUB\n";
+  CHECK(code_of("O1 SUB\n" + inner + "O1 ENDSUB\nO1 CALL\nM2\n") == "nc-flow-label");
+  CHECK(code_of("O1 SUB\nG0 X1\n" + inner + "O1 ENDSUB\nM2\n") == "nc-flow-label");
+  CHECK(code_of("O1 SUB\nO3 IF [0]\n" + inner + "O3 ENDIF\nO1 ENDSUB\nM2\n") == "nc-flow-label");
+  CHECK(code_of("O1 SUB\nO1 SUB\nO1 ENDSUB\nM2\n") == "nc-flow-label");
+  CHECK(code_of("O1 SUB\nO2\nG0 X2\nO1 ENDSUB\nM2\n") == "nc-flow-label");
+  CHECK(code_of("O1 SUB\nG0 X1\n(O2 SUB)\nO1 ENDSUB\nO1 CALL\nM2\n").empty());
+  CHECK(visited_by_o_words("O1 CALL\nM2\nO1 SUB\nG0 X1\n" + inner + "G0 X3\nO1 ENDSUB\n") == Visited{1, 2});
+}
+
 TEST_CASE("of the branches of an IF one is executed") {
   for (const int value : {1, 2, 3}) {
     CHECK(visited_by_o_words("#1=" + std::to_string(value) +

@@ -1,4 +1,4 @@
-// Also statement_loops.cpp, whose loops it hands on.
+// Also statement_loops.cpp, whose loops it hands on, and program_ends.cpp.
 #include "nc/sequence/statement_flow.hpp"
 
 #include <string>

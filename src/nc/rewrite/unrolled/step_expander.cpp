@@ -15,21 +15,32 @@ namespace {
 
 constexpr double kWholeCode = 1e-9;  // how far G54 may be from a whole number
 
+constexpr std::size_t kLongestActive = 10;  // letters of an active comment's word
+
 bool is_polar(const Word& word) { return word.letter == '@' || word.letter == '^'; }
 
 bool turns_tool(const Step& step) { return step.end_words == EndWords::tool_vector; }
 
-// Active comments that show parameters, which a program without parameters has not.
-bool shows_parameters(std::string_view comment) {
+// The active comment that it is; null: none.
+const ActiveComment* active_comment(std::string_view comment) {
   std::string text;
   for (const char c : comment.substr(1)) {
     if (c != ' ' && c != '\t') text += lower(c);
-    if (text.size() > 6) break;
+    if (text.size() > kLongestActive) break;
   }
-  const bool shows = std::any_of(kActiveComments.begin(), kActiveComments.end(), [&](const ActiveComment& active) {
-    return active.shows_parameters && text.starts_with(active.word) && text.substr(active.word.size(), 1) == ",";
-  });
-  return shows && comment.find('#') != std::string_view::npos;
+  const auto* const found =
+      std::find_if(kActiveComments.begin(), kActiveComments.end(), [&](const ActiveComment& active) {
+        const bool of_file = active.word.starts_with("log") || active.word.starts_with("probe");
+        if (!text.starts_with(active.word)) return false;
+        return text.substr(active.word.size(), 1) == "," || (of_file && active.word != "log");
+      });
+  return found == kActiveComments.end() ? nullptr : found;
+}
+
+// Active comments that show parameters, which a program without parameters has not.
+bool shows_parameters(std::string_view comment) {
+  const ActiveComment* const active = active_comment(comment);
+  return active != nullptr && active->shows_parameters && comment.find('#') != std::string_view::npos;
 }
 
 bool is_plain(const Step& step, bool keeps_settings) {
@@ -194,6 +205,12 @@ void StepExpander::defuse_comments(const Block& block) {
   }
 }
 
+// On a line that steers, a control with O words acts on no comment [LinuxCNC, measured].
+bool StepExpander::is_defused_beside_flow(std::string_view comment) const {
+  return dialect_.syntax.statements == Statements::o_words ? active_comment(comment) != nullptr
+                                                           : shows_parameters(comment);
+}
+
 const Step* StepExpander::beside_flow(const Step& step, bool acts) {
   const Block& block = *step.block;
   if (!acts && block.comments.empty()) return nullptr;
@@ -206,7 +223,9 @@ const Step* StepExpander::beside_flow(const Step& step, bool acts) {
     for (const Comment& comment : block.comments) {
       const std::string_view text = block.at(comment.span);
       own.text += own.text.empty() ? "" : " ";
-      own.text += shows_parameters(text) ? std::string(text.substr(0, 1)) + "was " + std::string(text.substr(1)) : text;
+      own.text += text.substr(0, 1);
+      own.text += is_defused_beside_flow(text) ? "was " : "";
+      own.text += text.substr(1);
     }
   }
   own.step = step;

@@ -45,6 +45,7 @@ class StepExpander {
   std::string_view code_without_vectors(const Step& step, const Word& word) const;
   void write_end(const Step& step, bool& written, Span span);
   void defuse_comments(const Block& block);
+  bool is_defused_beside_flow(std::string_view comment) const;
   Span label_of(const Block& block) const;
 
   const Dialect& dialect_;

@@ -121,3 +121,22 @@ TEST_CASE("of a line that steers, what acts stays without its call, or its comme
   const LastStep silent("O1\nM98 P100\nM30\nO100\nM99\n", "fanuc", empty_tables(), 2);
   CHECK(text_beside_flow(silent, false, "fanuc") == kGone);
 }
+
+TEST_CASE("a control with O words acts on no comment beside one") {
+  for (const char* const comment : {"(MSG,hello)", "(print, x)", "( Debug , x)", "(log,x)", "(LOGOPEN,x.txt)",
+                                    "(logclose)", "(PROBEOPEN x.txt)", "(probeclose)", "(py,x)"}) {
+    INFO(comment);
+    const std::string was = std::string("(was ") + (comment + 1);
+    const LastStep branch("o1 if [1] " + std::string(comment) + "\n", "linuxcnc");
+    CHECK(text_beside_flow(branch, false, "linuxcnc") == was);
+    const LastStep call("M98 P5 " + std::string(comment) + "\nM2\nO5\nM99\n", "linuxcnc", empty_tables(), 1);
+    CHECK(text_beside_flow(call, false, "linuxcnc") == was);
+    const LastStep end("o1 sub\no1 endsub " + std::string(comment) + "\nM2\n", "linuxcnc", at_zero(), 2);
+    CHECK(text_beside_flow(end, false, "linuxcnc") == was);
+  }
+  for (const char* const comment : {"(message)", "(logs, and more)", "(the msg,x)", "(a)"}) {
+    INFO(comment);
+    const LastStep step("o1 if [1] " + std::string(comment) + "\n", "linuxcnc");
+    CHECK(text_beside_flow(step, false, "linuxcnc") == comment);
+  }
+}
