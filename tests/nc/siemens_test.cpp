@@ -222,7 +222,10 @@ TEST_CASE("parts of a program are repeated by their labels") {
   CHECK(path("HOLE: G91 X1\nG90 Y1\nREPEATB HOLE P=3\nG90 X9\n") == "1 1 2 3 4 9 ");
   CHECK(path("OUT: X1\nIN: X2\nREPEATB IN\nX3\nREPEAT OUT\nX9\n") == "1 2 2 3 1 2 2 3 9 ");
   CHECK(path("PART: X2\nKURZ\nREPEAT PART\nM30\n%_N_KURZ_SPF\nX7\nX8\nM17\n") == "2 7 8 2 7 8 ");
-  check_refused({{"G54 G0\nX1\nREPEAT PART P=3\nPART: X2\n", 3, 1, "nc-flow-label"},
+  check_refused({{"G54 G0\nX1\nREPEAT PART P=3\nPART: X2\n", 3, 1},
+                 {"G54 G0\nX1\nREPEATB PART\nX3\nPART: X2\n", 3, 1},
+                 {"G54 G0\nONE: X1\nREPEAT ONE TWO\nTWO: X2\n", 3, 1},
+                 {"G54 G0\nX1\nREPEAT PART P=3\n", 3, 1, "nc-flow-label"},
                  {"G54 G0\nPART: X1\nR1=R1+1\nIF R1==2 GOTOF OUT\nREPEAT PART P=3\nOUT: X2\n", 4, 1},
                  {"G54 G0\nTWO: X1\nONE: X2\nREPEAT ONE TWO\n", 4, 1, "nc-flow-label"},
                  {"REPEATB P=3\n", 1, 1, "nc-flow-control"},

@@ -151,6 +151,14 @@ TEST_CASE("what is set in the block of a statement is not lost") {
                              "LOOP\nX1\nGOTOF AA\nR2=5 ENDLOOP\nAA: X2\n"});
 }
 
+TEST_CASE("a label that differs by zeros before its number is refused") {
+  check_all("nc-not-interpreted",
+            {"GOTOF N010\nX1\nN10 X2\n", "IF R1==0 GOTOF N10\nX1\nN010 X2\nN10 X3\n",
+             "CASE R1 OF 0 GOTOF N007 DEFAULT GOTOF N8\nN7 X1\nN8 X2\n", "GOTOF N10\nX1\n:010 X2\n"});
+  check_all("", {"GOTOF N010\nX1\nN010 X2\n", "GOTOF N10\nX1\nN10 X2\nN010 X3\n",
+                 "n05 X1\nR1=R1+1\nIF R1<3 GOTOB N05\n", "GOTOF LAB01\nX1\nLAB01: X2\n"});
+}
+
 TEST_CASE("what ends a branch or a loop stands alone in its block, wherever it is reached from") {
   check_all("nc-flow-control",
             {"IF R1==1\nX1\nELSE IF R1==0\nX2\nENDIF\nENDIF\n", "IF R1==1\nX1\nELSE GOTOF AA\nX2\nENDIF\nAA: X3\n",

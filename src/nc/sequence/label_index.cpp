@@ -55,6 +55,7 @@ const LabelIndex::Index& LabelIndex::labels_of(std::size_t file) {
     if (!head.number.empty()) index.labels[head.number].push_back(line.place);
     if (!head.label.empty()) index.labels[head.label].push_back(line.place);
     const bool is_label = !head.number.empty() || !head.label.empty();
+    if (head.zeros > 0 && dialect_.syntax.labels == Labels::names) index.zeros.emplace(line.place.line, head.zeros);
     if (is_label && head.behind_slash) index.behind_slash.insert(line.place.line);
     if (!dialect_.syntax.numbered_loops || head.word == FlowWord::none) return;
     index.loops.push_back({line.place.line, head.loop, head.word != FlowWord::end_while});
@@ -144,6 +145,12 @@ void LabelIndex::check_once(const Block& block, const std::string& label, std::s
                                   label, place.line),
                 "give each label a name of its own");
   }
+}
+
+std::size_t LabelIndex::zeros_at(std::size_t line) {
+  const Index& index = labels_of(files_.current());
+  const auto found = index.zeros.find(line);
+  return found == index.zeros.end() ? 0 : found->second;
 }
 
 bool LabelIndex::is_behind_slash(std::size_t line) { return labels_of(files_.current()).behind_slash.contains(line); }

@@ -40,6 +40,8 @@ class LabelIndex {
   /// Refuses, at the block that jumps, a label that stands twice in the same program, but where the way it is looked
   /// for is part of the language (GOTOF, GOTOB).
   void check_once(const Block& block, const std::string& label, std::size_t line);
+  /// How many zeros stand before the number of that line of the file that is read, where labels are texts.
+  std::size_t zeros_at(std::size_t line);
   /// True if that line of the file that is read begins with /.
   bool is_behind_slash(std::size_t line);
   /// The program of that name: in the files that are open, else in one of its name beside the program. Refuses such a
@@ -66,8 +68,9 @@ class LabelIndex {
   struct Index {
     ProgramHeads programs;
     std::unordered_map<std::string, std::vector<LinePlace>> labels;
-    std::vector<LoopLine> loops;         // in the order of the text
-    std::set<std::size_t> behind_slash;  // lines with a label or a number
+    std::vector<LoopLine> loops;                         // in the order of the text
+    std::set<std::size_t> behind_slash;                  // lines with a label or a number
+    std::unordered_map<std::size_t, std::size_t> zeros;  // of lines with any before their number
     bool has_labels = false;
   };
   struct LineRange {

@@ -40,6 +40,16 @@ const LinePlace* find_label(const Block& block, LabelIndex& labels, const Interp
               "put the label into a line of its own, without /");
 }
 
+// N010 is N10 to who compares numbers, and another label to who compares texts.
+void check_zeros(const Block& block, LabelIndex& labels, std::string_view label, const LinePlace& place) {
+  if (zeros_of_label(label) == labels.zeros_at(place.line)) return;
+  refuse_flow(block, codes::kNotInterpreted,
+              fmt::format("{} stands in line {} with other zeros before its number, and whether the control takes it "
+                          "for the same was found in no source",
+                          label, place.line),
+              "write the label as it stands there");
+}
+
 // M97: the block with that number, in the program that calls.
 LinePlace part_called(const Block& block, const std::string& number, LabelIndex& labels,
                       const Interpreter& interpreter) {
@@ -133,9 +143,7 @@ void StatementFlow::steer(const Block& block) {
   switch (block.flow.word) {
     case FlowWord::go_to:
       if (!block.flow.values.empty() && !condition_holds(interpreter_, block)) return;
-      if (block.flow.label == kLiteral) {
-        return jump(block, canonical_label(block.at(block.flow.name)), block.flow.direction);
-      }
+      if (block.flow.label == kLiteral) return jump(block, block.at(block.flow.name), block.flow.direction);
       return jump(block, fmt::format("N{}", number_of(interpreter_, block, block.flow.label, "the number to go on at")),
                   Direction::both);
     case FlowWord::repeat_section:
@@ -186,14 +194,16 @@ void StatementFlow::pass_percent(const Block& block) {
             fmt::format("the file ends here, inside subprogram {}", calls_.top().name), how_programs_end(dialect_));
 }
 
-void StatementFlow::jump(const Block& block, const std::string& label, Direction direction) {
+void StatementFlow::jump(const Block& block, std::string_view written, Direction direction) {
   used_ = true;
+  const std::string label = canonical_label(written);
   const LinePlace* const place = find_label(block, labels_, interpreter_, label, block.line, direction);
   if (place == nullptr) {
     refuse_flow(block, codes::kFlowLabel, fmt::format("there is no label {} to go on at", label),
                 direction == Direction::both ? "add it to this program, or check its name"
                                              : "it is looked for in one direction alone: check that as well");
   }
+  if (dialect_.syntax.statements == Statements::high_level) check_zeros(block, labels_, written, *place);
   sections_.check_jump(block, *place, calls_.depth());
   if (place->line <= block.line) ways_.check_way_back(block);
   loops_.leave_by_jump(place->line);
@@ -205,7 +215,7 @@ void StatementFlow::choose(const Block& block) {
   for (const Choice& choice : block.flow.choices) {
     const bool is_default = choice.value == kLiteral;
     if (!is_default && interpreter_.value_of(block, choice.value, block.flow.span) != value) continue;
-    return jump(block, canonical_label(block.at(choice.label)), choice.direction);
+    return jump(block, block.at(choice.label), choice.direction);
   }
 }
 
@@ -230,14 +240,15 @@ void StatementFlow::repeat(const Block& block) {
 // From the label to this line, to ENDLABEL: or to the second label; or the line of the label alone.
 RepeatedSection StatementFlow::section_of(const Block& block) {
   const std::vector<Choice>& labels = block.flow.choices;
-  const auto place_of_label = [&](const Choice& choice) {
+  const auto place_of_label = [&](const Choice& choice) -> LinePlace {
     const std::string label = canonical_label(block.at(choice.label));
     const LinePlace* const place = find_label(block, labels_, interpreter_, label, block.line, Direction::backward);
-    if (place == nullptr) {
-      refuse_flow(block, codes::kFlowLabel, fmt::format("there is no label {} before this line", label),
-                  "REPEAT stands after the part that it repeats: check the label, or call a subprogram");
-    }
-    return *place;
+    if (place != nullptr) return *place;
+    const bool behind = labels_.find_label(label, block.line, Direction::forward) != nullptr;
+    refuse_flow(block, behind ? codes::kNotInterpreted : codes::kFlowLabel,
+                behind ? label + " stands behind this line, and whether the control looks there was found in no source"
+                       : fmt::format("there is no label {} before this line", label),
+                "write REPEAT after the part that it repeats, or the part as a subprogram");
   };
   RepeatedSection section;
   section.begin = place_of_label(labels.front());

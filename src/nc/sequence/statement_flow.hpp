@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "base/files/files.hpp"
 #include "nc/control/interpreter.hpp"
@@ -46,7 +47,7 @@ class StatementFlow : public Sequencer {
   RepeatedSection section_of(const Block& block);
   void go_on(const RepeatedSections::GoesOn& there);
   void head(const Block& block);
-  void jump(const Block& block, const std::string& label, Direction direction);
+  void jump(const Block& block, std::string_view written, Direction direction);
   void call(const Block& block);
   void enter(const Block& block, Call call, bool own_variables);
   void begin_call();

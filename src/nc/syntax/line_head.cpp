@@ -112,11 +112,15 @@ class HeadReader {
     if (next_is('N') && at_ + 1 < line_.size() && (sequence_names || is_digit(line_[at_ + 1]))) {
       const std::size_t begin = at_++;
       const std::string_view rest = sequence_names ? identifier() : digits();
-      head_.number = canonical_label(line_.substr(begin, 1 + rest.size()));
+      const std::string_view number = line_.substr(begin, 1 + rest.size());
+      head_.number = canonical_label(number);
+      head_.zeros = number.size() - head_.number.size();
       blanks();
     } else if (next_is(':')) {
       ++at_;
-      head_.number = canonical_label('N' + std::string(digits()));
+      const std::string number = 'N' + std::string(digits());
+      head_.number = canonical_label(number);
+      head_.zeros = number.size() - head_.number.size();
       blanks();
     }
     std::string_view name = identifier();
@@ -179,6 +183,10 @@ std::string canonical_label(std::string_view text) {
   std::string label = upper_without_blanks(text);
   if (!label.empty() && label.front() == ':') label.front() = 'N';
   return !label.empty() && label.front() == 'N' && digits_from(label, 1) ? without_zeros(label, 1) : label;
+}
+
+std::size_t zeros_of_label(std::string_view text) {
+  return upper_without_blanks(text).size() - canonical_label(text).size();
 }
 
 std::string canonical_program(std::string_view text) {

@@ -1,6 +1,7 @@
 // What a line begins with, found without parsing it: names of programs, labels, the statements that loops are made of.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -9,9 +10,10 @@
 namespace plumbline::nc {
 
 struct LineHead {
-  std::string program;  // the name of a program that begins here, as canonical_program gives it
-  std::string number;   // N100 as a label
-  std::string label;    // NAME: of a high-level language
+  std::string program;    // the name of a program that begins here, as canonical_program gives it
+  std::string number;     // N100 as a label
+  std::size_t zeros = 0;  // before the digits of that
+  std::string label;      // NAME: of a high-level language
   FlowWord word = FlowWord::none;
   int loop = 0;          // the number after DO and END
   bool is_main = false;  // the program, by its name: %_N_NAME_MPF
@@ -26,6 +28,8 @@ bool holds_program_end(std::string_view line);
 
 /// Labels and names of programs as they are compared: upper case, numbers without leading zeros.
 std::string canonical_label(std::string_view text);
+/// How many zeros before its number that leaves out.
+std::size_t zeros_of_label(std::string_view text);
 std::string canonical_program(std::string_view text);
 
 }  // namespace plumbline::nc
