@@ -173,8 +173,7 @@ std::optional<FilePlace> LabelIndex::find_program(const std::string& name) {
     programs.heads.push_back({name, {}, false});  // a file that names none holds the one of its name
   } else if (programs.words_before) {
     refuse(codes::kFlowOpen, "this stands before the first program of the file, and belongs to none",
-           "put it behind the line that names the program, or take it out",
-           Place{files_.file(*file).name(), programs.words_before->line, 1, 1, {}});
+           "put it behind the line that names the program, or take it out", shown(*file, *programs.words_before));
   }
   return find_in_open_files(name);
 }
@@ -187,6 +186,14 @@ bool LabelIndex::is_twice(const std::string& name) {
     }
   }
   return false;
+}
+
+Place LabelIndex::shown(std::size_t file, const LinePlace& place) const {
+  LineSource lines(files_.file(file), dialect_.syntax.goes_on);
+  lines.seek(place);
+  Line line;
+  lines.next(line);
+  return {files_.file(file).name(), place.line, 1, std::max<std::size_t>(line.text.size(), 1), std::string(line.text)};
 }
 
 std::optional<LinePlace> LabelIndex::other_main(const std::set<std::size_t>& begun) {

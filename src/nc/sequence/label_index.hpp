@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/diagnostic.hpp"
 #include "nc/language/block.hpp"
 #include "nc/language/dialect.hpp"
 #include "nc/sequence/nesting.hpp"
@@ -56,6 +57,8 @@ class LabelIndex {
   std::optional<std::size_t> crossing(std::size_t line);
   /// Of the program's own file.
   const ProgramHeads& own_programs() { return programs_of(0).programs; }
+  /// That line of a file, by its number, as a diagnostic shows it.
+  Place shown(std::size_t file, const LinePlace& place) const;
   /// The first program of the program's own file that ends as a main program does, and begins in none of these lines.
   std::optional<LinePlace> other_main(const std::set<std::size_t>& begun);
 

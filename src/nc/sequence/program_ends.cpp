@@ -1,7 +1,6 @@
 #include "nc/sequence/program_ends.hpp"
 
 #include <optional>
-#include <utility>
 
 #include "base/diagnostic.hpp"
 #include "nc/language/codes.hpp"
@@ -10,27 +9,24 @@
 namespace plumbline::nc {
 namespace {
 
-[[noreturn]] void refuse_at_line(const std::string& file, const LinePlace& place, std::string message,
-                                 std::string help) {
-  refuse(codes::kFlowOpen, std::move(message), std::move(help), Place{file, place.line, 1, 1, {}});
-}
-
-[[noreturn]] void refuse_other(const std::string& file, const LinePlace& place) {
-  refuse_at_line(file, place, "a program of its own begins here, which nothing before it calls: it would stay as it is",
-                 "put it into a file of its own, and work on each of them");
+[[noreturn]] void refuse_other(const LabelIndex& labels, const LinePlace& place) {
+  refuse(codes::kFlowOpen, "a program of its own begins here, which nothing before it calls: it would stay as it is",
+         "put it into a file of its own, and work on each of them", labels.shown(0, place));
 }
 
 // Of an archive the first program is read, and those that it calls.
-void check_archive(const ProgramHeads& programs, const std::string& file, const std::set<std::size_t>& begun) {
+void check_archive(LabelIndex& labels, const std::set<std::size_t>& begun) {
+  const ProgramHeads& programs = labels.own_programs();
   if (programs.heads.empty()) return;
   const ProgramHead& first = programs.heads.front();
   if (!programs.words_before && programs.heads.size() > 1 && !first.is_main) {
-    refuse_at_line(file, first.place,
-                   "the first program of this archive is taken for the main one, and its name does not end with _MPF",
-                   "put the main program before its subprograms, and no more than one into a file");
+    refuse(codes::kFlowOpen,
+           "the first program of this archive is taken for the main one, and its name does not end with _MPF",
+           "put the main program before its subprograms, and no more than one into a file",
+           labels.shown(0, first.place));
   }
   for (const ProgramHead& head : programs.heads) {
-    if (head.is_main && !begun.contains(head.place.line)) refuse_other(file, head.place);
+    if (head.is_main && !begun.contains(head.place.line)) refuse_other(labels, head.place);
   }
 }
 
@@ -58,10 +54,9 @@ void refuse_unended(const Block& block, Statements statements) {
           : "end that with M30 before this line; the number of a program stands at the begin of its first line");
 }
 
-void check_other_programs(LabelIndex& labels, const std::string& file, const std::set<std::size_t>& begun,
-                          const Dialect& dialect) {
-  if (dialect.syntax.statements == Statements::high_level) return check_archive(labels.own_programs(), file, begun);
-  if (const std::optional<LinePlace> other = labels.other_main(begun)) refuse_other(file, *other);
+void check_other_programs(LabelIndex& labels, const std::set<std::size_t>& begun, const Dialect& dialect) {
+  if (dialect.syntax.statements == Statements::high_level) return check_archive(labels, begun);
+  if (const std::optional<LinePlace> other = labels.other_main(begun)) refuse_other(labels, *other);
 }
 
 }  // namespace plumbline::nc

@@ -30,7 +30,6 @@ class ProgramFiles {
   FilePlace here() const { return {current_, reading().lines.place()}; }
   /// Of the file that is read.
   const std::string& name() const { return reading().file->name(); }
-  const std::string& program_name() const { return files_.front()->file->name(); }
   std::size_t current() const { return current_; }
   bool in_program() const { return current_ == 0; }
 

@@ -184,7 +184,7 @@ void StatementFlow::head(const Block& block) {
   reading_ = Reading::after_end;
 }
 
-void StatementFlow::check_others() { check_other_programs(labels_, files_.program_name(), begun_, dialect_); }
+void StatementFlow::check_others() { check_other_programs(labels_, begun_, dialect_); }
 
 // It ends the file, but where it stands before all else.
 void StatementFlow::pass_percent(const Block& block) {

@@ -11,6 +11,18 @@ bool is_of_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
 std::string upper_without_blanks(std::string_view text) { return upper(without_blanks(text)); }
 
+bool holds_comments_alone(std::string_view text) {
+  bool comment = false;
+  for (const char c : text) {
+    if (c == '(' || c == ')') {
+      comment = c == '(';
+    } else if (!comment && !is_blank(c)) {
+      return c == ';';
+    }
+  }
+  return true;
+}
+
 class HeadReader {
  public:
   HeadReader(std::string_view line, const Dialect& dialect) : line_(line), dialect_(dialect) {}
@@ -18,7 +30,7 @@ class HeadReader {
   LineHead read() {
     blanks();
     if (at_end() || line_[at_] == '(' || line_[at_] == ';' || line_[at_] == '$') {
-      head_.empty = true;
+      head_.empty = at_end() || line_[at_] != '(' || holds_comments_alone(line_.substr(at_));
       return head_;
     }
     if (line_[at_] == '%') return percent();

@@ -140,7 +140,8 @@ TEST_CASE("the file of a subprogram ends at its second %, and begins with its na
     CHECK(code("O100.nc", begin + "O100\nG0 X7.\n%\nG0 X8.\nM99\n", "fanuc") == "nc-flow-open");
     CHECK(code("O100.nc", begin + "G0 X7.\n%\nG0 X8.\nM99\n", "fanuc") == "nc-flow-open");
     CHECK(code("O100.nc", begin + "G0 X3.\nO100\nG0 X7.\nM99\n", "fanuc") == "nc-flow-open");
-    CHECK(code("O100.nc", begin + "(A)\nO100\nG0 X7.\nM99\n%\n", "fanuc").empty());
+    CHECK(code("O100.nc", begin + "(A) G0 X3. (B)\nO100\nG0 X7.\nM99\n", "fanuc") == "nc-flow-open");
+    CHECK(code("O100.nc", begin + "(A) (B)\nO100\nG0 X7.\nM99\n%\n", "fanuc").empty());
     CHECK(code("O100.nc", begin + "G0 X7.\nM99\n%\n", "fanuc").empty());
     CHECK(code("O100.SUB", begin + "O100\nG0 X7\n%\nG0 X8\nRTS\n", "okuma") == "nc-flow-open");
     CHECK(code("O100.SUB", begin + "G0 X3\nO100\nG0 X7\nRTS\n", "okuma") == "nc-flow-open");

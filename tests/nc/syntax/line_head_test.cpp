@@ -67,6 +67,20 @@ TEST_CASE("programs begin with the letter of the control, or with the head of an
   CHECK(head_in("okuma", "%_N_SHAFT_2_MPF").program.empty());
 }
 
+TEST_CASE("a line of comments is empty, one with words behind them is not") {
+  for (const char* const line : {"", "  ", "(A)", "(A) (B)", " (A", "; X1", "(A) ; X1", "%"}) {
+    INFO(line);
+    CHECK(head_in("okuma", line).empty);
+  }
+  for (const char* const line : {"(A) X1", "(A)(B)G0", "(A) O100", "X1 (A)"}) {
+    INFO(line);
+    CHECK_FALSE(head_in("okuma", line).empty);
+  }
+  CHECK(zeros_of_label("n 007") == 2);
+  CHECK(zeros_of_label(":10") == 0);
+  CHECK(zeros_of_label("lap_07") == 0);
+}
+
 TEST_CASE("labels and names are compared in upper case, without blanks and leading zeros") {
   CHECK(canonical_label("n 007") == "N7");
   CHECK(canonical_label(":10") == "N10");
