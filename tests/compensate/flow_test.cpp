@@ -99,6 +99,19 @@ TEST_CASE("modes that come back are written as codes") {
   CHECK(output.find("G17 G91.1\nF300\n") != std::string::npos);
 }
 
+TEST_CASE("overrides come back as the control brings them back, which looks at that of the feed alone") {
+  const auto restored = [](const std::string& before, const std::string& inside) {
+    const std::string output = check_unrolled(kStart + "F300\n" + before + "o1 sub\nM73\n" + inside +
+                                              "G1 X3\no1 endsub\no1 call\nG1 Y4\nM2\n");
+    return output.substr(output.find(inside) + inside.size());
+  };
+  CHECK(restored("", "M51 P0\n").find("M51") == std::string::npos);
+  CHECK(restored("M48\n", "M50 P0\n").find("\nM50 P1\n") != std::string::npos);
+  CHECK(restored("M49\nM51 P1\n", "M50 P1\nM51 P0\n").find("\nM51 P1\n") != std::string::npos);
+  CHECK(restored("M49\n", "M48\nM51 P0\n").find("\nM51 P1\n") != std::string::npos);
+  CHECK(restored("M49\nM51 P1\n", "M51 P0\n").find("M51") == std::string::npos);
+}
+
 TEST_CASE("lengths, feeds and shifts that come back are written as the control brings them back") {
   const std::string shifted = check_unrolled(kStart +
                                              "G92.1\nF123.456\nM70\nG92 X3 Y4\nF5\nG1 X9 Y8\nM72\nG1 X2 Y1\n"
@@ -130,6 +143,17 @@ TEST_CASE("an M99 that ends the program is one pass, kept") {
   const Result result = run(kStart + "G1 X5 F100\nM99\n", without_friction());
   CHECK_FALSE(result.summary.unrolled);
   CHECK(result.text.ends_with("M99\n"));
+  // The control begins it again, in what is then in force.
+  Job job = without_friction();
+  for (const std::string end : {"G91 G1 X5\n", "G92 X3\n", "G20\n", "G18\n"}) {
+    INFO(end);
+    CHECK(code_of("F100\nG0 X0 Y0 Z5 A0 B0 C0\nG1 X5\n" + end + "M99\n", job) == "nc-not-interpreted");
+    const bool stated = end.find("92") == std::string::npos;
+    CHECK(code_of(kStart + "F100\nG1 X5\n" + end + "M99\n", job).empty() == stated);
+  }
+  job.program.variables = {{1, 0.0}, {100, 0.0}};
+  for (const std::string count : {"#1=[#1+1]\n", "#100=[#100+1]\n"})
+    CHECK(code_of(kStart + "F100\n" + count + "G1 X5\nM99\n", job) == "nc-not-interpreted");
 }
 
 TEST_CASE("drilling cycles become moves, each corrected") {

@@ -154,3 +154,83 @@ TEST_CASE("a number is not looked for in a line that is left out") {
   }
   CHECK(reading_of(head + "GOTO 100\n/X50.\nN100 X10.\nM30\n", true, true).code.empty());
 }
+
+TEST_CASE("fanuc: what hangs on the last digits that a control keeps is refused") {
+  const std::string head = "O1\nG90 G21 G54 G0 X0 Y0 Z50.\n";
+  for (const std::string loop :
+       {"#11=0\nWHILE[#11GT-3.]DO1\n#11=#11-0.3\nG1 Z#11 F100.\nEND1\n", "#1=FIX[1.15*100]\nG1 X#1 F100.\n",
+        "#1=0.7\nN1 G1 X#1 F100.\n#1=#1+0.7\nIF[#1LE7.]GOTO1\n", "IF[1.1*1.1 EQ 1.21]GOTO9\nG1 X5. F100.\nN9\n",
+        "#1=FUP[0.1*3*10]\nG1 X#1 F100.\n", "#1=1.005*100\n#2=ROUND[#1]\nG1 X#2 F100.\n"}) {
+    INFO(loop);
+    CHECK(reading_of(head + loop + "M30\n", false).code == "nc-not-interpreted");
+  }
+  for (const std::string loop :
+       {"#11=0\nWHILE[#11GT-2.95]DO1\n#11=#11-0.3\nG1 Z#11 F100.\nEND1\n", "#1=FIX[1.15*100+0.01]\nG1 X#1 F100.\n",
+        "#1=0\nN1 G1 X#1 F100.\n#1=#1+0.25\nIF[#1LE7.]GOTO1\n", "#1=FUP[2.5]\n#2=ROUND[2.5]\nG1 X#1 F100.\n",
+        "IF[1000.001 GT 1000.]GOTO9\nG1 X5. F100.\nN9\n"}) {
+    INFO(loop);
+    CHECK(reading_of(head + loop + "M30\n", false).code.empty());
+  }
+}
+
+TEST_CASE("fanuc: a vacant variable counts as 0 in an expression, and in the brackets of a word nobody knows") {
+  const std::string head = "G90 G21 G54 G0 X0 Y0 Z50.\nG65 P100 X10.\nM30\nO100\n";
+  for (const std::string text : {"#10=-#26", "#10=+#26", "#10=[#26]", "#10=#26+0", "#10=ABS[#26]"}) {
+    INFO(text);
+    CHECK(reading_of(head + text + "\nG1 Z#10 F100.\nM99\n", false).end[Axis::Z] == Approx(0).margin(1e-9));
+  }
+  CHECK(reading_of(head + "#10=#26\nG1 Z#10 F100.\nM99\n", false).end[Axis::Z] == Approx(50));
+  CHECK(reading_of(head + "G1 Z-#26 F100.\nM99\n", false).end[Axis::Z] == Approx(50));
+  CHECK(reading_of(head + "IF[-#33 EQ #0]GOTO9\nG1 Z3. F100.\nN9 M99\n", false).end[Axis::Z] == Approx(3));
+  for (const std::string text : {"Z[-#26]", "Z[#26]", "Z-[#26]"}) {
+    INFO(text);
+    CHECK(reading_of(head + "G1 " + text + " F100.\nM99\n", false).code == "nc-parameter-unset");
+  }
+}
+
+TEST_CASE("fanuc: a macro has its arguments with all their digits, whatever the letter") {
+  const std::string head = "G90 G21 G54 G0 X0 Y0 Z50.\n#1=10.\n";
+  for (const std::string letters : {"A#1 I#4", "X#24 J#5", "Z#26 K#6"}) {
+    const std::string first = letters.substr(0, 1), second = letters.substr(letters.find(' ') + 1, 1);
+    const std::string one = letters.substr(1, letters.find(' ') - 1), two = letters.substr(letters.find(' ') + 2);
+    INFO(letters);
+    const Reading ran =
+        reading_of(head + "G65 P100 " + first + "[#1/3] " + second + "[#1/3]\nM30\nO100\nG1 X[" + one + "*3] Y[" + two +
+                       "*3] F100.\nIF[" + one + " EQ " + two + "]GOTO5\nG1 Z0.\nN5 M99\n",
+                   false);
+    CHECK(ran.end[Axis::X] == Approx(10));
+    CHECK(ran.end[Axis::Y] == Approx(10));
+    CHECK(ran.end[Axis::Z] == Approx(50));
+  }
+}
+
+TEST_CASE("fanuc: a length that changes while the tool is tilted leaves open where X, Y and Z stand") {
+  for (const std::string text : {"G49 G0 X0 Y0 Z100. A10. B0 C0\nG43 H1\nG91 G1 X10. F100.\n",
+                                 "G0 X0 Y0 Z100. A0 B10. C0\nG43.4 H1\nG1 G91 X1. F1.\n",
+                                 "G0 X0 Y0 Z9. A0 B0 C0\nG43 H1 Z50.\nG0 A10.\nG49\nG91 G1 X1. F1.\n"}) {
+    INFO(text);
+    const ProgramFile program("G90 G21 G54\n" + text + "M30\n");
+    const InputFile file(program.path());
+    ProgramSettings settings = empty_tables();
+    settings.as_with_empty_tables = false;
+    settings.work_offsets[0] = WorkOffset{};
+    Tool tool;
+    tool.number = 1;
+    tool.length_mm = 100;
+    settings.tools = ToolTable({tool});
+    const auto code_with = [&](double upright) {
+      settings.upright_deg = upright;
+      try {
+        Program blocks(file, dialect("fanuc"), settings);
+        while (const Step* step = blocks.next()) {
+          if (step->after->incremental && !step->known.contains(Axis::Y)) return std::string("unknown");
+        }
+      } catch (const Refusal& refusal) {
+        return std::string(refusal.diagnostic().code);
+      }
+      return std::string();
+    };
+    CHECK(code_with(1e-3) == "unknown");
+    CHECK(code_with(20) != "unknown");
+  }
+}

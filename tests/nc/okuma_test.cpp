@@ -54,20 +54,20 @@ void check_osp(const std::vector<OspCase>& cases) {
 }  // namespace
 
 TEST_CASE("OSP: an increment after a change of offsets is refused until an absolute word made the axis follow") {
-  check_osp({{"G15 H1 G0 X0 Y0 Z50\nG91 G56 H1 Z-10\n", 2, 12},
-             {"G15 H1 G0 X0 Y0 Z50\nG56 H1 Z40\nG91 Z-1\nG53 Z-1\n", 4, 5},
-             {"G15 H1 G0 X0 Y0 Z50\nG15 H2\nG91 Y1\nX1\n", 4, 1},
-             {"G15 H1 G0 X0 Y0 Z50\nG56 H1 Z40\nG91 Z-10 X1\nG90 G15 H2 X0\nG91 X1\n", 0, 0}});
+  check_osp({{"G15 H1 G0 X0 Y0 Z50 A0 B0\nG91 G56 H1 Z-10\n", 2, 12},
+             {"G15 H1 G0 X0 Y0 Z50 A0 B0\nG56 H1 Z40\nG91 Z-1\nG53 Z-1\n", 4, 5},
+             {"G15 H1 G0 X0 Y0 Z50 A0 B0\nG15 H2\nG91 Y1\nX1\n", 4, 1},
+             {"G15 H1 G0 X0 Y0 Z50 A0 B0\nG56 H1 Z40\nG91 Z-10 X1\nG90 G15 H2 X0\nG91 X1\n", 0, 0}});
 }
 
 TEST_CASE("OSP: tool-tip mode puts the length of its H in force, and its end leaves open which one is") {
-  check_osp({{"G15 H1 G0 X0 Y0 Z0\nG169 H1\nG0 Z50\nG170\nG1 X1 F100\n", 5, 1},
-             {"G15 H1 G0 X0 Y0 Z0\nG169 X1 Y1 Z50 H1\nG170\nX0\n", 4, 1},
-             {"G15 H1 G0 X0 Y0 Z0\nG169 H1\nG170\nG170\nX0\n", 5, 1},
-             {"G15 H1 G0 X0 Y0 Z0\nG169 H1\nG170\nG170\nG56 H1 G0 Z10\nX0\n", 0, 0},
-             {"G15 H1 G0 X0 Y0 Z0\nG169 H2\n", 2, 6, "nc-tool-unknown"},
-             {"G15 H1 G0 X0 Y0 Z0\nG91 G169 X1 H1\n", 2, 10},
-             {"G15 H1 G0 X0 Y0 Z0\nG169 H1\nG170\nG56 H1 G0 Z10\nG169 H0\nG170\nG0 Z5\nG0 Z9999\n", 0, 0}});
+  check_osp({{"G15 H1 G0 X0 Y0 Z0 A0 B0\nG169 H1\nG0 Z50\nG170\nG1 X1 F100\n", 5, 1},
+             {"G15 H1 G0 X0 Y0 Z0 A0 B0\nG169 X1 Y1 Z50 H1\nG170\nX0\n", 4, 1},
+             {"G15 H1 G0 X0 Y0 Z0 A0 B0\nG169 H1\nG170\nG170\nX0\n", 5, 1},
+             {"G15 H1 G0 X0 Y0 Z0 A0 B0\nG169 H1\nG170\nG170\nG56 H1 G0 Z10\nX0\n", 0, 0},
+             {"G15 H1 G0 X0 Y0 Z0 A0 B0\nG169 H2\n", 2, 6, "nc-tool-unknown"},
+             {"G15 H1 G0 X0 Y0 Z0 A0 B0\nG91 G169 X1 H1\n", 2, 10},
+             {"G15 H1 G0 X0 Y0 Z0 A0 B0\nG169 H1\nG170\nG56 H1 G0 Z10\nG169 H0\nG170\nG0 Z5\nG0 Z9999\n", 0, 0}});
   const ProgramFile text("G15 H1 G0 X0 Y0 Z0\nG169 H1 X1 Y2 Z3\nG0 Z3\nG170\nG53 Z3\n");
   const InputFile file(text.path());
   ProgramSettings settings = empty_tables();

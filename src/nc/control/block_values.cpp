@@ -14,6 +14,12 @@ namespace {
 
 constexpr int kNamed = -1;  // in place of the number of a named parameter
 
+// "#5" of "#5=3" or X#5, not "[#5]" or "-#5".
+bool is_variable_alone(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  return begin != std::string_view::npos && text[begin] == '#';
+}
+
 bool may_be_unknown(char letter) { return letter == 'S'; }
 
 // Reads what nothing sets among the block's first settings: whether that gives the value before or after stands in no
@@ -128,7 +134,8 @@ std::string_view name_left_open(const Block& block, std::uint32_t code, Paramete
 BlockValues::BlockValues(Execution& run)
     : run_(run),
       system_parameters_(run.control, run.settings, run.dialect),
-      evaluator_(run.dialect.syntax.equal_within, !run.dialect.syntax.empty_names) {}
+      evaluator_(run.dialect.syntax.equal_within, !run.dialect.syntax.empty_names, run.dialect.syntax.doubtful_within) {
+}
 
 double BlockValues::value_of(const Block& block, std::uint32_t code, Span span) {
   const Value value = evaluator_.run(block, code, system_parameters_);
@@ -170,7 +177,17 @@ void BlockValues::leave_out_vacant_words(Block& block) {
                                                 : "declare it with DEF, and set it before");
   }
   for (const Word& word : block.words) {
-    if (word.vacant) block.left_out.push_back(word.span);
+    if (!word.vacant) continue;
+    std::string_view value = block.at(word.span).substr(1);
+    if (value.find_first_of("+-") == 0) value.remove_prefix(1);
+    if (run_.dialect.syntax.drops_vacant_words && !is_variable_alone(value)) {
+      run_.refuse(word, codes::kParameterUnset,
+                  fmt::format("{} was never given a value: whether it counts as 0 in brackets, or the word as not "
+                              "written, was found in no source",
+                              block.at(word.span)),
+                  "write the variable without brackets, or set it before");
+    }
+    block.left_out.push_back(word.span);
   }
   std::erase_if(block.words, [](const Word& word) { return word.vacant; });
 }
@@ -198,7 +215,12 @@ void BlockValues::number_settings(const Block& block) {
 void BlockValues::evaluate_settings(const Block& block) {
   setting_values_.clear();
   for (std::size_t i = 0; i < block.settings.size(); ++i) {
-    setting_values_.push_back(value_before(block, block.settings[i].value, i));
+    const Setting& setting = block.settings[i];
+    Value value = value_before(block, setting.value, i);
+    // #2=#1 alone hands on that there is none: in an expression it counts as 0 [V 13.5; N 20.11.3].
+    const std::string_view whole = block.at(setting.whole);
+    if (value.vacant && !is_variable_alone(whole.substr(whole.find('=') + 1))) value.vacant = false;
+    setting_values_.push_back(value);
   }
 }
 

@@ -36,11 +36,16 @@ const Step& Interpreter::pass(const Block& block) {
   return run_.step;
 }
 
-// (ABORT, text): the control ends the program there with an error; of several comments the last one acts [LinuxCNC,
-// measured].
-void Interpreter::check_abort(const Block& block) const {
+// (ABORT, text): the control ends the program there with an error; (py,...), and ;py,... in these very letters, is
+// executed. Of several comments the last one acts [LinuxCNC, measured].
+void Interpreter::check_last_comment(const Block& block) const {
   if (block.comments.empty() || run_.dialect.syntax.system_variables != SystemVariables::rs274) return;
   const Span span = block.comments.back().span;
+  if (is_active_comment(block.at(span), "py") || block.at(span).starts_with(";py,")) {
+    refuse_at(block, span, codes::kNotInterpreted,
+              "the control executes what stands in this comment as a program in Python, which is not interpreted",
+              "take it out, or put another word before it");
+  }
   if (run_.settings.as_with_empty_tables || !is_active_comment(block.at(span), "abort")) return;
   refuse_at(block, span, codes::kNotInterpreted, "the control ends the program here with an error",
             "look why the program comes here, or end it with M2");
@@ -58,7 +63,7 @@ const Step& Interpreter::execute(Block& block) {
     finish();
     return run_.step;
   }
-  check_abort(block);
+  check_last_comment(block);
   values_.evaluate(block);
   if (run_.dialect.behaviour.increment_mm > 0) count_increments(run_, block);
   resolve_codes(run_);
@@ -91,6 +96,13 @@ const Step& Interpreter::execute(Block& block) {
   finish();
   run_.step.frame = &frame_of_block_;
   return run_.step;
+}
+
+// On LinuxCNC too, but not where its interpreter runs alone [2.9, emctask.cc].
+bool Interpreter::main_begins_again() const {
+  const Statements statements = run_.dialect.syntax.statements;
+  return statements == Statements::macro_b ||
+         (statements == Statements::o_words && !run_.settings.as_with_empty_tables);
 }
 
 void Interpreter::check_begins_again(const Block& block) const {
@@ -145,8 +157,6 @@ void Interpreter::enter_o_word(LocalNumbers numbers, const std::vector<double>& 
   control_.parameters.enter(numbers);
   for (std::size_t i = 0; i < arguments.size(); ++i)
     control_.parameters.set(static_cast<int>(i) + 1, {arguments[i], true});
-  control_.parameters.set("_value", {});
-  control_.parameters.set("_value_returned", {});
   saved_.emplace_back();
 }
 

@@ -57,7 +57,7 @@ class Interpreter {
   /// M99 of the main program begins it again: refused where a mode that it found at its start, and did not state before
   /// it moved, is another one by now.
   void check_begins_again(const Block& block) const;
-  void check_abort(const Block& block) const;
+  void check_last_comment(const Block& block) const;
   /// How often a variable of the program got another value.
   std::uint64_t changes_of_variables() const { return control_.parameters.changes(); }
   /// M30 ended a subprogram alone.
@@ -68,7 +68,7 @@ class Interpreter {
   void begin(const Block& block);
   void finish();
   bool act_on_saved_modes(const Chosen& chosen);
-  bool main_begins_again() const { return run_.dialect.syntax.statements == Statements::macro_b; }
+  bool main_begins_again() const;
 
   Control control_;
   Modal before_;

@@ -15,13 +15,10 @@ int mist_code(const Switches& switches) {
   return switches.flood ? -1 : kCoolantOff;
 }
 
-int override_code(const Switches& switches) {
-  if (switches.feed_override) return switches.speed_override ? kOverridesOn : kFeedOverride;
-  return switches.speed_override ? kSpeedOverride : kOverridesOff;
-}
+// The control looks at the override of the feed alone [LinuxCNC, measured].
+int override_code(const Switches& switches) { return switches.feed_override ? kOverridesOn : kSpeedOverride; }
 
-// What has no code for "off" stays on, and M50 and M51 switch one override on and none off [interp_convert.cc,
-// gen_m_codes].
+// What has no code for "off" stays on, and M51 switches one override on and none off [interp_convert.cc, gen_m_codes].
 void restore_switches(Switches& switches, const Switches& saved) {
   const Switches found = switches;
   switches.spindle = saved.spindle;
@@ -31,13 +28,9 @@ void restore_switches(Switches& switches, const Switches& saved) {
     if (mist == kMist) switches.mist = true;
   }
   if (saved.flood && !found.flood) switches.flood = true;
-  const int code = override_code(saved);
-  if (code != override_code(found)) {
-    if (code == kOverridesOn || code == kOverridesOff) {
-      switches.feed_override = switches.speed_override = code == kOverridesOn;
-    }
-    if (code == kFeedOverride) switches.feed_override = true;
-    if (code == kSpeedOverride) switches.speed_override = true;
+  if (const int code = override_code(saved); code != override_code(found)) {
+    switches.speed_override = true;
+    if (code == kOverridesOn) switches.feed_override = true;
   }
   switches.adaptive_feed = found.adaptive_feed || saved.adaptive_feed;
   switches.feed_stop = found.feed_stop || saved.feed_stop;
@@ -54,8 +47,8 @@ void restore_path_control(Modal& modal, const Modal& saved) {
 double printed(double value, int decimals) { return parse_number(fmt::format("{:.{}f}", value, decimals)).value(); }
 
 // F and S come back with one decimal and none; a change of the feed mode alone drops F. The control looks at the number
-// that was written last, whatever unit it counted: F100 under G20 where F100 was kept under G21 stays what it is. G93 leaves it, until a move sets
-// its own.
+// that was written last, whatever unit it counted: F100 under G20 where F100 was kept under G21 stays what it is. G93
+// leaves it, until a move sets its own.
 void restore_feed_and_speed(Execution& run, const SavedModes& saved) {
   Control& control = run.control;
   Modal& modal = control.modal;

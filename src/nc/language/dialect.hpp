@@ -239,6 +239,7 @@ struct Syntax {
   Labels labels = Labels::numbers;
   SystemVariables system_variables = SystemVariables::none;
   double equal_within = 1e-4;  // EQ and NE
+  double doubtful_within = 0;  // numbers that differ by less, of them or of 1, may be the same to the control
   int local_variables = 30;    // #1... of a subprogram
   int last_variable = 5601;
   /// The variables that outlast the program and that it may as well need for itself alone; 0: none are told from

@@ -56,6 +56,7 @@ inline constexpr Key<char Syntax::*> kSyntaxLetters[] = {
 };
 inline constexpr Key<double Syntax::*> kSyntaxNumbers[] = {
     {"equal_within", &Syntax::equal_within},
+    {"doubtful_within", &Syntax::doubtful_within},
 };
 inline constexpr Key<int Syntax::*> kSyntaxIntegers[] = {
     {"local_variables", &Syntax::local_variables}, {"last_variable", &Syntax::last_variable},

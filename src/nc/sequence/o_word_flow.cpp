@@ -159,7 +159,9 @@ bool OWordFlow::end_program(const Block& block, const ProgramCall& /*call*/) {
   if (calls_.top().by == CalledBy::statement) {
     refuse_flow(block, codes::kFlowLabel, "M99 inside a subprogram that began with SUB", "end it with ENDSUB");
   }
+  keep_value(false, {0, true});
   if (calls_.begins_again()) {
+    interpreter_.control().parameters.forget_own_names();  // each pass has names of its own [LinuxCNC, measured]
     files_.go_to(subprograms_.at(calls_.top().name));
     entry_ = calls_.entry(files_);
   } else {
@@ -178,18 +180,19 @@ void OWordFlow::give_back(const Block& block) {
     refuse_flow(block, codes::kFlowLabel, "no subprogram is being executed that this could end",
                 "a subprogram that M98 calls ends with M99");
   }
-  Parameters& parameters = interpreter_.control().parameters;
-  parameters.set("_value_returned", {block.flow.values.empty() ? 0.0 : 1.0, true});
-  if (!block.flow.values.empty()) {
-    const double value = interpreter_.value_of(block, block.flow.values.front(), block.flow.span);
-    parameters.set("_value", {value, true});
-  }
+  const bool gives = !block.flow.values.empty();
+  keep_value(gives, {gives ? interpreter_.value_of(block, block.flow.values.front(), block.flow.span) : 0.0, true});
   leave(block);
+}
+
+void OWordFlow::keep_value(bool given, Value value) {
+  Parameters& parameters = interpreter_.control().parameters;
+  parameters.set("_value_returned", {given ? 1.0 : 0.0, true});
+  parameters.set("_value", value);
 }
 
 // The control evaluates the value behind ENDSUB of a definition that it passes over, too [LinuxCNC, measured].
 void OWordFlow::keep_value_passed_over(const Block& block) {
-  Parameters& parameters = interpreter_.control().parameters;
   const bool gives = !block.flow.values.empty();
   Value value{0.0, true};
   try {
@@ -198,8 +201,7 @@ void OWordFlow::keep_value_passed_over(const Block& block) {
     if (refusal.diagnostic().code != codes::kParameterUnset && refusal.diagnostic().code != codes::kValueUnknown) throw;
     value.known = false;
   }
-  parameters.set("_value_returned", {gives ? 1.0 : 0.0, true});
-  parameters.set("_value", value);
+  keep_value(gives, value);
 }
 
 void OWordFlow::leave(const Block& block) {

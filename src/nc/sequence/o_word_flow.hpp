@@ -49,6 +49,7 @@ class OWordFlow : public Sequencer {
   void enter(const Block& block, Call call);
   void go_to_subprogram(const Block& block, const std::string& name);
   void give_back(const Block& block);
+  void keep_value(bool given, Value value);
   void keep_value_passed_over(const Block& block);
   void leave(const Block& block);
 

@@ -1,6 +1,4 @@
 // F, and the three meanings of it: G93, G94, G95.
-#include <limits>
-
 #include "nc/control/execution.hpp"
 #include "nc/language/codes.hpp"
 
@@ -9,10 +7,7 @@ namespace plumbline::nc {
 void set_feed(Execution& run, const Word& word) {
   Control& control = run.control;
   if (word.value < 0) run.refuse(word, codes::kNegative, "the feed is negative", "write a feed of zero or more");
-  if (control.modal.feed_mode == FeedMode::inverse_time) {  // it belongs to this block's move alone
-    control.feed_kept = std::numeric_limits<double>::quiet_NaN();
-    return;
-  }
+  if (control.modal.feed_mode == FeedMode::inverse_time) return;  // it belongs to this block's move alone
   control.modal.feed = word.value;
   control.feed_linear = run.length(word);
   control.modal.feed_rotary = word.value;

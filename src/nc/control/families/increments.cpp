@@ -95,11 +95,11 @@ void count_increments(const Execution& run, FeedMode mode, Word& word) {
 }
 
 // More decimals than the control keeps; what an increment made of them adds up to differs between series.
-void keep_increment(const Execution& run, Word& word, bool is_argument) {
+void keep_increment(const Execution& run, Word& word) {
   const ControlBehaviour& behaviour = run.dialect.behaviour;
   if (!behaviour.keeps_increment) return;
   const std::optional<Axis> axis = axis_of(word.letter);
-  const bool of_a_move = (letter_bit(word.letter) & (letters_of_lengths(behaviour) | kAngles)) != 0 && !is_argument;
+  const bool of_a_move = (letter_bit(word.letter) & (letters_of_lengths(behaviour) | kAngles)) != 0;
   if (!axis && !of_a_move) return;
   const double ratio = increment_ratio(run);
   const Kept kept = kept_of(behaviour, axis && is_rotary(*axis), run.control.modal.inches, ratio);
@@ -158,7 +158,7 @@ void count_increments(const Execution& run, Block& block) {
       continue;
     }
     count_increments(run, mode, word);
-    if (!waits) keep_increment(run, word, is_call);
+    if (!waits && !is_call) keep_increment(run, word);  // a macro has what it is given
   }
 }
 

@@ -1,6 +1,7 @@
 // What straight moves and arcs share: their ends, their feed, and what must be known for them.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -224,9 +225,10 @@ void need_offsets(const Execution& run) {
 }
 
 double feed_of_move(const Execution& run, bool linear) {
-  const Control& control = run.control;
+  Control& control = run.control;
   const Word* const word = run.words.find('F');
   if (control.modal.feed_mode == FeedMode::inverse_time) {
+    control.feed_kept = std::numeric_limits<double>::quiet_NaN();
     if (word != nullptr && word->value > 0) return word->value;
     run.refuse(word != nullptr ? *word : run.motion_code(), codes::kFeedMissing,
                "inverse time (G93) needs F in every block that feeds",

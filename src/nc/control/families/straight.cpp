@@ -70,7 +70,7 @@ bool moves_rotary(const Motion& motion, const AxisWords& from) {
 
 void move_straight(Execution& run) {
   if (run.machine_word == nullptr && move_as_it_stands(run)) return;
-  const Control& control = run.control;
+  Control& control = run.control;
   Motion motion;
   motion.kind = run.motion->action == Action::rapid ? MotionKind::rapid : MotionKind::feed;
   if (run.machine_word != nullptr) {
@@ -85,6 +85,8 @@ void move_straight(Execution& run) {
   if (motion.kind == MotionKind::feed) {
     const bool linear = moves_linearly(motion, control.position) || !moves_rotary(motion, control.position);
     motion.feed = feed_of_move(run, linear);
+    const bool inverse = motion.feed_mode == FeedMode::inverse_time;
+    if (inverse) control.feed_kept = motion.feed * length_mm(motion.to - control.position) / control.length_unit();
     if (run.vector != nullptr) check_way_of_vector(run, motion);
   }
   add_motion(run, motion);

@@ -59,11 +59,13 @@ void mark_unknown_length(Execution& run, int number) {
   if (number > 0 && !given && run.dialect.behaviour.increment_unknown_after_length) run.control.shifted.insert(Axis::Z);
 }
 
-// The length counts along the tool: where it is tilted, X and Y of the tip change with it, and not before the move that
-// names them does the control say how.
+// The length counts along the tool, or along Z: where the tool is tilted, X and Y of the tip may change with it, and
+// not before the move that names them does the control say how. LinuxCNC counts along Z [measured], and all do along
+// that of a tilted plane.
 void lose_tilted_tip(Execution& run) {
   const Control& control = run.control;
-  if (!run.dialect.has_edges) return;
+  const bool along_z = run.dialect.syntax.system_variables == SystemVariables::rs274 || control.frame.tilted;
+  if (along_z) return;
   const AxisWords machine = control.frame.to_machine(control.position);
   const double least = run.settings.upright_deg;
   const bool upright = control.known.contains(AxisSet{Axis::A, Axis::B}) && std::abs(machine[Axis::A]) < least &&

@@ -199,6 +199,32 @@ void Evaluator::check_truths(const Block& block, const Instruction& step) const 
   }
 }
 
+bool Evaluator::are_doubtful(double a, double b) const {
+  return a != b && std::abs(a - b) <= doubtful_within_ * std::max({1.0, std::abs(a), std::abs(b)});
+}
+
+// #1=#1+0.1 until it is 1: the sum hangs on the digits that the control keeps.
+void Evaluator::check_digits(const Block& block, const Instruction& step, double a, double b) const {
+  const bool compares = step.operation >= Operation::equal && step.operation <= Operation::less_equal;
+  if (!compares || !are_doubtful(a, b)) return;
+  refuse_at(block, step.span, codes::kNotInterpreted,
+            fmt::format("{:.6g} and what it is compared with differ by {:.1g}: what comes out depends on how many "
+                        "digits the control keeps",
+                        a, std::abs(a - b)),
+            "compare with a number that lies between two values, as in [#1 LT 0.95], or count by whole numbers");
+}
+
+void Evaluator::check_whole_digits(const Block& block, const Instruction& step, double value) const {
+  const bool cuts = step.operation == Operation::truncate || step.operation == Operation::round_away;
+  const double half = step.operation == Operation::round ? 0.5 : 0;
+  if ((!cuts && half == 0) || !are_doubtful(value, std::round(value - half) + half)) return;
+  refuse_at(block, step.span, codes::kNotInterpreted,
+            fmt::format("{:.6g} lies so near where {} goes on to the next number that what comes out depends on how "
+                        "many digits the control keeps",
+                        value, block.at(step.span)),
+            "add or take off a little before it, as in FIX[#1+0.001]");
+}
+
 // What such a variable counts as was found in no source.
 void Evaluator::check_vacant(const Block& block, const Instruction& step, const Value& a, const Value& b) const {
   if (vacant_is_zero_ || (!a.vacant && !b.vacant)) return;
@@ -260,6 +286,7 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
       result.known = a.known && b.known;
       check_remainder(block, *step, a, b);
       check_vacant(block, *step, a, b);
+      if (result.known) check_digits(block, *step, a.number, b.number);
       result.number = is_of_bits(step->operation) ? of_bits(block, *step, a, b)
                                                   : of_two(step->operation, a.number, b.number, equal_within_);
       // To be vacant is not to be zero, for EQ and NE alone [B-63174EN, 13.1].
@@ -267,12 +294,14 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
       if (a.vacant != b.vacant && step->operation == Operation::not_equal) result.number = 1;
     } else if (step->operation == Operation::round) {
       check_vacant(block, *step, b, b);
+      if (b.known && rounding.quantum == 1) check_whole_digits(block, *step, b.number);
       result.number = rounded(block, *step, b.number, rounding);
     } else {
       if (step->operation != Operation::negate) check_vacant(block, *step, b, b);
       check_arc_sine(block, *step, b);
+      if (b.known) check_whole_digits(block, *step, b.number);
       result.number = of_one(step->operation, b.number);
-      result.vacant = b.vacant && step->operation == Operation::negate;
+      result.vacant = b.vacant && step->operation == Operation::negate && step[1].operation == Operation::end;
     }
     if (result.known && !std::isfinite(result.number)) {
       refuse_at(block, step->span, codes::kArithmetic, fmt::format("{} has no value here", block.at(step->span)),

@@ -36,15 +36,18 @@ class Evaluator {
  public:
   /// `equal_within`: of EQ and NE; 1e-4 [LinuxCNC, measured]. `vacant_is_zero`: a variable that was never set counts as
   /// 0; else it is compared with EMPTY alone.
-  explicit Evaluator(double equal_within = 1e-4, bool vacant_is_zero = true)
-      : equal_within_(equal_within), vacant_is_zero_(vacant_is_zero) {}
+  explicit Evaluator(double equal_within = 1e-4, bool vacant_is_zero = true, double doubtful_within = 0)
+      : equal_within_(equal_within), doubtful_within_(doubtful_within), vacant_is_zero_(vacant_is_zero) {}
   /// The value of the code that begins at `code` in block.code. Refuses what the control would: nc-arithmetic and the
   /// like.
   Value run(const Block& block, std::uint32_t code, ParameterReader& parameters, const Rounding& rounding = {});
 
  private:
   void check_vacant(const Block& block, const Instruction& step, const Value& a, const Value& b) const;
-  double equal_within_;
+  bool are_doubtful(double a, double b) const;
+  void check_digits(const Block& block, const Instruction& step, double a, double b) const;
+  void check_whole_digits(const Block& block, const Instruction& step, double value) const;
+  double equal_within_, doubtful_within_;
   bool vacant_is_zero_;
   static double rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding);
   void check_truths(const Block& block, const Instruction& step) const;

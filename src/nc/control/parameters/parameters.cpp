@@ -123,8 +123,13 @@ bool Parameters::is_left_over(std::string_view name) {
   return left_over.contains(plain_);
 }
 
-void Parameters::leave() {
+void Parameters::forget_own_names() {
   for (const auto& [name, value] : scopes_.back().names) left_.insert(name);
+  scopes_.back().names.clear();
+}
+
+void Parameters::leave() {
+  forget_own_names();
   std::copy(scopes_.back().callers.begin(), scopes_.back().callers.end(), locals());
   scopes_.pop_back();
 }

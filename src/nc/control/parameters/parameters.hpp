@@ -57,6 +57,8 @@ class Parameters {
   void begin_again();
   bool is_left_over(int number) const { return numbered(number).left_over; }
   bool is_left_over(std::string_view name);
+  /// The names that the subprogram set, and that are its own, have no value any more.
+  void forget_own_names();
   /// It ends: those of its caller are back.
   void leave();
   /// How often one got another value.

@@ -62,7 +62,7 @@ bool SystemParameters::is_lasting(int number) const {
 }
 
 bool SystemParameters::goes_to_next_pass(int number) const {
-  if (dialect_.syntax.system_variables != SystemVariables::macro_b || number == 0 || is_read_only(number)) return false;
+  if (dialect_.syntax.system_variables == SystemVariables::none || number == 0 || is_read_only(number)) return false;
   return number > dialect_.syntax.local_variables || control_.parameters.numbers_are_of_main();
 }
 
