@@ -249,6 +249,20 @@ double Evaluator::rounded(const Block& block, const Instruction& step, double va
             "round it before, into a variable: that gives whole numbers");
 }
 
+Value Evaluator::joined(const Block& block, const Instruction& step, const Value& a, const Value& b) const {
+  Value result{0, a.known && b.known};
+  check_remainder(block, step, a, b);
+  check_vacant(block, step, a, b);
+  if (result.known) check_digits(block, step, a.number, b.number);
+  // To be vacant is not to be zero, for EQ and NE alone [B-63174EN, 13.1].
+  const bool differ = a.vacant != b.vacant;
+  if (differ && step.operation == Operation::equal) return result;
+  if (differ && step.operation == Operation::not_equal) return {1, result.known};
+  result.number = is_of_bits(step.operation) ? of_bits(block, step, a, b)
+                                             : of_two(step.operation, a.number, b.number, equal_within_);
+  return result;
+}
+
 Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& parameters, const Rounding& rounding) {
   stack_.clear();
   for (const Instruction* step = &block.code[code]; step->operation != Operation::end; ++step) {
@@ -282,16 +296,7 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
     Value result{0, b.known};
     if (is_binary(step->operation)) {
       stack_.pop_back();
-      const Value a = stack_.back();
-      result.known = a.known && b.known;
-      check_remainder(block, *step, a, b);
-      check_vacant(block, *step, a, b);
-      if (result.known) check_digits(block, *step, a.number, b.number);
-      result.number = is_of_bits(step->operation) ? of_bits(block, *step, a, b)
-                                                  : of_two(step->operation, a.number, b.number, equal_within_);
-      // To be vacant is not to be zero, for EQ and NE alone [B-63174EN, 13.1].
-      if (a.vacant != b.vacant && step->operation == Operation::equal) result.number = 0;
-      if (a.vacant != b.vacant && step->operation == Operation::not_equal) result.number = 1;
+      result = joined(block, *step, stack_.back(), b);
     } else if (step->operation == Operation::round) {
       check_vacant(block, *step, b, b);
       if (b.known && rounding.quantum == 1) check_whole_digits(block, *step, b.number);

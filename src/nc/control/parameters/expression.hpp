@@ -44,6 +44,7 @@ class Evaluator {
 
  private:
   void check_vacant(const Block& block, const Instruction& step, const Value& a, const Value& b) const;
+  Value joined(const Block& block, const Instruction& step, const Value& a, const Value& b) const;
   bool are_doubtful(double a, double b) const;
   void check_digits(const Block& block, const Instruction& step, double a, double b) const;
   void check_whole_digits(const Block& block, const Instruction& step, double value) const;
