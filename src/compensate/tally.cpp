@@ -87,6 +87,8 @@ void Tally::take_cut(const CorrectedMove& corrected, const WrittenMove& written)
     note_bound(corrected);
     if (move.motion->kind == nc::MotionKind::arc) note_arc(written, line, summary_.bound->arcs);
   }
+  const bool stops = dialect_.behaviour.starts_with_stops && !move.step->after->path_stated;
+  if (stops && written.pieces.size() > 1 && !may_stop_) may_stop_ = place_of(*move.step);
   if (written.changed && move.seconds) note_short_pieces(written, *move.seconds, line);
   note_written(written, move.seconds, line);
 }
@@ -211,6 +213,14 @@ Summary Tally::summary() {
   warn_of_short_pieces(summary);
   warn_of_silent_effects(summary);
   warn_of_massless_tools(summary);
+  if (may_stop_) {
+    summary.warnings.push_back(
+        {"compensate-stops",
+         "the program states no path mode, and where the control begins with G60 it stops after each block: also "
+         "after those that stand for this one",
+         "write G60, or G64 (G641 to G645), before the first move as the control has it", *may_stop_,
+         Severity::warning});
+  }
   return summary;
 }
 

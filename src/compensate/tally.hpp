@@ -62,6 +62,7 @@ class Tally {
   Summary summary_;
   bool ended_ = false;                   // the last thing that was executed ends a program
   std::size_t last_line_ = 0;            // that holds a word
+  std::optional<Place> may_stop_;        // a block that became several, where the program states no path mode
   std::map<int, Place> massless_tools_;  // and where each came into the spindle
   std::vector<AxisWords> ends_;          // corrections of ends of moves, of which is not yet known
   std::vector<Target> beside_;           // how they change: in X, Y and Z of each

@@ -162,9 +162,14 @@ TEST_CASE("calls of cycles that no source covers are refused") {
 }
 
 TEST_CASE("a block without axis words makes no hole") {
-  const Outcome ran = outcome_of("G54 G0 X0 Y0 Z9\nMCALL CYCLE81(9,0,2,-5)\nG1 F100\nS900 M3\nG90\nX1\nMCALL\n");
+  const Outcome ran = outcome_of(
+      "G54 G0 X0 Y0 Z9\nF100\nMCALL CYCLE81(9,0,2,-5)\nM8\nG90\nMSG(\"here\")\nX1\nMCALL\nS900 M3\nG0\nF200\n");
   CHECK(ran.code.empty());
   CHECK(ran.motions.size() == 5);  // G0, and of the hole: there, to R, down and back
+  // Of these a control is said to make one.
+  check_refused({{"G54 G0 X0 Y0 Z9 F1\nMCALL CYCLE81(9,0,2,-5)\nF200\n", 3, 1},
+                 {"G54 G0 X0 Y0 Z9 F1\nMCALL CYCLE81(9,0,2,-5)\nM8 S900\n", 3, 4},
+                 {"G54 G0 X0 Y0 Z9 F1\nMCALL CYCLE82(9,0,2,-5)\nX1\nG90 G1\n", 4, 5}});
 }
 
 TEST_CASE("swivel cycles that turn nothing leave the axes where nobody knows, others are refused") {

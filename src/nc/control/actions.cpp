@@ -32,9 +32,11 @@ bool set_mode(Modal& modal, Action action) {
       return true;
     case Action::exact_path:
       modal.path_control = PathControl::exact_path;
+      modal.path_stated = true;
       return true;
     case Action::exact_stop:
       modal.path_control = PathControl::exact_stop;
+      modal.path_stated = true;
       return true;
     case Action::retract_to_start:
     case Action::retract_to_r:
@@ -96,6 +98,7 @@ void act_on_mode(Execution& run, const Chosen& chosen) {
       return set_feed_mode(run, FeedMode::per_revolution);
     case Action::continuous:
       modal.path_control = PathControl::continuous;
+      modal.path_stated = true;
       modal.switches.path_tolerance = own('P').value_or(0);
       modal.switches.naive_tolerance = own('Q').value_or(modal.switches.path_tolerance);
       return;

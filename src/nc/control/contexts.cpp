@@ -233,6 +233,22 @@ void check_beside_cycle(const Execution& run) {
   }
 }
 
+// MCALL CYCLE81(...): in some blocks without a move the control is said to call it, too.
+void check_modal_call(const Execution& run) {
+  if (run.control.modal_call.row == nullptr || !run.axes.empty()) return;
+  if (run.chosen_row(Action::modal_call) != nullptr) return;
+  for (const Word& word : run.block->words) {
+    const CodeRow* const row = is_code(word) ? run.dialect.row_of(word) : nullptr;
+    const bool moves = row != nullptr && (row->action == Action::rapid || row->action == Action::feed);
+    if (!moves && word.letter != 'F' && word.letter != 'S') continue;
+    run.refuse(word, codes::kNotInterpreted,
+               fmt::format("{} is in force after each move: whether it is called after a block with {} and no move was "
+                           "found in no source",
+                           run.control.modal_call.row->name, run.block->at(word.span)),
+               "write it before MCALL, or beside a move");
+  }
+}
+
 }  // namespace
 
 void check_contexts(const Execution& run) {
@@ -247,6 +263,7 @@ void check_contexts(const Execution& run) {
   check_not_beside(run);
   check_shared_words(run);
   check_beside_cycle(run);
+  check_modal_call(run);
   check_length_known(run);
 }
 

@@ -326,6 +326,7 @@ struct ControlBehaviour {
   bool increment_unknown_after_turn = false;    // ROT, G68
   bool turned_axis_alone_unknown = false;       // G68, then X without Y
   bool dwell_takes_words = false;               // F and S beside G4 are its time
+  bool starts_with_stops = false;               // where the program states nothing else each block may end standing
   bool feed_mode_drops_feed = false;            // G94 drops the F before it even where it is in force already
   bool change_stops_spindle = false;            // M6
   bool even_spirals = false;  // an arc whose radius is a little longer at its end than at its start gets there evenly

@@ -69,6 +69,7 @@ inline constexpr Key<std::string Syntax::*> kSyntaxTexts[] = {
 
 inline constexpr Key<bool ControlBehaviour::*> kHabitFlags[] = {
     {"last_of_group", &ControlBehaviour::last_of_group},
+    {"starts_with_stops", &ControlBehaviour::starts_with_stops},
     {"bare_motion_code_is_mode", &ControlBehaviour::bare_motion_code_is_mode},
     {"bare_home_loses_position", &ControlBehaviour::bare_home_loses_position},
     {"rapid_before_codes", &ControlBehaviour::rapid_before_codes},

@@ -120,6 +120,7 @@ std::optional<std::string_view> PieceWriter::in_place(const Step& step, const Pi
     out = std::copy(block.text.begin() + at, block.text.begin() + end, out);
     at = end;
   };
+  if (!piece.positioned.empty()) return std::nullopt;
   AxisSet seen;
   const Word* feed = nullptr;
   std::uint32_t words_end = 0;
@@ -179,9 +180,10 @@ void PieceWriter::append_further(std::string& out, const Step& step, const Piece
 void PieceWriter::append_axis_word(std::string& out, const Piece& piece, Axis axis, const Spelling& spelling) {
   const std::size_t begin = out.size();
   append_word(out, letter(axis), piece.value[axis], piece.digits[index(axis)], spelling);
-  if (!piece.direct || !piece.endless.contains(axis)) return;
+  const bool direct = piece.direct && piece.endless.contains(axis);
+  if (!direct && !piece.positioned.contains(axis)) return;
   const std::size_t value = out.find_first_not_of(' ', begin) + 1;
-  out.insert(value, "=DC(");
+  out.insert(value, direct ? "=DC(" : "=AC(");
   out += ')';
 }
 

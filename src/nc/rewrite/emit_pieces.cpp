@@ -22,6 +22,12 @@ bool says_way_round(const Step& step, Axis axis) {
          word->mode != WordMode::incremental;
 }
 
+// X=AC(5) under G91 stays one: from a place that nobody knows, or after an offset changed, an increment goes elsewhere.
+bool is_position(const Step& step, Axis axis) {
+  const Word* const word = find_word(*step.block, letter(axis));
+  return word != nullptr && word->mode == WordMode::absolute;
+}
+
 }  // namespace
 
 std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
@@ -67,7 +73,6 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
 void PiecePlanner::round(const Step& step, const CorrectedPoint& point, AxisSet writable, Piece& piece, AxisWords& at) {
   const AxisWords target = point.nominal + point.shift;
   const bool first = pieces_.size() == 1;
-  const bool incremental = step.after->incremental;
   const AxisSet known_before = first ? step.motions.front().known_before : AxisSet::all();
   piece.direct = dialect_.syntax.word_modes;
   for (const Axis axis : kAllAxes) {
@@ -79,12 +84,15 @@ void PiecePlanner::round(const Step& step, const CorrectedPoint& point, AxisSet 
       continue;
     }
     const bool known = known_before.contains(axis);
+    const bool position = first && step.after->incremental && is_position(step, axis);
+    if (position) piece.positioned.insert(axis);
+    const bool incremental = step.after->incremental && !position;
     const double wanted = (incremental ? target[axis] - at[axis] : target[axis]) / g.per_unit;
     WordGrid::check_word(step, wanted);
     const double value = g.kept(wanted);
     words_.check_digits(step, value, g.digits);
     double end = incremental ? at[axis] + value * g.per_unit : value * g.per_unit;
-    const bool endless = !incremental && step.after->rule_of(axis) != RotaryRule::linear;
+    const bool endless = !step.after->incremental && step.after->rule_of(axis) != RotaryRule::linear;
     // Downwards to 0 would be -0, which is not the same to every control: the last step is left out.
     if (endless && known && end < at[axis] && within_one_turn(end) == 0) end += g.quantum;
     if (endless) piece.endless.insert(axis);
@@ -92,7 +100,7 @@ void PiecePlanner::round(const Step& step, const CorrectedPoint& point, AxisSet 
     // A word that stands there is written as it is kept now, though the axis was left with more digits.
     const bool says = first && !incremental && step.named.contains(axis) &&
                       (endless ? says_way_round(step, axis) || std::abs(end - at[axis]) > kSamePlace : end != at[axis]);
-    if (!known || says || std::abs(end - at[axis]) > kMovesFrom * g.quantum * g.per_unit) {
+    if (!known || says || position || std::abs(end - at[axis]) > kMovesFrom * g.quantum * g.per_unit) {
       if (endless) piece.value[axis] = words_.endless_word(step, axis, end, at[axis], known);
       piece.moved.insert(axis);
       at[axis] = end;

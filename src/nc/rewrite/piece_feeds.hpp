@@ -22,6 +22,7 @@ struct Piece {
   AxisSet moved;                    // axes whose word must be written
   std::optional<ArcWords> arc;      // nothing: straight
   AxisSet endless;                  // axes whose absolute words count turns: those that do not move get no word
+  AxisSet positioned;               // under G91, written as X=AC(5)
   bool direct = false;              // their words are written as A=DC(5)
   double share = 0;
   double length = 0;                 // that the feed is the speed along, in the program's unit or deg

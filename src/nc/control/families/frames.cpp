@@ -295,6 +295,8 @@ void choose_transformation(Execution& run, const Chosen& chosen) {
 
 // CYCLE832(0.02,112103): digits that are there for older programs [N p. 1108], one of which chose a transformation.
 void set_tolerances(Execution& run, const Chosen& chosen) {
+  run.control.modal.path_control = PathControl::continuous;  // it chooses one of G64 to G645 by itself: none is added
+  run.control.modal.path_stated = true;
   const std::string values = values_in_brackets(run, *chosen.word);
   const std::size_t comma = values.find(',');
   if (comma == std::string::npos) return;

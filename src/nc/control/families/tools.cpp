@@ -64,14 +64,14 @@ void mark_unknown_length(Execution& run, int number) {
 // that of a tilted plane.
 void lose_tilted_tip(Execution& run) {
   const Control& control = run.control;
-  const bool along_z = run.dialect.syntax.system_variables == SystemVariables::rs274 || control.frame.tilted;
-  if (along_z) return;
+  if (run.dialect.syntax.system_variables == SystemVariables::rs274 || control.frame.tilted) return;
   const AxisWords machine = control.frame.to_machine(control.position);
-  const double least = run.settings.upright_deg;
-  const bool upright = control.known.contains(AxisSet{Axis::A, Axis::B}) && std::abs(machine[Axis::A]) < least &&
-                       std::abs(machine[Axis::B]) < least;
+  const auto tilts = [&](Axis axis) {
+    if (!control.known.contains(axis)) return run.dialect.has_edges;  // elsewhere it is taken to stand as before
+    return std::abs(machine[axis]) >= run.settings.upright_deg;
+  };
   const AxisSet tip{Axis::X, Axis::Y, Axis::Z};
-  if (!upright && !(control.known & tip).empty()) lose_position(run, tip);
+  if ((tilts(Axis::A) || tilts(Axis::B)) && !(control.known & tip).empty()) lose_position(run, tip);
 }
 
 void take_offset(Execution& run, const AxisWords& offset) {

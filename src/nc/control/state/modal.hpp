@@ -37,6 +37,7 @@ struct Modal {
   Plane plane = Plane::xy;
   FeedMode feed_mode = FeedMode::per_minute;
   PathControl path_control = PathControl::continuous;
+  bool path_stated = false;          // by the program
   bool inches = false;               // G20
   bool incremental = false;          // G91
   bool arc_centre_absolute = false;  // G90.1
