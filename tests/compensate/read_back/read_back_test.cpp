@@ -250,7 +250,7 @@ TEST_CASE("comments beside lines that steer stay, and their loss is found") {
   INFO(meant.output);
   REQUIRE(meant.unrolled);
   CHECK(found(meant, job, 0, 0, "").empty());
-  for (const char* const comment : {"(drills)", "(MSG, first)", "(twice)", "(done)", "(was DEBUG, #1)"}) {
+  for (const char* const comment : {"(drills)", "(was MSG, first)", "(twice)", "(done)", "(was DEBUG, #1)"}) {
     INFO(comment);
     const std::size_t at = meant.output.find(comment);
     REQUIRE(at != std::string::npos);

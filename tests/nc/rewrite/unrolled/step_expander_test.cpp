@@ -124,7 +124,7 @@ TEST_CASE("of a line that steers, what acts stays without its call, or its comme
 
 TEST_CASE("a control with O words acts on no comment beside one") {
   for (const char* const comment : {"(MSG,hello)", "(print, x)", "( Debug , x)", "(log,x)", "(LOGOPEN,x.txt)",
-                                    "(logclose)", "(PROBEOPEN x.txt)", "(probeclose)", "(py,x)"}) {
+                                    "(logclose)", "(PROBEOPEN x.txt)", "(probeclose)"}) {
     INFO(comment);
     const std::string was = std::string("(was ") + (comment + 1);
     const LastStep branch("o1 if [1] " + std::string(comment) + "\n", "linuxcnc");
