@@ -73,8 +73,11 @@ void divide(Move& move, const path::StepSettings& settings) {
     if (move.begin_known) move.pieces = chord_steps(move.path.curve.delta());
     return;
   }
+  path::StepSettings steps = settings;
+  if (move.motion->feed_mode == nc::FeedMode::inverse_time)
+    steps.least_time_s = std::max(steps.least_time_s, steps.least_inverse_time_s);
   const path::Subdivision cut =
-      path::subdivide(move.path.curve, move.seconds, settings, [&] { return place_of(*move.step); });
+      path::subdivide(move.path.curve, move.seconds, steps, [&] { return place_of(*move.step); });
   move.pieces = cut.pieces;
   move.widened = cut.widened;
 }

@@ -20,6 +20,8 @@ struct BoundSettings {
   double turn_length_mm = 100;
   /// Of a piece: the control's time for a block.
   double least_time_s = 1e-3;
+  /// Of a piece under G93, whatever yields: the time of the largest F that the control takes.
+  double least_inverse_time_s = 0;
   /// What gives way where both cannot be had: the bound, or the time.
   enum class Yields { bound, time } yields = Yields::bound;
 

@@ -127,7 +127,7 @@ CheckSummary check_file(const Source& program, const settings::Options& options,
   const machine::MachineModel model = machine::read_model(options.paths.model);
   const OpenedProgram opened = open_program(options, program, model);
   const auto& [source, dialect, settings] = opened;
-  const compensate::Settings compensation = compensation_settings(model.control, options);
+  const compensate::Settings compensation = compensation_settings(model.control, dialect, options);
 
   const compensate::ProgramSurvey survey = survey_program(opened);
   std::optional<compensate::PathRecord> record;

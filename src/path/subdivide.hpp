@@ -11,9 +11,10 @@ namespace plumbline::path {
 
 /// A piece ends where the first of these is reached.
 struct StepSettings {
-  double angle_deg = 0.1;     // of arc, or of the turn of the tool [Ibaraki et al., 4: every 0.1 deg]
-  double length_mm = 1.0;     // of path
-  double least_time_s = 0.0;  // a piece is never shorter: the control's time for a block
+  double angle_deg = 0.1;             // of arc, or of the turn of the tool [Ibaraki et al., 4: every 0.1 deg]
+  double length_mm = 1.0;             // of path
+  double least_time_s = 0.0;          // a piece is never shorter: the control's time for a block
+  double least_inverse_time_s = 0.0;  // nor under G93: of the largest F
 };
 
 struct Subdivision {

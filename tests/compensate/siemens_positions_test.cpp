@@ -9,7 +9,7 @@ using namespace plumbline;
 
 namespace {
 
-bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool has_text(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 bool warns_of_stops(const compensate::Summary& summary) {
   return std::any_of(summary.warnings.begin(), summary.warnings.end(),
@@ -21,32 +21,40 @@ bool warns_of_stops(const compensate::Summary& summary) {
 TEST_CASE("X=AC(5) under G91 stays a position where an increment would go elsewhere") {
   const Job job = job_of_control("siemens");
   const std::string placed = "G54 G17 G90 G64\nG0 X0 Y0 Z50 A0 B0 C0\nG91\n";
-  for (const std::string lost : {"M0\n", "M6\n", "CYCLE800()\n"}) {
+  for (const std::string lost : {"M0\n", "M1\n", "CYCLE800()\n"}) {
     INFO(lost);
     const std::string out =
         run(placed + lost + "G0 X=AC(0) Y=AC(0) Z=AC(50) A=AC(0) B=AC(0) C=AC(0)\nG90\nG1 Z10 F100\nM30\n", job).text;
     INFO(out);
-    CHECK(holds(out, "Z=AC(50.0"));
-    CHECK(holds(out, "X=AC("));
+    CHECK(has_text(out, "Z=AC(50.0"));
+    CHECK(has_text(out, "X=AC("));
   }
-  CHECK(holds(run("G54 G17 G91\nG0 X=AC(10) Y=AC(0) Z=AC(50) A=AC(0) B=AC(0) C=AC(0)\nG1 X1 F100\nM30\n", job).text,
-              "Z=AC(50.0"));
+  CHECK(has_text(run("G54 G17 G91\nG0 X=AC(10) Y=AC(0) Z=AC(50) A=AC(0) B=AC(0) C=AC(0)\nG1 X1 F100\nM30\n", job).text,
+                 "Z=AC(50.0"));
+  const std::string copied =
+      run("G54 G17 G90 G64\nG0 X0 Y0 Z10 A0 B0 C0\nM0\nG91\nG0 X=AC(20) Y=AC(0) A=AC(0) B=AC(0) C=AC(0)\nG0 Z=AC(10)\n"
+          "G1 X1 F100\nM30\n",
+          job)
+          .text;
+  INFO(copied);
+  CHECK(has_text(copied, "X=AC(20) Y=AC(0)"));
+  CHECK(has_text(copied, "Z=AC(10.0"));
   const std::string shifted = run(placed + "TRANS X10\nG0 X=AC(10)\nG1 Z=AC(10) F100\nM30\n", job).text;
   INFO(shifted);
-  CHECK(holds(shifted, "X=AC(10.0"));
+  CHECK(has_text(shifted, "X=AC(10.0"));
 }
 
 TEST_CASE("CYCLE832 chooses the path mode, and no block gets one beside it") {
   const Job job = job_of_control("siemens");
   const std::string cut = "G0 X0 Y0 Z50 A0 B0 C0\nG1 X100 F1000\nM30\n";
-  CHECK(holds(run("G54 G17 G90 G60\n" + cut, job).text, "G64"));
+  CHECK(has_text(run("G54 G17 G90 G60\n" + cut, job).text, "G64"));
   for (const std::string cycle : {"CYCLE832(0.05,_FINISH,1)\n", "CYCLE832(0.01,1,1)\n", "CYCLE832()\n"}) {
     INFO(cycle);
     const Result result = run("G54 G17 G90 G60\n" + cycle + cut, job);
-    CHECK_FALSE(holds(result.text, "G64"));
-    CHECK_FALSE(holds(result.text.substr(result.text.find("G60") + 3), "G60"));
+    CHECK_FALSE(has_text(result.text, "G64"));
+    CHECK_FALSE(has_text(result.text.substr(result.text.find("G60") + 3), "G60"));
     CHECK_FALSE(warns_of_stops(result.summary));
-    CHECK(holds(run("G54 G17 G90\n" + cycle + "G60\n" + cut, job).text, "G64"));
+    CHECK(has_text(run("G54 G17 G90\n" + cycle + "G60\n" + cut, job).text, "G64"));
   }
 }
 

@@ -160,13 +160,17 @@ TEST_CASE("fanuc: what hangs on the last digits that a control keeps is refused"
   for (const std::string loop :
        {"#11=0\nWHILE[#11GT-3.]DO1\n#11=#11-0.3\nG1 Z#11 F100.\nEND1\n", "#1=FIX[1.15*100]\nG1 X#1 F100.\n",
         "#1=0.7\nN1 G1 X#1 F100.\n#1=#1+0.7\nIF[#1LE7.]GOTO1\n", "IF[1.1*1.1 EQ 1.21]GOTO9\nG1 X5. F100.\nN9\n",
-        "#1=FUP[0.1*3*10]\nG1 X#1 F100.\n", "#1=1.005*100\n#2=ROUND[#1]\nG1 X#2 F100.\n"}) {
+        "#1=FUP[0.1*3*10]\nG1 X#1 F100.\n", "#1=1.005*100\n#2=ROUND[#1]\nG1 X#2 F100.\n", "IF[1/3*3 EQ 1]GOTO9\nN9\n",
+        "#1=FIX[360/[360/11]]\n", "#1=FIX[2.4/0.3]\n", "#1=30*COS[60]\nIF[#1 LT 15]GOTO9\nN9\n",
+        "#1=0\nWHILE[#1LT2.4]DO1\n#1=#1+0.3\nEND1\n"}) {
     INFO(loop);
     CHECK(reading_of(head + loop + "M30\n", false).code == "nc-not-interpreted");
   }
   for (const std::string loop :
        {"#11=0\nWHILE[#11GT-2.95]DO1\n#11=#11-0.3\nG1 Z#11 F100.\nEND1\n", "#1=FIX[1.15*100+0.01]\nG1 X#1 F100.\n",
         "#1=0\nN1 G1 X#1 F100.\n#1=#1+0.25\nIF[#1LE7.]GOTO1\n", "#1=FUP[2.5]\n#2=ROUND[2.5]\nG1 X#1 F100.\n",
+        "#1=0.3\nIF[#1 EQ 0.3]GOTO9\nN9\n", "IF[1000.0001 GT 1000.]GOTO9\nN9\n",
+        "#1=7\n#2=#1*22.5/2\nIF[#2 LT 78.75]GOTO9\nN9\n", "#1=0\nWHILE[#1LT3]DO1\n#1=#1+1\nEND1\n",
         "IF[1000.001 GT 1000.]GOTO9\nG1 X5. F100.\nN9\n"}) {
     INFO(loop);
     CHECK(reading_of(head + loop + "M30\n", false).code.empty());
@@ -204,33 +208,11 @@ TEST_CASE("fanuc: a macro has its arguments with all their digits, whatever the 
   }
 }
 
-TEST_CASE("fanuc: a length that changes while the tool is tilted leaves open where X, Y and Z stand") {
-  for (const std::string text : {"G49 G0 X0 Y0 Z100. A10. B0 C0\nG43 H1\nG91 G1 X10. F100.\n",
-                                 "G0 X0 Y0 Z100. A0 B10. C0\nG43.4 H1\nG1 G91 X1. F1.\n",
-                                 "G0 X0 Y0 Z9. A0 B0 C0\nG43 H1 Z50.\nG0 A10.\nG49\nG91 G1 X1. F1.\n"}) {
-    INFO(text);
-    const ProgramFile program("G90 G21 G54\n" + text + "M30\n");
-    const InputFile file(program.path());
-    ProgramSettings settings = empty_tables();
-    settings.as_with_empty_tables = false;
-    settings.work_offsets[0] = WorkOffset{};
-    Tool tool;
-    tool.number = 1;
-    tool.length_mm = 100;
-    settings.tools = ToolTable({tool});
-    const auto code_with = [&](double upright) {
-      settings.upright_deg = upright;
-      try {
-        Program blocks(file, dialect("fanuc"), settings);
-        while (const Step* step = blocks.next()) {
-          if (step->after->incremental && !step->known.contains(Axis::Y)) return std::string("unknown");
-        }
-      } catch (const Refusal& refusal) {
-        return std::string(refusal.diagnostic().code);
-      }
-      return std::string();
-    };
-    CHECK(code_with(1e-3) == "unknown");
-    CHECK(code_with(20) != "unknown");
+TEST_CASE("fanuc: the cancel of a compensation of the setting is read, and nothing stands beside it") {
+  const std::string head = "O1\nG90 G21 G54\nG0 X0 Y0 Z50.\n";
+  CHECK(reading_of(head + "G54.4 P0\nG1 X5. F100.\nM30\n", false).end[Axis::X] == Approx(5));
+  for (const std::string refused : {"G54.4 P1", "G54.4", "G54.4 P0 X3.", "G54.4 P8"}) {
+    INFO(refused);
+    CHECK_FALSE(reading_of(head + refused + "\nM30\n", false).code.empty());
   }
 }

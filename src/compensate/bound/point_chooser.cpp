@@ -65,12 +65,16 @@ void PointChooser::set_allowed(const Move& move, const AxisWords& half_quanta) {
         "give a larger --tolerance; or say in [control] of the model that the control keeps more digits",
         place_of(*move.step));
   }
+  double least_share = 0;
   if (move.seconds && *move.seconds > 0) {
-    block_share_ = kTimeReserve * settings_.least_time_s / *move.seconds;
+    const bool inverse = move.motion->feed_mode == nc::FeedMode::inverse_time;
+    least_share = inverse ? kTimeReserve * settings_.least_inverse_time_s / *move.seconds : 0;
+    block_share_ = std::max(least_share, kTimeReserve * settings_.least_time_s / *move.seconds);
   } else {
     block_share_ = kUnknownMm / std::max(whole_way(move.path.curve), kSlack);
   }
-  least_share_ = block_share_ * (settings_.yields == BoundSettings::Yields::time ? kTimeYields : 1);
+  const double yields = settings_.yields == BoundSettings::Yields::time ? kTimeYields : 1;
+  least_share_ = std::max(least_share, block_share_ * yields);
 }
 
 // Where the control stands; not known: at the correction of the begin.

@@ -95,13 +95,19 @@ nc::EmitSettings emit_settings(const machine::ControlSettings& control, const nc
   return emit;
 }
 
-compensate::Settings compensation_settings(const machine::ControlSettings& control, const settings::Options& options) {
+compensate::Settings compensation_settings(const machine::ControlSettings& control, const nc::Dialect& dialect,
+                                           const settings::Options& options) {
   compensate::Settings compensation = options.compensation;
   compensation.step.least_time_s = control.block_time;
   // A block may become shorter by the time tolerance.
+  const double longer = 1 + 2 * options.emit.time_tolerance;
   compensate::BoundSettings& bound = compensation.bound;
-  bound.least_time_s =
-      (control.block_time > 0 ? control.block_time : bound.least_time_s) * (1 + 2 * options.emit.time_tolerance);
+  bound.least_time_s = (control.block_time > 0 ? control.block_time : bound.least_time_s) * longer;
+  const double largest = nc::largest_inverse_feed(dialect.behaviour);
+  if (largest > 0) {
+    constexpr double kMinute = 60;
+    bound.least_inverse_time_s = compensation.step.least_inverse_time_s = kMinute / largest * longer;
+  }
   return compensation;
 }
 
@@ -125,7 +131,7 @@ compensate::Summary compensate_opened(const OpenedProgram& opened, const machine
     refuse_guard_before_definitions(source, dialect);
     emit.guard = guard_block(settings, survey);
   }
-  const compensate::Settings compensation = compensation_settings(model.control, options);
+  const compensate::Settings compensation = compensation_settings(model.control, dialect, options);
 
   const auto draws = [](const ReportFile& report) { return report.draws_path; };
   const bool tells_hash = !std::all_of(reports.begin(), reports.end(), draws);
@@ -156,7 +162,7 @@ compensate::Summary compensate_opened(const OpenedProgram& opened, const machine
 
 std::optional<Diagnostic> refusal_of_writing(const OpenedProgram& opened, const compensate::ProgramSurvey& survey,
                                              const machine::MachineModel& model, const settings::Options& options) {
-  compensate::Settings compensation = compensation_settings(model.control, options);
+  compensate::Settings compensation = compensation_settings(model.control, opened.dialect, options);
   compensation.read_back = false;
   OutputFile nowhere("/dev/null");
   compensate::Stream stream(opened.file, survey, opened.settings, model, compensation,

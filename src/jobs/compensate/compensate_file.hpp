@@ -37,7 +37,8 @@ struct ReportFile {
 };
 
 /// How a program is compensated for a control: the options, and the time that the model says a block takes.
-compensate::Settings compensation_settings(const machine::ControlSettings& control, const settings::Options& options);
+compensate::Settings compensation_settings(const machine::ControlSettings& control, const nc::Dialect& dialect,
+                                           const settings::Options& options);
 
 /// How its words are written for it.
 nc::EmitSettings emit_settings(const machine::ControlSettings& control, const nc::Dialect& dialect,

@@ -40,7 +40,9 @@ class ParametersOfBlock final : public ParameterReader {
     }
     return system_parameters_.read(block, name, span);
   }
-  Value exists(std::string_view name) override { return system_parameters_.exists(name); }
+  Value exists(const Block& block, std::string_view name, Span span) override {
+    return system_parameters_.exists(block, name, span);
+  }
   ParameterLimits limits() const override { return system_parameters_.limits(); }
 
  private:
@@ -105,7 +107,7 @@ std::string_view name_left_open(const Block& block, std::uint32_t code, Paramete
   for (const Instruction* step = &block.code[code]; step->operation != Operation::end; ++step) {
     if (step->operation != Operation::exists) continue;
     const std::string_view name = block.at(block.names[step->name]);
-    if (!parameters.exists(name).known) return name;
+    if (!parameters.exists(block, name, step->span).known) return name;
   }
   return {};
 }

@@ -28,7 +28,10 @@ bool is_harmless(const Block& block, const Dialect& dialect) {
 }  // namespace
 
 Interpreter::Interpreter(const Dialect& dialect, const ProgramSettings& settings)
-    : control_(dialect, settings), run_{dialect, settings, control_}, values_(run_) {}
+    : control_(dialect, settings),
+      run_{dialect, settings, control_},
+      changes_at_start_(control_.parameters.changes()),
+      values_(run_) {}
 
 const Step& Interpreter::pass(const Block& block) {
   begin(block);
@@ -107,7 +110,11 @@ bool Interpreter::main_begins_again() const {
 
 void Interpreter::check_begins_again(const Block& block) const {
   if (!main_begins_again()) return;
-  const std::string differs = second_pass_.differs(control_);
+  std::string differs = second_pass_.differs(control_);
+  const bool keeps_names = run_.dialect.syntax.statements == Statements::o_words;
+  if (differs.empty() && keeps_names && control_.parameters.changes() > changes_at_start_) {
+    differs = "other values of the parameters that it set";
+  }
   if (differs.empty()) return;
   refuse_at(
       block, {0, static_cast<std::uint32_t>(block.text.size())}, codes::kNotInterpreted,

@@ -76,6 +76,7 @@ class Interpreter {
   Frame frame_of_block_;                           // where the work system is that of one block alone
   std::vector<ModesOfCall> saved_{ModesOfCall{}};  // one a call level, the program itself first
   Execution run_;
+  std::uint64_t changes_at_start_;
   BlockValues values_;
 };
 

@@ -16,7 +16,8 @@ void SecondPass::note_codes(const Execution& run) {
     if (!drilled_) before_holes_.set(action);
     if (chosen.row->action == Action::absolute) incremental = false;
     if (chosen.row->action == Action::incremental) incremental = true;
-    if (chosen.row->action == Action::set_work_table) writes_tables_ |= moved_ || incremental;
+    const bool writes = chosen.row->action == Action::set_work_table || chosen.row->action == Action::set_table;
+    if (writes) writes_tables_ |= moved_ || incremental;
   }
 }
 

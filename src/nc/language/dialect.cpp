@@ -128,4 +128,9 @@ const DialectMarks& marks_of_dialect(std::string_view name) {
   return read.marks;
 }
 
+double largest_inverse_feed(const ControlBehaviour& behaviour) {
+  const double least = behaviour.inverse_time_increment;
+  return least > 0 ? std::pow(10, behaviour.most_digits - 1) * least - least : 0;  // 9999.999 of 0.001
+}
+
 }  // namespace plumbline::nc

@@ -334,6 +334,9 @@ struct ControlBehaviour {
   bool local_shift_adds = false;  // to what ATRANS added: G58 of a SINUMERIK
 };
 
+/// The largest F that the control takes under G93, per minute; 0: any.
+double largest_inverse_feed(const ControlBehaviour& behaviour);
+
 /// By what programs show which dialect they are in: recognise.hpp.
 struct DialectMarks {
   std::vector<std::string> marks;              // what only programs for this control hold

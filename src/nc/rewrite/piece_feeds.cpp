@@ -183,7 +183,7 @@ double PieceFeeds::choose_rates(double seconds, OutputState& control) {
 double PieceFeeds::inverse_time(double per_minute) const {
   const double least = dialect_.behaviour.inverse_time_increment;
   if (least <= 0) return rounded_feed(per_minute);
-  const double largest = std::pow(10, dialect_.behaviour.most_digits - 1) * least - least;  // 9999.999 of 0.001
+  const double largest = largest_inverse_feed(dialect_.behaviour);
   const double kept = std::round(per_minute / least) * least;
   if (kept <= largest && std::abs(kept - per_minute) <= settings_.time_tolerance * 10 * per_minute) return kept;
   if (const double own = step_.motions.front().feed; own > largest) {
@@ -197,8 +197,9 @@ double PieceFeeds::inverse_time(double per_minute) const {
       *step_.block, "emit-feed-range",
       fmt::format("a piece of this block would need F{:.6g}, and F under G93 goes from {} to {} in steps of {}",
                   per_minute, to_decimal(least), to_decimal(largest, 3), to_decimal(least)),
-      kept > largest ? "let pieces be longer: --step-length, --step-angle, or block_time_ms in the model"
-                     : "let pieces be shorter: --step-length, --step-angle");
+      kept > largest
+          ? "let several such blocks be one, or let pieces be longer: block_time_ms in [control] of the model"
+          : "let pieces be shorter: --step-length, --step-angle");
 }
 
 // G93: each piece its share of the time; where the control would lift length x F to its least rate, that piece goes

@@ -37,11 +37,12 @@ void check_line_ends(const Block& block) {
             std::string(kOtherLineEnds));
 }
 
-// rs274 stops at its first byte: "Bad character '\357' used".
-void check_byte_order_mark(const Block& block, const Dialect& dialect) {
-  if (dialect.syntax.system_variables != SystemVariables::rs274 || byte_order_mark_size(block) == 0) return;
+// rs274 stops at its first byte, "Bad character '\357' used"; of the other controls no source says that they pass over
+// it.
+void check_byte_order_mark(const Block& block) {
+  if (byte_order_mark_size(block) == 0) return;
   refuse_at(block, {0, static_cast<std::uint32_t>(byte_order_mark_size(block))}, codes::kBadCharacter,
-            "the file begins with a byte order mark, at which the control stops",
+            "the file begins with a byte order mark, at which the control may stop",
             "save it as UTF-8 without a byte order mark (BOM), or as ASCII");
 }
 
@@ -135,7 +136,7 @@ const Step* Program::Parts::next() {
     }
     place_block(*block, line, flow.file());
     check_line_ends(*block);
-    check_byte_order_mark(*block, dialect);
+    check_byte_order_mark(*block);
     if (stage == Stage::ended) {
       words_behind = words_behind || block->text.find_first_not_of(" \t\r%") != std::string_view::npos;
       if (ends_doubtful) refuse_text_behind();

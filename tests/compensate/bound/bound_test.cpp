@@ -77,6 +77,27 @@ TEST_CASE("where struts turn at a feed so slow that a block hardly moves, some p
   }
 }
 
+TEST_CASE("no piece under G93 is shorter than the time of the largest F that the control takes") {
+  Job job = job_within(2, true);
+  job.dialect = "fanuc";
+  job.program.work_offsets[0] = nc::WorkOffset{};
+  const std::string text =
+      "O1\nG21 G90 G54\nG0 X0 Y0 Z50. A0 B0 C0\nG93 G1 X15. Y2. A1. F20.\nX30. Y5. A2. B1. F20.\nX60. F1000.\nM30\n";
+  CHECK(code_of(text, job) == "emit-feed-range");
+  for (const auto yields : {compensate::BoundSettings::Yields::bound, compensate::BoundSettings::Yields::time}) {
+    job.settings.bound.yields = yields;
+    job.settings.bound.least_inverse_time_s = 6.02e-3;
+    const Result result = run(text, job);
+    for (const Move& move : moves_of(result.text, job.program, job.dialect)) CHECK(move.motion.feed <= 9999.999);
+    CHECK(result.summary.points > 10);
+  }
+  job.settings.bound = {};
+  job.settings.step.length_mm = 0.01;
+  CHECK(code_of(text, job) == "emit-feed-range");
+  job.settings.step.least_inverse_time_s = 6.02e-3;
+  CHECK(code_of(text, job).empty());
+}
+
 TEST_CASE("axes that get no word do not ask for points") {
   const std::string text = "G21 G90 G94\nG0 X0 Y0 Z0\nG1 X40 Y10 F1000\nX0 Z-20\nM2\n";  // A, B, C are never named
   Job job = job_within(0.5, false);

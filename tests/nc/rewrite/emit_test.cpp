@@ -112,16 +112,6 @@ TEST_CASE("the stamp stands after %, and the comments that the program begins wi
         "%\n(part 7)\n\n(by hand)\n(stamped)\n\nG21\nG0 X1 Z0.01\n");
 }
 
-TEST_CASE("a byte order mark stays at the begin of the file") {
-  const std::string mark = "\xEF\xBB\xBF";
-  Rewriting how = lift(0.01);
-  how.dialect = "fanuc";
-  CHECK(rewrite(mark + "G0 X1.\nX2.\n", how) == mark + "(stamped)\nG0 X1. Z0.01\nX2.\n");
-  CHECK(rewrite(mark + "%\nG0 X1.\n", how) == mark + "%\n(stamped)\nG0 X1. Z0.01\n");
-  how.program.block_delete = false;
-  CHECK(rewrite(mark + "/G21\nG0 X1.\n", how) == mark + "(stamped)\nG21\nG0 X1. Z0.01\n");
-}
-
 TEST_CASE("decimals are at least those of the source") {
   CHECK(rewrite("G0 X0 Z1.123456\n", lift(0.1)) == "(stamped)\nG0 X0 Z1.223456\n");
   CHECK(rewrite("G20\nG0 X0 Z1\n", lift(0.254)) == "(stamped)\nG20\nG0 X0 Z1.01\n");

@@ -53,8 +53,7 @@ TEST_CASE("the texts of all blocks are the program, byte for byte") {
   CHECK(round_trip(after) == after);
 }
 
-TEST_CASE(
-    "a carriage return inside a line is refused in every dialect, a byte order mark where the control stops at it") {
+TEST_CASE("a carriage return inside a line is refused in every dialect, and so is a byte order mark") {
   const testing::Scratch scratch;
   const auto refused = [&](std::string_view name, const std::string& text) {
     return testing::refusal_of([&] {
@@ -66,13 +65,17 @@ TEST_CASE(
   const std::string mark = "\xEF\xBB\xBF";
   for (const std::string_view name : dialect_names()) {
     INFO(name);
-    for (const std::string text : {"G90 G0 X10.\rY10.\nM2\n", "G90\rG0 X10.\rM2\r", "G90\r\n\rM2\r\n"}) {
+    for (const std::string text : {"G90 G0 X10.\rY10.\nM2\n", "G90\rG0 X10.\rM2\r", "G90\r\nG0 X1.\rM2\r\n"}) {
       const Diagnostic diagnostic = refused(name, text);
       CHECK(diagnostic.code == "nc-bad-character");
       CHECK(diagnostic.help.find("line ends") != std::string::npos);
     }
-    const bool stops = name == "linuxcnc";
-    CHECK(refused(name, mark + "G21\n").code == (stops ? "nc-bad-character" : refused(name, "G21\n").code));
+    for (const std::string text : {"G21\n", "%\nO1\nM30\n", "%_N_MAIN_MPF\nM30\n"}) {
+      const Diagnostic diagnostic = refused(name, mark + text);
+      CHECK(diagnostic.code == "nc-bad-character");
+      CHECK(diagnostic.help.find("BOM") != std::string::npos);
+    }
+    CHECK(refused(name, "G21\n\r\rM30\n\r\r").code == refused(name, "G21\nM30\n").code);
     CHECK(refused(name, "G21\r\nM30 \r\r\n").code == refused(name, "G21\nM30\n").code);
   }
 }

@@ -59,19 +59,17 @@ void mark_unknown_length(Execution& run, int number) {
   if (number > 0 && !given && run.dialect.behaviour.increment_unknown_after_length) run.control.shifted.insert(Axis::Z);
 }
 
-// The length counts along the tool, or along Z: where the tool is tilted, X and Y of the tip may change with it, and
-// not before the move that names them does the control say how. LinuxCNC counts along Z [measured], and all do along
-// that of a tilted plane.
+// The length counts along the tool: where it is tilted, X and Y of the tip change with it, and not before the move that
+// names them does the control say how.
 void lose_tilted_tip(Execution& run) {
   const Control& control = run.control;
-  if (run.dialect.syntax.system_variables == SystemVariables::rs274 || control.frame.tilted) return;
+  if (!run.dialect.has_edges) return;
   const AxisWords machine = control.frame.to_machine(control.position);
-  const auto tilts = [&](Axis axis) {
-    if (!control.known.contains(axis)) return run.dialect.has_edges;  // elsewhere it is taken to stand as before
-    return std::abs(machine[axis]) >= run.settings.upright_deg;
-  };
+  const double least = run.settings.upright_deg;
+  const bool upright = control.known.contains(AxisSet{Axis::A, Axis::B}) && std::abs(machine[Axis::A]) < least &&
+                       std::abs(machine[Axis::B]) < least;
   const AxisSet tip{Axis::X, Axis::Y, Axis::Z};
-  if ((tilts(Axis::A) || tilts(Axis::B)) && !(control.known & tip).empty()) lose_position(run, tip);
+  if (!upright && !(control.known & tip).empty()) lose_position(run, tip);
 }
 
 void take_offset(Execution& run, const AxisWords& offset) {

@@ -199,30 +199,53 @@ void Evaluator::check_truths(const Block& block, const Instruction& step) const 
   }
 }
 
-bool Evaluator::are_doubtful(double a, double b) const {
-  return a != b && std::abs(a - b) <= doubtful_within_ * std::max({1.0, std::abs(a), std::abs(b)});
+// Numbers as they were written are compared as they are.
+bool Evaluator::are_doubtful(const Value& a, const Value& b) const {
+  if (doubtful_within_ <= 0 || !a.known || !b.known || (!a.rounded && !b.rounded)) return false;
+  return std::abs(a.number - b.number) <= doubtful_within_ * std::max({1.0, std::abs(a.number), std::abs(b.number)});
+}
+
+// 0.1+0.2, 1/3 and SIN[30] are; 1+2, 0.5*3 and what FIX, FUP and ROUND make whole are not.
+bool Evaluator::is_rounded(const Instruction& step, const Value& result, const Value& a, const Value& b) const {
+  if (doubtful_within_ <= 0 || (step.operation >= Operation::equal && step.operation <= Operation::bit_exclusive_or))
+    return false;
+  const auto keeps_digits = [](double number) {
+    constexpr double kParts = 1024;
+    return number * kParts == std::trunc(number * kParts);
+  };
+  const bool cuts = step.operation == Operation::truncate || step.operation == Operation::round_away ||
+                    step.operation == Operation::round;
+  if (cuts) return false;
+  const bool works_out =
+      is_binary(step.operation) || (step.operation != Operation::negate && step.operation != Operation::absolute);
+  if (!works_out) return b.rounded;
+  const bool of_whole = is_binary(step.operation) && step.operation != Operation::arc_tangent &&
+                        step.operation != Operation::arc_tangent_turn && step.operation != Operation::power;
+  return a.rounded || b.rounded || !of_whole || !keeps_digits(a.number) || !keeps_digits(b.number) ||
+         !keeps_digits(result.number);
 }
 
 // #1=#1+0.1 until it is 1: the sum hangs on the digits that the control keeps.
-void Evaluator::check_digits(const Block& block, const Instruction& step, double a, double b) const {
+void Evaluator::check_digits(const Block& block, const Instruction& step, const Value& a, const Value& b) const {
   const bool compares = step.operation >= Operation::equal && step.operation <= Operation::less_equal;
   if (!compares || !are_doubtful(a, b)) return;
   refuse_at(block, step.span, codes::kNotInterpreted,
-            fmt::format("{:.6g} and what it is compared with differ by {:.1g}: what comes out depends on how many "
-                        "digits the control keeps",
-                        a, std::abs(a - b)),
-            "compare with a number that lies between two values, as in [#1 LT 0.95], or count by whole numbers");
+            fmt::format("{:.6g} and what it is compared with are the same but for the last digits: what comes out "
+                        "depends on how many of them the control keeps",
+                        a.number),
+            "compare with a number that lies between two values, as 0.95 where steps of 0.1 go to 1, or count by whole "
+            "numbers");
 }
 
-void Evaluator::check_whole_digits(const Block& block, const Instruction& step, double value) const {
+void Evaluator::check_whole_digits(const Block& block, const Instruction& step, const Value& value) const {
   const bool cuts = step.operation == Operation::truncate || step.operation == Operation::round_away;
   const double half = step.operation == Operation::round ? 0.5 : 0;
-  if ((!cuts && half == 0) || !are_doubtful(value, std::round(value - half) + half)) return;
+  if ((!cuts && half == 0) || !are_doubtful(value, {std::round(value.number - half) + half, true})) return;
   refuse_at(block, step.span, codes::kNotInterpreted,
             fmt::format("{:.6g} lies so near where {} goes on to the next number that what comes out depends on how "
                         "many digits the control keeps",
-                        value, block.at(step.span)),
-            "add or take off a little before it, as in FIX[#1+0.001]");
+                        value.number, block.at(step.span)),
+            "add or take off a little, 0.001, before it");
 }
 
 // What such a variable counts as was found in no source.
@@ -253,13 +276,14 @@ Value Evaluator::joined(const Block& block, const Instruction& step, const Value
   Value result{0, a.known && b.known};
   check_remainder(block, step, a, b);
   check_vacant(block, step, a, b);
-  if (result.known) check_digits(block, step, a.number, b.number);
+  check_digits(block, step, a, b);
   // To be vacant is not to be zero, for EQ and NE alone [B-63174EN, 13.1].
   const bool differ = a.vacant != b.vacant;
   if (differ && step.operation == Operation::equal) return result;
   if (differ && step.operation == Operation::not_equal) return {1, result.known};
   result.number = is_of_bits(step.operation) ? of_bits(block, step, a, b)
                                              : of_two(step.operation, a.number, b.number, equal_within_);
+  result.rounded = is_rounded(step, result, a, b);
   return result;
 }
 
@@ -277,7 +301,7 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
         stack_.push_back(parameters.read(block, block.at(block.names[step->name]), step->span));
         continue;
       case Operation::exists:
-        stack_.push_back(parameters.exists(block.at(block.names[step->name])));
+        stack_.push_back(parameters.exists(block, block.at(block.names[step->name]), step->span));
         continue;
       case Operation::exists_number:
         stack_.back() = number_exists(block, step->span, stack_.back(), parameters.limits());
@@ -299,13 +323,14 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
       result = joined(block, *step, stack_.back(), b);
     } else if (step->operation == Operation::round) {
       check_vacant(block, *step, b, b);
-      if (b.known && rounding.quantum == 1) check_whole_digits(block, *step, b.number);
+      if (rounding.quantum == 1) check_whole_digits(block, *step, b);
       result.number = rounded(block, *step, b.number, rounding);
     } else {
       if (step->operation != Operation::negate) check_vacant(block, *step, b, b);
       check_arc_sine(block, *step, b);
-      if (b.known) check_whole_digits(block, *step, b.number);
+      check_whole_digits(block, *step, b);
       result.number = of_one(step->operation, b.number);
+      result.rounded = is_rounded(*step, result, b, b);
       result.vacant = b.vacant && step->operation == Operation::negate && step[1].operation == Operation::end;
     }
     if (result.known && !std::isfinite(result.number)) {

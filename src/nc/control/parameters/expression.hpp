@@ -22,7 +22,7 @@ class ParameterReader {
   virtual Value read(const Block& block, int number, Span span) = 0;
   virtual Value read(const Block& block, std::string_view name, Span span) = 0;
   /// 1 or 0; not known where only the machine knows.
-  virtual Value exists(std::string_view name) = 0;
+  virtual Value exists(const Block& block, std::string_view name, Span span) = 0;
   virtual ParameterLimits limits() const { return {}; }
 };
 
@@ -45,9 +45,10 @@ class Evaluator {
  private:
   void check_vacant(const Block& block, const Instruction& step, const Value& a, const Value& b) const;
   Value joined(const Block& block, const Instruction& step, const Value& a, const Value& b) const;
-  bool are_doubtful(double a, double b) const;
-  void check_digits(const Block& block, const Instruction& step, double a, double b) const;
-  void check_whole_digits(const Block& block, const Instruction& step, double value) const;
+  bool are_doubtful(const Value& a, const Value& b) const;
+  bool is_rounded(const Instruction& step, const Value& result, const Value& a, const Value& b) const;
+  void check_digits(const Block& block, const Instruction& step, const Value& a, const Value& b) const;
+  void check_whole_digits(const Block& block, const Instruction& step, const Value& value) const;
   double equal_within_, doubtful_within_;
   bool vacant_is_zero_;
   static double rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding);

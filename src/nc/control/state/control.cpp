@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/diagnostic.hpp"
 #include "base/units.hpp"
 
 namespace plumbline::nc {
@@ -14,6 +15,8 @@ namespace {
 constexpr int kFirstHome = 5161;    // parameters of G28, twenty further G30 [LinuxCNC; RS274/NGC 3.2.1]
 constexpr int kFirstSystem = 5221;  // of G54
 constexpr int kG92 = 5211;
+constexpr int kSystemInForce = 5220;
+constexpr int kExternal = 5201;    // of Fanuc: the shift of all work systems
 constexpr double kNoShift = 1e-9;  // mm and deg
 
 // The inches that are so many mm; of neighbours that are the same mm, the one with the fewest digits.
@@ -61,7 +64,20 @@ Control::Control(const Dialect& dialect, const ProgramSettings& settings)
   modal.rotary = settings.rotary;
   if (dialect.behaviour.no_work_system_at_start) modal.work_system = 0;
   if (settings.as_with_empty_tables) no_system.known = AxisSet::all();
+  if (dialect.syntax.system_variables == SystemVariables::rs274) {
+    const auto active = settings.variables.find(kSystemInForce);
+    const double system = active == settings.variables.end() ? 0 : active->second;
+    if (system >= 1 && system <= dialect.work_systems && system == std::floor(system)) {
+      modal.work_system = static_cast<int>(system);
+    }
+  }
   for (const auto& [number, value] : settings.variables) {
+    const bool external = dialect.syntax.system_variables == SystemVariables::macro_b && number >= kExternal &&
+                          number < kExternal + static_cast<int>(kAxes);
+    if (external && value != 0) {
+      refuse("variables-offset", fmt::format("#{} shifts all work systems by {}, which is not added", number, value),
+             "add it to the offsets of the work systems, and leave it out of the variables", {});
+    }
     if (number >= 0 && number <= kLastParameter) parameters.set(number, {value, true});
   }
   for (std::size_t i = 0; i < systems.size(); ++i) {

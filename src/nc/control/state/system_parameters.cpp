@@ -77,7 +77,8 @@ bool SystemParameters::is_read_only(std::string_view name) {
 }
 
 // Names that begin with _ are kept from program to program, and those of the INI file and of HAL are the machine's.
-Value SystemParameters::exists(std::string_view name) {
+Value SystemParameters::exists(const Block& block, std::string_view name, Span span) {
+  if (is_made(block, std::string(control_.parameters.plain(name)), span)) return {1, true};
   if (is_read_only(name) || control_.parameters.find(name) != nullptr) return {1, true};
   const bool global = control_.parameters.plain(name).starts_with('_');
   return {0, !global || settings_.as_with_empty_tables};

@@ -12,7 +12,7 @@ class SystemParameters : public ParameterReader {
       : control_(control), settings_(settings), dialect_(dialect) {}
   Value read(const Block& block, int number, Span span) override;
   Value read(const Block& block, std::string_view name, Span span) override;
-  Value exists(std::string_view name) override;
+  Value exists(const Block& block, std::string_view name, Span span) override;
   ParameterLimits limits() const override;
   /// True for parameters that a program may read but not set.
   bool is_read_only(int number) const;

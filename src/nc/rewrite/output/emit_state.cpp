@@ -42,13 +42,14 @@ void OutputState::follow(const Step& step, const BlockCodes& codes) {
     }
     return;
   }
-  if (step.after->incremental) return;
   AxisWords work = work_shift(*step.frame);
-  AxisSet stated = step.named;
+  AxisSet stated = step.after->incremental ? AxisSet{} : step.named;
   for (const Word& word : step.block->words) {
-    if (word.mode != WordMode::incremental) continue;
-    if (const std::optional<Axis> axis = axis_of(word.letter)) stated.erase(*axis);
+    const std::optional<Axis> axis = axis_of(word.letter);
+    if (axis && word.mode == WordMode::incremental) stated.erase(*axis);
+    if (axis && word.mode == WordMode::absolute) stated.insert(*axis);
   }
+  if (stated.empty()) return;
   for (const Axis axis : kAllAxes) {
     if (stated.contains(axis)) work[axis] = 0;
   }

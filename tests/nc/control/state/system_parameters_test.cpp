@@ -189,11 +189,11 @@ TEST_CASE("names of the control show its modes and are read only") {
 
 TEST_CASE("a name exists that the control or the program made; one that others keep may") {
   ReadControl read;
-  CHECK(read.parameters.exists("_metric").number == 1);
-  CHECK(read.parameters.exists("depth").number == 0);
-  CHECK(read.parameters.exists("depth").known);
-  CHECK_FALSE(read.parameters.exists("_depth").known);
+  CHECK(read.parameters.exists({}, "_metric", {}).number == 1);
+  CHECK(read.parameters.exists({}, "depth", {}).number == 0);
+  CHECK(read.parameters.exists({}, "depth", {}).known);
+  CHECK_FALSE(read.parameters.exists({}, "_depth", {}).known);
   read.control.parameters.set("depth", {3, true});
-  CHECK(read.parameters.exists("Depth").number == 1);
-  CHECK(ReadControl("linuxcnc", with_empty_tables()).parameters.exists("_depth").known);
+  CHECK(read.parameters.exists({}, "Depth", {}).number == 1);
+  CHECK(ReadControl("linuxcnc", with_empty_tables()).parameters.exists({}, "_depth", {}).known);
 }
