@@ -24,14 +24,19 @@
 namespace plumbline::api {
 namespace {
 
+constexpr const char* kMendData =
+    "mend what the dataset or the table says, or leave the run out; the option `accept` takes it as it is";
+
 // Why the model that was identified is not given, or given with a warning where it is forced.
 void object(Inside::Found& found, const jobs::IdentifiedModel& identified, bool force) {
   if (!identified.found.converged()) {
     found.no_model = Error(Error::Kind::refused,
                            {"identify-not-converged",
-                            "the fit did not converge: there is no model",
-                            "give fewer unknowns by `free`, or priors for them in [uncertainty]; check that the "
-                            "dataset belongs to this machine",
+                            report::not_converged_text(identified) + ": there is no model",
+                            identified.inspection.blocks()
+                                ? kMendData
+                                : "give fewer unknowns by `free`, or priors for them in [uncertainty]; check that the "
+                                  "dataset belongs to this machine",
                             {}});
   } else if (identified.objected()) {
     const std::string objection = report::objection_text(identified);
@@ -44,13 +49,16 @@ void object(Inside::Found& found, const jobs::IdentifiedModel& identified, bool 
                                 Severity::warning});
       return;
     }
-    found.no_model = Error(Error::Kind::refused,
-                           {"identify-not-plausible",
-                            objection + ": there is no model",
-                            "something else is missing in the model, or a channel has another unit or sign than it "
-                            "says: diagnose the same data. If [uncertainty] is too narrow, widen it; the option "
-                            "`force` gives the model all the same",
-                            {}});
+    found.no_model =
+        Error(Error::Kind::refused,
+              {"identify-not-plausible",
+               objection + ": there is no model",
+               identified.inspection.blocks()
+                   ? kMendData
+                   : "something else is missing in the model, or a channel has another unit or sign than it "
+                     "says: diagnose the same data. If [uncertainty] is too narrow, widen it; the option "
+                     "`force` gives the model all the same",
+               {}});
   }
 }
 

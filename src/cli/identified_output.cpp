@@ -36,13 +36,20 @@ void add_identified_output(CLI::App& command, IdentifiedOutput& output) {
 
 namespace {
 
+constexpr const char* kMendData =
+    "mend what the dataset or the table says, or leave the run out; --accept RUN takes it as it is. plumbline inspect "
+    "says more";
+
 // Errors refuse the model, a warning lets it pass.
-void object(const std::string& objection, const IdentifiedOutput& output) {
+void object(const jobs::IdentifiedModel& identified, const IdentifiedOutput& output) {
+  const std::string objection = report::objection_text(identified);
   Diagnostic diagnostic{
       "identify-not-plausible", objection + fmt::format(": {} is not written", output.model),
-      "something else is missing in the model, or a channel has another unit or sign than it says: run "
-      "plumbline diagnose on the same data. If [uncertainty] is too narrow, widen it; --force writes the model all the "
-      "same"};
+      identified.inspection.blocks()
+          ? kMendData
+          : "something else is missing in the model, or a channel has another unit or sign than it says: run "
+            "plumbline diagnose on the same data. If [uncertainty] is too narrow, widen it; --force writes the model "
+            "all the same"};
   if (!output.force) throw Refusal(diagnostic);
   diagnostic.severity = Severity::warning;
   diagnostic.message = objection;
@@ -96,11 +103,15 @@ int write_identified(const std::vector<std::string>& inputs, const IdentifiedOut
     files.commit();
   }
   if (!identified.found.converged()) {
-    refuse("identify-not-converged", fmt::format("the fit did not converge: {} is not written", output.model),
-           "give fewer unknowns by --free, or priors for them in [uncertainty]; check that the dataset belongs to "
-           "this machine");
+    refuse(
+        "identify-not-converged",
+        fmt::format("{}: {} is not written", report::not_converged_text(identified), output.model),
+        identified.inspection.blocks()
+            ? kMendData
+            : "give fewer unknowns by --free, or priors for them in [uncertainty]; check that the dataset belongs to "
+              "this machine");
   }
-  if (identified.objected()) object(report::objection_text(identified), output);
+  if (identified.objected()) object(identified, output);
   std::optional<OutputFile> posterior_file;
   if (has_posterior) {
     const report::LearntFiles learnt = report::learnt_files(identified, path_of(posterior).filename().generic_string());

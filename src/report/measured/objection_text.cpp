@@ -197,13 +197,27 @@ std::string objection_text(const identify::Stage& stage) {
 }
 
 std::string objection_text(const jobs::IdentifiedModel& model) {
-  if (const identify::Stage* const stage = model.found.objected()) return objection_text(*stage);
-  if (model.open_gap) return text_of(*model.open_gap);
+  std::vector<std::string> all;
+  if (model.inspection.blocks()) all.push_back(spoiled_text(model));  // what was fitted to such data says little
+  if (const identify::Stage* const stage = model.found.objected()) {
+    all.push_back(objection_text(*stage));
+  } else if (model.open_gap) {
+    all.push_back(text_of(*model.open_gap));
+  }
+  return fmt::format("{}", fmt::join(all, "; and of the fit: "));
+}
+
+std::string spoiled_text(const jobs::IdentifiedModel& model) {
   std::vector<std::string> faults;
   for (const inspect::Fault& fault : model.inspection.faults) {
     if (fault.blocks) faults.push_back(fault_text(fault, model.runs));
   }
-  return fmt::format("{}", fmt::join(faults, "; "));
+  return faults.empty() ? "" : fmt::format("something is wrong with the data: {}", fmt::join(faults, "; "));
+}
+
+std::string not_converged_text(const jobs::IdentifiedModel& model) {
+  const std::string spoiled = spoiled_text(model);
+  return (spoiled.empty() ? "" : spoiled + "; and ") + "the fit did not converge";
 }
 
 std::string objection_text(const diagnose::Objection& objection) {

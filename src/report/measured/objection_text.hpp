@@ -16,8 +16,12 @@ std::string all_strained_text(const identify::Plausibility& plausible);
 
 /// Why a stage is not to be believed; empty: nothing speaks against it.
 std::string objection_text(const identify::Stage& stage);
-/// Why an identified model is not; empty: nothing speaks against it.
+/// Why an identified model is not, what is wrong with the data first; empty: nothing speaks against it.
 std::string objection_text(const jobs::IdentifiedModel& model);
+/// What is wrong with the data and not accepted; empty: nothing is.
+std::string spoiled_text(const jobs::IdentifiedModel& model);
+/// That its fit did not converge, after what is wrong with the data.
+std::string not_converged_text(const jobs::IdentifiedModel& model);
 /// Why what a diagnosis learnt is not.
 std::string objection_text(const diagnose::Objection& objection);
 /// Why the effects found are not to be named.

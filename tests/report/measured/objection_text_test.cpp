@@ -78,6 +78,27 @@ TEST_CASE("an identified model is objected to for its stage first, then for a ga
   CHECK(report::objection_text(model).find("8.0 times what [uncertainty] says of it") != std::string::npos);
 }
 
+TEST_CASE("what is wrong with the data is said before what the fit says against itself") {
+  const machine::MachineModel machine = machine::read_model(testing::source_file("models/pm600-like.toml"));
+  jobs::IdentifiedModel model{machine, {{}, forces(), {}, {}}, {}, {}, {}, forces(), {}, {}};
+  CHECK(report::not_converged_text(model) == "the fit did not converge");
+  model.runs.resize(2);
+  model.runs[0].id = "a";
+  model.runs[1].id = "b";
+  model.inspection.faults.push_back({inspect::FaultKind::direction, {1}});
+  const std::string direction =
+      "something is wrong with the data: run b: its angles go ccw, and the dataset says otherwise";
+  CHECK(report::objection_text(model) == direction);
+  CHECK(report::not_converged_text(model) == direction + "; and the fit did not converge");
+  model.open_gap = diagnose::OpenGap{{ReadingKind::radial, 10e-6, 6e-6}};
+  CHECK(report::objection_text(model).starts_with(direction + "; and of the fit: the gap of the bar's readings"));
+  model.found.stages.push_back(small_stage());
+  model.found.stages[0].objection = Objection::all_strained;
+  CHECK(report::objection_text(model).starts_with(direction + "; and of the fit: all that [uncertainty] lists"));
+  model.inspection.faults[0].blocks = false;  // accepted
+  CHECK(report::objection_text(model).starts_with("all that [uncertainty] lists"));
+}
+
 TEST_CASE("what speaks against a diagnosis is said with its numbers and what to check") {
   using diagnose::ChannelFlaw;
   CHECK(report::objection_text(ChannelFlaw{ChannelFlaw::Kind::sign, {0, 3}, {-1, -1}}) ==
