@@ -311,14 +311,21 @@ void try_added(std::vector<Tried>& all, const Channels& channels) {
                          {best->size, channels.suspects().all[channels.suspects().runs[0]].angle[sample]}));
     }
   }
+}
+
+// A motor that reads too much by as much in all runs.
+void try_motor_zeros(std::vector<Tried>& all, const Channels& channels) {
+  const double penalty = std::log(6) + 0.5 * std::log(static_cast<double>(channels.rows()));
   for (int motor = 1; motor < kChannels; ++motor) {
-    const auto first = rows.raw.first_row(motor);
-    if (!first) continue;
-    MatrixXd column = MatrixXd::Zero(rows.measured.size(), 1);
-    column.col(0).segment(*first, n).setOnes();
-    const auto added = channels.added(channels.suspects().bench.white(rows, column));
-    all.push_back(made(channels, FaultKind::motor_zero, {motor}, channels.chi2() - added[0].gain, penalty + std::log(6),
-                       {added[0].size}));
+    if (!channels.has(motor)) continue;
+    const VectorXd column = channels.whitened([&](std::size_t, const RunRows& rows) {
+      VectorXd ones = VectorXd::Zero(rows.measured.size());
+      if (rows.raw.first_row(motor)) segment(ones, rows, motor).setOnes();
+      return ones;
+    });
+    const auto added = channels.added(column);
+    all.push_back(
+        made(channels, FaultKind::motor_zero, {motor}, channels.chi2() - added[0].gain, penalty, {added[0].size}));
   }
 }
 
@@ -369,7 +376,10 @@ std::vector<Tried> tried_channels(const Suspects& suspects) {
       try_unit(all, channels, FaultKind::bar_unit, {kRadial}, 6, unit);
     }
   }
-  if (channels.has(1)) try_motors(all, channels);
+  if (channels.has(1)) {
+    try_motors(all, channels);
+    try_motor_zeros(all, channels);
+  }
   if (channels.has(kRadial) && channels.has(1)) {
     try_clock(all, channels, {kRadial});
     try_clock(all, channels, {1, 2, 3, 4, 5, 6});

@@ -39,6 +39,8 @@ struct Relabelled {
 
 /// Everything that may have been said wrongly.
 std::vector<Relabelled> relabellings(const Suspects& suspects);
+/// All payloads times one factor, fitted.
+Relabelled payload_factor();
 /// Nothing: the machine cannot make such a run, or the fit leads nowhere.
 std::optional<Tried> tried(const Suspects& suspects, const Relabelled& relabelled);
 

@@ -1,13 +1,17 @@
 #include "inspect/inspect.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "base/diagnostic.hpp"
 #include "base/parallel.hpp"
 #include "diagnose/readings/noise_spectrum.hpp"
+#include "inspect/explanation.hpp"
 #include "inspect/hypothesis.hpp"
+#include "inspect/loaded_runs.hpp"
 #include "inspect/looked.hpp"
 #include "inspect/small_faults.hpp"
 #include "inspect/statistics.hpp"
@@ -35,87 +39,41 @@ double coarseness(const std::vector<identify::RunEquations>& remainders, bool ba
   return each.empty() ? 1 : median(each);
 }
 
-// What chi-square would be if readings were off by what differs from sample to sample alone, and noise that remembers.
-double noise_from_sample_to_sample(const std::vector<identify::RunEquations>& remainders,
-                                   const identify::NoiseModel& noise) {
-  constexpr double kRemembers = 1.6;  // times as much noise as its steps show, with half of it remembered to 0.7
-  double sum = 0;
+// Of each channel what chi-square would be if readings were off by what differs from sample to sample alone, and how
+// many readings there are.
+struct FineNoise {
+  static constexpr double kRemembers = 1.6;  // times as much noise as its steps show, with half of it remembered to 0.7
+  std::array<double, kChannels> square{};
+  std::array<double, kChannels> rows{};
+
+  double with_memory() const { return kRemembers * std::accumulate(square.begin(), square.end(), 0.0); }
+  // Chi-square with this fault mended, the assumed noise or what is there; readings of another unit have their noise
+  // scaled with them.
+  double expected(const Fault& mended) const {
+    double sum = 0;
+    for (std::size_t c = 0; c < square.size(); ++c) {
+      const bool about = std::count(mended.channels.begin(), mended.channels.end(), static_cast<int>(c)) > 0;
+      const bool unit = mended.kind == FaultKind::bar_unit || mended.kind == FaultKind::torque_unit;
+      const double factor = about && unit ? mended.values.at(0) : 1;
+      sum += std::max(std::abs(factor) > 1 ? 0 : rows[c], square[c] / (factor * factor));
+    }
+    return sum;
+  }
+};
+
+FineNoise noise_from_sample_to_sample(const std::vector<identify::RunEquations>& remainders,
+                                      const identify::NoiseModel& noise) {
+  FineNoise fine;
   for (const identify::RunEquations& run : remainders) {
     for (std::size_t c = 0; c < run.channels.size(); ++c) {
       const VectorXd e = run.residual.segment(static_cast<Index>(c) * run.samples, run.samples);
-      const double sigma = noise.channels[static_cast<std::size_t>(run.channels[c])].sigma;
-      sum += kRemembers * (e.tail(e.size() - 1) - e.head(e.size() - 1)).squaredNorm() / (2 * sigma * sigma);
+      const auto channel = static_cast<std::size_t>(run.channels[c]);
+      const double sigma = noise.channels[channel].sigma;
+      fine.square[channel] += (e.tail(e.size() - 1) - e.head(e.size() - 1)).squaredNorm() / (2 * sigma * sigma);
+      fine.rows[channel] += static_cast<double>(run.samples);
     }
   }
-  return sum;
-}
-
-double nats_of(const Tried& tried, double before, double usual) {
-  return (before - tried.chi2) / (2 * usual) - tried.penalty;
-}
-
-// Whether a fault is as large as what people get wrong.
-bool large_enough(const Fault& fault, const Run& run, const InspectOptions& options) {
-  const LeastFaults& least = options.least;
-  const auto off = [&](const Vector3<double>& from) {
-    return (Vector3<double>(fault.values[0], fault.values[1], fault.values[2]) - from).norm();
-  };
-  const double value = fault.values.empty() ? 0 : std::abs(fault.values[0]);
-  switch (fault.kind) {
-    case FaultKind::clock:
-      return value * static_cast<double>(run.samples() - 1) >= least.samples * (run.time.back() - run.time.front());
-    case FaultKind::angle_zero:
-      return value >= least.angle;
-    case FaultKind::centre:
-      return off(run.centre_W) >= least.place;
-    case FaultKind::tilt:
-      return off(run.tilt) >= least.tilt;
-    case FaultKind::payload:
-      return std::abs(value - run.payload_mass) >= least.payload;
-    case FaultKind::radius:
-      return std::abs(value - run.radius) >= least.place;
-    case FaultKind::bar_length:
-      return std::abs(value - run.bar_length()) >= least.place;
-    case FaultKind::drift:
-    case FaultKind::bar_step:
-      return value >= least.noises * options.usual_radial;
-    case FaultKind::motor_zero:
-      return value >= least.noises * options.usual_torque;
-    default:
-      return true;
-  }
-}
-
-void leave_large_ones(std::vector<Tried>& all, const Run& run, const InspectOptions& options) {
-  std::erase_if(all, [&](const Tried& one) { return !large_enough(one.fault, run, options); });
-}
-
-// Of everything that was tried the best, if it explains what is off.
-std::optional<Fault> explanation(std::vector<Tried> all, const Run& run, double before, Index rows, double usual,
-                                 const InspectOptions& options) {
-  leave_large_ones(all, run, options);
-  const auto count = static_cast<double>(rows);
-  const double expected = usual * count;
-  std::sort(all.begin(), all.end(),
-            [&](const Tried& a, const Tried& b) { return nats_of(a, before, usual) > nats_of(b, before, usual); });
-  if (all.empty()) return std::nullopt;
-  const Tried& best = all.front();
-  const double nats = nats_of(best, before, usual);
-  const bool explains = before - best.chi2 > options.explained * (before - expected);
-  if (nats < options.least_nats || !explains || best.chi2 > options.near * expected) return std::nullopt;
-  Fault fault = best.fault;
-  fault.before = std::sqrt(before / count);
-  fault.after = std::sqrt(best.chi2 / count);
-  fault.nats = nats;
-  for (const Tried& other : all) {
-    const auto& known = fault.or_these;
-    const bool close = nats - nats_of(other, before, usual) < options.as_good;
-    if (!close || other.fault.kind == fault.kind ||
-        std::find(known.begin(), known.end(), other.fault.kind) != known.end())
-      continue;
-    fault.or_these.push_back(other.fault.kind);
-  }
-  return fault;
+  return fine;
 }
 
 std::vector<Tried> everything_tried(const Suspects& suspects) {
@@ -240,7 +198,8 @@ class Inspector {
 
   // Of runs that agree, against the model alone and its priors. `labels`: whether labels are doubted, too; that takes
   // long.
-  std::optional<Fault> fault_of_all(const Looked& looked, const Outliers& outliers, bool labels, double fine) {
+  std::optional<Fault> fault_of_all(const Looked& looked, const Outliers& outliers, bool labels,
+                                    const FineNoise& noise_found) {
     const Knowledge nothing(wide_);
     Suspects suspects{bench_, looked.runs, looked.whole, {}, {}, nothing};
     for (std::size_t i = 0; i < looked.runs.size(); ++i) {
@@ -267,8 +226,13 @@ class Inspector {
     fault.nats = (before - best.chi2) / (2 * noise) - best.penalty;
     fault.before = std::sqrt(before / static_cast<double>(rows));
     fault.after = std::sqrt(best.chi2 / static_cast<double>(rows));
+    const double fine = noise_found.with_memory();
     const double left = std::max(0.0, best.chi2 - fine);
     const double excess = before - fine;
+    // as with one run: it takes away most of what is off, and leaves little more than noise
+    const double expected = noise_found.expected(best.fault);
+    if (before - best.chi2 < options_.explained * (before - noise_found.expected({}))) return std::nullopt;
+    if (best.chi2 > options_.near * expected) return std::nullopt;
     // what may be off by a little must explain most of what is off; a sign cannot be a little wrong
     const bool by_degrees = best.fault.kind == FaultKind::clock || best.fault.kind == FaultKind::angle_zero;
     if (by_degrees && left > options_.all_explained * excess) return std::nullopt;
@@ -356,6 +320,9 @@ class Inspector {
         faults[i]->like = looked.numbers[faults[i]->like];
       }
       found.faults.push_back(std::move(*faults[i]));
+    }
+    if (std::optional<Fault> fault = payload_of_loaded_runs(looked, bench_, wide_, outliers, options_)) {
+      found.faults.push_back(std::move(*fault));
     }
     doubt_small_faults(found, options_);
   }

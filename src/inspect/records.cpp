@@ -1,7 +1,9 @@
 #include "inspect/records.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "identify/equations/run_model.hpp"
 #include "inspect/statistics.hpp"
@@ -23,23 +25,43 @@ double resolution(const std::vector<double>& values) {
   return least;
 }
 
-void add_spikes(const std::vector<double>& values, const RecordOptions& options, std::vector<std::size_t>& found) {
-  if (values.size() < 16) return;
-  std::vector<double> off(values.size(), 0);
-  std::vector<double> sizes;
-  for (std::size_t i = 2; i + 2 < values.size(); ++i) {
-    off[i] = values[i] - median({values[i - 2], values[i - 1], values[i + 1], values[i + 2]});
-    sizes.push_back(std::abs(off[i]));
+// The four neighbours of a sample: what a cubic through them is there, which has the slope and the bend of a circle,
+// and how far they are off a line and off a parabola.
+struct Neighbours {
+  double cubic = 0, off_line = 0, off_parabola = 0;
+
+  explicit Neighbours(const std::array<double, 4>& y) {
+    const double mean = (y[0] + y[1] + y[2] + y[3]) / 4;
+    const double slope = (2 * (y[3] - y[0]) + (y[2] - y[1])) / 10;
+    off_line = std::max({std::abs(y[0] - mean + 2 * slope), std::abs(y[1] - mean + slope),
+                         std::abs(y[2] - mean - slope), std::abs(y[3] - mean - 2 * slope)});
+    cubic = (4 * (y[1] + y[2]) - y[0] - y[3]) / 6;
+    off_parabola = std::abs(y[3] - y[0] - 2 * (y[2] - y[1])) / 5;
+  }
+};
+
+// `closed`: a whole turn, which goes on with its start.
+void add_spikes(const std::vector<double>& values, bool closed, const RecordOptions& options,
+                std::vector<std::size_t>& found) {
+  const std::size_t n = values.size();
+  if (n < 16) return;
+  std::vector<Neighbours> neighbours;
+  std::vector<double> sizes, bends;
+  const std::size_t edge = closed ? 0 : 2;
+  for (std::size_t i = edge; i + edge < n; ++i) {
+    const Neighbours& of = neighbours.emplace_back(
+        std::array{values[(i + n - 2) % n], values[(i + n - 1) % n], values[(i + 1) % n], values[(i + 2) % n]});
+    sizes.push_back(std::abs(values[i] - of.cubic));
+    bends.push_back(of.off_line);
   }
   const double sigma = std::max(1.4826 * median(sizes), resolution(values));
   if (sigma <= 0) return;
-  for (std::size_t i = 2; i + 2 < values.size(); ++i) {
-    const double before = 0.5 * (values[i - 2] + values[i - 1]);
-    const double after = 0.5 * (values[i + 1] + values[i + 2]);
-    const bool alone = std::abs(after - before) < options.returns * std::abs(off[i]) &&
-                       std::abs(values[i - 1] - before) < options.returns * std::abs(off[i]) &&
-                       std::abs(values[i + 1] - after) < options.returns * std::abs(off[i]);
-    if (alone && std::abs(off[i]) > options.spike * sigma) found.push_back(i);
+  const double usual_bend = median(bends);
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    const double returns = options.returns * sizes[k];
+    const bool step = neighbours[k].off_parabola > returns;  // or another spike
+    const bool kink = neighbours[k].off_line > returns + 2 * usual_bend;
+    if (sizes[k] > options.spike * sigma && !step && !kink) found.push_back(k + edge);
   }
 }
 
@@ -56,27 +78,53 @@ double gap_of(const Run& run, const RecordOptions& options) {
   return longest > options.gap * usual ? longest : 0;
 }
 
+// A whole turn whose last sample is a step before its first one.
+bool is_closed(const Run& run) {
+  double way = 0;
+  for (std::size_t i = 1; i < run.samples(); ++i) way += step_of(run, i);
+  const double step = way / static_cast<double>(run.samples() - 1);
+  return std::abs(kTurn - way - step) < 0.5 * step;
+}
+
 struct Standing {
-  std::size_t longest = 0;  // samples one after the other that are alike
-  bool at_end = false;      // at the highest or lowest of all values
+  std::size_t longest = 0;    // samples one after the other that are alike
+  std::size_t elsewhere = 0;  // the same of all values between the highest and the lowest
+  std::size_t values = 0;     // that are different
+  bool at_end = false;        // at the highest or lowest of all values
 };
 
 Standing standing_of(const std::vector<double>& values) {
   Standing found;
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  std::map<double, std::size_t> longest;  // of each value
   std::size_t length = 1;
   for (std::size_t i = 1; i <= values.size(); ++i) {
     if (i < values.size() && values[i] == values[i - 1]) {
       ++length;
       continue;
     }
-    if (length > found.longest) {
-      found.longest = length;
-      found.at_end = (values[i - 1] == *least || values[i - 1] == *most) && *least < *most;
-    }
+    std::size_t& of_value = longest[values[i - 1]];
+    of_value = std::max(of_value, length);
     length = 1;
   }
+  found.values = longest.size();
+  const auto at_end = [&](double value) { return value == longest.begin()->first || value == longest.rbegin()->first; };
+  for (const auto& [value, of_value] : longest) {
+    if (of_value > found.longest) {
+      found.longest = of_value;
+      found.at_end = at_end(value) && longest.size() > 1;
+    }
+    if (!at_end(value)) found.elsewhere = std::max(found.elsewhere, of_value);
+  }
   return found;
+}
+
+// Readings that repeat because they come in coarse steps: at the top of a wave they stand longest, for as long as the
+// top of a parabola is within a step: some five times what they take for the next step, and they stand there, too.
+bool is_coarse(const Standing& standing, std::size_t samples) {
+  constexpr std::size_t kTopToRest = 6;
+  constexpr std::size_t kFewValues = 8;
+  if (2 * standing.longest > samples) return false;
+  return (standing.values > 1 && standing.values < kFewValues) || kTopToRest * standing.elsewhere >= standing.longest;
 }
 
 bool same_readings(const Run& a, const Run& b, const RecordOptions& options) {
@@ -109,7 +157,7 @@ void add_channel_faults(const Run& run, std::size_t number, const RecordOptions&
     const Standing standing = standing_of(values);
     const bool stands = static_cast<double>(standing.longest) > options.stands * static_cast<double>(values.size());
     const bool clips = standing.at_end && standing.longest >= options.standing;
-    if (!stands && !clips) continue;
+    if ((!stands && !clips) || is_coarse(standing, values.size())) continue;
     Fault fault = record_fault(standing.at_end ? FaultKind::clipped : FaultKind::stuck, number,
                                {static_cast<double>(standing.longest)}, true);
     fault.channels = {c};
@@ -132,7 +180,8 @@ const std::vector<double>& readings_of_channel(const Run& run, int channel) {
 
 std::vector<std::size_t> spikes_in(const Run& run, const RecordOptions& options) {
   std::vector<std::size_t> found;
-  for (int c = 0; c < identify::kChannels; ++c) add_spikes(readings_of_channel(run, c), options, found);
+  const bool closed = is_closed(run);
+  for (int c = 0; c < identify::kChannels; ++c) add_spikes(readings_of_channel(run, c), closed, options, found);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   const double most = std::max(2.0, options.most_spikes * static_cast<double>(run.samples()));

@@ -110,6 +110,13 @@ void add_angle_zeros(std::vector<Relabelled>& all, int starts) {
 
 }  // namespace
 
+Relabelled payload_factor() {
+  std::vector<Relabelled> one;
+  add_fitted(one, FaultKind::payload, vector_of({0}), vector_of({0.01}),
+             [](Run& run, const VectorXd& p) { run.payload_mass *= std::exp(p[0]); });
+  return one.front();
+}
+
 std::vector<Relabelled> relabellings(const Suspects& suspects) {
   std::vector<Relabelled> all;
   add(all, FaultKind::direction, 1, [](Run& run) { run = turned_back(run); });

@@ -107,6 +107,46 @@ TEST_CASE("what is wrong alike with all runs is said of all") {
   }
 }
 
+TEST_CASE("a motor that reads too much in all runs is told") {
+  for (const double zero : {0.5, -0.4}) {
+    Measured measured;
+    for (Run& run : measured.runs) {
+      for (double& torque : run.torque[1]) torque += zero;
+    }
+    const inspect::Inspection inspection = measured.inspection();
+    REQUIRE(inspection.faults.size() == 1);
+    CHECK(inspection.faults[0].kind == FaultKind::motor_zero);
+    CHECK(inspection.faults[0].all);
+    CHECK(inspection.faults[0].values.at(0) == Approx(zero).margin(0.05));
+    CHECK(inspection.faults[0].after < 1.1);
+  }
+}
+
+TEST_CASE("what is said of all runs explains most of what is off and leaves little more than noise") {
+  // half of the runs are wrong, each in a way that no change of all of them mends
+  const std::vector<std::function<void(Run&)>> spoils{
+      [](Run& run) { std::swap(run.torque[1], run.torque[2]); },
+      [](Run& run) {
+        for (auto& torque : run.torque) turn(torque, 1 / 0.7);
+      },
+      [](Run& run) {
+        for (double& angle : run.angle) angle += 1;
+      },
+      [](Run& run) { turn(run.radial, -1.5); },
+  };
+  for (const auto& spoil : spoils) {
+    CAPTURE(&spoil - spoils.data());
+    Measured measured;
+    for (std::size_t r = 0; r < measured.runs.size(); r += 2) spoil(measured.runs[r]);
+    for (const Fault& fault : measured.inspection().faults) {
+      if (!fault.all || fault.after == 0) continue;
+      CAPTURE(to_text(fault.kind), fault.before, fault.after);
+      CHECK(fault.after < 1.5);
+      CHECK(fault.before - fault.after > 0.5 * (fault.before - 1));
+    }
+  }
+}
+
 TEST_CASE("readings of all runs in mm, or in inches, are told by a noise that no bar has") {
   for (const double um : {1e-3, 1 / 25400.0}) {
     Measured measured;

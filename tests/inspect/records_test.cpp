@@ -1,6 +1,9 @@
 #include "inspect/records.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
 
 #include <catch2/catch.hpp>
 
@@ -41,6 +44,31 @@ TEST_CASE("single spikes are found, and left out when they are few") {
   CHECK(inspect::spikes_in(stepped).empty());
 }
 
+TEST_CASE("a spike on a steep slope is found by what it is off its neighbours, whatever these have in common") {
+  Random random(7);
+  std::normal_distribution<double> noise(0, 0.5e-6);
+  for (const double amplitude : {20e-6, 200e-6, 400e-6}) {
+    for (const double height : {15e-6, -20e-6, 30e-6}) {
+      CAPTURE(amplitude, height);
+      measure::Run run = Measured().runs[3];
+      const auto wave = [&](std::size_t i) {
+        return amplitude * std::sin(4 * std::numbers::pi * static_cast<double>(i) / 72);
+      };
+      for (std::size_t i = 0; i < run.samples(); ++i) run.radial[i] = wave(i) + noise(random);
+      const measure::Run smooth = run;
+      CHECK(inspect::spikes_in(smooth).empty());
+      for (const std::size_t at : {0U, 18U, 20U, 23U, 71U}) {  // on the slope, the bend, the top; at either end
+        run.radial[at] += height;
+        CHECK(inspect::spikes_in(run) == std::vector<std::size_t>{at});
+        run.radial[at] = smooth.radial[at];
+      }
+      for (std::size_t i = 30; i < run.samples(); ++i) run.radial[i] += height;  // a step is none, nor is a kink
+      for (std::size_t i = 30; i < 50; ++i) run.radial[i] += height * static_cast<double>(i - 30) / 3;
+      CHECK(inspect::spikes_in(run).empty());
+    }
+  }
+}
+
 TEST_CASE("a gap is said in degrees, and stands in nobody's way") {
   Measured measured;
   measured.runs[1] = measure::without_samples(measured.runs[1], {20, 21, 22, 23, 24});
@@ -64,6 +92,31 @@ TEST_CASE("a channel that stands still, one that is cut off") {
   CHECK(faults[0].channels == std::vector<int>{5});
   CHECK(faults[1].kind == FaultKind::clipped);
   CHECK(faults[1].runs == std::vector<std::size_t>{2});
+}
+
+TEST_CASE("readings in coarse steps are not cut off, and those that are cut off are, coarse or not") {
+  const auto steps = [](std::vector<double>& values, double step) {
+    for (double& value : values) value = step * std::round(value / step);
+  };
+  for (const double step : {0.12, 0.2, 0.5}) {
+    CAPTURE(step);
+    Measured measured;
+    for (measure::Run& run : measured.runs) {
+      for (std::vector<double>& torque : run.torque) steps(torque, step);
+      steps(run.radial, 5e-6);
+    }
+    CHECK(kinds_of(measured.runs).empty());
+  }
+  for (const double step : {1e-9, 0.02, 0.1}) {
+    CAPTURE(step);
+    Measured measured;
+    std::vector<double>& torque = measured.runs[2].torque[1];
+    for (std::size_t i = 0; i < torque.size(); ++i) {
+      torque[i] = std::min(2.0, 4 * std::sin(2 * std::numbers::pi * static_cast<double>(i) / 72));
+    }
+    steps(torque, step);
+    CHECK(kinds_of(measured.runs) == std::vector<FaultKind>{FaultKind::clipped});
+  }
 }
 
 TEST_CASE("two runs with the same readings, whatever is said of them") {

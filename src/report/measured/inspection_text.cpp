@@ -170,13 +170,19 @@ std::string record_text(const Fault& fault, const Run& run, const std::vector<Ru
 
 std::string fault_text(const Fault& fault, const std::vector<Run>& runs) {
   const Run& run = runs[fault.runs.front()];
+  const bool several = !fault.all && fault.kind == FaultKind::payload && fault.runs.size() > 1;
   std::string text = fault.all ? "all runs: " : fmt::format("run {}: ", run.id);
+  if (several) {
+    std::vector<std::string> ids;
+    for (const std::size_t r : fault.runs) ids.push_back(runs[r].id);
+    text = fmt::format("runs {}: ", fmt::join(ids, ", "));
+  }
   if (fault.after == 0 || fault.kind == FaultKind::stands_out || fault.kind == FaultKind::noisy) {
     return text + record_text(fault, run, runs);
   }
   const std::string label = label_text(fault, run, runs);
   text += fmt::format("{} {} at {:.1f} times the noise instead of {:.1f}", label.empty() ? channels_text(fault) : label,
-                      fault.all ? "they are" : "it is", fault.after, fault.before);
+                      fault.all || several ? "they are" : "it is", fault.after, fault.before);
   std::vector<std::string_view> others;
   for (const FaultKind kind : fault.or_these) others.push_back(to_text(kind));
   if (!others.empty()) text += fmt::format("; {} would explain it about as well", fmt::join(others, ", "));
