@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include "base/median.hpp"
@@ -123,6 +124,27 @@ Turn turn_of(const Ways& ways, const Circle& circle, const MapRun& run, const Im
   turn.last = row;
   turn.after = circle.sweep - swept;
   return turn;
+}
+
+// x^2 + y^2 = 2 a x + 2 b y + c, linear in a, b and c  [Kasa 1976]
+std::optional<PlacedCircle> circle_through(const std::vector<double>& x, const std::vector<double>& y,
+                                           const Turn& turn) {
+  constexpr double kLeastSpread = 0.25;  // of the diameter, in x and in y: flat arcs say little of a centre
+  const auto count = static_cast<Eigen::Index>(turn.last - turn.first + 1);
+  Eigen::MatrixX3d rows(count, 3);
+  Eigen::VectorXd squares(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const std::size_t k = turn.first + static_cast<std::size_t>(i);
+    rows.row(i) << 2 * x[k], 2 * y[k], 1;
+    squares[i] = x[k] * x[k] + y[k] * y[k];
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixX3d> qr(rows);
+  if (count < 8 || qr.rank() < 3) return std::nullopt;
+  const Eigen::Vector3d found = qr.solve(squares);
+  const double radius = std::sqrt(std::max(0.0, found[2] + found[0] * found[0] + found[1] * found[1]));
+  const Eigen::RowVector3d spread = rows.colwise().maxCoeff() - rows.colwise().minCoeff();
+  if (std::min(spread[0], spread[1]) / 2 < kLeastSpread * 2 * radius) return std::nullopt;
+  return PlacedCircle{found[0], found[1], radius};
 }
 
 }  // namespace plumbline::imported

@@ -1,6 +1,7 @@
 // The circles of a record: where in a file the tip goes around, and which turn is the one that was to be measured.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "imported/import.hpp"
@@ -31,5 +32,13 @@ struct Turn {
   double before = 0, after = 0;     // rad that were cut
 };
 Turn turn_of(const Ways& ways, const Circle& circle, const MapRun& run, const ImportOptions& options);
+
+/// The circle on which places lie, m.
+struct PlacedCircle {
+  double x = 0, y = 0, radius = 0;
+};
+/// Through the rows of a turn, by least squares; nothing: they hold no half turn.
+std::optional<PlacedCircle> circle_through(const std::vector<double>& x, const std::vector<double>& y,
+                                           const Turn& turn);
 
 }  // namespace plumbline::imported

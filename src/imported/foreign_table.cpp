@@ -67,6 +67,10 @@ class ForeignReader {
   }
 
   ForeignTable read() {
+    if (text_.find('\n') == std::string::npos && trimmed(text_).find('\r') != std::string_view::npos) {
+      refuse("import-empty", "the file is one line: its lines end with CR alone",
+             "save it with line ends LF or CR LF, as every editor of today does", {table_.file});
+    }
     table_.values.resize(source_.columns.size());
     std::size_t lines_of_header = (form_.header ? 1 : 0) + form_.unit_lines;
     bool named = !form_.header;
@@ -106,6 +110,16 @@ class ForeignReader {
     return {table_.file, number_, column, std::max<std::size_t>(length, 1), std::string(line_)};
   }
 
+  // What would divide a line that the delimiter does not divide.
+  std::optional<std::string> form_hint(std::size_t fields) const {
+    if (fields > 1) return std::nullopt;
+    for (const auto& [mark, said] : {std::pair{'\t', "tab"}, std::pair{';', ";"}, std::pair{',', ","}}) {
+      if (mark == form_.delimiter || line_.find(mark) == std::string_view::npos) continue;
+      return fmt::format("the line is not divided: say delimiter = \"{}\" in [table] of the map", said);
+    }
+    return std::nullopt;
+  }
+
   bool is_comment() const {
     return std::any_of(form_.comments.begin(), form_.comments.end(),
                        [&](const std::string& mark) { return !mark.empty() && trimmed(line_).starts_with(mark); });
@@ -124,7 +138,7 @@ class ForeignReader {
       if (found == names.end()) {
         refuse("import-no-column",
                fmt::format("line {} of {} names no column \"{}\"", number_, table_.file, column.name),
-               suggestion(column.name, names), place(1, line_.size()));
+               form_hint(names.size()).value_or(suggestion(column.name, names)), place(1, line_.size()));
       }
       if (std::count(names.begin(), names.end(), column.name) > 1) {
         refuse("import-no-column", fmt::format("two columns are called \"{}\"", column.name),
@@ -151,8 +165,9 @@ class ForeignReader {
         refuse("import-columns",
                fmt::format("line {} has {} columns, and {} is column {}", number_, fields.size(),
                            to_text(source_.columns[c].quantity), table_.numbers[c]),
-               "is the delimiter right? A line of another kind can be passed over with comment = [\"...\"], a line cut "
-               "off at the end deleted",
+               form_hint(fields.size())
+                   .value_or("is the delimiter right? A line of another kind can be passed over with comment = "
+                             "[\"...\"], a line cut off at the end deleted"),
                place(1, line_.size()));
       }
       table_.values[c].push_back(value_of(fields[table_.numbers[c] - 1], source_.columns[c]));

@@ -82,6 +82,11 @@ class Importer {
     const Circle& circle = circles[which - 1];
     check_direction(map_run, circle, table);
     const Turn turn = turn_of(ways, circle, map_run, options_);
+    check_run_in(map_run, circle, table);
+    check_places(map_run, source, table, turn);
+    if (const std::vector<double>* const time = column(source, table, Quantity::time)) {
+      check_rises(*time, turn.first, turn.last, table);
+    }
     TakenRun taken{map_run.run.id,
                    table.file,
                    table.lines[turn.first],
@@ -108,6 +113,48 @@ class Importer {
            "order "
            "of the runs of this file",
            place);
+  }
+
+  // A run-in that is said must leave a turn behind it.
+  static void check_run_in(const MapRun& run, const Circle& circle, const ForeignTable& table) {
+    const double step = circle.sweep / static_cast<double>(std::max<std::size_t>(1, circle.last - circle.first));
+    if (!run.run_in || *run.run_in + kTurn <= circle.sweep + 1.5 * step) return;
+    refuse("import-value",
+           fmt::format("after a run-in of {:.6g} deg no whole turn is left: from line {} on the tip goes {:.6g} deg",
+                       *run.run_in / kDeg, table.lines[circle.first], circle.sweep / kDeg),
+           "check run_in_deg, feed_mm_min and radius_mm of the run; without run_in_deg the turn in the middle is taken",
+           run.run.place);
+  }
+
+  // Where the table says where the tip was, its circle is the one that the map says.
+  void check_places(const MapRun& run, const Source& source, const ForeignTable& table, const Turn& turn) const {
+    const std::vector<double>* const x = column(source, table, Quantity::x);
+    const std::vector<double>* const y = column(source, table, Quantity::y);
+    if (x == nullptr || y == nullptr) return;
+    const std::optional<PlacedCircle> there = circle_through(*x, *y, turn);
+    if (!there) return;
+    const double dx = there->x - run.run.centre_W.x();
+    const double dy = there->y - run.run.centre_W.y();
+    if (std::hypot(dx, dy) < options_.other_place && std::abs(there->radius - run.run.radius) < options_.other_place) {
+      return;
+    }
+    refuse("import-value",
+           fmt::format("the places of {} lie on a circle of radius {:.2f} mm about [{:.2f}, {:.2f}], and the map says "
+                       "{:.6g} mm about [{:.6g}, {:.6g}]",
+                       table.file, there->radius / kMm, there->x / kMm, there->y / kMm, run.run.radius / kMm,
+                       run.run.centre_W.x() / kMm, run.run.centre_W.y() / kMm),
+           "check centre_mm and radius_mm of the run, and unit and minus of the columns x and y", run.run.place);
+  }
+
+  static void check_rises(const std::vector<double>& time, std::size_t first, std::size_t last,
+                          const ForeignTable& table) {
+    for (std::size_t i = first + 1; i <= last; ++i) {
+      if (!(time[i] < time[i - 1])) continue;
+      refuse("import-value",
+             fmt::format("time goes back in line {}: {:.6g} s after {:.6g} s", table.lines[i], time[i], time[i - 1]),
+             "rows belong in the order in which they were taken: turn the table around, or check the column time",
+             table.place(i));
+    }
   }
 
   // A reading of the motors at a time of the bar's clock.
@@ -140,6 +187,7 @@ class Importer {
       refuse("import-clock", "readings of two clocks need the time of each of them",
              "name a column time for both tables, or leave out motors_later_s", run.run.place);
     }
+    check_rises(*time, 0, time->size() - 1, table);  // it is searched
     std::vector<double> moved;
     for (std::size_t i = turn.first; i <= turn.last; ++i) {
       moved.push_back(at(*time, values, (*bar_time)[i] + map_.motors_later));

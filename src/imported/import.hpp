@@ -12,6 +12,7 @@ inline constexpr double kTurn = 2 * std::numbers::pi;
 struct ImportOptions {
   double standing = 0.2;      // of the usual step of angle from sample to sample: slower is no circle yet, or no more
   double off_circle = 0.05;   // of the radius, by which a place may be off it
+  double other_place = 2e-3;  // m, by which centre or radius of a map may differ from the places of a table
   double least_sweep = 0.5;   // rad; less is no circle
   double most_turn = 1.0005;  // turns that a run may have
 };
@@ -37,7 +38,8 @@ struct Imported {
 
 /// `files`: those that the map's runs name, found by their names. Refuses with import-file a run whose file is not
 /// there, import-no-circle a file with fewer circles than the map says, import-angle where nothing tells the angle,
-/// import-clock motors of a file of their own without times, and as read_foreign_table does.
+/// import-clock motors of a file of their own without times, import-value a run-in that leaves no turn, a circle that
+/// is not where the places of the table are and times that go back, and as read_foreign_table does.
 Imported import_files(const Map& map, const std::vector<std::string>& files, const ImportOptions& options = {});
 
 }  // namespace plumbline::imported

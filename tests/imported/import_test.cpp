@@ -278,6 +278,85 @@ TEST_CASE("what the map says and the file does not hold is refused") {
   CHECK(code(kAngleAndBar + "[clock]\nmotors_later_s = 1\n", map_run("one", "c.csv")).empty());  // no motors
 }
 
+TEST_CASE("a run-in that leaves no turn is refused, and one that does is taken") {
+  const Scratch scratch;
+  scratch.file("c.csv", "t,r\n" + lines(way(0, 717), [](const Moment& m) {
+                          return fmt::format("{:.6f},{:.5f}", m.seconds, radial_um(m.deg));
+                        }));
+  const std::string columns =
+      "[columns]\ntime = {name = \"t\", unit = \"s\"}\nradial = {name = \"r\", unit = \"um\"}\n";
+  const auto with = [&](const std::string& deg) {
+    return [&, deg] {
+      made(scratch, kMapHead + columns + map_run("one", "c.csv", "ccw", "run_in_deg = " + deg), {"c.csv"});
+    };
+  };
+  for (const std::string deg : {"0", "90", "357", "360"}) {
+    CAPTURE(deg);
+    CHECK(refusal_of(with(deg)).code.empty());
+  }
+  for (const std::string deg : {"370", "400", "720"}) {
+    CAPTURE(deg);
+    const Diagnostic refused = refusal_of(with(deg));
+    CHECK(refused.code == "import-value");
+    CHECK(refused.message.find("run-in of " + deg + " deg") != std::string::npos);
+  }
+}
+
+TEST_CASE("a circle that is not where the table says that the tip was is refused") {
+  const Scratch scratch;
+  const auto with = [&](double x, double y, double radius) {
+    scratch.file("c.csv", "x,y,r\n" + lines(way(0, 357), [&](const Moment& m) {
+                            const double angle = m.deg * kDeg;
+                            return fmt::format("{:.4f},{:.4f},1.0", x + radius * std::cos(angle),
+                                               y + radius * std::sin(angle));
+                          }));
+    const std::string columns =
+        "[columns]\nx = {name = \"x\", unit = \"mm\"}\ny = {name = \"y\", unit = \"mm\"}\nradial = {name = \"r\", "
+        "unit = \"um\"}\n";
+    return refusal_of([&] { made(scratch, kMapHead + columns + map_run("one", "c.csv"), {"c.csv"}); });
+  };
+  CHECK(with(0, 100, 144).code.empty());
+  CHECK(with(0.4, 99.7, 144.5).code.empty());
+  CHECK(with(0, 105, 144).code == "import-value");
+  CHECK(with(-4, 97, 144).code == "import-value");
+  CHECK(with(0, 100, 140).message.find("radius 140.00 mm about [0.00, 100.00]") != std::string::npos);
+}
+
+TEST_CASE("times that go back are refused where they do, of the bar and of motors with a clock of their own") {
+  const Scratch scratch;
+  const auto table = [](double direction, double odd) {
+    return "t,a,r\n" + lines(way(0, 357), [&](const Moment& m) {
+             const double t = direction * (m.seconds + (m.deg == 30 ? odd : 0));
+             return fmt::format("{:.6f},{},1.0", t, m.deg);
+           });
+  };
+  const std::string map = kMapHead + "[columns]\ntime = {name = \"t\", unit = \"s\"}\n" +
+                          kAngleAndBar.substr(kAngleAndBar.find('\n') + 1) + map_run("one", "c.csv");
+  for (const auto& [direction, odd, line] :
+       {std::tuple{1.0, 0.0, 0}, {-1.0, 0.0, 3}, {1.0, -5.0, 12}, {1.0, 5.0, 13}}) {
+    CAPTURE(direction, odd);
+    scratch.file("c.csv", table(direction, odd));
+    const Diagnostic refused = refusal_of([&] { made(scratch, map, {"c.csv"}); });
+    CHECK(refused.code == (line == 0 ? "" : "import-value"));
+    CHECK(refused.place.line == static_cast<std::size_t>(line));
+  }
+}
+
+TEST_CASE("a table that the delimiter does not divide is refused with the one that would, CR alone with line ends") {
+  const Scratch scratch;
+  const auto help = [&](const std::string& text) {
+    scratch.file("c.csv", text);
+    const Diagnostic refused =
+        refusal_of([&] { made(scratch, kMapHead + kAngleAndBar + map_run("one", "c.csv"), {"c.csv"}); });
+    CHECK_FALSE(refused.code.empty());
+    return refused.help;
+  };
+  CHECK(help("a\tr\n0\t1\n3\t1\n").find("delimiter = \"tab\"") != std::string::npos);
+  CHECK(help("a;r\n0;1\n3;1\n").find("delimiter = \";\"") != std::string::npos);
+  CHECK(help("a,r\r0,1\r3,1\r").find("line ends") != std::string::npos);
+  CHECK(help("a,b\n0,1\n3,1\n").find("delimiter") == std::string::npos);
+}
+
 TEST_CASE("an imported dataset is written and read again") {
   const Scratch scratch;
   scratch.file("c.csv", "a,r\n" + lines(way(-180, 540), [](const Moment& m) {
