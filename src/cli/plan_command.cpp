@@ -27,6 +27,11 @@
 namespace plumbline::cli {
 namespace {
 
+// Readings of a bar come in steps of 0.1 um at best, those of torques in thousandths of what a motor gives: less noise
+// than a hundredth of that makes errors of nothing, and so does more than what is measured.
+constexpr double kLeastNoise = 1e-3, kMostNoise = 1e3;  // um, N m
+constexpr double kMostPayload = 1000;                   // kg, as a dataset takes it
+
 // As the command line says it, in its units.
 struct PlanArguments {
   jobs::PlanJob job;
@@ -59,6 +64,10 @@ std::array<std::optional<machine::Range>, 3> box_of(const std::string& text) {
 // What the plan is for, as the job has it.
 void take_aim(const PlanArguments& arguments, jobs::PlanJob& job) {
   if (!job.separate.empty() && job.separate.size() != 2) throw UsageError("--separate names two effects, as in A,B");
+  if (job.separate.size() == 2 && job.separate[0] == job.separate[1]) {
+    throw UsageError(
+        fmt::format("--separate {0},{0}: an effect cannot be told from itself; name two", job.separate[0]));
+  }
   const bool tip = std::find(job.asked.begin(), job.asked.end(), "tip") != job.asked.end();
   if (tip && job.asked.size() > 1) throw UsageError("--for tip goes by itself: it asks for what the tip needs of all");
   if (tip && job.separate.empty()) {
@@ -176,16 +185,14 @@ void add_aim(CLI::App& command, PlanArguments& arguments) {
 }
 
 void add_circles(CLI::App& command, PlanArguments& arguments) {
-  const auto list = [&](const char* name, std::vector<double>& values, const char* type, const char* help) {
-    command.add_option(name, values, help)
-        ->type_name(type)
-        ->delimiter(',')
-        ->check(number_from_zero())
-        ->capture_default_str();
+  const auto list = [&](const char* name, std::vector<double>& values, const CLI::Validator& check, const char* type,
+                        const char* help) {
+    command.add_option(name, values, help)->type_name(type)->delimiter(',')->check(check)->capture_default_str();
   };
-  list("--radius", arguments.radii_mm, "MM,...", "radii of circles to choose from");
-  list("--feed", arguments.feeds_mm_min, "MM/MIN,...", "feeds to choose from");
-  list("--payload", arguments.payloads_kg, "KG,...", "known masses at the tool tip to choose from");
+  list("--radius", arguments.radii_mm, number_above_zero(), "MM,...", "radii of circles to choose from");
+  list("--feed", arguments.feeds_mm_min, number_above_zero(), "MM/MIN,...", "feeds to choose from");
+  list("--payload", arguments.payloads_kg, number_between(0, kMostPayload), "KG,...",
+       "known masses at the tool tip to choose from");
   command.add_option("--bar", arguments.bar_mm, "length of the bar, mm; it lies in the plane of larger circles")
       ->type_name("MM")
       ->check(number_above_zero())
@@ -203,11 +210,11 @@ void add_circles(CLI::App& command, PlanArguments& arguments) {
 void add_noise(CLI::App& command, PlanArguments& arguments) {
   command.add_option("--bar-noise", arguments.radial_um, "1 sigma of a reading of the bar, um")
       ->type_name("UM")
-      ->check(number_above_zero())
+      ->check(number_between(kLeastNoise, kMostNoise))
       ->capture_default_str();
   command.add_option("--torque-noise", arguments.job.torque_noise, "1 sigma of a torque, N m")
       ->type_name("NM")
-      ->check(number_above_zero())
+      ->check(number_between(kLeastNoise, kMostNoise))
       ->capture_default_str();
   command.add_option("--candidates", arguments.job.candidates.most, "how many circles are drawn to choose from")
       ->type_name("N")

@@ -71,6 +71,7 @@ DiagnoseResult diagnose(const DiagnoseJob& job, const diagnose::Say& say) {
   JoinedData data = read_joined(job.dataset, job.with);
   measure::Dataset& dataset = data.dataset;
   std::optional<Diagnostic> other = other_model(dataset, machine);
+  measure::check_measured(dataset);
   diagnose::DiagnoseOptions options;
   options.candidates.without = job.without;
   options.search.threshold.seed = job.seed;

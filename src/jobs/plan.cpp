@@ -23,6 +23,7 @@
 #include "machine/model_file.hpp"
 #include "measure/dataset_text.hpp"
 #include "measure/planned_run.hpp"
+#include "measure/run_table.hpp"
 #include "measure/simulation.hpp"
 
 namespace plumbline::jobs {
@@ -154,6 +155,7 @@ measure::Dataset dataset_of(const machine::MachineModel& machine, const PlanJob&
   }
   dataset.runs = std::move(runs);
   dataset = measure::simulated(machine, physics::ForceModel(machine), std::move(dataset));
+  for (measure::Run& run : dataset.runs) run.planned = measure::table_hash(measure::run_table_text(run));
   dataset.document = parse_toml(
       fmt::format("# A plan by plumbline. Its tables hold what the model {} predicts, until they are measured.\n{}",
                   machine.name, measure::dataset_text(dataset)),

@@ -11,6 +11,7 @@
 #include "base/files/files.hpp"
 #include "base/files/input_name.hpp"
 #include "base/files/path_of.hpp"
+#include "base/text/hash.hpp"
 #include "base/text/nearest_name.hpp"
 #include "base/units.hpp"
 #include "machine/model_values.hpp"
@@ -32,8 +33,9 @@ constexpr machine::Unit kSecond{"s", 1, {}};
 constexpr std::string_view kDatasetName = "dataset.toml";
 
 const std::vector<std::string_view> kTopKeys{"plumbline", "machine", "protocol", "instrument", "run"};
-const std::vector<std::string_view> kRunKeys{"id",       "file",      "centre_mm",   "radius_mm", "bar_mm",
-                                             "tilt_deg", "direction", "feed_mm_min", "start_s",   "payload_kg"};
+const std::vector<std::string_view> kRunKeys{"id",      "file",       "centre_mm", "radius_mm",
+                                             "bar_mm",  "tilt_deg",   "direction", "feed_mm_min",
+                                             "start_s", "payload_kg", "planned"};
 
 // A number of a [[run]], in the file's unit.
 struct NumberSpec {
@@ -75,6 +77,7 @@ class RunReader {
     run.feed = *number(kFeed, true);
     run.start = number(kStart, false).value_or(0);
     run.payload_mass = number(kPayload, false).value_or(0);
+    if (table_.find("planned") != nullptr) run.planned = text("planned", "written by plumbline plan, of the table");
     if (run.bar_length() < run.radius) refuse_bar(run);
     return run;
   }
@@ -218,9 +221,31 @@ void read_table(const RunReader& reader, const std::string& folder, Believe beli
   TableOptions options;
   options.believe = believe;
   read_run_table(path.generic_string(), run, options);
+  run.as_planned = !run.planned.empty() && run.planned == table_hash(read_text(path.generic_string()));
 }
 
 }  // namespace
+
+std::string table_hash(std::string_view table) { return to_hex(fnv1a(table)); }
+
+void check_measured(const Dataset& dataset) {
+  std::vector<std::string_view> planned;
+  for (const Run& run : dataset.runs) {
+    if (run.as_planned) planned.push_back(run.id);
+  }
+  if (planned.empty()) return;
+  const auto first =
+      std::find_if(dataset.runs.begin(), dataset.runs.end(), [](const Run& run) { return run.as_planned; });
+  refuse(
+      "dataset-not-measured",
+      planned.size() == dataset.runs.size()
+          ? std::string("these readings are the plan's own: nothing was measured")
+          : fmt::format("the readings of {} {} are the plan's own: nothing was measured",
+                        planned.size() == 1 ? "run" : "runs", fmt::join(planned, ", ")),
+      "a plan's tables hold what the model predicts: put in what was measured, in the same columns, or leave the run "
+      "out",
+      first->place);
+}
 
 Run read_run(const TomlDocument& document, const TomlValue& table, const std::vector<std::string_view>& others) {
   return RunReader(document, table).read(others);

@@ -50,6 +50,8 @@ struct Run {
   double feed = 0;          // m/s
   double start = 0;         // on the clock of the dataset, s
   double payload_mass = 0;  // known, suspended from the tool tip, kg
+  std::string planned;      // hash of the table that a plan wrote for it; empty: none did
+  bool as_planned = false;  // its table is that one: nothing was measured
   Place place;              // of centre_mm in the dataset; no file: the run was made
 
   // Columns, one number per sample. time and angle are always there: one that was not measured follows from the other
@@ -91,6 +93,12 @@ struct Dataset {
 
 /// What a [[run]] says, without its table; keys beside those of a dataset are `others`. Refuses as read_dataset does.
 Run read_run(const TomlDocument& document, const TomlValue& table, const std::vector<std::string_view>& others = {});
+
+/// What `planned` of a run says of its table.
+std::string table_hash(std::string_view table);
+
+/// Refuses with dataset-not-measured a run whose table is the one that a plan wrote.
+void check_measured(const Dataset& dataset);
 
 /// Reads a dataset.toml and the tables of its runs. Refuses with toml-syntax, dataset-marker, dataset-unknown-key,
 /// dataset-missing-key, dataset-wrong-type, dataset-wrong-size, dataset-out-of-range, dataset-direction, dataset-bar,

@@ -1,5 +1,7 @@
 #include "measure/dataset_text.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/units.hpp"
@@ -18,6 +20,7 @@ std::string row_text(const Run& run) {
   text += fmt::format("tilt_deg = {}\ndirection = \"{}\"\nfeed_mm_min = {:.6g}\nstart_s = {:.6g}\n",
                       three_text(run.tilt, kDeg), to_text(run.direction), run.feed / kMmPerMin, run.start);
   if (run.payload_mass > 0) text += fmt::format("payload_kg = {:.6g}\n", run.payload_mass);
+  if (!run.planned.empty()) text += fmt::format("planned = \"{}\"\n", run.planned);
   return text;
 }
 
@@ -27,6 +30,16 @@ std::string dataset_text(const Dataset& dataset) {
   std::string text = fmt::format("plumbline = \"dataset 1\"\nmachine = \"{}\"\n", dataset.machine);
   for (const Run& run : dataset.runs) text += row_text(run);
   return text;
+}
+
+std::string without_plan(std::string_view text) {
+  std::string kept;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, std::min(text.find('\n'), text.size() - 1) + 1);
+    if (!line.starts_with("planned = ")) kept += line;
+    text.remove_prefix(line.size());
+  }
+  return kept;
 }
 
 }  // namespace plumbline::measure

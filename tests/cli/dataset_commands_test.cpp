@@ -161,6 +161,14 @@ TEST_CASE("plan proposes circles that simulate and calibrate read, the same ones
   CHECK(run(scratch, "plan --json - --seed 7" + few + kModel).out == scratch.text("plan.json"));
   CHECK(run(scratch, "plan --json - --seed 8" + few + kModel).out != scratch.text("plan.json"));
 
+  for (const char* const learns :
+       {"inspect -d plan/dataset.toml", "identify -d plan/dataset.toml -o no.toml",
+        "calibrate -d plan/dataset.toml -o no.toml", "diagnose -d plan/dataset.toml -o no"}) {
+    CAPTURE(learns);
+    const Outcome not_measured = run(scratch, learns + (" " + kModel));
+    CHECK(not_measured.code == 1);
+    CHECK(contains(not_measured.err, "these readings are the plan's own: nothing was measured"));
+  }
   CHECK(run(scratch, "simulate -d plan/dataset.toml -o sim " + kModel).code == 0);
   CHECK(scratch.text("sim/01-" + plan.at("runs")[0].at("direction").get<std::string>() + ".csv").size() > 1000);
   CHECK(run(scratch, "calibrate -d sim/dataset.toml -o new.toml " + kModel).code == 0);

@@ -24,6 +24,7 @@ TEST_CASE("a plan for the tip is made over a box, and what is no box is said") {
   for (const char* const wrong :
        {"--for tip --box nan:1,2:3,4:5", "--for tip --box 1:2,3:4", "--for tip --box 1,2:3:4,5:6",
         "--for tip --tilts -5", "--for tip,geometry", "--for geometry --tilts 3", "--box 1:2,3:4,5:6",
+        "--separate backlash,backlash", "--separate cyclic,cyclic -d x", "--separate level,level --seed 2",
         "--separate backlash,cyclic --box 1:2,3:4,5:6"}) {
     CAPTURE(wrong);
     CHECK(run(scratch, plan + wrong).code == 2);

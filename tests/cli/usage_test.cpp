@@ -12,9 +12,11 @@ TEST_CASE("no number of an option may be nan or without end") {
   for (const char* const words :
        {"control linuxcnc -m x -o y --speed nan", "control linuxcnc -m x -o y --acceleration inf",
         "plan -m x --bar-noise nan", "plan -m x --torque-noise inf", "plan -m x --feed 500,nan",
-        "plan -m x --payload nan", "plan -m x --bar -1", "calibrate -m x -d y -o z --joint-sigma nan",
-        "calibrate -m x -d y -o z --offset-sigma 0", "diff a b --tolerance-mm nan", "diff a b --tolerance-deg -1",
-        "compare -m x -d y --max-radial-um nan", "batch a -o b --watch --poll nan"}) {
+        "plan -m x --payload nan", "plan -m x --feed 0", "plan -m x --radius 100,0", "plan -m x --payload 2000",
+        "plan -m x --bar-noise 1e-9", "plan -m x --torque-noise 1e6", "plan -m x --bar -1",
+        "calibrate -m x -d y -o z --joint-sigma nan", "calibrate -m x -d y -o z --offset-sigma 0",
+        "diff a b --tolerance-mm nan", "diff a b --tolerance-deg -1", "compare -m x -d y --max-radial-um nan",
+        "batch a -o b --watch --poll nan"}) {
     INFO(words);
     const Outcome outcome = run(scratch, words);
     CHECK(outcome.code == 2);

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include "measure/runs.hpp"
 #include "support/scratch.hpp"
@@ -153,4 +154,28 @@ TEST_CASE("no table is written over another one, and nothing is written before t
   CHECK(d.message.find("run a") != std::string::npos);
   write_dataset(beside, scratch.path("out"));
   CHECK(scratch.has("out/sub/run.csv"));
+}
+
+TEST_CASE("a table that a plan wrote is no measurement; whatever else it holds is one") {
+  const Scratch scratch;
+  const std::string table = "angle_deg,radial_um\n0,1\n45,2\n90,3\n135,4\n180,5\n225,6\n270,7\n315,8\n";
+  const auto run = [&](const std::string& id) {
+    return fmt::format(
+        "[[run]]\nid = \"{0}\"\nfile = \"{0}.csv\"\ncentre_mm = [0, 0, -1008]\nradius_mm = 144\ntilt_deg = "
+        "[0, 0, 0]\ndirection = \"ccw\"\nfeed_mm_min = 1000\nplanned = \"{1}\"\n",
+        id, measure::table_hash(table));
+  };
+  scratch.file("dataset.toml", "plumbline = \"dataset 1\"\n" + run("a") + run("b"));
+  const auto refused = [&](const std::string& a, const std::string& b) {
+    scratch.file("a.csv", a);
+    scratch.file("b.csv", b);
+    const measure::Dataset dataset = measure::read_dataset(scratch.path("dataset.toml"));
+    return refusal_of([&] { measure::check_measured(dataset); });
+  };
+  std::string other = table;
+  other.replace(other.find("90,3"), 4, "90,4");
+  CHECK(refused(other, other).code.empty());
+  CHECK(refused(table, table).code == "dataset-not-measured");
+  CHECK(refused(table, table).message == "these readings are the plan's own: nothing was measured");
+  CHECK(refused(other, table).message == "the readings of run b are the plan's own: nothing was measured");
 }

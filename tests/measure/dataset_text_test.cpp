@@ -40,3 +40,17 @@ TEST_CASE("a dataset that was made reads back as it was, in the units of the fil
   CHECK(read.runs[0].start == run.start);
   CHECK(read.runs[0].payload_mass == run.payload_mass);
 }
+
+TEST_CASE("a plan's mark is written with its run, and taken out again") {
+  measure::Run run;
+  run.id = run.file = "a";
+  measure::Dataset dataset;
+  dataset.runs = {run};
+  const std::string plain = measure::dataset_text(dataset);
+  dataset.runs[0].planned = measure::table_hash("angle_deg,radial_um\n");
+  const std::string planned = measure::dataset_text(dataset);
+  CHECK(planned == plain + "planned = \"" + dataset.runs[0].planned + "\"\n");
+  CHECK(measure::without_plan(planned) == plain);
+  CHECK(measure::without_plan("planned = \"a\"").empty());
+  CHECK(measure::without_plan("# planned = \"a\"") == "# planned = \"a\"");
+}

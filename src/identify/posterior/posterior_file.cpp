@@ -220,6 +220,13 @@ Posterior known_of(const machine::MachineModel& machine) {
   if (!named.given() || named.text.empty()) return prior_of(machine);
   const std::filesystem::path folder = path_of(machine.document.file).parent_path();
   const std::string path = (folder / path_of(named.text)).generic_string();
+  std::error_code unreadable;
+  if (!std::filesystem::exists(path_of(path), unreadable)) {
+    refuse("file-missing", fmt::format("the model names {} as its posterior, and there is no such file", path),
+           "put it beside the model: what learns a model writes both, and both go together; or take [posterior] out of "
+           "the model, whose errors are then those of [uncertainty]",
+           machine.document.place(named.span));
+  }
   std::string text = read_text(path);
   if (to_hex(fnv1a(text)) != machine.value("posterior", "hash").text) {
     refuse("posterior-other-file", fmt::format("{} is not the posterior that the model names", path),

@@ -31,6 +31,7 @@ InspectResult inspect(const InspectJob& job) {
   InspectResult result;
   JoinedData data = read_joined(job.dataset, job.with, measure::Believe::the_table);
   measure::Dataset& dataset = data.dataset;
+  measure::check_measured(dataset);
   result.measured = std::move(data.files);
   result.runs = std::move(dataset.runs);
   inspect::InspectOptions options;

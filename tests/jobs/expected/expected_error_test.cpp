@@ -86,7 +86,10 @@ TEST_CASE("a posterior that does not belong to the model is not used, and nothin
   CHECK(knowledge.warning->code == "posterior-other-file");
   CHECK(knowledge.warning->severity == Severity::warning);
   std::filesystem::remove(scratch.path("m.posterior.toml"));
-  CHECK(jobs::knowledge_of(machine::read_model(path)).warning->code == "file-missing");
+  const std::optional<Diagnostic> missing = jobs::knowledge_of(machine::read_model(path)).warning;
+  REQUIRE(missing);
+  CHECK(missing->code == "file-missing");
+  CHECK(missing->help.starts_with("put it beside the model"));
 }
 
 TEST_CASE("a model that says nothing of how sure it is tells nothing") {
