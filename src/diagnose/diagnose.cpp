@@ -94,11 +94,14 @@ Diagnosis diagnosis_of(const Case& of, const Model& model, Assessment assessment
   diagnosis.converged = model.fit.converged;
   diagnosis.withheld = objection_to(conclusion, of, assessment.verdict, options.verdict);
   diagnosis.errors.assign(forces.parameters.size(), 0);
-  if (diagnosis.withheld) {
-    diagnosis.posterior = posterior_as_given(machine, of.runs, of.given);
+  diagnosis.posterior = posterior_as_given(machine, of.runs, of.given);
+  if (diagnosis.withheld) return diagnosis;
+  identify::Posterior learnt = posterior_of(of, model, conclusion, options.verdict);
+  if (const auto less = identify::less_sure(machine.rotation, of.runs, diagnosis.posterior, learnt)) {
+    diagnosis.withheld = *less;
   } else {
     if (conclusion.residual) diagnosis.functions = functions_of(*conclusion.residual, conclusion.forces.machine);
-    diagnosis.posterior = posterior_of(of, model, conclusion, options.verdict);
+    diagnosis.posterior = std::move(learnt);
     diagnosis.forces = std::move(conclusion.forces);
     diagnosis.errors = std::move(conclusion.errors);
   }

@@ -9,6 +9,7 @@
 #include "diagnose/description/description.hpp"
 #include "diagnose/gap/contrasts.hpp"
 #include "diagnose/readings/channel_flaw.hpp"
+#include "identify/posterior/expected_tip.hpp"
 #include "identify/unknowns/unknowns.hpp"
 
 namespace plumbline::diagnose {
@@ -94,7 +95,7 @@ struct Doubt {
 };
 
 /// Why nothing that was learnt is to be believed, be it named or not.
-using Objection =
-    std::variant<ChannelFlaw, SpoiledData, std::vector<StrainedUnknown>, StrainedTogether, GivenIsNearer, OpenGap>;
+using Objection = std::variant<ChannelFlaw, SpoiledData, std::vector<StrainedUnknown>, StrainedTogether, GivenIsNearer,
+                               OpenGap, identify::LessSure>;
 
 }  // namespace plumbline::diagnose

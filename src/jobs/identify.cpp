@@ -5,6 +5,7 @@
 
 #include "base/text/hash.hpp"
 #include "diagnose/doubt.hpp"
+#include "diagnose/posterior.hpp"
 #include "jobs/measured/inspect.hpp"
 #include "jobs/measured/joined.hpp"
 #include "machine/model_file.hpp"
@@ -48,6 +49,13 @@ identify::Posterior posterior_of(const machine::MachineModel& machine, const std
   const auto residuals = diagnose::residuals(machine, runs, found.forces, found.stages.back().fit.noise);
   posterior.unexplained = diagnose::recurring_radial(diagnose::contrasts_of(runs, residuals));
   return posterior;
+}
+
+identify::Posterior posterior_as_given(const machine::MachineModel& machine, const std::vector<measure::Run>& runs,
+                                       const Identification& found) {
+  const physics::ForceModel forces(machine);
+  return diagnose::posterior_as_given(machine, runs,
+                                      diagnose::residuals(machine, runs, forces, found.stages.back().fit.noise));
 }
 
 // Of a parameter that several stages fitted, the largest.
@@ -103,6 +111,22 @@ IdentifiedModel identified(machine::MachineModel machine, measure::Dataset datas
       std::move(machine),   std::move(found), std::move(measured),          thinned.thinning, open, std::move(forces),
       std::move(errors),    thinned.runs,     std::move(looked.inspection), std::move(poses), {},   false,
       std::move(posterior), std::move(other)};
+  const std::optional<identify::LessSure> less =
+      identify::less_sure(machine.rotation, thinned.runs, posterior_as_given(machine, thinned.runs, found), *posterior);
+  return {std::move(machine),
+          std::move(found),
+          std::move(measured),
+          thinned.thinning,
+          open,
+          std::move(forces),
+          std::move(errors),
+          thinned.runs,
+          std::move(looked.inspection),
+          std::move(poses),
+          {},
+          false,
+          std::move(posterior),
+          less};
 }
 
 }  // namespace
@@ -112,6 +136,7 @@ IdentifiedModel identify_model(const Source& model, const std::string& dataset,
                                const std::vector<std::string>& with) {
   machine::MachineModel machine = machine::read_model(model);
   JoinedData data = read_joined(dataset, with);
+  measure::check_measured(data.dataset);
   return identified(std::move(machine), std::move(data.dataset), std::move(data.files), options, accepted);
 }
 
@@ -122,6 +147,7 @@ IdentifiedModel calibrate_model(CalibrateJob job) {
   std::vector<MeasuredFile> files;
   if (!job.dataset.empty()) {
     JoinedData data = read_joined(job.dataset, job.with);
+    measure::check_measured(data.dataset);
     dataset = std::move(data.dataset);
     files = std::move(data.files);
   }

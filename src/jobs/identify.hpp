@@ -10,6 +10,7 @@
 #include "diagnose/objection.hpp"
 #include "identify/identify.hpp"
 #include "identify/model_text.hpp"
+#include "identify/posterior/expected_tip.hpp"
 #include "identify/posterior/posterior.hpp"
 #include "inspect/fault.hpp"
 #include "jobs/measured/measured_file.hpp"
@@ -43,9 +44,12 @@ struct IdentifiedModel {
   bool calibrated = false;
   std::optional<identify::Posterior> posterior;  // of the numbers of `forces`
   std::optional<Diagnostic> other_model = {};    // a warning: the data are of another machine
+  std::optional<identify::LessSure> less_sure;   // what it leaves open is more than what the model as given does
 
   /// Whether something speaks against the model.
-  bool objected() const { return found.objected() != nullptr || open_gap.has_value() || inspection.blocks(); }
+  bool objected() const {
+    return found.objected() != nullptr || open_gap.has_value() || less_sure.has_value() || inspection.blocks();
+  }
 };
 
 /// Reads both, and the datasets `with` (jobs/measured/joined.hpp), and identifies; what is wrong with runs that

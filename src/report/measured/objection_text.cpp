@@ -99,6 +99,13 @@ std::string text_of(const diagnose::GivenIsNearer& nearer) {
   return fmt::format("the model as given is nearer to {} held out", words_of(nearer.kind).of_runs);
 }
 
+std::string text_of(const identify::LessSure& sure) {
+  return fmt::format(
+      "by its own errors the tip would be {:.3g} um off where the model as given states {:.3g} um (rms over what was "
+      "measured): these data do not hold what was fitted to them",
+      sure.learnt / kUm, sure.given / kUm);
+}
+
 std::string text_of(const std::vector<diagnose::Term>& terms) {
   std::vector<std::string> lines;
   for (const diagnose::Term& term : terms)
@@ -203,6 +210,8 @@ std::string objection_text(const jobs::IdentifiedModel& model) {
     all.push_back(objection_text(*stage));
   } else if (model.open_gap) {
     all.push_back(text_of(*model.open_gap));
+  } else if (model.less_sure) {
+    all.push_back(text_of(*model.less_sure));
   }
   return fmt::format("{}", fmt::join(all, "; and of the fit: "));
 }

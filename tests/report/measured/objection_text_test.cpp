@@ -78,6 +78,16 @@ TEST_CASE("an identified model is objected to for its stage first, then for a ga
   CHECK(report::objection_text(model).find("8.0 times what [uncertainty] says of it") != std::string::npos);
 }
 
+TEST_CASE("a model that its own errors call less sure than the one as given is objected to") {
+  const machine::MachineModel machine = machine::read_model(testing::source_file("models/pm600-like.toml"));
+  jobs::IdentifiedModel model{machine, {{}, forces(), {}, {}}, {}, {}, {}, forces(), {}, {}};
+  model.less_sure = identify::LessSure{20e-6, 28.3e-3};
+  CHECK(model.objected());
+  const std::string off = "by its own errors the tip would be 2.83e+04 um off where the model as given states 20 um";
+  CHECK(report::objection_text(model).starts_with(off));
+  CHECK(report::objection_text(diagnose::Objection{*model.less_sure}).starts_with(off));
+}
+
 TEST_CASE("what is wrong with the data is said before what the fit says against itself") {
   const machine::MachineModel machine = machine::read_model(testing::source_file("models/pm600-like.toml"));
   jobs::IdentifiedModel model{machine, {{}, forces(), {}, {}}, {}, {}, {}, forces(), {}, {}};
