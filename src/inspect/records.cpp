@@ -59,7 +59,7 @@ void add_spikes(const std::vector<double>& values, bool closed, const RecordOpti
   const double usual_bend = median(bends);
   for (std::size_t k = 0; k < sizes.size(); ++k) {
     const double returns = options.returns * sizes[k];
-    const bool step = neighbours[k].off_parabola > returns;  // or another spike
+    const bool step = neighbours[k].off_parabola > options.step * sizes[k];  // or another spike
     const bool kink = neighbours[k].off_line > returns + 2 * usual_bend;
     if (sizes[k] > options.spike * sigma && !step && !kink) found.push_back(k + edge);
   }

@@ -10,6 +10,7 @@ namespace plumbline::inspect {
 struct RecordOptions {
   double spike = 12;           // robust standard deviations by which a sample is off its neighbours on either side
   double returns = 0.25;       // of a spike's height: further apart than that its neighbours are a step
+  double step = 0.15;          // of it: off a parabola by more they are a step, which is 0.4, however noisy
   double most_spikes = 0.03;   // of the samples of a run; with more it is no single spikes
   double gap = 3.5;            // usual steps of angle between two samples
   double same_readings = 0.9;  // of the samples of two runs
