@@ -41,7 +41,7 @@ struct Neighbours {
 };
 
 // `closed`: a whole turn, which goes on with its start.
-void add_spikes(const std::vector<double>& values, bool closed, const RecordOptions& options,
+void add_spikes(const std::vector<double>& values, double least_noise, bool closed, const RecordOptions& options,
                 std::vector<std::size_t>& found) {
   const std::size_t n = values.size();
   if (n < 16) return;
@@ -54,8 +54,7 @@ void add_spikes(const std::vector<double>& values, bool closed, const RecordOpti
     sizes.push_back(std::abs(values[i] - of.cubic));
     bends.push_back(of.off_line);
   }
-  const double sigma = std::max(1.4826 * median(sizes), resolution(values));
-  if (sigma <= 0) return;
+  const double sigma = std::max({1.4826 * median(sizes), resolution(values), least_noise});
   const double usual_bend = median(bends);
   for (std::size_t k = 0; k < sizes.size(); ++k) {
     const double returns = options.returns * sizes[k];
@@ -181,7 +180,10 @@ const std::vector<double>& readings_of_channel(const Run& run, int channel) {
 std::vector<std::size_t> spikes_in(const Run& run, const RecordOptions& options) {
   std::vector<std::size_t> found;
   const bool closed = is_closed(run);
-  for (int c = 0; c < identify::kChannels; ++c) add_spikes(readings_of_channel(run, c), closed, options, found);
+  for (int c = 0; c < identify::kChannels; ++c) {
+    const double least_noise = c == identify::kRadial ? options.least_radial : options.least_torque;
+    add_spikes(readings_of_channel(run, c), least_noise, closed, options, found);
+  }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   const double most = std::max(2.0, options.most_spikes * static_cast<double>(run.samples()));

@@ -8,15 +8,17 @@
 namespace plumbline::inspect {
 
 struct RecordOptions {
-  double spike = 12;           // robust standard deviations by which a sample is off its neighbours on either side
-  double returns = 0.25;       // of a spike's height: further apart than that its neighbours are a step
-  double step = 0.15;          // of it: off a parabola by more they are a step, which is 0.4, however noisy
-  double most_spikes = 0.03;   // of the samples of a run; with more it is no single spikes
-  double gap = 3.5;            // usual steps of angle between two samples
-  double same_readings = 0.9;  // of the samples of two runs
-  std::size_t standing = 12;   // samples one after the other that are alike
-  double stands = 0.2;         // share of the samples of a channel that stand together
-  double feed = 0.03;          // by which the feed that is stated may be off what the times say
+  double spike = 12;              // robust standard deviations by which a sample is off its neighbours on either side
+  double returns = 0.25;          // of a spike's height: further apart than that its neighbours are a step
+  double step = 0.15;             // of it: off a parabola by more they are a step, which is 0.4, however noisy
+  double least_radial = 0.02e-6;  // m, noise that any bar has
+  double least_torque = 1e-3;     // N m, and any motor
+  double most_spikes = 0.03;      // of the samples of a run; with more it is no single spikes
+  double gap = 3.5;               // usual steps of angle between two samples
+  double same_readings = 0.9;     // of the samples of two runs
+  std::size_t standing = 12;      // samples one after the other that are alike
+  double stands = 0.2;            // share of the samples of a channel that stand together
+  double feed = 0.03;             // by which the feed that is stated may be off what the times say
 };
 
 /// The readings of a channel; empty: not measured.

@@ -87,6 +87,19 @@ TEST_CASE("noisy steps, as friction makes them where struts turn round, are no s
   }
 }
 
+TEST_CASE("readings without noise have no spikes") {
+  for (const double amplitude : {0.2, 2.0, 6.0}) {
+    measure::Run run = Measured().runs[3];
+    for (std::size_t j = 0; j < 6; ++j) {
+      for (std::size_t i = 0; i < run.samples(); ++i) {
+        const double way = 2 * std::numbers::pi * (static_cast<double>(i) / 72 + 0.1 * static_cast<double>(j));
+        run.torque[j][i] = amplitude * std::sin(way) + (std::cos(way) > 0 ? 0.5 : -0.5);
+      }
+    }
+    CHECK(inspect::spikes_in(run).empty());
+  }
+}
+
 TEST_CASE("a gap is said in degrees, and stands in nobody's way") {
   Measured measured;
   measured.runs[1] = measure::without_samples(measured.runs[1], {20, 21, 22, 23, 24});
