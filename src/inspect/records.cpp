@@ -54,8 +54,9 @@ void add_spikes(const std::vector<double>& values, double least_noise, bool clos
     sizes.push_back(std::abs(values[i] - of.cubic));
     bends.push_back(of.off_line);
   }
-  const double sigma = std::max({1.4826 * median(sizes), resolution(values), least_noise});
   const double usual_bend = median(bends);
+  const double sigma =
+      std::max({1.4826 * median(sizes), resolution(values), least_noise, options.of_bend * usual_bend});
   for (std::size_t k = 0; k < sizes.size(); ++k) {
     const double returns = options.returns * sizes[k];
     const bool step = neighbours[k].off_parabola > options.step * sizes[k];  // or another spike

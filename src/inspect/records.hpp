@@ -13,6 +13,7 @@ struct RecordOptions {
   double step = 0.15;             // of it: off a parabola by more they are a step, which is 0.4, however noisy
   double least_radial = 0.02e-6;  // m, noise that any bar has
   double least_torque = 1e-3;     // N m, and any motor
+  double of_bend = 0.15;          // of what neighbours bend: edges of two steps beside each other are no more than that
   double most_spikes = 0.03;      // of the samples of a run; with more it is no single spikes
   double gap = 3.5;               // usual steps of angle between two samples
   double same_readings = 0.9;     // of the samples of two runs
