@@ -107,10 +107,6 @@ IdentifiedModel identified(machine::MachineModel machine, measure::Dataset datas
   std::vector<TrackedGap> poses;
   if (tracked != nullptr) poses = tracked_gaps(machine, found, *tracked);
   std::optional<identify::Posterior> posterior = posterior_of(machine, thinned.runs, found);
-  return {
-      std::move(machine),   std::move(found), std::move(measured),          thinned.thinning, open, std::move(forces),
-      std::move(errors),    thinned.runs,     std::move(looked.inspection), std::move(poses), {},   false,
-      std::move(posterior), std::move(other)};
   const std::optional<identify::LessSure> less =
       identify::less_sure(machine.rotation, thinned.runs, posterior_as_given(machine, thinned.runs, found), *posterior);
   return {std::move(machine),
@@ -126,6 +122,7 @@ IdentifiedModel identified(machine::MachineModel machine, measure::Dataset datas
           {},
           false,
           std::move(posterior),
+          std::move(other),
           less};
 }
 
