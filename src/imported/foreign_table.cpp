@@ -67,10 +67,6 @@ class ForeignReader {
   }
 
   ForeignTable read() {
-    if (text_.find('\n') == std::string::npos && trimmed(text_).find('\r') != std::string_view::npos) {
-      refuse("import-empty", "the file is one line: its lines end with CR alone",
-             "save it with line ends LF or CR LF, as every editor of today does", {table_.file});
-    }
     table_.values.resize(source_.columns.size());
     std::size_t lines_of_header = (form_.header ? 1 : 0) + form_.unit_lines;
     bool named = !form_.header;

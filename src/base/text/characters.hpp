@@ -26,12 +26,9 @@ constexpr std::size_t byte_order_mark_size(std::string_view text) {
 }
 
 /// Where a carriage return stands between two parts of a line, as the line ends of old Mac texts do; npos: nowhere.
-/// Those before a line feed and at the end of `text` are line ends, and so are those at its begin: LF CR CR is how
-/// Fanuc's controls end a line [B-63524EN/01, parameter 0100, NCR].
+/// Those before a line feed and at the end of `text` are line ends.
 constexpr std::size_t lone_carriage_return(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of('\r');
-  if (begin == std::string_view::npos) return begin;
-  for (std::size_t at = text.find('\r', begin); at != std::string_view::npos; at = text.find('\r', at + 1)) {
+  for (std::size_t at = text.find('\r'); at != std::string_view::npos; at = text.find('\r', at + 1)) {
     const std::size_t next = text.find_first_not_of(" \t\r", at);
     if (next != std::string_view::npos && text[next] != '\n') return at;
   }

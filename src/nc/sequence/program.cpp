@@ -29,10 +29,12 @@ void place_block(Block& block, const Line& line, std::string_view file) {
   block.offset = line.place.offset;
 }
 
+// LF CR CR is how Fanuc's controls end a line [B-63524EN/01, parameter 0100, NCR].
 void check_line_ends(const Block& block) {
-  const std::size_t at = lone_carriage_return(block.text);
+  const std::size_t of_last_line = std::min(block.text.find_first_not_of('\r'), block.text.size());
+  const std::size_t at = lone_carriage_return(block.text.substr(of_last_line));
   if (at == std::string_view::npos) return;
-  const auto begin = static_cast<std::uint32_t>(at);
+  const auto begin = static_cast<std::uint32_t>(of_last_line + at);
   refuse_at(block, {begin, begin + 1}, codes::kBadCharacter, std::string(kLoneCarriageReturn),
             std::string(kOtherLineEnds));
 }

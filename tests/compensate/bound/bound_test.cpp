@@ -80,7 +80,6 @@ TEST_CASE("where struts turn at a feed so slow that a block hardly moves, some p
 TEST_CASE("no piece under G93 is shorter than the time of the largest F that the control takes") {
   Job job = job_within(2, true);
   job.dialect = "fanuc";
-  job.program.work_offsets[0] = nc::WorkOffset{};
   const std::string text =
       "O1\nG21 G90 G54\nG0 X0 Y0 Z50. A0 B0 C0\nG93 G1 X15. Y2. A1. F20.\nX30. Y5. A2. B1. F20.\nX60. F1000.\nM30\n";
   CHECK(code_of(text, job) == "emit-feed-range");

@@ -60,3 +60,19 @@ TEST_CASE("a program, a table or a model that is not there is refused by name") 
   options.paths.tools = scratch / "tools.toml";
   CHECK(testing::refusal_of([&] { jobs::open_program(options, path, given_model()); }).code == "file-missing");
 }
+
+TEST_CASE("a shift of all work systems in the variables of a Fanuc is refused, as it is not added") {
+  const testing::Scratch scratch;
+  const std::string path = scratch.file("p.nc", "O1\nG54 G0 X1.\nM30\n");
+  settings::Options options;
+  options.dialect = "fanuc";
+  for (const std::string variable : {"#5201 3", "#5203 -0.4", "#5206 1"}) {
+    options.paths.variables = scratch.file("v", variable + "\n");
+    CHECK(testing::refusal_of([&] { jobs::open_program(options, path); }).code == "variables-offset");
+    options.dialect = "linuxcnc";
+    CHECK(jobs::open_program(options, path).dialect.name == "linuxcnc");
+    options.dialect = "fanuc";
+  }
+  options.paths.variables = scratch.file("v", "#5201 0\n");
+  CHECK(jobs::open_program(options, path).dialect.name == "fanuc");
+}

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "base/diagnostic.hpp"
 #include "base/units.hpp"
 
 namespace plumbline::nc {
@@ -72,12 +71,6 @@ Control::Control(const Dialect& dialect, const ProgramSettings& settings)
     }
   }
   for (const auto& [number, value] : settings.variables) {
-    const bool external = dialect.syntax.system_variables == SystemVariables::macro_b && number >= kExternal &&
-                          number < kExternal + static_cast<int>(kAxes);
-    if (external && value != 0) {
-      refuse("variables-offset", fmt::format("#{} shifts all work systems by {}, which is not added", number, value),
-             "add it to the offsets of the work systems, and leave it out of the variables", {});
-    }
     if (number >= 0 && number <= kLastParameter) parameters.set(number, {value, true});
   }
   for (std::size_t i = 0; i < systems.size(); ++i) {

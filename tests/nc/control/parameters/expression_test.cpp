@@ -19,7 +19,9 @@ class SomeParameters : public ParameterReader {
  public:
   Value read(const Block&, int number, Span) override { return {10.0 * number, number != 20}; }
   Value read(const Block&, std::string_view name, Span) override { return {name == "a" ? 4.0 : -1.0, true}; }
-  Value exists(const Block& /*block*/, std::string_view name, Span /*span*/) override { return {name == "a" ? 1.0 : 0.0, true}; }
+  Value exists(const Block& /*block*/, std::string_view name, Span /*span*/) override {
+    return {name == "a" ? 1.0 : 0.0, true};
+  }
 };
 
 Value run(const std::string& expression) {

@@ -2,8 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "support/scratch.hpp"
-
 using namespace plumbline;
 using namespace plumbline::nc;
 
@@ -21,16 +19,5 @@ TEST_CASE("the work system that the variables say is in force is at the start") 
   for (const double none : {0.0, 10.0, 1.5}) {
     settings.variables = {{5220, none}};
     CHECK(Control(dialect("linuxcnc"), settings).modal.work_system == 1);
-  }
-}
-
-TEST_CASE("a shift of all work systems in the variables of a Fanuc is refused, as it is not added") {
-  for (const int number : {5201, 5203, 5206}) {
-    ProgramSettings settings;
-    settings.variables = {{number, 3.0}};
-    CHECK(testing::refusal_of([&] { const Control control(dialect("fanuc"), settings); }).code == "variables-offset");
-    CHECK(Control(dialect("linuxcnc"), settings).parameters.has(number));
-    settings.variables = {{number, 0.0}};
-    CHECK(Control(dialect("fanuc"), settings).parameters.has(number));
   }
 }
