@@ -155,7 +155,7 @@ TEST_CASE("a number is not looked for in a line that is left out") {
   CHECK(reading_of(head + "GOTO 100\n/X50.\nN100 X10.\nM30\n", true, true).code.empty());
 }
 
-TEST_CASE("fanuc: what hangs on the last digits that a control keeps is refused") {
+TEST_CASE("fanuc: what depends on the last digits that a control keeps is refused") {
   const std::string head = "O1\nG90 G21 G54 G0 X0 Y0 Z50.\n";
   for (const std::string loop :
        {"#11=0\nWHILE[#11GT-3.]DO1\n#11=#11-0.3\nG1 Z#11 F100.\nEND1\n", "#1=FIX[1.15*100]\nG1 X#1 F100.\n",

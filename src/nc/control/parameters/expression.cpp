@@ -225,7 +225,7 @@ bool Evaluator::is_rounded(const Instruction& step, const Value& result, const V
          !keeps_digits(result.number);
 }
 
-// #1=#1+0.1 until it is 1: the sum hangs on the digits that the control keeps.
+// #1=#1+0.1 until it is 1: the sum depends on the digits that the control keeps.
 void Evaluator::check_digits(const Block& block, const Instruction& step, const Value& a, const Value& b) const {
   const bool compares = step.operation >= Operation::equal && step.operation <= Operation::less_equal;
   if (!compares || !are_doubtful(a, b)) return;

@@ -13,12 +13,6 @@ namespace {
 
 constexpr std::size_t kCopyChunk = std::size_t{1} << 16U;
 
-// The file's byte order mark is the header's, which goes out before the stamp.
-std::string_view without_mark(const Block& block, std::string_view text) {
-  const std::string_view mark = block.text.substr(0, byte_order_mark_size(block));
-  return text.substr(text.starts_with(mark) ? mark.size() : 0);
-}
-
 }  // namespace
 
 std::string_view OutputText::line_end(const Step& step) const {
@@ -48,7 +42,6 @@ void OutputText::follow(const Step& step) {
   if (!block.line_end.empty() && (in_header_ || !unrolls_) && newline_ != block.line_end) newline_ = block.line_end;
   if (block.kind == LineKind::percent) ++percents_;
   if (!in_header_) return;
-  header_end_ = std::max<std::uint64_t>(header_end_, byte_order_mark_size(block));
   const bool number = block.flow.word == FlowWord::program && !block.block_delete;
   const bool steers = block.flow.word != FlowWord::none && !number;  // what it sets is no line of an unrolled program
   const bool rewritten = block.block_delete && !(unrolls_ && steers && step.block_delete != BlockDelete::left_out);
@@ -96,15 +89,14 @@ void OutputText::begin_change(const Step& step) {
 void OutputText::hold(const Step& step, const std::string& text) {
   const Block& block = *step.block;
   if (only_looks_) return;
-  before_change_.push_back({block.offset + byte_order_mark_size(block), std::string(without_mark(block, block.text)),
-                            std::string(without_mark(block, text))});
+  before_change_.push_back({block.offset, std::string(block.text), text});
 }
 
 // What was written since `begin` stands for the block, unless it is the block.
 void OutputText::note_replaced(const Step& step, std::uint64_t begin, std::string_view line) {
   if (undo_ == nullptr || group_begin_ || unrolls_) return;
   const Block& block = *step.block;
-  const std::string_view original = without_mark(block, block.text);
+  const std::string_view original = block.text;
   const std::uint64_t size = out_.size() - begin;
   if (size == original.size() + block.line_end.size() && line == block.text) return;
   undo_->replaced(begin, size, std::string(original) + std::string(block.line_end));
@@ -117,7 +109,7 @@ void OutputText::write_line(const Step& step, std::string_view text) {
                              dialect_.line_length),
                  "put comments or other words of this block on a line of their own");
   }
-  out_.write(without_mark(*step.block, text));
+  out_.write(text);
 }
 
 void OutputText::begin_group() { group_begin_ = out_.size(); }
