@@ -1,6 +1,7 @@
 #include "jobs/simulate_dataset.hpp"
 
 #include "machine/model_file.hpp"
+#include "measure/dataset_text.hpp"
 #include "measure/simulation.hpp"
 
 namespace plumbline::jobs {
