@@ -17,6 +17,7 @@
 #include "base/version.hpp"
 #include "cli/application/application.hpp"
 #include "cli/application/description.hpp"
+#include "cli/application/given_values.hpp"
 #include "cli/application/suggest.hpp"
 #include "cli/messages.hpp"
 
@@ -65,18 +66,6 @@ bool asks_for_json(std::span<const char* const> arguments) {
   return false;
 }
 
-// What a script meant to put there was not set.
-void refuse_empty_values(const CLI::App& app) {
-  for (const CLI::App* const command : app.get_subcommands()) {
-    for (const CLI::Option* const option : command->get_options()) {
-      for (const std::string& value : option->results()) {
-        if (value.empty())
-          throw UsageError(fmt::format("{}: expected {}", option->get_name(), option->get_type_name()));
-      }
-    }
-  }
-}
-
 // The help and the version are results, too: they may not fit where standard output goes.
 int answer(const CLI::App& app, const CLI::ParseError& asked) {
   std::ostringstream text;
@@ -95,7 +84,8 @@ bool is_value(const CLI::ParseError& error) {
 int parse_and_run(CLI::App& app, Run& run, std::span<const char* const> arguments) {
   try {
     app.parse(static_cast<int>(arguments.size()), arguments.data());
-    refuse_empty_values(app);
+    refuse_odd_values(app);
+    refuse_strange_results(app);
     return run();
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return answer(app, error);  // --help, --version
@@ -133,7 +123,8 @@ std::optional<int> run_one(std::span<const char* const> arguments) {
     return std::nullopt;
   }
   try {
-    refuse_empty_values(application.app);
+    refuse_odd_values(application.app);
+    refuse_strange_results(application.app);
     return application.run();
   } catch (const UsageError& error) {
     return wrong_usage(application.app, error.what());

@@ -8,6 +8,7 @@
 #include "base/files/files.hpp"
 #include "base/files/input_name.hpp"
 #include "base/text/characters.hpp"
+#include "base/text/encoding.hpp"
 #include "base/text/number_text.hpp"
 #include "nc/control/parameters/parameters.hpp"
 
@@ -84,8 +85,9 @@ constexpr std::size_t kSystemsOfVariables = 9;  // G54 to G59.3, of which other 
 
 std::map<int, double> read_variables(const Source& source) {
   const std::string text = read_text(source);
+  refuse_utf16(text, source.name());
   VariablesReader reader(source.name(), text);
-  for (std::size_t begin = 0; begin < text.size();) {
+  for (std::size_t begin = byte_order_mark_size(text); begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     reader.take_line(begin, end);
     begin = end + 1;

@@ -297,7 +297,7 @@ TEST_CASE("commands on measurements write pages, with their other outputs or not
 
   const Outcome over = run(scratch, "compare -d sim/dataset.toml --report sim/a.csv " + kModel);
   CHECK(over.code == 1);
-  CHECK(contains(over.err, "file-overwrites-input"));
+  CHECK(contains(over.err, "file-exists"));
   const Outcome twice = run(scratch, "compare -d sim/dataset.toml --json x --report x " + kModel);
   CHECK(contains(twice.err, "file-written-twice"));
   CHECK_FALSE(scratch.has("x"));

@@ -99,6 +99,17 @@ TEST_CASE("modes that come back are written as codes") {
   CHECK(output.find("G17 G91.1\nF300\n") != std::string::npos);
 }
 
+TEST_CASE("modes come back after each pass of a call") {
+  for (const std::string inside : {"G91\nG1 X1 Z-2\n", "G20 F9\nG1 X.1\nG91 Y.1\n", "G18 G90.1 G64 P1\nG1 X7\n"}) {
+    for (const std::string end : {"M99\n", "N5 M99 (again)\n", "M9\nM99\n"}) {
+      check_unrolled(kStart + "F300\nM98 P7 L3\nG1 X5\nG0 Z40\nM2\nO7\nM73\n" + inside + end);
+    }
+  }
+  const std::string output =
+      check_unrolled(kStart + "F300\nM98 P7 L2\nG1 X5\nM2\nO7\nM73\nG91\nG1 X1 F99\nG1 Y1\nM99\n");
+  CHECK(output.find("G90\nF300\nG91") != std::string::npos);
+}
+
 TEST_CASE("overrides come back as the control brings them back, which looks at that of the feed alone") {
   const auto restored = [](const std::string& before, const std::string& inside) {
     const std::string output = check_unrolled(kStart + "F300\n" + before + "o1 sub\nM73\n" + inside +
@@ -211,7 +222,7 @@ TEST_CASE("cycles that work the spindle keep their form, their hole shifted") {
 TEST_CASE("splines become straight moves, each corrected") {
   for (const std::string text :
        {"G5 I0 J30 P0 Q-30 X20 Y10 F500\nG5 P5 Q-3 X30 Y0 (goes on)\nG1 Z1\n",
-        "G91 G5.1 X20 Y5 I5 J20 F500\nG90 G1 X0\n", "G93 G5.1 X20 Y5 I5 J20 F5\nG94 G1 X0 F99\n"}) {
+        "G91 G5.1 X20 Y5 I5 J20 F500\nG90 G1 X0\n", "G95 S99 M3 G5.1 X20 Y5 I5 J20 F5\nG94 G1 X0 F99\n"}) {
     const std::string whole = kStart + text + "M2\n";
     INFO(whole);
     const Result result = run(whole, without_friction());

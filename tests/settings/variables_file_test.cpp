@@ -11,6 +11,7 @@ TEST_CASE("variables are read in both forms") {
   const auto variables =
       settings::read_variables(scratch.file("v", "#100 12.5\r\n101\t-3\n\n  ; a comment\n#5221 = 1e2 ; mm\n"));
   CHECK(variables == std::map<int, double>{{100, 12.5}, {101, -3}, {5221, 100}});
+  CHECK(settings::read_variables(scratch.file("b", "\xEF\xBB\xBF#1 2\n")) == std::map<int, double>{{1, 2}});
   CHECK(settings::read_variables(scratch.file("r", "R0=2\nR12 -1.5\n")) == std::map<int, double>{{0, 2}, {12, -1.5}});
 }
 

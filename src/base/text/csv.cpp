@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/text/characters.hpp"
+#include "base/text/encoding.hpp"
 
 namespace plumbline {
 namespace {
@@ -15,6 +16,7 @@ constexpr std::string_view kBlanks = " \t\r";
 }  // namespace
 
 CsvLines::CsvLines(std::string file, std::string_view text) : file_(std::move(file)), rest_(text) {
+  refuse_utf16(rest_, file_);
   rest_.remove_prefix(byte_order_mark_size(rest_));
 }
 

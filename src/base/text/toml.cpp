@@ -14,6 +14,7 @@
 #include <toml++/toml.h>
 
 #include "base/text/characters.hpp"
+#include "base/text/encoding.hpp"
 #include "base/text/toml_depth.hpp"
 
 namespace plumbline {
@@ -153,6 +154,7 @@ std::string_view name_of(TomlValue::Kind kind) {
 
 TomlDocument parse_toml(std::string text, std::string file) {
   TomlDocument document{std::move(file), std::move(text), {}};
+  refuse_utf16(document.text, document.file);
   document.lines.push_back(0);
   for (std::size_t i = 0; i < document.text.size(); ++i) {
     if (document.text[i] == '\n') document.lines.push_back(i + 1);
@@ -169,9 +171,12 @@ TomlDocument parse_toml(std::string text, std::string file) {
     std::string_view what = error.description();  // "Error while parsing <what>: <why>"
     constexpr std::string_view kPreface = "Error while parsing ";
     if (what.starts_with(kPreface)) what.remove_prefix(kPreface.size());
+    const bool other_encoding = what.find("utf-8") != what.npos;
     refuse("toml-syntax", std::string(what),
-           "write it as TOML wants it: key = value, texts in quotes, a point in decimals; or name another file, if "
-           "this is none",
+           other_encoding
+               ? "save it as UTF-8: editors of Windows keep letters like \u00e4 otherwise, as ANSI or Latin-1"
+               : "write it as TOML wants it: key = value, texts in quotes, a point in decimals; or name "
+                 "another file, if this is none",
            document.place(offsets.of(error.source())));
   }
   return document;

@@ -181,11 +181,15 @@ void Interpreter::set_macro_arguments() {
   for (const auto& [number, value] : run_.arguments) control_.parameters.set(number, value);
 }
 
+void Interpreter::end_pass(const Block& block) {
+  const ModesOfCall modes = std::exchange(saved_.back(), {});
+  if (modes.saved && modes.come_back) restore_modes(run_, *modes.saved, block);
+}
+
 void Interpreter::leave_subprogram(const Block& block) {
   control_.parameters.leave();
-  const ModesOfCall modes = saved_.back();
+  end_pass(block);
   saved_.pop_back();
-  if (modes.saved && modes.come_back) restore_modes(run_, *modes.saved, block);
 }
 
 // M70 to M73; false: another code.

@@ -161,6 +161,7 @@ bool OWordFlow::end_program(const Block& block, const ProgramCall& /*call*/) {
   }
   keep_value(false, {0, true});
   if (calls_.begins_again()) {
+    interpreter_.end_pass(block);
     interpreter_.control().parameters.forget_own_names();  // each pass has names of its own [LinuxCNC, measured]
     files_.go_to(subprograms_.at(calls_.top().name));
     entry_ = calls_.entry(files_);

@@ -84,8 +84,6 @@ std::vector<Point> straight_pieces(const Curve& curve, std::size_t control_point
 void follow(Execution& run, const std::vector<NurbsPoint>& control_points, int order) {
   Control& control = run.control;
   const std::vector<Point> points = straight_pieces(Curve(control_points, order), control_points.size());
-  double length = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
   const double feed = feed_of_move(run, true);
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double piece = distance(points[i - 1], points[i]);
@@ -96,16 +94,21 @@ void follow(Execution& run, const std::vector<NurbsPoint>& control_points, int o
     motion.to[Axis::X] = points[i][0];
     motion.to[Axis::Y] = points[i][1];
     motion.known_after = control.known;
-    const bool shares = control.modal.feed_mode == FeedMode::inverse_time && piece > 0;
-    motion.feed = shares ? feed * length / piece : feed;
+    motion.feed = feed;
     motion.goes_on = i + 1 < points.size();
     add_motion(run, motion);
   }
   run.step.cycle = CycleForm::moves;
 }
 
+// Under G93 the control sets no feed for a spline: it goes on with that of the move before [LinuxCNC, measured].
 void check_spline(const Execution& run) {
   need_offsets(run);
+  if (run.control.modal.feed_mode == FeedMode::inverse_time) {
+    run.refuse(run.motion_code(), codes::kFeedMissing,
+               "under inverse time (G93) the control ignores F of a spline, and feeds as in the move before",
+               "write G94 and its F before it");
+  }
   if (run.control.modal.plane != Plane::xy) {
     run.refuse(run.motion_code(), codes::kOutOfRange, "splines lie in the XY plane", "write G17 before it");
   }
