@@ -179,7 +179,7 @@ TEST_CASE("fanuc: what depends on the last digits that a control keeps is refuse
 
 TEST_CASE("fanuc: a vacant variable counts as 0 in an expression, and in the brackets of a word nobody knows") {
   const std::string head = "G90 G21 G54 G0 X0 Y0 Z50.\nG65 P100 X10.\nM30\nO100\n";
-  for (const std::string text : {"#10=-#26", "#10=+#26", "#10=[#26]", "#10=#26+0", "#10=ABS[#26]"}) {
+  for (const std::string text : {"#10=-#26", "#10=+#26", "#10=-[#26]", "#10=[#26]*1", "#10=#26+0", "#10=ABS[#26]"}) {
     INFO(text);
     CHECK(reading_of(head + text + "\nG1 Z#10 F100.\nM99\n", false).end[Axis::Z] == Approx(0).margin(1e-9));
   }
@@ -189,6 +189,22 @@ TEST_CASE("fanuc: a vacant variable counts as 0 in an expression, and in the bra
   for (const std::string text : {"Z[-#26]", "Z[#26]", "Z-[#26]"}) {
     INFO(text);
     CHECK(reading_of(head + "G1 " + text + " F100.\nM99\n", false).code == "nc-parameter-unset");
+  }
+}
+
+TEST_CASE("fanuc: whether a vacant variable alone in brackets counts as 0 is not guessed") {
+  const std::string head = "G90 G21 G54 G0 X0 Y0 Z50.\nG65 P100 X10.\nM30\nO100\n";
+  for (const std::string text :
+       {"#10=[#26]", "#10=[[#26]]", "IF[[#26] EQ #0]GOTO9", "IF[#0 NE [#26]]GOTO9", "IF[[#26] EQ 0]GOTO9",
+        "IF[[#24-10] NE [#26]]GOTO9", "WHILE[[[#3]] EQ #0]DO1\n#3=1\nEND1", "IF[[#26] EQ #0]THEN #5=1"}) {
+    INFO(text);
+    CHECK(reading_of(head + text + "\nN9 M99\n", false).code == "nc-parameter-unset");
+  }
+  for (const std::string text :
+       {"IF[[#24] EQ #0]GOTO9", "IF[[#26] EQ 5]GOTO9", "IF[[#26] LT 0]GOTO9", "IF[[#26 NE #0] AND [#24 EQ 10]]GOTO9",
+        "#10=[#24]", "IF[[#25] NE [#26]]GOTO9", "IF[[#26+0] EQ #0]GOTO9", "#10=ABS[#26]"}) {
+    INFO(text);
+    CHECK(reading_of(head + text + "\nG1 Z3. F100.\nN9 M99\n", false).end[Axis::Z] == Approx(3));
   }
 }
 

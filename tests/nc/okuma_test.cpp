@@ -128,3 +128,17 @@ TEST_CASE("OSP: what is set in the block of a statement is not lost") {
              {"G15 H1\nVC2=0\nVC1=5 IF [VC2 EQ 0] N10\nN10 G0 X=VC1 Y0 Z0\nM2\n", 3, 7, "nc-flow-control"},
              {"CALL O8\nM2\nO8\nVC1=5 RTS\n", 4, 7, "nc-flow-control"}});
 }
+
+TEST_CASE("OSP: what a variable becomes that is set to one without a value is refused") {
+  const char* const unset = "nc-parameter-unset";
+  check_osp({{"G15 H1 G0 X0 Y0 Z50\nPY=PX\n", 2, 1, unset},
+             {"G15 H1 G0 X0 Y0 Z50\nVC2=PX\n", 2, 1, unset},
+             {"G15 H1 G0 X0 Y0 Z50\nPY=[PX]\n", 2, 1, unset},
+             {"G15 H1 G0 X0 Y0 Z50\nPY=-PX\n", 2, 1, unset},
+             {"G15 H1 G0 X0 Y0 Z50\nPY=EMPTY\n", 2, 1, unset},
+             {"G15 H1 G0 X0 Y0 Z50\nCALL O7 PY=PX\nM2\nO7\nRTS\n", 2, 9, unset},
+             {"G15 H1 G0 X0 Y0 Z50\nIF [[PX] EQ EMPTY] N9\nN9 M2\n", 2, 10, unset},
+             {"G15 H1 G0 X0 Y0 Z50\nIF [[PX] NE EMPTY] N9\nN9 M2\n", 2, 10, unset},
+             {"G15 H1 G0 X0 Y0 Z50\nIF [PX EQ EMPTY] N9\nX5\nN9 M2\n", 0, 0},
+             {"G15 H1 G0 X0 Y0 Z50\nPX=3\nPY=[PX]\nIF [[PY] EQ 3] N9\nN9 M2\n", 0, 0}});
+}

@@ -100,6 +100,16 @@ void check_variable(const Execution& run, const Block& block, const Setting& pla
                                        : fmt::format("leave it out, if no move depends on it; {}", own));
 }
 
+// Whether the variable is vacant then or 0 was found in no source.
+[[noreturn]] void refuse_vacant(const Execution& run, const Block& block, const Setting& setting) {
+  const bool empty = run.dialect.syntax.empty_names;
+  refuse_at(block, setting.whole, codes::kParameterUnset,
+            fmt::format("{} is set to what was never given a value: whether {} was found in no source",
+                        block.at(setting.span), empty ? "that makes it EMPTY or 0" : "this counts as 0 in brackets"),
+            empty ? "set the other variable before, or ask with EQ EMPTY"
+                  : "write the variable without brackets, or set it before");
+}
+
 bool belongs_to_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
 // The first name of which EXISTS asks and only the machine knows, since a program before this one may have made it.
@@ -221,6 +231,7 @@ void BlockValues::evaluate_settings(const Block& block) {
     Value value = value_before(block, setting.value, i);
     // #2=#1 alone hands on that there is none: in an expression it counts as 0 [V 13.5; N 20.11.3].
     const std::string_view whole = block.at(setting.whole);
+    if (value.bracketed || (value.vacant && run_.dialect.syntax.empty_names)) refuse_vacant(run_, block, setting);
     if (value.vacant && !is_variable_alone(whole.substr(whole.find('=') + 1))) value.vacant = false;
     setting_values_.push_back(value);
   }
@@ -254,6 +265,7 @@ Value BlockValues::variable(const Block& block, std::size_t setting) {
 
 void BlockValues::set_variable(const Block& block, std::size_t setting, Value value) {
   const Setting& place = block.settings[setting];
+  if (value.vacant && run_.dialect.syntax.empty_names) refuse_vacant(run_, block, place);
   set_parameter(block, place, setting_number(block, place), value);
 }
 

@@ -125,6 +125,7 @@ enum class Operation : std::uint8_t {
   logical_not,
   check_truths,  // refuses two values that are not 0 or 1
   vacant,        // pushes the value of a variable that was never set
+  bracketed,     // a variable alone in brackets: what it is worth if it was never set is not known
 };
 
 /// One step of an expression's code, in postfix order; Operation::end closes it.

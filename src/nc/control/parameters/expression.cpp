@@ -258,6 +258,16 @@ void Evaluator::check_vacant(const Block& block, const Instruction& step, const 
             "set the variable before, or ask with EQ EMPTY");
 }
 
+// [#3] EQ #0 holds if the brackets leave #3 vacant, and [#3] EQ 0 if they make it 0.
+void Evaluator::check_bracketed(const Block& block, const Instruction& step, const Value& a, const Value& b) const {
+  const bool compares = step.operation == Operation::equal || step.operation == Operation::not_equal;
+  if (!compares || a.bracketed == b.bracketed || (a.known && b.known && a.number != b.number)) return;
+  refuse_at(block, step.span, codes::kParameterUnset,
+            "a variable that was never given a value is compared in brackets: whether it counts as 0 there was found "
+            "in no source",
+            "write the variable without brackets");
+}
+
 double Evaluator::rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding) {
   const double whole = std::round(value);
   if (rounding.known && rounding.quantum == 1) return whole;
@@ -277,6 +287,7 @@ Value Evaluator::joined(const Block& block, const Instruction& step, const Value
   check_remainder(block, step, a, b);
   check_vacant(block, step, a, b);
   check_digits(block, step, a, b);
+  check_bracketed(block, step, a, b);
   // To be vacant is not to be zero, for EQ and NE alone [B-63174EN, 13.1].
   const bool differ = a.vacant != b.vacant;
   if (differ && step.operation == Operation::equal) return result;
@@ -309,6 +320,9 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
       case Operation::parameter:
         stack_.back() =
             parameters.read(block, parameter_number(block, step->span, stack_.back(), parameters.limits()), step->span);
+        continue;
+      case Operation::bracketed:
+        stack_.back().bracketed = stack_.back().vacant;
         continue;
       case Operation::check_truths:
         check_truths(block, *step);

@@ -24,8 +24,9 @@ inline constexpr int kMostParameters = 9999;  // of any control
 struct Value {
   double number = 0;
   bool known = true;
-  bool vacant = false;   // of a variable that was never set, where the language has such; counts as 0
-  bool rounded = false;  // worked out of numbers with more digits than a control keeps
+  bool vacant = false;     // of a variable that was never set, where the language has such; counts as 0
+  bool rounded = false;    // worked out of numbers with more digits than a control keeps
+  bool bracketed = false;  // vacant, in brackets: whether it still is was found in no source
 };
 
 /// Whose #1..#30 a subprogram has.

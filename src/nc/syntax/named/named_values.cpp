@@ -195,8 +195,11 @@ void named_term(BlockReading& in) {
     }
     case TokenKind::open:
     case TokenKind::parenthesis:
-      if (in.cursor.is(opening(*in.syntax))) return add_named_value_until(in, closing(*in.syntax));
-      break;
+      if (!in.cursor.is(opening(*in.syntax))) break;
+      add_named_value_until(in, closing(*in.syntax));
+      if (in.syntax->empty_names && (in.out.ends_with(Operation::name) || in.out.ends_with(Operation::parameter)))
+        in.out.push(Operation::bracketed, span);
+      return;
     case TokenKind::identifier:
       return named_identifier(in);
     default:

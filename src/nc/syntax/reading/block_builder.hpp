@@ -57,6 +57,9 @@ class BlockBuilder {
   void push(Operation operation, Span span, double number = 0, std::uint32_t name = 0) {
     block_->code.push_back({operation, name, number, span});
   }
+  bool ends_with(Operation operation) const {
+    return !block_->code.empty() && block_->code.back().operation == operation;
+  }
   void end_code() { push(Operation::end, {}); }
   /// The code of a plain number.
   std::uint32_t add_number(double number, Span span);

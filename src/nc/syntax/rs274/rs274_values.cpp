@@ -103,6 +103,9 @@ void expression(BlockReading& in) {
                               in.syntax->statements == Statements::macro_b ? "" : "** "));
   }
   cursor.pass();
+  const bool of_variable = in.out.ends_with(Operation::parameter);
+  if (of_variable && in.syntax->statements == Statements::macro_b)
+    in.out.push(Operation::bracketed, {open.begin, cursor.here()});
 }
 
 void signed_value(BlockReading& in) {
