@@ -177,6 +177,24 @@ TEST_CASE("fanuc: what depends on the last digits that a control keeps is refuse
   }
 }
 
+TEST_CASE("fanuc: what hands a value on hands on that its last digits are open") {
+  const std::string head = "O1\nG90 G21 G54 G0 X0 Y0 Z50.\n#1=0.1+0.2\n";
+  for (const std::string text :
+       {"G65 P2 A[0.1+0.2]\nM30\nO2\nIF[#1 EQ 0.3]GOTO9\nN9 M99\n", "G65 P2 I#1\nM30\nO2\n#5=FIX[#4*10]\nM99\n",
+        "G65 P2 X-#1\nM30\nO2\nG65 P3 Z#24\nM99\nO3\nIF[#26 GE -0.3]GOTO9\nN9 M99\n",
+        "G65 P2 A#1 K[#1*10]\nM30\nO2\n#100=#6\nM98 P3\nM99\nO3\nWHILE[#100 LT 3]DO1\n#100=#100+1\nEND1\nM99\n",
+        "#101=#1\nM98 P2\nM30\nO2\nIF[#101 EQ 0.3]GOTO9\nN9 M99\n"}) {
+    INFO(text);
+    CHECK(reading_of(head + text, false).code == "nc-not-interpreted");
+  }
+  for (const std::string text :
+       {"G65 P2 A0.3 B[0.25*2]\nM30\nO2\nIF[#1 EQ 0.3]GOTO9\nN9 M99\n",
+        "G65 P2 A#1\nM30\nO2\nIF[#1 GT 0.25]GOTO9\nN9 M99\n", "G65 P2 A[0.25*2]\nM30\nO2\n#3=FIX[#1*2]\nM99\n"}) {
+    INFO(text);
+    CHECK(reading_of(head + text, false).code.empty());
+  }
+}
+
 TEST_CASE("fanuc: a vacant variable counts as 0 in an expression, and in the brackets of a word nobody knows") {
   const std::string head = "G90 G21 G54 G0 X0 Y0 Z50.\nG65 P100 X10.\nM30\nO100\n";
   for (const std::string text : {"#10=-#26", "#10=+#26", "#10=-[#26]", "#10=[#26]*1", "#10=#26+0", "#10=ABS[#26]"}) {

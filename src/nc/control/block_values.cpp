@@ -164,6 +164,7 @@ void BlockValues::evaluate(Block& block) {
     if (word.expression == kLiteral) continue;
     const Value value = value_before(block, word.expression, block.settings.size(), rounding_of(run_, block, word));
     word.vacant = value.vacant;
+    word.rounded = value.rounded;
     vacant = vacant || value.vacant;
     if (!value.known && !may_be_unknown(word.letter)) {
       refuse_unknown(run_, block, word.expression, word.span, system_parameters_,

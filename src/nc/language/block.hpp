@@ -55,6 +55,7 @@ struct Word {
   bool vacant = false;                  // an expression without a value
   WordMode mode = WordMode::modal;
   WordUse use = WordUse::of_letter;
+  bool rounded = false;  // worked out of numbers with more digits than a control keeps
 };
 
 /// G, M or a code that is a name: several may stand in a block, and none of them is a value.

@@ -44,13 +44,13 @@ void call_macro(Execution& run) {
       for (int i = which + 1; i < 3; ++i) number = std::max(number, set[i]);
       if (number >= kSets) run.refuse(word, codes::kOutOfRange, "a macro takes ten sets of I, J and K", "leave it out");
       set[which] = number + 1;
-      run.arguments.emplace_back(4 + 3 * number + which, Value{word.value, !word.unknown, word.vacant});
+      run.arguments.emplace_back(4 + 3 * number + which, Value{word.value, !word.unknown, word.vacant, word.rounded});
     } else {
       const int variable = variable_of(word.letter);
       if (variable == 0) {
         run.refuse(word, codes::kWordUnused, "a macro takes no argument of this letter", "choose another letter");
       }
-      run.arguments.emplace_back(variable, Value{word.value, !word.unknown, word.vacant});
+      run.arguments.emplace_back(variable, Value{word.value, !word.unknown, word.vacant, word.rounded});
     }
   }
   if (run.call.number < 0) run.refuse(codes::kWordMissing, "G65 needs a P word", "add the number of the program");
