@@ -61,7 +61,7 @@ TEST_CASE("what is missing or unknown is wrong usage") {
 TEST_CASE("what stands wrongly on the command line is named as its user would") {
   const Scratch scratch;
   scratch.file("p.ngc", kPart);
-  scratch.file("-there", kPart);
+  for (const char* name : {"-there", "-model.ngc", "-outer.ngc"}) scratch.file(name, kPart);
   struct Case {
     const char* arguments;
     const char* expected;
@@ -74,6 +74,9 @@ TEST_CASE("what stands wrongly on the command line is named as its user would") 
         Case{"compensate -lead.ngc -m m.toml", "name the file as ./-lead.ngc"},
         Case{"trace -there", "name the file as ./-there"},
         Case{"diff p.ngc -x.nc", "name the file as ./-x.nc"},
+        Case{"compensate -model.ngc -o o.ngc", "-model.ngc is read as -m odel.ngc: if it is the file"},
+        Case{"compensate -model.ngc -m m.toml -o o.ngc", "write ./-model.ngc"},
+        Case{"trace -outer.ngc", "-outer.ngc is read as -o uter.ngc"},
         Case{"trace -zz", "no option -z"},
         Case{"compensate p.ngc -m m.toml -o", "-o needs its value: -o FILE"},
         Case{"compensate p.ngc -m -o out.ngc", "-m needs its value: -m "},

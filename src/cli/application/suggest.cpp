@@ -161,6 +161,22 @@ std::optional<std::string> missing_in(const CLI::App& command) {
   return fmt::format("{} {} required", fmt::join(missing, " and "), missing.size() == 1 ? "is" : "are");
 }
 
+// "-model.ngc" is read as "-m odel.ngc". Empty: no file has the name of an option with its value behind it.
+std::string hint_of_file(const CLI::App& app, const CLI::App& command, std::span<const char* const> arguments) {
+  for (const std::string_view argument : arguments) {
+    if (argument == "--") break;
+    const std::string_view name = option_of(argument);
+    std::error_code none;
+    if (!is_option(argument) || argument.starts_with("--") || name == argument) continue;
+    if (!std::filesystem::exists(path_of(std::string(argument)), none)) continue;
+    const CLI::Option* const option = find(app, command, name);
+    if (option == nullptr || !takes_value(*option)) continue;
+    return fmt::format("; {} is read as {} {}: if it is the file of that name, write ./{}", argument, name,
+                       argument.substr(name.size()), argument);
+  }
+  return {};
+}
+
 }  // namespace
 
 std::optional<std::string> what_is_wrong(const CLI::App& app, std::span<const char* const> arguments) {
@@ -170,8 +186,10 @@ std::optional<std::string> what_is_wrong(const CLI::App& app, std::span<const ch
   const auto command = std::find(arguments.begin(), arguments.end(), asked.front()->get_name());
   if (command == arguments.end()) return std::nullopt;
   const auto after = static_cast<std::size_t>(command - arguments.begin()) + 1;
-  if (auto wrong = Walk(app, *asked.front()).take(arguments.subspan(after))) return wrong;
-  return missing_in(*asked.front());
+  auto wrong = Walk(app, *asked.front()).take(arguments.subspan(after));
+  if (!wrong) wrong = missing_in(*asked.front());
+  if (wrong) *wrong += hint_of_file(app, *asked.front(), arguments.subspan(after));
+  return wrong;
 }
 
 std::optional<std::string> what_is_unknown(const CLI::App& app, std::span<const char* const> arguments) {
