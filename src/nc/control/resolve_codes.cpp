@@ -175,6 +175,19 @@ void refuse_kept_word(const Execution& run, const Word& word) {
              "write G43 (or G44) beside it, with Z");
 }
 
+// I J K of G68, P of G53.1.
+void refuse_word_of_plane(const Execution& run, const Word& word) {
+  if ((letter_bit(word.letter) & kCentreBits) != 0 && run.chosen_row(Action::turn_on) != nullptr) {
+    run.refuse(word, codes::kWordUnused, "G68 with I, J and K turns about an axis in space, which is not interpreted",
+               "write G68.2 for a tilted plane, or program A, B and C under G43.4");
+  }
+  if (word.letter == 'P' && run.chosen_row(Action::tool_on_plane) != nullptr) {
+    run.refuse(word, codes::kWordUnused,
+               "P of G53.1 chooses between positions of the rotary axes, which is not interpreted",
+               "leave it out; --free-rotation says what C does");
+  }
+}
+
 // TURN of TURN=2, X of X5.
 std::string_view name_of(const Execution& run, const Word& word) {
   const std::string_view text = run.text_of(word);
@@ -207,6 +220,7 @@ void check_words_used(const Execution& run) {
                  "write the number out, X0.0000001 or X0, and have the post-processor write fixed decimals");
     }
     refuse_kept_word(run, word);
+    refuse_word_of_plane(run, word);
     if (word.letter == 'Q' && run.chosen_row(Action::call_program) != nullptr) {
       run.refuse(word, codes::kWordUnused, "Q of a call says at which block the subprogram begins, which is not read",
                  "make what begins there a subprogram of its own, and call that");

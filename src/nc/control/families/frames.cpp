@@ -55,8 +55,10 @@ void turn_about_point(Execution& run, const Word& code) {
   }
   for (const Axis axis : kAllAxes) {
     if (!run.axes.contains(axis) || kTurningAxes.contains(axis)) continue;
-    run.refuse(*run.words.find(axis), codes::kWordUnused, fmt::format("G68 has no use for {}", letter(axis)),
-               "remove it, or put it into a block of its own");
+    run.refuse(*run.words.find(axis), codes::kWordUnused,
+               fmt::format("G68 has no use for {}: with Z, I, J and K it turns in space, which is not interpreted",
+                           letter(axis)),
+               "remove it for a turn in the plane; write G68.2 for a tilted plane, or program A, B and C under G43.4");
   }
   AxisWords centre;
   for (const Axis axis : {Axis::X, Axis::Y}) {

@@ -147,7 +147,8 @@ void check_tool_vector(Execution& run) {
   if (run.vector == nullptr) return;
   if (!straight || run.chosen_row(Action::tool_length) != nullptr) {
     refuse_vector(run, "a direction of the tool belongs to a straight move in the work system",
-                  "put it into a block of its own with G0 or G1; an arc takes CR= or R, and no direction");
+                  fmt::format("put it into a block of its own with G0 or G1; an arc takes {}, and no direction",
+                              run.dialect.syntax.names ? "CR=" : "R"));
   }
   check_words(run);
   if (run.control.modal_call.row != nullptr) {
