@@ -20,14 +20,16 @@ bool ends_tape(std::string_view line, bool begun, const Dialect& dialect) {
 
 // What the lines of a tape begin with.
 template <class Take>
-void for_each_head(const InputFile& file, const Dialect& dialect, const Take& take) {
+void for_each_head(const InputFile& file, const Dialect& dialect, const Take& take, bool behind_end = false) {
   LineSource lines(file, dialect.syntax.goes_on);
   bool begun = false;
+  bool ended = false;
   for (Line line; lines.next(line);) {
-    if (ends_tape(line.text, begun, dialect)) return;
+    ended = ended || ends_tape(line.text, begun, dialect);
+    if (ended && !behind_end) return;
     const LineHead head = head_of(line.text, dialect);
     begun = begun || !head.empty;
-    take(head, line);
+    if (ended == behind_end) take(head, line);
   }
 }
 
@@ -176,6 +178,17 @@ std::optional<FilePlace> LabelIndex::find_program(const std::string& name) {
            "put it behind the line that names the program, or take it out", shown(*file, *programs.words_before));
   }
   return find_in_open_files(name);
+}
+
+std::optional<LinePlace> LabelIndex::behind_end(const std::string& name) {
+  std::optional<LinePlace> found;
+  for_each_head(
+      files_.file(0), dialect_,
+      [&](const LineHead& head, const Line& line) {
+        if (!found && head.program == name) found = line.place;
+      },
+      true);
+  return found;
 }
 
 bool LabelIndex::is_twice(const std::string& name) {

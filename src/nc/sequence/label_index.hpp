@@ -48,6 +48,8 @@ class LabelIndex {
   /// The program of that name: in the files that are open, else in one of its name beside the program. Refuses such a
   /// file if words stand before the first program of it.
   std::optional<FilePlace> find_program(const std::string& name);
+  /// Where the program of that name begins behind what ends the program's own file for the control: a second %.
+  std::optional<LinePlace> behind_end(const std::string& name);
   /// True if a file holds several programs of that name.
   bool is_twice(const std::string& name);
   /// The loops and branches of the file that is read. `left_out`, the same in each call: lines behind / are.

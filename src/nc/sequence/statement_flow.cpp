@@ -10,7 +10,6 @@
 #include "nc/language/refusal.hpp"
 #include "nc/sequence/flow_block.hpp"
 #include "nc/sequence/program_ends.hpp"
-#include "nc/sequence/subprogram_file.hpp"
 #include "nc/syntax/line_head.hpp"
 
 namespace plumbline::nc {
@@ -23,9 +22,7 @@ FilePlace program_called(const Block& block, const std::string& name, LabelIndex
     refuse_flow(block, codes::kFlowOpen, fmt::format("several programs of these files are named {}", name),
                 "leave the one that is meant, or give them names of their own");
   }
-  refuse_flow(
-      block, codes::kFlowOpen, fmt::format("subprogram {} is neither in this file nor beside it", name),
-      fmt::format("put it into a file of its name beside the program, as {}", subprogram_file_name(name, dialect)));
+  refuse_missing_program(block, name, labels, dialect);
 }
 
 const LinePlace* find_label(const Block& block, LabelIndex& labels, const Interpreter& interpreter,
