@@ -142,3 +142,18 @@ TEST_CASE("OSP: what a variable becomes that is set to one without a value is re
              {"G15 H1 G0 X0 Y0 Z50\nIF [PX EQ EMPTY] N9\nX5\nN9 M2\n", 0, 0},
              {"G15 H1 G0 X0 Y0 Z50\nPX=3\nPY=[PX]\nIF [[PY] EQ 3] N9\nN9 M2\n", 0, 0}});
 }
+
+TEST_CASE("OSP: what hands a value on hands on that its last digits are open") {
+  check_osp({{"G15 H1 G0 X0 Y0 Z50\nCALL O7 PY=0.1+0.2\nM2\nO7\nIF [PY EQ 0.3] N9\nN9 RTS\n", 5, 8},
+             {"G15 H1 G0 X0 Y0 Z50\nVC1=0.1+0.2\nCALL O7\nM2\nO7\nIF [VC1 LT 0.3] N9\nN9 RTS\n", 6, 9},
+             {"G15 H1 G0 X0 Y0 Z50\nPX=0.1+0.2\nCALL O7 PY=PX\nM2\nO7\nPZ=FIX[PY*10]\nRTS\n", 6, 4},
+             {"G15 H1 G0 X0 Y0 Z50\nCALL O7 PY=0.3\nM2\nO7\nIF [PY EQ 0.3] N9\nN9 RTS\n", 0, 0}});
+}
+
+TEST_CASE("OSP: a label that differs by zeros is not taken for the same") {
+  check_osp({{"G15 H1 G0 X0 Y0 Z50\nVC1=1\nIF [VC1 EQ 1] N5\nX1\nN05 X2\nM2\n", 3, 1},
+             {"G15 H1 G0 X0 Y0 Z50\nN0010 X5\nVC1=VC1+1\nIF [VC1 LT 3] GOTO N10\nM2\n", 3, 5, "nc-parameter-unset"},
+             {"G15 H1 G0 X0 Y0 Z50\nGOTO N0100\nX3\nN100 X5\nM2\n", 2, 1},
+             {"G15 H1 G0 X0 Y0 Z50\nGOTO N0100\nX3\nN0100 X5\nM2\n", 0, 0},
+             {"G15 H1 G0 X0 Y0 Z50\nGOTO NA01\nX3\nNA01 X5\nM2\n", 0, 0}});
+}

@@ -57,7 +57,7 @@ const LabelIndex::Index& LabelIndex::labels_of(std::size_t file) {
     if (!head.number.empty()) index.labels[head.number].push_back(line.place);
     if (!head.label.empty()) index.labels[head.label].push_back(line.place);
     const bool is_label = !head.number.empty() || !head.label.empty();
-    if (head.zeros > 0 && dialect_.syntax.labels == Labels::names) index.zeros.emplace(line.place.line, head.zeros);
+    if (head.zeros > 0 && dialect_.syntax.labels != Labels::numbers) index.zeros.emplace(line.place.line, head.zeros);
     if (is_label && head.behind_slash) index.behind_slash.insert(line.place.line);
     if (!dialect_.syntax.numbered_loops || head.word == FlowWord::none) return;
     index.loops.push_back({line.place.line, head.loop, head.word != FlowWord::end_while});

@@ -200,7 +200,7 @@ void StatementFlow::jump(const Block& block, std::string_view written, Direction
                 direction == Direction::both ? "add it to this program, or check its name"
                                              : "it is looked for in one direction alone: check that as well");
   }
-  if (dialect_.syntax.statements == Statements::high_level) check_zeros(block, labels_, written, *place);
+  if (dialect_.syntax.statements != Statements::macro_b) check_zeros(block, labels_, written, *place);
   sections_.check_jump(block, *place, calls_.depth());
   if (place->line <= block.line) ways_.check_way_back(block);
   loops_.leave_by_jump(place->line);

@@ -66,6 +66,11 @@ void block_number(BlockReading& in) {
   }
   in.out.set_number(number);
   cursor.take(lex_named_item);
+  if (!may_be_name || !cursor.is(TokenKind::equals)) return;
+  cursor.refuse(number, codes::kAssignment,
+                fmt::format("{} is the name of this line, as whatever begins with N at its begin, and no variable",
+                            in.out.at(number)),
+                "give the variable a name that does not begin with N");
 }
 
 // The line is the name of a program: O1000.
