@@ -110,6 +110,19 @@ const NestedPart* Nesting::part_at(std::size_t line) const {
   return at == lines_.end() || at->first != line ? nullptr : &parts_[at->second];
 }
 
+bool NestedPart::is_entered(std::size_t from, std::size_t to) const {
+  if (word == FlowWord::none || to <= begin.line || to > end.line) return false;
+  if (!contains(from)) return true;
+  if (otherwise.line == 0 || to == end.line) return false;
+  return from < otherwise.line ? to > otherwise.line : to <= otherwise.line;
+}
+
+const NestedPart* Nesting::entered(std::size_t from, std::size_t to) const {
+  const auto at =
+      std::find_if(parts_.begin(), parts_.end(), [&](const NestedPart& part) { return part.is_entered(from, to); });
+  return at == parts_.end() ? nullptr : &*at;
+}
+
 bool Nesting::leaves_out_between(const LinePlace& from, const LinePlace& to, FlowWord kind) const {
   return std::any_of(left_out_.begin(), left_out_.end(), [&](const LeftOutLine& one) {
     return one.kind == kind && one.line > from.line && one.line <= to.line;

@@ -23,6 +23,9 @@ struct NestedPart {
   bool is_open = false;  // the fault: it has no end
 
   bool contains(std::size_t line) const { return line >= begin.line && line <= end.line; }
+  /// True of what can be reached by a jump alone from a line to another: behind the begin, or behind ELSE from before
+  /// it and the other way round.
+  bool is_entered(std::size_t from, std::size_t to) const;
 };
 
 class Nesting {
@@ -34,6 +37,8 @@ class Nesting {
 
   /// What this line begins, divides or ends, paired or not; null: it is none such.
   const NestedPart* part_at(std::size_t line) const;
+  /// The first that a jump leads into; null: there is none.
+  const NestedPart* entered(std::size_t from, std::size_t to) const;
   /// True if a line between these two would begin, divide or end what is of the same kind, and is left out behind /.
   bool leaves_out_between(const LinePlace& from, const LinePlace& to, FlowWord kind) const;
 

@@ -202,6 +202,7 @@ void StatementFlow::jump(const Block& block, std::string_view written, Direction
   }
   if (dialect_.syntax.statements != Statements::macro_b) check_zeros(block, labels_, written, *place);
   sections_.check_jump(block, *place, calls_.depth());
+  loops_.check_jump(block, block.line, place->line);
   if (place->line <= block.line) ways_.check_way_back(block);
   loops_.leave_by_jump(place->line);
   files_.seek(*place);
@@ -332,7 +333,9 @@ void StatementFlow::begin_call() {
 }
 
 bool StatementFlow::end_program(const Block& block, const ProgramCall& program) {
-  if (called()) {
+  const bool was_called = called();
+  const std::size_t from = was_called ? calls_.top().line : block.line;
+  if (was_called) {
     if (program.return_to && calls_.top().remaining > 0) {
       refuse_flow(block, codes::kNotInterpreted,
                   fmt::format("line {} calls this more than once, and whether P of M99 leaves the calls to come out "
@@ -344,20 +347,21 @@ bool StatementFlow::end_program(const Block& block, const ProgramCall& program) 
   } else if (!program.return_to) {
     return false;  // M99 in the main program: one pass
   }
-  if (program.return_to) jump_back(block, *program.return_to);
+  if (program.return_to) jump_back(block, *program.return_to, from);
+  if (program.return_to && !was_called) ways_.check_main_again(block);
   return true;
 }
 
-// M99 P100: the caller goes on at N100.
-void StatementFlow::jump_back(const Block& block, int number) {
-  const std::size_t line = files_.here().line.line;
+// M99 P100: the caller goes on at N100. `from`: its line that calls.
+void StatementFlow::jump_back(const Block& block, int number, std::size_t from) {
   const LinePlace* const place =
-      find_label(block, labels_, interpreter_, fmt::format("N{}", number), line, Direction::both);
+      find_label(block, labels_, interpreter_, fmt::format("N{}", number), from, Direction::both);
   if (place == nullptr) {
     refuse_flow(block, codes::kFlowLabel,
                 fmt::format("there is no N{} to return to in the program that called", number), "check the P of M99");
   }
   used_ = true;
+  loops_.check_jump(block, from, place->line);
   loops_.leave_by_jump(place->line);
   files_.seek(*place);
 }

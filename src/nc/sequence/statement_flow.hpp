@@ -52,7 +52,7 @@ class StatementFlow : public Sequencer {
   void enter(const Block& block, Call call, bool own_variables);
   void begin_call();
   void leave(const Block& block);
-  void jump_back(const Block& block, int number);
+  void jump_back(const Block& block, int number, std::size_t from);
 
   const Dialect& dialect_;
   Interpreter& interpreter_;

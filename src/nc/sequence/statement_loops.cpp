@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "nc/language/codes.hpp"
 #include "nc/sequence/flow_block.hpp"
 
@@ -77,6 +79,15 @@ StatementLoops::Loop& StatementLoops::ended_by(const Block& block) {
   if (!loops().empty() && loops().back().begin.line == part.begin.line) return loops().back();
   refuse_flow(block, codes::kFlowLabel, "this ends a loop that was not begun",
               "a jump may lead out of a loop, and not into one: let it lead to the line that begins the loop");
+}
+
+void StatementLoops::check_jump(const Block& block, std::size_t from, std::size_t to) {
+  const NestedPart* const part = nesting().entered(from, to);
+  if (part == nullptr) return;
+  refuse_flow(block, codes::kFlowLabel,
+              fmt::format("this jumps into {} that begins in line {}, without its begin",
+                          part->word == FlowWord::begin_if ? "a branch of the IF" : "the loop", part->begin.line),
+              "a jump may lead out of a loop or a branch, and not into one: let it lead to the line that begins it");
 }
 
 void StatementLoops::leave_by_jump(std::size_t line) {

@@ -30,6 +30,9 @@ class StatementLoops {
   void branch(const Block& block);
   /// True if this line is read since it ends what was left out last: it does nothing else.
   bool ends_left_out(const Block& block) { return std::exchange(left_out_up_to_, 0) == block.line; }
+  /// Refuses with nc-flow-label, at the block that jumps, a jump into a loop or a branch that does not hold the line
+  /// which it leads away from.
+  void check_jump(const Block& block, std::size_t from, std::size_t to);
   /// A jump to this line of the same program: loops that it leads out of are over.
   void leave_by_jump(std::size_t line);
 

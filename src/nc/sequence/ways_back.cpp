@@ -29,9 +29,13 @@ void WaysBack::check_loop(const Block& block) {
               "let each DO have its END before that of the loop around it, and a number of its own");
 }
 
-void WaysBack::check_way_back(const Block& block) {
+void WaysBack::check_way_back(const Block& block) { check_against(block, changes_at_); }
+
+void WaysBack::check_main_again(const Block& block) { check_against(block, changes_of_main_at_); }
+
+void WaysBack::check_against(const Block& block, ChangesAt& changes_at) {
   const std::uint64_t changes = interpreter_.changes_of_variables();
-  const auto [at, is_new] = changes_at_.try_emplace({files_.current(), block.line}, changes);
+  const auto [at, is_new] = changes_at.try_emplace({files_.current(), block.line}, changes);
   const std::uint64_t before = std::exchange(at->second, changes);
   if (is_new || before != changes || interpreter_.position_read()) return;
   refuse_flow(block, codes::kTooManyBlocks,

@@ -77,6 +77,51 @@ TEST_CASE("a jump into a loop finds none begun, even if it was left by a jump be
                               "fanuc") == Positions{1, 10, 1, 20});
 }
 
+TEST_CASE("a jump into a loop or a branch is refused, even if it never comes to the end") {
+  const std::string loop = "WHILE [#1 LT 3] DO 1\n#1=#1+1\nN5 G0 X1.\nIF [#1 EQ 0] GOTO 9\nEND 1\nN9 M30\n";
+  CHECK(refused_statement("O1\n#1=0\nGOTO 5\n" + loop, "fanuc") == "nc-flow-label");
+  CHECK(refused_statement("O1\n#1=0\nM98 P2\n" + loop + "O2\nM99 P5\n", "fanuc") == "nc-flow-label");
+  CHECK(refused_statement("O1\n#1=9\n" + loop.substr(0, loop.find("M30")) + "IF [#1 EQ 9] GOTO 5\nM30\n", "fanuc") ==
+        "nc-flow-label");
+  CHECK(refused_statement("O1\nDO 1\nDO 2\nN5 GOTO 9\nEND 2\nGOTO 5\nEND 1\nN9 GOTO 5\n", "fanuc") == "nc-flow-label");
+  const std::string branch = "IF R1==1\nAHEAD: G0 X1\nELSE\nOTHER: G0 X2\nENDIF\n";
+  CHECK(refused_statement("GOTOF AHEAD\n" + branch + "M30\n", "siemens") == "nc-flow-label");
+  CHECK(refused_statement("GOTOF OTHER\n" + branch + "M30\n", "siemens") == "nc-flow-label");
+  CHECK(refused_statement("R1=1\n" + branch + "GOTOB OTHER\nM30\n", "siemens") == "nc-flow-label");
+  CHECK(refused_statement("R1=1\nIF R1==1\nGOTOF OTHER\nELSE\nOTHER: G0 X2\nENDIF\nM30\n", "siemens") ==
+        "nc-flow-label");
+  CHECK(refused_statement("R1=2\nIF R1==1\nAHEAD: G0 X2\nELSE\nR1=R1+1\nIF R1<5 GOTOB AHEAD\nENDIF\nM30\n",
+                          "siemens") == "nc-flow-label");
+}
+
+TEST_CASE("a jump within a loop or a branch, out of it, or to its begin is read") {
+  CHECK(visited_by_statements("O1\n#1=0\nGOTO 5\nN5 WHILE [#1 LT 4] DO 1\n#1=#1+1\nIF [#1 EQ 2] GOTO 8\n"
+                              "IF [#1 EQ 3] GOTO 9\nG0 X#1\nN8 END 1\nN9 G0 X9.\nM30\n",
+                              "fanuc") == Positions{1, 9});
+  CHECK(visited_by_statements("O1\n#1=0\nWHILE [#1 LT 2] DO 1\n#1=#1+1\nM98 P2\nG0 X8.\nN5 G0 X#1\nEND 1\nM30\n"
+                              "O2\nM99 P5\n",
+                              "fanuc") == Positions{1, 2});
+  CHECK(visited_by_statements("R1=1\nAGAIN:\nIF R1<3\nGOTOF PART\nG0 X9\nPART: G0 X=R1\nR1=R1+1\nGOTOB AGAIN\n"
+                              "ENDIF\nM30\n",
+                              "siemens") == Positions{1, 2});
+}
+
+TEST_CASE("a subprogram behind the second % is not there for the control, and the message says so") {
+  const auto told = [](const std::string& text, std::string_view control) {
+    const auto refused = refusal_of(text, empty_tables(), control);
+    return refused ? refused->code + refused->message : std::string();
+  };
+  for (const std::string text :
+       {"%\nO1\nM98 P2\nM30\n%\nO2\nG0 X5.\nM99\n%\n", "O1\nG65 P2 A1.\nM30\n%\n\nO0002\nM99\n",
+        "%\nO1\nM98 P2\nM30\n%\n%\nO3\nM99\n:2\nM99\n%\n"}) {
+    INFO(text);
+    CHECK(told(text, "fanuc").find("behind the second %: the control stops reading there") != std::string::npos);
+  }
+  CHECK(told("%\nO1\nM98 P2\nM30\n%\nO3\nM99\n%\n", "fanuc").find("neither in this file nor beside it") !=
+        std::string::npos);
+  CHECK(told("%\nO1\nM98 P2\nM30\nO2\nM99\n%\n", "fanuc").empty());
+}
+
 TEST_CASE("an end behind a comment, or a loop without an end, is refused") {
   CHECK(refused_statement("O1\n#1=0\nWHILE [#1 LT 1] DO 1\n#1=#1+1\n(A) END 1\nM30\n", "fanuc") == "nc-flow-open");
   CHECK(refused_statement("O1\n#1=5\nWHILE [#1 LT 1] DO 1\nG0 X1.\n(A) END 1\nM30\n", "fanuc") == "nc-flow-open");

@@ -28,6 +28,9 @@ TEST_CASE("a way that leads back without end is told when it does so again") {
   CHECK(refusal("fanuc", "O1\nN5 G0 X1.\nGOTO 5\nM30\n") == always);
   CHECK(refusal("fanuc", "O1\n#1=1\nWHILE [#1 EQ 1] DO 1\nG0 X1.\nEND 1\nM30\n") == always);
   CHECK(refusal("siemens", "LA: G0 X1\nGOTOB LA\nM30\n") == always);
+  CHECK(refusal("fanuc", "O1\nN1 G0 X1.\nX2.\nM99 P1\n") == always);
+  CHECK(refusal("fanuc", "O1\n#1=3\nN7 G0 X#1\nM98 P2\nM99 P7\nO2\nG0 Y1.\nM99\n") == always);
+  CHECK(refusal("fanuc", "O1\nG0 X1.\nGOTO 3\nN2 X2.\nM30\nN3 M99 P2\n").empty());
   CHECK(refusal("okuma", "O1\nNA G0 X1\nGOTO NA\nM2\n") == always);
   CHECK(refusal("fanuc", "O1\n#1=0\nN5 G0 X#1\n#1=#1+1\nGOTO 5\nM30\n").find("more than 1000 blocks") !=
         std::string::npos);
