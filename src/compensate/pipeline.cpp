@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "compensate/limits.hpp"
+#include "nc/sequence/program_ends.hpp"
 #include "path/figures.hpp"
 
 namespace plumbline::compensate {
@@ -84,6 +85,18 @@ void record_shifted(OutputRecord& record, MoveReader& reader, const nc::Step& st
   }
 }
 
+// A control that loads an archive stores each of its programs.
+void carry_over_programs_behind(Rewriter& rewriter, const InputFile& source, const nc::Dialect& dialect) {
+  const std::optional<nc::ProgramsBehind> behind = nc::programs_behind(source, dialect);
+  if (!behind) return;
+  if (behind->main) {
+    refuse("compensate-flow",
+           "the program is written out, and this main program that it calls would stand behind it as it is",
+           "end its name with _SPF, or put it into a file of its own", *behind->main);
+  }
+  rewriter.carry_over(behind->begin);
+}
+
 }  // namespace
 
 Pipeline::Pipeline(const InputFile& source, const ProgramSurvey& survey, const nc::ProgramSettings& program,
@@ -122,6 +135,7 @@ bool Pipeline::run(const Progress& progress) {
     rewriter_.end();
     if (progress && reader_.blocks() % kProgressEvery == 0) progress(step->block->offset, source_.size());
   }
+  if (steps_.unrolled() && reader_.jumped()) carry_over_programs_behind(rewriter_, source_, dialect_);
   rewriter_.finish();
   return true;
 }

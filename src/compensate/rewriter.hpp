@@ -53,6 +53,8 @@ class Rewriter {
   /// What is written between these two stands for the block of a cycle.
   void begin_cycle(const nc::Step& step) { emitter_.begin_group(step); }
   void end_cycle(const nc::Step& step) { emitter_.end_group(step); }
+  /// Unrolled, after the last block: the programs that stand from here on in the file, as they are.
+  void carry_over(std::uint64_t begin) { emitter_.carry_over(begin); }
   /// After the last block.
   void finish();
 

@@ -1,6 +1,7 @@
 // Writes a program again with its moves corrected: what need not change comes out byte for byte.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -103,6 +104,9 @@ class Emitter {
   /// correction moves anything.
   EmittedMove rewrite(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
                       std::optional<double> seconds);
+
+  /// Unrolled, after the last block: what stands from here to the end of the source, as it is.
+  void carry_over(std::uint64_t begin) { text_.carry_over(begin); }
 
   /// To be called after the last block. A program with no changed block comes out identical, without a stamp.
   void finish() { text_.finish(); }

@@ -74,4 +74,19 @@ void check_other_programs(LabelIndex& labels, const std::set<std::size_t>& begun
   if (const std::optional<LinePlace> other = labels.other_main(begun)) refuse_other(labels, *other);
 }
 
+std::optional<ProgramsBehind> programs_behind(const InputFile& file, const Dialect& dialect) {
+  if (dialect.syntax.statements != Statements::high_level) return std::nullopt;
+  ProgramFiles files(file, dialect);
+  LabelIndex labels(files, dialect);
+  const ProgramHeads& programs = labels.own_programs();
+  const std::size_t first = programs.words_before ? 0 : 1;
+  if (programs.heads.size() <= first) return std::nullopt;
+  ProgramsBehind behind;
+  behind.begin = programs.heads[first].place.offset;
+  for (std::size_t i = first; i < programs.heads.size() && !behind.main; ++i) {
+    if (programs.heads[i].is_main) behind.main = labels.shown(0, programs.heads[i].place);
+  }
+  return behind;
+}
+
 }  // namespace plumbline::nc

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 
+#include "base/files/files.hpp"
 #include "nc/language/block.hpp"
 #include "nc/language/dialect.hpp"
 #include "nc/sequence/label_index.hpp"
@@ -21,5 +24,13 @@ void refuse_unended(const Block& block, Statements statements);
 /// Refuses with nc-flow-open where the program's file holds a main program that nothing called, or where a
 /// subprogram is the first of several. `begun`: the lines in which the programs begin that were read.
 void check_other_programs(LabelIndex& labels, const std::set<std::size_t>& begun, const Dialect& dialect);
+
+/// What stands behind the main program of an archive.
+struct ProgramsBehind {
+  std::uint64_t begin = 0;    // to the end of the file
+  std::optional<Place> main;  // the first main program of them, by its name
+};
+/// Nothing where the file is no archive, or holds one program.
+std::optional<ProgramsBehind> programs_behind(const InputFile& file, const Dialect& dialect);
 
 }  // namespace plumbline::nc

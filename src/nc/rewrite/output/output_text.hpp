@@ -52,6 +52,8 @@ class OutputText {
   void begin_group();
   void end_group(const Step& step);
 
+  /// Unrolled, after the last block: what stands from here to the end of the source, as it is.
+  void carry_over(std::uint64_t begin) { copy_source(begin, source_.size()); }
   /// To be called after the last block.
   void finish();
 
