@@ -45,9 +45,11 @@ void refuse_handed_on(const nc::Step& step, bool restates) {
          "remove it, or set it in a program that calls this one", place_of(step));
 }
 
-// "R5=2.5", "#100=2.5", "#<_height>=2.5"
-std::string restated(const nc::Dialect& dialect, int number, const nc::HandedVariable& variable, const nc::Step& step) {
-  if (!variable.value.known) {
+// "R5=2.5", "#100=2.5", "#<_height>=2.5"; of one that FOR counted its last pass, empty, since what FOR leaves in it was
+// found in no source.
+void append_restated(std::vector<std::string>& lines, const nc::Dialect& dialect, int number,
+                     const nc::HandedVariable& variable, const nc::Step& step) {
+  if (!variable.value.known && !variable.counted_to) {
     refuse("compensate-flow",
            fmt::format("{}, set in line {}, keeps for other programs what only the machine knows, and the program, "
                        "written out, sets none",
@@ -58,8 +60,13 @@ std::string restated(const nc::Dialect& dialect, int number, const nc::HandedVar
   const std::string name = number == 0 && ranges.empty() ? "#<" + variable.name + '>'
                            : ranges.empty()              ? fmt::format("#{}", number)
                                                          : fmt::format("{}{}", ranges.front().name, number);
+  if (variable.counted_to) {
+    lines.push_back(fmt::format("FOR {}={} TO {}", name, *variable.counted_to, *variable.counted_to));
+    lines.emplace_back("ENDFOR");
+    return;
+  }
   const double value = variable.value.number;
-  return name + '=' + (ranges.empty() ? exact_decimal(value) : to_decimal(value, kDecimalsOfR));
+  lines.push_back(name + '=' + (ranges.empty() ? exact_decimal(value) : to_decimal(value, kDecimalsOfR)));
 }
 
 }  // namespace
@@ -85,18 +92,17 @@ WrittenSteps::OfBlock WrittenSteps::of(const nc::Step& step) {
   refuse_handed_on(step, dialect_.syntax.restates_lasting);
   if (step.flow || step.saves_modes) return of_steering(step);
   refuse_handed_variables(step);
+  if (step.handed != nullptr && step.block->kind == nc::LineKind::ignored) return only(nullptr);  // the end of the file
   const nc::Step* const plain = expander_.plain(step, false);
   if (plain == nullptr || plain->nurbs != nc::NurbsBlock::point) return only(plain);
   return {moves_.of(*plain), std::nullopt};  // its curve is written out at its end
 }
 
-// What FOR leaves in its variable was found in no source: it is left as it is.
 std::vector<std::string> WrittenSteps::restated_variables(const nc::Step& step) const {
   std::vector<std::string> lines;
   if (form_ == nc::Form::in_text_order || step.handed == nullptr || !dialect_.syntax.restates_lasting) return lines;
   for (const auto& [number, variable] : step.handed->set()) {
-    const bool counted = dialect_.syntax.statements == nc::Statements::high_level && !variable->value.known;
-    if (!counted) lines.push_back(restated(dialect_, number, *variable, step));
+    append_restated(lines, dialect_, number, *variable, step);
   }
   return lines;
 }

@@ -270,6 +270,13 @@ void BlockValues::set_variable(const Block& block, std::size_t setting, Value va
   set_parameter(block, place, setting_number(block, place), value);
 }
 
+void BlockValues::set_counted(const Block& block, std::size_t setting, double last) {
+  const Setting& place = block.settings[setting];
+  const int number = setting_number(block, place);
+  set_parameter(block, place, number, {last, false});
+  if (number != kNamed && system_parameters_.is_lasting(number)) run_.control.handed.note_counted(number, last);
+}
+
 void BlockValues::set_parameter(const Block& block, const Setting& place, int number, Value value) {
   if (run_.control.modal_call.by_variables) {
     refuse_at(block, place.span, codes::kNotInterpreted,

@@ -30,6 +30,8 @@ class BlockValues {
   /// The variable that a setting of the block sets.
   Value variable(const Block& block, std::size_t setting);
   void set_variable(const Block& block, std::size_t setting, Value value);
+  /// The one that a loop counted, after its last pass: what is left in it was found in no source.
+  void set_counted(const Block& block, std::size_t setting, double last);
 
  private:
   void leave_out_vacant_words(Block& block);

@@ -47,6 +47,8 @@ class Interpreter {
   void set_variable(const Block& block, std::size_t setting, Value value) {
     values_.set_variable(block, setting, value);
   }
+  /// The one that a loop counted, after its last pass.
+  void set_counted(const Block& block, std::size_t setting, double last) { values_.set_counted(block, setting, last); }
   /// One of the calls of M98 P L ends, and the next begins: M73 brings modes back, none are kept.
   void end_pass(const Block& block);
   /// It ends; M73 brings modes back.

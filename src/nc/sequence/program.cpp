@@ -122,6 +122,7 @@ struct Program::Parts {
   void count(std::uint64_t blocks);
   void count_moves(const Step& step);
   const Step* ignore();
+  const Step* end_of_file();
   const Step* pass_guard();
   [[noreturn]] void refuse_guard(std::string_view what) const;
   void refuse_text_behind() const;
@@ -134,7 +135,7 @@ const Step* Program::Parts::next() {
     if (stage == Stage::ended && flow.used()) return nullptr;
     if (!flow.next(line)) {
       if (in_guard) refuse_guard("the program ends inside its guard");
-      return nullptr;
+      return stage != Stage::ended && flow.used() ? end_of_file() : nullptr;
     }
     place_block(*block, line, flow.file());
     check_line_ends(*block);
@@ -238,6 +239,17 @@ const Step* Program::Parts::ignore() {
   block->clear();
   block->kind = LineKind::ignored;
   return &interpreter.pass(*block);
+}
+
+// A program that steers itself and has no end leaves its variables here.
+const Step* Program::Parts::end_of_file() {
+  stage = Stage::ended;
+  Line line;
+  line.place = {file.size(), 0};
+  place_block(*block, line, flow.file());
+  const Step* const step = ignore();
+  note_handed(interpreter.step());
+  return step;
 }
 
 // It stops the control or does nothing: nothing that follows depends on what it reads.

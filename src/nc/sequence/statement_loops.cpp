@@ -69,7 +69,7 @@ void StatementLoops::begin_for(const Block& block) {
                 "count by whole numbers, as in FOR R1=1 TO 3, or write WHILE");
   }
   if (count <= limit) return;
-  if (counted) interpreter_.set_variable(block, 0, {count, false});  // what is left in it was found in no source
+  if (counted) interpreter_.set_counted(block, 0, count - 1);
   loops().pop_back();
   leave_out(block, part, part.end);
 }

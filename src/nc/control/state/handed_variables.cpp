@@ -11,6 +11,7 @@ void HandedVariables::note_read(int number) {
 
 void HandedVariables::note(HandedVariable& variable, std::string_view name, std::size_t line, Value value) {
   variable.value = value;
+  variable.counted_to.reset();
   if (variable.line != 0) return;
   variable.name = name;
   variable.line = line;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,9 +17,10 @@ namespace plumbline::nc {
 struct HandedVariable {
   std::string name;
   std::size_t line = 0;
-  bool read = false;     // by the program, once it was set
-  bool carried = false;  // its value from before was read as well: it counts from run to run
-  Value value;           // that it was set to last
+  bool read = false;                 // by the program, once it was set
+  bool carried = false;              // its value from before was read as well: it counts from run to run
+  Value value;                       // that it was set to last
+  std::optional<double> counted_to;  // by FOR, whose last pass had this value; what it left is not known
 };
 
 class HandedVariables {
@@ -28,6 +30,8 @@ class HandedVariables {
   void note_set(int number, std::string_view spelt, std::size_t line, Value value);
   /// One that has a name in place of a number.
   void note_set(std::string_view name, std::size_t line, Value value);
+  /// What FOR left in a variable that it set, after a last pass with this value.
+  void note_counted(int number, double last) { variables_[number].counted_to = last; }
   /// One that is set for another program, or for the next run of this one; null: none is.
   const HandedVariable* first() const;
   /// One that was read before it was set, and set afterwards; null: none was.
