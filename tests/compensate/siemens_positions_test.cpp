@@ -44,6 +44,29 @@ TEST_CASE("X=AC(5) under G91 stays a position where an increment would go elsewh
   CHECK(has_text(shifted, "G0 X=AC("));
 }
 
+TEST_CASE("positions under G91 begin after a turn, and stay positions where a cycle is called after them") {
+  const Job job = job_of_control("siemens");
+  const std::string placed = "G54 G17 G90 G64\nG0 X0 Y0 Z10 A0 B0 C0\nS1000 M3 F100\n";
+  for (const auto& [program, written] :
+       {std::pair<std::string, std::string>{"ROT Z30\nG91\nG1 X=AC(10) Y=AC(2)\n", "G1 X=AC(0.909) Y=AC(0.182)"},
+        {"G91\nAROT Z30\nX=AC(10) Y=AC(3)\nX1\n", "X=AC(10) Y=AC(3) A-0.001"},
+        {"ROT Z30\nG1 X=AC(10) Y=AC(2)\n", "G1 X0.9091 Y0.1818"},
+        {"TRANS X10\nG91\nMCALL CYCLE81(10,0,2,-5)\nX=AC(20) Y=AC(0)\nX=AC(21)\nMCALL\n", "G0 X=AC(20.999)"},
+        {"TRANS X10\nG91\nMCALL CYCLE84(10,0,2,-5,,1,5,,2,0,500,500)\nX=AC(20)\nMCALL\nX1\n", "G0X=AC(19.999)"},
+        {"M0\nG91\nMCALL CYCLE83(10,0,2,-5,,-2)\nX=AC(20) Y=AC(0) A=AC(0) B=AC(0) C=AC(0)\nX=AC(21)\nMCALL\n",
+         "G0 X=AC(20.999)"},
+        {"G91\nMCALL CYCLE82(10,0,2,-5,,1)\nX20 Z=AC(12)\nMCALL\n", "Z=AC(2.0"},
+        {"G91\nX1\nCYCLE81(10,0,2,-5)\nX1\n", "Z=AC(2.0"}}) {
+    INFO(program);
+    const std::string text = placed + program + "M30\n";
+    const Result result = run(text, job);
+    INFO(result.text);
+    CHECK(has_text(result.text, written));
+  }
+  CHECK(code_of(placed + "ROT Z30\nG1 X=AC(10) Y=IC(2)\nM30\n", job) == "compensate-position-unknown");
+  CHECK(code_of(placed + "ROT Z30\nG91\nG1 X=AC(10)\nM30\n", job) == "compensate-position-unknown");
+}
+
 TEST_CASE("CYCLE832 chooses the path mode, and no block gets one beside it") {
   const Job job = job_of_control("siemens");
   const std::string cut = "G0 X0 Y0 Z50 A0 B0 C0\nG1 X100 F1000\nM30\n";

@@ -166,6 +166,13 @@ TEST_CASE("a block without axis words makes no hole") {
       "G54 G0 X0 Y0 Z9\nF100\nMCALL CYCLE81(9,0,2,-5)\nM8\nG90\nMSG(\"here\")\nX1\nMCALL\nS900 M3\nG0\nF200\n");
   CHECK(ran.code.empty());
   CHECK(ran.motions.size() == 5);  // G0, and of the hole: there, to R, down and back
+  for (const std::string dwell : {"G4 F1", "G4 S5", "N9 G4 F0.5 ; chips"}) {
+    INFO(dwell);
+    const Outcome waits =
+        outcome_of("G54 G0 X0 Y0 Z9\nF100 S900 M3\nMCALL CYCLE81(9,0,2,-5)\nX1\n" + dwell + "\nMCALL\n");
+    CHECK(waits.code.empty());
+    CHECK(waits.motions.size() == 6);
+  }
   // Of these a control is said to make one.
   check_refused({{"G54 G0 X0 Y0 Z9 F1\nMCALL CYCLE81(9,0,2,-5)\nF200\n", 3, 1},
                  {"G54 G0 X0 Y0 Z9 F1\nMCALL CYCLE81(9,0,2,-5)\nM8 S900\n", 3, 4},

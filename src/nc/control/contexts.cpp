@@ -233,10 +233,11 @@ void check_beside_cycle(const Execution& run) {
   }
 }
 
-// MCALL CYCLE81(...): in some blocks without a move the control is said to call it, too.
+// MCALL CYCLE81(...): in some blocks without a move the control is said to call it, too. F and S beside G4 are its time
+// [N 4.3].
 void check_modal_call(const Execution& run) {
   if (run.control.modal_call.row == nullptr || !run.axes.empty()) return;
-  if (run.chosen_row(Action::modal_call) != nullptr) return;
+  if (run.chosen_row(Action::modal_call) != nullptr || run.chosen_row(Action::dwell) != nullptr) return;
   for (const Word& word : run.block->words) {
     const CodeRow* const row = is_code(word) ? run.dialect.row_of(word) : nullptr;
     const bool moves = row != nullptr && (row->action == Action::rapid || row->action == Action::feed);

@@ -200,6 +200,8 @@ double distance(const std::array<double, 2>& a, const std::array<double, 2>& b);
 AxisWords end_of_move(const Execution& run);
 /// X and Y that @ and ^ mean for a move that begins at x, y.
 std::array<double, 2> polar_end(const Execution& run, double x, double y);
+/// The axes that words of the block send to a position, whatever the modes around them say.
+AxisSet absolute_words(const Execution& run);
 /// Which axes are known there.
 AxisSet known_after_move(const Execution& run);
 /// Refuses where one of these axes stands, which an offset will depend on, is not known.

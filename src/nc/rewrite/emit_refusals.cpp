@@ -83,8 +83,10 @@ void refuse_doubtful_increments(const Step& step, std::span<const Piece> pieces)
                           step.block->at(word.span)),
               "write G90 before this block");
   }
+  AxisSet positioned;
   for (const Piece& piece : pieces) {
-    const AxisSet doubtful = piece.moved & step.shifted;
+    positioned = positioned | piece.positioned;
+    const AxisSet doubtful = (piece.moved & step.shifted) - positioned;
     if (doubtful.empty()) continue;
     refuse_block(*step.block, codes::kNotInterpreted,
                  fmt::format("the correction of this block is an increment of {}, and whether that brings along the "

@@ -35,8 +35,8 @@ bool moves_specially(Execution& run, Action action) {
 // The first move after a turn, where it names both axes of the plane.
 void begin_after_turn(Execution& run) {
   Control& control = run.control;
-  const bool absolute = !control.modal.incremental && !run.has_word_modes && run.machine_word == nullptr;
-  if (absolute && !control.turned.empty() && run.axes.contains(control.turned)) {
+  const bool absolute = run.machine_word == nullptr && absolute_words(run).contains(control.turned);
+  if (absolute && !control.turned.empty()) {
     control.known = control.known | control.turned;
   }
 }

@@ -157,8 +157,6 @@ AxisWords end_of_move(const Execution& run) {
   return end;
 }
 
-namespace {
-
 AxisSet absolute_words(const Execution& run) {
   AxisSet stated = run.control.modal.incremental ? AxisSet{} : run.axes;
   if (run.has_word_modes) {
@@ -174,6 +172,8 @@ AxisSet absolute_words(const Execution& run) {
   }
   return stated;
 }
+
+namespace {
 
 // An increment after it may bring along a shift that it has not followed yet.
 AxisSet shifted_after(const Execution& run, const Motion& motion) {

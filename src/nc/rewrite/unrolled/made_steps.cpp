@@ -14,6 +14,7 @@ MadeStep& MadeSteps::next(const Step& like) {
   made.step.frame = like.frame;
   made.step.position = like.position;
   made.step.known = like.known;
+  made.step.shifted = like.shifted;
   return made;
 }
 

@@ -164,6 +164,14 @@ double WrittenMoves::kept(const Step& step, Axis axis, double value) const {
   return kept_value(value, kept_of(dialect_.behaviour, is_rotary(axis), step.after->inches, increment_ratio_), false);
 }
 
+// Under G91 the levels of a cycle that is called by its name are positions, and so is X=AC(5) of the move before it.
+bool WrittenMoves::is_position(const Step& step, const Motion& motion, Axis axis) {
+  if (!step.after->incremental || step.call == nullptr) return false;
+  if (&motion != step.motions.data()) return true;
+  const Word* const word = find_word(*step.block, letter(axis));
+  return word == nullptr || word->mode == WordMode::absolute;
+}
+
 void WrittenMoves::add_move(const Step& step, const Motion& motion) {
   AxisSet moved;
   for (const Axis axis : kAllAxes) {
@@ -185,9 +193,12 @@ void WrittenMoves::add_move(const Step& step, const Motion& motion) {
     append_code(own.text, codes_.motion(mode_), spelling_);
     for (const Axis axis : kAllAxes) {
       if (!moved.contains(axis)) continue;
-      const double value = motion.to[axis] - (step.after->incremental ? motion.from[axis] : 0);
+      const bool position = is_position(step, motion, axis);
+      const double value = motion.to[axis] - (step.after->incremental && !position ? motion.from[axis] : 0);
+      const std::size_t begin = own.text.size();
       append_word(own.text, letter(axis), kept(step, axis, value / step.after->unit_of(axis)), kMostDecimals,
                   spelling_);
+      if (position) own.text.insert(own.text.find_first_not_of(' ', begin) + 1, "=AC(") += ')';
     }
     const bool needs_feed = motion.kind == MotionKind::feed && motion.feed_mode == FeedMode::inverse_time;
     if (needs_feed) append_word(own.text, 'F', motion.feed, kMostDecimals, spelling_);
