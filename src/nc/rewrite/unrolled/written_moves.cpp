@@ -43,6 +43,14 @@ void refuse_unknown_dwell(const Step& step, const Dialect& dialect) {
             "write G94 before the cycle, with a feed per minute");
 }
 
+// Under G91 the levels of a cycle that is called by its name are positions, and so is X=AC(5) of the move before it.
+bool is_position(const Step& step, const Motion& motion, Axis axis) {
+  if (!step.after->incremental || step.call == nullptr) return false;
+  if (&motion != step.motions.data()) return true;
+  const Word* const word = find_word(*step.block, letter(axis));
+  return word == nullptr || word->mode == WordMode::absolute;
+}
+
 }  // namespace
 
 void WrittenMoves::add(MadeStep& own) {
@@ -162,14 +170,6 @@ void WrittenMoves::append_axis(std::string& text, const Step& step, char letter,
 // A word of the program's unit as the control keeps it.
 double WrittenMoves::kept(const Step& step, Axis axis, double value) const {
   return kept_value(value, kept_of(dialect_.behaviour, is_rotary(axis), step.after->inches, increment_ratio_), false);
-}
-
-// Under G91 the levels of a cycle that is called by its name are positions, and so is X=AC(5) of the move before it.
-bool WrittenMoves::is_position(const Step& step, const Motion& motion, Axis axis) {
-  if (!step.after->incremental || step.call == nullptr) return false;
-  if (&motion != step.motions.data()) return true;
-  const Word* const word = find_word(*step.block, letter(axis));
-  return word == nullptr || word->mode == WordMode::absolute;
 }
 
 void WrittenMoves::add_move(const Step& step, const Motion& motion) {

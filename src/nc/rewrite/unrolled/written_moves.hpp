@@ -34,7 +34,6 @@ class WrittenMoves {
   void add_rest(const Step& step);
   void add_words_after(const Step& step);
   void refuse_words_of_cycle(const Step& step, const BlockCodes& codes) const;
-  static bool is_position(const Step& step, const Motion& motion, Axis axis);
   void add_move(const Step& step, const Motion& motion);
   void add_hole(const Step& step, const Hole& hole);
   void add_called_hole(const Step& step, const Hole& hole);
