@@ -1,5 +1,6 @@
 // Where the cycles of an OSP go back to: G71, M53, M54.
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -7,6 +8,36 @@
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {
+namespace {
+
+constexpr double kSameZero = 1e-6;  // mm
+
+double shift_along(const Control& control, Axis normal) {
+  return control.frame.to_machine(control.position)[normal] - control.position[normal];
+}
+
+// Whether the level is kept as a word or as a place of the machine was found in no source.
+void check_level_holds(const Execution& run, Axis normal) {
+  const ReturnLevel& stated = *run.control.return_level;
+  const bool same = stated.normal == normal && std::abs(stated.shift - shift_along(run.control, normal)) <= kSameZero;
+  if (same) return;
+  const std::string anew =
+      fmt::format("state it anew: write G71 {}.. after the change, before the cycle", letter(normal));
+  if (stated.normal != normal) {
+    run.refuse(
+        run.motion_code(), codes::kNotInterpreted,
+        fmt::format("the level that M53 goes back to was stated along {}, in another plane", letter(stated.normal)),
+        anew);
+  }
+  run.refuse(
+      run.motion_code(), codes::kNotInterpreted,
+      fmt::format("the zero of {} has changed (a tool's length, a work offset or G92) since G71 stated the level "
+                  "that M53 goes back to, and no source says whether that level goes along",
+                  letter(normal)),
+      anew);
+}
+
+}  // namespace
 
 void set_return_level(Execution& run, const Word& code) {
   Control& control = run.control;
@@ -20,9 +51,7 @@ void set_return_level(Execution& run, const Word& code) {
                fmt::format("write it as in {} {}50", run.block->at(code.span), letter(normal)));
   }
   need_offsets(run);
-  AxisWords there = control.position;
-  there[normal] = run.value(normal);
-  control.return_level = control.frame.to_machine(there)[normal];
+  control.return_level = ReturnLevel{normal, run.value(normal), shift_along(control, normal)};
 }
 
 // What G71 says under M53, R under M54.
@@ -40,9 +69,8 @@ double cycle_return_level(const Execution& run, double r) {
     run.refuse(run.motion_code(), codes::kNotInterpreted, "M53 goes back to a level that no G71 of the program states",
                fmt::format("write G71 {}.. before the cycle", letter(normal)));
   }
-  AxisWords machine = control.frame.to_machine(control.position);
-  machine[normal] = *control.return_level;
-  const double level = control.frame.from_machine(machine)[normal];
+  check_level_holds(run, normal);
+  const double level = control.return_level->level;
   if (level >= r) return level;
   run.refuse(run.motion_code(), codes::kNotInterpreted,
              fmt::format("the return level, {}{:.6g}, lies below R", letter(normal), level),

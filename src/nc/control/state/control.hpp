@@ -47,6 +47,13 @@ struct Cycle {
   std::array<double, 3> ijk{};  // G87
 };
 
+/// Where cycles of an OSP go back to under M53, mm along the normal of the plane in which it was stated.
+struct ReturnLevel {
+  Axis normal = Axis::Z;
+  double level = 0;
+  double shift = 0;  // of the work system and the tool against the machine, there and then
+};
+
 /// How many inches a move gave for its end, and the mm that they are: the quotient may be another number.
 struct InchPlace {
   double mm = 0;
@@ -142,7 +149,7 @@ struct Control {
   /// control is set; or G28, G30 or G53 ended the length of G43, and a parameter brings it back.
   enum class LengthDoubt : std::uint8_t { none, edge, home } length_doubt = LengthDoubt::none;
   enum class Return : std::uint8_t { unknown, level, r } cycle_return = Return::unknown;  // M53, M54
-  std::optional<double> return_level;  // G71, in machine coordinates along the normal of the plane
+  std::optional<ReturnLevel> return_level;                                                // G71
 
   WorkSystem no_system;  // before a control that needs to be told was told
   WorkSystem& active() {
