@@ -298,6 +298,7 @@ void check_beside_dwell(const Execution& run) {
 // Whether the first increment brings along what TRANS, G55, a turn or a tool's length changed is not known.
 void check_increment(const Execution& run, const Word& word, Axis axis) {
   const Control& control = run.control;
+  check_digits_of_increment(run, word, axis);
   if (!control.shifted.contains(axis) || !control.known.contains(axis)) return;
   if (word.value == 0 && run.chosen_row(Action::go_home) != nullptr)
     return;  // G91 G28 Z0 ends at home, whatever counts

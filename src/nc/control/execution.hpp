@@ -100,6 +100,8 @@ void check_cycle_beside_motion(const Execution& run);
 void check_beside_dwell(const Execution& run);
 /// Of an axis word that counts from where its axis stands.
 void check_increment(const Execution& run, const Word& word, Axis axis);
+/// Refuses one that is finer than what the control keeps: increments.cpp
+void check_digits_of_increment(const Execution& run, const Word& word, Axis axis);
 void check_words_before_call(const Execution& run);
 /// Refuses M1=8: only of the spindle's codes it is known which one that is.
 void check_extended(const Execution& run, const CodeRow& row, const Word& word);

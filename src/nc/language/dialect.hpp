@@ -274,7 +274,8 @@ struct ControlBehaviour {
   bool zero_has_sign = false;          // C-0 turns downwards where the sign of a word says the way round
   std::string whole_words;             // letters whose values are whole numbers, and written without a point
   double increment_word_mm = 0, increment_word_inch = 0, increment_word_deg = 0;  // kept of a word under G91; 0: all
-  int most_digits = 0;                                                            // of a number; 0: any
+  bool increment_word_always = false;        // under G90 as well, and a finer word under G91 is refused
+  int most_digits = 0;                       // of a number; 0: any
   bool m_beside_cut_unknown = false;         // when codes of the builder act beside a move
   bool change_beside_move_unknown = false;   // whether M6 comes before the move of its block or after it
   double inverse_time_increment = 0;         // of F under G93; 0: units

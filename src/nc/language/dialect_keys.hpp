@@ -107,6 +107,7 @@ inline constexpr Key<bool ControlBehaviour::*> kHabitFlags[] = {
     {"dwell_unknown_inverse_time", &ControlBehaviour::dwell_unknown_inverse_time},
     {"h0_is_machine", &ControlBehaviour::h0_is_machine},
     {"return_levels", &ControlBehaviour::return_levels},
+    {"increment_word_always", &ControlBehaviour::increment_word_always},
     {"cycle_off_stops_spindle", &ControlBehaviour::cycle_off_stops_spindle},
     {"rapid_after_cycles", &ControlBehaviour::rapid_after_cycles},
     {"inverse_time_arc_unknown", &ControlBehaviour::inverse_time_arc_unknown},

@@ -25,7 +25,8 @@ Kept kept_of(const ControlBehaviour& behaviour, bool angle, bool inches, double 
 }
 
 Kept kept_of_axis_word(const ControlBehaviour& behaviour, bool angle, bool inches, double ratio, bool incremental) {
-  if (!incremental || behaviour.increment_word_mm <= 0) return kept_of(behaviour, angle, inches, ratio);
+  const bool of_word = incremental || behaviour.increment_word_always;
+  if (!of_word || behaviour.increment_word_mm <= 0) return kept_of(behaviour, angle, inches, ratio);
   const double quantum = angle    ? behaviour.increment_word_deg
                          : inches ? behaviour.increment_word_inch
                                   : behaviour.increment_word_mm;

@@ -17,7 +17,7 @@ struct Kept {
 /// Of a length or an angle. `ratio`: --input-increment over the dialect's own.
 Kept kept_of(const ControlBehaviour& behaviour, bool angle, bool inches, double ratio);
 
-/// Of a word of an axis; `incremental`: under G91, where what is rounded away would add up.
+/// Of a word of an axis that is written; `incremental`: under G91, where what is rounded away would add up.
 Kept kept_of_axis_word(const ControlBehaviour& behaviour, bool angle, bool inches, double ratio, bool incremental);
 
 /// The value as the control keeps it: a number that stands in the program is cut off, one that is worked out rounded.

@@ -169,7 +169,8 @@ void WrittenMoves::append_axis(std::string& text, const Step& step, char letter,
 
 // A word of the program's unit as the control keeps it.
 double WrittenMoves::kept(const Step& step, Axis axis, double value) const {
-  return kept_value(value, kept_of(dialect_.behaviour, is_rotary(axis), step.after->inches, increment_ratio_), false);
+  const Kept kept = kept_of_axis_word(dialect_.behaviour, is_rotary(axis), step.after->inches, increment_ratio_, false);
+  return kept_value(value, kept, false);
 }
 
 void WrittenMoves::add_move(const Step& step, const Motion& motion) {

@@ -1,0 +1,33 @@
+// Programs for an OSP come out with no more digits than the control keeps, and their increments add up.
+#include <regex>
+
+#include <catch2/catch.hpp>
+
+#include "compensate/play.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+constexpr double kKeptUm = 10;  // half a thousandth of mm and deg, on a platform of half a metre
+
+}  // namespace
+
+TEST_CASE("OSP: no word has more decimals than the control keeps, and increments end where the block does") {
+  Job job = job_of_control("okuma");
+  job.program.feed_rule = nc::FeedRule::xyz_first;
+  const std::string head = "$DIGITS.MIN%\nG15 H1\nG17 G90 G94\nG0 X-90 Y-50 Z50 A0 B0 C0\n";
+  for (const char* const moves :
+       {"G91 G1 X299.7 Y100.3 A5 F3000\nG90\n", "G91 G1 X-33.333 Y66.667 Z-10.001 B-3.333 F800\nX-1\nG90\n",
+        "G91 G2 X20 Y20 I20 J0 F500\nG1 Z-3\nG90\n", "G1 X1.0001 Y2.12345 F100\nA2.55555\n",
+        "VC1=7\nG1 X=VC1/3 Y=VC1*1.2345 F100\nVC1=VC1+1\nX=VC1/3\n",
+        "G71 Z50\nG82 X40 Y0 Z-5 R2 F100 M53\nX50\nG0 Z50\n"}) {
+    const std::string text = head + moves + "G0 X0 Y0 Z50 A0 B0\nM2\n";
+    const Result result = run(text, job);
+    INFO(result.text);
+    CHECK_FALSE(std::regex_search(
+        result.text, std::regex("^[^(\n]*[XYZABCIJKR]-?[0-9]*\\.[0-9]{4}[0-9]*( |$)", std::regex::multiline)));
+    CHECK(play(text, result.text, job).at_points_um <= kKeptUm);
+    CHECK(result.summary.rounding_mm.value <= 0.0009);
+  }
+}
