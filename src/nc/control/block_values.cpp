@@ -141,6 +141,15 @@ std::string_view name_left_open(const Block& block, std::uint32_t code, Paramete
             "a program that depends on a probe or an input cannot be compensated beforehand");
 }
 
+// EMPTY and a variable that was never set are compared; what else comes of them was found in no source.
+[[noreturn]] void refuse_empty(const Block& block, Span span) {
+  refuse_at(block, span, codes::kParameterUnset,
+            fmt::format("a value of {} is EMPTY, or a variable that was never set: what comes of that but a comparison "
+                        "was found in no source",
+                        block.at(span)),
+            "set the variable before, or ask with EQ EMPTY or NE EMPTY");
+}
+
 }  // namespace
 
 BlockValues::BlockValues(Execution& run)
@@ -151,6 +160,7 @@ BlockValues::BlockValues(Execution& run)
 
 double BlockValues::value_of(const Block& block, std::uint32_t code, Span span) {
   const Value value = evaluator_.run(block, code, system_parameters_);
+  if (value.vacant && run_.dialect.syntax.empty_names) refuse_empty(block, span);
   if (value.known) return value.number;
   refuse_unknown(run_, block, code, span, system_parameters_,
                  "where the program goes on is known only when the machine runs");
@@ -230,6 +240,7 @@ void BlockValues::evaluate_settings(const Block& block) {
   for (std::size_t i = 0; i < block.settings.size(); ++i) {
     const Setting& setting = block.settings[i];
     Value value = value_before(block, setting.value, i);
+    if (value.vacant && run_.dialect.syntax.empty_names) refuse_empty(block, setting.whole);
     // #2=#1 alone hands on that there is none: in an expression it counts as 0 [V 13.5; N 20.11.3].
     const std::string_view whole = block.at(setting.whole);
     if (value.bracketed || (value.vacant && run_.dialect.syntax.empty_names)) refuse_vacant(run_, block, setting);
@@ -254,7 +265,13 @@ void BlockValues::assign(const Block& block) {
 }
 
 Value BlockValues::value(const Block& block, std::uint32_t code) {
-  return evaluator_.run(block, code, system_parameters_);
+  const Value value = evaluator_.run(block, code, system_parameters_);
+  const auto given = std::find_if(block.settings.begin(), block.settings.end(),
+                                  [&](const Setting& setting) { return setting.value == code; });
+  if (value.vacant && run_.dialect.syntax.empty_names && given != block.settings.end()) {
+    refuse_empty(block, given->whole);  // CALL OSUB PX=LC
+  }
+  return value;
 }
 
 Value BlockValues::variable(const Block& block, std::size_t setting) {
