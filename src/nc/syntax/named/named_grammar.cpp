@@ -1,5 +1,6 @@
 #include "nc/syntax/named/named_grammar.hpp"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -31,6 +32,16 @@ void header(BlockReading& in) {
   const std::string_view text = in.out.block().text;
   if (text[text.find_last_not_of(" \t\r")] != '%') refuse_goes_on(in, 0);
   in.out.set_kind(LineKind::percent);
+}
+
+// /$ Y5
+void refuse_skipped_rest(const BlockReading& in) {
+  const std::string_view text = in.out.block().text;
+  const std::size_t at = text.find_first_not_of(" \t/0123456789");
+  if (in.syntax->goes_on == '\0' || at == std::string_view::npos || text[at] != in.syntax->goes_on) return;
+  in.cursor.refuse({0, static_cast<std::uint32_t>(at + 1)}, codes::kNotInterpreted,
+                   "whether a part of a block can be left out was found in no source",
+                   "write the block on one line, and the / before it");
 }
 
 // A line that goes on needs words before it to go on with.
@@ -163,17 +174,50 @@ bool named_item(BlockReading& in) {
   cursor.refuse_token("a word");
 }
 
+[[noreturn]] void refuse_drawing_skipped(const BlockReading& in) {
+  const std::string_view text = in.out.block().text;
+  in.cursor.refuse(
+      {0, static_cast<std::uint32_t>(text.size())}, codes::kNotInterpreted,
+      "whether the shape that is drawn (DEF WORK to END) is left out with this line was found in no source",
+      "take the / away: the shape moves nothing");
+}
+
+[[noreturn]] void refuse_drawing_open(const BlockReading& in) {
+  const std::string_view text = in.out.block().text;
+  in.cursor.refuse({0, static_cast<std::uint32_t>(text.size())}, codes::kFlowOpen,
+                   "DEF WORK begins a shape that is drawn, which has not ended before this line",
+                   "write END behind the last line of the shape, as in PS LC,[0,0,0],[100,100,50]");
+}
+
+// PS LC,[0,0,0],[100,100,50]: two letters that mean nothing else, and no value is set.
+bool is_shape(const BlockReading& in, std::string_view statement) {
+  const std::size_t end = std::min(statement.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ"), statement.size());
+  if (end < 2 || end == statement.size() || statement[end] == '=' || is_digit(statement[end])) return false;
+  for (std::size_t length = 2; length <= end; ++length) {
+    if (in.dialect->meaning(statement.substr(0, length)) != nullptr) return false;
+  }
+  return statement.front() != in.syntax->program_letter;
+}
+
 }  // namespace
 
 // DEF WORK ... END: the shape that the control draws.
-bool NamedGrammar::draws(const Block& block) {
+bool NamedGrammar::draws(const BlockReading& in) {
+  const std::string_view text = in.out.block().text;
   std::string words;
-  for (const char c : block.text.substr(0, block.text.find('('))) {
+  for (const char c : text.substr(0, text.find('('))) {
     if (!is_blank(c)) words += upper(c);
   }
-  const bool within = drawing_;
-  drawing_ = within ? words != "END" : words == "DEFWORK";
-  return within || drawing_;
+  std::size_t at = words.starts_with('N') ? words.find_first_not_of("0123456789", 1) : 0;
+  at = std::min(at, words.size());
+  const std::string_view statement = std::string_view(words).substr(at);
+  if (!drawing_) {
+    if (words.starts_with('/') && words.find("DEFWORK") != std::string::npos) refuse_drawing_skipped(in);
+    return drawing_ = statement == "DEFWORK";
+  }
+  if (!statement.empty() && statement != "END" && !is_shape(in, statement)) refuse_drawing_open(in);
+  drawing_ = statement != "END";
+  return true;
 }
 
 void NamedGrammar::read(BlockReading& in) {
@@ -181,7 +225,7 @@ void NamedGrammar::read(BlockReading& in) {
   const std::string_view text = in.out.block().text;
   if (in.syntax->goes_on != '\0' && text.starts_with(in.syntax->goes_on)) return header(in);
   check_goes_on(in);
-  if (in.syntax->draws && draws(in.out.block())) return in.out.set_kind(LineKind::ignored);
+  if (in.syntax->draws && draws(in)) return in.out.set_kind(LineKind::ignored);
   cursor.take(lex_named_item);
   if (cursor.is(TokenKind::percent)) {
     if (!in.syntax->archive_heads || cursor.next_byte() != '_') return read_percent(in);
@@ -190,6 +234,7 @@ void NamedGrammar::read(BlockReading& in) {
     return;
   }
   if (cursor.is(TokenKind::slash)) {
+    refuse_skipped_rest(in);
     read_block_skip(in);
     cursor.take(lex_named_item);
   }

@@ -11,7 +11,7 @@ class NamedGrammar {
   void read(BlockReading& in);
 
  private:
-  bool draws(const Block& block);
+  bool draws(const BlockReading& in);
   bool drawing_ = false;  // between DEF WORK and END
 };
 
