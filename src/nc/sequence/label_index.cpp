@@ -209,6 +209,19 @@ Place LabelIndex::shown(std::size_t file, const LinePlace& place) const {
   return {files_.file(file).name(), place.line, 1, std::max<std::size_t>(line.text.size(), 1), std::string(line.text)};
 }
 
+// A line behind M2 that nothing leads to: it has no label, and no program of its own begins before it.
+std::optional<LinePlace> LabelIndex::unreached() const {
+  std::optional<LinePlace> found;
+  bool ended = false;
+  for_each_head(files_.file(0), dialect_, [&](const LineHead& head, const Line& line) {
+    const bool begins = !line.text.empty() && line.text.front() == dialect_.syntax.goes_on;  // $NAME.MIN%
+    if (ended && !found && (begins || (!head.empty && head.number.empty() && head.program.empty()))) found = line.place;
+    if (!head.number.empty() || !head.program.empty()) ended = false;
+    if (!head.behind_slash && holds_program_end(line.text)) ended = true;
+  });
+  return found;
+}
+
 std::optional<LinePlace> LabelIndex::other_main(const std::set<std::size_t>& begun) {
   const std::vector<ProgramHead>& heads = programs_of(0).programs.heads;
   const auto was_begun = [&](const ProgramHead& head) { return begun.contains(head.place.line); };

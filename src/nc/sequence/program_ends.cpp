@@ -17,6 +17,12 @@ namespace {
          "put it into a file of its own, and work on each of them", labels.shown(0, place));
 }
 
+[[noreturn]] void refuse_unreached(const LabelIndex& labels, const LinePlace& place) {
+  refuse(codes::kFlowOpen,
+         "this stands behind the end of the program (M2, M30), and nothing leads to it: it would stay as it is",
+         "put another program into a file of its own; take out what is never executed", labels.shown(0, place));
+}
+
 // Of an archive the first program is read, and those that it calls.
 void check_archive(LabelIndex& labels, const std::set<std::size_t>& begun) {
   const ProgramHeads& programs = labels.own_programs();
@@ -72,6 +78,8 @@ void refuse_missing_program(const Block& block, const std::string& name, LabelIn
 void check_other_programs(LabelIndex& labels, const std::set<std::size_t>& begun, const Dialect& dialect) {
   if (dialect.syntax.statements == Statements::high_level) return check_archive(labels, begun);
   if (const std::optional<LinePlace> other = labels.other_main(begun)) refuse_other(labels, *other);
+  if (dialect.syntax.statements != Statements::user_task) return;
+  if (const std::optional<LinePlace> line = labels.unreached()) refuse_unreached(labels, *line);
 }
 
 std::optional<ProgramsBehind> programs_behind(const InputFile& file, const Dialect& dialect) {
