@@ -1,8 +1,13 @@
 // Drilling cycles of an OSP: what they keep, and what no source says of them.
+#include <string>
+
 #include <catch2/catch.hpp>
 
 #include "nc/osp_cases.hpp"
+#include "nc/programs.hpp"
 
+using namespace plumbline;
+using namespace plumbline::nc;
 using namespace plumbline::nc::tests;
 
 TEST_CASE("OSP: a level of G71 holds no longer than the zero of its axis does") {
@@ -12,12 +17,60 @@ TEST_CASE("OSP: a level of G71 holds no longer than the zero of its axis does") 
              {"G15 H1 G0 X0 Y0 Z50\nG71 Z50\nM53\nG15 H2 G0 X0 Y0 Z50\nG82 X0 Y0 Z-5 R2 F100\nM2\n", 5, 1},
              {"G15 H1 G0 X0 Y0 Z50\nG71 Z50\nM53\nG92 Z80\nG83 X0 Y0 Z-5 R2 Q1 F100\nM2\n", 5, 1},
              {"G15 H1 G0 X0 Y0 Z50\nG71 Z50 M53\nG169 H1\nG0 Z50\nG85 X0 Y0 Z-5 R2 F100\nM2\n", 5, 1},
-             {"G15 H1 G0 X0 Y0 Z50\nG71 Z50 M53\nG18 G0 X0 Y50\nG81 X0 Z0 Y-5 R2 F100\nM2\n", 4, 1,
-              "nc-not-interpreted", "another plane"}});
+             {"G15 H1 G0 X0 Y0 Z50\nG18 M53\nG71 Y50\nG17\nG81 X0 Y0 Z-5 R2 F100\nM2\n", 5, 1, "nc-not-interpreted",
+              "another plane"}});
   check_osp({{"G15 H1\nG56 H3 G0 X5 Y0 Z50\nG71 Z50 M53\nG81 X5 Y0 Z-5 R2 F100\nG0 Z100\nG56 H1 Z50\n"
               "G71 Z50\nG81 X5 Y0 Z-5 R2 F100\nM2\n",
               0, 0},
              {"G15 H1\nG56 H3 G0 X5 Y0 Z50\nG71 Z50 M53\nG56 H1 G0 Z60\nG56 H3 Z50\nG81 X5 Y0 Z-5 R2 F100\nM2\n", 0, 0},
              {"G15 H1 G0 X0 Y0 Z50\nG71 Z50 M53\nG92 X7\nG81 X0 Y0 Z-5 R2 F100\nM2\n", 0, 0},
              {"G15 H1 G0 X0 Y0 Z50\nG71 Z50 M54\nG15 H2 G0 X0 Y0 Z2\nG81 X0 Y0 Z-5 R2 F100\nM2\n", 0, 0}});
+}
+
+TEST_CASE("OSP: a block of a cycle names its hole") {
+  const std::string begin = "G15 H1 G0 X0 Y0 Z50\nG71 Z50 M53\n";
+  const auto check = [&](const std::string& rest, std::size_t line, std::size_t column) {
+    const std::string program = begin + rest;
+    check_osp({{program.c_str(), line, column}});
+  };
+  check("G81 X5 Y0 Z-5 R2 F100\nG81\nM2\n", 4, 1);
+  check("G81 X5 Y0 Z-5 R2 F100\nZ-7\nM2\n", 4, 1);
+  check("G81 X5 Y0 Z-5 R2 F100\nG82 R3 P100\nM2\n", 4, 1);
+  check("G81 Z-5 R2 F100\nM2\n", 3, 1);
+  check("G81 X5 Z-5 R2 F100\nM2\n", 0, 0);
+  check("G81 X5 Y0 Z-5 R2 F100\nX7\nY3 Z-8\nG82 X1\nG0 Z60\nM2\n", 0, 0);
+}
+
+TEST_CASE("OSP: G83 pecks by Q, or by I with J for the depth after which the tool comes up") {
+  const std::string begin = "G15 H1 G0 X5 Y0 Z50\nG71 Z50\n";
+  for (const std::string block : {"G83 X5 Y0 Z-20 R2 I3 J9 F100 M53\n", "G83 X5 Y0 Z-20 R2 P500 I3 J9 F100 M53\n",
+                                  "G83 X5 Y0 Z-20 R2 Q3 F100 M53\n", "G73 X5 Y0 Z-20 R2 I3 J9 F100 M53\n"}) {
+    check_osp({{(begin + block + "X9\nM2\n").c_str(), 0, 0}});
+  }
+  check_osp({{(begin + "G83 X5 Y0 Z-20 R2 I3 F100 M53\nM2\n").c_str(), 3, 19},
+             {(begin + "G83 X5 Y0 Z-20 R2 Q3 J9 F100 M53\nM2\n").c_str(), 3, 22},
+             {(begin + "G73 X5 Y0 Z-20 R2 Q3 I3 J9 F100 M53\nM2\n").c_str(), 3, 22}});
+}
+
+TEST_CASE("OSP: a cycle waits where P says so") {
+  for (const char* const code : {"G82", "G86", "G89"}) {
+    for (const bool waits : {false, true}) {
+      const ProgramFile text(std::string("G15 H1 G0 X5 Y0 Z50\nG71 Z50\n") + code + " X5 Y0 Z-20 R2 F100 M53" +
+                             (waits ? " P500\nM2\n" : "\nM2\n"));
+      const InputFile file(text.path());
+      Program blocks(file, dialect("okuma"), empty_tables());
+      double seconds = 0;
+      std::size_t dwells = 0;
+      while (const Step* step = blocks.next()) {
+        for (const Motion& motion : step->motions) {
+          if (motion.kind != MotionKind::dwell) continue;
+          ++dwells;
+          seconds += motion.dwell_s;
+        }
+      }
+      INFO(code);
+      CHECK(dwells == (waits ? 1 : 0));
+      CHECK(seconds == (waits ? 0.5 : 0));
+    }
+  }
 }

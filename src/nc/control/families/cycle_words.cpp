@@ -27,6 +27,7 @@ class CycleWords {
 
  private:
   void take_words_of_osp(bool is_new);
+  void check_pecks_of_osp() const;
   double inherited(char letter, double before, double value, bool needed) const;
 
   Execution& run_;
@@ -104,6 +105,17 @@ void CycleWords::take_words() {
   }
 }
 
+// Posts write Q, or I and J together [P onCyclePoint, chip-breaking].
+void CycleWords::check_pecks_of_osp() const {
+  const Word* const step = run_.words.find('I');
+  const Word* const depth = run_.words.find('J');
+  const Word* const one = step != nullptr ? step : depth;
+  if (one == nullptr || (step != nullptr && depth != nullptr && !run_.words.has('Q'))) return;
+  run_.refuse(*one, codes::kNotInterpreted,
+              "what a peck by I or J without the other, or with Q beside it, does was found in no source",
+              "write Q for the depth of each peck, or I for it and J for the depth after which the tool comes up");
+}
+
 // With J the tool goes up to R whenever that depth has come together (setting); FA is the feed out of the hole.
 void CycleWords::take_words_of_osp(bool is_new) {
   if (is_new) {
@@ -112,6 +124,7 @@ void CycleWords::take_words_of_osp(bool is_new) {
   }
   cycle_.stays = cycle_.stays || (run_.words.letters() & run_.motion->stays_mask) != 0;
   if (const Word* const depth = run_.words.find('J')) cycle_.peck_to_r = run_.length(*depth);
+  check_pecks_of_osp();
   const Word* const feed = run_.words.find(kFeedOut);
   if (feed == nullptr) return;
   cycle_.feed_out = feed->value;

@@ -189,6 +189,15 @@ void CycleRun::check_shift() {
   cycle_.shift = shift;
 }
 
+// Posts name X or Y at each hole [P onCyclePoint].
+void check_hole_is_named(const Execution& run) {
+  const bool named = run.axes.contains(Axis::X) || run.axes.contains(Axis::Y);
+  if (named || !run.dialect.behaviour.return_levels) return;
+  run.refuse(run.motion_code(), codes::kNotInterpreted,
+             "whether a block of a cycle without X and Y drills where the tool stands was found in no source",
+             "name X or Y of the hole");
+}
+
 }  // namespace
 
 void move_in_cycle(Execution& run) {
@@ -206,6 +215,7 @@ void move_in_cycle(Execution& run) {
     run.refuse(run.motion_code(), codes::kNotInterpreted,
                "what a cycle's words count from under G91 was found in no source", "write G90 before it");
   }
+  check_hole_is_named(run);
   CycleRun(run, known).make();
   // What P counts in a cycle of an OSP depends on its settings: such a hole stays a cycle, whose P stays as it is.
   const Cycle& cycle = run.control.cycle;

@@ -27,7 +27,8 @@ void HoleMotions::go(MotionKind kind, double first, double second, double level)
 
 void HoleMotions::wait() {
   const bool taps = code_ == kTapping || code_ == kLeftTapping;
-  if (as_fanuc_ && taps && cycle_.dwell_s <= 0) return;
+  const bool of_osp = run_.dialect.behaviour.return_levels;  // it waits where P says so [P onCyclePoint]
+  if (as_fanuc_ && (taps || of_osp) && cycle_.dwell_s <= 0) return;
   Motion motion;
   motion.kind = MotionKind::dwell;
   motion.to = control_.position;
@@ -85,7 +86,8 @@ void HoleMotions::pecks() {
     along(MotionKind::feed, depth);
     const bool far = cycle_.peck_to_r > 0 && at <= up_at;
     if (far) up_at = at - together;
-    if (code_ == kPeck || far) along(MotionKind::rapid, hole_.r);
+    const bool breaks_chips = code_ == kChipBreaking || cycle_.peck_to_r > 0;
+    if (!breaks_chips || far) along(MotionKind::rapid, hole_.r);
     along(MotionKind::rapid, depth + run_.dialect.behaviour.peck_gap_mm);
   }
   along(MotionKind::feed, hole_.bottom);
