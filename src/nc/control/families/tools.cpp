@@ -245,7 +245,7 @@ void change_tool(Execution& run, const Chosen& chosen) {
   }
   control.edge_of_selected = false;
   control.modal.tool_in_spindle = control.selected_tool;
-  if (run.dialect.behaviour.change_stops_spindle) control.modal.switches.spindle = kSpindleStands;
+  if (run.dialect.behaviour.change_stops_spindle) control.turn_spindle(kSpindleStands);
   if (run.dialect.behaviour.tool_length_at_change && control.edge != 0) {
     take_edge(run, *chosen.word, control.modal.tool_in_spindle);
   }

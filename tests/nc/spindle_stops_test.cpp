@@ -1,0 +1,39 @@
+// What stops the spindle, in programs for Fanuc and Siemens: a feed per revolution is none after it.
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "nc/programs.hpp"
+
+using namespace plumbline;
+using namespace plumbline::nc;
+using namespace plumbline::nc::tests;
+
+namespace {
+
+std::string refused_spindle(const char* control, const std::string& program) {
+  const ProgramFile text(program);
+  const InputFile file(text.path());
+  try {
+    Program blocks(file, dialect(control), empty_tables());
+    while (blocks.next() != nullptr) continue;
+  } catch (const Refusal& refusal) {
+    return refusal.diagnostic().code;
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a feed per revolution needs a spindle that no change of the tool has stopped") {
+  const std::string code = "nc-feed-missing";
+  for (const char* const control : {"fanuc", "siemens"}) {
+    INFO(control);
+    const std::string head = "G54 G90 G0 X0. Y0. Z0.\nS100 M3\n";
+    CHECK(refused_spindle(control, head + "T1 M6\nG0 X1.\nG95 G1 X5. F0.1\nM30\n") == code);
+    CHECK(refused_spindle(control, head + "M19\nG95 G1 X5. F0.1\nM30\n") == code);
+    CHECK(refused_spindle(control, head + "G95 G1 X5. F0.1\nM19\nX6.\nM30\n") == code);
+    CHECK(refused_spindle(control, head + "T1 M6\nM3\nG0 X1.\nG95 G1 X5. F0.1\nM30\n").empty());
+    CHECK(refused_spindle(control, head + "M19\nM4\nG95 G1 X5. F0.1\nM30\n").empty());
+  }
+}
