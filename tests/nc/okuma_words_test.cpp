@@ -1,1 +1,80 @@
-// Placeholder
+// Words of an OSP, and lines that are none of a program's own: each is read, or refused with its own reason.
+#include <catch2/catch.hpp>
+
+#include "nc/osp_cases.hpp"
+
+using namespace plumbline::nc::tests;
+
+TEST_CASE("OSP: a shape that is drawn ends before anything else stands") {
+  check_osp({{"G15 H1\nDEF WORK\nPS LC,[0,0,0],[10,10,10]\nG1 X100 F1000\nM2\n", 4, 1, "nc-flow-open", "END"},
+             {"G15 H1\nDEF WORK\nPS LC,[0,0,0],[10,10,10]\nM2\n", 4, 1, "nc-flow-open"},
+             {"G15 H1\nDEF WORK\nX5\nEND\nM2\n", 3, 1, "nc-flow-open"},
+             {"G15 H1\nCALL OSUB\nM2\nOSUB\nDEF WORK\nRTS\n", 6, 1, "nc-flow-open"},
+             {"G15 H1\nDEF WORK\nOSUB\n", 3, 1, "nc-flow-open"},
+             {"G15 H1\nDEF WORK\nVC1=5\nEND\nM2\n", 3, 1, "nc-flow-open"},
+             {"G15 H1\n/DEF WORK\nEND\nM2\n", 2, 1, "nc-not-interpreted", "take the / away"}});
+  check_osp({{"G15 H1\nDEF WORK\nPS LC,[0,0,0],[10,10,10]\n\n(BLANK)\nEND\nDRAW\nM2\n", 0, 0},
+             {"G15 H1\nN1 DEF WORK\nN2 PS LC,[0,0,0],[10,10,10]\nN3 END\nN4 DRAW\nM2\n", 0, 0},
+             {"G15 H1\nN10DEF WORK\nEND\nG0 X0\nM2\n", 0, 0}});
+}
+
+TEST_CASE("OSP: what stands behind the end of a program and is never reached is refused") {
+  check_osp({{"$A.MIN%\nG15 H1 G0 X0\nM2\n$B.MIN%\nG15 H1 G1 X100 F500\nM2\n", 4, 1, "nc-flow-open"},
+             {"G15 H1 G0 X0\nM2\nG1 X100 F500\n", 3, 1, "nc-flow-open"},
+             {"G15 H1 G0 X0\nM30\n(SECOND)\nX5\nM2\n", 4, 1, "nc-flow-open"},
+             {"G15 H1 G0 X0\nCALL OSUB\nM02\nX7\nOSUB\nX1\nRTS\n", 4, 1, "nc-flow-open"}});
+  check_osp({{"G15 H1 G0 X0\nM2\n\n(REMARK)\n%\n", 0, 0},
+             {"G15 H1 G0 X0\nCALL OSUB\nM2\nOSUB\nX1\nRTS\n", 0, 0},
+             {"G15 H1 G0 X0\nVC1=1\nIF [VC1 GT 5] NALM\nX1\nM2\nNALM X0\nM2\n", 0, 0}});
+}
+
+TEST_CASE("OSP: codes beside which no source lets a move stand") {
+  check_osp({{"G15 H1 G0 X0 Y0\nCLEAR X5\nM2\n", 2, 1, "nc-not-interpreted", "beside a move"},
+             {"G15 H1 G0 X0 Y0\nDRAW G1 X10 F100\nM2\n", 2, 1},
+             {"G15 H1 G0 X0 Y0\nMODOUT G1 X100 F100\nM2\n", 2, 1},
+             {"G15 H1 G0 X0 Y0\nG130 Y6\nM2\n", 2, 1},
+             {"G15 H1 G0 X0 Y0\nG10 X5\nM2\n", 2, 1},
+             {"G15 H1 G0 X0 Y0\nG97 X5\nM2\n", 2, 1},
+             {"G15 H1 G0 X0 Y0 A0\nM26 A5\nM2\n", 2, 1},
+             {"G15 H1 G0 X0 Y0 A0\nG0 A5 M21\nM2\n", 2, 7}});
+  check_osp({{"G15 H1 G0 X0 Y0 A0\nCLEAR\nDRAW\nMODOUT\nG130\nG10\nG97 S100\nM26\nA5\nM27\nM20 M8\nM2\n", 0, 0}});
+}
+
+TEST_CASE("OSP: a feed per revolution needs a spindle that no M6 or M19 has stopped") {
+  check_osp({{"G15 H1 G0 X0\nS100 M3\nM19\nG95 G1 X5 F0.1\nM2\n", 4, 5, "nc-feed-missing"},
+             {"G15 H1 G0 X0\nS100 M3\nT1 M6\nG0 X1\nG95 G1 X5 F0.1\nM2\n", 5, 5, "nc-feed-missing"},
+             {"G15 H1 G0 X0\nS100 M3\nG116 T1\nG0 X1\nG95 G1 X5 F0.1\nM2\n", 5, 5, "nc-feed-missing"},
+             {"G15 H1 G0 X0\nS100 M3\nG95 G1 X5 F0.1 M19\nX6\nM2\n", 4, 1, "nc-feed-missing"}});
+  check_osp({{"G15 H1 G0 X0\nS100 M3\nM19\nM3\nG95 G1 X5 F0.1 M19\nM2\n", 0, 0},
+             {"G15 H1 G0 X0\nT1 M6\nS100 M3\nG0 X1\nG95 G1 X5 F0.1\nM2\n", 0, 0}});
+}
+
+TEST_CASE("OSP: a word that is not known is called so") {
+  const char* const unknown = "nc-unknown-code";
+  const char* const slip = "no word of this control that is known here";
+  check_osp({{"G15 H1 G0 X0\nCOPY Q3 X10\nM2\n", 2, 1, unknown, slip},
+             {"G15 H1 G0 X0\nCHFR X10\nM2\n", 2, 1, unknown, slip},
+             {"G15 H1 G0 X0\nMSG (HI)\nM2\n", 2, 1, unknown, slip},
+             {"G15 H1 G0 X0\nRSTRT\nM2\n", 2, 1, unknown, slip},
+             {"G15 H1 G0 X0\nSELECT\nM2\n", 2, 1, unknown, slip},
+             {"G15 H1 G0 X0\nG56 Z50. HB\nM2\n", 2, 10, "nc-not-interpreted", "write H and that number"},
+             {"G15 H1 G0 X0\nTLFON\nM2\n", 2, 1, "nc-not-interpreted", "care for its tools"},
+             {"G15 H1 G0 X0\nG605 H1 Q51\nM2\n", 2, 1, "nc-not-interpreted", "tilted work planes"},
+             {"G15 H1 G0 X0\nG445\nM2\n", 2, 1, "nc-not-interpreted", "no source"},
+             {"G15 H1 G0 X0\nVC1=6\nM=VC1\nM2\n", 3, 1, "nc-not-interpreted", "write the code itself"},
+             {"G15 H1 G0 X0\nM=2\n", 2, 1, "nc-not-interpreted", "write the code itself"},
+             {"G15 H1 G0 X0\n/$ Y5\nM2\n", 2, 1, "nc-not-interpreted", "on one line"},
+             {"G15 H1 G0 X0\n/2 $Y5\nM2\n", 2, 1, "nc-not-interpreted", "on one line"},
+             {"G15 H1 G0 X0\nPB=1\nIF[PB EQ EMPTY]NE\nNE M2\n", 3, 16, "nc-flow-control", "NEND"},
+             {"G15 H1 G0 X0\nPB=1\nIF [PB EQ 2] NE (OUT)\nNE M2\n", 3, 14, "nc-flow-control", "NEND"}});
+  check_osp({{"G15 H1 G0 X0\nPB=1\nIF [PB NE 2] NEND\nX1\nNEND M2\n", 0, 0},
+             {"G15 H1 G0 X0\nPB=1\nIF [[PB EQ 1] EQ [PB NE 2]] NEX\nX1\nNEX M2\n", 0, 0}});
+}
+
+TEST_CASE("OSP: G0 beside G169 is the mode behind it, and the words are those of G169") {
+  check_osp({{"G15 H1 G0 X0 Y0 Z0 A0 B0 C0\nG0 G169 Z50. H1\nX5 Y2\nM2\n", 0, 0},
+             {"G15 H1 G1 X0 Y0 Z0 F100\nG169 G0 X1 Y1 Z50 H3\nG1 Z3\nG170\nG53 G0 Z9\nM2\n", 0, 0},
+             {"G15 H1 G0 X0 Y0 Z0\nG169 H1\nG0 G169 Z20 H1\nM2\n", 0, 0},
+             {"G15 H1 G0 X0 Y0 Z0\nG1 G169 Z20 H1 F100\nM2\n", 2, 1, "nc-axes-twice"},
+             {"G15 H1 G0 X0 Y0 Z0\nG91 G0 G169 Z20 H1\nM2\n", 2, 13}});
+}

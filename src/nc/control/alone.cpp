@@ -39,6 +39,10 @@ void check_extended(const Execution& run, const CodeRow& row, const Word& word) 
     return other.action == Action::spindle && other.step == row.step;
   });
   if (of_spindle) return;
+  if (run.dialect.syntax.statements == Statements::user_task) {
+    run.refuse(word, codes::kNotInterpreted, fmt::format("whether {} is a code was found in no source", text),
+               "write the code itself, as in M8");
+  }
   run.refuse(word, codes::kNotInterpreted, fmt::format("{} is a code of the machine's builder", text),
              "of M1=.. the codes of the spindle are known: M1=3, M1=4, M1=5 and their like");
 }

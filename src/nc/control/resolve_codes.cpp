@@ -83,6 +83,11 @@ const CodeRow* motion_before_codes(const Execution& run) {
   return run.dialect.g_code(0);
 }
 
+// G0 G169 Z50 H1, as posts write it: the words are G169's, and G0 is the mode from here on [P onSection].
+bool is_rapid_of_tip(const AxisTakers& takers) {
+  return takers.other->row->action == Action::tool_tip_on && takers.motion->row->action == Action::rapid;
+}
+
 // An explicit motion, or the one in force if there are words for it that nobody else takes.
 void find_motion(Execution& run) {
   const AxisTakers takers = axis_takers(run);
@@ -97,7 +102,7 @@ void find_motion(Execution& run) {
   run.uses_position_axes = takers.other != nullptr;
   if (takers.motion != nullptr) {
     run.control.motion_stated = true;
-    if (takers.other != nullptr && run.dialect.behaviour.group_0_takes_axes) return;
+    if (takers.other != nullptr && (run.dialect.behaviour.group_0_takes_axes || is_rapid_of_tip(takers))) return;
     if (takers.other != nullptr) {
       run.refuse(*takers.motion->word, codes::kAxesTwice,
                  fmt::format("{} and {} both take the axis words", run.text_of(*takers.motion->word),

@@ -50,11 +50,25 @@ bool goto_follows(BlockReading& in) {
   return true;
 }
 
+// IF [PB EQ EMPTY] NE: the label is read as an operation.
+void refuse_label_of_operation(const BlockReading& in) {
+  if (in.syntax->labels != Labels::sequence_names) return;
+  const std::string_view text = in.out.block().text.substr(0, in.out.block().text.find('('));
+  const std::size_t end = text.find_last_not_of(" \t\r;") + 1;
+  if (end < 3 || upper(text.substr(end - 2, 2)) != "NE" || text.find_last_not_of(" \t", end - 3) == std::string::npos ||
+      text[text.find_last_not_of(" \t", end - 3)] != ']') {
+    return;
+  }
+  in.cursor.refuse({static_cast<std::uint32_t>(end - 2), static_cast<std::uint32_t>(end)}, codes::kFlowControl,
+                   "NE compares two values, and is read as no label here", "give the label another name, as in NEND");
+}
+
 // jump = [ "IF" , value ] , ( "GOTO" , label | label | ) ; without either it begins a branch
 void named_jump(BlockReading& in, bool conditional) {
   Flow& flow = in.out.flow();
   Span keyword = flow.span;
   if (conditional) {
+    refuse_label_of_operation(in);
     flow.values.push_back(read_named_value(in));
     refuse_unread_keyword(in, in.cursor.span_of(in.cursor.peek(lex_named_item)));
     const bool jumps = goto_follows(in);

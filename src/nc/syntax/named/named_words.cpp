@@ -143,6 +143,14 @@ void refuse_glued_keyword(const BlockReading& in, Span name) {
   }
 }
 
+// COPY Q3 X10: a name of such a control that is not set is a word of its own.
+void refuse_unknown_word(const BlockReading& in, Span name) {
+  if (!in.dialect->syntax.settings_alone || item_follows(in, TokenKind::equals)) return;
+  const std::string_view text = in.out.at(name);
+  in.cursor.refuse(name, codes::kUnknownCode, fmt::format("{} is no word of this control that is known here", text),
+                   "look for a slip; if it moves nothing and no move depends on it, leave it out");
+}
+
 }  // namespace
 
 void read_assigned_word(BlockReading& in, char letter, Span span, WordUse use) {
@@ -189,6 +197,7 @@ void read_assigned_variable(BlockReading& in, Span name, const NameMeaning* mean
     setting.name = in.out.add_name(name);
   }
   setting.span.end = in.cursor.here();
+  if (setting.target == kLiteral) refuse_unknown_word(in, name);
   expect_equals(in, setting.span);
   if (item_follows(in, TokenKind::string)) {
     in.cursor.refuse(setting.span, codes::kNotInterpreted, "texts are not interpreted",
