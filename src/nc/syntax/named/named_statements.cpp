@@ -69,7 +69,7 @@ void named_jump(BlockReading& in, bool conditional) {
   Span keyword = flow.span;
   if (conditional) {
     refuse_label_of_operation(in);
-    flow.values.push_back(read_named_value(in));
+    flow.values.push_back(read_named_condition(in));
     refuse_unread_keyword(in, in.cursor.span_of(in.cursor.peek(lex_named_item)));
     const bool jumps = goto_follows(in);
     if (!jumps && in.syntax->branches) return;

@@ -13,8 +13,9 @@
 namespace plumbline::nc {
 namespace {
 
-void named_value(BlockReading& in);
-void named_term(BlockReading& in);
+ValueKind named_value(BlockReading& in);
+ValueKind named_term(BlockReading& in);
+ValueKind named_value_until(BlockReading& in, TokenKind kind);
 
 bool is_logical(Operation operation) {
   return operation == Operation::logical_and || operation == Operation::logical_or ||
@@ -81,20 +82,23 @@ void refuse_unclear_binding(const BlockReading& in, Operation operation, std::op
   joined_by = operation;
 }
 
-// Precedence climbing; token() is the operation after the value just read, and again on return.
-void named_operations(BlockReading& in, int least_precedence, std::optional<Operation>& joined_by) {
+// Precedence climbing; token() is the operation after the value just read, `left`, and again on return.
+ValueKind named_operations(BlockReading& in, ValueKind left, int least_precedence,
+                           std::optional<Operation>& joined_by) {
   while (const std::optional<Operation> operation = operator_at(in)) {
     const int precedence = named_precedence(*operation);
-    if (precedence < least_precedence) return;
+    if (precedence < least_precedence) return left;
     refuse_unclear_binding(in, *operation, joined_by);
     const Span span = in.cursor.span();
     in.cursor.pass();
-    named_term(in);
+    ValueKind right = named_term(in);
     in.cursor.look(lex_named_operation);
-    named_operations(in, precedence + 1, joined_by);
+    right = named_operations(in, right, precedence + 1, joined_by);
+    left = joined_kind(in, *operation, span, left, right);
     if (in.syntax->truths_only && is_logical(*operation)) in.out.push(Operation::check_truths, span);
     in.out.push(*operation, span);
   }
+  return left;
 }
 
 TokenKind opening(const Syntax& syntax) { return syntax.open == '[' ? TokenKind::open : TokenKind::parenthesis; }
@@ -112,13 +116,17 @@ void refuse_not_compared(BlockReading& in, Span span) {
                    "write brackets around the condition, as in NOT (R1==5)");
 }
 
-void call_function(BlockReading& in, const NameMeaning& meaning, Span span) {
+ValueKind call_function(BlockReading& in, const NameMeaning& meaning, Span span) {
   const auto operation = static_cast<Operation>(meaning.which);
-  if (meaning.arguments == 0) return in.out.push(operation, span, meaning.value);
+  if (meaning.arguments == 0) {
+    in.out.push(operation, span, meaning.value);
+    return ValueKind::number;
+  }
   if (operation == Operation::logical_not) {  // NOT takes what follows, with brackets or without
-    named_term(in);
+    const ValueKind kind = named_term(in);
     refuse_not_compared(in, span);
-    return in.out.push(operation, span);
+    in.out.push(operation, span);
+    return kind;
   }
   in.cursor.take(lex_named_value);
   if (!in.cursor.is(opening(*in.syntax))) {
@@ -128,16 +136,18 @@ void call_function(BlockReading& in, const NameMeaning& meaning, Span span) {
   for (int i = 1; i < meaning.arguments; ++i) add_named_value_until(in, TokenKind::comma);
   add_named_value_until(in, closing(*in.syntax));
   in.out.push(operation, span);
+  return ValueKind::number;
 }
 
-void named_identifier(BlockReading& in) {
+ValueKind named_identifier(BlockReading& in) {
   const Span span = in.cursor.span();
   const std::string_view name = in.out.at(span);
   const NameMeaning* const meaning = in.dialect->meaning(name);
   if (meaning != nullptr && meaning->kind == NameMeaning::Kind::function) return call_function(in, *meaning, span);
   if (is_numbered_variable(in, name)) {
     add_numbered_variable(in, span);
-    return in.out.push(Operation::parameter, span);
+    in.out.push(Operation::parameter, span);
+    return ValueKind::number;
   }
   if (is_reserved(in, name)) refuse_reserved(in, span);
   if (meaning != nullptr) in.cursor.refuse_token("a value");
@@ -147,6 +157,7 @@ void named_identifier(BlockReading& in) {
                      "write its value itself");
   }
   in.out.push(Operation::name, span, 0, in.out.add_name(span));
+  return ValueKind::number;
 }
 
 // number = digits , [ "EX" , [ sign ] , digits ]; the number is token()
@@ -179,27 +190,32 @@ void named_number(BlockReading& in) {
   in.out.push(Operation::number, span, value);
 }
 
+ValueKind bracketed_value(BlockReading& in, Span span) {
+  const ValueKind kind = named_value_until(in, closing(*in.syntax));
+  if (in.syntax->empty_names && (in.out.ends_with(Operation::name) || in.out.ends_with(Operation::parameter)))
+    in.out.push(Operation::bracketed, span);
+  return kind;
+}
+
 // term = number | sign , term | bracketed value | variable | function
-void named_term(BlockReading& in) {
+ValueKind named_term(BlockReading& in) {
   in.cursor.take(lex_named_value);
   const Span span = in.cursor.span();
   switch (in.cursor.token().kind) {
     case TokenKind::number:
-      return named_number(in);
+      named_number(in);
+      return ValueKind::number;
     case TokenKind::sign: {
       const bool negative = in.cursor.token().letter == '-';
       refuse_second_sign(in);
-      named_term(in);
+      need_number(in, named_term(in), span);
       if (negative) in.out.push(Operation::negate, span);
-      return;
+      return ValueKind::number;
     }
     case TokenKind::open:
     case TokenKind::parenthesis:
-      if (!in.cursor.is(opening(*in.syntax))) break;
-      add_named_value_until(in, closing(*in.syntax));
-      if (in.syntax->empty_names && (in.out.ends_with(Operation::name) || in.out.ends_with(Operation::parameter)))
-        in.out.push(Operation::bracketed, span);
-      return;
+      if (in.cursor.is(opening(*in.syntax))) return bracketed_value(in, span);
+      break;
     case TokenKind::identifier:
       return named_identifier(in);
     default:
@@ -209,11 +225,24 @@ void named_term(BlockReading& in) {
 }
 
 // value = term , { operation , term }; token() is what stands after it
-void named_value(BlockReading& in) {
+ValueKind named_value(BlockReading& in) {
   std::optional<Operation> joined_by;
-  named_term(in);
+  const ValueKind first = named_term(in);
   in.cursor.look(lex_named_operation);
-  named_operations(in, 0, joined_by);
+  return named_operations(in, first, 0, joined_by);
+}
+
+ValueKind named_value_until(BlockReading& in, TokenKind kind) {
+  const Span open = in.cursor.span();
+  const ValueKind value = named_value(in);
+  in.cursor.take(lex_named_operation);
+  if (in.cursor.is(kind)) return value;
+  if (in.cursor.is(TokenKind::end)) {
+    in.cursor.refuse(open, codes::kBracketOpen, "the bracket is not closed", "add the one that closes it");
+  }
+  in.cursor.refuse(in.cursor.span(), codes::kOperator,
+                   fmt::format("{} is no operator", shown(*in.cursor.token().begin)),
+                   "between two values stands an operator, after the last one the closing bracket");
 }
 
 }  // namespace
@@ -240,22 +269,23 @@ void expect_equals(BlockReading& in, Span name) {
 
 std::uint32_t read_named_value(BlockReading& in) {
   const std::uint32_t begin = in.out.next_code();
-  named_value(in);
+  const Span before = in.cursor.span();
+  need_number(in, named_value(in), before);
+  in.out.end_code();
+  return begin;
+}
+
+std::uint32_t read_named_condition(BlockReading& in) {
+  const std::uint32_t begin = in.out.next_code();
+  const Span before = in.cursor.span();
+  need_condition(in, named_value(in), before);
   in.out.end_code();
   return begin;
 }
 
 void add_named_value_until(BlockReading& in, TokenKind kind) {
   const Span open = in.cursor.span();
-  named_value(in);
-  in.cursor.take(lex_named_operation);
-  if (in.cursor.is(kind)) return;
-  if (in.cursor.is(TokenKind::end)) {
-    in.cursor.refuse(open, codes::kBracketOpen, "the bracket is not closed", "add the one that closes it");
-  }
-  in.cursor.refuse(in.cursor.span(), codes::kOperator,
-                   fmt::format("{} is no operator", shown(*in.cursor.token().begin)),
-                   "between two values stands an operator, after the last one the closing bracket");
+  need_number(in, named_value_until(in, kind), open);
 }
 
 namespace {

@@ -23,6 +23,8 @@ void expect_equals(BlockReading& in, Span name);
 
 /// The code of the value that stands next.
 std::uint32_t read_named_value(BlockReading& in);
+/// The same of a condition.
+std::uint32_t read_named_condition(BlockReading& in);
 
 /// The value that stands next, added to the code that is being written; `kind`, a bracket or a comma, ends it.
 void add_named_value_until(BlockReading& in, TokenKind kind);

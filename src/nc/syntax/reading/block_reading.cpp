@@ -1,5 +1,7 @@
 #include "nc/syntax/reading/block_reading.hpp"
 
+#include <fmt/format.h>
+
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {
@@ -59,6 +61,37 @@ void read_block_skip(BlockReading& in) {
     slash.end = in.cursor.here();
   }
   in.out.set_slash(slash);
+}
+
+namespace {
+
+bool tells_conditions(const Syntax& syntax) { return syntax.statements == Statements::macro_b || syntax.truths_only; }
+
+}  // namespace
+
+void need_number(const BlockReading& in, ValueKind kind, Span span) {
+  if (kind == ValueKind::number || !tells_conditions(*in.syntax)) return;
+  in.cursor.refuse(span, codes::kOperator, "a condition stands here where a number is needed",
+                   "a condition stands behind IF (or WHILE) alone: jump by it, and set the value in a line of its own");
+}
+
+void need_condition(const BlockReading& in, ValueKind kind, Span span) {
+  if (kind == ValueKind::condition || !tells_conditions(*in.syntax)) return;
+  const bool macro_b = in.syntax->statements == Statements::macro_b;
+  in.cursor.refuse(span, codes::kFlowControl, "a number stands here, and no condition",
+                   fmt::format("write what it is compared with, as in {}",
+                               macro_b ? "IF [#1 NE 0] GOTO 100" : "IF [VC1 NE 0] N100"));
+}
+
+ValueKind joined_kind(const BlockReading& in, Operation operation, Span span, ValueKind left, ValueKind right) {
+  const bool of_bits = operation >= Operation::bit_and && operation <= Operation::bit_exclusive_or;
+  const bool joins = of_bits || operation == Operation::logical_and || operation == Operation::logical_or ||
+                     operation == Operation::exclusive_or;
+  if (joins && left == ValueKind::condition && right == ValueKind::condition) return left;
+  need_number(in, left, span);
+  need_number(in, right, span);
+  const bool compares = operation >= Operation::equal && operation <= Operation::less_equal;
+  return compares ? ValueKind::condition : ValueKind::number;
 }
 
 }  // namespace plumbline::nc

@@ -57,7 +57,7 @@ void condition(BlockReading& in) {
     in.cursor.refuse(in.out.flow().span, codes::kFlowControl, "a condition in brackets is missing after this",
                      "write it as in IF [#1 GT 5] GOTO 100");
   }
-  in.out.flow().values.push_back(read_brackets(in));
+  in.out.flow().values.push_back(read_condition(in));
 }
 
 MacroLine statement(BlockReading& in, FlowWord word) {

@@ -10,7 +10,7 @@
 namespace plumbline::nc {
 namespace {
 
-void real_value(BlockReading& in);
+ValueKind real_value(BlockReading& in);
 
 // Binary operators bind in this order, each from the left [RS274/NGC 3.3.2.3; LinuxCNC: relations and logic below].
 int precedence(Operation operation) {
@@ -53,13 +53,13 @@ void check_of_dialect(const BlockReading& in, Span span, std::string_view text) 
 }
 
 // Precedence climbing; token() is the operation after the value just read, and again on return. `compared`: this
-// bracket has compared already.
-void operations(BlockReading& in, int least_precedence, bool& compared) {
+// bracket has compared already. Returns what all of them make of the value that was read, which is `left`.
+ValueKind operations(BlockReading& in, ValueKind left, int least_precedence, bool& compared) {
   TokenCursor& cursor = in.cursor;
   while (cursor.is(TokenKind::operation)) {
     Operation operation = cursor.operation();
     if (in.syntax->bitwise) operation = of_bits(operation);
-    if (precedence(operation) < least_precedence) return;
+    if (precedence(operation) < least_precedence) return left;
     if (operation == Operation::power) check_of_dialect(in, cursor.span(), "**");
     if (in.syntax->bitwise && is_relation(operation)) {
       if (compared) {
@@ -71,19 +71,21 @@ void operations(BlockReading& in, int least_precedence, bool& compared) {
     if (operation == Operation::modulo && in.syntax->rounds_to_zero) operation = Operation::whole_remainder;
     const Span span = cursor.span();
     cursor.pass();
-    real_value(in);
+    ValueKind right = real_value(in);
     cursor.look(lex_operation);
-    operations(in, precedence(operation) + 1, compared);
+    right = operations(in, right, precedence(operation) + 1, compared);
+    left = joined_kind(in, operation, span, left, right);
     in.out.push(operation, span);
   }
+  return left;
 }
 
 // value = real value , { operation , real value }; token() is what stands after it
-void open_value(BlockReading& in) {
+ValueKind open_value(BlockReading& in) {
   bool compared = false;
-  real_value(in);
+  const ValueKind first = real_value(in);
   in.cursor.look(lex_operation);
-  operations(in, 1, compared);
+  return operations(in, first, 1, compared);
 }
 
 [[noreturn]] void refuse_open_bracket(const BlockReading& in, Span open) {
@@ -91,10 +93,10 @@ void open_value(BlockReading& in) {
 }
 
 // expression = "[" , real value , { operation , real value } , "]"; token() is the [
-void expression(BlockReading& in) {
+ValueKind expression(BlockReading& in) {
   TokenCursor& cursor = in.cursor;
   const Span open = cursor.span();
-  open_value(in);
+  const ValueKind kind = open_value(in);
   if (cursor.is(TokenKind::end)) refuse_open_bracket(in, open);
   if (!cursor.is(TokenKind::close)) {
     cursor.refuse(cursor.span(), codes::kOperator, fmt::format("{} is no operator", shown(*cursor.token().begin)),
@@ -106,13 +108,17 @@ void expression(BlockReading& in) {
   const bool of_variable = in.out.ends_with(Operation::parameter);
   if (of_variable && in.syntax->statements == Statements::macro_b)
     in.out.push(Operation::bracketed, {open.begin, cursor.here()});
+  return kind;
 }
+
+// One of them that is a number.
+void number_value(BlockReading& in, Span span) { need_number(in, real_value(in), span); }
 
 void signed_value(BlockReading& in) {
   const bool negative = in.cursor.token().letter == '-';
   const Span span = in.cursor.span();
   refuse_second_sign(in);
-  real_value(in);
+  number_value(in, span);
   if (negative) in.out.push(Operation::negate, span);
 }
 
@@ -127,7 +133,7 @@ void parameter(BlockReading& in) {
     span.end = in.cursor.here();
     return in.out.push(Operation::name, span, 0, name);
   }
-  real_value(in);
+  number_value(in, span);
   span.end = in.cursor.here();
   in.out.push(Operation::parameter, span);
 }
@@ -137,7 +143,7 @@ void bracketed_argument(BlockReading& in, Span function, std::string_view help) 
   if (!in.cursor.is(TokenKind::open)) {
     in.cursor.refuse(function, codes::kFunction, "a function needs its argument in brackets", std::string(help));
   }
-  expression(in);
+  need_number(in, expression(in), function);
 }
 
 // ATAN[y]/[x]
@@ -161,10 +167,10 @@ void macro_arc_tangent(BlockReading& in, Span span) {
     cursor.refuse(span, codes::kFunction, "a function needs its argument in brackets", "write ATAN[y]/[x]");
   }
   const Span open = cursor.span();
-  open_value(in);
+  need_number(in, open_value(in), span);
   if (cursor.is(TokenKind::bad) && *cursor.token().begin == ',') {
     cursor.pass();
-    open_value(in);
+    need_number(in, open_value(in), span);
     if (!cursor.is(TokenKind::close)) refuse_open_bracket(in, open);
     cursor.pass();
     return in.out.push(Operation::arc_tangent_turn, span);
@@ -179,7 +185,7 @@ void macro_arc_tangent(BlockReading& in, Span span) {
   lex_value(cursor.token().end, next);
   if (next.kind != TokenKind::open) return in.out.push(Operation::arc_tangent_of_one, span);
   cursor.accept(next);
-  expression(in);
+  need_number(in, expression(in), span);
   in.out.push(Operation::arc_tangent_turn, span);
 }
 
@@ -220,45 +226,53 @@ void exists(BlockReading& in) {
 }
 
 // real value = number | "[" expression "]" | parameter | sign , real value | function
-void real_value(BlockReading& in) {
+ValueKind real_value(BlockReading& in) {
   in.cursor.take(lex_value);
   switch (in.cursor.token().kind) {
     case TokenKind::number:
-      return in.out.push(Operation::number, in.cursor.span(), in.cursor.token().value);
+      in.out.push(Operation::number, in.cursor.span(), in.cursor.token().value);
+      break;
     case TokenKind::open:
       return expression(in);
     case TokenKind::hash:
-      return parameter(in);
+      parameter(in);
+      break;
     case TokenKind::sign:
-      return signed_value(in);
+      signed_value(in);
+      break;
     case TokenKind::function:
-      return function(in);
+      function(in);
+      break;
     case TokenKind::exists:
-      return exists(in);
+      exists(in);
+      break;
     default:
       in.cursor.refuse_token("a value");
   }
+  return ValueKind::number;
 }
 
 }  // namespace
 
 std::uint32_t read_value(BlockReading& in) {
   const std::uint32_t begin = in.out.next_code();
-  real_value(in);
+  number_value(in, in.cursor.span());
   in.out.end_code();
   return begin;
 }
 
 std::uint32_t read_open_value(BlockReading& in) {
   const std::uint32_t begin = in.out.next_code();
-  open_value(in);
+  const Span before = in.cursor.span();
+  need_number(in, open_value(in), before);
   in.out.end_code();
   return begin;
 }
 
-std::uint32_t read_brackets(BlockReading& in) {
+std::uint32_t read_condition(BlockReading& in) {
   const std::uint32_t begin = in.out.next_code();
-  expression(in);
+  const Span open = in.cursor.span();
+  need_condition(in, expression(in), open);
   in.out.end_code();
   return begin;
 }

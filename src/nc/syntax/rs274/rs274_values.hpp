@@ -14,8 +14,8 @@ std::uint32_t read_value(BlockReading& in);
 /// The same, with operators after it that need no brackets.
 std::uint32_t read_open_value(BlockReading& in);
 
-/// The code of the expression whose [ is token().
-std::uint32_t read_brackets(BlockReading& in);
+/// The code of the condition whose [ is token().
+std::uint32_t read_condition(BlockReading& in);
 
 /// The name between < and > of token(), without them; its place in Block::names.
 std::uint32_t read_name(BlockReading& in);

@@ -49,14 +49,16 @@ TEST_CASE("functions are those of the control") {
   CHECK_THROWS_AS(Parsed("X[EXISTS[#5]]", "fanuc"), Refusal);
 }
 
-TEST_CASE("a control whose AND works on bits compares once in a bracket, and once in a setting") {
+TEST_CASE("a control whose AND works on bits compares once in a bracket") {
   CHECK_THROWS_AS(Parsed("#1=[#2 EQ 1 AND #3 EQ 2]", "fanuc"), Refusal);
-  CHECK(Parsed("#1=[[#2 EQ 1] AND [#3 EQ 2]]", "fanuc").block.settings.size() == 1);
+  CHECK_THROWS_AS(Parsed("#1=[[#2 EQ 1] AND [#3 EQ 2]]", "fanuc"), Refusal);
+  CHECK(Parsed("IF [[#2 EQ 1] AND [#3 EQ 2]] GOTO 5", "fanuc").block.flow.values.size() == 1);
   Parser parser(dialect("fanuc"));
   Block block;
-  for (const std::string text : {"#1=#2 EQ 3", "#4=#5 GT 6"}) {  // what one block compares, the next may compare too
+  for (const std::string text :
+       {"IF [#2 EQ 3] GOTO 1", "IF [#5 GT 6] GOTO 1"}) {  // what one block compares, the next may compare too
     block.text = text;
     parser.parse(block);
-    CHECK(block.settings.size() == 1);
+    CHECK(block.flow.values.size() == 1);
   }
 }

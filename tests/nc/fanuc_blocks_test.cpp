@@ -1,0 +1,109 @@
+// Blocks of Fanuc's language of which a control makes something else than their words seem to say.
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "nc/programs.hpp"
+
+using namespace plumbline;
+using namespace plumbline::nc;
+using namespace plumbline::nc::tests;
+
+namespace {
+
+const std::string kFanucHead = "G21 G90 G54 G0 X0 Y0 Z50.\n";
+
+struct FanucEnd {
+  std::string said;  // code, line and column of the refusal, its message and help; empty: none
+  AxisWords position;
+};
+
+FanucEnd fanuc_end_of(const std::string& blocks, bool as_it_stands, const std::string& dialect_name = "fanuc") {
+  ProgramSettings settings = empty_tables();
+  settings.as_with_empty_tables = as_it_stands;
+  settings.work_offsets[0] = WorkOffset{};
+  for (auto& axis : settings.start) axis = 0;
+  const ProgramFile program(blocks);
+  const InputFile file(program.path());
+  FanucEnd end;
+  try {
+    Program steps(file, dialect(dialect_name), settings);
+    while (const Step* step = steps.next()) end.position = step->position;
+  } catch (const Refusal& refusal) {
+    const Diagnostic& what = refusal.diagnostic();
+    end.said = what.code + " " + std::to_string(what.place.line) + ":" + std::to_string(what.place.column) + " " +
+               what.message + " | " + what.help;
+  }
+  return end;
+}
+
+struct FanucRefusal {
+  std::string blocks, begins, names;
+};
+
+// Both to who looks at the program as it stands, and to who corrects it.
+void check_fanuc_refused(const std::vector<FanucRefusal>& cases) {
+  for (const FanucRefusal& c : cases) {
+    for (const bool as_it_stands : {true, false}) {
+      INFO(c.blocks << (as_it_stands ? " as it stands" : " corrected"));
+      const std::string said = fanuc_end_of(kFanucHead + c.blocks + "\nM30\n", as_it_stands).said;
+      INFO(said);
+      CHECK(said.substr(0, c.begins.size()) == c.begins);
+      CHECK(said.find(c.names) != std::string::npos);
+    }
+  }
+}
+
+void check_fanuc_read(const std::vector<std::string>& cases) {
+  for (const std::string& blocks : cases) {
+    for (const bool as_it_stands : {true, false}) {
+      INFO(blocks << (as_it_stands ? " as it stands" : " corrected"));
+      CHECK(fanuc_end_of(kFanucHead + blocks + "\nM30\n", as_it_stands).said.empty());
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("fanuc: a condition is no number, and a number no condition") {
+  const std::string number = "nc-flow-control 3:", condition = "nc-operator 3:";
+  const std::string set = "#1=5.\n";
+  check_fanuc_refused({{set + "IF [#1] GOTO 5\nN5", number + "4 ", "[#1 NE 0]"},
+                       {set + "IF [2] GOTO 6\nN6", number, "no condition"},
+                       {set + "IF [3 AND 2] GOTO 7\nN7", number, ""},
+                       {set + "IF [[#1+2]*3] THEN #2=1", number, ""},
+                       {set + "WHILE [#1] DO1\n#1=0\nEND1", number + "7 ", ""},
+                       {set + "#2=[3 LT 4]", condition + "3 ", "a number is needed"},
+                       {set + "#2=[#1 GT 3]*10", condition, ""},
+                       {set + "#2=3 LT 4", condition, ""},
+                       {set + "#2=-[#1 EQ 5]", condition, ""},
+                       {set + "#2=ABS[#1 EQ 5]", condition, ""},
+                       {set + "#[1 EQ 1]=3", condition, ""},
+                       {set + "X[1 EQ 1]", condition + "1 ", ""},
+                       {set + "Y[[#1 EQ 5]+1]", condition, ""},
+                       {set + "IF [[#1 EQ 5] EQ 1] GOTO 8\nN8", condition, ""},
+                       {set + "IF [[#1 EQ 5] AND 1] GOTO 8\nN8", condition, ""},
+                       {set + "GOTO [1 EQ 1]\nN1", condition, ""}});
+  check_fanuc_read({set + "IF [[#1 EQ 5] AND [#1 GT 2]] GOTO 8\nN8", set + "IF [[#1 AND 4] EQ 4] GOTO 8\nN8",
+                    set + "IF [[#1 EQ 5]] GOTO 8\nN8", set + "WHILE [#1 GT 3 + 1] DO1\n#1=#1-1\nEND1",
+                    set + "IF [[#1 LT 2] OR [[#1 EQ 5] XOR [#1 EQ 6]]] THEN #2=1", set + "#2=[#1 AND 4]*10\nX[#2/4]"});
+}
+
+TEST_CASE("okuma: a condition is no number, and a number no condition") {
+  const std::string head = "G15 H1 G90 G0 X0 Y0 Z50\nVC1=5\n";
+  for (const std::string line : {"IF [VC1] N9", "IF [VC1+1] N9", "IF [[VC1 AND VC1] GT [VC1 EQ 5]] N9", "X=[2 GT 1]*5",
+                                 "VC2=[VC1 EQ 5]", "X=ABS[VC1 EQ 5]", "VC2=-[VC1 EQ 5]", "X=[VC1 EQ 1]"}) {
+    INFO(line);
+    const std::string said = fanuc_end_of(head + line + "\nN9 X1\nM2\n", true, "okuma").said;
+    INFO(said);
+    CHECK((said.find("no condition") != std::string::npos || said.find("a number is needed") != std::string::npos));
+  }
+  for (const std::string line : {"IF [VC1 EQ 5] N9", "IF [[VC1 EQ 5] AND [VC1 GT 2]] N9",
+                                 "IF [[VC1 EQ 5] OR [VC1 GT 9]] N9", "IF [VC1 GT [2+2]] N9", "X=[VC1+1]*2"}) {
+    INFO(line);
+    const std::string said = fanuc_end_of(head + line + "\nN9 X1\nM2\n", true, "okuma").said;
+    INFO(said);
+    CHECK(said.empty());
+  }
+}
