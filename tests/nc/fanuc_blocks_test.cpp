@@ -66,6 +66,24 @@ void check_fanuc_read(const std::vector<std::string>& cases) {
 
 }  // namespace
 
+TEST_CASE("fanuc: the code of a cycle without a place drills nothing twice: it is refused") {
+  const std::string code = "nc-axes-missing 3:";
+  const std::string cycle = "G81 X10. Y0 Z-5. R2. F100.\n";
+  check_fanuc_refused({{"G84 X5. Y0 Z-5. R5. F500.\nG84 S400 F400.\nX10.\nG80", code + "1", "G84 without X, Y or Z"},
+                       {cycle + "G82 P500\nX20.", code + "1", "differs between controls"},
+                       {cycle + "G81", code + "1", "beside X and Y"},
+                       {cycle + "G81 M8", code, ""},
+                       {cycle + "G99 G81 F200.", code + "5", ""},
+                       {cycle + "G83 Q2.", code, ""},
+                       {cycle + "G98 G73 Q2.\nX5.", code + "5", ""},
+                       {cycle + "G81 R3.", code, ""},
+                       {cycle + "G81 X#3\nX20.", code, ""},
+                       {cycle + "G89 P300", code, ""},
+                       {"G81", "nc-axes-missing 2:1", ""}});
+  check_fanuc_read({cycle + "F200.\nX20.", cycle + "M8\nX20.", cycle + "X#3\nY5.", cycle + "G82 X5. P500\nG80",
+                    "G81 Z-5. R2. F100.\nG80", cycle + "G98\nX20."});
+}
+
 TEST_CASE("fanuc: a condition is no number, and a number no condition") {
   const std::string number = "nc-flow-control 3:", condition = "nc-operator 3:";
   const std::string set = "#1=5.\n";

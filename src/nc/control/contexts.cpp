@@ -200,6 +200,15 @@ void check_words_of_call(const Execution& run, const CodeRow& call) {
     if (word == nullptr || (run.motion->word_mask & letter_bit(letter)) == 0) continue;
     run.refuse(*word, codes::kNotInterpreted,
                fmt::format("{} belongs to the call of a program, and may be taken for a word of the drilling cycle",
+// G84 S400 F400.: the manual has it drill nothing, as long as no R stands there either [B-64484EN, canned cycles].
+[[noreturn]] void refuse_cycle_without_place(const Execution& run) {
+  run.refuse(run.motion_code(), codes::kAxesMissing,
+             fmt::format("{} without X, Y or Z: whether it drills where the tool stands, and which of its words the "
+                         "next hole takes, differs between controls",
+                         run.text_of(run.motion_code())),
+             "write it into the block of the next hole, beside X and Y");
+}
+
                            run.text_of(*word)),
                "put the call into a block of its own, without axis words");
   }
@@ -214,6 +223,8 @@ void check_beside_cycle(const Execution& run) {
   const bool in_xy = run.control.modal.plane == Plane::xy || find_code(run, Action::plane_xy) != nullptr;
   if (other != nullptr || !in_xy) {
     run.refuse(other != nullptr ? *other->word : run.motion_code(), codes::kNotInterpreted,
+  const bool has_place = !(run.axes & AxisSet::linear()).empty();
+  if (!has_place && !run.dialect.behaviour.return_levels) refuse_cycle_without_place(run);
                run.dialect.behaviour.return_levels
                    ? "along which axis the cycles drill in G18 and G19 was found in no source"
                    : "which axis drills in G18 and G19 is said by a parameter of the control (5101 FXY)",
