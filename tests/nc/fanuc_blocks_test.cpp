@@ -84,6 +84,16 @@ TEST_CASE("fanuc: the code of a cycle without a place drills nothing twice: it i
                     "G81 Z-5. R2. F100.\nG80", cycle + "G98\nX20."});
 }
 
+TEST_CASE("fanuc: G68 and G68.2 count by the G90 or G91 of their own block") {
+  check_fanuc_refused({{"G68 X0 Y0 G91 R30.", "nc-not-interpreted 2:1", "under G91"},
+                       {"G91 G68 X5. Y5. R30.", "nc-not-interpreted 2:5", "under G91"},
+                       {"G91\nG68 X5. Y5. R30.", "nc-not-interpreted 3:1", "under G91"},
+                       {"G91 G68.2 X10. Y5. Z3. I0 J10. K0", "nc-tilted-plane 2:5", "under G91"},
+                       {"G68.2 X10. Y5. Z3. I0 J10. K0 G91", "nc-tilted-plane 2:1", "under G91"}});
+  check_fanuc_read({"G91\nG90 G68 X5. Y5. R30.\nG69", "G91\nG68 X5. Y5. R30. G90\nG69",
+                    "G91\nG90 G68.2 X10. Y5. Z3. I0 J10. K0\nG69"});
+}
+
 TEST_CASE("fanuc: a condition is no number, and a number no condition") {
   const std::string number = "nc-flow-control 3:", condition = "nc-operator 3:";
   const std::string set = "#1=5.\n";

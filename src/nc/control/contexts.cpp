@@ -57,11 +57,6 @@ void check_moves_beside(const Execution& run) {
   }
 }
 
-bool counts_increments(const Execution& run) {
-  if (find_code(run, Action::incremental) != nullptr) return true;
-  return run.control.modal.incremental && find_code(run, Action::absolute) == nullptr;
-}
-
 void check_m_codes(const Execution& run) {
   const int most = run.dialect.behaviour.most_m_codes;
   int count = 0;
@@ -262,6 +257,11 @@ void check_modal_call(const Execution& run) {
 }
 
 }  // namespace
+
+bool counts_increments(const Execution& run) {
+  if (find_code(run, Action::incremental) != nullptr) return true;
+  return run.control.modal.incremental && find_code(run, Action::absolute) == nullptr;
+}
 
 void check_contexts(const Execution& run) {
   check_values(run);

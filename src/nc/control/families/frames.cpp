@@ -49,7 +49,7 @@ void turn_about_point(Execution& run, const Word& code) {
     run.refuse(code, codes::kNotInterpreted, "a second turn on top of the first is not interpreted",
                "write G69 before it");
   }
-  if (control.modal.incremental) {
+  if (counts_increments(run)) {
     run.refuse(code, codes::kNotInterpreted, "what G68 turns by under G91 depends on the control's parameters",
                "write G90 before it");
   }

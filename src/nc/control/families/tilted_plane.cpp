@@ -88,7 +88,7 @@ void define_tilted_plane(Execution& run, const Chosen& chosen) {
                                     run.block->at(chosen.word->span), run.block->at(word->span)),
                         "give the plane by its origin and Euler angles: G68.2 X Y Z I J K");
   }
-  if (run.control.modal.incremental) {
+  if (counts_increments(run)) {
     refuse_beside_plane(run, *chosen.word,
                         "whether the origin of a plane counts by increments under G91 is in no source",
                         "write G90 before it");

@@ -94,9 +94,8 @@ void check_words(const Execution& run) {
     if (word == nullptr || word->mode == WordMode::modal) continue;
     refuse_vector(run, "a part of a direction is a plain value", "write it as in A3=0.5");
   }
-  const bool increments = run.chosen_row(Action::incremental) != nullptr ||
-                          (run.control.modal.incremental && run.chosen_row(Action::absolute) == nullptr);
-  if (increments) refuse_vector(run, "a direction of the tool under G91 is not interpreted", "write G90 before it");
+  if (counts_increments(run))
+    refuse_vector(run, "a direction of the tool under G91 is not interpreted", "write G90 before it");
   check_points(run);
 }
 
