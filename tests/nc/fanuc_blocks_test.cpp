@@ -135,3 +135,11 @@ TEST_CASE("okuma: a condition is no number, and a number no condition") {
     CHECK(said.empty());
   }
 }
+
+TEST_CASE("fanuc: no block has the number 0 to go on at") {
+  check_fanuc_refused({{"GOTO 0\nX1.\nN0 X5.", "nc-out-of-range 2:1", "N0"},
+                       {"#1=0\nIF [#1 EQ 0] GOTO #1\nN0 X5.", "nc-out-of-range 3:1", "1 to 99999"},
+                       {"GOTO [3-4]\nN1 X5.", "nc-out-of-range 2:1", "N-1"},
+                       {"M98 P7\nN0 X5.\nM30\nO7\nM99 P0", "nc-out-of-range 6:1", "N0"}});
+  check_fanuc_read({"N0 X5.", "GOTO 1\nX3.\nN1 X5.", "GOTO 99999\nN99999 X1."});
+}

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "nc/control/parameters/expression.hpp"
+#include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
 
 namespace plumbline::nc {
@@ -34,6 +37,15 @@ bool condition_holds(Interpreter& interpreter, const Block& block) {
 
 int number_of(Interpreter& interpreter, const Block& block, std::uint32_t code, std::string_view what) {
   return whole_number(block, block.flow.span, interpreter.value_of(block, code, block.flow.span), what);
+}
+
+// "N0 must not be used" [B-63684EN p. 129], and GOTO 0 is an alarm.
+std::string block_name(const Block& block, int number) {
+  if (number < 1) {
+    refuse_flow(block, codes::kOutOfRange, fmt::format("there is no block N{} to go on at", number),
+                "blocks have the numbers 1 to 99999: give that block another one");
+  }
+  return fmt::format("N{}", number);
 }
 
 }  // namespace plumbline::nc

@@ -26,6 +26,9 @@ bool condition_holds(Interpreter& interpreter, const Block& block);
 /// The whole number that this code is worth; refuses another one, and calls it `what`.
 int number_of(Interpreter& interpreter, const Block& block, std::uint32_t code, std::string_view what);
 
+/// N10, of the number of a block; refuses one that no block has.
+std::string block_name(const Block& block, int number);
+
 inline LinePlace place_of_line(const Block& block) { return {block.offset, block.line}; }
 
 }  // namespace plumbline::nc

@@ -141,7 +141,7 @@ void StatementFlow::steer(const Block& block) {
     case FlowWord::go_to:
       if (!block.flow.values.empty() && !condition_holds(interpreter_, block)) return;
       if (block.flow.label == kLiteral) return jump(block, block.at(block.flow.name), block.flow.direction);
-      return jump(block, fmt::format("N{}", number_of(interpreter_, block, block.flow.label, "the number to go on at")),
+      return jump(block, block_name(block, number_of(interpreter_, block, block.flow.label, "the number to go on at")),
                   Direction::both);
     case FlowWord::repeat_section:
     case FlowWord::repeat_line:
@@ -355,7 +355,7 @@ bool StatementFlow::end_program(const Block& block, const ProgramCall& program) 
 // M99 P100: the caller goes on at N100. `from`: its line that calls.
 void StatementFlow::jump_back(const Block& block, int number, std::size_t from) {
   const LinePlace* const place =
-      find_label(block, labels_, interpreter_, fmt::format("N{}", number), from, Direction::both);
+      find_label(block, labels_, interpreter_, block_name(block, number), from, Direction::both);
   if (place == nullptr) {
     refuse_flow(block, codes::kFlowLabel,
                 fmt::format("there is no N{} to return to in the program that called", number), "check the P of M99");
