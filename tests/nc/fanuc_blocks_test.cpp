@@ -143,3 +143,13 @@ TEST_CASE("fanuc: no block has the number 0 to go on at") {
                        {"M98 P7\nN0 X5.\nM30\nO7\nM99 P0", "nc-out-of-range 6:1", "N0"}});
   check_fanuc_read({"N0 X5.", "GOTO 1\nX3.\nN1 X5.", "GOTO 99999\nN99999 X1."});
 }
+
+TEST_CASE("fanuc: increments of X and Y after a turn are refused for who corrects as well") {
+  const std::string turn = "X10. Y10.\nG68 X0 Y0 R30.\n", code = "nc-not-interpreted ";
+  check_fanuc_refused({{turn + "X10. Y0\nG69\nG91 X1. Y1.", code + "6:5", "G90"},
+                       {turn + "X10. Y0\nG91 G69 X1. Y1.", code + "5:9", "G90"},
+                       {turn + "G91 X5. Y5.", code + "4:5", "G90"},
+                       {turn + "G91 G1 Y5. F100.", code + "4:8", "G90"},
+                       {turn + "Z5.\nG91 G99 G81 X1. R-40. Z-5. F100.", code + "5:13", "G90"}});
+  check_fanuc_read({turn + "X10. Y0\nG91 X1. Y1.", turn + "X10. Y0\nG69\nX1. Y1.\nG91 X5.", turn + "G69\nG91 Z5."});
+}

@@ -310,7 +310,7 @@ void check_beside_dwell(const Execution& run) {
 void check_increment(const Execution& run, const Word& word, Axis axis) {
   const Control& control = run.control;
   check_digits_of_increment(run, word, axis);
-  if (!control.shifted.contains(axis) || !control.known.contains(axis)) return;
+  if (!control.shifted.contains(axis) || !(control.known | control.turned).contains(axis)) return;
   if (word.value == 0 && run.chosen_row(Action::go_home) != nullptr)
     return;  // G91 G28 Z0 ends at home, whatever counts
   const std::string absolute =
