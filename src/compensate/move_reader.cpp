@@ -1,5 +1,7 @@
 #include "compensate/move_reader.hpp"
 
+#include <fmt/format.h>
+
 #include "base/units.hpp"
 #include "compensate/limits.hpp"
 #include "path/duration.hpp"
@@ -16,13 +18,39 @@ void refuse_to_follow(const nc::Step& step, const UnknownPosition& unknown) {
            "an axis was taken to stand at zero, since the program's own file never names it, and moves here",
            "say where the machine stands with --start", place);
   }
-  refuse("walk-position-unknown", "this move cuts, and where some axis stands is not known here",
-         "move all axes with G0 to a stated position first, or say where the machine stands: --start at the begin, "
-         "--keeps-position M6 after a tool change",
-         place);
+  refuse("walk-position-unknown",
+         fmt::format("this move cuts, and where some axis stands is not known {}", where_unknown(unknown)),
+         way_to_known(unknown, "all axes"), place);
+}
+
+// M0 lets people move the axes, M6 takes them to the changer.
+std::string code_that_loses(const nc::Step& step, const nc::Dialect& dialect) {
+  if (step.stop == nc::StopByVariable::message) return "M0";
+  for (const nc::Word& word : step.block->words) {
+    const nc::CodeRow* const row = word.letter == 'M' ? dialect.row_of(word) : nullptr;
+    if (row != nullptr && row->loses_position) return fmt::format("M{:g}", word.value);
+  }
+  return "";
 }
 
 }  // namespace
+
+std::string where_unknown(const UnknownPosition& unknown) {
+  return unknown.stop.empty() ? "here" : "after " + unknown.stop;
+}
+
+std::string way_to_known(const UnknownPosition& unknown, std::string_view axes) {
+  if (unknown.stop.empty()) {
+    return fmt::format(
+        "move {} with G0 to a stated position first, or say where the machine stands: --start at the begin, "
+        "--keeps-position M6 after a tool change",
+        axes);
+  }
+  return fmt::format(
+      "move {} with G0 to a stated position after it, or, if the axes stand there where they stood "
+      "before, say --keeps-position {}",
+      axes, unknown.stop_code);
+}
 
 nc::ProgramSettings settings_of_reading(nc::ProgramSettings program, const ReaderSettings& settings) {
   constexpr double kOwnTiltDeg = 1e-6;
@@ -87,6 +115,7 @@ const nc::Step* MoveReader::next() {
   if (step == nullptr) return nullptr;
   ++blocks_;
   note_away(*step);
+  note_stop(*step);
   passed_.take(*step);
   return step;
 }
@@ -100,11 +129,26 @@ void MoveReader::note_away(const nc::Step& step) {
   }
 }
 
+void MoveReader::note_stop(const nc::Step& step) {
+  const AxisSet lost = std::exchange(known_, step.known) - step.known;
+  stop_.axes = stop_.axes - step.known;
+  if (!step.loses_position || lost.empty()) return;
+  const std::string code = code_that_loses(step, dialect_);
+  const bool by_variable = step.stop == nc::StopByVariable::message;
+  const std::string name = by_variable ? fmt::format("#{}", dialect_.syntax.message_variable) : code;
+  stop_ = {lost, name, code, step.block->line, std::string(step.block->file)};
+}
+
 UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
   UnknownPosition found;
   found.moved = at_zero_ & step.named;
   if (!found.moved.empty()) return found;
   found.missing = AxisSet::all() - known;
+  if (!stop_.code.empty() && !(found.missing & stop_.axes).empty()) {
+    const bool here = stop_.file == step.block->file;
+    found.stop = fmt::format("{} in line {}{}", stop_.name, stop_.line, here ? "" : fmt::format(" of {}", stop_.file));
+    found.stop_code = stop_.code;
+  }
   if ((found.missing & AxisSet::rotary()).empty()) return found;
   at_zero_ = at_zero_ | ((found.missing & AxisSet::rotary()) - settings_.named - away_);
   const AxisWords origin = step.frame->to_pose({});

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/files/files.hpp"
@@ -37,12 +39,18 @@ class SpindleTool {
 
 /// What keeps a position from being known.
 struct UnknownPosition {
-  AxisSet moved;    // axes that were taken to stand at zero, and are moved here
-  AxisSet missing;  // axes that no word said and nobody may take to stand at zero
-  AxisSet turned;   // of these: no word names them, but the work offset turns them
+  AxisSet moved;     // axes that were taken to stand at zero, and are moved here
+  AxisSet missing;   // axes that no word said and nobody may take to stand at zero
+  AxisSet turned;    // of these: no word names them, but the work offset turns them
+  std::string stop;  // the block after which some of them may stand elsewhere, as in "M0 in line 3"; "": none known
+  std::string stop_code;  // its M code
 
   bool none() const { return moved.empty() && missing.empty(); }
 };
+
+/// Where the axes stand, and how to say it: "here", and the help of a refusal. `axes`: their names.
+std::string where_unknown(const UnknownPosition& unknown);
+std::string way_to_known(const UnknownPosition& unknown, std::string_view axes);
 
 struct ReaderSettings {
   AxisSet named = AxisSet::all();  // axes that some word of the program names (nc::named_axes)
@@ -132,7 +140,16 @@ class MoveReader {
   AxisSet at_zero() const { return at_zero_; }
 
  private:
+  // A block after which the axes that were known may stand elsewhere.
+  struct Stop {
+    AxisSet axes;
+    std::string name, code;  // M0 and M0, or #3006 and M0
+    std::size_t line = 0;
+    std::string file;
+  };
+
   void note_away(const nc::Step& step);
+  void note_stop(const nc::Step& step);
   bool take(const nc::Motion& motion);
 
   const InputFile& source_;
@@ -141,7 +158,9 @@ class MoveReader {
   nc::ProgramAhead program_;
   SpindleTool spindle_;
   AxisSet at_zero_;
-  AxisSet away_;  // rotary axes that are known to have stood elsewhere
+  AxisSet away_;   // rotary axes that are known to have stood elsewhere
+  AxisSet known_;  // after the block before
+  Stop stop_;
   PassedMoves passed_;
   std::uint64_t blocks_ = 0;
 

@@ -31,11 +31,8 @@ void refuse_unknown(const nc::Step& step, const UnknownPosition& unknown) {
         say_start(), place_of(step));
   }
   const std::string missing = axis_list(unknown.missing);
-  refuse(kCode, fmt::format("this move cuts, and where {} stands is not known here", missing),
-         fmt::format("move {} with G0 to a stated position first, or say where the machine stands: --start at the "
-                     "begin, --keeps-position M6 after a tool change",
-                     missing),
-         place_of(step));
+  refuse(kCode, fmt::format("this move cuts, and where {} stands is not known {}", missing, where_unknown(unknown)),
+         way_to_known(unknown, missing), place_of(step));
 }
 
 // G16: only the first of the pieces of such a block would be in its work system.

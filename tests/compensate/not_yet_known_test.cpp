@@ -176,3 +176,39 @@ TEST_CASE("until G43 is written after G28, G30 and G53 of Z, rapids in X and Y g
   const std::string aside = run(start + "G91 G28 X0. Y0.\nG90 G0 X10. Y5.5 Z20.\nM30\n", job).text;
   CHECK(finds(aside, "^G90 G0 X9.99[0-9] Y5.49[0-9] Z20.0[0-9]+ "));
 }
+
+TEST_CASE(
+    "a cut after a stop is refused with the stop as its cause, and read where the option says that nothing moves") {
+  Job job = kept_over_changes("fanuc");
+  const std::string start = "G21 G90 G94 G54\nG0 X0 Y0 Z50. A0 B0 C0\n";
+  const std::string cut = "G1 X5. F100.\nM30\n";
+  const auto said = [&](const std::string& text) {
+    try {
+      run(text, job);
+    } catch (const Refusal& refusal) {
+      return refusal.diagnostic().message + " | " + refusal.diagnostic().help;
+    }
+    return std::string();
+  };
+  struct Stopped {
+    std::string blocks, stop, option;
+  };
+  for (const Stopped& c : {Stopped{"M0\n", "after M0 in line 3", "--keeps-position M0"},
+                           {"X3.\nM1\n", "after M1 in line 4", "--keeps-position M1"},
+                           {"#3006=1(LOOK)\n", "after #3006 in line 3", "--keeps-position M0"},
+                           {"M0\nG0 X5. Y5.\nZ3. A0\n", "B, C stands is not known after M0 in line 3", "M0"}}) {
+    INFO(c.blocks);
+    job.program.keeps_position = {6};
+    const std::string text = start + c.blocks + cut;
+    INFO(said(text));
+    CHECK(said(text).find(c.stop) != std::string::npos);
+    CHECK(said(text).find(c.option) != std::string::npos);
+    job.program.keeps_position = {0, 1};
+    CHECK(said(text).empty());
+  }
+  job.program.keeps_position = {};
+  CHECK(said(start + "T1 M6\n" + cut).find("after M6 in line 3") != std::string::npos);
+  CHECK(said(start + "M0\nG0 X0 Y0 Z50. A0 B0 C0\n" + cut).empty());
+  CHECK(said("G21 G90 G94 G54\nG0 X0 Y0 A0 B0 C0\nM0\n" + cut).find("M0") != std::string::npos);
+  CHECK(said("G21 G90 G94 G54\nG0 X0 Y0 A0 B0 C0\n" + cut).find("not known here") != std::string::npos);
+}
