@@ -153,3 +153,14 @@ TEST_CASE("fanuc: increments of X and Y after a turn are refused for who correct
                        {turn + "Z5.\nG91 G99 G81 X1. R-40. Z-5. F100.", code + "5:13", "G90"}});
   check_fanuc_read({turn + "X10. Y0\nG91 X1. Y1.", turn + "X10. Y0\nG69\nX1. Y1.\nG91 X5.", turn + "G69\nG91 Z5."});
 }
+
+TEST_CASE("fanuc: a rotary word in a cycle is read where it turns nothing") {
+  const std::string cycle = "G81 X10. Y0 Z-5. R2. F100.";
+  check_fanuc_read({cycle + " A0", cycle + " A0. B0. C0.\nX20. A0.", "G0 C30.\n" + cycle + " C30.\nY5. C30. A0",
+                    cycle + "\nG91 X5. R-48. Z-7. B0"});
+  check_fanuc_refused({{cycle + " A0.001", "nc-axes-unused 2:28", "stand still"},
+                       {cycle + "\nX20. C5.", "nc-axes-unused 3:6", ""},
+                       {"G0 C30.\n" + cycle + " C0", "nc-axes-unused 3:28", ""},
+                       {cycle + "\nA0.", "nc-axes-missing 3:1", "without X, Y or Z"}});
+  CHECK_FALSE(fanuc_end_of("G90 G21 G0 X0 Y0 Z50.\n" + cycle + " A0\nM2\n", true, "linuxcnc").said.empty());
+}

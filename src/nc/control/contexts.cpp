@@ -195,6 +195,11 @@ void check_words_of_call(const Execution& run, const CodeRow& call) {
     if (word == nullptr || (run.motion->word_mask & letter_bit(letter)) == 0) continue;
     run.refuse(*word, codes::kNotInterpreted,
                fmt::format("{} belongs to the call of a program, and may be taken for a word of the drilling cycle",
+                           run.text_of(*word)),
+               "put the call into a block of its own, without axis words");
+  }
+}
+
 // G84 S400 F400.: the manual has it drill nothing, as long as no R stands there either [B-64484EN, canned cycles].
 [[noreturn]] void refuse_cycle_without_place(const Execution& run) {
   run.refuse(run.motion_code(), codes::kAxesMissing,
@@ -202,11 +207,6 @@ void check_words_of_call(const Execution& run, const CodeRow& call) {
                          "next hole takes, differs between controls",
                          run.text_of(run.motion_code())),
              "write it into the block of the next hole, beside X and Y");
-}
-
-                           run.text_of(*word)),
-               "put the call into a block of its own, without axis words");
-  }
 }
 
 // Which axis drills there, and when a tool's length counts in.
@@ -218,13 +218,13 @@ void check_beside_cycle(const Execution& run) {
   const bool in_xy = run.control.modal.plane == Plane::xy || find_code(run, Action::plane_xy) != nullptr;
   if (other != nullptr || !in_xy) {
     run.refuse(other != nullptr ? *other->word : run.motion_code(), codes::kNotInterpreted,
-  const bool has_place = !(run.axes & AxisSet::linear()).empty();
-  if (!has_place && !run.dialect.behaviour.return_levels) refuse_cycle_without_place(run);
                run.dialect.behaviour.return_levels
                    ? "along which axis the cycles drill in G18 and G19 was found in no source"
                    : "which axis drills in G18 and G19 is said by a parameter of the control (5101 FXY)",
                "write G17 before it, and drill along Z");
   }
+  const bool has_place = !(run.axes & AxisSet::linear()).empty();
+  if (!has_place && !run.dialect.behaviour.return_levels) refuse_cycle_without_place(run);
   for (const Chosen& code : run.chosen) {
     if (code.row->action == Action::call_program || code.row->action == Action::end_program) {
       check_words_of_call(run, *code.row);
@@ -340,30 +340,6 @@ void check_cycle_beside_motion(const Execution& run) {
     run.refuse(*code.word, codes::kSameGroup, fmt::format("{} beside a canned cycle", run.block->at(code.word->span)),
                "put them into blocks of their own");
   }
-}
-
-// What a cycle takes for granted.
-void check_cycle(const Execution& run) {
-  const Control& control = run.control;
-  if (const AxisSet rotary = run.axes & AxisSet::rotary(); !rotary.empty()) {
-    for (const Axis axis : kAllAxes) {
-      if (!rotary.contains(axis)) continue;
-      run.refuse(*run.words.find(axis), codes::kAxesUnused, "rotary axes stand still in a cycle",
-                 "turn to the hole's direction with G0 before");
-    }
-  }
-  if (control.modal.feed_mode == FeedMode::inverse_time) {
-    run.refuse(run.motion_code(), codes::kFeedMissing, "a cycle takes no inverse time (G93)", "write G94 before it");
-  }
-  AxisSet known = control.modal.incremental ? control.known : control.known | run.axes;
-  const Axis along_hole = axes_of(control.modal.plane).third;
-  if (!control.known.contains(along_hole)) known.erase(along_hole);
-  const AxisSet missing = AxisSet::linear() - known;
-  if (missing.empty()) return;
-  run.refuse(run.motion_code(), codes::kPositionUnknown,
-             fmt::format("the cycle begins where {} is not known", axis_list(missing)),
-             "move there with a G0 that names all three, or say with --keeps-position M6 that a change of tools leaves "
-             "them where they stood");
 }
 
 // Some controls take P1.5 and P2. for seconds, others stop at them.

@@ -41,7 +41,7 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
     const double off = (value - word.value) * per_unit;
     const bool goes_back_there = word.letter == 'R' && step.after->retract_to_r;
     const bool in_plane = word.letter == letter(axes.first) || word.letter == letter(axes.second);
-    if (goes_back_there || in_plane) end_shift[*axis] = off;
+    if (goes_back_there || in_plane || is_rotary(*axis)) end_shift[*axis] = off;
     if (word.letter == 'R' && comes_from_below) end_shift[*axis] = std::max(end_shift[*axis], off);
     std::string text;
     append_word(text, word.letter, value, kMostDecimals,

@@ -1,4 +1,6 @@
 // What must hold before a cycle is made.
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "nc/control/execution.hpp"
@@ -8,6 +10,8 @@
 namespace plumbline::nc {
 namespace {
 
+constexpr double kNoTurnDeg = 1e-9;
+
 // There the control takes the axes of the plane for others, one place on, and taps somewhere else [LinuxCNC, measured].
 void check_tapped_plane(const Execution& run, int code) {
   const bool taps = code == kTapping || code == kLeftTapping;
@@ -15,6 +19,16 @@ void check_tapped_plane(const Execution& run, int code) {
   run.refuse(run.motion_code(), codes::kNotInterpreted,
              fmt::format("in G18 and G19 the control mixes up the axes of G{} and taps beside the hole", code),
              "tap along Z, with G17 in force");
+}
+
+// A0 beside a hole, where A stands at 0: who writes all axes in each block writes it there as well.
+bool stays_at(const Execution& run, Axis axis) {
+  const Control& control = run.control;
+  const RotaryRule rule = control.modal.rule_of(axis);
+  const bool reads = run.dialect.behaviour.fanuc_cycles && !run.dialect.behaviour.return_levels &&
+                     (rule == RotaryRule::linear || rule == RotaryRule::shortest) && control.known.contains(axis);
+  const double there = control.modal.incremental ? 0 : control.position[axis];
+  return reads && std::abs(run.value(axis) - there) < kNoTurnDeg;
 }
 
 }  // namespace
@@ -32,6 +46,30 @@ void check_cycle_spindle(const Execution& run, int code) {
                fmt::format("write S and M{} before it; M6 and M19 stop the spindle", taps ? needed : kClockwise));
   }
   check_tapped_plane(run, code);
+}
+
+// What a cycle takes for granted.
+void check_cycle(const Execution& run) {
+  const Control& control = run.control;
+  if (const AxisSet rotary = run.axes & AxisSet::rotary(); !rotary.empty()) {
+    for (const Axis axis : kAllAxes) {
+      if (!rotary.contains(axis) || stays_at(run, axis)) continue;
+      run.refuse(*run.words.find(axis), codes::kAxesUnused, "rotary axes stand still in a cycle",
+                 "turn to the hole's direction with G0 before");
+    }
+  }
+  if (control.modal.feed_mode == FeedMode::inverse_time) {
+    run.refuse(run.motion_code(), codes::kFeedMissing, "a cycle takes no inverse time (G93)", "write G94 before it");
+  }
+  AxisSet known = control.modal.incremental ? control.known : control.known | run.axes;
+  const Axis along_hole = axes_of(control.modal.plane).third;
+  if (!control.known.contains(along_hole)) known.erase(along_hole);
+  const AxisSet missing = AxisSet::linear() - known;
+  if (missing.empty()) return;
+  run.refuse(run.motion_code(), codes::kPositionUnknown,
+             fmt::format("the cycle begins where {} is not known", axis_list(missing)),
+             "move there with a G0 that names all three, or say with --keeps-position M6 that a change of tools leaves "
+             "them where they stood");
 }
 
 }  // namespace plumbline::nc

@@ -1,0 +1,60 @@
+// Drilling cycles of a Fanuc control whose blocks name all axes.
+#include <regex>
+
+#include <catch2/catch.hpp>
+
+#include "compensate/play.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+Job drilling() {
+  Job job;
+  job.dialect = "fanuc";
+  job.settings.friction = false;
+  job.program.tool_in_spindle = 1;
+  nc::Tool tool;
+  tool.number = 1;
+  tool.length_mm = 100;
+  tool.mass_kg = 1;
+  job.program.tools = nc::ToolTable({tool});
+  return job;
+}
+
+const std::string kDrillingStart = "O0001\nG21 G17 G90 G54 G94\n";
+
+}  // namespace
+
+TEST_CASE("rotary words in a drilling cycle that turn nothing are read, and go to the corrected turn") {
+  const Job job = drilling();
+  for (const std::string cycle : {"G81", "G83 Q3.", "G82 P100", "G84", "G85", "G99 G81", "G89 P50"}) {
+    for (const std::string turn : {" A0. B0. C0.", " A2. B-1.5 C4.", " A2."}) {
+      const std::string rest = turn == " A2." ? " B0. C0." : "";
+      const auto text = [&](const std::string& beside) {
+        return kDrillingStart + "G0 X0. Y0. Z50." + turn + rest + "\nS500 M3\n" + cycle + " X5. Y5. Z-8. R1. F200." +
+               beside + "\nX25. Y-5." + beside + "\nG80\nG0 Z60.\nM30\n";
+      };
+      INFO(text(turn));
+      const std::string out = run(text(turn), job).text;
+      INFO(out);
+      CHECK(play(text(turn), out, job).at_points_um <= 2);
+      CHECK(play(text(turn), out, job).at_points_um ==
+            Approx(play(text(""), run(text(""), job).text, job).at_points_um).margin(1));
+    }
+  }
+}
+
+TEST_CASE("rotary words in a drilling cycle that turn, or may turn, are refused") {
+  const Job job = drilling();
+  const std::string start = kDrillingStart + "G0 X0. Y0. Z50. A0. B0. C0.\n";
+  std::size_t line = 0;
+  CHECK(code_of(start + "G81 X5. Y0 Z-5. R2. F100. A1.\nM30\n", job, &line) == "nc-axes-unused");
+  CHECK(line == 4);
+  CHECK(code_of(start + "G81 X5. Y0 Z-5. R2. F100.\nX10. A0.001\nM30\n", job, &line) == "nc-axes-unused");
+  CHECK(line == 5);
+  CHECK(code_of(start + "M0\nG0 X0. Y0. Z50.\nG81 X5. Y0 Z-5. R2. F100. A0.\nM30\n", job) == "nc-axes-unused");
+  CHECK(code_of(start + "G81 X5. Y0 Z-5. R2. F100.\nA0. B0. C0.\nM30\n", job) == "nc-axes-missing");
+  CHECK(code_of(start + "G81 X5. Y0 Z-5. R2. F100.\nG91 X10. R-48. Z-7. A0.\nM30\n", job).empty());
+  CHECK(code_of(start + "G81 X5. Y0 Z-5. R2. F100.\nG91 X10. R-48. Z-7. A1.\nM30\n", job) == "nc-axes-unused");
+}
