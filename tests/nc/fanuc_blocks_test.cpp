@@ -154,6 +154,19 @@ TEST_CASE("fanuc: increments of X and Y after a turn are refused for who correct
   check_fanuc_read({turn + "X10. Y0\nG91 X1. Y1.", turn + "X10. Y0\nG69\nX1. Y1.\nG91 X5.", turn + "G69\nG91 Z5."});
 }
 
+TEST_CASE("fanuc: what is missing is named, with the vacant variable that is behind it") {
+  check_fanuc_refused({{"G4", "nc-word-missing 2:1", "an X or a P word"},
+                       {"G4 P#1", "nc-word-missing 2:1", "P#1 has no value here"},
+                       {"G4 X#2", "nc-word-missing 2:1", "X#2 has no value here"},
+                       {"G68 X0 Y0 R#5", "nc-word-missing 2:1", "R#5 has no value here"},
+                       {"G81 X5. Y0 Z-5. R#7 F100.", "nc-word-missing 2:1", "R#7 has no value here"},
+                       {"X1. (A(B))", "nc-comment-nested 2:7", "do not nest"},
+                       {"GOTO 5 (A(B))\nN5", "nc-comment-nested 2:10", "do not nest"},
+                       {"GOTO 5 (A\nN5", "nc-comment-open 2:8", ""}});
+  CHECK(fanuc_end_of("O0001(T(EST))\n" + kFanucHead, true).said.substr(0, 21) == "nc-comment-nested 1:8");
+  CHECK(fanuc_end_of("O0001(TEST\n" + kFanucHead, true).said.substr(0, 19) == "nc-comment-open 1:6");
+}
+
 TEST_CASE("fanuc: a rotary word in a cycle is read where it turns nothing") {
   const std::string cycle = "G81 X10. Y0 Z-5. R2. F100.";
   check_fanuc_read({cycle + " A0", cycle + " A0. B0. C0.\nX20. A0.", "G0 C30.\n" + cycle + " C30.\nY5. C30. A0",

@@ -22,6 +22,8 @@ struct Chosen {
 
 /// Of a word that a message speaks of.
 std::string_view article_of(char letter);
+/// ", and X#1 has no value here", where such a word counts as not written; else "".
+std::string vacancy_in(const Block& block);
 
 /// No upper limit for Execution::whole.
 inline constexpr int kNoLimit = 1000000000;
@@ -75,10 +77,10 @@ struct Execution {
 };
 
 // How the block is read.
-/// Finds the rows of all codes, their order, the motion; refuses what does not go together: resolve_codes.cpp
-void resolve_codes(Execution& run);
 /// Whether the axis words of the block are increments: its own G90 or G91 counts, before its turn has come as well.
 bool counts_increments(const Execution& run);
+/// Finds the rows of all codes, their order, the motion; refuses what does not go together: resolve_codes.cpp
+void resolve_codes(Execution& run);
 /// The word of an axis that the block names, or the one that stands for two: @ or ^.
 const Word& first_axis_word(const Execution& run);
 /// Finds its words and the rows of its codes, as they stand in the block; refuses words that stand for nothing, and two

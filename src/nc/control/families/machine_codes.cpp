@@ -103,6 +103,19 @@ void call_program(Execution& run, const Chosen& chosen) {
   run.call.number %= one;
 }
 
+namespace {
+
+[[noreturn]] void refuse_dwell_without_time(const Execution& run, const Word& code, std::string_view letters) {
+  std::string words;
+  for (const char letter : letters) {
+    words += fmt::format("{}{} {}", words.empty() ? "" : " or ", article_of(letter), letter);
+  }
+  run.refuse(code, codes::kWordMissing, fmt::format("G4 needs {} word{}", words, vacancy_in(*run.block)),
+             "add the time to wait");
+}
+
+}  // namespace
+
 void dwell(Execution& run, const Word& code) {
   const std::string_view letters = run.chosen_row(Action::dwell)->words;
   const ControlBehaviour& behaviour = run.dialect.behaviour;
@@ -118,11 +131,7 @@ void dwell(Execution& run, const Word& code) {
   for (const char letter : letters) {
     if (word == nullptr) word = run.words.find(letter);
   }
-  if (word == nullptr) {
-    run.refuse(code, codes::kWordMissing,
-               fmt::format("G4 needs {} {} word", article_of(letters.front()), letters.front()),
-               "add the seconds to wait");
-  }
+  if (word == nullptr) refuse_dwell_without_time(run, code, letters);
   if (word->value < 0) {
     run.refuse(*word, codes::kNegative, "the time to wait is negative", fmt::format("write {}0 or more", word->letter));
   }

@@ -49,9 +49,14 @@ std::string_view article_of(char letter) {
   return std::string_view("AEFHILMNORSX").find(letter) != std::string_view::npos ? "an" : "a";
 }
 
+std::string vacancy_in(const Block& block) {
+  return block.left_out.empty() ? "" : fmt::format(", and {} has no value here", block.at(block.left_out.front()));
+}
+
 const Word& Execution::need(char letter, std::string_view code_text) const {
   if (const Word* word = words.find(letter)) return *word;
-  refuse(codes::kWordMissing, fmt::format("{} needs {} {} word", code_text, article_of(letter), letter),
+  refuse(codes::kWordMissing,
+         fmt::format("{} needs {} {} word{}", code_text, article_of(letter), letter, vacancy_in(*block)),
          "add it to the block");
 }
 

@@ -31,6 +31,7 @@ void end_of_statement(BlockReading& in) {
     }
   }
   if (cursor.is_at_end_of_block()) return;
+  cursor.refuse_damage(cursor.span());
   cursor.refuse(cursor.span(), codes::kFlowControl, "nothing but a comment stands after this",
                 "write words into a block of their own");
 }

@@ -72,10 +72,11 @@ class TokenCursor {
   [[noreturn]] void refuse(Span span, std::string_view code, std::string message, std::string help) const;
   /// Refuses token() where `expected` should stand.
   [[noreturn]] void refuse_token(std::string_view expected) const;
+  /// Refuses a token that is no word because the text is damaged, or a comment open or nested.
+  void refuse_damage(Span span) const;
 
  private:
   void read(Lexer lex, Token& token) const;
-  void refuse_damage(Span span) const;
   void refuse_byte(Span span, char c) const;
 
   const Syntax* syntax_;

@@ -77,6 +77,7 @@ void read_o_word(BlockReading& in) {
   }
   for (cursor.take(lex_item); cursor.is(TokenKind::comment); cursor.take(lex_item)) in.out.add_comment(cursor.span());
   if (cursor.is_at_end_of_block()) return;
+  cursor.refuse_damage(cursor.span());
   if (in.syntax->statements == Statements::macro_b) {
     cursor.refuse(cursor.span(), codes::kFlowControl, "nothing but a comment stands after the number of a program",
                   "put the words into a block of their own");
