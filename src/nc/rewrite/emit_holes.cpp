@@ -36,12 +36,14 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
     const bool level = step.holes.front().ijk && word.letter == kCentreLetters[index(axes.third)];
     if (word.letter == 'R' || level) axis = axes.third;
     if (!axis) continue;
-    const double per_unit = step.after->inches ? kMmPerInch : 1;
-    const double value = planner_.words().rounded(step, *axis, word.value + shift[*axis] / per_unit);
+    const bool turns = is_rotary(*axis);  // it stays where it stands
+    const double per_unit = step.after->inches && !turns ? kMmPerInch : 1;
+    const double by = turns ? end_shift[*axis] : shift[*axis];
+    const double value = planner_.words().rounded(step, *axis, word.value + by / per_unit);
     const double off = (value - word.value) * per_unit;
     const bool goes_back_there = word.letter == 'R' && step.after->retract_to_r;
     const bool in_plane = word.letter == letter(axes.first) || word.letter == letter(axes.second);
-    if (goes_back_there || in_plane || is_rotary(*axis)) end_shift[*axis] = off;
+    if (goes_back_there || in_plane) end_shift[*axis] = off;
     if (word.letter == 'R' && comes_from_below) end_shift[*axis] = std::max(end_shift[*axis], off);
     std::string text;
     append_word(text, word.letter, value, kMostDecimals,
