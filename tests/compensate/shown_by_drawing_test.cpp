@@ -54,7 +54,7 @@ TEST_CASE("fanuc: G80 and G0 end a cycle with its P") {
 TEST_CASE("okuma: a cycle that stays one goes back to the level of G71, whatever the correction") {
   check_taken(
       "okuma",
-      {"G15 H1\nG0 X-19.984 Y-38.526 Z14.741\nG71 Z14.741\nG82 Z12.397 R13.785 P1 F900 M53\nG80\nM2\n",
+      {"G15 H1\nG0 X-19.984 Y-38.526 Z14.741\nG71 Z14.741\nG82 X-19.984 Z12.397 R13.785 P1 F900 M53\nG80\nM2\n",
        "G15 H1\nG0 X0 Y0 Z14.741\nG71 Z14.741\nG82 X-2.015 Y9.26 Z12.397 R13.785 P1 F900 M53\nX5.\nY2.\nG80\nM2\n",
        "G15 H1\nG0 X9. Y0 Z20.\nM3 S500\nG71 Z20.\nG89 X1. Y9.26 Z12. R13. P1 F900 M53\nNCYL X5.\nG80\nM2\n"});
 }
@@ -141,8 +141,8 @@ TEST_CASE("okuma: a cycle whose R the correction puts elsewhere than the tool is
 
 TEST_CASE("okuma: a cycle whose tool the correction puts elsewhere than the level of G71 is refused as such") {
   for (const std::string part :
-       {"G00 X-45.19 Y38.248 Z47.908 A-13.026 B15.738\nM3 S500\nG71 Z47.908\nG86 Z42.101 R46.721 P1 F102 M53\n",
-        "G0 X95.923 Y-61.891 Z-44.4 A-16.653 B-14.133\nG71 Z-44.4\nG89 Z-52.374 R-48.177 P1 F495 M53\n",
+       {"G00 X-45.19 Y38.248 Z47.908 A-13.026 B15.738\nM3 S500\nG71 Z47.908\nG86 X-45.19 Z42.101 R46.721 P1 F102 M53\n",
+        "G0 X95.923 Y-61.891 Z-44.4 A-16.653 B-14.133\nG71 Z-44.4\nG89 X95.923 Z-52.374 R-48.177 P1 F495 M53\n",
         "G0 X1 Y2 Z20 A5 B-8 C0\nG71 Z30\nG82 X1 Y2 Z12. R18. P1 F138 M53\n"}) {
     INFO(part);
     CHECK(code_of("G15 H1\n" + part + "G80\nM2\n", for_dialect("okuma")) == "compensate-cycle");
@@ -152,8 +152,8 @@ TEST_CASE("okuma: a cycle whose tool the correction puts elsewhere than the leve
 
 TEST_CASE("okuma: the message on a cycle that begins off its level tells of the original, not of the correction") {
   const std::map<std::string, std::string> levels_of{{"G71 Z30\nG82 X1 Y2 Z12. R18. P1 F138 M53\n", "30"},
-                                                     {"G71 Z15\nM3 S500\nG84 Z-9. R12. F120 M53\n", "15"},
-                                                     {"G71 Z25.5\nG89 Z12. R18. P1 F138 M53\n", "25.5"}};
+                                                     {"G71 Z15\nM3 S500\nG84 X1 Z-9. R12. F120 M53\n", "15"},
+                                                     {"G71 Z25.5\nG89 X1 Z12. R18. P1 F138 M53\n", "25.5"}};
   for (const auto& holes : levels_of) {
     INFO(holes.first);
     const Diagnostic refused = testing::refusal_of(

@@ -8,6 +8,7 @@ using namespace plumbline::nc::tests;
 TEST_CASE("OSP: a shape that is drawn ends before anything else stands") {
   check_osp({{"G15 H1\nDEF WORK\nPS LC,[0,0,0],[10,10,10]\nG1 X100 F1000\nM2\n", 4, 1, "nc-flow-open", "END"},
              {"G15 H1\nDEF WORK\nPS LC,[0,0,0],[10,10,10]\nM2\n", 4, 1, "nc-flow-open"},
+             {"G15 H1\nDEF WORK\nNEND\nM2\n", 3, 1, "nc-flow-open"},
              {"G15 H1\nDEF WORK\nX5\nEND\nM2\n", 3, 1, "nc-flow-open"},
              {"G15 H1\nCALL OSUB\nM2\nOSUB\nDEF WORK\nRTS\n", 6, 1, "nc-flow-open"},
              {"G15 H1\nDEF WORK\nOSUB\n", 3, 1, "nc-flow-open"},
@@ -21,11 +22,13 @@ TEST_CASE("OSP: a shape that is drawn ends before anything else stands") {
 TEST_CASE("OSP: what stands behind the end of a program and is never reached is refused") {
   check_osp({{"$A.MIN%\nG15 H1 G0 X0\nM2\n$B.MIN%\nG15 H1 G1 X100 F500\nM2\n", 4, 1, "nc-flow-open"},
              {"G15 H1 G0 X0\nM2\nG1 X100 F500\n", 3, 1, "nc-flow-open"},
+             {"N1 G15 H1 G0 X0\nN2 M2\nN3 G1 X100 F500\n", 3, 1, "nc-flow-open"},
              {"G15 H1 G0 X0\nM30\n(SECOND)\nX5\nM2\n", 4, 1, "nc-flow-open"},
              {"G15 H1 G0 X0\nCALL OSUB\nM02\nX7\nOSUB\nX1\nRTS\n", 4, 1, "nc-flow-open"}});
   check_osp({{"G15 H1 G0 X0\nM2\n\n(REMARK)\n%\n", 0, 0},
              {"G15 H1 G0 X0\nCALL OSUB\nM2\nOSUB\nX1\nRTS\n", 0, 0},
-             {"G15 H1 G0 X0\nVC1=1\nIF [VC1 GT 5] NALM\nX1\nM2\nNALM X0\nM2\n", 0, 0}});
+             {"G15 H1 G0 X0\nVC1=1\nIF [VC1 GT 5] NALM\nX1\nM2\nNALM X0\nM2\n", 0, 0},
+             {"G15 H1 G0 X0\nGOTO N9\nN5 M2\nN9 X1\nGOTO N5\n", 0, 0}});
 }
 
 TEST_CASE("OSP: codes beside which no source lets a move stand") {

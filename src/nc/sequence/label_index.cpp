@@ -1,9 +1,11 @@
 #include "nc/sequence/label_index.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
+#include "base/text/characters.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/sequence/flow_block.hpp"
 #include "nc/syntax/line_head.hpp"
@@ -30,6 +32,17 @@ void for_each_head(const InputFile& file, const Dialect& dialect, const Take& ta
     const LineHead head = head_of(line.text, dialect);
     begun = begun || !head.empty;
     if (ended == behind_end) take(head, line);
+  }
+}
+
+// The names that begin with N: those of labels, as a jump has them, among others.
+void add_labels(std::string_view text, std::set<std::string>& labels) {
+  const auto of_name = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t begin = at;
+    while (at < text.size() && of_name(text[at])) ++at;
+    if (at > begin && upper(text[begin]) == 'N') labels.insert(canonical_label(text.substr(begin, at - begin)));
+    if (at == begin) ++at;
   }
 }
 
@@ -209,14 +222,18 @@ Place LabelIndex::shown(std::size_t file, const LinePlace& place) const {
   return {files_.file(file).name(), place.line, 1, std::max<std::size_t>(line.text.size(), 1), std::string(line.text)};
 }
 
-// A line behind M2 that nothing leads to: it has no label, and no program of its own begins before it.
+// A line behind M2 that nothing leads to: no jump names its label, and no program of its own begins before it.
 std::optional<LinePlace> LabelIndex::unreached() const {
+  std::set<std::string> targets;
+  for_each_head(files_.file(0), dialect_, [&](const LineHead& head, const Line& line) {
+    if (head.word == FlowWord::begin_if || head.word == FlowWord::go_to) add_labels(line.text, targets);
+  });
   std::optional<LinePlace> found;
   bool ended = false;
   for_each_head(files_.file(0), dialect_, [&](const LineHead& head, const Line& line) {
-    const bool begins = !line.text.empty() && line.text.front() == dialect_.syntax.goes_on;  // $NAME.MIN%
-    if (ended && !found && (begins || (!head.empty && head.number.empty() && head.program.empty()))) found = line.place;
-    if (!head.number.empty() || !head.program.empty()) ended = false;
+    const bool is_head = !line.text.empty() && line.text.front() == dialect_.syntax.goes_on;  // $NAME.MIN%
+    if (!head.program.empty() || targets.contains(head.number)) ended = false;
+    if (ended && !found && (is_head || !head.empty)) found = line.place;
     if (!head.behind_slash && holds_program_end(line.text)) ended = true;
   });
   return found;

@@ -209,7 +209,7 @@ bool NamedGrammar::draws(const BlockReading& in) {
     if (!is_blank(c)) words += upper(c);
   }
   std::size_t at = words.starts_with('N') ? words.find_first_not_of("0123456789", 1) : 0;
-  at = std::min(at, words.size());
+  at = at == 1 ? 0 : std::min(at, words.size());  // NEND is a name
   const std::string_view statement = std::string_view(words).substr(at);
   if (!drawing_) {
     if (words.starts_with('/') && words.find("DEFWORK") != std::string::npos) refuse_drawing_skipped(in);
