@@ -123,6 +123,7 @@ class Okuma final : public Writer {
     const int tool = draws_.whole(1, 3);
     if (!keeps_at_tool_change_) known_ = false;
     put({fmt::format("T{}", tool), "M6"});
+    if (feeds_ == Feeds::per_revolution) put({"S1000", "M3"});
     if (incremental_) put({"G90"});
     incremental_ = false;
     const bool off = draws_.chance(15);

@@ -262,6 +262,7 @@ class Siemens final : public Writer {
       put({"M6"});
       if (draws_.chance(50)) put({"D1"});
     }
+    if (feeds_ == Feeds::per_revolution) put({"S1000", "M3"});
     go_to_known_place();
   }
 
