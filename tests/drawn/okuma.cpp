@@ -142,15 +142,16 @@ class Okuma final : public Writer {
     if (draws_.chance(60) || cycle == "G86") put({"S500", "M3"});
     const bool to_r = draws_.chance(50);
     const double level = at_[Axis::Z];
-    if (!to_r) put({fmt::format("G71 Z{:.6f}", level)});
-    const double r = to_r ? level : level - draws_.between(0.5, 6);
+    if (!to_r) put({fmt::format("G71 Z{:.3f}", level)});
+    const auto kept = [](double mm) { return std::round(mm * 1000) / 1000; };  // as posts write it
+    const double r = to_r ? level : kept(level - draws_.between(0.5, 6));
     known_ = false;
     const auto place = [&](Axis axis) { return letter(axis) + length(target(axis)).text; };
     Words words{cycle, place(Axis::X), place(Axis::Y)};
-    words.push_back("Z" + length(r - draws_.between(1, 8)).text);
-    words.push_back(fmt::format("R{:.6f}", r));
+    words.push_back("Z" + length(kept(r - draws_.between(1, 8))).text);
+    words.push_back(fmt::format("R{:.3f}", r));
     if (cycle == "G82" || cycle == "G86" || cycle == "G89") words.emplace_back("P1");
-    if (cycle == "G83" || cycle == "G73") words.push_back("Q" + length(draws_.between(0.7, 4)).text);
+    if (cycle == "G83" || cycle == "G73") words.push_back("Q" + length(kept(draws_.between(0.7, 4))).text);
     words.push_back(fmt::format("F{}", draws_.whole(100, 900)));
     feed_stated_ = true;
     words.emplace_back(to_r ? "M54" : "M53");
