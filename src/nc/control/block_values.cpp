@@ -112,6 +112,14 @@ void check_variable(const Execution& run, const Block& block, const Setting& pla
 
 bool belongs_to_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
+void check_declared_once(Execution& run, const Block& block, const Setting& place) {
+  if (block.flow.word != FlowWord::define && block.flow.word != FlowWord::sub) return;
+  const std::string_view name = block.at(block.names[place.name]);
+  if (run.control.parameters.declare_once(name, block.offset + place.span.begin)) return;
+  refuse_at(block, place.span, codes::kAssignment, fmt::format("{} is declared twice in this program", name),
+            "leave one of the declarations, or rename one of the variables");
+}
+
 // The first name of which EXISTS asks and only the machine knows, since a program before this one may have made it.
 std::string_view name_left_open(const Block& block, std::uint32_t code, ParameterReader& parameters) {
   for (const Instruction* step = &block.code[code]; step->operation != Operation::end; ++step) {
@@ -155,8 +163,8 @@ std::string_view name_left_open(const Block& block, std::uint32_t code, Paramete
 BlockValues::BlockValues(Execution& run)
     : run_(run),
       system_parameters_(run.control, run.settings, run.dialect),
-      evaluator_(run.dialect.syntax.equal_within, !run.dialect.syntax.empty_names, run.dialect.syntax.doubtful_within) {
-}
+      evaluator_(run.dialect.syntax.equal_within, !run.dialect.syntax.empty_names, run.dialect.syntax.doubtful_within,
+                 run.dialect.syntax.unsourced_values) {}
 
 double BlockValues::value_of(const Block& block, std::uint32_t code, Span span) {
   const Value value = evaluator_.run(block, code, system_parameters_);
@@ -302,8 +310,12 @@ void BlockValues::set_parameter(const Block& block, const Setting& place, int nu
               "end the call with MCALL before, and call it anew after");
   }
   if (number == kNamed) {
+    if (run_.dialect.syntax.declared) check_declared_once(run_, block, place);
     if (place.type != VariableType::real) {
       run_.control.parameters.declare(block.at(block.names[place.name]), place.type);
+    }
+    if (run_.dialect.syntax.unsourced_values && run_.control.parameters.is_whole(block.at(block.names[place.name]))) {
+      check_negative_half(block, place.span, value);
     }
     run_.control.parameters.set(block.at(block.names[place.name]), value);
     note_handed_name(block, place, value);

@@ -222,6 +222,7 @@ struct Syntax {
   bool bitwise = false;             // AND, OR, XOR work on the bits of whole numbers and bind like * and +
   bool full_turn = false;           // ATAN gives 0 to 360, ASIN of a negative number is refused
   bool exists_numbers = false;      // EXISTS[#5] asks for a number as well
+  bool unsourced_values = false;    // ROUND(-2.5), -2.5 in an INT and ATAN2(0,0) are in no source: refused
   bool relations_last = false;      // == binds weaker than AND: both in one bracket are refused
   bool declared = false;            // a variable that has a name is declared before it is set (DEF)
   bool settings_alone = false;      // such a variable is set in a block without words, and has two letters or more

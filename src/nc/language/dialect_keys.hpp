@@ -28,6 +28,7 @@ inline constexpr Key<bool Syntax::*> kSyntaxFlags[] = {
     {"rounds_to_zero", &Syntax::rounds_to_zero},
     {"bitwise", &Syntax::bitwise},
     {"full_turn", &Syntax::full_turn},
+    {"unsourced_values", &Syntax::unsourced_values},
     {"relations_last", &Syntax::relations_last},
     {"draws", &Syntax::draws},
     {"truths_only", &Syntax::truths_only},

@@ -1,6 +1,7 @@
 #include "nc/sequence/flow_block.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -33,6 +34,13 @@ void refuse_flow(const Block& block, std::string_view code, std::string message,
 
 bool condition_holds(Interpreter& interpreter, const Block& block) {
   return interpreter.value_of(block, block.flow.values.front(), block.flow.span) != 0;
+}
+
+double chosen_by(Interpreter& interpreter, const Block& block, std::uint32_t code) {
+  const double value = interpreter.value_of(block, code, block.flow.span);
+  if (value == std::trunc(value)) return value;
+  refuse_flow(block, codes::kNotWhole, fmt::format("CASE chooses by {}, which is no whole number", value),
+              "choose by whole numbers, as ROUND makes them, or by IF");
 }
 
 int number_of(Interpreter& interpreter, const Block& block, std::uint32_t code, std::string_view what) {

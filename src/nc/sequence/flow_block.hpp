@@ -23,6 +23,9 @@ Place steering_place(const Block& block);
 /// Whether the condition of the statement holds.
 bool condition_holds(Interpreter& interpreter, const Block& block);
 
+/// What CASE chooses by; refuses fractions, since no source says how it compares them.
+double chosen_by(Interpreter& interpreter, const Block& block, std::uint32_t code);
+
 /// The whole number that this code is worth; refuses another one, and calls it `what`.
 int number_of(Interpreter& interpreter, const Block& block, std::uint32_t code, std::string_view what);
 

@@ -209,10 +209,10 @@ void StatementFlow::jump(const Block& block, std::string_view written, Direction
 }
 
 void StatementFlow::choose(const Block& block) {
-  const double value = interpreter_.value_of(block, block.flow.values.front(), block.flow.span);
+  const double value = chosen_by(interpreter_, block, block.flow.values.front());
   for (const Choice& choice : block.flow.choices) {
     const bool is_default = choice.value == kLiteral;
-    if (!is_default && interpreter_.value_of(block, choice.value, block.flow.span) != value) continue;
+    if (!is_default && chosen_by(interpreter_, block, choice.value) != value) continue;
     return jump(block, block.at(choice.label), choice.direction);
   }
 }

@@ -179,10 +179,19 @@ void check_arc_sine(const Block& block, const Instruction& step, const Value& va
 
 // Some controls round both numbers first, others do not.
 void check_remainder(const Block& block, const Instruction& step, const Value& a, const Value& b) {
-  if (step.operation != Operation::whole_remainder) return;
+  if (step.operation != Operation::whole_remainder && step.operation != Operation::whole_quotient) return;
   for (const Value& value : {a, b}) {
-    if (value.known) whole_number(block, step.span, value.number, "what MOD divides, or divides by,");
+    if (!value.known || value.number == std::trunc(value.number)) continue;
+    refuse_at(block, step.span, codes::kNotWhole,
+              fmt::format("what {} divides, or divides by, is no whole number", block.at(step.span)),
+              "round it before: what becomes of a fraction was found in no source");
   }
+}
+
+void check_angle(const Block& block, const Instruction& step, const Value& a, const Value& b) {
+  if (step.operation != Operation::arc_tangent || !a.known || !b.known || a.number != 0 || b.number != 0) return;
+  refuse_at(block, step.span, codes::kArithmetic, "the angle of (0,0) was found in no source",
+            "look for the difference that is zero, or ask for it before");
 }
 
 }  // namespace
@@ -285,6 +294,7 @@ double Evaluator::rounded(const Block& block, const Instruction& step, double va
 Value Evaluator::joined(const Block& block, const Instruction& step, const Value& a, const Value& b) const {
   Value result{0, a.known && b.known};
   check_remainder(block, step, a, b);
+  if (unsourced_refused_) check_angle(block, step, a, b);
   check_vacant(block, step, a, b);
   check_digits(block, step, a, b);
   check_bracketed(block, step, a, b);
@@ -338,6 +348,7 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
     } else if (step->operation == Operation::round) {
       check_vacant(block, *step, b, b);
       if (rounding.quantum == 1) check_whole_digits(block, *step, b);
+      if (unsourced_refused_) check_negative_half(block, step->span, b);
       result.number = rounded(block, *step, b.number, rounding);
     } else {
       if (step->operation != Operation::negate) check_vacant(block, *step, b, b);
@@ -355,6 +366,18 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
   }
   PLUMBLINE_CHECK(stack_.size() == 1);
   return stack_.back();
+}
+
+void check_negative_half(const Block& block, Span span, const Value& value) {
+  constexpr double kHalf = 0.5;
+  constexpr double kNear = 1e-9;
+  if (!value.known || value.number > 0) return;
+  if (std::abs(value.number - std::trunc(value.number) + kHalf) > kNear) return;
+  refuse_at(block, span, codes::kNotInterpreted,
+            fmt::format("{:.6g} lies halfway between two whole numbers, and which of them the control rounds it to was "
+                        "found in no source below 0",
+                        value.number),
+            "round the number without its sign, as in -ROUND(2.5), or add or take off 0.001 before");
 }
 
 int whole_number(const Block& block, Span span, double value, std::string_view what) {

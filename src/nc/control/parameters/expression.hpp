@@ -35,9 +35,13 @@ struct Rounding {
 class Evaluator {
  public:
   /// `equal_within`: of EQ and NE; 1e-4 [LinuxCNC, measured]. `vacant_is_zero`: a variable that was never set counts as
-  /// 0; else it is compared with EMPTY alone.
-  explicit Evaluator(double equal_within = 1e-4, bool vacant_is_zero = true, double doubtful_within = 0)
-      : equal_within_(equal_within), doubtful_within_(doubtful_within), vacant_is_zero_(vacant_is_zero) {}
+  /// 0; else it is compared with EMPTY alone. `unsourced_refused`: so are ROUND(-2.5) and ATAN2(0,0).
+  explicit Evaluator(double equal_within = 1e-4, bool vacant_is_zero = true, double doubtful_within = 0,
+                     bool unsourced_refused = false)
+      : equal_within_(equal_within),
+        doubtful_within_(doubtful_within),
+        vacant_is_zero_(vacant_is_zero),
+        unsourced_refused_(unsourced_refused) {}
   /// The value of the code that begins at `code` in block.code. Refuses what the control would: nc-arithmetic and the
   /// like.
   Value run(const Block& block, std::uint32_t code, ParameterReader& parameters, const Rounding& rounding = {});
@@ -51,11 +55,14 @@ class Evaluator {
   void check_digits(const Block& block, const Instruction& step, const Value& a, const Value& b) const;
   void check_whole_digits(const Block& block, const Instruction& step, const Value& value) const;
   double equal_within_, doubtful_within_;
-  bool vacant_is_zero_;
+  bool vacant_is_zero_, unsourced_refused_;
   static double rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding);
   void check_truths(const Block& block, const Instruction& step) const;
   std::vector<Value> stack_;
 };
+
+/// Refuses -2.5: which way a control rounds it that rounds from 0.5 on is left open.
+void check_negative_half(const Block& block, Span span, const Value& value);
 
 /// A whole number near `value`; refuses with nc-not-whole. Whole within 1e-4 [LinuxCNC, measured].
 int whole_number(const Block& block, Span span, double value, std::string_view what);

@@ -44,6 +44,20 @@ void Parameters::declare(std::string_view name, VariableType type) {
   if (type != VariableType::real) owner().types[plain_] = type;
 }
 
+bool Parameters::declare_once(std::string_view name, std::uint64_t place) {
+  plain(name);
+  const auto [at, made] = owner().declared.emplace(plain_, place);
+  return made || at->second == place;
+}
+
+bool Parameters::is_whole(std::string_view name) {
+  const auto& types = owner().types;
+  if (types.empty()) return false;
+  plain(name);
+  const auto type = types.find(plain_);
+  return type != types.end() && type->second == VariableType::whole;
+}
+
 bool Parameters::numbers_are_of_main() const {
   return std::all_of(scopes_.begin() + 1, scopes_.end(), [](const Scope& scope) { return scope.shared; });
 }

@@ -44,6 +44,10 @@ class Parameters {
   void set(std::string_view name, Value value);
   /// What `name` keeps of the values that it is set to from now on, in the scope that is executed.
   void declare(std::string_view name, VariableType type);
+  /// False if another place of the program that is executed declared the name before.
+  bool declare_once(std::string_view name, std::uint64_t place);
+  /// It was declared so: what it is set to is rounded.
+  bool is_whole(std::string_view name);
   /// True if a subprogram that has ended, or a caller, set a name of its own that is called so.
   bool was_local_elsewhere(std::string_view name);
   /// A subprogram begins: the names that do not begin with _ are its own; so are #1..#30 if `numbers` says so (then all
@@ -105,9 +109,10 @@ class Parameters {
   using Names = std::unordered_map<std::string, Value, Hash, std::equal_to<>>;
   struct Scope {
     Names names;
-    std::unordered_map<std::string, VariableType, Hash, std::equal_to<>> types;  // of those that are not real
-    std::vector<Numbered> callers;                                               // #1..#30 of the caller
-    std::vector<Numbered> first;                                                 // its own, as it began
+    std::unordered_map<std::string, VariableType, Hash, std::equal_to<>> types;      // of those that are not real
+    std::unordered_map<std::string, std::uint64_t, Hash, std::equal_to<>> declared;  // where
+    std::vector<Numbered> callers;                                                   // #1..#30 of the caller
+    std::vector<Numbered> first;                                                     // its own, as it began
     Names first_names;
     std::set<std::string, std::less<>> left_over;  // names
     bool shared = false;                           // the names are those of the caller

@@ -130,6 +130,11 @@ void named_letter(BlockReading& in) {
   if (means(meaning, Kind::variable)) return read_assigned_variable(in, span, meaning);
   in.cursor.look(lex_named_item);
   if (!in.cursor.is(TokenKind::equals)) in.cursor.refuse_token("a value");
+  const bool takes_none = letter == 'G' || letter == 'N' || letter == in.syntax->call_letter;
+  if (takes_none && in.syntax->statements == Statements::high_level) {
+    in.cursor.refuse(span, codes::kAssignment, fmt::format("{} takes no value behind =, as N, G and L do", letter),
+                     "write the code itself, and choose between codes by IF");
+  }
   in.cursor.pass();
   read_assigned_word(in, letter, span);
 }

@@ -31,6 +31,7 @@ int named_precedence(Operation operation) {
     case Operation::divide:
     case Operation::modulo:
     case Operation::remainder:
+    case Operation::whole_remainder:
     case Operation::whole_quotient:
       return 8;
     case Operation::plus:
