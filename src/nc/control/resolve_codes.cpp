@@ -141,7 +141,9 @@ void check_machine_coordinates(const Execution& run) {
   }
   const bool straight =
       run.motion != nullptr && (run.motion->action == Action::rapid || run.motion->action == Action::feed);
-  if (!straight) {
+  const bool moves_nothing =
+      run.dialect.behaviour.bare_motion_code_is_mode && run.motion == nullptr && run.axes.empty();
+  if (!straight && !moves_nothing) {
     run.refuse(*run.machine_word, codes::kMachineMove,
                fmt::format("{0} needs G0 or G1", run.text_of(*run.machine_word)),
                fmt::format("write the motion code into the block of {0}", run.text_of(*run.machine_word)));

@@ -13,6 +13,8 @@
 namespace plumbline::nc {
 namespace {
 
+constexpr int kTurns = 1, kScales = 2, kMirrors = 3;  // what the frames of SINUMERIK have as value
+
 int system_of_word(const Execution& run, const CodeRow& row, const Word& word) {
   return row.value + run.whole(word, 1, run.dialect.work_systems - row.value);
 }
@@ -75,11 +77,27 @@ void turn_about_point(Execution& run, const Word& code) {
   turn(run, degrees);
 }
 
+// SCALE alone ends the frame [E]; MIRROR alone may do so as well, and changes nothing where there is none.
+void check_frame_ends(const Execution& run, const Chosen& chosen) {
+  if (!run.axes.empty()) {
+    run.refuse(
+        *chosen.word, codes::kNotInterpreted,
+        fmt::format("{} mirrors or scales the axes that it names, which is not interpreted", run.text_of(*chosen.word)),
+        "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system");
+  }
+  const Control& control = run.control;
+  if (chosen.row->value == kScales || (control.local == AxisWords{} && control.turn_deg == 0)) return;
+  run.refuse(*chosen.word, codes::kNotInterpreted,
+             fmt::format("whether {} ends TRANS and ROT was found in no source", run.text_of(*chosen.word)),
+             "write TRANS alone before it");
+}
+
 // TRANS and ROT replace the programmable frame, ATRANS and AROT add to it [PG 12.2].
 void change_frame_by_name(Execution& run, const Chosen& chosen) {
   Control& control = run.control;
   const bool adds = chosen.row->action == Action::frame_added;
-  const bool turns = chosen.row->value == 1;
+  const bool turns = chosen.row->value == kTurns;
+  if (chosen.row->value == kScales || chosen.row->value == kMirrors) check_frame_ends(run, chosen);
   if (adds && run.axes.empty() && !run.words.has('Q')) {
     run.refuse(*chosen.word, codes::kNotInterpreted,
                fmt::format("{} adds nothing, and whether it ends a frame then was found in no source",
@@ -90,7 +108,9 @@ void change_frame_by_name(Execution& run, const Chosen& chosen) {
   AxisWords shift = adds ? control.local : AxisWords{};
   if (turns) {
     for (const Axis axis : kAllAxes) {
-      if (axis != Axis::Z && run.axes.contains(axis)) refuse_plane(run, *run.words.find(axis));
+      if (axis == Axis::Z || !run.axes.contains(axis)) continue;
+      const bool turns_nothing = (axis == Axis::X || axis == Axis::Y) && run.value(axis) == 0;  // ROT X0 Y0 Z45
+      if (!turns_nothing) refuse_plane(run, *run.words.find(axis));
     }
     if (const Word* word = run.words.find('Q')) {
       if (control.modal.plane != Plane::xy) refuse_plane(run, *word);
@@ -287,7 +307,8 @@ void deselect_frame(Execution& run, const Word& code) {
 void choose_transformation(Execution& run, const Chosen& chosen) {
   const std::string values = values_in_brackets(run, *chosen.word);
   constexpr std::array<std::string_view, 4> kAsItIs{"", "()", "(1)", "(1,0,0,1)"};
-  if (std::find(kAsItIs.begin(), kAsItIs.end(), values) == kAsItIs.end()) {
+  const std::size_t read = run.text_of(*chosen.word).starts_with("TRAFOOF") ? 2 : kAsItIs.size();
+  if (std::find(kAsItIs.begin(), kAsItIs.begin() + read, values) == kAsItIs.begin() + read) {
     run.refuse(*chosen.word, codes::kNotInterpreted,
                "these values choose another transformation, direction of the tool, or zero of A, B and C",
                "TRAORI, TRAORI(1) and TRAORI(1,0,0,1) are interpreted");

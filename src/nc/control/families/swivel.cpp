@@ -63,6 +63,13 @@ class Swivel {
                  "shift the work offset instead, and leave the shifts 0");
       }
     }
+    constexpr double kHundredThousand = 1e5;
+    if (std::abs(value(kStatus)) >= kHundredThousand) {
+      refuse(kStatus,
+             fmt::format("has the status {:.0f}: what its digit of the hundred thousands means was found in no source",
+                         value(kStatus)),
+             "have the post-processor write 0 there: a new plane");
+    }
     if (value(kStatus) != 0) {
       refuse(kStatus,
              fmt::format("has the status {}: a plane on top of another one, or a tool that follows, is not "
