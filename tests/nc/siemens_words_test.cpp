@@ -118,7 +118,7 @@ TEST_CASE("a dwell in turns needs a spindle that turns") {
   check_all("nc-feed-missing", {"M5\nG4 S30\n", "SPOS=0\nG4 S3\n", "M19\nG4 S3\n"});
   check_all("nc-not-interpreted",
             {"M5\nX10\nCYCLE82(50,0,2,-10,,-3)\n", "CYCLE86(50,0,2,-5,,0,3,0,0,0,0)\nCYCLE82(50,0,2,-10,,-3)\n",
-             "CYCLE840(50,0,2,-5,,0,0,5,0,0,1)\nS300\nCYCLE82(50,0,2,-10,,-3)\n"});
+             "CYCLE840(50,0,2,-5,,0,0,5,0,0,1)\nS300 F500\nCYCLE82(50,0,2,-10,,-3)\n"});
   check_all("", {"G4 S30\n", "M5\nM4\nG4 S30\n", "CYCLE82(50,0,2,-10,,-3)\n", "M5\nG4 F3\n"});
 }
 
@@ -218,7 +218,7 @@ TEST_CASE("a feed per revolution needs a spindle that turns") {
              "M1=5\nG95 F0.1 X10\n", "CYCLE86(60,0,2,-5,,1,3,0,0,0,0)\nG95 F0.1 X10\n",
              "CYCLE84(60,0,2,-5,,,5,,1,,300,600)\nG95 F0.1 X10\n", "CYCLE840(60,0,2,-5,,,4,5,1,,1.5)\nG95 F0.1 X10\n"});
   check_all("", {"CYCLE86(60,0,2,-5,,1,3,0,0,0,0)\nG95 F0.1 M3 X10\n",
-                 "M5\nCYCLE84(60,0,2,-5,,,3,,1,,300,600)\nG95 F0.1 X10\n",
+                 "M5\nCYCLE84(60,0,2,-5,,,3,,1,,300,600)\nG95 F0.1 S300 X10\n",
                  "CYCLE840(60,0,2,-5,,,4,3,1,,1.5)\nG95 F0.1 X10\n", "CYCLE85(60,0,2,-5,,1,80,160)\nG95 F0.1 X10\n"});
   check_all("", {"G95 F0.1\nM5\nM4\nX10\n", "M5\nG0 X10\n", "SPOS=90\nM3\nG95 F0.1 X10\n", "M5\nG94 F100 X10\n",
                  "SPOS=90\nG95 F0.1\nM1=3 X10\n"});

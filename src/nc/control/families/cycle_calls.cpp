@@ -31,6 +31,22 @@ void leave_spindle(Control& control, const CalledValues& given, int code) {
   if (after == kClockwise || after == kCounterClockwise) control.turn_spindle(static_cast<int>(after));
 }
 
+// Codes and frames are after a cycle as they were before it [C 2.1.1]; of F and S no source says so.
+void leave_own_feeds(Control& control, const CalledValues& given, const CycleCall& call, double last_share) {
+  const auto is_other = [&](double rate) { return rate > 0 && rate * control.length_unit() != control.feed_linear; };
+  const int code = call.row->value;
+  bool taken = last_share != 1;
+  if (code == kCalledReam) taken = is_other(given.number(6)) || is_other(given.number(7));
+  if (code == kCalledFloatingTap) taken = given.number(9) != 0 || given.number(10) != 0;
+  if (code == kCalledTap) {
+    taken = true;
+    for (const int place : {10, 11}) {
+      if (given.number(place) != 0 && given.number(place) != control.spindle_speed) control.spindle_speed = 0;
+    }
+  }
+  if (taken) control.feed_taken = call.row;
+}
+
 // One call of a cycle where the axes stand.
 class CalledHole {
  public:
@@ -67,6 +83,7 @@ class CalledHole {
   Places places_;
   PlaneAxes axes_;
   Hole hole_;
+  double last_share_ = 1;  // of the feed, at the bottom of a deep hole
 };
 
 void CalledHole::check() const {
@@ -160,6 +177,7 @@ void CalledHole::make() {
   run_.step.role = BlockRole::cycle;
   run_.step.cycle = places_.keeps ? CycleForm::spindle : CycleForm::moves;
   run_.step.call = &call_;
+  leave_own_feeds(control_, given_, call_, last_share_);
   leave_spindle(control_, given_, places_.code);
   if (call_.row->loses_position) lose_position(run_, AxisSet{Axis::X, Axis::Y, Axis::Z});
 }
@@ -167,8 +185,10 @@ void CalledHole::make() {
 // Pitch x speed; without them F counts. CYCLE84 has a speed of its own on the way down, SST, and on the way up, SST1.
 double CalledHole::tapping_feed(bool up) const {
   const int pitch = places_.code == kCalledTap ? 8 : 10;
-  const double down_speed =
-      places_.code == kCalledTap && given_.number(10) != 0 ? given_.number(10) : control_.spindle_speed;
+  if (places_.code == kCalledTap && given_.number(10) == 0) {
+    given_.refuse("no source says at which speed it taps without SST", "give it: SST, its eleventh value");
+  }
+  const double down_speed = places_.code == kCalledTap ? given_.number(10) : control_.spindle_speed;
   const double speed = up && places_.code == kCalledTap && given_.number(11) != 0 ? given_.number(11) : down_speed;
   const double thread_mm = pitch_of_thread(given_.number(pitch - 1));
   const double pitch_mm = given_.number(pitch) != 0 ? std::abs(given_.length_mm(pitch)) : thread_mm;
@@ -222,6 +242,13 @@ void CalledHole::pecks() {
   const double reference = given_.length_mm(kReferencePlane);
   const double first =
       given_.value(5) && given_.number(5) != 0 ? reference - given_.length_mm(5) : std::abs(given_.length_mm(6));
+  if (first < 0) {
+    given_.refuse("its first depth lies above its reference plane", "give the first depth below it");
+  }
+  if (given_.number(7) < -1) {
+    given_.refuse("no source says what a factor of its depths over 1 means",
+                  "give DAM as -0.001 to -1, or as a length");
+  }
   const bool chips = given_.number(11) == 0;
   const ControlBehaviour& habits = run_.dialect.behaviour;
   const double at_depth = dwell_of_deep_hole(given_, 8, 10);
@@ -230,6 +257,7 @@ void CalledHole::pecks() {
   double share = first_share(given_);
   const auto next_peck = [&](double depth) {
     go(MotionKind::feed, depth, share * feed_of_move(run_, true));
+    last_share_ = share;
     share = 1;
   };
   if (first > 0 && given_.number(7) == 0) {

@@ -239,6 +239,14 @@ double feed_of_move(const Execution& run, bool linear) {
                "inverse time (G93) needs F in every block that feeds",
                "add the F word: 1 over the minutes of the move");
   }
+  if (control.feed_taken != nullptr) {
+    run.refuse(
+        run.motion_code(), codes::kFeedMissing,
+        fmt::format("{} has feeds of its own, and whether the F before it is in force again after it was found in "
+                    "no source",
+                    control.feed_taken->name),
+        "write F anew before this move, or beside it");
+  }
   const bool per_revolution = control.modal.feed_mode == FeedMode::per_revolution;
   if (per_revolution && control.spindle_stands()) {
     run.refuse(run.motion_code(), codes::kFeedMissing, "a feed per revolution (G95) needs a turning spindle",

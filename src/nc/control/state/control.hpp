@@ -133,7 +133,8 @@ struct Control {
   bool surface_speed = false;  // G96
   bool speed_limited = false;  // LIMS
   double feed_kept = 0;        // number of the F that G93 found in force, until a move has its own; then no number
-  double feed_linear = 0;      // the F in force as mm/min (mm/rev under G95)
+  const CodeRow* feed_taken = nullptr;  // a cycle with feeds of its own, since the last F
+  double feed_linear = 0;               // the F in force as mm/min (mm/rev under G95)
   Parameters parameters;
   HandedVariables handed;          // of those that outlast the program
   HandedVariables of_main;         // of all that M99 of the main program leaves to its next pass

@@ -1,0 +1,75 @@
+// F and S after cycles of a SINUMERIK that have feeds and speeds of their own.
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include "nc/programs.hpp"
+
+using namespace plumbline;
+using namespace plumbline::nc;
+using namespace plumbline::nc::tests;
+
+namespace {
+
+// The code that refuses the program, or the feed of its last cut, mm/min.
+std::string feed_read(const std::string& lines) {
+  const ProgramFile program("G54 G17 G90 G94 G710\nG0 X0 Y0 Z50 A0 B0 C0 S1000 M3 F500\n" + lines);
+  const InputFile file(program.path());
+  ProgramSettings settings = empty_tables();
+  settings.work_offsets[0] = WorkOffset{};
+  try {
+    Program blocks(file, dialect("siemens"), settings);
+    double feed = 0;
+    while (const Step* step = blocks.next()) {
+      for (const Motion& motion : step->motions) feed = motion.feed > 0 ? motion.feed : feed;
+    }
+    return fmt::format("F{:g}", feed);
+  } catch (const Refusal& refusal) {
+    CHECK_FALSE(refusal.diagnostic().help.empty());
+    return refusal.diagnostic().code;
+  }
+}
+
+void check_feeds(const std::string& expected, const std::vector<std::string>& programs) {
+  for (const std::string& lines : programs) {
+    INFO(lines);
+    CHECK(feed_read(lines) == expected);
+  }
+}
+
+const std::string kReam = "CYCLE85(60,0,2,-5,,0,80,160)\n", kTap = "CYCLE84(60,0,2,-5,,0,3,,1,0,300,600)\n",
+                  kShared = "CYCLE83(60,0,2,-5,,-9,,0,0,0,0.5,1)\n", kFloating = "CYCLE840(60,0,2,-5,,0,0,3,1,0,1.5)\n";
+
+}  // namespace
+
+TEST_CASE("after a cycle with feeds of its own a cut needs an F") {
+  check_feeds("nc-feed-missing", {kReam + "G1 X10\n", kTap + "G1 X10\n", kShared + "G2 X10 Y0 I5 J0\n",
+                                  kFloating + "G1 Y5\n", kReam + "CYCLE81(60,0,2,-5)\n",
+                                  "MCALL " + kTap + "X10\nMCALL\nG1 X20\n", "G1\nMCALL " + kReam + "X10\nX20\n"});
+  check_feeds("F200", {kReam + "G1 X10 F200\n", kTap + "F200\nG1 X10\n", kShared + "G2 X10 Y0 I5 J0 F200\n",
+                       kFloating + "X3\nG1 F200 Y5\n", kReam + "F200\nCYCLE81(60,0,2,-5)\n",
+                       "MCALL " + kTap + "X10\nX20\nMCALL\nG1 X20 F200\n"});
+  check_feeds("F500", {"CYCLE81(60,0,2,-5)\nG1 X10\n", "CYCLE85(60,0,2,-5,,0,500,500)\nG1 X10\n",
+                       "CYCLE83(60,0,2,-5,,-2,,0,0,0,0.5,1)\nG1 X10\n", "CYCLE840(60,0,2,-5)\nG1 X10\n",
+                       "MCALL CYCLE83(60,0,2,-5,,-2,,0,0,0,0.5,1)\nX10\nX20\nMCALL\nG1 X10\n"});
+  check_feeds("F160", {"MCALL " + kReam + "X10\nX20\nMCALL\n", kReam + "G0 X10\n" + kReam});
+}
+
+TEST_CASE("after a tap with a speed of its own G95 needs an S") {
+  check_feeds("nc-feed-missing", {kTap + "G95 F0.1 X10 G1\n", kTap + "M3\nG95\nG1 X10 F0.1\n",
+                                  "CYCLE84(60,0,2,-5,,0,3,,1,0,1000,600)\nG95 F0.1 X10 G1\n"});
+  check_feeds("F0.1", {kTap + "S800\nG95 F0.1 X10 G1\n", "CYCLE84(60,0,2,-5,,0,3,,1,0,1000)\nG95 F0.1 X10 G1\n",
+                       kTap + "G95 F0.1 X10 G1 S500\n"});
+}
+
+TEST_CASE("values of cycles that no source covers") {
+  check_feeds("nc-not-interpreted",
+              {"CYCLE84(60,0,2,-5,,0,3,,1,0)\n", "CYCLE84(60,0,2,-5,,0,3,,1,0,0,600)\n", "CYCLE84(60,0,2,-5,,0,3,8)\n",
+               "CYCLE83(60,0,2,-20,,4,,0,0,0,1,1)\n", "CYCLE83(60,5,2,-20,,6,,0,0,0,1,1)\n",
+               "MCALL CYCLE83(60,-10,2,-20,,-9,,0,0,0,1,1)\nX5\n", "CYCLE83(60,0,2,-20,,-4,,-2,0,0,1,1)\n",
+               "CYCLE83(60,0,2,-20,,-4,,-1.5,0,0,1,1)\n", "CYCLE83(60,0,2,-20,,-4,,-100,0,0,1,1)\n"});
+  check_feeds("F500", {"CYCLE83(60,0,2,-20,,-4,,-0.5,0,0,1,1)\n", "CYCLE83(60,0,2,-20,,-40,,0,0,0,1,1)\n",
+                       "CYCLE83(60,0,2,-20,,-4,,2,0,0,1,1)\n"});
+}
