@@ -52,7 +52,10 @@ Span name_in_path(const BlockReading& in, Span text) {
   const std::size_t folder = in.out.at(name).find_last_of("/\\:");
   if (folder != std::string_view::npos) name.begin += static_cast<std::uint32_t>(folder + 1);
   const std::string file = upper(in.out.at(name));
-  if (file.ends_with(".SPF") || file.ends_with(".MPF")) name.end -= 4;
+  if (file.ends_with(".SPF") || file.ends_with(".MPF") || file.ends_with("_SPF") || file.ends_with("_MPF"))
+    name.end -= 4;
+  constexpr std::string_view kDomain = "_N_";  // of names in the control's own folders
+  if (file.starts_with(kDomain)) name.begin += static_cast<std::uint32_t>(kDomain.size());
   return name;
 }
 
