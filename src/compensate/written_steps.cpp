@@ -21,7 +21,10 @@ void refuse_what_stops(const nc::Step& step) {
 
 void refuse_handed_variables(const nc::Step& step) {
   if (!step.passes_variables) return;
-  refuse("compensate-flow", "this block hands variables to the control, and the program, written out, sets none",
+  refuse("compensate-flow",
+         "this block hands variables to the control whose values cannot be written in their place, and the program, "
+         "written out, "
+         "sets none",
          "write their values in their place", place_of(step));
 }
 

@@ -1,4 +1,5 @@
 // Cycles that a SINUMERIK program calls by name: written out, or called hole by hole with their levels shifted.
+#include <array>
 #include <regex>
 
 #include <catch2/catch.hpp>
@@ -151,14 +152,30 @@ TEST_CASE("a cut in machine coordinates goes through as it stands, from where th
   CHECK(code_of("G21 G90 G54 F100\nG0 X10 Y0 Z50 A0 B0 C0\nG1 X15\nG53 G1 X16\nX10\nM2\n", linuxcnc).empty());
 }
 
-TEST_CASE("variables that a block hands to the control are refused where the program is written out") {
+TEST_CASE("variables that a block hands to the control have their values where the program is written out") {
   const Job job = siemens_job();
   const std::string head = "DEF REAL CLOSE=0.02\nG54 G17 G710 G90 G94 F100\nG0 X10 Y0 Z50 A0 B0 C0\nR1=1\n";
   for (const std::string passed :
        {"SPOS=R1*90", "G641 ADIS=CLOSE", "CYCLE832(CLOSE,1)", "MSG(\"R1\"<<R1)", "SPOS[1]=30+R1"}) {
     INFO(passed);
-    CHECK(code_of(head + "WHILE R1<3\n" + passed + "\nG1 X=R1\nR1=R1+1\nENDWHILE\nM30\n", job) == "compensate-flow");
+    CHECK(code_of(head + "WHILE R1<3\n" + passed + "\nG1 X=R1\nR1=R1+1\nENDWHILE\nM30\n", job).empty());
     CHECK(code_of(head + passed + "\nG1 X=R1\nM30\n", job).empty());  // which sets them itself
+  }
+  for (const auto& [passed, first, second] :
+       {std::array<std::string, 3>{"SPOS=R1*90", "SPOS=1*90\n", "SPOS=2*90\n"},
+        {"G641 ADIS=CLOSE/R1", "ADIS=0.02/1\n", "ADIS=0.02/2\n"},
+        {"CYCLE832(0.01,R1,1)", "CYCLE832(0.01,1,1)\n", "CYCLE832(0.01,2,1)\n"},
+        {"MSG(\"N \"<<R1<<\" of 2\")", "MSG(\"N 1 of 2\")\n", "MSG(\"N 2 of 2\")\n"}}) {
+    INFO(passed);
+    const std::string text = run(head + "WHILE R1<3\n" + passed + "\nG1 X=R1\nR1=R1+1\nENDWHILE\nM30\n", job).text;
+    INFO(text);
+    CHECK(text.find(first) != std::string::npos);
+    CHECK(text.find(first) < text.find(second));
+    CHECK(text.find(second) != std::string::npos);
+  }
+  for (const std::string unknown : {"SPOS=R[R1]", "MSG(\"R1 \"<<R1+1)"}) {
+    INFO(unknown);
+    CHECK(code_of(head + "WHILE R1<3\n" + unknown + "\nG1 X=R1\nR1=R1+1\nENDWHILE\nM30\n", job) == "compensate-flow");
   }
   for (const std::string passed : {"SPOS=90", "MSG(\"R1 CLOSE\")", "CYCLE832(0.1,_FINISH,1)", "FGROUP(X,Y,Z)"}) {
     INFO(passed);

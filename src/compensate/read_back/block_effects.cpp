@@ -96,6 +96,17 @@ void append_words(const nc::Block& block, const nc::Dialect& dialect, const nc::
   }
 }
 
+// ADIS=R1/10 of a program that is written out is ADIS=2/10 there.
+std::string with_passed_values(const nc::Step& step, const nc::Word& word) {
+  std::string text(step.block->at(word.span));
+  if (step.passed == nullptr) return text;
+  for (auto value = step.passed->rbegin(); value != step.passed->rend(); ++value) {
+    if (value->span.begin < word.span.begin || value->span.end > word.span.end) continue;
+    text.replace(value->span.begin - word.span.begin, value->span.end - value->span.begin, value->text);
+  }
+  return text;
+}
+
 void append_code(const nc::Word& word, const nc::CodeRow* row, const nc::Step& step, const nc::Dialect& dialect,
                  std::vector<BlockEffect>& effects) {
   const nc::Block& block = *step.block;
@@ -105,7 +116,7 @@ void append_code(const nc::Word& word, const nc::CodeRow* row, const nc::Step& s
   if (ends && step.flow) return;  // of a subprogram
   BlockEffect effect;
   if (word.letter == nc::kNamedCode) {
-    effect.text = row->has_arguments ? std::string(block.at(word.span)) : row->name;
+    effect.text = row->has_arguments ? with_passed_values(step, word) : row->name;
   } else {
     effect.text =
         fmt::format("{}{}", word.letter, row->written_as.empty() ? to_decimal(word.value, 1) : row->written_as);

@@ -351,24 +351,4 @@ void BlockValues::apply(const Block& block) {
   }
 }
 
-// SPOS=R1*90, CYCLE832(TOLERANCE,1)
-bool passes_variables(const Execution& run, const Block& block) {
-  for (const Word& word : block.words) {
-    if (word.letter != kNamedCode) continue;
-    const CodeRow& row = run.dialect.named_codes[static_cast<std::size_t>(word.value)];
-    const std::string_view text = block.at(word.span);
-    bool in_text = false;
-    for (std::size_t at = row.has_arguments ? row.name.size() : text.size(); at < text.size();) {
-      const std::size_t begin = at++;
-      if (text[begin] == '"') in_text = !in_text;
-      if (in_text || !belongs_to_name(text[begin]) || is_digit(text[begin])) continue;
-      while (at < text.size() && belongs_to_name(text[at])) ++at;
-      const std::string_view name = text.substr(begin, at - begin);
-      const bool is_r = upper(name.front()) == 'R' && std::all_of(name.begin() + 1, name.end(), is_digit);
-      if (is_r || run.control.parameters.find(name) != nullptr) return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace plumbline::nc

@@ -49,8 +49,4 @@ class BlockValues {
   std::vector<int> setting_numbers_;
 };
 
-/// Whether what stands in the brackets of a name of the block, and is not looked into, names variables:
-/// SPOS=R1*90, CYCLE832(TOLERANCE,1).
-bool passes_variables(const Execution& run, const Block& block);
-
 }  // namespace plumbline::nc

@@ -1,10 +1,13 @@
 #include "nc/control/interpreter.hpp"
 
+#include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "nc/control/passed_values.hpp"
 #include "nc/language/active_comments.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
@@ -70,7 +73,7 @@ const Step& Interpreter::execute(Block& block) {
   values_.evaluate(block);
   if (run_.dialect.behaviour.increment_mm > 0) count_increments(run_, block);
   resolve_codes(run_);
-  run_.step.passes_variables = run_.dialect.syntax.names && passes_variables(run_, block);
+  if (run_.dialect.syntax.names) note_passed(block);
   values_.apply(block);
   if (main_begins_again()) second_pass_.note_codes(run_);
   bool moved = run_.motion == nullptr || run_.motion_word != nullptr;
@@ -121,6 +124,13 @@ void Interpreter::check_begins_again(const Block& block) const {
       fmt::format("M99 begins the main program again, then under {}, which it does not state at its begin", differs),
       "end the shift, turn or length, state the mode before the first move (G90, G21, G17, G94, G54, G49), or end "
       "the program with M30");
+}
+
+void Interpreter::note_passed(const Block& block) {
+  PassedValues passed = passed_values(run_, block);
+  run_.step.passes_variables = passed.unknown;
+  if (passed.values.empty()) return;
+  run_.step.passed = std::make_shared<const std::vector<PassedValue>>(std::move(passed.values));
 }
 
 void Interpreter::begin(const Block& block) {

@@ -70,6 +70,7 @@ class Interpreter {
 
  private:
   void begin(const Block& block);
+  void note_passed(const Block& block);
   void finish();
   bool act_on_saved_modes(const Chosen& chosen);
   bool main_begins_again() const;

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "nc/control/state/frame.hpp"
 #include "nc/control/state/modal.hpp"
@@ -21,6 +24,12 @@ enum class BlockRole : std::uint8_t {
   cycle,            // G73, G81..G89: several moves of one block
   synchronised,     // G33, G33.1: the spindle leads
   stores_position,  // G28.1, G30.1: stores where the control stands; cannot be made up for
+};
+
+/// A variable, or texts and variables that << joins, in what is not looked into: what stands for it without variables.
+struct PassedValue {
+  Span span;
+  std::string text;
 };
 
 /// What a line that steers the program enters: a subprogram, another pass of a loop, or nothing.
@@ -136,8 +145,10 @@ struct Step {
   std::optional<Orienting> orienting = {};  // it turns the tool along a direction (G53.1)
   EndWords end_words = EndWords::axes;
   ToolChange tool_change = ToolChange::none;
-  bool passes_variables = false;    // what stands in the brackets of a name, and is not looked into, names variables
-  bool sets_kept_variable = false;  // one that other programs may read, or the control obeys: #500, #3004
+  /// In the brackets of a name, which are not looked into; null: none.
+  std::shared_ptr<const std::vector<PassedValue>> passed = {};
+  bool passes_variables = false;            // of some more of them no value can be written in their place
+  bool sets_kept_variable = false;          // one that other programs may read, or the control obeys: #500, #3004
   const HandedVariables* handed = nullptr;  // at the end of the program
   bool loses_position = false;              // M0, M6, user M code, G28...: some axis may stand elsewhere now
 };

@@ -68,9 +68,3 @@ TEST_CASE("the variables of a table stop the control, or show a message") {
   linuxcnc.give(elsewhere);
   CHECK(linuxcnc.run.step.stop == StopByVariable::none);
 }
-
-TEST_CASE("brackets that are not looked into may name variables") {
-  const Valued siemens("siemens");
-  CHECK(passes_variables(siemens.run, Parsed("CYCLE832(R1,1)", "siemens").block));
-  CHECK_FALSE(passes_variables(siemens.run, Parsed("CYCLE832(0.1,1)", "siemens").block));
-}

@@ -47,7 +47,7 @@ bool is_plain(const Step& step, bool keeps_settings) {
   const Block& block = *step.block;
   if (turns_tool(step)) return false;
   if (!keeps_settings && !block.settings.empty()) return false;
-  if (!block.left_out.empty()) return false;
+  if (!block.left_out.empty() || (!keeps_settings && step.passed != nullptr)) return false;
   if (step.end_words == EndWords::polar && step.cycle == CycleForm::none && step.motions.size() == 1) return false;
   for (const Comment& comment : block.comments) {
     if (!keeps_settings && shows_parameters(block.at(comment.span))) return false;
@@ -94,6 +94,7 @@ const Step* StepExpander::plain(const Step& step, bool keeps_settings) {
   editor_.apply(own.text);
   if (!is_blank(block.text.front())) own.text.erase(0, own.text.find_first_not_of(" \t"));
   own.step = step;
+  if (!keeps_settings) own.step.passed = nullptr;
   if (turns_tool(step)) {
     own.step.end_words = EndWords::angles_of_vector;
   } else if (step.cycle == CycleForm::none) {
@@ -140,6 +141,9 @@ std::string StepExpander::with_value(std::string_view text, const Word& word) co
 void StepExpander::write_values(const Step& step, bool keeps_settings, std::string_view without) {
   bool end_written = false;
   for (const Span& span : step.block->left_out) editor_.replace(span, "");
+  if (step.passed != nullptr && !keeps_settings) {
+    for (const PassedValue& value : *step.passed) editor_.replace(value.span, value.text);
+  }
   for (const Argument& argument : step.block->arguments) {
     if (argument.plain || keeps_settings) continue;
     std::string text;
@@ -229,6 +233,7 @@ const Step* StepExpander::beside_flow(const Step& step, bool acts) {
     }
   }
   own.step = step;
+  own.step.passed = nullptr;
   own.step.flow.reset();
   own.step.saves_modes = false;
   if (acts) own.step.end_words = turns_tool(step) ? EndWords::angles_of_vector : EndWords::axes;
