@@ -74,3 +74,15 @@ TEST_CASE("OSP: a cycle waits where P says so") {
     }
   }
 }
+
+TEST_CASE("OSP: a hole that stays a cycle has no finer words than the control keeps") {
+  const std::string begin = "G15 H1 G0 X0 Y0 Z50\nG71 Z50 M53\nM3 S100\n";
+  const auto check = [&](const std::string& rest, std::size_t line, std::size_t column) {
+    check_osp({{(begin + rest).c_str(), line, column}});
+  };
+  check("G82 X5 Y0 Z-5.0004 R2 P1 F100\nM2\n", 4, 11);
+  check("G84 X5 Y0 Z-5 R2.12345 F100\nM2\n", 4, 15);
+  check("G82 X5 Y0 Z-5 R2 P1 F100\nX7.1234\nM2\n", 5, 1);
+  check("G82 X5.123 Y0 Z-5.0000 R2 P1 F100\nX7.12\nM2\n", 0, 0);
+  check("G81 X5.1234 Y0 Z-5.1234 R2 F100\nM2\n", 0, 0);
+}

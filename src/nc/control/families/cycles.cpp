@@ -189,6 +189,14 @@ void CycleRun::check_shift() {
   cycle_.shift = shift;
 }
 
+// A hole that stays a cycle is shifted by its words: what the control leaves away of them is not known.
+void check_digits_of_hole(const Execution& run) {
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
+    if (const Word* const word = run.words.find(axis)) check_digits_of_increment(run, *word, axis);
+  }
+  if (const Word* const word = run.words.find('R')) check_digits_of_increment(run, *word, Axis::Z);
+}
+
 // Posts name X or Y at each hole [P onCyclePoint].
 void check_hole_is_named(const Execution& run) {
   const bool named = run.axes.contains(Axis::X) || run.axes.contains(Axis::Y);
@@ -222,6 +230,7 @@ void move_in_cycle(Execution& run) {
   const bool stays = cycle.stays || (run.dialect.behaviour.return_levels && cycle.dwell_s != 0);
   const bool whole = (works_spindle(run.motion->value) || stays) && run.chosen_row(Action::no_hole) == nullptr;
   run.step.cycle = whole ? CycleForm::spindle : CycleForm::moves;
+  if (whole) check_digits_of_hole(run);
   run.step.holes = run.holes;
   const bool begins = run.control.modal.motion != MotionMode::cycle;
   if (begins) run.control.row_before_cycle = run.control.motion_row;

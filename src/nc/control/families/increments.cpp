@@ -170,12 +170,11 @@ void check_digits_of_increment(const Execution& run, const Word& word, Axis axis
   const Kept kept = kept_of_axis_word(run.dialect.behaviour, is_rotary(axis), run.control.modal.inches, 1, true);
   const double quanta = word.value / kept.quantum;
   if (std::abs(quanta - std::round(quanta)) <= kOfQuantum + kOfNumber * std::abs(quanta)) return;
-  run.refuse(
-      word, codes::kNotInterpreted,
-      fmt::format("{} is an increment finer than the {} {} that the control keeps, and what becomes of the rest "
-                  "was found in no source",
-                  run.text_of(word), kept.quantum, is_rotary(axis) ? "deg" : "mm"),
-      fmt::format("write it with {} decimals (in a sum of increments carry the rest on), or under G90", kept.decimals));
+  run.refuse(word, codes::kNotInterpreted,
+             fmt::format("{} is finer than the {} {} that the control keeps, and what becomes of the rest "
+                         "was found in no source",
+                         run.text_of(word), kept.quantum, is_rotary(axis) ? "deg" : "mm"),
+             fmt::format("write it with {} decimals; in a sum of increments carry the rest on", kept.decimals));
 }
 
 // In a statement ROUND gives whole numbers, in the value of an axis word what the control keeps of it [H, macros, notes
