@@ -53,7 +53,7 @@ TEST_CASE("cycles that peck or work the spindle are called hole by hole, with th
   for (const std::string part : {"MCALL CYCLE84(10,0,2,-8,,0,3,,1.25,0,400,400)\nX10 Y5\nX20\nMCALL\nG1 X0 F400\n",
                                  "X5 Y5\nCYCLE83(10,0,2,-9,,-4,,0,0,0,1,1)\nG91 X2\nCYCLE85(10,0,2,,6,,200,300)\nG90\n",
                                  "R2=-7\nMCALL CYCLE840(10,0,2,R2,,,0,,0,,1)\nG1 X10 Y5 F500\nMCALL "
-                                 "CYCLE86(10,0,2,R2,,1,3,-1,0,1,0)\nX5\nMCALL\n"}) {
+                                 "CYCLE86(10,0,2,R2,,1,3,-1,0,1,0)\nX5 F500\nMCALL\n"}) {
     const std::string whole = kDrillStart + part + "G0 X1 Y1 Z30\nM30\n";
     INFO(whole);
     const Result result = run(whole, job);
