@@ -56,6 +56,20 @@ void add_covariance(const Learner& learner, const CandidateSet& candidates, Lear
       sigmas.asDiagonal() * of_weights.bottomRightCorner(sigmas.size(), sigmas.size()) * sigmas.asDiagonal();
 }
 
+// The model with these rows, its nuisances and its noise fitted anew. Of effects that may be missing nothing is asked.
+FittedStage refitted(const Workbench& bench, const physics::ForceModel& forces, const FittedStage& stage,
+                     const SearchOptions& options) {
+  const CandidateSet nuisances = make_nuisance_set(bench.machine, forces);
+  const auto count = static_cast<Eigen::Index>(nuisances.nuisances);
+  Eigen::VectorXd start = nuisances.unknowns.start();
+  start.head(count) = stage.fit.values.head(count);
+  FittedStage next = fitted_stage({bench.machine, forces, bench.runs, nuisances}, {}, start, stage.noise, options, {});
+  Eigen::VectorXd values = stage.fit.values;
+  values.head(count) = next.fit.values.head(count);
+  next.fit.values = std::move(values);
+  return next;
+}
+
 // The nuisances refitted beside the rows, without what might make the tip worse.
 Fitted fitted_beside(const Workbench& bench, const FittedStage& stage, const physics::ForceModel& forces,
                      const LearntResidual& learnt, const DiagnoseOptions& options, const Say& say) {
@@ -96,7 +110,7 @@ std::optional<Learnt> learn_residual(const Workbench& bench, const FittedStage& 
     for (int round = 0; round < options.residual.most_rounds; ++round) {
       const CandidateSet candidates = make_candidate_set(bench.machine, forces, options.candidates);
       const Workbench here{bench.machine, forces, bench.runs, candidates};
-      if (round > 0) stage = fitted_stage(here, {}, stage.fit.values, stage.noise, options.search, {});
+      if (round > 0) stage = refitted(bench, forces, stage, options.search);
       Learner learner(here, candidates.unknowns.at(stage.fit.values), *stage.problem,
                       marginalised_by(candidates, {}, stage.fit.values), stage.noise, options.description,
                       options.residual);

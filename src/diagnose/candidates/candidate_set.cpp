@@ -70,4 +70,12 @@ CandidateSet make_candidate_set(const machine::MachineModel& machine, const phys
   return set;
 }
 
+CandidateSet make_nuisance_set(const machine::MachineModel& machine, const physics::ForceModel& forces) {
+  CandidateSet set{identify::nuisances(machine, forces), 0, {}, {}};
+  set.nuisances = set.unknowns.size();
+  add_unknowns(physics::effect_infos()[physics::effect_index(physics::StrutOffset::name)], set.unknowns);
+  for (std::size_t u = 0; u < set.unknowns.size(); ++u) set.columns.push_back(column_of(set.unknowns, u));
+  return set;
+}
+
 }  // namespace plumbline::diagnose

@@ -60,4 +60,7 @@ struct CandidateSet {
 CandidateSet make_candidate_set(const machine::MachineModel& machine, const physics::ForceModel& forces,
                                 const CandidateSetOptions& options = {});
 
+/// No candidates: the nuisances, and what else linearise() takes slopes by.
+CandidateSet make_nuisance_set(const machine::MachineModel& machine, const physics::ForceModel& forces);
+
 }  // namespace plumbline::diagnose
