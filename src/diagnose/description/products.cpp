@@ -4,6 +4,7 @@
 
 #include <Eigen/QR>
 
+#include "base/check.hpp"
 #include "base/parallel.hpp"
 #include "diagnose/description/waves.hpp"
 #include "identify/equations/whitening.hpp"
@@ -98,18 +99,11 @@ SlopeRows values_of(const Family& family, const ReadyRun& run, const physics::Ma
   return values;
 }
 
-// What the terms of a family have in common with the nuisances and, last, the residual: a column for each term, part
-// after part; and their squared lengths.
-struct Sums {
-  Eigen::MatrixXd cross;
-  Eigen::VectorXd squares;
-
-  Sums& operator+=(const Sums& other) {
-    cross += other.cross;
-    squares += other.squares;
-    return *this;
-  }
-};
+const std::vector<Family>& families() {
+  static const std::vector<Family> all{Family(Channel::length), Family(Channel::drive), Family(Channel::torque),
+                                       Family(Channel::force), Family(Channel::tip)};
+  return all;
+}
 
 class RunSums {
  public:
@@ -122,24 +116,14 @@ class RunSums {
     }
   }
 
-  // `others`: the rows of the nuisances and the residual, whitened, the set-up out.
-  Sums with(SlopeRows others) const {
-    const Eigen::Index n = run_.raw->samples;
-    for (std::size_t c = 0; c < run_.raw->channels.size(); ++c) {
-      identify::whiten_back(noise_of(c), others.middleRows(static_cast<Eigen::Index>(c) * n, n));
-    }
-    Sums sums;
-    sums.cross = cross_with(others);
-    sums.squares = Eigen::VectorXd::Zero(sums.cross.cols());
-    for (std::size_t c = 0; c < run_.raw->channels.size(); ++c) add_squares(c, sums.squares);
-    return sums;
+  // The squared lengths of all terms.
+  Eigen::VectorXd squares() const {
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero(family_.size() * family_.columns());
+    for (std::size_t c = 0; c < run_.raw->channels.size(); ++c) add_squares(c, squares);
+    return squares;
   }
 
- private:
-  const identify::ChannelNoise& noise_of(std::size_t c) const {
-    return noise_.channels[static_cast<std::size_t>(run_.raw->channels[c])];
-  }
-
+  // `others`: rows of other columns, whitened, the set-up out, and whitened back.
   Eigen::MatrixXd cross_with(const SlopeRows& others) const {
     const Eigen::Index n = run_.raw->samples;
     Eigen::MatrixXd cross = Eigen::MatrixXd::Zero(others.cols(), family_.size() * family_.columns());
@@ -156,6 +140,7 @@ class RunSums {
     return cross;
   }
 
+ private:
   // Of one channel of readings.
   void add_squares(std::size_t c, Eigen::VectorXd& squares) const {
     const Eigen::Index n = run_.raw->samples;
@@ -193,6 +178,15 @@ class RunSums {
   std::vector<SlopeRows> values_;  // of the products, part by part
 };
 
+SlopeRows whitened_back(const ReadyRun& run, const identify::NoiseModel& noise, SlopeRows rows) {
+  const Eigen::Index n = run.raw->samples;
+  for (std::size_t c = 0; c < run.raw->channels.size(); ++c) {
+    identify::whiten_back(noise.channels[static_cast<std::size_t>(run.raw->channels[c])],
+                          rows.middleRows(static_cast<Eigen::Index>(c) * n, n));
+  }
+  return rows;
+}
+
 }  // namespace
 
 Nuisances::Nuisances(const LinearProblem& problem, const Marginalised& marginalised) : columns(marginalised.columns) {
@@ -204,25 +198,49 @@ Nuisances::Nuisances(const LinearProblem& problem, const Marginalised& marginali
   sizes = gram.solve(pull);
 }
 
-std::vector<Term> best_products(const std::vector<ReadyRun>& runs, const physics::MachineConstants& machine,
-                                const LinearProblem& problem, const Nuisances& nuisances,
-                                const identify::NoiseModel& noise, const DescriptionOptions& options, double& tried) {
-  std::vector<int> others = nuisances.columns;
-  others.push_back(static_cast<int>(problem.residual()));
+// What the terms have in common with these columns goes before the last of what they have by now, the residual.
+void ProductSums::add(const LinearProblem& problem, const std::vector<int>& columns) {
+  const bool first = sums_.empty();
+  const std::size_t count = families().size();
+  sums_.resize(count);
+  std::vector<std::vector<Sums>> each(runs_.size(), std::vector<Sums>(count));
+  for_each_index(runs_.size(), [&](std::size_t i) {
+    const SlopeRows others = whitened_back(runs_[i], noise_, problem.rows_of(i, columns));
+    for (std::size_t k = 0; k < count; ++k) {
+      const RunSums sums(families()[k], runs_[i], machine_, noise_);
+      each[i][k].cross = sums.cross_with(others);
+      if (first) each[i][k].squares = sums.squares();
+    }
+  });
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t i = 1; i < each.size(); ++i) {
+      each[0][k].cross += each[i][k].cross;
+      if (first) each[0][k].squares += each[i][k].squares;
+    }
+    if (first) {
+      sums_[k] = std::move(each[0][k]);
+      continue;
+    }
+    const Eigen::MatrixXd before = std::move(sums_[k].cross);
+    sums_[k].cross.resize(before.rows() + each[0][k].cross.rows(), before.cols());
+    sums_[k].cross << before.topRows(before.rows() - 1), each[0][k].cross, before.bottomRows<1>();
+  }
+}
+
+std::vector<Term> ProductSums::best(const LinearProblem& problem, const Nuisances& nuisances,
+                                    const DescriptionOptions& options, double& tried) {
+  const std::ptrdiff_t known = sums_.empty() ? 0 : sums_.front().cross.rows() - 1;
+  std::vector<int> more(nuisances.columns.begin() + known, nuisances.columns.end());
+  if (sums_.empty()) more.push_back(static_cast<int>(problem.residual()));
+  if (!more.empty()) add(problem, more);
   std::vector<Term> all;
-  for (const Channel channel : {Channel::length, Channel::drive, Channel::torque, Channel::force, Channel::tip}) {
-    const Family family(channel);
-    std::vector<Sums> each(runs.size());
-    for_each_index(runs.size(), [&](std::size_t i) {
-      each[i] = RunSums(family, runs[i], machine, noise).with(problem.rows_of(i, others));
-    });
-    for (std::size_t i = 1; i < each.size(); ++i) each[0] += each[i];
-    const Eigen::MatrixXd cross = each[0].cross.topRows(nuisances.sizes.size());
+  for (std::size_t k = 0; k < sums_.size(); ++k) {
+    const Family& family = families()[k];
+    const Eigen::MatrixXd cross = sums_[k].cross.topRows(nuisances.sizes.size());
     // what the nuisances leave of the terms, and of what these have in common with the residual
     const Eigen::VectorXd lengths =
-        each[0].squares - cross.cwiseProduct(nuisances.gram.solve(cross)).colwise().sum().transpose();
-    const Eigen::VectorXd pulls =
-        each[0].cross.row(nuisances.sizes.size()).transpose() - cross.transpose() * nuisances.sizes;
+        sums_[k].squares - cross.cwiseProduct(nuisances.gram.solve(cross)).colwise().sum().transpose();
+    const Eigen::VectorXd pulls = sums_[k].cross.bottomRows<1>().transpose() - cross.transpose() * nuisances.sizes;
     for (Eigen::Index t = 0; t < lengths.size(); ++t) {
       Term term = family.term(static_cast<std::size_t>(t % family.size()), static_cast<int>(t / family.size()));
       term.gain = lengths[t] > kNoColumn ? pulls[t] * pulls[t] / lengths[t] : 0;
@@ -231,6 +249,26 @@ std::vector<Term> best_products(const std::vector<ReadyRun>& runs, const physics
   }
   tried += static_cast<double>(all.size());
   return foremost(std::move(all), options.most_looked_at);
+}
+
+Eigen::MatrixXd ProductSums::cross_of(const Term& term) const {
+  for (std::size_t k = 0; k < sums_.size(); ++k) {
+    const Family& family = families()[k];
+    if (family.channel != term.channel) continue;
+    for (std::size_t p = 0; p < family.products.size(); ++p) {
+      const Term own = family.term(p, 0);
+      if (own.strut_powers != term.strut_powers || own.shared_powers != term.shared_powers) continue;
+      return sums_[k].cross(Eigen::all, Eigen::seqN(static_cast<Eigen::Index>(p), family.parts, family.size()));
+    }
+  }
+  PLUMBLINE_CHECK(false);
+  return {};
+}
+
+std::vector<Term> best_products(const std::vector<ReadyRun>& runs, const physics::MachineConstants& machine,
+                                const LinearProblem& problem, const Nuisances& nuisances,
+                                const identify::NoiseModel& noise, const DescriptionOptions& options, double& tried) {
+  return ProductSums(runs, machine, noise).best(problem, nuisances, options, tried);
 }
 
 }  // namespace plumbline::diagnose

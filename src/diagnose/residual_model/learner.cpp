@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -9,7 +10,6 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/parallel.hpp"
-#include "diagnose/description/products.hpp"
 #include "diagnose/description/waves.hpp"
 #include "diagnose/evidence/left_out.hpp"
 #include "diagnose/readings/poses.hpp"
@@ -105,25 +105,27 @@ SlopeRows Learner::whitened(const Shape& shape, const Region& region, std::size_
 }
 
 // What was taken, and last the residual, with the columns of a shape.
-Overlap Learner::overlap_of(const Shape& shape, const Region& region, const std::vector<SlopeRows>& gathered) const {
+Overlap Learner::overlap_of(const Shape& shape, const Region& region, const Gathered& gathered) const {
+  const bool known = gathered.cross.size() > 0;
   std::vector<Overlap> each(runs_.size());
   for_each_index(runs_.size(), [&](std::size_t i) {
     if (shape.is_smooth()) {
-      each[i] = overlap_in_groups(shape, region, runs_[i], machine_, noise_, gathered[i], options_.points);
+      each[i] = overlap_in_groups(shape, region, runs_[i], machine_, noise_, gathered.rows[i], options_.points);
       return;
     }
     const SlopeRows columns = whitened(shape, region, i);
-    each[i] = {columns.transpose() * columns, problem_.blocks[i].rows.transpose() * columns};
+    each[i].gram = columns.transpose() * columns;
+    if (!known) each[i].cross = problem_.blocks[i].rows.transpose() * columns;
   });
   for (std::size_t i = 1; i < each.size(); ++i) {
     each[0].gram += each[i].gram;
-    each[0].cross += each[i].cross;
+    if (!known) each[0].cross += each[i].cross;
   }
+  if (known) each[0].cross = gathered.cross;
   return std::move(each[0]);
 }
 
-void Learner::look_at(const Shape& shape, double tried, const std::vector<SlopeRows>& gathered,
-                      std::vector<Found>& found) const {
+void Learner::look_at(const Shape& shape, double tried, const Gathered& gathered, std::vector<Found>& found) const {
   const Region region = region_of(shape, runs_, machine_);
   Overlap overlap = overlap_of(shape, region, gathered);
   const auto count = static_cast<Eigen::Index>(taken_.columns.size());
@@ -135,13 +137,16 @@ void Learner::look_at(const Shape& shape, double tried, const std::vector<SlopeR
   overlap.gram -= cross.transpose() * ldlt.solve(cross);
   const Eigen::VectorXd left = overlap.cross.row(count).transpose() - cross.transpose() * ldlt.solve(pull);
   const std::vector<double> scales = shape.is_smooth() ? options_.length_scales : std::vector<double>{0};
-  for (const std::vector<int>& parts : carriers_of(shape)) {
+  const std::vector<std::vector<int>> carriers = carriers_of(shape);
+  std::vector<Found> each(carriers.size());
+  for_each_index(carriers.size(), [&](std::size_t i) {
+    const std::vector<int>& parts = carriers[i];
     const auto size = static_cast<Eigen::Index>(parts.size());
     const Eigen::MatrixXd choice = only_alike(shape) ? Eigen::MatrixXd::Identity(left.size(), left.size())
                                                      : choice_of(parts, shape.functions(), shape.parts());
     const Eigen::MatrixXd gram = choice.transpose() * overlap.gram * choice;
     const Eigen::VectorXd b = choice.transpose() * left;
-    Found best;
+    Found& best = each[i];
     for (const double scale : scales) {
       const Eigen::VectorXd widths = prior_widths(shape, scale).replicate(size, 1);
       const Spread spread = best_spread(widths.asDiagonal() * gram * widths.asDiagonal(), widths.cwiseProduct(b));
@@ -150,28 +155,30 @@ void Learner::look_at(const Shape& shape, double tried, const std::vector<SlopeR
       best.component = {shape, region, parts, scale, spread.tau, spread.tau * widths, {}, 0, 0};
     }
     best.component.log_odds = best.score -= std::log(tried);
-    found.push_back(std::move(best));
-  }
+  });
+  std::move(each.begin(), each.end(), std::back_inserter(found));
 }
 
 // Everything that may be added, the likeliest first.
-std::vector<Learner::Found> Learner::ranked() const {
+std::vector<Learner::Found> Learner::ranked(ProductSums& products) const {
   std::vector<Found> found;
-  std::vector<SlopeRows> few(runs_.size());
+  Gathered few{std::vector<SlopeRows>(runs_.size()), {}};
   for_each_index(runs_.size(), [&](std::size_t i) {
-    few[i] = in_groups(problem_.blocks[i].rows, runs_[i].raw->samples, options_.points);
+    few.rows[i] = in_groups(problem_.blocks[i].rows, runs_[i].raw->samples, options_.points);
   });
   const double smooth = 8.0 * static_cast<double>(smooth_shapes().size() * options_.length_scales.size());
   for (const Shape& shape : smooth_shapes()) look_at(shape, smooth, few, found);
   double tried = 0;
-  const std::vector<Term> products =
-      best_products(runs_, machine_, problem_, Nuisances(problem_, taken_), noise_, description_, tried);
-  for (auto term = products.begin(); term != products.end(); ++term) {
-    if (std::any_of(products.begin(), term, [&](const Term& before) { return same_factors(before, *term); })) continue;
+  const Nuisances taken(problem_, taken_);
+  const std::vector<Term> best = products.best(problem_, taken, description_, tried);
+  for (auto term = best.begin(); term != best.end(); ++term) {
+    if (std::any_of(best.begin(), term, [&](const Term& before) { return same_factors(before, *term); })) continue;
+    few.cross = products.cross_of(*term);
     look_at({term->channel, term->strut_powers, term->shared_powers, {}, 0}, tried, few, found);
   }
+  few.cross.resize(0, 0);
   tried = 0;
-  const Eigen::VectorXd sizes = Nuisances(problem_, taken_).sizes;
+  const Eigen::VectorXd& sizes = taken.sizes;
   std::vector<SlopeRows> left;
   for (const Block& block : problem_.blocks)
     left.emplace_back(block.rows.rightCols<1>() - block.rows.leftCols(sizes.size()) * sizes);
@@ -246,8 +253,9 @@ Eigen::Index Learner::first_of(std::size_t place) const {
 
 bool Learner::learn() {
   bool any = false;
+  ProductSums products(runs_, machine_, noise_);
   while (static_cast<int>(components_.size()) < options_.most_components) {
-    const std::vector<Found> all = ranked();
+    const std::vector<Found> all = ranked(products);
     int refused = 0;
     bool added = false;
     for (const Found& found : all) {

@@ -2,6 +2,7 @@
 // poses that were left out confirm it.
 #pragma once
 
+#include "diagnose/description/products.hpp"
 #include "diagnose/residual_model/overlap.hpp"
 
 namespace plumbline::diagnose {
@@ -59,12 +60,16 @@ class Learner {
     Component component;
     double score = -1e9;
   };
+  /// What is known of the columns that were taken and the residual, before the columns of a shape are.
+  struct Gathered {
+    std::vector<identify::SlopeRows> rows;  // in groups
+    Eigen::MatrixXd cross;                  // with the columns of the shape, where it is known
+  };
 
   identify::SlopeRows whitened(const Shape& shape, const Region& region, std::size_t run) const;
-  Overlap overlap_of(const Shape& shape, const Region& region, const std::vector<identify::SlopeRows>& gathered) const;
-  void look_at(const Shape& shape, double tried, const std::vector<identify::SlopeRows>& gathered,
-               std::vector<Found>& found) const;
-  std::vector<Found> ranked() const;
+  Overlap overlap_of(const Shape& shape, const Region& region, const Gathered& gathered) const;
+  void look_at(const Shape& shape, double tried, const Gathered& gathered, std::vector<Found>& found) const;
+  std::vector<Found> ranked(ProductSums& products) const;
   double left_out(const Learner& with) const;
   bool try_adding(const Component& component);
   void append(const Component& component);
