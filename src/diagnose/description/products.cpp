@@ -198,32 +198,28 @@ Nuisances::Nuisances(const LinearProblem& problem, const Marginalised& marginali
   sizes = gram.solve(pull);
 }
 
-// What the terms have in common with these columns goes before the last of what they have by now, the residual.
+// What the terms have in common with these columns goes before the last of what they have by now, the residual. Family
+// by family: those of all runs together would take most of the memory.
 void ProductSums::add(const LinearProblem& problem, const std::vector<int>& columns) {
   const bool first = sums_.empty();
-  const std::size_t count = families().size();
-  sums_.resize(count);
-  std::vector<std::vector<Sums>> each(runs_.size(), std::vector<Sums>(count));
-  for_each_index(runs_.size(), [&](std::size_t i) {
-    const SlopeRows others = whitened_back(runs_[i], noise_, problem.rows_of(i, columns));
-    for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < families().size(); ++k) {
+    std::vector<Sums> each(runs_.size());
+    for_each_index(runs_.size(), [&](std::size_t i) {
       const RunSums sums(families()[k], runs_[i], machine_, noise_);
-      each[i][k].cross = sums.cross_with(others);
-      if (first) each[i][k].squares = sums.squares();
-    }
-  });
-  for (std::size_t k = 0; k < count; ++k) {
+      each[i].cross = sums.cross_with(whitened_back(runs_[i], noise_, problem.rows_of(i, columns)));
+      if (first) each[i].squares = sums.squares();
+    });
     for (std::size_t i = 1; i < each.size(); ++i) {
-      each[0][k].cross += each[i][k].cross;
-      if (first) each[0][k].squares += each[i][k].squares;
+      each[0].cross += each[i].cross;
+      if (first) each[0].squares += each[i].squares;
     }
     if (first) {
-      sums_[k] = std::move(each[0][k]);
+      sums_.push_back(std::move(each[0]));
       continue;
     }
     const Eigen::MatrixXd before = std::move(sums_[k].cross);
-    sums_[k].cross.resize(before.rows() + each[0][k].cross.rows(), before.cols());
-    sums_[k].cross << before.topRows(before.rows() - 1), each[0][k].cross, before.bottomRows<1>();
+    sums_[k].cross.resize(before.rows() + each[0].cross.rows(), before.cols());
+    sums_[k].cross << before.topRows(before.rows() - 1), each[0].cross, before.bottomRows<1>();
   }
 }
 
