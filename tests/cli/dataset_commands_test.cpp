@@ -213,7 +213,7 @@ TEST_CASE("a table of readings is never overwritten") {
     INFO(command);
     const Outcome outcome = run(scratch, command + kModel);
     CHECK(outcome.code == 1);
-    CHECK(contains(outcome.err, "[file-overwrites-input]"));
+    CHECK(contains(outcome.err, contains(command, "--json") ? "[file-exists]" : "[file-overwrites-input]"));
   }
   CHECK(scratch.text("plan/a.csv") == before);
 }

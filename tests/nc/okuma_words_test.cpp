@@ -70,8 +70,7 @@ TEST_CASE("OSP: a word that is not known is called so") {
              {"G15 H1 G0 X0\n/2 $Y5\nM2\n", 2, 1, "nc-not-interpreted", "on one line"},
              {"G15 H1 G0 X0\nPB=1\nIF[PB EQ EMPTY]NE\nNE M2\n", 3, 16, "nc-flow-control", "NEND"},
              {"G15 H1 G0 X0\nPB=1\nIF [PB EQ 2] NE (OUT)\nNE M2\n", 3, 14, "nc-flow-control", "NEND"}});
-  check_osp({{"G15 H1 G0 X0\nPB=1\nIF [PB NE 2] NEND\nX1\nNEND M2\n", 0, 0},
-             {"G15 H1 G0 X0\nPB=1\nIF [[PB EQ 1] EQ [PB NE 2]] NEX\nX1\nNEX M2\n", 0, 0}});
+  check_osp({{"G15 H1 G0 X0\nPB=1\nIF [PB NE 2] NEND\nX1\nNEND M2\n", 0, 0}});
 }
 
 TEST_CASE("OSP: G0 beside G169 is the mode behind it, and the words are those of G169") {

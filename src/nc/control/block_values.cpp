@@ -110,8 +110,6 @@ void check_variable(const Execution& run, const Block& block, const Setting& pla
                   : "write the variable without brackets, or set it before");
 }
 
-bool belongs_to_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
-
 void check_declared_once(Execution& run, const Block& block, const Setting& place) {
   if (block.flow.word != FlowWord::define && block.flow.word != FlowWord::sub) return;
   const std::string_view name = block.at(block.names[place.name]);

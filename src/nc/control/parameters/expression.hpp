@@ -5,15 +5,10 @@
 #include <vector>
 
 #include "nc/control/parameters/parameters.hpp"
+#include "nc/control/parameters/whole_numbers.hpp"
 #include "nc/language/block.hpp"
 
 namespace plumbline::nc {
-
-/// The numbers that parameters may have.
-struct ParameterLimits {
-  int first = 1;
-  int last = kLastParameter;
-};
 
 /// Who knows what a parameter is worth now.
 class ParameterReader {
@@ -60,14 +55,5 @@ class Evaluator {
   void check_truths(const Block& block, const Instruction& step) const;
   std::vector<Value> stack_;
 };
-
-/// Refuses -2.5: which way a control rounds it that rounds from 0.5 on is left open.
-void check_negative_half(const Block& block, Span span, const Value& value);
-
-/// A whole number near `value`; refuses with nc-not-whole. Whole within 1e-4 [LinuxCNC, measured].
-int whole_number(const Block& block, Span span, double value, std::string_view what);
-
-/// The number of a parameter; refuses one that is not whole or out of limits.
-int parameter_number(const Block& block, Span span, Value value, ParameterLimits limits = {});
 
 }  // namespace plumbline::nc

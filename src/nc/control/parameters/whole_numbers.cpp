@@ -1,0 +1,45 @@
+#include "nc/control/parameters/whole_numbers.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "nc/language/codes.hpp"
+#include "nc/language/refusal.hpp"
+
+namespace plumbline::nc {
+
+void check_negative_half(const Block& block, Span span, const Value& value) {
+  constexpr double kHalf = 0.5;
+  constexpr double kNear = 1e-9;
+  if (!value.known || value.number > 0) return;
+  if (std::abs(value.number - std::trunc(value.number) + kHalf) > kNear) return;
+  refuse_at(block, span, codes::kNotInterpreted,
+            fmt::format("{:.6g} lies halfway between two whole numbers, and which of them the control rounds it to was "
+                        "found in no source below 0",
+                        value.number),
+            "round the number without its sign, as in -ROUND(2.5), or add or take off 0.001 before");
+}
+
+int whole_number(const Block& block, Span span, double value, std::string_view what) {
+  const double whole = std::round(value);
+  if (std::abs(value - whole) > kWhole || std::abs(whole) > kLargestWhole) {
+    refuse_at(block, span, codes::kNotWhole, fmt::format("{} is no whole number", what), "write a whole number");
+  }
+  return static_cast<int>(whole);
+}
+
+int parameter_number(const Block& block, Span span, Value value, ParameterLimits limits) {
+  if (!value.known) {
+    refuse_at(block, span, codes::kValueUnknown, "which parameter this is depends on what only the machine knows",
+              "write the number of the parameter itself");
+  }
+  const int number = whole_number(block, span, value.number, "the number of a parameter");
+  if (number < limits.first || number > limits.last) {
+    refuse_at(block, span, codes::kParameterNumber, fmt::format("there is no parameter #{}", number),
+              fmt::format("parameters have the numbers {} to {}", limits.first, limits.last));
+  }
+  return number;
+}
+
+}  // namespace plumbline::nc

@@ -1,0 +1,29 @@
+// Whole numbers of values, as controls take them.
+#pragma once
+
+#include <string_view>
+
+#include "nc/control/parameters/parameters.hpp"
+#include "nc/language/block.hpp"
+
+namespace plumbline::nc {
+
+inline constexpr double kWhole = 1e-4;  // [LinuxCNC, measured]
+inline constexpr double kLargestWhole = 1e9;
+
+/// The numbers that parameters may have.
+struct ParameterLimits {
+  int first = 1;
+  int last = kLastParameter;
+};
+
+/// Refuses -2.5: which way a control rounds it that rounds from 0.5 on is left open.
+void check_negative_half(const Block& block, Span span, const Value& value);
+
+/// A whole number near `value`; refuses with nc-not-whole. Whole within 1e-4 [LinuxCNC, measured].
+int whole_number(const Block& block, Span span, double value, std::string_view what);
+
+/// The number of a parameter; refuses one that is not whole or out of limits.
+int parameter_number(const Block& block, Span span, Value value, ParameterLimits limits = {});
+
+}  // namespace plumbline::nc
