@@ -91,34 +91,6 @@ TEST_CASE("two outputs do not share a file") {
   CHECK_FALSE(scratch.has("x"));
 }
 
-TEST_CASE("results replace nothing of another kind") {
-  const Scratch scratch;
-  scratch.file("a.ngc", kPart);
-  scratch.file("p.ngc", kPart);
-  for (const char* const option : {"--json", "--report", "--depfile"}) {
-    const Outcome outcome = run(scratch, compensate(std::string("p.ngc -o x ") + option + " a.ngc"));
-    INFO(option);
-    CHECK(outcome.code == 1);
-    CHECK(contains(outcome.err, "a.ngc stands there already, and is not "));
-    CHECK(scratch.text("a.ngc") == kPart);
-    CHECK_FALSE(scratch.has("x"));
-    for (int again = 0; again < 2; ++again)  // its own file it replaces
-      CHECK(run(scratch, compensate(std::string("p.ngc -o y ") + option + " r" + option)).code == 0);
-    scratch.file("empty", "");
-    CHECK(run(scratch, compensate(std::string("p.ngc -o y ") + option + " empty")).code == 0);
-  }
-}
-
-TEST_CASE("a value behind -o= is no file of that name") {
-  const Scratch scratch;
-  scratch.file("p.ngc", kPart);
-  const Outcome outcome = run(scratch, compensate("p.ngc -o=x.ngc"));
-  CHECK(outcome.code == 2);
-  CHECK(contains(outcome.err, "write -o x.ngc"));
-  CHECK_FALSE(scratch.has("=x.ngc"));
-  CHECK(run(scratch, compensate("p.ngc --output=x.ngc")).code == 0);
-}
-
 TEST_CASE("a pattern that gives the program its own name says so") {
   const Scratch scratch;
   scratch.file("p.ngc", kPart);

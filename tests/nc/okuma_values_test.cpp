@@ -12,7 +12,7 @@ TEST_CASE("OSP: what has no value is compared, and nothing else comes of it") {
              {"G15 H1 G0 X0\nVC1=EMPTY\nX=VC1+1\nM2\n", 2, 1, "nc-parameter-unset"},
              {"G15 H1 G0 X0\nVC1=-LC\nM2\n", 2, 1, "nc-parameter-unset"},
              {"G15 H1 G0 X0\nCALL OSUB PX=LC\nM2\nOSUB\nRTS\n", 2, 11, "nc-parameter-unset"},
-             {"G15 H1 G0 X0\nIF [LC] N10\nX1\nN10 X2\nM2\n", 2, 4, "nc-flow-control", "no condition"}});
+             {"G15 H1 G0 X0\nIF [LC] N10\nX1\nN10 X2\nM2\n", 2, 1, "nc-flow-control", "no condition"}});
   check_osp({{"G15 H1 G0 X0\nIF [LC EQ EMPTY] N10\nX1\nN10 X2\nM2\n", 0, 0},
              {"G15 H1 G0 X0\nLC=0\nIF [LC NE EMPTY] N10\nX1\nN10 X=LC\nM2\n", 0, 0},
              {"G15 H1 G0 X0\nCALL OSUB PX=1\nM2\nOSUB\nIF [PY EQ EMPTY] N1\nX=PY\nN1 X=PX\nRTS\n", 0, 0}});
