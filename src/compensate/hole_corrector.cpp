@@ -100,6 +100,13 @@ void HoleCorrector::check_level(const CorrectedHole& corrected) const {
   const double r = hole.r + corrected.shift[normal];
   const double level = on_bottom ? hole.bottom + corrected.shift[normal] : to_r ? r : hole.clear;
   const double stands = stands_at_ + corrected.at->standing[normal];
+  if (levels && !step.after->retract_to_r && hole.clear == hole.r && r > hole.clear) {
+    refuse(
+        "compensate-cycle",
+        fmt::format("the correction lifts R to {0}{1:.6g}, above the level of G71, {0}{2:.6g}, which is not corrected",
+                    letter(normal), r, hole.clear),
+        "state a level above R with G71, 1 mm is enough, or go back to R with M54", place_of(step));
+  }
   if (std::abs(stands - level) < (goes_to_start ? kStandsOnR : nc::kSameLevel) && (on_bottom || r <= level)) return;
   if (!to_r && std::abs(stands_at_ - level) >= kStandsOnR) {
     refuse(

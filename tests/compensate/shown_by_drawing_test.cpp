@@ -150,6 +150,20 @@ TEST_CASE("okuma: a cycle whose tool the correction puts elsewhere than the leve
   check_taken("okuma", {"G15 H1\nG0 X1 Y2 Z20 A5 B-8 C0\nG71 Z20\nG82 X9. Y4. Z12. R18. P1 F138 M53\nX3\nG80\nM2\n"});
 }
 
+TEST_CASE("okuma: a level of G71 that the corrected R lies above is refused as such") {
+  for (const std::string hole :
+       {"M3 S500\nG84 X10 Y10 Z-10 R5 F500 M53\n", "G82 X10 Y10 Z-10 R5 P1 F500 M53\n",
+        "G83 X10 Y10 Z-10 R5 I3 J3 F500 M53\n", "M3 S500\nG85 X10 Y10 Z-10 R5 F500 FA=700 M53\n"}) {
+    INFO(hole);
+    const Diagnostic refused = testing::refusal_of(
+        [&] { run("G15 H1\nG0 X10 Y10 Z5 A0 B0 C0\nG71 Z5\n" + hole + "G80\nM2\n", for_dialect("okuma")); });
+    CHECK(refused.code == "compensate-cycle");
+    CHECK(refused.message.find("above the level of G71, Z5") != std::string::npos);
+  }
+  check_taken("okuma", {"G15 H1\nG0 X10 Y10 Z5 A0 B0 C0\nG71 Z5\nM3 S500\nG84 X10 Y10 Z-10 R5 F500 M54\nG80\nM2\n",
+                        "G15 H1\nG0 X10 Y10 Z6 A0 B0 C0\nG71 Z6\nM3 S500\nG84 X10 Y10 Z-10 R5 F500 M53\nG80\nM2\n"});
+}
+
 TEST_CASE("okuma: the message on a cycle that begins off its level tells of the original, not of the correction") {
   const std::map<std::string, std::string> levels_of{{"G71 Z30\nG82 X1 Y2 Z12. R18. P1 F138 M53\n", "30"},
                                                      {"G71 Z15\nM3 S500\nG84 X1 Z-9. R12. F120 M53\n", "15"},

@@ -54,6 +54,9 @@ TEST_CASE("after a cycle with feeds of its own a cut needs an F") {
   check_feeds("F500", {"CYCLE81(60,0,2,-5)\nG1 X10\n", "CYCLE85(60,0,2,-5,,0,500,500)\nG1 X10\n",
                        "CYCLE83(60,0,2,-5,,-2,,0,0,0,0.5,1)\nG1 X10\n", "CYCLE840(60,0,2,-5)\nG1 X10\n",
                        "MCALL CYCLE83(60,0,2,-5,,-2,,0,0,0,0.5,1)\nX10\nX20\nMCALL\nG1 X10\n"});
+  check_feeds("F500",
+              {"MCALL CYCLE83(50,0,1,-30,,,5,90,0,0.6,90,0,0,3,1.4,0,1.4,0,1,11221112)\nX5\nX10\nMCALL\nG1 X20\n",
+               "CYCLE83(50,0,3,-12,,,5,0.8,0,0,0.7,0)\nG1 X20\n", "CYCLE83(5,0,2,-10,,-3,,1,0.1,0,0.5,1)\nG1 X20\n"});
   check_feeds("F160", {"MCALL " + kReam + "X10\nX20\nMCALL\n", kReam + "G0 X10\n" + kReam});
 }
 

@@ -47,6 +47,11 @@ void StatementLoops::begin_for(const Block& block) {
   const bool counted = loop != loops().end() && std::exchange(loop->counts_on, false);
   if (counted) {
     Value value = interpreter_.variable(block, 0);
+    if (!value.known) {
+      refuse_flow(block, codes::kValueUnknown,
+                  "this loop counts on in what another FOR of the same variable left, which was found in no source",
+                  "let the inner loop count another variable");
+    }
     value.number += 1;
     interpreter_.set_variable(block, 0, value);
   } else {

@@ -271,6 +271,7 @@ void CalledHole::pecks() {
     });
   }
   next_peck(hole_.bottom);
+  if (first > 0 && first < reference - hole_.bottom) last_share_ = 1;  // DAM: the strokes behind the first
   wait(at_end != 0 ? at_end : at_depth);
   go(MotionKind::rapid, hole_.clear);
 }

@@ -114,6 +114,10 @@ void change_frame_by_name(Execution& run, const Chosen& chosen) {
     }
     if (const Word* word = run.words.find('Q')) {
       if (control.modal.plane != Plane::xy) refuse_plane(run, *word);
+      if (run.axes.contains(Axis::X) || run.axes.contains(Axis::Y)) {
+        run.refuse(*word, codes::kNotInterpreted, "RPL beside turns by X, Y or Z was found in no source",
+                   "write RPL alone, or Z");
+      }
       degrees += word->value;  // RPL
     }
     if (const Word* word = run.words.find('Z')) {

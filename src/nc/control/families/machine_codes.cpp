@@ -114,6 +114,13 @@ namespace {
              "add the time to wait");
 }
 
+// Beside a change of the tool or a stop at an angle no source says which comes last: it is not taken to turn.
+void turn_spindle(Execution& run, const Chosen& chosen) {
+  const bool stops = run.dialect.behaviour.change_stops_spindle && run.chosen_row(Action::change_tool) != nullptr;
+  const bool stands = stops || run.chosen_row(Action::position_spindle) != nullptr;
+  run.control.turn_spindle(stands ? kSpindleStands : chosen.row->value);
+}
+
 }  // namespace
 
 void dwell(Execution& run, const Word& code) {
@@ -167,8 +174,7 @@ void machine_code(Execution& run, const Chosen& chosen) {
     case Action::end_program:
       return call_program(run, chosen);
     case Action::spindle:
-      run.control.turn_spindle(chosen.row->value);
-      return;
+      return turn_spindle(run, chosen);
     case Action::coolant:
       return switch_coolant(run.control.modal.switches, chosen.row->value);
     case Action::override_switch:

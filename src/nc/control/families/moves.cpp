@@ -9,6 +9,7 @@
 #include "base/text/characters.hpp"
 #include "base/units.hpp"
 #include "nc/control/execution.hpp"
+#include "nc/control/families/cycle_codes.hpp"
 #include "nc/control/parameters/expression.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
@@ -195,6 +196,13 @@ AxisSet shifted_after(const Execution& run, const Motion& motion) {
   return shifted | aside;
 }
 
+// Rigid taps (M29, G284) turn the spindle themselves.
+bool turns_spindle(const Execution& run) {
+  const bool taps = run.motion != nullptr && run.motion->action == Action::cycle &&
+                    (run.motion->value == kTapping || run.motion->value == kLeftTapping);
+  return taps && (run.dialect.behaviour.fanuc_cycles || run.dialect.behaviour.return_levels);
+}
+
 }  // namespace
 
 AxisSet known_after_move(const Execution& run) { return run.control.known | absolute_words(run); }
@@ -248,7 +256,7 @@ double feed_of_move(const Execution& run, bool linear) {
         "write F anew before this move, or beside it");
   }
   const bool per_revolution = control.modal.feed_mode == FeedMode::per_revolution;
-  if (per_revolution && control.spindle_stands()) {
+  if (per_revolution && (turns_spindle(run) ? control.spindle_speed <= 0 : control.spindle_stands())) {
     run.refuse(run.motion_code(), codes::kFeedMissing, "a feed per revolution (G95) needs a turning spindle",
                "write S and M3 before this move");
   }

@@ -174,11 +174,17 @@ void check_arc_sine(const Block& block, const Instruction& step, const Value& va
             "write the angle itself, or -ASIN of the number without its sign");
 }
 
-// Some controls round both numbers first, others do not.
+// Some controls round both numbers first, others do not; of numbers below zero the manuals give no example.
 void check_remainder(const Block& block, const Instruction& step, const Value& a, const Value& b) {
   if (step.operation != Operation::whole_remainder && step.operation != Operation::whole_quotient) return;
   for (const Value& value : {a, b}) {
-    if (!value.known || value.number == std::trunc(value.number)) continue;
+    if (!value.known) continue;
+    if (value.number < 0) {
+      refuse_at(block, step.span, codes::kNotInterpreted,
+                fmt::format("{} of a number below zero was found in no source", block.at(step.span)),
+                "make the number positive before, as with ABS, and give the result its sign");
+    }
+    if (value.number == std::trunc(value.number)) continue;
     refuse_at(block, step.span, codes::kNotWhole,
               fmt::format("what {} divides, or divides by, is no whole number", block.at(step.span)),
               "round it before: what becomes of a fraction was found in no source");
