@@ -11,7 +11,7 @@
 #include "base/diagnostic.hpp"
 #include "base/files/files.hpp"
 #include "base/files/path_of.hpp"
-#include "cli/messages.hpp"
+#include "cli/command.hpp"
 
 namespace plumbline::cli {
 namespace {
