@@ -46,7 +46,7 @@ TEST_CASE("MOD and DIV are of whole numbers") {
                                  "DEF REAL DEPTH=-12.25\nX=DEPTH MOD 5\n", "R1=0.1\nX=(R1+R1+R1)*10 MOD 3\n"});
   check_numbers("X1",
                 {"X=7 MOD 2\n", "R1=7.5\nX=TRUNC(R1) MOD 2\n", "DEF INT COUNT=9\nX=COUNT MOD 4\n", "X=7 DIV 4\n"});
-  check_numbers("X-1", {"X=-7 MOD 2\n", "X=-7 DIV 4\n"});
+  check_numbers("nc-not-interpreted", {"X=-7 MOD 2\n", "X=-7 DIV 4\n", "R1=-2\nX=7 MOD R1\n", "X=7 DIV (2-4)\n"});
 }
 
 TEST_CASE("halves below zero are rounded in a way that no source says") {

@@ -179,15 +179,15 @@ void check_remainder(const Block& block, const Instruction& step, const Value& a
   if (step.operation != Operation::whole_remainder && step.operation != Operation::whole_quotient) return;
   for (const Value& value : {a, b}) {
     if (!value.known) continue;
-    if (value.number < 0) {
-      refuse_at(block, step.span, codes::kNotInterpreted,
-                fmt::format("{} of a number below zero was found in no source", block.at(step.span)),
-                "make the number positive before, as with ABS, and give the result its sign");
+    if (value.number != std::trunc(value.number)) {
+      refuse_at(block, step.span, codes::kNotWhole,
+                fmt::format("what {} divides, or divides by, is no whole number", block.at(step.span)),
+                "round it before: what becomes of a fraction was found in no source");
     }
-    if (value.number == std::trunc(value.number)) continue;
-    refuse_at(block, step.span, codes::kNotWhole,
-              fmt::format("what {} divides, or divides by, is no whole number", block.at(step.span)),
-              "round it before: what becomes of a fraction was found in no source");
+    if (value.number >= 0) continue;
+    refuse_at(block, step.span, codes::kNotInterpreted,
+              fmt::format("{} of a number below zero was found in no source", block.at(step.span)),
+              "make the number positive before, as with ABS, and give the result its sign");
   }
 }
 
