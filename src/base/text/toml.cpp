@@ -171,7 +171,7 @@ TomlDocument parse_toml(std::string text, std::string file) {
     std::string_view what = error.description();  // "Error while parsing <what>: <why>"
     constexpr std::string_view kPreface = "Error while parsing ";
     if (what.starts_with(kPreface)) what.remove_prefix(kPreface.size());
-    const bool other_encoding = what.find("utf-8") != what.npos;
+    const bool other_encoding = what.find("utf-8") != std::string_view::npos;
     refuse("toml-syntax", std::string(what),
            other_encoding
                ? "save it as UTF-8: editors of Windows keep letters like \u00e4 otherwise, as ANSI or Latin-1"

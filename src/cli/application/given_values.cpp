@@ -28,7 +28,9 @@ bool begins_with(std::string_view text, char first) {
 }
 
 // The first line may be as long as all the text that is looked at.
-bool is_rule(std::string_view text) { return text.empty() || text.substr(0, text.find('\n')).find(':') != text.npos; }
+bool is_rule(std::string_view text) {
+  return text.empty() || text.substr(0, text.find('\n')).find(':') != std::string_view::npos;
+}
 
 constexpr Result kResults[] = {
     {"--json", "JSON", [](std::string_view text) { return begins_with(text, '{'); }},

@@ -202,15 +202,15 @@ std::optional<std::string> what_is_unknown(const CLI::App& app, std::span<const 
   }
   for (const std::string_view argument : arguments.subspan(std::min<std::size_t>(1, arguments.size()))) {
     if (argument == "--") break;
-    if (is_option(argument)) {
-      const std::string_view name = option_of(argument);
-      if (holds(options, name)) continue;
-      if (is_file_name(argument))
-        return fmt::format("{} is taken for an option: name the file as ./{}", argument, argument);
-      return unknown_option(app, name, options);
-    } else if (asked.empty()) {
+    if (!is_option(argument)) {
+      if (!asked.empty()) continue;
       return holds(commands, argument) ? std::nullopt : std::optional(unknown("command", argument, commands));
     }
+    const std::string_view name = option_of(argument);
+    if (holds(options, name)) continue;
+    if (is_file_name(argument))
+      return fmt::format("{} is taken for an option: name the file as ./{}", argument, argument);
+    return unknown_option(app, name, options);
   }
   return std::nullopt;
 }

@@ -271,7 +271,7 @@ void Evaluator::check_vacant(const Block& block, const Instruction& step, const 
 }
 
 // [#3] EQ #0 holds if the brackets leave #3 vacant, and [#3] EQ 0 if they make it 0.
-void Evaluator::check_bracketed(const Block& block, const Instruction& step, const Value& a, const Value& b) const {
+void Evaluator::check_bracketed(const Block& block, const Instruction& step, const Value& a, const Value& b) {
   const bool compares = step.operation == Operation::equal || step.operation == Operation::not_equal;
   if (!compares || a.bracketed == b.bracketed || (a.known && b.known && a.number != b.number)) return;
   refuse_at(block, step.span, codes::kParameterUnset,

@@ -43,7 +43,7 @@ class Evaluator {
 
  private:
   void check_vacant(const Block& block, const Instruction& step, const Value& a, const Value& b) const;
-  void check_bracketed(const Block& block, const Instruction& step, const Value& a, const Value& b) const;
+  static void check_bracketed(const Block& block, const Instruction& step, const Value& a, const Value& b);
   Value joined(const Block& block, const Instruction& step, const Value& a, const Value& b) const;
   bool are_doubtful(const Value& a, const Value& b) const;
   bool is_rounded(const Instruction& step, const Value& result, const Value& a, const Value& b) const;
