@@ -15,7 +15,6 @@ namespace {
 
 using identify::SlopeRows;
 using machine::kStruts;
-using physics::Generic;
 using Channel = Term::Channel;
 
 constexpr int kVectorParts = 3;
