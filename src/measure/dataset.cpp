@@ -230,12 +230,13 @@ std::string table_hash(std::string_view table) { return to_hex(fnv1a(table)); }
 
 void check_measured(const Dataset& dataset) {
   std::vector<std::string_view> planned;
+  const Place* first = nullptr;
   for (const Run& run : dataset.runs) {
-    if (run.as_planned) planned.push_back(run.id);
+    if (!run.as_planned) continue;
+    planned.push_back(run.id);
+    if (first == nullptr) first = &run.place;
   }
-  if (planned.empty()) return;
-  const auto first =
-      std::find_if(dataset.runs.begin(), dataset.runs.end(), [](const Run& run) { return run.as_planned; });
+  if (first == nullptr) return;
   refuse(
       "dataset-not-measured",
       planned.size() == dataset.runs.size()
@@ -244,7 +245,7 @@ void check_measured(const Dataset& dataset) {
                         planned.size() == 1 ? "run" : "runs", fmt::join(planned, ", ")),
       "a plan's tables hold what the model predicts: put in what was measured, in the same columns, or leave the run "
       "out",
-      first->place);
+      *first);
 }
 
 Run read_run(const TomlDocument& document, const TomlValue& table, const std::vector<std::string_view>& others) {

@@ -12,6 +12,9 @@ constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 /// A to Z and a to z.
 constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
+/// What names of variables and labels consist of.
+constexpr bool is_of_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+
 /// What may stand between the words of a line; a carriage return belongs to the line's end.
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 

@@ -1,10 +1,8 @@
 #include "cli/application/given_values.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -46,21 +44,22 @@ std::string beginning(const std::string& path) {
 }
 
 // Of another option: that is said in other words.
-bool is_named_again(const CLI::App& command, const Result& result, const std::string& path) {
+bool is_named_again(const CLI::App& command, const CLI::Option& option, const std::string& path) {
   std::error_code none;
-  for (const CLI::Option* const option : command.get_options()) {
-    if (option->get_lnames() == std::vector<std::string>{result.option + 2}) continue;
-    for (const std::string& value : option->results()) {
+  for (const CLI::Option* const other : command.get_options()) {
+    if (other == &option) continue;
+    for (const std::string& value : other->results()) {
       if (std::filesystem::equivalent(path_of(value), path_of(path), none)) return true;
     }
   }
   return false;
 }
 
-void refuse_strange_result(const CLI::App& command, const Result& result, const std::string& path) {
+void refuse_strange_result(const CLI::App& command, const CLI::Option& option, const Result& result) {
+  const std::string& path = option.results().front();
   std::error_code none;
   if (path == kStandardStream || !std::filesystem::is_regular_file(path_of(path), none)) return;
-  if (is_named_again(command, result, path)) return;
+  if (is_named_again(command, option, path)) return;
   if (result.may_begin(beginning(path))) return;
   refuse("file-exists", fmt::format("{} stands there already, and is not {}", path, result.is),
          fmt::format("{} writes into the file behind it: name another one, or move this away", result.option),
@@ -87,7 +86,7 @@ void refuse_strange_results(const CLI::App& app) {
   for (const CLI::App* const command : app.get_subcommands()) {
     for (const Result& result : kResults) {
       const CLI::Option* const option = command->get_option_no_throw(result.option);
-      if (option != nullptr && option->count() > 0) refuse_strange_result(*command, result, option->results().front());
+      if (option != nullptr && option->count() > 0) refuse_strange_result(*command, *option, result);
     }
   }
 }

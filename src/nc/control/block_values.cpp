@@ -100,14 +100,13 @@ void check_variable(const Execution& run, const Block& block, const Setting& pla
                                        : fmt::format("leave it out, if no move depends on it; {}", own));
 }
 
-// Whether the variable is vacant then or 0 was found in no source.
-[[noreturn]] void refuse_vacant(const Execution& run, const Block& block, const Setting& setting) {
-  const bool empty = run.dialect.syntax.empty_names;
+// #5=[#3]: whether the variable is vacant then or 0 was found in no source.
+[[noreturn]] void refuse_bracketed(const Block& block, const Setting& setting) {
   refuse_at(block, setting.whole, codes::kParameterUnset,
-            fmt::format("{} is set to what was never given a value: whether {} was found in no source",
-                        block.at(setting.span), empty ? "that makes it EMPTY or 0" : "this counts as 0 in brackets"),
-            empty ? "set the other variable before, or ask with EQ EMPTY"
-                  : "write the variable without brackets, or set it before");
+            fmt::format("{} is set to what was never given a value: whether this counts as 0 in brackets was found in "
+                        "no source",
+                        block.at(setting.span)),
+            "write the variable without brackets, or set it before");
 }
 
 void check_declared_once(Execution& run, const Block& block, const Setting& place) {
@@ -249,7 +248,7 @@ void BlockValues::evaluate_settings(const Block& block) {
     if (value.vacant && run_.dialect.syntax.empty_names) refuse_empty(block, setting.whole);
     // #2=#1 alone hands on that there is none: in an expression it counts as 0 [V 13.5; N 20.11.3].
     const std::string_view whole = block.at(setting.whole);
-    if (value.bracketed || (value.vacant && run_.dialect.syntax.empty_names)) refuse_vacant(run_, block, setting);
+    if (value.bracketed) refuse_bracketed(block, setting);
     if (value.vacant && !is_variable_alone(whole.substr(whole.find('=') + 1))) value.vacant = false;
     setting_values_.push_back(value);
   }
@@ -270,13 +269,9 @@ void BlockValues::assign(const Block& block) {
   apply(block);
 }
 
-Value BlockValues::value(const Block& block, std::uint32_t code) {
-  const Value value = evaluator_.run(block, code, system_parameters_);
-  const auto given = std::find_if(block.settings.begin(), block.settings.end(),
-                                  [&](const Setting& setting) { return setting.value == code; });
-  if (value.vacant && run_.dialect.syntax.empty_names && given != block.settings.end()) {
-    refuse_empty(block, given->whole);  // CALL OSUB PX=LC
-  }
+Value BlockValues::value(const Block& block, const Setting& setting) {
+  const Value value = evaluator_.run(block, setting.value, system_parameters_);
+  if (value.vacant && run_.dialect.syntax.empty_names) refuse_empty(block, setting.whole);
   return value;
 }
 
@@ -289,7 +284,6 @@ Value BlockValues::variable(const Block& block, std::size_t setting) {
 
 void BlockValues::set_variable(const Block& block, std::size_t setting, Value value) {
   const Setting& place = block.settings[setting];
-  if (value.vacant && run_.dialect.syntax.empty_names) refuse_vacant(run_, block, place);
   set_parameter(block, place, setting_number(block, place), value);
 }
 

@@ -24,8 +24,9 @@ class BlockValues {
   /// Both, of a block that steers.
   void assign(const Block& block);
 
-  Value value(const Block& block, std::uint32_t code);
-  /// The same; refuses one that only the machine knows.
+  /// What a setting of a call hands over; not known where only the machine knows.
+  Value value(const Block& block, const Setting& setting);
+  /// What this code is worth; refuses what only the machine knows.
   double value_of(const Block& block, std::uint32_t code, Span span);
   /// The variable that a setting of the block sets.
   Value variable(const Block& block, std::size_t setting);

@@ -41,7 +41,7 @@ class Interpreter {
   bool leaves_out_skipped() const { return run_.settings.block_delete.value_or(false); }
   /// The settings of a block that steers.
   void assign(const Block& block) { values_.assign(block); }
-  Value value(const Block& block, std::uint32_t code) { return values_.value(block, code); }
+  Value value(const Block& block, const Setting& setting) { return values_.value(block, setting); }
   /// The variable that a setting of the block sets.
   Value variable(const Block& block, std::size_t setting) { return values_.variable(block, setting); }
   void set_variable(const Block& block, std::size_t setting, Value value) {

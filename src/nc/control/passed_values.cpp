@@ -14,8 +14,6 @@ namespace {
 
 constexpr std::size_t kMostDigits = 4;  // of the number of an R parameter
 
-bool belongs_to_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
-
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
@@ -50,7 +48,7 @@ std::optional<std::string> value_of(const Execution& run, std::string_view name)
 std::size_t end_of_item(std::string_view text, std::size_t at) {
   if (text[at] == '"') return std::min(text.find('"', at + 1), text.size() - 1) + 1;
   std::size_t end = at + 1;
-  while (end < text.size() && belongs_to_name(text[end])) ++end;
+  while (end < text.size() && is_of_name(text[end])) ++end;
   return end;
 }
 
@@ -86,7 +84,7 @@ class PassedByWord {
     if (text_.find("<<", begin_) != std::string_view::npos) return find_joined();
     for (std::size_t at = begin_; at < text_.size();) {
       const std::size_t end = end_of_item(text_, at);
-      if (text_[at] == '"' || !belongs_to_name(text_[at]) || is_digit(text_[at])) {
+      if (text_[at] == '"' || !is_of_name(text_[at]) || is_digit(text_[at])) {
         at = text_[at] == '"' ? end : at + 1;
         continue;
       }

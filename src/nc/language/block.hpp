@@ -129,6 +129,10 @@ enum class Operation : std::uint8_t {
   bracketed,     // a variable alone in brackets: what it is worth if it was never set is not known
 };
 
+constexpr bool is_relation(Operation operation) {
+  return operation >= Operation::equal && operation <= Operation::less_equal;
+}
+
 /// One step of an expression's code, in postfix order; Operation::end closes it.
 struct Instruction {
   Operation operation = Operation::end;

@@ -37,10 +37,9 @@ void for_each_head(const InputFile& file, const Dialect& dialect, const Take& ta
 
 // The names that begin with N: those of labels, as a jump has them, among others.
 void add_labels(std::string_view text, std::set<std::string>& labels) {
-  const auto of_name = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t begin = at;
-    while (at < text.size() && of_name(text[at])) ++at;
+    while (at < text.size() && is_of_name(text[at])) ++at;
     if (at > begin && upper(text[begin]) == 'N') labels.insert(canonical_label(text.substr(begin, at - begin)));
     if (at == begin) ++at;
   }
@@ -224,10 +223,15 @@ Place LabelIndex::shown(std::size_t file, const LinePlace& place) const {
 
 // A line behind M2 that nothing leads to: no jump names its label, and no program of its own begins before it.
 std::optional<LinePlace> LabelIndex::unreached() const {
+  if (!unreached_but_by({})) return std::nullopt;  // of most programs nothing stands there, whatever jumps
   std::set<std::string> targets;
   for_each_head(files_.file(0), dialect_, [&](const LineHead& head, const Line& line) {
     if (head.word == FlowWord::begin_if || head.word == FlowWord::go_to) add_labels(line.text, targets);
   });
+  return unreached_but_by(targets);
+}
+
+std::optional<LinePlace> LabelIndex::unreached_but_by(const std::set<std::string>& targets) const {
   std::optional<LinePlace> found;
   bool ended = false;
   for_each_head(files_.file(0), dialect_, [&](const LineHead& head, const Line& line) {

@@ -88,6 +88,8 @@ class LabelIndex {
   Index& programs_of(std::size_t file);
   const Index& labels_of(std::size_t file);
   std::optional<FilePlace> find_in_open_files(const std::string& name);
+  /// See unreached(): jumps lead to these labels alone.
+  std::optional<LinePlace> unreached_but_by(const std::set<std::string>& targets) const;
 
   ProgramFiles& files_;
   const Dialect& dialect_;

@@ -282,7 +282,7 @@ void StatementFlow::call(const Block& block) {
     call.arguments.push_back({interpreter_.value_of(block, code, block.flow.span), true});
   }
   std::vector<Value> named;
-  for (const Setting& setting : block.settings) named.push_back(interpreter_.value(block, setting.value));
+  for (const Setting& setting : block.settings) named.push_back(interpreter_.value(block, setting));
   if (call.remaining < 0) refuse_flow(block, codes::kOutOfRange, "P asks for no call at all", "write P1 or more");
   call.entry = program_called(block, call.name, labels_, dialect_);
   enter(block, std::move(call), true);

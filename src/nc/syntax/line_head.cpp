@@ -7,8 +7,6 @@
 namespace plumbline::nc {
 namespace {
 
-bool is_of_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
-
 std::string upper_without_blanks(std::string_view text) { return upper(without_blanks(text)); }
 
 bool holds_comments_alone(std::string_view text) {

@@ -14,7 +14,7 @@ constexpr double kNoTurnDeg = 1e-9;
 
 // There the control takes the axes of the plane for others, one place on, and taps somewhere else [LinuxCNC, measured].
 void check_tapped_plane(const Execution& run, int code) {
-  const bool taps = code == kTapping || code == kLeftTapping;
+  const bool taps = is_tap(code);
   if (!taps || run.control.modal.plane == Plane::xy || run.settings.as_with_empty_tables) return;
   run.refuse(run.motion_code(), codes::kNotInterpreted,
              fmt::format("in G18 and G19 the control mixes up the axes of G{} and taps beside the hole", code),
@@ -36,7 +36,7 @@ bool stays_at(const Execution& run, Axis axis) {
 // The control stops in the middle of the cycle [LinuxCNC, measured].
 void check_cycle_spindle(const Execution& run, int code) {
   const int spindle = run.control.modal.switches.spindle;
-  const bool taps = code == kTapping || code == kLeftTapping;
+  const bool taps = is_tap(code);
   const int needed = code == kTapping ? kClockwise : kCounterClockwise;
   const bool turns = taps ? spindle == needed : spindle != kSpindleStands;
   if (works_spindle(code) && !turns) {

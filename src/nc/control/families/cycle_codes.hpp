@@ -17,8 +17,10 @@ enum CycleCode {
   kBoreDwell
 };
 
+inline bool is_tap(int code) { return code == kLeftTapping || code == kTapping; }
+
 inline bool works_spindle(int code) {
-  return code == kLeftTapping || code == kTapping || code == kBoreStop || code == kBackBore || code == kBoreByHand;
+  return is_tap(code) || code == kBoreStop || code == kBackBore || code == kBoreByHand;
 }
 
 }  // namespace plumbline::nc

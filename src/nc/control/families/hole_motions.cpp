@@ -26,7 +26,7 @@ void HoleMotions::go(MotionKind kind, double first, double second, double level)
 }
 
 void HoleMotions::wait() {
-  const bool taps = code_ == kTapping || code_ == kLeftTapping;
+  const bool taps = is_tap(code_);
   const bool of_osp = run_.dialect.behaviour.return_levels;  // it waits where P says so [P onCyclePoint]
   if (as_fanuc_ && (taps || of_osp) && cycle_.dwell_s <= 0) return;
   Motion motion;
@@ -41,7 +41,7 @@ void HoleMotions::at_hole() {
   feed_ = 0;
   if (code_ == kChipBreaking || code_ == kPeck) return pecks();
   if (code_ == kBackBore) return back_bore();
-  const bool taps = code_ == kTapping || code_ == kLeftTapping;
+  const bool taps = is_tap(code_);
   if (taps && !as_fanuc_ && control_.modal.plane != Plane::xy) {
     along_tap(hole_.bottom);
     wait();

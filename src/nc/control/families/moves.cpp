@@ -198,8 +198,7 @@ AxisSet shifted_after(const Execution& run, const Motion& motion) {
 
 // Rigid taps (M29, G284) turn the spindle themselves.
 bool turns_spindle(const Execution& run) {
-  const bool taps = run.motion != nullptr && run.motion->action == Action::cycle &&
-                    (run.motion->value == kTapping || run.motion->value == kLeftTapping);
+  const bool taps = run.motion != nullptr && run.motion->action == Action::cycle && is_tap(run.motion->value);
   return taps && (run.dialect.behaviour.fanuc_cycles || run.dialect.behaviour.return_levels);
 }
 

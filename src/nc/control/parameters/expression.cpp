@@ -239,8 +239,7 @@ bool Evaluator::is_rounded(const Instruction& step, const Value& result, const V
 
 // #1=#1+0.1 until it is 1: the sum depends on the digits that the control keeps.
 void Evaluator::check_digits(const Block& block, const Instruction& step, const Value& a, const Value& b) const {
-  const bool compares = step.operation >= Operation::equal && step.operation <= Operation::less_equal;
-  if (!compares || !are_doubtful(a, b)) return;
+  if (!is_relation(step.operation) || !are_doubtful(a, b)) return;
   refuse_at(block, step.span, codes::kNotInterpreted,
             fmt::format("{:.6g} and what it is compared with are the same but for the last digits: what comes out "
                         "depends on how many of them the control keeps",

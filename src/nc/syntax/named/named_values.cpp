@@ -22,8 +22,6 @@ bool is_logical(Operation operation) {
          operation == Operation::exclusive_or;
 }
 
-bool compares(Operation operation) { return operation >= Operation::equal && operation <= Operation::less_equal; }
-
 // The binding of operators. Where comparisons stand among AND and OR is refused (refuse_unclear_binding).
 int named_precedence(Operation operation) {
   switch (operation) {
@@ -66,14 +64,14 @@ std::optional<Operation> operator_at(const BlockReading& in) {
 // bracket so far.
 void refuse_unclear_binding(const BlockReading& in, Operation operation, std::optional<Operation>& joined_by) {
   const bool weak = in.syntax->relations_last;
-  if (!(in.syntax->truths_only || weak) || !(compares(operation) || is_logical(operation))) return;
-  const bool mixes = joined_by && compares(*joined_by) != compares(operation);
+  if (!(in.syntax->truths_only || weak) || !(is_relation(operation) || is_logical(operation))) return;
+  const bool mixes = joined_by && is_relation(*joined_by) != is_relation(operation);
   if (mixes && weak) {
     in.cursor.refuse(in.cursor.span(), codes::kNotInterpreted,
                      "AND, OR and XOR bind before a comparison, so that R1==1 AND R2==2 compares R1 with 1 AND R2",
                      "write brackets around each condition, as in (R1==1) AND (R2==2)");
   }
-  if (joined_by && !weak && (compares(operation) || *joined_by != operation)) {
+  if (joined_by && !weak && (is_relation(operation) || *joined_by != operation)) {
     const Span span = in.cursor.span();
     in.cursor.refuse(
         span, codes::kNotInterpreted,

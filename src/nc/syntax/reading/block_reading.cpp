@@ -91,8 +91,7 @@ ValueKind joined_kind(const BlockReading& in, Operation operation, Span span, Va
   if (joins && left == ValueKind::condition && right == ValueKind::condition) return left;
   need_number(in, left, span);
   need_number(in, right, span);
-  const bool compares = operation >= Operation::equal && operation <= Operation::less_equal;
-  return compares ? ValueKind::condition : ValueKind::number;
+  return is_relation(operation) ? ValueKind::condition : ValueKind::number;
 }
 
 }  // namespace plumbline::nc

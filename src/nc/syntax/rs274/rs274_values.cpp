@@ -37,8 +37,6 @@ int precedence(Operation operation) {
   }
 }
 
-bool is_relation(Operation operation) { return operation >= Operation::equal && operation <= Operation::less_equal; }
-
 Operation of_bits(Operation operation) {
   if (operation == Operation::logical_and) return Operation::bit_and;
   if (operation == Operation::logical_or) return Operation::bit_or;
