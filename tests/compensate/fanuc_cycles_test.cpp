@@ -9,25 +9,12 @@ using namespace plumbline;
 
 namespace {
 
-Job drilling() {
-  Job job;
-  job.dialect = "fanuc";
-  job.settings.friction = false;
-  job.program.tool_in_spindle = 1;
-  nc::Tool tool;
-  tool.number = 1;
-  tool.length_mm = 100;
-  tool.mass_kg = 1;
-  job.program.tools = nc::ToolTable({tool});
-  return job;
-}
-
 const std::string kDrillingStart = "O0001\nG21 G17 G90 G54 G94\n";
 
 }  // namespace
 
 TEST_CASE("rotary words in a drilling cycle that turn nothing are read") {
-  const Job job = drilling();
+  const Job job = fanuc_job();
   const std::regex rotary_words(" [ABC]-?[0-9.]+");
   for (const std::string cycle : {"G81", "G83 Q3.", "G82 P100", "G84", "G85", "G99 G81", "G89 P50"}) {
     for (const std::string turn : {" A0. B0. C0.", " A2. B-1.5 C4.", " A2."}) {
@@ -57,7 +44,7 @@ TEST_CASE("rotary words in a drilling cycle that turn nothing are read") {
 }
 
 TEST_CASE("rotary words in a drilling cycle that turn, or may turn, are refused") {
-  const Job job = drilling();
+  const Job job = fanuc_job();
   const std::string start = kDrillingStart + "G0 X0. Y0. Z50. A0. B0. C0.\n";
   std::size_t line = 0;
   CHECK(code_of(start + "G81 X5. Y0 Z-5. R2. F100. A1.\nM30\n", job, &line) == "nc-axes-unused");

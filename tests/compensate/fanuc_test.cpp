@@ -9,19 +9,6 @@ using namespace plumbline;
 
 namespace {
 
-Job fanuc() {
-  Job job;
-  job.dialect = "fanuc";
-  job.settings.friction = false;
-  job.program.tool_in_spindle = 1;
-  nc::Tool tool;
-  tool.number = 1;
-  tool.length_mm = 100;
-  tool.mass_kg = 1;
-  job.program.tools = nc::ToolTable({tool});
-  return job;
-}
-
 bool has(const std::string& text, const std::string& pattern) {
   return std::regex_search(text, std::regex(pattern, std::regex::multiline));
 }
@@ -40,7 +27,7 @@ AxisWords end_of(const std::string& text, const Job& job) {
 }  // namespace
 
 TEST_CASE("a rigid tap keeps its words, its blocks and its mode at every hole") {
-  const Job job = fanuc();
+  const Job job = fanuc_job();
   const std::string text =
       kHead + "M29 S500\nG99 G84 X0. Y0. Z-10. R2. Q2. F500.\nX20.\nG98 Y20. (last)\nG80\nG0 Z60.\nM30\n";
   const std::string out = run(text, job).text;
@@ -51,7 +38,7 @@ TEST_CASE("a rigid tap keeps its words, its blocks and its mode at every hole") 
 }
 
 TEST_CASE("after a cycle that became moves, the G0 that goes on is in force again") {
-  const Job job = fanuc();
+  const Job job = fanuc_job();
   for (const std::string cycle :
        {"G81 X5. Y5. Z-8. R1. F200.", "G85 X5. Y5. Z-8. R1. F200.", "G83 X5. Z-8. R1. Q3. F9."}) {
     for (const std::string behind : {"Z60.", "X9. Y9.", "M8\nY3.\nZ60."}) {
@@ -68,7 +55,7 @@ TEST_CASE("after a cycle that became moves, the G0 that goes on is in force agai
 }
 
 TEST_CASE("a stop with a message stays, at each pass of a loop") {
-  const Job job = fanuc();
+  const Job job = fanuc_job();
   const std::string text = kHead +
                            "#1=2\nWHILE[#1 GT 0]DO1\n#3006=1(TURN IT)\nG0 X[#1*10] Y5. Z5. A0. B0. C0.\n"
                            "G1 X3. F200.\n#1=#1-1\nEND1\nM30\n";
@@ -80,7 +67,7 @@ TEST_CASE("a stop with a message stays, at each pass of a loop") {
 }
 
 TEST_CASE("left-hand taps and bores that work the spindle stay one block a hole, other words in it") {
-  const Job job = fanuc();
+  const Job job = fanuc_job();
   for (const char* const cycle : {"G74", "G86", "G84"}) {
     const std::string text =
         kHead + "N5 G98 " + std::string(cycle) + " X5. Y5. Z-8. R1. P500 F200. M8\nN6 X25. M9\nG80\nG0 Z60.\nM30\n";
@@ -93,7 +80,7 @@ TEST_CASE("left-hand taps and bores that work the spindle stay one block a hole,
 }
 
 TEST_CASE("taps that cannot be shifted hole by hole are refused") {
-  const Job job = fanuc();
+  const Job job = fanuc_job();
   std::size_t line = 0;
   CHECK(code_of(kHead + "M29 S500\nG91 G84 X5. Y5. Z-8. R-40. F500.\nG80\nM30\n", job, &line) == "compensate-cycle");
   CHECK(line == 5);
@@ -102,7 +89,7 @@ TEST_CASE("taps that cannot be shifted hole by hole are refused") {
 }
 
 TEST_CASE("no word has more decimals than the control keeps, and increments end where the block does") {
-  const Job job = fanuc();
+  const Job job = fanuc_job();
   for (const char* const moves :
        {"G91 G1 X299.7 Y100.3 A5. F3000.\nG90\n", "G91 G1 X-33.333 Y66.667 Z-10.001 B-3.333 F800.\nX-1.\nG90\n",
         "G91 G2 X20. Y20. I20. J0. F500.\nG1 Z-3.\nG90\n", "G1 X1.0001 Y2.12345 F100.\n"}) {
@@ -118,7 +105,7 @@ TEST_CASE("no word has more decimals than the control keeps, and increments end 
 
 TEST_CASE("a finer or coarser increment system keeps other decimals") {
   const std::string text = kHead + "G91 G1 X20. Y10. A1. F900.\nM30\n";
-  Job job = fanuc();
+  Job job = fanuc_job();
   job.program.input_increment = 1e-4;
   job.emit.increment_ratio = 0.1;
   const std::string fine = run(text, job).text;
@@ -133,7 +120,7 @@ TEST_CASE("a finer or coarser increment system keeps other decimals") {
 }
 
 TEST_CASE("in inches four decimals are kept, of cycles written out and of offsets alike") {
-  Job job = fanuc();
+  Job job = fanuc_job();
   const std::string text =
       "O0001\nG21 G17 G90 G54 G94\nG0 X0. Y0. Z50. A0. B0. C0.\nG20\nG1 X1. Y.5 F100.\n"
       "G83 X.5 Y.25 Z-.4 R.1 Q.15 F20.\nX1.\nG80\nG92 X0 Y0\nG1 X.3 F10.\nM30\n";
@@ -144,7 +131,7 @@ TEST_CASE("in inches four decimals are kept, of cycles written out and of offset
 }
 
 TEST_CASE("whole numbers have no point, and no number more than eight digits") {
-  const Job job = fanuc();
+  const Job job = fanuc_job();
   const std::string text = kHead + "#2=1000\n#3=3\n#5=1.5\nG#5 X5. F[100/3]\nM98 P7\nM30\n";
   CHECK(code_of(text, job) == "nc-unknown-code");
   const std::string called = kHead +
@@ -161,7 +148,7 @@ TEST_CASE("whole numbers have no point, and no number more than eight digits") {
 }
 
 TEST_CASE("under G43.4 a block that turns alone is refused unless its time is known") {
-  Job job = fanuc();
+  Job job = fanuc_job();
   const std::string start = kHead + "G43.4 H1 Z50.\n";
   std::size_t line = 0;
   CHECK(code_of(start + "G1 A5. B3. F500.\nM30\n", job, &line) == "emit-feed-rule");
@@ -176,7 +163,7 @@ TEST_CASE("under G43.4 a block that turns alone is refused unless its time is kn
 }
 
 TEST_CASE("the speed of the tip is kept where it moves and turns under G43.4") {
-  Job job = fanuc();
+  Job job = fanuc_job();
   const std::string text = kHead + "G43.4 H1 Z50.\nG1 X40. A8. F500.\nX40.5 B-5.\nG3 X0.5 Y0. I-20. J0. A0.\nM30\n";
   const Result result = run(text, job);
   INFO(result.text);
@@ -184,7 +171,7 @@ TEST_CASE("the speed of the tip is kept where it moves and turns under G43.4") {
 }
 
 TEST_CASE("M5, M9 and M19 stand after the last piece, codes of the builder beside a cut are refused") {
-  Job job = fanuc();
+  Job job = fanuc_job();
   job.program.passed_m_codes = {88, 51};
   const std::string out = run(kHead + "G1 X40. Y10. Z0. F500. M3 M8\nX0. Y0. M5 M9\nX5. M19\nM30\n", job).text;
   INFO(out);
@@ -200,7 +187,7 @@ TEST_CASE("M5, M9 and M19 stand after the last piece, codes of the builder besid
 }
 
 TEST_CASE("a code of the builder beside an arc, a move in a subprogram or a loop is refused where that is cut up") {
-  Job job = fanuc();
+  Job job = fanuc_job();
   job.program.passed_m_codes = {88, 121, 200};
   CHECK(code_of(kHead + "G2 X10. Y0. I5. J0. F300. M121\nM30\n", job) == "emit-m-code");
   CHECK(code_of(kHead + "M98 P2\nM30\nO2\nG1 X9. F300. M88\nM99\n", job) == "emit-m-code");
@@ -210,7 +197,7 @@ TEST_CASE("a code of the builder beside an arc, a move in a subprogram or a loop
 }
 
 TEST_CASE("F of an arc under G93 is feed over radius") {
-  Job job = fanuc();
+  Job job = fanuc_job();
   for (const auto& [arc, minutes] : {std::pair<std::string, double>{"G3 X-10. Y0. I-10. J0. F2.", std::acos(-1.0) / 2},
                                      {"G2 I-5. J0. F10.", 2 * std::acos(-1.0) / 10},
                                      {"G3 X0. Y10. R10. Z-5. F4.", std::acos(-1.0) / 2 / 4},
@@ -232,7 +219,7 @@ TEST_CASE("F of an arc beside which another axis moves is the speed along its ci
                                      {"G91 G19 G2 Y10. Z10. R10. X6. F100.", pi / 2 * 10 / 100},
                                      {"G3 X0. Y10. R10. A5. F300.", pi / 2 * 10 / 300},
                                      {"G3 X0. Y10. R10. F300.", pi / 2 * 10 / 300}}) {
-    const Job job = fanuc();
+    const Job job = fanuc_job();
     const std::string text = head + arc + "\nM30\n";
     INFO(text);
     const Result result = run(text, job);
@@ -242,7 +229,7 @@ TEST_CASE("F of an arc beside which another axis moves is the speed along its ci
 }
 
 TEST_CASE("where the control says so, F of a helix is the speed along its path") {
-  Job job = fanuc();
+  Job job = fanuc_job();
   const double circle = 2 * std::acos(-1.0) * 10;
   const std::string text = "O0001\nG21 G17 G90 G54 G94\nG0 X10. Y0. Z0. A0. B0. C0.\nG3 X10. I-10. Z-20. F600.\nM30\n";
   job.program.helix_feed_along_circle = false;
@@ -256,7 +243,7 @@ TEST_CASE("where the control says so, F of a helix is the speed along its path")
 }
 
 TEST_CASE("a speed that is worked out is rounded, as the control does") {
-  const Job job = fanuc();
+  const Job job = fanuc_job();
   const std::string text = kHead + "#1=1\nWHILE[#1 LE 3]DO1\nS[#1*100.4] M3\nG1 X#1 F100.\n#1=#1+1\nEND1\nM30\n";
   const std::string out = run(text, job).text;
   INFO(out);
@@ -264,7 +251,7 @@ TEST_CASE("a speed that is worked out is rounded, as the control does") {
 }
 
 TEST_CASE("a tap that begins on R and goes back to where it began is refused where the correction parts the two") {
-  const Job job = fanuc();
+  const Job job = fanuc_job();
   const std::string before = kHead + "G99 G82 X10. Y0. Z-4. R2. P200 F100.\nX12.\nG80\n";
   CHECK(code_of(before + "G98 G84 X10. Z-4. R2. F100.\nG80\nM30\n", job) == "compensate-cycle");
   CHECK(code_of(before + "G98 G86 X10. Z-4. R2. F100.\nG80\nM30\n", job) == "compensate-cycle");
@@ -274,7 +261,7 @@ TEST_CASE("a tap that begins on R and goes back to where it began is refused whe
 }
 
 TEST_CASE("M codes that wait for a move are refused beside a cycle that is written out") {
-  const Job job = fanuc();
+  const Job job = fanuc_job();
   for (const char* const code : {"M9", "M5", "M19", "M0", "M30"}) {
     CHECK(code_of(kHead + "G81 X5. Y5. Z-8. R1. F200. " + code + "\nG80\nM30\n", job) == "emit-m-code");
   }
@@ -285,7 +272,7 @@ TEST_CASE("M codes that wait for a move are refused beside a cycle that is writt
 }
 
 TEST_CASE("after a change of tools beside a move nobody knows where the axes stand") {
-  Job job = fanuc();
+  Job job = fanuc_job();
   CHECK(code_of(kHead + "T1\nX5. M6\nG1 X9. F100.\nM30\n", job) == "compensate-position-unknown");
   CHECK(code_of(kHead + "G1 X9. F100. T1 M6\nY9.\nM30\n", job) == "compensate-position-unknown");
   const std::string out = run(kHead + "T1\nX5. Y5. M6\nG0 X9.\nM30\n", job).text;
@@ -295,7 +282,7 @@ TEST_CASE("after a change of tools beside a move nobody knows where the axes sta
 }
 
 TEST_CASE("in inches a degree counts as an inch, and a turn alone in degrees a minute") {
-  Job job = fanuc();
+  Job job = fanuc_job();
   for (const auto& [move, minutes] : {std::pair<std::string, double>{"G1 A5. F10.", 0.5},
                                       {"G1 X3. A4. F10.", 0.5},
                                       {"G1 X.3 B-.4 F1.", 0.5},
@@ -310,7 +297,7 @@ TEST_CASE("in inches a degree counts as an inch, and a turn alone in degrees a m
 }
 
 TEST_CASE("increments that were cut into pieces end where the program said") {
-  const Job job = fanuc();
+  const Job job = fanuc_job();
   const std::string text = kHead + "G91 G1 X99.7 Y33.3 A1. F3000.\nX-99.7 Y-33.3 A-1.\nG90 G53 G0 Z0.\nM30\n";
   const AxisWords original = end_of(text, job);
   const AxisWords end = end_of(run(text, job).text, job);
@@ -321,7 +308,7 @@ TEST_CASE("F under G93 that the control does not take is named as such, not as t
   for (const std::string move : {"G93 G1 X10. A1. F60000.", "G93\nG1 A.5 F10000.", "G93 G2 X10. I5. F123456."}) {
     INFO(move);
     try {
-      run(kHead + move + "\nM30\n", fanuc());
+      run(kHead + move + "\nM30\n", fanuc_job());
       FAIL("it was taken");
     } catch (const Refusal& refusal) {
       CHECK(refusal.diagnostic().code == "emit-feed-range");
@@ -329,11 +316,11 @@ TEST_CASE("F under G93 that the control does not take is named as such, not as t
       CHECK(refusal.diagnostic().help.find("G94") != std::string::npos);
     }
   }
-  CHECK(code_of(kHead + "G93 G1 X.001 F9999.999\nM30\n", fanuc()).empty());
+  CHECK(code_of(kHead + "G93 G1 X.001 F9999.999\nM30\n", fanuc_job()).empty());
 }
 
 TEST_CASE("an F that has too few digits for the time of a slow turn is refused") {
-  Job job = fanuc();
+  Job job = fanuc_job();
   job.program.feed_rule = nc::FeedRule::xyz_first;
   const std::string begin = kHead + "G0 X-5.8 Y-9.844 Z12.834 A.94 B-4.9 C-3.704\nG1 C5.868 F";
   CHECK(code_of(begin + ".001\nM30\n", job) == "emit-feed-range");
@@ -341,7 +328,7 @@ TEST_CASE("an F that has too few digits for the time of a slow turn is refused")
 }
 
 TEST_CASE("a cycle that waits is not written out where nobody knows what G4 counts") {
-  const Job job = fanuc();
+  const Job job = fanuc_job();
   const std::string turning = kHead + "S1000 M3\n";
   for (const std::string cycle :
        {"G95 G82 X5. Y5. Z-8. R1. P200 F.2", "G95 G89 X5. Z-8. R1. P50 F.1", "G95 F.1\nG82 X5. Z-8. R1. P100"}) {
@@ -353,7 +340,7 @@ TEST_CASE("a cycle that waits is not written out where nobody knows what G4 coun
 }
 
 TEST_CASE("a statement behind / that is executed, before anything else stands in the output, is no line of it") {
-  Job job = fanuc();
+  Job job = fanuc_job();
   job.program.block_delete = false;
   job.program.start.fill(0);
   const std::string cut = "G90 G54 G1 X2. F100.\n";
@@ -368,7 +355,7 @@ TEST_CASE("a statement behind / that is executed, before anything else stands in
 }
 
 TEST_CASE("a hole whose P some controls wait for and others do not stays a cycle") {
-  const Job job = fanuc();
+  const Job job = fanuc_job();
   for (const std::string cycle : {"G81 X5. Y5. Z-8. R1. P500 F200.", "G83 X5. Y5. Z-8. R1. Q3. P500 F200.",
                                   "G73 X5. Y5. Z-8. R1. Q3. P500 F200.", "G85 X5. Y5. Z-8. R1. P500 F200."}) {
     const std::string out = run(kHead + cycle + "\nX9.\nG80\nM30\n", job).text;

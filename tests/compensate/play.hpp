@@ -51,6 +51,20 @@ inline Job job_of_control(const std::string& dialect) {
   return job;
 }
 
+/// For a Fanuc, without friction, tool 1 in the spindle: 100 mm long.
+inline Job fanuc_job() {
+  Job job;
+  job.dialect = "fanuc";
+  job.settings.friction = false;
+  job.program.tool_in_spindle = 1;
+  nc::Tool tool;
+  tool.number = 1;
+  tool.length_mm = 100;
+  tool.mass_kg = 1;
+  job.program.tools = nc::ToolTable({tool});
+  return job;
+}
+
 inline compensate::ProgramSurvey surveyed(const InputFile& source, const Job& job) {
   const nc::Dialect& dialect = nc::dialect(job.dialect);
   return {dialect, nc::named_axes(source, dialect)};

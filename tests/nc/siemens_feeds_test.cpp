@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "nc/programs.hpp"
+#include "nc/siemens_cases.hpp"
 
 using namespace plumbline;
 using namespace plumbline::nc;
@@ -13,30 +13,14 @@ using namespace plumbline::nc::tests;
 
 namespace {
 
-// The code that refuses the program, or the feed of its last cut, mm/min.
-std::string feed_read(const std::string& lines) {
-  const ProgramFile program("G54 G17 G90 G94 G710\nG0 X0 Y0 Z50 A0 B0 C0 S1000 M3 F500\n" + lines);
-  const InputFile file(program.path());
-  ProgramSettings settings = empty_tables();
-  settings.work_offsets[0] = WorkOffset{};
-  try {
-    Program blocks(file, dialect("siemens"), settings);
-    double feed = 0;
-    while (const Step* step = blocks.next()) {
-      for (const Motion& motion : step->motions) feed = motion.feed > 0 ? motion.feed : feed;
-    }
-    return fmt::format("F{:g}", feed);
-  } catch (const Refusal& refusal) {
-    CHECK_FALSE(refusal.diagnostic().help.empty());
-    return refusal.diagnostic().code;
-  }
+std::string last_feed(const std::vector<Motion>& motions) {
+  double feed = 0;
+  for (const Motion& motion : motions) feed = motion.feed > 0 ? motion.feed : feed;
+  return fmt::format("F{:g}", feed);
 }
 
 void check_feeds(const std::string& expected, const std::vector<std::string>& programs) {
-  for (const std::string& lines : programs) {
-    INFO(lines);
-    CHECK(feed_read(lines) == expected);
-  }
+  check_siemens("G54 G17 G90 G94 G710\nG0 X0 Y0 Z50 A0 B0 C0 S1000 M3 F500\n", last_feed, expected, programs);
 }
 
 const std::string kReam = "CYCLE85(60,0,2,-5,,0,80,160)\n", kTap = "CYCLE84(60,0,2,-5,,0,3,,1,0,300,600)\n",

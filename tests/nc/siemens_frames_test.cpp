@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "nc/programs.hpp"
+#include "nc/siemens_cases.hpp"
 
 using namespace plumbline;
 using namespace plumbline::nc;
@@ -16,30 +16,13 @@ namespace {
 
 double rounded_place(double mm) { return std::round(mm * 1e6) / 1e6; }
 
-// The code that refuses the program, or where the machine stands at its end.
-std::string place_read(const std::string& lines) {
-  const ProgramFile program("G54 G17 G90 G94 G710\nG0 X0 Y0 Z50 A0 B0 C0\n" + lines);
-  const InputFile file(program.path());
-  ProgramSettings settings = empty_tables();
-  settings.work_offsets[0] = WorkOffset{};
-  try {
-    Program blocks(file, dialect("siemens"), settings);
-    Motion last;
-    while (const Step* step = blocks.next()) {
-      for (const Motion& motion : step->motions) last = motion;
-    }
-    return fmt::format("X{:g} Y{:g}", rounded_place(last.machine[Axis::X]), rounded_place(last.machine[Axis::Y]));
-  } catch (const Refusal& refusal) {
-    CHECK_FALSE(refusal.diagnostic().help.empty());
-    return refusal.diagnostic().code;
-  }
+std::string place_at_end(const std::vector<Motion>& motions) {
+  const AxisWords place = motions.empty() ? AxisWords{} : motions.back().machine;
+  return fmt::format("X{:g} Y{:g}", rounded_place(place[Axis::X]), rounded_place(place[Axis::Y]));
 }
 
 void check_places(const std::string& expected, const std::vector<std::string>& programs) {
-  for (const std::string& lines : programs) {
-    INFO(lines);
-    CHECK(place_read(lines) == expected);
-  }
+  check_siemens("G54 G17 G90 G94 G710\nG0 X0 Y0 Z50 A0 B0 C0\n", place_at_end, expected, programs);
 }
 
 }  // namespace

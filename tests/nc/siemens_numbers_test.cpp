@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "nc/programs.hpp"
+#include "nc/siemens_cases.hpp"
 
 using namespace plumbline;
 using namespace plumbline::nc;
@@ -13,30 +13,12 @@ using namespace plumbline::nc::tests;
 
 namespace {
 
-// The code that refuses the program, or where X stands at its end.
-std::string number_read(const std::string& lines) {
-  const ProgramFile program("G54 G17 G90 G94 G710\nG0 X0 Y0 Z50 A0 B0 C0\n" + lines);
-  const InputFile file(program.path());
-  ProgramSettings settings = empty_tables();
-  settings.work_offsets[0] = WorkOffset{};
-  try {
-    Program blocks(file, dialect("siemens"), settings);
-    double x = 0;
-    while (const Step* step = blocks.next()) {
-      for (const Motion& motion : step->motions) x = motion.to[Axis::X];
-    }
-    return fmt::format("X{:g}", x);
-  } catch (const Refusal& refusal) {
-    CHECK_FALSE(refusal.diagnostic().help.empty());
-    return refusal.diagnostic().code;
-  }
+std::string x_at_end(const std::vector<Motion>& motions) {
+  return fmt::format("X{:g}", motions.empty() ? 0 : motions.back().to[Axis::X]);
 }
 
 void check_numbers(const std::string& expected, const std::vector<std::string>& programs) {
-  for (const std::string& lines : programs) {
-    INFO(lines);
-    CHECK(number_read(lines) == expected);
-  }
+  check_siemens("G54 G17 G90 G94 G710\nG0 X0 Y0 Z50 A0 B0 C0\n", x_at_end, expected, programs);
 }
 
 }  // namespace
