@@ -84,7 +84,7 @@ TEST_CASE("R parameters that a program sets have their last values where it is w
     CHECK(text.find("R1=3\n") != std::string::npos);
     CHECK(text.ends_with("M30\n"));
   }
-  CHECK(run(head + "DEF REAL DEPTH=2\n" + loop + "DEPTH=3\nM30\n", job).text.find("DEPTH") == std::string::npos);
+  CHECK(run("DEF REAL DEPTH=2\n" + head + loop + "DEPTH=3\nM30\n", job).text.find("DEPTH") == std::string::npos);
   job.program.variables = {{0, 3.0}};
   CHECK(code_of(head + loop + "R0=R0+1\nM30\n", job) == "compensate-flow");
 }
@@ -92,7 +92,7 @@ TEST_CASE("R parameters that a program sets have their last values where it is w
 // What FOR leaves in its variable was found in no source.
 TEST_CASE("what FOR counted is left by a FOR where the program is written out") {
   const Job job = job_of_control("siemens");
-  const std::string head = "G17 G71 G90 G94\nG0 X0 Y0 Z5 A0 B0 C0\n";
+  const std::string head = "DEF INT NUM\nG17 G71 G90 G94\nG0 X0 Y0 Z5 A0 B0 C0\n";
   const std::string loop = "FOR R1=1 TO 2\nG1 X=R1*5 F200\nENDFOR\n";
   for (const auto& [program, end] :
        {std::pair<std::string, std::string>{loop + "R2=4\n", "FOR R1=2 TO 2\nENDFOR\nR2=4\n"},
@@ -101,7 +101,7 @@ TEST_CASE("what FOR counted is left by a FOR where the program is written out") 
         {"FOR R3=1 TO 2\n" + loop + "ENDFOR\n", "\nFOR R1=2 TO 2\nENDFOR\nFOR R3=2 TO 2\nENDFOR\n"},
         {loop + "FOR R1=5 TO 4\nENDFOR\n", "\nR1=5\n"},
         {"FOR R1=1 TO 9\nG1 X=R1*5 F200\nIF R1==2 GOTOF NEXT\nENDFOR\nNEXT:\n", "\nR1=2\n"},
-        {"DEF INT NUM\nFOR NUM=1 TO 2\nG1 X=NUM F200\nENDFOR\nR9=1\n", "\nR9=1\n"}}) {
+        {"FOR NUM=1 TO 2\nG1 X=NUM F200\nENDFOR\nR9=1\n", "\nR9=1\n"}}) {
     INFO(program);
     CHECK(run(head + program + "M30\n", job).text.ends_with(end + "M30\n"));
     CHECK(run(head + program, job).text.ends_with(end));

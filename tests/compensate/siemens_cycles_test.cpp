@@ -23,7 +23,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
   return count;
 }
 
-const std::string kDrillStart = "G54 G17 G710 G90 G94 F300\nS800 M3\nG0 X0 Y0 Z20 A0 B0 C0\n";
+const std::string kDrillStart = "DEF INT HOLE\nG54 G17 G710 G90 G94 F300\nS800 M3\nG0 X0 Y0 Z20 A0 B0 C0\n";
 
 }  // namespace
 
@@ -35,7 +35,7 @@ TEST_CASE("drilling cycles of a SINUMERIK become moves, and what calls them afte
        {"MCALL CYCLE81(10,0,2,-8)\nX10 Y5\nX20\nMCALL\nG1 X0 F400\n",
         "R1=2\nMCALL CYCLE82(R1*5,0,R1,,7,0.5)\nN50 G1 X10 Y5 F500 ; first\nG91 X3\nMCALL\nG90 Y1\n",
         "X5 Y5\nN9 CYCLE89(12,0,1,-4,,1)\nMCALL CYCLE81(9,0,1,-2)\nG0 X7\nMCALL CYCLE81(9,0,1,-3)\nX8\nMCALL\n",
-        "DEF INT HOLE\nMCALL CYCLE81(10,0,2,-8)\nFOR HOLE=1 TO 3\nX=HOLE*4 Y=HOLE\nENDFOR\nMCALL\nG1 X1\n"}) {
+        "MCALL CYCLE81(10,0,2,-8)\nFOR HOLE=1 TO 3\nX=HOLE*4 Y=HOLE\nENDFOR\nMCALL\nG1 X1\n"}) {
     const std::string whole = kDrillStart + part + "G0 Z30\nM30\n";
     INFO(whole);
     const Result result = run(whole, job);

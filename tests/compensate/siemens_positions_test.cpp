@@ -53,7 +53,7 @@ TEST_CASE("positions under G91 begin after a turn, and stay positions where a cy
         {"ROT Z30\nG1 X=AC(10) Y=AC(2)\n", "G1 X0.9091 Y0.1818"},
         {"TRANS X10\nG91\nMCALL CYCLE81(10,0,2,-5)\nX=AC(20) Y=AC(0)\nX=AC(21)\nMCALL\n", "G0 X=AC(20.999)"},
         {"TRANS X10\nG91\nMCALL CYCLE84(10,0,2,-5,,1,5,,2,0,500,500)\nX=AC(20)\nMCALL\nX1\n", "G0X=AC(19.999)"},
-        {"M0\nG91\nMCALL CYCLE83(10,0,2,-5,,-2)\nX=AC(20) Y=AC(0) A=AC(0) B=AC(0) C=AC(0)\nX=AC(21)\nMCALL\n",
+        {"M0\nG91\nMCALL CYCLE83(10,0,2,-5,,-2,,,,,1)\nX=AC(20) Y=AC(0) A=AC(0) B=AC(0) C=AC(0)\nX=AC(21)\nMCALL\n",
          "G0 X=AC(20.999)"},
         {"G91\nMCALL CYCLE82(10,0,2,-5,,1)\nX20 Z=AC(12)\nMCALL\n", "Z=AC(2.0"},
         {"G91\nX1\nCYCLE81(10,0,2,-5)\nX1\n", "Z=AC(2.0"}}) {

@@ -24,7 +24,7 @@ void check_feeds(const std::string& expected, const std::vector<std::string>& pr
 }
 
 const std::string kReam = "CYCLE85(60,0,2,-5,,0,80,160)\n", kTap = "CYCLE84(60,0,2,-5,,0,3,,1,0,300,600)\n",
-                  kShared = "CYCLE83(60,0,2,-5,,-9,,0,0,0,0.5,1)\n", kFloating = "CYCLE840(60,0,2,-5,,0,0,3,1,0,1.5)\n";
+                  kShared = "CYCLE83(60,0,2,-5,,-9,,0,0,0,0.5,1)\n", kFloating = "CYCLE840(60,0,2,-5,,0,0,3,0,0,1.5)\n";
 
 }  // namespace
 
@@ -36,7 +36,7 @@ TEST_CASE("after a cycle with feeds of its own a cut needs an F") {
                        kFloating + "X3\nG1 F200 Y5\n", kReam + "F200\nCYCLE81(60,0,2,-5)\n",
                        "MCALL " + kTap + "X10\nX20\nMCALL\nG1 X20 F200\n"});
   check_feeds("F500", {"CYCLE81(60,0,2,-5)\nG1 X10\n", "CYCLE85(60,0,2,-5,,0,500,500)\nG1 X10\n",
-                       "CYCLE83(60,0,2,-5,,-2,,0,0,0,0.5,1)\nG1 X10\n", "CYCLE840(60,0,2,-5)\nG1 X10\n",
+                       "CYCLE83(60,0,2,-5,,-2,,0,0,0,0.5,1)\nG1 X10\n", "CYCLE840(60,0,2,-5,,0,0,3,1)\nG1 X10\n",
                        "MCALL CYCLE83(60,0,2,-5,,-2,,0,0,0,0.5,1)\nX10\nX20\nMCALL\nG1 X10\n"});
   check_feeds("F500",
               {"MCALL CYCLE83(50,0,1,-30,,,5,90,0,0.6,90,0,0,3,1.4,0,1.4,0,1,11221112)\nX5\nX10\nMCALL\nG1 X20\n",
@@ -59,4 +59,32 @@ TEST_CASE("values of cycles that no source covers") {
                "CYCLE83(60,0,2,-20,,-4,,-1.5,0,0,1,1)\n", "CYCLE83(60,0,2,-20,,-4,,-100,0,0,1,1)\n"});
   check_feeds("F500", {"CYCLE83(60,0,2,-20,,-4,,-0.5,0,0,1,1)\n", "CYCLE83(60,0,2,-20,,-40,,0,0,0,1,1)\n",
                        "CYCLE83(60,0,2,-20,,-4,,2,0,0,1,1)\n"});
+}
+
+TEST_CASE("feeds and depths of cycles that are left out or 0") {
+  check_feeds("nc-not-interpreted", {"CYCLE85(60,0,2,-5)\n", "CYCLE85(60,0,2,-5,,0,0,160)\n",
+                                     "CYCLE85(60,0,2,-5,,1,80)\n", "MCALL CYCLE85(60,0,2,-5,,0,80,0)\nX5\n",
+                                     "CYCLE83(60,0,2,-20,,-4)\n", "CYCLE83(60,0,2,-20,,,4,,0,0,0,1)\n",
+                                     "CYCLE83(60,0,2,-20,,,,,0,0,1,1)\n", "CYCLE83(60,0,2,-20,,0,0,2,0,0,1,1)\n"});
+  check_feeds("F500", {"CYCLE83(60,0,2,-20,,-4,,,,,1)\n", "CYCLE83(60,0,2,-20,,,4,,,,1,1)\n"});
+}
+
+// [X p. 2-86]
+TEST_CASE("a floating tap has its feed from its pitch, or from F where no encoder counts") {
+  check_feeds("nc-not-interpreted", {"CYCLE840(60,0,2,-5)\n", "CYCLE840(60,0,2,-5,,0,4,3)\n",
+                                     "CYCLE840(60,0,2,-5,,0,4,3,1,,1.5)\n", "CYCLE840(60,0,2,-5,,0,0,3,11,8)\n"});
+  check_feeds("nc-feed-missing", {"G95\nCYCLE840(60,0,2,-5,,0,0,3,1)\n"});
+  check_feeds("F500", {"CYCLE840(60,0,2,-5,,0,4,3,1)\n", "CYCLE840(60,0,2,-5,,0,0,3,1,3)\n",
+                       "CYCLE840(60,0,2,-5,,0,4,3,0,,0.5)\n", "F300\nCYCLE840(60,0,2,-5,,0,0,,0,3)\n"});
+  check_feeds("F0.5", {"G95 F0.5\nCYCLE840(60,0,2,-5,,0,4,3,1,,0.5)\n"});
+}
+
+TEST_CASE("a tap leaves the spindle as SDAC says") {
+  check_feeds("nc-feed-missing", {"G1\nCYCLE84(60,0,2,-5,,0,,,1,0,300)\nG95 F0.1 S300 X10\n",
+                                  "G1\nCYCLE84(60,0,2,-5,,0,0,,1,0,300)\nG95 F0.1 S300 X10\n",
+                                  "G1\nCYCLE840(60,0,2,-5,,0,4,,0,,1)\nG95 F0.1 X10\n",
+                                  "G1\nCYCLE840(60,0,2,-5,,0,3,5,0,,1)\nG95 F0.1 X10\n"});
+  check_feeds("F0.1", {"G1\nCYCLE84(60,0,2,-5,,0,3,,1,0,300)\nG95 F0.1 S300 X10\n",
+                       "G1\nCYCLE840(60,0,2,-5,,0,0,,0,,1)\nG95 F0.1 X10\n",
+                       "G1\nCYCLE84(60,0,2,-5,,0,,,1,0,300)\nM3 G95 F0.1 S300 X10\n"});
 }

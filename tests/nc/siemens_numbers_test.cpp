@@ -65,8 +65,7 @@ TEST_CASE("a name is declared once") {
                                   "DEF INT COUNT=1\nDEF REAL count=2\n",
                                   "SUB(3)\nM30\n%_N_SUB_SPF\nPROC SUB(REAL TIMES)\nDEF REAL TIMES\nX=TIMES\nRET\n"});
   check_numbers("X3", {"DEF REAL WIDTH=1\nSUB\nX=WIDTH+2\nM30\n%_N_SUB_SPF\nDEF REAL WIDTH=9\nX=WIDTH\nRET\n",
-                       "SUB P3\nM30\n%_N_SUB_SPF\nDEF REAL WIDTH=3\nX=WIDTH\nRET\n",
-                       "AGAIN:\nDEF REAL WIDTH=3\nR1=R1+1\nX=WIDTH\nIF R1<3 GOTOB AGAIN\n"});
+                       "SUB P3\nM30\n%_N_SUB_SPF\nDEF REAL WIDTH=3\nX=WIDTH\nRET\n"});
 }
 
 TEST_CASE("values behind addresses are of all but N, G and L") {

@@ -146,7 +146,7 @@ TEST_CASE("what is set in the block of a statement is not lost") {
   check_all("nc-flow-control",
             {"R2=5 IF R1==0\nX1\nENDIF\n", "R2=5 GOTOF AA\nAA: X1\n", "R2=5 FOR R1=1 TO 2\nX=R1\nENDFOR\n",
              "R2=5 WHILE R1<2\nR1=R1+1\nENDWHILE\n", "IF R1==0\nX1\nR2=5 ELSE\nX2\nENDIF\n", "AA: X1\nR2=5 REPEAT AA\n",
-             "R2=5 CASE R1 OF 0 GOTOF AA\nAA: X1\n", "R2=5 DEF REAL CC=3\nX=CC\n"});
+             "R2=5 CASE R1 OF 0 GOTOF AA\nAA: X1\n", "R2=5 DEF REAL CC=3\n"});
   check_all("nc-flow-open", {"REPEAT\nR1=R1+1\nR2=7 UNTIL R1>2\n", "IF R1==0\nX1\nR2=5 ENDIF\n",
                              "LOOP\nX1\nGOTOF AA\nR2=5 ENDLOOP\nAA: X2\n"});
 }
@@ -216,10 +216,10 @@ TEST_CASE("a feed per revolution needs a spindle that turns") {
             {"M5\nG95 F0.1 X10\n", "G95 F0.1 X10\nM5\nX20\n", "SPOS=0\nG95 F0.1 X10\n",
              "M19\nG97 F0.1\nG2 X10 Y0 I5 J0\n", "SPOSA=DC(90)\nG95 F0.1 X10\n", "M70\nG95 F0.1\nCYCLE81(60,0,2,-5)\n",
              "M1=5\nG95 F0.1 X10\n", "CYCLE86(60,0,2,-5,,1,3,0,0,0,0)\nG95 F0.1 X10\n",
-             "CYCLE84(60,0,2,-5,,,5,,1,,300,600)\nG95 F0.1 X10\n", "CYCLE840(60,0,2,-5,,,4,5,1,,1.5)\nG95 F0.1 X10\n"});
+             "CYCLE84(60,0,2,-5,,,5,,1,,300,600)\nG95 F0.1 X10\n", "CYCLE840(60,0,2,-5,,,4,5,0,,1.5)\nG95 F0.1 X10\n"});
   check_all("", {"CYCLE86(60,0,2,-5,,1,3,0,0,0,0)\nG95 F0.1 M3 X10\n",
                  "M5\nCYCLE84(60,0,2,-5,,,3,,1,,300,600)\nG95 F0.1 S300 X10\n",
-                 "CYCLE840(60,0,2,-5,,,4,3,1,,1.5)\nG95 F0.1 X10\n", "CYCLE85(60,0,2,-5,,1,80,160)\nG95 F0.1 X10\n"});
+                 "CYCLE840(60,0,2,-5,,,4,3,0,,1.5)\nG95 F0.1 X10\n", "CYCLE85(60,0,2,-5,,1,80,160)\nG95 F0.1 X10\n"});
   check_all("", {"G95 F0.1\nM5\nM4\nX10\n", "M5\nG0 X10\n", "SPOS=90\nM3\nG95 F0.1 X10\n", "M5\nG94 F100 X10\n",
                  "SPOS=90\nG95 F0.1\nM1=3 X10\n"});
 }

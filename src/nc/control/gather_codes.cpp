@@ -33,7 +33,17 @@ constexpr double kLargestValue = 1e9;  // so that sums of them can be written wi
              std::move(help));
 }
 
+// G1.0, M3.: of controls but LinuxCNC's none is known to read them, and no post writes them.
+void check_no_point(const Execution& run, const Word& word) {
+  const bool needless = word.expression == kLiteral && word.point && word.value == std::round(word.value);
+  if (!needless || run.dialect.syntax.statements == Statements::o_words) return;
+  run.refuse(word, codes::kNotWhole,
+             fmt::format("{} has a point, and the number of a code is written without one", run.text_of(word)),
+             fmt::format("write {}{:.0f}", word.letter, word.value));
+}
+
 const CodeRow* g_row(const Execution& run, const Word& word) {
+  check_no_point(run, word);
   const double times_ten = word.value * 10;
   const double whole = std::round(times_ten);
   const CodeRow* row = nullptr;
@@ -55,6 +65,7 @@ const CodeRow* g_row(const Execution& run, const Word& word) {
 }
 
 const CodeRow* m_row(const Execution& run, const Word& word) {
+  check_no_point(run, word);
   const int code = whole_number(*run.block, word.span, word.value, "an M code");
   const CodeRow* row = code < 0 || code > 1000 ? nullptr : run.dialect.m_code(code * 10);
   if (row != nullptr && row->action != Action::refused) return row;

@@ -82,9 +82,10 @@ bool StatementFlow::next(Line& line) {
       go_on(*there);
       continue;
     }
-    if (reading_ == Reading::head) {
+    if (reading_ == Reading::head || !definitions_.closed()) {
       const LineHead head = head_of(line.text, dialect_);
       if (!head.empty && head.program.empty()) reading_ = Reading::body;
+      definitions_.note(head, line.place.line);
     }
     return true;
   }
@@ -100,9 +101,11 @@ bool StatementFlow::take(const Block& block) {
   switch (block.flow.word) {
     case FlowWord::program:
     case FlowWord::sub:
+      definitions_.check(block);
       head(block);
       return true;
     case FlowWord::define:
+      definitions_.check(block);
       interpreter_.assign(block);
       return true;
     case FlowWord::choose:
@@ -329,6 +332,7 @@ void StatementFlow::begin_call() {
   files_.go_to(calls_.top().entry);
   if (files_.in_program()) begun_.insert(calls_.top().entry.line.line);
   reading_ = Reading::head;
+  definitions_.begin();
   entry_ = calls_.entry(files_);
 }
 
@@ -386,6 +390,7 @@ void StatementFlow::leave(const Block& block) {
   calls_.pop();
   loops_.leave_call();
   reading_ = Reading::body;
+  definitions_.close();
 }
 
 }  // namespace plumbline::nc

@@ -11,6 +11,7 @@
 #include "nc/control/interpreter.hpp"
 #include "nc/language/dialect.hpp"
 #include "nc/sequence/call_stack.hpp"
+#include "nc/sequence/definitions.hpp"
 #include "nc/sequence/label_index.hpp"
 #include "nc/sequence/program_files.hpp"
 #include "nc/sequence/repeated_sections.hpp"
@@ -64,6 +65,7 @@ class StatementFlow : public Sequencer {
   RepeatedSections sections_;
   std::set<std::size_t> begun_;  // the lines of the program's file in which it and its subprograms begin
   Reading reading_ = Reading::head;
+  Definitions definitions_;
 };
 
 }  // namespace plumbline::nc

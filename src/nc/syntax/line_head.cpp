@@ -141,6 +141,7 @@ class HeadReader {
       blanks();
       name = identifier();
     }
+    head_.bare = name.empty() && (at_end() || line_[at_] == ';');
     const NameMeaning* const meaning = dialect_.meaning(name);
     if (meaning == nullptr || meaning->kind != NameMeaning::Kind::keyword) return;
     head_.word = static_cast<FlowWord>(meaning->which);

@@ -54,7 +54,10 @@ double pitch_of_thread(double diameter) {
 double first_share(const CalledValues& given) {
   constexpr long kUnitOfShare = 10000000;
   const double written = given.number(kFirstShare);
-  if (written == 0) return 1;
+  if (written == 0) {
+    given.refuse("no source says what its first feed is without its factor (FRF, the eleventh value)",
+                 "write FRF as 1, where the first stroke is to go at F");
+  }
   const int unit = mode_digit(given, kUnitOfShare);
   const double share = unit == 1 ? written / 100 : written;
   if (unit <= 1 && share >= kLeastShare && share <= 1) return share;

@@ -13,8 +13,10 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr double kSamePitch = 1e-6;  // mm
-constexpr double kMostPecks = 1e4;   // that are told one by one
+constexpr double kSamePitch = 1e-6;        // mm
+constexpr double kSameFeed = 1e-6;         // of it
+constexpr int kFeedDown = 6, kFeedUp = 7;  // of CYCLE85
+constexpr double kMostPecks = 1e4;         // that are told one by one
 
 // Each depth but the last; so many that nobody reads them are left out.
 template <class Make>
@@ -23,12 +25,16 @@ void in_strokes(double from, double to, double stroke, Make make) {
   for (double depth = from - stroke; depth > to + 1e-9; depth -= stroke) make(depth);
 }
 
-// It stands after boring [C 2.1.8 to 2.1.10], and does what SDAC says after tapping [C 2.1.5, 2.1.6].
+// It stands after boring [C 2.1.8 to 2.1.10], and does what SDAC says after tapping [C 2.1.5], with a floating tap
+// where SDR is not 0 [C 2.1.6; X p. 2-86]. What another SDAC leaves is in no source: as if it stood.
 void leave_spindle(Control& control, const CalledValues& given, int code) {
   const bool bores = code >= kCalledBore && code <= kCalledBoreByHand;
-  const double after = code == kCalledTap ? given.number(6) : code == kCalledFloatingTap ? given.number(7) : 0;
-  if (bores || after == kSpindleStands) return control.turn_spindle(kSpindleStands);
-  if (after == kClockwise || after == kCounterClockwise) control.turn_spindle(static_cast<int>(after));
+  const bool taps = code == kCalledTap || code == kCalledFloatingTap;
+  if (!bores && !taps) return;
+  const double after = taps ? given.number(code == kCalledTap ? 6 : 7) : kSpindleStands;
+  if (code == kCalledFloatingTap && given.number(6) == 0 && after != kSpindleStands) return;
+  const bool turns = after == kClockwise || after == kCounterClockwise;
+  control.turn_spindle(turns ? static_cast<int>(after) : kSpindleStands);
 }
 
 // Codes and frames are after a cycle as they were before it [C 2.1.1]; of F and S no source says so.
@@ -36,7 +42,7 @@ void leave_own_feeds(Control& control, const CalledValues& given, const CycleCal
   const auto is_other = [&](double rate) { return rate > 0 && rate * control.length_unit() != control.feed_linear; };
   const int code = call.row->value;
   bool taken = last_share != 1;
-  if (code == kCalledReam) taken = is_other(given.number(6)) || is_other(given.number(7));
+  if (code == kCalledReam) taken = is_other(given.number(kFeedDown)) || is_other(given.number(kFeedUp));
   if (code == kCalledFloatingTap) taken = given.number(9) != 0 || given.number(10) != 0;
   if (code == kCalledTap) {
     taken = true;
@@ -45,6 +51,14 @@ void leave_own_feeds(Control& control, const CalledValues& given, const CycleCal
     }
   }
   if (taken) control.feed_taken = call.row;
+}
+
+double own_feed(const CalledValues& given, int place) {
+  const double rate = given.length_mm(place);
+  if (rate > 0) return rate;
+  given.refuse(fmt::format("no source says at which feed it {} without {}", place == kFeedDown ? "cuts" : "goes back",
+                           place == kFeedDown ? "FFR" : "RFF"),
+               "give both feeds: FFR and RFF, its seventh and eighth values");
 }
 
 // One call of a cycle where the axes stand.
@@ -70,7 +84,7 @@ class CalledHole {
   void at_hole();
   void pecks();
   void tap_in_strokes();
-  double own_feed(double rate) const;
+  double feed_without_encoder(double by_pitch) const;
   double tapping_feed(bool up) const;
   void go(MotionKind kind, double level, double feed = 0);
   void feed_to(double level) { go(MotionKind::feed, level, feed_of_move(run_, true)); }
@@ -195,13 +209,24 @@ double CalledHole::tapping_feed(bool up) const {
   if (thread_mm != 0 && std::abs(pitch_mm - thread_mm) > kSamePitch) {
     given_.refuse("its two pitches (MPIT and PIT) contradict each other", "leave out one of them");
   }
+  if (places_.code == kCalledFloatingTap && given_.number(8) != 0) return feed_without_encoder(pitch_mm * speed);
   if (pitch_mm > 0 && given_.number(places_.axis + 1) <= 1 && speed > 0) return pitch_mm * speed;
-  if (places_.code == kCalledFloatingTap) return feed_of_move(run_, true);
-  given_.refuse("how fast it taps is not known", "give its pitch (PIT, or MPIT for M3 to M48) and its speed (SST)");
+  given_.refuse(
+      "how fast it taps is not known",
+      places_.code == kCalledTap
+          ? "give its pitch (PIT, or MPIT for M3 to M48) and its speed (SST)"
+          : "give its pitch (PIT, or MPIT for M3 to M48) and S before it; or ENC as 1 and F, where F is to count");
 }
 
-double CalledHole::own_feed(double rate) const {
-  return rate > 0 ? rate * control_.length_unit() : feed_of_move(run_, true);
+// ENC: the spindle has none that counts, and G63 taps at F [X p. 2-86]; which of both counts where a pitch stands
+// there, too, depends on ENC and the software.
+double CalledHole::feed_without_encoder(double by_pitch) const {
+  const double feed = feed_of_move(run_, true);
+  const double by_turn = control_.modal.feed_mode == FeedMode::per_revolution ? control_.spindle_speed : 1;
+  if (by_pitch == 0 || std::abs(feed * by_turn - by_pitch) <= kSameFeed * by_pitch) return feed;
+  given_.refuse(
+      "F is another feed than its pitch times S, and with ENC other than 0 no source says which of both counts",
+      fmt::format("write F{:.6g}, or leave out PIT and MPIT", by_pitch / by_turn / control_.length_unit()));
 }
 
 void CalledHole::at_hole() {
@@ -219,9 +244,9 @@ void CalledHole::at_hole() {
       go(MotionKind::feed, hole_.r, tapping_feed(true));
       break;
     case kCalledReam:
-      go(MotionKind::feed, hole_.bottom, own_feed(given_.number(6)));
+      go(MotionKind::feed, hole_.bottom, own_feed(given_, kFeedDown));
       wait(seconds);
-      go(MotionKind::feed, hole_.r, own_feed(given_.number(7)));
+      go(MotionKind::feed, hole_.r, own_feed(given_, kFeedUp));
       break;
     case kCalledBoreDwell:
       feed_to(hole_.bottom);
@@ -242,6 +267,10 @@ void CalledHole::pecks() {
   const double reference = given_.length_mm(kReferencePlane);
   const double first =
       given_.value(5) && given_.number(5) != 0 ? reference - given_.length_mm(5) : std::abs(given_.length_mm(6));
+  if (first == 0) {
+    given_.refuse("no source says how deep it goes without a first depth",
+                  "give FDEP or FDPR, its sixth and seventh values");
+  }
   if (first < 0) {
     given_.refuse("its first depth lies above its reference plane", "give the first depth below it");
   }
@@ -260,7 +289,7 @@ void CalledHole::pecks() {
     last_share_ = share;
     share = 1;
   };
-  if (first > 0 && given_.number(7) == 0) {
+  if (given_.number(7) == 0) {
     in_strokes(reference, hole_.bottom, first, [&](double depth) {
       next_peck(depth);
       wait(at_depth);
@@ -271,7 +300,7 @@ void CalledHole::pecks() {
     });
   }
   next_peck(hole_.bottom);
-  if (first > 0 && first < reference - hole_.bottom) last_share_ = 1;  // DAM: the strokes behind the first
+  if (first < reference - hole_.bottom) last_share_ = 1;  // DAM: the strokes behind the first
   wait(at_end != 0 ? at_end : at_depth);
   go(MotionKind::rapid, hole_.clear);
 }

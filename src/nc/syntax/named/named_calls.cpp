@@ -68,6 +68,7 @@ void parameters(BlockReading& in) {
     const VariableType type = variable_type(in, "parameters");
     cursor.take(lex_named_item);
     if (!cursor.is(TokenKind::identifier)) cursor.refuse_token("a name");
+    check_name_is_free(in, cursor.span());
     in.out.declare(cursor.span(), type);
     cursor.take(lex_named_item);
     if (cursor.is(TokenKind::equals)) {

@@ -68,6 +68,9 @@ void block_number(BlockReading& in) {
     if (cursor.token().begin[1] == '-' || cursor.token().begin[1] == '+') {
       cursor.refuse(number, codes::kLineNumber, "N without a line number", "write digits after the N");
     }
+    if (cursor.token().point) {
+      cursor.refuse(number, codes::kLineNumber, "the number of a block has no point", "write N and digits alone");
+    }
   } else if (cursor.is(TokenKind::colon) && is_digit(cursor.next_byte())) {
     cursor.pass_digits();
     number.end = cursor.here();

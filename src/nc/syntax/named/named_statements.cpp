@@ -183,6 +183,7 @@ void define_statement(BlockReading& in) {
     cursor.take(lex_named_item);
     if (!cursor.is(TokenKind::identifier)) cursor.refuse_token("a name, which begins with two letters");
     const Span name = cursor.span();
+    check_name_is_free(in, name);
     if (item_follows(in, TokenKind::equals)) {
       read_assigned_variable(in, name, nullptr);
       in.out.last_setting().type = type;

@@ -217,6 +217,14 @@ VariableType variable_type(const BlockReading& in, std::string_view what) {
                    fmt::format("{} of type {} are not interpreted", what, type), "REAL, INT and BOOL are");
 }
 
+void check_name_is_free(const BlockReading& in, Span name) {
+  if (in.syntax->statements != Statements::high_level || in.dialect->meaning(in.out.at(name)) == nullptr) return;
+  in.cursor.refuse(
+      name, codes::kAssignment,
+      fmt::format("{} is a word of the control, and none of them may be the name of a variable", in.out.at(name)),
+      fmt::format("call the variable otherwise, as in DEF REAL U_{}", upper(in.out.at(name))));
+}
+
 void read_named_code(BlockReading& in, Span span, int row) {
   const CodeRow& code = in.dialect->named_codes[static_cast<std::size_t>(row)];
   const bool refused = code.action == Action::refused;

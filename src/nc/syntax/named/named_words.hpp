@@ -20,6 +20,9 @@ void read_assigned_variable(BlockReading& in, Span name, const NameMeaning* mean
 /// has the type.
 VariableType variable_type(const BlockReading& in, std::string_view what);
 
+/// Refuses the name of a variable that is a word of the control [H p. 2-14].
+void check_name_is_free(const BlockReading& in, Span name);
+
 /// A code that is a name, of this row of Dialect::named_codes, with what stands in brackets after it.
 void read_named_code(BlockReading& in, Span span, int row);
 

@@ -30,6 +30,9 @@ void line_number(BlockReading& in) {
   if (token.kind == TokenKind::letter || token.begin[1] == '-' || token.begin[1] == '+') {
     in.cursor.refuse(span, codes::kLineNumber, "N without a line number", "write digits after the N, or leave it out");
   }
+  if (token.point && in.syntax->statements != Statements::o_words) {
+    in.cursor.refuse(span, codes::kLineNumber, "the number of a block has no point", "write N and digits alone");
+  }
 }
 
 // word = letter , real value
