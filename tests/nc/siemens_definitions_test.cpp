@@ -34,12 +34,12 @@ TEST_CASE("a program begins with its definitions") {
        "R1=5\nDEF REAL DEPTH=R1\n", "DEF REAL DEPTH\nG54\nDEF REAL WIDTH\n", "SUB\nDEF REAL DEPTH\n%_N_SUB_SPF\nRET\n",
        sub + "G0 X5\nDEF REAL DEPTH\nRET\n", "G0 X5\nPROC PART\n", "DEF REAL DEPTH\nPROC PART\n",
        sub + "DEF INT COUNT\nPROC SUB\nRET\n", "IF R1==0\nDEF REAL DEPTH\nENDIF\n"});
-  check_all(
-      "siemens", "",
-      {"; part\nN5\nDEF REAL DEPTH\n\nN10 DEF INT COUNT=2, NUMBER ; both\nG0 X=COUNT\n",
-       "%_N_PART_MPF\n;$PATH=/_N_MPF_DIR\nPROC PART\nEXTERN SUB\nDEF REAL DEPTH\nG0 X5\nEXTERN OTHER\n",
-       "AGAIN:\nDEF REAL WIDTH=3\nR1=R1+1\nG0 X=WIDTH\nIF R1<3 GOTOB AGAIN\n",
-       "DEF REAL DEPTH=2\nSUB P2\nG0 X=DEPTH\nM30\n%_N_SUB_SPF\n; below\nPROC SUB\nDEF REAL DEPTH=3\nG0 X=DEPTH\nRET\n"});
+  check_all("siemens", "",
+            {"; part\nN5\nDEF REAL DEPTH\n\nN10 DEF INT COUNT=2, NUMBER ; both\nG0 X=COUNT\n",
+             "%_N_PART_MPF\n;$PATH=/_N_MPF_DIR\nPROC PART\nEXTERN SUB\nDEF REAL DEPTH\nG0 X5\nEXTERN OTHER\n",
+             "AGAIN:\nDEF REAL WIDTH=3\nR1=R1+1\nG0 X=WIDTH\nIF R1<3 GOTOB AGAIN\n",
+             "DEF REAL DEPTH=2\nSUB P2\nG0 X=DEPTH\nM30\n%_N_SUB_SPF\n; below\nPROC SUB\nDEF REAL DEPTH=3\nG0 "
+             "X=DEPTH\nRET\n"});
 }
 
 TEST_CASE("words of the control are no names of variables") {
@@ -62,4 +62,27 @@ TEST_CASE("numbers of codes and blocks have no point") {
   }
   check_all("fanuc", "", {"G54.1 P1\n", "G5.1 Q0\n"});
   check_all("linuxcnc", "", {"G0. X1\n", "N5 G1. X5 F100\n", "M3. S100\n"});
+}
+
+TEST_CASE("an archive begins with its main program, whatever its subprogram would do") {
+  const std::string main = "%_N_PART_MPF\nG54\nDRILL\nM30\n";
+  check_all(
+      "siemens", "nc-flow-open",
+      {"%_N_DRILL_SPF\n;$PATH=/_N_WKS_DIR\nG1 X5\nRET\n" + main, "%_N_DRILL_SPF\nPROC DRILL(REAL WIDTH)\nRET\n" + main,
+       "\n%_N_DRILL_SPF\nX=R5/R6\nM17\n" + main, "%_N_ONE_SPF\nTWO\nRET\n%_N_TWO_SPF\nRET\n"});
+  check_all("siemens", "", {main + "%_N_DRILL_SPF\nG1 X5 F100\nRET\n", "%_N_DRILL_SPF\nG0 X5\nRET\n"});
+}
+
+TEST_CASE("a cycle behind a stop is told to say --keeps-position with its code") {
+  for (const std::string stop : {"M0", "M1", "T1 M6"}) {
+    INFO(stop);
+    ProgramSettings settings = empty_tables();
+    settings.as_with_empty_tables = false;
+    settings.work_offsets[0] = WorkOffset{};
+    const auto refused = refusal_of(
+        "G54 G17 G90 G21\nG0 X0 Y0 Z50. A0 B0 C0\n" + stop + "\nG81 X5. Y5. Z-5. R2. F100.\nM30\n", settings, "fanuc");
+    REQUIRE(refused);
+    CHECK(refused->code == "nc-position-unknown");
+    CHECK(refused->help.find("M0, M1 or M6") != std::string::npos);
+  }
 }

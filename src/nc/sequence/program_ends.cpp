@@ -25,16 +25,8 @@ namespace {
 
 // Of an archive the first program is read, and those that it calls.
 void check_archive(LabelIndex& labels, const std::set<std::size_t>& begun) {
-  const ProgramHeads& programs = labels.own_programs();
-  if (programs.heads.empty()) return;
-  const ProgramHead& first = programs.heads.front();
-  if (!programs.words_before && programs.heads.size() > 1 && !first.is_main) {
-    refuse(codes::kFlowOpen,
-           "the first program of this archive is taken for the main one, and its name does not end with _MPF",
-           "put the main program before its subprograms, and no more than one into a file",
-           labels.shown(0, first.place));
-  }
-  for (const ProgramHead& head : programs.heads) {
+  check_first_of_archive(labels);
+  for (const ProgramHead& head : labels.own_programs().heads) {
     if (head.is_main && !begun.contains(head.place.line)) refuse_other(labels, head.place);
   }
 }
@@ -73,6 +65,15 @@ void refuse_missing_program(const Block& block, const std::string& name, LabelIn
   refuse_flow(
       block, codes::kFlowOpen, fmt::format("subprogram {} is neither in this file nor beside it", name),
       fmt::format("put it into a file of its name beside the program, as {}", subprogram_file_name(name, dialect)));
+}
+
+void check_first_of_archive(LabelIndex& labels) {
+  const ProgramHeads& programs = labels.own_programs();
+  if (programs.words_before || programs.heads.size() < 2 || programs.heads.front().is_main) return;
+  refuse(codes::kFlowOpen,
+         "the first program of this archive is taken for the main one, and its name does not end with _MPF",
+         "put the main program before its subprograms, and no more than one into a file",
+         labels.shown(0, programs.heads.front().place));
 }
 
 void check_other_programs(LabelIndex& labels, const std::set<std::size_t>& begun, const Dialect& dialect) {

@@ -21,6 +21,8 @@ void refuse_unended(const Block& block, Statements statements);
 /// Refuses with nc-flow-open the call of a program that was not found, and says whether it stands behind the second %.
 [[noreturn]] void refuse_missing_program(const Block& block, const std::string& name, LabelIndex& labels,
                                          const Dialect& dialect);
+/// Refuses with nc-flow-open an archive of several programs whose first one is a subprogram.
+void check_first_of_archive(LabelIndex& labels);
 /// Refuses with nc-flow-open where the program's file holds a main program that nothing called, or where a
 /// subprogram is the first of several. `begun`: the lines in which the programs begin that were read.
 void check_other_programs(LabelIndex& labels, const std::set<std::size_t>& begun, const Dialect& dialect);

@@ -168,6 +168,8 @@ void StatementFlow::head(const Block& block) {
   if (reading_ == Reading::head || block.flow.word == FlowWord::sub) {
     reading_ = Reading::body;
     if (!called()) begun_.insert(block.line);
+    const bool may_be_sub = dialect_.syntax.archive_heads && !called() && block.flow.word == FlowWord::program;
+    if (may_be_sub && !head_of(block.text, dialect_).is_main) check_first_of_archive(labels_);
     const std::vector<Value> none;
     const std::vector<Value>& arguments = called() ? calls_.top().arguments : none;
     if (block.flow.word == FlowWord::sub && called()) take_values(block, calls_.top());

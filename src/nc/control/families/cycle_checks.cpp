@@ -66,10 +66,11 @@ void check_cycle(const Execution& run) {
   if (!control.known.contains(along_hole)) known.erase(along_hole);
   const AxisSet missing = AxisSet::linear() - known;
   if (missing.empty()) return;
-  run.refuse(run.motion_code(), codes::kPositionUnknown,
-             fmt::format("the cycle begins where {} is not known", axis_list(missing)),
-             "move there with a G0 that names all three, or say with --keeps-position M6 that a change of tools leaves "
-             "them where they stood");
+  run.refuse(
+      run.motion_code(), codes::kPositionUnknown,
+      fmt::format("the cycle begins where {} is not known", axis_list(missing)),
+      "move there with a G0 that names all three; if the axes stand where they stood before M0, M1 or M6 above it, "
+      "say so: --keeps-position with that code");
 }
 
 }  // namespace plumbline::nc
