@@ -167,6 +167,69 @@ TEST_CASE("an M99 that ends the program is one pass, kept") {
     CHECK(code_of(kStart + "F100\n" + count + "G1 X5\nM99\n", job) == "nc-not-interpreted");
 }
 
+TEST_CASE("a second pass finds the state that the first one asked for") {
+  Job job = without_friction();
+  job.program.start = {0.0, 0.0, 5.0, 0.0, 0.0, 0.0};
+  job.program.tool_in_spindle = 1;
+  job.program.tools =
+      nc::ToolTable({{.number = 1, .length_mm = 81, .mass_kg = 1}, {.number = 2, .length_mm = 82, .mass_kg = 1}});
+  const auto code = [&](const std::string& asks, const std::string& changes) {
+    const std::string text = kStart + "F100\n" + asks + "G1 X5\n" + changes + "M99\n";
+    INFO(text);
+    return code_of(text, job);
+  };
+  const auto asks_if = [](const std::string& what) { return "o1 if [" + what + "]\nG1 X2\no1 endif\n"; };
+  for (const auto& [asks, changes] :
+       std::vector<std::pair<std::string, std::string>>{{"#<_spindle_on>", "S100 M3\n"},
+                                                        {"#<_flood> EQ 1", "M8\n"},
+                                                        {"#<_spindle_css_mode>", "S100 M3\nG96 S50\n"},
+                                                        {"#<_rpm> GT 5", "S700\n"},
+                                                        {"#<_feed_override>", "M49\n"},
+                                                        {"#5220 EQ 2", "G55\n"},
+                                                        {"#5400 EQ 2", "M61 Q2\n"},
+                                                        {"#<_current_tool> EQ 2", "M61 Q2\n"},
+                                                        {"#<_abs_z> GT 900", "G0 Z20\n"}}) {
+    INFO(asks);
+    const bool before_start = asks.find("abs") != std::string::npos;
+    const std::string text = asks_if(asks);
+    const std::string begin = before_start ? text + kStart + "F100\n" : kStart + "F100\n" + text;
+    CHECK(code_of(begin + "G1 X5\n" + changes + "M99\n", job) == "nc-not-interpreted");
+    CHECK(code_of(begin + "G1 X5\nM99\n", job).empty());
+    CHECK(code_of(begin + "G1 X5\n" + changes + "M2\n", job).empty());
+  }
+  // What it stated itself, and finds again.
+  CHECK(code("S100 M3\n" + asks_if("#<_spindle_on>"), "G0 Z9\n").empty());
+  CHECK(code(asks_if("#<_spindle_on>"), "S100 M3\nG1 X7\nM5\nS0\n").empty());
+  // The next pass finds the tool of the end in the spindle, and G90.1.
+  CHECK(code("", "M61 Q2\n") == "nc-not-interpreted");
+  CHECK(code("G3 X3 I1.5 J0\n", "G90.1\n") == "nc-not-interpreted");
+}
+
+TEST_CASE("cycles that work the spindle go back to where the first of them began") {
+  Job job = without_friction();
+  job.program.tools =
+      nc::ToolTable({{.number = 1, .length_mm = 100, .mass_kg = 1}, {.number = 7, .length_mm = 80, .mass_kg = 1}});
+  const std::string begin = "G21 G90 G94 G17 G54\nG43 H1\nG0 X0 Y0 Z5 A0 B0 C0\nS900 M3\n";
+  for (const std::string text :
+       {"G98 G86 P.5 X1 Y2 Z-3 R1 F100\nG18\nG43 H7 Z5\n", "G98 G86 P.5 X1 Y2 Z-3 R1 F100\nG18 G86 P.5 X1 Y-3 Z5 R1\n",
+        "G98 G86 P.5 X1 Y2 Z-30 R-19 F100\nG43 H7\nX8\nG43 H1\nX7\n",
+        "G98 G86 P.5 X1 Y2 Z-30 R-9 F100\nG92 Z8\nX8\nG99 X9\nG98 X7\n",
+        "G98 G86 P.5 X1 Y2 Z-3 R1 F100\nG19\nG43 H7 Z5\n"}) {
+    const std::string whole = begin + text + "G80\nM2\n";
+    INFO(whole);
+    const Result result = run(whole, job);
+    INFO(result.text);
+    std::vector<Move> meant = moves_of(whole, job.program, job.dialect);
+    std::vector<Move> made = moves_of(result.text, job.program, job.dialect);
+    for (std::vector<Move>* const moves : {&meant, &made}) {
+      std::erase_if(*moves, [](const Move& move) { return move.motion.kind == nc::MotionKind::rapid; });
+    }
+    REQUIRE(made.size() == meant.size());
+    for (std::size_t i = 0; i < made.size(); ++i) CHECK(tip_distance(made[i].to_W, meant[i].to_W) < 0.1);
+    CHECK(result.summary.read_back);  // where the tool goes back to, too
+  }
+}
+
 TEST_CASE("drilling cycles become moves, each corrected") {
   for (const std::string text :
        {"G81 X10 Y5 Z-8 R2 F200\nX20\nG80\nG0 Z9\n", "G99 G82 X10 Y5 Z-8 R2 P0.5 F200 (hole)\nG98 X20 Y1\nG1 X0 F99\n",

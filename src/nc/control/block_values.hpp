@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "nc/control/execution.hpp"
@@ -33,6 +34,8 @@ class BlockValues {
   void set_variable(const Block& block, std::size_t setting, Value value);
   /// The one that a loop counted, after its last pass: what is left in it was found in no source.
   void set_counted(const Block& block, std::size_t setting, double last);
+  /// Of the control's state, what the program read as it found it and left otherwise; empty: nothing.
+  std::string changed_since_read() const { return system_parameters_.changed_since_read(); }
 
  private:
   void leave_out_vacant_words(Block& block);

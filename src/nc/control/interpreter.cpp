@@ -113,10 +113,14 @@ bool Interpreter::main_begins_again() const {
 
 void Interpreter::check_begins_again(const Block& block) const {
   if (!main_begins_again()) return;
-  std::string differs = second_pass_.differs(control_);
+  std::string differs = second_pass_.differs(control_, run_.settings);
   const bool keeps_names = run_.dialect.syntax.statements == Statements::o_words;
   if (differs.empty() && keeps_names && control_.parameters.changes() > changes_at_start_) {
     differs = "other values of the parameters that it set";
+  }
+  if (differs.empty()) {
+    const std::string changed = values_.changed_since_read();
+    if (!changed.empty()) differs = fmt::format("another {}", changed);
   }
   if (differs.empty()) return;
   refuse_at(

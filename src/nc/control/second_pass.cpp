@@ -38,7 +38,7 @@ bool SecondPass::stated_length() const {
   return has(Action::tool_length) || has(Action::tool_length_off);
 }
 
-std::string SecondPass::differs(const Control& control) const {
+std::string SecondPass::differs(const Control& control, const ProgramSettings& settings) const {
   const Modal& modal = control.modal;
   const bool system = stated({Action::work_system, Action::work_system_by_word});
   const bool fed = stated({Action::per_minute, Action::inverse_time, Action::per_revolution});
@@ -48,11 +48,17 @@ std::string SecondPass::differs(const Control& control) const {
                        before_holes_.test(static_cast<std::size_t>(Action::retract_to_r));
   if (modal.incremental && !stated({Action::absolute, Action::incremental})) return "G91";
   if (modal.inches && !stated({Action::inches, Action::millimetres})) return "G20";
+  if (modal.arc_centre_absolute && !stated({Action::arc_centre_absolute, Action::arc_centre_incremental}))
+    return "G90.1";
   if (modal.plane != Plane::xy && !stated({Action::plane_xy, Action::plane_zx, Action::plane_yz})) return "G18 or G19";
   if (modal.feed_mode != FeedMode::per_minute && !fed) return "G93 or G95";
   if (moved_ && modal.motion != MotionMode::rapid && !moves) return "another motion than G0";
   if (drilled_ && modal.retract_to_r && !returns) return "G99";
   if (modal.work_system != 1 && !system) return "another work system than G54";
+  if (moved_ && modal.tool_in_spindle != settings.tool_in_spindle.value_or(modal.tool_in_spindle) &&
+      !stated({Action::change_tool, Action::set_tool})) {
+    return "another tool in the spindle";
+  }
   if (control.frame.tilted) return "G68.2";
   if (control.turn_deg != 0 && !stated({Action::turn_off})) return "G68";
   if (control.local != AxisWords{} && !stated({Action::local_shift})) return "a shift by G52";

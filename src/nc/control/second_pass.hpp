@@ -19,7 +19,7 @@ class SecondPass {
   void note_motions(const Execution& run);
   /// What is in force at the end and would be in force at the begin of a second pass, otherwise than in the first;
   /// empty: nothing is.
-  std::string differs(const Control& control) const;
+  std::string differs(const Control& control, const ProgramSettings& settings) const;
 
  private:
   using Actions = std::bitset<256>;

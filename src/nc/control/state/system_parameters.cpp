@@ -40,6 +40,11 @@ bool is_of_tables(int number) {
          (number >= kPosition && number < kPositionEnd);
 }
 
+// Where the axis stands, in mm or deg.
+std::optional<double> place(const Control& control, Axis axis) {
+  return control.known.contains(axis) ? std::optional(control.position[axis]) : std::nullopt;
+}
+
 }  // namespace
 
 ParameterLimits SystemParameters::limits() const {
@@ -117,7 +122,7 @@ Value SystemParameters::machine_position(const Block& block, Axis axis, Span spa
 }
 
 // A value of the tables, if somebody gave it.
-std::optional<double> SystemParameters::table_value(int number) const {
+std::optional<double> SystemParameters::table_value(const Control& control, int number) const {
   const auto of = [](const AxisWords& words, int at) {
     return at < static_cast<int>(kAxes) ? words.values[static_cast<std::size_t>(at)] : 0.0;
   };
@@ -125,21 +130,74 @@ std::optional<double> SystemParameters::table_value(int number) const {
     return at >= static_cast<int>(kAxes) || set.contains(kAllAxes[static_cast<std::size_t>(at)]);
   };
   if (number >= kHomes && number <= kHomesEnd) {
-    const Home& home = control_.homes[static_cast<std::size_t>((number - kHomes) / kParametersPerRow)];
+    const Home& home = control.homes[static_cast<std::size_t>((number - kHomes) / kParametersPerRow)];
     const int at = (number - kHomes) % kParametersPerRow;
     return known(home.known, at) ? std::optional(of(home.machine, at)) : std::nullopt;
   }
-  if (number < kG92End && !control_.g92.known) return std::nullopt;
-  if (number == kG92InForce) return control_.g92.applied.value_or(false) ? 1 : 0;
-  if (number < kG92End) return of(control_.g92.suspended, number - kG92InForce - 1);
-  if (number == kActiveSystem) return control_.modal.work_system;
+  if (number < kG92End && !control.g92.known) return std::nullopt;
+  if (number == kG92InForce) return control.g92.applied.value_or(false) ? 1 : 0;
+  if (number < kG92End) return of(control.g92.suspended, number - kG92InForce - 1);
+  if (number == kActiveSystem) return control.modal.work_system;
   if (number <= kSystemsEnd) {
-    const WorkSystem& row = control_.systems[static_cast<std::size_t>((number - kSystems) / kParametersPerRow)];
+    const WorkSystem& row = control.systems[static_cast<std::size_t>((number - kSystems) / kParametersPerRow)];
     const int at = (number - kSystems) % kParametersPerRow;
     if (at == kRotation) return row.known.empty() ? std::nullopt : std::optional(row.rotation_deg);
     return known(row.known, at) ? std::optional(of(row.origin, at)) : std::nullopt;
   }
-  return number <= kToolEnd ? tool_parameter(control_, settings_, number) : std::optional(0.0);
+  return number <= kToolEnd ? tool_parameter(control, settings_, number) : std::optional(0.0);
+}
+
+std::optional<double> SystemParameters::shown(const Control& control, int number) const {
+  const auto axis_from = [&](int first) { return kAllAxes[static_cast<std::size_t>(number - first)]; };
+  const auto is_axis_from = [&](int first) { return number >= first && number < first + static_cast<int>(kAxes); };
+  if (dialect_.syntax.system_variables == SystemVariables::rs274) {
+    if (is_axis_from(kPosition)) return place(control, axis_from(kPosition));
+    return is_of_tables(number) ? table_value(control, number) : std::nullopt;
+  }
+  if (is_axis_from(kBlockEnd)) return place(control, axis_from(kBlockEnd));
+  if (is_axis_from(kPositionNow)) return place(control, axis_from(kPositionNow));
+  if (number >= kMacroSystems && number <= kMacroSystemsEnd) {
+    const int at = (number - kMacroSystems) % kParametersPerRow;
+    const WorkSystem& row = control.systems[static_cast<std::size_t>((number - kMacroSystems) / kParametersPerRow)];
+    if (at >= static_cast<int>(kAxes)) return std::nullopt;
+    const Axis axis = kAllAxes[static_cast<std::size_t>(at)];
+    return row.known.contains(axis) ? std::optional(row.origin[axis]) : std::nullopt;
+  }
+  const std::optional<Value> modal = modal_variable(control, number);
+  return modal ? std::optional(modal->number) : std::nullopt;
+}
+
+std::optional<double> SystemParameters::shown(const Control& control, std::string_view plain) const {
+  if (const std::optional<Axis> axis = position_named(plain)) return place(control, *axis);
+  if (const std::optional<Axis> axis = machine_position_named(plain)) {
+    return control.known.contains(*axis) ? std::optional(control.frame.to_machine(control.position)[*axis])
+                                         : std::nullopt;
+  }
+  if (plain == "_current_tool") return table_value(control, kTool);
+  const std::optional<Value> value = predefined(control, settings_, plain);
+  return value && value->known ? std::optional(value->number) : std::nullopt;
+}
+
+void SystemParameters::note_read(int number) {
+  if (found_.contains(number)) return;
+  const std::optional<double> value = shown(control_, number);
+  if (value && value == shown(at_start_, number)) found_.emplace(number, *value);
+}
+
+void SystemParameters::note_read(std::string_view plain) {
+  if (found_named_.contains(plain)) return;
+  const std::optional<double> value = shown(control_, plain);
+  if (value && value == shown(at_start_, plain)) found_named_.emplace(plain, *value);
+}
+
+std::string SystemParameters::changed_since_read() const {
+  for (const auto& [number, value] : found_) {
+    if (shown(control_, number) != value) return fmt::format("#{}", number);
+  }
+  for (const auto& [name, value] : found_named_) {
+    if (shown(control_, name) != value) return fmt::format("#<{}>", name);
+  }
+  return {};
 }
 
 Value SystemParameters::unset(const Block& block, Span span) const {
@@ -190,6 +248,7 @@ Value SystemParameters::read(const Block& block, int number, Span span) {
   const SystemVariables own = dialect_.syntax.system_variables;
   if (is_lasting(number)) control_.handed.note_read(number);
   if (goes_to_next_pass(number)) control_.of_main.note_read(number);
+  if (is_read_only(number)) note_read(number);
   if (own == SystemVariables::macro_b) return read_macro_variable(block, number, span);
   if (own == SystemVariables::none) {
     if (control_.parameters.has(number)) return control_.parameters.get(number);
@@ -201,7 +260,7 @@ Value SystemParameters::read(const Block& block, int number, Span span) {
     return position(block, kAllAxes[static_cast<std::size_t>(number - kPosition)], span);
   }
   if (is_read_only(number)) {
-    if (const std::optional<double> value = table_value(number)) return {*value, true};
+    if (const std::optional<double> value = table_value(control_, number)) return {*value, true};
   } else if (control_.parameters.has(number)) {
     return control_.parameters.get(number);
   }
@@ -236,6 +295,7 @@ Value SystemParameters::read(const Block& block, std::string_view name, Span spa
   if (dialect_.syntax.empty_names) return {0, true, true};
   if (dialect_.syntax.system_variables == SystemVariables::none) return unset(block, span);
   const std::string plain(control_.parameters.plain(name));
+  note_read(plain);
   if (const std::optional<Axis> axis = position_named(plain)) return position(block, *axis, span);
   if (const std::optional<Axis> axis = machine_position_named(plain)) return machine_position(block, *axis, span);
   if (plain == "_current_tool") return read(block, kTool, span);

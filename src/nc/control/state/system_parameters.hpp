@@ -1,6 +1,11 @@
 // Parameters that show the control's own state: positions, offsets, the tool, modes.
 #pragma once
 
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
 #include "nc/control/parameters/expression.hpp"
 #include "nc/control/state/control.hpp"
 
@@ -9,7 +14,7 @@ namespace plumbline::nc {
 class SystemParameters : public ParameterReader {
  public:
   SystemParameters(Control& control, const ProgramSettings& settings, const Dialect& dialect)
-      : control_(control), settings_(settings), dialect_(dialect) {}
+      : control_(control), at_start_(control), settings_(settings), dialect_(dialect) {}
   Value read(const Block& block, int number, Span span) override;
   Value read(const Block& block, std::string_view name, Span span) override;
   Value exists(const Block& block, std::string_view name, Span span) override;
@@ -23,16 +28,26 @@ class SystemParameters : public ParameterReader {
   bool is_lasting(int number) const;
   /// M99 of the main program leaves its value to the next pass.
   bool goes_to_next_pass(int number) const;
+  /// What the program read of the control's state as it found it, and what is otherwise by now; empty: nothing is.
+  std::string changed_since_read() const;
 
  private:
+  /// Lengths in mm, so that a change of units changes none.
+  std::optional<double> shown(const Control& control, int number) const;
+  std::optional<double> shown(const Control& control, std::string_view plain) const;
+  void note_read(int number);
+  void note_read(std::string_view plain);
   Value position(const Block& block, Axis axis, Span span) const;
   Value machine_position(const Block& block, Axis axis, Span span) const;
-  std::optional<double> table_value(int number) const;
+  std::optional<double> table_value(const Control& control, int number) const;
   Value read_macro_variable(const Block& block, int number, Span span) const;
   Value unset(const Block& block, Span span) const;
   [[noreturn]] static void refuse_left_over(const Block& block, Span span);
   bool is_made(const Block& block, std::string_view plain, Span span);
   Control& control_;
+  const Control at_start_;
+  std::map<int, double> found_;  // of the state that was read: what it was, at the start and then
+  std::map<std::string, double, std::less<>> found_named_;
   const ProgramSettings& settings_;
   const Dialect& dialect_;
 };

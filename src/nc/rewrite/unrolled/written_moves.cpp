@@ -221,12 +221,14 @@ void WrittenMoves::add_hole(const Step& step, const Hole& hole) {
   }
   const PlaneAxes axes = axes_of(step.after->plane);
   const Motion& above = step.motions[hole.approach_end - 1];
-  if (!step.after->retract_to_r && above.to[axes.third] < hole.clear) {
-    Motion up = above;
-    up.from = above.to;
-    up.to[axes.third] = hole.clear;
-    up.known_before = above.known_after;
-    add_move(step, up);
+  // A cycle that begins goes back to where the tool stands; one that goes on, to where the first of them began.
+  if (!step.after->retract_to_r && above.to[axes.third] != hole.clear) {
+    Motion to_level = above;
+    to_level.from = above.to;
+    to_level.to[axes.third] = hole.clear;
+    to_level.machine = step.frame->to_machine(to_level.to);
+    to_level.known_before = above.known_after;
+    add_move(step, to_level);
   }
   MadeStep& own = made_.next(step);
   own.text = std::exchange(number_, {});
