@@ -40,6 +40,9 @@ void note_arc(const WrittenMove& written, std::size_t line, ArcFigures& arcs) {
 
 void Tally::take_block(const nc::Step& step) {
   ++summary_.blocks;
+  if (!negative_length_ && !step.motions.empty() && step.frame->tool[Axis::Z] < 0) {
+    negative_length_ = {step.frame->tool[Axis::Z], place_of(step)};
+  }
   const nc::Block& block = *step.block;
   const bool percent = block.kind == nc::LineKind::percent;
   if (block.kind == nc::LineKind::ignored || (block.words.empty() && !percent)) return;
@@ -213,6 +216,17 @@ Summary Tally::summary() {
   warn_of_short_pieces(summary);
   warn_of_silent_effects(summary);
   warn_of_massless_tools(summary);
+  if (negative_length_) {
+    summary.warnings.push_back(
+        {"compensate-tool-length",
+         fmt::format("the tool's length in force here is {:.6g} mm, so that its tip is taken to lie above the gauge "
+                     "point of the spindle",
+                     negative_length_->first),
+         "if the control holds distances from where tools are touched off to the part, state lengths in the tool "
+         "table, "
+         "from the gauge point to the tip, and the work offset that goes with them",
+         negative_length_->second, Severity::warning});
+  }
   if (may_stop_) {
     summary.warnings.push_back(
         {"compensate-stops",

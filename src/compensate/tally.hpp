@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/files/files.hpp"
@@ -64,10 +65,11 @@ class Tally {
   std::size_t last_line_ = 0;            // that holds a word
   std::optional<Place> may_stop_;        // a block that became several, where the program states no path mode
   std::map<int, Place> massless_tools_;  // and where each came into the spindle
-  std::vector<AxisWords> ends_;          // corrections of ends of moves, of which is not yet known
-  std::vector<Target> beside_;           // how they change: in X, Y and Z of each
-  Corrections corrections_;              // of targets beside those of the program
-  std::optional<Target> sample_;         // where the error per kg of a tool is worked out
+  std::optional<std::pair<double, Place>> negative_length_;  // the first that moves were made with
+  std::vector<AxisWords> ends_;                              // corrections of ends of moves, of which is not yet known
+  std::vector<Target> beside_;                               // how they change: in X, Y and Z of each
+  Corrections corrections_;                                  // of targets beside those of the program
+  std::optional<Target> sample_;                             // where the error per kg of a tool is worked out
   double sum_of_squares_ = 0;
   std::uint64_t cuts_ = 0;
 };

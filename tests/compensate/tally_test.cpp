@@ -86,3 +86,18 @@ TEST_CASE("pieces that a control may not read fast enough are counted") {
   CHECK(tallied(text, slow, 10).short_pieces.below_block_time == 10);
   CHECK(warns(tallied(text, slow, 10), "compensate-short-pieces"));
 }
+
+TEST_CASE("a length below zero is told once") {
+  Job job = standing_at_zero();
+  job.program.tools = nc::ToolTable({{.number = 1, .length_mm = -20}, {.number = 2, .length_mm = 20}});
+  const auto told = [&](const std::string& text) {
+    const compensate::Summary summary = tallied("G21 G90 G94\n" + text + "M2\n", job);
+    return std::count_if(summary.warnings.begin(), summary.warnings.end(),
+                         [](const Diagnostic& warning) { return warning.code == "compensate-tool-length"; });
+  };
+  CHECK(told("G43 H1\nG0 X1 Z3\nG1 X2 F100\nG43 H2\nG0 X5 Z3\nG43 H1\nG0 Z3\n") == 1);
+  CHECK(told("G43.1 Z-5\nG0 X1 Z3\n") == 1);
+  CHECK(told("G43 H2 G0 Z5\nG43.2 H1\nG43.2 H1\nG0 Z3\n") == 1);
+  CHECK(told("G43 H1\nG49\nG0 X1\n") == 0);  // no move was made with it
+  CHECK(told("G43 H2\nG0 X1 Z3\n") == 0);
+}
