@@ -38,6 +38,12 @@ const nc::Dialect& dialect_of(const settings::Options& options, const InputFile&
            "leave --input-increment (input_increment of the settings) out; --dialect names another control",
            {program.name(), 0});
   }
+  const bool counts_units = dialect.behaviour.increment_mm == 0 || dialect.behaviour.increment_mm == 1;
+  if (options.program.calculator_type && counts_units) {
+    refuse("settings-calculator-type", fmt::format("numbers without a point count mm and deg for {}", dialect.name),
+           "leave --calculator-type (calculator_type of the settings) out; --dialect names another control",
+           {program.name(), 0});
+  }
   return dialect;
 }
 

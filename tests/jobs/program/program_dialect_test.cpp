@@ -72,3 +72,16 @@ TEST_CASE("an input increment is refused where numbers need no point") {
   options.dialect = "fanuc";
   CHECK(chosen(options, kOfAnyControl) == "fanuc");
 }
+
+TEST_CASE("a calculator type is refused where numbers count mm and deg") {
+  for (const bool on : {false, true}) {
+    for (const std::string control : {"linuxcnc", "siemens", "okuma"}) {
+      settings::Options options = said(control);
+      options.program.calculator_type = on;
+      CHECK(chosen(options, kOfAnyControl) == "settings-calculator-type");
+    }
+    settings::Options options = said("fanuc");
+    options.program.calculator_type = on;
+    CHECK(chosen(options, kOfAnyControl) == "fanuc");
+  }
+}
