@@ -40,11 +40,12 @@ bool write_all(int descriptor, const char* bytes, std::size_t count) {
   return true;
 }
 
-bool copy_all(int from, int to) {
+bool copy_all(int from, int to, const std::function<void(std::string_view)>& look) {
   std::vector<char> chunk(kChunk);
   while (true) {
     const std::ptrdiff_t count = platform::read(from, chunk.data(), chunk.size());
     if (count <= 0) return count == 0;
+    if (look) look({chunk.data(), static_cast<std::size_t>(count)});
     if (!write_all(to, chunk.data(), static_cast<std::size_t>(count))) return false;
   }
 }

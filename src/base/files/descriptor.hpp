@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace plumbline {
@@ -33,7 +35,8 @@ class Descriptor {
 bool write_all(int descriptor, const char* bytes, std::size_t count);
 
 /// Copies one open file to another, from where each stands to the end of the first; false with errno if that failed.
-bool copy_all(int from, int to);
+/// `look` sees each chunk first.
+bool copy_all(int from, int to, const std::function<void(std::string_view)>& look = {});
 
 /// What to do where a file could not be opened: `usual`, but of an `error` (errno) that says that too many are open.
 std::string way_out(int error, std::string usual);

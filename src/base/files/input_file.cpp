@@ -34,6 +34,13 @@ bool is_unchanged(const platform::FileStatus& before, const platform::FileStatus
 
 }  // namespace
 
+void refuse_endless_line(const std::string& path) {
+  refuse_file(
+      "file-endless-line", path,
+      fmt::format("holds a line of more than {} million bytes, or one that does not end", kLongestLine / 1'000'000),
+      "name a text of lines");
+}
+
 InputFile::InputFile(const Source& source) : name_(source.name()), text_(source.text()) {
   if (text_) {
     size_ = text_->size();
@@ -72,7 +79,13 @@ void InputFile::spool(int from) {
   descriptor_ = open_unnamed_temporary();
   const std::optional<platform::FileStatus> before = platform::status_of(from);
   if (!before) refuse_file("file-unreadable", name_, std::strerror(errno), "check the redirection");
-  if (!copy_all(from, descriptor_.number())) {
+  std::uint64_t line = 0;
+  const auto measure = [&](std::string_view chunk) {
+    const std::size_t newline = chunk.rfind('\n');
+    line = newline == std::string_view::npos ? line + chunk.size() : chunk.size() - newline - 1;
+    if (line > kLongestLine) refuse_endless_line(name_);
+  };
+  if (!copy_all(from, descriptor_.number(), measure)) {
     if (errno == EBADF) {
       refuse_file("file-unreadable", name_, "is closed: there is nothing to read",
                   "give it by < or a pipe, or name its file");

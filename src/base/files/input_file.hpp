@@ -13,8 +13,15 @@
 
 namespace plumbline {
 
+/// Bytes of the longest line of a text, of which there may be no end.
+inline constexpr std::uint64_t kLongestLine = 100'000'000;
+
+/// Refuses a longer line with file-endless-line.
+[[noreturn]] void refuse_endless_line(const std::string& path);
+
 /// A file, or a text in memory, open for reading at any offset. Standard input ("-"), a pipe or a device is copied to
-/// an unnamed temporary file first. Refuses with file-missing, file-is-folder or file-unreadable.
+/// an unnamed temporary file first. Refuses with file-missing, file-is-folder or file-unreadable, and
+/// with file-endless-line what a pipe or a device gives.
 class InputFile {
  public:
   explicit InputFile(const Source& source);

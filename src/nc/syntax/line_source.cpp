@@ -71,6 +71,8 @@ bool LineSource::next(Line& line) {
   line.place = place_;
   line.whole = ends_here && !middle_;
   middle_ = !ends_here;
+  of_long_line_ = ends_here ? 0 : of_long_line_ + line.text.size();
+  if (of_long_line_ > kLongestLine) refuse_endless_line(file_.name());
   begin_ = static_cast<std::size_t>(next - window_.get());
   place_.offset += static_cast<std::uint64_t>(next - text);
   place_.line += further + (newline != nullptr ? 1 : 0);
@@ -84,6 +86,7 @@ void LineSource::seek(LinePlace place) {
   if (!inside) end_ = 0;
   place_ = place;
   middle_ = false;
+  of_long_line_ = 0;
 }
 
 }  // namespace plumbline::nc

@@ -34,7 +34,7 @@ class LineSource {
   /// window is for tests.
   explicit LineSource(const InputFile& file, char goes_on = '\0', std::size_t window = kWindow);
 
-  /// The next line, valid until the call after it; false at the end of the file.
+  /// The next line, valid until the call after it; false at the end of the file. Refuses with file-endless-line.
   bool next(Line& line);
   /// The next call of next() gives the line that begins here.
   void seek(LinePlace place);
@@ -52,6 +52,7 @@ class LineSource {
   std::size_t end_ = 0;             // of what was read
   LinePlace place_;                 // of begin_
   bool middle_ = false;             // begin_ is inside a line longer than the window
+  std::uint64_t of_long_line_ = 0;  // bytes of it that were handed out
 };
 
 }  // namespace plumbline::nc

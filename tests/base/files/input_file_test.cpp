@@ -39,6 +39,14 @@ TEST_CASE("a device is read to its end, kept, and never said to have changed") {
   CHECK_NOTHROW(none.check_unchanged());
 }
 
+TEST_CASE("a device without line ends is refused") {
+  const Diagnostic endless = testing::refusal_of([] { InputFile file("/dev/zero"); });
+  CHECK(endless.code == "file-endless-line");
+  CHECK(endless.place.file == "/dev/zero");
+  CHECK(endless.message.find("100 million") != std::string::npos);
+  CHECK(testing::refusal_of([] { read_text(Source("/dev/zero")); }).code == "file-endless-line");
+}
+
 TEST_CASE("a file moves with all that is known of it") {
   const testing::Scratch scratch;
   InputFile first(scratch.file("in", "text"));

@@ -1,11 +1,13 @@
 #include "nc/syntax/line_source.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "nc/programs.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 using namespace plumbline::nc;
@@ -114,3 +116,21 @@ TEST_CASE("lines that begin with a mark come with the one before, whatever the w
 }
 
 TEST_CASE("an empty file has no lines") { CHECK(read_all("", 16).empty()); }
+
+TEST_CASE("a line of which there is no end is refused, in memory that stays bounded") {
+  const testing::Scratch scratch;
+  const std::string path = scratch.file("p.nc", "G0 X1\n");
+  std::filesystem::resize_file(path, kLongestLine * 3);  // NULs that take no room
+  const InputFile file(path);
+  LineSource lines(file);
+  Line line;
+  CHECK(lines.next(line));
+  CHECK(line.text == "G0 X1");
+  CHECK(testing::refusal_of([&] {
+          while (lines.next(line)) CHECK_FALSE(line.whole);
+        }).code == "file-endless-line");
+  lines.seek({0, 1});  // as often as it is read
+  CHECK(testing::refusal_of([&] {
+          while (lines.next(line)) continue;
+        }).code == "file-endless-line");
+}
