@@ -8,6 +8,7 @@
 
 #include "base/text/number_text.hpp"
 #include "base/units.hpp"
+#include "nc/control/state/kept.hpp"
 #include "nc/rewrite/feed.hpp"
 #include "nc/rewrite/output/emit_text.hpp"
 
@@ -148,6 +149,18 @@ void PieceFeeds::state_feed(Piece& piece, double feed, OutputState& control) con
   control.feed_rotary = *piece.feed;
 }
 
+// How far the lengths of pieces of one speed may be apart where their ends are rounded, in the program's unit: on a
+// grid of 1 um, those of 0.9 um are 0, 1 and 1.4 um long. Of a move that turns they say how fast it turns.
+double PieceFeeds::lost_to_rounding() const {
+  if (settings_.keep_piece_times || turns(step_.motions.front())) return 0;
+  const bool inches = step_.after->inches;
+  const Kept kept = kept_of_axis_word(dialect_.behaviour, false, inches, settings_.increment_ratio, false);
+  const int digits = std::min(inches ? settings_.digits_inch : settings_.digits_mm, kept.decimals);
+  const double increment = std::max(settings_.increment_mm / (inches ? kMmPerInch : 1), kept.quantum);
+  constexpr double kEnds = 2;  // each half a step off, in up to three axes
+  return kEnds * std::max(from_ticks(1, std::max(digits, 0)), increment);
+}
+
 // The F of each piece under G94 and G95: the program's where that keeps the time of the block; one other F for all
 // pieces where their speeds are alike; else each its own, as where a turn gains micrometres of X, Y, Z.
 double PieceFeeds::choose_rates(double seconds, OutputState& control) {
@@ -157,10 +170,19 @@ double PieceFeeds::choose_rates(double seconds, OutputState& control) {
   for (const Piece& piece : pieces_) total += piece.length;
   const bool turns = std::all_of(pieces_.begin(), pieces_.end(), [](const Piece& piece) { return piece.in_degrees; });
   const double programmed = turns ? step_.after->feed_rotary : step_.after->feed;
-  const double mean = total / time;
   const bool alike = std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
     return !differs(piece.length, piece.share * total, kAlikeSpeeds);
   });
+  const double rounding = lost_to_rounding();
+  const auto is_even = [&](const Piece& piece) {
+    return alike || (!piece.in_degrees && std::abs(piece.length - piece.share * total) <= rounding);
+  };
+  double even_length = 0, even_share = 0;
+  for (const Piece& piece : pieces_) {
+    if (!is_even(piece)) continue;
+    even_length += piece.length;
+    even_share += piece.share;
+  }
   const bool keeps =
       !differs(total / programmed, time, settings_.time_tolerance) && (alike || !settings_.keep_piece_times);
   pieces_.front().restates_mode = control.feed_mode != step_.after->feed_mode;
@@ -169,7 +191,10 @@ double PieceFeeds::choose_rates(double seconds, OutputState& control) {
   double spent = 0;
   for (Piece& piece : pieces_) {
     double feed = programmed;
-    if (!keeps && piece.length > 0) feed = rounded_feed(alike ? mean : piece.length / (piece.share * time));
+    if (!keeps && piece.length > 0) {
+      const bool even = is_even(piece) && even_length > 0;
+      feed = rounded_feed(even ? even_length / (even_share * time) : piece.length / (piece.share * time));
+    }
     const bool stated = &piece == &pieces_.front() && find_word(*step_.block, 'F') != nullptr;
     const double allowed = keeps ? 0 : settings_.time_tolerance / 4;
     const double standing = in_force(piece, control);

@@ -59,6 +59,7 @@ class PieceFeeds {
   double rounded_feed(double feed) const;
   static double in_force(const Piece& piece, const OutputState& control);
   void state_feed(Piece& piece, double feed, OutputState& control) const;
+  double lost_to_rounding() const;
   double choose_rates(double seconds, OutputState& control);
   double inverse_time(double per_minute) const;
   double choose_inverse_times(double seconds, OutputState& control);
