@@ -86,3 +86,37 @@ TEST_CASE("OSP: a hole that stays a cycle has no finer words than the control ke
   check("G82 X5.123 Y0 Z-5.0000 R2 P1 F100\nX7.12\nM2\n", 0, 0);
   check("G81 X5.1234 Y0 Z-5.1234 R2 F100\nM2\n", 0, 0);
 }
+
+TEST_CASE("OSP: A, B and C beside a hole are read where they turn nothing") {
+  const std::string begin = "G15 H1 G0 X5 Y0 Z50 A0 B0 C30\nG71 Z50 M53\n";
+  const auto check = [&](const std::string& rest, std::size_t line, std::size_t column, const char* code = "") {
+    const std::string program = begin + rest + "M2\n";
+    check_osp({{program.c_str(), line, column, code}});
+  };
+  check("G81 X5 Y0 Z-5 R2 A0 B0 C30 F100\nX7 A0\n", 0, 0);
+  check("G82 X5 Y0 Z-5 R2 P500 C30. F100\nX7 C30\n", 0, 0);
+  check("G84 X5 Y0 A0 Z-5 R2 F100\nX7 Y3 B0\n", 0, 0);
+  check("G81 X5 Y0 Z-5 R2 A0 C0 F100\n", 3, 21, "nc-axes-unused");
+  check("G81 X5 Y0 Z-5 R2 F100\nX7 A0.001\n", 4, 4, "nc-axes-unused");
+  check("G81 X5 Y0 Z-5 R2 F100\nA0\n", 4, 1, "nc-not-interpreted");
+}
+
+TEST_CASE("OSP: a hole that is a whole number of pecks deep has no peck more, whatever a sum of them comes to") {
+  const auto pecks = [](const std::string& levels) {
+    const ProgramFile text("G15 H1 G0 X5 Y0 Z50\nG71 Z50 M53\nG83 X5 Y0 F100 " + levels + "\nM2\n");
+    const InputFile file(text.path());
+    ProgramSettings settings;
+    settings.work_offsets[0] = WorkOffset{};
+    Program program(file, dialect("okuma"), settings);
+    int feeds = 0;
+    while (const Step* const step = program.next()) {
+      for (const Motion& motion : step->motions) feeds += motion.kind == MotionKind::feed ? 1 : 0;
+    }
+    return feeds;
+  };
+  CHECK(pecks("Z-4.985 R3.015 I2 J4") == 4);
+  CHECK(pecks("Z-4.985 R3.015 Q2") == 4);
+  CHECK(pecks("Z-0.7 R0.2 Q0.1") == 9);
+  CHECK(pecks("Z-0.701 R0.2 Q0.1") == 10);
+  CHECK(pecks("Z-1.1 R2.2 Q1.1") == 3);
+}

@@ -1,4 +1,6 @@
 // Words of an OSP, and lines that are none of a program's own: each is read, or refused with its own reason.
+#include <string>
+
 #include <catch2/catch.hpp>
 
 #include "nc/osp_cases.hpp"
@@ -29,6 +31,28 @@ TEST_CASE("OSP: what stands behind the end of a program and is never reached is 
              {"G15 H1 G0 X0\nCALL OSUB\nM2\nOSUB\nX1\nRTS\n", 0, 0},
              {"G15 H1 G0 X0\nVC1=1\nIF [VC1 GT 5] NALM\nX1\nM2\nNALM X0\nM2\n", 0, 0},
              {"G15 H1 G0 X0\nGOTO N9\nN5 M2\nN9 X1\nGOTO N5\n", 0, 0}});
+}
+
+TEST_CASE("OSP: what a subprogram jumps to does not reach what stands behind the end of the main program") {
+  const std::string sub = "OSUB\nIF [1 EQ 1] NEND\nX1\nNEND X2\nRTS\n";
+  const auto check = [](const std::string& program, std::size_t line, std::size_t column, const char* code = "") {
+    check_osp({{program.c_str(), line, column, code}});
+  };
+  check("G15 H1 G0 X0\nCALL OSUB\nM2\nNEND X7\nM2\n" + sub, 4, 1, "nc-flow-open");
+  check("G15 H1 G0 X0\nCALL OSUB\nM2\nN7 X7\nM2\nOSUB\nGOTO N7\nX3\nN7 X1\nRTS\n", 4, 1, "nc-flow-open");
+  check("$A.MIN%\nG15 H1 G0 X0\nCALL OSUB\nM2\nNEND X7\nM2\n" + sub, 5, 1, "nc-flow-open");
+  check("G15 H1 G0 X0\nCALL OSUB\nGOTO NEND\nM2\nNEND X7\nM2\n" + sub, 0, 0);
+}
+
+TEST_CASE("OSP: the head of a program stands before the shape of its workpiece") {
+  const std::string shape = "DEF WORK\nPS LC,[0,0,0],[1,1,1]\nEND\n";
+  const auto check = [](const std::string& program, std::size_t line, std::size_t column, const char* code = "") {
+    check_osp({{program.c_str(), line, column, code}});
+  };
+  check(shape + "$P.MIN%\nG15 H1 G0 X0\nM2\n", 4, 1, "nc-bad-character");
+  check("(PART)\n" + shape + "%\nG15 H1 G0 X0\nM2\n", 6, 1, "nc-bad-character");
+  check("$P.MIN%\n" + shape + "G15 H1 G0 X0\nM2\n", 0, 0);
+  check(shape + "G15 H1 G0 X0\nM2\n", 0, 0);
 }
 
 TEST_CASE("OSP: codes beside which no source lets a move stand") {

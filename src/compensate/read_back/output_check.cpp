@@ -112,6 +112,7 @@ void OutputCheck::take_step() {
     if (block_->number != step.block->at(step.block->number) || ++numbers_ > 1) {
       differ(fmt::format("it bears the number {}", step.block->at(step.block->number)));
     }
+    if (dialect_.syntax.labels == nc::Labels::sequence_names) labels_.emplace(block_->number);
   }
   read_effects_.clear();
   append_effects(step, dialect_, read_effects_);
@@ -133,7 +134,8 @@ void OutputCheck::check_turn(const BlockEffect& effect) {
 void OutputCheck::finish_block() {
   moves_.end();
   effects_.end();
-  if (!block_->number.empty() && !block_->steers && moves_.has_moved() && numbers_ == 0) {
+  const bool bears_it = numbers_ > 0 || labels_.contains(block_->number);  // a label stands where it comes first
+  if (!block_->number.empty() && !block_->steers && moves_.has_moved() && !bears_it) {
     differ(fmt::format("its number {} is missing", block_->number));
   }
   if (step_ == nullptr) return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,7 @@ class OutputCheck {
   const IntendedBlock* block_ = nullptr;
   std::size_t steps_ = 0;  // blocks of the output for it
   std::size_t numbers_ = 0;
+  std::set<std::string, std::less<>> labels_;  // that the output bears
 
   // Where the output was read to
   const nc::Step* step_ = nullptr;

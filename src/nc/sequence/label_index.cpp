@@ -224,19 +224,25 @@ Place LabelIndex::shown(std::size_t file, const LinePlace& place) const {
 // A line behind M2 that nothing leads to: no jump names its label, and no program of its own begins before it.
 std::optional<LinePlace> LabelIndex::unreached() const {
   if (!unreached_but_by({})) return std::nullopt;  // of most programs nothing stands there, whatever jumps
-  std::set<std::string> targets;
+  Targets targets;
+  std::size_t program = 0;
   for_each_head(files_.file(0), dialect_, [&](const LineHead& head, const Line& line) {
-    if (head.word == FlowWord::begin_if || head.word == FlowWord::go_to) add_labels(line.text, targets);
+    if (!head.program.empty()) ++program;
+    if (head.word == FlowWord::begin_if || head.word == FlowWord::go_to) add_labels(line.text, targets[program]);
   });
   return unreached_but_by(targets);
 }
 
-std::optional<LinePlace> LabelIndex::unreached_but_by(const std::set<std::string>& targets) const {
+std::optional<LinePlace> LabelIndex::unreached_but_by(const Targets& targets) const {
   std::optional<LinePlace> found;
   bool ended = false;
+  std::size_t program = 0;
   for_each_head(files_.file(0), dialect_, [&](const LineHead& head, const Line& line) {
     const bool is_head = !line.text.empty() && line.text.front() == dialect_.syntax.goes_on;  // $NAME.MIN%
-    if (!head.program.empty() || targets.contains(head.number)) ended = false;
+    if (!head.program.empty()) ++program;
+    const auto of_program = targets.find(program);
+    const bool is_target = of_program != targets.end() && of_program->second.contains(head.number);
+    if (!head.program.empty() || is_target) ended = false;
     if (ended && !found && (is_head || !head.empty)) found = line.place;
     if (!head.behind_slash && holds_program_end(line.text)) ended = true;
   });

@@ -1,6 +1,7 @@
 // Where the programs and labels of a program's files stand, looked up once, when something jumps for the first time.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -88,8 +89,10 @@ class LabelIndex {
   Index& programs_of(std::size_t file);
   const Index& labels_of(std::size_t file);
   std::optional<FilePlace> find_in_open_files(const std::string& name);
+  /// Labels, by which of the programs of the file jumps to them.
+  using Targets = std::map<std::size_t, std::set<std::string>>;
   /// See unreached(): jumps lead to these labels alone.
-  std::optional<LinePlace> unreached_but_by(const std::set<std::string>& targets) const;
+  std::optional<LinePlace> unreached_but_by(const Targets& targets) const;
 
   ProgramFiles& files_;
   const Dialect& dialect_;

@@ -107,6 +107,7 @@ struct Program::Parts {
     in_percents,  // the program began with %
     ended,        // M2, M30 or the second % was executed
   } stage = Stage::blank;
+  bool drawn = false;          // before all else: the shape of the workpiece
   bool ends_doubtful = false;  // by a % that may be the first one: whether the control reads on there, nobody says
   bool jumped = false;         // before the block of the last step
   bool words_behind = false;   // its end
@@ -156,7 +157,10 @@ const Step* Program::Parts::next() {
       continue;
     }
     if (block->kind == LineKind::percent) return percent();
-    if (block->kind == LineKind::ignored) return &interpreter.pass(*block);
+    if (block->kind == LineKind::ignored) {
+      drawn |= stage == Stage::blank;
+      return &interpreter.pass(*block);
+    }
     if (!holds_nothing(block->text)) {
       if (stage == Stage::blank) stage = Stage::text;
       if (stage == Stage::opened) stage = Stage::in_percents;
@@ -281,6 +285,10 @@ const Step* Program::Parts::percent() {
     const auto at = static_cast<std::uint32_t>(block->text.find('%'));
     refuse_at(*block, {at, at + 1}, codes::kBadCharacter, "% ends a program that did not begin with %",
               "put % on the first line as well, or end with M2");
+  }
+  if (drawn && stage == Stage::blank) {
+    refuse_at(*block, {0, static_cast<std::uint32_t>(block->text.size())}, codes::kBadCharacter,
+              "the head of the program stands behind lines of it", "put DEF WORK to END behind this line");
   }
   ends_doubtful = !dialect.syntax.percent_pairs && (stage == Stage::text || stage == Stage::opened);
   stage = stage == Stage::blank ? Stage::opened : Stage::ended;

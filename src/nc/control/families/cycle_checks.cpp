@@ -25,7 +25,7 @@ void check_tapped_plane(const Execution& run, int code) {
 bool stays_at(const Execution& run, Axis axis) {
   const Control& control = run.control;
   const RotaryRule rule = control.modal.rule_of(axis);
-  const bool reads = run.dialect.behaviour.fanuc_cycles && !run.dialect.behaviour.return_levels &&
+  const bool reads = run.dialect.behaviour.fanuc_cycles &&
                      (rule == RotaryRule::linear || rule == RotaryRule::shortest) && control.known.contains(axis);
   const double there = control.modal.incremental ? 0 : control.position[axis];
   return reads && std::abs(run.value(axis) - there) < kNoTurnDeg;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kWrittenDigits = 1e10;  // decimals that a length may have been written with
 constexpr double kNoise = 1e-13;         // and the rounding of a conversion
+constexpr double kNoPeck = 1e-9;         // such controls count increments, in whole numbers
 
 }  // namespace
 
@@ -81,7 +82,8 @@ void HoleMotions::pecks() {
   const double bottom = in_unit(cycle_.bottom) + (increments ? r : 0);
   const double together = in_unit(cycle_.peck_to_r) - kNoise;
   double up_at = r - together;
-  for (double at = r - step; at > bottom; at -= step) {
+  const double last = as_fanuc_ ? bottom + kNoPeck : bottom;
+  for (double at = r - step; at > last; at -= step) {
     const double depth = at * unit_;
     along(MotionKind::feed, depth);
     const bool far = cycle_.peck_to_r > 0 && at <= up_at;

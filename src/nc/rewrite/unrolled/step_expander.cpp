@@ -60,8 +60,13 @@ bool is_plain(const Step& step, bool keeps_settings) {
 
 }  // namespace
 
-// NAME: of a program that is written out, where nothing jumps there and the same name would stand more than once.
-Span StepExpander::label_of(const Block& block) const {
+// NAME: of a program that is written out, where nothing jumps there and the same name would stand more than once. Where
+// N names a label, too, it stays where it comes first.
+Span StepExpander::label_of(const Block& block) {
+  if (dialect_.syntax.labels == Labels::sequence_names) {
+    const bool again = block.number.end > block.number.begin && !numbers_.emplace(block.at(block.number)).second;
+    return again ? block.number : Span{};
+  }
   if (dialect_.syntax.labels != Labels::names || block.kind != LineKind::block) return {};
   if (head_of(block.text, dialect_).label.empty()) return {};
   const std::size_t before = std::max(block.number.end, block.slash.end);

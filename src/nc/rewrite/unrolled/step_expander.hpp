@@ -1,6 +1,7 @@
 // Steps as a program would hold them that has no parameters and no polar words: the same motion, written with values.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -46,11 +47,12 @@ class StepExpander {
   void write_end(const Step& step, bool& written, Span span);
   void defuse_comments(const Block& block);
   bool is_defused_beside_flow(std::string_view comment) const;
-  Span label_of(const Block& block) const;
+  Span label_of(const Block& block);
 
   const Dialect& dialect_;
   MadeSteps made_;
   WrittenNumber angle_;
+  std::set<std::string, std::less<>> numbers_;  // that stood in blocks, where they are labels
   BlockEditor editor_;
   Spelling spelling_;
 };
