@@ -37,6 +37,9 @@ struct Relabelled {
   std::size_t like = 0;         // the run whose description it would have
 };
 
+/// A run that went around the other way.
+measure::Run turned_back(measure::Run run);
+
 /// Everything that may have been said wrongly.
 std::vector<Relabelled> relabellings(const Suspects& suspects);
 /// All payloads times one factor, fitted.

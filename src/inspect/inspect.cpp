@@ -1,19 +1,19 @@
 #include "inspect/inspect.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "base/diagnostic.hpp"
 #include "base/parallel.hpp"
 #include "diagnose/readings/noise_spectrum.hpp"
 #include "inspect/explanation.hpp"
+#include "inspect/fine_noise.hpp"
 #include "inspect/hypothesis.hpp"
 #include "inspect/loaded_runs.hpp"
 #include "inspect/looked.hpp"
 #include "inspect/small_faults.hpp"
+#include "inspect/some_runs.hpp"
 #include "inspect/statistics.hpp"
 
 namespace plumbline::inspect {
@@ -37,43 +37,6 @@ double coarseness(const std::vector<identify::RunEquations>& remainders, bool ba
     }
   }
   return each.empty() ? 1 : median(each);
-}
-
-// Of each channel what chi-square would be if readings were off by what differs from sample to sample alone, and how
-// many readings there are.
-struct FineNoise {
-  static constexpr double kRemembers = 1.6;  // times as much noise as its steps show, with half of it remembered to 0.7
-  std::array<double, kChannels> square{};
-  std::array<double, kChannels> rows{};
-
-  double with_memory() const { return kRemembers * std::accumulate(square.begin(), square.end(), 0.0); }
-  // Chi-square with this fault mended, the assumed noise or what is there; readings of another unit have their noise
-  // scaled with them.
-  double expected(const Fault& mended) const {
-    double sum = 0;
-    for (std::size_t c = 0; c < square.size(); ++c) {
-      const bool about = std::count(mended.channels.begin(), mended.channels.end(), static_cast<int>(c)) > 0;
-      const bool unit = mended.kind == FaultKind::bar_unit || mended.kind == FaultKind::torque_unit;
-      const double factor = about && unit ? mended.values.at(0) : 1;
-      sum += std::max(std::abs(factor) > 1 ? 0 : rows[c], square[c] / (factor * factor));
-    }
-    return sum;
-  }
-};
-
-FineNoise noise_from_sample_to_sample(const std::vector<identify::RunEquations>& remainders,
-                                      const identify::NoiseModel& noise) {
-  FineNoise fine;
-  for (const identify::RunEquations& run : remainders) {
-    for (std::size_t c = 0; c < run.channels.size(); ++c) {
-      const VectorXd e = run.residual.segment(static_cast<Index>(c) * run.samples, run.samples);
-      const auto channel = static_cast<std::size_t>(run.channels[c]);
-      const double sigma = noise.channels[channel].sigma;
-      fine.square[channel] += (e.tail(e.size() - 1) - e.head(e.size() - 1)).squaredNorm() / (2 * sigma * sigma);
-      fine.rows[channel] += static_cast<double>(run.samples);
-    }
-  }
-  return fine;
 }
 
 std::vector<Tried> everything_tried(const Suspects& suspects) {
@@ -154,6 +117,12 @@ std::optional<Fault> unexplained(const Looked& looked, const Outliers& outliers,
   return fault;
 }
 
+// The one of two, if any, that takes more.
+std::optional<Fault> likelier(std::optional<Fault> one, std::optional<Fault> other) {
+  if (one && other) return one->nats < other->nats ? other : one;
+  return one ? one : other;
+}
+
 class Inspector {
  public:
   Inspector(const machine::MachineModel& machine, const InspectOptions& options)
@@ -174,8 +143,10 @@ class Inspector {
     std::vector<identify::RunEquations> left;
     look(looked, outliers, left);
     const bool of_all = coarseness(left, true) > options_.coarse || coarseness(left, false) > options_.coarse;
-    if (std::optional<Fault> fault =
-            fault_of_all(looked, outliers, of_all, noise_from_sample_to_sample(kept(left, outliers), bench_.noise))) {
+    const FineNoise fine = noise_from_sample_to_sample(kept(left, outliers), bench_.noise);
+    if (std::optional<Fault> fault = likelier(fault_of_all(looked, outliers, of_all, fine),
+                                              fault_of_some(looked, bench_, noise_from_sample_to_sample(left, bench_.noise),
+                                                            of_all, options_))) {
       found.faults.push_back(std::move(*fault));
       return found;  // before that is mended no run can be told from the others
     }

@@ -19,12 +19,6 @@ VectorXd vector_of(std::initializer_list<double> values) {
   return v;
 }
 
-Run turned_back(Run run) {
-  run.direction = run.direction == measure::Direction::ccw ? measure::Direction::cw : measure::Direction::ccw;
-  for (double& angle : run.angle) angle = -angle;
-  return run;
-}
-
 // Exactly this instead, nothing fitted.
 void add(std::vector<Relabelled>& all, FaultKind kind, double alternatives, const std::function<void(Run&)>& change,
          std::size_t like = 0) {
@@ -109,6 +103,12 @@ void add_angle_zeros(std::vector<Relabelled>& all, int starts) {
 }
 
 }  // namespace
+
+Run turned_back(Run run) {
+  run.direction = run.direction == measure::Direction::ccw ? measure::Direction::cw : measure::Direction::ccw;
+  for (double& angle : run.angle) angle = -angle;
+  return run;
+}
 
 Relabelled payload_factor() {
   std::vector<Relabelled> one;

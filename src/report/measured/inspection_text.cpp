@@ -170,7 +170,7 @@ std::string record_text(const Fault& fault, const Run& run, const std::vector<Ru
 
 std::string fault_text(const Fault& fault, const std::vector<Run>& runs) {
   const Run& run = runs[fault.runs.front()];
-  const bool several = !fault.all && fault.kind == FaultKind::payload && fault.runs.size() > 1;
+  const bool several = !fault.all && fault.after > 0 && fault.runs.size() > 1;
   std::string text = fault.all ? "all runs: " : fmt::format("run {}: ", run.id);
   if (several) {
     std::vector<std::string> ids;
