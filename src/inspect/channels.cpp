@@ -110,6 +110,11 @@ class Channels {
     const VectorXd u = predicted(channels);
     return prediction_->product(only(measured_, channels), u) / prediction_->product(u, u);
   }
+  /// The products of such columns with each other and with what is off.
+  void products(const MatrixXd& columns, MatrixXd& squares, VectorXd& with_off) const {
+    squares = prediction_->products(columns, columns);
+    with_off = prediction_->products(columns, off_).col(0);
+  }
   /// Columns that may each be added to the readings: how much the best size of each takes of the misfit, and that size.
   struct Added {
     double gain = 0, size = 0;
@@ -181,6 +186,62 @@ void try_unit(std::vector<Tried>& all, const Channels& channels, FaultKind kind,
   all.push_back(made(channels, kind, about, channels.chi2_of(readings), penalty, {factor}));
 }
 
+// The readings of each motor in the columns of each: what an order of all six makes of the misfit is a sum over pairs.
+class Orders {
+ public:
+  explicit Orders(const Channels& channels) : before_(channels.chi2()) {
+    MatrixXd columns(channels.rows(), kMotors * kMotors);
+    for (int to = 0; to < kMotors; ++to) {
+      for (int from = 0; from < kMotors; ++from) {
+        columns.col(kMotors * to + from) = channels.whitened([&](std::size_t, const RunRows& rows) {
+          VectorXd moved = VectorXd::Zero(rows.measured.size());
+          if (rows.raw.first_row(1)) {
+            segment(moved, rows, 1 + to) =
+                segment(rows.measured, rows, 1 + from) - segment(rows.measured, rows, 1 + to);
+          }
+          return moved;
+        });
+      }
+    }
+    channels.products(columns, squares_, with_off_);
+  }
+  /// order[i]: the column that holds what motor 1 + i reads.
+  double chi2(const std::array<int, 6>& order) const {
+    double sum = before_;
+    for (int i = 0; i < kMotors; ++i) {
+      const Index a = kMotors * i + order[static_cast<std::size_t>(i)];
+      sum += 2 * with_off_[a];
+      for (int k = 0; k < kMotors; ++k) sum += squares_(a, kMotors * k + order[static_cast<std::size_t>(k)]);
+    }
+    return sum;
+  }
+
+ private:
+  static constexpr int kMotors = 6;
+  double before_;
+  MatrixXd squares_;
+  VectorXd with_off_;
+};
+
+void try_exchanges(std::vector<Tried>& all, const Channels& channels) {
+  const Orders orders(channels);
+  std::array<int, 6> order{0, 1, 2, 3, 4, 5};
+  while (std::next_permutation(order.begin(), order.end())) {
+    std::vector<int> moved;
+    std::vector<double> columns;
+    for (int i = 0; i < 6; ++i) {
+      const int from = order[static_cast<std::size_t>(i)];
+      if (from == i) continue;
+      moved.push_back(1 + i);
+      columns.push_back(1 + from);
+    }
+    if (moved.size() == 2) columns.clear();
+    const double alternatives = moved.size() == 2 ? 15 : 704;
+    all.push_back(
+        made(channels, FaultKind::motors_swapped, moved, orders.chi2(order), std::log(alternatives), columns));
+  }
+}
+
 void try_motors(std::vector<Tried>& all, const Channels& channels) {
   const std::vector<int> motors{1, 2, 3, 4, 5, 6};
   for (const int motor : motors) {
@@ -189,18 +250,7 @@ void try_motors(std::vector<Tried>& all, const Channels& channels) {
   }
   try_sign(all, channels, FaultKind::motor_sign, motors, 7);
   try_unit(all, channels, FaultKind::torque_unit, motors, 7);
-  for (const int one : motors) {
-    for (int other = one + 1; other < kChannels; ++other) {
-      const VectorXd readings = channels.whitened([&](std::size_t, const RunRows& rows) {
-        VectorXd exchanged = rows.measured;
-        if (!rows.raw.first_row(one)) return exchanged;
-        segment(exchanged, rows, one) = segment(rows.measured, rows, other);
-        segment(exchanged, rows, other) = segment(rows.measured, rows, one);
-        return exchanged;
-      });
-      all.push_back(made(channels, FaultKind::motors_swapped, {one, other}, channels.chi2_of(readings), std::log(15)));
-    }
-  }
+  try_exchanges(all, channels);
 }
 
 // How far each sample is along the way from the first one, rad.

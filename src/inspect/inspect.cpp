@@ -144,9 +144,9 @@ class Inspector {
     look(looked, outliers, left);
     const bool of_all = coarseness(left, true) > options_.coarse || coarseness(left, false) > options_.coarse;
     const FineNoise fine = noise_from_sample_to_sample(kept(left, outliers), bench_.noise);
-    if (std::optional<Fault> fault = likelier(fault_of_all(looked, outliers, of_all, fine),
-                                              fault_of_some(looked, bench_, noise_from_sample_to_sample(left, bench_.noise),
-                                                            of_all, options_))) {
+    if (std::optional<Fault> fault = likelier(
+            fault_of_all(looked, outliers, of_all, fine),
+            fault_of_some(looked, bench_, noise_from_sample_to_sample(left, bench_.noise), of_all, options_))) {
       found.faults.push_back(std::move(*fault));
       return found;  // before that is mended no run can be told from the others
     }

@@ -1,14 +1,10 @@
 #include "inspect/some_runs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <numeric>
 
 #include <Eigen/Cholesky>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/diagnostic.hpp"
 #include "base/parallel.hpp"
@@ -25,7 +21,8 @@ using identify::kChannels;
 using identify::kRadial;
 using measure::Run;
 
-constexpr double kLeastFactor = 1.1;  // between the torques of runs
+constexpr std::size_t kLeastRuns = 4;
+constexpr double kLeastFactor = 1.1;  // between the readings of runs
 
 using Which = std::vector<bool>;
 
@@ -33,6 +30,7 @@ using Which = std::vector<bool>;
 struct Information {
   MatrixXd gram;  // empty: as stated
   VectorXd pull;
+  VectorXd white_pull;  // L^-1 pull, L L^T the information of all runs as stated
   double square = 0;
 };
 
@@ -41,7 +39,13 @@ struct Alike {
   Fault fault;
   std::vector<Information> mended;
   double penalty = 0;          // nats, for the alternatives and for what is fitted
-  std::vector<double> volume;  // nats by which smaller readings of a run are less likely
+  std::vector<double> volume;  // nats by which smaller readings of a run are less likely, and larger ones more
+  Which first;                 // a first guess of which runs; empty: none
+
+  // Whether runs have other slopes when they are mended.
+  bool labelled() const {
+    return std::any_of(mended.begin(), mended.end(), [](const Information& run) { return run.gram.size() > 0; });
+  }
 };
 
 // All runs together, some of them mended.
@@ -51,10 +55,10 @@ class Together {
     information_ = MatrixXd(bench.prior.precision.asDiagonal());
     for (const RunRows& rows : looked.rows) {
       information_ += rows.gram;
-      stated_.push_back({{}, rows.slopes.transpose() * rows.left, rows.left.squaredNorm()});
       rows_ += rows.rows();
     }
     factored_.compute(information_);
+    for (const RunRows& rows : looked.rows) stated_.push_back(of_left(rows, rows.left));
     chi2_ = chi2_of({{}, stated_, 0, {}}, Which(runs(), false));
   }
 
@@ -70,7 +74,7 @@ class Together {
     for_each_index(runs(), [&](std::size_t r) {
       const RunRows& rows = looked_.rows[r];
       const VectorXd left = rows.left + bench_.white(rows, readings(rows) - rows.measured).col(0);
-      all[r] = {{}, rows.slopes.transpose() * left, left.squaredNorm()};
+      all[r] = of_left(rows, left);
     });
     return all;
   }
@@ -82,7 +86,8 @@ class Together {
       change(run);
       try {
         RunRows rows = bench_.rows(run);
-        all[r] = {std::move(rows.gram), rows.slopes.transpose() * rows.left, rows.left.squaredNorm()};
+        all[r] = of_left(rows, rows.left);
+        all[r].gram = std::move(rows.gram);
       } catch (const Refusal&) {
       }
     });
@@ -93,14 +98,13 @@ class Together {
   double chi2_of(const Alike& alike, const Which& which) const {
     double squares = 0;
     VectorXd pull = VectorXd::Zero(information_.cols());
-    bool other_slopes = false;
+    const bool labelled = alike.labelled();
     for (std::size_t r = 0; r < runs(); ++r) {
       const Information& run = which[r] ? alike.mended[r] : stated_[r];
       squares += run.square;
-      pull += run.pull;
-      other_slopes = other_slopes || run.gram.size() > 0;
+      pull += labelled ? run.pull : run.white_pull;
     }
-    if (!other_slopes) return squares - pull.dot(factored_.solve(pull));
+    if (!labelled) return squares - pull.squaredNorm();
     MatrixXd information = information_;
     for (std::size_t r = 0; r < runs(); ++r) {
       if (which[r] && alike.mended[r].gram.size() > 0) information += alike.mended[r].gram - looked_.rows[r].gram;
@@ -122,6 +126,12 @@ class Together {
   }
 
  private:
+  Information of_left(const RunRows& rows, const VectorXd& left) const {
+    Information run{{}, rows.slopes.transpose() * left, {}, left.squaredNorm()};
+    run.white_pull = factored_.matrixL().solve(run.pull);
+    return run;
+  }
+
   const Looked& looked_;
   const Bench& bench_;
   std::vector<Information> stated_;
@@ -134,7 +144,9 @@ class Together {
 // Which runs are mended, and what chi-square then is, with what smaller readings are less likely by.
 struct Chosen {
   Which which;
-  double chi2 = 0, volume = 0;
+  double chi2 = 0;
+  double volume = 0;   // of runs whose readings become smaller; others gain nothing: noise may be less than is assumed
+  double density = 0;  // of all
   double objective() const { return chi2 + 2 * volume; }
 };
 
@@ -142,33 +154,46 @@ class Choice {
  public:
   Choice(const Together& together, const Alike& alike) : together_(together), alike_(alike) {}
 
-  // From a first guess, one run after the other as long as that helps by so many nats.
+  // From a first guess, one run after the other, then two at once, as long as that helps by so many nats a run.
   Chosen from(Which which, double nats) const {
     Chosen best = at(std::move(which));
+    const bool pairs = !alike_.labelled();  // which would take long
     for (int sweep = 0; sweep < 6; ++sweep) {
-      bool moved = false;
-      for (std::size_t r = 0; r < together_.runs(); ++r) {
-        Which other = best.which;
-        other[r] = !other[r];
-        Chosen changed = at(std::move(other));
-        // a run that is mended must be worth it
-        const double worth = best.which[r] ? -2 * nats : 2 * nats;
-        if (changed.objective() + worth >= best.objective()) continue;
-        best = std::move(changed);
-        moved = true;
-      }
-      if (!moved) break;
+      if (!moved(best, nats, false) && !(pairs && moved(best, nats, true))) break;
     }
     return best;
   }
   Chosen at(Which which) const {
-    Chosen chosen{std::move(which), 0, 0};
+    Chosen chosen{std::move(which)};
     chosen.chi2 = together_.chi2_of(alike_, chosen.which);
-    for (std::size_t r = 0; r < alike_.volume.size(); ++r) chosen.volume += chosen.which[r] ? alike_.volume[r] : 0;
+    for (std::size_t r = 0; r < alike_.volume.size(); ++r) {
+      if (!chosen.which[r]) continue;
+      chosen.volume += std::max(0.0, alike_.volume[r]);
+      chosen.density += alike_.volume[r];
+    }
     return chosen;
   }
 
  private:
+  bool moved(Chosen& best, double nats, bool pairs) const {
+    bool any = false;
+    for (std::size_t r = 0; r < together_.runs(); ++r) {
+      for (std::size_t s = pairs ? r + 1 : r; s < (pairs ? together_.runs() : r + 1); ++s) {
+        Which other = best.which;
+        other[r] = !other[r];
+        if (s != r) other[s] = !other[s];
+        Chosen changed = at(std::move(other));
+        // runs that are mended must be worth it
+        const auto more = std::count(changed.which.begin(), changed.which.end(), true) -
+                          std::count(best.which.begin(), best.which.end(), true);
+        if (changed.objective() + 2 * nats * static_cast<double>(more) >= best.objective()) continue;
+        best = std::move(changed);
+        any = true;
+      }
+    }
+    return any;
+  }
+
   const Together& together_;
   const Alike& alike_;
 };
@@ -191,11 +216,13 @@ Alike signs(const Together& together, FaultKind kind, const std::vector<int>& ch
   return alike;
 }
 
-Alike exchange(const Together& together, int one, int other) {
-  Alike alike{{FaultKind::motors_swapped, {}}, {}, std::log(15), {}};
-  alike.fault.channels = {one, other};
-  alike.mended =
-      together.with_readings([&](const RunRows& rows) { return changed(rows, {one, other}, {other, one}, 1); });
+// The readings of each of these motors are where those of the other one should be.
+Alike exchange(const Together& together, const std::vector<int>& motors, const std::vector<int>& others,
+               double alternatives) {
+  Alike alike{{FaultKind::motors_swapped, {}}, {}, std::log(alternatives), {}};
+  alike.fault.channels = motors;
+  if (motors.size() > 2) alike.fault.values.assign(others.begin(), others.end());
+  alike.mended = together.with_readings([&](const RunRows& rows) { return changed(rows, motors, others, 1); });
   return alike;
 }
 
@@ -209,7 +236,7 @@ Alike unit(const Together& together, const std::vector<int>& channels, double fa
   for (const RunRows& rows : together.looked().rows) {
     double count = 0;
     for (const int channel : channels) count += rows.raw.first_row(channel) ? static_cast<double>(rows.raw.samples) : 0;
-    alike.volume.push_back(count * std::max(0.0, std::log(factor)));
+    alike.volume.push_back(count * std::log(factor));
   }
   return alike;
 }
@@ -241,17 +268,42 @@ std::vector<double> best_scales(const Together& together, const std::vector<int>
   return {scales.begin(), scales.end()};
 }
 
-// Between the two groups of these that are furthest apart, as a ratio: nothing, where they are no two groups.
-std::optional<double> ratio_of_groups(std::vector<double> scales) {
-  std::erase_if(scales, [](double scale) { return !(scale > 1e-6); });
-  if (scales.size() < 4) return std::nullopt;
-  std::sort(scales.begin(), scales.end());
+// Scales in two groups, between which the gap is widest.
+struct Groups {
+  double ratio = 1;  // of the middle of the larger ones to that of the others
+  Which large, small;
+};
+std::optional<Groups> groups_of(const std::vector<double>& scales) {
+  std::vector<double> sorted = scales;
+  std::erase_if(sorted, [](double scale) { return !(scale > 1e-6); });
+  if (sorted.size() < 4) return std::nullopt;
+  std::sort(sorted.begin(), sorted.end());
   std::size_t split = 1;
-  for (std::size_t i = 1; i < scales.size(); ++i) {
-    if (scales[i] / scales[i - 1] > scales[split] / scales[split - 1]) split = i;
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    if (sorted[i] / sorted[i - 1] > sorted[split] / sorted[split - 1]) split = i;
   }
-  const auto at = scales.begin() + static_cast<std::ptrdiff_t>(split);
-  return median(std::vector<double>(at, scales.end())) / median(std::vector<double>(scales.begin(), at));
+  const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(split);
+  Groups groups{
+      median(std::vector<double>(at, sorted.end())) / median(std::vector<double>(sorted.begin(), at)), {}, {}};
+  for (const double scale : scales) {
+    groups.large.push_back(scale >= *at);
+    groups.small.push_back(scale < *at);
+  }
+  return groups;
+}
+
+// One pair of motors, or two.
+void add_exchanges(std::vector<Alike>& all, const Together& together) {
+  for (int a = 1; a < kChannels; ++a) {
+    for (int b = a + 1; b < kChannels; ++b) {
+      all.push_back(exchange(together, {a, b}, {b, a}, 15));
+      for (int c = a + 1; c < kChannels; ++c) {
+        for (int d = c + 1; d < kChannels; ++d) {
+          if (c != b && d != b) all.push_back(exchange(together, {a, b, c, d}, {b, a, d, c}, 45));
+        }
+      }
+    }
+  }
 }
 
 std::vector<Alike> of_channels(const Together& together) {
@@ -261,10 +313,12 @@ std::vector<Alike> of_channels(const Together& together) {
   };
   std::vector<Alike> all;
   const auto add_units = [&](const std::vector<int>& channels, double alternatives) {
-    const std::optional<double> ratio = ratio_of_groups(best_scales(together, channels));
-    if (!ratio || *ratio < kLeastFactor) return;
-    all.push_back(unit(together, channels, *ratio, alternatives));
-    all.push_back(unit(together, channels, 1 / *ratio, alternatives));
+    const std::optional<Groups> groups = groups_of(best_scales(together, channels));
+    if (!groups || groups->ratio < kLeastFactor) return;
+    all.push_back(unit(together, channels, groups->ratio, alternatives));
+    all.back().first = groups->small;
+    all.push_back(unit(together, channels, 1 / groups->ratio, alternatives));
+    all.back().first = groups->large;
   };
   if (has(kRadial)) {
     all.push_back(signs(together, FaultKind::bar_sign, {kRadial}, 1));
@@ -277,8 +331,8 @@ std::vector<Alike> of_channels(const Together& together) {
     for (const int one : motors) {
       all.push_back(signs(together, FaultKind::motor_sign, {one}, 7));
       add_units({one}, 7);
-      for (int other = one + 1; other < kChannels; ++other) all.push_back(exchange(together, one, other));
     }
+    add_exchanges(all, together);
   }
   return all;
 }
@@ -302,56 +356,70 @@ std::vector<Alike> of_labels(const Together& together) {
   return all;
 }
 
+bool is_unit(FaultKind kind) { return kind == FaultKind::bar_unit || kind == FaultKind::torque_unit; }
+
+// What is best made of this fault: the runs that have it, and what mending it then makes of all.
+Chosen chosen(const Together& together, const Alike& alike, double nats) {
+  const Choice choice(together, alike);
+  Chosen best = choice.from(together.better_alone(alike), nats);
+  const auto also_from = [&](const Which& start) {
+    Chosen other = choice.from(start, nats);
+    if (other.objective() < best.objective()) best = std::move(other);
+  };
+  if (!alike.labelled()) also_from(Which(together.runs(), false));
+  if (!alike.first.empty()) also_from(alike.first);
+  return best;
+}
+
+// The fault as it stands for these runs, misfits as chi-square of all runs.
+Fault made(const Together& together, const Alike& alike, const Chosen& chosen) {
+  Fault fault = alike.fault;
+  const double scale = std::max(1.0, chosen.chi2 / static_cast<double>(together.rows()));
+  const double penalty = alike.penalty + chosen.volume + static_cast<double>(together.runs()) * std::log(2.0);
+  fault.nats = (together.chi2() - chosen.chi2) / (2 * scale) - penalty;
+  fault.before = together.chi2();
+  fault.after = chosen.chi2;
+  for (std::size_t r = 0; r < together.runs(); ++r) {
+    if (chosen.which[r]) fault.runs.push_back(r);
+  }
+  return fault;
+}
+
 }  // namespace
 
 std::optional<Fault> fault_of_some(const Looked& looked, const Bench& bench, const FineNoise& noise, bool labels,
                                    const InspectOptions& options) {
-  if (looked.runs.size() < 4) return std::nullopt;
+  if (looked.runs.size() < kLeastRuns) return std::nullopt;
   const Together together(looked, bench);
   std::vector<Alike> all = of_channels(together);
   if (labels) {
     for (Alike& one : of_labels(together)) all.push_back(std::move(one));
   }
-  const double before = together.chi2();
   std::optional<Fault> best;
-  double least = before;
-  for (Alike& alike : all) {
-    const Choice choice(together, alike);
-    const bool labelled = alike.mended.front().gram.size() > 0;
-    std::vector<Which> starts{together.better_alone(alike)};
-    if (!labelled) starts.emplace_back(together.runs(), false);
-    std::optional<Chosen> found;
-    for (Which& start : starts) {
-      Chosen chosen = choice.from(std::move(start), options.least_nats);
-      if (!found || chosen.objective() < found->objective()) found = std::move(chosen);
-    }
-    const auto count = static_cast<double>(std::count(found->which.begin(), found->which.end(), true));
-    const auto runs = static_cast<double>(together.runs());
-    const double penalty = alike.penalty + found->volume + runs * std::log(2.0);
-    if (getenv("DBG")) {
-      fmt::print(stderr, "{} {} {}: {} runs, chi2/n {:.3f} -> {:.3f}, objective {:.0f}\n", to_text(alike.fault.kind),
-                 fmt::join(alike.fault.channels, ","), alike.fault.values.empty() ? 0 : alike.fault.values[0], count,
-                 before / static_cast<double>(together.rows()), found->chi2 / static_cast<double>(together.rows()),
-                 found->objective());
-    }
-    if (count < 2 || count == runs || found->chi2 + 2 * penalty >= least) continue;
-    least = found->chi2 + 2 * penalty;
-    const double scale = std::max(1.0, found->chi2 / static_cast<double>(together.rows()));
-    best = alike.fault;
-    best->nats = (before - found->chi2) / (2 * scale) - penalty;
-    best->before = before;
-    best->after = found->chi2;
-    for (std::size_t r = 0; r < together.runs(); ++r) {
-      if (found->which[r]) best->runs.push_back(r);
-    }
+  double least = together.chi2();
+  double least_dense = least;
+  for (const Alike& alike : all) {
+    const Chosen choice = chosen(together, alike, options.least_nats);
+    const auto count = static_cast<std::size_t>(std::count(choice.which.begin(), choice.which.end(), true));
+    const double objective = choice.objective() + 2 * alike.penalty;
+    if (count < 2 || count == together.runs()) continue;
+    // which of two groups has the other unit is a matter of their noise: all of the density counts
+    const double dense = choice.chi2 + 2 * (choice.density + alike.penalty);
+    const bool same =
+        best && is_unit(best->kind) && best->kind == alike.fault.kind && best->channels == alike.fault.channels;
+    if (same ? dense >= least_dense : objective >= least) continue;
+    least = objective;
+    least_dense = dense;
+    best = made(together, alike, choice);
   }
   if (!best) return std::nullopt;
+  // as with one run and with all: it takes away most of what is off, and leaves little more than noise
   const double expected = noise.expected({});
-  if (best->nats < options.all_nats || before - best->after < options.explained * (before - expected) ||
-      best->after > options.near * expected)
-    return std::nullopt;
-  best->before = std::sqrt(best->before / static_cast<double>(together.rows()));
-  best->after = std::sqrt(best->after / static_cast<double>(together.rows()));
+  const bool explains = best->before - best->after > options.explained * (best->before - expected);
+  if (best->nats < options.all_nats || !explains || best->after > options.near * expected) return std::nullopt;
+  const auto rows = static_cast<double>(together.rows());
+  best->before = std::sqrt(best->before / rows);
+  best->after = std::sqrt(best->after / rows);
   for (std::size_t& run : best->runs) run = looked.numbers[run];
   return best;
 }

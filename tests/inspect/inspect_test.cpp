@@ -2,6 +2,7 @@
 #include "inspect/inspect.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <random>
 
@@ -79,6 +80,34 @@ TEST_CASE("what is wrong with one run is found, and what would mend it") {
     CHECK(fault.before > 1.3 * fault.after);
     CHECK(fault.after < 1.5);
     CHECK(fault.nats > 25);
+  }
+}
+
+TEST_CASE("motors in another order are told, in one run and in all, be they two pairs or three in turn") {
+  const std::vector<std::array<std::size_t, 6>> orders{{1, 0, 3, 2, 4, 5}, {1, 2, 0, 3, 4, 5}, {0, 5, 4, 3, 2, 1}};
+  for (const std::array<std::size_t, 6>& order : orders) {
+    for (const bool all : {false, true}) {
+      CAPTURE(order, all);
+      Measured measured;
+      std::vector<int> moved;
+      for (std::size_t motor = 0; motor < 6; ++motor) {
+        if (order[motor] != motor) moved.push_back(static_cast<int>(motor + 1));
+      }
+      for (std::size_t r = 0; r < measured.runs.size(); ++r) {
+        if (r != 3 && !all) continue;
+        const auto torque = measured.runs[r].torque;
+        for (std::size_t motor = 0; motor < 6; ++motor) measured.runs[r].torque[order[motor]] = torque[motor];
+      }
+      const inspect::Inspection inspection = measured.inspection();
+      REQUIRE(inspection.faults.size() == 1);
+      const Fault& fault = inspection.faults[0];
+      CHECK(fault.kind == FaultKind::motors_swapped);
+      CHECK(fault.all == all);
+      CHECK(fault.channels == moved);
+      for (std::size_t i = 0; i < moved.size(); ++i) {
+        CHECK(fault.values.at(i) == static_cast<double>(order[static_cast<std::size_t>(moved[i] - 1)] + 1));
+      }
+    }
   }
 }
 

@@ -37,6 +37,20 @@ std::string channel_text(const std::vector<int>& channels) {
   return fmt::format("{}", fmt::join(names, " and "));
 }
 
+// Three and more that follow each other as "A to B".
+std::string runs_text(const std::vector<std::size_t>& numbers, const std::vector<Run>& runs) {
+  std::vector<std::string> each;
+  for (std::size_t i = 0; i < numbers.size();) {
+    std::size_t last = i;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+    if (last < i + 2) last = i;
+    each.push_back(last == i ? runs[numbers[i]].id
+                             : fmt::format("{} to {}", runs[numbers[i]].id, runs[numbers[last]].id));
+    i = last + 1;
+  }
+  return fmt::format("{}", fmt::join(each, ", "));
+}
+
 // What would mend it: "with direction cw instead of ccw".
 std::string label_text(const Fault& fault, const Run& run, const std::vector<Run>& runs) {
   const double value = fault.values.empty() ? 0 : fault.values[0];
@@ -74,6 +88,10 @@ std::string channels_text(const Fault& fault) {
     case FaultKind::motor_sign:
       return fmt::format("with the sign of {} turned around", of);
     case FaultKind::motors_swapped:
+      if (!fault.values.empty()) {
+        return fmt::format("with motors {} read in the columns of {}", fmt::join(fault.channels, ", "),
+                           fmt::join(fault.values, ", "));
+      }
       return fmt::format("with {} exchanged", of);
     case FaultKind::torque_unit:
       return fmt::format("with {} divided by {:.4g} (a current, or per cent of rated?)", of, value);
@@ -173,9 +191,7 @@ std::string fault_text(const Fault& fault, const std::vector<Run>& runs) {
   const bool several = !fault.all && fault.after > 0 && fault.runs.size() > 1;
   std::string text = fault.all ? "all runs: " : fmt::format("run {}: ", run.id);
   if (several) {
-    std::vector<std::string> ids;
-    for (const std::size_t r : fault.runs) ids.push_back(runs[r].id);
-    text = fmt::format("runs {}: ", fmt::join(ids, ", "));
+    text = fmt::format("runs {}: ", runs_text(fault.runs, runs));
   }
   if (fault.after == 0 || fault.kind == FaultKind::stands_out || fault.kind == FaultKind::noisy) {
     return text + record_text(fault, run, runs);
