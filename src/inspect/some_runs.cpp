@@ -111,6 +111,39 @@ class Together {
     }
     return squares - pull.dot(information.llt().solve(pull));
   }
+  // The same where some runs are left out, each of their readings then being off by its noise.
+  double chi2_without(const Which& out) const {
+    double squares = 0;
+    VectorXd pull = VectorXd::Zero(information_.cols());
+    MatrixXd information = information_;
+    for (std::size_t r = 0; r < runs(); ++r) {
+      squares += out[r] ? static_cast<double>(looked_.rows[r].rows()) : stated_[r].square;
+      if (out[r]) {
+        information -= looked_.rows[r].gram;
+      } else {
+        pull += stated_[r].pull;
+      }
+    }
+    return squares - pull.dot(information.llt().solve(pull));
+  }
+  // The least of it where so many runs, the worst one after the other, are left out.
+  double least_without(std::size_t most) const {
+    Which out(runs(), false);
+    double least = chi2_;
+    for (std::size_t taken = 0; taken < most; ++taken) {
+      std::vector<double> each(runs(), least);
+      for_each_index(runs(), [&](std::size_t r) {
+        Which more = out;
+        more[r] = true;
+        if (!out[r]) each[r] = chi2_without(more);
+      });
+      const auto worst = std::min_element(each.begin(), each.end());
+      if (*worst >= least) break;
+      least = *worst;
+      out[static_cast<std::size_t>(worst - each.begin())] = true;
+    }
+    return least;
+  }
   // The same of each run alone, which nothing is known beside but the priors.
   Which better_alone(const Alike& alike) const {
     Which better(runs());
@@ -417,6 +450,8 @@ std::optional<Fault> fault_of_some(const Looked& looked, const Bench& bench, con
   const double expected = noise.expected({});
   const bool explains = best->before - best->after > options.explained * (best->before - expected);
   if (best->nats < options.all_nats || !explains || best->after > options.near * expected) return std::nullopt;
+  // nor is there something wrong with half as many of them alone
+  if (together.least_without(best->runs.size() / 2) <= best->after) return std::nullopt;
   const auto rows = static_cast<double>(together.rows());
   best->before = std::sqrt(best->before / rows);
   best->after = std::sqrt(best->after / rows);
