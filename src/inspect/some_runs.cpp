@@ -126,13 +126,14 @@ class Together {
     }
     return squares - pull.dot(information.llt().solve(pull));
   }
-  // The least of it where so many runs, the worst one after the other, are left out.
-  double least_without(std::size_t most) const {
+  // The least of it where so many of some runs, the worst one after the other, are left out.
+  double least_without(const std::vector<std::size_t>& some, std::size_t most) const {
     Which out(runs(), false);
     double least = chi2_;
     for (std::size_t taken = 0; taken < most; ++taken) {
       std::vector<double> each(runs(), least);
-      for_each_index(runs(), [&](std::size_t r) {
+      for_each_index(some.size(), [&](std::size_t i) {
+        const std::size_t r = some[i];
         Which more = out;
         more[r] = true;
         if (!out[r]) each[r] = chi2_without(more);
@@ -435,11 +436,12 @@ std::optional<Fault> fault_of_some(const Looked& looked, const Bench& bench, con
     const Chosen choice = chosen(together, alike, options.least_nats);
     const auto count = static_cast<std::size_t>(std::count(choice.which.begin(), choice.which.end(), true));
     const double objective = choice.objective() + 2 * alike.penalty;
-    if (count < 2 || count == together.runs()) continue;
+    if (count < 2 || count + 2 > together.runs()) continue;  // one run, or one that is right, is judged by itself
     // which of two groups has the other unit is a matter of their noise: all of the density counts
     const double dense = choice.chi2 + 2 * (choice.density + alike.penalty);
-    const bool same =
-        best && is_unit(best->kind) && best->kind == alike.fault.kind && best->channels == alike.fault.channels;
+    const bool same = best && is_unit(best->kind) && best->kind == alike.fault.kind &&
+                      best->channels == alike.fault.channels &&
+                      choice.chi2 < options.near * std::max(best->after, static_cast<double>(together.rows()));
     if (same ? dense >= least_dense : objective >= least) continue;
     least = objective;
     least_dense = dense;
@@ -451,7 +453,7 @@ std::optional<Fault> fault_of_some(const Looked& looked, const Bench& bench, con
   const bool explains = best->before - best->after > options.explained * (best->before - expected);
   if (best->nats < options.all_nats || !explains || best->after > options.near * expected) return std::nullopt;
   // nor is there something wrong with half as many of them alone
-  if (together.least_without(best->runs.size() / 2) <= best->after) return std::nullopt;
+  if (together.least_without(best->runs, best->runs.size() / 2) <= best->after) return std::nullopt;
   const auto rows = static_cast<double>(together.rows());
   best->before = std::sqrt(best->before / rows);
   best->after = std::sqrt(best->after / rows);
