@@ -117,10 +117,10 @@ std::optional<Fault> unexplained(const Looked& looked, const Outliers& outliers,
   return fault;
 }
 
-// The one of two, if any, that takes more.
-std::optional<Fault> likelier(std::optional<Fault> one, std::optional<Fault> other) {
-  if (one && other) return one->nats < other->nats ? other : one;
-  return one ? one : other;
+// Of all runs, or of some of them: the one, if any, that takes more.
+std::optional<Fault> likelier(std::optional<Fault> of_all, std::optional<Fault> of_some) {
+  if (!of_all || !of_some) return of_all ? of_all : of_some;
+  return of_all->nats >= of_some->nats ? of_all : of_some;
 }
 
 class Inspector {
@@ -214,6 +214,8 @@ class Inspector {
     if (fault.nats < (sign && !bar_is_open ? 2 * options_.least_nats : options_.all_nats)) return std::nullopt;
     fault.all = true;
     fault.runs = looked.numbers;
+    // what is said of the place is of the first of them that was looked at
+    if (is_setting(fault.kind)) std::swap(fault.runs.front(), fault.runs[suspects.runs.front()]);
     return fault;
   }
 

@@ -56,11 +56,12 @@ void add_tilts(std::vector<Relabelled>& all) {
 }
 
 void add_centres(std::vector<Relabelled>& all) {
-  constexpr double kSlips = 4;
+  constexpr double kSlips = 5;
   add(all, FaultKind::centre, kSlips, [](Run& run) { run.centre_W[0] = -run.centre_W[0]; });
   add(all, FaultKind::centre, kSlips, [](Run& run) { run.centre_W[1] = -run.centre_W[1]; });
   add(all, FaultKind::centre, kSlips, [](Run& run) { run.centre_W.head<2>() = -run.centre_W.head<2>().eval(); });
   add(all, FaultKind::centre, kSlips, [](Run& run) { std::swap(run.centre_W[0], run.centre_W[1]); });
+  add(all, FaultKind::centre, kSlips, [](Run& run) { run.centre_W[2] = -run.centre_W[2]; });
   add_fitted(all, FaultKind::centre, vector_of({0, 0, 0}), vector_of({1e-3, 1e-3, 1e-3}),
              [](Run& run, const VectorXd& p) { run.centre_W += p; });
 }
@@ -121,11 +122,11 @@ std::vector<Relabelled> relabellings(const Suspects& suspects) {
   std::vector<Relabelled> all;
   add(all, FaultKind::direction, 1, [](Run& run) { run = turned_back(run); });
   add_tilts(all);
+  add_centres(all);
   if (suspects.runs.size() > 1) {  // alike in all runs: what a convention does, not a slip
     add_angle_zeros(all, 4);
     return all;
   }
-  add_centres(all);
   add_exchanges(all, suspects);
   add_angle_zeros(all, 12);
   add_fitted(all, FaultKind::payload, vector_of({0}), vector_of({0.1}),

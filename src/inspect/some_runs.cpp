@@ -38,9 +38,10 @@ struct Information {
 struct Alike {
   Fault fault;
   std::vector<Information> mended;
-  double penalty = 0;          // nats, for the alternatives and for what is fitted
-  std::vector<double> volume;  // nats by which smaller readings of a run are less likely, and larger ones more
-  Which first;                 // a first guess of which runs; empty: none
+  double penalty = 0;                // nats, for the alternatives and for what is fitted
+  std::vector<double> volume;        // nats by which smaller readings of a run are less likely, and larger ones more
+  std::function<void(Run&)> change;  // of labels; empty: none
+  Which first;                       // a first guess of which runs; empty: none
 
   // Whether runs have other slopes when they are mended.
   bool labelled() const {
@@ -377,6 +378,7 @@ std::vector<Alike> of_labels(const Together& together) {
                        std::vector<double> values = {}) {
     Alike alike{{kind, {}}, {}, std::log(alternatives), {}};
     alike.fault.values = std::move(values);
+    alike.change = change;
     alike.mended = together.with_labels(change);
     all.push_back(std::move(alike));
   };
@@ -387,6 +389,14 @@ std::vector<Alike> of_labels(const Together& together) {
     };
     add(FaultKind::angle_zero, 3, turned, {angle * kDeg});
   }
+  add(FaultKind::tilt, 4, [](Run& run) { run.tilt.head<2>() = -run.tilt.head<2>().eval(); });
+  add(FaultKind::tilt, 4, [](Run& run) { run.tilt[0] = -run.tilt[0]; });
+  add(FaultKind::tilt, 4, [](Run& run) { run.tilt[1] = -run.tilt[1]; });
+  add(FaultKind::tilt, 4, [](Run& run) { std::swap(run.tilt[0], run.tilt[1]); });
+  for (const int axis : {0, 1, 2}) {
+    add(FaultKind::centre, 4, [axis](Run& run) { run.centre_W[axis] = -run.centre_W[axis]; });
+  }
+  add(FaultKind::centre, 4, [](Run& run) { std::swap(run.centre_W[0], run.centre_W[1]); });
   return all;
 }
 
@@ -415,6 +425,12 @@ Fault made(const Together& together, const Alike& alike, const Chosen& chosen) {
   fault.after = chosen.chi2;
   for (std::size_t r = 0; r < together.runs(); ++r) {
     if (chosen.which[r]) fault.runs.push_back(r);
+  }
+  if (alike.change && !fault.runs.empty()) {
+    Run run = together.looked().runs[fault.runs.front()];
+    alike.change(run);
+    if (fault.kind == FaultKind::tilt) fault.values = {run.tilt.x(), run.tilt.y(), run.tilt.z()};
+    if (fault.kind == FaultKind::centre) fault.values = {run.centre_W.x(), run.centre_W.y(), run.centre_W.z()};
   }
   return fault;
 }
@@ -445,7 +461,11 @@ std::optional<Fault> fault_of_some(const Looked& looked, const Bench& bench, con
     if (same ? dense >= least_dense : objective >= least) continue;
     least = objective;
     least_dense = dense;
-    best = made(together, alike, choice);
+    // what some do not show, as the sign of a coordinate that is nil, is still of all
+    const Chosen all_runs = Choice(together, alike).at(Which(together.runs(), true));
+    const bool of_all = all_runs.objective() < choice.objective() + 2 * options.least_nats;
+    best = made(together, alike, of_all ? all_runs : choice);
+    best->all = of_all;
   }
   if (!best) return std::nullopt;
   // as with one run and with all: it takes away most of what is off, and leaves little more than noise
@@ -453,7 +473,7 @@ std::optional<Fault> fault_of_some(const Looked& looked, const Bench& bench, con
   const bool explains = best->before - best->after > options.explained * (best->before - expected);
   if (best->nats < options.all_nats || !explains || best->after > options.near * expected) return std::nullopt;
   // nor is there something wrong with half as many of them alone
-  if (together.least_without(best->runs, best->runs.size() / 2) <= best->after) return std::nullopt;
+  if (!best->all && together.least_without(best->runs, best->runs.size() / 2) <= best->after) return std::nullopt;
   const auto rows = static_cast<double>(together.rows());
   best->before = std::sqrt(best->before / rows);
   best->after = std::sqrt(best->after / rows);

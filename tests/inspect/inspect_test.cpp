@@ -136,6 +136,28 @@ TEST_CASE("what is wrong alike with all runs is said of all") {
   }
 }
 
+TEST_CASE("centres that have another sign in all runs are told") {
+  const std::vector<std::function<void(Run&)>> slips{[](Run& run) { run.centre_W.x() *= -1; },
+                                                     [](Run& run) { run.centre_W.y() *= -1; },
+                                                     [](Run& run) { run.centre_W.z() *= -1; }};
+  for (const auto& slip : slips) {
+    Measured measured;
+    std::vector<Vector3<double>> right;
+    for (const Run& run : measured.runs) right.push_back(run.centre_W);
+    for (Run& run : measured.runs) slip(run);
+    const inspect::Inspection inspection = measured.inspection();
+    REQUIRE(inspection.faults.size() == 1);
+    const Fault& fault = inspection.faults[0];
+    CAPTURE(to_text(fault.kind));
+    CHECK(fault.kind == FaultKind::centre);
+    CHECK(fault.all);
+    REQUIRE(fault.values.size() == 3);
+    for (int axis = 0; axis < 3; ++axis) {
+      CHECK(fault.values[static_cast<std::size_t>(axis)] == Approx(right[fault.runs[0]][axis]).margin(1e-3));
+    }
+  }
+}
+
 TEST_CASE("a motor that reads too much in all runs is told") {
   for (const double zero : {0.5, -0.4}) {
     Measured measured;

@@ -196,7 +196,9 @@ std::string fault_text(const Fault& fault, const std::vector<Run>& runs) {
   if (fault.after == 0 || fault.kind == FaultKind::stands_out || fault.kind == FaultKind::noisy) {
     return text + record_text(fault, run, runs);
   }
-  const std::string label = label_text(fault, run, runs);
+  std::string label = label_text(fault, run, runs);
+  const bool place = fault.kind == FaultKind::centre || fault.kind == FaultKind::tilt;
+  if (place && fault.runs.size() > 1) label += fmt::format(" in run {}, and so in the others,", run.id);
   text += fmt::format("{} {} at {:.1f} times the noise instead of {:.1f}", label.empty() ? channels_text(fault) : label,
                       fault.all || several ? "they are" : "it is", fault.after, fault.before);
   std::vector<std::string_view> others;
