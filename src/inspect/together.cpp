@@ -1,0 +1,175 @@
+#include "inspect/together.hpp"
+
+#include <algorithm>
+
+#include "base/diagnostic.hpp"
+#include "base/parallel.hpp"
+
+namespace plumbline::inspect {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using measure::Run;
+
+bool Alike::labelled() const {
+  return std::any_of(mended.begin(), mended.end(), [](const Information& run) { return run.gram.size() > 0; });
+}
+
+Together::Together(const Looked& looked, const Bench& bench) : looked_(looked), bench_(bench) {
+  information_ = MatrixXd(bench.prior.precision.asDiagonal());
+  for (const RunRows& rows : looked.rows) {
+    information_ += rows.gram;
+    rows_ += rows.rows();
+  }
+  factored_.compute(information_);
+  for (const RunRows& rows : looked.rows) stated_.push_back(of_left(rows, rows.left));
+  chi2_ = chi2_of({{}, stated_, 0, {}}, Which(runs(), false));
+}
+
+std::vector<Information> Together::with_readings(const std::function<VectorXd(const RunRows&)>& readings) const {
+  std::vector<Information> all(runs());
+  for_each_index(runs(), [&](std::size_t r) {
+    const RunRows& rows = looked_.rows[r];
+    const VectorXd left = rows.left + bench_.white(rows, readings(rows) - rows.measured).col(0);
+    all[r] = of_left(rows, left);
+  });
+  return all;
+}
+
+std::vector<Information> Together::with_labels(const std::function<void(Run&)>& change) const {
+  std::vector<Information> all = stated_;
+  for_each_index(runs(), [&](std::size_t r) {
+    Run run = looked_.runs[r];
+    change(run);
+    try {
+      RunRows rows = bench_.rows(run);
+      all[r] = of_left(rows, rows.left);
+      all[r].gram = std::move(rows.gram);
+    } catch (const Refusal&) {
+    }
+  });
+  return all;
+}
+
+double Together::chi2_of(const Alike& alike, const Which& which) const {
+  double squares = 0;
+  VectorXd pull = VectorXd::Zero(information_.cols());
+  const bool labelled = alike.labelled();
+  for (std::size_t r = 0; r < runs(); ++r) {
+    const Information& run = which[r] ? alike.mended[r] : stated_[r];
+    squares += run.square;
+    pull += labelled ? run.pull : run.white_pull;
+  }
+  if (!labelled) return squares - pull.squaredNorm();
+  MatrixXd information = information_;
+  for (std::size_t r = 0; r < runs(); ++r) {
+    if (which[r] && alike.mended[r].gram.size() > 0) information += alike.mended[r].gram - looked_.rows[r].gram;
+  }
+  return squares - pull.dot(information.llt().solve(pull));
+}
+
+double Together::chi2_without(const Which& out) const {
+  double squares = 0;
+  VectorXd pull = VectorXd::Zero(information_.cols());
+  MatrixXd information = information_;
+  for (std::size_t r = 0; r < runs(); ++r) {
+    squares += out[r] ? static_cast<double>(looked_.rows[r].rows()) : stated_[r].square;
+    if (out[r]) {
+      information -= looked_.rows[r].gram;
+    } else {
+      pull += stated_[r].pull;
+    }
+  }
+  return squares - pull.dot(information.llt().solve(pull));
+}
+
+double Together::least_without(const std::vector<std::size_t>& some, std::size_t most) const {
+  Which out(runs(), false);
+  double least = chi2_;
+  for (std::size_t taken = 0; taken < most; ++taken) {
+    std::vector<double> each(runs(), least);
+    for_each_index(some.size(), [&](std::size_t i) {
+      const std::size_t r = some[i];
+      Which more = out;
+      more[r] = true;
+      if (!out[r]) each[r] = chi2_without(more);
+    });
+    const auto worst = std::min_element(each.begin(), each.end());
+    if (*worst >= least) break;
+    least = *worst;
+    out[static_cast<std::size_t>(worst - each.begin())] = true;
+  }
+  return least;
+}
+
+Which Together::better_alone(const Alike& alike) const {
+  Which better(runs());
+  for_each_index(runs(), [&](std::size_t r) {
+    const auto chi2 = [&](const Information& run) {
+      MatrixXd information = run.gram.size() > 0 ? run.gram : looked_.rows[r].gram;
+      information.diagonal() += bench_.prior.precision;
+      return run.square - run.pull.dot(information.llt().solve(run.pull));
+    };
+    better[r] = chi2(alike.mended[r]) < chi2(stated_[r]);
+  });
+  return better;
+}
+
+Information Together::of_left(const RunRows& rows, const VectorXd& left) const {
+  Information run{{}, rows.slopes.transpose() * left, {}, left.squaredNorm()};
+  run.white_pull = factored_.matrixL().solve(run.pull);
+  return run;
+}
+
+// One run after the other, then two at once, as long as that helps.
+Chosen Choice::from(Which which, double nats) const {
+  Chosen best = at(std::move(which));
+  const bool pairs = !alike_.labelled();  // which would take long
+  for (int sweep = 0; sweep < 6; ++sweep) {
+    if (!moved(best, nats, false) && !(pairs && moved(best, nats, true))) break;
+  }
+  return best;
+}
+
+Chosen Choice::at(Which which) const {
+  Chosen chosen{std::move(which)};
+  chosen.chi2 = together_.chi2_of(alike_, chosen.which);
+  for (std::size_t r = 0; r < alike_.volume.size(); ++r) {
+    if (!chosen.which[r]) continue;
+    chosen.volume += std::max(0.0, alike_.volume[r]);
+    chosen.density += alike_.volume[r];
+  }
+  return chosen;
+}
+
+Chosen Choice::best(double nats) const {
+  Chosen best = from(together_.better_alone(alike_), nats);
+  const auto also_from = [&](const Which& start) {
+    Chosen other = from(start, nats);
+    if (other.objective() < best.objective()) best = std::move(other);
+  };
+  if (!alike_.labelled()) also_from(Which(together_.runs(), false));
+  if (!alike_.first.empty()) also_from(alike_.first);
+  return best;
+}
+
+bool Choice::moved(Chosen& best, double nats, bool pairs) const {
+  bool any = false;
+  for (std::size_t r = 0; r < together_.runs(); ++r) {
+    for (std::size_t s = pairs ? r + 1 : r; s < (pairs ? together_.runs() : r + 1); ++s) {
+      Which other = best.which;
+      other[r] = !other[r];
+      if (s != r) other[s] = !other[s];
+      Chosen changed = at(std::move(other));
+      // runs that are mended must be worth it
+      const auto more = std::count(changed.which.begin(), changed.which.end(), true) -
+                        std::count(best.which.begin(), best.which.end(), true);
+      if (changed.objective() + 2 * nats * static_cast<double>(more) >= best.objective()) continue;
+      best = std::move(changed);
+      any = true;
+    }
+  }
+  return any;
+}
+
+}  // namespace plumbline::inspect
