@@ -177,7 +177,8 @@ double PieceFeeds::choose_rates(double seconds, OutputState& control) {
   const auto is_even = [&](const Piece& piece) {
     return alike || (!piece.in_degrees && std::abs(piece.length - piece.share * total) <= rounding);
   };
-  double even_length = 0, even_share = 0;
+  double even_length = 0;
+  double even_share = 0;
   for (const Piece& piece : pieces_) {
     if (!is_even(piece)) continue;
     even_length += piece.length;
