@@ -24,6 +24,7 @@ OutputCheck::OutputCheck(const InputFile& source, const InputFile& output, const
       settings_(program),
       emit_(emit),
       program_(output, dialect, program),
+      drops_labels_(unrolled && dialect.syntax.labels == nc::Labels::sequence_names),
       effects_(unrolled),
       moves_(dialect, emit.time_tolerance, figures_) {}
 
@@ -112,7 +113,7 @@ void OutputCheck::take_step() {
     if (block_->number != step.block->at(step.block->number) || ++numbers_ > 1) {
       differ(fmt::format("it bears the number {}", step.block->at(step.block->number)));
     }
-    if (dialect_.syntax.labels == nc::Labels::sequence_names) labels_.emplace(block_->number);
+    if (drops_labels_) labels_.emplace(block_->number);
   }
   read_effects_.clear();
   append_effects(step, dialect_, read_effects_);

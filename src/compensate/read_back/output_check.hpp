@@ -53,7 +53,8 @@ class OutputCheck {
   const IntendedBlock* block_ = nullptr;
   std::size_t steps_ = 0;  // blocks of the output for it
   std::size_t numbers_ = 0;
-  std::set<std::string, std::less<>> labels_;  // that the output bears
+  const bool drops_labels_;                    // that stood in the output before, as a program does that is written out
+  std::set<std::string, std::less<>> labels_;  // those that stood there
 
   // Where the output was read to
   const nc::Step* step_ = nullptr;
