@@ -40,6 +40,25 @@ bool is_of_tables(int number) {
          (number >= kPosition && number < kPositionEnd);
 }
 
+// The axis of a number of a row that begins with X here; none: not one of it.
+std::optional<Axis> axis_in_row(int number, int first) {
+  const int at = number - first;
+  if (at < 0 || at >= static_cast<int>(kAxes)) return std::nullopt;
+  return kAllAxes[static_cast<std::size_t>(at)];
+}
+
+// The zero of an axis in one of the work systems, as macro B numbers them; none: another variable.
+struct MacroOrigin {
+  std::size_t system = 0;
+  Axis axis = Axis::X;
+};
+std::optional<MacroOrigin> macro_origin(int number) {
+  if (number < kMacroSystems || number > kMacroSystemsEnd) return std::nullopt;
+  const int system = (number - kMacroSystems) / kParametersPerRow;
+  const std::optional<Axis> axis = axis_in_row(number, kMacroSystems + system * kParametersPerRow);
+  return axis ? std::optional(MacroOrigin{static_cast<std::size_t>(system), *axis}) : std::nullopt;
+}
+
 // Where the axis stands, in mm or deg.
 std::optional<double> place(const Control& control, Axis axis) {
   return control.known.contains(axis) ? std::optional(control.position[axis]) : std::nullopt;
@@ -148,20 +167,15 @@ std::optional<double> SystemParameters::table_value(const Control& control, int 
 }
 
 std::optional<double> SystemParameters::shown(const Control& control, int number) const {
-  const auto axis_from = [&](int first) { return kAllAxes[static_cast<std::size_t>(number - first)]; };
-  const auto is_axis_from = [&](int first) { return number >= first && number < first + static_cast<int>(kAxes); };
   if (dialect_.syntax.system_variables == SystemVariables::rs274) {
-    if (is_axis_from(kPosition)) return place(control, axis_from(kPosition));
+    if (const std::optional<Axis> axis = axis_in_row(number, kPosition)) return place(control, *axis);
     return is_of_tables(number) ? table_value(control, number) : std::nullopt;
   }
-  if (is_axis_from(kBlockEnd)) return place(control, axis_from(kBlockEnd));
-  if (is_axis_from(kPositionNow)) return place(control, axis_from(kPositionNow));
-  if (number >= kMacroSystems && number <= kMacroSystemsEnd) {
-    const int at = (number - kMacroSystems) % kParametersPerRow;
-    const WorkSystem& row = control.systems[static_cast<std::size_t>((number - kMacroSystems) / kParametersPerRow)];
-    if (at >= static_cast<int>(kAxes)) return std::nullopt;
-    const Axis axis = kAllAxes[static_cast<std::size_t>(at)];
-    return row.known.contains(axis) ? std::optional(row.origin[axis]) : std::nullopt;
+  if (const std::optional<Axis> axis = axis_in_row(number, kBlockEnd)) return place(control, *axis);
+  if (const std::optional<Axis> axis = axis_in_row(number, kPositionNow)) return place(control, *axis);
+  if (const std::optional<MacroOrigin> origin = macro_origin(number)) {
+    const WorkSystem& row = control.systems[origin->system];
+    return row.known.contains(origin->axis) ? std::optional(row.origin[origin->axis]) : std::nullopt;
   }
   const std::optional<Value> modal = modal_variable(control, number);
   return modal ? std::optional(modal->number) : std::nullopt;
@@ -217,23 +231,18 @@ void SystemParameters::refuse_left_over(const Block& block, Span span) {
 
 // A local variable that was not set is vacant; a common one may hold what another program left there.
 Value SystemParameters::read_macro_variable(const Block& block, int number, Span span) const {
-  const auto axis_from = [&](int first) { return kAllAxes[static_cast<std::size_t>(number - first)]; };
-  const auto is_axis_from = [&](int first) { return number >= first && number < first + static_cast<int>(kAxes); };
   if (number == 0) return {0, true, true};
   if (control_.parameters.is_left_over(number)) refuse_left_over(block, span);
   if (control_.parameters.has(number)) return control_.parameters.get(number);
   if (number <= dialect_.syntax.local_variables) return {0, true, true};
   if (is_common(number)) return unset(block, span);
   if ((number >= kClocks && number <= kClocksEnd) || number == kDate || number == kTime) return {0, false};
-  if (is_axis_from(kBlockEnd)) return position(block, axis_from(kBlockEnd), span);
-  if (is_axis_from(kPositionNow)) return position(block, axis_from(kPositionNow), span);
-  if (number >= kMacroSystems && number <= kMacroSystemsEnd &&
-      (number - kMacroSystems) % kParametersPerRow < static_cast<int>(kAxes)) {
-    const auto at = static_cast<std::size_t>((number - kMacroSystems) / kParametersPerRow);
-    const Axis axis = kAllAxes[static_cast<std::size_t>((number - kMacroSystems) % kParametersPerRow)];
-    if (!control_.systems[at].known.contains(axis)) return unset(block, span);
-    const double value = control_.systems[at].origin[axis];
-    return {is_rotary(axis) ? value : value / control_.length_unit(), true};
+  if (const std::optional<Axis> axis = axis_in_row(number, kBlockEnd)) return position(block, *axis, span);
+  if (const std::optional<Axis> axis = axis_in_row(number, kPositionNow)) return position(block, *axis, span);
+  if (const std::optional<MacroOrigin> origin = macro_origin(number)) {
+    const std::optional<double> value = shown(control_, number);
+    if (!value) return unset(block, span);
+    return {is_rotary(origin->axis) ? *value : *value / control_.length_unit(), true};
   }
   if (const std::optional<Value> shown = modal_variable(control_, number)) {
     control_.position_read = true;  // arcs become lines, and F another one
@@ -256,8 +265,8 @@ Value SystemParameters::read(const Block& block, int number, Span span) {
     return {value.number, value.known};  // zero, and not vacant as in macro B
   }
   if (number >= kToolChanger) return {0, settings_.as_with_empty_tables};
-  if (number >= kPosition && number < kPosition + static_cast<int>(kAxes)) {
-    return position(block, kAllAxes[static_cast<std::size_t>(number - kPosition)], span);
+  if (const std::optional<Axis> axis = axis_in_row(number, kPosition)) {
+    return position(block, *axis, span);
   }
   if (is_read_only(number)) {
     if (const std::optional<double> value = table_value(control_, number)) return {*value, true};
