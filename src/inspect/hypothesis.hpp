@@ -39,6 +39,9 @@ struct Relabelled {
 
 /// A run that went around the other way.
 measure::Run turned_back(measure::Run run);
+/// What is easily mistaken of a tilt, and of a centre: signs, and X for Y.
+std::vector<std::function<void(measure::Run&)>> tilt_slips();
+std::vector<std::function<void(measure::Run&)>> centre_slips();
 
 /// Everything that may have been said wrongly.
 std::vector<Relabelled> relabellings(const Suspects& suspects);

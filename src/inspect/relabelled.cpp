@@ -47,21 +47,15 @@ void add_fitted(std::vector<Relabelled>& all, FaultKind kind, const VectorXd& st
 
 void add_tilts(std::vector<Relabelled>& all) {
   constexpr double kSlips = 6;
-  add(all, FaultKind::tilt, kSlips, [](Run& run) { run.tilt[0] = -run.tilt[0]; });
-  add(all, FaultKind::tilt, kSlips, [](Run& run) { run.tilt[1] = -run.tilt[1]; });
-  add(all, FaultKind::tilt, kSlips, [](Run& run) { run.tilt.head<2>() = -run.tilt.head<2>().eval(); });
-  add(all, FaultKind::tilt, kSlips, [](Run& run) { std::swap(run.tilt[0], run.tilt[1]); });
+  for (const auto& slip : tilt_slips()) add(all, FaultKind::tilt, kSlips, slip);
   add_fitted(all, FaultKind::tilt, vector_of({0, 0}), vector_of({1e-3, 1e-3}),
              [](Run& run, const VectorXd& p) { run.tilt.head<2>() += p; });
 }
 
 void add_centres(std::vector<Relabelled>& all) {
   constexpr double kSlips = 5;
-  add(all, FaultKind::centre, kSlips, [](Run& run) { run.centre_W[0] = -run.centre_W[0]; });
-  add(all, FaultKind::centre, kSlips, [](Run& run) { run.centre_W[1] = -run.centre_W[1]; });
+  for (const auto& slip : centre_slips()) add(all, FaultKind::centre, kSlips, slip);
   add(all, FaultKind::centre, kSlips, [](Run& run) { run.centre_W.head<2>() = -run.centre_W.head<2>().eval(); });
-  add(all, FaultKind::centre, kSlips, [](Run& run) { std::swap(run.centre_W[0], run.centre_W[1]); });
-  add(all, FaultKind::centre, kSlips, [](Run& run) { run.centre_W[2] = -run.centre_W[2]; });
   add_fitted(all, FaultKind::centre, vector_of({0, 0, 0}), vector_of({1e-3, 1e-3, 1e-3}),
              [](Run& run, const VectorXd& p) { run.centre_W += p; });
 }
@@ -109,6 +103,21 @@ Run turned_back(Run run) {
   run.direction = run.direction == measure::Direction::ccw ? measure::Direction::cw : measure::Direction::ccw;
   for (double& angle : run.angle) angle = -angle;
   return run;
+}
+
+std::vector<std::function<void(Run&)>> tilt_slips() {
+  return {[](Run& run) { run.tilt.head<2>() = -run.tilt.head<2>().eval(); },
+          [](Run& run) { run.tilt[0] = -run.tilt[0]; }, [](Run& run) { run.tilt[1] = -run.tilt[1]; },
+          [](Run& run) { std::swap(run.tilt[0], run.tilt[1]); }};
+}
+
+std::vector<std::function<void(Run&)>> centre_slips() {
+  std::vector<std::function<void(Run&)>> slips;
+  for (const int axis : {0, 1, 2}) {
+    slips.emplace_back([axis](Run& run) { run.centre_W[axis] = -run.centre_W[axis]; });
+  }
+  slips.emplace_back([](Run& run) { std::swap(run.centre_W[0], run.centre_W[1]); });
+  return slips;
 }
 
 Relabelled payload_factor() {

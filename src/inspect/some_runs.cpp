@@ -4,8 +4,6 @@
 #include <cmath>
 #include <functional>
 
-#include <Eigen/Cholesky>
-
 #include "base/units.hpp"
 #include "inspect/statistics.hpp"
 #include "inspect/together.hpp"
@@ -13,9 +11,6 @@
 namespace plumbline::inspect {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 using identify::kChannels;
 using identify::kRadial;
 using measure::Run;
@@ -23,21 +18,16 @@ using measure::Run;
 constexpr std::size_t kLeastRuns = 4;
 constexpr double kLeastFactor = 1.1;  // between the readings of runs
 
-// The readings of a run with those of some channels changed.
-VectorXd changed(const RunRows& rows, const std::vector<int>& channels, const std::vector<int>& sources, double by) {
-  VectorXd readings = rows.measured;
-  for (std::size_t c = 0; c < channels.size(); ++c) {
-    const auto to = rows.raw.first_row(channels[c]);
-    const auto from = rows.raw.first_row(sources[c]);
-    if (to && from) readings.segment(*to, rows.raw.samples) = by * rows.measured.segment(*from, rows.raw.samples);
-  }
-  return readings;
+std::vector<Moved> times(const std::vector<int>& channels, double by) {
+  std::vector<Moved> all;
+  for (const int channel : channels) all.push_back({channel, channel, by});
+  return all;
 }
 
 Alike signs(const Together& together, FaultKind kind, const std::vector<int>& channels, double alternatives) {
   Alike alike{{kind, {}}, {}, std::log(alternatives), {}};
   alike.fault.channels = channels;
-  alike.mended = together.with_readings([&](const RunRows& rows) { return changed(rows, channels, channels, -1); });
+  alike.mended = together.with_channels(times(channels, -1));
   return alike;
 }
 
@@ -47,7 +37,9 @@ Alike exchange(const Together& together, const std::vector<int>& motors, const s
   Alike alike{{FaultKind::motors_swapped, {}}, {}, std::log(alternatives), {}};
   alike.fault.channels = motors;
   if (motors.size() > 2) alike.fault.values.assign(others.begin(), others.end());
-  alike.mended = together.with_readings([&](const RunRows& rows) { return changed(rows, motors, others, 1); });
+  std::vector<Moved> moved;
+  for (std::size_t i = 0; i < motors.size(); ++i) moved.push_back({motors[i], others[i]});
+  alike.mended = together.with_channels(moved);
   return alike;
 }
 
@@ -56,41 +48,13 @@ Alike unit(const Together& together, const std::vector<int>& channels, double fa
   Alike alike{{kind, {}}, {}, std::log(alternatives) + 0.5 * std::log(static_cast<double>(together.rows())), {}};
   alike.fault.channels = channels;
   alike.fault.values = {factor};
-  alike.mended =
-      together.with_readings([&](const RunRows& rows) { return changed(rows, channels, channels, 1 / factor); });
+  alike.mended = together.with_channels(times(channels, 1 / factor));
   for (const RunRows& rows : together.looked().rows) {
     double count = 0;
     for (const int channel : channels) count += rows.raw.first_row(channel) ? static_cast<double>(rows.raw.samples) : 0;
     alike.volume.push_back(count * std::log(factor));
   }
   return alike;
-}
-
-// By what the readings of some channels of each run are best multiplied, all runs fitted together.
-std::vector<double> best_scales(const Together& together, const std::vector<int>& channels) {
-  const Looked& looked = together.looked();
-  const auto runs = static_cast<Index>(together.runs());
-  const Prior& prior = together.bench().prior;
-  MatrixXd pulls(static_cast<Index>(prior.size()), runs);  // of the channels' readings
-  MatrixXd square = MatrixXd::Zero(runs, runs);
-  VectorXd off(runs);
-  VectorXd pull = VectorXd::Zero(pulls.rows());
-  MatrixXd information = prior.precision.asDiagonal();
-  for (Index r = 0; r < runs; ++r) {
-    const RunRows& rows = looked.rows[static_cast<std::size_t>(r)];
-    const VectorXd only = rows.measured - changed(rows, channels, channels, 0);
-    const VectorXd readings = together.bench().white(rows, only).col(0);
-    pulls.col(r) = rows.slopes.transpose() * readings;
-    square(r, r) = readings.squaredNorm();
-    off[r] = readings.dot(rows.left);
-    pull += rows.slopes.transpose() * rows.left;
-    information += rows.gram;
-  }
-  const Eigen::LLT<MatrixXd> llt(information);
-  const MatrixXd solved = llt.solve(pulls);
-  const MatrixXd hessian = square - pulls.transpose() * solved;
-  const VectorXd scales = VectorXd::Ones(runs) - hessian.ldlt().solve(off - solved.transpose() * pull);
-  return {scales.begin(), scales.end()};
 }
 
 // Scales in two groups, between which the gap is widest.
@@ -138,7 +102,7 @@ std::vector<Alike> of_channels(const Together& together) {
   };
   std::vector<Alike> all;
   const auto add_units = [&](const std::vector<int>& channels, double alternatives) {
-    const std::optional<Groups> groups = groups_of(best_scales(together, channels));
+    const std::optional<Groups> groups = groups_of(together.best_scales(channels));
     if (!groups || groups->ratio < kLeastFactor) return;
     all.push_back(unit(together, channels, groups->ratio, alternatives));
     all.back().first = groups->small;
@@ -179,14 +143,8 @@ void consider_labels(const Together& together, const std::function<void(const Al
     };
     add(FaultKind::angle_zero, 3, turned, {angle * kDeg});
   }
-  add(FaultKind::tilt, 4, [](Run& run) { run.tilt.head<2>() = -run.tilt.head<2>().eval(); });
-  add(FaultKind::tilt, 4, [](Run& run) { run.tilt[0] = -run.tilt[0]; });
-  add(FaultKind::tilt, 4, [](Run& run) { run.tilt[1] = -run.tilt[1]; });
-  add(FaultKind::tilt, 4, [](Run& run) { std::swap(run.tilt[0], run.tilt[1]); });
-  for (const int axis : {0, 1, 2}) {
-    add(FaultKind::centre, 4, [axis](Run& run) { run.centre_W[axis] = -run.centre_W[axis]; });
-  }
-  add(FaultKind::centre, 4, [](Run& run) { std::swap(run.centre_W[0], run.centre_W[1]); });
+  for (const auto& slip : tilt_slips()) add(FaultKind::tilt, 4, slip);
+  for (const auto& slip : centre_slips()) add(FaultKind::centre, 4, slip);
 }
 
 bool is_unit(FaultKind kind) { return kind == FaultKind::bar_unit || kind == FaultKind::torque_unit; }

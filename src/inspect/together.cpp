@@ -7,9 +7,40 @@
 
 namespace plumbline::inspect {
 
+using Eigen::Index;
+using Eigen::LLT;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using measure::Run;
+
+namespace {
+
+constexpr int kMotors = identify::kChannels - 1;
+constexpr Index kColumns = 1 + kMotors * kMotors;
+
+// Of what channel `from` reads, where channel `to` should: the bar, then motors.
+Index column(int to, int from) { return to == identify::kRadial ? 0 : 1 + kMotors * (to - 1) + from - 1; }
+
+bool has(const RunRows& rows, const Moved& moved) {
+  return rows.raw.first_row(moved.to) && rows.raw.first_row(moved.from);
+}
+
+// How much of each column comes to the readings.
+VectorXd shares(const RunRows& rows, const std::vector<Moved>& all) {
+  VectorXd share = VectorXd::Zero(kColumns);
+  for (const Moved& moved : all) {
+    if (!has(rows, moved)) continue;
+    share[column(moved.to, moved.from)] += moved.by;
+    share[column(moved.to, moved.to)] -= 1;
+  }
+  return share;
+}
+
+double chi2_alone(const LLT<MatrixXd>& factored, const Information& run) {
+  return run.square - factored.matrixL().solve(run.pull).squaredNorm();
+}
+
+}  // namespace
 
 bool Alike::labelled() const {
   return std::any_of(mended.begin(), mended.end(), [](const Information& run) { return run.gram.size() > 0; });
@@ -22,18 +53,51 @@ Together::Together(const Looked& looked, const Bench& bench) : looked_(looked), 
     rows_ += rows.rows();
   }
   factored_.compute(information_);
-  for (const RunRows& rows : looked.rows) stated_.push_back(of_left(rows, rows.left));
+  stated_.resize(looked.rows.size());
+  readings_.resize(runs());
+  alone_.resize(runs());
+  for_each_index(runs(), [&](std::size_t r) {
+    const RunRows& rows = looked.rows[r];
+    stated_[r] = of_left(rows, rows.left);
+    readings_[r] = readings_of_channels(rows);
+    alone_[r].factored = factored_alone(rows.gram);
+    alone_[r].chi2 = chi2_alone(alone_[r].factored, stated_[r]);
+  });
   chi2_ = chi2_of({{}, stated_, 0, {}}, Which(runs(), false));
 }
 
-std::vector<Information> Together::with_readings(const std::function<VectorXd(const RunRows&)>& readings) const {
+std::vector<Information> Together::with_channels(const std::vector<Moved>& moved) const {
   std::vector<Information> all(runs());
-  for_each_index(runs(), [&](std::size_t r) {
-    const RunRows& rows = looked_.rows[r];
-    const VectorXd left = rows.left + bench_.white(rows, readings(rows) - rows.measured).col(0);
-    all[r] = of_left(rows, left);
-  });
+  for (std::size_t r = 0; r < runs(); ++r) {
+    const Readings& readings = readings_[r];
+    const VectorXd share = shares(looked_.rows[r], moved);
+    Information& run = all[r];
+    run.pull = stated_[r].pull + readings.pulls * share;
+    run.white_pull = factored_.matrixL().solve(run.pull);
+    run.square = stated_[r].square + share.dot(2 * readings.with_left + readings.squares * share);
+  }
   return all;
+}
+
+std::vector<double> Together::best_scales(const std::vector<int>& channels) const {
+  const auto count = static_cast<Index>(runs());
+  MatrixXd pulls(information_.cols(), count);  // of the channels' readings
+  MatrixXd square = MatrixXd::Zero(count, count);
+  VectorXd off(count);
+  VectorXd pull = VectorXd::Zero(pulls.rows());
+  for (Index r = 0; r < count; ++r) {
+    const Readings& readings = readings_[static_cast<std::size_t>(r)];
+    VectorXd share = VectorXd::Zero(kColumns);
+    for (const int channel : channels) share[column(channel, channel)] = 1;
+    pulls.col(r) = readings.pulls * share;
+    square(r, r) = share.dot(readings.squares * share);
+    off[r] = share.dot(readings.with_left);
+    pull += stated_[static_cast<std::size_t>(r)].pull;
+  }
+  const MatrixXd solved = factored_.solve(pulls);
+  const MatrixXd hessian = square - pulls.transpose() * solved;
+  const VectorXd scales = VectorXd::Ones(count) - hessian.ldlt().solve(off - solved.transpose() * pull);
+  return {scales.begin(), scales.end()};
 }
 
 std::vector<Information> Together::with_labels(const std::function<void(Run&)>& change) const {
@@ -103,15 +167,13 @@ double Together::least_without(const std::vector<std::size_t>& some, std::size_t
 }
 
 Which Together::better_alone(const Alike& alike) const {
-  Which better(runs());
+  std::vector<double> mended(runs());
   for_each_index(runs(), [&](std::size_t r) {
-    const auto chi2 = [&](const Information& run) {
-      MatrixXd information = run.gram.size() > 0 ? run.gram : looked_.rows[r].gram;
-      information.diagonal() += bench_.prior.precision;
-      return run.square - run.pull.dot(information.llt().solve(run.pull));
-    };
-    better[r] = chi2(alike.mended[r]) < chi2(stated_[r]);
+    const Information& run = alike.mended[r];
+    mended[r] = chi2_alone(run.gram.size() > 0 ? factored_alone(run.gram) : alone_[r].factored, run);
   });
+  Which better(runs());
+  for (std::size_t r = 0; r < runs(); ++r) better[r] = mended[r] < alone_[r].chi2;
   return better;
 }
 
@@ -119,6 +181,27 @@ Information Together::of_left(const RunRows& rows, const VectorXd& left) const {
   Information run{{}, rows.slopes.transpose() * left, {}, left.squaredNorm()};
   run.white_pull = factored_.matrixL().solve(run.pull);
   return run;
+}
+
+Together::Readings Together::readings_of_channels(const RunRows& rows) const {
+  MatrixXd columns = MatrixXd::Zero(rows.measured.size(), kColumns);
+  const auto put = [&](int to, int from) {
+    if (!has(rows, {to, from})) return;
+    columns.col(column(to, from)).segment(*rows.raw.first_row(to), rows.raw.samples) =
+        rows.measured.segment(*rows.raw.first_row(from), rows.raw.samples);
+  };
+  put(identify::kRadial, identify::kRadial);
+  for (int to = 1; to <= kMotors; ++to) {
+    for (int from = 1; from <= kMotors; ++from) put(to, from);
+  }
+  const MatrixXd white = bench_.white(rows, columns);
+  return {rows.slopes.transpose() * white, white.transpose() * white, white.transpose() * rows.left};
+}
+
+LLT<MatrixXd> Together::factored_alone(const MatrixXd& gram) const {
+  MatrixXd information = gram;
+  information.diagonal() += bench_.prior.precision;
+  return information.llt();
 }
 
 // One run after the other, then two at once, as long as that helps.

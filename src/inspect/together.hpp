@@ -34,6 +34,12 @@ struct Alike {
   bool labelled() const;
 };
 
+/// The readings of channel `to` become `by` times those that stand in channel `from`.
+struct Moved {
+  int to = 0, from = 0;
+  double by = 1;
+};
+
 /// `looked` and `bench` are kept by reference.
 class Together {
  public:
@@ -46,8 +52,10 @@ class Together {
   const Looked& looked() const { return looked_; }
   const Bench& bench() const { return bench_; }
 
-  /// Readings in place of those of each run.
-  std::vector<Information> with_readings(const std::function<Eigen::VectorXd(const RunRows&)>& readings) const;
+  /// Other readings in each run, where it has both channels.
+  std::vector<Information> with_channels(const std::vector<Moved>& moved) const;
+  /// By what the readings of some channels of each run are best multiplied, all runs fitted together.
+  std::vector<double> best_scales(const std::vector<int>& channels) const;
   /// Other labels. A run that the machine cannot make then stays as it is.
   std::vector<Information> with_labels(const std::function<void(measure::Run&)>& change) const;
 
@@ -60,12 +68,29 @@ class Together {
   Which better_alone(const Alike& alike) const;
 
  private:
+  // What the readings of each channel are as rows, in its own place and, of motors, in that of each other one: what any
+  // others make of a run is a sum of these.
+  struct Readings {
+    Eigen::MatrixXd pulls;      // slopes^T of each
+    Eigen::MatrixXd squares;    // products with each other
+    Eigen::VectorXd with_left;  // and with what is left as stated
+  };
+  // How a run tells of the machine by itself, with the priors alone.
+  struct Alone {
+    Eigen::LLT<Eigen::MatrixXd> factored;
+    double chi2 = 0;  // as it is stated
+  };
+
   Information of_left(const RunRows& rows, const Eigen::VectorXd& left) const;
+  Readings readings_of_channels(const RunRows& rows) const;
+  Eigen::LLT<Eigen::MatrixXd> factored_alone(const Eigen::MatrixXd& gram) const;
   double chi2_without(const Which& out) const;
 
   const Looked& looked_;
   const Bench& bench_;
   std::vector<Information> stated_;
+  std::vector<Readings> readings_;
+  std::vector<Alone> alone_;
   Eigen::MatrixXd information_;
   Eigen::LLT<Eigen::MatrixXd> factored_;
   double chi2_ = 0;

@@ -19,10 +19,6 @@ using measure::Run;
 
 namespace {
 
-void turn(std::vector<double>& values, double by) {
-  for (double& value : values) value *= by;
-}
-
 struct Case {
   FaultKind kind;
   std::function<void(Run&)> spoil;
@@ -52,12 +48,12 @@ TEST_CASE("what is wrong with one run is found, and what would mend it") {
        }},
       {FaultKind::tilt, [](Run& run) { run.tilt = -run.tilt; }},
       {FaultKind::payload, [](Run& run) { run.payload_mass = 20; }},
-      {FaultKind::bar_sign, [](Run& run) { turn(run.radial, -1); }},
-      {FaultKind::motor_sign, [](Run& run) { turn(run.torque[2], -1); }},
+      {FaultKind::bar_sign, [](Run& run) { multiply(run.radial, -1); }},
+      {FaultKind::motor_sign, [](Run& run) { multiply(run.torque[2], -1); }},
       {FaultKind::motors_swapped, [](Run& run) { std::swap(run.torque[1], run.torque[4]); }},
       {FaultKind::torque_unit,
        [](Run& run) {
-         for (auto& torque : run.torque) turn(torque, 5);
+         for (auto& torque : run.torque) multiply(torque, 5);
        }},
       {FaultKind::drift,
        [](Run& run) {
@@ -125,8 +121,8 @@ TEST_CASE("what is wrong alike with all runs is said of all") {
     INFO(to_text(kind));
     Measured measured;
     for (Run& run : measured.runs) {
-      if (kind == FaultKind::bar_sign) turn(run.radial, by);
-      for (std::size_t j = 0; kind == FaultKind::torque_unit && j < 6; ++j) turn(run.torque[j], by);
+      if (kind == FaultKind::bar_sign) multiply(run.radial, by);
+      for (std::size_t j = 0; kind == FaultKind::torque_unit && j < 6; ++j) multiply(run.torque[j], by);
     }
     const inspect::Inspection inspection = measured.inspection();
     REQUIRE(inspection.faults.size() == 1);
@@ -178,12 +174,12 @@ TEST_CASE("what is said of all runs explains most of what is off and leaves litt
   const std::vector<std::function<void(Run&)>> spoils{
       [](Run& run) { std::swap(run.torque[1], run.torque[2]); },
       [](Run& run) {
-        for (auto& torque : run.torque) turn(torque, 1 / 0.7);
+        for (auto& torque : run.torque) multiply(torque, 1 / 0.7);
       },
       [](Run& run) {
         for (double& angle : run.angle) angle += 1;
       },
-      [](Run& run) { turn(run.radial, -1.5); },
+      [](Run& run) { multiply(run.radial, -1.5); },
   };
   for (const auto& spoil : spoils) {
     CAPTURE(&spoil - spoils.data());
@@ -201,7 +197,7 @@ TEST_CASE("what is said of all runs explains most of what is off and leaves litt
 TEST_CASE("readings of all runs in mm, or in inches, are told by a noise that no bar has") {
   for (const double um : {1e-3, 1 / 25400.0}) {
     Measured measured;
-    for (Run& run : measured.runs) turn(run.radial, um);
+    for (Run& run : measured.runs) multiply(run.radial, um);
     const inspect::Inspection inspection = measured.inspection();
     REQUIRE(inspection.faults.size() == 1);
     CHECK(inspection.faults[0].kind == FaultKind::bar_unit);

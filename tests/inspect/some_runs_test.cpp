@@ -16,10 +16,6 @@ using measure::Run;
 
 namespace {
 
-void multiply(std::vector<double>& values, double by) {
-  for (double& value : values) value *= by;
-}
-
 struct OfSome {
   FaultKind kind;
   double value = 0;  // that is told; nil: none

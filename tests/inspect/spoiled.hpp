@@ -8,6 +8,10 @@
 
 namespace plumbline::testing {
 
+inline void multiply(std::vector<double>& values, double by) {
+  for (double& value : values) value *= by;
+}
+
 struct Measured {
   machine::MachineModel machine = pm600_like();
   std::vector<measure::Run> runs;

@@ -26,11 +26,7 @@ TEST_CASE("of all runs together those are chosen that were turned around, and me
     inspect::make_rows(looked, bench);
     const inspect::Together together(looked, bench);
     inspect::Alike alike;
-    alike.mended = together.with_readings([](const inspect::RunRows& rows) {
-      Eigen::VectorXd readings = rows.measured;
-      readings.segment(*rows.raw.first_row(4), rows.raw.samples) *= -1;
-      return readings;
-    });
+    alike.mended = together.with_channels({{4, 4, -1}});
     const inspect::Chosen chosen = inspect::Choice(together, alike).best(25);
     CHECK(chosen.which == which);
     const auto count = static_cast<double>(together.rows());
