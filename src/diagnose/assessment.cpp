@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "diagnose/bar_gain.hpp"
 #include "diagnose/doubt.hpp"
 #include "diagnose/verdict.hpp"
 
@@ -39,6 +40,7 @@ Assessment assess(const Case& of, const Model& model, const DiagnoseOptions& opt
                          {model, found.description, found.residuals.after, of.out,
                           gap_of(found.residuals, of.out, false), gap_of(found.residuals, of.out, true), recurs},
                          options.verdict);
+  if (!found.doubt) found.doubt = doubt_of_bar(of.bench, model);
   if (found.doubt) say("something speaks against the effects found");
   found.verdict = verdict_of(model, found, options.verdict);
   return found;

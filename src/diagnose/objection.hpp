@@ -82,6 +82,12 @@ struct GivenIsNearer {
   ReadingKind kind = ReadingKind::radial;
 };
 
+/// Readings of the bar that are so many times too large in all runs explain more than effects that were found.
+struct BarGain {
+  double factor = 1;
+  double nats = 0;  // by which they are likelier
+};
+
 /// What was found is an effect that much looks like which no catalogue has.
 struct Suspected {
   std::string effect;
@@ -90,7 +96,8 @@ struct Suspected {
 /// Why effects that were found are not to be named.
 struct Doubt {
   std::vector<std::string> effects;  // none: no effect makes such readings
-  std::variant<ChannelFlaw, SpoiledData, AtBound, FurtherOff, OpenGap, OneMore, LargeRemainder, NotPredicted, Suspected>
+  std::variant<ChannelFlaw, SpoiledData, AtBound, FurtherOff, OpenGap, OneMore, LargeRemainder, NotPredicted, BarGain,
+               Suspected>
       why;
 };
 

@@ -165,6 +165,14 @@ struct DoubtWords {
                        names, words_of(of.kind).readings, of.times);
   }
 
+  std::string operator()(const diagnose::BarGain& bar) const {
+    return fmt::format(
+        "{} would explain the readings, but a bar that reads {:.3g} times what it should in all runs explains more: "
+        "check "
+        "its scale, and whether radii are diameters",
+        names, bar.factor);
+  }
+
   std::string operator()(const diagnose::Suspected& of) const {
     return fmt::format(
         "{} is a suspect only: other stiffnesses that change with the load, which no "

@@ -150,6 +150,9 @@ TEST_CASE("a doubt names the effects that it is about") {
   CHECK(text(diagnose::NotPredicted{ReadingKind::radial, 2.04}) ==
         "backlash and level would explain the runs fitted, but the readings of the bar of the runs held out are 2.0 "
         "times as far off");
+  CHECK(text(diagnose::BarGain{1.5, 40}) ==
+        "backlash and level would explain the readings, but a bar that reads 1.5 times what it should in all runs "
+        "explains more: check its scale, and whether radii are diameters");
 }
 
 TEST_CASE("what the catalogue does not explain is a line for each part") {
