@@ -169,6 +169,14 @@ Fault made(const Together& together, const Alike& alike, const Chosen& chosen) {
   return fault;
 }
 
+std::vector<std::size_t> others(const std::vector<std::size_t>& some, std::size_t count) {
+  std::vector<std::size_t> rest;
+  for (std::size_t r = 0; r < count; ++r) {
+    if (std::find(some.begin(), some.end(), r) == some.end()) rest.push_back(r);
+  }
+  return rest;
+}
+
 }  // namespace
 
 std::optional<Fault> fault_of_some(const Looked& looked, const Bench& bench, const FineNoise& noise, bool labels,
@@ -206,8 +214,12 @@ std::optional<Fault> fault_of_some(const Looked& looked, const Bench& bench, con
   const double expected = noise.expected({});
   const bool explains = best->before - best->after > options.explained * (best->before - expected);
   if (best->nats < options.all_nats || !explains || best->after > options.near * expected) return std::nullopt;
-  // nor is there something wrong with half as many of them alone
-  if (!best->all && together.least_without(best->runs, best->runs.size() / 2) <= best->after) return std::nullopt;
+  // nor is there something wrong with half as many of them alone, or with half as many of the others
+  const auto half_explains = [&](const std::vector<std::size_t>& runs) {
+    return together.least_without(runs, runs.size() / 2) <= best->after;
+  };
+  if (!best->all && (half_explains(best->runs) || half_explains(others(best->runs, together.runs()))))
+    return std::nullopt;
   const auto rows = static_cast<double>(together.rows());
   best->before = std::sqrt(best->before / rows);
   best->after = std::sqrt(best->after / rows);

@@ -2,6 +2,7 @@
 #include "inspect/some_runs.hpp"
 
 #include <functional>
+#include <utility>
 
 #include <catch2/catch.hpp>
 
@@ -84,5 +85,18 @@ TEST_CASE("the same of few runs, of most, and of such that do not follow each ot
     for (const std::vector<std::size_t>& some : {std::vector<std::size_t>{1, 6}, {0, 2, 5, 7}, {0, 1, 2, 3, 5, 6}}) {
       check(some, of);
     }
+  }
+}
+
+TEST_CASE("what is wrong with one run is not told of all the others") {
+  for (const auto& [one, other] : {std::pair{1, 4}, {0, 1}, {2, 5}}) {
+    INFO("motors " << one << " and " << other);
+    Measured measured(11);
+    std::swap(measured.runs[5].torque[static_cast<std::size_t>(one)],
+              measured.runs[5].torque[static_cast<std::size_t>(other)]);
+    const std::vector<Fault> faults = measured.inspection().faults;
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].kind == FaultKind::motors_swapped);
+    CHECK(faults[0].runs == std::vector<std::size_t>{5});
   }
 }

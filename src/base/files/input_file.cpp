@@ -41,6 +41,18 @@ void refuse_endless_line(const std::string& path) {
       "name a text of lines");
 }
 
+void PipedText::take(std::string_view chunk) {
+  const std::size_t newline = chunk.rfind('\n');
+  line_ = newline == std::string_view::npos ? line_ + chunk.size() : chunk.size() - newline - 1;
+  all_ += chunk.size();
+  if (line_ > kLongestLine) refuse_endless_line(name_);
+  if (all_ > most_) {
+    refuse_file("file-too-large", name_,
+                fmt::format("gives more than {:.3g} GB, or has no end", static_cast<double>(most_) / 1e9),
+                "a program of that size is read from a file: name it");
+  }
+}
+
 InputFile::InputFile(const Source& source) : name_(source.name()), text_(source.text()) {
   if (text_) {
     size_ = text_->size();
@@ -79,13 +91,8 @@ void InputFile::spool(int from) {
   descriptor_ = open_unnamed_temporary();
   const std::optional<platform::FileStatus> before = platform::status_of(from);
   if (!before) refuse_file("file-unreadable", name_, std::strerror(errno), "check the redirection");
-  std::uint64_t line = 0;
-  const auto measure = [&](std::string_view chunk) {
-    const std::size_t newline = chunk.rfind('\n');
-    line = newline == std::string_view::npos ? line + chunk.size() : chunk.size() - newline - 1;
-    if (line > kLongestLine) refuse_endless_line(name_);
-  };
-  if (!copy_all(from, descriptor_.number(), measure)) {
+  PipedText piped(name_);
+  if (!copy_all(from, descriptor_.number(), [&](std::string_view chunk) { piped.take(chunk); })) {
     if (errno == EBADF) {
       refuse_file("file-unreadable", name_, "is closed: there is nothing to read",
                   "give it by < or a pipe, or name its file");

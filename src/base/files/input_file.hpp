@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/files/descriptor.hpp"
@@ -16,12 +17,27 @@ namespace plumbline {
 /// Bytes of the longest line of a text, of which there may be no end.
 inline constexpr std::uint64_t kLongestLine = 100'000'000;
 
+/// Bytes that a pipe or a device may give: they are kept, and there may be no end of them.
+inline constexpr std::uint64_t kMostPiped = 2'000'000'000;
+
 /// Refuses a longer line with file-endless-line.
 [[noreturn]] void refuse_endless_line(const std::string& path);
 
+/// Counts what a pipe or a device gives, by its name for the user.
+class PipedText {
+ public:
+  explicit PipedText(std::string name, std::uint64_t most = kMostPiped) : name_(std::move(name)), most_(most) {}
+  /// Refuses with file-endless-line, and with file-too-large what is more than that in all.
+  void take(std::string_view chunk);
+
+ private:
+  std::string name_;
+  std::uint64_t most_, line_ = 0, all_ = 0;
+};
+
 /// A file, or a text in memory, open for reading at any offset. Standard input ("-"), a pipe or a device is copied to
-/// an unnamed temporary file first. Refuses with file-missing, file-is-folder or file-unreadable, and
-/// with file-endless-line what a pipe or a device gives.
+/// an unnamed temporary file first. Refuses with file-missing, file-is-folder or file-unreadable, and what a pipe or a
+/// device gives as PipedText does.
 class InputFile {
  public:
   explicit InputFile(const Source& source);

@@ -47,6 +47,15 @@ TEST_CASE("a device without line ends is refused") {
   CHECK(testing::refusal_of([] { read_text(Source("/dev/zero")); }).code == "file-endless-line");
 }
 
+TEST_CASE("a pipe that gives lines without end is refused, too") {
+  PipedText piped("<stdin>", 10'000);
+  for (int i = 0; i < 2000; ++i) piped.take("G4P1\n");
+  const Diagnostic endless = testing::refusal_of([&] { piped.take("y"); });
+  CHECK(endless.code == "file-too-large");
+  CHECK(endless.place.file == "<stdin>");
+  CHECK(endless.message == "gives more than 1e-05 GB, or has no end");
+}
+
 TEST_CASE("a file moves with all that is known of it") {
   const testing::Scratch scratch;
   InputFile first(scratch.file("in", "text"));
