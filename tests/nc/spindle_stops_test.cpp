@@ -32,6 +32,15 @@ TEST_CASE("a feed per revolution needs a spindle that no change of the tool has 
   }
 }
 
+TEST_CASE("after rigid taps the spindle turns no way that the program told") {
+  const std::string tap = "G54 G90 G0 X0. Y0. Z20. A0. B0. C0.\nS500 M3\nM29 S300\nG84 X1. Y0. Z-5. R5. F300.\n";
+  CHECK(code_at("fanuc", tap + "G80\nG95 G1 X6. F0.1\nM30\n") == "nc-feed-missing");
+  CHECK(code_at("fanuc", tap + "G0 X8.\nG95 G1 X6. F0.1\nM30\n") == "nc-feed-missing");
+  CHECK(code_at("fanuc", tap + "G80\nG95\nG81 X6. Z-5. R5. F0.1\nM30\n") == "nc-feed-missing");
+  CHECK(code_at("fanuc", tap + "G80\nM3 S500\nG95 G1 X6. F0.1\nM30\n").empty());
+  CHECK(code_at("fanuc", tap + "G80\nG94 G1 X6. F100.\nM30\n").empty());
+}
+
 TEST_CASE("a rigid tap turns the spindle itself, a hole that is drilled does not") {
   const std::string head = "G54 G90 G0 X0. Y0. Z20. A0. B0. C0.\nS500 M3\nM5\nG95\n";
   CHECK(code_at("fanuc", head + "M29 S500\nG84 X1. Y0. Z-5. R5. F1.\nX2.\nG80\nM30\n").empty());

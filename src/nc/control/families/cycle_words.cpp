@@ -85,9 +85,10 @@ void CycleWords::take_words() {
   const bool waits = of_osp || !(pecks || code_ == kDrill || code_ == kBore);
   if (const Word* const word = run_.words.find('P')) {
     check_milliseconds(run_, *word, waits);
-    // the manual has no P in these [U part 2, p. 53], a Haas waits at the bottom [H]: the hole stays a cycle
-    cycle_.stays = cycle_.stays || (as_fanuc_ && !waits && word->value != 0);
   }
+  // The manual has no P in these [U part 2, p. 53], a Haas waits at the bottom [H], and it keeps the P of a cycle
+  // before: the hole stays a cycle.
+  cycle_.stays = cycle_.stays || (as_fanuc_ && !of_osp && !waits && cycle_.dwell_s != 0);
   if (of_osp) take_words_of_osp(is_new);
   if (cycle_.dwell_s < 0) {
     run_.refuse(*run_.words.find('P'), codes::kNegative, "the time to wait is negative", "write P0 or more");

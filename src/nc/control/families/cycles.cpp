@@ -120,7 +120,15 @@ void CycleRun::make() {
   hole_.clear = returns ? cycle_return_level(run_, hole_.r) : control_.modal.retract_to_r ? hole_.r : start;
   if (returns) check_cycle_start(run_, {first_, second_}, hole_.r, hole_.clear);
   const Word* count = run_.words.find('L');
-  if (as_fanuc_ && count == nullptr) count = run_.words.find('K');
+  if (const Word* const times = as_fanuc_ ? run_.words.find('K') : nullptr) {
+    if (count != nullptr && run_.motion->value != kBackBore) {
+      run_.refuse(
+          *times, codes::kNotInterpreted,
+          "a Fanuc repeats a hole by K, a Haas by L; which of them counts beside the other was found in no source",
+          "leave one of them out");
+    }
+    if (count == nullptr) count = times;
+  }
   const int holes = count == nullptr ? 1 : run_.whole(*count, as_fanuc_ ? 0 : 1, kNoLimit);
   const AxisSet plane{axes_.first, axes_.second};
   if (holes == 0 && !(run_.axes & plane).empty()) {

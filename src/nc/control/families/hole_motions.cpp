@@ -1,6 +1,7 @@
 // What a canned cycle does at one hole.
 #include "nc/control/families/hole_motions.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "nc/control/families/cycle_codes.hpp"
@@ -90,7 +91,8 @@ void HoleMotions::pecks() {
     if (far) up_at = at - together;
     const bool breaks_chips = code_ == kChipBreaking || cycle_.peck_to_r > 0;
     if (!breaks_chips || far) along(MotionKind::rapid, hole_.r);
-    along(MotionKind::rapid, depth + run_.dialect.behaviour.peck_gap_mm);
+    const double gap = depth + run_.dialect.behaviour.peck_gap_mm;
+    along(MotionKind::rapid, as_fanuc_ ? std::min(gap, hole_.r) : gap);  // pecks may be smaller than the gap set
   }
   along(MotionKind::feed, hole_.bottom);
   if (waits_as_osp()) wait();

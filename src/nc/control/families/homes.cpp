@@ -13,6 +13,27 @@ AxisSet known_in_work(const Frame& frame, AxisSet known_in_machine) {
   return known_in_machine.contains(mixed) ? known_in_machine : known_in_machine - mixed;
 }
 
+struct HomeEnd {
+  AxisWords words;
+  AxisSet known;
+  AxisSet changed;  // whose words are others then
+};
+
+// Each axis of the machine goes home by itself: on a tilted plane that changes the words of all three.
+HomeEnd end_on_plane(const Control& control, const Home& home, AxisSet moved) {
+  const Frame frame = control.frame.without_rotary_tool();
+  const AxisSet plane = frame.mixed();
+  AxisWords machine = frame.to_machine(control.position);
+  for (const Axis axis : kAllAxes) {
+    if ((moved & home.known).contains(axis)) machine[axis] = home.machine[axis];
+  }
+  HomeEnd end{frame.from_machine(machine), home.known - plane, moved};
+  if ((moved & plane).empty()) return end;
+  end.changed = moved | plane;
+  if (home.known.contains(moved & plane) && control.known.contains(plane - moved)) end.known = end.known | plane;
+  return end;
+}
+
 }  // namespace
 
 void go_home(Execution& run, int which) {
@@ -33,14 +54,17 @@ void go_home(Execution& run, int which) {
 
   const Home& home = control.homes[static_cast<std::size_t>(which)];
   const AxisSet moved = run.axes.empty() ? AxisSet::all() : run.axes;
-  const AxisSet known = known_in_work(control.frame, home.known);
-  const AxisWords end = control.frame.without_rotary_tool().from_machine(home.machine);
+  const HomeEnd home_end = control.frame.tilted
+                               ? end_on_plane(control, home, moved)
+                               : HomeEnd{control.frame.without_rotary_tool().from_machine(home.machine),
+                                         known_in_work(control.frame, home.known), moved};
+  const auto& [end, known, changed] = home_end;
   Motion motion;
   motion.in_machine_coordinates = true;
   motion.to = control.position;
   motion.known_after = control.known;
   for (const Axis axis : kAllAxes) {
-    if (!moved.contains(axis)) continue;
+    if (!changed.contains(axis)) continue;
     if (known.contains(axis)) {
       motion.to[axis] = end[axis];
       motion.known_after.insert(axis);
@@ -49,7 +73,7 @@ void go_home(Execution& run, int which) {
     }
   }
   add_motion(run, motion);
-  if (!known.contains(moved)) run.step.loses_position = true;
+  if (!known.contains(changed)) run.step.loses_position = true;
   end_length_at_home(run);
   if (control.frame.tilted) lose_position(run, AxisSet::linear());
 }

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "nc/control/execution.hpp"
 #include "nc/language/codes.hpp"
 
@@ -42,6 +44,15 @@ void call_macro(Execution& run) {
       const int which = word.letter - 'I';
       int number = set[which];
       for (int i = which + 1; i < 3; ++i) number = std::max(number, set[i]);
+      for (int i = 0; i < which; ++i) {
+        if (set[i] <= number + 1) continue;
+        run.refuse(
+            word, codes::kNotInterpreted,
+            fmt::format("whether {} belongs to this set of I, J and K, or to the first without one, was found in "
+                        "no source",
+                        word.letter),
+            "write I, J and K of each set one after the other");
+      }
       if (number >= kSets) run.refuse(word, codes::kOutOfRange, "a macro takes ten sets of I, J and K", "leave it out");
       set[which] = number + 1;
       run.arguments.emplace_back(4 + 3 * number + which, Value{word.value, !word.unknown, word.vacant, word.rounded});

@@ -1,0 +1,78 @@
+// Words of Fanuc's cycles and calls that more than one source speaks of, or none.
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "nc/programs.hpp"
+
+using namespace plumbline;
+using namespace plumbline::nc;
+using namespace plumbline::nc::tests;
+
+namespace {
+
+const std::string kStart20 = "O1\nG90 G54 G0 X0 Y0 Z20. A0 B0 C0\n";
+
+std::string code_behind(const std::string& rest) { return nc::tests::code_of(kStart20 + rest, at_zero(), "fanuc"); }
+
+std::vector<Motion> motions_behind(const std::string& rest) {
+  const ProgramFile program(kStart20 + rest);
+  return motions_of_file(program.path(), at_zero(), "fanuc");
+}
+
+}  // namespace
+
+TEST_CASE("of two counts of a hole, K and L, none is taken") {
+  for (const char* const hole : {"G81 X5. Y0 Z-5. R2. F100. K2 L3\n", "G84 X5. Y0 Z-5. R2. F100. L3 K2\n",
+                                 "G91 G83 X5. Y0 Z-5. R-2. Q1. F100. K2 L3\n"}) {
+    INFO(hole);
+    CHECK(code_behind(hole + std::string("G80\nM30\n")) == "nc-not-interpreted");
+  }
+  CHECK(code_behind("G81 X5. Y0 Z-5. R2. F100. K2\nG80\nM30\n").empty());
+  CHECK(code_behind("G91 G81 X5. Y0 Z-5. R-2. F100. L3\nG80\nM30\n").empty());
+}
+
+TEST_CASE("I, J and K of a macro that may belong to two sets are refused") {
+  for (const char* const arguments :
+       {"I1. I2. J3.", "I1. J2. I3. K4.", "I1. J2. K3. I4. K5.", "J1. J2. K3.", "I1. I2. I3. K4."}) {
+    INFO(arguments);
+    const bool clear = std::string(arguments) == "I1. J2. K3. I4. K5.";
+    const std::string code = code_behind("G65 P2 " + std::string(arguments) + "\nM30\nO2\nM99\n");
+    CHECK(code == (clear ? "" : "nc-not-interpreted"));
+  }
+  CHECK(code_behind("G65 P2 I1. J2. K3. I4. J5. K6.\nM30\nO2\nM99\n").empty());
+  CHECK(code_behind("G65 P2 I1. K2. J3.\nM30\nO2\nM99\n").empty());
+}
+
+TEST_CASE("pecks smaller than the gap before them never go above R") {
+  for (const char* const hole :
+       {"G83 X5. Y0 Z-1. R2. Q.5 F100.\n", "G73 X5. Y0 Z-1. R2. Q.3 F100.\n", "G98 G83 X5. Y0 Z1. R2. Q.25 F100.\n"}) {
+    INFO(hole);
+    const std::vector<Motion> motions = motions_behind(hole + std::string("G80\nM30\n"));
+    REQUIRE(motions.size() > 6);
+    for (std::size_t i = 2; i + 1 < motions.size(); ++i) CHECK(motions[i].to[Axis::Z] < 2 + 1e-9);
+  }
+}
+
+TEST_CASE("an axis goes home by itself, however the plane is tilted") {
+  for (const char* const frame : {"G68.2 X0 Y0 Z0 I90. J10. K-90.\nG53.1\n",
+                                  "G68.2 X1. Y2. Z3. I90. J20. K-90.\nG53.1\n", "G68.2 X0 Y0 Z0 I0 J15. K0\nG53.1\n"}) {
+    for (const std::string home : {"G28 X0", "G28 Y0", "G28 Z0"}) {
+      const std::string text = kStart20 + frame + "G0 X5. Y6.\nZ10.\nG91 " + home + "\nG69\nM30\n";
+      INFO(text);
+      const ProgramFile program(text);
+      ProgramSettings settings = empty_tables();
+      settings.work_offsets[0] = WorkOffset{};
+      settings.free_rotation = FreeRotation::c_zero;
+      const std::vector<Motion> motions = motions_of_file(program.path(), settings, "fanuc");
+      REQUIRE(motions.size() > 2);
+      const AxisWords before = motions[motions.size() - 2].machine;
+      const AxisWords after = motions.back().machine;
+      for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
+        INFO(letter(axis));
+        CHECK(after[axis] == Approx(letter(axis) == home[4] ? 0 : before[axis]).margin(1e-9));
+      }
+    }
+  }
+}
