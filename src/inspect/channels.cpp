@@ -25,6 +25,8 @@ constexpr double kUnitLeast = 0.65, kUnitMost = 1.5;  // factors between these m
 constexpr double kFinestBar = 0.02e-6;                               // m, 1 sigma from sample to sample
 constexpr std::array kLargerUnits{1e-3, 1 / 25.4, 1 / 25.4 * 1e-3};  // mm, thousandths of an inch, inches
 
+constexpr double kSmoothed = 1.5;  // times chi-square that readings between samples may hide
+
 constexpr double kUnitLeaves = 0.5;  // of the misfit in the unit that was said, that another unit may leave
 
 VectorXd scaled(const RunRows& rows, const std::vector<int>& channels, double by) {
@@ -188,6 +190,18 @@ double chi2_of_clock(const Channels& channels, const std::vector<int>& about, do
   }));
 }
 
+// Readings between two samples have less noise than either: a clock is weighed by what whole samples leave, unless it
+// is this fraction of a sample that matters.
+double unsmoothed(const Channels& channels, const std::vector<int>& about, double seconds, double chi2) {
+  const Suspects& suspects = channels.suspects();
+  const Run& run = suspects.whole[suspects.runs[0]];
+  const double sample = (run.time.back() - run.time.front()) / static_cast<double>(run.samples() - 1);
+  const double at = seconds / sample;
+  const double of_samples = std::min(chi2_of_clock(channels, about, std::floor(at) * sample),
+                                     chi2_of_clock(channels, about, std::ceil(at) * sample));
+  return std::clamp(of_samples, chi2, kSmoothed * chi2);
+}
+
 void try_clock(std::vector<Tried>& all, const Channels& channels, const std::vector<int>& about) {
   const Suspects& suspects = channels.suspects();
   const Run& first = suspects.all[suspects.runs[0]];
@@ -218,7 +232,7 @@ void try_clock(std::vector<Tried>& all, const Channels& channels, const std::vec
     if (!moved) step /= 2;
   }
   const double penalty = std::log(12) + 0.5 * std::log(static_cast<double>(channels.rows()));
-  all.push_back(made(channels, FaultKind::clock, about, least, penalty, {best}));
+  all.push_back(made(channels, FaultKind::clock, about, unsmoothed(channels, about, best, least), penalty, {best}));
 }
 
 // A drift, a step: columns that a channel of one run may have besides.

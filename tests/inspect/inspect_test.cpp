@@ -256,6 +256,21 @@ TEST_CASE("an effect that the model lacks is no spoiled run") {
   CHECK(measured.inspection().faults.empty());
 }
 
+TEST_CASE("angles that are half a turn off are no clock, though motors read alike") {
+  for (const std::size_t run : {1U, 3U, 6U}) {
+    INFO("run " << run);
+    Measured measured(11);
+    for (double& angle : measured.runs[run].angle) angle += 180 * kDeg;
+    const std::vector<Fault> faults = measured.inspection().faults;
+    REQUIRE(faults.size() == 1);
+    const std::vector<FaultKind>& others = faults[0].or_these;
+    const bool named = faults[0].kind == FaultKind::angle_zero ||
+                       std::find(others.begin(), others.end(), FaultKind::angle_zero) != others.end();
+    CHECK(named);
+    CHECK(faults[0].runs == std::vector<std::size_t>{run});
+  }
+}
+
 TEST_CASE("a run that the machine cannot make is said, and the others are looked at") {
   Measured measured;
   measured.runs[0].centre_W.z() = -3;
