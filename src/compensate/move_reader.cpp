@@ -53,8 +53,7 @@ std::string way_to_known(const UnknownPosition& unknown, std::string_view axes) 
 }
 
 nc::ProgramSettings settings_of_reading(nc::ProgramSettings program, const ReaderSettings& settings) {
-  constexpr double kOwnTiltDeg = 1e-6;
-  if (!settings.as_it_stands) program.upright_deg = kOwnTiltDeg;
+  if (!settings.as_it_stands) program.upright_deg = nc::kOwnTiltDeg;
   return program;
 }
 

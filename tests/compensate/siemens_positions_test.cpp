@@ -93,3 +93,41 @@ TEST_CASE("where a program states no path mode, and the control may stop after e
   job.dialect = "fanuc";
   CHECK_FALSE(warns_of_stops(run("O1\nG54 G17 G90\n" + cut, job).summary));
 }
+
+TEST_CASE("a small tilt of the program's own loses the tip where the length changes, in the output as well") {
+  Job job = job_of_control("siemens");
+  job.program.tools = fanuc_job().program.tools;
+  const std::string placed = "T1 M6\nG54 G17 G90 G64 D1\nG0 X0 Y0 Z22 A0 B0 C0\n";
+  for (const std::string rest :
+       {"G1 X5 A0.05 F2749\nG0 SUPA Z-900 D0\n", "G1 X5 B0.04 F900\nG0 G53 Z-900 D0\n",
+        "G1 X5 A-0.02 F900\nD0 G0 Z40\n", "D0\nG0 X1 Y1 Z30\nG1 X5 B0.09 F900\nD1 G0 Z60\n",
+        "G1 X5 A0.05 F900\nG0 D0 B0.04\n", "G1 X5 A0.03 B0.03 F900\nD0\nG0 Z60\n",
+        "G1 X5 A0.05 F900\nD0\nG0 X0 Y0 Z60\nG1 Z50\n", "G1 X5 A0.05 F900\nM6\nG0 X0 Y0 Z60 A0 B0 C0\nG1 Z50\n"}) {
+    INFO(rest);
+    CHECK(code_of(placed + rest + "M30\n", job).empty());
+  }
+  for (const std::string cut : {"G1 X5 A0.05 F900\nD0\nG0 Z60\nG1 X9\n", "G1 X5 B0.05 F900\nD0 G0 X0 Y0\nG1 X9\n"}) {
+    INFO(cut);
+    CHECK(code_of(placed + cut + "M30\n", job) == "compensate-position-unknown");
+  }
+  Job fanuc = fanuc_job();
+  const std::string length = "O1\nG54 G17 G90\nG0 G43 H1 X0 Y0 Z22 A0 B0 C0\nG1 X5 A0.05 F900\n";
+  for (const std::string rest : {"G49\nG0 X0 Y0 Z60\n", "G0 G49 Z60\n", "G28 Z0\nG49\n"}) {
+    INFO(rest);
+    CHECK(code_of(length + rest + "M30\n", fanuc) != "compensate-read-back");
+  }
+}
+
+TEST_CASE("MSG beside a cut stands with its first piece") {
+  const Job job = job_of_control("siemens");
+  const std::string placed = "G54 G17 G90 G64\nG0 X0 Y0 Z20 A0 B0 C0\n";
+  for (const std::string cut : {"G1 X150 F900 MSG(\"cut\")\n", "MSG(\"cut\") G1 Y90 F900\n",
+                                "G1 F900 X5 A3 MSG(\"cut\")\n", "G2 X0 Y0 I40 J0 F900 MSG(\"cut\")\n"}) {
+    const std::string text = run(placed + cut + "M30\n", job).text;
+    INFO(text);
+    const std::size_t message = text.find("MSG(");
+    REQUIRE(message != std::string::npos);
+    CHECK(text.find("MSG(", message + 1) == std::string::npos);
+    CHECK(std::count(text.begin() + static_cast<std::ptrdiff_t>(message), text.end(), '\n') > 5);  // pieces follow
+  }
+}

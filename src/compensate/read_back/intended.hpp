@@ -66,6 +66,7 @@ struct IntendedBlock {
   bool one_step = false;         // it is one block of the output, wherever that ends
   bool steers = false;           // a line of flow: nothing is left of it but modes that come back
   bool spindle_cycle = false;    // entered with a rapid more than the original has
+  bool tilted_length = false;    // it changes the length of a tool that the original tilts
   bool left_out = false;         // block delete, or parameters alone: nothing is left but a comment
   std::string number;            // its N word
   std::size_t first_move = 0, moves = 0;

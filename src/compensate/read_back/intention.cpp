@@ -86,6 +86,7 @@ void Intention::begin(const nc::Step& original) {
   if (source.file != source_.name()) block.file = source.file;
   block.steers = unrolled_ && (original.flow || original.saves_modes);
   block.spindle_cycle = original.cycle == nc::CycleForm::spindle;
+  block.tilted_length = original.tilted_length;
   block.left_out = original.block_delete == nc::BlockDelete::left_out;
   block.number = source.at(source.number);
   block.first_move = batch_.moves.size();

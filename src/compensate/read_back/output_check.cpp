@@ -15,6 +15,12 @@ namespace {
 
 constexpr std::size_t kShownText = 120;
 
+// The output tilts the tool by corrections as well: where a length of a tilted tool changes, the original says.
+nc::ProgramSettings settings_of_output(nc::ProgramSettings program, const bool& tilted_length) {
+  program.original_tilted = &tilted_length;
+  return program;
+}
+
 }  // namespace
 
 OutputCheck::OutputCheck(const InputFile& source, const InputFile& output, const nc::Dialect& dialect,
@@ -23,7 +29,7 @@ OutputCheck::OutputCheck(const InputFile& source, const InputFile& output, const
       dialect_(dialect),
       settings_(program),
       emit_(emit),
-      program_(output, dialect, program),
+      program_(output, dialect, settings_of_output(program, tilted_length_)),
       drops_labels_(unrolled && dialect.syntax.labels == nc::Labels::sequence_names),
       effects_(unrolled),
       moves_(dialect, emit.time_tolerance, figures_) {}
@@ -35,7 +41,9 @@ void OutputCheck::take(const IntendedBatch& batch) {
 
 // Blocks before the first that changed are in the output as they stand: what they mean is read from the original.
 void OutputCheck::take_unchanged(std::uint64_t blocks) {
-  nc::Program original(source_, dialect_, settings_);
+  nc::ProgramSettings settings = settings_;
+  settings.upright_deg = nc::kOwnTiltDeg;
+  nc::Program original(source_, dialect_, settings);
   Intention intention(source_, dialect_, emit_, false);
   for (std::uint64_t i = 0; i < blocks; ++i) {
     const nc::Step* const step = original.next();
@@ -53,6 +61,7 @@ void OutputCheck::take_unchanged(std::uint64_t blocks) {
 void OutputCheck::take_block(const IntendedBatch& batch, const IntendedBlock& block) {
   batch_ = &batch;
   block_ = &block;
+  tilted_length_ = block.tilted_length;
   steps_ = numbers_ = 0;
   effects_.begin(batch, block);
   moves_.begin(batch, block);

@@ -46,6 +46,7 @@ class OutputCheck {
   const nc::Dialect& dialect_;
   const nc::ProgramSettings& settings_;
   const nc::EmitSettings& emit_;
+  bool tilted_length_ = false;  // of the block in hand, which program_ looks at
   nc::Program program_;
 
   // The block of the original in hand

@@ -150,6 +150,7 @@ struct Step {
   bool passes_variables = false;            // of some more of them no value can be written in their place
   bool sets_kept_variable = false;          // one that other programs may read, or the control obeys: #500, #3004
   const HandedVariables* handed = nullptr;  // at the end of the program
+  bool tilted_length = false;               // it changed the length of a tool that the program tilts
   bool loses_position = false;              // M0, M6, user M code, G28...: some axis may stand elsewhere now
 };
 

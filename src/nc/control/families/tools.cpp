@@ -69,7 +69,9 @@ void lose_tilted_tip(Execution& run) {
   const bool upright = control.known.contains(AxisSet{Axis::A, Axis::B}) && std::abs(machine[Axis::A]) < least &&
                        std::abs(machine[Axis::B]) < least;
   const AxisSet tip{Axis::X, Axis::Y, Axis::Z};
-  if (!upright && !(control.known & tip).empty()) lose_position(run, tip);
+  const bool* const of_original = run.settings.original_tilted;
+  run.step.tilted_length = of_original != nullptr ? *of_original : !upright;
+  if (run.step.tilted_length && !(control.known & tip).empty()) lose_position(run, tip);
 }
 
 void take_offset(Execution& run, const AxisWords& offset) {

@@ -24,6 +24,8 @@ struct WorkOffset {
   bool operator==(const WorkOffset&) const = default;
 };
 
+inline constexpr double kOwnTiltDeg = 1e-6;  // from here on A or B of a program that no correction has tilted count
+
 /// What the program's text alone does not say.
 struct ProgramSettings {
   std::array<std::optional<WorkOffset>, kWorkSystems> work_offsets;
@@ -41,8 +43,11 @@ struct ProgramSettings {
   std::optional<bool> calculator_type;             // --calculator-type: a number without a point counts units
   std::optional<double> input_increment;           // --input-increment: what it counts, mm and deg
   double upright_deg = 0.1;                        // A and B below: of a correction, not of the program
-  std::uint64_t max_blocks = 10'000'000;           // --max-blocks: lines that a program with jumps may execute
-  std::optional<bool> block_delete;                // --block-delete on|off
+  /// In place of upright_deg, where a corrected program is read beside its original: whether that tilted the tool where
+  /// the next block changes its length (Step::tilted_length). Must outlive the reading.
+  const bool* original_tilted = nullptr;
+  std::uint64_t max_blocks = 10'000'000;  // --max-blocks: lines that a program with jumps may execute
+  std::optional<bool> block_delete;       // --block-delete on|off
   /// Expressions may read where the axes are (#5001 and up of macro B): true for who only looks, since a rewritten
   /// program would read something else.
   bool position_may_be_read = false;
