@@ -12,6 +12,7 @@ namespace plumbline::compensate {
 namespace {
 
 constexpr double kStandsOnR = 1e-6;  // mm
+constexpr double kBeside = 1e-6;     // mm
 // The length over which a turn that varies along a hole counts like a shift that does.
 constexpr double kTurnOverMm = 100;
 
@@ -30,6 +31,15 @@ std::vector<AxisWords> hole_places(const nc::Step& step, const nc::Hole& hole, c
     places[static_cast<std::size_t>(i)][normal] = hole.r + (hole.bottom - hole.r) * i / pieces;
   }
   return places;
+}
+
+bool goes_beside(const nc::Motion& motion, const nc::Step& step) {
+  const nc::PlaneAxes plane = nc::axes_of(step.after->plane);
+  const nc::Hole& hole = step.holes.front();
+  const auto is_off = [&](const AxisWords& place) {
+    return std::abs(place[plane.first] - hole.first) > kBeside || std::abs(place[plane.second] - hole.second) > kBeside;
+  };
+  return motion.kind == nc::MotionKind::rapid && (is_off(motion.from) || is_off(motion.to));
 }
 
 const nc::Step& step_of(const CorrectedHole& hole) { return *hole.at->move.step; }
@@ -72,12 +82,13 @@ void HoleCorrector::refuse_varying(const CorrectedHole& hole) const {
   }
 }
 
-// The rapids over the hole and down to it, where they are part of its block.
+// The rapids over the hole and down to it, where they are part of its block, and those beside it.
 void HoleCorrector::check_way_to(const CorrectedHole& hole) const {
   const nc::Step& step = step_of(hole);
   const MovePath& path = hole.at->move.path;
-  for (std::size_t i = 0; i < way_to_hole(step); ++i) {
+  for (std::size_t i = 0; i < step.motions.size(); ++i) {
     const nc::Motion& motion = step.motions[i];
+    if (i >= way_to_hole(step) && !goes_beside(motion, step)) continue;
     if (!motion.known_before.contains(path.writable())) continue;
     const AxisWords commanded = step.frame->to_pose(motion.to + hole.shift);
     refuse_violations(check_way(corrector_, limits_, path.at_rest(motion.from), path.at_rest(motion.to), commanded),

@@ -91,6 +91,7 @@ struct Summary {
   double rms_correction_mm = 0;    // over the points
   double seconds_before = 0;       // of the moves whose time the program sets; G0 and G95 left out
   double seconds_after = 0;
+  std::uint64_t untimed_moves = 0;   // that cut, and take what the program alone does not say: G95, strokes of a cycle
   Worst time_change;                 // of any block, as a share of its time
   Worst rounding_mm;                 // of a point: what the control keeps against what was asked
   Worst residual_mm;                 // of the deformed tip from the programmed path, between the written points as well

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "compensate/move_reader.hpp"
 #include "path/duration.hpp"
 #include "path/figures.hpp"
 #include "physics/effect_info.hpp"
@@ -65,6 +66,7 @@ void Tally::take_cycle(const nc::Step& step) {
     if (motion.kind == nc::MotionKind::feed) {
       const std::optional<double> duration = path::duration(motion, path::Curve(motion), dialect_);
       seconds = by_the_clock ? duration.value_or(0) : 0;
+      if (!by_the_clock || !duration) ++summary_.untimed_moves;
     }
     take_kept_time(seconds);
   }
@@ -92,6 +94,7 @@ void Tally::take_cut(const CorrectedMove& corrected, const WrittenMove& written)
   }
   const bool stops = dialect_.behaviour.starts_with_stops && !move.step->after->path_stated;
   if (stops && written.pieces.size() > 1 && !may_stop_) may_stop_ = place_of(*move.step);
+  if (!move.seconds && !goes_nowhere(move.path.curve)) ++summary_.untimed_moves;
   if (written.changed && move.seconds) note_short_pieces(written, *move.seconds, line);
   note_written(written, move.seconds, line);
 }

@@ -10,7 +10,7 @@ namespace plumbline::path {
 
 std::optional<double> duration(const nc::Motion& motion, const Curve& curve, const nc::Dialect& dialect) {
   const bool cuts = motion.kind == nc::MotionKind::feed || motion.kind == nc::MotionKind::arc;
-  if (!cuts || motion.feed <= 0) return std::nullopt;
+  if (!cuts || motion.unknown_strokes || motion.feed <= 0) return std::nullopt;
   std::optional<double> length =
       nc::feed_length(curve.linear_mm(), curve.delta(), motion.feed_rule, motion.mm_per_unit);
   if (motion.feed_along_circle && motion.kind == nc::MotionKind::arc) length = curve.circle_mm();

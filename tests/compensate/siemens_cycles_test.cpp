@@ -245,3 +245,26 @@ TEST_CASE("a word that says which way round it turns is not cut into increments"
   }
   CHECK(code_of(kDrillStart + "G1 F200\nA=DC(5)\nM30\n", job).empty());
 }
+
+TEST_CASE("CYCLE86 that lifts off the wall is shifted as a whole") {
+  const Job job = siemens_job();
+  for (const std::string hole :
+       {"CYCLE86(10,0,2,-8,,0.5,3,-0.2,0.3,1,45)\n", "G18\nG0 Y20\nCYCLE86(30,20,2,10,,0,3,0.5,0,0,0)\n",
+        "MCALL CYCLE86(10,0,2,-8,,0,4,0,-1,0,90,0,0,10)\nX5 Y6\nX7\nMCALL\n", "CYCLE86(10,0,2,,8,0.5,3,0,0,2,0)\n"}) {
+    INFO(hole);
+    const Result result = run(kDrillStart + hole + "G0 Z50\nM30\n", job);
+    CHECK(result.summary.changed_blocks > 0);
+  }
+}
+
+TEST_CASE("cuts whose time is not known are counted") {
+  const Job job = siemens_job();
+  for (const auto& [lines, untimed] :
+       {std::pair<std::string, std::uint64_t>{"CYCLE83(10,0,2,-9,,-4,,1,0.5,0,1,1)\n", 1},
+        {"MCALL CYCLE83(10,0,2,-20,,,4,-0.8,0,0,1,0)\nX5\nX10\nMCALL\n", 2},
+        {"G95 F0.1\nG1 X5\nX10 Y3\nG94 F100 X20\n", 2},
+        {"CYCLE83(10,0,2,-9,,-4,,0,0.5,0,1,1)\nG1 X9\n", 0}}) {
+    INFO(lines);
+    CHECK(run(kDrillStart + lines + "G0 Z50\nM30\n", job).summary.untimed_moves == untimed);
+  }
+}

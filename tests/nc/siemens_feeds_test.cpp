@@ -19,6 +19,16 @@ std::string last_feed(const std::vector<Motion>& motions) {
   return fmt::format("F{:g}", feed);
 }
 
+std::string strokes(const std::vector<Motion>& motions) {
+  std::string told;
+  for (const Motion& motion : motions) {
+    if (motion.kind == MotionKind::dwell) told += fmt::format("wait {:g}, ", motion.dwell_s);
+    if (motion.kind != MotionKind::feed) continue;
+    told += fmt::format("Z{:g} F{:g}{}, ", motion.to[Axis::Z], motion.feed, motion.unknown_strokes ? " ?" : "");
+  }
+  return told;
+}
+
 void check_feeds(const std::string& expected, const std::vector<std::string>& programs) {
   check_siemens("G54 G17 G90 G94 G710\nG0 X0 Y0 Z50 A0 B0 C0 S1000 M3 F500\n", last_feed, expected, programs);
 }
@@ -87,4 +97,37 @@ TEST_CASE("a tap leaves the spindle as SDAC says") {
   check_feeds("F0.1", {"G1\nCYCLE84(60,0,2,-5,,0,3,,1,0,300)\nG95 F0.1 S300 X10\n",
                        "G1\nCYCLE840(60,0,2,-5,,0,0,,0,,1)\nG95 F0.1 X10\n",
                        "G1\nCYCLE84(60,0,2,-5,,0,,,1,0,300)\nM3 G95 F0.1 S300 X10\n"});
+}
+
+TEST_CASE("the pitch of a tap is in the unit that _PITA says") {
+  check_feeds("F300", {"G700\nCYCLE84(2,0,0.1,-0.2,,0,3,,1.5,0,200,200,0,1)\n",
+                       "G700\nCYCLE840(2,0,0.1,-0.2,,0,0,3,0,,0.3,0,1)\n",
+                       "CYCLE84(60,0,2,-5,,0,3,,1.5,0,200,200,0,1)\n", "CYCLE84(60,0,2,-5,,0,3,,1.5,0,200,200,0,0)\n",
+                       "G700\nCYCLE84(2,0,0.1,-0.2,,0,3,10,1.5,0,200,200,3,1)\n"});
+  check_feeds(
+      "F254",
+      {"CYCLE84(60,0,2,-5,,0,3,,0.05,0,200,200,0,3)\n", "G700\nCYCLE84(2,0,0.1,-0.2,,0,3,,0.05,0,200,200,0,3)\n",
+       "G700\nCYCLE84(2,0,0.1,-0.2,,0,3,,0.05,0,200,200)\n", "G700\nCYCLE840(2,0,0.1,-0.2,,0,0,3,0,,0.01,0,0)\n"});
+  check_feeds("nc-not-interpreted",
+              {"CYCLE84(60,0,2,-5,,0,3,,20,0,200,200,0,2)\n", "CYCLE84(60,0,2,-5,,0,3,,1,0,200,200,0,4)\n",
+               "G700\nCYCLE840(2,0,0.1,-0.2,,0,0,3,0,,20,0,2)\n", "CYCLE84(60,0,2,-5,,0,3,8,1.5,0,200,200,0,1)\n"});
+}
+
+TEST_CASE("strokes of CYCLE83 that get smaller are not known behind the first") {
+  const auto check = [](const std::string& expected, const std::vector<std::string>& programs) {
+    check_siemens("G54 G17 G90 G94 G710\nG0 X0 Y0 Z50 A0 B0 C0 S1000 M3 F500\n", strokes, expected, programs);
+  };
+  check("Z-4 F250, wait 0.5, Z-20 F500 ?, wait 0.5, ",
+        {"CYCLE83(60,0,2,-20,,-4,,1,0.5,0,0.5,1)\n", "CYCLE83(60,0,2,,20,,4,-0.8,0.5,0,0.5,1)\n",
+         "MCALL CYCLE83(60,0,2,-20,,-4,,0.5,0.5,0,0.5,1,0,2)\nX5\n"});
+  check("Z-4 F250, wait 0.5, Z-3 F500, Z-20 F500 ?, wait 2, ", {"CYCLE83(60,0,2,-20,,-4,,1,0.5,0,0.5,0,0,0,0,2)\n"});
+  check("Z-20 F250, wait 0.5, ",
+        {"CYCLE83(60,0,2,-20,,-20,,1,0.5,0,0.5,1)\n", "CYCLE83(60,0,2,-20,,-30,,-0.5,0.5,1,0.5,0)\n"});
+  check("Z-10 F250, wait 0.5, Z-20 F500, wait 0.5, ", {"CYCLE83(60,0,2,-20,,-10,,0,0.5,0,0.5,1)\n"});
+}
+
+TEST_CASE("CYCLE86 with another mode of lifting") {
+  check_feeds("nc-not-interpreted",
+              {"CYCLE86(60,0,2,-5,,0,3,-1,0,0,0,1)\n", "CYCLE86(60,0,2,-5,,0,3,0,0,1,0,1,0,10)\n"});
+  check_feeds("F500", {"CYCLE86(60,0,2,-5,,0,3,-1,0,1,0,0)\n", "CYCLE86(60,0,2,-5,,0,3,0,0,0,0,1,0,10)\n"});
 }

@@ -29,8 +29,8 @@ struct OutOfLine {
   std::size_t first_line_b = 0, last_line_b = 0;
 };
 
-/// Cutting moves of A whose time, or that of their pieces, is not known: turns without a feed rule, G95 without a
-/// speed.
+/// Cutting moves of A whose time, or that of their pieces, is not known: turns without a feed rule, G95, strokes
+/// that a cycle makes in its own way.
 struct UntimedMoves {
   std::uint64_t count = 0;
   std::size_t first_line = 0;

@@ -46,8 +46,12 @@ std::string diff_text(const jobs::DiffSummary& s) {
             fmt::format("{:.3f} %{}", s.time_change.value * 100,
                         s.time_change.line > 0 ? fmt::format(" (line {})", s.time_change.line) : ""));
   if (s.untimed.count > 0) {
-    table.add("time not known", fmt::format("of {} of A, first in line {} (no feed rule or spindle speed is given)",
-                                            count_text(s.untimed.count, "move"), s.untimed.first_line));
+    table.add(
+        "time not known",
+        fmt::format(
+            "of {} of A, first in line {} (feeds per revolution, strokes that a cycle makes in its own way, or turns "
+            "without a feed rule)",
+            count_text(s.untimed.count, "move"), s.untimed.first_line));
   }
   table.add("out of line",
             fmt::format("{} of A, {} of B", count_text(s.out_of_line_a, "move"), count_text(s.out_of_line_b)));

@@ -51,6 +51,10 @@ void add_corrections(TextTable& table, const Summary& s) {
 }
 
 void add_time(TextTable& table, const Summary& s) {
+  if (s.untimed_moves > 0) {
+    table.add("time not known", fmt::format("of {} under G95, or in strokes that a cycle makes in its own way",
+                                            count_text(s.untimed_moves, "move")));
+  }
   if (s.seconds_before <= 0) return;
   table.add("cutting time", fmt::format("{} before, {} after ({})", time_text(s.seconds_before),
                                         time_text(s.seconds_after), change_text(s.seconds_before, s.seconds_after)));
@@ -297,6 +301,7 @@ Json summary_in_json(const Summary& s, const settings::Options& options,
       {"rms_correction_mm", s.rms_correction_mm},
       {"time_before_s", s.seconds_before},
       {"time_after_s", s.seconds_after},
+      {"untimed_moves", s.untimed_moves},
       {"worst_block_time_change", worst(s.time_change)},
       {"worst_rounding_um", worst(s.rounding_mm, kUmPerMm)},
       {"worst_residual_um", s.replayed > 0 ? worst(s.residual_mm, kUmPerMm) : Json()},

@@ -94,6 +94,7 @@ void append_trace_line(std::string& out, const Motion& motion) {
   out += ", \"feed\": ";
   append_number(out, motion.feed);
   fmt::format_to(std::back_inserter(out), R"(, "feed_mode": "{}")", name_of(motion.feed_mode));
+  if (motion.unknown_strokes) out += ", \"strokes\": \"unknown\"";
   if (motion.kind == MotionKind::dwell) {
     out += ", \"seconds\": ";
     append_number(out, motion.dwell_s);

@@ -54,7 +54,8 @@ TEST_CASE("moves without a time are counted where there are any") {
   s.untimed.add(9);
   s.untimed.add(12);
   CHECK(summary_row(report::diff_text(s), "time not known") ==
-        "of 2 moves of A, first in line 9 (no feed rule or spindle speed is given)");
+        "of 2 moves of A, first in line 9 (feeds per revolution, strokes that a cycle makes in its own "
+        "way, or turns without a feed rule)");
   CHECK(nlohmann::json::parse(report::diff_json(s))["moves_without_time"] == 2);
 }
 

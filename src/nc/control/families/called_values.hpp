@@ -26,6 +26,7 @@ enum CalledCycle {
 
 /// Places in the brackets [C 2.1.2 to 2.1.11; the order is that of the posts, too].
 constexpr int kRetractPlane = 0, kReferencePlane = 1, kSafety = 2, kDepth = 3, kRelativeDepth = 4, kDwell = 5;
+constexpr int kFeedDown = 6, kFeedUp = 7;  // of CYCLE85
 
 /// What else stands there; -1: nothing of the kind.
 struct Places {

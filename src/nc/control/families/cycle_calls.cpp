@@ -7,50 +7,24 @@
 
 #include "base/text/number_text.hpp"
 #include "nc/control/execution.hpp"
+#include "nc/control/families/called_after.hpp"
+#include "nc/control/families/called_tap.hpp"
 #include "nc/control/families/called_values.hpp"
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {
 namespace {
 
-constexpr double kSamePitch = 1e-6;        // mm
-constexpr double kSameFeed = 1e-6;         // of it
-constexpr int kFeedDown = 6, kFeedUp = 7;  // of CYCLE85
-constexpr double kMostPecks = 1e4;         // that are told one by one
+constexpr double kMostPecks = 1e4;                                              // that are told one by one
+constexpr double kNoStroke = 1e-9;                                              // mm
+constexpr int kLiftFirst = 7, kLiftSecond = 8, kLiftAlong = 9, kLiftMode = 11;  // of CYCLE86
 
-// Each depth but the last; so many that nobody reads them are left out.
+// Each depth but the last. False: so many that nobody reads them are left out.
 template <class Make>
-void in_strokes(double from, double to, double stroke, Make make) {
-  if ((from - to) / stroke > kMostPecks) return;
-  for (double depth = from - stroke; depth > to + 1e-9; depth -= stroke) make(depth);
-}
-
-// It stands after boring [C 2.1.8 to 2.1.10], and does what SDAC says after tapping [C 2.1.5], with a floating tap
-// where SDR is not 0 [C 2.1.6; X p. 2-86]. What another SDAC leaves is in no source: as if it stood.
-void leave_spindle(Control& control, const CalledValues& given, int code) {
-  const bool bores = code >= kCalledBore && code <= kCalledBoreByHand;
-  const bool taps = code == kCalledTap || code == kCalledFloatingTap;
-  if (!bores && !taps) return;
-  const double after = taps ? given.number(code == kCalledTap ? 6 : 7) : kSpindleStands;
-  if (code == kCalledFloatingTap && given.number(6) == 0 && after != kSpindleStands) return;
-  const bool turns = after == kClockwise || after == kCounterClockwise;
-  control.turn_spindle(turns ? static_cast<int>(after) : kSpindleStands);
-}
-
-// Codes and frames are after a cycle as they were before it [C 2.1.1]; of F and S no source says so.
-void leave_own_feeds(Control& control, const CalledValues& given, const CycleCall& call, double last_share) {
-  const auto is_other = [&](double rate) { return rate > 0 && rate * control.length_unit() != control.feed_linear; };
-  const int code = call.row->value;
-  bool taken = last_share != 1;
-  if (code == kCalledReam) taken = is_other(given.number(kFeedDown)) || is_other(given.number(kFeedUp));
-  if (code == kCalledFloatingTap) taken = given.number(9) != 0 || given.number(10) != 0;
-  if (code == kCalledTap) {
-    taken = true;
-    for (const int place : {10, 11}) {
-      if (given.number(place) != 0 && given.number(place) != control.spindle_speed) control.spindle_speed = 0;
-    }
-  }
-  if (taken) control.feed_taken = call.row;
+bool in_strokes(double from, double to, double stroke, Make make) {
+  if ((from - to) / stroke > kMostPecks) return false;
+  for (double depth = from - stroke; depth > to + kNoStroke; depth -= stroke) make(depth);
+  return true;
 }
 
 double own_feed(const CalledValues& given, int place) {
@@ -84,9 +58,10 @@ class CalledHole {
   void at_hole();
   void pecks();
   void tap_in_strokes();
-  double feed_without_encoder(double by_pitch) const;
-  double tapping_feed(bool up) const;
+  void lift();
+  double tapping_feed(bool up) const { return nc::tapping_feed(run_, given_, places_, up); }
   void go(MotionKind kind, double level, double feed = 0);
+  void go_beside(double first_mm, double second_mm, double level);
   void feed_to(double level) { go(MotionKind::feed, level, feed_of_move(run_, true)); }
   void wait(double seconds);
 
@@ -97,7 +72,8 @@ class CalledHole {
   Places places_;
   PlaneAxes axes_;
   Hole hole_;
-  double last_share_ = 1;  // of the feed, at the bottom of a deep hole
+  double last_share_ = 1;         // of the feed, at the bottom of a deep hole
+  bool unknown_strokes_ = false;  // of the moves from here on
 };
 
 void CalledHole::check() const {
@@ -196,39 +172,6 @@ void CalledHole::make() {
   if (call_.row->loses_position) lose_position(run_, AxisSet{Axis::X, Axis::Y, Axis::Z});
 }
 
-// Pitch x speed; without them F counts. CYCLE84 has a speed of its own on the way down, SST, and on the way up, SST1.
-double CalledHole::tapping_feed(bool up) const {
-  const int pitch = places_.code == kCalledTap ? 8 : 10;
-  if (places_.code == kCalledTap && given_.number(10) == 0) {
-    given_.refuse("no source says at which speed it taps without SST", "give it: SST, its eleventh value");
-  }
-  const double down_speed = places_.code == kCalledTap ? given_.number(10) : control_.spindle_speed;
-  const double speed = up && places_.code == kCalledTap && given_.number(11) != 0 ? given_.number(11) : down_speed;
-  const double thread_mm = pitch_of_thread(given_.number(pitch - 1));
-  const double pitch_mm = given_.number(pitch) != 0 ? std::abs(given_.length_mm(pitch)) : thread_mm;
-  if (thread_mm != 0 && std::abs(pitch_mm - thread_mm) > kSamePitch) {
-    given_.refuse("its two pitches (MPIT and PIT) contradict each other", "leave out one of them");
-  }
-  if (places_.code == kCalledFloatingTap && given_.number(8) != 0) return feed_without_encoder(pitch_mm * speed);
-  if (pitch_mm > 0 && given_.number(places_.axis + 1) <= 1 && speed > 0) return pitch_mm * speed;
-  given_.refuse(
-      "how fast it taps is not known",
-      places_.code == kCalledTap
-          ? "give its pitch (PIT, or MPIT for M3 to M48) and its speed (SST)"
-          : "give its pitch (PIT, or MPIT for M3 to M48) and S before it; or ENC as 1 and F, where F is to count");
-}
-
-// ENC: the spindle has none that counts, and G63 taps at F [X p. 2-86]; which of both counts where a pitch stands
-// there, too, depends on ENC and the software.
-double CalledHole::feed_without_encoder(double by_pitch) const {
-  const double feed = feed_of_move(run_, true);
-  const double by_turn = control_.modal.feed_mode == FeedMode::per_revolution ? control_.spindle_speed : 1;
-  if (by_pitch == 0 || std::abs(feed * by_turn - by_pitch) <= kSameFeed * by_pitch) return feed;
-  given_.refuse(
-      "F is another feed than its pitch times S, and with ENC other than 0 no source says which of both counts",
-      fmt::format("write F{:.6g}, or leave out PIT and MPIT", by_pitch / by_turn / control_.length_unit()));
-}
-
 void CalledHole::at_hole() {
   const bool no_wait = (places_.code == kCalledDrill && places_.how < 0) || places_.code == kCalledBoreStop;
   const double seconds = no_wait ? 0 : given_.number(kDwell);
@@ -240,6 +183,7 @@ void CalledHole::at_hole() {
       [[fallthrough]];
     case kCalledFloatingTap:
       go(MotionKind::feed, hole_.bottom, tapping_feed(false));
+      unknown_strokes_ = false;
       wait(seconds);
       go(MotionKind::feed, hole_.r, tapping_feed(true));
       break;
@@ -253,6 +197,11 @@ void CalledHole::at_hole() {
       wait(seconds);
       feed_to(hole_.r);
       break;
+    case kCalledBore:
+      feed_to(hole_.bottom);
+      wait(seconds);
+      lift();
+      return go_beside(0, 0, hole_.clear);
     default:
       feed_to(hole_.bottom);
       wait(seconds);
@@ -261,8 +210,23 @@ void CalledHole::at_hole() {
   go(MotionKind::rapid, hole_.clear);
 }
 
-// How deep each peck goes is the cycle's business: its moves are told from the first depth alone. It waits DTB at each
-// depth, at the last one DTD if that is given, and DTS above the hole if it clears the chips there [C 2.1.4].
+// Off the wall at the bottom, up beside it, and back over the hole [C 2.1.8].
+void CalledHole::lift() {
+  const double first = given_.length_mm(kLiftFirst);
+  const double second = given_.length_mm(kLiftSecond);
+  const double along = given_.length_mm(kLiftAlong);
+  if (first == 0 && second == 0 && along == 0) return;
+  if (given_.number(kLiftMode) != 0) {
+    given_.refuse("no source says whether it lifts off the wall with another _GMODE than 0",
+                  "give _GMODE, its twelfth value, as 0, or RPA, RPO and RPAP as 0");
+  }
+  go_beside(first, second, hole_.bottom + along);
+  if (first != 0 || second != 0) go_beside(first, second, hole_.r);
+}
+
+// It waits DTB at each depth, at the last one DTD if that is given, and DTS above the hole if it clears the chips there
+// [C 2.1.4]. With DAM how deep it goes after the first depth is the cycle's business: the rest of the way is told as
+// one move, in how many strokes and how long is not known.
 void CalledHole::pecks() {
   const double reference = given_.length_mm(kReferencePlane);
   const double first =
@@ -289,18 +253,21 @@ void CalledHole::pecks() {
     last_share_ = share;
     share = 1;
   };
-  if (given_.number(7) == 0) {
-    in_strokes(reference, hole_.bottom, first, [&](double depth) {
-      next_peck(depth);
-      wait(at_depth);
-      if (chips) return feed_to(std::min(depth + given_.length_mm(14, habits.chip_break_mm), hole_.r));
-      go(MotionKind::rapid, hole_.r);
-      wait(at_start);
-      go(MotionKind::rapid, depth + given_.length_mm(16, habits.peck_gap_mm));
-    });
+  const auto stroke = [&](double depth) {
+    next_peck(depth);
+    wait(at_depth);
+    if (chips) return feed_to(std::min(depth + given_.length_mm(14, habits.chip_break_mm), hole_.r));
+    go(MotionKind::rapid, hole_.r);
+    wait(at_start);
+    go(MotionKind::rapid, depth + given_.length_mm(16, habits.peck_gap_mm));
+  };
+  const bool told = given_.number(7) == 0 && in_strokes(reference, hole_.bottom, first, stroke);
+  if (!told && reference - first > hole_.bottom + kNoStroke) {
+    stroke(reference - first);
+    unknown_strokes_ = true;
   }
   next_peck(hole_.bottom);
-  if (first < reference - hole_.bottom) last_share_ = 1;  // DAM: the strokes behind the first
+  unknown_strokes_ = false;
   wait(at_end != 0 ? at_end : at_depth);
   go(MotionKind::rapid, hole_.clear);
 }
@@ -313,22 +280,36 @@ void CalledHole::tap_in_strokes() {
   if (kind == 0) return;
   if (kind > 2) given_.refuse("no source says what its kind of work is", "give VARI as 0, 1 or 2");
   if (stroke == 0) given_.refuse("it taps in strokes, and how deep each goes is missing", "give DAM, or VARI as 0");
-  in_strokes(given_.length_mm(kReferencePlane), hole_.bottom, stroke, [&](double depth) {
+  const bool told = in_strokes(given_.length_mm(kReferencePlane), hole_.bottom, stroke, [&](double depth) {
     go(MotionKind::feed, depth, tapping_feed(false));
     go(MotionKind::feed,
        kind == 2 ? hole_.r : std::min(depth + given_.length_mm(17, run_.dialect.behaviour.chip_break_mm), hole_.r),
        tapping_feed(true));
   });
+  unknown_strokes_ = !told;
 }
 
 void CalledHole::go(MotionKind kind, double level, double feed) {
   Motion motion;
   motion.kind = kind;
   motion.feed = feed;
+  motion.unknown_strokes = unknown_strokes_ && kind == MotionKind::feed;
   motion.to = control_.position;
   motion.to[axes_.third] = level;
   motion.known_after = control_.known;
   motion.known_after.insert(axes_.third);
+  add_motion(run_, motion);
+}
+
+// A rapid to so far beside the hole.
+void CalledHole::go_beside(double first_mm, double second_mm, double level) {
+  Motion motion;
+  motion.kind = MotionKind::rapid;
+  motion.to = control_.position;
+  motion.to[axes_.first] = hole_.first + first_mm;
+  motion.to[axes_.second] = hole_.second + second_mm;
+  motion.to[axes_.third] = level;
+  motion.known_after = control_.known;
   add_motion(run_, motion);
 }
 

@@ -54,6 +54,7 @@ struct Motion {
   FeedRule feed_rule = FeedRule::unknown;  // which length its feed is the speed along
   bool feed_along_circle = false;          // of an arc: its circle alone, whatever else moves with it
   Arc arc;                                 // arc only
+  bool unknown_strokes = false;            // a cycle's, in strokes of its own making: how long it takes is not known
   bool goes_on = false;                    // a piece of a spline, and not its last
 };
 
