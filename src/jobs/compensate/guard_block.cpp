@@ -151,8 +151,12 @@ void refuse_guard_before_definitions(const InputFile& source, const nc::Dialect&
   if (!dialect.syntax.declared) return;
   nc::LineSource lines(source);
   nc::Line line;
+  bool begun = false;
   while (lines.next(line)) {
-    const nc::FlowWord word = nc::head_of(line.text, dialect).word;
+    const nc::LineHead head = nc::head_of(line.text, dialect);
+    if (begun && !head.program.empty()) return;  // the guard stands in the first program of an archive
+    begun = begun || !head.empty;
+    const nc::FlowWord word = head.word;
     if (word != nc::FlowWord::define && word != nc::FlowWord::sub) continue;
     Place place;
     place.file = source.name();

@@ -207,6 +207,14 @@ TEST_CASE("Siemens: a guard does not stand before definitions") {
   CHECK(code("N10 DEF INT COUNT\nG54 G0 X0\nM30\n", "siemens") == "guard-definitions");
   const InputFile plain(scratch.file("p.mpf", "; DEF REAL A\nR1=5\nG54 G0 X0 ; PROC\nMSG(\"DEF\")\nM30\n"));
   CHECK_NOTHROW(jobs::refuse_guard_before_definitions(plain, nc::dialect("siemens")));
+  const std::string main = "; made by hand\n%_N_PART_MPF\n;$PATH=/_N_WKS_DIR\n";
+  for (const char* const behind :
+       {"G54 G0 X0\nM30\n%_N_SUB_SPF\nPROC SUB(REAL A)\nRET\n", "R1=5\nM30\n%_N_SUB_SPF\nDEF INT COUNT\nRET\n",
+        "M30\n%_N_SUB_SPF\nX1\nM17\n%_N_SUB2_SPF\nPROC SUB2 DISPLOF\nRET\n"}) {
+    const InputFile archive(scratch.file("p.mpf", main + behind));
+    CHECK_NOTHROW(jobs::refuse_guard_before_definitions(archive, nc::dialect("siemens")));
+  }
+  CHECK(code(main + "DEF REAL A\nM30\n%_N_SUB_SPF\nX1\nM17\n", "siemens") == "guard-definitions");
 }
 
 TEST_CASE("lines that move or set anything are no part of a guard") {
