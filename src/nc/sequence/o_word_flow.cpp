@@ -149,7 +149,10 @@ void OWordFlow::call_program(const Block& block, const ProgramCall& call) {
   enter(
       block,
       {.name = std::to_string(call.number), .by = CalledBy::code, .back = files_.here(), .remaining = call.count - 1});
-  if (call.count > 0) return;
+  if (call.count > 0) {
+    announced_ = static_cast<std::uint64_t>(call.count);
+    return;
+  }
   left_out_.reset();  // L0: the control stays here, and the next M99 returns to here [LinuxCNC, measured]
   files_.go_to(calls_.top().back);
 }

@@ -121,6 +121,7 @@ struct Program::Parts {
   const Step* steer();
   void note_handed(Step& step);
   void count(std::uint64_t blocks);
+  void check_count(std::uint64_t blocks) const;
   void count_moves(const Step& step);
   const Step* ignore();
   const Step* end_of_file();
@@ -186,6 +187,7 @@ const Step* Program::Parts::execute() {
   if (interpreter.ended()) stage = Stage::ended;
   const bool steers = call.calls() || (call.ends() && (call.return_to || flow.called()));
   if (call.calls()) flow.call_program(*block, call);
+  check_count(executed + flow.take_announced());
   if (call.ends() && !flow.end_program(*block, call)) {
     interpreter.check_begins_again(*block);
     stage = Stage::ended;
@@ -207,6 +209,7 @@ const Step* Program::Parts::steer() {
     return &left_out;
   }
   if (!flow.take(*block)) return nullptr;
+  check_count(executed + flow.take_announced());
   if (interpreter.ended() || flow.ended()) stage = Stage::ended;
   Step& step = interpreter.step();
   jumped = flow.used();
@@ -232,7 +235,11 @@ void Program::Parts::count_moves(const Step& step) {
 
 void Program::Parts::count(std::uint64_t blocks) {
   executed += blocks;
-  if (executed <= settings.max_blocks) return;
+  check_count(executed);
+}
+
+void Program::Parts::check_count(std::uint64_t blocks) const {
+  if (blocks <= settings.max_blocks) return;
   const Span whole{0, static_cast<std::uint32_t>(block->text.size())};
   refuse_at(*block, whole, codes::kTooManyBlocks,
             fmt::format("the program executes more than {} blocks", settings.max_blocks),

@@ -2,6 +2,7 @@
 // calling.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -49,10 +50,13 @@ class Sequencer {
   virtual bool end_program(const Block& block, const ProgramCall& call) = 0;
   /// What the line just taken enters; names hold until the next line is taken.
   FlowEntry take_entry() { return std::exchange(entry_, {}); }
+  /// How many blocks it has executed at least, where it says so itself: L10 P1000000.
+  std::uint64_t take_announced() { return std::exchange(announced_, 0); }
 
  protected:
   FlowEntry entry_;
   bool used_ = false;
+  std::uint64_t announced_ = 0;
 };
 
 }  // namespace plumbline::nc

@@ -156,7 +156,8 @@ void StatementFlow::steer(const Block& block) {
     case FlowWord::otherwise:  // reached from above: the branch before it was executed
       return loops_.branch(block);
     case FlowWord::begin_for:
-      return loops_.begin_for(block);
+      announced_ = loops_.begin_for(block);
+      return;
     default:
       ways_.check_loop(block);
       return loops_.begin(block);
@@ -237,6 +238,7 @@ void StatementFlow::repeat(const Block& block) {
                 "write P=1 or more, or jump over the REPEAT");
   }
   section.remaining = count;
+  announced_ = static_cast<std::uint64_t>(count);
   go_on(sections_.begin(section));
 }
 
@@ -319,12 +321,9 @@ void StatementFlow::enter(const Block& block, Call call, bool own_variables) {
   calls_.check_room(block);
   call.back = files_.here();
   call.line = block.line;
-  if (own_variables) {
-    interpreter_.enter_with_own(dialect_.syntax.local_variables);
-  } else {
-    interpreter_.enter_sharing();
-  }
+  own_variables ? interpreter_.enter_with_own(dialect_.syntax.local_variables) : interpreter_.enter_sharing();
   loops_.enter_call();
+  announced_ = static_cast<std::uint64_t>(call.remaining) + 1;
   calls_.push(std::move(call));
   begin_call();
 }

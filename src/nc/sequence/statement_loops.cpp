@@ -10,6 +10,11 @@
 #include "nc/sequence/flow_block.hpp"
 
 namespace plumbline::nc {
+namespace {
+
+constexpr double kMostCounted = 1e15;
+
+}  // namespace
 
 // Refuses where the text has it otherwise than the control takes it.
 const NestedPart& StatementLoops::part_of(const Block& block) {
@@ -41,7 +46,7 @@ void StatementLoops::begin(const Block& block) {
   loops().push_back({block.flow.word, place_of_line(block), files_.here().line, part.end.line, 0, pass});
 }
 
-void StatementLoops::begin_for(const Block& block) {
+std::uint64_t StatementLoops::begin_for(const Block& block) {
   const NestedPart& part = part_of(block);
   auto loop = begun_at(block);
   const bool counted = loop != loops().end() && std::exchange(loop->counts_on, false);
@@ -73,10 +78,14 @@ void StatementLoops::begin_for(const Block& block) {
                 "this counts by values that are not whole, and when they are rounded was found in no source",
                 "count by whole numbers, as in FOR R1=1 TO 3, or write WHILE");
   }
-  if (count <= limit) return;
+  if (count <= limit) {
+    const bool counts_alone = !counted && part.end.line == part.begin.line + 1;
+    return counts_alone ? static_cast<std::uint64_t>(std::min(limit - count + 1, kMostCounted)) * 2 : 0;
+  }
   if (counted) interpreter_.set_counted(block, 0, count - 1);
   loops().pop_back();
   leave_out(block, part, part.end);
+  return 0;
 }
 
 StatementLoops::Loop& StatementLoops::ended_by(const Block& block) {

@@ -22,7 +22,8 @@ class StatementLoops {
 
   /// WHILE, DO, LOOP, REPEAT without labels.
   void begin(const Block& block);
-  void begin_for(const Block& block);
+  /// Gives how many blocks a loop with nothing in it executes, as its first pass begins; else 0.
+  std::uint64_t begin_for(const Block& block);
   /// Gives the pass that begins, if one does. Refuses with nc-flow-label the end of what was not begun.
   FlowEntry end(const Block& block);
   /// IF, ELSE and ENDIF. Where a condition does not hold, and at an ELSE that is reached from above, reading goes on at
