@@ -21,6 +21,11 @@ std::string place_at_end(const std::vector<Motion>& motions) {
   return fmt::format("X{:g} Y{:g}", rounded_place(place[Axis::X]), rounded_place(place[Axis::Y]));
 }
 
+std::string rotary_at_end(const std::vector<Motion>& motions) {
+  const AxisWords place = motions.empty() ? AxisWords{} : motions.back().machine;
+  return fmt::format("B{:g} C{:g}", rounded_place(place[Axis::B]), rounded_place(place[Axis::C]));
+}
+
 void check_places(const std::string& expected, const std::vector<std::string>& programs) {
   check_siemens("G54 G17 G90 G94 G710\nG0 X0 Y0 Z50 A0 B0 C0\n", place_at_end, expected, programs);
 }
@@ -67,4 +72,14 @@ TEST_CASE("the hundred thousands of CYCLE800's status are in no source") {
   CHECK(said_of_status("100000").find("hundred thousands") != std::string::npos);
   CHECK(said_of_status("200000").find("on top") == std::string::npos);
   CHECK(said_of_status("1").find("on top") != std::string::npos);
+}
+
+TEST_CASE("after a stop that lost the place axes without end are in their first turn") {
+  const auto check = [](const std::string& expected, const std::vector<std::string>& programs) {
+    check_siemens("G54 G17 G90 G94 G710\nG0 X0 Y0 Z50 A0 B0 C0\n", rotary_at_end, expected, programs);
+  };
+  check("B0 C0", {"G1 B=DC(359.9) F500\nM0\nG0 X1 Y0 Z21 A0 B0 C0\nG1 X2\n", "G0 C=ACP(5)\nC=ACP(3)\nM1\nG0 B0 C0\n",
+                  "G0 C=ACN(350)\nM6\nG0 X1 Y0 Z21 A0 B0 C0\nC0\n"});
+  check("B-360 C0", {"G1 B=DC(359.9) F500\nG0 B0\n", "M0\nG0 B0\nG1 B=DC(359.9) F500\nM8\nG0 B0\n"});
+  check("B0 C20", {"G0 C=DC(350)\nM0\nG0 B0 C20\n", "G0 C=DC(10)\nM0\nG0 C=DC(20)\n"});
 }

@@ -326,3 +326,17 @@ TEST_CASE("tiny circles, tiny moves in front of long ones and last pieces beyond
     }
   }
 }
+
+TEST_CASE("a stop that lost the turn of an axis leaves a compensated program in line with its source") {
+  const testing::Scratch scratch;
+  const std::string placed = "G54 G17 G90 G94 G710 G64\nG0 X0 Y0 Z20 A0 B0 C0\n";
+  for (const std::string rest : {"G1 B=DC(359.9) F500\nM0\nG0 X1 Y0 Z21 A0 B0 C0\nG1 X30\n",
+                                 "G1 A=DC(359.5) X3 F500\nM1\nG0 X1 Y0 Z21 A0 B0 C0\nG1 Y30\nA=DC(1)\n",
+                                 "G0 C=DC(350)\nM0\nG0 X0 Y0 Z20 A0 B0 C=DC(20)\nG1 X30 F800\n"}) {
+    INFO(rest);
+    const std::string source = placed + rest + "M30\n";
+    const DiffSummary s = diff_of(source, compensated(scratch, source));
+    CHECK(is_whole(s));
+    CHECK(s.shift[2].largest < 0.1);
+  }
+}

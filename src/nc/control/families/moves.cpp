@@ -97,7 +97,7 @@ double end_of_word(const Execution& run, const Word& word, Axis axis, double beg
     check_increment(run, word, axis);
     return begin + value;
   }
-  const std::optional<double> from = run.control.known.contains(axis) ? std::optional(begin) : std::nullopt;
+  const std::optional<double> from = run.control.surely_known().contains(axis) ? std::optional(begin) : std::nullopt;
   switch (word.mode) {
     case WordMode::shortest:
       return rotary_end(RotaryRule::shortest, value, false, from);
@@ -324,6 +324,7 @@ void add_motion(Execution& run, const Motion& planned) {
   motion.known_before = control.known;
   motion.machine = control.frame.to_machine(motion.to);
   control.shifted = shifted_after(run, motion);
+  if (!control.lost.empty()) control.lost = control.lost - absolute_words(run);
   keep_inches(run, motion);
   control.position = motion.to;
   control.known = motion.known_after;
@@ -336,7 +337,11 @@ void add_motion(Execution& run, const Motion& planned) {
 void lose_position(Execution& run, AxisSet axes) {
   run.step.loses_position = true;
   run.control.turned = run.control.turned - axes;
-  if (!run.settings.as_with_empty_tables) run.control.known = run.control.known - axes;
+  if (run.settings.as_with_empty_tables) {
+    run.control.lost = run.control.lost | axes;
+  } else {
+    run.control.known = run.control.known - axes;
+  }
 }
 
 }  // namespace plumbline::nc
