@@ -231,3 +231,21 @@ TEST_CASE("digits of an older CYCLE832 may deselect a frame") {
                  "TRANS X5\nCYCLE832()\nCYCLE832(0.05)\n", "TRANS X5\nCYCLE832(0.05,2000013,0.5)\n",
                  "TRANS X5\nTRANS\nCYCLE832(0.05,112103)\n"});
 }
+
+TEST_CASE("counts that a program says itself are not counted out") {
+  check_all("nc-too-many-blocks", {"LAB_A:\nREPEAT LAB_A P=100000000\n", "FOR R1=1 TO 100000000\nENDFOR\n",
+                                   "SUB P1000000000\nM30\n%_N_SUB_SPF\nM17\n", "LAB_A: X1\nREPEATB LAB_A P=20000000\n",
+                                   "R2=90000000\nFOR R1=-5 TO R2\nENDFOR\n", "L77 P30000000\nM30\n%_N_L77_SPF\nRET\n"});
+  check_all("", {"LAB_A:\nREPEAT LAB_A P=10\n", "FOR R1=1 TO 100\nENDFOR\n", "SUB P10\nM30\n%_N_SUB_SPF\nM17\n",
+                 "FOR R1=1 TO 100000000\nIF R1==5 GOTOF OUT_\nENDFOR\nOUT_: X1\n"});
+}
+
+TEST_CASE("words whose reason is told") {
+  check_all("nc-not-interpreted", {"R6='HFF'\n", "R7='B101'\n", "X='H0F'\n", "TC(\"MILL10\",,1)\n",
+                                   "F_HEAD(1,\"\",0)\n", "IPOENDA[X]\n", "COARSEA[X]\n", "FINEA[A]\n"});
+  check_all("nc-flow-control", {"DISPLOF\n", "N10 DISPLON\n", "X1\nACTBLOCNO\n"});
+  check_all("nc-axes-unused", {"CIP X10 Y10 I1=10 J1=0\nX50 Y20\n", "CIP X10 Y10 I1=10 J1=0\nX5 I1=3\n",
+                               "CIP X10 Y10 I1=10 J1=0\nM8\nZ5\n"});
+  check_all("", {"CIP X10 Y10 I1=10 J1=0\nG1 X50 Y20\n", "CIP X10 Y10 I1=10 J1=0\nG0 Z50\nX3\n", "X5 M25 M26\n",
+                 "M25 M26\n", "G1 X20 M=8\n", "M=3 S=500 X5\n", "M=9\n", "M111 M112 M113\n"});
+}

@@ -131,7 +131,9 @@ void check_groups(Execution& run) {
     if (!is_code(*chosen.word)) continue;
     if (chosen.row->group < 0 || chosen.row->action == Action::motion_off)
       continue;  // gives way to another motion [LinuxCNC, measured]
-    const int group = chosen.row == &run.dialect.user_row ? kUserGroup : chosen.row->group;
+    const bool users = chosen.row == &run.dialect.user_row;
+    if (users && run.dialect.syntax.statements != Statements::o_words) continue;  // of the builder, who may group them
+    const int group = users ? kUserGroup : chosen.row->group;
     std::uint64_t& seen = chosen.word->letter == 'M' ? seen_m : seen_g;
     if ((seen >> static_cast<unsigned>(group) & 1U) != 0) {
       run.refuse(*chosen.word, codes::kSameGroup,

@@ -122,9 +122,11 @@ void find_motion(Execution& run) {
   if (run.axes.empty() && !centre && run.vector == nullptr) return;
   if (mode == nullptr) mode = motion_before_codes(run);
   constexpr std::uint32_t kPointBits = letter_bit('1') | letter_bit('2') | letter_bit('3');
-  if (mode == nullptr && run.dialect.syntax.word_modes && (run.words.letters() & kPointBits) != 0) {
-    run.refuse(first_axis_word(run), codes::kAxesUnused, "a circle through a point states its CIP in each block",
-               "write CIP into this block as well");
+  const bool points = run.dialect.syntax.word_modes && (run.words.letters() & kPointBits) != 0;
+  if (mode == nullptr && (points || run.control.motion_end == Control::MotionEnd::circle)) {
+    run.refuse(
+        first_axis_word(run), codes::kAxesUnused, "a circle through a point states its CIP in each block",
+        points ? "write CIP into this block as well" : "write G0, G1, G2 or G3 here, or CIP with I1=, J1= or K1=");
   }
   if (mode == nullptr) {
     run.refuse(first_axis_word(run), codes::kAxesUnused, "no motion code is in force for these axis words",

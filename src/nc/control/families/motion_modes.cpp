@@ -55,8 +55,9 @@ void check_ends_cycle(const Execution& run, Action action) {
 
 void set_motion_mode(Execution& run, const CodeRow& row) {
   run.control.cycle.begun = false;
-  run.control.motion_row =
-      row.action == Action::arc_through_point ? nullptr : &row;  // CIP is stated anew in each block
+  const bool circle = row.action == Action::arc_through_point;  // CIP is stated anew in each block
+  run.control.motion_row = circle ? nullptr : &row;
+  run.control.motion_end = circle ? Control::MotionEnd::circle : Control::MotionEnd::none;
   run.control.modal.motion = row.action == Action::rapid    ? MotionMode::rapid
                              : row.action == Action::feed   ? MotionMode::feed
                              : row.action == Action::arc_cw ? MotionMode::arc_cw

@@ -104,6 +104,7 @@ struct Control {
   std::array<InchPlace, 3> inch_places;  // of X, Y and Z, at the end of their last move in inches
   AxisSet shifted;                       // by a change that increments may bring along, since their last absolute word
   AxisSet turned;                        // a turn left them where they stood: known anew once both are named
+  AxisSet lost;                          // where tables count as empty: in known, though a stop may have moved them
   AxisSet known;                         // of position; where the origin is not known, of the machine's position
   std::array<WorkSystem, kWorkSystems> systems;
   Cycle cycle;
@@ -143,7 +144,7 @@ struct Control {
   bool position_read = false;      // by an expression: what is written must hold its value
   bool in_machine_system = false;  // G15 H0
   /// The code of which no motion code came after.
-  enum class MotionEnd : std::uint8_t { none, off, nurbs_end } motion_end = MotionEnd::none;  // G80, G5.3
+  enum class MotionEnd : std::uint8_t { none, off, nurbs_end, circle } motion_end = MotionEnd::none;  // G80, G5.3, CIP
   /// Where the length in force comes from; unknown: G170 after G169 H, as no source says whether that ends the length.
   enum class Length : std::uint8_t { by_code, by_tip, unknown } length = Length::by_code;
   /// Why it is not known whether a tool's length counts: after D0 a tool was changed, and D0 or D1 is in force as the
@@ -166,6 +167,8 @@ struct Control {
   /// Offsets change, the machine does not move: the position gets its new words.
   void change_frame(const Frame& next);
   AxisSet shifted_by(const Frame& next, const AxisWords& moved) const;
+  /// Of position, as it is where tables do not count as empty.
+  AxisSet surely_known() const { return known - lost; }
   /// M3, M4, M5, SPOS: kClockwise and so on.
   void turn_spindle(int code) {
     modal.switches.spindle = code;

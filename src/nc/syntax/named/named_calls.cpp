@@ -33,6 +33,12 @@ void call_arguments(BlockReading& in, Span name) {
   in.cursor.take(lex_named_item);
   if (item_follows(in, TokenKind::closing_parenthesis)) return in.cursor.take(lex_named_item);
   do {
+    if (item_follows(in, TokenKind::string)) {
+      in.cursor.refuse(
+          name, codes::kNotInterpreted,
+          fmt::format("{} is a program that is given a text, and texts are not interpreted", in.out.at(name)),
+          "let the post write what it does in words of the control, as in T=\"MILL10\" and M6");
+    }
     const Token next = in.cursor.peek(lex_named_operation);
     const bool left_out = next.kind == TokenKind::comma || next.kind == TokenKind::closing_parenthesis;
     in.out.flow().values.push_back(left_out ? in.out.add_number(0, name) : read_named_value(in));
@@ -93,6 +99,10 @@ void refuse_unread_keyword(const BlockReading& in, Span keyword) {
     in.cursor.refuse(keyword, codes::kNotInterpreted,
                      fmt::format("{} works bit by bit, which is not interpreted", name),
                      "write its result, or AND, OR, XOR and NOT of truths");
+  }
+  if (in.syntax->relations_last && (name == "DISPLOF" || name == "DISPLON" || name == "ACTBLOCNO")) {
+    in.cursor.refuse(keyword, codes::kFlowControl, fmt::format("{} stands behind the PROC of its program", name),
+                     "write it as in PROC NAME DISPLOF, or leave it out: it concerns the operator's screen alone");
   }
   if (name != "GOTOC" && name != "GOTOS") return;
   in.cursor.refuse(keyword, codes::kNotInterpreted,

@@ -200,6 +200,10 @@ void read_assigned_variable(BlockReading& in, Span name, const NameMeaning* mean
   if (setting.target == kLiteral) refuse_unknown_word(in, name);
   expect_equals(in, setting.span);
   if (item_follows(in, TokenKind::string)) {
+    if (*in.cursor.peek(lex_named_item).begin == '\'' && in.syntax->word_modes) {  // R6='HFF'
+      in.cursor.take(lex_named_item);
+      in.cursor.refuse_token("a value");
+    }
     in.cursor.refuse(setting.span, codes::kNotInterpreted, "texts are not interpreted",
                      "a program that shows messages this way needs them written as comments");
   }

@@ -52,6 +52,11 @@ void TokenCursor::refuse_token(std::string_view expected) const {
   const char c = is(TokenKind::end) ? '\0' : *token_.begin;
   refuse_damage(place);
   refuse_byte(place, c);
+  if (c == '\'' && syntax_->word_modes) {
+    refuse(place, codes::kNotInterpreted,
+           "numbers in hexadecimal and binary digits ('HFF', 'B101') are not interpreted",
+           "write it in decimal digits, as in R6=255");
+  }
   if (expected == "a value" && c != '.' && c != '<') {
     refuse(place, codes::kValueMissing,
            plumbline::is_letter(c) ? "this is no value, and no function that is known here" : "a value is missing here",
