@@ -17,9 +17,10 @@ namespace {
 
 constexpr int kChangeCode = 6;  // of --keeps-position: M6
 
-// Comments and coolant: whether they are executed makes no difference to motion.
+// Comments and coolant: whether they are executed makes no difference to motion. A jump that leads to such a block
+// looks at its / itself.
 bool is_harmless(const Block& block, const Dialect& dialect) {
-  if (!block.settings.empty()) return false;
+  if (!block.settings.empty() || block.flow.word != FlowWord::none) return false;
   for (const Word& word : block.words) {
     if (word.letter != 'M' || word.expression != kLiteral) return false;
     const CodeRow* const row = dialect.m_code(static_cast<int>(word.value * 10));
@@ -165,7 +166,7 @@ void Interpreter::finish() {
 bool Interpreter::deleted(const Block& block) {
   if (run_.settings.block_delete.value_or(false)) return true;
   const bool harmless = is_harmless(block, run_.dialect);
-  if (!harmless && !run_.settings.block_delete && !run_.settings.as_with_empty_tables) {
+  if (!harmless && may_leave_out_skipped()) {
     refuse_at(block, block.slash, codes::kBlockDelete,
               "whether this block is executed depends on a switch of the control",
               "say how it stands: --block-delete on leaves the block out, off executes it");

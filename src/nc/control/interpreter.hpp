@@ -39,6 +39,8 @@ class Interpreter {
   void call_again() { control_.parameters.begin_again(); }
   /// Blocks behind / are not executed.
   bool leaves_out_skipped() const { return run_.settings.block_delete.value_or(false); }
+  /// No option says whether they are.
+  bool may_leave_out_skipped() const { return !run_.settings.block_delete && !run_.settings.as_with_empty_tables; }
   /// The settings of a block that steers.
   void assign(const Block& block) { values_.assign(block); }
   Value value(const Block& block, const Setting& setting) { return values_.value(block, setting); }

@@ -222,18 +222,18 @@ Place LabelIndex::shown(std::size_t file, const LinePlace& place) const {
 }
 
 // A line behind M2 that nothing leads to: no jump names its label, and no program of its own begins before it.
-std::optional<LinePlace> LabelIndex::unreached() const {
-  if (!unreached_but_by({})) return std::nullopt;  // of most programs nothing stands there, whatever jumps
+std::optional<LinePlace> LabelIndex::unreached(bool left_out) const {
+  if (!unreached_but_by({}, left_out)) return std::nullopt;  // of most programs nothing stands there, whatever jumps
   Targets targets;
   std::size_t program = 0;
   for_each_head(files_.file(0), dialect_, [&](const LineHead& head, const Line& line) {
     if (!head.program.empty()) ++program;
     if (head.word == FlowWord::begin_if || head.word == FlowWord::go_to) add_labels(line.text, targets[program]);
   });
-  return unreached_but_by(targets);
+  return unreached_but_by(targets, left_out);
 }
 
-std::optional<LinePlace> LabelIndex::unreached_but_by(const Targets& targets) const {
+std::optional<LinePlace> LabelIndex::unreached_but_by(const Targets& targets, bool left_out) const {
   std::optional<LinePlace> found;
   bool ended = false;
   std::size_t program = 0;
@@ -244,7 +244,7 @@ std::optional<LinePlace> LabelIndex::unreached_but_by(const Targets& targets) co
     const bool is_target = of_program != targets.end() && of_program->second.contains(head.number);
     if (!head.program.empty() || is_target) ended = false;
     if (ended && !found && (is_head || !head.empty)) found = line.place;
-    if (!head.behind_slash && holds_program_end(line.text)) ended = true;
+    if (!(head.behind_slash && left_out) && holds_program_end(line.text)) ended = true;
   });
   return found;
 }

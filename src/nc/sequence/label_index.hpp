@@ -65,7 +65,8 @@ class LabelIndex {
   /// The first program of the program's own file that ends as a main program does, and begins in none of these lines.
   std::optional<LinePlace> other_main(const std::set<std::size_t>& begun);
   /// The first line of the program's own file that stands behind M2 or M30 where no label and no program begins.
-  std::optional<LinePlace> unreached() const;
+  /// `left_out`: lines behind / are.
+  std::optional<LinePlace> unreached(bool left_out) const;
 
  private:
   struct LoopLine {
@@ -92,7 +93,7 @@ class LabelIndex {
   /// Labels, by which of the programs of the file jumps to them.
   using Targets = std::map<std::size_t, std::set<std::string>>;
   /// See unreached(): jumps lead to these labels alone.
-  std::optional<LinePlace> unreached_but_by(const Targets& targets) const;
+  std::optional<LinePlace> unreached_but_by(const Targets& targets, bool left_out) const;
 
   ProgramFiles& files_;
   const Dialect& dialect_;

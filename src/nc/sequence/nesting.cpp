@@ -39,10 +39,8 @@ void Nesting::add(const LineHead& head, const LinePlace& place, bool left_out) {
   if (!head.program.empty()) close();
   const FlowWord kind = kind_of(head.word);
   if (kind == FlowWord::none) return;
-  if (head.behind_slash && left_out) {
-    left_out_.push_back({place.line, kind});
-    return;
-  }
+  if (head.behind_slash) behind_slash_.push_back({place.line, kind});
+  if (head.behind_slash && left_out) return;
   switch (head.word) {
     case FlowWord::else_if:
     case FlowWord::otherwise:
@@ -123,8 +121,8 @@ const NestedPart* Nesting::entered(std::size_t from, std::size_t to) const {
   return at == parts_.end() ? nullptr : &*at;
 }
 
-bool Nesting::leaves_out_between(const LinePlace& from, const LinePlace& to, FlowWord kind) const {
-  return std::any_of(left_out_.begin(), left_out_.end(), [&](const LeftOutLine& one) {
+bool Nesting::has_slash_between(const LinePlace& from, const LinePlace& to, FlowWord kind) const {
+  return std::any_of(behind_slash_.begin(), behind_slash_.end(), [&](const LineBehindSlash& one) {
     return one.kind == kind && one.line > from.line && one.line <= to.line;
   });
 }

@@ -39,11 +39,11 @@ class Nesting {
   const NestedPart* part_at(std::size_t line) const;
   /// The first that a jump leads into; null: there is none.
   const NestedPart* entered(std::size_t from, std::size_t to) const;
-  /// True if a line between these two would begin, divide or end what is of the same kind, and is left out behind /.
-  bool leaves_out_between(const LinePlace& from, const LinePlace& to, FlowWord kind) const;
+  /// True if a line between these two begins, divides or ends what is of the same kind, and stands behind /.
+  bool has_slash_between(const LinePlace& from, const LinePlace& to, FlowWord kind) const;
 
  private:
-  struct LeftOutLine {
+  struct LineBehindSlash {
     std::size_t line = 0;
     FlowWord kind = FlowWord::none;  // the word that begins such a part
   };
@@ -56,7 +56,7 @@ class Nesting {
   std::vector<NestedPart> parts_;
   std::vector<std::pair<std::size_t, std::size_t>> lines_;  // with the number of their part
   std::vector<std::size_t> open_;                           // numbers of parts, one inside the other
-  std::vector<LeftOutLine> left_out_;
+  std::vector<LineBehindSlash> behind_slash_;
 };
 
 }  // namespace plumbline::nc

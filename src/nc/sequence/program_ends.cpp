@@ -76,11 +76,12 @@ void check_first_of_archive(LabelIndex& labels) {
          labels.shown(0, programs.heads.front().place));
 }
 
-void check_other_programs(LabelIndex& labels, const std::set<std::size_t>& begun, const Dialect& dialect) {
+void check_other_programs(LabelIndex& labels, const std::set<std::size_t>& begun, const Dialect& dialect,
+                          bool left_out) {
   if (dialect.syntax.statements == Statements::high_level) return check_archive(labels, begun);
   if (const std::optional<LinePlace> other = labels.other_main(begun)) refuse_other(labels, *other);
   if (dialect.syntax.statements != Statements::user_task) return;
-  if (const std::optional<LinePlace> line = labels.unreached()) refuse_unreached(labels, *line);
+  if (const std::optional<LinePlace> line = labels.unreached(left_out)) refuse_unreached(labels, *line);
 }
 
 std::optional<ProgramsBehind> programs_behind(const InputFile& file, const Dialect& dialect) {

@@ -24,8 +24,10 @@ void refuse_unended(const Block& block, Statements statements);
 /// Refuses with nc-flow-open an archive of several programs whose first one is a subprogram.
 void check_first_of_archive(LabelIndex& labels);
 /// Refuses with nc-flow-open where the program's file holds a main program that nothing called, or where a
-/// subprogram is the first of several. `begun`: the lines in which the programs begin that were read.
-void check_other_programs(LabelIndex& labels, const std::set<std::size_t>& begun, const Dialect& dialect);
+/// subprogram is the first of several. `begun`: the lines in which the programs begin that were read. `left_out`: lines
+/// behind / are.
+void check_other_programs(LabelIndex& labels, const std::set<std::size_t>& begun, const Dialect& dialect,
+                          bool left_out);
 
 /// What stands behind the main program of an archive.
 struct ProgramsBehind {

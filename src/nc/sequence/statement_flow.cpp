@@ -29,7 +29,15 @@ const LinePlace* find_label(const Block& block, LabelIndex& labels, const Interp
                             const std::string& label, std::size_t line, Direction direction) {
   const LinePlace* const place = labels.find_label(label, line, direction);
   if (place != nullptr) labels.check_once(block, label, line);
-  if (place == nullptr || !interpreter.leaves_out_skipped() || !labels.is_behind_slash(place->line)) return place;
+  if (place == nullptr || !labels.is_behind_slash(place->line)) return place;
+  if (interpreter.may_leave_out_skipped()) {
+    refuse_flow(block, codes::kBlockDelete,
+                fmt::format("{} stands behind / in line {}: whether the control finds it there depends on a switch of "
+                            "the control",
+                            label, place->line),
+                "say how it stands: --block-delete on leaves the block out, off executes it");
+  }
+  if (!interpreter.leaves_out_skipped()) return place;
   refuse_flow(block, codes::kNotInterpreted,
               fmt::format("{} stands in line {}, which is left out because of its /, and whether the control finds it "
                           "there was found in no source",
@@ -187,7 +195,9 @@ void StatementFlow::head(const Block& block) {
   reading_ = Reading::after_end;
 }
 
-void StatementFlow::check_others() { check_other_programs(labels_, begun_, dialect_); }
+void StatementFlow::check_others() {
+  check_other_programs(labels_, begun_, dialect_, interpreter_.leaves_out_skipped());
+}
 
 // It ends the file, but where it stands before all else.
 void StatementFlow::pass_percent(const Block& block) {

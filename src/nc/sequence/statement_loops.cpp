@@ -142,7 +142,14 @@ void StatementLoops::branch(const Block& block) {
 }
 
 void StatementLoops::leave_out(const Block& block, const NestedPart& part, const LinePlace& up_to) {
-  if (nesting().leaves_out_between(place_of_line(block), up_to, part.word)) {
+  const bool doubtful = nesting().has_slash_between(place_of_line(block), up_to, part.word);
+  if (doubtful && interpreter_.may_leave_out_skipped()) {
+    refuse_flow(block, codes::kBlockDelete,
+                "what this line begins is left out, and where it ends depends on a switch of the control: a line of a "
+                "branch or a loop in it stands behind /",
+                "say how it stands: --block-delete on leaves such lines out, off executes them");
+  }
+  if (doubtful && interpreter_.leaves_out_skipped()) {
     refuse_flow(block, codes::kNotInterpreted,
                 "what this line begins is left out, and a line behind / that is left out as well would end it",
                 "put / before all lines of a branch or a loop, or before none");

@@ -50,7 +50,7 @@ TEST_CASE("REPEAT with a label is no loop, and lines behind / may be left out") 
   CHECK(nesting_of({"REPEAT ; AA", "UNTIL R1==1"}).part_at(2)->begin.line == 1);
   const Nesting nesting = nesting_of({"IF R1==1", "/ENDIF", "ENDIF"}, true);
   CHECK(nesting.part_at(1)->end.line == 3);
-  CHECK(nesting.leaves_out_between({0, 1}, {0, 3}, FlowWord::begin_if));
-  CHECK_FALSE(nesting.leaves_out_between({0, 2}, {0, 3}, FlowWord::begin_if));
-  CHECK_FALSE(nesting.leaves_out_between({0, 1}, {0, 3}, FlowWord::begin_for));
+  CHECK(nesting.has_slash_between({0, 1}, {0, 3}, FlowWord::begin_if));
+  CHECK_FALSE(nesting.has_slash_between({0, 2}, {0, 3}, FlowWord::begin_if));
+  CHECK_FALSE(nesting.has_slash_between({0, 1}, {0, 3}, FlowWord::begin_for));
 }
