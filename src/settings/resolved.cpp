@@ -19,16 +19,45 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string_view what_stands(fs::file_type type, bool is_link) {
+  switch (type) {
+    case fs::file_type::directory:
+      return "a folder";
+    case fs::file_type::fifo:
+      return "a pipe";
+    case fs::file_type::socket:
+      return "a socket";
+    case fs::file_type::block:
+    case fs::file_type::character:
+      return "a device";
+    default:
+      return is_link ? "a link that leads to no file" : "no file";
+  }
+}
+
+// Whether a settings file stands there. What has its name and is none would leave the settings of the shop out without
+// a word.
+bool is_settings_file(const fs::path& path) {
+  std::error_code error;
+  const fs::file_type itself = fs::symlink_status(path, error).type();
+  if (itself == fs::file_type::not_found || itself == fs::file_type::none) return false;
+  const fs::file_type type = fs::status(path, error).type();
+  if (type == fs::file_type::regular) return true;
+  refuse("settings-no-file",
+         fmt::format("this is {}, and no settings file", what_stands(type, itself == fs::file_type::symlink)),
+         "put the settings file there, take this away, or have no settings read with --no-settings",
+         {path.generic_string(), 0});
+}
+
 // In the folder of the program, which is named as the program is, and in those above it.
 std::vector<std::string> files_from_folder_up(const std::string& program) {
   std::vector<std::string> files;
   if (program == kStandardStream) return files;
-  std::error_code error;
   const auto add = [&](const fs::path& folder) {
-    if (fs::is_regular_file(folder / kSettingsFileName, error))
-      files.push_back((folder / kSettingsFileName).generic_string());
+    if (is_settings_file(folder / kSettingsFileName)) files.push_back((folder / kSettingsFileName).generic_string());
   };
   add(path_of(program).parent_path());
+  std::error_code error;
   fs::path folder = fs::absolute(path_of(program), error).lexically_normal().parent_path();
   while (folder.has_relative_path()) {
     folder = folder.parent_path();
@@ -42,8 +71,7 @@ std::string users_own() {
   const std::string folder = platform::settings_folder();
   if (folder.empty()) return {};
   const fs::path path = path_of(folder) / "plumbline" / kSettingsFileName;
-  std::error_code error;
-  return fs::is_regular_file(path, error) ? path.generic_string() : std::string();
+  return is_settings_file(path) ? path.generic_string() : std::string();
 }
 
 void add_once(std::vector<std::string>& files, const std::string& path) {

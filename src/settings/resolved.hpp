@@ -29,7 +29,8 @@ struct ResolvedSettings {
 
 /// The settings files of a program, the one that counts most first: `file`, or else each plumbline.toml in the folder
 /// of the program and the folders above it; the one that PLUMBLINE_SETTINGS names; the user's own,
-/// $XDG_CONFIG_HOME/plumbline/plumbline.toml or ~/.config/plumbline/plumbline.toml. None twice.
+/// $XDG_CONFIG_HOME/plumbline/plumbline.toml or ~/.config/plumbline/plumbline.toml. None twice. Refuses with
+/// settings-no-file what stands in one of these folders under that name and is no file.
 std::vector<std::string> settings_files(const std::string& program, const std::string& file);
 
 /// "--machine NAME takes one of hex-3, hex-4"; empty where one is named, or none described.

@@ -2,9 +2,11 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include <catch2/catch.hpp>
+#include <sys/stat.h>
 
 #include "support/scratch.hpp"
 
@@ -156,4 +158,43 @@ TEST_CASE("a machine that nobody describes is refused") {
   SettingsRequest request = shop.request();
   request.machine = "x";
   CHECK(testing::refusal_of([&] { settings::resolve_settings(request); }).help == "machines are hex-3");
+}
+
+TEST_CASE("what is named as a settings file and is none is refused, not passed over") {
+  namespace fs = std::filesystem;
+  struct Case {
+    const char* what;
+    const char* says;
+    std::function<void(const std::string&)> make;
+  };
+  const Case cases[] = {
+      {"dangling", "a link that leads to no file", [](const auto& path) { fs::create_symlink("gone.toml", path); }},
+      {"loop", "a link that leads to no file", [](const auto& path) { fs::create_symlink(path, path); }},
+      {"folder", "a folder", [](const auto& path) { fs::create_directories(path); }},
+      {"link to a folder", "a folder", [](const auto& path) { fs::create_symlink(".", path); }},
+      {"pipe", "a pipe", [](const auto& path) { REQUIRE(mkfifo(path.c_str(), 0600) == 0); }},
+      {"device", "a device", [](const auto& path) { fs::create_symlink("/dev/null", path); }},
+  };
+  for (const char* const where : {"jobs/a/plumbline.toml", "jobs/plumbline.toml", "own/plumbline/plumbline.toml"}) {
+    for (const Case& c : cases) {
+      INFO(where << ": " << c.what);
+      const Shop shop;
+      c.make(shop.scratch.path(where));
+      const Diagnostic refused = testing::refusal_of([&] { shop.resolved(); });
+      CHECK(refused.code == "settings-no-file");
+      CHECK(refused.place.file == shop.scratch.path(where));
+      CHECK(refused.message.find(c.says) != std::string::npos);
+      SettingsRequest without = shop.request();
+      without.without_files = true;
+      CHECK(settings::resolve_settings(without).options.paths.settings_files.empty());
+    }
+  }
+}
+
+TEST_CASE("a settings file is read through a link, and none is none") {
+  const Shop shop;
+  CHECK(shop.resolved().options.paths.settings_files.empty());
+  shop.write("shop.toml", "step_angle = 2\n");
+  std::filesystem::create_symlink(shop.scratch.path("shop.toml"), shop.scratch.path("jobs/plumbline.toml"));
+  CHECK(shop.resolved().options.paths.settings_files.size() == 1);
 }
