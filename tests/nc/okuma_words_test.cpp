@@ -1,4 +1,5 @@
 // Words of an OSP, and lines that are none of a program's own: each is read, or refused with its own reason.
+#include <algorithm>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -103,4 +104,19 @@ TEST_CASE("OSP: G0 beside G169 is the mode behind it, and the words are those of
              {"G15 H1 G0 X0 Y0 Z0\nG169 H1\nG0 G169 Z20 H1\nM2\n", 0, 0},
              {"G15 H1 G0 X0 Y0 Z0\nG1 G169 Z20 H1 F100\nM2\n", 2, 1, "nc-axes-twice"},
              {"G15 H1 G0 X0 Y0 Z0\nG91 G0 G169 Z20 H1\nM2\n", 2, 13}});
+}
+
+TEST_CASE("OSP: beside a home position by its number stands neither a move nor a word of an axis") {
+  const std::string begin = "G15 H1 G0 X0 Y0 Z0\n";
+  for (const std::string line :
+       {"G1 X3 F100 G30 P1\n", "G30 P1 G0 X5\n", "G30 P2 X5\n", "G30 P1 G2 X1 I0.5 F100\n", "G30 P1 A5\n",
+        "G20 HP=1 X5\n", "G21 HP=1 X0\n", "G0 Z5 G20 HP=4\n", "G20 HP=2 G92 X0\n"}) {
+    const std::string program = begin + line + "M2\n";
+    const auto column = static_cast<std::size_t>(line.find_first_of('G') + 1);
+    const std::size_t home = std::min({line.find("G30"), line.find("G20"), line.find("G21")}) + 1;
+    check_osp({{program.c_str(), 2, std::max(column, home), "nc-not-interpreted", "block of its own"}});
+  }
+  check_osp({{"G15 H1 G0 X0 Y0 Z0\nG30 P1\nG0 X0 Y0 Z0\nM2\n", 0, 0},
+             {"G15 H1 G0 X0 Y0 Z0\nG20 HP=4 M9\nG0 X0 Y0 Z0\nM2\n", 0, 0},
+             {"G15 H1 G0 X0 Y0 Z0\nG21 G90 G0 X5\nM2\n", 0, 0}});
 }

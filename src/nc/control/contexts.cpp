@@ -57,6 +57,20 @@ void check_moves_beside(const Execution& run) {
   }
 }
 
+// G30 P1, G20 HP=4: to a place that the machine keeps, by no words of axes.
+void check_beside_home(const Execution& run) {
+  if (run.motion == nullptr && run.axes.empty()) return;
+  for (const Chosen& code : run.chosen) {
+    const bool by_number = code.row->action == Action::lose_position && !code.row->takes_axes;
+    if (!by_number && (code.row->action != Action::home_or_unit || !run.words.has('2'))) continue;
+    run.refuse(*code.word, codes::kNotInterpreted,
+               fmt::format("{} goes to a position of the machine's own: what words of axes and a move beside it do was "
+                           "found in no source",
+                           run.text_of(*code.word)),
+               "put the move into a block of its own");
+  }
+}
+
 void check_m_codes(const Execution& run) {
   const int most = run.dialect.behaviour.most_m_codes;
   int count = 0;
@@ -274,6 +288,7 @@ void check_contexts(const Execution& run) {
   check_turned(run);
   check_not_beside(run);
   check_shared_words(run);
+  check_beside_home(run);
   check_beside_cycle(run);
   check_modal_call(run);
   check_length_known(run);
