@@ -8,6 +8,7 @@
 #include "base/text/characters.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/sequence/flow_block.hpp"
+#include "nc/sequence/subprogram_file.hpp"
 #include "nc/syntax/line_head.hpp"
 
 namespace plumbline::nc {
@@ -190,6 +191,44 @@ std::optional<FilePlace> LabelIndex::find_program(const std::string& name) {
            "put it behind the line that names the program, or take it out", shown(*file, *programs.words_before));
   }
   return find_in_open_files(name);
+}
+
+bool LabelIndex::begins_in(std::size_t file, const std::string& name) {
+  const std::vector<ProgramHead>& heads = programs_of(file).programs.heads;
+  return std::any_of(heads.begin(), heads.end(), [&](const ProgramHead& head) { return head.name == name; });
+}
+
+std::optional<LabelIndex::SameName> LabelIndex::find_same_name(const std::string& name, const FilePlace& found) {
+  const auto same = [&](const std::string& which, std::size_t one, std::size_t other) {
+    return SameName{which, files_.file(one).name(), files_.file(other).name()};
+  };
+  const bool is_new = called_.emplace(name, found.file).second;
+  if (is_new) {
+    const std::optional<std::size_t> beside = files_.beside(name);
+    if (beside && *beside != found.file && (begins_in(*beside, name) || programs_of(*beside).programs.heads.empty()))
+      return same(name, found.file, *beside);
+    for (std::size_t file = 0; file < files_.size(); ++file) {
+      if (file != found.file && begins_in(file, name)) return same(name, found.file, file);
+    }
+  }
+  for (; files_looked_through_ < files_.size(); ++files_looked_through_) {
+    for (const auto& [before, file] : called_) {
+      if (file != files_looked_through_ && begins_in(files_looked_through_, before))
+        return same(before, file, files_looked_through_);
+    }
+  }
+  return std::nullopt;
+}
+
+std::string LabelIndex::name_with_other_zeros(const std::string& name) {
+  if (dialect_.syntax.statements != Statements::user_task) return {};
+  const std::string wanted = canonical_program(name);
+  for (std::size_t file = 0; file < files_.size(); ++file) {
+    for (const ProgramHead& head : programs_of(file).programs.heads) {
+      if (head.name != name && canonical_program(head.name) == wanted) return head.name;
+    }
+  }
+  return subprogram_file_with_other_zeros(files_.file(0).name(), name, dialect_);
 }
 
 std::optional<LinePlace> LabelIndex::behind_end(const std::string& name) {

@@ -49,6 +49,17 @@ class LabelIndex {
   /// The program of that name: in the files that are open, else in one of its name beside the program. Refuses such a
   /// file if words stand before the first program of it.
   std::optional<FilePlace> find_program(const std::string& name);
+  /// A name that programs of two files have.
+  struct SameName {
+    std::string name;
+    std::string one, other;  // the files
+  };
+  /// Of the program called, found there: another file that is open, or one of its name beside the program, in which it
+  /// begins as well; or a program called before that begins in a file opened since. Nothing: there is none.
+  std::optional<SameName> find_same_name(const std::string& name, const FilePlace& found);
+  /// Under user task 2: a program that is named so but for the zeros before its number, in the files that are open or
+  /// beside the program; empty: there is none.
+  std::string name_with_other_zeros(const std::string& name);
   /// Where the program of that name begins behind what ends the program's own file for the control: a second %.
   std::optional<LinePlace> behind_end(const std::string& name);
   /// True if a file holds several programs of that name.
@@ -89,6 +100,7 @@ class LabelIndex {
   static LineRange program_around(const Index& index, std::size_t line);
   Index& programs_of(std::size_t file);
   const Index& labels_of(std::size_t file);
+  bool begins_in(std::size_t file, const std::string& name);
   std::optional<FilePlace> find_in_open_files(const std::string& name);
   /// Labels, by which of the programs of the file jumps to them.
   using Targets = std::map<std::size_t, std::set<std::string>>;
@@ -99,6 +111,8 @@ class LabelIndex {
   const Dialect& dialect_;
   std::unordered_map<std::size_t, Index> indices_;  // by the number of the file
   std::unordered_map<std::size_t, Nesting> nestings_;
+  std::map<std::string, std::size_t> called_;  // names of programs, and the files in which they were found
+  std::size_t files_looked_through_ = 0;       // for those
 };
 
 }  // namespace plumbline::nc

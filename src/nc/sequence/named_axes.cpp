@@ -57,7 +57,7 @@ void add_axes(const Block& block, const Dialect& dialect, AxisSet& axes) {
 // The name of the subprogram that the line calls; empty: none, or one that only executing it tells.
 std::string called_name(const Block& block, const Dialect& dialect) {
   if (block.flow.word == FlowWord::call && block.flow.label == kLiteral) {
-    if (!dialect.syntax.case_of_files) return canonical_program(block.at(block.flow.name));
+    if (!dialect.syntax.case_of_files) return program_name(block.at(block.flow.name), dialect);
     std::string name;
     for (const char c : block.at(block.flow.name)) {
       if (c != ' ' && c != '\t') name += lower(c);

@@ -7,7 +7,6 @@
 #include "base/diagnostic.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/sequence/flow_block.hpp"
-#include "nc/sequence/subprogram_file.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -53,18 +52,6 @@ void refuse_unended(const Block& block, Statements statements) {
       statements == Statements::user_task  // OMIT and other words of an OSP look like names of programs
           ? "end that with M2 or M30 before this line; patterns of holes (LAA, BHC, OMIT) are not read"
           : "end that with M30 before this line; the number of a program stands at the begin of its first line");
-}
-
-void refuse_missing_program(const Block& block, const std::string& name, LabelIndex& labels, const Dialect& dialect) {
-  if (const std::optional<LinePlace> behind = labels.behind_end(name)) {
-    refuse_flow(block, codes::kFlowOpen,
-                fmt::format("subprogram {} stands in line {}, behind the second %: the control stops reading there",
-                            name, behind->line),
-                "take out the % between the two programs, or put the subprogram into a file of its own");
-  }
-  refuse_flow(
-      block, codes::kFlowOpen, fmt::format("subprogram {} is neither in this file nor beside it", name),
-      fmt::format("put it into a file of its name beside the program, as {}", subprogram_file_name(name, dialect)));
 }
 
 void check_first_of_archive(LabelIndex& labels) {

@@ -18,9 +18,6 @@ namespace plumbline::nc {
 std::string how_programs_end(const Dialect& dialect);
 /// Refuses a block that begins another program before the one above it ended; but in an archive, where it ends it.
 void refuse_unended(const Block& block, Statements statements);
-/// Refuses with nc-flow-open the call of a program that was not found, and says whether it stands behind the second %.
-[[noreturn]] void refuse_missing_program(const Block& block, const std::string& name, LabelIndex& labels,
-                                         const Dialect& dialect);
 /// Refuses with nc-flow-open an archive of several programs whose first one is a subprogram.
 void check_first_of_archive(LabelIndex& labels);
 /// Refuses with nc-flow-open where the program's file holds a main program that nothing called, or where a

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,12 +40,16 @@ class ProgramFiles {
 
   /// Opens the file beside the program that holds this subprogram, and gives its number; nothing if there is none.
   std::optional<std::size_t> open_beside(const std::string& subprogram);
+  /// The same of a file that may be open, be it the program itself: the number that it has.
+  std::optional<std::size_t> beside(const std::string& subprogram);
   std::size_t size() const { return files_.size(); }
   const InputFile& file(std::size_t number) const { return *files_[number]->file; }
   /// Refuses with file-changed where one that was read changed meanwhile.
   void check_unchanged() const;
 
  private:
+  std::optional<std::size_t> open(const std::filesystem::path& path);
+
   struct File {
     std::unique_ptr<InputFile> opened;  // null for the program itself
     const InputFile* file;

@@ -8,22 +8,13 @@
 #include "base/diagnostic.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
+#include "nc/sequence/called_program.hpp"
 #include "nc/sequence/flow_block.hpp"
 #include "nc/sequence/program_ends.hpp"
 #include "nc/syntax/line_head.hpp"
 
 namespace plumbline::nc {
 namespace {
-
-// Where a subprogram begins.
-FilePlace program_called(const Block& block, const std::string& name, LabelIndex& labels, const Dialect& dialect) {
-  if (const std::optional<FilePlace> found = labels.find_program(name)) {
-    if (!labels.is_twice(name)) return *found;
-    refuse_flow(block, codes::kFlowOpen, fmt::format("several programs of these files are named {}", name),
-                "leave the one that is meant, or give them names of their own");
-  }
-  refuse_missing_program(block, name, labels, dialect);
-}
 
 const LinePlace* find_label(const Block& block, LabelIndex& labels, const Interpreter& interpreter,
                             const std::string& label, std::size_t line, Direction direction) {
@@ -287,7 +278,7 @@ RepeatedSection StatementFlow::section_of(const Block& block) {
 // CALL OSUB, SUB(1,2): what the arguments are worth is found before the subprogram has variables of its own.
 void StatementFlow::call(const Block& block) {
   Call call;
-  call.name = canonical_program(block.at(block.flow.name));
+  call.name = program_name(block.at(block.flow.name), dialect_);
   if (block.flow.count != kLiteral) {
     call.remaining = number_of(interpreter_, block, block.flow.count, "the count of calls") - 1;
   }

@@ -11,6 +11,7 @@
 #include "base/files/files_beside.hpp"
 #include "base/files/path_of.hpp"
 #include "base/text/characters.hpp"
+#include "nc/syntax/line_head.hpp"
 
 namespace plumbline::nc {
 namespace fs = std::filesystem;
@@ -69,13 +70,14 @@ fs::path looked_for(const std::string& program, const std::string& name, const D
     return {};
   }
   const std::vector<fs::path> there = files_in(folder.empty() ? fs::path(".") : folder);
+  const bool one_alone = is_number(name) || dialect.syntax.statements == Statements::user_task;
   fs::path found;
   for (const std::string& pattern : patterns) {
     const std::string wanted = upper(filled(pattern, name));
     for (const fs::path& path : there) {
       if (path == found || upper(path.filename().generic_string()) != wanted || !is_file(path)) continue;
       if (found.empty()) found = path;
-      if (!is_number(name)) return found;
+      if (!one_alone) return found;
       if (path != found) refuse_if_different(program, name, found, path);
     }
   }
@@ -88,6 +90,20 @@ fs::path subprogram_file(const std::string& program, const std::string& name, co
   fs::path path = looked_for(program, name, dialect);
   FilesBeside::note(program, name, path.generic_string());
   return path;
+}
+
+std::string subprogram_file_with_other_zeros(const std::string& program, const std::string& name,
+                                             const Dialect& dialect) {
+  const fs::path folder = path_of(program).parent_path();
+  for (const fs::path& path : files_in(folder.empty() ? fs::path(".") : folder)) {
+    const std::string stem = upper(path.stem().generic_string());
+    if (stem == name || canonical_program(stem) != canonical_program(name)) continue;
+    for (const std::string& pattern : dialect.syntax.subprogram_files) {
+      if (upper(filled(pattern, stem)) == upper(path.filename().generic_string()))
+        return path.filename().generic_string();
+    }
+  }
+  return {};
 }
 
 std::string subprogram_file_name(const std::string& name, const Dialect& dialect) {

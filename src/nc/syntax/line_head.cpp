@@ -116,7 +116,7 @@ class HeadReader {
     const Syntax& syntax = dialect_.syntax;
     const bool sequence_names = syntax.labels == Labels::sequence_names;
     if (syntax.program_letter != '\0' && next_is(syntax.program_letter)) {
-      head_.program = canonical_program(identifier());
+      head_.program = program_name(identifier(), dialect_);
       return;
     }
     if (next_is('N') && at_ + 1 < line_.size() && (sequence_names || is_digit(line_[at_ + 1]))) {
@@ -210,6 +210,10 @@ std::string canonical_program(std::string_view text) {
   }
   if (digits_from(name, 0)) return without_zeros(name, 0);
   return !name.empty() && name.front() == 'O' && digits_from(name, 1) ? without_zeros(name, 1) : name;
+}
+
+std::string program_name(std::string_view text, const Dialect& dialect) {
+  return dialect.syntax.statements == Statements::user_task ? upper_without_blanks(text) : canonical_program(text);
 }
 
 }  // namespace plumbline::nc

@@ -10,7 +10,7 @@
 namespace plumbline::nc {
 
 struct LineHead {
-  std::string program;    // the name of a program that begins here, as canonical_program gives it
+  std::string program;    // the name of a program that begins here, as program_name gives it
   std::string number;     // N100 as a label
   std::size_t zeros = 0;  // before the digits of that
   std::string label;      // NAME: of a high-level language
@@ -32,5 +32,8 @@ std::string canonical_label(std::string_view text);
 /// How many zeros before its number that leaves out.
 std::size_t zeros_of_label(std::string_view text);
 std::string canonical_program(std::string_view text);
+/// The name of a program as the dialect compares it: canonical_program, but with its zeros where no source says that
+/// those before a number are left out (user task 2).
+std::string program_name(std::string_view text, const Dialect& dialect);
 
 }  // namespace plumbline::nc

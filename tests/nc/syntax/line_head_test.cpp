@@ -60,7 +60,7 @@ TEST_CASE("an IF that jumps in its line opens nothing, whatever its comment says
 }
 
 TEST_CASE("programs begin with the letter of the control, or with the head of an archive") {
-  CHECK(head_in("okuma", "O0100 (PART)").program == "O100");
+  CHECK(head_in("okuma", "O0100 (PART)").program == "O0100");
   CHECK(head_in("okuma", "ODRILL").program == "ODRILL");
   CHECK(head_in("siemens", "%_N_SHAFT_2_MPF").program == "SHAFT_2");
   CHECK_FALSE(head_in("siemens", "%_N_SHAFT_2_MPF").empty);
