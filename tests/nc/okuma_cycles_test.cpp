@@ -120,3 +120,16 @@ TEST_CASE("OSP: a hole that is a whole number of pecks deep has no peck more, wh
   CHECK(pecks("Z-0.701 R0.2 Q0.1") == 10);
   CHECK(pecks("Z-1.1 R2.2 Q1.1") == 3);
 }
+
+TEST_CASE("OSP: G80 does not stand in the block of a cycle") {
+  const std::string begin = "G15 H1 G0 X0 Y0 Z50\nG71 Z50\n";
+  const auto check = [&](const std::string& rest, std::size_t line, std::size_t column) {
+    const std::string program = begin + rest;
+    check_osp({{program.c_str(), line, column, "nc-same-group", "G80"}});
+  };
+  check("G81 X5 Y5 Z0 R2 F100 M53 G80\nG0 Z20\nM2\n", 3, 26);
+  check("G80 G83 X5 Y5 Z0 R2 Q1 F100 M53\nG0 Z20\nM2\n", 3, 1);
+  check("G81 X5 Y5 Z0 R2 F100 M53\nG82 G80 X9\nM2\n", 4, 5);
+  const std::string read = begin + "G81 X5 Y5 Z0 R2 F100 M53\nG80\nG0 Z60\nM2\n";
+  check_osp({{read.c_str(), 0, 0}});
+}

@@ -237,6 +237,14 @@ void check_beside_cycle(const Execution& run) {
                    : "which axis drills in G18 and G19 is said by a parameter of the control (5101 FXY)",
                "write G17 before it, and drill along Z");
   }
+  const Chosen* const off = run.dialect.behaviour.return_levels ? find_code(run, Action::motion_off) : nullptr;
+  if (off != nullptr) {
+    run.refuse(
+        *off->word, codes::kSameGroup,
+        fmt::format("{} beside a drilling cycle: whether it ends that, or the one before, was found in no source",
+                    run.text_of(*off->word)),
+        "put them into blocks of their own");
+  }
   const bool has_place = !(run.axes & AxisSet::linear()).empty();
   if (!has_place && !run.dialect.behaviour.return_levels) refuse_cycle_without_place(run);
   for (const Chosen& code : run.chosen) {
@@ -280,6 +288,7 @@ bool counts_increments(const Execution& run) {
 void check_contexts(const Execution& run) {
   check_values(run);
   check_moves_beside(run);
+  check_beside_home(run);
   check_m_codes(run);
   check_words_beside_unit(run);
   check_axes_needed(run);
@@ -288,7 +297,6 @@ void check_contexts(const Execution& run) {
   check_turned(run);
   check_not_beside(run);
   check_shared_words(run);
-  check_beside_home(run);
   check_beside_cycle(run);
   check_modal_call(run);
   check_length_known(run);
