@@ -102,7 +102,7 @@ const WrittenMove& Rewriter::write(const CorrectedMove& corrected) {
   says_angles_ = says_angles_ || as_angles;
   written_.reworded = says_angles_ && are_none(step, corrected);
   if (emitted.changed) {
-    intention_.divide(step, points, writable, move.duration);
+    intention_.divide(step, emitter_.pieces().points(), writable, move.duration);
   } else {
     intention_.keep(step, true, move.duration);
   }

@@ -30,7 +30,7 @@ bool is_position(const Step& step, Axis axis) {
 
 }  // namespace
 
-std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedPoint> points, AxisSet writable,
+std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedPoint> asked, AxisSet writable,
                                     std::optional<double> seconds, OutputState& control) {
   const Motion& motion = step.motions.front();
   grids_ = words_.grids(step);
@@ -39,6 +39,9 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
   rounding_mm_ = 0;
   seconds_.reset();
   const AxisWords start = motion.from + control.work_shift(*step.frame);
+  const bool has_time = seconds && *seconds > 0;
+  const std::span<const CorrectedPoint> points = has_time ? held_.hold(step, asked, writable, start, grids_) : asked;
+  points_ = points;
   AxisWords at = start;
   double waiting = 0;  // share of pieces in which nothing moved
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -60,7 +63,7 @@ std::span<Piece> PiecePlanner::plan(const Step& step, std::span<const CorrectedP
   AxisWords end_shift;
   for (const Axis axis : kAllAxes) end_shift[axis] = motion.known_after.contains(axis) ? at[axis] - motion.to[axis] : 0;
   PieceFeeds feeds(dialect_, settings_, step, pieces_, ends_);
-  if (seconds && *seconds > 0) {
+  if (has_time) {
     seconds_ = feeds.choose(start, *seconds, control);
   } else {
     feeds.keep(seconds.has_value(), control);

@@ -27,8 +27,11 @@ bool turns(const Motion& motion) {
                      [&](Axis axis) { return is_rotary(axis) && motion.to[axis] != motion.from[axis]; });
 }
 
-[[noreturn]] void refuse_feed_rule(const Step& step, const Dialect& dialect) {
+[[noreturn]] void refuse_feed_rule(const Step& step, const Dialect& dialect, const EmitSettings& settings) {
   const Motion& motion = step.motions.front();
+  // by a bound each piece is proven with its A, B and C, which cannot wait then
+  const std::string_view by_steps =
+      settings.keep_piece_times && !turns(motion) ? "; or take fixed steps in place of --tolerance" : "";
   const std::string what = !turns(motion)
                                ? "nothing turns in this block, but its correction does, as much as it moves: "
                            : length_mm(motion.to - motion.from) > 0 ? "this block moves and turns: "
@@ -36,7 +39,8 @@ bool turns(const Motion& motion) {
   refuse_block(*step.block, "emit-feed-rule",
                fmt::format("{}dialect {} does not say which speed F is then", what, dialect.name),
                "say how the control counts: --feed-rule xyz (F is the speed along X, Y, Z) or --feed-rule all (degrees "
-               "count as mm); or program the block in inverse time (G93)");
+               "count as mm); or program the block in inverse time (G93)" +
+                   std::string(by_steps));
 }
 
 // F is the speed of X, Y and Z, whatever turns beside them.
@@ -99,7 +103,7 @@ void PieceFeeds::keep(bool has_time, OutputState& control) const {
   const AxisWords travel = motion.to - motion.from;
   if (cuts && !has_time && motion.feed > 0 &&
       !feed_length(length_mm(travel), travel, motion.feed_rule, motion.mm_per_unit))
-    refuse_feed_rule(step_, dialect_);
+    refuse_feed_rule(step_, dialect_, settings_);
   control.change_unit(*step_.before, *step_.after);
   if (find_word(*step_.block, 'F') == nullptr) return;
   control.feed = step_.after->feed;
@@ -109,8 +113,12 @@ void PieceFeeds::keep(bool has_time, OutputState& control) const {
 void PieceFeeds::set_lengths(const AxisWords& start) {
   AxisWords at = start;
   const Motion& motion = step_.motions.front();
-  const bool little = motion.feed_rule == FeedRule::unknown && !turns(motion) &&
-                      turns_count_little(start, ends_, motion.mm_per_unit, settings_.time_tolerance / 2);
+  const auto turns_little = [&](double share) {
+    return motion.feed_rule == FeedRule::unknown && !turns(motion) &&
+           turns_count_little(start, ends_, motion.mm_per_unit, share);
+  };
+  const bool little = turns_little(settings_.time_tolerance);
+  in_the_middle_ = little && !turns_little(settings_.time_tolerance / 2);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const AxisWords delta = ends_[i] - at;
     const std::optional<ArcShape> arc =
@@ -119,10 +127,13 @@ void PieceFeeds::set_lengths(const AxisWords& start) {
     const FeedRule rule = little ? FeedRule::xyz_first : motion.feed_rule;
     std::optional<double> length = feed_length(linear, delta, rule, motion.mm_per_unit);
     if (arc && motion.feed_along_circle) length = arc->circle_mm();
+    // As far off under the one rule as under the other, and half as far as they are apart.
+    if (in_the_middle_ && linear > 0)
+      length = (linear + *feed_length(linear, delta, FeedRule::all_axes_as_mm, motion.mm_per_unit)) / 2;
     if (!length && counts_linear_axes(motion) && motion.feed_mode != FeedMode::inverse_time) refuse_turn_alone(step_);
     // The time is F alone under G93, unless the control lifts the speed to its least rate.
     const bool needless = motion.feed_mode == FeedMode::inverse_time && dialect_.feed_rate_min <= 0;
-    if (!length && !counts_linear_axes(motion) && !needless) refuse_feed_rule(step_, dialect_);
+    if (!length && !counts_linear_axes(motion) && !needless) refuse_feed_rule(step_, dialect_, settings_);
     // A feed a revolution counts degrees as it counts millimetres, and follows the unit.
     const bool turns_alone = feed_length_is_angle(linear);
     pieces_[i].in_degrees = turns_alone && motion.feed_mode != FeedMode::per_revolution;
@@ -184,8 +195,8 @@ double PieceFeeds::choose_rates(double seconds, OutputState& control) {
     even_length += piece.length;
     even_share += piece.share;
   }
-  const bool keeps =
-      !differs(total / programmed, time, settings_.time_tolerance) && (alike || !settings_.keep_piece_times);
+  const double kept = settings_.time_tolerance * (in_the_middle_ ? 0.5 : 1);  // the rules take the other half
+  const bool keeps = !differs(total / programmed, time, kept) && (alike || !settings_.keep_piece_times);
   pieces_.front().restates_mode = control.feed_mode != step_.after->feed_mode;
   if (pieces_.front().restates_mode) control.drop_feed();
   control.feed_mode = step_.after->feed_mode;

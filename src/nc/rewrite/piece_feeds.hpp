@@ -69,6 +69,7 @@ class PieceFeeds {
   const Step& step_;
   std::span<Piece> pieces_;
   std::span<const AxisWords> ends_;
+  bool in_the_middle_ = false;  // lengths are between those of the rules that F may follow
 };
 
 }  // namespace plumbline::nc
