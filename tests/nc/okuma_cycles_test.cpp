@@ -38,7 +38,7 @@ TEST_CASE("OSP: a block of a cycle names its hole") {
   check("G81 X5 Y0 Z-5 R2 F100\nG82 R3 P100\nM2\n", 4, 1);
   check("G81 Z-5 R2 F100\nM2\n", 3, 1);
   check("G81 X5 Z-5 R2 F100\nM2\n", 0, 0);
-  check("G81 X5 Y0 Z-5 R2 F100\nX7\nY3 Z-8\nG82 X1\nG0 Z60\nM2\n", 0, 0);
+  check("G81 X5 Y0 Z-5 R2 F100\nX7\nY3 Z-8\nG82 X1 Z-8 R2\nG0 Z60\nM2\n", 0, 0);
 }
 
 TEST_CASE("OSP: G83 pecks by Q, or by I with J for the depth after which the tool comes up") {
@@ -132,4 +132,29 @@ TEST_CASE("OSP: G80 does not stand in the block of a cycle") {
   check("G81 X5 Y5 Z0 R2 F100 M53\nG82 G80 X9\nM2\n", 4, 5);
   const std::string read = begin + "G81 X5 Y5 Z0 R2 F100 M53\nG80\nG0 Z60\nM2\n";
   check_osp({{read.c_str(), 0, 0}});
+}
+
+TEST_CASE("OSP: a cycle code that is written again states all its words") {
+  const std::string begin = "G15 H1 G0 X0 Y0 Z50\nG71 Z50 M53\n";
+  const auto check = [&](const std::string& rest, std::size_t line, const char* part = "") {
+    const std::string program = begin + rest + "G0 Z60\nM2\n";
+    check_osp({{program.c_str(), line, line == 0 ? std::size_t{0} : std::size_t{1}, "nc-not-interpreted", part}});
+  };
+  check("G82 X5 Y5 Z-5 R2 P500 F100\nG82 X7\n", 4, "Z, R, P");
+  check("G82 X5 Y5 Z-5 R2 P500 F100\nG82 X7 Z-5 R2\n", 4, "without P");
+  check("G83 X5 Y5 Z-20 R2 I3 J9 F100\nG83 X7 Z-20 R2 Q3\n", 4, "without J");
+  check("G85 X5 Y5 Z-5 R2 F100 FA=300\nG85 X7 Z-5 R2\n", 4, "without FA");
+  check("G81 X5 Y5 Z-5 R2 F100\nG83 X7 Z-5 R2\n", 4, "without Q");
+  check("G81 X5 Y5 Z-5 R2 F100\nG81 X7 Z-8\n", 4, "without R");
+  check("G82 X5 Y5 Z-5 R2 P500 F100\nX7\nX9\nG82 X7 Z-5 R2 P400\n", 0);
+  check("G85 X5 Y5 Z-5 R2 F100 FA=300\nG81 X7 Z-5 R2\n", 0);
+  check("G82 X5 Y5 Z-5 R2 P500 F100\nG80\nG81 X7 Y5 Z-5 R2\n", 0);
+}
+
+TEST_CASE("OSP: J of a peck is greater than 0") {
+  const std::string begin = "G15 H1 G0 X5 Y0 Z50\nG71 Z50\n";
+  check_osp({{(begin + "G83 X5 Y0 Z-20 R2 I3 J0 F100 M53\nM2\n").c_str(), 3, 22, "nc-out-of-range"},
+             {(begin + "G83 X5 Y0 Z-20 R2 I3 J-9 F100 M53\nM2\n").c_str(), 3, 22},
+             {(begin + "G73 X5 Y0 Z-20 R2 I3 J0 F100 M53\nM2\n").c_str(), 3, 22, "nc-out-of-range"},
+             {(begin + "G73 X5 Y0 Z-20 R2 I3 J0.5 F100 M53\nM2\n").c_str(), 0, 0}});
 }

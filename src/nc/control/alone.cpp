@@ -35,15 +35,15 @@ void check_extended(const Execution& run, const CodeRow& row, const Word& word) 
   const std::string_view text = run.block->at(word.span);
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos) return;
+  if (run.dialect.syntax.statements == Statements::user_task) {
+    run.refuse(word, codes::kNotInterpreted, fmt::format("whether {} is a code was found in no source", text),
+               "write the code itself, as in M8");
+  }
   const std::vector<CodeRow>& rows = run.dialect.m_codes;
   const bool of_spindle = std::any_of(rows.begin(), rows.end(), [&](const CodeRow& other) {
     return other.action == Action::spindle && other.step == row.step;
   });
   if (of_spindle) return;
-  if (run.dialect.syntax.statements == Statements::user_task) {
-    run.refuse(word, codes::kNotInterpreted, fmt::format("whether {} is a code was found in no source", text),
-               "write the code itself, as in M8");
-  }
   if (text.find_first_of("0123456789") > equals) return;  // M=8 is M8: all addresses but N, G and L take values [D]
   run.refuse(word, codes::kNotInterpreted, fmt::format("{} is a code of the machine's builder", text),
              "of M1=.. the codes of the spindle are known: M1=3, M1=4, M1=5 and their like");

@@ -269,10 +269,26 @@ void BlockValues::assign(const Block& block) {
   apply(block);
 }
 
-Value BlockValues::value(const Block& block, const Setting& setting) {
-  const Value value = evaluator_.run(block, setting.value, system_parameters_);
-  if (value.vacant && run_.dialect.syntax.empty_names) refuse_empty(block, setting.whole);
-  return value;
+std::vector<Value> BlockValues::values_of_call(const Block& block) {
+  number_settings(block);
+  std::vector<Value> values;
+  for (std::size_t i = 0; i < block.settings.size(); ++i) {
+    const Setting& setting = block.settings[i];
+    for (std::size_t k = 0; k < i; ++k) {
+      if (setting_numbers_[k] != setting_numbers_[i]) continue;
+      const auto name = [&](std::size_t of) {
+        return run_.control.parameters.plain(block.at(block.names[block.settings[of].name]));
+      };
+      if (setting_numbers_[i] == kNamed && std::string(name(k)) != std::string(name(i))) continue;
+      refuse_at(block, setting.span, codes::kNotInterpreted,
+                fmt::format("{} is set twice in this call, and no source says which value it has then",
+                            block.at(setting.span)),
+                "leave one of the two");
+    }
+    values.push_back(value_before(block, setting.value, i));
+    if (values.back().vacant && run_.dialect.syntax.empty_names) refuse_empty(block, setting.whole);
+  }
+  return values;
 }
 
 Value BlockValues::variable(const Block& block, std::size_t setting) {

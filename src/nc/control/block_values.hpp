@@ -25,8 +25,9 @@ class BlockValues {
   /// Both, of a block that steers.
   void assign(const Block& block);
 
-  /// What a setting of a call hands over; not known where only the machine knows.
-  Value value(const Block& block, const Setting& setting);
+  /// What the settings of a call hand over; not known where only the machine knows. Refuses a variable that is set
+  /// twice, or set and used.
+  std::vector<Value> values_of_call(const Block& block);
   /// What this code is worth; refuses what only the machine knows.
   double value_of(const Block& block, std::uint32_t code, Span span);
   /// The variable that a setting of the block sets.

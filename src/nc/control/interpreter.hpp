@@ -43,7 +43,7 @@ class Interpreter {
   bool may_leave_out_skipped() const { return !run_.settings.block_delete && !run_.settings.as_with_empty_tables; }
   /// The settings of a block that steers.
   void assign(const Block& block) { values_.assign(block); }
-  Value value(const Block& block, const Setting& setting) { return values_.value(block, setting); }
+  std::vector<Value> values_of_call(const Block& block) { return values_.values_of_call(block); }
   /// The variable that a setting of the block sets.
   Value variable(const Block& block, std::size_t setting) { return values_.variable(block, setting); }
   void set_variable(const Block& block, std::size_t setting, Value value) {

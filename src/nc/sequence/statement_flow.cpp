@@ -289,8 +289,7 @@ void StatementFlow::call(const Block& block) {
   for (const std::uint32_t code : block.flow.values) {
     call.arguments.push_back({interpreter_.value_of(block, code, block.flow.span), true});
   }
-  std::vector<Value> named;
-  for (const Setting& setting : block.settings) named.push_back(interpreter_.value(block, setting));
+  const std::vector<Value> named = interpreter_.values_of_call(block);
   if (call.remaining < 0) refuse_flow(block, codes::kOutOfRange, "P asks for no call at all", "write P1 or more");
   call.entry = program_called(block, call.name, labels_, dialect_);
   enter(block, std::move(call), true);

@@ -1,6 +1,8 @@
 // The words of a canned cycle, and what it inherits from the one before.
 #include "nc/control/families/cycle_words.hpp"
 
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,6 +30,7 @@ class CycleWords {
  private:
   void take_words_of_osp(bool is_new);
   void check_pecks_of_osp() const;
+  void check_restated() const;
   double inherited(char letter, double before, double value, bool needed) const;
 
   Execution& run_;
@@ -67,6 +70,7 @@ void CycleWords::take_words() {
     return word == nullptr ? 0 : word->value;
   };
   const bool of_osp = run_.dialect.behaviour.return_levels;
+  if (of_osp && goes_on_ && run_.motion_word != nullptr) check_restated();
   cycle_.r = inherited('R', cycle_.r, length('R'), true);
   const char normal = letter(axes_of(run_.control.modal.plane).third);
   cycle_.bottom = inherited(normal, cycle_.bottom, length(normal), true);
@@ -117,6 +121,29 @@ void CycleWords::check_pecks_of_osp() const {
               "write Q for the depth of each peck, or I for it and J for the depth after which the tool comes up");
 }
 
+// G82 X7: what it takes over from the cycle before was found in no source. X and Y alone drill the same again.
+void CycleWords::check_restated() const {
+  const auto is_missing = [&](char letter) {
+    return (run_.motion->word_mask & letter_bit(letter)) != 0 && !run_.words.has(letter);
+  };
+  const char normal = letter(axes_of(run_.control.modal.plane).third);
+  std::string missing;
+  const auto note = [&](bool is_kept, std::string_view name) {
+    if (is_kept) missing += fmt::format("{}{}", missing.empty() ? "" : ", ", name);
+  };
+  note(!run_.words.has(normal), {&normal, 1});
+  note(is_missing('R'), "R");
+  note(is_missing('Q') && is_missing('I'), "Q");
+  note(cycle_.dwell_s > 0 && is_missing('P'), "P");
+  note(cycle_.peck_to_r > 0 && is_missing('J'), "J");
+  note(cycle_.feed_out > 0 && is_missing(kFeedOut), "FA");
+  if (missing.empty()) return;
+  run_.refuse(run_.motion_code(), codes::kNotInterpreted,
+              fmt::format("{} goes on from another cycle without {}: whether it takes that over was found in no source",
+                          run_.text_of(run_.motion_code()), missing),
+              "state all words of the cycle again, or write X and Y without its code");
+}
+
 // With J the tool goes up to R whenever that depth has come together (setting); FA is the feed out of the hole.
 void CycleWords::take_words_of_osp(bool is_new) {
   if (is_new) {
@@ -124,8 +151,15 @@ void CycleWords::take_words_of_osp(bool is_new) {
     cycle_.peck_to_r = cycle_.feed_out = 0;
   }
   cycle_.stays = cycle_.stays || (run_.words.letters() & run_.motion->stays_mask) != 0;
-  if (const Word* const depth = run_.words.find('J')) cycle_.peck_to_r = run_.length(*depth);
   check_pecks_of_osp();
+  if (const Word* const depth = run_.words.find('J')) {
+    cycle_.peck_to_r = run_.length(*depth);
+    if (cycle_.peck_to_r <= 0) {
+      run_.refuse(*depth, cycle_.peck_to_r < 0 ? codes::kNotInterpreted : codes::kOutOfRange,
+                  "after what depth the tool comes up to R was found in no source for a J of 0 or below",
+                  "write J greater than 0, or Q alone for the depth of each peck");
+    }
+  }
   const Word* const feed = run_.words.find(kFeedOut);
   if (feed == nullptr) return;
   cycle_.feed_out = feed->value;

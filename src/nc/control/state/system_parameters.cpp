@@ -67,7 +67,10 @@ std::optional<double> place(const Control& control, Axis axis) {
 }  // namespace
 
 ParameterLimits SystemParameters::limits() const {
-  return {dialect_.syntax.system_variables == SystemVariables::rs274 ? 1 : 0, dialect_.syntax.last_variable};
+  const Syntax& syntax = dialect_.syntax;
+  const bool from_one =
+      syntax.system_variables == SystemVariables::rs274 || syntax.statements == Statements::user_task;  // VC1
+  return {from_one ? 1 : 0, syntax.last_variable};
 }
 
 bool SystemParameters::is_read_only(int number) const {

@@ -72,6 +72,10 @@ void block_number(BlockReading& in) {
       cursor.refuse(number, codes::kLineNumber, "the number of a block has no point", "write N and digits alone");
     }
   } else if (cursor.is(TokenKind::colon) && is_digit(cursor.next_byte())) {
+    if (may_be_name) {
+      cursor.refuse(number, codes::kBadCharacter, ": before the number of a block was found in no source",
+                    "write N and the number");
+    }
     cursor.pass_digits();
     number.end = cursor.here();
   } else if (!may_be_name || !cursor.is(TokenKind::identifier) || upper(*cursor.token().begin) != 'N' ||

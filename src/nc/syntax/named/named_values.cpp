@@ -81,6 +81,15 @@ void refuse_unclear_binding(const BlockReading& in, Operation operation, std::op
   joined_by = operation;
 }
 
+// VC1==2, as other controls write it; an OSP has EQ, NE, GT, GE, LT, LE [K].
+void refuse_sign_of_relation(const BlockReading& in, Operation operation) {
+  const bool by_name = in.syntax->statements == Statements::user_task;
+  if (!by_name || !is_relation(operation) || !in.cursor.is(TokenKind::operation)) return;
+  const Span span = in.cursor.span();
+  in.cursor.refuse(span, codes::kOperator, fmt::format("{} is no operator of this control", in.out.at(span)),
+                   "it compares by EQ, NE, GT, GE, LT and LE, as in IF [VC1 EQ 2] N100");
+}
+
 // Precedence climbing; token() is the operation after the value just read, `left`, and again on return.
 ValueKind named_operations(BlockReading& in, ValueKind left, int least_precedence,
                            std::optional<Operation>& joined_by) {
@@ -89,7 +98,9 @@ ValueKind named_operations(BlockReading& in, ValueKind left, int least_precedenc
     if (precedence < least_precedence) return left;
     refuse_unclear_binding(in, *operation, joined_by);
     const Span span = in.cursor.span();
+    refuse_sign_of_relation(in, *operation);
     in.cursor.pass();
+    if (*operation == Operation::minus || *operation == Operation::plus) refuse_second_sign(in);
     ValueKind right = named_term(in);
     in.cursor.look(lex_named_operation);
     right = named_operations(in, right, precedence + 1, joined_by);
