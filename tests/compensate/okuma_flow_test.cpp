@@ -1,4 +1,7 @@
 // Programs of an OSP that are written out: their labels, the F of arcs, and F between holes.
+#include <algorithm>
+#include <string>
+
 #include <catch2/catch.hpp>
 
 #include "compensate/play.hpp"
@@ -46,5 +49,31 @@ TEST_CASE("F alone between the holes of a cycle stays in its place") {
     CHECK(first < second);
     CHECK(text.find("X7", second) != std::string::npos);
     CHECK(text.find("X7") > second);
+  }
+}
+
+TEST_CASE("the first pieces of a tiny arc go no faster than twice its feed, and all of it takes its time") {
+  const auto largest_feed = [](const std::string& text) {  // but of turns alone, which counts degrees
+    double largest = 0;
+    for (std::size_t at = text.find('F'); at != std::string::npos; at = text.find('F', at + 1)) {
+      const std::string line = text.substr(text.rfind('\n', at) + 1, at - text.rfind('\n', at) - 1);
+      const bool is_word = at + 1 < text.size() && text[at + 1] >= '0' && text[at + 1] <= '9';
+      const bool moves = line.find_first_of("XYZ") != std::string::npos && line.front() != '(';
+      if (is_word && moves) largest = std::max(largest, std::stod(text.substr(at + 1)));
+    }
+    return largest;
+  };
+  for (const char* const control : {"okuma", "linuxcnc"}) {
+    Job job = job_of_control(control);
+    job.settings.friction = true;
+    job.program.feed_rule = nc::FeedRule::xyz_first;
+    const std::string system = job.dialect == "okuma" ? "G15 H1\n" : "G54 G21 G90 G94 G17\n";
+    for (const char* const cut :
+         {"G2 X5.2 R.1 F500\n", "G2 I.05 F500\n", "G2 I1. F500\n", "G2 I.05 F500\nG3 I.08\nG1 X9\n"}) {
+      const Result result = run(system + "G0 X5 Y0 Z5 A0 B0 C0\nG1 Z4 F500\n" + cut + "M2\n", job);
+      INFO(result.text);
+      CHECK(largest_feed(result.text) <= 1000);
+      CHECK(result.summary.time_change.value < 1.1e-3);
+    }
   }
 }

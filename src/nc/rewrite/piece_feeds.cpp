@@ -16,6 +16,7 @@ namespace plumbline::nc {
 namespace {
 
 constexpr double kAlikeSpeeds = 0.02;  // pieces of a block whose speeds differ less share one F
+constexpr double kHasty = 2;           // times the speed of its block: a piece as fast shares the F of the others
 constexpr double kSameFeed = 1e-12;    // relative
 constexpr double kNearFeed = 1e-4;     // as near as F must be written at least,
 constexpr double kSixDigits = 5e-6;    // as near as six digits are
@@ -185,8 +186,11 @@ double PieceFeeds::choose_rates(double seconds, OutputState& control) {
     return !differs(piece.length, piece.share * total, kAlikeSpeeds);
   });
   const double rounding = lost_to_rounding();
+  // At a corner friction turns, and the first micrometre of an arc has the whole jump of its correction to make.
   const auto is_even = [&](const Piece& piece) {
-    return alike || (!piece.in_degrees && std::abs(piece.length - piece.share * total) <= rounding);
+    const double even = piece.share * total;
+    const bool is_hasty = rounding > 0 && piece.length > kHasty * even;
+    return alike || (!piece.in_degrees && (is_hasty || std::abs(piece.length - even) <= rounding));
   };
   double even_length = 0;
   double even_share = 0;
