@@ -149,6 +149,11 @@ std::optional<std::size_t> Candidates::count_by_number(const DiffMove& move, std
   if (first == nullptr || first->number != move.number) return std::nullopt;
   std::size_t count = 0;
   while (piece(move, j, count + 1) != nullptr) ++count;
+  if (next != nullptr && next->cuts()) {  // a label that is met again is written the first time alone
+    const DiffMove* const stop = b_.peek(j + count);
+    const bool is_next = stop != nullptr && stop->begins_numbered;
+    if (!is_next || (!stop->number.empty() && stop->number != next->number)) return std::nullopt;
+  }
   const bool ends_there =
       count > 0 && distance(b_.peek(j + count - 1)->end, move.end + standing.shift) <= slack(move, standing);
   return ends_there ? std::optional(count) : std::nullopt;
