@@ -42,7 +42,8 @@ std::string where_unknown(const UnknownPosition& unknown) {
 std::string way_to_known(const UnknownPosition& unknown, std::string_view axes) {
   if (unknown.stop.empty()) {
     return fmt::format(
-        "move {} with G0 to a stated position first, or say where the machine stands: --start at the begin, "
+        "move {} with G0 to a stated position first, after G28 and G30 as well, or say where the machine stands: "
+        "--start at the begin, "
         "--keeps-position M6 after a tool change",
         axes);
   }

@@ -77,3 +77,13 @@ TEST_CASE("the first pieces of a tiny arc go no faster than twice its feed, and 
     }
   }
 }
+
+TEST_CASE("the number of a home position is written out without a point") {
+  const Job job = job_of_control("okuma");
+  const std::string begin = "G15 H1\nG90 G0 X0 Y0 Z5 A0 B0 C0\nG1 Z4 F500\n";
+  for (const std::string home : {"LA=4\nG20 HP=LA\n", "VC1=2\nG21 HP=VC1+2\n", "LA=2\nG20 HP=2*LA\n"}) {
+    const std::string text = run(begin + home + "CALL OSUB\nM2\nOSUB\nG0 X0 Y0 Z5\nRTS\n", job).text;
+    INFO(text);
+    CHECK(text.find("HP=4\n") != std::string::npos);
+  }
+}

@@ -113,3 +113,17 @@ TEST_CASE("the way out is one that can be gone") {
          {"siemens", "A1: G0 X5\nM30\n", "begin with two letters", "expected a word"},
          {"siemens", "N10 X1:\nM30\n", "begin with two letters", "expected a word"}});
 }
+
+TEST_CASE("a refusal names what is missing, too large or of another control") {
+  check({{"linuxcnc", "IF [#1 EQ 1] GOTO 10\nM2\n", "--dialect fanuc", "no function that is known"},
+         {"linuxcnc", "N5 WHILE [#1 LT 3] DO 1\nM2\n", "o1 if", "no function that is known"},
+         {"linuxcnc", "GOTO 10\nM2\n", "O words", "no function that is known"},
+         {"linuxcnc", "#99999999999=1\nM2\n", "too large", "no whole number"},
+         {"linuxcnc", "#1.5=1\nM2\n", "no whole number", "too large"},
+         {"linuxcnc", "o99999999999 call\nM2\n", "too large", "no whole number"},
+         {"fanuc", "O1\nGOTO 99999999999\nM30\n", "too large", "no whole number"},
+         {"linuxcnc", "G21 G90\nG1 X[1+[2*3] Y2 F100\nM2\n", "a ] is missing before it", ""},
+         {"okuma", "S=100*LA\nM2\n", "LA was never set", "a value of *"},
+         {"okuma", "S=LA*100\nM2\n", "LA was never set", "a value of *"},
+         {"okuma", "S=SIN[LB]\nM2\n", "LB was never set", "a value of"}});
+}

@@ -130,7 +130,9 @@ bool is_linuxcnc_tool_table(std::string_view text) {
   bool is_one = false;
   each_line(text, [&](std::size_t, std::string_view line) {
     line.remove_prefix(line.find_first_not_of(" \t"));
-    is_one = line.size() > 1 && upper(line[0]) == 'T' && is_digit(line[1]);
+    constexpr std::string_view kOfTool = "TPZD";
+    const bool begins = line.size() > 1 && kOfTool.find(upper(line[0])) != std::string_view::npos;
+    is_one = (begins && (is_digit(line[1]) || line[1] == '+' || line[1] == '-')) || upper(line).starts_with("POC ");
     return false;
   });
   return is_one;

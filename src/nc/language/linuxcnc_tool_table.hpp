@@ -9,7 +9,8 @@
 
 namespace plumbline::nc {
 
-/// Whether the first line that is no comment begins with T and a digit.
+/// Whether the first line that is no comment begins with a word of a tool, as T and a digit, or is the head of the old
+/// form of such a table (POC FMS LEN DIAM), which is refused.
 bool is_linuxcnc_tool_table(std::string_view text);
 
 /// A line a tool: words between blanks, T its number, P its pocket, Z its length and D its diameter in mm; I, J and Q

@@ -119,7 +119,9 @@ class ToolReader {
 
   double number(const TomlEntry& entry) {
     if (entry.value.kind == TomlValue::Kind::number && std::isfinite(entry.value.number)) return entry.value.number;
-    refuse("tools-value", fmt::format("'{}' is no number", entry.key), "write a number without quotes",
+    const bool is_text = entry.value.kind != TomlValue::Kind::number;
+    refuse("tools-value", fmt::format("'{}' is no number", entry.key),
+           is_text ? "write a number without quotes" : "write the number itself: nan and inf are none",
            document_.place(entry.value.span));
   }
 

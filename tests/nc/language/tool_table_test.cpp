@@ -1,5 +1,7 @@
 #include "nc/language/tool_table.hpp"
 
+#include <string>
+
 #include <catch2/catch.hpp>
 
 #include "nc/programs.hpp"
@@ -51,4 +53,23 @@ TEST_CASE("LinuxCNC's own tool table is read") {
   CHECK(tools.find(98876)->length_mm == 120);
   CHECK(tools.find(3)->length_mm == 0);
   CHECK(tools.find(0) == nullptr);
+}
+
+TEST_CASE("what is meant as LinuxCNC's tool table is refused as one") {
+  const auto refused = [](const char* text) {
+    try {
+      read_tool_table(plumbline::Source::held("tool.tbl", text));
+    } catch (const plumbline::Refusal& refusal) {
+      return refusal.diagnostic().code + ": " + refusal.diagnostic().message + "; " + refusal.diagnostic().help;
+    }
+    return std::string();
+  };
+  for (const char* const text :
+       {"P1 Z100\nT1 P1 Z100\n", "; tools\nZ+100 D6\n", "POC FMS LEN DIAM\n1 1 100 10\n", "D+6.0 Z100 T1\n"}) {
+    INFO(text << refused(text));
+    CHECK(refused(text).starts_with("tools-value"));
+    CHECK(refused(text).find("T1 P1 D+6.0 Z+85.0") != std::string::npos);
+  }
+  const std::string no_number = refused("plumbline = \"tools 1\"\n[[tool]]\nnumber = 1\nlength_mm = nan\n");
+  CHECK(no_number.find("quotes") == std::string::npos);
 }

@@ -265,7 +265,14 @@ void Evaluator::check_vacant(const Block& block, const Instruction& step, const 
   const Instruction* const before = &step - 1;
   const bool compares = step.operation == Operation::equal || step.operation == Operation::not_equal;
   if (compares && (before[0].operation == Operation::vacant || before[-1].operation == Operation::vacant)) return;
-  refuse_at(block, step.span, codes::kParameterUnset, fmt::format("a value of {} was never set", block.at(step.span)),
+  const Instruction* const of_b = before;  // of a: where b is one instruction long
+  const bool is_short = before->operation == Operation::number || before->operation == Operation::name;
+  const Instruction* const operand = b.vacant ? of_b : is_short ? of_b - 1 : nullptr;
+  const bool is_variable =
+      operand != nullptr && (operand->operation == Operation::name || operand->operation == Operation::parameter);
+  refuse_at(block, is_variable ? operand->span : step.span, codes::kParameterUnset,
+            is_variable ? fmt::format("{} was never set", block.at(operand->span))
+                        : fmt::format("a value that {} works on was never set", block.at(step.span)),
             "set the variable before, or ask with EQ EMPTY");
 }
 

@@ -23,7 +23,11 @@ void check_negative_half(const Block& block, Span span, const Value& value) {
 
 int whole_number(const Block& block, Span span, double value, std::string_view what) {
   const double whole = std::round(value);
-  if (std::abs(value - whole) > kWhole || std::abs(whole) > kLargestWhole) {
+  if (std::abs(whole) > kLargestWhole) {
+    refuse_at(block, span, codes::kNotWhole, fmt::format("{} is {:.6g}, which is too large", what, value),
+              "look for a slip: no such number has as many digits");
+  }
+  if (std::abs(value - whole) > kWhole) {
     refuse_at(block, span, codes::kNotWhole, fmt::format("{} is no whole number", what), "write a whole number");
   }
   return static_cast<int>(whole);

@@ -127,16 +127,18 @@ void WrittenMoves::add_rest(const Step& step) {
   add(own);
 }
 
-// The control executes them over the first hole, before it is drilled [B-63324EN 13.1].
+// A Fanuc executes them over the first hole, before it is drilled [B-63324EN 13.1], an OSP as the axes have arrived
+// [T P-481].
 void WrittenMoves::refuse_words_of_cycle(const Step& step, const BlockCodes& codes) const {
   for (const Word* const word : codes.after_motion()) {
     const CodeRow* const row = dialect_.row_of(*word);
     const bool calls = row != nullptr && (row->action == Action::call_program || row->action == Action::end_program);
     if (calls) continue;
     refuse_at(*step.block, word->span, "emit-m-code",
-              fmt::format("{} beside a drilling cycle acts before the hole is drilled, and the cycle is written out in "
+              fmt::format("{} beside a drilling cycle acts {} the hole is drilled, and the cycle is written out in "
                           "several blocks",
-                          step.block->at(word->span)),
+                          step.block->at(word->span),
+                          dialect_.syntax.statements == Statements::user_task ? "when" : "before"),
               "put it into a block of its own, before the cycle or after it");
   }
 }

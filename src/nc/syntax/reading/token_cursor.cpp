@@ -57,6 +57,7 @@ void TokenCursor::refuse_token(std::string_view expected) const {
            "numbers in hexadecimal and binary digits ('HFF', 'B101') are not interpreted",
            "write it in decimal digits, as in R6=255");
   }
+  if (expected == "a value" && syntax_->statements == Statements::o_words) refuse_macro_statement(place);
   if (expected == "a value" && c != '.' && c != '<') {
     refuse(place, codes::kValueMissing,
            plumbline::is_letter(c) ? "this is no value, and no function that is known here" : "a value is missing here",
@@ -78,6 +79,18 @@ void TokenCursor::refuse_token(std::string_view expected) const {
   if (c == '.') refuse(place, codes::kBadNumber, "this is no number", "write digits before or after one point");
   refuse(place, codes::kBadCharacter, fmt::format("{} cannot stand here", shown(c)),
          fmt::format("expected {}", expected));
+}
+
+// IF [#1 EQ 1] GOTO 10, WHILE [#1 LT 3] DO 1, in a program for LinuxCNC.
+void TokenCursor::refuse_macro_statement(Span span) const {
+  std::string text = upper(without_blanks(block_->text));
+  const std::size_t at = text.starts_with('N') ? text.find_first_not_of("0123456789", 1) : 0;
+  text = at == std::string::npos ? std::string() : text.substr(at);
+  for (const std::string_view keyword : {"IF[", "WHILE[", "GOTO", "DO", "END"}) {
+    if (!text.starts_with(keyword)) continue;
+    refuse(span, codes::kValueMissing, "LinuxCNC branches and loops by O words, and not by IF, WHILE and GOTO",
+           "write it as in o1 if [#1 EQ 1], or name the control that the program is for: --dialect fanuc");
+  }
 }
 
 void TokenCursor::refuse_damage(Span span) const {

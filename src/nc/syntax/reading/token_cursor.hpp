@@ -78,6 +78,7 @@ class TokenCursor {
  private:
   void read(Lexer lex, Token& token) const;
   void refuse_byte(Span span, char c) const;
+  void refuse_macro_statement(Span span) const;
 
   const Syntax* syntax_;
   const Block* block_ = nullptr;

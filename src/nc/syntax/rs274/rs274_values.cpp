@@ -97,7 +97,10 @@ ValueKind expression(BlockReading& in) {
   const ValueKind kind = open_value(in);
   if (cursor.is(TokenKind::end)) refuse_open_bracket(in, open);
   if (!cursor.is(TokenKind::close)) {
-    cursor.refuse(cursor.span(), codes::kOperator, fmt::format("{} is no operator", shown(*cursor.token().begin)),
+    const bool is_word = is_letter(*cursor.token().begin);
+    cursor.refuse(cursor.span(), codes::kOperator,
+                  fmt::format("{} is no operator{}", shown(*cursor.token().begin),
+                              is_word ? ", or a ] is missing before it" : ""),
                   fmt::format("between two values stands one of {}* / MOD + - EQ NE GT GE LT LE AND OR XOR, after the "
                               "last one ]",
                               in.syntax->statements == Statements::macro_b ? "" : "** "));
