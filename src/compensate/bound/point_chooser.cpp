@@ -23,8 +23,9 @@ constexpr std::size_t kMostPoints = 200'000;
 
 double whole_way(const path::Curve& curve) { return curve.linear_mm() + path::largest_turn_deg(curve.delta()); }
 
-constexpr double kSlowMm = 2e-3;  // mm and deg that a block of the least time goes
-constexpr int kManyShort = 16;    // pieces, one behind another
+constexpr double kSlowMm = 2e-3;   // mm and deg that a block of the least time goes
+constexpr int kManyShort = 16;     // pieces, one behind another
+constexpr int kMostBroken = 2000;  // likewise, that do not keep the bound: no turn takes as many
 
 }  // namespace
 
@@ -32,6 +33,7 @@ std::span<const ChosenPoint> PointChooser::choose(const Move& move, const Contro
   move_ = &move;
   bound_ = {};
   chosen_.clear();
+  broken_in_a_row_ = 0;
   reached_ = true;
   short_pieces_ = 0;
   set_allowed(move, before.words.half_quanta);
@@ -125,12 +127,24 @@ bool PointChooser::choose_up_to(double last, PieceEnd& at) {
     const bool left_arc = arcs_.is_asked() && !piece.end.arc;
     count = piece.jumps || left_arc ? 1 : std::max(1.0, std::ceil((last - end) / fits));
     at = piece.end;
+    if (broken_in_a_row_ > kMostBroken) refuse_creeping();
     if (chosen_.size() > kMostPoints) {
       refuse("path-too-many-pieces", fmt::format("a single move would be cut into more than {} pieces", kMostPoints),
              "check its end, or give a larger --tolerance", place_of(*move_->step));
     }
   }
   return true;
+}
+
+// As slow as friction turns, the push of the correction turns it again and again.
+void PointChooser::refuse_creeping() const {
+  const double mm_min = move_->path.curve.linear_mm() / move_->seconds.value_or(kMinute) * kMinute;
+  refuse("compensate-tolerance",
+         fmt::format("at {:.3g} mm/min the struts creep: their friction turns back and forth, and {} pieces one behind "
+                     "another do not keep the bound",
+                     mm_min, kMostBroken),
+         "give this move a higher feed; or take fixed steps in place of --tolerance, or --no-friction",
+         place_of(*move_->step));
 }
 
 bool PointChooser::try_piece(const PieceEnd& begin, double end, Piece& piece) {
@@ -202,6 +216,7 @@ void PointChooser::accept(const Piece& piece) {
   const double turned_rad = piece.as_told.turned_rad + rounding_.turned_rad;
   const double turned_deg = turned_rad / kDeg;
   chosen_.push_back({piece.place, piece.corrected, piece.end.arc, {tip_mm, turned_rad}});
+  broken_in_a_row_ = keeps(piece.as_told) ? 0 : broken_in_a_row_ + 1;
   if (keeps(piece.as_told)) {
     bound_.kept_mm = std::max(bound_.kept_mm, tip_mm);
     bound_.kept_deg = std::max(bound_.kept_deg, turned_deg);

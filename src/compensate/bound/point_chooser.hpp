@@ -69,6 +69,7 @@ class PointChooser {
   void set_allowed(const Move& move, const AxisWords& half_quanta);
   PieceEnd begin_of(const ControlBefore& before);
   bool choose_up_to(double last, PieceEnd& at);
+  [[noreturn]] void refuse_creeping() const;
   bool try_piece(const PieceEnd& begin, double end, Piece& piece);
   void fit_arc(const PieceEnd& begin, Piece& piece);
   bool turns_bit_by_bit(const PieceEnd& begin) const;
@@ -84,9 +85,10 @@ class PointChooser {
   bool has_friction_;
   const Move* move_ = nullptr;
   Deviation allowed_, rounding_;
-  double block_share_ = 0;  // of the move: what the control's time for a block is
-  double least_share_ = 0;  // and the shortest of a piece
-  int short_pieces_ = 0;    // one behind another, about as short as a block may be
+  double block_share_ = 0;   // of the move: what the control's time for a block is
+  double least_share_ = 0;   // and the shortest of a piece
+  int short_pieces_ = 0;     // one behind another, about as short as a block may be
+  int broken_in_a_row_ = 0;  // pieces that do not keep the bound
   bool reached_ = true;
   BoundOfMove bound_;
   std::vector<ChosenPoint> chosen_;

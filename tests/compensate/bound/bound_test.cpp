@@ -165,3 +165,18 @@ TEST_CASE("the program of the first example is within its tolerance, with a fift
                    << held.worst_um << " um; the others within " << held.kept_um << " um");
   }
 }
+
+TEST_CASE("a move on which the struts creep is refused soon, with its feed") {
+  const Job job = job_within(0.5, true);
+  const std::string begin = "G21 G90 G94 G54\nG0 X0 Y0 Z20 A0 B0 C0\n";
+  for (const char* const cut : {"G1 X100 F1\n", "G1 X100 F1.5\n", "G0 A-4.89 B-2.54 C3\nG1 Y-28.39 F0.001\n"}) {
+    INFO(cut);
+    const Diagnostic refused = testing::refusal_of([&] { run(begin + cut + "M2\n", job); });
+    CHECK(refused.code == "compensate-tolerance");
+    CHECK(refused.message.find("mm/min") != std::string::npos);
+    CHECK(refused.help.find("feed") != std::string::npos);
+  }
+  for (const char* const cut : {"G1 X100 F3\n", "G1 X100 F10\n", "G1 X9 F2\n"}) {
+    CHECK(code_of(begin + cut + "M2\n", job).empty());
+  }
+}
