@@ -63,6 +63,11 @@ G0 X0 Y0 Z5 A0 B0 C0
 G38.2 Z-5 F100
 M2
 """
+PECKS = """G54 G0 X0 Y0 Z60 A0 B0 C0
+S1000 M3 F200
+CYCLE83(50,0,2,-30,,-10,,3,0.5,0.2,0.5,1)
+M30
+"""
 TOO_FAR = """G21 G90
 G0 X0 Y0 Z0 A0 B0 C0
 G53 G0 Z0
@@ -162,7 +167,7 @@ def of_programs(made):
     certain = made.write("certain.toml", stand_in.partition("[uncertainty]")[0])
     slow = made.write("slow.toml", stand_in + "\n[control]\nblock_time_ms = 5\n")
     texts = {"arcs.ngc": ARCS, "lines.ngc": LINES, "calls.ngc": CALLS, "slot.ngc": SLOT, "stores.ngc": STORES,
-             "probes.ngc": PROBES, "far.ngc": TOO_FAR, "end.ngc": "M2\n", "tools.toml": TOOLS}
+             "probes.ngc": PROBES, "far.ngc": TOO_FAR, "end.ngc": "M2\n", "tools.toml": TOOLS, "pecks.mpf": PECKS}
     for name, text in texts.items():
         made.write(name, text)
     where = ("-m", "machine.toml", *OFFSET)
@@ -188,7 +193,7 @@ def of_programs(made):
     made.json_of("settings")
     made.json_of("compensate", "inside/part.ngc", "--machine", "first", "-o", "part-c.ngc")
 
-    for program in ("arcs.ngc", "calls.ngc", "probes.ngc"):
+    for program in ("arcs.ngc", "calls.ngc", "probes.ngc", "pecks.mpf"):
         for line in made.run("trace", program, *TABLE).splitlines():
             made.take("motion", f"trace {program}", json.loads(line))
 

@@ -1,4 +1,5 @@
-// What a line that steers the program says: its condition, its numbers, and how it is refused.
+// What a line that steers the program says: its condition, its numbers, the program that it calls, and how it is
+// refused.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,8 @@
 #include "base/diagnostic.hpp"
 #include "nc/control/interpreter.hpp"
 #include "nc/language/block.hpp"
+#include "nc/language/dialect.hpp"
+#include "nc/sequence/label_index.hpp"
 #include "nc/syntax/line_source.hpp"
 
 namespace plumbline::nc {
@@ -33,5 +36,11 @@ int number_of(Interpreter& interpreter, const Block& block, std::uint32_t code, 
 std::string block_name(const Block& block, int number);
 
 inline LinePlace place_of_line(const Block& block) { return {block.offset, block.line}; }
+
+/// Where the program begins that the block calls, by its name as program_name gives it. Refuses with nc-flow-open where
+/// there is none, or one but for the zeros before its number, or several in one file; under user task 2 with
+/// nc-subprogram-ambiguous where another file holds it as well, or where a file that is opened for this call holds one
+/// that was called before.
+FilePlace program_called(const Block& block, const std::string& name, LabelIndex& labels, const Dialect& dialect);
 
 }  // namespace plumbline::nc

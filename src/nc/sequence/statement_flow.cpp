@@ -8,7 +8,6 @@
 #include "base/diagnostic.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
-#include "nc/sequence/called_program.hpp"
 #include "nc/sequence/flow_block.hpp"
 #include "nc/sequence/program_ends.hpp"
 #include "nc/syntax/line_head.hpp"

@@ -1,3 +1,4 @@
+// Turns that wait (held_turns) are held by whole programs: tests/compensate/held_turns_test.cpp.
 #include "nc/rewrite/piece_feeds.hpp"
 
 #include <optional>

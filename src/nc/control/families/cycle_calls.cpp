@@ -59,7 +59,6 @@ class CalledHole {
   void pecks();
   void tap_in_strokes();
   void lift();
-  double tapping_feed(bool up) const { return nc::tapping_feed(run_, given_, places_, up); }
   void go(MotionKind kind, double level, double feed = 0);
   void go_beside(double first_mm, double second_mm, double level);
   void feed_to(double level) { go(MotionKind::feed, level, feed_of_move(run_, true)); }
@@ -182,10 +181,10 @@ void CalledHole::at_hole() {
       tap_in_strokes();
       [[fallthrough]];
     case kCalledFloatingTap:
-      go(MotionKind::feed, hole_.bottom, tapping_feed(false));
+      go(MotionKind::feed, hole_.bottom, tapping_feed(run_, given_, places_, false));
       unknown_strokes_ = false;
       wait(seconds);
-      go(MotionKind::feed, hole_.r, tapping_feed(true));
+      go(MotionKind::feed, hole_.r, tapping_feed(run_, given_, places_, true));
       break;
     case kCalledReam:
       go(MotionKind::feed, hole_.bottom, own_feed(given_, kFeedDown));
@@ -281,10 +280,10 @@ void CalledHole::tap_in_strokes() {
   if (kind > 2) given_.refuse("no source says what its kind of work is", "give VARI as 0, 1 or 2");
   if (stroke == 0) given_.refuse("it taps in strokes, and how deep each goes is missing", "give DAM, or VARI as 0");
   const bool told = in_strokes(given_.length_mm(kReferencePlane), hole_.bottom, stroke, [&](double depth) {
-    go(MotionKind::feed, depth, tapping_feed(false));
+    go(MotionKind::feed, depth, tapping_feed(run_, given_, places_, false));
     go(MotionKind::feed,
        kind == 2 ? hole_.r : std::min(depth + given_.length_mm(17, run_.dialect.behaviour.chip_break_mm), hole_.r),
-       tapping_feed(true));
+       tapping_feed(run_, given_, places_, true));
   });
   unknown_strokes_ = !told;
 }

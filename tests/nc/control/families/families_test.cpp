@@ -1,6 +1,7 @@
 // What codes do, one small program a family: the last of the moves that it makes, worked out by hand, and a program
 // that the family refuses. Whole families are held by programs of their dialects beside what they must mean:
-// tests/nc/programs (NAME.canon is LinuxCNC's own), tests/nc/fanuc, okuma and siemens (NAME.trace), tests/nc/bad.
+// tests/nc/programs (NAME.canon is LinuxCNC's own), tests/nc/fanuc, okuma and siemens (NAME.trace), tests/nc/bad;
+// called_tap and called_after by tests/nc/siemens_feeds_test.cpp.
 #include <algorithm>
 #include <string>
 #include <string_view>
