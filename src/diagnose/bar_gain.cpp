@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Cholesky>
 
-#include "base/check.hpp"
 #include "base/diagnostic.hpp"
 #include "diagnose/evidence/linear_problem.hpp"
 #include "identify/equations/objective.hpp"
@@ -25,28 +22,7 @@ using Eigen::VectorXd;
 class Gained {
  public:
   Gained(const Workbench& bench, const std::vector<Pick>& picks, const Refit& found, const identify::NoiseModel& noise)
-      : bench_(bench), noise_(noise), objective_(objective_of(bench, picks)) {
-    objective_.set_noise(noise);
-    const identify::Unknowns& unknowns = objective_.unknowns();
-    const auto n = static_cast<Index>(unknowns.size());
-    std::vector<int> places(bench.candidates.nuisances);  // of the unknowns among the candidates'
-    std::iota(places.begin(), places.end(), 0);
-    for (const Pick& pick : picks)
-      std::copy_if(pick.unknowns.begin(), pick.unknowns.end(), std::back_inserter(places),
-                   [&](int place) { return place >= static_cast<int>(bench.candidates.nuisances); });
-    PLUMBLINE_CHECK(static_cast<Index>(places.size()) == n);
-    at_ = VectorXd::Zero(n + 1);
-    at_[n] = 1;
-    scales_.resize(n);
-    precision_.resize(n);
-    for (Index i = 0; i < n; ++i) {
-      const identify::Unknown& u = unknowns[static_cast<std::size_t>(i)];
-      scales_[i] = u.scale;
-      precision_[i] = u.free() ? kWeakPrecision : 1;
-      if (!picks.empty()) at_[i] = (found.values[places[static_cast<std::size_t>(i)]] - unknowns.start()[i]) / u.scale;
-    }
-    look();
-  }
+      : Gained(bench, free_unknowns(bench, picks), !picks.empty(), found, noise) {}
 
   double factor() const { return at_[at_.size() - 1]; }
   double misfit() const { return misfit_; }
@@ -59,19 +35,23 @@ class Gained {
   }
 
  private:
-  static identify::Objective objective_of(const Workbench& bench, const std::vector<Pick>& picks) {
-    identify::Unknowns unknowns = identify::nuisances(bench.machine, bench.forces);
-    for (const Pick& pick : picks) {
-      for (const int place : pick.unknowns) {
-        const identify::Unknown& u = bench.candidates.unknowns[static_cast<std::size_t>(place)];
-        if (place < static_cast<int>(bench.candidates.nuisances)) {
-          unknowns.set_free(static_cast<std::size_t>(place));
-        } else {
-          unknowns.add(u.effect, u.key, std::max(u.index, 0));
-        }
-      }
+  Gained(const Workbench& bench, const FreeUnknowns& free, bool from_found, const Refit& found,
+         const identify::NoiseModel& noise)
+      : bench_(bench), noise_(noise), objective_(bench.machine.rotation, bench.runs, free.unknowns, {.huber = 0}) {
+    objective_.set_noise(noise);
+    const identify::Unknowns& unknowns = objective_.unknowns();
+    const auto n = static_cast<Index>(unknowns.size());
+    at_ = VectorXd::Zero(n + 1);
+    at_[n] = 1;
+    scales_.resize(n);
+    precision_.resize(n);
+    for (Index i = 0; i < n; ++i) {
+      const identify::Unknown& u = unknowns[static_cast<std::size_t>(i)];
+      scales_[i] = u.scale;
+      precision_[i] = u.free() ? kWeakPrecision : 1;
+      if (from_found) at_[i] = (found.values[free.places[static_cast<std::size_t>(i)]] - unknowns.start()[i]) / u.scale;
     }
-    return {bench.machine.rotation, bench.runs, std::move(unknowns), {.huber = 0}};
+    look();
   }
 
   VectorXd step() const { return normal_.ldlt().solve(pull_); }

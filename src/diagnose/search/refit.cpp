@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Cholesky>
 
@@ -21,31 +22,8 @@ class Fitter {
  public:
   Fitter(const Workbench& bench, const std::vector<Pick>& picks, const identify::NoiseModel& noise,
          const RefitOptions& options)
-      : bench_(bench), unknowns_(identify::nuisances(bench.machine, bench.forces)), noise_(noise), options_(options) {
-    for (std::size_t i = 0; i < unknowns_.size(); ++i) places_.push_back(static_cast<int>(i));
-    for (const Pick& pick : picks) {
-      for (const int place : pick.unknowns) {
-        if (place < static_cast<int>(bench.candidates.nuisances)) {
-          unknowns_.set_free(static_cast<std::size_t>(place));
-          effects_.push_back(place);
-        } else {
-          const identify::Unknown& u = bench.candidates.unknowns[static_cast<std::size_t>(place)];
-          effects_.push_back(static_cast<int>(unknowns_.add(u.effect, u.key, std::max(u.index, 0))));
-          places_.push_back(place);
-        }
-        zero_sums_.push_back(pick.acts().sums_to_zero);
-      }
-    }
-    const auto n = static_cast<Eigen::Index>(unknowns_.size());
-    scales_.resize(n);
-    precision_.resize(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const identify::Unknown& u = unknowns_[static_cast<std::size_t>(i)];
-      scales_[i] = u.scale;
-      precision_[i] = u.free() ? kWeakPrecision : 1;
-    }
-    objective_.emplace(bench.machine.rotation, bench.runs, unknowns_, identify::ObjectiveOptions{.huber = 0});
-    objective_->set_noise(noise);
+      : Fitter(bench, free_unknowns(bench, picks), noise, options) {
+    for (const Pick& pick : picks) zero_sums_.insert(zero_sums_.end(), pick.unknowns.size(), pick.acts().sums_to_zero);
   }
 
   Refit run(const Eigen::VectorXd& start) {
@@ -86,6 +64,25 @@ class Fitter {
   }
 
  private:
+  Fitter(const Workbench& bench, FreeUnknowns free, const identify::NoiseModel& noise, const RefitOptions& options)
+      : bench_(bench),
+        unknowns_(std::move(free.unknowns)),
+        noise_(noise),
+        options_(options),
+        places_(std::move(free.places)),
+        effects_(std::move(free.effects)) {
+    const auto n = static_cast<Eigen::Index>(unknowns_.size());
+    scales_.resize(n);
+    precision_.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const identify::Unknown& u = unknowns_[static_cast<std::size_t>(i)];
+      scales_[i] = u.scale;
+      precision_[i] = u.free() ? kWeakPrecision : 1;
+    }
+    objective_.emplace(bench.machine.rotation, bench.runs, unknowns_, identify::ObjectiveOptions{.huber = 0});
+    objective_->set_noise(noise);
+  }
+
   struct Point {
     Eigen::MatrixXd gram;  // of all unknowns in scales, residual last; of data alone
     double misfit = 0;
@@ -224,6 +221,24 @@ class Fitter {
 };
 
 }  // namespace
+
+FreeUnknowns free_unknowns(const Workbench& bench, const std::vector<Pick>& picks) {
+  FreeUnknowns free{identify::nuisances(bench.machine, bench.forces), {}, {}};
+  for (std::size_t i = 0; i < free.unknowns.size(); ++i) free.places.push_back(static_cast<int>(i));
+  for (const Pick& pick : picks) {
+    for (const int place : pick.unknowns) {
+      if (place < static_cast<int>(bench.candidates.nuisances)) {
+        free.unknowns.set_free(static_cast<std::size_t>(place));
+        free.effects.push_back(place);
+      } else {
+        const identify::Unknown& u = bench.candidates.unknowns[static_cast<std::size_t>(place)];
+        free.effects.push_back(static_cast<int>(free.unknowns.add(u.effect, u.key, std::max(u.index, 0))));
+        free.places.push_back(place);
+      }
+    }
+  }
+  return free;
+}
 
 Refit refit(const Workbench& bench, const std::vector<Pick>& picks, const Eigen::VectorXd& start,
             const identify::NoiseModel& noise, const RefitOptions& options) {

@@ -26,6 +26,14 @@ struct Refit {
   bool converged = false;
 };
 
+/// The nuisances of the base model and the numbers of picks, free.
+struct FreeUnknowns {
+  identify::Unknowns unknowns;
+  std::vector<int> places;   // of each among the candidates'
+  std::vector<int> effects;  // of each number of the picks, in their order, among `unknowns`
+};
+FreeUnknowns free_unknowns(const Workbench& bench, const std::vector<Pick>& picks);
+
 /// Gauss-Newton with halved steps, the set-up of each run projected out at every step.
 Refit refit(const Workbench& bench, const std::vector<Pick>& picks, const Eigen::VectorXd& start,
             const identify::NoiseModel& noise, const RefitOptions& options = {});

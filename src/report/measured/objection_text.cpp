@@ -168,8 +168,7 @@ struct DoubtWords {
   std::string operator()(const diagnose::BarGain& bar) const {
     return fmt::format(
         "{} would explain the readings, but a bar that reads {:.3g} times what it should in all runs explains more: "
-        "check "
-        "its scale, and whether radii are diameters",
+        "check its scale, and whether radii are diameters",
         names, bar.factor);
   }
 
