@@ -1,5 +1,6 @@
 // Drilling cycles of a Fanuc control whose blocks name all axes.
 #include <regex>
+#include <tuple>
 
 #include <catch2/catch.hpp>
 
@@ -55,4 +56,49 @@ TEST_CASE("rotary words in a drilling cycle that turn, or may turn, are refused"
   CHECK(code_of(start + "G81 X5. Y0 Z-5. R2. F100.\nA0. B0. C0.\nM30\n", job) == "nc-axes-missing");
   CHECK(code_of(start + "G81 X5. Y0 Z-5. R2. F100.\nG91 X10. R-48. Z-7. A0.\nM30\n", job).empty());
   CHECK(code_of(start + "G81 X5. Y0 Z-5. R2. F100.\nG91 X10. R-48. Z-7. A1.\nM30\n", job) == "nc-axes-unused");
+}
+
+TEST_CASE("the rapid to above the hole is written out where X and Y are not known before") {
+  const Job job = fanuc_job();
+  const std::string start = kDrillingStart + "G0 X5. Y5. Z20. A0. B0. C0.\n";
+  const std::string level = "G0 Z20. A0. B0. C0.\n";
+  // what loses them, the cycle, and what the rapid that goes there names
+  for (const auto& [lost, cycle, axes] :
+       {std::tuple{"M0\n" + level, "G81 X5. Y5. Z-2. R2. F100.\n", "X[^ ]* Y"},
+        std::tuple{"G91 G28 Z0\nT2 M6\nG90\n" + level, "G99 G83 X5. Y5. Z-2. R2. Q1. F100.\n", "X[^ ]* Y"},
+        std::tuple{"G28\n" + level, "G99 G73 X5. Y5. Z-2. R20. Q4. F100.\n", "X[^ ]* Y"},
+        std::tuple{std::string("G91 G28 Y0\nG90\n"), "G82 X5. Y5. Z-2. R2. P100 F100.\n", "Y"},
+        std::tuple{"G91 G28 X0 Y0 Z0\nG90\n" + level, "G85 X5. Y5. Z-2. R2. F100.\n", "X[^ ]* Y"}}) {
+    const std::string text = start + lost + cycle + "X9.\nG80\nG0 Z30.\nM30\n";
+    INFO(text);
+    Job given = job;
+    given.program.start = {0, 0, 50, 0, 0, 0};
+    const std::string out = run(text, given).text;
+    INFO(out);
+    const std::regex above(std::string("\nG0 [^\n]*") + axes + "[^\n]*\n(G0 Z2[.]|G1 )");
+    CHECK(std::regex_search(out, above));
+  }
+}
+
+TEST_CASE("a hole at which X and Y stand names both in the first move after a turn of the coordinates") {
+  const Job job = fanuc_job();
+  const std::string start = kDrillingStart + "G0 X0. Y0. Z20. A0. B0. C0.\n";
+  const std::string hole = "G81 X0. Y0. Z-2. R2. F100.\n";
+  for (const std::string& body :
+       {"G68 X0. Y0. R90.\n" + hole + "X10. Y0.\nG80\nG69\n", "G68 X0. Y0. R30.\nG0 X0. Y0.\n" + hole + "G80\nG69\n",
+        "G68 X0. Y0. R90.\nG81 X5. Y0. Z-2. R2. F100.\nG80\nG69\n" + hole,
+        std::string("G68 X0. Y0. R90.\nG83 X5. Y0. Z-2. R2. Q1. F100.\nG69\nX0. Y0.\n")}) {
+    const std::string text = start + body + "G80\nG0 X0. Y0. Z30.\nM30\n";
+    INFO(text);
+    const std::string out = run(text, job).text;
+    INFO(out);
+    for (const std::string code : {"\nG68", "\nG69"}) {
+      const std::string rest = out.substr(out.find(code) + 1);
+      const std::size_t x = rest.find(" X", rest.find('\n'));
+      if (x == std::string::npos) continue;
+      const std::string line = rest.substr(rest.rfind('\n', x), rest.find('\n', x) - rest.rfind('\n', x));
+      CHECK(line.find(" Y") != std::string::npos);
+      CHECK(rest.find("Z2.") > x);
+    }
+  }
 }

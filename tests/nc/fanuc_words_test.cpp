@@ -1,10 +1,12 @@
 // Words of Fanuc's cycles and calls that more than one source speaks of, or none.
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "nc/programs.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 using namespace plumbline::nc;
@@ -74,5 +76,37 @@ TEST_CASE("an axis goes home by itself, however the plane is tilted") {
         CHECK(after[axis] == Approx(letter(axis) == home[4] ? 0 : before[axis]).margin(1e-9));
       }
     }
+  }
+}
+
+TEST_CASE("what is worked out for a word is rounded as its decimals are, not as a binary fraction of them") {
+  for (const auto& [word, wanted] :
+       {std::pair{"X[1.0005]", 1.001}, std::pair{"X[4.0035]", 4.004}, std::pair{"X[2.0005]", 2.001},
+        std::pair{"X[8.1235]", 8.124}, std::pair{"X[-1.0005]", -1.001}, std::pair{"X[2.001/2]", 1.001},
+        std::pair{"X[1.0004]", 1.0}, std::pair{"X1.0009", 1.0}}) {
+    INFO(word);
+    const std::vector<Motion> motions = motions_behind("G1 " + std::string(word) + " F100.\nM30\n");
+    REQUIRE(!motions.empty());
+    CHECK(motions.back().to[Axis::X] == Approx(wanted).epsilon(0).margin(1e-9));
+  }
+  const std::vector<Motion> steps =
+      motions_behind("#1=2.001\n#2=0\nG91\nWHILE[#2LT50]DO1\nG1 X[#1/2] F100.\nX-1.\n#2=#2+1\nEND1\nM30\n");
+  CHECK(steps.back().to[Axis::X] == Approx(0.05).epsilon(0).margin(1e-9));
+}
+
+TEST_CASE("messages of Fanuc's words name what is odd") {
+  for (const auto& [line, said] :
+       {std::pair{"G10 L1 P1 R5.", "G10 L1 is not interpreted"},
+        std::pair{"G1 X5. F100. G4 P500", "X5. stands beside a dwell"},
+        std::pair{"X5. G4 P500", "X5. stands beside a dwell"}, std::pair{"G4 P500 Y1.", "Y1. stands beside a dwell"},
+        std::pair{"ELSE", "ELSE is no statement"}, std::pair{"SETVN 500[A,B]", "SETVN names variables"},
+        std::pair{"CALL 5", "CALL is no statement"}, std::pair{"PCLOS", "PCLOS sends values"}}) {
+    INFO(line);
+    const std::string text = kStart20 + line + "\nM30\n";
+    const Diagnostic refused = testing::refusal_of([&] {
+      const ProgramFile program(text);
+      motions_of_file(program.path(), at_zero(), "fanuc");
+    });
+    CHECK(refused.message.rfind(said, 0) == 0);
   }
 }

@@ -1,5 +1,6 @@
 // A code beside others of its block, or in a mode, where no source says what a control makes of it: refused.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -308,19 +309,29 @@ void check_offsets_of_motion(const Execution& run) {
   check_cycle_increments(run);
 }
 
+// The first that may be, of those behind the code if there is one.
+const Word* time_of_dwell(const Execution& run, const CodeRow& dwell) {
+  std::array<const Word*, 2> times{};  // before the code, and behind it
+  bool coded = false;
+  for (const Word& word : run.block->words) {
+    if (!belongs_to_dwell(run, dwell, word)) continue;
+    coded = coded || is_code(word);
+    const Word*& time = times[coded ? 1 : 0];
+    if (!is_code(word) && time == nullptr) time = &word;
+  }
+  return times[1] != nullptr ? times[1] : times[0];
+}
+
 // What the control does with other words beside G4 is in no source.
 void check_beside_dwell(const Execution& run) {
   using Beside = ControlBehaviour::Beside;
   const Beside allowed = run.dialect.behaviour.beside_dwell;
   const CodeRow* const dwell = allowed == Beside::anything ? nullptr : run.chosen_row(Action::dwell);
   if (dwell == nullptr) return;
-  const Word* time = nullptr;
+  const Word* const time = time_of_dwell(run, *dwell);
   for (const Word& word : run.block->words) {
-    const bool second = time != nullptr && !is_code(word) && belongs_to_dwell(run, *dwell, word);
-    if (belongs_to_dwell(run, *dwell, word) && !second) {
-      if (!is_code(word)) time = &word;
-      continue;
-    }
+    const bool second = !is_code(word) && &word != time && belongs_to_dwell(run, *dwell, word);
+    if (belongs_to_dwell(run, *dwell, word) && !second) continue;
     if (allowed == Beside::no_axes && !axis_of(word.letter) && !second) continue;
     run.refuse(word, codes::kNotInterpreted,
                fmt::format("{} stands beside a dwell, and what the control does with it then was found in no source",
@@ -334,8 +345,7 @@ void check_increment(const Execution& run, const Word& word, Axis axis) {
   const Control& control = run.control;
   check_digits_of_increment(run, word, axis);
   if (!control.shifted.contains(axis) || !(control.known | control.turned).contains(axis)) return;
-  if (word.value == 0 && run.chosen_row(Action::go_home) != nullptr)
-    return;  // G91 G28 Z0 ends at home, whatever counts
+  if (word.value == 0 && run.chosen_row(Action::go_home) != nullptr) return;  // it ends at home, whatever counts
   const std::string absolute =
       run.dialect.syntax.word_modes ? fmt::format("G90 or {}=AC(..)", letter(axis)) : std::string("G90");
   run.refuse(

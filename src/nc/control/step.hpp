@@ -131,6 +131,7 @@ struct Step {
   AxisSet known;                    // of which this is known
   AxisSet shifted;                  // whose increments may bring along an offset that changed before
   AxisSet named;                    // axes whose words stand in the block
+  AxisSet new_place;  // of these those that a turn of the coordinates had left: a control needs their words
   BlockRole role = BlockRole::plain;
   double offset_rotation_deg = 0;  // sets_offset: of the work system that its words are in, active or not
   BlockDelete block_delete = BlockDelete::none;

@@ -232,7 +232,10 @@ void move_in_cycle(Execution& run) {
                "what a cycle's words count from under G91 was found in no source", "write G90 before it");
   }
   check_hole_is_named(run);
+  const std::size_t first = run.motions.size();
   CycleRun(run, known).make();
+  // The axes that the block names are known once it has moved them.
+  if (run.motions.size() > first) run.motions[first].known_before = run.motions[first].known_before & known;
   // What P counts in a cycle of an OSP depends on its settings: such a hole stays a cycle, whose P stays as it is.
   const Cycle& cycle = run.control.cycle;
   const bool stays = cycle.stays || (run.dialect.behaviour.return_levels && cycle.dwell_s != 0);

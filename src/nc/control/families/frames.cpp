@@ -231,12 +231,13 @@ void set_work_table(Execution& run) {
   const Word& table = run.need('L', "G10");
   check_no_plane(run, table);
   const int which = run.whole(table, 0, kNoLimit);
-  check_words_of_table(run, which);
-  if (which >= 10 && which <= 13) return set_tool_table(run, table, which);
-  if (which != 2 && which != 20) {
+  const bool of_tools = which >= 10 && which <= 13;
+  if (!of_tools && which != 2 && which != 20) {
     run.refuse(table, codes::kNotInterpreted, fmt::format("G10 L{} is not interpreted", which),
                "it changes tool offsets or parameters of the control; set them before the program runs");
   }
+  check_words_of_table(run, which);
+  if (of_tools) return set_tool_table(run, table, which);
   const Word& word = run.need('P', "G10");
   const int number = run.whole(word, 0, kNoLimit);
   if (which == 2 && number == 0) {

@@ -38,6 +38,7 @@ void begin_after_turn(Execution& run) {
   const bool absolute = run.machine_word == nullptr && absolute_words(run).contains(control.turned);
   if (absolute && !control.turned.empty()) {
     control.known = control.known | control.turned;
+    run.step.new_place = control.turned;
   }
 }
 

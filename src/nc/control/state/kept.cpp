@@ -8,7 +8,7 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr double kWholeTicks = 1e-6;  // of a tick, so that 0.123 is not cut to 0.122
+constexpr double kWholeTicks = 1e-6;  // of a tick, so that 0.123 is not cut to 0.122, and 1.0005 is a half
 
 constexpr double kLargestKept = 1e9;  // beyond it a word is refused
 
@@ -37,7 +37,7 @@ Kept kept_of_axis_word(const ControlBehaviour& behaviour, bool angle, bool inche
 double kept_value(double value, const Kept& kept, bool is_literal) {
   if (kept.quantum <= 0 || std::abs(value) > kLargestKept) return value;
   const double ticks = value / kept.quantum;
-  const double whole = std::round(ticks);
+  const double whole = std::round(is_literal ? ticks : ticks + std::copysign(kWholeTicks, ticks));
   const double cut = std::abs(ticks - whole) < kWholeTicks || !is_literal ? whole : std::trunc(ticks);
   return from_ticks(to_ticks(cut * kept.quantum, kept.decimals), kept.decimals);
 }

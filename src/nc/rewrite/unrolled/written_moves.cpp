@@ -183,6 +183,8 @@ void WrittenMoves::add_move(const Step& step, const Motion& motion) {
     }
   }
   const bool dwells = motion.kind == MotionKind::dwell;
+  const bool first = &motion == &step.motions[dwells_first(step) ? 1 : 0];
+  if (first && !dwells) moved = moved | step.new_place;
   if (moved.empty() && !dwells) return;
   MadeStep& own = made_.next(step);
   own.text = std::exchange(number_, {});

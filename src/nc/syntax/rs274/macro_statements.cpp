@@ -32,15 +32,34 @@ bool read_name_of_program(BlockReading& in) {
   return true;
 }
 
-// POPEN, DPRNT[..], PCLOS: what the program sends to somebody else.
-void refuse_output(const BlockReading& in) {
+struct Unread {
+  std::string_view command, does, way_out;
+};
+
+constexpr std::string_view kSendsOut = "sends values out of the control, which is not interpreted";
+constexpr std::string_view kSendElsewhere = "leave it out, or send the values from a program that does not move";
+constexpr std::string_view kOfOthers = "is no statement of a macro that is read here";
+constexpr Unread kUnread[] = {
+    {"POPEN", kSendsOut, kSendElsewhere},
+    {"PCLOS", kSendsOut, kSendElsewhere},
+    {"DPRNT", kSendsOut, kSendElsewhere},
+    {"BPRNT", kSendsOut, kSendElsewhere},
+    {"SETVN", "names variables of the control, which is not interpreted",
+     "leave it out, and write the variables as #500"},
+    {"ELSE", kOfOthers, "write IF [..] GOTO, or IF [..] THEN with one assignment"},
+    {"ENDIF", kOfOthers, "write IF [..] GOTO, or IF [..] THEN with one assignment"},
+    {"CALL", kOfOthers, "call a subprogram with M98 P, a macro with G65 P"},
+};
+
+// What the program sends to somebody else, and statements of other controls.
+void refuse_unread(const BlockReading& in) {
   const std::uint32_t begin = in.cursor.span().begin;
   const std::string_view rest = in.out.block().text.substr(begin);
-  for (const std::string_view command : {"POPEN", "PCLOS", "DPRNT", "BPRNT"}) {
-    if (upper(rest.substr(0, command.size())) != command) continue;
-    in.cursor.refuse({begin, begin + static_cast<std::uint32_t>(command.size())}, codes::kNotInterpreted,
-                     fmt::format("{} sends values out of the control, which is not interpreted", command),
-                     "leave it out, or send the values from a program that does not move");
+  for (const Unread& unread : kUnread) {
+    const std::size_t size = unread.command.size();
+    if (upper(rest.substr(0, size)) != unread.command) continue;
+    in.cursor.refuse({begin, begin + static_cast<std::uint32_t>(size)}, codes::kNotInterpreted,
+                     fmt::format("{} {}", unread.command, unread.does), std::string(unread.way_out));
   }
 }
 
@@ -99,7 +118,7 @@ MacroLine read_macro_statement(BlockReading& in) {
   TokenCursor& cursor = in.cursor;
   if (!cursor.is(TokenKind::end) && read_name_of_program(in)) return MacroLine::whole;
   if (!cursor.is(TokenKind::letter) || cursor.token().letter == 'O') return MacroLine::words;
-  refuse_output(in);
+  refuse_unread(in);
   Token keyword;
   lex_statement(cursor.token().begin, keyword);
   if (keyword.kind != TokenKind::flow) return MacroLine::words;
