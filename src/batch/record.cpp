@@ -99,7 +99,8 @@ Entry entry_at(const Statement& row) {
 Database Record::prepared(const std::string& path) {
   Database database(path);
   // A rollback journal works on file systems of other machines as well, as far as those lock files; WAL does not.
-  database.run("PRAGMA journal_mode = TRUNCATE");
+  // It goes with the end of each transaction: the record is one file.
+  database.run("PRAGMA journal_mode = DELETE");
   Transaction transaction(database);
   Statement form(database, "PRAGMA user_version");
   form.step();

@@ -6,6 +6,7 @@
 #include "base/text/printable.hpp"
 #include "cli/command.hpp"
 #include "cli/messages.hpp"
+#include "identify/posterior/posterior_file.hpp"
 #include "measure/dataset.hpp"
 
 namespace plumbline::cli {
@@ -19,6 +20,10 @@ void check_outputs(const std::vector<std::string>& inputs, const std::vector<std
 
 std::vector<std::string> inputs_of(const std::string& dataset, std::vector<std::string> others,
                                    const std::vector<std::string>& with) {
+  for (std::size_t i = others.size(); i-- > 0;) {
+    if (const std::string posterior = identify::posterior_named_in(others[i]); !posterior.empty())
+      others.push_back(posterior);
+  }
   if (dataset.empty() && !with.empty()) throw UsageError("--with joins datasets with that of -d, and there is no -d");
   if (dataset.empty()) return others;
   std::vector<std::string> datasets{dataset};

@@ -15,8 +15,8 @@ namespace plumbline::cli {
 /// UsageError if two inputs are standard input.
 void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
-/// What a command reads that reads a dataset (may be empty) and those joined with it: their files, and others. Refuses
-/// as measure::files_of_dataset does.
+/// What a command reads that reads a dataset (may be empty) and those joined with it: their files, and others, those of
+/// them that are models with the posteriors that they name. Refuses as measure::files_of_dataset does.
 std::vector<std::string> inputs_of(const std::string& dataset, std::vector<std::string> others,
                                    const std::vector<std::string>& with = {});
 

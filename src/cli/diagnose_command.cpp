@@ -16,6 +16,7 @@
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "cli/options/accept.hpp"
+#include "cli/options/number_check.hpp"
 #include "cli/options/test_dialect.hpp"
 #include "cli/options/with.hpp"
 #include "cli/progress_line.hpp"
@@ -185,6 +186,7 @@ void add_diagnose(CLI::App& app, Run& run) {
       ->type_name("NAME,...")
       ->delimiter(',');
   command->add_option("--seed", arguments->job.seed, "of the random numbers that the threshold is computed with")
+      ->check(whole_number())
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "print the result as JSON");
   command->callback([arguments, &run] { run = [arguments] { return diagnose(*arguments); }; });

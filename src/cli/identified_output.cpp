@@ -10,6 +10,7 @@
 #include "cli/command_files.hpp"
 #include "cli/messages.hpp"
 #include "cli/options/report_file.hpp"
+#include "identify/posterior/posterior_file.hpp"
 #include "report/measured/datasets_text.hpp"
 #include "report/measured/identification_text.hpp"
 #include "report/measured/model_file.hpp"
@@ -76,13 +77,27 @@ report::Page signed_page(const jobs::IdentifiedModel& identified) {
   return page;
 }
 
+// The posterior gets its name from the model's, and nobody named it: what stands there goes if it is the model's own.
+void refuse_strange_posterior(const std::string& posterior, const std::string& model) {
+  std::error_code none;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path_of(posterior), none))) return;
+  const std::string known = identify::posterior_named_in(model);
+  if (!known.empty() && std::filesystem::equivalent(path_of(known), path_of(posterior), none)) return;
+  refuse("file-exists", fmt::format("{} stands there already, and is not the posterior of {}", posterior, model),
+         "the model's posterior would be written there: name another model with -o, or move this file away",
+         {posterior, 0});
+}
+
 }  // namespace
 
 int write_identified(const std::vector<std::string>& inputs, const IdentifiedOutput& output,
                      const std::function<jobs::IdentifiedModel()>& make) {
-  const bool has_posterior = output_target(output.model).kind == OutputTarget::Kind::file;
-  const std::string posterior = has_posterior ? report::posterior_path(output.model) : std::string();
+  const OutputTarget target = output_target(output.model);
+  const bool has_posterior = target.kind == OutputTarget::Kind::file;
+  // links followed: the model looks for its posterior beside itself
+  const std::string posterior = has_posterior ? report::posterior_path(target.path) : std::string();
   check_outputs(inputs, {output.model, posterior, output.json, output.report});
+  if (has_posterior) refuse_strange_posterior(posterior, target.path);
   OutputFile out(output.model);
   JsonResult json_result(output.json);
   ReportFile page(output.report);

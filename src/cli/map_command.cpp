@@ -1,3 +1,4 @@
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -43,6 +44,12 @@ AxisWords tilt_of(const std::string& text) {
 
 jobs::MapOptions options_of(const MapArguments& arguments) {
   jobs::MapOptions options;
+  for (const double x : arguments.box_mm) {
+    if (!std::isfinite(x)) throw UsageError(fmt::format("--box: {} is no number", x));
+  }
+  for (const double z : arguments.planes_mm) {
+    if (!std::isfinite(z)) throw UsageError(fmt::format("--z: {} is no number", z));
+  }
   if (!arguments.box_mm.empty()) {
     if (arguments.box_mm.size() != 6)
       throw UsageError(

@@ -43,6 +43,7 @@ struct PlanArguments {
   double bar_mm = 150;
   double radial_um = 0.5;
   std::string channels = "both";
+  bool for_given = false;
 };
 
 // "X0:X1,Y0:Y1,Z0:Z1"
@@ -67,6 +68,9 @@ void take_aim(const PlanArguments& arguments, jobs::PlanJob& job) {
   if (job.separate.size() == 2 && job.separate[0] == job.separate[1]) {
     throw UsageError(
         fmt::format("--separate {0},{0}: an effect cannot be told from itself; name two", job.separate[0]));
+  }
+  if (!job.separate.empty() && arguments.for_given) {
+    throw UsageError("--separate is in place of --for: say one of them");
   }
   const bool tip = std::find(job.asked.begin(), job.asked.end(), "tip") != job.asked.end();
   if (tip && job.asked.size() > 1) throw UsageError("--for tip goes by itself: it asks for what the tip needs of all");
@@ -189,13 +193,14 @@ void add_circles(CLI::App& command, PlanArguments& arguments) {
                         const char* help) {
     command.add_option(name, values, help)->type_name(type)->delimiter(',')->check(check)->capture_default_str();
   };
-  list("--radius", arguments.radii_mm, number_above_zero(), "MM,...", "radii of circles to choose from");
-  list("--feed", arguments.feeds_mm_min, number_above_zero(), "MM/MIN,...", "feeds to choose from");
+  // as a dataset takes them
+  list("--radius", arguments.radii_mm, number_between(1, 2000), "MM,...", "radii of circles to choose from");
+  list("--feed", arguments.feeds_mm_min, number_between(1, 2e5), "MM/MIN,...", "feeds to choose from");
   list("--payload", arguments.payloads_kg, number_between(0, kMostPayload), "KG,...",
        "known masses at the tool tip to choose from");
   command.add_option("--bar", arguments.bar_mm, "length of the bar, mm; it lies in the plane of larger circles")
       ->type_name("MM")
-      ->check(number_above_zero())
+      ->check(number_between(1, 3000))
       ->capture_default_str();
   command.add_option("--channels", arguments.channels, "what will be measured")
       ->type_name("bar|torques|both")
@@ -221,6 +226,7 @@ void add_noise(CLI::App& command, PlanArguments& arguments) {
       ->check(CLI::Range(1, 20000))
       ->capture_default_str();
   command.add_option("--seed", arguments.job.candidates.seed, "of the random numbers that draw them")
+      ->check(whole_number())
       ->capture_default_str();
 }
 
@@ -241,7 +247,10 @@ void add_plan(CLI::App& app, Run& run) {
   command->add_option("--programs", arguments->programs, "write an NC program of each circle into this folder")
       ->type_name("DIR");
   add_test_dialect(*command, arguments->dialect);
-  command->callback([arguments, &run] { run = [arguments] { return plan(*arguments); }; });
+  command->callback([arguments, command, &run] {
+    arguments->for_given = command->count("--for") > 0;
+    run = [arguments] { return plan(*arguments); };
+  });
 }
 
 }  // namespace plumbline::cli

@@ -1,6 +1,11 @@
+#include <filesystem>
 #include <memory>
 
+#include <fmt/format.h>
+
+#include "base/diagnostic.hpp"
 #include "base/files/files.hpp"
+#include "base/files/path_of.hpp"
 #include "cli/command.hpp"
 #include "cli/command_files.hpp"
 #include "jobs/compensate/compensated_files.hpp"
@@ -13,8 +18,18 @@ struct RestoreArguments {
   std::string program, undo, output;
 };
 
+// Nobody named it: a pipe of that name may never give anything.
+void refuse_no_file(const std::string& undo) {
+  std::error_code none;
+  const std::filesystem::file_status status = std::filesystem::status(path_of(undo), none);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
+  refuse("undo-format", fmt::format("{} is a folder, a pipe or a device, and no undo file", undo),
+         "name the undo file with --undo", {undo});
+}
+
 int restore(const RestoreArguments& arguments) {
   const std::string undo = arguments.undo.empty() ? jobs::undo_name(arguments.program) : arguments.undo;
+  if (arguments.undo.empty()) refuse_no_file(undo);
   check_outputs({arguments.program, undo}, {arguments.output});
   OutputFile out(arguments.output);
   const auto [program, log] = jobs::open_pair(arguments.program, undo);

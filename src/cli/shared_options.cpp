@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "cli/messages.hpp"
+#include "identify/posterior/posterior_file.hpp"
 #include "settings/contradiction.hpp"
 
 namespace plumbline::cli {
@@ -59,6 +60,11 @@ void SharedOptions::apply(settings::Options& options) const {
   }
 }
 
+bool SharedOptions::is_given(std::string_view name) const {
+  return std::any_of(given_.begin(), given_.end(),
+                     [&](const Given& given) { return given.row->name == name && !given.texts.empty(); });
+}
+
 settings::Options SharedOptions::given() const {
   settings::Options options;
   apply(options);
@@ -83,6 +89,8 @@ settings::ResolvedSettings SharedOptions::resolve(const std::string& program) co
 
 settings::Options SharedOptions::read(const std::string& program) const {
   settings::Options options = resolve(program).options;
+  if (is_given("yields") && !options.compensation.bound.is_asked())
+    throw UsageError("--yields says what yields to --tolerance, and there is none");
   if (!options.paths.settings_files.empty()) {
     say_step(fmt::format("settings: {}, and what the command line says instead",
                          fmt::join(options.paths.settings_files, ", ")));
@@ -101,6 +109,8 @@ void SharedOptions::allow_model_alone(std::string_view why) const {
 std::vector<std::string> files_read(const std::string& program, const settings::Options& options) {
   const settings::Paths& paths = options.paths;
   std::vector<std::string> files{program, paths.model.path(), paths.tools.path(), paths.variables.path()};
+  if (std::string posterior = identify::posterior_named_in(paths.model.path()); !posterior.empty())
+    files.push_back(std::move(posterior));
   files.insert(files.end(), paths.settings_files.begin(), paths.settings_files.end());
   return files;
 }

@@ -23,15 +23,40 @@ double step(const Ways& ways, std::size_t from, std::size_t to) {
   return sum;
 }
 
+// A row whose angle leaves its neighbours and comes back: the circle would end there, and most of it be thrown away.
+void refuse_jumps(const Ways& ways, const ForeignTable& table) {
+  constexpr double kBetween = 4, kAway = 10;  // usual steps
+  const std::size_t count = ways.angle.size();
+  std::vector<double> sizes;
+  for (std::size_t i = 1; i < count; ++i) {
+    if (const double size = std::abs(step(ways, i - 1, i)); size > 1e-9) sizes.push_back(size);
+  }
+  if (sizes.empty()) return;
+  const double usual = median(std::move(sizes));
+  for (std::size_t i = 1; i + 1 < count; ++i) {
+    const double between = std::abs(std::remainder(ways.angle[i + 1] - ways.angle[i - 1], kTurn));
+    const double away = std::min(std::abs(step(ways, i - 1, i)), std::abs(step(ways, i, i + 1)));
+    if (between > kBetween * usual || away < kAway * usual) continue;
+    refuse("import-number",
+           fmt::format("the angle in line {} of {} is {:.6g} deg, and those beside it are {:.6g} and {:.6g} deg",
+                       table.lines[i], table.file, ways.angle[i] / kDeg, ways.angle[i - 1] / kDeg,
+                       ways.angle[i + 1] / kDeg),
+           "the tip cannot go there and back between two samples: mend the number, or leave the line out",
+           table.place(i));
+  }
+}
+
 }  // namespace
 
 Ways ways_of(const MapRun& map_run, const Source& source, const ForeignTable& table, const ImportOptions& options) {
   const measure::Run& run = map_run.run;
   Ways ways;
   ways.on_circle.assign(table.rows(), true);
+  bool jumps_count = false;
   if (source.find(Quantity::angle) != nullptr) {
     ways.angle = table.values[column_of(source, Quantity::angle)];
     ways.from = "column";
+    jumps_count = true;
   } else if (source.find(Quantity::x) != nullptr && source.find(Quantity::y) != nullptr) {
     const std::vector<double>& x = table.values[column_of(source, Quantity::x)];
     const std::vector<double>& y = table.values[column_of(source, Quantity::y)];
@@ -60,6 +85,7 @@ Ways ways_of(const MapRun& map_run, const Source& source, const ForeignTable& ta
     refuse("import-number", fmt::format("row {} of {} does not say where it was taken", table.lines[i], table.file),
            "time, angle and places have to be there in each row", table.place(i));
   }
+  if (jumps_count) refuse_jumps(ways, table);
   return ways;
 }
 

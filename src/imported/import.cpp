@@ -86,6 +86,7 @@ class Importer {
     check_places(map_run, source, table, turn);
     if (const std::vector<double>* const time = column(source, table, Quantity::time)) {
       check_rises(*time, turn.first, turn.last, table);
+      check_duration(*time, ways, turn, map_run.run, table);
     }
     TakenRun taken{map_run.run.id,
                    table.file,
@@ -155,6 +156,23 @@ class Importer {
              "rows belong in the order in which they were taken: turn the table around, or check the column time",
              table.place(i));
     }
+  }
+
+  // Milliseconds that are called seconds, and the like. What the control's own slowing does stays below.
+  static void check_duration(const std::vector<double>& time, const Ways& ways, const Turn& turn, const Run& run,
+                             const ForeignTable& table) {
+    constexpr double kOtherUnit = 5;
+    double sweep = 0;
+    for (std::size_t i = turn.first + 1; i <= turn.last; ++i)
+      sweep += std::abs(std::remainder(ways.angle[i] - ways.angle[i - 1], kTurn));
+    const double expected = sweep * run.radius / run.feed;
+    const double found = time[turn.last] - time[turn.first];
+    if (found < kOtherUnit * expected && expected < kOtherUnit * found) return;
+    refuse("import-value",
+           fmt::format("from line {} to {} pass {:.6g} s, and run {} takes {:.6g} s there by its feed and radius",
+                       table.lines[turn.first], table.lines[turn.last], found, run.id, expected),
+           "check the unit of the column time (s, ms, us, min), and feed_mm_min and radius_mm of the run",
+           table.place(turn.first));
   }
 
   // A reading of the motors at a time of the bar's clock.

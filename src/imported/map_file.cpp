@@ -90,10 +90,38 @@ class MapReader {
       map.samples = count(*circle, "samples", 8, 100000).value_or(0);
     }
     read_runs(root, map);
+    check_readings(map, root);
     return map;
   }
 
  private:
+  // What no dataset can hold, or what would be passed over.
+  void check_readings(const Map& map, const TomlValue& root) const {
+    const TomlValue& columns = root.find("columns")->value;
+    const bool x = map.source.find(Quantity::x) != nullptr;
+    if (x != (map.source.find(Quantity::y) != nullptr)) {
+      refuse_value(document_, columns.find(x ? "x" : "y")->value,
+                   fmt::format("{} says nothing without {}", x ? "x" : "y", x ? "y" : "x"),
+                   "places of the tip need both: name the other column, or leave this one out");
+    }
+    const TomlValue& of_motors = map.motors ? root.find("motors")->value.find("columns")->value : columns;
+    std::size_t torques = 0;
+    const TomlEntry* last = nullptr;
+    for (const TomlEntry& entry : of_motors.entries) {
+      if (!entry.key.starts_with("torque")) continue;
+      ++torques;
+      last = &entry;
+    }
+    if (torques != 0 && torques != 6) {
+      refuse_value(document_, last->value, fmt::format("the map names the torques of {} of six motors", torques),
+                   "a run has those of all motors or none: name torque1 to torque6");
+    }
+    if (torques == 0 && map.source.find(Quantity::radial) == nullptr) {
+      refuse_value(document_, columns, "the map names nothing that was measured",
+                   "name the column of the bar, radial, or those of the motors, torque1 to torque6");
+    }
+  }
+
   void check_keys(const TomlValue& table, const std::vector<std::string_view>& known) const {
     for (const TomlEntry& entry : table.entries) {
       if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
@@ -293,7 +321,14 @@ class MapReader {
       }
       run.motors_file = text(table_of, "motors_file").value_or("");
       run.circle = count(table_of, "circle", 1, 10000).value_or(0);
-      if (const auto angle = number(table_of, "start_angle_deg", -720, 720)) run.start_angle = *angle * kDeg;
+      if (const auto angle = number(table_of, "start_angle_deg", -720, 720)) {
+        if (map.source.find(Quantity::angle) != nullptr) {
+          refuse_value(document_, table_of.find("start_angle_deg")->value,
+                       "start_angle_deg says where time alone begins, and there is a column of angles",
+                       "leave one of them out; `minus` of the column angle moves its zero");
+        }
+        run.start_angle = *angle * kDeg;
+      }
       if (const auto angle = number(table_of, "run_in_deg", 0, 3600)) run.run_in = *angle * kDeg;
       map.runs.push_back(std::move(run));
     }

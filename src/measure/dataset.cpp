@@ -20,6 +20,15 @@
 
 namespace plumbline::measure {
 
+void check_run_count(std::size_t runs, const Place& place) {
+  if (runs <= kMostRuns) return;
+  refuse("dataset-too-many-runs", fmt::format("these are {} runs", runs),
+         fmt::format("at most {} are read together, since each is judged by all others: make several datasets of them, "
+                     "as of one day or one set-up each, and work with one after the other",
+                     kMostRuns),
+         place);
+}
+
 std::string_view to_text(Direction direction) { return direction == Direction::ccw ? "ccw" : "cw"; }
 
 namespace {
@@ -198,6 +207,7 @@ const TomlValue& run_list(const TomlDocument& document) {
     refuse("dataset-wrong-type", "run is no list of tables", "write [[run]], in double brackets, above each run",
            document.place(runs->key_span));
   }
+  check_run_count(runs->value.items.size(), document.place(runs->key_span));
   return runs->value;
 }
 
@@ -323,6 +333,18 @@ std::vector<fs::path> table_targets(const Dataset& dataset, const fs::path& fold
   return targets;
 }
 
+// Readings are not made again by running the command again.
+void refuse_taken(std::vector<fs::path> targets, const fs::path& folder) {
+  std::error_code ignored;
+  targets.insert(targets.begin(), folder / kDatasetName);
+  for (const fs::path& path : targets) {
+    if (!fs::exists(fs::symlink_status(path, ignored))) continue;
+    refuse("dataset-folder-taken",
+           fmt::format("there is a {} in {} already", path.filename().generic_string(), folder.generic_string()),
+           "it may have been measured: name another folder with -o", {path.generic_string()});
+  }
+}
+
 }  // namespace
 
 // dataset.toml last: it names the tables.
@@ -335,6 +357,7 @@ void write_dataset(const Dataset& dataset, const std::string& folder) {
            "name another folder for the output", {folder});
   }
   const std::vector<fs::path> targets = table_targets(dataset, into);
+  refuse_taken(targets, into);
   std::list<NewFolder> folders;
   std::list<OutputFile> outputs;
   OutputSet files;

@@ -83,6 +83,10 @@ enum class Believe {
 /// A run without some of its samples (ascending).
 Run without_samples(Run run, const std::vector<std::size_t>& samples);
 
+/// Of a dataset, and of datasets that are joined: plumbline plan proposes no more. What judges runs by each other takes
+/// time with the square of their number.
+inline constexpr std::size_t kMostRuns = 200;
+
 struct Dataset {
   std::string machine;  // name of the model that it was measured on
   Protocol protocol;
@@ -94,6 +98,9 @@ struct Dataset {
 /// What a [[run]] says, without its table; keys beside those of a dataset are `others`. Refuses as read_dataset does.
 Run read_run(const TomlDocument& document, const TomlValue& table, const std::vector<std::string_view>& others = {});
 
+/// Refuses with dataset-too-many-runs.
+void check_run_count(std::size_t runs, const Place& place);
+
 /// What `planned` of a run says of its table.
 std::string table_hash(std::string_view table);
 
@@ -102,8 +109,8 @@ void check_measured(const Dataset& dataset);
 
 /// Reads a dataset.toml and the tables of its runs. Refuses with toml-syntax, dataset-marker, dataset-unknown-key,
 /// dataset-missing-key, dataset-wrong-type, dataset-wrong-size, dataset-out-of-range, dataset-direction, dataset-bar,
-/// dataset-same-id, dataset-no-runs, dataset-file-outside or dataset-file-missing at the value, with what run_table.hpp
-/// lists at the row and column, and as read_text does.
+/// dataset-same-id, dataset-no-runs, dataset-too-many-runs, dataset-file-outside or dataset-file-missing at the value,
+/// with what run_table.hpp lists at the row and column, and as read_text does.
 Dataset read_dataset(const std::string& path, Believe believe = Believe::nothing);
 
 /// The same of a text; tables are looked for in `folder`.
@@ -117,7 +124,8 @@ std::vector<std::string> files_of_dataset(const std::string& path);
 /// Writes the dataset's text, as it was read, as dataset.toml into a folder, made if need be, and the tables beside it.
 /// Refuses, before anything is written, with dataset-file-outside a table that would lie outside the folder, with
 /// file-overwrites-input what would overwrite the dataset that was read or a table of it, and with dataset-same-file
-/// two runs of one table; and with file-unwritable.
+/// two runs of one table, with dataset-folder-taken a folder where one of these files stands already; and with
+/// file-unwritable.
 void write_dataset(const Dataset& dataset, const std::string& folder);
 
 }  // namespace plumbline::measure

@@ -49,6 +49,24 @@ void check_whole(const EffectRow& row, const EffectValue& value, const Parameter
   }
 }
 
+// Numbers that were fitted and rounded sum to nearly nothing.
+void check_sum(const EffectRow& row, const EffectValue& value, const ParameterSpec& spec) {
+  constexpr double kShare = 0.01, kLeast = 0.06;  // of all magnitudes; in the file's unit
+  double sum = 0;
+  double magnitudes = 0;
+  for (const double x : value.values) {
+    sum += x;
+    magnitudes += std::abs(x);
+  }
+  if (std::abs(sum) <= kLeast + kShare * magnitudes) return;
+  refuse("effect-out-of-bounds",
+         fmt::format("{} of the effect {} sums to {:.6g} {}", spec.key, row.name, sum, spec.unit.name),
+         fmt::format("these numbers are differences and sum to 0: take their mean, {:.6g} {}, from each; what all have "
+                     "in common is another effect (docs/effects.md)",
+                     sum / static_cast<double>(value.values.size()), spec.unit.name),
+         value.place);
+}
+
 void check_keys(const EffectRow& row, const EffectInfo& info) {
   std::vector<std::string_view> known;
   for (const ParameterSpec& spec : info.parameters) known.push_back(spec.key);
@@ -117,6 +135,7 @@ void ForceModel::add_row(const EffectRow& row) {
     check_size(row, *value, spec);
     check_bounds(row, *value, spec);
     check_whole(row, *value, spec);
+    if (info.sums_to_zero) check_sum(row, *value, spec);
     for (const double x : value->values) *into++ = x * spec.unit.si;
   }
 }

@@ -2,6 +2,7 @@
 // every number finite, can be written and read again, and its figures can be worked out.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "fuzz/fuzz.hpp"
 #include "measure/circularity.hpp"
@@ -44,6 +45,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       return;  // the input names paths of its own: nothing is written there
     }
     const std::string again = fuzz::folder() / "again";
+    std::filesystem::remove_all(again);
     measure::write_dataset(dataset, again);
     const measure::Dataset reread = measure::read_dataset(again + "/dataset.toml");
     FUZZ_CHECK(reread.runs.size() == dataset.runs.size());

@@ -148,6 +148,38 @@ TEST_CASE("layout 6: places of the tip, standing still before and after, both di
   CHECK(found.taken[1].circles == 2);
 }
 
+TEST_CASE(
+    "one angle that leaves its neighbours is refused at its line, where most of the circle would be thrown away") {
+  for (const char* const bad : {"99999", "45", "-170.5"}) {
+    const Scratch scratch;
+    std::string text = "a,r\n";
+    for (const Moment& m : way(0, 357))
+      text += m.deg == 150 ? std::string(bad) + ",1\n" : fmt::format("{:.3f},{:.5f}\n", m.deg, radial_um(m.deg));
+    scratch.file("c.csv", text);
+    const Diagnostic d =
+        refusal_of([&] { made(scratch, kMapHead + kAngleAndBar + map_run("one", "c.csv"), {"c.csv"}); });
+    INFO(to_text(d));
+    CHECK(d.code == "import-number");
+    CHECK(d.place.line == 52);
+  }
+}
+
+TEST_CASE("a time in another unit than the map says is refused by the feed") {
+  for (const auto& [unit, factor] : {std::pair{"s", 1000.0}, std::pair{"ms", 1.0}, std::pair{"min", 1.0}}) {
+    const Scratch scratch;
+    scratch.file("c.csv", "t,a,r\n" + lines(way(0, 357), [f = factor](const Moment& m) {
+                            return fmt::format("{:.6f},{:.3f},{:.5f}", m.seconds * f, m.deg, radial_um(m.deg));
+                          }));
+    const std::string map = kMapHead + "[columns]\ntime = {name = \"t\", unit = \"" + unit +
+                            "\"}\nangle = {name = \"a\", unit = \"deg\"}\nradial = {name = \"r\", unit = \"um\"}\n" +
+                            map_run("one", "c.csv");
+    const Diagnostic d = refusal_of([&] { made(scratch, map, {"c.csv"}); });
+    INFO(unit << " " << to_text(d));
+    CHECK(d.code == "import-value");
+    CHECK(d.help.find("unit of the column time") != std::string::npos);
+  }
+}
+
 TEST_CASE("layout 7: motors in another order, as currents and per cent of rated, one turned around") {
   const Scratch scratch;
   scratch.file("c.csv", "a,m6,m5,m4,m3,m2,m1\n" + lines(way(0, 357), [](const Moment& m) {

@@ -119,6 +119,38 @@ TEST_CASE("a dataset is written as it was read, and never over itself") {
   CHECK(refusal_of([&] { write_dataset(outside, scratch.path("out")); }).code == "dataset-file-outside");
 }
 
+TEST_CASE("a dataset is written over no other one, nor over a table") {
+  const Scratch scratch;
+  scratch.file("run.csv", table_text());
+  const Dataset dataset = read_dataset(scratch.file("dataset.toml", dataset_text()));
+  scratch.file("measured/dataset.toml", "# another one\n");
+  scratch.file("table/run.csv", "measured\n");
+  std::filesystem::create_directories(scratch.path("folder/run.csv"));
+  for (const char* const folder : {"measured", "table", "folder"}) {
+    INFO(folder);
+    const Diagnostic d = refusal_of([&] { write_dataset(dataset, scratch.path(folder)); });
+    CHECK(d.code == "dataset-folder-taken");
+    CHECK(d.help.find("may have been measured") != std::string::npos);
+  }
+  CHECK(scratch.text("measured/dataset.toml") == "# another one\n");
+  CHECK(scratch.text("table/run.csv") == "measured\n");
+  CHECK_FALSE(scratch.has("table/dataset.toml"));
+  write_dataset(dataset, scratch.path("free"));
+  CHECK(refusal_of([&] { write_dataset(dataset, scratch.path("free")); }).code == "dataset-folder-taken");
+}
+
+TEST_CASE("more runs than are judged together are refused before a table is read") {
+  const Scratch scratch;
+  const std::string text = dataset_text();
+  const std::string run = text.substr(text.find("[[run]]"));
+  std::string many = text;
+  for (std::size_t i = 1; i <= kMostRuns; ++i) many += "\n" + replaced(run, "\"a\"", "\"a" + std::to_string(i) + "\"");
+  const Diagnostic d = refusal_of([&] { parse_dataset(many, "d", scratch.path("")); });
+  CHECK(d.code == "dataset-too-many-runs");
+  CHECK(d.message == "these are 201 runs");
+  CHECK(refusal_of([] { check_run_count(kMostRuns, {}); }).code.empty());
+}
+
 TEST_CASE("a dataset reads no table outside of its folder") {
   const Scratch scratch;
   std::filesystem::create_directories(scratch.path("in/sub"));

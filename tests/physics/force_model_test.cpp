@@ -55,6 +55,6 @@ TEST_CASE("an effect may be there twice, and be added later") {
 }
 
 TEST_CASE("rows that make no sense are refused where they stand") {
-  check_bad_files(source_path("tests/physics/bad"), 12,
+  check_bad_files(source_path("tests/physics/bad"), 13,
                   [](const std::string& path) { ForceModel(machine::read_model(path)); });
 }

@@ -102,4 +102,16 @@ OutputTarget output_target(const std::string& name) {
   return target;
 }
 
+bool is_standard_output(const std::string& name) try {
+  if (name.empty()) return false;
+  const OutputTarget target = output_target(name);
+  if (target.kind != OutputTarget::Kind::descriptor) return false;
+  if (target.descriptor == platform::kStandardOutput) return true;
+  const std::optional<platform::FileStatus> one = platform::status_of(target.descriptor);
+  const std::optional<platform::FileStatus> other = platform::status_of(platform::kStandardOutput);
+  return one && other && one->kind == platform::FileKind::pipe && platform::is_same_file(*one, *other);
+} catch (const Refusal&) {
+  return false;  // whoever opens it says why
+}
+
 }  // namespace plumbline

@@ -27,4 +27,8 @@ struct OutputTarget {
 /// and a number that is no open file, or one open for reading.
 OutputTarget output_target(const std::string& name);
 
+/// Whether what is written there comes out where standard output does: "-", /dev/stdout, /dev/fd/1, or an open file of
+/// this process that is the same pipe. Refuses nothing.
+bool is_standard_output(const std::string& name);
+
 }  // namespace plumbline

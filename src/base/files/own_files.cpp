@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.hpp"
+#include "base/files/output_target.hpp"
 #include "base/files/path_of.hpp"
 #include "base/files/source.hpp"
 #include "base/platform/platform.hpp"
@@ -16,11 +17,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of a regular file that exists: pipes and terminals may be used twice.
+using platform::FileKind;
+
+// Of what exists: /dev/null and terminals may be used twice.
 std::optional<platform::FileStatus> status_of(const std::string& path, int standard_stream) {
   std::optional<platform::FileStatus> status =
       path == kStandardStream ? platform::status_of(standard_stream) : platform::status_of(path);
-  if (status && status->kind != platform::FileKind::file) status.reset();
+  if (status && status->kind != FileKind::file && status->kind != FileKind::pipe) status.reset();
+  return status;
+}
+
+// A socket may be read from and written to: it holds two streams.
+std::optional<platform::FileStatus> regular(std::optional<platform::FileStatus> status) {
+  if (status && status->kind != FileKind::file) status.reset();
   return status;
 }
 
@@ -28,9 +37,9 @@ bool is_same_file(const std::optional<platform::FileStatus>& a, const std::optio
   return a && b && platform::is_same_file(*a, *b);
 }
 
-// Of files that need not be there yet.
+// Of files that need not be there yet, and of standard output, whatever it is.
 bool is_same_name(const std::string& a, const std::string& b) {
-  if (a == b) return true;
+  if (a == b || (is_standard_output(a) && is_standard_output(b))) return true;
   if (a == kStandardStream || b == kStandardStream) return false;
   std::error_code unknown;
   const fs::path full_a = fs::weakly_canonical(fs::absolute(path_of(a), unknown), unknown);
@@ -51,7 +60,8 @@ void refuse_shared_files(const std::vector<std::string>& inputs, const std::vect
     if (output->empty()) continue;
     const std::optional<platform::FileStatus> status = status_of(*output, platform::kStandardOutput);
     for (const std::string& input : inputs) {
-      if (input.empty() || !is_same_file(status, status_of(input, platform::kStandardInput))) continue;
+      if (input.empty() || !is_same_file(regular(status), regular(status_of(input, platform::kStandardInput))))
+        continue;
       refuse_output(
           "file-overwrites-input", *output,
           fmt::format("the output would overwrite the input {}", input == kStandardStream ? "<stdin>" : input));

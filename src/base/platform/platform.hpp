@@ -13,7 +13,7 @@ namespace plumbline::platform {
 
 // Files ---------------------------------------------------------------------------------------------------------------
 
-enum class FileKind { file, folder, other };
+enum class FileKind { file, folder, pipe, other };  // pipe: or a socket
 
 struct FileStatus {
   FileKind kind = FileKind::other;

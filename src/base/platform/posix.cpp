@@ -18,7 +18,11 @@ namespace {
 
 FileStatus status_in(const struct stat& status) {
   FileStatus result;
-  result.kind = S_ISREG(status.st_mode) ? FileKind::file : S_ISDIR(status.st_mode) ? FileKind::folder : FileKind::other;
+  const auto is_pipe = S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode);
+  result.kind = S_ISREG(status.st_mode)   ? FileKind::file
+                : S_ISDIR(status.st_mode) ? FileKind::folder
+                : is_pipe                 ? FileKind::pipe
+                                          : FileKind::other;
   result.device = status.st_dev;
   result.number = status.st_ino;
   result.size = static_cast<std::uint64_t>(status.st_size);

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "base/files/files.hpp"
+#include "base/files/output_target.hpp"
 #include "cli/application/command_examples.hpp"
 #include "cli/application/version_text.hpp"
 #include "cli/messages.hpp"
@@ -59,6 +61,20 @@ void add_loudness(CLI::App& app) {
   }
 }
 
+// /dev/stdout is standard output by another name.
+std::string one_name_of_standard_output(std::string& value) {
+  if (is_standard_output(value)) value = kStandardStream;
+  return {};
+}
+
+void add_names_of_standard_output(CLI::App& command) {
+  for (const char* const name : {"--output", "--json", "--report", "--depfile"}) {
+    CLI::Option* const option = command.get_option_no_throw(name);
+    if (option != nullptr && option->get_items_expected_max() > 0)
+      option->transform(CLI::Validator(one_name_of_standard_output, ""));
+  }
+}
+
 void describe(CLI::App& app) {
   app.description(
       "plumbline straightens NC programs for hexapod machine tools: it moves the tool tip to where the "
@@ -84,7 +100,10 @@ void add_example(CLI::App& command) {
 }
 
 void finish(CLI::App& app) {
-  for (CLI::App* const command : app.get_subcommands([](const CLI::App*) { return true; })) add_example(*command);
+  for (CLI::App* const command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    add_example(*command);
+    add_names_of_standard_output(*command);
+  }
   app.footer(fmt::format("Example:\n  plumbline {}\nplumbline COMMAND --help says more, with an example of it.\n\n{}",
                          kCommandExamples.front().example, app.get_footer()));
   add_diagnostics(app);

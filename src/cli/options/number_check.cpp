@@ -1,8 +1,11 @@
 #include "cli/options/number_check.hpp"
 
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -33,6 +36,17 @@ CLI::Validator number_above_zero() {
 
 CLI::Validator number_from_zero() {
   return number_that([](double value) { return value >= 0; }, "from 0 on", "NONNEGATIVE");
+}
+
+CLI::Validator whole_number() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        std::uint64_t value = 0;
+        const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool fits = wrong == std::errc() && end == text.data() + text.size();
+        return fits ? std::string() : fmt::format("{} is no whole number from 0 to 2^64 - 1", text);
+      },
+      "");
 }
 
 }  // namespace plumbline::cli

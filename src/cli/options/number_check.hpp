@@ -11,5 +11,7 @@ CLI::Validator number_between(double least, double most);
 CLI::Validator number_above_zero();
 /// Finite numbers from 0 on.
 CLI::Validator number_from_zero();
+/// Digits alone, of a number below 2^64: CLI11 takes -1 and what is too large for other numbers.
+CLI::Validator whole_number();
 
 }  // namespace plumbline::cli

@@ -14,6 +14,10 @@ std::string posterior_text(const Posterior& posterior, std::uint64_t numbers);
 /// posterior-other-model one that belongs to other numbers.
 Posterior parse_posterior(std::string text, std::string file, const machine::MachineModel& machine);
 
+/// The file that a model names as its posterior, be it there or not. Empty: it names none, or is no file that can be
+/// read as a model.
+std::string posterior_named_in(const std::string& model_path);
+
 /// What is known of a model: the posterior that it names, or else its [uncertainty]. The file is looked for beside the
 /// model. Refuses as parse_posterior and the reader of files do, and with posterior-other-file where it is not the one
 /// that the model names.

@@ -88,7 +88,7 @@ TipDoubt TipDoubts::doubt_of(const std::vector<Played>& played, double places) c
     const double weight = state->of.weight;
     const Eigen::Matrix3Xd& S = here.slopes;
     const Eigen::Matrix3Xd G = S * state->of.covariance;
-    const double of_fit = (G.array() * S.array()).sum();
+    const double of_fit = std::max(0.0, (G.array() * S.array()).sum());
     double noise = of_fit;
     for (Eigen::Index i = 0; i < S.cols(); ++i) {
       const double left = G.col(i).squaredNorm() * state->precision[i];
@@ -110,7 +110,7 @@ TipDoubt TipDoubts::doubt_of(const std::vector<Played>& played, double places) c
     lengths.push_back({weight, {here.off, all}});
     doubt.mean += weight * lengths.back().length.mean();
     for (int a = 0; says_axes_ && a < 3; ++a)
-      axes[static_cast<std::size_t>(a)].push_back({weight, here.off[a], std::sqrt(all(a, a))});
+      axes[static_cast<std::size_t>(a)].push_back({weight, here.off[a], std::sqrt(std::max(0.0, all(a, a)))});
     ++state;
   }
   // a shift that was held back is one of the joints

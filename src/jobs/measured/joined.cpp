@@ -112,6 +112,7 @@ JoinedData read_joined(const std::string& first, const std::vector<std::string>&
       }
       check_agree(read[i], now);
     }
+    measure::check_run_count(joined.dataset.runs.size() + now.runs.size(), {now.document.file});
     rename(joined.dataset.runs, read.size(), now.runs, file);
     joined.files.push_back(std::move(file));
     joined.protocols.push_back(now.protocol);

@@ -1,5 +1,9 @@
 #include "identify/posterior/posterior_file.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+#include <tuple>
+
 #include <catch2/catch.hpp>
 
 #include "base/text/hash.hpp"
@@ -110,4 +114,65 @@ TEST_CASE("a posterior that was edited is refused at the place") {
   CHECK(code_of("correlations = [\n", "correlations = [\n[0],\n") == "posterior-wrong");
   CHECK(code_of("key = \"", "key = \"no_") == "posterior-wrong");
   CHECK(code_of("prior_sigma = ", "prior_sigma = -") == "posterior-wrong");
+}
+
+TEST_CASE("numbers of a posterior that cannot be are refused where they stand") {
+  const machine::MachineModel model = pm600_like();
+  const std::string good = posterior_text(some_posterior(model), machine::numbers_hash(model));
+  const auto refused = [&](const std::string& key, const std::string& number) {
+    std::string text = good;
+    const std::size_t at = text.find(key) + key.size();
+    REQUIRE(at >= key.size());
+    text.replace(at, text.find_first_of(",]\n", at) - at, number);
+    const Diagnostic d = refusal_of([&] { parse_posterior(text, "a.posterior.toml", model); });
+    INFO(key << number);
+    CHECK(d.code == "posterior-wrong");
+    CHECK(d.place.line ==
+          1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n')));
+  };
+  refused("noise_radial_um = ", "-1");
+  refused("noise_torque_Nm = ", "1e300");
+  refused("unexplained_um = ", "1e300");
+  refused("prior_sigma = ", "1e-300");
+  refused("widening = ", "0");
+  refused("widening = ", "1e300");
+  refused("weight = ", "-0.5");
+  refused("mean = [", "1e300");
+  refused("standard_errors = [", "-1");
+  refused("standard_errors = [", "1e300");
+  refused("correlations = [\n[", "5");
+  refused("moved = [\n[", "1e300");
+
+  // correlations that each may be, and not together
+  Posterior odd = some_posterior(model);
+  Eigen::MatrixXd& covariance = odd.states.front().covariance;
+  const Eigen::VectorXd errors = covariance.diagonal().cwiseSqrt();
+  covariance = errors.cwiseAbs2().asDiagonal();
+  for (const auto& [i, k, r] : {std::tuple{1, 0, 0.9}, std::tuple{2, 0, 0.9}, std::tuple{2, 1, -0.9}})
+    covariance(i, k) = covariance(k, i) = r * errors[i] * errors[k];
+  const std::string text = posterior_text(odd, machine::numbers_hash(model));
+  CHECK(refusal_of([&] { parse_posterior(text, "a", model); }).code == "posterior-wrong");
+
+  // a number that stands twice
+  const std::size_t first = good.find("\n[[unknown]]");
+  const std::string row = good.substr(first, good.find("\n[[unknown]]", first + 1) - first);
+  CHECK(refusal_of([&] { parse_posterior(std::string(good).insert(first, row), "a", model); }).message.find("twice") !=
+        std::string::npos);
+}
+
+TEST_CASE("a [posterior] without a file is not passed over") {
+  const Scratch folder;
+  const std::string text = pm600_like().document.text;
+  const auto known = [&](const std::string& more) {
+    folder.file("m.toml", text + more);
+    return refusal_of([&] { known_of(machine::read_model(folder.path("m.toml"))); }).code;
+  };
+  CHECK(known("").empty());
+  CHECK(known("\n[posterior]\n") == "posterior-wrong");
+  CHECK(known("\n[posterior]\nfile = \"\"\n") == "posterior-wrong");
+  CHECK(known("\n[posterior]\nhash = \"0\"\n") == "posterior-wrong");
+  CHECK(known("\n[posterior]\nfile = \".\"\n") == "posterior-wrong");
+  CHECK(known("\n[posterior]\nfile = \"no.toml\"\n") == "file-missing");
+  REQUIRE(std::system(("mkfifo '" + folder.path("pipe.toml") + "'").c_str()) == 0);
+  CHECK(known("\n[posterior]\nfile = \"pipe.toml\"\n") == "posterior-wrong");
 }
