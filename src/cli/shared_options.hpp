@@ -23,6 +23,7 @@ class SharedOptions {
 
   /// What the command line says. Throws UsageError for values that are none.
   settings::Options given() const;
+  /// Whether the command line says this option, by its name without dashes.
   bool is_given(std::string_view name) const;
 
   /// What the command line says, and where it is silent the settings files of `program`, unless --no-settings asks for

@@ -335,10 +335,9 @@ std::vector<fs::path> table_targets(const Dataset& dataset, const fs::path& fold
 
 // Readings are not made again by running the command again.
 void refuse_taken(std::vector<fs::path> targets, const fs::path& folder) {
-  std::error_code ignored;
   targets.insert(targets.begin(), folder / kDatasetName);
   for (const fs::path& path : targets) {
-    if (!fs::exists(fs::symlink_status(path, ignored))) continue;
+    if (std::error_code none; !fs::exists(fs::symlink_status(path, none))) continue;
     refuse("dataset-folder-taken",
            fmt::format("there is a {} in {} already", path.filename().generic_string(), folder.generic_string()),
            "it may have been measured: name another folder with -o", {path.generic_string()});

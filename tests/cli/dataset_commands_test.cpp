@@ -95,7 +95,6 @@ TEST_CASE("identify refuses numbers that cannot be, and writes them when it is f
     scratch.file("other.toml", other);
     std::filesystem::remove_all(scratch.path("sim"));
     REQUIRE(run(scratch, "simulate -d plan/dataset.toml -o sim -m other.toml").code == 0);
-    std::filesystem::remove(scratch.path("forced.posterior.toml"));  // of the model that was written before
     const Outcome refused = run(scratch, "identify -d sim/dataset.toml -o no.toml --json no.json " + kModel);
     INFO(refused.err);
     CHECK(refused.code == 1);

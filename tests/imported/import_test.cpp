@@ -158,7 +158,6 @@ TEST_CASE(
     scratch.file("c.csv", text);
     const Diagnostic d =
         refusal_of([&] { made(scratch, kMapHead + kAngleAndBar + map_run("one", "c.csv"), {"c.csv"}); });
-    INFO(to_text(d));
     CHECK(d.code == "import-number");
     CHECK(d.place.line == 52);
   }
@@ -174,7 +173,6 @@ TEST_CASE("a time in another unit than the map says is refused by the feed") {
                             "\"}\nangle = {name = \"a\", unit = \"deg\"}\nradial = {name = \"r\", unit = \"um\"}\n" +
                             map_run("one", "c.csv");
     const Diagnostic d = refusal_of([&] { made(scratch, map, {"c.csv"}); });
-    INFO(unit << " " << to_text(d));
     CHECK(d.code == "import-value");
     CHECK(d.help.find("unit of the column time") != std::string::npos);
   }

@@ -45,7 +45,7 @@ TEST_CASE("a flaw of a map is refused at its place") {
        "import-value", 5},
       {kMapHead + "[columns]\nangle = {name = \"a\", unit = \"deg\"}\nradial = {name = \"r\", unit = \"um\"}\n" + run +
            "start_angle_deg = 10\n",
-       "import-value", 15},
+       "import-value", 16},
       {kMapHead + "[table]\ndecimal = \",\"\n[columns]\n" + run, "import-value", 3},
       {kMapHead + "[table]\nheader = false\n[columns]\nradial = {name = \"r\", unit = \"um\"}\n" + run, "import-value",
        6},
