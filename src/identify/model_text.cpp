@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -227,19 +228,32 @@ class Writer {
     }
   }
 
-  // In the place of another one that the file names.
+  // In the place of another one that the file names. Where there is none now, no table says that there is.
   void posterior() {
-    const PosteriorName name = changes_.posterior.value_or(PosteriorName{});
-    std::string missing;
-    for (const auto& [key, text] : {std::pair("file", name.file), std::pair("hash", name.hash)}) {
-      const machine::ModelValue& value = machine_.value("posterior", key);
-      if (value.given()) {
-        splices_.push_back({value.span, fmt::format("\"{}\"", text)});
-      } else if (changes_.posterior) {
-        missing += fmt::format("{} = \"{}\"\n", key, text);
-      }
+    const machine::ModelValue& file = machine_.value("posterior", "file");
+    const machine::ModelValue& hash = machine_.value("posterior", "hash");
+    if (changes_.posterior && file.given() && hash.given()) {
+      splices_.push_back({file.span, fmt::format("\"{}\"", changes_.posterior->file)});
+      splices_.push_back({hash.span, fmt::format("\"{}\"", changes_.posterior->hash)});
+      return;
     }
-    if (!missing.empty()) tables_ += (tables_.empty() ? "[posterior]\n" : "\n[posterior]\n") + missing;
+    if (const TomlEntry* const table = document().root.find("posterior")) drop_lines(*table);
+    if (!changes_.posterior) return;
+    tables_ += fmt::format("{}[posterior]\nfile = \"{}\"\nhash = \"{}\"\n", tables_.empty() ? "" : "\n",
+                           changes_.posterior->file, changes_.posterior->hash);
+  }
+
+  // Of a table and its keys, one of which may stand beside another.
+  void drop_lines(const TomlEntry& table) {
+    const std::string& text = document().text;
+    std::set<std::size_t> dropped;
+    const auto drop = [&](const TextSpan& span) {
+      const std::size_t begin = text.rfind('\n', span.offset) + 1;  // npos + 1 is 0
+      const std::size_t end = std::min(text.find('\n', span.offset), text.size() - 1) + 1;
+      if (dropped.insert(begin).second) splices_.push_back({{begin, end - begin}, ""});
+    };
+    drop(table.key_span);
+    for (const TomlEntry& entry : table.value.entries) drop(entry.key_span);
   }
 
   void provenance() {

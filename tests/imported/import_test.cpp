@@ -304,7 +304,7 @@ TEST_CASE("what the map says and the file does not hold is refused") {
   CHECK(code(kAngleAndBar, map_run("one", "c.csv", "cw")) == "import-direction");
   CHECK(code(kAngleAndBar, map_run("one", "c.csv") + map_run("two", "c.csv")) == "import-no-circle");
   CHECK(code("[columns]\nradial = {name = \"r\", unit = \"um\"}\n", map_run("one", "c.csv")) == "import-angle");
-  CHECK(code("[columns]\nangle = {name = \"b\", unit = \"deg\"}\n", map_run("one", "c.csv")) == "import-no-column");
+  CHECK(code("[columns]\nradial = {name = \"b\", unit = \"um\"}\n", map_run("one", "c.csv")) == "import-no-column");
   CHECK(code(kAngleAndBar + "[clock]\nmotors_later_s = 1\n", map_run("one", "c.csv")).empty());  // no motors
 }
 

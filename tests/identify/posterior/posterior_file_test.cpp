@@ -83,6 +83,7 @@ TEST_CASE("a model names its posterior, and what belongs to other numbers is not
   CHECK(again.find("file = \"other.toml\"") != std::string::npos);
   changes.posterior.reset();
   CHECK_FALSE(known_of(machine::parse_model(model_text(named, changes), folder.path("m.toml"))).from_data);
+  CHECK(model_text(named, changes).find("[posterior]") == std::string::npos);
 
   // another file of that name
   folder.file("m.posterior.toml", text + "\n");
