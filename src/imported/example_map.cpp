@@ -28,9 +28,13 @@ angle = {name = "Angle", unit = "deg"}                  # deg, rad: commanded, f
 radial = {name = "Deviation", unit = "um"}              # um, mm, m, inch, nm; sign = -1: inward counts positive there
 # radial = {name = "Length", unit = "mm", minus = 150}  # a whole length: minus that of the bar
 torque1 = {name = "M1", unit = "Nm"}                    # Nm, Nmm, Ncm; positive where the strut is pulled
+torque2 = {name = "M2", unit = "Nm"}                    # all six, each from the column of that strut's motor, or none
+torque3 = {name = "M3", unit = "Nm"}
+torque4 = {name = "M4", unit = "Nm"}
+torque5 = {name = "M5", unit = "Nm"}
+torque6 = {name = "M6", unit = "Nm"}
 # torque1 = {name = "M1", unit = "A", Nm_per_A = 0.85}  # a current, by the torque constant of the motor
 # torque1 = {name = "M1", unit = "percent", rated_Nm = 12, sign = -1}
-# ... torque6, each from the column of that strut's motor
 
 # [clock]
 # motors_later_s = 0.12           # the motors' clock shows so much more than the bar's at the same moment

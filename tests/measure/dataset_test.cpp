@@ -123,6 +123,8 @@ TEST_CASE("a dataset is written over no other one, nor over a table") {
   const Scratch scratch;
   scratch.file("run.csv", table_text());
   const Dataset dataset = read_dataset(scratch.file("dataset.toml", dataset_text()));
+  std::filesystem::create_directories(scratch.path("measured"));
+  std::filesystem::create_directories(scratch.path("table"));
   scratch.file("measured/dataset.toml", "# another one\n");
   scratch.file("table/run.csv", "measured\n");
   std::filesystem::create_directories(scratch.path("folder/run.csv"));
