@@ -47,6 +47,11 @@ std::size_t GrowingOutput::read(std::uint64_t offset, char* into, std::size_t co
   return got;
 }
 
+bool GrowingOutput::ends_block(std::uint64_t offset) const {
+  const std::scoped_lock lock(guard_);
+  return offset == size_;
+}
+
 ReadBack::ReadBack(const InputFile& source, const nc::Dialect& dialect, const nc::ProgramSettings& program,
                    const nc::EmitSettings& emit, OutputFile& out, bool unrolled)
     : out_(out), text_(out), check_(source, text_, dialect, program, emit, unrolled), thread_([this] { read(); }) {}
@@ -66,7 +71,8 @@ void ReadBack::offer(Intention& intention, Span guard) {
   if (batch.blocks.size() >= kBlocks || batch.points.size() >= kPoints) hand_over(intention, guard);
 }
 
-// The text goes out before what it shall mean: who waits for more of it finds no batch waiting.
+// The text goes out before what it shall mean: the reader never waits for text of a block that it was told of. It must
+// not wait for the text behind either, since thousands of blocks may write none.
 void ReadBack::hand_over(Intention& intention, Span guard) {
   if (observer_) observer_(intention.batch());
   out_.flush();

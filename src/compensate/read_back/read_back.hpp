@@ -16,12 +16,13 @@
 #include "compensate/read_back/figures.hpp"
 #include "compensate/read_back/intention.hpp"
 #include "compensate/read_back/output_check.hpp"
+#include "nc/syntax/growing_text.hpp"
 
 namespace plumbline::compensate {
 
 /// What was written of an output so far, up to the end of a line; who asks for more waits. The lines of its guard are
 /// blank: whether the control stops there is decided on the machine.
-class GrowingOutput final : public InputFile {
+class GrowingOutput final : public InputFile, public nc::GrowingText {
  public:
   explicit GrowingOutput(const OutputFile& out) : InputFile(Unopened{out.name()}), out_(out) {}
 
@@ -30,6 +31,7 @@ class GrowingOutput final : public InputFile {
   /// There will be no more.
   void end();
   std::size_t read(std::uint64_t offset, char* into, std::size_t count) const override;
+  bool ends_block(std::uint64_t offset) const override;
   void check_unchanged() const override {}  // it is being written
 
  private:

@@ -7,7 +7,11 @@
 namespace plumbline::nc {
 
 LineSource::LineSource(const InputFile& file, char goes_on, std::size_t window)
-    : file_(file), goes_on_(goes_on), size_(window + 1), window_(std::make_unique_for_overwrite<char[]>(size_)) {}
+    : file_(file),
+      growing_(dynamic_cast<const GrowingText*>(&file)),
+      goes_on_(goes_on),
+      size_(window + 1),
+      window_(std::make_unique_for_overwrite<char[]>(size_)) {}
 
 // Moves what is left to the front and reads after it; a NUL follows.
 void LineSource::fill() {
@@ -51,7 +55,9 @@ bool LineSource::next(Line& line) {
   const std::size_t enough = size_ / 2;
   while (newline != nullptr && goes_on_ != '\0') {
     std::size_t after = static_cast<std::size_t>(newline - window_.get()) + 1;
-    if (begin_ > 0 && (after == end_ || find_end(after) == nullptr)) {
+    const bool seen = after < end_ && (window_[after] != goes_on_ || find_end(after) != nullptr);
+    if (after == end_ && growing_ != nullptr && growing_->ends_block(place_.offset + (after - begin_))) break;
+    if (begin_ > 0 && !seen) {
       after -= begin_;
       fill();
       newline = window_.get() + after - 1;

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/files/files.hpp"
+#include "nc/syntax/growing_text.hpp"
 
 namespace plumbline::nc {
 
@@ -45,6 +46,7 @@ class LineSource {
   void fill();
   bool goes_on(std::size_t next);
   const InputFile& file_;
+  const GrowingText* growing_;  // null: the file is whole
   char goes_on_;
   std::size_t size_;                // of the window
   std::unique_ptr<char[]> window_;  // not zeroed: a short program touches little of it
