@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kStandsOnR = 1e-6;  // mm
 constexpr double kBeside = 1e-6;     // mm
+constexpr double kShownInFull = 1e-3;  // mm below which four decimals say too little
 // The length over which a turn that varies along a hole counts like a shift that does.
 constexpr double kTurnOverMm = 100;
 
@@ -75,9 +76,9 @@ void HoleCorrector::refuse_varying(const CorrectedHole& hole) const {
     if (varies <= settings_.cycle_tolerance_mm) continue;
     refuse(
         "compensate-cycle",
-        fmt::format("the correction varies by {:.4f} mm along this hole, and a cycle that works the spindle can only "
+        fmt::format("the correction varies by {} mm along this hole, and a cycle that works the spindle can only "
                     "be shifted as a whole",
-                    varies),
+                    varies < kShownInFull ? fmt::format("{:.2g}", varies) : fmt::format("{:.4f}", varies)),
         "allow more with --cycle-tolerance, or drill a shorter hole", place_of(step_of(hole)));
   }
 }
@@ -119,13 +120,13 @@ void HoleCorrector::check_level(const CorrectedHole& corrected) const {
         "state a level above R with G71, 1 mm is enough, or go back to R with M54", place_of(step));
   }
   if (std::abs(stands - level) < (goes_to_start ? kStandsOnR : nc::kSameLevel) && (on_bottom || r <= level)) return;
-  if (!to_r && std::abs(stands_at_ - level) >= kStandsOnR) {
-    refuse(
-        "compensate-cycle",
-        fmt::format("the tool stands at {0}{1:.6g} and not on the level of G71, {0}{2:.6g}: how it comes to the hole "
-                    "and back from there was found in no source",
-                    letter(normal), stands_at_, level),
-        fmt::format("move to {}{:.6g} with G0 before the cycle", letter(normal), level), place_of(step));
+  const double original = to_r ? hole.r : hole.clear;
+  if (!goes_to_start && std::abs(stands_at_ - original) >= nc::kSameLevel) {
+    refuse("compensate-cycle",
+           fmt::format("the tool stands at {0}{1:.6g} and not on {2}, {0}{3:.6g}: how it comes from there to a hole "
+                       "that the correction moves was found in no source",
+                       letter(normal), stands_at_, to_r ? "R" : "the level of G71", original),
+           fmt::format("move to {}{:.6g} with G0 before the cycle", letter(normal), original), place_of(step));
   }
   refuse("compensate-cycle",
          fmt::format("the correction puts the tool {:.3f} mm off {}, on which it stands in the original: how it comes "

@@ -55,12 +55,23 @@ void refuse_offset_beside_spindle(const nc::Step& step) {
   }
 }
 
-// A rigid tap ends at any other motion: its blocks stay as they are, their holes shifted.
+bool names_its_cycle(const nc::Step& step, const nc::Dialect& dialect) {
+  return std::any_of(step.block->words.begin(), step.block->words.end(), [&](const nc::Word& word) {
+    const nc::CodeRow* const row = nc::is_code(word) ? dialect.row_of(word) : nullptr;
+    return row != nullptr && row->action == nc::Action::cycle;
+  });
+}
+
+// A rigid tap ends at any other motion: its blocks stay as they are, their holes shifted. A cycle of an OSP that is
+// named anew states all its words, and goes on from none.
 void refuse_unless_in_place(const nc::Step& step, bool goes_on, const nc::Dialect& dialect) {
   if (step.cycle != nc::CycleForm::spindle || !dialect.behaviour.fanuc_cycles) return;
-  if (goes_on) {
+  const bool states_all = dialect.behaviour.return_levels;
+  if (goes_on && !(states_all && names_its_cycle(step, dialect))) {
     refuse("compensate-cycle", "this cycle goes on from one that is written out as moves",
-           "write G80 before it, and state all of its words", place_of(step));
+           states_all ? "write the code of the cycle and all of its words into this block"
+                      : "write G80 before it, and state all of its words",
+           place_of(step));
   }
   if (nc::WrittenMoves::is_one_hole(step)) return;
   refuse("compensate-cycle",
