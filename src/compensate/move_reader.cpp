@@ -40,6 +40,13 @@ std::string where_unknown(const UnknownPosition& unknown) {
 }
 
 std::string way_to_known(const UnknownPosition& unknown, std::string_view axes) {
+  if (unknown.stop.empty() && unknown.no_system) {
+    return fmt::format(
+        "move {} with G0 to a stated position first, after the first G15 as well: which work system is in force at the "
+        "start is not known, so that --start cannot say it; after a tool change say --keeps-position M6 if the axes "
+        "stand where they stood",
+        axes);
+  }
   if (unknown.stop.empty()) {
     return fmt::format(
         "move {} with G0 to a stated position first, after G28 and G30 as well, or say where the machine stands: "
@@ -149,6 +156,7 @@ UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
     found.stop = fmt::format("{} in line {}{}", stop_.name, stop_.line, here ? "" : fmt::format(" of {}", stop_.file));
     found.stop_code = stop_.code;
   }
+  found.no_system = dialect_.behaviour.no_work_system_at_start && !(found.missing & AxisSet::linear()).empty();
   if ((found.missing & AxisSet::rotary()).empty()) return found;
   at_zero_ = at_zero_ | ((found.missing & AxisSet::rotary()) - settings_.named - away_);
   const AxisWords origin = step.frame->to_pose({});

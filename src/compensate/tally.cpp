@@ -7,6 +7,7 @@
 
 #include "base/units.hpp"
 #include "compensate/move_reader.hpp"
+#include "nc/sequence/program_ends.hpp"
 #include "path/duration.hpp"
 #include "path/figures.hpp"
 #include "physics/effect_info.hpp"
@@ -46,8 +47,10 @@ void Tally::take_block(const nc::Step& step) {
   }
   const nc::Block& block = *step.block;
   const bool percent = block.kind == nc::LineKind::percent;
-  if (block.kind == nc::LineKind::ignored || (block.words.empty() && !percent)) return;
-  ended_ = percent || std::any_of(block.words.begin(), block.words.end(), [&](const nc::Word& word) {
+  const bool returns = block.flow.word == nc::FlowWord::give_back && !step.flow &&
+                       step.block_delete != nc::BlockDelete::left_out;  // RTS, RET: the file is a subprogram
+  if (block.kind == nc::LineKind::ignored || (block.words.empty() && !percent && !returns)) return;
+  ended_ = percent || returns || std::any_of(block.words.begin(), block.words.end(), [&](const nc::Word& word) {
              const nc::CodeRow* const row = word.letter == 'M' ? dialect_.row_of(word) : nullptr;
              return row != nullptr && (row->action == nc::Action::end || row->action == nc::Action::end_program);
            });
@@ -247,7 +250,9 @@ void Tally::warn_of_no_end(Summary& summary) const {
   place.file = source_.name();
   place.line = last_line_;
   summary.warnings.push_back({"compensate-no-end", "the program ends without M2 or M30",
-                              "some controls stop with an alarm there, and leave spindle and coolant on: add one",
+                              fmt::format("some controls stop with an alarm there, and leave spindle and coolant on: "
+                                          "add one, or, if other programs call this file, {}",
+                                          nc::how_programs_end(dialect_)),
                               std::move(place), Severity::warning});
 }
 

@@ -276,14 +276,17 @@ std::optional<LinePlace> LabelIndex::unreached_but_by(const Targets& targets, bo
   std::optional<LinePlace> found;
   bool ended = false;
   std::size_t program = 0;
+  std::size_t first = 1;  // 0: text stands before the first name of a program
   for_each_head(files_.file(0), dialect_, [&](const LineHead& head, const Line& line) {
     const bool is_head = !line.text.empty() && line.text.front() == dialect_.syntax.goes_on;  // $NAME.MIN%
     if (!head.program.empty()) ++program;
+    if (program == 0 && !is_head && !head.empty) first = 0;
     const auto of_program = targets.find(program);
     const bool is_target = of_program != targets.end() && of_program->second.contains(head.number);
     if (!head.program.empty() || is_target) ended = false;
     if (ended && !found && (is_head || !head.empty)) found = line.place;
-    if (!(head.behind_slash && left_out) && holds_program_end(line.text)) ended = true;
+    const bool returns = head.word == FlowWord::give_back && program <= first;  // to who calls the first program
+    if (!(head.behind_slash && left_out) && (returns || holds_program_end(line.text))) ended = true;
   });
   return found;
 }

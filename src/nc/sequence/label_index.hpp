@@ -75,7 +75,8 @@ class LabelIndex {
   Place shown(std::size_t file, const LinePlace& place) const;
   /// The first program of the program's own file that ends as a main program does, and begins in none of these lines.
   std::optional<LinePlace> other_main(const std::set<std::size_t>& begun);
-  /// The first line of the program's own file that stands behind M2 or M30 where no label and no program begins.
+  /// The first line of the program's own file that stands behind M2 or M30, or behind the RTS of the first program,
+  /// where no label and no program begins.
   /// `left_out`: lines behind / are.
   std::optional<LinePlace> unreached(bool left_out) const;
 

@@ -215,7 +215,8 @@ const Step* Program::Parts::steer() {
   jumped = flow.used();
   const bool declares = block->flow.word == FlowWord::program || block->flow.word == FlowWord::define;
   const FlowEntry entry = flow.take_entry();
-  if (!declares || jumped) step.flow = entry;
+  const bool returns = block->flow.word == FlowWord::give_back && stage == Stage::ended;  // to who calls this file
+  if ((!declares || jumped) && !returns) step.flow = entry;
   note_handed(step);
   return &step;
 }

@@ -18,7 +18,7 @@ namespace {
 
 [[noreturn]] void refuse_unreached(const LabelIndex& labels, const LinePlace& place) {
   refuse(codes::kFlowOpen,
-         "this stands behind the end of the program (M2, M30), and nothing leads to it: it would stay as it is",
+         "this stands behind the end of the program (M2, M30, RTS), and nothing leads to it: it would stay as it is",
          "put another program into a file of its own; take out what is never executed", labels.shown(0, place));
 }
 
@@ -63,11 +63,14 @@ void check_first_of_archive(LabelIndex& labels) {
          labels.shown(0, programs.heads.front().place));
 }
 
-void check_other_programs(LabelIndex& labels, const std::set<std::size_t>& begun, const Dialect& dialect,
-                          bool left_out) {
+void check_other_programs(LabelIndex& labels, const std::set<std::size_t>& begun, const Dialect& dialect, bool left_out,
+                          bool returned) {
   if (dialect.syntax.statements == Statements::high_level) return check_archive(labels, begun);
   if (const std::optional<LinePlace> other = labels.other_main(begun)) refuse_other(labels, *other);
   if (dialect.syntax.statements != Statements::user_task) return;
+  for (const ProgramHead& head : labels.own_programs().heads) {
+    if (returned && !begun.contains(head.place.line)) refuse_other(labels, head.place);
+  }
   if (const std::optional<LinePlace> line = labels.unreached(left_out)) refuse_unreached(labels, *line);
 }
 

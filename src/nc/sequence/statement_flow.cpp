@@ -117,6 +117,7 @@ bool StatementFlow::take(const Block& block) {
         leave(block);
       } else {
         reading_ = Reading::after_end;
+        returned_ = true;
       }
       return true;
     case FlowWord::end_if:
@@ -186,7 +187,7 @@ void StatementFlow::head(const Block& block) {
 }
 
 void StatementFlow::check_others() {
-  check_other_programs(labels_, begun_, dialect_, interpreter_.leaves_out_skipped());
+  check_other_programs(labels_, begun_, dialect_, interpreter_.leaves_out_skipped(), returned_);
 }
 
 // It ends the file, but where it stands before all else.
@@ -349,6 +350,7 @@ bool StatementFlow::end_program(const Block& block, const ProgramCall& program) 
     }
     leave(block);
   } else if (!program.return_to) {
+    returned_ = true;
     return false;  // M99 in the main program: one pass
   }
   if (program.return_to) jump_back(block, *program.return_to, from);

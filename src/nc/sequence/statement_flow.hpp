@@ -64,6 +64,7 @@ class StatementFlow : public Sequencer {
   WaysBack ways_;
   RepeatedSections sections_;
   std::set<std::size_t> begun_;  // the lines of the program's file in which it and its subprograms begin
+  bool returned_ = false;        // the program itself, by what ends subprograms
   Reading reading_ = Reading::head;
   Definitions definitions_;
 };

@@ -12,6 +12,16 @@ namespace plumbline::nc {
 namespace {
 
 constexpr std::size_t kCopyChunk = std::size_t{1} << 16U;
+constexpr std::size_t kTail = 256;  // bytes in which the last % of a file is looked for
+
+bool ends_in_percent(const InputFile& source) {
+  std::string tail(kTail, '\0');
+  tail.resize(source.read(source.size() - std::min<std::uint64_t>(source.size(), kTail), tail.data(), tail.size()));
+  const std::size_t last = tail.find_last_not_of(" \t\r\n");
+  if (last == std::string::npos || tail[last] != '%') return false;
+  const std::size_t before = tail.find_last_not_of(" \t", last == 0 ? 0 : last - 1);
+  return last > 0 && before != std::string::npos && tail[before] == '\n';  // not that of $NAME.MIN%
+}
 
 }  // namespace
 
@@ -40,7 +50,9 @@ void OutputText::follow(const Step& step) {
   const Block& block = *step.block;
   source_end_ = block.offset + block.text.size() + block.line_end.size();
   if (!block.line_end.empty() && (in_header_ || !unrolls_) && newline_ != block.line_end) newline_ = block.line_end;
-  if (block.kind == LineKind::percent) ++percents_;
+  if (block.kind == LineKind::percent && ++percents_ == 1) {
+    begins_by_name_ = block.text.find_first_not_of(" \t\r%") != std::string_view::npos;
+  }
   if (!in_header_) return;
   const bool number = block.flow.word == FlowWord::program && !block.block_delete;
   const bool steers = block.flow.word != FlowWord::none && !number;  // what it sets is no line of an unrolled program
@@ -122,7 +134,7 @@ void OutputText::end_group(const Step& step) {
 
 void OutputText::finish() {
   if (!changed_) copy_source(0, source_.size());
-  if (unrolls_ && percents_ == 1) out_.write("%" + newline_);
+  if (unrolls_ && percents_ == 1 && !(begins_by_name_ && !ends_in_percent(source_))) out_.write("%" + newline_);
 }
 
 }  // namespace plumbline::nc

@@ -78,6 +78,7 @@ class OutputText {
   std::optional<std::uint64_t> group_begin_;  // of the text of blocks that stand for one together
   std::pair<std::uint64_t, std::uint64_t> guard_span_;
   int percents_ = 0;
+  bool begins_by_name_ = false;  // $NAME.MIN%, after which the file may end without %
   bool in_header_ = true;
   std::uint64_t header_end_ = 0;
   std::uint64_t source_end_ = 0;
