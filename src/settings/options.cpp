@@ -147,6 +147,9 @@ void set_work_offset(Options& options, std::string_view text) {
   std::erase(name, ' ');
   if (name.size() > 1 && name.front() == 'H') name.insert(0, "G15");
   const int system = system_of(name);
+  if (system == 0 && name.starts_with("G15H")) {
+    throw OptionError(fmt::format("there is no work system {}: an Okuma OSP has G15H1 to G15H200", name));
+  }
   if (equals == std::string_view::npos || system == 0) throw OptionError(std::string(kExpected));
   const auto values = six_numbers(text.substr(equals + 1));
   if (!values) throw OptionError(std::string(kExpected));

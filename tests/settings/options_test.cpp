@@ -34,6 +34,9 @@ TEST_CASE("a work offset is a system and exactly six numbers") {
     INFO(wrong);
     CHECK_THROWS_AS(with("work-offset", wrong), OptionError);
   }
+  for (const char* const wrong : {"G15H0=0,0,0,0,0,0", "G15 H201=0,0,0,0,0,0", "h999=0,0,0,0,0,0"}) {
+    CHECK_THROWS_WITH(with("work-offset", wrong), Catch::Contains("an Okuma OSP has G15H1 to G15H200"));
+  }
 }
 
 TEST_CASE("a start is six numbers or those of some axes") {

@@ -5,6 +5,7 @@
 
 #include "base/text/characters.hpp"
 #include "nc/control/execution.hpp"
+#include "nc/control/parameters/expression.hpp"
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {
@@ -238,6 +239,9 @@ void act(Execution& run, const Chosen& chosen) {
       if (chosen.word->value < 0) {
         run.refuse(*chosen.word, codes::kNegative, "the spindle speed is negative",
                    "write S0 or more; M4 turns backwards");
+      }
+      if (run.dialect.behaviour.whole_words.find('S') != std::string::npos) {
+        whole_number(*run.block, chosen.word->span, chosen.word->value, "the spindle speed");
       }
       run.control.spindle_speed = run.control.modal.switches.speed = chosen.word->value;
       return;

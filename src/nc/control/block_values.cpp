@@ -146,13 +146,25 @@ std::string_view name_left_open(const Block& block, std::uint32_t code, Paramete
             "a program that depends on a probe or an input cannot be compensated beforehand");
 }
 
+// "SIN[30]" of SIN30 or X=SIN30, which the control reads as the name of a variable; empty: it is none such.
+std::string function_meant(const Dialect& dialect, std::string_view text) {
+  text.remove_prefix(text.find('=') + 1);
+  const std::size_t digits = std::min(text.find_first_of("0123456789"), text.size());
+  if (digits == text.size() || text.find_first_not_of("0123456789.", digits) != std::string_view::npos) return {};
+  const NameMeaning* const meaning = dialect.meaning(text.substr(0, digits));
+  if (meaning == nullptr || meaning->kind != NameMeaning::Kind::function || meaning->arguments != 1) return {};
+  return fmt::format("{}[{}]", text.substr(0, digits), text.substr(digits));
+}
+
 // EMPTY and a variable that was never set are compared; what else comes of them was found in no source.
-[[noreturn]] void refuse_empty(const Block& block, Span span) {
+[[noreturn]] void refuse_empty(const Dialect& dialect, const Block& block, Span span) {
+  const std::string function = function_meant(dialect, block.at(span));
   refuse_at(block, span, codes::kParameterUnset,
             fmt::format("a value of {} is EMPTY, or a variable that was never set: what comes of that but a comparison "
                         "was found in no source",
                         block.at(span)),
-            "set the variable before, or ask with EQ EMPTY or NE EMPTY");
+            function.empty() ? "set the variable before, or ask with EQ EMPTY or NE EMPTY"
+                             : fmt::format("if the function is meant, write {}", function));
 }
 
 }  // namespace
@@ -165,7 +177,7 @@ BlockValues::BlockValues(Execution& run)
 
 double BlockValues::value_of(const Block& block, std::uint32_t code, Span span) {
   const Value value = evaluator_.run(block, code, system_parameters_);
-  if (value.vacant && run_.dialect.syntax.empty_names) refuse_empty(block, span);
+  if (value.vacant && run_.dialect.syntax.empty_names) refuse_empty(run_.dialect, block, span);
   if (value.known) return value.number;
   refuse_unknown(run_, block, code, span, system_parameters_,
                  "where the program goes on is known only when the machine runs");
@@ -200,9 +212,11 @@ void BlockValues::evaluate(Block& block) {
 void BlockValues::leave_out_vacant_words(Block& block) {
   for (const Word& word : block.words) {
     if (!word.vacant || run_.dialect.syntax.drops_vacant_words) continue;
+    const std::string function = function_meant(run_.dialect, block.at(word.span));
     run_.refuse(word, codes::kParameterUnset, fmt::format("{} was never given a value", block.at(word.span)),
-                run_.dialect.syntax.empty_names ? "set the variable before, or ask with EQ EMPTY"
-                                                : "declare it with DEF, and set it before");
+                !function.empty()                 ? fmt::format("if the function is meant, write {}", function)
+                : run_.dialect.syntax.empty_names ? "set the variable before, or ask with EQ EMPTY"
+                                                  : "declare it with DEF, and set it before");
   }
   for (const Word& word : block.words) {
     if (!word.vacant) continue;
@@ -244,8 +258,9 @@ void BlockValues::evaluate_settings(const Block& block) {
   setting_values_.clear();
   for (std::size_t i = 0; i < block.settings.size(); ++i) {
     const Setting& setting = block.settings[i];
+    if (run_.dialect.syntax.statements == Statements::user_task) check_set_once(block, i);
     Value value = value_before(block, setting.value, i);
-    if (value.vacant && run_.dialect.syntax.empty_names) refuse_empty(block, setting.whole);
+    if (value.vacant && run_.dialect.syntax.empty_names) refuse_empty(run_.dialect, block, setting.whole);
     // #2=#1 alone hands on that there is none: in an expression it counts as 0 [V 13.5; N 20.11.3].
     const std::string_view whole = block.at(setting.whole);
     if (value.bracketed) refuse_bracketed(block, setting);
@@ -269,24 +284,29 @@ void BlockValues::assign(const Block& block) {
   apply(block);
 }
 
+// Of the settings of a block before this one.
+void BlockValues::check_set_once(const Block& block, std::size_t setting) {
+  const auto name = [&](std::size_t of) {
+    return std::string(run_.control.parameters.plain(block.at(block.names[block.settings[of].name])));
+  };
+  for (std::size_t before = 0; before < setting; ++before) {
+    if (setting_numbers_[before] != setting_numbers_[setting]) continue;
+    if (setting_numbers_[setting] == kNamed && name(before) != name(setting)) continue;
+    const Span span = block.settings[setting].span;
+    refuse_at(block, span, codes::kNotInterpreted,
+              fmt::format("{} is set twice in this block, and no source says which value it has then", block.at(span)),
+              "leave one of the two");
+  }
+}
+
 std::vector<Value> BlockValues::values_of_call(const Block& block) {
   number_settings(block);
   std::vector<Value> values;
   for (std::size_t i = 0; i < block.settings.size(); ++i) {
     const Setting& setting = block.settings[i];
-    for (std::size_t k = 0; k < i; ++k) {
-      if (setting_numbers_[k] != setting_numbers_[i]) continue;
-      const auto name = [&](std::size_t of) {
-        return run_.control.parameters.plain(block.at(block.names[block.settings[of].name]));
-      };
-      if (setting_numbers_[i] == kNamed && std::string(name(k)) != std::string(name(i))) continue;
-      refuse_at(block, setting.span, codes::kNotInterpreted,
-                fmt::format("{} is set twice in this call, and no source says which value it has then",
-                            block.at(setting.span)),
-                "leave one of the two");
-    }
+    check_set_once(block, i);
     values.push_back(value_before(block, setting.value, i));
-    if (values.back().vacant && run_.dialect.syntax.empty_names) refuse_empty(block, setting.whole);
+    if (values.back().vacant && run_.dialect.syntax.empty_names) refuse_empty(run_.dialect, block, setting.whole);
   }
   return values;
 }

@@ -43,6 +43,7 @@ class BlockValues {
   int setting_number(const Block& block, const Setting& setting);
   void number_settings(const Block& block);
   void evaluate_settings(const Block& block);
+  void check_set_once(const Block& block, std::size_t setting);
   Value value_before(const Block& block, std::uint32_t code, std::size_t settings, const Rounding& rounding = {});
   void set_parameter(const Block& block, const Setting& place, int number, Value value);
   void note_handed_name(const Block& block, const Setting& place, Value value);

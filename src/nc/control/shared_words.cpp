@@ -126,12 +126,17 @@ void check_tip_mode(const Execution& run) {
              "write P0 or leave it out, so that A, B and C turn evenly");
 }
 
-// What NCYL does where no cycle is in force was found in no source.
+// What NCYL does where no cycle is in force was found in no source, nor what it does alone.
 void check_no_hole(const Execution& run) {
-  if (run.motion == nullptr || run.motion->action == Action::cycle) return;
+  if (run.motion != nullptr && run.motion->action == Action::cycle) return;
   const auto none = std::find_if(run.chosen.begin(), run.chosen.end(),
                                  [](const Chosen& code) { return code.row->action == Action::no_hole; });
   if (none == run.chosen.end()) return;
+  if (run.motion == nullptr) {
+    run.refuse(*none->word, codes::kNotInterpreted,
+               fmt::format("what {} does without X and Y was found in no source", run.text_of(*none->word)),
+               "write it beside X or Y of the place to go to, or leave it out");
+  }
   run.refuse(
       *none->word, codes::kNotInterpreted,
       fmt::format("{} says that nothing is drilled, and no drilling cycle is in force", run.text_of(*none->word)),

@@ -117,10 +117,11 @@ void check_argument(const Execution& run, const Word& word) {
              "write it with a decimal point");
 }
 
-// S[1000.4] is S1000: what is worked out for a whole number is rounded [cncarea.com on whole numbers].
+// S[1000.4] is S1000: what a Fanuc works out for a whole number is rounded [cncarea.com on whole numbers].
 void round_speed(const Execution& run, Word& word) {
   const bool whole = run.dialect.behaviour.whole_words.find('S') != std::string::npos;
-  if (whole && word.expression != kLiteral) word.value = std::round(word.value);
+  const bool rounds = run.dialect.syntax.statements == Statements::macro_b;
+  if (whole && rounds && word.expression != kLiteral) word.value = std::round(word.value);
 }
 
 bool has_code(const Execution& run, const Block& block, Action action) {

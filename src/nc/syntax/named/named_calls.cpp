@@ -139,6 +139,11 @@ void read_call_statement(BlockReading& in) {
   flow.name = cursor.span();
   cursor.take(lex_named_item);
   for (; !cursor.is(TokenKind::end); cursor.take(lex_named_item)) {
+    const bool counts = cursor.is_letter(TokenKind::word, 'Q') || cursor.is_letter(TokenKind::letter, 'Q');
+    if (counts && flow.count != kLiteral) {
+      cursor.refuse(cursor.span(), codes::kNotInterpreted,
+                    "Q stands twice in this call, and no source says which of the two counts", "leave one of the two");
+    }
     if (cursor.is(TokenKind::parenthesis)) {
       pass_comment(in);
     } else if (cursor.is_letter(TokenKind::word, 'Q')) {

@@ -142,6 +142,10 @@ void named_letter(BlockReading& in) {
     in.cursor.refuse(span, codes::kAssignment, fmt::format("{} takes no value behind =, as N, G and L do", letter),
                      "write the code itself, and choose between codes by IF");
   }
+  if (letter == 'G' && in.syntax->statements == Statements::user_task) {
+    in.cursor.refuse(span, codes::kNotInterpreted, "whether G takes a value behind = was found in no source",
+                     "write the code itself, as in G1, and choose between codes by IF");
+  }
   in.cursor.pass();
   read_assigned_word(in, letter, span);
 }

@@ -250,8 +250,10 @@ ValueKind named_value_until(BlockReading& in, TokenKind kind) {
   if (in.cursor.is(TokenKind::end)) {
     in.cursor.refuse(open, codes::kBracketOpen, "the bracket is not closed", "add the one that closes it");
   }
+  const bool is_name = in.cursor.is(TokenKind::identifier);
   in.cursor.refuse(in.cursor.span(), codes::kOperator,
-                   fmt::format("{} is no operator", shown(*in.cursor.token().begin)),
+                   fmt::format("{} is no operator",
+                               is_name ? std::string(text_of(in.cursor.token())) : shown(*in.cursor.token().begin)),
                    "between two values stands an operator, after the last one the closing bracket");
 }
 
@@ -342,7 +344,27 @@ bool is_reserved(const BlockReading& in, std::string_view name) {
   return !in.syntax->reserved.empty() && upper(name.front()) == in.syntax->reserved.front();
 }
 
+namespace {
+
+// VC1EQ1: the variable that begins it; empty: none does.
+std::string_view glued_variable(const BlockReading& in, std::string_view name) {
+  std::size_t digit = 0;
+  while (digit < name.size() && !is_digit(name[digit])) ++digit;
+  std::size_t end = digit;
+  while (end < name.size() && is_digit(name[end])) ++end;
+  const bool glued = end > digit && end < name.size() && is_numbered_variable(in, name.substr(0, end));
+  return glued ? name.substr(0, end) : std::string_view{};
+}
+
+}  // namespace
+
 void refuse_reserved(const BlockReading& in, Span span) {
+  if (const std::string_view variable = glued_variable(in, in.out.at(span)); !variable.empty()) {
+    in.cursor.refuse(span, codes::kOperator, fmt::format("{} is read as one name", in.out.at(span)),
+                     fmt::format("put a blank behind {}, and one on each side of a comparison or an operator that is a "
+                                 "word",
+                                 variable));
+  }
   in.cursor.refuse(
       span, codes::kNotInterpreted,
       fmt::format("{} is a variable of the control itself, which is not interpreted", in.out.at(span)),

@@ -181,6 +181,12 @@ void read_assigned_variable(BlockReading& in, Span name, const NameMeaning* mean
   setting.span = name;
   const std::string_view text = in.out.at(name);
   if (meaning != nullptr && meaning->kind == NameMeaning::Kind::function) {
+    if (!item_follows(in, TokenKind::equals) && meaning->arguments > 0) {
+      in.cursor.refuse(name, codes::kFunction, fmt::format("{} is a function, and stands here outside a value", text),
+                       in.syntax->open == '[' ? fmt::format("write its values in brackets behind it, as in X={}[VC1{}]",
+                                                            text, meaning->arguments > 1 ? ",2" : "")
+                                              : fmt::format("write it as part of a value, as in X={}(R1)", text));
+    }
     in.cursor.refuse(name, codes::kAssignment, fmt::format("{} is no variable", text), "choose another name");
   }
   if (is_numbered_variable(in, text)) {

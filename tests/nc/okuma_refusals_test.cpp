@@ -1,0 +1,77 @@
+// What no source says of an OSP's language, and how it is told.
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "nc/osp_cases.hpp"
+#include "nc/programs.hpp"
+
+using namespace plumbline;
+using namespace plumbline::nc;
+using namespace plumbline::nc::tests;
+
+TEST_CASE("OSP: what stands behind the RTS of the first program is refused as behind M2") {
+  check_osp({{"G15 H1 G0 X0 Y0 Z0\nG1 X5 F300\nRTS\nX6\nM2\n", 4, 1, "nc-flow-open", "RTS"},
+             {"O1\nG15 H1 G0 X0 Y0 Z0\nN5 RTS (BACK)\nX6\n", 4, 1, "nc-flow-open"},
+             {"RTS\nOB\nG1 X9 F300\nRTS\n", 2, 1, "nc-flow-open", "of its own"},
+             {"O1\nG15 H1 G0 X0 Y0 Z0\nCALL OB\nRTS\nOB\nX5\nRTS\nOC\nX7\nRTS\n", 8, 1, "nc-flow-open"}});
+  check_osp({{"O1\nG15 H1 G0 X0 Y0 Z0\nCALL OB\nRTS\nOB\nX5\nRTS\n", 0, 0},
+             {"O1\nG15 H1 G0 X0 Y0 Z0\nIF [1 EQ 1] N9\nRTS\nN9 X5\nRTS\n", 0, 0},
+             {"O1\nG15 H1 G0 X0 Y0 Z0\nRTS\n(THE END)\n%\n", 0, 0},
+             {"O1\nG15 H1 G0 X0 Y0 Z0\nCALL OB\nM2\nOB\nIF [1 EQ 1] N9\nRTS\nN9 X5\nRTS\n", 0, 0}});
+}
+
+TEST_CASE("OSP: the speed of the spindle is a whole number") {
+  const std::string begin = "G15 H1 G0 X0 Y0 Z0\n";
+  for (const std::string block : {"S1500.5 M3\n", "S=1001/2 M3\n", "S=2/3\n", "S=1000-0.5\n", "S=1000.6\n"}) {
+    check_osp({{(begin + block + "M2\n").c_str(), 2, 1, "nc-not-whole", "speed"}});
+  }
+  for (const std::string block : {"S1500 M3\n", "S1500.\n", "S=3000/2 M3\n", "S=0.1*30\n"}) {
+    check_osp({{(begin + block + "M2\n").c_str(), 0, 0}});
+  }
+}
+
+TEST_CASE("OSP: G takes no value, and no variable or count stands twice in a block") {
+  const std::string begin = "G15 H1 G0 X0 Y0 Z0\nVC1=1\n";
+  for (const std::string block : {"G=1 X5 F100\n", "G=VC1 X5 F100\n", "G=VC1+1\n", "VC2=5 VC2=6\n", "VC2=5 VC02=6\n",
+                                  "CALL OA Q2 PX=5 Q3\n", "CALL OA Q2 Q2\n", "CALL OA Q=VC1 Q3\n"}) {
+    const std::string program = begin + block + "M2\nOA\nRTS\n";
+    const ProgramFile text(program);
+    INFO(block);
+    const std::optional<Diagnostic> found = refusal_of(program, empty_tables(), "okuma");
+    REQUIRE(found);
+    CHECK(found->code == "nc-not-interpreted");
+    CHECK(found->place.line == 3);
+  }
+  check_osp({{(begin + "VC2=5 VC3=6\nCALL OA PX=5 Q2\nCALL OA Q2 PX=5 PY=3\nM2\nOA\nRTS\n").c_str(), 0, 0}});
+}
+
+TEST_CASE("OSP: NCYL goes to a place") {
+  const std::string begin = "G15 H1 G0 X0 Y0 Z50\nG71 Z50 M53\n";
+  check_osp({{(begin + "G81 X5 Y0 Z-5 R2 F100\nNCYL\nX7\nM2\n").c_str(), 4, 1, "nc-not-interpreted", "X and Y"},
+             {(begin + "NCYL\nM2\n").c_str(), 3, 1},
+             {(begin + "G81 X5 Y0 Z-5 R2 F100\nN9 NCYL (NONE)\nM2\n").c_str(), 4, 4}});
+  check_osp({{(begin + "G81 X5 Y0 Z-5 R2 F100\nNCYL X7\nX9\nM2\n").c_str(), 0, 0}});
+}
+
+TEST_CASE("OSP: values that are written as elsewhere are told how they are written here") {
+  const std::string begin = "G15 H1 G0 X0 Y0 Z0\nVC1=1\n";
+  const auto help = [&](const std::string& block) {
+    const std::optional<Diagnostic> found = refusal_of(begin + block + "N20 M2\n", empty_tables(), "okuma");
+    return found ? found->message + "; " + found->help : std::string();
+  };
+  const auto says = [&](const std::string& block, const std::string& part) {
+    const std::string said = help(block);
+    INFO(block << said);
+    CHECK(said.find(part) != std::string::npos);
+  };
+  says("X=VC1 MOD 4\n", "X=MOD[VC1,2]");
+  says("VC2=VC1 SIN 4\n", "X=SIN[VC1]");
+  says("IF[VC1EQ1]N20\n", "a blank behind VC1");
+  says("VC2=VC1MOD4\n", "a blank behind VC1");
+  check_osp({{"G15 H1 G0 X0 Y0 Z0\nX=SIN30\nM2\n", 2, 1, "nc-parameter-unset", "write SIN[30]"},
+             {"G15 H1 G0 X0 Y0 Z0\nVC2=SQRT4\nM2\n", 2, 1, "nc-parameter-unset", "write SQRT[4]"},
+             {"G15 H1 G0 X0 Y0 Z0\nX=PX30\nM2\n", 2, 1, "nc-parameter-unset", "EMPTY"}});
+  says("IF [VC1 EQ1] N20\n", "EQ1 is no operator");
+}
