@@ -234,7 +234,7 @@ TEST_CASE("OSP: what was worked out has a point only where the control takes one
   const Job job = job_of_control("okuma");
   const std::string text =
       "G15 H1\nG90 G94 G0 X0 Y0 Z20 A0 B0 C0\nVC1=1\nNA IF [VC1 GT 1] NB\nS=1000*VC1 M3\nG15 H=VC1\nG0 X0 Y0 Z20\n"
-      "G=VC1 X=VC1*5 F=100*2\nG4 F=VC1/2\nG56 H=VC1-1\nVC1=VC1+1\nGOTO NA\nNB M2\n";
+      "G1 X=VC1*5 F=100*2\nG4 F=VC1/2\nG56 H=VC1-1\nVC1=VC1+1\nGOTO NA\nNB M2\n";
   const std::string out = run(text, job).text;
   INFO(out);
   CHECK(holds(out, "^S1000 M3$"));
