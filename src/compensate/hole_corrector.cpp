@@ -11,8 +11,8 @@
 namespace plumbline::compensate {
 namespace {
 
-constexpr double kStandsOnR = 1e-6;  // mm
-constexpr double kBeside = 1e-6;     // mm
+constexpr double kStandsOnR = 1e-6;    // mm
+constexpr double kBeside = 1e-6;       // mm
 constexpr double kShownInFull = 1e-3;  // mm below which four decimals say too little
 // The length over which a turn that varies along a hole counts like a shift that does.
 constexpr double kTurnOverMm = 100;
@@ -74,12 +74,11 @@ void HoleCorrector::refuse_varying(const CorrectedHole& hole) const {
     const AxisWords off = point.shift - hole.shift;
     const double varies = std::max(length_mm(off), path::largest_turn_deg(off) * kDeg * kTurnOverMm);
     if (varies <= settings_.cycle_tolerance_mm) continue;
-    refuse(
-        "compensate-cycle",
-        fmt::format("the correction varies by {} mm along this hole, and a cycle that works the spindle can only "
-                    "be shifted as a whole",
-                    varies < kShownInFull ? fmt::format("{:.2g}", varies) : fmt::format("{:.4f}", varies)),
-        "allow more with --cycle-tolerance, or drill a shorter hole", place_of(step_of(hole)));
+    refuse("compensate-cycle",
+           fmt::format("the correction varies by {} mm along this hole, and a cycle that works the spindle can only "
+                       "be shifted as a whole",
+                       varies < kShownInFull ? fmt::format("{:.2g}", varies) : fmt::format("{:.4f}", varies)),
+           "allow more with --cycle-tolerance, or drill a shorter hole", place_of(step_of(hole)));
   }
 }
 

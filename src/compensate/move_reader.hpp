@@ -43,7 +43,7 @@ struct UnknownPosition {
   AxisSet missing;   // axes that no word said and nobody may take to stand at zero
   AxisSet turned;    // of these: no word names them, but the work offset turns them
   std::string stop;  // the block after which some of them may stand elsewhere, as in "M0 in line 3"; "": none known
-  std::string stop_code;  // its M code
+  std::string stop_code;   // its M code
   bool no_system = false;  // X, Y or Z are missing, and no work system is in force at the start: --start says nothing
 
   bool none() const { return moved.empty() && missing.empty(); }

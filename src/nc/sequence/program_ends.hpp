@@ -23,8 +23,8 @@ void check_first_of_archive(LabelIndex& labels);
 /// Refuses with nc-flow-open where the program's file holds a main program that nothing called, or where a
 /// subprogram is the first of several. `begun`: the lines in which the programs begin that were read. `left_out`: lines
 /// behind / are. `returned`: the first program is a subprogram by its end, and so may each of the file be.
-void check_other_programs(LabelIndex& labels, const std::set<std::size_t>& begun, const Dialect& dialect,
-                          bool left_out, bool returned);
+void check_other_programs(LabelIndex& labels, const std::set<std::size_t>& begun, const Dialect& dialect, bool left_out,
+                          bool returned);
 
 /// What stands behind the main program of an archive.
 struct ProgramsBehind {

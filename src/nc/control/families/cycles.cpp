@@ -197,8 +197,8 @@ void CycleRun::check_shift() {
   cycle_.shift = shift;
 }
 
-// A hole that stays a cycle is shifted by its words: what the control leaves away of them is not known. Of its pecks (Q,
-// I and J) it may be one peck more or less.
+// A hole that stays a cycle is shifted by its words: what the control leaves away of them is not known. Of its pecks
+// (Q, I and J) it may be one peck more or less.
 void check_digits_of_hole(const Execution& run) {
   for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
     if (const Word* const word = run.words.find(axis)) check_digits_of_increment(run, *word, axis);
