@@ -93,3 +93,65 @@ TEST_CASE("a move that turns itself is refused as before") {
     CHECK(code_of(kBegin + cuts + "M2\n", osp()) == "emit-feed-rule");
   }
 }
+
+namespace {
+
+// A program with tiny moves under a rule that counts X, Y and Z alone: its times are kept. Where friction turns the tip
+// jumps, by more than ten micrometres for all struts together.
+void check_joined(const std::string& text, const Job& job) {
+  INFO(text);
+  const Result result = run(text, job);
+  CHECK(result.summary.changed_blocks > 0);
+  CHECK(result.summary.time_change.value < 1e-3);
+  CHECK(result.summary.residual_deg.value < 0.015);
+  CHECK(result.summary.residual_mm.value < 0.022);
+}
+
+Job by_path_group() {
+  Job job = job_of_control("siemens");
+  job.settings.friction = true;
+  return job;
+}
+
+}  // namespace
+
+TEST_CASE("where F is the speed of X, Y and Z, a turn without a way goes with the piece beside it") {
+  const std::string head = "G90 G17 G54 G64 FGROUP(X,Y,Z)\n";
+  for (const char* const cuts : {
+           "G710 G94\nG0 X0 Y0 Z60 A0 B0 C0\nG1 X10 F600\nG3 X10.05 Y.05 I0 J.05\nG1 Y5\n",
+           "G710 G94\nG0 X0 Y0 Z60 A0 B0 C0\nG1 X.1 F20\nG91 G3 X.4 Y.4 I0 J.4\nG1 Y5\n",
+           "G710 G94\nG0 X0 Y0 Z60 A0 B0 C0\nG1 X.1 F20\nG91 G2 X.25 Y-.25 I0 J-.25\nG1 X.1\nG3 X.1 Y.1 J.1\n",
+           "G700 G94\nG0 X0 Y0 Z2 A0 B0 C0\nG1 X.1 F20\nG91 G3 X.04 Y.04 I0 J.04\nG1 Y.5\n",
+           "G710 G94\nG0 X0 Y0 Z60 A0 B0 C0\nG1 X1 F500\nX1.001 A2\nX3\n",
+           "G710 G94\nG0 X0 Y0 Z60 A0 B0 C0\nG1 X1 F500\nG91 X.001 B.2\nX.002 C-.3\nX5\n",
+       }) {
+    check_joined(head + cuts + "M30\n", by_path_group());
+  }
+  check_joined(head + "G710 G95 S1000 M3\nG0 X0 Y0 Z60 A0 B0 C0\nG1 X.1 F.1\nG91 G2 X.2 Y.2 I.2 J0\nG1 Y5\nM30\n",
+               by_path_group());
+}
+
+TEST_CASE("the speed of a tool's tip is kept on tiny arcs under G43.4") {
+  Job job = fanuc_job();
+  job.settings.friction = true;
+  job.program.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
+  const std::string head = "%\nO1\nG17 G21 G90 G94 G54\nG0 X0. Y0. Z20. A0. B0. C0.\nG43.4 H1 Z20.\n";
+  for (const char* const cuts : {
+           "G1 X10. F600.\nG3 X10.05 Y.05 I0. J.05\nG1 Y5.\n",
+           "G1 X1. F500.\nG3 X1.02 Y.02 I0. J.02\nG1 Y2.\n",
+           "G1 X1. F500.\nX1.001 A2.\nX1.002 Y.001 A1.\nX4.\n",
+       }) {
+    check_joined(head + cuts + "M30\n%\n", job);
+  }
+}
+
+TEST_CASE("where no X, Y or Z word is left a correction's turn waits, and a turn of the program's own is refused") {
+  Job job = by_path_group();
+  job.settings.friction = false;
+  const std::string head = "G90 G17 G54 G710 G94 FGROUP(X,Y,Z)\nG0 X0 Y0 Z60 A0 B0 C0\nG1 X1 F500\nG91\n";
+  for (const char* const cut : {"X.0003\n", "X.0002 Y-.0002\n", "Z.0004\n"}) {
+    INFO(cut);
+    CHECK(code_of(head + cut + "X5\nM30\n", job).empty());
+  }
+  CHECK(code_of(head + "C.02\nX5\nM30\n", job) == "emit-feed-rule");
+}

@@ -38,6 +38,10 @@ class PiecePlanner {
   std::optional<double> seconds() const { return seconds_; }
 
  private:
+  void round_each(const Step& step, AxisSet writable, const AxisWords& start);
+  void round_joined(const Step& step, AxisSet writable, const AxisWords& start);
+  void round_last_again(const Step& step, AxisSet writable, const AxisWords& start);
+  void hold_turn(const Step& step, AxisSet writable, const AxisWords& start);
   void round(const Step& step, const CorrectedPoint& point, AxisSet writable, Piece& piece, AxisWords& at);
 
   const Dialect& dialect_;
@@ -45,6 +49,7 @@ class PiecePlanner {
   WordGrid words_;
   HeldTurns held_;
   std::span<const CorrectedPoint> points_;
+  std::vector<CorrectedPoint> joined_;  // those of round_joined() that became the end of a piece
   WordGrid::AxisGrids grids_{};
   std::vector<Piece> pieces_;
   std::vector<AxisWords> ends_;  // where the control stands after each piece, work system, mm and deg

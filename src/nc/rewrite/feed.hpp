@@ -23,6 +23,9 @@ bool turns_count_little(const AxisWords& start, std::span<const AxisWords> ends,
 /// True where the length counts in degrees: the F of such a block does not change with the length unit.
 inline bool feed_length_is_angle(double linear_mm) { return linear_mm == 0; }
 
+/// F is the speed of X, Y and Z, whatever turns beside them; of a turn alone it says nothing.
+inline bool counts_linear_axes(FeedRule rule) { return rule == FeedRule::tool_tip || rule == FeedRule::path_group; }
+
 /// True if `a` is off `b` by more than this share of it.
 inline bool differs(double a, double b, double tolerance) { return std::abs(a - b) > tolerance * std::abs(b); }
 

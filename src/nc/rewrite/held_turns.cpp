@@ -8,8 +8,7 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr double kMostHeldDeg = 0.01;  // off the orientation that the correction asks for
-constexpr double kSparing = 0.98;      // of what may be used: pieces are rounded once more where they are written
+constexpr double kSparing = 0.98;  // of what may be used: pieces are rounded once more where they are written
 
 constexpr std::array kRotary{Axis::A, Axis::B, Axis::C};
 

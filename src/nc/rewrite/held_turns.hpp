@@ -11,6 +11,8 @@
 
 namespace plumbline::nc {
 
+inline constexpr double kMostHeldDeg = 0.01;  // off the orientation that the correction asks for
+
 /// The points of a move in which the program turns nothing, its correction with so little turning beside its way that
 /// the time of the block is the same under every rule, but for EmitSettings::time_tolerance: A, B and C stay behind
 /// where they turn more, and follow as the way allows, in this move and in those after it. X, Y and Z stay as they are.

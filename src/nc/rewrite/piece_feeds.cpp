@@ -44,11 +44,6 @@ bool turns(const Motion& motion) {
                    std::string(by_steps));
 }
 
-// F is the speed of X, Y and Z, whatever turns beside them.
-bool counts_linear_axes(const Motion& motion) {
-  return motion.feed_rule == FeedRule::tool_tip || motion.feed_rule == FeedRule::path_group;
-}
-
 [[noreturn]] void refuse_turn_alone(const Step& step) {
   const bool group = step.motions.front().feed_rule == FeedRule::path_group;
   refuse_block(
@@ -62,9 +57,24 @@ bool counts_linear_axes(const Motion& motion) {
               "all");
 }
 
+// The move goes less far in X, Y and Z than a word says, or a piece of it that was proven as it is does.
+[[noreturn]] void refuse_short_way(const Step& step, bool is_piece) {
+  const bool group = step.motions.front().feed_rule == FeedRule::path_group;
+  refuse_block(
+      *step.block, "emit-feed-rule",
+      fmt::format("corrected, {} turns A, B, C and moves X, Y, Z by less than the control keeps of a word, and "
+                  "F is the speed of {}: no F says how long it takes",
+                  is_piece ? "a piece of this block" : "this block",
+                  group ? "the axes of the path group (X, Y, Z)" : "the tool's tip"),
+      is_piece ? "take fixed steps in place of --tolerance; or program the block in inverse time (G93)"
+      : group  ? "let it be one with the block before or after it; or write FGROUP() before it, or program it "
+                 "in inverse time (G93)"
+               : "let it be one with the block before or after it; or program it in inverse time (G93)");
+}
+
 bool tip_stands(const Motion& motion) {
   const AxisWords delta = motion.to - motion.from;
-  return counts_linear_axes(motion) && motion.feed_mode != FeedMode::inverse_time && motion.feed > 0 &&
+  return counts_linear_axes(motion.feed_rule) && motion.feed_mode != FeedMode::inverse_time && motion.feed > 0 &&
          motion.kind == MotionKind::feed && length_mm(delta) == 0 &&
          std::abs(delta[Axis::A]) + std::abs(delta[Axis::B]) + std::abs(delta[Axis::C]) > kSamePlace;
 }
@@ -131,10 +141,13 @@ void PieceFeeds::set_lengths(const AxisWords& start) {
     // As far off under the one rule as under the other, and half as far as they are apart.
     if (in_the_middle_ && linear > 0)
       length = (linear + *feed_length(linear, delta, FeedRule::all_axes_as_mm, motion.mm_per_unit)) / 2;
-    if (!length && counts_linear_axes(motion) && motion.feed_mode != FeedMode::inverse_time) refuse_turn_alone(step_);
+    if (!length && counts_linear_axes(motion.feed_rule) && motion.feed_mode != FeedMode::inverse_time) {
+      if (tip_stands(motion)) refuse_turn_alone(step_);
+      refuse_short_way(step_, pieces_.size() > 1);
+    }
     // The time is F alone under G93, unless the control lifts the speed to its least rate.
     const bool needless = motion.feed_mode == FeedMode::inverse_time && dialect_.feed_rate_min <= 0;
-    if (!length && !counts_linear_axes(motion) && !needless) refuse_feed_rule(step_, dialect_, settings_);
+    if (!length && !counts_linear_axes(motion.feed_rule) && !needless) refuse_feed_rule(step_, dialect_, settings_);
     // A feed a revolution counts degrees as it counts millimetres, and follows the unit.
     const bool turns_alone = feed_length_is_angle(linear);
     pieces_[i].in_degrees = turns_alone && motion.feed_mode != FeedMode::per_revolution;
