@@ -87,6 +87,26 @@ TEST_CASE("the way out of a code that is not read is the one that its row names"
          {"siemens", "MIRROR X0\nM30\n", "| write it out in G0", ""}});
 }
 
+TEST_CASE("a tap and a measurement are not to be written out in plain moves") {
+  check({{"siemens", "G54\nSPOS=0\nG331 Z40 K1 S100\nM30\n", "| write a tap as CYCLE84", "write it out in G0"},
+         {"siemens", "G54\nG332 Z50 K1 S100\nM30\n", "CYCLE840", "write it out in G0"},
+         {"siemens", "G54\nG63 Z40 F100\nM30\n", "CYCLE84", "write it out in G0"},
+         {"siemens", "G54\nG33 Z40 K1\nM30\n", "does not follow the spindle", "write it out in G0"},
+         {"siemens", "G54\nMEAS=1 G1 Z10 F100\nM30\n", "does not stop at the contact", "write it out in G0"},
+         {"fanuc", "O1\nG33 Z-5. F1.\nM30\n", "G84", "write it out in G0"},
+         {"fanuc", "O1\nG63\nM30\n", "G84", "write it out in G0"},
+         {"fanuc", "O1\nG31 Z-5. F100.\nM30\n", "does not stop at the contact", "write it out in G0"},
+         {"okuma", "G31 Z-5 F100\nM2\n", "does not stop at the contact", "write it out in G0"}});
+}
+
+TEST_CASE("H of a SINUMERIK is a function that goes to the PLC") {
+  check({{"siemens", "H1\nM30\n", "hands to its PLC", "add the code that it belongs to"},
+         {"siemens", "G54\nG0 X5 H20\nM30\n", "hands to its PLC", "add the code that it belongs to"},
+         {"siemens", "H5=1\nM30\n", "hands to its PLC", "spindle"},
+         {"siemens", "H5=1\nM30\n", "no H word", "spindle"},
+         {"fanuc", "O1\nG0 X5. H2\nM30\n", "", "PLC"}});
+}
+
 TEST_CASE("the way out is one that can be gone") {
   check({{"linuxcnc", "G1 X#<_hal[motion.pin]> F100\nM2\n", "a pin of its HAL", "set it in the program"},
          {"linuxcnc", "G0 X#<_ini[axis_x]max_limit>\nM2\n", "an entry of its INI file", "set it in the program"},

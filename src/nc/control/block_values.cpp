@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/text/characters.hpp"
+#include "nc/control/user_function.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
 
@@ -65,6 +66,9 @@ void check_variable(const Execution& run, const Block& block, const Setting& pla
     constexpr std::string_view kExtended = "MSTHD";
     const bool extended = kExtended.find(upper(name.front())) != std::string_view::npos &&
                           std::all_of(name.begin() + 1, name.end(), is_digit);
+    if (extended && upper(name.front()) == 'H')
+      refuse_at(block, place.span, codes::kUserCode, user_function_text(block.at(place.span)),
+                std::string(kUserFunctionHelp));
     if (extended) {
       refuse_at(block, place.span, codes::kNotInterpreted,
                 fmt::format("{}= speaks to a spindle or a tool holder of its own, which is not interpreted", name),

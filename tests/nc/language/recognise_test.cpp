@@ -57,6 +57,15 @@ TEST_CASE("an NE after a bracket is no label") {
   CHECK(dialect_of("IF[VC1 EQ 2]N10\n") == "okuma");
 }
 
+TEST_CASE("G700 and G710 are a SINUMERIK's") {
+  CHECK(dialect_of("N10 G710 G90 G17 G54 G64 G94\nN11 T1 M6\nN12 D1\n") == "siemens");
+  CHECK(dialect_of("G17G700G90\nG0 X1\n") == "siemens");
+  CHECK(dialect_of("T2 D1 M6\nG90 G54 g710\n") == "siemens");
+  CHECK(dialect_of("N710 G71 X700 (G710)\nG0 X1\n") == "linuxcnc");
+  CHECK(dialect_of("G70.1 X1\nG0 X710\n") == "linuxcnc");
+  CHECK(dialect_of("%\nO1234\nG0 X710.\n") == "fanuc");
+}
+
 TEST_CASE("comments show nothing") {
   CHECK(dialect_of("(TRAORI)\nG0 X1. ; CALL O1000\n") == "linuxcnc");
   CHECK(dialect_of("(POST: G54.1 P2 AND #<name>)\nG0 X1.\n") == "linuxcnc");
