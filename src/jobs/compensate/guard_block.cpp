@@ -152,20 +152,27 @@ void refuse_guard_before_definitions(const InputFile& source, const nc::Dialect&
   nc::LineSource lines(source);
   nc::Line line;
   bool begun = false;
+  bool body = false;
   while (lines.next(line)) {
     const nc::LineHead head = nc::head_of(line.text, dialect);
     if (begun && !head.program.empty()) return;  // the guard stands in the first program of an archive
     begun = begun || !head.empty;
     const nc::FlowWord word = head.word;
-    if (word != nc::FlowWord::define && word != nc::FlowWord::sub) continue;
+    if (word != nc::FlowWord::define && word != nc::FlowWord::sub) {
+      body = body || (!head.empty && head.program.empty());
+      continue;
+    }
+    if (!body) continue;  // the guard stands behind it
     Place place;
     place.file = source.name();
     place.line = line.place.line;
     place.column = 1;
     place.text = line.text;
     place.length = line.text.size();
-    refuse("guard-definitions", "definitions stand before all else of a program, and the guard would stand before them",
-           "use R parameters in place of DEF, or leave --guard out", std::move(place));
+    refuse("guard-definitions",
+           "definitions stand before all else of a program, and the guard would stand before this one",
+           "put it before the first other block, use R parameters in place of DEF, or leave --guard out",
+           std::move(place));
   }
 }
 

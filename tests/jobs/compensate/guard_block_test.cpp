@@ -202,9 +202,11 @@ TEST_CASE("Siemens: a guard does not stand before definitions") {
     const InputFile file(scratch.file("p.mpf", text));
     return testing::refusal_of([&] { jobs::refuse_guard_before_definitions(file, nc::dialect(dialect)); }).code;
   };
-  CHECK(code("; part\nDEF REAL DEPTH=-15\nG54 G0 X0\nM30\n", "siemens") == "guard-definitions");
-  CHECK(code("PROC PART\nG54 G0 X0\nM30\n", "siemens") == "guard-definitions");
-  CHECK(code("N10 DEF INT COUNT\nG54 G0 X0\nM30\n", "siemens") == "guard-definitions");
+  CHECK(code("; part\nDEF REAL DEPTH=-15\nG54 G0 X0\nM30\n", "siemens").empty());  // it stands behind them
+  CHECK(code("PROC PART\nDEF INT I\nG54 G0 X0\nM30\n", "siemens").empty());
+  CHECK(code("R1=5\nDEF REAL DEPTH=-15\nG54 G0 X0\nM30\n", "siemens") == "guard-definitions");
+  CHECK(code("; part\nG54\nPROC PART\nM30\n", "siemens") == "guard-definitions");
+  CHECK(code("N5 G90\nN10 DEF INT COUNT\nG54 G0 X0\nM30\n", "siemens") == "guard-definitions");
   const InputFile plain(scratch.file("p.mpf", "; DEF REAL A\nR1=5\nG54 G0 X0 ; PROC\nMSG(\"DEF\")\nM30\n"));
   CHECK_NOTHROW(jobs::refuse_guard_before_definitions(plain, nc::dialect("siemens")));
   const std::string main = "; made by hand\n%_N_PART_MPF\n;$PATH=/_N_WKS_DIR\n";
@@ -214,7 +216,8 @@ TEST_CASE("Siemens: a guard does not stand before definitions") {
     const InputFile archive(scratch.file("p.mpf", main + behind));
     CHECK_NOTHROW(jobs::refuse_guard_before_definitions(archive, nc::dialect("siemens")));
   }
-  CHECK(code(main + "DEF REAL A\nM30\n%_N_SUB_SPF\nX1\nM17\n", "siemens") == "guard-definitions");
+  CHECK(code(main + "DEF REAL A\nM30\n%_N_SUB_SPF\nX1\nM17\n", "siemens").empty());
+  CHECK(code(main + "R1=1\nDEF REAL A\nM30\n%_N_SUB_SPF\nX1\nM17\n", "siemens") == "guard-definitions");
 }
 
 TEST_CASE("lines that move or set anything are no part of a guard") {

@@ -45,7 +45,8 @@ void OutputText::copy_source(std::uint64_t from, std::uint64_t to) {
   }
 }
 
-// The stamp stands after %, a program number and the comments that the program begins with.
+// The stamp stands after %, a program number and the comments that the program begins with; with a guard after the
+// definitions, too, which a SINUMERIK takes before all other blocks alone [V 1.1.5].
 void OutputText::follow(const Step& step) {
   const Block& block = *step.block;
   source_end_ = block.offset + block.text.size() + block.line_end.size();
@@ -59,7 +60,9 @@ void OutputText::follow(const Step& step) {
   const bool rewritten = block.block_delete && !(unrolls_ && steers && step.block_delete != BlockDelete::left_out);
   const bool text = block.words.empty() && (block.settings.empty() || steers) && !rewritten;
   const bool blank = text && block.comments.empty() && block.kind == LineKind::block;
-  if (block.kind == LineKind::percent || (text && !block.comments.empty()) || number) {
+  const bool defines = (block.flow.word == FlowWord::define || block.flow.word == FlowWord::sub) &&
+                       dialect_.syntax.declared && !settings_.guard.empty() && !rewritten;
+  if (block.kind == LineKind::percent || (text && !block.comments.empty()) || number || defines) {
     header_end_ = source_end_;
   } else if (!blank) {
     in_header_ = false;
