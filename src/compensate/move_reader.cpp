@@ -1,5 +1,9 @@
 #include "compensate/move_reader.hpp"
 
+#include <algorithm>
+#include <set>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "base/units.hpp"
@@ -23,14 +27,33 @@ void refuse_to_follow(const nc::Step& step, const UnknownPosition& unknown) {
          way_to_known(unknown, "all axes"), place);
 }
 
-// M0 lets people move the axes, M6 takes them to the changer.
-std::string code_that_loses(const nc::Step& step, const nc::Dialect& dialect) {
+// M0 lets people move the axes, M6 takes them to the changer, and what a code of the builder does nobody knows.
+// `keeps`: those that do not, as the user says.
+std::string code_that_loses(const nc::Step& step, const nc::Dialect& dialect, const std::set<int>& keeps) {
   if (step.stop == nc::StopByVariable::message) return "M0";
   for (const nc::Word& word : step.block->words) {
-    const nc::CodeRow* const row = word.letter == 'M' ? dialect.row_of(word) : nullptr;
-    if (row != nullptr && row->loses_position) return fmt::format("M{:g}", word.value);
+    if (word.letter != 'M' || keeps.contains(static_cast<int>(word.value))) continue;
+    const nc::CodeRow* row = dialect.row_of(word);
+    if (row == nullptr || row->action == nc::Action::refused) row = &dialect.user_row;  // --pass
+    if (row->loses_position) return fmt::format("M{:g}", word.value);
   }
   return "";
+}
+
+// Its words as they stand, with the values of a call: "G74 X0", "CYCLE800()".
+std::string words_of(const nc::Block& block) {
+  constexpr std::size_t kMost = 40;
+  if (block.words.empty()) return "this";
+  std::size_t begin = block.text.size();
+  std::size_t end = 0;
+  for (const nc::Word& word : block.words) {
+    begin = std::min<std::size_t>(begin, word.span.begin);
+    end = std::max<std::size_t>(end, word.span.end);
+  }
+  if (end < block.text.size() && block.text[end] == '(')
+    end = std::min(block.text.find(')', end), block.text.size() - 1) + 1;
+  const std::string_view text = block.text.substr(begin, end - begin);
+  return text.size() <= kMost ? std::string(text) : std::string(text.substr(0, kMost)) + "...";
 }
 
 }  // namespace
@@ -49,11 +72,13 @@ std::string way_to_known(const UnknownPosition& unknown, std::string_view axes) 
   }
   if (unknown.stop.empty()) {
     return fmt::format(
-        "move {} with G0 to a stated position first, after G28 and G30 as well, or say where the machine stands: "
-        "--start at the begin, "
-        "--keeps-position M6 after a tool change",
-        axes);
+        "move {} with G0 to a stated position first, or say with --start where the machine stands at the begin", axes);
   }
+  if (unknown.by_length) {
+    return fmt::format(
+        "move {} with G0 to a stated position after it, or change the length while A, B and C stand at zero", axes);
+  }
+  if (unknown.stop_code.empty()) return fmt::format("move {} with G0 to a stated position after it", axes);
   return fmt::format(
       "move {} with G0 to a stated position after it, or, if the axes stand there where they stood "
       "before, say --keeps-position {}",
@@ -139,11 +164,13 @@ void MoveReader::note_away(const nc::Step& step) {
 void MoveReader::note_stop(const nc::Step& step) {
   const AxisSet lost = std::exchange(known_, step.known) - step.known;
   stop_.axes = stop_.axes - step.known;
-  if (!step.loses_position || lost.empty()) return;
-  const std::string code = code_that_loses(step, dialect_);
-  const bool by_variable = step.stop == nc::StopByVariable::message;
-  const std::string name = by_variable ? fmt::format("#{}", dialect_.syntax.message_variable) : code;
-  stop_ = {lost, name, code, step.block->line, std::string(step.block->file)};
+  if (lost.empty()) return;
+  const std::string code = step.loses_position ? code_that_loses(step, dialect_, keeps_position_) : "";
+  const bool by_length = code.empty() && step.tilted_length;
+  std::string name = code.empty() ? words_of(*step.block) : code;
+  if (by_length) name = "the change of the tool's length under a tilt";
+  if (step.stop == nc::StopByVariable::message) name = fmt::format("#{}", dialect_.syntax.message_variable);
+  stop_ = {lost, std::move(name), code, step.block->line, std::string(step.block->file), by_length};
 }
 
 UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
@@ -151,10 +178,11 @@ UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
   found.moved = at_zero_ & step.named;
   if (!found.moved.empty()) return found;
   found.missing = AxisSet::all() - known;
-  if (!stop_.code.empty() && !(found.missing & stop_.axes).empty()) {
+  if (!stop_.name.empty() && !(found.missing & stop_.axes).empty()) {
     const bool here = stop_.file == step.block->file;
     found.stop = fmt::format("{} in line {}{}", stop_.name, stop_.line, here ? "" : fmt::format(" of {}", stop_.file));
     found.stop_code = stop_.code;
+    found.by_length = stop_.by_length;
   }
   found.no_system = dialect_.behaviour.no_work_system_at_start && !(found.missing & AxisSet::linear()).empty();
   if ((found.missing & AxisSet::rotary()).empty()) return found;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -43,7 +44,8 @@ struct UnknownPosition {
   AxisSet missing;   // axes that no word said and nobody may take to stand at zero
   AxisSet turned;    // of these: no word names them, but the work offset turns them
   std::string stop;  // the block after which some of them may stand elsewhere, as in "M0 in line 3"; "": none known
-  std::string stop_code;   // its M code
+  std::string stop_code;   // its M code, where it is one
+  bool by_length = false;  // it changes the tool's length under a tilt
   bool no_system = false;  // X, Y or Z are missing, and no work system is in force at the start: --start says nothing
 
   bool none() const { return moved.empty() && missing.empty(); }
@@ -89,7 +91,8 @@ class MoveReader {
         dialect_(dialect),
         settings_(settings),
         program_(source, dialect, settings_of_reading(program, settings), looks),
-        spindle_(program.tools, settings.reference_tool_mass) {
+        spindle_(program.tools, settings.reference_tool_mass),
+        keeps_position_(program.keeps_position) {
     for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
       if (program.start[index(axis)].value_or(0) != 0) away_.insert(axis);
     }
@@ -119,7 +122,9 @@ class MoveReader {
 
   /// A move of the step, or of one that was made of it, in one piece.
   Move move(const nc::Step& step, const nc::Motion& motion) const {
-    return move_of(step, motion, dialect_, settings_, at_zero_);
+    Move move = move_of(step, motion, dialect_, settings_, at_zero_);
+    if (step.block->file != source_.name()) move.path.file = step.block->file;
+    return move;
   }
   void divide(Move& move) const { compensate::divide(move, settings_.step); }
   /// As nc::ProgramAhead has it.
@@ -147,6 +152,7 @@ class MoveReader {
     std::string name, code;  // M0 and M0, or #3006 and M0
     std::size_t line = 0;
     std::string file;
+    bool by_length = false;
   };
 
   void note_away(const nc::Step& step);
@@ -158,6 +164,7 @@ class MoveReader {
   ReaderSettings settings_;
   nc::ProgramAhead program_;
   SpindleTool spindle_;
+  std::set<int> keeps_position_;
   AxisSet at_zero_;
   AxisSet away_;   // rotary axes that are known to have stood elsewhere
   AxisSet known_;  // after the block before

@@ -212,3 +212,32 @@ TEST_CASE(
   CHECK(said("G21 G90 G94 G54\nG0 X0 Y0 A0 B0 C0\nM0\n" + cut).find("M0") != std::string::npos);
   CHECK(said("G21 G90 G94 G54\nG0 X0 Y0 A0 B0 C0\n" + cut).find("not known here") != std::string::npos);
 }
+
+TEST_CASE("a refusal names what lost the position on a SINUMERIK, and a way out that is one") {
+  Job job = kept_over_changes("siemens");
+  const std::string head = "G54 G17 G710 G90 G94\nG0 X0 Y0 Z60 A0 B0 C0\nG1 X5 F100\n";
+  struct Lost {
+    std::string text, cause, way;
+  };
+  job.program.passed_m_codes = {88};
+  for (const Lost& c :
+       {Lost{"G54 G17 G710 G90 G94\nT1 M6\nD1\nG0 X0 Y0 Z50 A5 B0 C0\nD0\nG1 X8 F100\nM30\n",
+             "after the change of the tool's length under a tilt in line 5", "while A, B and C stand at zero"},
+        Lost{head + "M88\nX8\nM30\n", "after M88 in line 4", "--keeps-position M88"},
+        Lost{head + "G74 Z1=0\nX8 Z5\nM30\n", "after G74 Z1=0 in line 4", "G0 to a stated position after it"},
+        Lost{head + "CYCLE800()\nX8\nM30\n", "after CYCLE800() in line 4", "G0 to a stated position after it"}}) {
+    INFO(c.text);
+    std::string said;
+    try {
+      run(c.text, job);
+    } catch (const Refusal& refusal) {
+      said = refusal.diagnostic().message + " | " + refusal.diagnostic().help;
+    }
+    INFO(said);
+    CHECK(said.find(c.cause) != std::string::npos);
+    CHECK(said.find(c.way) != std::string::npos);
+    CHECK(said.find("G28") == std::string::npos);
+  }
+  job.program.keeps_position.insert(88);
+  CHECK(code_of(head + "M88\nX8\nM30\n", job).empty());
+}
