@@ -139,7 +139,8 @@ void refuse_violations(const std::vector<machine::Violation>& violations, const 
   const machine::Violation& worst = violations.front();
   Diagnostic refused = diagnose(worst, place_of(step));
   if (const Place* const left = passed.left(worst, step)) {
-    refused.message += fmt::format(", where this block leaves it and line {} goes on", refused.place.line);
+    const std::string file = left->file == refused.place.file ? "" : " of " + refused.place.file;
+    refused.message += fmt::format(", where this block leaves it and line {}{} goes on", refused.place.line, file);
     refused.help = fmt::format(
         "move {} back to where the machine can be corrected first, as with G0 {}.. alone, or check "
         "--work-offset and [limits] of the model",

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 
 #include "base/axes.hpp"
+#include "compensate/read_back/figures.hpp"
 #include "compensate/target.hpp"
 #include "nc/control/state/frame.hpp"
 #include "nc/control/step.hpp"
@@ -20,6 +22,7 @@ struct MovePath {
   AxisSet at_zero;  // axes that are taken to stand at zero
   AxisSet fixed;    // axes that no correction may write: these, and on a tilted plane all rotary ones
   std::size_t line = 0;
+  std::string_view file = {};  // of a subprogram that it stands in; empty: the program's own
 
   Target target(double fraction, std::optional<double> seconds) const { return target(curve.point(fraction), seconds); }
   Target target(const path::CurvePoint& point, std::optional<double> seconds) const;
@@ -29,6 +32,7 @@ struct MovePath {
   Target at_rest(const AxisWords& work) const;
   /// What the words of the work system say in W, the error at the touch-off left out: mm and deg.
   AxisWords in_base_frame(AxisWords work) const;
+  SourceLine place() const { return {line, file}; }
   AxisSet writable() const { return AxisSet::all() - fixed; }
 };
 

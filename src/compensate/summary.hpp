@@ -22,7 +22,8 @@ struct ShortPieces {
   std::uint64_t below_block_time = 0;  // that the model states
   std::uint64_t whole_blocks = 0;      // of these: the block of the program itself is as short
   double least_s = std::numeric_limits<double>::infinity();
-  std::size_t line = 0;  // of the shortest
+  std::size_t line = 0;   // of the shortest
+  std::string file = {};  // as SourceLine has it
 };
 
 /// Pieces on which a bound that was asked for is not kept.
@@ -34,8 +35,8 @@ struct BrokenBound {
   void add(const BrokenBound& other) {
     pieces += other.pieces;
     seconds += other.seconds;
-    off_mm.take(other.off_mm.value, other.off_mm.line);
-    off_deg.take(other.off_deg.value, other.off_deg.line);
+    off_mm.take(other.off_mm);
+    off_deg.take(other.off_deg);
   }
 };
 
@@ -106,7 +107,8 @@ struct Summary {
   double offset_shift_for_1um_mm = std::numeric_limits<double>::infinity();  // of the work offset, that costs 1 um
   std::optional<AxisWords> zero_error;  // dT at the first cutting block: what a work offset probed there holds already
   std::size_t zero_error_line = 0;
-  AxisSet assumed_at_zero;  // rotary axes that the program never names
+  std::string zero_error_file;  // as SourceLine has it
+  AxisSet assumed_at_zero;      // rotary axes that the program never names
   std::uint64_t bytes_before = 0;
   std::uint64_t bytes_after = 0;
   std::uint64_t hash_after = 0;  // fnv1a of the output, where a file of the summary, an undo file or a caller takes it

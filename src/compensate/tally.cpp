@@ -23,7 +23,7 @@ constexpr std::size_t kSamples = 8;     // samples, three poses each: whole pack
 constexpr double kLeastDriftMm = 1e-5;  // in an hour
 
 // What became of an arc.
-void note_arc(const WrittenMove& written, std::size_t line, ArcFigures& arcs) {
+void note_arc(const WrittenMove& written, const SourceLine& at, ArcFigures& arcs) {
   const std::size_t pieces = written.pieces.size();
   const bool has_arcs = std::any_of(written.pieces.begin(), written.pieces.end(),
                                     [](const SentPiece& piece) { return piece.arc.has_value(); });
@@ -32,7 +32,7 @@ void note_arc(const WrittenMove& written, std::size_t line, ArcFigures& arcs) {
   } else if (has_arcs) {
     ++arcs.split;
     arcs.blocks += pieces;
-    arcs.most_blocks.take(static_cast<double>(pieces), line);
+    arcs.most_blocks.take(static_cast<double>(pieces), at);
   } else {
     ++arcs.straight;
   }
@@ -80,51 +80,51 @@ void Tally::take_massless_tool(const nc::Step& step) {
 }
 
 void Tally::take_rapid(const CorrectedMove& corrected, const WrittenMove& written) {
-  const std::size_t line = corrected.move.path.line;
-  note_point(corrected.points.front(), line);
-  note_written(written, std::nullopt, line);
+  const SourceLine at = corrected.move.path.place();
+  note_point(corrected.points.front(), at);
+  note_written(written, std::nullopt, at);
 }
 
 void Tally::take_cut(const CorrectedMove& corrected, const WrittenMove& written) {
   const Move& move = corrected.move;
-  const std::size_t line = move.path.line;
-  for (const nc::CorrectedPoint& point : corrected.points) note_point(point, line);
+  const SourceLine at = move.path.place();
+  for (const nc::CorrectedPoint& point : corrected.points) note_point(point, at);
   note_end(corrected);
   if (move.widened) note_widened(corrected);
   if (settings_.bound.is_asked()) {
     note_bound(corrected);
-    if (move.motion->kind == nc::MotionKind::arc) note_arc(written, line, summary_.bound->arcs);
+    if (move.motion->kind == nc::MotionKind::arc) note_arc(written, at, summary_.bound->arcs);
   }
   const bool stops = dialect_.behaviour.starts_with_stops && !move.step->after->path_stated;
   if (stops && written.pieces.size() > 1 && !may_stop_) may_stop_ = place_of(*move.step);
   if (!move.seconds && !goes_nowhere(move.path.curve)) ++summary_.untimed_moves;
-  if (written.changed && move.seconds) note_short_pieces(written, *move.seconds, line);
-  note_written(written, move.seconds, line);
+  if (written.changed && move.seconds) note_short_pieces(written, *move.seconds, at);
+  note_written(written, move.seconds, at);
 }
 
 void Tally::take_hole(const CorrectedHole& hole, const nc::EmittedMove& written) {
-  const std::size_t line = hole.at->move.path.line;
-  for (const nc::CorrectedPoint& point : hole.at->points) note_point(point, line);
-  note_written(written, std::nullopt, line);
+  const SourceLine at = hole.at->move.path.place();
+  for (const nc::CorrectedPoint& point : hole.at->points) note_point(point, at);
+  note_written(written, std::nullopt, at);
 }
 
-void Tally::note_point(const nc::CorrectedPoint& point, std::size_t line) {
+void Tally::note_point(const nc::CorrectedPoint& point, const SourceLine& at) {
   ++summary_.points;
   const double correction = length_mm(point.shift);
   sum_of_squares_ += correction * correction;
-  summary_.correction_mm.take(correction, line);
-  summary_.correction_deg.take(path::largest_turn_deg(point.shift), line);
+  summary_.correction_mm.take(correction, at);
+  summary_.correction_deg.take(path::largest_turn_deg(point.shift), at);
 }
 
-void Tally::note_written(const nc::EmittedMove& written, std::optional<double> seconds, std::size_t line) {
+void Tally::note_written(const nc::EmittedMove& written, std::optional<double> seconds, const SourceLine& at) {
   ++summary_.moves;
   if (written.changed && !written.reworded) ++summary_.changed_blocks;
-  summary_.rounding_mm.take(written.rounding_mm, line);
+  summary_.rounding_mm.take(written.rounding_mm, at);
   if (!seconds || *seconds <= 0) return;
   const double after = written.seconds.value_or(*seconds);
   summary_.seconds_before += *seconds;
   summary_.seconds_after += after;
-  summary_.time_change.take(std::abs(after / *seconds - 1), line);
+  summary_.time_change.take(std::abs(after / *seconds - 1), at);
 }
 
 // Some ends of blocks are played on the model: the figures of the summary are not those of the formula that made them.
@@ -137,9 +137,10 @@ void Tally::note_end(const CorrectedMove& corrected) {
     sample_ = target;
     summary_.zero_error = corrector_.error(target);
     summary_.zero_error_line = move.path.line;
+    summary_.zero_error_file = move.path.file;
   }
   if (!corrector_.condition_surely_below(target, summary_.condition.value)) {
-    summary_.condition.take(corrector_.condition(target), move.path.line);
+    summary_.condition.take(corrector_.condition(target), move.path.place());
   }
   ends_.push_back(corrected.commanded(corrected.points.size() - 1) - target.pose);
   for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) beside_.emplace_back(target).pose[axis] += kOffsetProbeMm;
@@ -169,7 +170,7 @@ void Tally::note_widened(const CorrectedMove& corrected) {
   const std::vector<nc::CorrectedPoint>& points = corrected.points;
   const auto count = static_cast<double>(points.size());
   ++summary_.widened_blocks;
-  summary_.widened_step_mm.take(move.path.curve.linear_mm() / count, move.path.line);
+  summary_.widened_step_mm.take(move.path.curve.linear_mm() / count, move.path.place());
   std::vector<Target> middles;
   for (std::size_t i = 0; i < points.size(); ++i) {
     middles.push_back(move.path.target((static_cast<double>(i) + 0.5) / count, move.seconds));
@@ -181,7 +182,7 @@ void Tally::note_widened(const CorrectedMove& corrected) {
     const AxisWords end = points[i].nominal + points[i].shift;
     AxisWords off;
     for (const Axis axis : kAllAxes) off[axis] = (begin[axis] + end[axis]) / 2 - wanted[axis];
-    summary_.widening_mm.take(length_mm(off), move.path.line);
+    summary_.widening_mm.take(length_mm(off), move.path.place());
     begin = end;
   }
 }
@@ -190,13 +191,13 @@ void Tally::note_bound(const CorrectedMove& corrected) {
   if (!summary_.bound) summary_.bound.emplace();
   BoundFigures& all = *summary_.bound;
   const BoundOfMove& here = corrected.bound;
-  all.kept_mm.take(here.kept_mm, corrected.move.path.line);
-  all.kept_deg.take(here.kept_deg, corrected.move.path.line);
+  all.kept_mm.take(here.kept_mm, corrected.move.path.place());
+  all.kept_deg.take(here.kept_deg, corrected.move.path.place());
   all.at_turns.add(here.at_turns);
   all.by_time.add(here.by_time);
 }
 
-void Tally::note_short_pieces(const WrittenMove& written, double seconds, std::size_t line) {
+void Tally::note_short_pieces(const WrittenMove& written, double seconds, const SourceLine& at) {
   const double block_time = settings_.step.least_time_s;
   ShortPieces& found = summary_.short_pieces;
   for (const SentPiece& piece : written.pieces) {
@@ -209,7 +210,8 @@ void Tally::note_short_pieces(const WrittenMove& written, double seconds, std::s
     if (written.pieces.size() == 1) ++found.whole_blocks;
     if (lasts >= found.least_s) continue;
     found.least_s = lasts;
-    found.line = line;
+    found.line = at.line;
+    found.file = at.file;
   }
 }
 
@@ -263,7 +265,7 @@ void Tally::warn_of_short_pieces(Summary& summary) const {
   const std::uint64_t count = block_time > 0 ? found.below_block_time : found.below_1_ms;
   if (count == 0) return;
   Place place;
-  place.file = source_.name();
+  place.file = found.file.empty() ? source_.name() : found.file;
   place.line = found.line;
   const std::string limit =
       block_time > 0

@@ -43,13 +43,13 @@ class Tally {
 
  private:
   void take_kept_time(double seconds);
-  void note_point(const nc::CorrectedPoint& point, std::size_t line);
-  void note_written(const nc::EmittedMove& written, std::optional<double> seconds, std::size_t line);
+  void note_point(const nc::CorrectedPoint& point, const SourceLine& at);
+  void note_written(const nc::EmittedMove& written, std::optional<double> seconds, const SourceLine& at);
   void note_end(const CorrectedMove& corrected);
   void note_offset_sensitivity();
   void note_widened(const CorrectedMove& corrected);
   void note_bound(const CorrectedMove& corrected);
-  void note_short_pieces(const WrittenMove& written, double seconds, std::size_t line);
+  void note_short_pieces(const WrittenMove& written, double seconds, const SourceLine& at);
   void warn_of_no_end(Summary& summary) const;
   void warn_of_short_pieces(Summary& summary) const;
   void warn_of_silent_effects(Summary& summary) const;

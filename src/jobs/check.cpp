@@ -57,7 +57,7 @@ class Checker {
     }
     for (const machine::Violation& violation : of_block_) {
       const Place* const left = passed.left(violation, *move.step);
-      if (left != nullptr) left_by_.try_emplace(violation.what, left->line);
+      if (left != nullptr) left_by_.try_emplace(violation.what, *left);
     }
     summary_.points += points;
   }
@@ -96,8 +96,9 @@ class Checker {
     for (const machine::Violation& violation : of_block_) {
       ++summary_.violations;
       ++summary_.kinds[violation.what];
-      if (summary_.findings.size() < CheckSummary::kMostFindings)
-        summary_.findings.push_back({file_, line_, violation, left_by_[violation.what]});
+      if (summary_.findings.size() >= CheckSummary::kMostFindings) continue;
+      const Place& left = left_by_[violation.what];
+      summary_.findings.push_back({file_, line_, violation, left.line, left.file == file_ ? "" : left.file});
     }
     of_block_.clear();
     left_by_.clear();
@@ -117,7 +118,7 @@ class Checker {
   std::string file_;
   std::size_t line_ = 0;
   std::vector<machine::Violation> of_block_;
-  std::map<std::string, std::size_t> left_by_;  // the line that left the axis of a violation there
+  std::map<std::string, Place> left_by_;  // the block that left the axis of a violation there
 };
 
 }  // namespace

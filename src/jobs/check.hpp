@@ -22,6 +22,7 @@ struct CheckFinding {
   std::size_t line = 0;          // of the block
   machine::Violation violation;  // the worst of its kind in this block
   std::size_t left_by = 0;       // the line of the G53, G28 or G30 that left the axis there; 0: none
+  std::string left_by_file;      // that it stands in, where that is another one
 };
 
 struct CheckSummary {

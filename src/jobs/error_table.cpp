@@ -55,7 +55,7 @@ class Doubts {
     });
   }
   void note(const PoseError& pose) {
-    if (pose.doubt) tally_.add(*pose.doubt, 0, 1);
+    if (pose.doubt) tally_.add(*pose.doubt, {}, 1);
   }
   std::optional<ExpectedError> take() {
     return tally_.any() ? std::optional(tally_.take(known_, zero_)) : std::nullopt;

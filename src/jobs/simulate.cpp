@@ -108,7 +108,7 @@ class Player {
     for (const SimulatedPoint& point : waiting_) {
       take_(point);
       if (point.doubt && point.motion != nc::MotionKind::rapid)
-        tally_.add(*point.doubt, point.line, std::max(point.time_s - tallied_s_, kLeastTime));
+        tally_.add(*point.doubt, {point.line}, std::max(point.time_s - tallied_s_, kLeastTime));
       tallied_s_ = point.time_s;
     }
     waiting_.clear();

@@ -52,6 +52,17 @@ o1 endwhile
 o<slot> endsub
 M2
 """
+CUTS_IN_SLOT = """G21 G90 G94
+G0 X0 Y0 Z5 A0 B0 C0
+o<slot> call [1] [50000]
+M2
+"""
+LEAVES_TO_SLOT = """G21 G90 G94
+G0 X0 Y0 Z0 A0 B0 C0
+G53 G0 Z0
+o<slot> call [20] [900]
+M2
+"""
 STORES = """G21 G90
 G0 X0 Y0 Z0 A0 B0 C0
 G1 X50 F1000
@@ -167,7 +178,8 @@ def of_programs(made):
     certain = made.write("certain.toml", stand_in.partition("[uncertainty]")[0])
     slow = made.write("slow.toml", stand_in + "\n[control]\nblock_time_ms = 5\n")
     texts = {"arcs.ngc": ARCS, "lines.ngc": LINES, "calls.ngc": CALLS, "slot.ngc": SLOT, "stores.ngc": STORES,
-             "probes.ngc": PROBES, "far.ngc": TOO_FAR, "end.ngc": "M2\n", "tools.toml": TOOLS, "pecks.mpf": PECKS}
+             "probes.ngc": PROBES, "far.ngc": TOO_FAR, "cuts.ngc": CUTS_IN_SLOT, "leaves.ngc": LEAVES_TO_SLOT,
+             "end.ngc": "M2\n", "tools.toml": TOOLS, "pecks.mpf": PECKS}
     for name, text in texts.items():
         made.write(name, text)
     where = ("-m", "machine.toml", *OFFSET)
@@ -178,8 +190,10 @@ def of_programs(made):
     made.json_of("compensate", "lines.ngc", *where, *TABLE, "--tolerance", "1um", "-o", "lines-c.ngc")
     made.json_of("compensate", "calls.ngc", "-m", slow, *OFFSET, "-o", "calls-s.ngc")
     made.json_of("compensate", "calls.ngc", "-m", certain, *OFFSET, "-o", "calls-c.ngc", "--no-read-back")
+    made.json_of("compensate", "cuts.ngc", "-m", slow, *OFFSET, "-o", "cuts-s.ngc")
     made.json_of("compensate", "end.ngc", *where, "-o", "end-c.ngc")
     made.json_of("check", "far.ngc", "-m", "machine.toml", *OFFSET, code=3)
+    made.json_of("check", "leaves.ngc", "-m", "machine.toml", *OFFSET, code=3)
     made.json_of("check", "calls.ngc", "-m", certain, *OFFSET)
     made.json_of("check", "stores.ngc", *where)
     made.json_of("diff", "arcs.ngc", "arcs-c.ngc", *where, *TABLE)

@@ -225,8 +225,8 @@ void PointChooser::accept(const Piece& piece) {
   BrokenBound& broken = keeps(piece.as_taken) || piece.jumps ? bound_.at_turns : bound_.by_time;
   ++broken.pieces;
   if (move_->seconds) broken.seconds += piece.share * *move_->seconds;
-  broken.off_mm.take(tip_mm, move_->path.line);
-  broken.off_deg.take(turned_deg, move_->path.line);
+  broken.off_mm.take(tip_mm, move_->path.place());
+  broken.off_deg.take(turned_deg, move_->path.place());
 }
 
 }  // namespace plumbline::compensate

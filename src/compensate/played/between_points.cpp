@@ -265,8 +265,8 @@ void BetweenPoints::measure(const Part& part, const Enough& enough, Look& look, 
     if (before_ != nullptr && begins) beside(*before_, end);
     if (next != nullptr && ends) beside(*next, end);
   }
-  tip_.found.take(look.tip_mm, here_->line);
-  turned_.found.take(look.turned_deg, here_->line);
+  tip_.found.take(look.tip_mm, here_->place());
+  turned_.found.take(look.turned_deg, here_->place());
 }
 
 // The part at these fractions, played together; what is found there is at most what it says. Holds until the next call.

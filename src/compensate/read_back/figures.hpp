@@ -3,19 +3,30 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 namespace plumbline::compensate {
+
+/// A line of a program. `file`: of a subprogram that it stands in; empty: the program's own.
+struct SourceLine {
+  std::size_t line = 0;
+  std::string_view file = {};
+};
 
 /// The largest of something, and the line of the program where it was.
 struct Worst {
   double value = 0;
   std::size_t line = 0;
+  std::string file = {};  // as SourceLine has it
 
-  void take(double candidate, std::size_t at_line) {
+  void take(double candidate, const SourceLine& at) {
     if (candidate <= value) return;
     value = candidate;
-    line = at_line;
+    line = at.line;
+    if (file != at.file) file = at.file;
   }
+  void take(const Worst& other) { take(other.value, {other.line, other.file}); }
 };
 
 /// What the output says when it is read again.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/axes.hpp"
+#include "compensate/read_back/figures.hpp"
 #include "nc/control/state/frame.hpp"
 #include "nc/control/state/modal.hpp"
 #include "nc/control/state/motion.hpp"
@@ -72,6 +73,8 @@ struct IntendedBlock {
   std::size_t first_move = 0, moves = 0;
   std::size_t first_effect = 0, effects = 0;
   std::size_t state = 0;
+
+  SourceLine place() const { return {line, file}; }
 };
 
 /// Blocks one after the other, with what they refer to. Reused.

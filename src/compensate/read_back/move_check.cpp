@@ -180,7 +180,7 @@ bool MoveCheck::take_kept(const IntendedMove& meant, const nc::Motion& motion) {
     throw Difference{"it probes at another feed"};
   }
   reach(meant, wanted, motion);
-  times_.end_move(meant, block_->line, figures_);
+  times_.end_move(meant, block_->place(), figures_);
   leave_move();
   return true;
 }
@@ -225,7 +225,7 @@ void MoveCheck::note_point(const IntendedMove& meant, const AxisWords& wanted, c
   for (const Axis axis : kAllAxes) {
     if (motion.known_after.contains(axis)) off[axis] = motion.machine[axis] - wanted[axis];
   }
-  figures_.rounding_mm.take(length_mm(off), block_->line);
+  figures_.rounding_mm.take(length_mm(off), block_->place());
 }
 
 bool MoveCheck::may_finish(const IntendedMove& meant) const {
@@ -245,7 +245,7 @@ void MoveCheck::finish_move() {
                                  name_of(meant.motion.kind), to_decimal(wanted[Axis::X], 6),
                                  to_decimal(wanted[Axis::Y], 6), to_decimal(wanted[Axis::Z], 6))};
   }
-  times_.end_move(meant, block_->line, figures_);
+  times_.end_move(meant, block_->place(), figures_);
   leave_move();
 }
 

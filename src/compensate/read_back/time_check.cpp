@@ -46,7 +46,7 @@ void TimeCheck::spend(const IntendedMove& meant, const nc::Motion& motion) {
 }
 
 // A move whose end is where it begins, as far as the control can tell, takes no time.
-void TimeCheck::end_move(const IntendedMove& meant, std::size_t line, ReadBackFigures& figures) const {
+void TimeCheck::end_move(const IntendedMove& meant, const SourceLine& at, ReadBackFigures& figures) const {
   if (!meant.seconds || *meant.seconds <= kNoTime) return;
   const bool clock = meant.motion.feed_mode != nc::FeedMode::per_revolution;
   if (meant.counts && clock) figures.seconds += spent_;
@@ -59,7 +59,7 @@ void TimeCheck::end_move(const IntendedMove& meant, std::size_t line, ReadBackFi
                                  clock ? "s" : "revolutions", to_decimal(*meant.seconds, 6))};
   }
   const double of_original = spent_ / *meant.seconds * meant.time_share;
-  if (meant.counts && clock) figures.time_change.take(std::abs(of_original - 1), line);
+  if (meant.counts && clock) figures.time_change.take(std::abs(of_original - 1), at);
 }
 
 }  // namespace plumbline::compensate

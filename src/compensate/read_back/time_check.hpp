@@ -18,7 +18,7 @@ class TimeCheck {
   /// A move of the output is the one that was meant, or a piece of it.
   void spend(const IntendedMove& meant, const nc::Motion& motion);
   /// All of it was read, of the block in `line`. Throws Difference.
-  void end_move(const IntendedMove& meant, std::size_t line, ReadBackFigures& figures) const;
+  void end_move(const IntendedMove& meant, const SourceLine& at, ReadBackFigures& figures) const;
 
  private:
   const nc::Dialect& dialect_;

@@ -16,7 +16,7 @@ void PathSamples::add(const Move& move, std::size_t pieces) {
     points_.add(figures, [&] {
       const RecordedPoint point =
           recorded_point(move.path, way_kind(move.motion->kind), fraction, move.seconds, time_s_);
-      return PathSample{point.line, point.time_s, point.asked, tool_};
+      return PathSample{point.line, std::string(move.path.file), point.time_s, point.asked, tool_};
     });
   }
   time_s_ += move.seconds.value_or(0);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "compensate/corrector.hpp"
@@ -13,6 +14,7 @@ namespace plumbline::compensate {
 
 struct PathSample {
   std::size_t line = 0;
+  std::string file;                         // as SourceLine has it
   double time_s = 0;                        // of cuts, since the start
   Target target;                            // in W, as the original means it
   std::optional<ToolInSpindle> in_spindle;  // nothing: none came into it, the model has its own

@@ -254,7 +254,7 @@ void Aligner::note_time(const DiffMove& move, std::size_t count) {
   const double before = *move.seconds;
   summary_.seconds_a += before;
   summary_.seconds_b += after;
-  if (way > kNoWay && before > kLeastSeconds) summary_.time_change.take(std::abs(after / before - 1), move.line);
+  if (way > kNoWay && before > kLeastSeconds) summary_.time_change.take(std::abs(after / before - 1), {move.line});
 }
 
 DiffSummary Aligner::take() {

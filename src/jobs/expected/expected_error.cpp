@@ -40,12 +40,13 @@ Knowledge knowledge_of(const machine::MachineModel& model) {
   }
 }
 
-void ExpectedTally::Sums::add(const TipDoubt& doubt, std::size_t line, double weight) {
+void ExpectedTally::Sums::add(const TipDoubt& doubt, const compensate::SourceLine& at, double weight) {
   figures.mean += weight * doubt.mean;
   figures.within += weight * doubt.within;
   if (doubt.within > figures.largest_within) {
     figures.largest_within = doubt.within;
-    figures.line = line;
+    figures.line = at.line;
+    figures.file = at.file;
   }
   for (std::size_t c = 0; c < kCauses; ++c) figures.rms[c] += weight * doubt.rms[c] * doubt.rms[c];
 }
@@ -56,9 +57,9 @@ void ExpectedTally::Sums::end(double weights) {
   for (double& rms : figures.rms) rms = std::sqrt(rms / weights);
 }
 
-void ExpectedTally::add(const PoseDoubt& doubt, std::size_t line, double weight) {
-  stands_.add(doubt.stands, line, weight);
-  if (doubt.touched_off) touched_off_.add(*doubt.touched_off, line, weight);
+void ExpectedTally::add(const PoseDoubt& doubt, const compensate::SourceLine& at, double weight) {
+  stands_.add(doubt.stands, at, weight);
+  if (doubt.touched_off) touched_off_.add(*doubt.touched_off, at, weight);
   has_zero_ = doubt.touched_off.has_value();
   weights_ += weight;
   ++poses_;
@@ -100,7 +101,7 @@ std::vector<std::optional<PoseDoubt>> doubts_at(const machine::MachineModel& mod
   std::vector<compensate::PathSample> samples;
   for (const compensate::DrawnPoint& point : path.points) {
     const compensate::RecordedPoint& recorded = point.recorded;
-    samples.push_back({recorded.line, recorded.time_s, recorded.asked, recorded.in_spindle});
+    samples.push_back({recorded.line, {}, recorded.time_s, recorded.asked, recorded.in_spindle});
   }
   return doubts_at(model, posterior, settings, zero, samples);
 }
@@ -114,7 +115,7 @@ std::optional<ExpectedError> expected_along(const machine::MachineModel& model, 
   const std::vector<std::optional<PoseDoubt>> doubts = doubts_at(model, posterior, settings, zero, samples);
   ExpectedTally tally;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (doubts[i]) tally.add(*doubts[i], samples[i].line, weights[i]);
+    if (doubts[i]) tally.add(*doubts[i], {samples[i].line, samples[i].file}, weights[i]);
   }
   return tally.any() ? std::optional(tally.take(posterior, zero)) : std::nullopt;
 }

@@ -31,6 +31,7 @@ struct ExpectedFigures {
   double within = 0;                  // mean of what 95 % are within
   double largest_within = 0;          // and the largest of these
   std::size_t line = 0;               // where that is
+  std::string file = {};              // as compensate::SourceLine has it
   std::array<double, kCauses> rms{};  // by what makes it
 };
 
@@ -47,14 +48,14 @@ struct ExpectedError {
 class ExpectedTally {
  public:
   /// `weight`: how long the machine is near there.
-  void add(const PoseDoubt& doubt, std::size_t line, double weight);
+  void add(const PoseDoubt& doubt, const compensate::SourceLine& at, double weight);
   bool any() const { return poses_ > 0; }
   ExpectedError take(const identify::Posterior& posterior, const AxisWords& zero);
 
  private:
   struct Sums {
     ExpectedFigures figures;
-    void add(const TipDoubt& doubt, std::size_t line, double weight);
+    void add(const TipDoubt& doubt, const compensate::SourceLine& at, double weight);
     void end(double weights);
   };
   Sums stands_, touched_off_;

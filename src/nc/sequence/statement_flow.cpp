@@ -54,14 +54,29 @@ LinePlace part_called(const Block& block, const std::string& number, LabelIndex&
               "M97 calls a part of its own program: check its P, or write M98 for another program");
 }
 
+// "line 3", and "line 3 of MAIN.MPF" where the call stands in another file than what is read.
+std::string line_of_call(const Call& call, const ProgramFiles& files) {
+  const bool here = call.back.file == files.current();
+  return fmt::format("line {}{}", call.line, here ? "" : " of " + files.file(call.back.file).name());
+}
+
 // SUB(1,2) needs a head that takes as many: PROC SUB(REAL A, REAL B).
-void take_values(const Block& block, Call& call) {
+void take_values(const Block& block, Call& call, const ProgramFiles& files) {
   call.takes_values = true;
   if (call.arguments.size() <= block.settings.size()) return;
   refuse_flow(block, codes::kFlowControl,
-              fmt::format("{} is called in line {} with {} values, and takes {}", call.name, call.line,
+              fmt::format("{} is called in {} with {} values, and takes {}", call.name, line_of_call(call, files),
                           call.arguments.size(), block.settings.size()),
               "leave values out of the call, or add parameters here");
+}
+
+// The first block of what is called shows whether it has a head that takes them.
+void refuse_without_head(const Block& block, const Call& call, const ProgramFiles& files) {
+  if (call.arguments.empty() || call.takes_values) return;
+  refuse_flow(block, codes::kFlowControl,
+              fmt::format("{} is called in {} with values, and has no PROC that takes them", call.name,
+                          line_of_call(call, files)),
+              "call it without values, or begin it with PROC and its parameters");
 }
 
 }  // namespace
@@ -95,6 +110,8 @@ bool StatementFlow::next(Line& line) {
 }
 
 bool StatementFlow::take(const Block& block) {
+  const bool is_head = block.flow.word == FlowWord::sub || block.flow.word == FlowWord::program;
+  if (called() && !is_head && !block.words.empty()) refuse_without_head(block, calls_.top(), files_);
   if (loops_.ends_left_out(block)) return true;
   switch (block.flow.word) {
     case FlowWord::program:
@@ -172,7 +189,7 @@ void StatementFlow::head(const Block& block) {
     if (may_be_sub && !head_of(block.text, dialect_).is_main) check_first_of_archive(labels_);
     const std::vector<Value> none;
     const std::vector<Value>& arguments = called() ? calls_.top().arguments : none;
-    if (block.flow.word == FlowWord::sub && called()) take_values(block, calls_.top());
+    if (block.flow.word == FlowWord::sub && called()) take_values(block, calls_.top(), files_);
     for (std::size_t i = 0; i < block.settings.size(); ++i) {
       interpreter_.set_variable(block, i, i < arguments.size() ? arguments[i] : Value{0, true});
     }
@@ -343,9 +360,9 @@ bool StatementFlow::end_program(const Block& block, const ProgramCall& program) 
   if (was_called) {
     if (program.return_to && calls_.top().remaining > 0) {
       refuse_flow(block, codes::kNotInterpreted,
-                  fmt::format("line {} calls this more than once, and whether P of M99 leaves the calls to come out "
-                              "was found in no source",
-                              calls_.top().line),
+                  fmt::format("{} calls this more than once, and whether P of M99 leaves the calls to come out was "
+                              "found in no source",
+                              line_of_call(calls_.top(), files_)),
                   "call it once in a block, or leave P out here");
     }
     leave(block);
@@ -373,12 +390,7 @@ void StatementFlow::jump_back(const Block& block, int number, std::size_t from) 
 }
 
 void StatementFlow::leave(const Block& block) {
-  if (const Call& call = calls_.top(); !call.arguments.empty() && !call.takes_values) {
-    refuse_flow(
-        block, codes::kFlowControl,
-        fmt::format("{} is called in line {} with values, and has no PROC that takes them", call.name, call.line),
-        "call it without values, or begin it with PROC and its parameters");
-  }
+  refuse_without_head(block, calls_.top(), files_);
   sections_.leave(calls_.depth());
   if (calls_.begins_again()) {
     interpreter_.call_again();

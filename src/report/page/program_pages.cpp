@@ -10,6 +10,7 @@
 #include "report/micrometres.hpp"
 #include "report/page/program_section.hpp"
 #include "report/page/sections.hpp"
+#include "report/program/line_text.hpp"
 #include "report/program/summary_text.hpp"
 #include "report/text_table.hpp"
 
@@ -19,7 +20,9 @@ namespace {
 using compensate::Summary;
 using compensate::Worst;
 
-std::string at_line(const Worst& worst) { return worst.line == 0 ? "" : fmt::format("at line {}", worst.line); }
+std::string at_line(const Worst& worst) {
+  return worst.line == 0 ? "" : fmt::format("at line {}", line_text(worst.line, worst.file));
+}
 
 std::string file_name(const std::string& path) {
   const std::string name = input_name(path);
@@ -51,7 +54,7 @@ void add_expected(std::vector<Fact>& facts, const std::optional<jobs::ExpectedEr
   const auto add = [&](std::string name, const jobs::ExpectedFigures& figures) {
     std::string note = fmt::format("95 % are within {:.1f} um, at the worst within {:.1f} um", figures.within / kUm,
                                    figures.largest_within / kUm);
-    if (figures.line > 0) note += fmt::format(" at line {}", figures.line);
+    if (figures.line > 0) note += fmt::format(" at line {}", line_text(figures.line, figures.file));
     facts.push_back({std::move(name), figures.mean / kUm, "um", 1, std::move(note)});
   };
   add("expected error on the machine", expected->stands);
@@ -79,9 +82,9 @@ Json figures(const Summary& s, const machine::MachineModel& model, const std::op
                                                                          static_cast<double>(s.bytes_before))});
   }
   if (s.short_pieces.below_1_ms > 0) {
-    facts.push_back(
-        {"blocks shorter than 1 ms", count_text(s.short_pieces.below_1_ms), "", 0,
-         fmt::format("the shortest {:.3g} ms at line {}", s.short_pieces.least_s / kMs, s.short_pieces.line)});
+    facts.push_back({"blocks shorter than 1 ms", count_text(s.short_pieces.below_1_ms), "", 0,
+                     fmt::format("the shortest {:.3g} ms at line {}", s.short_pieces.least_s / kMs,
+                                 line_text(s.short_pieces.line, s.short_pieces.file))});
   }
   facts.push_back({"condition number, at most", s.condition.value, "", 1, at_line(s.condition)});
   return facts_section("", facts);

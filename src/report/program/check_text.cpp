@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/program/expected_text.hpp"
+#include "report/program/line_text.hpp"
 #include "report/text_table.hpp"
 
 namespace plumbline::report {
@@ -17,7 +18,8 @@ using Json = nlohmann::ordered_json;
 std::string message_of(const jobs::CheckFinding& finding) {
   if (finding.violation.what == "reach") return "no command puts the tool there";
   std::string message = machine::to_text(finding.violation);
-  if (finding.left_by > 0) message += fmt::format(", where line {} left it", finding.left_by);
+  if (finding.left_by > 0)
+    message += fmt::format(", where line {} left it", line_text(finding.left_by, finding.left_by_file));
   return message;
 }
 
@@ -57,6 +59,7 @@ std::string check_json(const jobs::CheckSummary& summary) {
                         {"unit", f.violation.unit},
                         {"message", message_of(f)}});
     if (f.left_by > 0) findings.back()["left_by"] = f.left_by;
+    if (!f.left_by_file.empty()) findings.back()["left_by_file"] = f.left_by_file;
   }
   Json refusal;  // null: none
   if (const auto& r = summary.refusal) {

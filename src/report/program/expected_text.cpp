@@ -9,6 +9,7 @@
 
 #include "base/units.hpp"
 #include "report/program/csv_columns.hpp"
+#include "report/program/line_text.hpp"
 
 namespace plumbline::report {
 namespace {
@@ -42,7 +43,7 @@ std::string_view words_of(Cause cause) {
 std::string figures_text(const ExpectedFigures& figures) {
   std::string text = fmt::format("{:.1f} um on average, 95 % within {:.1f} um, at the worst within {:.1f} um",
                                  figures.mean / kUm, figures.within / kUm, figures.largest_within / kUm);
-  if (figures.line > 0) text += fmt::format(" (line {})", figures.line);
+  if (figures.line > 0) text += fmt::format(" (line {})", line_text(figures.line, figures.file));
   return text;
 }
 
@@ -61,6 +62,7 @@ Json figures_json(const ExpectedFigures& figures) {
   Json json{{"mean_um", figures.mean / kUm},
             {"within_95_um", figures.within / kUm},
             {"largest_within_95_um", {{"value", figures.largest_within / kUm}, {"line", figures.line}}}};
+  if (!figures.file.empty()) json["largest_within_95_um"]["file"] = figures.file;
   Json& causes = json["rms_by_cause_um"] = Json::object();
   for (const Cause cause : jobs::kAllCauses)
     causes[std::string(jobs::key_of(cause))] = figures.rms[jobs::index(cause)] / kUm;

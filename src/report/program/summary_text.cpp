@@ -11,6 +11,7 @@
 #include "base/version.hpp"
 #include "report/micrometres.hpp"
 #include "report/program/expected_text.hpp"
+#include "report/program/line_text.hpp"
 #include "report/text_table.hpp"
 
 namespace plumbline::report {
@@ -20,7 +21,11 @@ using compensate::Summary;
 using compensate::Worst;
 using Json = nlohmann::ordered_json;
 
-std::string at_line(std::size_t line) { return line == 0 ? std::string() : fmt::format(" (line {})", line); }
+// A figure of the summary: of a subprogram beside the program its file is said, too.
+template <class Figure>
+std::string at_line(const Figure& figure) {
+  return figure.line == 0 ? std::string() : fmt::format(" (line {})", line_text(figure.line, figure.file));
+}
 
 std::string short_time_text(double seconds) {
   return seconds < 1 ? fmt::format("{:.3g} ms", seconds / kMs) : time_text(seconds);
@@ -45,8 +50,8 @@ void add_counts(TextTable& table, const Summary& s) {
 
 void add_corrections(TextTable& table, const Summary& s) {
   table.add("largest correction",
-            fmt::format("{:.4f} mm{}, {:.5f} deg{}", s.correction_mm.value, at_line(s.correction_mm.line),
-                        s.correction_deg.value, at_line(s.correction_deg.line)));
+            fmt::format("{:.4f} mm{}, {:.5f} deg{}", s.correction_mm.value, at_line(s.correction_mm),
+                        s.correction_deg.value, at_line(s.correction_deg)));
   table.add("rms correction", fmt::format("{:.4f} mm", s.rms_correction_mm));
 }
 
@@ -58,15 +63,15 @@ void add_time(TextTable& table, const Summary& s) {
   if (s.seconds_before <= 0) return;
   table.add("cutting time", fmt::format("{} before, {} after ({})", time_text(s.seconds_before),
                                         time_text(s.seconds_after), change_text(s.seconds_before, s.seconds_after)));
-  table.add("worst of a block", fmt::format("{:.3f} %{}", s.time_change.value * 100, at_line(s.time_change.line)));
+  table.add("worst of a block", fmt::format("{:.3f} %{}", s.time_change.value * 100, at_line(s.time_change)));
 }
 
 // Where a bound that was asked for is not kept.
 void add_broken(TextTable& table, const compensate::BrokenBound& broken, std::string_view why) {
   if (broken.pieces == 0) return;
-  table.add("", fmt::format("but on {}, for {}: {}, up to {:.3f} um{}", count_text(broken.pieces, "piece"),
-                            short_time_text(broken.seconds), why, broken.off_mm.value * kUmPerMm,
-                            at_line(broken.off_mm.line)));
+  table.add("",
+            fmt::format("but on {}, for {}: {}, up to {:.3f} um{}", count_text(broken.pieces, "piece"),
+                        short_time_text(broken.seconds), why, broken.off_mm.value * kUmPerMm, at_line(broken.off_mm)));
 }
 
 void add_arcs(TextTable& table, const compensate::ArcFigures& arcs) {
@@ -74,7 +79,7 @@ void add_arcs(TextTable& table, const compensate::ArcFigures& arcs) {
   std::string text = fmt::format("{} stayed one", arcs.stayed);
   if (arcs.split > 0) {
     text += fmt::format(", {} became {} with arcs among them, at most {:.0f}{}", arcs.split,
-                        count_text(arcs.blocks, "block"), arcs.most_blocks.value, at_line(arcs.most_blocks.line));
+                        count_text(arcs.blocks, "block"), arcs.most_blocks.value, at_line(arcs.most_blocks));
   }
   if (arcs.straight > 0) text += fmt::format(", {} became straight pieces alone", arcs.straight);
   table.add("arcs", text);
@@ -87,7 +92,7 @@ void add_bound(TextTable& table, const Summary& s, const settings::Options& opti
             fmt::format("{:.4g} um and {:.3g} deg asked for; kept with at most {:.3f} um{}, {:.6f} deg, proven "
                         "piece by piece, rounding included",
                         asked.tolerance_mm * kUmPerMm, asked.tolerance_mm / asked.turn_length_mm / kDeg,
-                        s.bound->kept_mm.value * kUmPerMm, at_line(s.bound->kept_mm.line), s.bound->kept_deg.value));
+                        s.bound->kept_mm.value * kUmPerMm, at_line(s.bound->kept_mm), s.bound->kept_deg.value));
   add_broken(table, s.bound->at_turns, "the friction of a strut turns, and the tip jumps with it");
   add_broken(table, s.bound->by_time, "no shorter block is allowed");
   add_arcs(table, s.bound->arcs);
@@ -98,22 +103,21 @@ void add_quality(TextTable& table, const Summary& s, const settings::Options& op
     table.add("rounding, subdivision",
               fmt::format("at most {:.3f} um{}, {:.5f} deg, between its points too, with the friction that "
                           "turns: {} played on the model",
-                          s.residual_mm.value * kUmPerMm, at_line(s.residual_mm.line), s.residual_deg.value,
+                          s.residual_mm.value * kUmPerMm, at_line(s.residual_mm), s.residual_deg.value,
                           count_text(s.replayed, "point")));
     if (!options.compensation.bound.is_asked())
       table.add("", "that is the bound which these steps reach; --tolerance chooses the points by a bound");
     if (!says_expected)
       table.add("", "how far the machine itself is from its model comes on top: plumbline compare tells");
   }
-  table.add("rounding",
-            fmt::format("at most {:.3f} um{}", s.rounding_mm.value * kUmPerMm, at_line(s.rounding_mm.line)));
-  table.add("condition number", fmt::format("at most {:.1f}{}", s.condition.value, at_line(s.condition.line)));
+  table.add("rounding", fmt::format("at most {:.3f} um{}", s.rounding_mm.value * kUmPerMm, at_line(s.rounding_mm)));
+  table.add("condition number", fmt::format("at most {:.1f}{}", s.condition.value, at_line(s.condition)));
   if (s.widened_blocks > 0) {
-    table.add("wider steps", fmt::format("{}, up to {:.3f} mm{}: the control's block time asks for it",
-                                         count_text(s.widened_blocks, "block"), s.widened_step_mm.value,
-                                         at_line(s.widened_step_mm.line)));
+    table.add("wider steps",
+              fmt::format("{}, up to {:.3f} mm{}: the control's block time asks for it",
+                          count_text(s.widened_blocks, "block"), s.widened_step_mm.value, at_line(s.widened_step_mm)));
     table.add("", fmt::format("between their points the tip is up to {:.3f} um off{}", s.widening_mm.value * kUmPerMm,
-                              at_line(s.widening_mm.line)));
+                              at_line(s.widening_mm)));
   }
 }
 
@@ -124,8 +128,7 @@ void add_short_pieces(TextTable& table, const Summary& s) {
   if (found.below_block_time > 0) {
     counts += fmt::format(", {} below the control's block time", count_text(found.below_block_time));
   }
-  table.add("short pieces",
-            fmt::format("{}, the shortest {:.3g} ms{}", counts, found.least_s / kMs, at_line(found.line)));
+  table.add("short pieces", fmt::format("{}, the shortest {:.3g} ms{}", counts, found.least_s / kMs, at_line(found)));
   if (found.whole_blocks > 0)
     table.add("", fmt::format("{} of them as short in the program itself", count_text(found.whole_blocks)));
 }
@@ -138,7 +141,7 @@ void add_offsets(TextTable& table, const Summary& s, const settings::Options& op
     const AxisWords& e = *s.zero_error;
     table.add("zero", fmt::format("the machine stands X{:+.1f} Y{:+.1f} Z{:+.1f} um off at the first cutting block{}",
                                   e[Axis::X] * kUmPerMm, e[Axis::Y] * kUmPerMm, e[Axis::Z] * kUmPerMm,
-                                  at_line(s.zero_error_line)));
+                                  at_line(Worst{0, s.zero_error_line, s.zero_error_file})));
     table.add("", "an offset probed on the machine holds that already: say where with --touch-off");
   }
   if (!s.assumed_at_zero.empty()) {
@@ -166,7 +169,11 @@ void add_files(TextTable& table, const Summary& s, const settings::Options& opti
     table.add(i == 0 ? "settings from" : "", options.paths.settings_files[i]);
 }
 
-Json worst(const Worst& value, double unit = 1) { return {{"value", value.value * unit}, {"line", value.line}}; }
+Json worst(const Worst& value, double unit = 1) {
+  Json json{{"value", value.value * unit}, {"line", value.line}};
+  if (!value.file.empty()) json["file"] = value.file;
+  return json;
+}
 
 Json axis_values(const AxisWords& words) {
   Json json;
@@ -179,11 +186,13 @@ Json axis_values(const AxisWords& words) {
 
 Json short_pieces_json(const compensate::ShortPieces& found) {
   const bool any = found.line > 0;
-  return {{"below_1_ms", found.below_1_ms},
-          {"below_block_time", found.below_block_time},
-          {"whole_blocks", found.whole_blocks},
-          {"shortest_ms", any ? Json(found.least_s / kMs) : Json()},
-          {"line", any ? Json(found.line) : Json()}};
+  Json json{{"below_1_ms", found.below_1_ms},
+            {"below_block_time", found.below_block_time},
+            {"whole_blocks", found.whole_blocks},
+            {"shortest_ms", any ? Json(found.least_s / kMs) : Json()},
+            {"line", any ? Json(found.line) : Json()}};
+  if (!found.file.empty()) json["file"] = found.file;
+  return json;
 }
 
 Json broken_json(const compensate::BrokenBound& broken) {
@@ -222,10 +231,11 @@ Json read_back_json(const Summary& s) {
           {"guard_lines", s.read_back->guard_lines}};
 }
 
-Json warnings_json(const std::vector<Diagnostic>& warnings) {
+Json warnings_json(const Summary& s) {
   Json list = Json::array();
-  for (const Diagnostic& w : warnings) {
+  for (const Diagnostic& w : s.warnings) {
     list.push_back({{"code", w.code}, {"message", w.message}, {"help", w.help}, {"line", w.place.line}});
+    if (!w.place.file.empty() && w.place.file != s.made_of.program) list.back()["file"] = w.place.file;
   }
   return list;
 }
@@ -284,7 +294,7 @@ Json summary_in_json(const Summary& s, const settings::Options& options,
     inlined.push_back({{"name", file.name}, {"hash", to_hex(file.hash)}});
   }
   const std::vector<std::string>& files = options.paths.settings_files;
-  return {
+  Json json{
       {"plumbline", "compensation 1"},
       {"version", version()},
       {"made_of", made_of_json(s.made_of)},
@@ -325,7 +335,9 @@ Json summary_in_json(const Summary& s, const settings::Options& options,
       {"machine", options.machine.empty() ? Json() : Json(options.machine)},
       {"settings_file", files.empty() ? Json() : Json(files.front())},
       {"settings_files", files},
-      {"warnings", warnings_json(s.warnings)}};
+      {"warnings", warnings_json(s)}};
+  if (s.zero_error && !s.zero_error_file.empty()) json["zero_error_file"] = s.zero_error_file;
+  return json;
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST_CASE("among many, smooth neighbours stand for each other") {
 
 TEST_CASE("what was found over what was guessed decides what promises more than the worst so far") {
   PieceRanking ranking;
-  ranking.found.take(1, 3);
+  ranking.found.take(1, {3});
   const PieceGuess half{0.5, PieceGuess::turn, 0, 0};
   CHECK_FALSE(ranking.promises(half));
   CHECK(ranking.promises({0.7, PieceGuess::turn, 0, 0}));  // half as much again, as long as little is learnt
