@@ -8,8 +8,12 @@
 namespace plumbline::compensate {
 
 MovesAhead::MovesAhead(const machine::MachineModel& model, const Settings& settings, const nc::Dialect& dialect,
-                       const nc::ToolTable& tools, const ReaderSettings& reader)
-    : dialect_(dialect), reader_(reader), corrector_(model, settings), spindle_(tools, reader.reference_tool_mass) {}
+                       const nc::ToolTable& tools, const ReaderSettings& reader, std::string_view program)
+    : dialect_(dialect),
+      reader_(reader),
+      program_(program),
+      corrector_(model, settings),
+      spindle_(tools, reader.reference_tool_mass) {}
 
 void MovesAhead::look(const nc::KeptSteps& steps, std::size_t place) {
   PointsAhead& points = points_[place];
@@ -41,6 +45,7 @@ void MovesAhead::add(const nc::Step& step, PointsAhead& points) const {
   const nc::Motion& motion = step.motions.front();
   if (!path::is_cut(motion.kind) || motion.in_machine_coordinates) return;
   points.moves.push_back({compensate::move_of(step, motion, dialect_, reader_, points.at_zero), points.targets.size()});
+  if (!program_.empty() && step.block->file != program_) points.moves.back().move.path.file = step.block->file;
   Move& move = points.moves.back().move;
   try {
     forget_time_of_no_way(move);

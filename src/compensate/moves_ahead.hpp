@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "compensate/corrector.hpp"
@@ -17,9 +18,9 @@ namespace plumbline::compensate {
 /// the tool that is in the spindle. One pose alone takes nearly as long as eight together.
 class MovesAhead : public nc::StepsAhead {
  public:
-  /// All but `reader` must outlive it.
+  /// All but `reader` must outlive it. `program`: the name of its own file; moves of all others are told with theirs.
   MovesAhead(const machine::MachineModel& model, const Settings& settings, const nc::Dialect& dialect,
-             const nc::ToolTable& tools, const ReaderSettings& reader);
+             const nc::ToolTable& tools, const ReaderSettings& reader, std::string_view program = {});
 
   void look(const nc::KeptSteps& steps, std::size_t place) override;
 
@@ -38,6 +39,7 @@ class MovesAhead : public nc::StepsAhead {
 
   const nc::Dialect& dialect_;
   const ReaderSettings reader_;
+  std::string_view program_;
   Corrector corrector_;
   SpindleTool spindle_;
   std::uint64_t looks_ = 0;

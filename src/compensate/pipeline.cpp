@@ -116,7 +116,7 @@ Pipeline::Pipeline(const InputFile& source, const ProgramSurvey& survey, const n
       corrector_(model, settings),
       reading_{survey.named, divided_by(settings), model.reference_tool_mass,
                touch_off_error(corrector_, model.limits, settings)},
-      ahead_(model, settings, dialect_, program.tools, reading_),
+      ahead_(model, settings, dialect_, program.tools, reading_, source.name()),
       reader_(source, dialect_, program, reading_, settings.bound.is_asked() ? nullptr : &ahead_),
       moves_(corrector_, model.limits, MoveCorrector::AtViolation::stop, settings.bound),
       holes_(dialect_, corrector_, model.limits, settings, moves_),

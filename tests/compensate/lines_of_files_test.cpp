@@ -59,8 +59,8 @@ TEST_CASE("figures and warnings of a subprogram's file name it") {
 
 TEST_CASE("figures of the program's own file name none") {
   const Job job = job_of_control("siemens");
-  const Done done =
-      compensate_files(kMain + "G1 X20 Y30 Z20 F600\nSUB1\nX20.01 F6000\nM30\n", "PROC SUB1\nG0 X0 Y0 Z50\nM17\n", job);
+  const Done done = compensate_files(kMain + "G1 X20 Y30 Z20 F600\nSUB1\nG1 X.01 F6000\nM30\n",
+                                     "PROC SUB1\nG0 X0 Y0 Z50\nM17\n", job);
   REQUIRE(done.refused.empty());
   CHECK(done.summary.zero_error_line == 3);
   CHECK(done.summary.zero_error_file.empty());
@@ -71,7 +71,7 @@ TEST_CASE("figures of the program's own file name none") {
 
 TEST_CASE("a call with values is told with the file of its line, at the first block of what it calls") {
   const Job job = job_of_control("siemens");
-  const std::string few = compensate_files(kMain + "SUB1(1,2)\nM30\n", "PROC SUB1(REAL A1)\nX1\nM17\n", job).refused;
+  const std::string few = compensate_files(kMain + "SUB1(1,2)\nM30\n", "PROC SUB1(REAL WERT)\nX1\nM17\n", job).refused;
   INFO(few);
   CHECK(few.starts_with("SUB1.SPF:1 SUB1 is called in line 3 of "));
   CHECK(few.find("MAIN.MPF with 2 values, and takes 1") != std::string::npos);

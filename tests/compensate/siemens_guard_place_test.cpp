@@ -18,9 +18,10 @@ const std::string kCuts = "G710 G90 G17 G54 G64 G94\nG0 X0 Y0 Z50 A0 B0 C0\nG1 X
 }  // namespace
 
 TEST_CASE("a guard stands behind PROC and DEF, and before the first other block") {
-  for (const std::string head : {"DEF REAL DEPTH=-15\n", "PROC PART\n", "PROC PART\nDEF INT I\nDEF REAL A1,B1\n",
-                                 "; made by hand\nDEF REAL A1=3 ; of the part\nDEF INT COUNT\n",
-                                 "%_N_PART_MPF\n;$PATH=/_N_WKS_DIR\nN10 DEF REAL A1\nN20 DEF REAL A2\n"}) {
+  for (const std::string head :
+       {"DEF REAL DEPTH=-15\n", "PROC PART\n", "PROC PART\nDEF INT ZAEHL\nDEF REAL WERT1,WERT2\n",
+        "; made by hand\nDEF REAL WERT1=3 ; of the part\nDEF INT COUNT\n",
+        "%_N_PART_MPF\n;$PATH=/_N_WKS_DIR\nN10 DEF REAL WERT1\nN20 DEF REAL WERT2\n"}) {
     INFO(head);
     const std::string out = guarded(head + kCuts);
     INFO(out);
@@ -31,8 +32,9 @@ TEST_CASE("a guard stands behind PROC and DEF, and before the first other block"
 
 TEST_CASE("a guard stands at the begin where nothing is defined, and of a program that is written out") {
   CHECK(guarded(kCuts).starts_with("; plumbline 0 compensated this program\n; plumbline guard begins\n"));
-  const std::string out =
-      guarded("DEF INT I\nG710 G90 G17 G54 G64 G94\nG0 X0 Y0 Z50 A0 B0 C0\nFOR I=1 TO 2\nG1 X=I F600\nENDFOR\nM30\n");
+  const std::string out = guarded(
+      "DEF INT ZAEHL\nG710 G90 G17 G54 G64 G94\nG0 X0 Y0 Z50 A0 B0 C0\nFOR ZAEHL=1 TO 2\nG1 X=ZAEHL "
+      "F600\nENDFOR\nM30\n");
   INFO(out);
   CHECK(out.starts_with("; plumbline 0 compensated this program\n; plumbline guard begins\n"));
   CHECK(out.find("DEF") == std::string::npos);

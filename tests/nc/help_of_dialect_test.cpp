@@ -104,7 +104,7 @@ TEST_CASE("H of a SINUMERIK is a function that goes to the PLC") {
          {"siemens", "G54\nG0 X5 H20\nM30\n", "hands to its PLC", "add the code that it belongs to"},
          {"siemens", "H5=1\nM30\n", "hands to its PLC", "spindle"},
          {"siemens", "H5=1\nM30\n", "no H word", "spindle"},
-         {"fanuc", "O1\nG0 X5. H2\nM30\n", "", "PLC"}});
+         {"linuxcnc", "G0 X5 H2\nM2\n", "no code of this block uses", "PLC"}});
 }
 
 TEST_CASE("the way out is one that can be gone") {

@@ -70,13 +70,19 @@ void take_values(const Block& block, Call& call, const ProgramFiles& files) {
               "leave values out of the call, or add parameters here");
 }
 
-// The first block of what is called shows whether it has a head that takes them.
-void refuse_without_head(const Block& block, const Call& call, const ProgramFiles& files) {
+// The first line of what is called shows whether it has a head that takes them.
+void refuse_without_head(std::string_view text, std::size_t line, const Call& call, const ProgramFiles& files) {
   if (call.arguments.empty() || call.takes_values) return;
-  refuse_flow(block, codes::kFlowControl,
-              fmt::format("{} is called in {} with values, and has no PROC that takes them", call.name,
-                          line_of_call(call, files)),
-              "call it without values, or begin it with PROC and its parameters");
+  Place place;
+  place.file = files.name();
+  place.line = line;
+  place.column = 1;
+  place.text = text;
+  place.length = text.size();
+  refuse(codes::kFlowControl,
+         fmt::format("{} is called in {} with values, and has no PROC that takes them", call.name,
+                     line_of_call(call, files)),
+         "call it without values, or begin it with PROC and its parameters", std::move(place));
 }
 
 }  // namespace
@@ -97,7 +103,11 @@ bool StatementFlow::next(Line& line) {
     }
     if (reading_ == Reading::head || !definitions_.closed()) {
       const LineHead head = head_of(line.text, dialect_);
-      if (!head.empty && head.program.empty()) reading_ = Reading::body;
+      if (!head.empty && head.program.empty()) {
+        const bool begins = reading_ == Reading::head && called() && head.word != FlowWord::sub;
+        if (begins) refuse_without_head(line.text, line.place.line, calls_.top(), files_);
+        reading_ = Reading::body;
+      }
       definitions_.note(head, line.place.line);
     }
     return true;
@@ -110,8 +120,6 @@ bool StatementFlow::next(Line& line) {
 }
 
 bool StatementFlow::take(const Block& block) {
-  const bool is_head = block.flow.word == FlowWord::sub || block.flow.word == FlowWord::program;
-  if (called() && !is_head && !block.words.empty()) refuse_without_head(block, calls_.top(), files_);
   if (loops_.ends_left_out(block)) return true;
   switch (block.flow.word) {
     case FlowWord::program:
@@ -390,7 +398,7 @@ void StatementFlow::jump_back(const Block& block, int number, std::size_t from) 
 }
 
 void StatementFlow::leave(const Block& block) {
-  refuse_without_head(block, calls_.top(), files_);
+  refuse_without_head(block.text, block.line, calls_.top(), files_);
   sections_.leave(calls_.depth());
   if (calls_.begins_again()) {
     interpreter_.call_again();

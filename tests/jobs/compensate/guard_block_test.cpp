@@ -203,7 +203,7 @@ TEST_CASE("Siemens: a guard does not stand before definitions") {
     return testing::refusal_of([&] { jobs::refuse_guard_before_definitions(file, nc::dialect(dialect)); }).code;
   };
   CHECK(code("; part\nDEF REAL DEPTH=-15\nG54 G0 X0\nM30\n", "siemens").empty());  // it stands behind them
-  CHECK(code("PROC PART\nDEF INT I\nG54 G0 X0\nM30\n", "siemens").empty());
+  CHECK(code("PROC PART\nDEF INT ZAEHL\nG54 G0 X0\nM30\n", "siemens").empty());
   CHECK(code("R1=5\nDEF REAL DEPTH=-15\nG54 G0 X0\nM30\n", "siemens") == "guard-definitions");
   CHECK(code("; part\nG54\nPROC PART\nM30\n", "siemens") == "guard-definitions");
   CHECK(code("N5 G90\nN10 DEF INT COUNT\nG54 G0 X0\nM30\n", "siemens") == "guard-definitions");
