@@ -235,7 +235,9 @@ void check_words_used(const Execution& run) {
       run.refuse(word, codes::kWordUnused, "Q of a call says at which block the subprogram begins, which is not read",
                  "make what begins there a subprogram of its own, and call that");
     }
-    if (word.letter == 'H' && run.dialect.syntax.declared)
+    // FP has the letter, too.
+    const bool is_h = word.letter == 'H' && upper(run.text_of(word)[0]) == 'H';
+    if (is_h && run.dialect.syntax.declared)
       run.refuse(word, codes::kUserCode, user_function_text(run.text_of(word)), std::string(kUserFunctionHelp));
     run.refuse(word, codes::kWordUnused, fmt::format("no code of this block uses the {} word", name_of(run, word)),
                "remove it, or add the code that it belongs to");
