@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <list>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -195,17 +196,21 @@ std::string tool_table_text(const nc::ToolTable& tools) {
   return text;
 }
 
+// The control reads its variables in ascending order [LinuxCNC, rs274ngc_pre.cc: restore_parameters]; what
+// was given as a work offset stands in place of the file's.
 std::string variables_text(const nc::ProgramSettings& settings) {
-  std::string text = fmt::format("{} 1\n", kActiveSystemParameter);
+  std::map<int, double> rows = settings.variables;
+  rows.erase(0);  // R0 of other controls
+  rows.emplace(kActiveSystemParameter, 1);
   for (std::size_t i = 0; i < kLinuxcncSystems; ++i) {
     if (!settings.work_offsets[i]) continue;
     const nc::WorkOffset& offset = *settings.work_offsets[i];
     const int first = kFirstOffsetParameter + kParametersPerSystem * static_cast<int>(i);
-    for (const Axis axis : kAllAxes) {
-      text += fmt::format("{} {}\n", first + static_cast<int>(index(axis)), to_decimal(offset.origin[axis]));
-    }
-    text += fmt::format("{} {}\n", first + kRotation, to_decimal(offset.rotation_deg));
+    for (const Axis axis : kAllAxes) rows[first + static_cast<int>(index(axis))] = offset.origin[axis];
+    rows[first + kRotation] = offset.rotation_deg;
   }
+  std::string text;
+  for (const auto& [number, value] : rows) text += fmt::format("{} {}\n", number, exact_decimal(value));
   return text;
 }
 

@@ -136,7 +136,10 @@ std::string test_program(const machine::MachineModel& machine, const measure::Ru
   if (dialect.guard != nc::GuardLanguage::none) {
     nc::ProgramSettings zero;
     zero.work_offsets[0] = nc::WorkOffset{};
-    for (const std::string& line : guard_block(zero, {dialect, AxisSet::rotary()})) text.line(line);
+    compensate::ProgramSurvey survey{dialect, AxisSet::rotary()};
+    survey.beginning.states_unit = survey.beginning.states_distance = true;  // Manner::modes
+    survey.beginning.states_feed_mode = true;
+    for (const std::string& line : guard_block(zero, survey)) text.line(line);
   }
   text.line(manner.modes);
   const double height = text.height(options);

@@ -113,6 +113,24 @@ TEST_CASE("limits are the model's; Z, which LinuxCNC counts with the tool, reach
   CHECK(files.at("hexapod.var") == "5220 1\n5241 1\n5242 2\n5243 -1008\n5244 0\n5245 0.5\n5246 0\n5250 12\n");
 }
 
+TEST_CASE("the control has all variables that were given, in ascending order, and the work offsets on top") {
+  const machine::MachineModel model = testing::pm600_like();
+  const auto variables_of = [&](const nc::ProgramSettings& settings) {
+    return files_of(model, settings).at("hexapod.var");
+  };
+  nc::ProgramSettings another_system;
+  another_system.variables = {{5220, 3}, {31, 2.25}};
+  CHECK(variables_of(another_system) == "31 2.25\n5220 3\n");
+  nc::ProgramSettings shifted;
+  shifted.variables = {{5210, 1}, {5211, -0.1234567}, {5219, 4}};
+  CHECK(variables_of(shifted) == "5210 1\n5211 -0.1234567\n5219 4\n5220 1\n");
+  nc::ProgramSettings homes;
+  homes.variables = {{5161, 10}, {5183, -900}, {5221, 1}, {5227, 8}};  // U of G54 behind its C
+  homes.work_offsets[0] = nc::WorkOffset{{{2, 0, -1008, 0, 0, 0}}, 0};
+  CHECK(variables_of(homes) ==
+        "5161 10\n5183 -900\n5220 1\n5221 2\n5222 0\n5223 -1008\n5224 0\n5225 0\n5226 0\n5227 8\n5230 0\n");
+}
+
 TEST_CASE("a machine that LinuxCNC cannot be is refused") {
   machine::MachineModel model = testing::pm600_like();
   model.rotation = *machine::rotation_order("XYZ");

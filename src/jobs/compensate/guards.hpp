@@ -5,11 +5,17 @@
 #include <string_view>
 #include <vector>
 
+#include "compensate/program_survey.hpp"
 #include "nc/sequence/program.hpp"
 
 namespace plumbline::jobs {
 
 inline constexpr std::string_view kGuardTolerance = "0.001";  // mm and deg
+
+/// LinuxCNC: a message and M2 where the control starts with another work system, another G92, another unit, distance
+/// mode or feed mode that the program does not state, a tool offset, another tool in the spindle if that was given,
+/// where an axis stands elsewhere than given, where a work system or a tool offset differs.
+std::vector<std::string> linuxcnc_guard(const nc::ProgramSettings& program, const compensate::ProgramSurvey& survey);
 
 /// Custom macro B: alarm 3101 where the control starts in inches, with another work system than G54, with a tool
 /// length or a shift by G92 or G52, where the sum of a work offset and the external one differs, or where an axis of

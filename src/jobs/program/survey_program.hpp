@@ -6,7 +6,8 @@
 
 namespace plumbline::jobs {
 
-/// The axes that its words name, and the tools of the settings' table that it may use (used_tools).
+/// The axes that its words name, the tools of the settings' table that it may use (used_tools), and what it says of
+/// itself before its first move (beginning_of).
 compensate::ProgramSurvey survey_program(const OpenedProgram& program);
 
 }  // namespace plumbline::jobs

@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kLargestNumber = 99999999;
+constexpr std::string_view kG92Restored = "92.3";
 
 bool is_name_letter(char c) { return is_letter(c) || c == '_'; }
 
@@ -39,6 +40,7 @@ class Scan {
       if (c == ';') return;
       if (c == '(') i = std::min(line.find(')', i), line.size());
       if (is_name_letter(c) && (i == 0 || !is_name_letter(line[i - 1]))) note_name(line, i);
+      if (lower(c) == 'g') note_g_code(line, i + 1);
       if (std::string_view("TtHhQq").find(c) == std::string_view::npos) continue;
       std::size_t at = i + 1;
       while (at < line.size() && (is_blank(line[at]) || line[at] == '+')) ++at;
@@ -57,11 +59,20 @@ class Scan {
   /// True if the text may call a program of this name.
   bool may_call(const std::string& name) const { return names_.contains(name); }
   bool may_call_any() const { return !names_.empty(); }
+  bool may_restore_g92() const { return restores_g92_; }
   bool may_use(const nc::Tool& tool) const {
     return has_expression_ || numbers_.contains(tool.number) || tool_names_.contains(tool.name);
   }
 
  private:
+  void note_g_code(std::string_view line, std::size_t at) {
+    std::string code;
+    for (; at < line.size() && code.size() < kG92Restored.size(); ++at) {
+      if (!is_blank(line[at]) && !(code.empty() && line[at] == '0')) code += line[at];
+    }
+    restores_g92_ = restores_g92_ || code == kG92Restored || code.starts_with('#') || code.starts_with('[');
+  }
+
   // Names of two letters or more, and numbers after letters that programs are called with: few in any program.
   void note_name(std::string_view line, std::size_t at) {
     std::size_t end = at;
@@ -93,6 +104,7 @@ class Scan {
   }
 
   bool has_expression_ = false;
+  bool restores_g92_ = false;
   std::set<int> numbers_;
   std::set<std::string> names_;
   std::set<std::string> tool_names_;
@@ -109,9 +121,10 @@ void take_called_files(Scan& scan, const InputFile& program) {
   const fs::path folder = path_of(program.name()).parent_path();
   std::set<fs::path> waiting;
   std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, ignored)) {
-    waiting.insert(entry.path());
-  }
+  const auto add_folder = [&](const fs::path& path) {
+    for (const auto& entry : fs::directory_iterator(path, ignored)) waiting.insert(entry.path());
+  };
+  add_folder(folder.empty() ? fs::path(".") : folder);
   for (bool found = true; found;) {
     found = false;
     for (auto path = waiting.begin(); path != waiting.end() && !found; ++path) {
@@ -121,6 +134,7 @@ void take_called_files(Scan& scan, const InputFile& program) {
       found = true;  // it may name others
       const std::string file = path->generic_string();
       waiting.erase(path);
+      if (fs::is_directory(path_of(file), ignored)) add_folder(path_of(file));  // o<subs/deep> CALL
       if (!fs::is_regular_file(path_of(file), ignored) || program.is_same_as(file)) break;
       FilesBeside::note(program.name(), "", file);
       take_file(scan, InputFile(file));
@@ -142,6 +156,13 @@ std::vector<nc::Tool> used_tools(const InputFile& program, const nc::ToolTable& 
     if (scan.may_use(tool) || tool.number == tool_in_spindle) used.push_back(tool);
   }
   return used;
+}
+
+bool may_restore_g92(const InputFile& program) {
+  Scan scan;
+  take_file(scan, program);
+  take_called_files(scan, program);
+  return scan.may_restore_g92();
 }
 
 }  // namespace plumbline::jobs

@@ -14,4 +14,7 @@ namespace plumbline::jobs {
 std::vector<nc::Tool> used_tools(const InputFile& program, const nc::ToolTable& tools,
                                  std::optional<int> tool_in_spindle);
 
+/// True if G92.3 stands in these texts, or a G code that is an expression.
+bool may_restore_g92(const InputFile& program);
+
 }  // namespace plumbline::jobs

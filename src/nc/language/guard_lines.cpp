@@ -21,7 +21,8 @@ bool chooses_system(std::string_view line) {
 
 bool is_linuxcnc(std::string_view line) {
   constexpr std::array<std::string_view, 4> kBegins{"#<plumbline_", "o<plumbline_", "(MSG, plumbline guard: ", "G43 H"};
-  return begins_with_one_of(line, kBegins) || line == "M2" || line == "G49" || chooses_system(line);
+  return begins_with_one_of(line, kBegins) || line == "M2" || line == "G49" || line == "G92.2" || line == "G92.3" ||
+         chooses_system(line);
 }
 
 // An alarm or nothing.
