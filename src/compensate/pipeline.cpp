@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "base/diagnostic.hpp"
 #include "compensate/limits.hpp"
+#include "compensate/place_in_file.hpp"
 #include "nc/sequence/program_ends.hpp"
 #include "path/figures.hpp"
 
@@ -160,7 +162,13 @@ void Pipeline::take_block(const nc::Step& step) {
   follow_tool(step);
   const WrittenSteps::OfBlock written = steps_.of(step);
   for (const std::string& line : steps_.restated_variables(step)) rewriter_.add_line(step, line);
-  for (const nc::Step* const part : written.steps) take(*part);
+  for (const nc::Step* const part : written.steps) {
+    try {
+      take(*part);
+    } catch (const Refusal& refusal) {
+      refuse_in_file(refusal, *part->block, *step.block);
+    }
+  }
   if (written.steering) rewriter_.steer(*written.steering);
 }
 

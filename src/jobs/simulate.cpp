@@ -53,6 +53,8 @@ class Player {
   /// The ends of its pieces; a rapid stands still at each, since nobody knows how fast it is.
   void play(const compensate::Move& move, double begin_s) {
     const compensate::WayKind way = compensate::way_kind(move.motion->kind);
+    const bool moves = !compensate::goes_nowhere(move.path.curve);
+    if (path::is_cut(move.motion->kind) && !move.seconds && moves) ++summary_.untimed_moves;
     for (int i = 1; i <= move.pieces; ++i) {
       play(move, compensate::recorded_point(move.path, way, move.fraction(i), move.seconds, begin_s));
     }

@@ -39,7 +39,8 @@ struct SimulationSummary {
   double largest_um = 0;           // distance of the tip from its pose
   std::size_t largest_line = 0;
   double rms_um = 0;
-  double seconds = 0;
+  double seconds = 0;                      // without those of:
+  std::uint64_t untimed_moves = 0;         // that cut, and take what the program alone does not say: G95
   std::uint64_t beyond_travel = 0;         // of the points
   std::optional<Diagnostic> first_beyond;  // a warning of the first
   std::optional<ExpectedError> expected;

@@ -132,3 +132,15 @@ TEST_CASE("points beyond the limits are counted, and the first is told at its bl
     CHECK(report::simulation_text(beyond).find("beyond the limits") != std::string::npos);
   }
 }
+
+TEST_CASE("a simulation says of how many cuts it does not know the time") {
+  const testing::Scratch scratch;
+  const auto untimed = [&](const std::string& program) {
+    return jobs::simulate_program(scratch.file("sim.ngc", "G21 G90 G94\nG0 X0 Y0 Z0 A0 B0 C0\nM3 S1000\n" + program),
+                                  playback(), [](const jobs::SimulatedPoint&) {})
+        .untimed_moves;
+  };
+  CHECK(untimed("G95 F0.1\nG1 X5\nG0 Y5\nG2 X10 Y5 I2.5\nG94\n") == 2);
+  CHECK(untimed("G95 F0.1\nG1 X5\nG94 F500\nX6\nX7\n") == 1);
+  CHECK(untimed("G94 F500\nG1 X5\nG93 X7 F10\nG0 X9\n") == 0);
+}

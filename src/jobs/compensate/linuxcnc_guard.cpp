@@ -131,9 +131,9 @@ class LinuxCncGuard {
 
  private:
   void note_position() {
-    for (const char axis : kAxesOfControl) lines_.push_back(fmt::format("#<plumbline_{0}>=#<_{0}>", axis));
+    for (const char axis : kAxesOfControl) lines_.push_back(fmt::format("#<plumbline_was_{0}>=#<_{0}>", axis));
   }
-  static std::string taken_from(char axis) { return fmt::format("#<plumbline_{0}>-#<_{0}>", axis); }
+  static std::string taken_from(char axis) { return fmt::format("#<plumbline_was_{0}>-#<_{0}>", axis); }
 
   // wanted is in mm or deg
   static std::string differs(const std::string& expression, double wanted, bool is_length) {

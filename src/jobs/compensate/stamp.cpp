@@ -9,6 +9,8 @@
 #include "base/text/number_text.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
+#include "nc/control/parameters/parameters.hpp"
+#include "nc/control/state/control.hpp"
 
 namespace plumbline::jobs {
 namespace {
@@ -84,6 +86,28 @@ std::string start_line(const nc::ProgramSettings& program) {
   return line.empty() ? line : "start at" + line;
 }
 
+// What of the control's state at the start is not as usual, as its variables or the options say it.
+std::vector<std::string> state_lines(const nc::ProgramSettings& program, const compensate::ProgramSurvey& survey) {
+  std::vector<std::string> lines;
+  const auto add = [&](std::string text) { lines.push_back(std::move(text)); };
+  const auto variable = [&](int number) {
+    const auto found = program.variables.find(number);
+    return found == program.variables.end() ? 0 : found->second;
+  };
+  if (survey.dialect.syntax.system_variables == nc::SystemVariables::rs274) {
+    const int system = nc::Control(survey.dialect, program).modal.work_system;
+    if (system > 1) add("starts in " + survey.dialect.name_of_system(system));
+    AxisWords g92;
+    for (const Axis axis : kAllAxes) g92[axis] = variable(nc::kG92InForce + 1 + static_cast<int>(index(axis)));
+    const bool in_force = variable(nc::kG92InForce) != 0;
+    if (in_force || survey.beginning.may_restore_g92) {
+      add(fmt::format("G92 {}: shift{}", in_force ? "in force" : "kept for G92.3", words(g92)));
+    }
+  }
+  if (program.tool_in_spindle) add(fmt::format("tool {} in the spindle at the start", *program.tool_in_spindle));
+  return lines;
+}
+
 // A text over as many comments as it takes.
 void add_wrapped(std::vector<std::string>& lines, std::string text, std::size_t width) {
   text = comment_text(text);
@@ -130,6 +154,7 @@ std::vector<std::string> stamp(const settings::Options& options, const nc::Progr
   for (const std::string& file : options.paths.settings_files) add("settings file " + file);
   if (!options.paths.variables.empty()) add("variables file " + options.paths.variables.name());
   if (const std::string start = start_line(program); !start.empty()) add(start);
+  for (std::string& line : state_lines(program, survey)) add(std::move(line));
   for (std::size_t i = 0; i < program.work_offsets.size(); ++i) {
     const auto& offset = program.work_offsets[i];
     if (!offset) continue;

@@ -8,6 +8,7 @@
 #include "base/diagnostic.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/sequence/flow_block.hpp"
+#include "nc/sequence/subprogram_file.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -28,6 +29,9 @@ std::string label_of_skipped(const Block& block, Interpreter& interpreter) {
     return {};
   }
 }
+
+// o<subs/deep> CALL calls o<deep>, of the file subs/deep.ngc where none was met so far [LinuxCNC, measured].
+std::string without_folder(const std::string& name) { return name.substr(name.rfind('/') + 1); }
 
 bool is_of_subprogram(FlowWord word) {
   return word == FlowWord::program || word == FlowWord::sub || word == FlowWord::end_sub || word == FlowWord::call ||
@@ -81,7 +85,7 @@ bool OWordFlow::take(const Block& block) {
       give_back(block);
       return true;
     case FlowWord::call:
-      enter(block, {.name = label, .back = files_.here()});
+      enter(block, {.name = without_folder(label), .back = files_.here()}, label);
       return true;
     default:
       used_ = true;
@@ -121,7 +125,7 @@ void OWordFlow::define(const Block& block, const std::string& label) {
   left_out_ = {LeftOut::Until::end_sub, label, "the ENDSUB of this subprogram", steering_place(block)};
 }
 
-void OWordFlow::enter(const Block& block, Call call) {
+void OWordFlow::enter(const Block& block, Call call, const std::string& file) {
   used_ = true;
   calls_.check_room(block);
   std::vector<double> arguments;
@@ -135,20 +139,24 @@ void OWordFlow::enter(const Block& block, Call call) {
   interpreter_.enter_o_word(call.by == CalledBy::statement ? LocalNumbers::own : LocalNumbers::callers, arguments);
   call.line = block.line;
   calls_.push(std::move(call));
-  go_to_subprogram(block, calls_.top().name);
+  go_to_subprogram(block, calls_.top().name, file);
   entry_ = calls_.entry(files_);
 }
 
-void OWordFlow::go_to_subprogram(const Block& block, const std::string& name) {
+void OWordFlow::go_to_subprogram(const Block& block, const std::string& name, const std::string& file) {
   if (const auto at = subprograms_.find(name); at != subprograms_.end()) return files_.go_to(at->second);
+  if (!is_below(file)) {
+    refuse_flow(block, codes::kFlowOpen,
+                fmt::format("{} stands in a folder that is not below that of the program, where nothing is read", file),
+                "put the file beside the program, or into a folder there, and call it by that");
+  }
   left_out_ = {LeftOut::Until::subprogram, name, fmt::format("subprogram {}", name), steering_place(block)};
-  if (const std::optional<std::size_t> file = files_.open_beside(name)) files_.go_to({*file, {}});
+  if (const std::optional<std::size_t> opened = files_.open_beside(file)) files_.go_to({*opened, {}});
 }
 
 void OWordFlow::call_program(const Block& block, const ProgramCall& call) {
-  enter(
-      block,
-      {.name = std::to_string(call.number), .by = CalledBy::code, .back = files_.here(), .remaining = call.count - 1});
+  const std::string name = std::to_string(call.number);
+  enter(block, {.name = name, .by = CalledBy::code, .back = files_.here(), .remaining = call.count - 1}, name);
   if (call.count > 0) {
     announced_ = static_cast<std::uint64_t>(call.count);
     return;

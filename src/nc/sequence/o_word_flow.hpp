@@ -46,8 +46,8 @@ class OWordFlow : public Sequencer {
   bool leaves_out(LeftOut::Until until) const { return left_out_ && left_out_->until == until; }
   void check_not_nested(const Block& block);
   void define(const Block& block, const std::string& label);
-  void enter(const Block& block, Call call);
-  void go_to_subprogram(const Block& block, const std::string& name);
+  void enter(const Block& block, Call call, const std::string& file);
+  void go_to_subprogram(const Block& block, const std::string& name, const std::string& file);
   void give_back(const Block& block);
   void keep_value(bool given, Value value);
   void keep_value_passed_over(const Block& block);

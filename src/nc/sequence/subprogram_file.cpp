@@ -32,11 +32,6 @@ std::string filled(std::string_view pattern, const std::string& name) {
   return out;
 }
 
-// In the program's folder or below: a name is text of the program, and no program says what else is read.
-bool stays_inside(const fs::path& name) {
-  return name.is_relative() && std::find(name.begin(), name.end(), "..") == name.end();
-}
-
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::error_code ignored;
   std::vector<fs::path> files;
@@ -65,7 +60,7 @@ fs::path looked_for(const std::string& program, const std::string& name, const D
   if (dialect.syntax.case_of_files) {
     for (const std::string& pattern : patterns) {
       const fs::path file = path_of(filled(pattern, name));
-      if (fs::path path = folder / file; stays_inside(file) && is_file(path)) return path;
+      if (fs::path path = folder / file; is_below(file.generic_string()) && is_file(path)) return path;
     }
     return {};
   }
@@ -85,6 +80,11 @@ fs::path looked_for(const std::string& program, const std::string& name, const D
 }
 
 }  // namespace
+
+bool is_below(const std::string& name) {
+  const fs::path path = path_of(name);
+  return path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
+}
 
 fs::path subprogram_file(const std::string& program, const std::string& name, const Dialect& dialect) {
   fs::path path = looked_for(program, name, dialect);

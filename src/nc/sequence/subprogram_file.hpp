@@ -14,6 +14,9 @@ namespace plumbline::nc {
 /// task 2.
 std::filesystem::path subprogram_file(const std::string& program, const std::string& name, const Dialect& dialect);
 
+/// True of a path below the program's folder: a name is text of the program, and no program says what else is read.
+bool is_below(const std::string& name);
+
 /// The name of a file beside the program that is of that name but for the zeros before its number; empty: there is
 /// none.
 std::string subprogram_file_with_other_zeros(const std::string& program, const std::string& name,

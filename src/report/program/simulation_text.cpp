@@ -69,6 +69,10 @@ std::string simulation_text(const jobs::SimulationSummary& summary) {
                         summary.largest_line, summary.rms_um);
   }
   text += '\n';
+  if (summary.untimed_moves > 0) {
+    text += fmt::format("time not known of {} under G95, or in strokes that a cycle makes in its own way\n",
+                        count_text(summary.untimed_moves, "move"));
+  }
   if (summary.passed_moves > 0) {
     text += fmt::format("{} left out of the table: machine coordinates, probing, or from where nobody knows\n",
                         count_text(summary.passed_moves, "move"));
@@ -85,6 +89,7 @@ std::string simulation_json(const jobs::SimulationSummary& summary) {
                                     {"largest_line", summary.largest_line},
                                     {"rms_um", summary.rms_um},
                                     {"seconds", summary.seconds},
+                                    {"untimed_moves", summary.untimed_moves},
                                     {"expected", expected_json(summary.expected)}};
   return json.dump(2) + "\n";
 }

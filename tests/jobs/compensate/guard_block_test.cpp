@@ -29,7 +29,9 @@ std::vector<std::string> guard() {
   program.work_offsets[0] = nc::WorkOffset{{{0, 0, -1008, 0, 0, 0}}, 0};
   program.work_offsets[1] = nc::WorkOffset{{{1.5, 2, -7, 0, 0, 5}}, 30};
   const std::vector<nc::Tool> tools{{1, 85, {}, {}, {}}};
-  return jobs::guard_block(program, {nc::dialect("linuxcnc"), kAllButB, tools});
+  compensate::ProgramSurvey survey{nc::dialect("linuxcnc"), kAllButB, tools};
+  survey.beginning.states_unit = true;
+  return jobs::guard_block(program, survey);
 }
 
 // True if the program after the guard is reached.

@@ -91,12 +91,12 @@ TEST_CASE("LinuxCNC: a guard compares the tool in the spindle where that was giv
   settings.tools = nc::ToolTable({kTool});
   settings.tool_in_spindle = 2;
   for (const char* const program : {kStated, "G21 G90\nG43\nG0 X0 Y0 Z20 A0 B0 C0\nM2\n"}) {
-    CHECK(run(program, settings, {.blocks = "G21 G90\nM61 Q2\n"}).passed);
-    CHECK_FALSE(run(program, settings, {.blocks = "G21 G90\nM61 Q1\n"}).passed);
+    CHECK(run(program, settings, {.blocks = "G21 G90\nT2 M6\n"}).passed);
+    CHECK_FALSE(run(program, settings, {.blocks = "G21 G90\nT1 M6\n"}).passed);
     CHECK_FALSE(run(program, settings, {}).passed);
   }
   settings.tool_in_spindle.reset();
-  CHECK(run(kStated, settings, {.blocks = "G21 G90\nM61 Q1\n"}).passed);
+  CHECK(run(kStated, settings, {.blocks = "G21 G90\nT1 M6\n"}).passed);
 }
 
 TEST_CASE("LinuxCNC: a guard compares the G92 that is in force, or kept and brought back, and leaves it") {

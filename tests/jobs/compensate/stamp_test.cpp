@@ -55,6 +55,26 @@ TEST_CASE("a stamp says what the output was made with and holds for") {
   CHECK(has(lines, "tool 2: length 60.5 mm, mass not stated"));
 }
 
+TEST_CASE("a stamp says in which state the control starts where that is not the usual one") {
+  const machine::MachineModel model = machine::read_model(testing::source_file("models/pm600-like.toml"));
+  compensate::ProgramSurvey survey{nc::dialect("linuxcnc"), AxisSet::all()};
+  const auto lines_of = [&](const nc::ProgramSettings& program) { return jobs::stamp({}, program, model, survey); };
+  nc::ProgramSettings program;
+  const std::size_t usual = lines_of(program).size();
+  program.variables = {{5210, 0}, {5211, 3}, {5220, 1}};
+  CHECK(lines_of(program).size() == usual);
+  program.variables = {{5220, 2}};
+  CHECK(has(lines_of(program), "starts in G55"));
+  program.variables = {{5210, 1}, {5211, -0.5}, {5213, 2}, {5216, 4}};
+  CHECK(has(lines_of(program), "G92 in force: shift X-0.5 Y0 Z2 A0 B0 C4"));
+  program.variables[5210] = 0;
+  survey.beginning.may_restore_g92 = true;
+  CHECK(has(lines_of(program), "G92 kept for G92.3: shift X-0.5 Y0 Z2 A0 B0 C4"));
+  program = {};
+  program.tool_in_spindle = 2;
+  CHECK(has(lines_of(program), "tool 2 in the spindle at the start"));
+}
+
 TEST_CASE("whatever a name holds, a stamp is plain short comments") {
   const std::string odd = "M2) G0 X99 (DEBUG, %\n;\xC3\xA4" + std::string(400, 'n') + " end";
   for (const std::string& line : stamp_of({}, odd)) {

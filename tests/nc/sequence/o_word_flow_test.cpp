@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "nc/programs.hpp"
+#include "support/scratch.hpp"
 
 using namespace plumbline;
 using namespace plumbline::nc;
@@ -94,4 +95,34 @@ TEST_CASE("SUB is called by O CALL, a number by M98") {
   CHECK(code_of("O7 CALL\nM2\nO7\nG0 X1\nM99\n") == "nc-flow-label");
   CHECK(code_of("O1 SUB\nO1 ENDSUB\nO1 SUB\nO1 ENDSUB\n") == "nc-flow-label");
   CHECK(code_of("O1 ENDWHILE\n") == "nc-flow-label");
+}
+
+TEST_CASE("a call with a folder opens the file there and looks for the name without it, as LinuxCNC does it") {
+  const testing::Scratch scratch;
+  std::filesystem::create_directories(scratch.path("subs/more"));
+  scratch.file("subs/deep.ngc", "o<deep> sub\nG0 X1\no<deep> endsub\n");
+  scratch.file("subs/more/other.ngc", "o<other> sub\nG0 X2\no<other> endsub\n");
+  scratch.file("subs/named.ngc", "o<subs/named> sub\nG0 X3\no<subs/named> endsub\n");
+  scratch.file("named.ngc", "o<named> sub\nG0 X4\no<named> endsub\n");
+  const auto visited = [&](const std::string& text) {
+    Visited all;
+    for (const Motion& motion : motions_of_file(scratch.file("p.ngc", "G90\n" + text + "M2\n"), empty_tables())) {
+      all.push_back(motion.to[Axis::X]);
+    }
+    return all;
+  };
+  const auto refused = [&](const std::string& text) {
+    const auto refusal = refusal_of_file(scratch.file("p.ngc", "G90\n" + text + "M2\n"), empty_tables());
+    return refusal ? refusal->code : "";
+  };
+  CHECK(visited("o<subs/deep> call\no<deep> call\n") == Visited{1, 1});
+  CHECK(visited("o<SUBS/Deep> call\n") == Visited{1});
+  CHECK(visited("o<./subs/deep> call\no<subs/more/other> call\n") == Visited{1, 2});
+  CHECK(visited("o<deep> sub\nG0 X8\no<deep> endsub\no<subs/deep> call\n") == Visited{8});
+  CHECK(visited("o<named> call\no<subs/named> call\n") == Visited{4, 4});
+  CHECK(refused("o<subs/named> call\n") == "nc-flow-open");
+  CHECK(refused("o<subs/none> call\n") == "nc-flow-open");
+  CHECK(refused("o<subs/in> sub\nG0 X7\no<subs/in> endsub\no<subs/in> call\n") == "nc-flow-open");
+  CHECK(refused("o<../subs/deep> call\nM2\no<deep> sub\nG0 X9\no<deep> endsub\n") == "nc-flow-open");
+  CHECK(refused("o</tmp/deep> call\nM2\no<deep> sub\nG0 X9\no<deep> endsub\n") == "nc-flow-open");
 }

@@ -39,5 +39,9 @@ TEST_CASE("a simulation is told by its points, its time and the largest error") 
   CHECK(report::simulation_text(summary) ==
         "1,234 points in 1 min 05.0 s: the tip up to 41.250 um off (line 17), rms 12.500 um\n"
         "1 move left out of the table: machine coordinates, probing, or from where nobody knows\n");
+  summary.untimed_moves = 2;
+  CHECK(report::simulation_text(summary).find(
+            "time not known of 2 moves under G95, or in strokes that a cycle makes in its own way\n") !=
+        std::string::npos);
   CHECK(report::dataset_simulation_text({1, 3120}) == "1 run, 3,120 samples\n");
 }

@@ -1,8 +1,12 @@
 // G28 and G30: through a point to a stored position; G28.1 and G30.1 store it. G20 HP=4 of the OSP.
+#include <cmath>
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "nc/control/execution.hpp"
 #include "nc/language/codes.hpp"
+#include "nc/language/rotary.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -32,6 +36,27 @@ HomeEnd end_on_plane(const Control& control, const Home& home, AxisSet moved) {
   end.changed = moved | plane;
   if (home.known.contains(moved & plane) && control.known.contains(plane - moved)) end.known = end.known | plane;
   return end;
+}
+
+// The control takes home as a word of the axis: its sign says which way round, in the turn in which the axis stands
+// [LinuxCNC WRAPPED_ROTARY, measured]. With an offset of the axis it is neither that of the place nor of the machine.
+double end_at_home(const Execution& run, Axis axis, const Home& home, double end) {
+  const Control& control = run.control;
+  const bool by_sign = is_rotary(axis) && control.modal.rule_of(axis) == RotaryRule::sign &&
+                       run.dialect.syntax.system_variables == SystemVariables::rs274;
+  if (!by_sign) return end;
+  if (end != home.machine[axis] || std::abs(end) >= kFullTurn) {
+    run.refuse(
+        run.first_word(), codes::kNotInterpreted,
+        fmt::format("which way round {} goes home is known where its words have a sign (--rotary) and it has no "
+                    "offset and a home within one turn",
+                    letter(axis)),
+        fmt::format("name the axes that go home without {} (G28 Z0), and send it to its place by a word of its own",
+                    letter(axis)));
+  }
+  const bool known = control.surely_known().contains(axis);
+  return rotary_end(RotaryRule::sign, end, std::signbit(end),
+                    known ? std::optional(control.position[axis]) : std::nullopt);
 }
 
 }  // namespace
@@ -66,7 +91,7 @@ void go_home(Execution& run, int which) {
   for (const Axis axis : kAllAxes) {
     if (!changed.contains(axis)) continue;
     if (known.contains(axis)) {
-      motion.to[axis] = end[axis];
+      motion.to[axis] = end_at_home(run, axis, home, end[axis]);
       motion.known_after.insert(axis);
     } else {
       motion.known_after.erase(axis);

@@ -7,6 +7,7 @@
 
 #include "nc/control/execution.hpp"
 #include "nc/control/parameters/expression.hpp"
+#include "nc/control/state/system_parameters.hpp"
 #include "nc/language/block_words.hpp"
 #include "nc/language/codes.hpp"
 
@@ -93,7 +94,7 @@ void need_position(const Execution& run, AxisSet axes) {
     const Word* const word = run.words.find(axis);
     run.refuse(word != nullptr ? *word : run.first_word(), codes::kPositionUnknown,
                fmt::format("the offset would depend on where {} stands, which is not known", letter(axis)),
-               "move the axis to a programmed position first, or say where the axes start: --start");
+               way_to_position(run.control));
   }
 }
 

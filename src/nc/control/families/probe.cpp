@@ -2,13 +2,13 @@
 #include <cmath>
 
 #include "nc/control/execution.hpp"
+#include "nc/control/state/system_parameters.hpp"
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {
 namespace {
 
-constexpr int kProbeResult = 5061;   // to #5066: where it touched
-constexpr int kProbeSuccess = 5070;  // 1: it did; in rs274 it never does
+constexpr int kProbeResult = 5061;  // to #5066: where it touched
 constexpr int kToContact = 382, kFromContact = 384;
 constexpr double kBackOffMm = 0.254, kBackOffInch = 0.01;
 

@@ -66,6 +66,14 @@ std::optional<double> place(const Control& control, Axis axis) {
 
 }  // namespace
 
+std::string way_to_position(const Control& control) {
+  const bool probed = control.parameters.has(kProbeSuccess) && !control.parameters.get(kProbeSuccess).known;
+  if (!probed) return "move the axis to a programmed position first, or say where the axes start: --start";
+  return "what the probe finds only the machine knows, and corrections depend on it: probe and set the offset in a "
+         "program of its own, which is not compensated, and compensate what stands behind it with the offset that came "
+         "out (--work-offset, --variables)";
+}
+
 ParameterLimits SystemParameters::limits() const {
   const Syntax& syntax = dialect_.syntax;
   const bool from_one =
@@ -121,7 +129,7 @@ Value SystemParameters::position(const Block& block, Axis axis, Span span) const
   }
   if (!control_.known.contains(axis)) {
     refuse_at(block, span, codes::kPositionUnknown, fmt::format("where {} stands is not known", letter(axis)),
-              "move the axis to a programmed position first, or say where the axes start: --start");
+              way_to_position(control_));
   }
   control_.position_read = true;
   return {control_.position_in_unit(axis), true};

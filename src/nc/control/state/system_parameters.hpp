@@ -11,6 +11,11 @@
 
 namespace plumbline::nc {
 
+inline constexpr int kProbeSuccess = 5070;  // 1: the probe touched; in rs274 it never does
+
+/// What to do where the position of an axis must be known: another thing behind a probe, whose end no option says.
+std::string way_to_position(const Control& control);
+
 class SystemParameters : public ParameterReader {
  public:
   SystemParameters(Control& control, const ProgramSettings& settings, const Dialect& dialect)

@@ -221,3 +221,49 @@ TEST_CASE("codes of the machine wait, call and go where only the machine knows")
     check_family(family);
   }
 }
+
+TEST_CASE("an axis whose words have a sign goes home the way that its home says, in the turn in which it stands") {
+  const auto end_of_c = [](const std::string& text, double home) {
+    ProgramSettings settings = empty_tables();
+    settings.rotary[2] = RotaryRule::sign;
+    settings.variables = {{5166, home}};
+    return motions_of("G90\nG0 X0 Y0 Z0 A0 B0 C0\nF100\n" + text + "G28\nM2\n", settings).back().to[Axis::C];
+  };
+  CHECK(end_of_c("", 0) == 0);  // as rs274 has it with WRAPPED_ROTARY
+  CHECK(end_of_c("G1 C3\n", 0) == 360);
+  CHECK(end_of_c("G0 C-10\n", 0) == 0);
+  CHECK(end_of_c("G91 G1 C400\nG90\n", 0) == 720);
+  CHECK(end_of_c("G91 G1 C-400\nG90\n", 0) == -360);
+  CHECK(end_of_c("G1 C10\n", -20) == -340);
+  CHECK(end_of_c("G91 G1 C363\nG90\n", -20) == 20);
+  CHECK(end_of_c("G91 G1 C-380\nG90\n", -20) == -700);
+  CHECK(end_of_c("G1 C3\n", 359) == 359);
+  const auto refused = [](const std::string& text, double home) {
+    ProgramSettings settings = empty_tables();
+    settings.rotary[2] = RotaryRule::sign;
+    settings.variables = {{5166, home}};
+    return code_of("G90\nG0 X0 Y0 Z0 A0 B0 C0\n" + text + "M2\n", settings);
+  };
+  CHECK(refused("G28\n", 400) == "nc-not-interpreted");
+  CHECK(refused("G10 L2 P1 C30\nG28\n", 20) == "nc-not-interpreted");
+  CHECK(refused("G92 C5\nG28 C6\n", 0) == "nc-not-interpreted");
+  CHECK(refused("G92 C5\nG28 X6\n", 0).empty());
+}
+
+TEST_CASE("behind a probe the help says what helps there") {
+  const auto help = [](const std::string& text) {
+    const auto refusal = refusal_of("G21 G90 G94\nG0 X0 Y0 Z20\n" + text + "M2\n", at_zero());
+    REQUIRE(refusal);
+    CHECK(refusal->code == "nc-position-unknown");
+    return refusal->help;
+  };
+  for (const char* const text :
+       {"G38.2 Z5 F50\nG10 L20 P1 Z0\n", "G38.3 X5 F50\nG92 X0\n", "G38.2 Z5 F50\n#10=#<_z>\n"}) {
+    INFO(text);
+    CHECK(help(text).find("program of its own") != std::string::npos);
+    CHECK(help(text).find("--start") == std::string::npos);
+  }
+  ProgramSettings nowhere = at_zero();
+  nowhere.start = {};
+  CHECK(refusal_of("G92 X0\nM2\n", nowhere)->help.find("--start") != std::string::npos);
+}
