@@ -37,6 +37,23 @@ const std::string& file_of(const std::vector<std::string>& files, const std::str
          fmt::format("name it on the command line; there are {}", fmt::join(names, ", ")), place);
 }
 
+// Milliseconds that are called seconds, and the like. What the control's own slowing does stays below.
+void check_duration(const std::vector<double>& time, const Ways& ways, const Turn& turn, const Run& run,
+                    const ForeignTable& table) {
+  constexpr double kOtherUnit = 5;
+  double sweep = 0;
+  for (std::size_t i = turn.first + 1; i <= turn.last; ++i)
+    sweep += std::abs(std::remainder(ways.angle[i] - ways.angle[i - 1], kTurn));
+  const double expected = sweep * run.radius / run.feed;
+  const double found = time[turn.last] - time[turn.first];
+  if (found < kOtherUnit * expected && expected < kOtherUnit * found) return;
+  refuse("import-value",
+         fmt::format("from line {} to {} pass {:.6g} s, and run {} takes {:.6g} s there by its feed and radius",
+                     table.lines[turn.first], table.lines[turn.last], found, run.id, expected),
+         "check the unit of the column time (s, ms, us, min), and feed_mm_min and radius_mm of the run",
+         table.place(turn.first));
+}
+
 class Importer {
  public:
   Importer(const Map& map, const std::vector<std::string>& files, const ImportOptions& options)
@@ -156,23 +173,6 @@ class Importer {
              "rows belong in the order in which they were taken: turn the table around, or check the column time",
              table.place(i));
     }
-  }
-
-  // Milliseconds that are called seconds, and the like. What the control's own slowing does stays below.
-  static void check_duration(const std::vector<double>& time, const Ways& ways, const Turn& turn, const Run& run,
-                             const ForeignTable& table) {
-    constexpr double kOtherUnit = 5;
-    double sweep = 0;
-    for (std::size_t i = turn.first + 1; i <= turn.last; ++i)
-      sweep += std::abs(std::remainder(ways.angle[i] - ways.angle[i - 1], kTurn));
-    const double expected = sweep * run.radius / run.feed;
-    const double found = time[turn.last] - time[turn.first];
-    if (found < kOtherUnit * expected && expected < kOtherUnit * found) return;
-    refuse("import-value",
-           fmt::format("from line {} to {} pass {:.6g} s, and run {} takes {:.6g} s there by its feed and radius",
-                       table.lines[turn.first], table.lines[turn.last], found, run.id, expected),
-           "check the unit of the column time (s, ms, us, min), and feed_mm_min and radius_mm of the run",
-           table.place(turn.first));
   }
 
   // A reading of the motors at a time of the bar's clock.

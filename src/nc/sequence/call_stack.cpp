@@ -1,8 +1,12 @@
 #include "nc/sequence/call_stack.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
+#include "base/diagnostic.hpp"
 #include "nc/language/codes.hpp"
+#include "nc/language/refusal.hpp"
 #include "nc/sequence/flow_block.hpp"
 
 namespace plumbline::nc {
@@ -26,6 +30,34 @@ FlowEntry CallStack::entry(const ProgramFiles& files) const {
   FlowEntry entry{FlowEntry::Kind::call, call.name, {}, call.line, call.pass};
   if (!files.in_program()) entry.file = files.name();
   return entry;
+}
+
+std::string line_of_call(const Call& call, const ProgramFiles& files) {
+  const bool here = call.back.file == files.current();
+  return fmt::format("line {}{}", call.line, here ? "" : " of " + files.file(call.back.file).name());
+}
+
+void take_values(const Block& block, Call& call, const ProgramFiles& files) {
+  call.takes_values = true;
+  if (call.arguments.size() <= block.settings.size()) return;
+  refuse_flow(block, codes::kFlowControl,
+              fmt::format("{} is called in {} with {} values, and takes {}", call.name, line_of_call(call, files),
+                          call.arguments.size(), block.settings.size()),
+              "leave values out of the call, or add parameters here");
+}
+
+void refuse_without_head(std::string_view text, std::size_t line, const Call& call, const ProgramFiles& files) {
+  if (call.arguments.empty() || call.takes_values) return;
+  Place place;
+  place.file = files.name();
+  place.line = line;
+  place.column = 1;
+  place.text = text;
+  place.length = text.size();
+  refuse(codes::kFlowControl,
+         fmt::format("{} is called in {} with values, and has no PROC that takes them", call.name,
+                     line_of_call(call, files)),
+         "call it without values, or begin it with PROC and its parameters", std::move(place));
 }
 
 }  // namespace plumbline::nc

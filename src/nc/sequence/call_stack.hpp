@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "nc/control/parameters/parameters.hpp"
@@ -52,5 +53,14 @@ class CallStack {
   std::size_t most_;
   std::vector<Call> calls_;
 };
+
+/// "line 3", and "line 3 of MAIN.MPF" where the call stands in another file than what is read.
+std::string line_of_call(const Call& call, const ProgramFiles& files);
+
+/// The block is the head of what is called, PROC SUB(REAL A, REAL B): refused if it takes fewer values than are given.
+void take_values(const Block& block, Call& call, const ProgramFiles& files);
+
+/// Its first line shows whether what is called has a head that takes the values: refused if it has none.
+void refuse_without_head(std::string_view text, std::size_t line, const Call& call, const ProgramFiles& files);
 
 }  // namespace plumbline::nc

@@ -54,37 +54,6 @@ LinePlace part_called(const Block& block, const std::string& number, LabelIndex&
               "M97 calls a part of its own program: check its P, or write M98 for another program");
 }
 
-// "line 3", and "line 3 of MAIN.MPF" where the call stands in another file than what is read.
-std::string line_of_call(const Call& call, const ProgramFiles& files) {
-  const bool here = call.back.file == files.current();
-  return fmt::format("line {}{}", call.line, here ? "" : " of " + files.file(call.back.file).name());
-}
-
-// SUB(1,2) needs a head that takes as many: PROC SUB(REAL A, REAL B).
-void take_values(const Block& block, Call& call, const ProgramFiles& files) {
-  call.takes_values = true;
-  if (call.arguments.size() <= block.settings.size()) return;
-  refuse_flow(block, codes::kFlowControl,
-              fmt::format("{} is called in {} with {} values, and takes {}", call.name, line_of_call(call, files),
-                          call.arguments.size(), block.settings.size()),
-              "leave values out of the call, or add parameters here");
-}
-
-// The first line of what is called shows whether it has a head that takes them.
-void refuse_without_head(std::string_view text, std::size_t line, const Call& call, const ProgramFiles& files) {
-  if (call.arguments.empty() || call.takes_values) return;
-  Place place;
-  place.file = files.name();
-  place.line = line;
-  place.column = 1;
-  place.text = text;
-  place.length = text.size();
-  refuse(codes::kFlowControl,
-         fmt::format("{} is called in {} with values, and has no PROC that takes them", call.name,
-                     line_of_call(call, files)),
-         "call it without values, or begin it with PROC and its parameters", std::move(place));
-}
-
 }  // namespace
 
 StatementFlow::StatementFlow(const InputFile& program, const Dialect& dialect, Interpreter& interpreter)
