@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string compensate(const std::string& rest) { return "compensate " + rest + " " + kModel + kOffset; }
+std::string with_offset_given(const std::string& rest) { return "compensate " + rest + " " + kModel + kOffset; }
 
 }  // namespace
 
@@ -65,20 +65,20 @@ TEST_CASE("standard output is one, by whatever name and whatever it is") {
   const Scratch scratch;
   scratch.file("p.ngc", kPart);
   for (const std::string& command :
-       {compensate("p.ngc -o /dev/stdout --json -"), compensate("p.ngc -o - --json /dev/fd/1"),
-        compensate("p.ngc -o /proc/self/fd/1 --json /dev/stdout"), "map -o /dev/stdout --report - " + kModel}) {
+       {with_offset_given("p.ngc -o /dev/stdout --json -"), with_offset_given("p.ngc -o - --json /dev/fd/1"),
+        with_offset_given("p.ngc -o /proc/self/fd/1 --json /dev/stdout"), "map -o /dev/stdout --report - " + kModel}) {
     const Outcome outcome = run(scratch, command + " | cat");
     INFO(command);
     CHECK(outcome.out.empty());
     CHECK(contains(outcome.err, "[file-written-twice]"));
   }
-  const Outcome copied = run(scratch, compensate("p.ngc -o - --json /dev/fd/3") + " 3>&1 | cat");
+  const Outcome copied = run(scratch, with_offset_given("p.ngc -o - --json /dev/fd/3") + " 3>&1 | cat");
   CHECK(copied.out.empty());
   CHECK(contains(copied.err, "[file-written-twice]"));
-  const std::string as_dash = run(scratch, compensate("p.ngc -o -")).out;
-  CHECK(run(scratch, compensate("p.ngc -o /dev/stdout")).out == as_dash);
-  CHECK(run(scratch, compensate("p.ngc -o /dev/stdout") + " | cat").out == as_dash);
-  CHECK(run(scratch, compensate("p.ngc -o - --json /dev/null") + " >/dev/null").code == 0);
+  const std::string as_dash = run(scratch, with_offset_given("p.ngc -o -")).out;
+  CHECK(run(scratch, with_offset_given("p.ngc -o /dev/stdout")).out == as_dash);
+  CHECK(run(scratch, with_offset_given("p.ngc -o /dev/stdout") + " | cat").out == as_dash);
+  CHECK(run(scratch, with_offset_given("p.ngc -o - --json /dev/null") + " >/dev/null").code == 0);
 }
 
 TEST_CASE("a model on /dev/stdout has no words among it") {
@@ -95,7 +95,7 @@ TEST_CASE("a model on /dev/stdout has no words among it") {
 TEST_CASE("a pipe that nobody named keeps no command waiting") {
   const Scratch scratch;
   scratch.file("p.ngc", kPart);
-  REQUIRE(run(scratch, compensate("p.ngc -o o.ngc")).code == 0);
+  REQUIRE(run(scratch, with_offset_given("p.ngc -o o.ngc")).code == 0);
   REQUIRE(std::system(("mkfifo '" + scratch.path("o.ngc.undo") + "'").c_str()) == 0);
   const Outcome outcome = run(scratch, "restore o.ngc -o back.ngc");
   CHECK(outcome.code == 1);
@@ -109,7 +109,7 @@ TEST_CASE("options that would be passed over are wrong usage") {
        {"plan --for tip --separate backlash,servo-lag " + kModel, "plan --seed -1 " + kModel,
         "plan --seed 99999999999999999999999 " + kModel, "plan --radius 0.5 " + kModel, "plan --feed 300000 " + kModel,
         "plan --feed 0.5 " + kModel, "plan --bar 5000 " + kModel, "plan --radius 1e-300 " + kModel,
-        compensate("p.ngc -o x --yields time"), "map --box 0,1,0,1,0,nan " + kModel, "map --z nan " + kModel,
+        with_offset_given("p.ngc -o x --yields time"), "map --box 0,1,0,1,0,nan " + kModel, "map --z nan " + kModel,
         std::string("diagnose --json --report /dev/stdout -d d -o e ") + kModel}) {
     const Outcome outcome = run(scratch, command);
     INFO(command << outcome.err);

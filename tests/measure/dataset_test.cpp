@@ -146,7 +146,7 @@ TEST_CASE("more runs than are judged together are refused before a table is read
   const std::string text = dataset_text();
   const std::string run = text.substr(text.find("[[run]]"));
   std::string many = text;
-  for (std::size_t i = 1; i <= kMostRuns; ++i) many += "\n" + replaced(run, "\"a\"", "\"a" + std::to_string(i) + "\"");
+  for (std::size_t i = 1; i <= kMostRuns; ++i) many.append("\n" + replaced(run, "\"a\"", fmt::format("\"a{}\"", i)));
   const Diagnostic d = refusal_of([&] { parse_dataset(many, "d", scratch.path("")); });
   CHECK(d.code == "dataset-too-many-runs");
   CHECK(d.message == "these are 201 runs");

@@ -31,8 +31,8 @@ struct ExpectedFigures {
   double within = 0;                  // mean of what 95 % are within
   double largest_within = 0;          // and the largest of these
   std::size_t line = 0;               // where that is
-  std::string file = {};              // as compensate::SourceLine has it
   std::array<double, kCauses> rms{};  // by what makes it
+  std::string file = {};              // of the line, as compensate::SourceLine has it
 };
 
 struct ExpectedError {

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 // A figure of the summary: of a subprogram beside the program its file is said, too.
 template <class Figure>
-std::string at_line(const Figure& figure) {
+std::string bracketed_line(const Figure& figure) {
   return figure.line == 0 ? std::string() : fmt::format(" (line {})", line_text(figure.line, figure.file));
 }
 
@@ -50,8 +50,8 @@ void add_counts(TextTable& table, const Summary& s) {
 
 void add_corrections(TextTable& table, const Summary& s) {
   table.add("largest correction",
-            fmt::format("{:.4f} mm{}, {:.5f} deg{}", s.correction_mm.value, at_line(s.correction_mm),
-                        s.correction_deg.value, at_line(s.correction_deg)));
+            fmt::format("{:.4f} mm{}, {:.5f} deg{}", s.correction_mm.value, bracketed_line(s.correction_mm),
+                        s.correction_deg.value, bracketed_line(s.correction_deg)));
   table.add("rms correction", fmt::format("{:.4f} mm", s.rms_correction_mm));
 }
 
@@ -63,15 +63,15 @@ void add_time(TextTable& table, const Summary& s) {
   if (s.seconds_before <= 0) return;
   table.add("cutting time", fmt::format("{} before, {} after ({})", time_text(s.seconds_before),
                                         time_text(s.seconds_after), change_text(s.seconds_before, s.seconds_after)));
-  table.add("worst of a block", fmt::format("{:.3f} %{}", s.time_change.value * 100, at_line(s.time_change)));
+  table.add("worst of a block", fmt::format("{:.3f} %{}", s.time_change.value * 100, bracketed_line(s.time_change)));
 }
 
 // Where a bound that was asked for is not kept.
 void add_broken(TextTable& table, const compensate::BrokenBound& broken, std::string_view why) {
   if (broken.pieces == 0) return;
-  table.add("",
-            fmt::format("but on {}, for {}: {}, up to {:.3f} um{}", count_text(broken.pieces, "piece"),
-                        short_time_text(broken.seconds), why, broken.off_mm.value * kUmPerMm, at_line(broken.off_mm)));
+  table.add("", fmt::format("but on {}, for {}: {}, up to {:.3f} um{}", count_text(broken.pieces, "piece"),
+                            short_time_text(broken.seconds), why, broken.off_mm.value * kUmPerMm,
+                            bracketed_line(broken.off_mm)));
 }
 
 void add_arcs(TextTable& table, const compensate::ArcFigures& arcs) {
@@ -79,7 +79,7 @@ void add_arcs(TextTable& table, const compensate::ArcFigures& arcs) {
   std::string text = fmt::format("{} stayed one", arcs.stayed);
   if (arcs.split > 0) {
     text += fmt::format(", {} became {} with arcs among them, at most {:.0f}{}", arcs.split,
-                        count_text(arcs.blocks, "block"), arcs.most_blocks.value, at_line(arcs.most_blocks));
+                        count_text(arcs.blocks, "block"), arcs.most_blocks.value, bracketed_line(arcs.most_blocks));
   }
   if (arcs.straight > 0) text += fmt::format(", {} became straight pieces alone", arcs.straight);
   table.add("arcs", text);
@@ -92,7 +92,7 @@ void add_bound(TextTable& table, const Summary& s, const settings::Options& opti
             fmt::format("{:.4g} um and {:.3g} deg asked for; kept with at most {:.3f} um{}, {:.6f} deg, proven "
                         "piece by piece, rounding included",
                         asked.tolerance_mm * kUmPerMm, asked.tolerance_mm / asked.turn_length_mm / kDeg,
-                        s.bound->kept_mm.value * kUmPerMm, at_line(s.bound->kept_mm), s.bound->kept_deg.value));
+                        s.bound->kept_mm.value * kUmPerMm, bracketed_line(s.bound->kept_mm), s.bound->kept_deg.value));
   add_broken(table, s.bound->at_turns, "the friction of a strut turns, and the tip jumps with it");
   add_broken(table, s.bound->by_time, "no shorter block is allowed");
   add_arcs(table, s.bound->arcs);
@@ -103,21 +103,22 @@ void add_quality(TextTable& table, const Summary& s, const settings::Options& op
     table.add("rounding, subdivision",
               fmt::format("at most {:.3f} um{}, {:.5f} deg, between its points too, with the friction that "
                           "turns: {} played on the model",
-                          s.residual_mm.value * kUmPerMm, at_line(s.residual_mm), s.residual_deg.value,
+                          s.residual_mm.value * kUmPerMm, bracketed_line(s.residual_mm), s.residual_deg.value,
                           count_text(s.replayed, "point")));
     if (!options.compensation.bound.is_asked())
       table.add("", "that is the bound which these steps reach; --tolerance chooses the points by a bound");
     if (!says_expected)
       table.add("", "how far the machine itself is from its model comes on top: plumbline compare tells");
   }
-  table.add("rounding", fmt::format("at most {:.3f} um{}", s.rounding_mm.value * kUmPerMm, at_line(s.rounding_mm)));
-  table.add("condition number", fmt::format("at most {:.1f}{}", s.condition.value, at_line(s.condition)));
+  table.add("rounding",
+            fmt::format("at most {:.3f} um{}", s.rounding_mm.value * kUmPerMm, bracketed_line(s.rounding_mm)));
+  table.add("condition number", fmt::format("at most {:.1f}{}", s.condition.value, bracketed_line(s.condition)));
   if (s.widened_blocks > 0) {
-    table.add("wider steps",
-              fmt::format("{}, up to {:.3f} mm{}: the control's block time asks for it",
-                          count_text(s.widened_blocks, "block"), s.widened_step_mm.value, at_line(s.widened_step_mm)));
+    table.add("wider steps", fmt::format("{}, up to {:.3f} mm{}: the control's block time asks for it",
+                                         count_text(s.widened_blocks, "block"), s.widened_step_mm.value,
+                                         bracketed_line(s.widened_step_mm)));
     table.add("", fmt::format("between their points the tip is up to {:.3f} um off{}", s.widening_mm.value * kUmPerMm,
-                              at_line(s.widening_mm)));
+                              bracketed_line(s.widening_mm)));
   }
 }
 
@@ -128,7 +129,8 @@ void add_short_pieces(TextTable& table, const Summary& s) {
   if (found.below_block_time > 0) {
     counts += fmt::format(", {} below the control's block time", count_text(found.below_block_time));
   }
-  table.add("short pieces", fmt::format("{}, the shortest {:.3g} ms{}", counts, found.least_s / kMs, at_line(found)));
+  table.add("short pieces",
+            fmt::format("{}, the shortest {:.3g} ms{}", counts, found.least_s / kMs, bracketed_line(found)));
   if (found.whole_blocks > 0)
     table.add("", fmt::format("{} of them as short in the program itself", count_text(found.whole_blocks)));
 }
@@ -141,7 +143,7 @@ void add_offsets(TextTable& table, const Summary& s, const settings::Options& op
     const AxisWords& e = *s.zero_error;
     table.add("zero", fmt::format("the machine stands X{:+.1f} Y{:+.1f} Z{:+.1f} um off at the first cutting block{}",
                                   e[Axis::X] * kUmPerMm, e[Axis::Y] * kUmPerMm, e[Axis::Z] * kUmPerMm,
-                                  at_line(Worst{0, s.zero_error_line, s.zero_error_file})));
+                                  bracketed_line(Worst{0, s.zero_error_line, s.zero_error_file})));
     table.add("", "an offset probed on the machine holds that already: say where with --touch-off");
   }
   if (!s.assumed_at_zero.empty()) {

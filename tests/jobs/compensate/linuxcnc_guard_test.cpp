@@ -17,7 +17,7 @@ const nc::Tool kTool{2, 50, {}, {}, {}, ""};
 constexpr const char* kTable = "T1 P1 Z3.3464567\nT2 P2 Z1.9685039\n";  // inch: rs274's machine is one in inches
 
 // What stands in a control before the program, as blocks and as its tool table, and the program's settings.
-struct Control {
+struct ControlState {
   std::string blocks = "G21 G90\n";
   std::string tools = kTable;
 };
@@ -43,7 +43,7 @@ struct Run {
   std::string end;  // "#5220 #5210 #<_tool_offset>" behind the guard
 };
 
-Run run(const std::string& program, const nc::ProgramSettings& settings, const Control& control) {
+Run run(const std::string& program, const nc::ProgramSettings& settings, const ControlState& control) {
   const testing::Scratch scratch;
   std::string text = "G10 L2 P1 X0 Y0 Z[-1008*#<_metric>-1008/25.4*#<_imperial>]\nG21\n";
   text += "G10 L2 P1 X0 Y0 Z-1008 A0 B0 C0\nG10 L2 P2 X5 Y7 Z-1000 A0 B0 C0 R30\n" + control.blocks;
