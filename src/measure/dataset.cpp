@@ -23,9 +23,7 @@ namespace plumbline::measure {
 void check_run_count(std::size_t runs, const Place& place) {
   if (runs <= kMostRuns) return;
   refuse("dataset-too-many-runs", fmt::format("these are {} runs", runs),
-         fmt::format("at most {} are read together, since each is judged by all others: make several datasets of them, "
-                     "as of one day or one set-up each, and work with one after the other",
-                     kMostRuns),
+         fmt::format("at most {} are read together, as each is judged by all others: make several datasets", kMostRuns),
          place);
 }
 
@@ -303,8 +301,7 @@ std::vector<std::string> files_of_dataset(const std::string& path) {
 
 namespace {
 
-// Where the tables of a dataset will stand, in the order of its runs; each in a place of its own, which no file of the
-// dataset that was read has.
+// Where the tables of a dataset will stand, in the order of its runs; each in a place of its own, which none read has.
 std::vector<fs::path> table_targets(const Dataset& dataset, const fs::path& folder) {
   std::error_code ignored;
   const fs::path source = path_of(dataset.document.file).parent_path();
@@ -333,21 +330,21 @@ std::vector<fs::path> table_targets(const Dataset& dataset, const fs::path& fold
   return targets;
 }
 
-// Readings are not made again by running the command again.
-void refuse_taken(std::vector<fs::path> targets, const fs::path& folder) {
-  targets.insert(targets.begin(), folder / kDatasetName);
-  for (const fs::path& path : targets) {
-    if (std::error_code none; !fs::exists(fs::symlink_status(path, none))) continue;
-    refuse("dataset-folder-taken",
-           fmt::format("there is a {} in {} already", path.filename().generic_string(), folder.generic_string()),
-           "it may have been measured: name another folder with -o", {path.generic_string()});
-  }
+// Readings are not made again by running the command again. What stands there already, byte for byte, loses nothing.
+template <class MakeText>
+void refuse_taken(const fs::path& path, const fs::path& folder, const MakeText& make_text) {
+  std::error_code none;
+  const bool is_file = fs::is_regular_file(path, none);
+  if (is_file ? read_text(path.generic_string()) == make_text() : !fs::exists(fs::symlink_status(path, none))) return;
+  refuse("dataset-folder-taken",
+         fmt::format("there is another {} in {} already", path.filename().generic_string(), folder.generic_string()),
+         "it may have been measured: name another folder with -o", {path.generic_string()});
 }
 
 }  // namespace
 
 // dataset.toml last: it names the tables.
-void write_dataset(const Dataset& dataset, const std::string& folder) {
+void write_dataset(const Dataset& dataset, const std::string& folder, Readings readings) {
   const fs::path into = path_of(folder);
   const fs::path source = path_of(dataset.document.file).parent_path();
   std::error_code error;
@@ -356,7 +353,10 @@ void write_dataset(const Dataset& dataset, const std::string& folder) {
            "name another folder for the output", {folder});
   }
   const std::vector<fs::path> targets = table_targets(dataset, into);
-  refuse_taken(targets, into);
+  if (readings == Readings::measured) refuse_taken(into / kDatasetName, into, [&] { return dataset.document.text; });
+  for (std::size_t i = 0; i < targets.size() && readings == Readings::measured; ++i) {
+    refuse_taken(targets[i], into, [&] { return run_table_text(dataset.runs[i]); });
+  }
   std::list<NewFolder> folders;
   std::list<OutputFile> outputs;
   OutputSet files;

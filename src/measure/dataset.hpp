@@ -121,11 +121,14 @@ Dataset parse_dataset(std::string text, const std::string& file, const std::stri
 /// Refuses a dataset.toml whose runs cannot be listed as read_dataset does.
 std::vector<std::string> files_of_dataset(const std::string& path);
 
+/// What is simulated can be made again, and replaces what stands there.
+enum class Readings : std::uint8_t { simulated, measured };
+
 /// Writes the dataset's text, as it was read, as dataset.toml into a folder, made if need be, and the tables beside it.
 /// Refuses, before anything is written, with dataset-file-outside a table that would lie outside the folder, with
 /// file-overwrites-input what would overwrite the dataset that was read or a table of it, and with dataset-same-file
-/// two runs of one table, with dataset-folder-taken a folder where one of these files stands already; and with
-/// file-unwritable.
-void write_dataset(const Dataset& dataset, const std::string& folder);
+/// two runs of one table, with dataset-folder-taken, for readings that are measured, a folder where another file of
+/// such a name stands; and with file-unwritable.
+void write_dataset(const Dataset& dataset, const std::string& folder, Readings readings = Readings::simulated);
 
 }  // namespace plumbline::measure

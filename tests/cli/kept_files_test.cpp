@@ -16,19 +16,6 @@ std::string with_offset_given(const std::string& rest) { return "compensate " + 
 
 }  // namespace
 
-TEST_CASE("a simulated dataset replaces none, also where the command is the same") {
-  const Scratch scratch;
-  scratch.file("plan/dataset.toml", plan_text(scratch));
-  const std::string command = "simulate -d plan/dataset.toml -o sim " + kModel;
-  REQUIRE(run(scratch, command).code == 0);
-  const std::string measured = scratch.text("sim/a.csv") + "# measured\n";
-  scratch.file("sim/a.csv", measured);
-  const Outcome again = run(scratch, command);
-  CHECK(again.code == 1);
-  CHECK(contains(again.err, "[dataset-folder-taken]"));
-  CHECK(scratch.text("sim/a.csv") == measured);
-}
-
 TEST_CASE("a posterior is written over that of its model alone") {
   const Scratch scratch;
   scratch.file("plan/dataset.toml", plan_text(scratch));

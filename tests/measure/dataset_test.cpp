@@ -119,7 +119,7 @@ TEST_CASE("a dataset is written as it was read, and never over itself") {
   CHECK(refusal_of([&] { write_dataset(outside, scratch.path("out")); }).code == "dataset-file-outside");
 }
 
-TEST_CASE("a dataset is written over no other one, nor over a table") {
+TEST_CASE("measured readings are written over no other dataset, nor over a table") {
   const Scratch scratch;
   scratch.file("run.csv", table_text());
   const Dataset dataset = read_dataset(scratch.file("dataset.toml", dataset_text()));
@@ -130,15 +130,20 @@ TEST_CASE("a dataset is written over no other one, nor over a table") {
   std::filesystem::create_directories(scratch.path("folder/run.csv"));
   for (const char* const folder : {"measured", "table", "folder"}) {
     INFO(folder);
-    const Diagnostic d = refusal_of([&] { write_dataset(dataset, scratch.path(folder)); });
+    const Diagnostic d = refusal_of([&] { write_dataset(dataset, scratch.path(folder), Readings::measured); });
     CHECK(d.code == "dataset-folder-taken");
     CHECK(d.help.find("may have been measured") != std::string::npos);
   }
   CHECK(scratch.text("measured/dataset.toml") == "# another one\n");
   CHECK(scratch.text("table/run.csv") == "measured\n");
   CHECK_FALSE(scratch.has("table/dataset.toml"));
-  write_dataset(dataset, scratch.path("free"));
-  CHECK(refusal_of([&] { write_dataset(dataset, scratch.path("free")); }).code == "dataset-folder-taken");
+  write_dataset(dataset, scratch.path("free"), Readings::measured);
+  write_dataset(dataset, scratch.path("free"), Readings::measured);  // the same once more
+  scratch.file("free/run.csv", scratch.text("free/run.csv") + "# measured\n");
+  CHECK(refusal_of([&] { write_dataset(dataset, scratch.path("free"), Readings::measured); }).code ==
+        "dataset-folder-taken");
+  write_dataset(dataset, scratch.path("free"));  // simulated: as it stood before
+  CHECK(scratch.text("free/run.csv").find("# measured") == std::string::npos);
 }
 
 TEST_CASE("more runs than are judged together are refused before a table is read") {

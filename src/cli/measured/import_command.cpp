@@ -30,7 +30,7 @@ int import_files(const ImportArguments& arguments) {
   }
   const imported::Map map = imported::read_map(arguments.map);
   const imported::Imported made = imported::import_files(map, arguments.files);
-  if (!arguments.folder.empty()) measure::write_dataset(made.dataset, arguments.folder);
+  if (!arguments.folder.empty()) measure::write_dataset(made.dataset, arguments.folder, measure::Readings::measured);
   print_result(report::import_text(made, arguments.explain));
   return kDone;
 }

@@ -164,11 +164,14 @@ TEST_CASE("a summary as JSON has every figure, and null for what there is not") 
   CHECK(json["warnings"] == nlohmann::json::array());
   s.zero_error = AxisWords{{0.0125, 0, 0, 0, 0, 0.5}};
   s.assumed_at_zero = {Axis::B};
-  s.warnings = {{"compensate-slow", "slow", "go on", {"part.ngc", 4, 1, 1, ""}, Severity::warning}};
+  s.made_of.program = "part.ngc";
+  s.warnings = {{"compensate-slow", "slow", "go on", {"part.ngc", 4, 1, 1, ""}, Severity::warning},
+                {"compensate-slow", "slow", "go on", {"SUB1.SPF", 4, 1, 1, ""}, Severity::warning}};
   json = nlohmann::json::parse(report::summary_json(s, {}));
   CHECK(json["zero_error"]["x_mm"] == 0.0125);
   CHECK(json["zero_error"]["c_deg"] == 0.5);
   CHECK(json["assumed_at_zero"] == nlohmann::json{"B"});
   CHECK(json["warnings"][0] ==
         nlohmann::json{{"code", "compensate-slow"}, {"message", "slow"}, {"help", "go on"}, {"line", 4}});
+  CHECK(json["warnings"][1]["file"] == "SUB1.SPF");
 }
