@@ -47,8 +47,7 @@ void Tally::take_block(const nc::Step& step) {
   }
   const nc::Block& block = *step.block;
   const bool percent = block.kind == nc::LineKind::percent;
-  const bool returns = block.flow.word == nc::FlowWord::give_back && !step.flow &&
-                       step.block_delete != nc::BlockDelete::left_out;  // RTS, RET: the file is a subprogram
+  const bool returns = nc::returns_from_file(step);
   if (block.kind == nc::LineKind::ignored || (block.words.empty() && !percent && !returns)) return;
   ended_ = percent || returns || std::any_of(block.words.begin(), block.words.end(), [&](const nc::Word& word) {
              const nc::CodeRow* const row = word.letter == 'M' ? dialect_.row_of(word) : nullptr;

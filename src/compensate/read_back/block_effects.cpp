@@ -8,6 +8,7 @@
 #include "base/same_value.hpp"
 #include "base/text/characters.hpp"
 #include "base/text/number_text.hpp"
+#include "nc/sequence/program_ends.hpp"
 
 namespace plumbline::compensate {
 namespace {
@@ -154,10 +155,7 @@ void append_effects(const nc::Step& step, const nc::Dialect& dialect, std::vecto
   }
   const auto first = static_cast<std::ptrdiff_t>(effects.size());
   if (block.kind == nc::LineKind::percent) effects.push_back({.text = "%"});
-  const bool returns = block.flow.word == nc::FlowWord::give_back && !step.flow;  // of a program that others call
-  if (returns && step.block_delete != nc::BlockDelete::left_out) {
-    effects.push_back({.text = upper(block.at(block.flow.span))});
-  }
+  if (nc::returns_from_file(step)) effects.push_back({.text = upper(block.at(block.flow.span))});
   const std::size_t before_words = effects.size();
   for (const nc::Word& word : block.words) {
     switch (word.letter) {

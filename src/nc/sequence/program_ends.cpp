@@ -89,4 +89,8 @@ std::optional<ProgramsBehind> programs_behind(const InputFile& file, const Diale
   return behind;
 }
 
+bool returns_from_file(const Step& step) {
+  return step.block->flow.word == FlowWord::give_back && !step.flow && step.block_delete != BlockDelete::left_out;
+}
+
 }  // namespace plumbline::nc

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/files/files.hpp"
+#include "nc/control/step.hpp"
 #include "nc/language/block.hpp"
 #include "nc/language/dialect.hpp"
 #include "nc/sequence/label_index.hpp"
@@ -33,5 +34,8 @@ struct ProgramsBehind {
 };
 /// Nothing where the file is no archive, or holds one program.
 std::optional<ProgramsBehind> programs_behind(const InputFile& file, const Dialect& dialect);
+
+/// RTS, RET: the step is executed, and returns to the program that called this file.
+bool returns_from_file(const Step& step);
 
 }  // namespace plumbline::nc
