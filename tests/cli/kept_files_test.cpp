@@ -39,11 +39,15 @@ TEST_CASE("a posterior is written over that of its model alone") {
   CHECK(contains(read.err, "[file-overwrites-input]"));
   CHECK(contains(run(scratch, identify + "m.toml").err, "[file-exists]"));  // and is no posterior of m.toml
   CHECK(scratch.text("m.posterior.toml") == before);
+}
 
-  // behind a link the posterior stands beside the model
+TEST_CASE("behind a link the posterior stands beside the model") {
+  const Scratch scratch;
+  scratch.file("plan/dataset.toml", plan_text(scratch));
+  REQUIRE(run(scratch, "simulate -d plan/dataset.toml -o sim " + kModel).code == 0);
   fs::create_directories(scratch.path("lk"));
   fs::create_symlink("lk/t.toml", scratch.path("link.toml"));
-  REQUIRE(run(scratch, identify + "link.toml").code == 0);
+  REQUIRE(run(scratch, "identify -d sim/dataset.toml " + kModel + " -o link.toml").code == 0);
   CHECK(scratch.has("lk/t.posterior.toml"));
   CHECK_FALSE(scratch.has("link.posterior.toml"));
 }
