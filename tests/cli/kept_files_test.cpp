@@ -70,6 +70,7 @@ TEST_CASE("standard output is one, by whatever name and whatever it is") {
   CHECK(run(scratch, with_offset_given("p.ngc -o /dev/stdout")).out == as_dash);
   CHECK(run(scratch, with_offset_given("p.ngc -o /dev/stdout") + " | cat").out == as_dash);
   CHECK(run(scratch, with_offset_given("p.ngc -o - --json /dev/null") + " >/dev/null").code == 0);
+  CHECK(run(scratch, "diagnose --json --report /dev/stdout -d d -o e " + kModel).code == 2);
 }
 
 TEST_CASE("a model on /dev/stdout has no words among it") {
@@ -100,8 +101,7 @@ TEST_CASE("options that would be passed over are wrong usage") {
        {"plan --for tip --separate backlash,servo-lag " + kModel, "plan --seed -1 " + kModel,
         "plan --seed 99999999999999999999999 " + kModel, "plan --radius 0.5 " + kModel, "plan --feed 300000 " + kModel,
         "plan --feed 0.5 " + kModel, "plan --bar 5000 " + kModel, "plan --radius 1e-300 " + kModel,
-        with_offset_given("p.ngc -o x --yields time"), "map --box 0,1,0,1,0,nan " + kModel, "map --z nan " + kModel,
-        std::string("diagnose --json --report /dev/stdout -d d -o e ") + kModel}) {
+        with_offset_given("p.ngc -o x --yields time"), "map --box 0,1,0,1,0,nan " + kModel, "map --z nan " + kModel}) {
     const Outcome outcome = run(scratch, command);
     INFO(command << outcome.err);
     CHECK(outcome.code == 2);
