@@ -114,6 +114,7 @@ std::optional<Learnt> learn_residual(const Workbench& bench, const FittedStage& 
       Learner learner(here, candidates.unknowns.at(stage.fit.values), *stage.problem,
                       marginalised_by(candidates, {}, stage.fit.values), stage.noise, options.description,
                       options.residual);
+      if (round > 0) stage.problem->forget_rows();  // most of the memory, and the learner has its own
       for (const Component& component : learnt.residual.components) learner.take(component);
       const bool more = learner.learn();
       learnt.residual.components = learner.components();

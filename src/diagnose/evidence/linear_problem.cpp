@@ -60,6 +60,10 @@ SlopeRows LinearProblem::rows_of(std::size_t run, const std::vector<int>& column
   return blocks[run].rows(Eigen::all, places);
 }
 
+void LinearProblem::forget_rows() {
+  for (Block& block : blocks) block.rows.resize(0, 0);
+}
+
 LinearProblem linearise(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
                         const CandidateSet& candidates, const Eigen::VectorXd& values,
                         const identify::NoiseModel& noise, std::optional<std::vector<int>> kept) {

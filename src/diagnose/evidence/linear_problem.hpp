@@ -27,6 +27,8 @@ struct LinearProblem {
   Eigen::Index residual() const { return gram.cols() - 1; }
   /// Some columns of one run, which were kept.
   identify::SlopeRows rows_of(std::size_t run, const std::vector<int>& columns) const;
+  /// Leaves the Gram matrices and what is not whitened.
+  void forget_rows();
 };
 
 /// What is left of the Gram matrix when some columns have taken what they can: G - G_T (G_TT + D)^-1 G_T^T, D the

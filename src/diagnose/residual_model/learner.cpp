@@ -190,28 +190,38 @@ std::vector<Learner::Found> Learner::ranked(ProductSums& products) const {
   return found;
 }
 
-// Nats by which poses that are left out are more likely with the last component of `with` than as it stands here.
-double Learner::left_out(const Learner& with) const {
-  const auto count = taken_.columns.size();
-  std::vector<int> columns(with.taken_.columns.size() - count);
-  std::iota(columns.begin(), columns.end(), static_cast<int>(count));
-  return left_out_nats(with.problem_, taken_, columns, Eigen::VectorXd::Ones(static_cast<Eigen::Index>(columns.size())),
-                       poses_);
-}
-
 // Adds the component if poses that are left out confirm it and it cancels nothing.
 bool Learner::try_adding(const Component& component) {
-  Learner with = *this;
-  with.append(component);
-  const double nats = left_out(with);
-  if (nats < options_.least_left_out) return false;
-  with.components_.back().left_out = nats;
-  with.solve();
-  if (with.cancel()) return false;
-  problem_ = std::move(with.problem_);
-  taken_ = std::move(with.taken_);
-  components_ = std::move(with.components_);
-  return true;
+  Before before{problem_.gram, {}, taken_, components_};
+  for (const Block& block : problem_.blocks) before.grams.push_back(block.gram);
+  append(component);
+  const auto count = before.taken.columns.size();
+  const std::vector<int> columns(taken_.columns.begin() + static_cast<std::ptrdiff_t>(count), taken_.columns.end());
+  const double nats = left_out_nats(problem_, before.taken, columns,
+                                    Eigen::VectorXd::Ones(static_cast<Eigen::Index>(columns.size())), poses_);
+  components_.back().left_out = nats;
+  if (nats >= options_.least_left_out) {
+    solve();
+    if (!cancel()) return true;
+  }
+  take_back(before);
+  return false;
+}
+
+// Rows, of which there are too many for a second set, lose the columns that were appended since.
+void Learner::take_back(const Before& before) {
+  const auto count = static_cast<Eigen::Index>(before.taken.columns.size());
+  problem_.gram = before.gram;
+  problem_.kept.resize(static_cast<std::size_t>(count) + 1);
+  for_each_index(problem_.blocks.size(), [&](std::size_t i) {
+    Block& block = problem_.blocks[i];
+    SlopeRows rows(block.rows.rows(), count + 1);
+    rows << block.rows.leftCols(count), block.rows.rightCols<1>();
+    block.rows = std::move(rows);
+    block.gram = before.grams[i];
+  });
+  taken_ = before.taken;
+  components_ = before.components;
 }
 
 // The columns of a component, in its sigmas, before the residual.

@@ -26,7 +26,7 @@ struct FittedStage {
   std::vector<Pick> picks;
   Refit fit;
   identify::NoiseModel noise;
-  std::shared_ptr<const LinearProblem> problem;  // about the fit; rows of what the picks may marginalise
+  std::shared_ptr<LinearProblem> problem;  // about the fit; rows of what the picks may marginalise
 };
 
 /// Fits these picks from `start`, estimates the noise anew from what they leave, and takes all slopes there. `noise` is
