@@ -35,9 +35,9 @@ std::optional<FittedStage> without_what_recurs(const Workbench& bench, const Fit
   FittedStage stage;
   stage.noise = without_what_recurs(base.noise, recurs);
   stage.fit = refit(bench, {}, base.fit.values, stage.noise, options.search.refit);
-  stage.problem = std::make_shared<LinearProblem>(linearise(bench.machine.rotation, bench.runs, bench.candidates,
-                                                                  stage.fit.values, stage.noise,
-                                                                  may_be_marginalised(bench.candidates, {})));
+  stage.problem =
+      std::make_shared<LinearProblem>(linearise(bench.machine.rotation, bench.runs, bench.candidates, stage.fit.values,
+                                                stage.noise, may_be_marginalised(bench.candidates, {})));
   return stage;
 }
 

@@ -57,9 +57,9 @@ FittedStage fitted_stage(const Workbench& bench, std::vector<Pick> picks, const 
     if (alike(next, stage.noise, options)) break;
     if (round + 1 < options.most_noise_rounds) stage.noise = next;
   }
-  stage.problem = std::make_shared<LinearProblem>(linearise(bench.machine.rotation, bench.runs, bench.candidates,
-                                                                  stage.fit.values, stage.noise,
-                                                                  may_be_marginalised(bench.candidates, stage.picks)));
+  stage.problem =
+      std::make_shared<LinearProblem>(linearise(bench.machine.rotation, bench.runs, bench.candidates, stage.fit.values,
+                                                stage.noise, may_be_marginalised(bench.candidates, stage.picks)));
   say(noise_text(stage.noise));
   return stage;
 }
