@@ -280,12 +280,14 @@ void try_motor_zeros(std::vector<Tried>& all, const Channels& channels) {
 }  // namespace
 
 std::optional<Drift> drift_of(const Suspects& suspects) {
-  const RunRows& rows = *suspects.rows[0];
-  const auto first = rows.raw.first_row(kRadial);
-  if (!first) return std::nullopt;
-  MatrixXd column = MatrixXd::Zero(rows.measured.size(), 1);
-  column.col(0).segment(*first, rows.raw.samples) = VectorXd::LinSpaced(rows.raw.samples, 0, 1);
-  const auto added = Channels(suspects).added(suspects.bench.white(rows, column));
+  const Channels channels(suspects);
+  if (!channels.has(kRadial)) return std::nullopt;
+  const VectorXd column = channels.whitened([](std::size_t, const RunRows& rows) {
+    VectorXd ramp = VectorXd::Zero(rows.measured.size());
+    if (rows.raw.first_row(kRadial)) segment(ramp, rows, kRadial) = VectorXd::LinSpaced(rows.raw.samples, 0, 1);
+    return ramp;
+  });
+  const auto added = channels.added(column);
   return Drift{added[0].gain, added[0].size};
 }
 

@@ -53,8 +53,8 @@ std::optional<Tried> tried(const Suspects& suspects, const Relabelled& relabelle
 /// The misfit of the suspects as they are stated.
 double chi2_as_stated(const Suspects& suspects);
 
-/// A drift of the bar within the one suspect: what it takes of the misfit, and its size over the run, m. Nothing: there
-/// are no readings of the bar.
+/// A drift of the bar, the same within each suspect: what it takes of the misfit, and its size over the run, m.
+/// Nothing: there are no readings of the bar.
 struct Drift {
   double gain = 0, size = 0;
 };

@@ -167,17 +167,23 @@ class Inspector {
     left = remainders(looked, outliers, bench_.noise);
   }
 
+  // What is wrong with one run alone would hide what all have in common. All are kept by reference.
+  Suspects agreeing(const Looked& looked, const Outliers& outliers, const Knowledge& known) const {
+    Suspects suspects{bench_, looked.runs, looked.whole, {}, {}, known};
+    for (std::size_t i = 0; i < looked.runs.size(); ++i) {
+      if (outliers.out[i]) continue;
+      suspects.runs.push_back(i);
+      suspects.rows.push_back(&looked.rows[i]);
+    }
+    return suspects;
+  }
+
   // Of runs that agree, against the model alone and its priors. `labels`: whether labels are doubted, too; that takes
   // long.
   std::optional<Fault> fault_of_all(const Looked& looked, const Outliers& outliers, bool labels,
                                     const FineNoise& noise_found) {
     const Knowledge nothing(wide_);
-    Suspects suspects{bench_, looked.runs, looked.whole, {}, {}, nothing};
-    for (std::size_t i = 0; i < looked.runs.size(); ++i) {
-      if (outliers.out[i]) continue;  // what is wrong with it alone would hide what all have in common
-      suspects.runs.push_back(i);
-      suspects.rows.push_back(&looked.rows[i]);
-    }
+    const Suspects suspects = agreeing(looked, outliers, nothing);
     if (std::optional<Fault> fine_bar = finer_than_any_bar(suspects)) {
       fine_bar->all = true;
       fine_bar->runs = looked.numbers;
@@ -245,8 +251,14 @@ class Inspector {
     add(kRadial + 1, options_.instrument.torque_sigma);
   }
 
-  // The bar drifts in most runs: its instrument does.
-  bool all_drift(const Looked& looked, const Outliers& outliers, Inspection& found) const {
+  // The bar drifts by as much in all runs, about what they say together; or by itself in most, about what the others
+  // say of each. Its size, m.
+  std::optional<double> drift_of_all(const Looked& looked, const Outliers& outliers) const {
+    const Knowledge nothing(wide_);
+    if (const Suspects agree = agreeing(looked, outliers, nothing); agree.runs.size() >= 2) {
+      const std::optional<Drift> common = drift_of(agree);
+      if (common && common->gain > 2 * options_.least_nats) return common->size;
+    }
     std::vector<double> sizes;
     double sum = 0;
     int with = 0;
@@ -261,15 +273,15 @@ class Inspector {
     const auto count = static_cast<double>(sizes.size());
     if (sizes.size() < 2 || sum < options_.drift_sigmas * std::sqrt(2 * count) ||
         with < options_.lines.in_runs * count) {
-      return false;
+      return std::nullopt;
     }
-    found.faults.push_back({FaultKind::drift, looked.numbers, true, {kRadial}, {median(sizes)}});
-    return true;
+    return median(sizes);
   }
 
   void judge_runs(const Looked& looked, const Outliers& outliers, Inspection& found) {
     found.usual = std::sqrt(outliers.usual);
-    const bool drifts = all_drift(looked, outliers, found);
+    const std::optional<double> drifts = drift_of_all(looked, outliers);
+    if (drifts) found.faults.push_back({FaultKind::drift, looked.numbers, true, {kRadial}, {*drifts}});
     std::vector<std::optional<Fault>> faults(looked.runs.size());
     std::vector<bool> explained(looked.runs.size(), false);
     for (std::size_t i = 0; i < looked.runs.size(); ++i) {

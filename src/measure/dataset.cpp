@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/files/file_state.hpp"
 #include "base/files/files.hpp"
 #include "base/files/input_name.hpp"
 #include "base/files/path_of.hpp"
@@ -221,15 +222,17 @@ void read_table(const RunReader& reader, const std::string& folder, Believe beli
            "put it into that folder, and name it relative to it", reader.place_of("file"));
   }
   const fs::path path = path_of(folder) / path_of(run.file);
-  std::error_code ignored;  // a name too long for a file is none
-  if (!fs::is_regular_file(path, ignored)) {
-    refuse("dataset-file-missing", fmt::format("there is no file {}", path.generic_string()),
+  const std::string name = path.generic_string();
+  std::error_code none;  // a name too long for a file is none
+  if (!fs::is_regular_file(path, none)) {
+    refuse("dataset-file-missing",
+           fs::exists(path, none) ? fmt::format("{} is {}", name, what_stands(path)) : "there is no file " + name,
            "file names the run's table, relative to the folder of the dataset", reader.place_of("file"));
   }
   TableOptions options;
   options.believe = believe;
-  read_run_table(path.generic_string(), run, options);
-  run.as_planned = !run.planned.empty() && run.planned == table_hash(read_text(path.generic_string()));
+  read_run_table(name, run, options);
+  run.as_planned = !run.planned.empty() && run.planned == table_hash(read_text(name));
 }
 
 }  // namespace

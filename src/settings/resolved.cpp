@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/files/file_state.hpp"
 #include "base/files/files.hpp"
 #include "base/files/path_of.hpp"
 #include "base/platform/platform.hpp"
@@ -19,32 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string_view what_stands(fs::file_type type, bool is_link) {
-  switch (type) {
-    case fs::file_type::directory:
-      return "a folder";
-    case fs::file_type::fifo:
-      return "a pipe";
-    case fs::file_type::socket:
-      return "a socket";
-    case fs::file_type::block:
-    case fs::file_type::character:
-      return "a device";
-    default:
-      return is_link ? "a link that leads to no file" : "no file";
-  }
-}
-
 // Whether a settings file stands there. What has its name and is none would leave the settings of the shop out without
 // a word.
 bool is_settings_file(const fs::path& path) {
   std::error_code error;
   const fs::file_type itself = fs::symlink_status(path, error).type();
   if (itself == fs::file_type::not_found || itself == fs::file_type::none) return false;
-  const fs::file_type type = fs::status(path, error).type();
-  if (type == fs::file_type::regular) return true;
-  refuse("settings-no-file",
-         fmt::format("this is {}, and no settings file", what_stands(type, itself == fs::file_type::symlink)),
+  if (fs::is_regular_file(path, error)) return true;
+  refuse("settings-no-file", fmt::format("this is {}, and no settings file", what_stands(path)),
          "put the settings file there, take this away, or have no settings read with --no-settings",
          {path.generic_string(), 0});
 }

@@ -85,7 +85,7 @@ constexpr std::size_t kSystemsOfVariables = 9;  // G54 to G59.3, of which other 
 
 std::map<int, double> read_variables(const Source& source) {
   const std::string text = read_text(source);
-  refuse_utf16(text, source.name());
+  refuse_not_text(text, source.name());
   VariablesReader reader(source.name(), text);
   for (std::size_t begin = byte_order_mark_size(text); begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());

@@ -169,6 +169,22 @@ TEST_CASE("a motor that reads too much in all runs is told") {
   }
 }
 
+TEST_CASE("a bar that drifts alike in all runs is told") {
+  for (const double size : {12e-6, -8e-6}) {
+    CAPTURE(size);
+    Measured measured;
+    for (Run& run : measured.runs) {
+      const auto samples = static_cast<double>(run.samples());
+      for (std::size_t i = 0; i < run.samples(); ++i) run.radial[i] += size * static_cast<double>(i) / samples;
+    }
+    const inspect::Inspection inspection = measured.inspection();
+    REQUIRE(inspection.faults.size() == 1);
+    CHECK(inspection.faults[0].kind == FaultKind::drift);
+    CHECK(inspection.faults[0].all);
+    CHECK(inspection.faults[0].values.at(0) == Approx(size).epsilon(0.4));
+  }
+}
+
 TEST_CASE("what is said of all runs explains most of what is off and leaves little more than noise") {
   // half of the runs are wrong, each in a way that no change of all of them mends
   const std::vector<std::function<void(Run&)>> spoils{

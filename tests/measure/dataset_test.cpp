@@ -92,6 +92,23 @@ TEST_CASE("every flaw of a dataset is refused at its place with the way out") {
   }
 }
 
+TEST_CASE("a table that is a folder, or packed, is refused as what it is") {
+  const Scratch scratch;
+  std::filesystem::create_directories(scratch.path("run.csv"));
+  const auto refused = [&] {
+    return refusal_of([&] { parse_dataset(dataset_text(), "dataset.toml", scratch.path("")); });
+  };
+  const Diagnostic folder = refused();
+  CHECK(folder.code == "dataset-file-missing");
+  CHECK(folder.message.ends_with("run.csv is a folder"));
+  std::filesystem::remove(scratch.path("run.csv"));
+  scratch.file("run.csv", "\x1F\x8B\x08 packed");
+  const Diagnostic packed = refused();
+  CHECK(packed.code == "file-not-text");
+  CHECK(packed.message == "this is no text: it is packed with gzip");
+  CHECK(packed.place.file == scratch.path("run.csv"));
+}
+
 TEST_CASE("a dataset without runs, and two runs of one id, are refused") {
   const Scratch scratch;
   scratch.file("run.csv", table_text());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 #include <vector>
 
 #include "base/files/input_file.hpp"
@@ -31,6 +32,25 @@ std::optional<FileState> file_state(int descriptor) {
 
 std::optional<FileState> folder_state(const std::string& path) {
   return state_if(platform::status_of(path), platform::FileKind::folder);
+}
+
+std::string_view what_stands(const std::filesystem::path& path) {
+  std::error_code none;
+  switch (std::filesystem::status(path, none).type()) {
+    case std::filesystem::file_type::regular:
+      return "a file";
+    case std::filesystem::file_type::directory:
+      return "a folder";
+    case std::filesystem::file_type::fifo:
+      return "a pipe";
+    case std::filesystem::file_type::socket:
+      return "a socket";
+    case std::filesystem::file_type::block:
+    case std::filesystem::file_type::character:
+      return "a device";
+    default:
+      return std::filesystem::is_symlink(path, none) ? "a link that leads to no file" : "no file";
+  }
 }
 
 std::int64_t now_ns() {

@@ -1,9 +1,11 @@
-// What tells that a file has changed, without reading it; and its fingerprint.
+// What stands at a path; what tells that a file has changed, without reading it; and its fingerprint.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace plumbline {
 
@@ -20,6 +22,9 @@ std::optional<FileState> file_state(const std::string& path);
 std::optional<FileState> file_state(int descriptor);
 /// Of a folder: it changes when a file in it is made, renamed or removed. Nothing if there is none.
 std::optional<FileState> folder_state(const std::string& path);
+
+/// What stands at a path where a file is wanted, links followed, to be said behind "is": a folder, a pipe.
+std::string_view what_stands(const std::filesystem::path& path);
 
 /// Now, on the clock of FileState.
 std::int64_t now_ns();

@@ -16,7 +16,7 @@ constexpr std::string_view kBlanks = " \t\r";
 }  // namespace
 
 CsvLines::CsvLines(std::string file, std::string_view text) : file_(std::move(file)), rest_(text) {
-  refuse_utf16(rest_, file_);
+  refuse_not_text(rest_, file_);
   rest_.remove_prefix(byte_order_mark_size(rest_));
 }
 

@@ -16,7 +16,7 @@ struct CsvField {
 
 class CsvLines {
  public:
-  /// `text` must outlive this. A byte order mark is passed over. Refuses as refuse_utf16 does.
+  /// `text` must outlive this. A byte order mark is passed over. Refuses as refuse_not_text does.
   CsvLines(std::string file, std::string_view text);
 
   /// Goes to the next line that is not blank; false at the end, where the last line stays. Refuses with csv-line-end a

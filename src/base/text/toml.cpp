@@ -154,7 +154,7 @@ std::string_view name_of(TomlValue::Kind kind) {
 
 TomlDocument parse_toml(std::string text, std::string file) {
   TomlDocument document{std::move(file), std::move(text), {}};
-  refuse_utf16(document.text, document.file);
+  refuse_not_text(document.text, document.file);
   document.lines.push_back(0);
   for (std::size_t i = 0; i < document.text.size(); ++i) {
     if (document.text[i] == '\n') document.lines.push_back(i + 1);

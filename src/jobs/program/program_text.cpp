@@ -1,6 +1,7 @@
 #include "jobs/program/program_text.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/text/characters.hpp"
+#include "base/text/encoding.hpp"
 #include "nc/language/dialect.hpp"
 
 namespace plumbline::jobs {
@@ -22,20 +24,9 @@ constexpr std::size_t kControlShare = 20;  // no text: more than one in so many 
 struct Signature {
   std::string_view begins, is, help;
 };
-constexpr std::string_view kUnpack = "unpack it, and name the program that is in it";
-constexpr std::string_view kSaveAs = "save it as plain text (ASCII or UTF-8)";
 constexpr std::string_view kPost = "post it for ";  // and the dialects
 constexpr std::string_view kOther = "name the NC program: a text of G and M codes";
 constexpr Signature kSignatures[] = {
-    {"\x1F\x8B"sv, "packed with gzip", kUnpack},
-    {"PK\x03\x04"sv, "a zip archive", kUnpack},
-    {"7z\xBC\xAF"sv, "a 7-Zip archive", kUnpack},
-    {"\xFD"
-     "7zXZ"sv,
-     "packed with xz", kUnpack},
-    {"BZh"sv, "packed with bzip2", kUnpack},
-    {"\xFF\xFE"sv, "text in UTF-16", kSaveAs},
-    {"\xFE\xFF"sv, "text in UTF-16", kSaveAs},
     {"%PDF"sv, "a PDF", kOther},
     {"\x7F"
      "ELF"sv,
@@ -56,6 +47,10 @@ constexpr Signature kSignatures[] = {
   refuse(code, std::move(message), std::string(help), Place{.file = program.name()});
 }
 
+[[noreturn]] void refuse_kind(const InputFile& program, std::string_view is, std::string_view help) {
+  refuse_as("file-not-text", program, fmt::format("this is no NC program: it is {}", is), help);
+}
+
 bool is_control(char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\f' && !is_blank(c); }
 
 }  // namespace
@@ -63,15 +58,15 @@ bool is_control(char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n
 void refuse_unless_program_text(const InputFile& program) {
   std::string begin(kLook, '\0');
   begin.resize(program.read(0, begin.data(), begin.size()));
+  if (const std::optional<NotText> kind = not_text(begin)) refuse_kind(program, kind->is, kind->help);
   for (const Signature& kind : kSignatures) {
     if (!begin.starts_with(kind.begins)) continue;
     const std::string dialects = kind.help == kPost ? nc::dialect_list() : std::string();
-    refuse_as("file-not-text", program, fmt::format("this is no NC program: it is {}", kind.is),
-              fmt::format("{}{}", kind.help, dialects));
+    refuse_kind(program, kind.is, fmt::format("{}{}", kind.help, dialects));
   }
   const auto controls = static_cast<std::size_t>(std::count_if(begin.begin(), begin.end(), is_control));
   if (controls * kControlShare > begin.size()) {
-    refuse_as("file-not-text", program, "this is no NC program: it is no text", kOther);
+    refuse_kind(program, "no text", kOther);
   }
   const std::string_view text = std::string_view(begin).substr(byte_order_mark_size(begin));
   const bool blank = std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || is_blank(c); });

@@ -172,8 +172,7 @@ std::string record_text(const Fault& fault, const Run& run, const std::vector<Ru
           value, fault.values.at(1) / kUm, larger_unit(value));
     case FaultKind::drift:
       return fmt::format(
-          "the bar drifts within each run, by {:.2f} um as the median has it: no machine does that alike "
-          "wherever a run begins",
+          "the bar drifts within each run, by some {:.2f} um: no machine does that alike wherever a run begins",
           value / kUm);
     case FaultKind::unreachable:
       return "the machine cannot stand where the dataset says: check centre, radius and tilt, and the lengths of "

@@ -17,6 +17,9 @@ TEST_CASE("text that editors of Windows keep in other encodings is refused with 
   CHECK(latin.help.find("UTF-8") != std::string::npos);
   const Diagnostic wide = refused("\xFF\xFEn\0", 4);
   CHECK(wide.code == "file-not-text");
-  CHECK(wide.help == "save it as UTF-8");
+  CHECK(wide.help == "save it as plain text (ASCII or UTF-8)");
+  const Diagnostic packed = refused("PK\x03\x04model.toml", 14);
+  CHECK(packed.code == "file-not-text");
+  CHECK(packed.help == "unpack it, and name the file that is in it");
   CHECK(testing::refusal_of([] { CsvLines("t.csv", "\xFE\xFF"); }).code == "file-not-text");
 }
