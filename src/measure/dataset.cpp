@@ -229,9 +229,7 @@ void read_table(const RunReader& reader, const std::string& folder, Believe beli
            fs::exists(path, none) ? fmt::format("{} is {}", name, what_stands(path)) : "there is no file " + name,
            "file names the run's table, relative to the folder of the dataset", reader.place_of("file"));
   }
-  TableOptions options;
-  options.believe = believe;
-  read_run_table(name, run, options);
+  read_run_table(name, run, {.believe = believe});
   run.as_planned = !run.planned.empty() && run.planned == table_hash(read_text(name));
 }
 
@@ -248,15 +246,13 @@ void check_measured(const Dataset& dataset) {
     if (first == nullptr) first = &run.place;
   }
   if (first == nullptr) return;
-  refuse(
-      "dataset-not-measured",
-      planned.size() == dataset.runs.size()
-          ? std::string("these readings are the plan's own: nothing was measured")
-          : fmt::format("the readings of {} {} are the plan's own: nothing was measured",
-                        planned.size() == 1 ? "run" : "runs", fmt::join(planned, ", ")),
-      "a plan's tables hold what the model predicts: put in what was measured, in the same columns, or leave the run "
-      "out",
-      *first);
+  refuse("dataset-not-measured",
+         planned.size() == dataset.runs.size()
+             ? std::string("these readings are the plan's own: nothing was measured")
+             : fmt::format("the readings of {} {} are the plan's own: nothing was measured",
+                           planned.size() == 1 ? "run" : "runs", fmt::join(planned, ", ")),
+         "a plan's tables hold what the model predicts: put in what was measured, in its columns, or leave the run out",
+         *first);
 }
 
 Run read_run(const TomlDocument& document, const TomlValue& table, const std::vector<std::string_view>& others) {
