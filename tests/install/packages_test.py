@@ -134,18 +134,12 @@ def check_use(prefix, given):
 
 
 def differences(one, other):
-    """Of two packages: members, the data in them, files in that."""
+    """What tells two packages apart: files of both kinds, and how they stand in the lists."""
     with tempfile.TemporaryDirectory(prefix="plumbline-packages-") as scratch:
         for which, path in (("one", one), ("other", other)):
-            folder = Path(scratch) / which
-            (folder / "members").mkdir(parents=True)
-            subprocess.run(["ar", "x", path], cwd=folder / "members", check=True)
-            (folder / "list.txt").write_text(run("dpkg-deb", "--contents", path))
-            for member in (folder / "members").glob("*.tar.xz"):
-                (folder / member.stem).write_bytes(subprocess.run(["xz", "-dc", member], capture_output=True, check=True).stdout)
-            run("dpkg-deb", "--raw-extract", path, folder / "files")
-        return subprocess.run(["diff", "-r", Path(scratch) / "one", Path(scratch) / "other"], capture_output=True,
-                              text=True).stdout[:5000]
+            run("dpkg-deb", "--raw-extract", path, Path(scratch) / which)
+            (Path(scratch) / which / "contents").write_text(run("dpkg-deb", "--contents", path))
+        return subprocess.run(["diff", "-r", "one", "other"], cwd=scratch, capture_output=True, text=True).stdout[:5000]
 
 
 def made(given):

@@ -190,38 +190,22 @@ std::vector<Learner::Found> Learner::ranked(ProductSums& products) const {
   return found;
 }
 
-// Adds the component if poses that are left out confirm it and it cancels nothing.
+// Adds the component if poses that are left out confirm it and it cancels nothing. It is tried in place: there are too
+// many rows for a second set.
 bool Learner::try_adding(const Component& component) {
-  Before before{problem_.gram, {}, taken_, components_};
-  for (const Block& block : problem_.blocks) before.grams.push_back(block.gram);
+  const Marginalised before = taken_;
   append(component);
-  const auto count = before.taken.columns.size();
-  const std::vector<int> columns(taken_.columns.begin() + static_cast<std::ptrdiff_t>(count), taken_.columns.end());
-  const double nats = left_out_nats(problem_, before.taken, columns,
+  const std::vector<int> columns(taken_.columns.begin() + static_cast<std::ptrdiff_t>(before.columns.size()),
+                                 taken_.columns.end());
+  const double nats = left_out_nats(problem_, before, columns,
                                     Eigen::VectorXd::Ones(static_cast<Eigen::Index>(columns.size())), poses_);
   components_.back().left_out = nats;
   if (nats >= options_.least_left_out) {
     solve();
     if (!cancel()) return true;
   }
-  take_back(before);
+  drop(components_.size() - 1);
   return false;
-}
-
-// Rows, of which there are too many for a second set, lose the columns that were appended since.
-void Learner::take_back(const Before& before) {
-  const auto count = static_cast<Eigen::Index>(before.taken.columns.size());
-  problem_.gram = before.gram;
-  problem_.kept.resize(static_cast<std::size_t>(count) + 1);
-  for_each_index(problem_.blocks.size(), [&](std::size_t i) {
-    Block& block = problem_.blocks[i];
-    SlopeRows rows(block.rows.rows(), count + 1);
-    rows << block.rows.leftCols(count), block.rows.rightCols<1>();
-    block.rows = std::move(rows);
-    block.gram = before.grams[i];
-  });
-  taken_ = before.taken;
-  components_ = before.components;
 }
 
 // The columns of a component, in its sigmas, before the residual.

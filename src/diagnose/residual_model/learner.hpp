@@ -65,20 +65,12 @@ class Learner {
     std::vector<identify::SlopeRows> rows;  // in groups
     Eigen::MatrixXd cross;                  // with the columns of the shape, where it is known
   };
-  /// All but the rows, before a component is tried.
-  struct Before {
-    Eigen::MatrixXd gram;
-    std::vector<Eigen::MatrixXd> grams;  // of the runs
-    Marginalised taken;
-    std::vector<Component> components;
-  };
 
   identify::SlopeRows whitened(const Shape& shape, const Region& region, std::size_t run) const;
   Overlap overlap_of(const Shape& shape, const Region& region, const Gathered& gathered) const;
   void look_at(const Shape& shape, double tried, const Gathered& gathered, std::vector<Found>& found) const;
   std::vector<Found> ranked(ProductSums& products) const;
   bool try_adding(const Component& component);
-  void take_back(const Before& before);
   void append(const Component& component);
   void fit_spreads();
   void drop(std::size_t place);
