@@ -155,6 +155,13 @@ void Rewriter::describe(Summary& summary) const {
   for (const nc::InlinedFile& file : emitter_.inlined()) summary.inlined_files.push_back({file.name, file.hash});
   summary.unrolled = steps_.unrolled();
   summary.identical = !emitter_.changed();
+  if (const Place* const message = steps_.silenced()) {
+    summary.warnings.push_back(
+        {"compensate-message", "comments of the program show variables, and the output has none: it shows them no more",
+         "what the control shows or logs there is in the output as a comment alone; where an operator or a log file "
+         "needs it, write the text without # and expand the program before",
+         *message, Severity::warning});
+  }
   summary.read_back = figures_;
   if (!figures_) return;
   summary.points = figures_->points;

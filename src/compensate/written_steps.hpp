@@ -35,6 +35,8 @@ class WrittenSteps {
   const nc::Step& in_other_words(const nc::Step& step) { return *expander_.plain(step, true); }
 
   bool unrolled() const { return form_ == nc::Form::unrolled; }
+  /// StepExpander::silenced.
+  const Place* silenced() const { return expander_.silenced(); }
 
  private:
   OfBlock only(const nc::Step* step);

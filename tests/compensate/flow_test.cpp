@@ -70,6 +70,19 @@ TEST_CASE("every kind of loop and call is unrolled") {
       "o1 endrepeat\nM2\n");
 }
 
+TEST_CASE("comments that show variables show nothing where it is written out, and a warning says so") {
+  const auto warned_at = [](const std::string& text) -> std::size_t {
+    for (const Diagnostic& warning : run(text, without_friction()).summary.warnings)
+      if (warning.code == "compensate-message") return warning.place.line;
+    return 0;
+  };
+  const std::string loop = "#<z>=0\no1 repeat [2]\n#<z>=[#<z>-1]\n", rest = "G1 Z#<z> F100\no1 endrepeat\nM2\n";
+  CHECK(warned_at(kStart + loop + "(DEBUG, depth #<z>)\n" + rest) == 6);
+  CHECK(warned_at(kStart + loop + "G1 X#<z> F50 (print, at #5420)\n(LOG, #1)\n" + rest) == 6);
+  CHECK(warned_at(kStart + loop + "G1 X1 F50\n( Log , level #<z>)\n" + rest) == 7);
+  CHECK(warned_at(kStart + loop + "(MSG, depth #<z>)\n(DEBUG, a pass)\n(#<z>)\n" + rest) == 0);
+}
+
 TEST_CASE("comments that do nothing beside an O word do nothing where it is written out") {
   const std::string output = check_unrolled("o100 sub (PRINT, a)\nG1 X#1 F500\no100 endsub (LOGOPEN,a.txt)\n" + kStart +
                                             "o1 repeat [2] (MSG, again)\no100 call [5] (debug, b) (note)\n"

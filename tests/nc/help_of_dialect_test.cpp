@@ -147,3 +147,19 @@ TEST_CASE("a refusal names what is missing, too large or of another control") {
          {"okuma", "S=LA*100\nM2\n", "LA was never set", "a value of *"},
          {"okuma", "S=SIN[LB]\nM2\n", "LB was never set", "a value of"}});
 }
+
+TEST_CASE("what has no other form is left out, and a slip is called by its name") {
+  check({{"fanuc", "O1\nG62\nM30\n", "write G64 or G61", "write it out"},
+         {"fanuc", "O1\nG27 X0 Y0\nM30\n", "write G28", "write it out"},
+         {"fanuc", "O1\nG54.2 P1\nM30\n", "choose a work system", "write it out"},
+         {"fanuc", "O1\nM96 P2\nM30\n", "leave it out", "--pass"},
+         {"fanuc", "O1\nG54 G94 G1 X1. F0\nM30\n", "F0 is no feed", "G93, G94 and G95"},
+         {"linuxcnc", "M68 Q1\nM2\n", "M68", "M67"},
+         {"okuma", "G15 H1\nG94 G1 X1 F0.\nM2\n", "F0. is no feed", ""},
+         {"siemens", "G54 G94\nG1 X1 F=0\nM30\n", "F=0 is no feed", ""},
+         {"fanuc", "O1\nGOTON10\nN10 M30\n", "without the N", "no function"},
+         {"fanuc", "O1\nIF [1 EQ 1] GOTO N10\nN10 M30\n", "as in GOTO 10", "no function"},
+         {"fanuc", "O1\nN10 G40 G17 G90 G70\nM30\n", "G20 (inch) and G21 (mm)", "another dialect"},
+         {"fanuc", "O1\nG94 G90 G71\nM30\n", "G20 (inch) and G21 (mm)", "another dialect"},
+         {"fanuc", "O1\nG12\nM30\n", "another dialect", "G20"}});
+}

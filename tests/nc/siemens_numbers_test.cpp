@@ -34,8 +34,8 @@ TEST_CASE("MOD and DIV are of whole numbers") {
 TEST_CASE("halves below zero are rounded in a way that no source says") {
   check_numbers("nc-not-interpreted",
                 {"X=ROUND(-2.5)\n", "R1=ROUND(-0.5)\n", "R2=7\nX=ROUND(-R2/2)\n", "DEF INT COUNT\nCOUNT=-2.5\n",
-                 "DEF INT COUNT=-1.5\n", "DEF INT COUNT\nCOUNT=1-0.5*3\n",
-                 "SUB(-3.5)\nM30\n%_N_SUB_SPF\nPROC SUB(INT TIMES)\nX=TIMES\nRET\n"});
+                 "DEF INT COUNT=-1.5\n", "DEF INT COUNT\nCOUNT=1-0.5*3\n", "X=ROUND(0.7-0.2)\n",
+                 "DEF INT COUNT=2.3-0.8\n", "SUB(-3.5)\nM30\n%_N_SUB_SPF\nPROC SUB(INT TIMES)\nX=TIMES\nRET\n"});
   check_numbers("X3", {"X=ROUND(2.5)\n", "DEF INT COUNT=2.5\nX=COUNT\n", "DEF REAL WIDTH=-2.5\nX=WIDTH+5.5\n",
                        "X=5+ROUND(-2.4)\n", "DEF INT COUNT=-2.6\nX=6+COUNT\n"});
 }

@@ -347,7 +347,7 @@ void BlockValues::set_parameter(const Block& block, const Setting& place, int nu
       run_.control.parameters.declare(block.at(block.names[place.name]), place.type);
     }
     if (run_.dialect.syntax.unsourced_values && run_.control.parameters.is_whole(block.at(block.names[place.name]))) {
-      check_negative_half(block, place.span, value);
+      check_half(block, place.span, value);
     }
     run_.control.parameters.set(block.at(block.names[place.name]), value);
     note_handed_name(block, place, value);

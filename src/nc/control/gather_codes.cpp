@@ -42,6 +42,11 @@ void check_no_point(const Execution& run, const Word& word) {
              fmt::format("write {}{:.0f}", word.letter, word.value));
 }
 
+bool counts_in_g20_g21(const Dialect& dialect) {
+  const CodeRow* const inch = dialect.g_code(200);
+  return inch != nullptr && inch->action == Action::inches;
+}
+
 const CodeRow* g_row(const Execution& run, const Word& word) {
   check_no_point(run, word);
   const double times_ten = word.value * 10;
@@ -51,8 +56,11 @@ const CodeRow* g_row(const Execution& run, const Word& word) {
     row = run.dialect.g_code(static_cast<int>(whole));
   }
   if (row == nullptr) {
+    const bool apt_units = whole == 700 || whole == 710;  // as ISO 6983 has them
     run.refuse(word, codes::kUnknownCode, fmt::format("{} is no G code of this control", run.text_of(word)),
-               "look for a slip, or choose another dialect");
+               apt_units && counts_in_g20_g21(run.dialect)
+                   ? "units are G20 (inch) and G21 (mm) here: set them in the post-processor"
+                   : "look for a slip, or choose another dialect");
   }
   if (row->action == Action::compensation_on) {
     run.refuse(word, codes::kNotInterpreted,

@@ -7,7 +7,7 @@
 
 namespace plumbline::nc {
 
-void refuse_at(const Block& block, Span span, std::string_view code, std::string message, std::string help) {
+Place place_in(const Block& block, Span span) {
   Place place;
   place.file = block.file;
   place.line = block.line;
@@ -20,7 +20,11 @@ void refuse_at(const Block& block, Span span, std::string_view code, std::string
   }
   place.text.erase(std::min(place.text.find('\n'), place.text.size()));
   place.length = std::max<std::size_t>(span.end - span.begin, 1);
-  refuse(code, std::move(message), std::move(help), std::move(place));
+  return place;
+}
+
+void refuse_at(const Block& block, Span span, std::string_view code, std::string message, std::string help) {
+  refuse(code, std::move(message), std::move(help), place_in(block, span));
 }
 
 }  // namespace plumbline::nc

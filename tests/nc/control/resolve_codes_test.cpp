@@ -87,6 +87,15 @@ TEST_CASE("two codes of a group are refused, or the last one counts, as the cont
   CHECK(Resolved("G0 G1 X1. F5.", "fanuc").order() == CodeTexts{"F5.", "G1"});
 }
 
+TEST_CASE("a fifth M code is refused where the control takes four") {
+  CHECK(refused("M3 M8 M48 M0 S100").code.empty());
+  const Diagnostic fifth = refused("M3 M8 M48 M0 M62 P1 S100");
+  CHECK(fifth.code == "nc-same-group");
+  CHECK(fifth.place.column == 14);
+  CHECK(refused("G1 X1 F5 M5 M9 M49 M1 M63 P0").code == "nc-same-group");
+  CHECK(refused("G0 G90 G21 G17 G40 G49 G54 M3 S5 M7").code.empty());
+}
+
 TEST_CASE("codes that the control has not are refused, those of its builder unless they are passed") {
   CHECK(refused("G6.5").code == "nc-unknown-code");
   CHECK(refused("G-1").code == "nc-unknown-code");

@@ -166,7 +166,7 @@ void machine_code(Execution& run, const Chosen& chosen) {
     case Action::set_output:
       return set_output(run, chosen);
     case Action::set_analog_output:
-      run.whole(run.need('E', "M67"), 0, kNoLimit);
+      run.whole(run.need('E', run.text_of(*chosen.word)), 0, kNoLimit);
       return;
     case Action::read_input:
       return read_input(run);

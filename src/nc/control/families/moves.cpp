@@ -273,6 +273,10 @@ double feed_of_move(const Execution& run, bool linear) {
   }
   const double feed = linear || per_revolution ? control.feed_linear : control.modal.feed_rotary;
   if (feed > 0) return feed;
+  if (word != nullptr && word->value == 0) {
+    run.refuse(*word, codes::kFeedMissing, fmt::format("{} is no feed: the move would never end", run.text_of(*word)),
+               "write the feed that is meant");
+  }
   run.refuse(word != nullptr ? *word : run.motion_code(), codes::kFeedMissing, "no feed is in force for this move",
              "write F; G93, G94 and G95 drop the F before them, a change of units on some controls as well");
 }

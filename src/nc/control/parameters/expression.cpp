@@ -287,8 +287,15 @@ void Evaluator::check_bracketed(const Block& block, const Instruction& step, con
 }
 
 double Evaluator::rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding) {
-  const double whole = std::round(value);
-  if (rounding.known && rounding.quantum == 1) return whole;
+  // Half is added and the rest cut off: what is less than a half by its last digit alone goes up [LinuxCNC,
+  // interp_execute.cc].
+  const double whole = std::trunc(value + std::copysign(0.5, value));
+  if (rounding.known && rounding.quantum == 1) {
+    if (std::abs(value) < kLargestInteger) return whole;
+    refuse_at(block, step.span, codes::kArithmetic,
+              fmt::format("{:.6g} is more than a whole number of the control holds", value),
+              "look for a slip: ROUND gives whole numbers up to 2147483647");
+  }
   if (rounding.known && std::abs(value) > kLargestWhole) return value;
   if (rounding.known)
     return from_ticks(to_ticks(std::round(value / rounding.quantum) * rounding.quantum, kMostDecimals), kMostDecimals);
@@ -357,7 +364,7 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
     } else if (step->operation == Operation::round) {
       check_vacant(block, *step, b, b);
       if (rounding.quantum == 1) check_whole_digits(block, *step, b);
-      if (unsourced_refused_) check_negative_half(block, step->span, b);
+      if (unsourced_refused_) check_half(block, step->span, b);
       result.number = rounded(block, *step, b.number, rounding);
     } else {
       if (step->operation != Operation::negate) check_vacant(block, *step, b, b);

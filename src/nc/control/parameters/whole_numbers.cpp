@@ -9,16 +9,19 @@
 
 namespace plumbline::nc {
 
-void check_negative_half(const Block& block, Span span, const Value& value) {
+void check_half(const Block& block, Span span, const Value& value) {
   constexpr double kHalf = 0.5;
   constexpr double kNear = 1e-9;
-  if (!value.known || value.number > 0) return;
-  if (std::abs(value.number - std::trunc(value.number) + kHalf) > kNear) return;
-  refuse_at(block, span, codes::kNotInterpreted,
-            fmt::format("{:.6g} lies halfway between two whole numbers, and which of them the control rounds it to was "
-                        "found in no source below 0",
-                        value.number),
-            "round the number without its sign, as in -ROUND(2.5), or add or take off 0.001 before");
+  if (!value.known) return;
+  const double below = std::trunc(value.number) + std::copysign(kHalf, value.number) - value.number;
+  if (std::abs(below) > kNear || (value.number > 0 && below <= 0)) return;
+  refuse_at(
+      block, span, codes::kNotInterpreted,
+      fmt::format("{:.6g} lies {}halfway between two whole numbers, and which of them the control rounds it to was "
+                  "found in no source{}",
+                  value.number, below == 0 ? "" : "but for its last digits ", value.number < 0 ? " below 0" : ""),
+      value.number < 0 ? "round the number without its sign, as in -ROUND(2.5), or add or take off 0.001 before"
+                       : "add or take off 0.001 before");
 }
 
 int whole_number(const Block& block, Span span, double value, std::string_view what) {

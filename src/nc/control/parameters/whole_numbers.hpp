@@ -10,6 +10,7 @@ namespace plumbline::nc {
 
 inline constexpr double kWhole = 1e-4;  // [LinuxCNC, measured]
 inline constexpr double kLargestWhole = 1e9;
+inline constexpr double kLargestInteger = 2147483647;  // of 32 bits
 
 /// The numbers that parameters may have.
 struct ParameterLimits {
@@ -17,8 +18,9 @@ struct ParameterLimits {
   int last = kLastParameter;
 };
 
-/// Refuses -2.5: which way a control rounds it that rounds from 0.5 on is left open.
-void check_negative_half(const Block& block, Span span, const Value& value);
+/// Refuses -2.5, and what is less than 2.5 by its last digits alone: which way a control rounds them that rounds from
+/// 0.5 on is left open.
+void check_half(const Block& block, Span span, const Value& value);
 
 /// A whole number near `value`; refuses with nc-not-whole. Whole within 1e-4 [LinuxCNC, measured].
 int whole_number(const Block& block, Span span, double value, std::string_view what);

@@ -210,6 +210,7 @@ void StepExpander::defuse_comments(const Block& block) {
   for (const Comment& comment : block.comments) {
     const std::string_view text = block.at(comment.span);
     if (!shows_parameters(text)) continue;
+    if (!silenced_) silenced_ = place_in(block, comment.span);
     editor_.replace({comment.span.begin, comment.span.begin + 1}, std::string(text.substr(0, 1)) + "was ");
   }
 }

@@ -1,10 +1,12 @@
 // Steps as a program would hold them that has no parameters and no polar words: the same motion, written with values.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 
+#include "base/diagnostic.hpp"
 #include "nc/control/state/control.hpp"
 #include "nc/control/state/kept.hpp"
 #include "nc/rewrite/output/emit_codes.hpp"
@@ -36,6 +38,9 @@ class StepExpander {
   /// comments; null if there are none. Holds until the next call.
   const Step* beside_flow(const Step& step, bool acts);
 
+  /// The first comment that shows parameters on the control and shows nothing in what was made here; null: none.
+  const Place* silenced() const { return silenced_ ? &*silenced_ : nullptr; }
+
  private:
   std::string with_value(std::string_view text, const Word& word) const;
   void write_values(const Step& step, bool keeps_settings, std::string_view without = {});
@@ -53,6 +58,7 @@ class StepExpander {
   MadeSteps made_;
   WrittenNumber angle_;
   std::set<std::string, std::less<>> numbers_;  // that stood in blocks, where they are labels
+  std::optional<Place> silenced_;
   BlockEditor editor_;
   Spelling spelling_;
 };

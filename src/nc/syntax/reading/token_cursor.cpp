@@ -58,6 +58,13 @@ void TokenCursor::refuse_token(std::string_view expected) const {
            "write it in decimal digits, as in R6=255");
   }
   if (expected == "a value" && syntax_->statements == Statements::o_words) refuse_macro_statement(place);
+  if (expected == "a value" && plumbline::lower(c) == 'n' && syntax_->statements == Statements::macro_b) {
+    const std::string before = upper(without_blanks(block_->text.substr(0, place.begin)));
+    if (before.ends_with("GOTO")) {
+      refuse(place, codes::kValueMissing, "GOTO takes the number of the block, and not its word",
+             "write it without the N, as in GOTO 10");
+    }
+  }
   if (expected == "a value" && c != '.' && c != '<') {
     refuse(place, codes::kValueMissing,
            plumbline::is_letter(c) ? "this is no value, and no function that is known here" : "a value is missing here",

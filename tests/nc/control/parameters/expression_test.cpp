@@ -71,6 +71,13 @@ TEST_CASE("functions take degrees and round as the control does") {
   CHECK(value("FIX[-2.5]") == -3);
   CHECK(value("FUP[-2.5]") == -2);
   CHECK(value("ROUND[-2.5]") == -3);
+  CHECK(value("ROUND[0.7-0.2]") == 1);  // half is added first
+  CHECK(value("ROUND[0.2-0.7]") == -1);
+  CHECK(value("ROUND[0.4999]") == 0);
+  CHECK(value("ROUND[-3.2]") == -3);
+  CHECK(value("ROUND[1000000.5]") == 1000001);
+  CHECK_THROWS_AS(value("ROUND[2147483648]"), Refusal);
+  CHECK_THROWS_AS(value("ROUND[-3e9*1]"), Refusal);
   CHECK(value("EXP[LN[3]]") == Approx(3));
   CHECK(value("SQRT[ABS[-16]]") == 4);
 }

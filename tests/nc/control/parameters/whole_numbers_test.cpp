@@ -29,10 +29,11 @@ TEST_CASE("numbers of parameters are whole and within their limits") {
   CHECK(parameter_number(Block{}, {}, {0, true}, {.first = 0, .last = 9}) == 0);
 }
 
-TEST_CASE("halves below zero are left open, and no other number") {
-  for (const double number : {0.5, 2.5, -2.4, -2.6, 0.0, -3.0}) check_negative_half(Block{}, {}, {number, true});
-  check_negative_half(Block{}, {}, {-2.5, false});
-  for (const double number : {-0.5, -2.5, -100.5}) {
-    CHECK(testing::refusal_of([&] { check_negative_half(Block{}, {}, {number, true}); }).code == "nc-not-interpreted");
+TEST_CASE("halves below zero, and what misses one above it by its last digits, are left open, and no other number") {
+  for (const double number : {0.5, 2.5, -2.4, -2.6, 0.0, -3.0, 0.49999, 2.50000000001, 3.0})
+    check_half(Block{}, {}, {number, true});
+  check_half(Block{}, {}, {-2.5, false});
+  for (const double number : {-0.5, -2.5, -100.5, 0.7 - 0.2, 2.49999999999, 2.3 - 0.8, -0.7 + 0.2, -2.50000000001}) {
+    CHECK(testing::refusal_of([&] { check_half(Block{}, {}, {number, true}); }).code == "nc-not-interpreted");
   }
 }
