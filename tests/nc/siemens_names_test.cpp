@@ -105,3 +105,15 @@ TEST_CASE("names of the control's folders are those of its programs") {
                   "siemens") == "nc-flow-open");
   }
 }
+
+TEST_CASE("a tool's name is taken letter for letter, digits as well") {
+  ProgramSettings settings = empty_tables();
+  settings.as_with_empty_tables = false;
+  settings.work_offsets[0] = WorkOffset{};
+  settings.tools = ToolTable({{1, 100, {}, {}, {}, "MILL10"}, {8, 80, {}, {}, {}, "007"}});
+  const auto code = [&](const std::string& name) {
+    return code_of("G54 G0 X0 Y0 Z50 A0 B0 C0\nT=\"" + name + "\" M6\nX5\nM30\n", settings, "siemens");
+  };
+  for (const std::string known : {"1", "8", "MILL10", "007"}) CHECK(code(known).empty());
+  for (const std::string unknown : {"01", "001", "0007", "08", "mill10"}) CHECK(code(unknown) == "nc-tool-unknown");
+}
