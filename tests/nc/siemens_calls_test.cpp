@@ -104,6 +104,8 @@ TEST_CASE("what CALL BLOCK does where no source says so") {
     INFO(call);
     CHECK(path_of("G54 G0 X1\n" + call + "\nM30\nAA:\nX2\nBB:\n") == "nc-flow-control");
   }
+  CHECK(path_of("G54 G0 X1\nX5 CALL BLOCK AA TO BB\nM30\nAA:\nX2\nBB:\n") == "nc-flow-control");
+  CHECK(path_of("G54 G0 X1\nCALL BLOCK N10 TO N20\nM30\nN10 X2\nN20\n") == "nc-flow-control");
   check_said("CALL \"SUB\" BLOCK AA TO BB\n", {"in a way that is not interpreted"});
 }
 

@@ -134,14 +134,17 @@ bool called_part(BlockReading& in, Span call) {
   const Token block = in.cursor.peek(lex_named_item);
   if (upper(in.out.at(call)) != "CALL" || block.kind != TokenKind::identifier) return false;
   if (upper({block.begin, block.end}) != "BLOCK") return false;
-  check_stands_alone(in, call);
+  if (!in.out.block().words.empty() || !in.out.block().settings.empty()) {
+    in.cursor.refuse(call, codes::kFlowControl, fmt::format("{} stands after other words", in.out.at(call)),
+                     "put it into a block of its own");
+  }
   Flow& flow = in.out.begin_flow(FlowWord::repeat_section, call);
   in.cursor.go_after(block);
   for (int i = 0; i < 2; ++i) {
     const bool is_name = i == 0 || read_keyword(in) == "TO";
     if (is_name) in.cursor.take(lex_named_item);
     if (!is_name || !in.cursor.is(TokenKind::identifier)) {
-      in.cursor.refuse(call, codes::kFlowControl, "the labels of the part that this calls are missing",
+      in.cursor.refuse(call, codes::kFlowControl, "the names of the labels around the part that this calls are missing",
                        "write it as in CALL BLOCK BEGIN TO LAST");
     }
     flow.choices.push_back({.label = in.cursor.span(), .direction = Direction::both});
