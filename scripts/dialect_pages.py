@@ -174,7 +174,10 @@ def part_of(name):
     told = grouped((r["source"], c) for r, c in rows if "source" in r)
     if told:
         lines += ["", "## Where it says so", ""] + table_of("source", told)
-    refused = grouped((r["why"], c) for r, c in rows if r["does"] not in MEANINGS)
+    refused = grouped(
+        [(r["why"], c) for r, c in rows if r["does"] not in MEANINGS]
+        + [(r["why"], c.replace("*", " and digits")) for r in table.get("reserved", []) for c in r["words"].split()]
+    )
     if refused:
         lines += ["", "## What is refused", ""] + table_of("the code ...", refused)
     first, last = table["user_m_codes"]

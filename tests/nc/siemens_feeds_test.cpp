@@ -126,6 +126,22 @@ TEST_CASE("strokes of CYCLE83 that get smaller are not known behind the first") 
   check("Z-10 F250, wait 0.5, Z-20 F500, wait 0.5, ", {"CYCLE83(60,0,2,-20,,-10,,0,0.5,0,0.5,1)\n"});
 }
 
+TEST_CASE("two first depths of CYCLE83 that contradict each other") {
+  check_feeds(
+      "nc-not-interpreted",
+      {"CYCLE83(60,0,2,-30,,-10,20,0,0,0,1,1)\n", "CYCLE83(60,0,2,-30,,-10,20,0,0,0,1,1,,,,0,0,0,1,11112)\n",
+       "CYCLE83(60,0,2,-30,,-10,20,0,0,0,1,1,,,,0,0,0,1,21112)\n", "MCALL CYCLE83(60,5,2,-30,,-10,10,1,0,0,1,0)\nX5\n",
+       "G700\nCYCLE83(2,0,0.1,-1,,-0.2,5.08,0,0,0,1,1)\n"});
+  check_feeds("F500", {"CYCLE83(60,0,2,-30,,-10,10,0,0,0,1,1)\n", "CYCLE83(60,5,2,-30,,-10,-15,0,0,0,1,1)\n",
+                       "MCALL CYCLE83(60,0,2,-30,,0,10,0,0,0,1,1)\nX5\n"});
+}
+
+TEST_CASE("CYCLE83 with another kind of work") {
+  check_feeds("nc-not-interpreted", {"CYCLE83(60,0,2,-30,,-10,,0,0,0,1,2)\n", "CYCLE83(60,0,2,-30,,-10,,0,0,0,1,-1)\n",
+                                     "MCALL CYCLE83(60,0,2,-30,,-10,,0,0,0,1,0.5)\nX5\n"});
+  check_feeds("F500", {"CYCLE83(60,0,2,-30,,-10,,0,0,0,1,0)\n", "CYCLE83(60,0,2,-30,,-10,,0,0,0,1,1)\n"});
+}
+
 TEST_CASE("CYCLE86 with another mode of lifting") {
   check_feeds("nc-not-interpreted",
               {"CYCLE86(60,0,2,-5,,0,3,-1,0,0,0,1)\n", "CYCLE86(60,0,2,-5,,0,3,0,0,1,0,1,0,10)\n"});

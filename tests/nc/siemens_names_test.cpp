@@ -105,3 +105,80 @@ TEST_CASE("names of the control's folders are those of its programs") {
                   "siemens") == "nc-flow-open");
   }
 }
+
+TEST_CASE("a tool's name is taken letter for letter, digits as well") {
+  ProgramSettings settings = empty_tables();
+  settings.as_with_empty_tables = false;
+  settings.work_offsets[0] = WorkOffset{};
+  settings.tools = ToolTable({{1, 100, {}, {}, {}, "MILL10"}, {8, 80, {}, {}, {}, "007"}});
+  const auto code = [&](const std::string& name) {
+    return code_of("G54 G0 X0 Y0 Z50 A0 B0 C0\nT=\"" + name + "\" M6\nX5\nM30\n", settings, "siemens");
+  };
+  for (const std::string known : {"1", "8", "MILL10", "007"}) CHECK(code(known).empty());
+  for (const std::string unknown : {"01", "001", "0007", "08", "mill10"}) CHECK(code(unknown) == "nc-tool-unknown");
+}
+
+TEST_CASE("further words of the control are none of the program's, a file of that name or a DEF there or not") {
+  for (const std::string word :
+       {"TOROTX",    "TOFRAMEZ", "TCOFRX",   "TOWWCS",   "WALCS1",    "WALCS10",  "CLGON",    "REPOS",     "REPOSA",
+        "SETINT",    "ENABLE",   "DISABLE",  "LIFTFAST", "LFON",      "POLFMASK", "CTABDEF",  "CTABEND",   "SON",
+        "PDELAYON",  "OSSE",     "CPDEF",    "EGDEL",    "ICYCON",    "IPTRLOCK", "RESETMON", "SETDNO",    "GETT",
+        "SETPIECE",  "BLSYNC",   "EXECUTE",  "CONTPRON", "CALCPOSI",  "PROTA",    "NPROTDEF", "GFRAME0",   "GFRAME100",
+        "ORIANGLE",  "RPY",      "EXTOPEN",  "ISFILE",   "REDEF",     "CYCLE435", "CYCLE751", "CYCLE4071", "CYCLE9960",
+        "CYCLE8181", "HOLES7",   "POCKET12", "cycle495", "DELAYFSTON"}) {
+    INFO(word);
+    for (const std::string& line : {word, word + "(1)", "N7 " + word + " ; it", "R1=" + word + "(2)"}) {
+      const auto refusal = refused_name(line + "\nM30\n%_N_" + word + "_SPF\nX5\nM17");
+      REQUIRE(refusal);
+      INFO(line << " " << refusal->message << " " << refusal->help);
+      CHECK(refusal->code == "nc-not-interpreted");
+      CHECK(refusal->help.find("SPF") == std::string::npos);
+    }
+    CHECK(code_of("DEF REAL " + word + "\nM30\n", empty_tables(), "siemens") == "nc-assignment");
+  }
+  for (const std::string word : {"DL",   "TU",   "STAT", "ST",    "SR", "STOLF", "ALF", "DITS", "DITE", "SPN", "SPP",
+                                 "PRIO", "DILF", "MOVT", "DISPR", "IR", "JR",    "KR",  "PM",   "PR",   "SF"}) {
+    INFO(word);
+    for (const std::string& line : {word + "=1", word + "='B10'", "G1 X5 " + word + "=R1", word + "[X]=2"}) {
+      const auto refusal = refused_name(line);
+      REQUIRE(refusal);
+      INFO(line << " " << refusal->message << " " << refusal->help);
+      CHECK(refusal->code == "nc-not-interpreted");
+      CHECK(refusal->help.find("DEF REAL") == std::string::npos);
+    }
+    CHECK(code_of("DEF REAL " + word + "=2\nM30\n", empty_tables(), "siemens") == "nc-assignment");
+  }
+}
+
+TEST_CASE("names that only look like words of the control are the program's") {
+  for (const std::string name : {"CYCLEX", "CYCLE_7", "MYCYCLE83", "REPOS_IN", "GFRAMES", "TOOLCHANGE", "CYCLE81A"}) {
+    INFO(name);
+    CHECK_FALSE(refused_name(name + "\nX7\nM30\n%_N_" + name + "_SPF\nX5\nM17"));
+  }
+  CHECK_FALSE(refused_name("OSOF"));
+  CHECK_FALSE(refused_name("GOTOF REPOS\nREPOS: X5"));
+}
+
+TEST_CASE("T1= with a name is the tool of a spindle or a holder") {
+  for (const std::string line : {"T1=\"MILL10\"", "T1=\"MILL10\" M6", "T2 = \"A\"", "T1=1", "T1=R1"}) {
+    const auto refusal = refused_name(line);
+    REQUIRE(refusal);
+    INFO(line << " " << refusal->message << " " << refusal->help);
+    CHECK(refusal->message.find("spindle or a tool holder") != std::string::npos);
+    CHECK(refusal->help.find("write T") != std::string::npos);
+  }
+  CHECK(refused_name("T1=\"MILL10\" M6")->help.find("T=\"MILL10\"") != std::string::npos);
+  CHECK(refused_name("R1=\"MILL10\"")->message.find("texts are not interpreted") != std::string::npos);
+}
+
+TEST_CASE("words that no move can stand for are not to be written out in moves") {
+  for (const std::string line : {"G26 S5000", "G25 X10", "ACC[X]=50", "FL[A]=100", "VELOLIM[X]=50", "JERKLIM[X]=75",
+                                 "ACCLIMA[X]=80", "OVRRAP=20", "SETAL(65000)", "WAITP(X)", "WAITM(1,1)", "CUTMOD=1",
+                                 "GEOAX()", "TOROT", "ORIEULER", "LEAD=2", "G110 X5"}) {
+    const auto refusal = refused_name(line);
+    REQUIRE(refusal);
+    INFO(line << " " << refusal->help);
+    CHECK(refusal->help.find("G0, G1, G2 and G3") == std::string::npos);
+    CHECK_FALSE(refusal->help.empty());
+  }
+}

@@ -55,6 +55,15 @@ TEST_CASE("ROUNDUP goes to the next whole number upwards") {
   check_numbers("X-3", {"X=ROUNDUP(-3.1)\n", "X=ROUNDUP(-3.6)\n", "X=-ROUNDUP(2.5)\n"});
 }
 
+// [V 1.6]
+TEST_CASE("BOUND keeps a value between a minimum and a maximum") {
+  check_numbers("X10", {"X=BOUND(10,40,3)\n", "R1=-5\nX=BOUND(10,40,R1)\n", "DEF REAL AA=10\nX=BOUND(AA,40,AA)\n",
+                        "X=BOUND(-4,10,R2+12)\n", "X=2*BOUND(5,5,7)\n"});
+  check_numbers("X25", {"X=BOUND(10,40,25)\n", "R1=20\nX=BOUND(R1,R1+5,99)\n", "X=MAXVAL(2,BOUND(1,25,26))\n"});
+  check_numbers("nc-not-interpreted", {"X=BOUND(40,10,25)\n", "R1=3\nX=BOUND(R1,R1-1,5)\n", "X=BOUND(0,-1,0)\n"});
+  check_numbers("nc-operator", {"X=BOUND(1,2)\n", "X=BOUND(1,2,3,4)\n"});
+}
+
 TEST_CASE("an angle of nothing is none") {
   check_numbers("nc-arithmetic", {"X=ATAN2(0,0)\n", "A=ATAN2(R1,R2)\n", "R3=ATAN2(R1*5,0)\n"});
   check_numbers("X90", {"X=ATAN2(1,0)\n", "R1=2\nX=ATAN2(R1,R2)\n"});

@@ -72,11 +72,15 @@ void check_variable(const Execution& run, const Block& block, const Setting& pla
     if (extended) {
       refuse_at(block, place.span, codes::kNotInterpreted,
                 fmt::format("{}= speaks to a spindle or a tool holder of its own, which is not interpreted", name),
-                "of spindles the first is known: S1= and M1=, or S and M alone");
+                upper(name.front()) == 'T' ? "write T alone, as in T=1 or T=\"MILL10\": there is one spindle"
+                                           : "of spindles the first is known: S1= and M1=, or S and M alone");
     }
+    if (run.control.parameters.was_local_elsewhere(name)) refuse_of_other_program(block, place.span, name);
     refuse_at(block, place.span, codes::kUnknownCode,
               fmt::format("{} is neither declared nor a word of this control that is known here", name),
-              fmt::format("if it is a variable, declare it: DEF REAL {}", name));
+              fmt::format("if it is a variable, declare it: DEF REAL {}; a word of the control stays one, and is not "
+                          "interpreted",
+                          name));
   }
   const bool like_an_axis = std::all_of(name.begin() + 1, name.end(), is_digit);
   const bool alone = std::all_of(block.words.begin(), block.words.end(), [&](const Word& word) {

@@ -44,7 +44,12 @@ const CodeRow* Dialect::row_of_code(const Word& word) const {
 }
 
 const NameMeaning* Dialect::meaning(std::string_view text) const {
-  const auto at = syntax.meanings.find(upper(text));
+  std::string found = upper(text);
+  auto at = syntax.meanings.find(found);
+  if (at == syntax.meanings.end() && !found.empty() && is_digit(found.back())) {  // CYCLE* stands for CYCLE495
+    while (!found.empty() && is_digit(found.back())) found.pop_back();
+    at = syntax.meanings.find(found + '*');
+  }
   return at == syntax.meanings.end() ? nullptr : &at->second;
 }
 

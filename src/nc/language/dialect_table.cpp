@@ -51,6 +51,7 @@ class TableReader {
     if (const auto habits = table_.root().find("habits")) read_habits(*habits, dialect.behaviour);
     table_.texts("subprogram_files", dialect.syntax.subprogram_files);
     if (table_.has("names")) rows_.named_rows(dialect);
+    if (table_.has("reserved")) rows_.reserved_rows(dialect);
     if (table_.has("at_start")) {
       for (const PackedValue code : table_.list("at_start"))
         dialect.at_start.push_back(rows_.start_row(dialect, std::string(code.text())));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
@@ -55,6 +56,26 @@ void TableRows::named_rows(Dialect& dialect) const {
     const int place = static_cast<int>(dialect.named_codes.size());
     dialect.syntax.meanings[named_code.name] = {NameMeaning::Kind::code, place, 0, 0};
     dialect.named_codes.push_back(std::move(named_code));
+  }
+}
+
+void TableRows::reserved_rows(Dialect& dialect) const {
+  for (const PackedValue from : table_.list("reserved")) {
+    CodeRow word = turn("motion", Action::refused);
+    word.group = -1;
+    word.order = Order::with_motion;
+    word.meaning = "refused";
+    word.has_arguments = true;
+    word.why = table_.text(from, "why");
+    std::istringstream names(table_.text(from, "words"));
+    while (names >> word.name) {
+      const int place = static_cast<int>(dialect.named_codes.size());
+      const NameMeaning meaning{NameMeaning::Kind::code, place, 0, 0};
+      if (!dialect.syntax.meanings.emplace(word.name, meaning).second) {
+        table_.complain(fmt::format("'reserved' holds {}, which has a meaning", word.name));
+      }
+      dialect.named_codes.push_back(word);
+    }
   }
 }
 

@@ -27,6 +27,8 @@ class TableRows {
   void rows(std::string_view key, std::vector<CodeRow>& into, std::vector<std::int16_t>& places) const;
   /// Codes that are called by name.
   void named_rows(Dialect& dialect) const;
+  /// Words of the control that are not interpreted: each a row that is refused.
+  void reserved_rows(Dialect& dialect) const;
   /// The row of a code that is in force at the start, "G17".
   CodeRow start_row(const Dialect& dialect, const std::string& code) const;
 

@@ -171,7 +171,9 @@ const Tool* ToolTable::find(std::string_view name) const {
 }
 
 bool is_tool_number(std::string_view name) {
-  return !name.empty() && name.size() <= kDigitsOfNumber && std::all_of(name.begin(), name.end(), is_digit);
+  const bool as_written = name == "0" || !name.starts_with('0');
+  return as_written && !name.empty() && name.size() <= kDigitsOfNumber &&
+         std::all_of(name.begin(), name.end(), is_digit);
 }
 
 ToolTable read_tool_table(const Source& source) {

@@ -19,7 +19,7 @@ struct Tool {
   std::string name;                         // as in T="MILL10"; empty: called by its number alone
 };
 
-/// True where a tool's name in a program, as in T="12", is its number.
+/// True where a tool's name in a program, as in T="12", is its number; T="012" is a name, letter for letter.
 bool is_tool_number(std::string_view name);
 
 class ToolTable {

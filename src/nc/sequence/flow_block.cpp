@@ -76,9 +76,13 @@ namespace {
                             name, other),
                 "call it by its name as it is written there");
   }
-  refuse_flow(
-      block, codes::kFlowOpen, fmt::format("subprogram {} is neither in this file nor beside it", name),
-      fmt::format("put it into a file of its name beside the program, as {}", subprogram_file_name(name, dialect)));
+  const std::string_view if_no_program =
+      dialect.syntax.calls_by_name ? "; if it is a word of the control, it is not interpreted: a file in its place "
+                                     "would only pass it over"
+                                   : "";
+  refuse_flow(block, codes::kFlowOpen, fmt::format("subprogram {} is neither in this file nor beside it", name),
+              fmt::format("put it into a file of its name beside the program, as {}{}",
+                          subprogram_file_name(name, dialect), if_no_program));
 }
 
 // Libraries are known to a control before a program runs: which of two it takes does not depend on the order of calls.

@@ -17,8 +17,8 @@ RepeatedSections::GoesOn RepeatedSections::next_pass() {
   return {section.begin, FlowEntry{FlowEntry::Kind::pass, {}, {}, section.begin.line, section.pass}};
 }
 
-std::optional<RepeatedSections::GoesOn> RepeatedSections::after(const Line& line, std::size_t level) {
-  if (sections_.empty() || sections_.back().level != level || line.place.line < sections_.back().end) {
+std::optional<RepeatedSections::GoesOn> RepeatedSections::after(std::size_t line, std::size_t level) {
+  if (sections_.empty() || sections_.back().level != level || line < sections_.back().end) {
     return std::nullopt;
   }
   if (sections_.back().remaining > 0) return next_pass();

@@ -12,6 +12,8 @@
 
 namespace plumbline::nc {
 
+inline constexpr std::size_t kEndOfFile = static_cast<std::size_t>(-1);  // behind each line
+
 struct RepeatedSection {
   LinePlace begin;
   std::size_t end = 0;     // the first line after it
@@ -31,8 +33,9 @@ class RepeatedSections {
 
   /// Its first pass begins.
   GoesOn begin(const RepeatedSection& section);
-  /// Of the line after the part that this level of calls repeats; nothing: the line is none such.
-  std::optional<GoesOn> after(const Line& line, std::size_t level);
+  /// Of the line after the part that this level of calls repeats, or of the end of the file (kEndOfFile); nothing: the
+  /// line is none such.
+  std::optional<GoesOn> after(std::size_t line, std::size_t level);
   /// Refuses a jump out of it: what the control does with the passes that are left is in no source.
   void check_jump(const Block& block, const LinePlace& to, std::size_t level) const;
   /// The call of this level ends.

@@ -8,6 +8,7 @@
 #include "base/diagnostic.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
+#include "nc/sequence/called_section.hpp"
 #include "nc/sequence/flow_block.hpp"
 #include "nc/sequence/program_ends.hpp"
 #include "nc/syntax/line_head.hpp"
@@ -65,11 +66,13 @@ StatementFlow::StatementFlow(const InputFile& program, const Dialect& dialect, I
       ways_(files_, labels_, dialect, interpreter) {}
 
 bool StatementFlow::next(Line& line) {
-  while (files_.next(line)) {
-    if (const auto there = sections_.after(line, calls_.depth())) {
+  while (true) {
+    const bool is_line = files_.next(line);
+    if (const auto there = sections_.after(is_line ? line.place.line : kEndOfFile, calls_.depth())) {
       go_on(*there);
       continue;
     }
+    if (!is_line) break;
     if (reading_ == Reading::head || !definitions_.closed()) {
       const LineHead head = head_of(line.text, dialect_);
       if (!head.empty && head.program.empty()) {
@@ -227,7 +230,10 @@ void StatementFlow::go_on(const RepeatedSections::GoesOn& there) {
 void StatementFlow::repeat(const Block& block) {
   const int count =
       block.flow.count == kLiteral ? 1 : number_of(interpreter_, block, block.flow.count, "how often this repeats");
-  RepeatedSection section = section_of(block);
+  const bool calls_part = block.flow.choices.front().direction == Direction::both;
+  RepeatedSection section =
+      calls_part ? section_called(block, files_, labels_, dialect_, interpreter_.has_names()) : section_of(block);
+  section.level = calls_.depth();
   if (count <= 0) {
     refuse_flow(block, codes::kOutOfRange, "P asks for no repetition at all",
                 "write P=1 or more, or jump over the REPEAT");
@@ -254,7 +260,6 @@ RepeatedSection StatementFlow::section_of(const Block& block) {
   section.begin = place_of_label(labels.front());
   section.end = block.line;
   section.back = files_.here().line;
-  section.level = calls_.depth();
   if (block.flow.word == FlowWord::repeat_line) {
     section.end = section.begin.line + 1;
   } else if (labels.size() == 2) {

@@ -24,6 +24,11 @@ TEST_CASE("a tool table gives length, diameter, mass and centre of mass") {
   CHECK(tools.find(5) == nullptr);
 }
 
+TEST_CASE("digits are a number as they are written in a T word alone") {
+  for (const std::string number : {"0", "1", "12", "20000"}) CHECK(is_tool_number(number));
+  for (const std::string name : {"01", "00", "007", "1A", "", "123456789"}) CHECK_FALSE(is_tool_number(name));
+}
+
 TEST_CASE("a tool may have a name") {
   const ProgramFile file(
       "plumbline = \"tools 1\"\n[[tool]]\nnumber = 3\nname = \"FR\xC3\x84SER 10\"\nlength_mm = 120.5\n"

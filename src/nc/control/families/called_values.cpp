@@ -7,7 +7,8 @@ namespace plumbline::nc {
 namespace {
 
 constexpr double kLeastShare = 0.001;  // of the feed, FRF [C 2.1.4]
-constexpr int kFirstShare = 10, kModesOfDeep = 19;
+constexpr int kFirstDepth = 5, kFirstRelativeDepth = 6, kFirstShare = 10, kKindOfDeep = 11, kModesOfDeep = 19;
+constexpr double kSameDepth = 1e-9;  // mm
 
 constexpr Places kPlaces[] = {
     {kCalledDrill, 8, -1, -1, -1, -1},
@@ -48,6 +49,28 @@ double pitch_of_thread(double diameter) {
     if (std::abs(diameter) == size) return pitch;
   }
   return 0;
+}
+
+double first_depth_mm(const CalledValues& given) {
+  const double below = std::abs(given.length_mm(kFirstRelativeDepth));
+  const double by_level = given.length_mm(kReferencePlane) - given.length_mm(kFirstDepth);
+  const bool has_level = given.number(kFirstDepth) != 0;
+  if (has_level && by_level < 0) {
+    given.refuse("its first depth lies above its reference plane", "give the first depth below it");
+  }
+  if (has_level && below != 0 && std::abs(below - by_level) > kSameDepth) {
+    given.refuse("its two first depths contradict each other", "leave out one of FDEP and FDPR");
+  }
+  const double first = has_level ? by_level : below;
+  if (first != 0) return first;
+  given.refuse("no source says how deep it goes without a first depth",
+               "give FDEP or FDPR, its sixth and seventh values");
+}
+
+bool breaks_chips(const CalledValues& given) {
+  const double kind = given.number(kKindOfDeep);
+  if (kind == 0 || kind == 1) return kind == 0;
+  given.refuse("no source says what its kind of work is", "give VARI, its twelfth value, as 0 or 1");
 }
 
 // Posts write 1 where the eighth digit of _AMODE is left out, and 100 where it is 1.

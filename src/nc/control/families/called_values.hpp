@@ -67,6 +67,11 @@ class CalledValues {
 /// mm; 0: no such thread. Of those that MPIT names by their diameter: M3 to M48, coarse [C 2.1.5; ISO 261].
 double pitch_of_thread(double diameter);
 
+/// CYCLE83: how deep its first stroke goes below the reference plane (FDEP or FDPR), mm. Refuses where neither says so,
+/// and where they say different depths.
+double first_depth_mm(const CalledValues& given);
+/// CYCLE83: it goes back a little after each stroke (VARI 0), else out of the hole (VARI 1) [C 2.1.4].
+bool breaks_chips(const CalledValues& given);
 /// CYCLE83: by how much the feed of its first peck is less (FRF). Refuses what no source explains.
 double first_share(const CalledValues& given);
 /// CYCLE83: s, or turns of the spindle where it is negative: DTB, DTS, DTD. `unit`: of the digit of the last value that

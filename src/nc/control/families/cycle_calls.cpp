@@ -228,20 +228,12 @@ void CalledHole::lift() {
 // one move, in how many strokes and how long is not known.
 void CalledHole::pecks() {
   const double reference = given_.length_mm(kReferencePlane);
-  const double first =
-      given_.value(5) && given_.number(5) != 0 ? reference - given_.length_mm(5) : std::abs(given_.length_mm(6));
-  if (first == 0) {
-    given_.refuse("no source says how deep it goes without a first depth",
-                  "give FDEP or FDPR, its sixth and seventh values");
-  }
-  if (first < 0) {
-    given_.refuse("its first depth lies above its reference plane", "give the first depth below it");
-  }
+  const double first = first_depth_mm(given_);
   if (given_.number(7) < -1) {
     given_.refuse("no source says what a factor of its depths over 1 means",
                   "give DAM as -0.001 to -1, or as a length");
   }
-  const bool chips = given_.number(11) == 0;
+  const bool chips = breaks_chips(given_);
   const ControlBehaviour& habits = run_.dialect.behaviour;
   const double at_depth = dwell_of_deep_hole(given_, 8, 10);
   const double at_start = dwell_of_deep_hole(given_, 9, 100);

@@ -211,6 +211,17 @@ void Evaluator::check_truths(const Block& block, const Instruction& step) const 
   }
 }
 
+// BOUND(40,10,R1), before the smaller of the last two is taken.
+void Evaluator::check_bounds(const Block& block, const Instruction& step) const {
+  const Value& least = *(stack_.end() - 3);
+  const Value& most = *(stack_.end() - 2);
+  if (!least.known || !most.known || least.number <= most.number) return;
+  refuse_at(block, step.span, codes::kNotInterpreted,
+            fmt::format("{} has a minimum over its maximum, and what it gives then was found in no source",
+                        block.at(step.span)),
+            "write the smaller of the two first, as in BOUND(10,40,R1)");
+}
+
 // Numbers as they were written are compared as they are.
 bool Evaluator::are_doubtful(const Value& a, const Value& b) const {
   if (doubtful_within_ <= 0 || !a.known || !b.known || (!a.rounded && !b.rounded)) return false;
@@ -353,6 +364,9 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
       case Operation::check_truths:
         check_truths(block, *step);
         continue;
+      case Operation::smaller:
+        if (step->number != 0) check_bounds(block, *step);
+        break;
       default:
         break;
     }

@@ -53,6 +53,7 @@ class Evaluator {
   bool vacant_is_zero_, unsourced_refused_;
   static double rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding);
   void check_truths(const Block& block, const Instruction& step) const;
+  void check_bounds(const Block& block, const Instruction& step) const;
   std::vector<Value> stack_;
 };
 

@@ -48,6 +48,8 @@ class Parameters {
   bool declare_once(std::string_view name, std::uint64_t place);
   /// It was declared so: what it is set to is rounded.
   bool is_whole(std::string_view name);
+  /// True if the program or subprogram that is executed set a name of its own.
+  bool has_own_names() const { return !scopes_.back().names.empty(); }
   /// True if a subprogram that has ended, or a caller, set a name of its own that is called so.
   bool was_local_elsewhere(std::string_view name);
   /// A subprogram begins: the names that do not begin with _ are its own; so are #1..#30 if `numbers` says so (then all

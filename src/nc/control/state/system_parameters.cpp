@@ -228,7 +228,18 @@ std::string SystemParameters::changed_since_read() const {
 Value SystemParameters::unset(const Block& block, Span span) const {
   if (settings_.as_with_empty_tables) return {0, true, true};
   refuse_at(block, span, codes::kParameterUnset, fmt::format("{} was never given a value", block.at(span)),
-            "set it in the program before, or give the control's variables: --variables FILE");
+            dialect_.syntax.declared
+                ? "declare it with DEF, and set it before"
+                : "set it in the program before, or give the control's variables: --variables FILE");
+}
+
+void refuse_of_other_program(const Block& block, Span span, std::string_view name) {
+  refuse_at(
+      block, span, codes::kParameterUnset,
+      fmt::format("{} is a variable of another program, and is not known in this one", name),
+      fmt::format("hand it over: PROC NAME(REAL {0}) here, and NAME({0}) where this program is called; or keep it "
+                  "in an R parameter",
+                  name));
 }
 
 void SystemParameters::refuse_left_over(const Block& block, Span span) {
@@ -313,6 +324,8 @@ Value SystemParameters::read(const Block& block, std::string_view name, Span spa
   if (control_.parameters.is_left_over(name)) refuse_left_over(block, span);
   if (const Value* value = control_.parameters.find(name)) return *value;
   if (dialect_.syntax.empty_names) return {0, true, true};
+  if (dialect_.syntax.declared && control_.parameters.was_local_elsewhere(name))
+    refuse_of_other_program(block, span, name);
   if (dialect_.syntax.system_variables == SystemVariables::none) return unset(block, span);
   const std::string plain(control_.parameters.plain(name));
   note_read(plain);

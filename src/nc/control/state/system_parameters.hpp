@@ -16,6 +16,9 @@ inline constexpr int kProbeSuccess = 5070;  // 1: the probe touched; in rs274 it
 /// What to do where the position of an axis must be known: another thing behind a probe, whose end no option says.
 std::string way_to_position(const Control& control);
 
+/// A variable that another program declared: the one that called, or one that has ended. `span`: where it stands here.
+[[noreturn]] void refuse_of_other_program(const Block& block, Span span, std::string_view name);
+
 class SystemParameters : public ParameterReader {
  public:
   SystemParameters(Control& control, const ProgramSettings& settings, const Dialect& dialect)

@@ -23,6 +23,10 @@ void check_stands_alone(const BlockReading& in, Span name) {
                      "call the program by its name in each of the blocks after the moves");
   }
   if (block.words.empty() && block.settings.empty()) return;
+  if (block.settings.empty() && block.words.size() == 1 && block.words.front().letter == 'P') {
+    in.cursor.refuse(name, codes::kFlowControl, "how often a program is called stands behind its name",
+                     fmt::format("write it as in {} P2", block.at(name)));
+  }
   in.cursor.refuse(name, codes::kUnknownCode, fmt::format("{} is no word of this control", block.at(name)),
                    "look for a slip; the name of a subprogram stands alone in its block");
 }
@@ -73,7 +77,7 @@ void parameters(BlockReading& in) {
   while (cursor.is(TokenKind::identifier)) {
     const VariableType type = variable_type(in, "parameters");
     cursor.take(lex_named_item);
-    if (!cursor.is(TokenKind::identifier)) cursor.refuse_token("a name");
+    if (!cursor.is(TokenKind::identifier)) cursor.refuse_token("a name, which begins with two letters");
     check_name_is_free(in, cursor.span());
     in.out.declare(cursor.span(), type);
     cursor.take(lex_named_item);
@@ -111,18 +115,55 @@ void refuse_unread_keyword(const BlockReading& in, Span keyword) {
                    name == "GOTOS" ? "end the program with M30" : "write GOTO, GOTOF or GOTOB");
 }
 
-// call = name , [ arguments ] , [ "P" , number ]
+void read_passes(BlockReading& in) {
+  const Token next = in.cursor.peek(lex_named_item);
+  if (next.letter != 'P' || (next.kind != TokenKind::word && next.kind != TokenKind::letter)) return;
+  in.cursor.go_after(next);
+  if (next.kind == TokenKind::word) {
+    in.out.flow().count = in.out.add_number(next.value, in.cursor.span_of(next));
+  } else {
+    expect_equals(in, in.cursor.span_of(next));
+    in.out.flow().count = read_named_value(in);
+  }
+}
+
+namespace {
+
+// called part = "CALL" , "BLOCK" , label , "TO" , label; false: it is none
+bool called_part(BlockReading& in, Span call) {
+  const Token block = in.cursor.peek(lex_named_item);
+  if (upper(in.out.at(call)) != "CALL" || block.kind != TokenKind::identifier) return false;
+  if (upper({block.begin, block.end}) != "BLOCK") return false;
+  if (!in.out.block().words.empty() || !in.out.block().settings.empty()) {
+    in.cursor.refuse(call, codes::kFlowControl, fmt::format("{} stands after other words", in.out.at(call)),
+                     "put it into a block of its own");
+  }
+  Flow& flow = in.out.begin_flow(FlowWord::repeat_section, call);
+  in.cursor.go_after(block);
+  for (int i = 0; i < 2; ++i) {
+    const bool is_name = i == 0 || read_keyword(in) == "TO";
+    if (is_name) in.cursor.take(lex_named_item);
+    if (!is_name || !in.cursor.is(TokenKind::identifier)) {
+      in.cursor.refuse(call, codes::kFlowControl, "the names of the labels around the part that this calls are missing",
+                       "write it as in CALL BLOCK BEGIN TO LAST");
+    }
+    flow.choices.push_back({.label = in.cursor.span(), .direction = Direction::both});
+  }
+  end_of_statement(in);
+  return true;
+}
+
+}  // namespace
+
+// call = name , [ arguments ] , passes | called part
 void read_call_by_name(BlockReading& in, Span name) {
+  if (called_part(in, name)) return;
   refuse_unread_keyword(in, name);
   check_stands_alone(in, name);
   Flow& flow = in.out.begin_flow(FlowWord::call, name);
   flow.name = name;
   call_arguments(in, name);
-  const Token next = in.cursor.peek(lex_named_item);
-  if (next.kind == TokenKind::word && next.letter == 'P') {
-    in.cursor.go_after(next);
-    flow.count = in.out.add_number(next.value, in.cursor.span_of(next));
-  }
+  read_passes(in);
   end_of_statement(in);
 }
 

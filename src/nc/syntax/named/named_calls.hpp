@@ -21,4 +21,7 @@ void read_external_call(BlockReading& in);
 /// settings.
 void read_subprogram_head(BlockReading& in);
 
+/// passes = [ "P" , ( number | "=" , value ) ]: how often [A 1.13; D: P= as of other addresses].
+void read_passes(BlockReading& in);
+
 }  // namespace plumbline::nc

@@ -136,6 +136,11 @@ void named_letter(BlockReading& in) {
   const NameMeaning* const meaning = in.dialect->meaning({&letter, 1});
   if (means(meaning, Kind::variable)) return read_assigned_variable(in, span, meaning);
   in.cursor.look(lex_named_item);
+  if (in.cursor.is(TokenKind::open) && in.syntax->word_modes) {  // G[1]=2, F[X]=100
+    in.cursor.refuse(span, codes::kNotInterpreted,
+                     fmt::format("{}[..] chooses by what stands in its brackets, which is not interpreted", letter),
+                     letter == 'G' ? "write the code itself, as in G17" : "write the word itself, without brackets");
+  }
   if (!in.cursor.is(TokenKind::equals)) in.cursor.refuse_token("a value");
   const bool takes_none = letter == 'G' || letter == 'N' || letter == in.syntax->call_letter;
   if (takes_none && in.syntax->statements == Statements::high_level) {

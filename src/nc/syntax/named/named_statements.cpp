@@ -63,6 +63,15 @@ void refuse_label_of_operation(const BlockReading& in) {
                    "NE compares two values, and is read as no label here", "give the label another name, as in NEND");
 }
 
+// IF R1==1 GOTOF LABEL1 IF R1==2 GOTOF LABEL2
+void refuse_second_condition(const BlockReading& in) {
+  const Token next = in.cursor.peek(lex_named_item);
+  if (next.kind != TokenKind::identifier || upper({next.begin, next.end}) != "IF") return;
+  in.cursor.refuse(in.cursor.span_of(next), codes::kNotInterpreted,
+                   "several conditions in one block are not interpreted",
+                   "write each IF with its jump into a block of its own");
+}
+
 // jump = [ "IF" , value ] , ( "GOTO" , label | label | ) ; without either it begins a branch
 void named_jump(BlockReading& in, bool conditional) {
   Flow& flow = in.out.flow();
@@ -78,6 +87,7 @@ void named_jump(BlockReading& in, bool conditional) {
   flow.word = FlowWord::go_to;
   flow.direction = direction_of(in.out.at(keyword));
   flow.name = jump_label(in);
+  if (conditional) refuse_second_condition(in);
 }
 
 // for = "FOR" , variable , "=" , value , "TO" , value
@@ -139,7 +149,7 @@ void repeat_statement(BlockReading& in, bool block_alone) {
   Flow& flow = in.out.flow();
   Token next = cursor.peek(lex_named_item);
   for (; next.kind == TokenKind::identifier; next = cursor.peek(lex_named_item)) {
-    flow.choices.push_back({.label = cursor.span_of(next)});
+    flow.choices.push_back({.label = cursor.span_of(next), .direction = Direction::backward});
     cursor.go_after(next);
   }
   if (flow.choices.empty() && !block_alone) return;
@@ -149,14 +159,7 @@ void repeat_statement(BlockReading& in, bool block_alone) {
                   "write it as in REPEAT BEGIN P=3, REPEAT BEGIN LAST P=3 or REPEATB HOLE P=3");
   }
   flow.word = block_alone ? FlowWord::repeat_line : FlowWord::repeat_section;
-  if (next.letter != 'P' || (next.kind != TokenKind::word && next.kind != TokenKind::letter)) return;
-  cursor.go_after(next);
-  if (next.kind == TokenKind::word) {
-    flow.count = in.out.add_number(next.value, cursor.span_of(next));
-  } else {
-    expect_equals(in, cursor.span_of(next));
-    flow.count = read_named_value(in);
-  }
+  read_passes(in);
 }
 
 // "EXTERN" , name , [ "(" , types , ")" ]: what a program elsewhere takes; its own head says so again

@@ -13,6 +13,8 @@
 namespace plumbline::nc {
 namespace {
 
+constexpr int kOfBound = 3;  // arguments: BOUND(minimum, maximum, value) [V 1.6]
+
 ValueKind named_value(BlockReading& in);
 ValueKind named_term(BlockReading& in);
 ValueKind named_value_until(BlockReading& in, TokenKind kind);
@@ -145,8 +147,18 @@ ValueKind call_function(BlockReading& in, const NameMeaning& meaning, Span span)
   }
   for (int i = 1; i < meaning.arguments; ++i) add_named_value_until(in, TokenKind::comma);
   add_named_value_until(in, closing(*in.syntax));
+  if (meaning.arguments == kOfBound) in.out.push(Operation::smaller, span, kOfBound);
   in.out.push(operation, span);
   return ValueKind::number;
+}
+
+// R1=ISFILE("X"): a word of the control that is known, and not interpreted.
+void refuse_code_in_value(const BlockReading& in, const NameMeaning& meaning, Span span) {
+  const CodeRow& row = in.dialect->named_codes[static_cast<std::size_t>(meaning.which)];
+  if (row.action != Action::refused) return;
+  in.cursor.refuse(span, codes::kNotInterpreted,
+                   fmt::format("{} {}", in.out.at(span), std::string_view(row.why).substr(0, row.why.find("; "))),
+                   "write the value itself, as a number or a variable");
 }
 
 ValueKind named_identifier(BlockReading& in) {
@@ -160,6 +172,7 @@ ValueKind named_identifier(BlockReading& in) {
     return ValueKind::number;
   }
   if (is_reserved(in, name)) refuse_reserved(in, span);
+  if (meaning != nullptr && meaning->kind == NameMeaning::Kind::code) refuse_code_in_value(in, *meaning, span);
   if (meaning != nullptr) in.cursor.refuse_token("a value");
   if (item_follows(in, TokenKind::open) || item_follows(in, TokenKind::parenthesis)) {
     in.cursor.refuse(span, codes::kNotInterpreted,

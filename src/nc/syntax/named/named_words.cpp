@@ -151,6 +151,18 @@ void refuse_unknown_word(const BlockReading& in, Span name) {
                    "look for a slip; if it moves nothing and no move depends on it, leave it out");
 }
 
+// T1="MILL10": the tool of a spindle or a holder by its number.
+void refuse_tool_of_holder(const BlockReading& in, Span name) {
+  const std::string_view text = in.out.at(name);
+  const bool of_holder = in.syntax->declared && upper(text.front()) == 'T' && text.size() > 1 &&
+                         std::all_of(text.begin() + 1, text.end(), is_digit);
+  if (!of_holder) return;
+  const Token tool = in.cursor.peek(lex_named_item);
+  in.cursor.refuse(name, codes::kNotInterpreted,
+                   fmt::format("{}= speaks to a spindle or a tool holder of its own, which is not interpreted", text),
+                   fmt::format("write T={}: there is one spindle", std::string_view(tool.begin, tool.end)));
+}
+
 }  // namespace
 
 void read_assigned_word(BlockReading& in, char letter, Span span, WordUse use) {
@@ -210,6 +222,7 @@ void read_assigned_variable(BlockReading& in, Span name, const NameMeaning* mean
       in.cursor.take(lex_named_item);
       in.cursor.refuse_token("a value");
     }
+    refuse_tool_of_holder(in, name);
     in.cursor.refuse(setting.span, codes::kNotInterpreted, "texts are not interpreted",
                      "a program that shows messages this way needs them written as comments");
   }
