@@ -43,14 +43,22 @@ std::vector<const Rival*> others_of(const Model& model, const Conclusion& conclu
   return others;
 }
 
-// Of the state's unknowns, which stand at these places of the candidates'.
-double widening_of(const CandidateSet& candidates, const std::vector<int>& places, const PosteriorState& state) {
+bool is_picked(const std::vector<Pick>& picks, int place) {
+  return std::any_of(picks.begin(), picks.end(), [&](const Pick& pick) {
+    return std::find(pick.unknowns.begin(), pick.unknowns.end(), place) != pick.unknowns.end();
+  });
+}
+
+// Of the state's unknowns, which stand at these places of the candidates'. What was picked is fitted without a prior,
+// and strains none, though it be a nuisance elsewhere.
+double widening_of(const CandidateSet& candidates, const std::vector<int>& places, const PosteriorState& state,
+                   const std::vector<Pick>& picks) {
   std::vector<Eigen::Index> at;
   std::vector<const identify::Unknown*> known;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     const identify::Unknown& unknown = candidates.unknowns[static_cast<std::size_t>(places[k])];
-    if (unknown.free() || !(state.covariance(i, i) > 0)) continue;
+    if (unknown.free() || is_picked(picks, places[k]) || !(state.covariance(i, i) > 0)) continue;
     at.push_back(i);
     known.push_back(&unknown);
   }
@@ -101,10 +109,7 @@ Posterior posterior_of(const Case& of, const Model& model, const Conclusion& con
   for (const int place : places) {
     const std::size_t added =
         identify::add_like(posterior.unknowns, candidates.unknowns[static_cast<std::size_t>(place)]);
-    const bool picked = std::any_of(conclusion.picks.begin(), conclusion.picks.end(), [&](const Pick& pick) {
-      return std::find(pick.unknowns.begin(), pick.unknowns.end(), place) != pick.unknowns.end();
-    });
-    if (picked) posterior.unknowns.set_free(added);
+    if (is_picked(conclusion.picks, place)) posterior.unknowns.set_free(added);
   }
   posterior.states.push_back(state_of(conclusion.fit, places, "", 1));
   if (conclusion.residual) add_numbers(*conclusion.residual, conclusion.fit, posterior);
@@ -114,9 +119,12 @@ Posterior posterior_of(const Case& of, const Model& model, const Conclusion& con
     posterior.states.push_back(state_of(rival->fit, places, rival->pick.candidate->name, weight));
     weights += weight;
   }
-  for (PosteriorState& state : posterior.states) {
+  for (std::size_t i = 0; i < posterior.states.size(); ++i) {
+    PosteriorState& state = posterior.states[i];
+    std::vector<Pick> picks = conclusion.picks;
+    if (i > 0) picks.front() = others[i - 1]->pick;  // which stands in the place of the strongest
     state.weight /= weights;
-    state.widening = widening_of(candidates, places, state);
+    state.widening = widening_of(candidates, places, state, picks);
     state.moved = moved_by_poses(of.bench, posterior, state, model.noise);
   }
   posterior.noise.radial = model.noise.channels[identify::kRadial].sigma;

@@ -11,15 +11,23 @@ using namespace plumbline::testing;
 
 namespace {
 
-// A machine whose joints and offsets are so many times as far off as its owner says.
-diagnose::Diagnosis diagnosed(double times) {
-  const machine::MachineModel machine = pm600_like();
-  const identify::Unknowns unknowns = identify::nuisances(machine, physics::ForceModel(machine));
-  Random random(3);
-  const Eigen::VectorXd values = unknowns.start() + times * (drawn(unknowns, random) - unknowns.start());
+diagnose::Diagnosis diagnosed(const identify::Unknowns& unknowns, const Eigen::VectorXd& values, Random& random) {
   diagnose::DiagnoseOptions options;
   options.search.threshold.draws = 500;
-  return diagnose::diagnose(machine, measured(wider_plan(90), unknowns.at(values), 0.5e-6, 0.05, random), options);
+  return diagnose::diagnose(pm600_like(), measured(wider_plan(90), unknowns.at(values), 0.5e-6, 0.05, random), options);
+}
+
+identify::Unknowns known_of_pm600() {
+  const machine::MachineModel machine = pm600_like();
+  return identify::nuisances(machine, physics::ForceModel(machine));
+}
+
+// A machine whose joints and offsets are so many times as far off as its owner says.
+diagnose::Diagnosis diagnosed(double times) {
+  const identify::Unknowns unknowns = known_of_pm600();
+  Random random(3);
+  const Eigen::VectorXd values = unknowns.start() + times * (drawn(unknowns, random) - unknowns.start());
+  return diagnosed(unknowns, values, random);
 }
 
 }  // namespace
@@ -38,4 +46,20 @@ TEST_CASE("a diagnosis is as unsure as its poses disagree, and where priors are 
   const identify::PosteriorState strained = diagnosed(2).posterior.states.at(0);
   CHECK(strained.widening > 2);
   CHECK(strained.widening < 8);  // 2 squared, by chance
+}
+
+TEST_CASE("what was named strains no prior, though its owner states one") {
+  const identify::Unknowns unknowns = known_of_pm600();
+  for (const double off : {400e-6, -250e-6}) {
+    Random random(7);
+    Eigen::VectorXd values = drawn(unknowns, random);
+    values[unknowns.find("strut-offset", "length_um", 2)] += off;
+    values[unknowns.find("strut-offset", "length_um", 4)] -= off / 2;
+    const diagnose::Diagnosis found = diagnosed(unknowns, values, random);
+    REQUIRE(found.effects.size() == 1);
+    CHECK(found.effects.front().name == "strut-offset");
+    INFO((found.withheld ? found.withheld->index() : 99));
+    CHECK_FALSE(found.withheld);
+    CHECK(found.posterior.states.at(0).widening < 2);
+  }
 }

@@ -25,6 +25,10 @@ std::optional<LessSure> less_sure(const machine::RotationOrder& order, const std
   constexpr double kNegligible = 5e-6;  // m
   const LessSure both{expected_at_tip(order, runs, given), expected_at_tip(order, runs, learnt)};
   if (both.given == 0 || both.learnt < kNegligible || both.learnt < kTimes * both.given) return std::nullopt;
+  // What moves the tip by far more than it is unsure of brings it nearer, whatever was stated before it was found.
+  const TipField field =
+      tip_field(order, runs, given.unknowns.forces(), learnt.unknowns, learnt.unknowns.start(), {.middle = 1});
+  if (field.moved.norm() > kTimes * both.learnt) return std::nullopt;
   return both;
 }
 

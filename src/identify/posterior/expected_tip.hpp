@@ -18,7 +18,8 @@ double expected_at_tip(const machine::RotationOrder& order, const std::vector<me
 struct LessSure {
   double given = 0, learnt = 0;
 };
-/// Nothing: it is about as sure at least, or nothing is stated of the model as given.
+/// Nothing: it is about as sure at least, or moves the tip by twice as much as it is unsure of, or nothing is stated of
+/// the model as given.
 std::optional<LessSure> less_sure(const machine::RotationOrder& order, const std::vector<measure::Run>& runs,
                                   const Posterior& given, const Posterior& learnt);
 

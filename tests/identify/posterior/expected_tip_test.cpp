@@ -51,3 +51,19 @@ TEST_CASE("a model is less sure than the one as given from twice as much on") {
   CHECK(less(10e-6, 25e-6)->learnt == Approx(2.5 * less(10e-6, 25e-6)->given));
   CHECK_FALSE(less(0.1e-6, 1e-6));  // of no account
 }
+
+TEST_CASE("a model that moves the tip by far more than it is unsure of is no less sure") {
+  const machine::RotationOrder order = pm600_like().rotation;
+  const std::vector<measure::Run> runs = wider_plan(36);
+  const auto less = [&](double shift) {
+    const Posterior before = offsets_known_to(25e-6);
+    const Eigen::VectorXd there = (before.unknowns.start().array() + shift).matrix();
+    Posterior learnt = identify::about(before, before.unknowns.at(there));
+    learnt.states[0].mean = there;
+    return identify::less_sure(order, runs, offsets_known_to(10e-6), learnt).has_value();
+  };
+  CHECK(less(0));
+  CHECK(less(10e-6));
+  CHECK_FALSE(less(200e-6));
+  CHECK_FALSE(less(-200e-6));
+}
