@@ -212,6 +212,10 @@ AxisSet absolute_words(const Execution& run);
 AxisSet known_after_move(const Execution& run);
 /// Refuses where one of these axes stands, which an offset will depend on, is not known.
 void need_position(const Execution& run, AxisSet axes);
+/// Those that a rapid sends to the end of their travel (Z9999): machine_ways.cpp
+AxisSet axes_to_limits(const Execution& run);
+/// Whether the tool is tilted there, or may be: its length counts along it then. The step notes that it is: tools.cpp
+bool tilts_tool(Execution& run, AxisSet known, const AxisWords& at);
 /// Every offset of the active work system must have been given.
 void need_offsets(const Execution& run);
 /// The feed of a move in the unit that Motion states; refuses when there is none.
