@@ -91,3 +91,9 @@ TEST_CASE("OSP: what stands in round brackets behind a variable is a comment, an
              {"G15 H1 G0 X0 Y0 Z50\nVC1=3\nVC2=[VC1 (V) +5]\nM2\n", 3, 10, no, "comment"},
              {"G15 H1 G0 X0 Y0 Z50\nVC1=3\nVC2=SQRT[VC1 (V)]\nM2\n", 3, 14, no, "comment"}});
 }
+
+TEST_CASE("OSP: a local that a program and its subprogram may share is refused") {
+  check_osp({{"G15 H1 G0 X0 Y0 Z50\nLX=1\nCALL OA\nX=LX\nM2\nOA\nLX=7\nRTS\n", 4, 3},
+             {"G15 H1 G0 X0 Y0 Z50\nCALL OA\nX=LX\nM2\nOA\nLX=7\nRTS\n", 3, 3},
+             {"G15 H1 G0 X0 Y0 Z50\nLX=1\nCALL OA PX=LX\nX=LX\nM2\nOA\nX=PX\nRTS\n", 0, 0}});
+}

@@ -118,7 +118,8 @@ Rounding rounding_of(const Execution& run, const Block& block, const Word& word)
 void act(Execution& run, const Chosen& chosen);
 
 // What codes do, one file a family.
-void set_motion_mode(Execution& run, const CodeRow& row);  // motion_modes.cpp
+void set_motion_mode(Execution& run, const CodeRow& row);      // motion_modes.cpp
+void state_motion_mode(Execution& run, const Chosen& chosen);  // by a code that moves nothing itself
 /// G80.
 void end_motion(Execution& run);
 /// The move that the motion of the block makes.
