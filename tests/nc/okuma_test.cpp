@@ -20,8 +20,8 @@ TEST_CASE("OSP: an increment after a change of offsets is refused until an absol
 
 TEST_CASE("OSP: tool-tip mode puts the length of its H in force, and its end leaves open which one is") {
   check_osp({{"G15 H1 G0 X0 Y0 Z0 A0 B0\nG169 H1\nG0 Z50\nG170\nG1 X1 F100\n", 5, 1},
-             {"G15 H1 G0 X0 Y0 Z0 A0 B0\nG169 X1 Y1 Z50 H1\nG170\nX0\n", 4, 1},
-             {"G15 H1 G0 X0 Y0 Z0 A0 B0\nG169 H1\nG170\nG170\nX0\n", 5, 1},
+             {"G15 H1 G0 X0 Y0 Z0 A0 B0\nG169 X1 Y1 Z50 H1\nG170\nZ0\n", 4, 1},
+             {"G15 H1 G0 X0 Y0 Z0 A0 B0\nG169 H1\nG170\nG170\nG169 X0\n", 5, 1},
              {"G15 H1 G0 X0 Y0 Z0 A0 B0\nG169 H1\nG170\nG170\nG56 H1 G0 Z10\nX0\n", 0, 0},
              {"G15 H1 G0 X0 Y0 Z0 A0 B0\nG169 H2\n", 2, 6, "nc-tool-unknown"},
              {"G15 H1 G0 X0 Y0 Z0 A0 B0\nG91 G169 X1 H1\n", 2, 10},

@@ -79,3 +79,21 @@ TEST_CASE("OSP: what is no number of a block, no value of a code and no variable
              {"G15 H1 G0 X0\nVC0=1\nM2\n", 2, 1, "nc-parameter-number", "1 to 200"},
              {"G15 H1 G0 X0\nVC[1]=1\nX=VC[1]\nM2\n", 0, 0}});
 }
+
+TEST_CASE("OSP: what stands in round brackets behind a variable is a comment, and in square ones makes it a field") {
+  const char* const no = "nc-not-interpreted";
+  check_osp({{"G15 H1 G0 X0 Y0 Z50\nPF1=500. (CUTTING)\nG1 X5. F=PF1 (FIRST MOVE)\nM2\n", 0, 0},
+             {"G15 H1 G0 X0 Y0 Z50\nPX=2\nX=PX (MOVE)\nVC1=PX (SET)\nY=-PX(DOWN)Z=VC1(UP)\nM2\n", 0, 0},
+             {"G15 H1 G0 X0 Y0 Z50\nLX=2\nCALL OA PX=LX (NOTE)\nM2\nOA\nX=PX (THERE)\nRTS\n", 0, 0},
+             {"G15 H1 G0 X0 Y0 Z50\nLX=3\nIF [LX EQ 3] N1 (V)\nN1 M2\n", 0, 0},
+             {"G15 H1 G0 X0 Y0 Z50\nPX=2\nPY=PX[5]\nM2\n", 3, 4, no, "field"},
+             {"G15 H1 G0 X0 Y0 Z50\nLX=3\nIF [LX (V) EQ 3] N1\nN1 M2\n", 3, 8, no, "comment"},
+             {"G15 H1 G0 X0 Y0 Z50\nVC1=3\nVC2=[VC1 (V) +5]\nM2\n", 3, 10, no, "comment"},
+             {"G15 H1 G0 X0 Y0 Z50\nVC1=3\nVC2=SQRT[VC1 (V)]\nM2\n", 3, 14, no, "comment"}});
+}
+
+TEST_CASE("OSP: a local that a program and its subprogram may share is refused") {
+  check_osp({{"G15 H1 G0 X0 Y0 Z50\nLX=1\nCALL OA\nX=LX\nM2\nOA\nLX=7\nRTS\n", 4, 3},
+             {"G15 H1 G0 X0 Y0 Z50\nCALL OA\nX=LX\nM2\nOA\nLX=7\nRTS\n", 3, 3},
+             {"G15 H1 G0 X0 Y0 Z50\nLX=1\nCALL OA PX=LX\nX=LX\nM2\nOA\nX=PX\nRTS\n", 0, 0}});
+}

@@ -231,7 +231,7 @@ void act(Execution& run, const Chosen& chosen) {
     case Action::synchronised:
     case Action::rigid_tap:
     case Action::probe:
-      if (run.motion == nullptr) return set_motion_mode(run, *chosen.row);
+      if (run.motion == nullptr) return state_motion_mode(run, chosen);
       return make_motion(run);
     case Action::feed_word:
       return set_feed(run, *chosen.word);

@@ -328,7 +328,9 @@ Value BlockValues::variable(const Block& block, std::size_t setting) {
 
 void BlockValues::set_variable(const Block& block, std::size_t setting, Value value) {
   const Setting& place = block.settings[setting];
-  set_parameter(block, place, setting_number(block, place), value);
+  const int number = setting_number(block, place);
+  set_parameter(block, place, number, value);
+  if (number == kNamed) run_.control.parameters.note_argument(block.at(block.names[place.name]));
 }
 
 void BlockValues::set_counted(const Block& block, std::size_t setting, double last) {

@@ -118,7 +118,8 @@ Rounding rounding_of(const Execution& run, const Block& block, const Word& word)
 void act(Execution& run, const Chosen& chosen);
 
 // What codes do, one file a family.
-void set_motion_mode(Execution& run, const CodeRow& row);  // motion_modes.cpp
+void set_motion_mode(Execution& run, const CodeRow& row);      // motion_modes.cpp
+void state_motion_mode(Execution& run, const Chosen& chosen);  // by a code that moves nothing itself
 /// G80.
 void end_motion(Execution& run);
 /// The move that the motion of the block makes.
@@ -212,6 +213,10 @@ AxisSet absolute_words(const Execution& run);
 AxisSet known_after_move(const Execution& run);
 /// Refuses where one of these axes stands, which an offset will depend on, is not known.
 void need_position(const Execution& run, AxisSet axes);
+/// Those that a rapid sends to the end of their travel (Z9999): machine_ways.cpp
+AxisSet axes_to_limits(const Execution& run);
+/// Whether the tool is tilted there, or may be: its length counts along it then. The step notes that it is: tools.cpp
+bool tilts_tool(Execution& run, AxisSet known, const AxisWords& at);
 /// Every offset of the active work system must have been given.
 void need_offsets(const Execution& run);
 /// The feed of a move in the unit that Motion states; refuses when there is none.

@@ -90,6 +90,13 @@ bool is_rapid_of_tip(const AxisTakers& takers) {
 }
 
 // An explicit motion, or the one in force if there are words for it that nobody else takes.
+// J of G131 J1 E0.02 is its own where an arc is in force [P setSmoothing].
+std::uint32_t words_of_alone(const Execution& run) {
+  std::uint32_t words = 0;
+  for (const Chosen& chosen : run.chosen) words |= chosen.row->alone ? chosen.row->word_mask : 0;
+  return words;
+}
+
 void find_motion(Execution& run) {
   const AxisTakers takers = axis_takers(run);
   run.motion = nullptr;
@@ -119,7 +126,7 @@ void find_motion(Execution& run) {
   }
   if (takers.other != nullptr || takers.tool_length) return;
   const CodeRow* mode = takers.turns_off ? row_after_cycle(run) : run.control.motion_row;
-  const bool centre = is_arc(mode) && (run.words.letters() & kCentreBits) != 0;
+  const bool centre = is_arc(mode) && (run.words.letters() & kCentreBits & ~words_of_alone(run)) != 0;
   if (run.axes.empty() && !centre && run.vector == nullptr) return;
   if (mode == nullptr) mode = motion_before_codes(run);
   constexpr std::uint32_t kPointBits = letter_bit('1') | letter_bit('2') | letter_bit('3');

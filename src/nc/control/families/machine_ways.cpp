@@ -10,16 +10,6 @@
 namespace plumbline::nc {
 namespace {
 
-AxisSet axes_to_limits(const Execution& run) {
-  AxisSet axes;
-  const double limit = run.dialect.behaviour.travel_limit_mm;
-  if (limit <= 0 || run.motion == nullptr || run.motion->action != Action::rapid) return axes;
-  for (const Axis axis : kAllAxes) {
-    if (run.axes.contains(axis) && !is_rotary(axis) && std::abs(run.value(axis)) >= limit) axes.insert(axis);
-  }
-  return axes;
-}
-
 const Word& first_word_of(const Execution& run, AxisSet axes) {
   for (const Axis axis : kAllAxes) {
     if (axes.contains(axis)) return *run.words.find(axis);
@@ -55,11 +45,34 @@ void go_as_it_stands(Execution& run, AxisSet lost) {
   add_motion(run, motion);
 }
 
+// G0 A0 B0 C0 of a header before the first G15 [P onSection, positionABC]: what they count from depends on what ran
+// before. X, Y and Z are refused there: no post writes them, and that G15 was forgotten would show in no other way.
+AxisSet axes_without_system(const Execution& run) {
+  AxisSet axes;
+  const Modal& modal = run.control.modal;
+  const bool chosen = modal.work_system != 0 || !run.dialect.behaviour.no_work_system_at_start;
+  if (chosen || modal.incremental || run.motion->action != Action::rapid) return axes;
+  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
+    if (run.axes.contains(axis) && modal.rule_of(axis) == RotaryRule::linear) axes.insert(axis);
+  }
+  return axes;
+}
+
 }  // namespace
+
+AxisSet axes_to_limits(const Execution& run) {
+  AxisSet axes;
+  const double limit = run.dialect.behaviour.travel_limit_mm;
+  if (limit <= 0 || run.motion == nullptr || run.motion->action != Action::rapid) return axes;
+  for (const Axis axis : kAllAxes) {
+    if (run.axes.contains(axis) && !is_rotary(axis) && std::abs(run.value(axis)) >= limit) axes.insert(axis);
+  }
+  return axes;
+}
 
 bool move_as_it_stands(Execution& run) {
   const bool in_machine_system = run.in_machine_system();
-  const AxisSet limits = in_machine_system ? run.axes : axes_to_limits(run);
+  const AxisSet limits = in_machine_system ? run.axes : axes_to_limits(run) | axes_without_system(run);
   if (!in_machine_system && limits.empty()) return false;
   if (in_machine_system && run.motion->action != Action::rapid) need_offsets(run);  // says why not
   if (run.axes.empty()) return true;
@@ -72,8 +85,10 @@ bool move_as_it_stands(Execution& run) {
 void set_tool_tip(Execution& run, const Chosen& chosen) {
   Control& control = run.control;
   if (chosen.row->action == Action::tool_tip_off) {
-    if (control.length == Control::Length::by_tip) control.length = Control::Length::unknown;
-    return;
+    if (control.length != Control::Length::by_tip) return;
+    control.length = Control::Length::unknown;
+    const bool tilted = tilts_tool(run, control.known, control.position);
+    return lose_position(run, tilted ? AxisSet::linear() : AxisSet{Axis::Z});
   }
   if (run.words.has('H')) set_tool_length(run, chosen);
   if (run.axes.empty()) return;

@@ -44,15 +44,20 @@ void begin_after_turn(Execution& run) {
 
 // On an OSP G1 and a cycle are of different groups: whether the one ends the other was found in no source; posts write
 // G0 or G80.
-void check_ends_cycle(const Execution& run, Action action) {
+void check_ends_cycle(const Execution& run, Action action, const Word& word) {
   const bool in_cycle = run.control.motion_row != nullptr && run.control.motion_row->action == Action::cycle;
   if (!run.dialect.behaviour.return_levels || !in_cycle || action == Action::rapid) return;
-  run.refuse(run.motion_code(), codes::kNotInterpreted,
+  run.refuse(word, codes::kNotInterpreted,
              "whether this ends the drilling cycle that is in force was found in no source",
              "write G80 (which stops the spindle) or a block with G0 before it");
 }
 
 }  // namespace
+
+void state_motion_mode(Execution& run, const Chosen& chosen) {
+  check_ends_cycle(run, chosen.row->action, *chosen.word);
+  set_motion_mode(run, *chosen.row);
+}
 
 void set_motion_mode(Execution& run, const CodeRow& row) {
   run.control.cycle.begun = false;
@@ -80,7 +85,7 @@ void make_motion(Execution& run) {
   check_offsets_of_motion(run);
   begin_after_turn(run);
   if (action == Action::cycle) return move_in_cycle(run);
-  check_ends_cycle(run, action);
+  check_ends_cycle(run, action, run.motion_code());
   if (run.machine_word != nullptr && run.dialect.behaviour.machine_move_is_rapid) {
     move_straight(run);
     if (run.motion_word != nullptr) set_motion_mode(run, *run.motion);  // G53 G0: G0 is the mode from here on

@@ -206,6 +206,17 @@ bool turns_spindle(const Execution& run) {
 
 AxisSet known_after_move(const Execution& run) { return run.control.known | absolute_words(run); }
 
+namespace {
+
+// The length acts along Z alone: a rapid that does not name it, or goes to the end of its travel, goes where it says.
+bool goes_without_length(const Execution& run) {
+  const bool rapid = run.motion != nullptr && run.motion->action == Action::rapid;
+  if (!rapid || run.chosen_row(Action::tool_tip_on) != nullptr) return false;
+  return !run.axes.contains(Axis::Z) || axes_to_limits(run).contains(Axis::Z);
+}
+
+}  // namespace
+
 void need_offsets(const Execution& run) {
   check_on_plane(run);
   if (run.in_machine_system()) {
@@ -214,10 +225,10 @@ void need_offsets(const Execution& run) {
                "source",
                "choose a work system before it, as with G15 H1");
   }
-  if (run.control.length == Control::Length::unknown) {
+  if (run.control.length == Control::Length::unknown && !goes_without_length(run)) {
     run.refuse(run.motion_code(), codes::kNotInterpreted,
                "whether the end of tool-tip mode ends the tool length that it began with was found in no source",
-               "write G56 H or G53 before this move");
+               "write G56 H or G53 before this move; rapids of X, Y, A, B and C alone need it not, nor does G0 Z9999");
   }
   const AxisSet missing = AxisSet::all() - run.control.active().known;
   if (missing.empty()) return;
@@ -330,6 +341,14 @@ void add_motion(Execution& run, const Motion& planned) {
   control.shifted = shifted_after(run, motion);
   if (!control.lost.empty()) control.lost = control.lost - absolute_words(run);
   keep_inches(run, motion);
+  const bool length_unknown = control.length == Control::Length::unknown;
+  const AxisSet tip_lost =
+      length_unknown && tilts_tool(run, motion.known_after, motion.to) ? AxisSet::linear() : AxisSet{};
+  if (run.settings.as_with_empty_tables) {
+    control.lost = control.lost | tip_lost;
+  } else {
+    motion.known_after = motion.known_after - tip_lost;
+  }
   control.position = motion.to;
   control.known = motion.known_after;
   if (control.length_doubt != Control::LengthDoubt::none) {  // where the tip stands then is not known

@@ -64,14 +64,8 @@ void mark_unknown_length(Execution& run, int number) {
 void lose_tilted_tip(Execution& run) {
   const Control& control = run.control;
   if (!run.dialect.has_edges) return;
-  const AxisWords machine = control.frame.to_machine(control.position);
-  const double least = run.settings.upright_deg;
-  const bool upright = control.known.contains(AxisSet{Axis::A, Axis::B}) && std::abs(machine[Axis::A]) < least &&
-                       std::abs(machine[Axis::B]) < least;
-  const AxisSet tip{Axis::X, Axis::Y, Axis::Z};
-  const bool* const of_original = run.settings.original_tilted;
-  run.step.tilted_length = of_original != nullptr ? *of_original : !upright;
-  if (run.step.tilted_length && !(control.known & tip).empty()) lose_position(run, tip);
+  const AxisSet tip = AxisSet::linear();
+  if (tilts_tool(run, control.known, control.position) && !(control.known & tip).empty()) lose_position(run, tip);
 }
 
 void take_offset(Execution& run, const AxisWords& offset) {
@@ -106,6 +100,17 @@ void take_edge(Execution& run, const Word& word, int number) {
 }
 
 }  // namespace
+
+bool tilts_tool(Execution& run, AxisSet known, const AxisWords& at) {
+  const AxisWords machine = run.control.frame.to_machine(at);
+  const double least = run.settings.upright_deg;
+  const bool upright = known.contains(AxisSet{Axis::A, Axis::B}) && std::abs(machine[Axis::A]) < least &&
+                       std::abs(machine[Axis::B]) < least;
+  const bool* const of_original = run.settings.original_tilted;
+  const bool tilted = of_original != nullptr ? *of_original : !upright;
+  run.step.tilted_length = run.step.tilted_length || tilted;
+  return run.step.tilted_length;
+}
 
 void refuse_length_doubt(const Execution& run, const Word& word) {
   if (run.control.length_doubt == Control::LengthDoubt::edge) {  // MD20270

@@ -72,6 +72,7 @@ void Parameters::set(std::string_view name, Value value) {
   plain(name);
   value = converted(value);
   owner().left_over.erase(plain_);
+  if (watches_) last_set_[plain_] = {value};
   Names& names = scope_of(plain_);
   const auto at = names.find(plain_);
   if (at == names.end() || differs(at->second, value)) ++changes_;
@@ -142,7 +143,24 @@ void Parameters::forget_own_names() {
   scopes_.back().names.clear();
 }
 
+bool Parameters::depends_on_scope(std::string_view name) {
+  if (!watches_) return false;
+  plain(name);
+  const auto last = last_set_.find(plain_);
+  if (last == last_set_.end()) return false;
+  const Names& own = scope_of(plain_);
+  const auto here = own.find(plain_);
+  return here == own.end() ? !last->second.ended : differs(here->second, last->second.value);
+}
+
+void Parameters::note_argument(std::string_view name) {
+  if (!watches_) return;
+  plain(name);
+  last_set_[plain_].argument_of = depth();
+}
+
 void Parameters::leave() {
+  for (auto& [name, last] : last_set_) last.ended = last.ended || (last.argument_of > 0 && last.argument_of >= depth());
   forget_own_names();
   std::copy(scopes_.back().callers.begin(), scopes_.back().callers.end(), locals());
   scopes_.pop_back();

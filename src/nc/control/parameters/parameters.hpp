@@ -52,6 +52,13 @@ class Parameters {
   bool has_own_names() const { return !scopes_.back().names.empty(); }
   /// True if a subprogram that has ended, or a caller, set a name of its own that is called so.
   bool was_local_elsewhere(std::string_view name);
+  /// For controls of which no source says whether a program and its subprograms share their names: from now on it is
+  /// noted what each was set to last.
+  void watch_names() { watches_ = true; }
+  /// True if the name, were it common to them, had another value than the one of the scope that is executed.
+  bool depends_on_scope(std::string_view name);
+  /// The subprogram that begins was handed this name: it ends with it.
+  void note_argument(std::string_view name);
   /// A subprogram begins: the names that do not begin with _ are its own; so are #1..#30 if `numbers` says so (then all
   /// zero).
   void enter(LocalNumbers numbers);
@@ -131,6 +138,13 @@ class Parameters {
   std::set<std::string, std::less<>> left_;  // names of subprograms that have ended
   std::uint64_t changes_ = 0;
   std::string plain_;
+  struct LastSet {
+    Value value;
+    std::size_t argument_of = 0;  // depth of the call that handed it over; 0: none
+    bool ended = false;           // that call has
+  };
+  std::unordered_map<std::string, LastSet, Hash, std::equal_to<>> last_set_;  // names that are watched
+  bool watches_ = false;
 };
 
 }  // namespace plumbline::nc

@@ -62,6 +62,7 @@ Control::Control(const Dialect& dialect, const ProgramSettings& settings)
   }
   modal.rotary = settings.rotary;
   if (dialect.behaviour.no_work_system_at_start) modal.work_system = 0;
+  if (dialect.syntax.statements == Statements::user_task) parameters.watch_names();
   if (settings.as_with_empty_tables) no_system.known = AxisSet::all();
   if (dialect.syntax.system_variables == SystemVariables::rs274) {
     const auto active = settings.variables.find(kSystemInForce);

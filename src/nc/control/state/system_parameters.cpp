@@ -320,8 +320,25 @@ bool SystemParameters::is_made(const Block& block, std::string_view plain, Span 
   return false;
 }
 
+namespace {
+
+// LX=7 in a subprogram, X=LX behind its CALL. What a CALL hands over ends with it, since macros ask whether they were
+// handed it: IF [PX EQ EMPTY] [O].
+[[noreturn]] void refuse_unclear_scope(const Block& block, Span span) {
+  refuse_at(
+      block, span, codes::kNotInterpreted,
+      fmt::format("{} was set last in another program, which calls this one or was called: whether a program and "
+                  "its subprograms share their local variables was found in no source",
+                  block.at(span)),
+      "set it here before it is read, hand it over as in CALL O10 PX=5, or write VC1 to VC200, which all programs "
+      "share");
+}
+
+}  // namespace
+
 Value SystemParameters::read(const Block& block, std::string_view name, Span span) {
   if (control_.parameters.is_left_over(name)) refuse_left_over(block, span);
+  if (control_.parameters.depends_on_scope(name)) refuse_unclear_scope(block, span);
   if (const Value* value = control_.parameters.find(name)) return *value;
   if (dialect_.syntax.empty_names) return {0, true, true};
   if (dialect_.syntax.declared && control_.parameters.was_local_elsewhere(name))

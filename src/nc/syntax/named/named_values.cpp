@@ -174,7 +174,8 @@ ValueKind named_identifier(BlockReading& in) {
   if (is_reserved(in, name)) refuse_reserved(in, span);
   if (meaning != nullptr && meaning->kind == NameMeaning::Kind::code) refuse_code_in_value(in, *meaning, span);
   if (meaning != nullptr) in.cursor.refuse_token("a value");
-  if (item_follows(in, TokenKind::open) || item_follows(in, TokenKind::parenthesis)) {
+  const bool is_comment = in.syntax->open == '[';  // what stands in ( ) on such a control
+  if (item_follows(in, TokenKind::open) || (!is_comment && item_follows(in, TokenKind::parenthesis))) {
     in.cursor.refuse(span, codes::kNotInterpreted,
                      fmt::format("{} is a field or a function that is not interpreted", name),
                      "write its value itself");
@@ -258,6 +259,12 @@ ValueKind named_value(BlockReading& in) {
 ValueKind named_value_until(BlockReading& in, TokenKind kind) {
   const Span open = in.cursor.span();
   const ValueKind value = named_value(in);
+  if (in.syntax->open == '[' && item_follows(in, TokenKind::parenthesis)) {
+    in.cursor.take(lex_named_item);
+    in.cursor.refuse(in.cursor.span(), codes::kNotInterpreted,
+                     "a comment stands inside brackets, and whether the control takes one there was found in no source",
+                     "put it behind the last word of the block");
+  }
   in.cursor.take(lex_named_operation);
   if (in.cursor.is(kind)) return value;
   if (in.cursor.is(TokenKind::end)) {

@@ -1,0 +1,46 @@
+// Rapids of an OSP that go through as they stand: behind the end of tool-tip mode, and before the first work system.
+#include <cstddef>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "nc/osp_cases.hpp"
+
+using namespace plumbline;
+using namespace plumbline::nc;
+using namespace plumbline::nc::tests;
+
+TEST_CASE("OSP: behind the end of tool-tip mode rapids go on that leave Z alone, and nothing else does") {
+  const auto behind = [](const char* blocks, std::size_t line, std::size_t column, const char* code, const char* part) {
+    const std::string program = std::string("G15 H1 G0 X0 Y0 Z50 A0 B0 C0\nG169 H1\nG170\n") + blocks;
+    check_osp({{program.c_str(), line, column, code, part}});
+  };
+  const char* const no = "nc-not-interpreted";
+  behind("G0 A0 B0 C0\nX5 Y5\nG56 Z50 H1\nG1 Z40 F100\nM2\n", 0, 0, no, "");
+  behind("G0 Z9999\nX5 Y5 A20\nG53 Z50 A0\nM2\n", 0, 0, no, "");
+  behind("G0 X5 Z9999\nM2\n", 0, 0, no, "");
+  behind("G91 G0 C5\nM2\n", 0, 0, no, "");
+  behind("G0 X5\nZ40\n", 5, 1, no, "G56 H or G53");
+  behind("G0 X9999 Z40\n", 4, 1, no, "G56 H or G53");
+  behind("G0 X5\nG1 X6 F100\n", 5, 1, no, "G56 H or G53");
+  behind("G2 X5 I2.5 F100\n", 4, 1, no, "G56 H or G53");
+  behind("G0 X5 G169\n", 4, 1, no, "G56 H or G53");
+  behind("G71 Z50\n", 4, 1, no, "G56 H or G53");
+  behind("G92 Z5\n", 4, 5, "nc-position-unknown", "Z stands");
+  behind("G0 A20\nA0\nG92 X5\n", 6, 5, "nc-position-unknown", "X stands");
+  behind("G0 A0\nG92 X5\n", 0, 0, no, "");
+}
+
+TEST_CASE("OSP: before the first G15 rapids of A, B and C alone go through, and what needs a work system does not") {
+  const char* const unknown = "nc-work-offset-unknown";
+  check_osp({{"G90 G0 Z9999\nA0 B0 C0\nT1 M6\nG15 H1\nG0 A0 B0 C0\nX10 Y10\nG56 Z50 H1\nG1 Z5 F100\nM2\n", 0, 0},
+             {"G0 C90\nG15 H1\nG0 X0 Y0 Z50 A0 B0 C0\nG1 X5 F100\nM2\n", 0, 0},
+             {"G0 Z9999 A0\nM2\n", 0, 0},
+             {"G0 A0 X5\n", 1, 1, unknown},
+             {"G1 A5 F100\n", 1, 1, unknown},
+             {"G91 G0 A5\n", 1, 5, unknown},
+             {"G0 X0 Y0\n", 1, 1, unknown},
+             {"G0 A5\nG169 A0 H1\n", 2, 1, unknown},
+             {"G0 A5\nG15 H1\nG92 A0\n", 3, 5, "nc-position-unknown"},
+             {"G15 H9\nG0 A5\n", 2, 1, unknown, "G15H9"}});
+}
