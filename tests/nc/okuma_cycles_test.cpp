@@ -158,3 +158,13 @@ TEST_CASE("OSP: J of a peck is greater than 0") {
              {(begin + "G73 X5 Y0 Z-20 R2 I3 J0 F100 M53\nM2\n").c_str(), 3, 22, "nc-out-of-range"},
              {(begin + "G73 X5 Y0 Z-20 R2 I3 J0.5 F100 M53\nM2\n").c_str(), 0, 0}});
 }
+
+TEST_CASE("OSP: whether G1, G2 or G3 ends a cycle is said, with axes or without") {
+  const std::string cycle = "G15 H1 G90 G94 G0 X0 Y0 Z50 A0 B0 C0\nS500 M3\nG71 Z50\nG81 X0 Y0 Z-5 R3 F100 M53\n";
+  for (const char* const line : {"G1 F200\nX20 Y5\n", "G1 X20 F200\n", "G2\nX20 Y0 I10 J0\n", "G3 F50\n"}) {
+    const std::string program = cycle + line + "M2\n";
+    check_osp({{program.c_str(), 5, 1}});
+  }
+  const std::string ended = cycle + "G80\nG0 Z60\nG1 F200\nX20 Y5\nM2\n";
+  check_osp({{ended.c_str(), 0, 0}});
+}

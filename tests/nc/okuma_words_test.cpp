@@ -120,3 +120,10 @@ TEST_CASE("OSP: beside a home position by its number stands neither a move nor a
              {"G15 H1 G0 X0 Y0 Z0\nG20 HP=4 M9\nG0 X0 Y0 Z0\nM2\n", 0, 0},
              {"G15 H1 G0 X0 Y0 Z0\nG21 G90 G0 X5\nM2\n", 0, 0}});
 }
+
+TEST_CASE("OSP: J, I, R and K of G131 are its own behind an arc, too") {
+  check_osp({{"G15 H1 G0 X0 Y0\nG3 I5 J0 F400\nG131 F900 J1 E0.02\nM2\n", 0, 0},
+             {"G15 H1 G0 X0 Y0\nG2 X10 Y0 I5 F400\nG131 F900 J1 E0.02 D2 I3 L12 R0.25 K0\nG1 X20\nM2\n", 0, 0},
+             {"G15 H1 G17 G0 X0 Y0\nG2 X10 Y0 R5 F400\nG131 J2 E0.01\nG2 X0 Y0 I-5\nM2\n", 0, 0}});
+  check_osp({{"G15 H1 G0 X0 Y0\nG3 I5 J0 F400\nG131 J1 E0.02 X5\nM2\n", 3, 1}});
+}

@@ -8,9 +8,9 @@
 #include "base/diagnostic.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
-#include "nc/sequence/called_section.hpp"
 #include "nc/sequence/flow_block.hpp"
 #include "nc/sequence/program_ends.hpp"
+#include "nc/sequence/sections/called_section.hpp"
 #include "nc/syntax/line_head.hpp"
 
 namespace plumbline::nc {

@@ -14,7 +14,7 @@
 #include "nc/sequence/definitions.hpp"
 #include "nc/sequence/label_index.hpp"
 #include "nc/sequence/program_files.hpp"
-#include "nc/sequence/repeated_sections.hpp"
+#include "nc/sequence/sections/repeated_sections.hpp"
 #include "nc/sequence/sequencer.hpp"
 #include "nc/sequence/statement_loops.hpp"
 #include "nc/sequence/ways_back.hpp"

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "base/check.hpp"
-#include "base/text/number_text.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
 
@@ -297,27 +296,6 @@ void Evaluator::check_bracketed(const Block& block, const Instruction& step, con
             "write the variable without brackets");
 }
 
-double Evaluator::rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding) {
-  // Half is added and the rest cut off: what is less than a half by its last digit alone goes up [LinuxCNC,
-  // interp_execute.cc].
-  const double whole = std::trunc(value + std::copysign(0.5, value));
-  if (rounding.known && rounding.quantum == 1) {
-    if (std::abs(value) < kLargestInteger) return whole;
-    refuse_at(block, step.span, codes::kArithmetic,
-              fmt::format("{:.6g} is more than a whole number of the control holds", value),
-              "look for a slip: ROUND gives whole numbers up to 2147483647");
-  }
-  if (rounding.known && std::abs(value) > kLargestWhole) return value;
-  if (rounding.known)
-    return from_ticks(to_ticks(std::round(value / rounding.quantum) * rounding.quantum, kMostDecimals), kMostDecimals);
-  if (std::abs(value - whole) <= kWhole) return whole;
-  refuse_at(block, step.span, codes::kNotInterpreted,
-            fmt::format("ROUND of {:.6g}: in a word it rounds to what the control keeps of that word, and for this one "
-                        "no source says what that is",
-                        value),
-            "round it before, into a variable: that gives whole numbers");
-}
-
 Value Evaluator::joined(const Block& block, const Instruction& step, const Value& a, const Value& b) const {
   Value result{0, a.known && b.known};
   check_remainder(block, step, a, b);
@@ -332,6 +310,17 @@ Value Evaluator::joined(const Block& block, const Instruction& step, const Value
   result.number = is_of_bits(step.operation) ? of_bits(block, step, a, b)
                                              : of_two(step.operation, a.number, b.number, equal_within_);
   result.rounded = is_rounded(step, result, a, b);
+  return result;
+}
+
+Value Evaluator::of_one_operand(const Block& block, const Instruction& step, const Value& b) const {
+  if (step.operation != Operation::negate) check_vacant(block, step, b, b);
+  check_arc_sine(block, step, b);
+  check_whole_digits(block, step, b);
+  Value result{of_one(step.operation, b.number), b.known};
+  result.rounded = is_rounded(step, result, b, b);
+  const bool whole_value = (&step)[1].operation == Operation::end;
+  result.vacant = b.vacant && step.operation == Operation::negate && whole_value;
   return result;
 }
 
@@ -379,14 +368,9 @@ Value Evaluator::run(const Block& block, std::uint32_t code, ParameterReader& pa
       check_vacant(block, *step, b, b);
       if (rounding.quantum == 1) check_whole_digits(block, *step, b);
       if (unsourced_refused_) check_half(block, step->span, b);
-      result.number = rounded(block, *step, b.number, rounding);
+      result.number = rounded(block, step->span, b.number, rounding);
     } else {
-      if (step->operation != Operation::negate) check_vacant(block, *step, b, b);
-      check_arc_sine(block, *step, b);
-      check_whole_digits(block, *step, b);
-      result.number = of_one(step->operation, b.number);
-      result.rounded = is_rounded(*step, result, b, b);
-      result.vacant = b.vacant && step->operation == Operation::negate && step[1].operation == Operation::end;
+      result = of_one_operand(block, *step, b);
     }
     if (result.known && !std::isfinite(result.number)) {
       refuse_at(block, step->span, codes::kArithmetic, fmt::format("{} has no value here", block.at(step->span)),

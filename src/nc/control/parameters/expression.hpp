@@ -21,12 +21,6 @@ class ParameterReader {
   virtual ParameterLimits limits() const { return {}; }
 };
 
-/// What ROUND rounds to: whole numbers, or what the control keeps of a word.
-struct Rounding {
-  double quantum = 1;
-  bool known = true;  // not known: only whole numbers are
-};
-
 class Evaluator {
  public:
   /// `equal_within`: of EQ and NE; 1e-4 [LinuxCNC, measured]. `vacant_is_zero`: a variable that was never set counts as
@@ -45,13 +39,13 @@ class Evaluator {
   void check_vacant(const Block& block, const Instruction& step, const Value& a, const Value& b) const;
   static void check_bracketed(const Block& block, const Instruction& step, const Value& a, const Value& b);
   Value joined(const Block& block, const Instruction& step, const Value& a, const Value& b) const;
+  Value of_one_operand(const Block& block, const Instruction& step, const Value& b) const;
   bool are_doubtful(const Value& a, const Value& b) const;
   bool is_rounded(const Instruction& step, const Value& result, const Value& a, const Value& b) const;
   void check_digits(const Block& block, const Instruction& step, const Value& a, const Value& b) const;
   void check_whole_digits(const Block& block, const Instruction& step, const Value& value) const;
   double equal_within_, doubtful_within_;
   bool vacant_is_zero_, unsourced_refused_;
-  static double rounded(const Block& block, const Instruction& step, double value, const Rounding& rounding);
   void check_truths(const Block& block, const Instruction& step) const;
   void check_bounds(const Block& block, const Instruction& step) const;
   std::vector<Value> stack_;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/number_text.hpp"
 #include "nc/language/codes.hpp"
 #include "nc/language/refusal.hpp"
 
@@ -22,6 +23,27 @@ void check_half(const Block& block, Span span, const Value& value) {
                   value.number, below == 0 ? "" : "but for its last digits ", value.number < 0 ? " below 0" : ""),
       value.number < 0 ? "round the number without its sign, as in -ROUND(2.5), or add or take off 0.001 before"
                        : "add or take off 0.001 before");
+}
+
+double rounded(const Block& block, Span span, double value, const Rounding& rounding) {
+  // Half is added and the rest cut off: what is less than a half by its last digit alone goes up [LinuxCNC,
+  // interp_execute.cc].
+  const double whole = std::trunc(value + std::copysign(0.5, value));
+  if (rounding.known && rounding.quantum == 1) {
+    if (std::abs(value) < kLargestInteger) return whole;
+    refuse_at(block, span, codes::kArithmetic,
+              fmt::format("{:.6g} is more than a whole number of the control holds", value),
+              "look for a slip: ROUND gives whole numbers up to 2147483647");
+  }
+  if (rounding.known && std::abs(value) > kLargestWhole) return value;
+  if (rounding.known)
+    return from_ticks(to_ticks(std::round(value / rounding.quantum) * rounding.quantum, kMostDecimals), kMostDecimals);
+  if (std::abs(value - whole) <= kWhole) return whole;
+  refuse_at(block, span, codes::kNotInterpreted,
+            fmt::format("ROUND of {:.6g}: in a word it rounds to what the control keeps of that word, and for this one "
+                        "no source says what that is",
+                        value),
+            "round it before, into a variable: that gives whole numbers");
 }
 
 int whole_number(const Block& block, Span span, double value, std::string_view what) {

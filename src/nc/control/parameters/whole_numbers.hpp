@@ -18,6 +18,16 @@ struct ParameterLimits {
   int last = kLastParameter;
 };
 
+/// What ROUND rounds to: whole numbers, or what the control keeps of a word.
+struct Rounding {
+  double quantum = 1;
+  bool known = true;  // not known: only whole numbers are
+};
+
+/// What ROUND makes of a value. Refuses one that is not whole where it is not known to what it rounds, and one of more
+/// than 32 bits (nc-arithmetic).
+double rounded(const Block& block, Span span, double value, const Rounding& rounding);
+
 /// Refuses -2.5, and what is less than 2.5 by its last digits alone: which way a control rounds them that rounds from
 /// 0.5 on is left open.
 void check_half(const Block& block, Span span, const Value& value);

@@ -5,7 +5,7 @@
 #include "nc/language/dialect.hpp"
 #include "nc/sequence/label_index.hpp"
 #include "nc/sequence/program_files.hpp"
-#include "nc/sequence/repeated_sections.hpp"
+#include "nc/sequence/sections/repeated_sections.hpp"
 
 namespace plumbline::nc {
 

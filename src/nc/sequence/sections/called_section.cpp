@@ -1,4 +1,4 @@
-#include "nc/sequence/called_section.hpp"
+#include "nc/sequence/sections/called_section.hpp"
 
 #include <algorithm>
 #include <string>

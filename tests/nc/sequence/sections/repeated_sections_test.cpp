@@ -1,4 +1,4 @@
-#include "nc/sequence/repeated_sections.hpp"
+#include "nc/sequence/sections/repeated_sections.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "nc/sequence/repeated_sections.hpp"
+#include "nc/sequence/sections/repeated_sections.hpp"
 
 #include "nc/language/codes.hpp"
 #include "nc/sequence/flow_block.hpp"
