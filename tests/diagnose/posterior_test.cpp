@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/units.hpp"
 #include "diagnose/diagnose.hpp"
 #include "identify/plans.hpp"
 
@@ -24,7 +25,7 @@ std::vector<measure::Run> widest_plan() {
   for (const Vector3<double>& there : {Vector3<double>(60, -50, 40), Vector3<double>(-50, 60, -30)}) {
     for (measure::Run run : wider_plan(45)) {
       const Vector3<double> centre = 1e3 * run.centre_W + there;
-      const Vector3<double> tilt = run.tilt.cwiseProduct(Vector3<double>(-1, -0.6, 0)) * 180 / M_PI;
+      const Vector3<double> tilt = run.tilt.cwiseProduct(Vector3<double>(-1, -0.6, 0)) / kDeg;
       runs.push_back(circle_run(centre, tilt, run.direction, 45));
     }
   }
