@@ -15,7 +15,6 @@ constexpr int kFirstHome = 5161;    // parameters of G28, twenty further G30 [Li
 constexpr int kFirstSystem = 5221;  // of G54
 constexpr int kG92 = 5211;
 constexpr int kSystemInForce = 5220;
-constexpr int kExternal = 5201;    // of Fanuc: the shift of all work systems
 constexpr double kNoShift = 1e-9;  // mm and deg
 
 // The inches that are so many mm; of neighbours that are the same mm, the one with the fewest digits.
