@@ -18,11 +18,7 @@ inline Job heavy_tool_job(const std::string& dialect, nc::FreeRotation free) {
   job.settings.step.angle_deg = 5;
   job.program.tool_in_spindle = 1;
   job.program.free_rotation = free;
-  nc::Tool tool;
-  tool.number = 1;
-  tool.length_mm = 100;
-  tool.mass_kg = 2;
-  job.program.tools = nc::ToolTable({tool});
+  job.program.tools = one_tool(2);
   return job;
 }
 

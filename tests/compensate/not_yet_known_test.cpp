@@ -15,11 +15,7 @@ Job kept_over_changes(const std::string& dialect) {
   job.settings.friction = false;
   job.program.keeps_position = {6};
   job.program.tool_in_spindle = 1;
-  nc::Tool tool;
-  tool.number = 1;
-  tool.length_mm = 100;
-  tool.mass_kg = 0;
-  job.program.tools = nc::ToolTable({tool});
+  job.program.tools = one_tool(0);
   return job;
 }
 

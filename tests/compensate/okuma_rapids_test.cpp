@@ -13,11 +13,7 @@ const std::string kHeaderOfOsp = "O1\nG15 H1\nG90 G94 G0 X0 Y0 Z50. A0 B0 C0\n";
 
 Job osp_with_tool() {
   Job job = job_of_control("okuma");
-  nc::Tool tool;
-  tool.number = 1;
-  tool.length_mm = 100;
-  tool.mass_kg = 1;
-  job.program.tools = nc::ToolTable({tool});
+  job.program.tools = one_tool(1);
   return job;
 }
 

@@ -51,17 +51,22 @@ inline Job job_of_control(const std::string& dialect) {
   return job;
 }
 
+/// Tool 1 alone, 100 mm long.
+inline nc::ToolTable one_tool(double mass_kg) {
+  nc::Tool tool;
+  tool.number = 1;
+  tool.length_mm = 100;
+  tool.mass_kg = mass_kg;
+  return nc::ToolTable({tool});
+}
+
 /// For a Fanuc, without friction, tool 1 in the spindle: 100 mm long.
 inline Job fanuc_job() {
   Job job;
   job.dialect = "fanuc";
   job.settings.friction = false;
   job.program.tool_in_spindle = 1;
-  nc::Tool tool;
-  tool.number = 1;
-  tool.length_mm = 100;
-  tool.mass_kg = 1;
-  job.program.tools = nc::ToolTable({tool});
+  job.program.tools = one_tool(1);
   return job;
 }
 

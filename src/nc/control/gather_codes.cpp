@@ -20,17 +20,14 @@ constexpr int kUserGroup = 63;
 constexpr std::uint32_t kUninterpretedLetters = letter_bit('U') | letter_bit('V') | letter_bit('W');
 constexpr double kLargestValue = 1e9;  // so that sums of them can be written with all that a double holds of them
 
-// What stands after ; in a row's reason is the way out.
 [[noreturn]] void refuse_row(const Execution& run, const CodeRow& row, const Word& word) {
-  const std::size_t end = row.why.find("; ");
   std::string help = "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system";
   if (word.letter == 'M') {
     help = fmt::format("leave it out, or, if it moves nothing on this machine, let it through: --pass {}",
                        run.text_of(word));
   }
-  if (end != std::string::npos) help = row.why.substr(end + 2);
-  run.refuse(word, codes::kNotInterpreted, fmt::format("{} {}", run.text_of(word), row.why.substr(0, end)),
-             std::move(help));
+  if (const std::string_view way_out = row.way_out(); !way_out.empty()) help = way_out;
+  run.refuse(word, codes::kNotInterpreted, fmt::format("{} {}", run.text_of(word), row.reason()), std::move(help));
 }
 
 // G1.0, M3.: of controls but LinuxCNC's none is known to read them, and no post writes them.
@@ -56,9 +53,9 @@ const CodeRow* g_row(const Execution& run, const Word& word) {
     row = run.dialect.g_code(static_cast<int>(whole));
   }
   if (row == nullptr) {
-    const bool apt_units = whole == 700 || whole == 710;  // as ISO 6983 has them
+    const bool units_of_iso = whole == 700 || whole == 710;  // 6983
     run.refuse(word, codes::kUnknownCode, fmt::format("{} is no G code of this control", run.text_of(word)),
-               apt_units && counts_in_g20_g21(run.dialect)
+               units_of_iso && counts_in_g20_g21(run.dialect)
                    ? "units are G20 (inch) and G21 (mm) here: set them in the post-processor"
                    : "look for a slip, or choose another dialect");
   }

@@ -64,9 +64,9 @@ class Interpreter {
   /// it moved, is another one by now.
   void check_begins_again(const Block& block) const;
   void check_last_comment(const Block& block) const;
-  /// How often a variable of the program got another value.
   /// The program or subprogram that is executed has variables of its own with names.
   bool has_names() const { return control_.parameters.has_own_names(); }
+  /// How often a variable of the program got another value.
   std::uint64_t changes_of_variables() const { return control_.parameters.changes(); }
   /// M30 ended a subprogram alone.
   void go_on() { control_.ended = false; }

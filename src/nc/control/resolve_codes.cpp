@@ -89,7 +89,6 @@ bool is_rapid_of_tip(const AxisTakers& takers) {
   return takers.other->row->action == Action::tool_tip_on && takers.motion->row->action == Action::rapid;
 }
 
-// An explicit motion, or the one in force if there are words for it that nobody else takes.
 // J of G131 J1 E0.02 is its own where an arc is in force [P setSmoothing].
 std::uint32_t words_of_alone(const Execution& run) {
   std::uint32_t words = 0;
@@ -97,6 +96,7 @@ std::uint32_t words_of_alone(const Execution& run) {
   return words;
 }
 
+// An explicit motion, or the one in force if there are words for it that nobody else takes.
 void find_motion(Execution& run) {
   const AxisTakers takers = axis_takers(run);
   run.motion = nullptr;

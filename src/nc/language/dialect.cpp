@@ -43,6 +43,13 @@ const CodeRow* Dialect::row_of_code(const Word& word) const {
   return word.letter == 'G' ? g_code(code) : m_code(code);
 }
 
+std::string_view CodeRow::reason() const { return std::string_view(why).substr(0, why.find("; ")); }
+
+std::string_view CodeRow::way_out() const {
+  const std::size_t end = why.find("; ");
+  return end == std::string::npos ? std::string_view() : std::string_view(why).substr(end + 2);
+}
+
 const NameMeaning* Dialect::meaning(std::string_view text) const {
   std::string found = upper(text);
   auto at = syntax.meanings.find(found);

@@ -155,6 +155,9 @@ struct CodeRow {
   bool has_values = false;                 // a name with values in ( ) after it
   bool tool_vectors = false;               // of a tool length: I, J, K are the direction of the tool with it in force
   std::string written_as;                  // the code that takes A, B and C in their place
+
+  std::string_view reason() const;   // what stands before "; " in why
+  std::string_view way_out() const;  // and after it; empty: nothing does
 };
 
 /// How a program says where it goes on: which grammar its lines have.

@@ -156,8 +156,7 @@ ValueKind call_function(BlockReading& in, const NameMeaning& meaning, Span span)
 void refuse_code_in_value(const BlockReading& in, const NameMeaning& meaning, Span span) {
   const CodeRow& row = in.dialect->named_codes[static_cast<std::size_t>(meaning.which)];
   if (row.action != Action::refused) return;
-  in.cursor.refuse(span, codes::kNotInterpreted,
-                   fmt::format("{} {}", in.out.at(span), std::string_view(row.why).substr(0, row.why.find("; "))),
+  in.cursor.refuse(span, codes::kNotInterpreted, fmt::format("{} {}", in.out.at(span), row.reason()),
                    "write the value itself, as a number or a variable");
 }
 
