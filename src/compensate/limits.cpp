@@ -134,7 +134,9 @@ void refuse_violations(const std::vector<machine::Violation>& violations, const 
   if (violations.empty()) return;
   if (violations.front().what == kOutOfReach) {
     refuse("compensate-unreachable", "the machine cannot be made to stand here: no strut lengths put the tool there",
-           "move the part away from the edge of the workspace", place_of(step));
+           "move the part away from the edge of the workspace; with --dynamic, leave that out or lower the feed rate: "
+           "the correction runs too far ahead of a lag to be sure of it",
+           place_of(step));
   }
   const machine::Violation& worst = violations.front();
   Diagnostic refused = diagnose(worst, place_of(step));
