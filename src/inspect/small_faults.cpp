@@ -6,9 +6,11 @@
 namespace plumbline::inspect {
 namespace {
 
-// A run is a little off, by a number that may be a little off: the model may lack what makes it so.
+// A run is a little off, by a number that may be a little off, or in the way of another run: the model may lack what
+// makes it so.
 bool may_be_effect(const Fault& fault, const InspectOptions& options) {
-  return is_by_degrees(fault.kind) && !fault.all && fault.before < options.clearly * fault.after;
+  const bool little = is_by_degrees(fault.kind) || fault.kind == FaultKind::exchanged;
+  return little && !fault.all && fault.before < options.clearly * fault.after;
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ TrackedPose pose_of(const NumberTable::Row& row, const NumberTable& table) {
   pose.measured = three(row, kMeasured, kMm);
   if (table.has[kMeasuredTilt]) pose.measured_tilt = three(row, kMeasuredTilt, kDeg);
   if (table.has[kPayloadColumn]) pose.payload_mass = row.values[kPayloadColumn];
+  pose.place = row.place;
   return pose;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostic.hpp"
 #include "base/files/source.hpp"
 #include "base/pose.hpp"
 #include "machine/orientation.hpp"
@@ -18,6 +19,7 @@ struct TrackedPose {
   double payload_mass = 0;                               // known, suspended from the tool tip, kg
   Vector3<double> measured = Vector3<double>::Zero();    // where the tracker saw the tip, in its own frame, m
   std::optional<Vector3<double>> measured_tilt;          // A, B, C in its frame, rad
+  Place place;                                           // its row
 
   Pose<double> commanded(const machine::RotationOrder& order) const {
     return {position_W, machine::rotation<double>(order, tilt)};

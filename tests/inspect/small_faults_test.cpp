@@ -29,7 +29,8 @@ Inspection doubted(Inspection inspection) {
 }  // namespace
 
 TEST_CASE("a small fault is told, and stands in nobody's way, where another run is as far off") {
-  const FaultKind kind = GENERATE(FaultKind::bar_step, FaultKind::drift, FaultKind::motor_zero, FaultKind::centre);
+  const FaultKind kind =
+      GENERATE(FaultKind::bar_step, FaultKind::drift, FaultKind::motor_zero, FaultKind::centre, FaultKind::exchanged);
   CAPTURE(to_text(kind));
   for (const double other_run : {1.02, 1.09, 1.3}) {
     CAPTURE(other_run);

@@ -28,6 +28,7 @@ TEST_CASE("a tracker's table is read in SI, its columns in any order") {
   CHECK(poses.poses[0].tilt.x() == Approx(-10 * kDeg));
   CHECK(poses.poses[0].measured.y() == Approx(0.1015));
   CHECK(poses.poses[0].payload_mass == 0);
+  CHECK(poses.poses[2].place.line == 4);
 
   const std::string more = "name,measured_c_deg,measured_b_deg,measured_a_deg,payload_kg," + kMeasured + "," +
                            kCommanded.substr(0, kCommanded.size() - 1) + "\n";

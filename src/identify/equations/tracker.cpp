@@ -25,9 +25,8 @@ SimulatedPoses simulate_poses(const machine::RotationOrder& order, const physics
     const physics::TipError<double> error = physics::tip_error(forces, at_rest, motion);
     if (!error.converged()) {
       refuse("simulate-unreachable",
-             fmt::format("pose {} of {}: the machine cannot stand there: {}", simulated.standing.size() + 1,
-                         tracked.table.file, physics::to_text(error.stopped_because)),
-             "check the commanded columns of the table, and that it belongs to this machine", {tracked.table.file});
+             fmt::format("the machine cannot stand at this pose: {}", physics::to_text(error.stopped_because)),
+             "check the commanded columns of the table, and that it belongs to this machine", pose.place);
     }
     simulated.standing.push_back(error.pose);
     if (sensitivity == nullptr) continue;
@@ -92,12 +91,12 @@ TrackerFrame first_frame(const Tracked& tracked, double most) {
   const double off = (((frame.R * commanded).colwise() + frame.t) - seen).colwise().norm().maxCoeff(&worst);
   if (off > most) {
     refuse("tracker-far",
-           fmt::format("pose {} of {} was measured {:.3g} mm from where the machine was sent", worst + 1,
-                       tracked.table.file, off / kMm),
+           fmt::format("this pose was measured {:.3g} mm from where the machine was sent, further than any other",
+                       off / kMm),
            tracked.frame_known ? "the tracker does not measure in the frame W of the machine: leave --frame-known out"
                                : "check that rows belong together, the units (mm, deg), and that the tracker's frame "
                                  "is right-handed",
-           {tracked.table.file});
+           poses[static_cast<std::size_t>(worst)].place);
   }
   return frame;
 }

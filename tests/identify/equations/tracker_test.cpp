@@ -58,8 +58,11 @@ TEST_CASE("the frame of a tracker is found, and poses that were not measured whe
   const TrackerFrame frame = first_frame(tracked);
   CHECK((frame.R - kHall.R).cwiseAbs().maxCoeff() < 1e-3);
   CHECK((frame.t - kHall.t).cwiseAbs().maxCoeff() < 1e-3);
+  for (std::size_t i = 0; i < tracked.table.poses.size(); ++i) tracked.table.poses[i].place = {"tracker.csv", i + 2};
   std::swap(tracked.table.poses[3].measured, tracked.table.poses[4].measured);
-  CHECK(refusal_of([&] { first_frame(tracked); }).code == "tracker-far");
+  const Diagnostic refused = refusal_of([&] { first_frame(tracked); });
+  CHECK(refused.code == "tracker-far");
+  CHECK((refused.place.line == 5 || refused.place.line == 6));
   tracked.frame_known = true;
   CHECK(refusal_of([&] { first_frame(tracked); }).code == "tracker-far");
 }
