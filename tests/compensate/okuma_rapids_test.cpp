@@ -77,7 +77,11 @@ TEST_CASE(
   CHECK(
       stands_in(run(kHeaderOfOsp + "VC1=5\nG1 X=VC1 F100\nG16 H0 G0 Z=VPSLZ\nIF [VC1 EQ 5] N9\nX9.\nN9 M2\n", job).text,
                 "\nG16 H0 G0 Z=VPSLZ\n"));
+  const std::string before = "G0 Z=VPSLZ\nG15 H1\nM11\nM27\nG90 G00 A0. B0. C0.\nX0. Y0.\n";
+  CHECK(stands_in(run("O1\n" + before + "G0 G56 Z50. H1\n" + cut + "M2\n", job).text, "\n" + before.substr(0, 30)));
   std::size_t line = 0;
+  CHECK(code_of(kHeaderOfOsp + "G0 Z=VPSLZ\n" + cut + "M2\n", job, &line) == "compensate-position-unknown");
+  CHECK(line == 5);
   CHECK(code_of(kHeaderOfOsp + "G16 H0 G0 Z=VPSLZ\n" + cut + "M2\n", job, &line) == "compensate-position-unknown");
   CHECK(line == 5);
 }

@@ -144,24 +144,17 @@ void check_no_hole(const Execution& run) {
 }
 
 // Z=VPSLZ goes through as it stands where the place of the axis is not known afterwards, whatever it says: in a rapid
-// in machine coordinates [P writeRetract].
+// [P writeRetract].
 void check_travel_ends(const Execution& run) {
   const Word* end = nullptr;
   for (const Axis axis : kAllAxes) {
     const Word* const word = run.words.find(axis);
     if (word != nullptr && word->use == WordUse::travel_end) end = word;
   }
-  if (end == nullptr) return;
-  bool in_machine_system = run.control.in_machine_system;
-  for (const Chosen& code : run.chosen) {
-    const Action action = code.row->action;
-    if (action != Action::work_system_of_block && action != Action::work_system_by_word) continue;
-    in_machine_system = run.words.has('H') && run.words.find('H')->value == 0;
-  }
   const bool rapid = run.motion != nullptr && run.motion->action == Action::rapid && !run.uses_position_axes;
-  if (rapid && in_machine_system) return;
+  if (end == nullptr || rapid) return;
   run.refuse(*end, codes::kNotInterpreted,
-             fmt::format("{} is a variable of the control itself, which is read beside G16 H0 and G0 alone",
+             fmt::format("{} is a variable of the control itself, which is read beside G0 alone",
                          run.text_of(*end).substr(run.text_of(*end).find('=') + 1)),
              fmt::format("write G16 H0 G0 {}, or G0 {}9999", run.text_of(*end), end->letter));
 }
