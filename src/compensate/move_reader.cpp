@@ -184,7 +184,7 @@ UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
     found.stop_code = stop_.code;
     found.by_length = stop_.by_length;
   }
-  found.no_system = dialect_.behaviour.no_work_system_at_start && !(found.missing & AxisSet::linear()).empty();
+  found.no_system = dialect_.behaviour.no_work_system_at_start;
   if ((found.missing & AxisSet::rotary()).empty()) return found;
   at_zero_ = at_zero_ | ((found.missing & AxisSet::rotary()) - settings_.named - away_);
   const AxisWords origin = step.frame->to_pose({});

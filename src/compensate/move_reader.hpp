@@ -46,7 +46,7 @@ struct UnknownPosition {
   std::string stop;  // the block after which some of them may stand elsewhere, as in "M0 in line 3"; "": none known
   std::string stop_code;   // its M code, where it is one
   bool by_length = false;  // it changes the tool's length under a tilt
-  bool no_system = false;  // X, Y or Z are missing, and no work system is in force at the start: --start says nothing
+  bool no_system = false;  // no work system is in force at the start: --start says nothing
 
   bool none() const { return moved.empty() && missing.empty(); }
 };

@@ -64,16 +64,13 @@ bool names_its_cycle(const nc::Step& step, const nc::Dialect& dialect) {
   });
 }
 
-// A rigid tap ends at any other motion: its blocks stay as they are, their holes shifted. A cycle of an OSP that is
-// named anew states all its words, and goes on from none.
+// A rigid tap ends at any other motion: its blocks stay as they are, their holes shifted. A block of an OSP states all
+// words of its cycle again, and goes on from none.
 void refuse_unless_in_place(const nc::Step& step, bool goes_on, const nc::Dialect& dialect) {
   if (step.cycle != nc::CycleForm::spindle || !dialect.behaviour.fanuc_cycles) return;
-  const bool states_all = dialect.behaviour.return_levels;
-  if (goes_on && !(states_all && names_its_cycle(step, dialect))) {
+  if (goes_on && !dialect.behaviour.return_levels) {
     refuse("compensate-cycle", "this cycle goes on from one that is written out as moves",
-           states_all ? "write the code of the cycle and all of its words into this block"
-                      : "write G80 before it, and state all of its words",
-           place_of(step));
+           "write G80 before it, and state all of its words", place_of(step));
   }
   if (nc::WrittenMoves::is_one_hole(step)) return;
   refuse("compensate-cycle",
@@ -275,8 +272,9 @@ void Pipeline::take_synchronised(const nc::Step& step) {
 
 // Left as it is, written out move by move, or kept with its holes shifted.
 void Pipeline::take_cycle(const nc::Step& step) {
-  const std::span<const nc::Step* const> moves = steps_.of_cycle(step);
   const bool goes_on = rewriter_.goes_on_from_written_out(step);
+  const bool anew = goes_on && dialect_.behaviour.return_levels && !names_its_cycle(step, dialect_);
+  const std::span<const nc::Step* const> moves = steps_.of_cycle(step, anew);
   const bool point_by_point = step.nurbs == nc::NurbsBlock::end && steps_.unrolled();  // its points were left out
   if (!goes_on && !point_by_point && cycle_stays(step, moves)) {
     rewriter_.copy(step, true);

@@ -28,8 +28,10 @@ class WrittenSteps {
   /// Before the end of a program that is written out: blocks that leave to others the variables that it set.
   std::vector<std::string> restated_variables(const nc::Step& step) const;
 
-  /// A cycle move by move. Holds until the next call.
-  std::span<const nc::Step* const> of_cycle(const nc::Step& step) { return moves_.of(*expander_.plain(step, true)); }
+  /// A cycle move by move. `anew`: as in nc::WrittenMoves::of. Holds until the next call.
+  std::span<const nc::Step* const> of_cycle(const nc::Step& step, bool anew = false) {
+    return moves_.of(*expander_.plain(step, true), anew);
+  }
   /// The step with X and Y in place of @ and ^, and A, B and C in place of a direction of the tool. Holds until the
   /// next call of any.
   const nc::Step& in_other_words(const nc::Step& step) { return *expander_.plain(step, true); }

@@ -18,7 +18,8 @@ namespace {
 constexpr int kFirstWorkOffset = 5221;
 constexpr int kRotation = 9;  // after the first of a work system
 constexpr std::string_view kBlanks = " \t\r";
-constexpr std::string_view kForm = R"(write "#NUMBER VALUE", as in "#100 12.5"; of R parameters "R5 12.5")";
+constexpr std::string_view kForm =
+    R"(write "#NUMBER VALUE", as in "#100 12.5"; of R parameters "R5 12.5", of common variables "VC5 12.5")";
 
 struct Piece {
   std::size_t begin = 0;
@@ -54,6 +55,8 @@ class VariablesReader {
     if (line[number.begin] == '#' || line[number.begin] == 'R') {
       first = line[number.begin] == 'R' ? 0 : 1;
       ++number.begin, --number.size;
+    } else if (line.substr(number.begin).starts_with("VC")) {
+      number.begin += 2, number.size -= 2;
     }
     const std::optional<double> index = parse_number(line.substr(number.begin, number.size));
     if (!index || *index < first || *index > nc::kLastParameter || *index != static_cast<int>(*index)) {

@@ -1,4 +1,5 @@
 // Cycles of an OSP that stay cycles, shifted as a whole.
+#include <initializer_list>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -33,6 +34,23 @@ TEST_CASE("a peck of an OSP that is finer than what the control keeps is refused
     const Diagnostic refused = refused_hole("G71 Z50.\n" + hole + "G0 Z60.\nM2\n", job);
     CHECK(refused.code == "nc-not-interpreted");
     CHECK(refused.place.line == 6);
+    CHECK(tells(refused.message, "finer"));
+  }
+  for (const std::string hole :
+       {"G83 NCYL X10. Y0 Z-10. R3. I3.3333 J9.9999 F100 M53\nX20.\n",
+        "G84 NCYL X10. Y0 Z-10. R3.1234 F100 M53\nX20.\n", "NCYL G73 Z-10. R3. Q3.0001 P200 F100 M53\nX20.\n"}) {
+    const Diagnostic refused = refused_hole("G71 Z50.\n" + hole + "G0 Z60.\nM2\n", job);
+    INFO(hole << refused.message);
+    CHECK(refused.place.line == 6);
+    CHECK(tells(refused.message, "finer"));
+  }
+  for (const std::string hole :
+       {"G83 X10. Y0 Z-10. R3. Q4.3333 F100 M53\nX20. P500\n", "G83 X10. Y0 Z-10. R3. Q=10/3 F100 M53\nX20. P500\n",
+        "G73 NCYL X10. Y0 Z-10. R3. Q3.3333 F100 M53\nX20. P1\n"}) {
+    const Diagnostic refused = refused_hole("G71 Z50.\n" + hole + "G0 Z60.\nM2\n", job);
+    INFO(hole << refused.message);
+    CHECK(refused.code == "nc-not-interpreted");
+    CHECK(refused.place.line == 7);
     CHECK(tells(refused.message, "finer"));
   }
   for (const std::string hole :
@@ -71,10 +89,40 @@ TEST_CASE("a cycle of an OSP that states all its words goes on from none that is
     CHECK(tells(result.text, "\n" + next.substr(0, 3) + " X-"));
     CHECK_FALSE(tells(result.text, "G81"));
   }
-  const Diagnostic refused =
-      refused_hole("G71 Z40.\nG0 Z40.\nM53\nG81 X0 Y0 Z-8. R3. F120\nX10. P500\nG80\nG0 Z60.\nM2\n", job);
-  CHECK(refused.code == "compensate-cycle");
-  CHECK(tells(refused.help, "the code of the cycle"));
+}
+
+TEST_CASE("a hole of an OSP that stays a cycle states its words anew behind a block of the cycle that is written out") {
+  const Job job = job_of_control("okuma");
+  const auto written = [&](const std::string& holes) {
+    const std::string text = kBeforeHoles + "G71 Z40.\nG0 Z40.\nM53\n" + holes + "G80\nG0 Z60.\nM2\n";
+    INFO(text);
+    const Result result = run(text, job);
+    CHECK(result.summary.read_back);
+    return result.text;
+  };
+  const auto states = [&](const std::string& holes, std::initializer_list<const char*> parts) {
+    const std::string text = written(holes);
+    INFO(text);
+    std::size_t at = 0;
+    for (const char* const part : parts) {
+      at = text.find(part, at);
+      CHECK(at != std::string::npos);
+    }
+    CHECK_FALSE(tells(text, "NCYL"));
+  };
+  states("G84 NCYL X0 Y0 Z-8. R5. F400\nX10.\nX20. Y5.\n", {"\nF400\n", "\nG84 X", " R5.", "\nX", " Y", " R5."});
+  states("G284 NCYL X0 Y0 Z-8. R5. F400\nY10. A0\n", {"\nG284 Y", " A", " X"});
+  states("NCYL G74 X0 Y0 Z-8. R5. F400\nM8\nX10.\nNCYL X15.\nX20.\n", {"\nG74 X", "\nG0 X", "\nG74 X"});
+  states("G83 NCYL X0 Y0 Z-20. R5. I3. J9. F100\nX10.\n", {"\nG83 X", " I3. J9."});
+  states("G73 NCYL X0 Y0 Z-20. R5. Q4. P300 F100\nX10.\n", {"\nG73 X", " P300 Q4."});
+  states("G85 NCYL X0 Y0 Z-20. R5. F100 FA=250\nX10.\n", {"\nG85 X", " FA=250."});
+  states("G82 NCYL X0 Y0 Z-8. R5. F100 P200\nX10. P400\n", {"\nG82 X", " P400"});
+  states("G81 X0 Y0 Z-8. R3. F120\nX10. P500\nX20.\n", {"\nG81 X", " P500", "\nX"});
+  states("G74 X0 Y0 Z-8. R5. F400\nX10.\nG85 NCYL Z-9. R4. P100 F90 FA=80\nX20.\n",
+         {"\nX", "\nG0 Z40.", "\nG85 X", " P100 FA=80."});
+  states("G86 X0 Y0 Z-8. R5. P20 F100\nX5.\nNCYL G84 Z-9. R5. P0 F90\nX10.\n", {"\nG86 X", "\nG0 Z40.", "\nG84 X"});
+  states("G84 X0 Y0 Z-8. R5. P20 F400\nNCYL Z-9. P0\nX10.\n", {"\nG0 Z40.", "\nG84 X"});
+  states("NCYL G84 Z-8. R5. F400\nCALL OA\nM2\nOA\nX10. Y0\nX20.\nRTS\n", {"\nF400\n", "\nG84 X", "\nX"});
 }
 
 TEST_CASE("what varies along a hole by less than 0.1 um is told in digits that say something") {

@@ -71,7 +71,8 @@ TEST_CASE("a program of an OSP that is written out ends with % where it did befo
 TEST_CASE("that --start cannot say where an OSP stands is said") {
   Job job = job_of_control("okuma");
   for (const std::string text :
-       {"O1\nG15 H1\nG1 X5. F300\nM2\n", "G15 H2\nG1 Y5. F300\nM2\n", "O1\nG15 H1\nG0 X5. Z50.\nG1 X9. F300\nM2\n"}) {
+       {"O1\nG15 H1\nG1 X5. F300\nM2\n", "G15 H2\nG1 Y5. F300\nM2\n", "O1\nG15 H1\nG0 X5. Z50.\nG1 X9. F300\nM2\n",
+        "O1\nG15 H1\nG0 X5. Y0 Z50. A0 C0\nG1 X9. F300\nG0 B0\nM2\n"}) {
     job.program.start.fill(0);
     try {
       run(text, job);
@@ -82,4 +83,17 @@ TEST_CASE("that --start cannot say where an OSP stands is said") {
       CHECK(refusal.diagnostic().help.find("--start cannot say it") != std::string::npos);
     }
   }
+}
+
+TEST_CASE("what a program of an OSP calls is named as the control writes it, where it is written out") {
+  const Job job = job_of_control("okuma");
+  const auto names = [&](const std::string& rest, const char* part) {
+    const std::string text = run(kOspHeader + rest, job).text;
+    INFO(text);
+    CHECK(text.find(part) != std::string::npos);
+  };
+  const std::string body = "VC1=3\nG1 X=VC1 F300\nRTS\n";
+  names("CALL OA\nM2\nOA\n" + body, "(OA called in line 4)");
+  names("CALL O0012 Q2\nM2\nO0012\n" + body, "(O0012 called in line 4, pass 2)");
+  names("CALL OPKT PX=2\nM2\nOPKT\nG1 X=PX F300\nRTS\n", "(OPKT called in line 4)");
 }

@@ -64,3 +64,24 @@ TEST_CASE("a header of an OSP that turns A, B and C home before its first work s
   CHECK(code_of("G0 C90.\nG15 H1\nG0 X0 Y0 Z50. A0 B0\nG1 X5. F100\nM2\n", job) == "compensate-position-unknown");
   CHECK(code_of("G0 C90.\nG15 H1\nG0 X0 Y0 Z50. A0 B0 C0\nG1 X5. F100\nM2\n", job).empty());
 }
+
+TEST_CASE(
+    "a retract of an OSP to the end of the travel goes through as it stands, and what it leaves unknown is not cut") {
+  const Job job = osp_with_tool();
+  const std::string cut = "G1 X5. F100\n";
+  const std::string change = "M5\nG16 H00 G00 Z=VPSLZ\nT1 M6\nG15 H1\n";
+  const std::string text =
+      run(kHeaderOfOsp + cut + change + "G0 X5. Y5. A0 B0 C0\nG56 Z50. H1\nG1 Z40. F100\nM2\n", job).text;
+  INFO(text);
+  CHECK(stands_in(text, "\n" + change));
+  CHECK(
+      stands_in(run(kHeaderOfOsp + "VC1=5\nG1 X=VC1 F100\nG16 H0 G0 Z=VPSLZ\nIF [VC1 EQ 5] N9\nX9.\nN9 M2\n", job).text,
+                "\nG16 H0 G0 Z=VPSLZ\n"));
+  const std::string before = "G0 Z=VPSLZ\nG15 H1\nM11\nM27\nG90 G00 A0. B0. C0.\nX0. Y0.\n";
+  CHECK(stands_in(run("O1\n" + before + "G0 G56 Z50. H1\n" + cut + "M2\n", job).text, "\n" + before.substr(0, 30)));
+  std::size_t line = 0;
+  CHECK(code_of(kHeaderOfOsp + "G0 Z=VPSLZ\n" + cut + "M2\n", job, &line) == "compensate-position-unknown");
+  CHECK(line == 5);
+  CHECK(code_of(kHeaderOfOsp + "G16 H0 G0 Z=VPSLZ\n" + cut + "M2\n", job, &line) == "compensate-position-unknown");
+  CHECK(line == 5);
+}

@@ -49,10 +49,49 @@ TEST_CASE("OSP: G takes no value, and no variable or count stands twice in a blo
 
 TEST_CASE("OSP: NCYL goes to a place") {
   const std::string begin = "G15 H1 G0 X0 Y0 Z50\nG71 Z50 M53\n";
-  check_osp({{(begin + "G81 X5 Y0 Z-5 R2 F100\nNCYL\nX7\nM2\n").c_str(), 4, 1, "nc-not-interpreted", "X and Y"},
+  check_osp({{(begin + "G81 X5 Y0 Z-5 R2 F100\nNCYL\nX7\nM2\n").c_str(), 4, 1, "nc-not-interpreted", "alone"},
              {(begin + "NCYL\nM2\n").c_str(), 3, 1},
              {(begin + "G81 X5 Y0 Z-5 R2 F100\nN9 NCYL (NONE)\nM2\n").c_str(), 4, 4}});
   check_osp({{(begin + "G81 X5 Y0 Z-5 R2 F100\nNCYL X7\nX9\nM2\n").c_str(), 0, 0}});
+}
+
+TEST_CASE("OSP: NCYL beside the code of a cycle without X and Y states its words, and drills nothing") {
+  const std::string begin = "G15 H1 G0 X3 Y0 Z50\nG71 Z50 M53\n";
+  for (const std::string rest :
+       {"NCYL G81 Z-2 R2 F40\nCALL O2\nG80\nM2\nO2\nX5 Y5\nX8\nRTS\n", "NCYL G83 Z-9 R2 Q3 F40\nX5\nM2\n",
+        "G84 NCYL Z-9 R2 F40\nX5\nG0 X8\nM2\n", "G81 X5 Z-5 R2 F100\nNCYL Z-7\nX7\nM2\n"}) {
+    INFO(rest);
+    check_osp({{(begin + rest).c_str(), 0, 0}});
+  }
+  const ProgramFile text(begin + "NCYL G81 Z-2 R2 F40\nG0 X9\nM2\n");
+  for (const Motion& motion : motions_of_file(text.path(), empty_tables(), "okuma")) {
+    CHECK(motion.kind == MotionKind::rapid);
+    CHECK(motion.to[Axis::Z] == 50);
+  }
+  check_osp({{(begin + "G0 Z60\nNCYL G81 Z-2 R2 F40\nX5\nM2\n").c_str(), 4, 6, "nc-not-interpreted", "Z60"},
+             {(begin + "NCYL G81 Z-2 R2 F40 M54\nX5\nM2\n").c_str(), 3, 6, "nc-not-interpreted", "Z50"},
+             {(begin + "NCYL G81 R2 F40\nX5\nM2\n").c_str(), 3, 1, "nc-word-missing"},
+             {(begin + "G81 Z-2 R2 F40\nX5\nM2\n").c_str(), 3, 1, "nc-not-interpreted", "X or Y"},
+             {(begin + "G73 X5 Z-9 R2 I2 J6 F40\nX9 Q3\nM2\n").c_str(), 4, 4, "nc-not-interpreted", "I and J"}});
+}
+
+TEST_CASE("OSP: what is no word of the control, or of another machine, is told with a way out") {
+  const std::string begin = "G15 H1 G0 X3 Y0 Z50 A0 B0 C0\n";
+  check_osp({{(begin + "G111 T1\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "T and M6"},
+             {(begin + "G169 HL=1 X1 Y1 Z5 A0 B0 C0\nM2\n").c_str(), 2, 6, "nc-unknown-code", "leave HL out"},
+             {(begin + "G611 HL=1\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "G169 H"},
+             {(begin + "G612\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "G170"},
+             {(begin + "M19 RS=90\nM2\n").c_str(), 2, 5, "nc-unknown-code", "leave RS out"},
+             {(begin + "L1=90\nM2\n").c_str(), 2, 1, "nc-unknown-code", "two letters"},
+             {(begin + "OMIT R2\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "CAM system write each hole"},
+             {(begin + "G4 P2\nM2\n").c_str(), 2, 4, "nc-word-unused", "G4 F0.5"},
+             {(begin + "G4 X2\nM2\n").c_str(), 2, 4, "nc-not-interpreted", "as F, in seconds"},
+             {(begin + "G4 F2 X2\nM2\n").c_str(), 2, 7, "nc-not-interpreted", "blocks of their own"},
+             {(begin + "IF [1 EQ 1] CALL OA\nM2\nOA\nRTS\n").c_str(), 2, 1, "nc-flow-control", "nothing else"},
+             {(begin + "IF [1 EQ 1] X5\nM2\n").c_str(), 2, 1, "nc-flow-control", "N100"},
+             {(begin + "M98 P1\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "CALL O"},
+             {(begin + "G71 Z50\nG81 X3 Y0 Z-5 R2 F99 M53\nG116 T1\nX5\nM2\n").c_str(), 5, 1, "nc-position-unknown",
+              "G116"}});
 }
 
 TEST_CASE("OSP: values that are written as elsewhere are told how they are written here") {
@@ -74,4 +113,14 @@ TEST_CASE("OSP: values that are written as elsewhere are told how they are writt
              {"G15 H1 G0 X0 Y0 Z0\nVC2=SQRT4\nM2\n", 2, 1, "nc-parameter-unset", "write SQRT[4]"},
              {"G15 H1 G0 X0 Y0 Z0\nX=PX30\nM2\n", 2, 1, "nc-parameter-unset", "EMPTY"}});
   says("IF [VC1 EQ1] N20\n", "EQ1 is no operator");
+}
+
+TEST_CASE("OSP: G116 selects T and is M6, for --keeps-position as well") {
+  const std::string text = "G15 H1 G0 X0 Y0 Z50 A0 B0 C0\nG116 T1\nG92 X5\nM2\n";
+  ProgramSettings settings = at_zero();
+  CHECK(code_of(text, settings, "okuma") == "nc-position-unknown");
+  settings.keeps_position = {116};
+  CHECK(code_of(text, settings, "okuma") == "nc-position-unknown");
+  settings.keeps_position = {6};
+  CHECK(code_of(text, settings, "okuma").empty());
 }

@@ -127,3 +127,12 @@ TEST_CASE("OSP: J, I, R and K of G131 are its own behind an arc, too") {
              {"G15 H1 G17 G0 X0 Y0\nG2 X10 Y0 R5 F400\nG131 J2 E0.01\nG2 X0 Y0 I-5\nM2\n", 0, 0}});
   check_osp({{"G15 H1 G0 X0 Y0\nG3 I5 J0 F400\nG131 J1 E0.02 X5\nM2\n", 3, 1}});
 }
+
+TEST_CASE("OSP: the clamps of all three rotary axes are read alone") {
+  const std::string begin = "G15 H1 G0 X0 Y0 Z0 A0 B0 C0\n";
+  for (const std::string rest : {"M11\nM27\nG0 A5\nM10\nM26\n", "M21 M11\nM20 M10 (LOCK)\n", "m11\nG1 A5 F100\n"}) {
+    INFO(rest);
+    check_osp({{(begin + rest + "M2\n").c_str(), 0, 0}});
+  }
+  check_osp({{(begin + "G0 A5 M11\nM2\n").c_str(), 2, 7, "nc-not-interpreted", "beside a move"}});
+}

@@ -13,6 +13,8 @@ TEST_CASE("variables are read in both forms") {
   CHECK(variables == std::map<int, double>{{100, 12.5}, {101, -3}, {5221, 100}});
   CHECK(settings::read_variables(scratch.file("b", "\xEF\xBB\xBF#1 2\n")) == std::map<int, double>{{1, 2}});
   CHECK(settings::read_variables(scratch.file("r", "R0=2\nR12 -1.5\n")) == std::map<int, double>{{0, 2}, {12, -1.5}});
+  CHECK(settings::read_variables(scratch.file("vc", "VC1=2\nVC12 -1.5\n")) ==
+        std::map<int, double>{{1, 2}, {12, -1.5}});
 }
 
 TEST_CASE("lines that are none are refused at their place") {

@@ -89,7 +89,10 @@ void check_variable(const Execution& run, const Block& block, const Setting& pla
   if (!syntax.settings_alone || (alone && !like_an_axis)) return;
   refuse_at(block, place.span, codes::kUnknownCode,
             fmt::format("{} is no word of this control that is known here", name),
-            "a variable needs a block of its own, and a name that begins with two letters");
+            alone ? "a variable needs a name that begins with two letters"
+                  : fmt::format("a word of the control is not interpreted: leave {} out if no move depends on it; a "
+                                "variable needs a block of its own, and a name that begins with two letters",
+                                name));
 }
 
 // Tables of offsets [B-63944EN 16.2]; below #1000 what a control has by its option.

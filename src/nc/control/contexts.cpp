@@ -38,10 +38,8 @@ void check_values(const Execution& run) {
     const bool known = std::any_of(row.only.begin(), row.only.end(), [&](double value) {
       return word.value > value - kSameValue && word.value < value + kSameValue;
     });
-    if (known) {
-      check_named_axes(run, code);
-      continue;
-    }
+    if (known) check_named_axes(run, code);
+    if (known) continue;
     run.refuse(word, codes::kNotInterpreted, fmt::format("{} {}", run.block->at(code.word->span), row.why),
                "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system");
   }
@@ -246,8 +244,7 @@ void check_beside_cycle(const Execution& run) {
                     run.text_of(*off->word)),
         "put them into blocks of their own");
   }
-  const bool has_place = !(run.axes & AxisSet::linear()).empty();
-  if (!has_place && !run.dialect.behaviour.return_levels) refuse_cycle_without_place(run);
+  if ((run.axes & AxisSet::linear()).empty() && !run.dialect.behaviour.return_levels) refuse_cycle_without_place(run);
   for (const Chosen& code : run.chosen) {
     if (code.row->action == Action::call_program || code.row->action == Action::end_program) {
       check_words_of_call(run, *code.row);
@@ -336,7 +333,9 @@ void check_beside_dwell(const Execution& run) {
     run.refuse(word, codes::kNotInterpreted,
                fmt::format("{} stands beside a dwell, and what the control does with it then was found in no source",
                            run.block->at(word.span)),
-               "put the dwell and the other words into blocks of their own");
+               time != nullptr || dwell->words.find('F') == std::string::npos
+                   ? "put the dwell and the other words into blocks of their own"
+                   : "write the time of a dwell as F, in seconds; other words into blocks of their own");
   }
 }
 

@@ -246,8 +246,10 @@ void check_words_used(const Execution& run) {
     const bool is_h = word.letter == 'H' && upper(run.text_of(word)[0]) == 'H';
     if (is_h && run.dialect.syntax.declared)
       run.refuse(word, codes::kUserCode, user_function_text(run.text_of(word)), std::string(kUserFunctionHelp));
+    const bool waits = word.letter == 'P' && run.chosen_row(Action::dwell) != nullptr;
     run.refuse(word, codes::kWordUnused, fmt::format("no code of this block uses the {} word", name_of(run, word)),
-               "remove it, or add the code that it belongs to");
+               waits ? "the time of a dwell is F here, in seconds: write it as in G4 F0.5"
+                     : "remove it, or add the code that it belongs to");
   }
 }
 

@@ -134,13 +134,29 @@ void check_no_hole(const Execution& run) {
   if (none == run.chosen.end()) return;
   if (run.motion == nullptr) {
     run.refuse(*none->word, codes::kNotInterpreted,
-               fmt::format("what {} does without X and Y was found in no source", run.text_of(*none->word)),
-               "write it beside X or Y of the place to go to, or leave it out");
+               fmt::format("what {} does alone was found in no source", run.text_of(*none->word)),
+               "write it beside X or Y of the place to go to, or beside the code of a cycle; or leave it out");
   }
   run.refuse(
       *none->word, codes::kNotInterpreted,
       fmt::format("{} says that nothing is drilled, and no drilling cycle is in force", run.text_of(*none->word)),
       "leave it out, or write the cycle before");
+}
+
+// Z=VPSLZ goes through as it stands where the place of the axis is not known afterwards, whatever it says: in a rapid
+// [P writeRetract].
+void check_travel_ends(const Execution& run) {
+  const Word* end = nullptr;
+  for (const Axis axis : kAllAxes) {
+    const Word* const word = run.words.find(axis);
+    if (word != nullptr && word->use == WordUse::travel_end) end = word;
+  }
+  const bool rapid = run.motion != nullptr && run.motion->action == Action::rapid && !run.uses_position_axes;
+  if (end == nullptr || rapid) return;
+  run.refuse(*end, codes::kNotInterpreted,
+             fmt::format("{} is a variable of the control itself, which is read beside G0 alone",
+                         run.text_of(*end).substr(run.text_of(*end).find('=') + 1)),
+             fmt::format("write G16 H0 G0 {}, or G0 {}9999", run.text_of(*end), end->letter));
 }
 
 }  // namespace
@@ -152,6 +168,7 @@ void check_shared_words(const Execution& run) {
   check_one_way_on(run);
   check_tip_mode(run);
   check_no_hole(run);
+  check_travel_ends(run);
 }
 
 }  // namespace plumbline::nc

@@ -16,6 +16,8 @@
 
 namespace plumbline::nc {
 
+struct CodeRow;
+
 /// Why a block may not be rewritten as a plain move even though it holds axis words.
 enum class BlockRole : std::uint8_t {
   plain,            // moves, modal codes, or nothing
@@ -95,7 +97,10 @@ struct Hole {
   int code = 0;                                      // of the cycle, as its row of the dialect says
   double first = 0, second = 0;
   double r = 0, bottom = 0, clear = 0;       // where it begins to feed, its end, where it goes back to
+  const CodeRow* row = nullptr;              // of the cycle
   std::optional<double> dwell_s;             // P
+  double peck = 0, peck_to_r = 0;            // Q, or I and J of an OSP; mm
+  double feed_out = 0;                       // FA of an OSP
   std::optional<std::array<double, 3>> ijk;  // G87: two of them beside the hole, that of the normal the level
 };
 

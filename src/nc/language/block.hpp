@@ -40,6 +40,7 @@ enum class WordUse : std::uint8_t {
   tool_name,     // T="MILL10": the tool table says which number that is
   machine_axis,  // X1=0: of the machine's axis of this name, not of the work's X
   tool_vector,   // A3=0: I of the direction of the tool, not of an arc
+  travel_end,    // Z=VPSLZ: where the travel of the axis ends, which only the machine knows; its value is 0
 };
 
 /// A letter and its value, as in or Y[#1+2]. Of a code written as a name the value is its row in

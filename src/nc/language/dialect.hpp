@@ -255,6 +255,7 @@ struct Syntax {
   bool draws = false;                  // DEF WORK ... END: the blank that the control draws
   bool truths_only = false;            // AND, OR: whether they join truths or bits is not known
   std::string reserved;                // names of the control's own variables begin with this
+  std::string travel_ends;             // with the letter of an axis behind it: the end of its travel, such a variable
   std::unordered_map<std::string, NameMeaning> meanings;  // upper case; NAME*: with any digits
   std::uint32_t address_letters = 0;                      // that only stand for names, as P for TURN=: no words alone
   std::vector<NumberedVariables> variables;

@@ -66,6 +66,7 @@ inline constexpr Key<int Syntax::*> kSyntaxIntegers[] = {
 };
 inline constexpr Key<std::string Syntax::*> kSyntaxTexts[] = {
     {"reserved", &Syntax::reserved},
+    {"travel_ends", &Syntax::travel_ends},
 };
 
 inline constexpr Key<bool ControlBehaviour::*> kHabitFlags[] = {

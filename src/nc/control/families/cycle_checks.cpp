@@ -69,8 +69,10 @@ void check_cycle(const Execution& run) {
   run.refuse(
       run.motion_code(), codes::kPositionUnknown,
       fmt::format("the cycle begins where {} is not known", axis_list(missing)),
-      "move there with a G0 that names all three; if the axes stand where they stood before M0, M1 or M6 above it, "
-      "say so: --keeps-position with that code");
+      fmt::format("move there with a G0 that names all three; if the axes stand where they stood before {} above it, "
+                  "say so: --keeps-position with that code{}",
+                  run.dialect.behaviour.return_levels ? "M0, M1, M6 or G116" : "M0, M1 or M6",
+                  run.dialect.behaviour.return_levels ? ", M6 for G116" : ""));
 }
 
 }  // namespace plumbline::nc

@@ -82,7 +82,8 @@ void check_cycle_start(const Execution& run, std::array<double, 2> hole, double 
   const Control& control = run.control;
   const PlaneAxes axes = axes_of(control.modal.plane);
   const double now = control.position[axes.third];
-  const bool above = hole[0] == control.position[axes.first] && hole[1] == control.position[axes.second];
+  const bool above = hole[0] == control.position[axes.first] && hole[1] == control.position[axes.second] &&
+                     run.chosen_row(Action::no_hole) == nullptr;  // which may leave the tool there, or on the level
   if (std::abs(now - level) < kSameLevel || (above && now >= r)) return;
   run.refuse(
       run.motion_code(), codes::kNotInterpreted,

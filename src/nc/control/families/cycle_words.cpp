@@ -152,6 +152,11 @@ void CycleWords::take_words_of_osp(bool is_new) {
   }
   cycle_.stays = cycle_.stays || (run_.words.letters() & run_.motion->stays_mask) != 0;
   check_pecks_of_osp();
+  if (run_.words.has('Q') && cycle_.peck_to_r > 0) {
+    run_.refuse(*run_.words.find('Q'), codes::kNotInterpreted,
+                "what Q does in a cycle whose pecks I and J of a block before say was found in no source",
+                "write the code of the cycle and all of its words into this block");
+  }
   if (const Word* const depth = run_.words.find('J')) {
     cycle_.peck_to_r = run_.length(*depth);
     if (cycle_.peck_to_r <= 0) {

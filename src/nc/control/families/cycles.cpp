@@ -8,6 +8,7 @@
 #include "nc/control/families/cycle_codes.hpp"
 #include "nc/control/families/cycle_words.hpp"
 #include "nc/control/families/hole_motions.hpp"
+#include "nc/control/state/kept.hpp"
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {
@@ -164,6 +165,10 @@ void CycleRun::make_hole(bool first) {
   motions.at_hole();
   hole.end = run_.motions.size();
   hole.code = code_;
+  hole.row = run_.motion;
+  if (code_ == kChipBreaking || code_ == kPeck) hole.peck = cycle_.peck;
+  hole.peck_to_r = cycle_.peck_to_r;
+  hole.feed_out = cycle_.feed_out;
   const bool needless = run_.dialect.behaviour.return_levels && cycle_.dwell_s == 0;
   if ((run_.motion->word_mask & letter_bit('P')) != 0 && !needless) hole.dwell_s = cycle_.dwell_s;
   if (code_ == kBackBore) {
@@ -208,10 +213,27 @@ void check_digits_of_hole(const Execution& run) {
   }
 }
 
-// Posts name X or Y at each hole [P onCyclePoint].
+// Q, I and J of a block before, that drilled by moves or not at all.
+void check_digits_of_pecks(const Execution& run) {
+  constexpr double kOfQuantum = 1e-6;
+  const int code = run.motion->value;
+  if (!run.dialect.behaviour.return_levels || (code != kChipBreaking && code != kPeck)) return;
+  const double quantum = kept_of_axis_word(run.dialect.behaviour, false, run.control.modal.inches, 1, true).quantum;
+  for (const double depth : {run.control.cycle.peck, run.control.cycle.peck_to_r}) {
+    const double quanta = depth / run.control.length_unit() / quantum;
+    if (std::abs(quanta - std::round(quanta)) <= kOfQuantum) continue;
+    run.refuse(run.motion_code(), codes::kNotInterpreted,
+               fmt::format("this hole stays a cycle, and the pecks of a block before are finer than the {} mm that the "
+                           "control keeps: how many it makes of them was found in no source",
+                           quantum),
+               "write the pecks (Q, or I and J) with 3 decimals");
+  }
+}
+
+// Posts name X or Y at each hole [P onCyclePoint]; beside NCYL nothing is drilled, and the words wait for the holes.
 void check_hole_is_named(const Execution& run) {
   const bool named = run.axes.contains(Axis::X) || run.axes.contains(Axis::Y);
-  if (named || !run.dialect.behaviour.return_levels) return;
+  if (named || run.chosen_row(Action::no_hole) != nullptr || !run.dialect.behaviour.return_levels) return;
   run.refuse(run.motion_code(), codes::kNotInterpreted,
              "whether a block of a cycle without X and Y drills where the tool stands was found in no source",
              "name X or Y of the hole");
@@ -242,9 +264,11 @@ void move_in_cycle(Execution& run) {
   // What P counts in a cycle of an OSP depends on its settings: such a hole stays a cycle, whose P stays as it is.
   const Cycle& cycle = run.control.cycle;
   const bool stays = cycle.stays || (run.dialect.behaviour.return_levels && cycle.dwell_s != 0);
-  const bool whole = (works_spindle(run.motion->value) || stays) && run.chosen_row(Action::no_hole) == nullptr;
+  const bool keeps = works_spindle(run.motion->value) || stays;
+  const bool whole = keeps && run.chosen_row(Action::no_hole) == nullptr;
   run.step.cycle = whole ? CycleForm::spindle : CycleForm::moves;
-  if (whole) check_digits_of_hole(run);
+  if (keeps) check_digits_of_hole(run);
+  if (whole) check_digits_of_pecks(run);
   run.step.holes = run.holes;
   const bool begins = run.control.modal.motion != MotionMode::cycle;
   if (begins) run.control.row_before_cycle = run.control.motion_row;

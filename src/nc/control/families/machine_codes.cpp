@@ -74,7 +74,9 @@ void switch_override(const Execution& run, int code) {
 }  // namespace
 
 void lose_unless_kept(Execution& run, const Chosen& chosen) {
-  const int code = static_cast<int>(std::lround(chosen.word->value));
+  constexpr int kChange = 6;  // G116 selects T, then M6 [O]
+  const bool changes = chosen.word->letter == 'G' && chosen.row->action == Action::change_tool;
+  const int code = changes ? kChange : static_cast<int>(std::lround(chosen.word->value));
   if (chosen.row->loses_position && !run.settings.keeps_position.contains(code)) lose_position(run, AxisSet::all());
 }
 

@@ -65,7 +65,9 @@ AxisSet axes_to_limits(const Execution& run) {
   const double limit = run.dialect.behaviour.travel_limit_mm;
   if (limit <= 0 || run.motion == nullptr || run.motion->action != Action::rapid) return axes;
   for (const Axis axis : kAllAxes) {
-    if (run.axes.contains(axis) && !is_rotary(axis) && std::abs(run.value(axis)) >= limit) axes.insert(axis);
+    if (!run.axes.contains(axis) || is_rotary(axis)) continue;
+    const bool ends = run.words.find(axis)->use == WordUse::travel_end;  // Z=VPSLZ
+    if (ends || std::abs(run.value(axis)) >= limit) axes.insert(axis);
   }
   return axes;
 }

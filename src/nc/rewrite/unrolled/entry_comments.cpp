@@ -20,7 +20,8 @@ std::string as_comment(std::string_view text) {
   return plain;
 }
 
-std::string subprogram_name(std::string_view name) {
+std::string subprogram_name(std::string_view name, Statements statements) {
+  if (statements == Statements::user_task) return as_comment(name);
   const bool number = name.find_first_not_of("0123456789") == std::string_view::npos;
   return number ? fmt::format("o{}", name) : fmt::format("o<{}>", as_comment(name));
 }
@@ -38,7 +39,8 @@ void EntryComments::note(const FlowEntry& entry) {
 
 std::string EntryComments::text_of(const FlowEntry& entry) {
   if (entry.kind == FlowEntry::Kind::pass) return fmt::format("pass {} of the loop in line {}", entry.pass, entry.line);
-  std::string text = fmt::format("{} called in line {}", subprogram_name(entry.name), entry.line);
+  std::string text =
+      fmt::format("{} called in line {}", subprogram_name(entry.name, dialect_.syntax.statements), entry.line);
   if (entry.pass > 1) text += fmt::format(", pass {}", entry.pass);
   const bool known =
       std::any_of(inlined_.begin(), inlined_.end(), [&](const InlinedFile& file) { return file.name == entry.file; });

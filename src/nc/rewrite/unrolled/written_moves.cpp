@@ -17,6 +17,7 @@
 namespace plumbline::nc {
 namespace {
 
+constexpr char kFeedOut = '1';    // FA=, as grammar/okuma.toml calls it
 constexpr double kStands = 1e-9;  // mm and deg under which an axis does not move
 
 // Of the block of one hole; its motions are those of `step` from `begin` on.
@@ -60,7 +61,7 @@ void WrittenMoves::add(MadeStep& own) {
   owned_.push_back(&own);
 }
 
-std::span<const Step* const> WrittenMoves::of(const Step& step) {
+std::span<const Step* const> WrittenMoves::of(const Step& step, bool anew) {
   made_.clear();
   list_.clear();
   owned_.clear();
@@ -68,7 +69,7 @@ std::span<const Step* const> WrittenMoves::of(const Step& step) {
   mode_ = step.before->motion;
   spelling_ = spelling_of(*step.block, spelling_);
   if (step.cycle == CycleForm::spindle && dialect_.behaviour.fanuc_cycles && is_one_hole(step)) {
-    add_hole_in_place(step);
+    add_hole_in_place(step, anew);
     return list_;
   }
   add_rest(step);
@@ -185,6 +186,8 @@ void WrittenMoves::add_move(const Step& step, const Motion& motion) {
   const bool dwells = motion.kind == MotionKind::dwell;
   const bool first = &motion == &step.motions[dwells_first(step) ? 1 : 0];
   if (first && !dwells) moved = moved | step.new_place;
+  const bool no_hole = step.cycle != CycleForm::none && step.holes.empty();  // NCYL: the cycle before ends with it
+  if (moved.empty() && no_hole) moved.insert(axes_of(step.after->plane).third);
   if (moved.empty() && !dwells) return;
   MadeStep& own = made_.next(step);
   own.text = std::exchange(number_, {});
@@ -262,19 +265,46 @@ void WrittenMoves::add_hole(const Step& step, const Hole& hole) {
   add(back);
 }
 
+// P, Q, I, J and FA, which stand in a block before.
+void WrittenMoves::append_taken_over(std::string& text, const Step& step) const {
+  const Hole& hole = step.holes.front();
+  const bool by_depth = hole.peck_to_r > 0;
+  const auto append = [&](char letter, double value, bool whole) {
+    if (value == 0 || find_word(*step.block, letter) != nullptr) return;
+    if (spelling_.spaced && !text.empty()) text += ' ';
+    const bool feeds_out = letter == kFeedOut;
+    const std::size_t begin = text.size();
+    append_word(text, feeds_out ? 'F' : letter, value, whole ? 0 : kMostDecimals,
+                {spelling_.lower_case, false, spelling_.point && !whole, spelling_.most_digits});
+    if (feeds_out) text.insert(begin + 1, "A=");
+  };
+  const auto length = [&](double mm) { return kept(step, Axis::Z, mm / step.after->unit_of(Axis::Z)); };
+  append('P', std::round(hole.dwell_s.value_or(0) / dialect_.behaviour.dwell_p_s), true);
+  append('Q', by_depth ? 0 : length(hole.peck), false);
+  append('I', by_depth ? length(hole.peck) : 0, false);
+  append('J', length(hole.peck_to_r), false);
+  append(kFeedOut, hole.feed_out, false);
+}
+
 // The block itself, its hole stated as position: a rigid tap ends at any other motion, and a move between M29 and G84
 // is an alarm [B-62764EN 13.2], so that nothing may stand between its blocks.
-void WrittenMoves::add_hole_in_place(const Step& step) {
+void WrittenMoves::add_hole_in_place(const Step& step, bool anew) {
   const Block& block = *step.block;
   const Hole& hole = step.holes.front();
   const PlaneAxes axes = axes_of(step.after->plane);
   editor_.start(block, spelling_);
   if (step.block_delete == BlockDelete::executed) editor_.replace(block.slash, "");
+  const Word* const head = std::find_if(
+      block.words.data(), block.words.data() + block.words.size(),
+      [&](const Word& word) { return word.letter == letter(axes.first) || word.letter == letter(axes.second); });
   std::string missing;
   const auto state = [&](char letter, double mm) {
     std::string text;
     const Word* const word = find_word(block, letter);
     if (word == nullptr && spelling_.spaced && !missing.empty()) text += ' ';
+    if (anew && word == head) {
+      text = in_spelling(fmt::format("G{}", hole.row->code / 10), spelling_) + (spelling_.spaced ? " " : "");
+    }
     append_word(text, letter, kept(step, Axis::Z, mm / step.after->unit_of(Axis::Z)), kMostDecimals,
                 {spelling_.lower_case, false, spelling_.point, spelling_.most_digits});
     if (word != nullptr) return editor_.replace(word->span, text);
@@ -284,6 +314,7 @@ void WrittenMoves::add_hole_in_place(const Step& step) {
   state(letter(axes.second), hole.second);
   state(letter(axes.third), hole.bottom);
   state('R', hole.r);
+  if (anew) append_taken_over(missing, step);
   if (!missing.empty()) editor_.insert_after(block.words.back().span.end, missing);
   MadeStep& own = made_.next(step);
   editor_.apply(own.text);

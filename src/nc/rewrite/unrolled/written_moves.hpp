@@ -23,8 +23,9 @@ class WrittenMoves {
 
   /// A cycle as blocks of one motion each, in order: what else its block holds, its moves and dwells with G0, G1 and
   /// G4, and the words that act after the motion. Cycles that work the spindle keep one block a hole, with every word
-  /// of it (Step::holes holds one entry). `step` is one of StepExpander. Holds until the next call.
-  std::span<const Step* const> of(const Step& step);
+  /// of it (Step::holes holds one entry). `anew`: a hole that keeps its block states the code of its cycle too, and
+  /// what it takes over from the blocks before. `step` is one of StepExpander. Holds until the next call.
+  std::span<const Step* const> of(const Step& step, bool anew = false);
 
   /// True of a block of a cycle that makes one hole, and says where it is as a position.
   static bool is_one_hole(const Step& step);
@@ -37,7 +38,8 @@ class WrittenMoves {
   void add_move(const Step& step, const Motion& motion);
   void add_hole(const Step& step, const Hole& hole);
   void add_called_hole(const Step& step, const Hole& hole);
-  void add_hole_in_place(const Step& step);
+  void add_hole_in_place(const Step& step, bool anew);
+  void append_taken_over(std::string& text, const Step& step) const;
 
   void append_dwell(std::string& text, double seconds) const;
   void append_axis(std::string& text, const Step& step, char letter, double mm) const;

@@ -91,11 +91,13 @@ void block_number(BlockReading& in) {
                 "give the variable a name that does not begin with N");
 }
 
-// The line is the name of a program: O1000.
+// The line is the name of a program: O1000; OMIT belongs to a pattern of holes.
 bool program_name(BlockReading& in) {
   const char letter = in.syntax->program_letter;
   const bool is_name = in.cursor.is(TokenKind::identifier) || in.cursor.is(TokenKind::word);
-  if (letter == '\0' || !is_name || upper(*in.cursor.token().begin) != letter) return false;
+  if (letter == '\0' || !is_name || upper(*in.cursor.token().begin) != letter || is_code_by_name(in)) {
+    return false;
+  }
   const Span name = in.cursor.span();
   in.out.begin_flow(FlowWord::program, name).name = name;
   end_of_statement(in);

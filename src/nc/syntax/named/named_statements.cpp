@@ -34,8 +34,10 @@ Span jump_label(BlockReading& in) {
   }
   if (!is_number && !is_name) {
     cursor.refuse(in.out.flow().span, codes::kFlowControl, "the label to go on at is missing after this",
-                  sequence_names ? "write it as in IF [VC1 GT 5] N100, or GOTO NEND"
-                                 : "write it as in GOTOF ENDE, or GOTOB N100");
+                  sequence_names
+                      ? "write it as in IF [VC1 GT 5] N100, or GOTO NEND: behind a condition stands where to "
+                        "go on, and nothing else"
+                      : "write it as in GOTOF ENDE, or GOTOB N100");
   }
   return cursor.span();
 }
@@ -79,7 +81,7 @@ void named_jump(BlockReading& in, bool conditional) {
   if (conditional) {
     refuse_label_of_operation(in);
     flow.values.push_back(read_named_condition(in));
-    refuse_unread_keyword(in, in.cursor.span_of(in.cursor.peek(lex_named_item)));
+    if (in.syntax->branches) refuse_unread_keyword(in, in.cursor.span_of(in.cursor.peek(lex_named_item)));
     const bool jumps = goto_follows(in);
     if (!jumps && in.syntax->branches) return;
     keyword = jumps ? in.cursor.span() : Span{};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -52,7 +51,8 @@ std::string_view text_of(const Token& token) {
   return {token.begin, static_cast<std::size_t>(token.end - token.begin)};
 }
 
-// The operator that token() is, be it written as a sign or as a name; nothing if it is none.
+}  // namespace
+
 std::optional<Operation> operator_at(const BlockReading& in) {
   if (in.cursor.is(TokenKind::operation)) return in.cursor.operation();
   if (!in.cursor.is(TokenKind::identifier)) return std::nullopt;
@@ -60,6 +60,8 @@ std::optional<Operation> operator_at(const BlockReading& in) {
   if (meaning == nullptr || meaning->kind != NameMeaning::Kind::operation) return std::nullopt;
   return static_cast<Operation>(meaning->which);
 }
+
+namespace {
 
 // Which of AND, OR and a comparison binds first is in no source of such a control, or the control has it otherwise than
 // who wrote it will have meant: brackets must say it. `joined_by`: the comparison or the logical operator of this

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,9 @@ namespace plumbline::nc {
 
 /// Whether the next token, where a word may stand, is of that kind.
 bool item_follows(const BlockReading& in, TokenKind kind);
+
+/// The operator that token() is, be it written as a sign or as a name; nothing if it is none.
+std::optional<Operation> operator_at(const BlockReading& in);
 
 /// The identifier that stands next, in capital letters; "" where something else does. Reading goes on after it.
 std::string read_keyword(BlockReading& in);

@@ -1,6 +1,7 @@
 #include "nc/syntax/named/named_words.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -163,10 +164,28 @@ void refuse_tool_of_holder(const BlockReading& in, Span name) {
                    fmt::format("write T={}: there is one spindle", std::string_view(tool.begin, tool.end)));
 }
 
+// Z=VPSLZ, and nothing worked out of it; false: another value stands here, and nothing is read.
+bool end_of_travel(BlockReading& in, char letter, Span span) {
+  const std::optional<Axis> axis = axis_of(letter);
+  if (in.syntax->travel_ends.empty() || !axis || is_rotary(*axis)) return false;
+  const Token next = in.cursor.peek(lex_named_value);
+  if (next.kind != TokenKind::identifier || upper({next.begin, next.end}) != in.syntax->travel_ends + letter)
+    return false;
+  const Span name = in.cursor.span_of(next);
+  in.cursor.accept(next);
+  in.cursor.look(lex_named_operation);
+  if (operator_at(in)) refuse_reserved(in, name);
+  span.end = name.end;
+  in.out.see(letter, span);
+  in.out.add({.letter = letter, .span = span, .use = WordUse::travel_end});
+  return true;
+}
+
 }  // namespace
 
 void read_assigned_word(BlockReading& in, char letter, Span span, WordUse use) {
   if (letter == 'T' && item_follows(in, TokenKind::string)) return tool_by_name(in, span);
+  if (end_of_travel(in, letter, span)) return;
   in.out.see(letter, span);
   Word word{.letter = letter, .expression = in.out.next_code(), .mode = word_mode(in), .use = use};
   read_named_value(in);
