@@ -42,3 +42,42 @@ TEST_CASE("a part that CALL BLOCK calls stays as it is where nothing is to be ch
   const std::string whole = kBeforeParts + "CALL BLOCK AA TO BB\nM30\nAA:\nG1 X9\nBB:";
   CHECK(moves_of(run(whole, still).text, still.program, "siemens").size() == 2);
 }
+
+TEST_CASE("axes that only a part behind M30 names are not taken to stand at zero") {
+  const Job job = job_of_control("siemens");
+  const std::string start = "G54 G17 G710 G90 G94 F300\nG0 X0 Y0 Z20 B0 C0\n", turn = "\nG1 A2\nX7\n";
+  for (const std::string& rest :
+       {"CALL BLOCK AA TO BB\nM30\nAA:" + turn + "BB:\n", "CASE 1 OF 1 GOTOF AA\nM30\nAA:" + turn + "M30\n",
+        "GOTOF AA\nM30\nAA:" + turn + "M30\n"}) {
+    INFO(rest);
+    std::size_t line = 0;
+    CHECK(code_of(start + "G1 X5\n" + rest, job, &line) == "compensate-position-unknown");
+    CHECK(line == 3);
+    CHECK(code_of(start + "G0 A0\nG1 X5\n" + rest, job).empty());
+  }
+  CHECK(code_of(start + "G1 X5\nM30\nG1 A2\n", job).empty());  // nothing leads there
+}
+
+TEST_CASE("a program that is written out keeps its PROC, with the parameters that its callers give") {
+  const Job job = job_of_control("siemens");
+  const std::string loop = "FOR R1=1 TO 2\nG1 X=R1\nENDFOR\n";
+  for (const std::string head : {"PROC PART(REAL LONG)", "PROC PART SBLOF", "PROC PART(INT NN) DISPLOF ; it"}) {
+    for (const std::string end : {"RET\n", "M17\n", "M30\n"}) {
+      INFO(head << end);
+      const Result result = run(head + "\nDEF REAL DEEP=3\n" + kBeforeParts + loop + end, job);
+      INFO(result.text);
+      CHECK(result.text.find(head.substr(0, head.find(" ;")) + (head.ends_with("it") ? " ;" : "\n")) !=
+            std::string::npos);
+      CHECK(moves_of(result.text, job.program, "siemens").size() >= 3);
+    }
+  }
+}
+
+TEST_CASE("a part that CALL BLOCK calls is told as one that is called") {
+  const Job job = job_of_control("siemens");
+  const std::string whole = kBeforeParts + "CALL BLOCK AA TO BB\nM30\nAA:\nG1 X9\nBB:\n";
+  const std::string text = run(whole, job).text;
+  INFO(text);
+  CHECK(text.find("AA> called in line 3") != std::string::npos);
+  CHECK(text.find("loop") == std::string::npos);
+}

@@ -120,12 +120,13 @@ TEST_CASE("a tool's name is taken letter for letter, digits as well") {
 
 TEST_CASE("further words of the control are none of the program's, a file of that name or a DEF there or not") {
   for (const std::string word :
-       {"TOROTX",    "TOFRAMEZ", "TCOFRX",   "TOWWCS",   "WALCS1",    "WALCS10",  "CLGON",    "REPOS",     "REPOSA",
-        "SETINT",    "ENABLE",   "DISABLE",  "LIFTFAST", "LFON",      "POLFMASK", "CTABDEF",  "CTABEND",   "SON",
-        "PDELAYON",  "OSSE",     "CPDEF",    "EGDEL",    "ICYCON",    "IPTRLOCK", "RESETMON", "SETDNO",    "GETT",
-        "SETPIECE",  "BLSYNC",   "EXECUTE",  "CONTPRON", "CALCPOSI",  "PROTA",    "NPROTDEF", "GFRAME0",   "GFRAME100",
-        "ORIANGLE",  "RPY",      "EXTOPEN",  "ISFILE",   "REDEF",     "CYCLE435", "CYCLE751", "CYCLE4071", "CYCLE9960",
-        "CYCLE8181", "HOLES7",   "POCKET12", "cycle495", "DELAYFSTON"}) {
+       {"TOROTX",    "TOFRAMEZ", "TCOFRX",   "TOWWCS",   "WALCS1",     "WALCS10",  "CLGON",    "REPOS",     "REPOSA",
+        "SETINT",    "ENABLE",   "DISABLE",  "LIFTFAST", "LFON",       "POLFMASK", "CTABDEF",  "CTABEND",   "SON",
+        "PDELAYON",  "OSSE",     "CPDEF",    "EGDEL",    "ICYCON",     "IPTRLOCK", "RESETMON", "SETDNO",    "GETT",
+        "SETPIECE",  "BLSYNC",   "EXECUTE",  "CONTPRON", "CALCPOSI",   "PROTA",    "NPROTDEF", "GFRAME0",   "GFRAME100",
+        "ORIANGLE",  "GWPSON",   "EXTOPEN",  "ISFILE",   "REDEF",      "CYCLE435", "CYCLE751", "CYCLE4071", "CYCLE9960",
+        "CYCLE8181", "HOLES7",   "POCKET12", "cycle495", "DELAYFSTON", "CPSYNCOP", "CTABFNO",  "ORIAXPOS",  "CRPL",
+        "OMA3",      "CADAPTON", "WRTPR"}) {
     INFO(word);
     for (const std::string& line : {word, word + "(1)", "N7 " + word + " ; it", "R1=" + word + "(2)"}) {
       const auto refusal = refused_name(line + "\nM30\n%_N_" + word + "_SPF\nX5\nM17");
@@ -155,6 +156,12 @@ TEST_CASE("names that only look like words of the control are the program's") {
     INFO(name);
     CHECK_FALSE(refused_name(name + "\nX7\nM30\n%_N_" + name + "_SPF\nX5\nM17"));
   }
+  for (const std::string name : {"RPY", "OUTP", "QEC", "QFK", "SYSEX", "READAL", "TFRAME", "PFRAME", "NEWTL", "CPROTD",
+                                 "TRAORI_DYN", "SOFTENDSA", "ORIAXESP", "MEACALC"}) {
+    INFO(name);
+    CHECK_FALSE(refused_name(name + "\nX7\nM30\n%_N_" + name + "_SPF\nDEF REAL " + name + "=3\nX=" + name + "\nM17"));
+  }
+  CHECK_FALSE(refused_name("GROUP_ADDEND"));
   CHECK_FALSE(refused_name("OSOF"));
   CHECK_FALSE(refused_name("GOTOF REPOS\nREPOS: X5"));
 }

@@ -225,9 +225,8 @@ void BlockValues::leave_out_vacant_words(Block& block) {
     if (!word.vacant || run_.dialect.syntax.drops_vacant_words) continue;
     const std::string function = function_meant(run_.dialect, block.at(word.span));
     run_.refuse(word, codes::kParameterUnset, fmt::format("{} was never given a value", block.at(word.span)),
-                !function.empty()                 ? fmt::format("if the function is meant, write {}", function)
-                : run_.dialect.syntax.empty_names ? "set the variable before, or ask with EQ EMPTY"
-                                                  : "declare it with DEF, and set it before");
+                function.empty() ? "set the variable before, or ask with EQ EMPTY"
+                                 : fmt::format("if the function is meant, write {}", function));
   }
   for (const Word& word : block.words) {
     if (!word.vacant) continue;

@@ -141,25 +141,44 @@ const LinePlace* LabelIndex::find_label(const std::string& label, std::size_t li
   return after != nullptr ? after : before;
 }
 
+namespace {
+
+// GOTO looks behind its line first, then before it: from which end was found in no source.
+void check_before(const Block& block, const std::string& label, std::size_t line,
+                  const std::vector<std::size_t>& lines) {
+  if (lines.size() < 2 || lines.back() > line) return;
+  refuse_flow(block, codes::kNotInterpreted,
+              fmt::format("{} stands in the lines {} and {}, and which of them GOTO finds first was found in no source",
+                          label, lines.front(), lines.back()),
+              "write GOTOB, which goes to the nearest, or give each label a name of its own");
+}
+
+}  // namespace
+
 // Labels that differ by zeros before their numbers count as one here.
-void LabelIndex::check_once(const Block& block, const std::string& label, std::size_t line) {
+void LabelIndex::check_once(const Block& block, const std::string& label, std::size_t line, Direction direction) {
   const Index& index = labels_of(files_.current());
   const auto found = index.labels.find(label);
-  if (found == index.labels.end() || dialect_.syntax.statements == Statements::high_level) return;
+  if (found == index.labels.end()) return;
   const LineRange range = program_around(index, line);
-  int seen = 0;
+  std::vector<std::size_t> lines;
   for (const LinePlace& place : found->second) {
-    if (!range.contains(place.line) || ++seen < 2) continue;
-    refuse_flow(block, codes::kNotInterpreted,
-                dialect_.syntax.statements == Statements::user_task
-                    ? fmt::format("{} stands in line {} as well, and which of the two the control goes to, or whether "
-                                  "zeros before its number make it another label, was found in no source",
-                                  label, place.line)
-                    : fmt::format("{} stands in line {} as well, and which of the two the control goes to depends on "
-                                  "its parameters",
-                                  label, place.line),
-                "give each label a name of its own");
+    if (range.contains(place.line)) lines.push_back(place.line);
   }
+  if (dialect_.syntax.statements == Statements::high_level) {
+    if (direction == Direction::both) check_before(block, label, line, lines);
+    return;
+  }
+  if (lines.size() < 2) return;
+  refuse_flow(block, codes::kNotInterpreted,
+              dialect_.syntax.statements == Statements::user_task
+                  ? fmt::format("{} stands in line {} as well, and which of the two the control goes to, or whether "
+                                "zeros before its number make it another label, was found in no source",
+                                label, lines[1])
+                  : fmt::format("{} stands in line {} as well, and which of the two the control goes to depends on "
+                                "its parameters",
+                                label, lines[1]),
+              "give each label a name of its own");
 }
 
 std::size_t LabelIndex::zeros_at(std::size_t line) {

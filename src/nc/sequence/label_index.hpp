@@ -40,8 +40,8 @@ class LabelIndex {
   /// does.
   const LinePlace* find_label(const std::string& label, std::size_t line, Direction direction);
   /// Refuses, at the block that jumps, a label that stands twice in the same program, but where the way it is looked
-  /// for is part of the language (GOTOF, GOTOB).
-  void check_once(const Block& block, const std::string& label, std::size_t line);
+  /// for is part of the language: GOTOF, GOTOB, and GOTO where one of its name stands behind the line.
+  void check_once(const Block& block, const std::string& label, std::size_t line, Direction direction);
   /// How many zeros stand before the number of that line of the file that is read, where labels are texts.
   std::size_t zeros_at(std::size_t line);
   /// True if that line of the file that is read begins with /.

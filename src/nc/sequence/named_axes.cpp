@@ -79,9 +79,16 @@ std::string called_name(const Block& block, const Dialect& dialect) {
   return fmt::format("{}", number);
 }
 
+// CALL BLOCK FIRST TO LAST; REPEAT finds its labels before it.
+bool calls_part(const Block& block) {
+  return block.flow.word == FlowWord::repeat_section && !block.flow.choices.empty() &&
+         block.flow.choices.front().direction == Direction::both;
+}
+
 // After the end of the program nothing is executed unless something jumps there.
 bool may_jump(const Block& block, const Dialect& dialect) {
-  return block.flow.word == FlowWord::call || block.flow.word == FlowWord::go_to ||
+  const FlowWord word = block.flow.word;
+  return word == FlowWord::call || word == FlowWord::go_to || word == FlowWord::choose || calls_part(block) ||
          has_action(block, dialect, Action::call_program) || has_action(block, dialect, Action::call_macro);
 }
 

@@ -121,6 +121,15 @@ const NestedPart* Nesting::entered(std::size_t from, std::size_t to) const {
   return at == parts_.end() ? nullptr : &*at;
 }
 
+const NestedPart* Nesting::cut_by(std::size_t first, std::size_t last) const {
+  const auto holds = [&](const LinePlace& place) { return place.line >= first && place.line <= last; };
+  const auto at = std::find_if(parts_.begin(), parts_.end(), [&](const NestedPart& part) {
+    if (part.word == FlowWord::none || (holds(part.begin) && holds(part.end))) return false;
+    return holds(part.begin) || holds(part.otherwise) || holds(part.end);
+  });
+  return at == parts_.end() ? nullptr : &*at;
+}
+
 bool Nesting::has_slash_between(const LinePlace& from, const LinePlace& to, FlowWord kind) const {
   return std::any_of(behind_slash_.begin(), behind_slash_.end(), [&](const LineBehindSlash& one) {
     return one.kind == kind && one.line > from.line && one.line <= to.line;

@@ -39,6 +39,9 @@ class Nesting {
   const NestedPart* part_at(std::size_t line) const;
   /// The first that a jump leads into; null: there is none.
   const NestedPart* entered(std::size_t from, std::size_t to) const;
+  /// The first that begins, is divided or ends in one of these lines, and is not in them as a whole; null: there is
+  /// none.
+  const NestedPart* cut_by(std::size_t first, std::size_t last) const;
   /// True if a line between these two begins, divides or ends what is of the same kind, and stands behind /.
   bool has_slash_between(const LinePlace& from, const LinePlace& to, FlowWord kind) const;
 

@@ -213,7 +213,8 @@ const Step* Program::Parts::steer() {
   if (interpreter.ended() || flow.ended()) stage = Stage::ended;
   Step& step = interpreter.step();
   jumped = flow.used();
-  const bool declares = block->flow.word == FlowWord::program || block->flow.word == FlowWord::define;
+  const bool heads = block->flow.word == FlowWord::program || (block->flow.word == FlowWord::sub && !flow.called());
+  const bool declares = heads || block->flow.word == FlowWord::define;
   const FlowEntry entry = flow.take_entry();
   const bool returns = block->flow.word == FlowWord::give_back && stage == Stage::ended;  // to who calls this file
   if ((!declares || jumped) && !returns) step.flow = entry;

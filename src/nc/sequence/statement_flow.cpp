@@ -19,7 +19,7 @@ namespace {
 const LinePlace* find_label(const Block& block, LabelIndex& labels, const Interpreter& interpreter,
                             const std::string& label, std::size_t line, Direction direction) {
   const LinePlace* const place = labels.find_label(label, line, direction);
-  if (place != nullptr) labels.check_once(block, label, line);
+  if (place != nullptr) labels.check_once(block, label, line, direction);
   if (place == nullptr || !labels.is_behind_slash(place->line)) return place;
   if (interpreter.may_leave_out_skipped()) {
     refuse_flow(block, codes::kBlockDelete,
@@ -170,8 +170,10 @@ void StatementFlow::head(const Block& block) {
     const std::vector<Value> none;
     const std::vector<Value>& arguments = called() ? calls_.top().arguments : none;
     if (block.flow.word == FlowWord::sub && called()) take_values(block, calls_.top(), files_);
+    Value left_out;
+    left_out.of_caller = !called();
     for (std::size_t i = 0; i < block.settings.size(); ++i) {
-      interpreter_.set_variable(block, i, i < arguments.size() ? arguments[i] : Value{0, true});
+      interpreter_.set_variable(block, i, i < arguments.size() ? arguments[i] : left_out);
     }
     return;
   }
@@ -234,13 +236,15 @@ void StatementFlow::repeat(const Block& block) {
   RepeatedSection section =
       calls_part ? section_called(block, files_, labels_, dialect_, interpreter_.has_names()) : section_of(block);
   section.level = calls_.depth();
+  section.calling_line = calls_part ? block.line : 0;
   if (count <= 0) {
     refuse_flow(block, codes::kOutOfRange, "P asks for no repetition at all",
                 "write P=1 or more, or jump over the REPEAT");
   }
   section.remaining = count;
   announced_ = static_cast<std::uint64_t>(count);
-  go_on(sections_.begin(section));
+  loops_.check_part(block, section.begin.line, section.end - 1);
+  go_on(sections_.begin(block, section));
 }
 
 // From the label to this line, to ENDLABEL: or to the second label; or the line of the label alone.

@@ -104,6 +104,17 @@ void StatementLoops::check_jump(const Block& block, std::size_t from, std::size_
               "a jump may lead out of a loop or a branch, and not into one: let it lead to the line that begins it");
 }
 
+void StatementLoops::check_part(const Block& block, std::size_t first, std::size_t last) {
+  const NestedPart* const part = nesting().cut_by(first, last);
+  if (part == nullptr) return;
+  refuse_flow(block, codes::kNotInterpreted,
+              fmt::format("the part of the program that this executes (lines {} to {}) begins or ends inside {} that "
+                          "begins in line {}, and what the control does then was found in no source",
+                          first, last, part->word == FlowWord::begin_if ? "the branch of the IF" : "the loop",
+                          part->begin.line),
+              "let the part hold the whole of it, or lie inside it");
+}
+
 void StatementLoops::leave_by_jump(std::size_t line) {
   const auto holds = [line](const Loop& loop) { return line >= loop.begin.line && line <= loop.end; };
   while (!loops().empty() && !holds(loops().back())) loops().pop_back();

@@ -34,6 +34,9 @@ class StatementLoops {
   /// Refuses with nc-flow-label, at the block that jumps, a jump into a loop or a branch that does not hold the line
   /// which it leads away from.
   void check_jump(const Block& block, std::size_t from, std::size_t to);
+  /// Refuses with nc-not-interpreted, at the block that repeats or calls these lines, what holds one end of a loop or a
+  /// branch alone.
+  void check_part(const Block& block, std::size_t first, std::size_t last);
   /// A jump to this line of the same program: loops that it leads out of are over.
   void leave_by_jump(std::size_t line);
 

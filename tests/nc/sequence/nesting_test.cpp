@@ -54,3 +54,17 @@ TEST_CASE("REPEAT with a label is no loop, and lines behind / may be left out") 
   CHECK_FALSE(nesting.has_slash_between({0, 2}, {0, 3}, FlowWord::begin_if));
   CHECK_FALSE(nesting.has_slash_between({0, 1}, {0, 3}, FlowWord::begin_for));
 }
+
+TEST_CASE("lines that hold one end of a loop or a branch alone cut it") {
+  const Nesting nesting = nesting_of({"X1", "IF R1==1", "X2", "ELSE", "X3", "ENDIF", "X4"});
+  for (const auto& [first, last] :
+       {std::pair{1, 2}, std::pair{2, 5}, std::pair{3, 4}, std::pair{4, 4}, std::pair{6, 7}}) {
+    INFO(first << " to " << last);
+    CHECK(nesting.cut_by(static_cast<std::size_t>(first), static_cast<std::size_t>(last)) == nesting.part_at(2));
+  }
+  for (const auto& [first, last] :
+       {std::pair{1, 7}, std::pair{2, 6}, std::pair{3, 3}, std::pair{5, 5}, std::pair{7, 7}}) {
+    INFO(first << " to " << last);
+    CHECK(nesting.cut_by(static_cast<std::size_t>(first), static_cast<std::size_t>(last)) == nullptr);
+  }
+}

@@ -27,6 +27,7 @@ struct Value {
   bool vacant = false;     // of a variable that was never set, where the language has such; counts as 0
   bool rounded = false;    // worked out of numbers with more digits than a control keeps
   bool bracketed = false;  // vacant, in brackets: whether it still is was found in no source
+  bool of_caller = false;  // a program that calls this one gives it, and none does
 };
 
 /// Whose #1..#30 a subprogram has.
@@ -52,6 +53,8 @@ class Parameters {
   bool has_own_names() const { return !scopes_.back().names.empty(); }
   /// True if a subprogram that has ended, or a caller, set a name of its own that is called so.
   bool was_local_elsewhere(std::string_view name);
+  /// For controls whose names are all those of the program that declares them, also the ones that begin with _.
+  void keep_names_apart() { shares_names_ = false; }
   /// For controls of which no source says whether a program and its subprograms share their names: from now on it is
   /// noted what each was set to last.
   void watch_names() { watches_ = true; }
@@ -132,8 +135,9 @@ class Parameters {
     while (scopes_[at].shared) --at;
     return scopes_[at];
   }
-  Names& scope_of(std::string_view plain) { return plain.starts_with('_') ? global_ : owner().names; }
+  Names& scope_of(std::string_view plain) { return shares_names_ && plain.starts_with('_') ? global_ : owner().names; }
   Names global_;
+  bool shares_names_ = true;  // those that begin with _
   std::vector<Scope> scopes_{Scope{}};
   std::set<std::string, std::less<>> left_;  // names of subprograms that have ended
   std::uint64_t changes_ = 0;

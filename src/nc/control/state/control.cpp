@@ -62,6 +62,7 @@ Control::Control(const Dialect& dialect, const ProgramSettings& settings)
   modal.rotary = settings.rotary;
   if (dialect.behaviour.no_work_system_at_start) modal.work_system = 0;
   if (dialect.syntax.statements == Statements::user_task) parameters.watch_names();
+  if (dialect.syntax.declared) parameters.keep_names_apart();
   if (settings.as_with_empty_tables) no_system.known = AxisSet::all();
   if (dialect.syntax.system_variables == SystemVariables::rs274) {
     const auto active = settings.variables.find(kSystemInForce);
@@ -69,6 +70,9 @@ Control::Control(const Dialect& dialect, const ProgramSettings& settings)
     if (system >= 1 && system <= dialect.work_systems && system == std::floor(system)) {
       modal.work_system = static_cast<int>(system);
     }
+    parameters.set("_value", {});
+    parameters.set("_value_returned", {});
+    parameters.set("_task", {settings.as_with_empty_tables ? 0.0 : 1.0, true});  // 0: rs274 and previews
   }
   for (const auto& [number, value] : settings.variables) {
     if (number >= 0 && number <= kLastParameter) parameters.set(number, {value, true});
@@ -87,9 +91,6 @@ Control::Control(const Dialect& dialect, const ProgramSettings& settings)
     homes[i].known = given(parameters, first, homes[i].machine);
     if (settings.as_with_empty_tables) homes[i].known = AxisSet::all();
   }
-  parameters.set("_value", {});
-  parameters.set("_value_returned", {});
-  parameters.set("_task", {settings.as_with_empty_tables ? 0.0 : 1.0, true});  // 0: rs274 and previews
   g92.known = given(parameters, kG92, g92.suspended) == AxisSet::all() || settings.as_with_empty_tables;
   if (settings.as_with_empty_tables) g92.applied = false;
   if (parameters.has(kG92InForce)) g92.applied = parameters.get(kG92InForce).number != 0;

@@ -228,9 +228,7 @@ std::string SystemParameters::changed_since_read() const {
 Value SystemParameters::unset(const Block& block, Span span) const {
   if (settings_.as_with_empty_tables) return {0, true, true};
   refuse_at(block, span, codes::kParameterUnset, fmt::format("{} was never given a value", block.at(span)),
-            dialect_.syntax.declared
-                ? "declare it with DEF, and set it before"
-                : "set it in the program before, or give the control's variables: --variables FILE");
+            "set it in the program before, or give the control's variables: --variables FILE");
 }
 
 void refuse_of_other_program(const Block& block, Span span, std::string_view name) {
@@ -240,6 +238,13 @@ void refuse_of_other_program(const Block& block, Span span, std::string_view nam
       fmt::format("hand it over: PROC NAME(REAL {0}) here, and NAME({0}) where this program is called; or keep it "
                   "in an R parameter",
                   name));
+}
+
+// Also where tables that are not given count as zero: a name that the control does not know is a slip.
+void SystemParameters::refuse_undeclared(const Block& block, Span span, std::string_view name) const {
+  if (control_.parameters.was_local_elsewhere(name)) refuse_of_other_program(block, span, name);
+  refuse_at(block, span, codes::kParameterUnset, fmt::format("{} was never given a value", block.at(span)),
+            "declare it with DEF, and set it before");
 }
 
 void SystemParameters::refuse_left_over(const Block& block, Span span) {
@@ -334,15 +339,25 @@ namespace {
       "share");
 }
 
+[[noreturn]] void refuse_of_caller(const Block& block, Span span) {
+  refuse_at(
+      block, span, codes::kParameterUnset,
+      fmt::format("{} is a parameter of this program: a program that calls it gives its value, and none does here",
+                  block.at(span)),
+      "compensate the program that calls this one, or set it here before it is read");
+}
+
 }  // namespace
 
 Value SystemParameters::read(const Block& block, std::string_view name, Span span) {
   if (control_.parameters.is_left_over(name)) refuse_left_over(block, span);
   if (control_.parameters.depends_on_scope(name)) refuse_unclear_scope(block, span);
-  if (const Value* value = control_.parameters.find(name)) return *value;
+  if (const Value* value = control_.parameters.find(name)) {
+    if (value->of_caller && !settings_.as_with_empty_tables) refuse_of_caller(block, span);
+    return *value;
+  }
   if (dialect_.syntax.empty_names) return {0, true, true};
-  if (dialect_.syntax.declared && control_.parameters.was_local_elsewhere(name))
-    refuse_of_other_program(block, span, name);
+  if (dialect_.syntax.declared) refuse_undeclared(block, span, name);
   if (dialect_.syntax.system_variables == SystemVariables::none) return unset(block, span);
   const std::string plain(control_.parameters.plain(name));
   note_read(plain);

@@ -50,6 +50,7 @@ class SystemParameters : public ParameterReader {
   std::optional<double> table_value(const Control& control, int number) const;
   Value read_macro_variable(const Block& block, int number, Span span) const;
   Value unset(const Block& block, Span span) const;
+  [[noreturn]] void refuse_undeclared(const Block& block, Span span, std::string_view name) const;
   [[noreturn]] static void refuse_left_over(const Block& block, Span span);
   bool is_made(const Block& block, std::string_view plain, Span span);
   Control& control_;

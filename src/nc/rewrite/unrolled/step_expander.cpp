@@ -46,7 +46,8 @@ bool shows_parameters(std::string_view comment) {
 bool is_plain(const Step& step, bool keeps_settings) {
   const Block& block = *step.block;
   if (turns_tool(step)) return false;
-  if (!keeps_settings && !block.settings.empty()) return false;
+  const bool heads = block.flow.word == FlowWord::sub;  // PROC, whose parameters those give that call the program
+  if (!keeps_settings && !block.settings.empty() && !heads) return false;
   if (!block.left_out.empty() || (!keeps_settings && step.passed != nullptr)) return false;
   if (step.end_words == EndWords::polar && step.cycle == CycleForm::none && step.motions.size() == 1) return false;
   for (const Comment& comment : block.comments) {

@@ -1,13 +1,33 @@
 #include "nc/sequence/sections/repeated_sections.hpp"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+
 #include "nc/language/codes.hpp"
 #include "nc/sequence/flow_block.hpp"
 
 namespace plumbline::nc {
 
-RepeatedSections::GoesOn RepeatedSections::begin(const RepeatedSection& section) {
+RepeatedSections::GoesOn RepeatedSections::begin(const Block& block, const RepeatedSection& section) {
+  if (section.calling_line == 0) {
+    sections_.push_back(section);
+    return next_pass();
+  }
+  const auto runs = std::find_if(sections_.begin(), sections_.end(), [&](const RepeatedSection& one) {
+    const bool same = one.begin.line == section.begin.line && one.end == section.end && one.level == section.level;
+    return one.calling_line != 0 && same;
+  });
+  if (runs != sections_.end()) {
+    refuse_flow(block, codes::kNotInterpreted,
+                fmt::format("the part that this calls is being executed, called in line {}: it would call itself",
+                            runs->calling_line),
+                "let no part call one that leads back to it, or write a loop");
+  }
   sections_.push_back(section);
-  return next_pass();
+  GoesOn there = next_pass();
+  there.entry = FlowEntry{FlowEntry::Kind::call, block.at(block.flow.choices.front().label), {}, block.line, 1};
+  return there;
 }
 
 RepeatedSections::GoesOn RepeatedSections::next_pass() {

@@ -16,11 +16,12 @@ inline constexpr std::size_t kEndOfFile = static_cast<std::size_t>(-1);  // behi
 
 struct RepeatedSection {
   LinePlace begin;
-  std::size_t end = 0;     // the first line after it
-  LinePlace back;          // where reading goes on when all passes are done
-  int remaining = 0;       // passes
-  std::size_t level = 0;   // of calls, in which it is repeated
-  std::uint64_t pass = 1;  // the text itself was the first
+  std::size_t end = 0;           // the first line after it
+  LinePlace back;                // where reading goes on when all passes are done
+  int remaining = 0;             // passes
+  std::size_t level = 0;         // of calls, in which it is repeated
+  std::uint64_t pass = 1;        // the text itself was the first
+  std::size_t calling_line = 0;  // of CALL BLOCK; 0: it is repeated
 };
 
 class RepeatedSections {
@@ -31,8 +32,8 @@ class RepeatedSections {
     std::optional<FlowEntry> entry;
   };
 
-  /// Its first pass begins.
-  GoesOn begin(const RepeatedSection& section);
+  /// Its first pass begins. Refuses with nc-not-interpreted a part that is called (CALL BLOCK) while it is executed.
+  GoesOn begin(const Block& block, const RepeatedSection& section);
   /// Of the line after the part that this level of calls repeats, or of the end of the file (kEndOfFile); nothing: the
   /// line is none such.
   std::optional<GoesOn> after(std::size_t line, std::size_t level);

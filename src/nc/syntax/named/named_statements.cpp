@@ -27,6 +27,10 @@ Span jump_label(BlockReading& in) {
   const bool sequence_names = in.syntax->labels == Labels::sequence_names;
   const bool is_number = cursor.is_letter(TokenKind::word, 'N');
   const bool is_name = cursor.is(TokenKind::identifier) && (!sequence_names || upper(*cursor.token().begin) == 'N');
+  if (cursor.is(TokenKind::string)) {
+    cursor.refuse(cursor.span(), codes::kNotInterpreted, "a label that is given as a text is not interpreted",
+                  "write the label itself, without quotes; between several choose by CASE, or by an IF for each");
+  }
   if (cursor.is(TokenKind::word) && !is_number && !sequence_names) {
     cursor.refuse(cursor.span(), codes::kFlowControl,
                   fmt::format("{} is no label: their names begin with two letters", in.out.at(cursor.span())),
@@ -74,6 +78,20 @@ void refuse_second_condition(const BlockReading& in) {
                    "write each IF with its jump into a block of its own");
 }
 
+// IF R1=1 GOTOF LABEL1; IF R1==1 THEN, as other languages have it
+void refuse_other_language(const BlockReading& in) {
+  const Token next = in.cursor.peek(lex_named_item);
+  if (in.syntax->statements != Statements::high_level) return;
+  if (next.kind == TokenKind::equals) {
+    in.cursor.refuse(in.cursor.span_of(next), codes::kFlowControl, "a single = sets a value, and compares none",
+                     "write == to compare, <> for other values, >= and <= with the = behind");
+  }
+  if (next.kind != TokenKind::identifier || upper({next.begin, next.end}) != "THEN") return;
+  in.cursor.refuse(in.cursor.span_of(next), codes::kFlowControl, "the control has no THEN",
+                   "leave it out: GOTOF and a label stand in the block of IF, all else in blocks of their own before "
+                   "ENDIF");
+}
+
 // jump = [ "IF" , value ] , ( "GOTO" , label | label | ) ; without either it begins a branch
 void named_jump(BlockReading& in, bool conditional) {
   Flow& flow = in.out.flow();
@@ -81,6 +99,7 @@ void named_jump(BlockReading& in, bool conditional) {
   if (conditional) {
     refuse_label_of_operation(in);
     flow.values.push_back(read_named_condition(in));
+    refuse_other_language(in);
     if (in.syntax->branches) refuse_unread_keyword(in, in.cursor.span_of(in.cursor.peek(lex_named_item)));
     const bool jumps = goto_follows(in);
     if (!jumps && in.syntax->branches) return;
@@ -223,6 +242,7 @@ void read_named_statement(BlockReading& in, FlowWord word) {
     case FlowWord::begin_while:
     case FlowWord::until:
       flow.values.push_back(read_named_value(in));
+      refuse_other_language(in);
       break;
     case FlowWord::begin_for:
       for_statement(in);

@@ -22,3 +22,16 @@ TEST_CASE("names do not depend on case and blanks") {
   parameters.set("DEPTHOFCUT", {4, true});
   CHECK(parameters.find("d e p t h o f c u t")->number == 4);
 }
+
+TEST_CASE("names that begin with _ are seen everywhere, but where the control keeps names apart") {
+  for (const bool apart : {false, true}) {
+    Parameters parameters;
+    if (apart) parameters.keep_names_apart();
+    parameters.set("_depth", {5, true});
+    parameters.enter(LocalNumbers::callers);
+    CHECK((parameters.find("_depth") == nullptr) == apart);
+    parameters.set("_depth", {7, true});
+    parameters.leave();
+    CHECK(parameters.find("_depth")->number == (apart ? 5 : 7));
+  }
+}

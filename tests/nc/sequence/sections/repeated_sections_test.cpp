@@ -23,7 +23,7 @@ RepeatedSection lines_3_to_5() {
 
 TEST_CASE("a part is read again from its begin, then reading goes on after the line that repeats it") {
   RepeatedSections sections;
-  const auto first = sections.begin(lines_3_to_5());
+  const auto first = sections.begin({}, lines_3_to_5());
   CHECK(first.at.line == 3);
   CHECK(first.entry->pass == 2);
   CHECK_FALSE(sections.after(5, 1).has_value());
@@ -41,7 +41,7 @@ TEST_CASE("a part is read again from its begin, then reading goes on after the l
 
 TEST_CASE("a jump stays inside the part that is repeated, or leaves it with its call") {
   RepeatedSections sections;
-  sections.begin(lines_3_to_5());
+  sections.begin({}, lines_3_to_5());
   const Block block;
   sections.check_jump(block, {0, 3}, 1);
   sections.check_jump(block, {0, 9}, 2);
@@ -55,7 +55,7 @@ TEST_CASE("the end of the file ends a part that stands there") {
   RepeatedSections sections;
   RepeatedSection section = lines_3_to_5();
   section.remaining = 1;
-  sections.begin(section);
+  sections.begin({}, section);
   CHECK_FALSE(sections.after(kEndOfFile, 2).has_value());
   const auto back = sections.after(kEndOfFile, 1);
   REQUIRE(back.has_value());
