@@ -47,9 +47,9 @@ void Tally::take_block(const nc::Step& step) {
   }
   const nc::Block& block = *step.block;
   const bool percent = block.kind == nc::LineKind::percent;
-  const bool returns = nc::returns_from_file(step);
-  if (block.kind == nc::LineKind::ignored || (block.words.empty() && !percent && !returns)) return;
-  ended_ = percent || returns || std::any_of(block.words.begin(), block.words.end(), [&](const nc::Word& word) {
+  const bool ends = percent || nc::returns_from_file(step) || step.stop == nc::StopByVariable::alarm;
+  if (block.kind == nc::LineKind::ignored || (block.words.empty() && !ends)) return;
+  ended_ = ends || std::any_of(block.words.begin(), block.words.end(), [&](const nc::Word& word) {
              const nc::CodeRow* const row = word.letter == 'M' ? dialect_.row_of(word) : nullptr;
              return row != nullptr && (row->action == nc::Action::end || row->action == nc::Action::end_program);
            });

@@ -43,6 +43,17 @@ TEST_CASE("a file that ends as subprograms do still does where it is written out
             "\nM99\n");
 }
 
+TEST_CASE("an alarm of the program is an end of it") {
+  const std::string fanuc = "O1\nG90 G94 G21 G17 G54 G0 X0. Y0. Z50. A0. B0. C0.\nG1 X1. F100.\n";
+  const auto warned = [&](const std::string& rest) {
+    return warns_of_no_end(run(fanuc + rest, job_of_control("fanuc")));
+  };
+  CHECK_FALSE(warned("#3000=100 (TOOL BROKEN)\nM30\n"));
+  CHECK_FALSE(warned("#3000=1\n"));
+  CHECK_FALSE(warned("#1=2\nIF [#1 EQ 3] GOTO 5\n#3000=7(LOOK)\nN5 M30\n"));
+  CHECK(warned("#1=2\nIF [#1 EQ 2] GOTO 5\n#3000=7(LOOK)\nN5 G1 X2.\n"));
+}
+
 TEST_CASE("a missing end is told with how a subprogram ends") {
   for (const auto& [control, text, end] :
        {std::tuple{"okuma", kOspHeader + "G1 X5. F300\n", "RTS"},

@@ -83,7 +83,7 @@ TEST_CASE("a dwell in the block of a move waits once, and the move is corrected"
   Job job;
   job.settings.friction = false;
   const std::string head = "G21 G90 G17 F600 S500 M3\nG0 X10 Y0 Z10 A0 B0 C0\nG1 X2\n";
-  for (const char* const block : {"G4 P1 X5", "X5 G4 P1 A1", "G4 P1 G0 X5", "G4 P1 @5 ^3", "G3 I1 G4 P1",
+  for (const char* const block : {"G4 P1 X5", "X5 G4 P1 A1", "G4 P1 G0 X5", "G4 P1 @5 ^3", "G3 I0.5\nI1 G4 P1",
                                   "G4 P1 G5.1 X5 Y5 I1 J1", "G4 P1 G82 X5 Z-3 R2"}) {
     const std::string text = head + block + "\nG80\nM2\n";
     INFO(text);

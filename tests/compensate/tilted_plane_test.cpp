@@ -91,6 +91,18 @@ TEST_CASE("Siemens: CYCLE800 turns the tool, and what follows is corrected on it
   CHECK(left_um(text, result.text, job) < 0.5);
 }
 
+TEST_CASE("where a stop lost C, the help names the option that says that it stays") {
+  const std::string plane = "G68.2 X0. Y0. Z0. I0. J10. K0.\nG53.1\nG0 X0. Y0. Z20.\nG1 Z0. F500.\nG69\nM30\n";
+  Job job = heavy_tool_job("fanuc", nc::FreeRotation::c_stays);
+  for (const std::string stop : {"M0\n", "M1\n", "G0 Z50.\nM01 (LOOK)\nG0 X0. Y0.\n"}) {
+    const Diagnostic refused = testing::refusal_of([&] { run(kFanucHead + stop + plane, job); });
+    CHECK(refused.code == "nc-tilted-plane");
+    CHECK(refused.help.find("--keeps-position M1") != std::string::npos);
+  }
+  job.program.keeps_position = {1};
+  CHECK_FALSE(run(kFanucHead + "M1\n" + plane, job).text.empty());
+}
+
 TEST_CASE("the direction of a plane is the machine's: the order of A, B and C is that of the model") {
   Job job = heavy_tool_job("fanuc", nc::FreeRotation::c_stays);
   job.model.rotation = machine::rotation_order("XYZ").value();

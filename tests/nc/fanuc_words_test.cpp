@@ -100,7 +100,12 @@ TEST_CASE("messages of Fanuc's words name what is odd") {
         std::pair{"G1 X5. F100. G4 P500", "X5. stands beside a dwell"},
         std::pair{"X5. G4 P500", "X5. stands beside a dwell"}, std::pair{"G4 P500 Y1.", "Y1. stands beside a dwell"},
         std::pair{"ELSE", "ELSE is no statement"}, std::pair{"SETVN 500[A,B]", "SETVN names variables"},
-        std::pair{"CALL 5", "CALL is no statement"}, std::pair{"PCLOS", "PCLOS sends values"}}) {
+        std::pair{"CALL 5", "CALL is no statement"}, std::pair{"PCLOS", "PCLOS sends values"},
+        std::pair{"G234 H1", "G234 is the tool centre point control of a Haas"},
+        std::pair{"G254", "G254 has a Haas move its work system"}, std::pair{"G255", "G255 ends the G254 of a Haas"},
+        std::pair{"M98 <SUB1>", "a program is called by its name"},
+        std::pair{"WH[1EQ0]DO1", "WH may be short for WHILE"}, std::pair{"GO 10", "GO may be short for GOTO"},
+        std::pair{"N5 wh [#1 GT 0] DO 2", "WH may be short for WHILE"}}) {
     INFO(line);
     const std::string text = kStart20 + line + "\nM30\n";
     const Diagnostic refused = testing::refusal_of([&] {

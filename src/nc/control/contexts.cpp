@@ -323,7 +323,7 @@ const Word* time_of_dwell(const Execution& run, const CodeRow& dwell) {
 void check_beside_dwell(const Execution& run) {
   using Beside = ControlBehaviour::Beside;
   const Beside allowed = run.dialect.behaviour.beside_dwell;
-  const CodeRow* const dwell = allowed == Beside::anything ? nullptr : run.chosen_row(Action::dwell);
+  const CodeRow* const dwell = allowed <= Beside::no_arcs ? nullptr : run.chosen_row(Action::dwell);
   if (dwell == nullptr) return;
   const Word* const time = time_of_dwell(run, *dwell);
   for (const Word& word : run.block->words) {

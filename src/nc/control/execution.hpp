@@ -176,6 +176,12 @@ void turn_tool_on_plane(Execution& run, const Word& code);
 void end_tilted_plane(Execution& run);  // G69
 /// What C does where a direction leaves it open; refuses where no option says.
 FreeRotation free_rotation(const Execution& run, const Word& word, std::string_view code);
+/// What helps where C stays and its place is not known.
+inline constexpr std::string_view kWhereCStands =
+    "write a move of C before it, say where the machine stands at the begin (--start C=0) or that a stop or a change "
+    "of "
+    "tools before it leaves the axes where they stand (--keeps-position M1, M6), or say that C goes to zero: "
+    "--free-rotation c-zero";
 /// Refuses a move that a tilted plane does not allow.
 void check_on_plane(const Execution& run);
 void check_no_rotary_words(const Execution& run);

@@ -75,7 +75,7 @@ const CodeRow* m_row(const Execution& run, const Word& word) {
   const CodeRow* row = code < 0 || code > 1000 ? nullptr : run.dialect.m_code(code * 10);
   if (row != nullptr && row->action != Action::refused) return row;
   if (row != nullptr && !run.settings.passed_m_codes.contains(code)) refuse_row(run, *row, word);
-  const bool users = code >= run.dialect.first_user_m_code;
+  const bool users = code >= run.dialect.first_user_m_code && code <= run.dialect.last_user_m_code;
   if (run.settings.passed_m_codes.contains(code) || (users && run.settings.as_with_empty_tables)) {
     return &run.dialect.user_row;
   }

@@ -97,6 +97,19 @@ void check_words_of_one(const Execution& run) {
   }
 }
 
+// G4 P1 G2 X8 I4: the control asks for the codes alone, and takes G4 P1 X8 I4 where the arc is the motion in force.
+void check_arc_beside_dwell(const Execution& run) {
+  if (run.dialect.behaviour.beside_dwell != ControlBehaviour::Beside::no_arcs) return;
+  if (run.chosen_row(Action::dwell) == nullptr) return;
+  for (const Chosen& code : run.chosen) {
+    if (code.row->action != Action::arc_cw && code.row->action != Action::arc_ccw) continue;
+    run.refuse(*code.word, codes::kSameGroup,
+               fmt::format("{} beside a dwell, which takes its P as well: the control refuses both in one block",
+                           run.text_of(*code.word)),
+               "put them into blocks of their own");
+  }
+}
+
 // M98 P8 beside M30.
 void check_one_way_on(const Execution& run) {
   if (!run.dialect.behaviour.fanuc_cycles) return;
@@ -165,6 +178,7 @@ void check_shared_words(const Execution& run) {
   check_axis_words_of_one(run);
   check_length_beside_machine_move(run);
   check_words_of_one(run);
+  check_arc_beside_dwell(run);
   check_one_way_on(run);
   check_tip_mode(run);
   check_no_hole(run);

@@ -310,7 +310,7 @@ struct ControlBehaviour {
   bool end_returns = false;                 // M2, M30 in a subprogram end it alone
   bool turns_are_extra = false;             // the count of an arc's turns does not hold the begun one
   double dwell_p_s = 1;                     // what P of G4 counts
-  enum class Beside : std::uint8_t { anything, no_axes, nothing };
+  enum class Beside : std::uint8_t { anything, no_arcs, no_axes, nothing };
   Beside beside_dwell = Beside::anything;  // what may stand in a block with G4
   // G4 in these modes: what its word counts then is not known.
   bool inch_turn_unknown = false;                 // what a degree counts beside inches

@@ -133,6 +133,7 @@ class TableReader {
   }
 
   ControlBehaviour::Beside beside_named(const std::string& name) const {
+    if (name == "no_arcs") return ControlBehaviour::Beside::no_arcs;
     if (name == "no_axes") return ControlBehaviour::Beside::no_axes;
     if (name == "nothing") return ControlBehaviour::Beside::nothing;
     table_.complain(fmt::format("'beside_dwell' knows no '{}'", name));

@@ -101,12 +101,29 @@ TEST_CASE("codes that the control has not are refused, those of its builder unle
   CHECK(refused("G-1").code == "nc-unknown-code");
   CHECK(refused("M44").code == "nc-unknown-code");
   CHECK(refused("M100").code == "nc-user-code");
+  CHECK(refused("M199").code == "nc-user-code");
+  CHECK(refused("M428").code == "nc-user-code");  // a remap
+  CHECK(refused("M1100").code == "nc-unknown-code");
   CHECK(refused("M3.5").code == "nc-not-whole");
   CHECK(refused("G41").code == "nc-not-interpreted");
   ProgramSettings passed;
   passed.passed_m_codes = {44, 100};
   CHECK(refused("M44", "linuxcnc", passed).code.empty());
   CHECK(refused("M100", "linuxcnc", passed).code.empty());
+  ProgramSettings as_it_stands;
+  as_it_stands.as_with_empty_tables = true;
+  CHECK(refused("M199", "linuxcnc", as_it_stands).code.empty());
+  CHECK(refused("M999", "linuxcnc", as_it_stands).code.empty());
+  CHECK(refused("M1000", "linuxcnc", as_it_stands).code == "nc-unknown-code");
+  CHECK(refused("M1100", "linuxcnc", as_it_stands).code == "nc-unknown-code");
+}
+
+TEST_CASE("a dwell stands beside moves, but not beside the code of an arc") {
+  CHECK(refused("G4 P1 G1 X3 F5").code.empty());
+  CHECK(refused("G4 P1 G80").code.empty());
+  CHECK(refused("G2 X8 I4 F5").code.empty());
+  CHECK(refused("G4 P1 G2 X8 I4 F5").code == "nc-same-group");
+  CHECK(refused("G3 X8 R5 F5 G4 P1").place.column == 1);
 }
 
 TEST_CASE("a word that no code takes is refused where it stands") {

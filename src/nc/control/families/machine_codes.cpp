@@ -20,6 +20,11 @@ void orient_spindle(Execution& run) {
     run.refuse(*angle, codes::kOutOfRange, "the spindle's angle is out of range", "write R0 to R360");
   }
   if (const Word* direction = run.words.find('P')) run.whole(*direction, 0, 2);
+  const Word* const longest = run.words.find('Q');
+  if (longest != nullptr && longest->value <= 0) {
+    run.refuse(*longest, codes::kOutOfRange, "the time that the spindle may take must be above 0",
+               "write seconds, or leave Q out");
+  }
 }
 
 void set_output(const Execution& run, const Chosen& chosen) {

@@ -134,6 +134,9 @@ Point offset(const Execution& run, char first, char second) {
 
 // G5: control points at I, J from the start and P, Q from the end. G5.1: one at I, J from the start.
 void move_spline(Execution& run) {
+  if (run.axes.empty()) {
+    run.refuse(run.motion_code(), codes::kAxesMissing, "the spline names no axis", "add X or Y of its end");
+  }
   check_spline(run);
   Control& control = run.control;
   const bool cubic = run.motion->action == Action::cubic_spline;

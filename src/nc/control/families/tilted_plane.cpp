@@ -114,10 +114,8 @@ void turn_tool_on_plane(Execution& run, const Word& code) {
   const AxisWords& zero = control.frame.origin;
   if (orienting.free == FreeRotation::c_stays) {
     if (!control.known.contains(Axis::C)) {
-      refuse_beside_plane(
-          run, code, "where C stands is not known, and A and B depend on it",
-          "write a move of C before it, say where the machine stands (--start C=0), or say that C goes to "
-          "zero: --free-rotation c-zero");
+      refuse_beside_plane(run, code, "where C stands is not known, and A and B depend on it",
+                          std::string(kWhereCStands));
     }
     orienting.c_deg = control.position[Axis::C] + zero[Axis::C];
   } else if (zero[Axis::C] != 0) {

@@ -170,9 +170,7 @@ void end_along_vector(const Execution& run, Motion& motion) {
   double c_deg = 0;
   if (free == FreeRotation::c_stays) {
     if (!control.known.contains(Axis::C)) {
-      refuse_vector(run, "where C stands is not known, and A and B depend on it",
-                    "write a move of C before it, say where the machine stands (--start C=0), or say that C goes to "
-                    "zero: --free-rotation c-zero");
+      refuse_vector(run, "where C stands is not known, and A and B depend on it", std::string(kWhereCStands));
     }
     c_deg = control.position[Axis::C];
   }

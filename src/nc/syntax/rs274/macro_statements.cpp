@@ -63,6 +63,18 @@ void refuse_unread(const BlockReading& in) {
   }
 }
 
+// WH[#1 LT 5]DO1 and GO 10: which statements a control knows by two letters was found in no source.
+void refuse_shortened(const BlockReading& in) {
+  const std::uint32_t begin = in.cursor.span().begin;
+  const std::string rest = upper(in.out.block().text.substr(begin, 5));
+  for (const std::string_view statement : {"WHILE", "GOTO"}) {
+    if (!rest.starts_with(statement.substr(0, 2)) || rest.starts_with(statement)) continue;
+    in.cursor.refuse({begin, begin + 2}, codes::kNotInterpreted,
+                     fmt::format("{} may be short for {}, which is read in full alone", rest.substr(0, 2), statement),
+                     fmt::format("write {}", statement));
+  }
+}
+
 bool keyword_follows(BlockReading& in, FlowWord wanted) {
   const Token keyword = in.cursor.peek(lex_statement);
   if (keyword.kind != TokenKind::flow || static_cast<FlowWord>(keyword.operation) != wanted) return false;
@@ -119,6 +131,7 @@ MacroLine read_macro_statement(BlockReading& in) {
   if (!cursor.is(TokenKind::end) && read_name_of_program(in)) return MacroLine::whole;
   if (!cursor.is(TokenKind::letter) || cursor.token().letter == 'O') return MacroLine::words;
   refuse_unread(in);
+  refuse_shortened(in);
   Token keyword;
   lex_statement(cursor.token().begin, keyword);
   if (keyword.kind != TokenKind::flow) return MacroLine::words;
@@ -136,6 +149,10 @@ void check_assignment_alone(const BlockReading& in, bool then) {
   if (then && !words.empty()) {
     in.cursor.refuse(words.front().span, codes::kFlowControl, "THEN takes nothing but an assignment",
                      "write IF [..] GOTO, and the words into blocks of their own");
+  }
+  if (then && settings.empty()) {
+    in.cursor.refuse(in.out.flow().span, codes::kFlowControl, "an assignment is missing after THEN",
+                     "write it into this block, as in IF [#1 GT 5] THEN #2=1, or jump with IF [..] GOTO");
   }
   if (!settings.empty() && !words.empty()) {
     in.cursor.refuse(words.front().span, codes::kFlowControl,

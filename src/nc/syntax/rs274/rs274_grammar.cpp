@@ -67,6 +67,17 @@ void setting(BlockReading& in) {
   in.out.add_setting(setting);
 }
 
+// M98 <NAME> and G65 <NAME> call a program by its name.
+[[noreturn]] void refuse_item(BlockReading& in) {
+  const std::string_view rest = in.out.block().text.substr(in.cursor.span().begin);
+  if (in.syntax->statements == Statements::macro_b && rest.starts_with('<')) {
+    in.cursor.refuse(in.cursor.span(), codes::kNotInterpreted,
+                     "a program is called by its name here, which is not interpreted",
+                     "give it a number, as O1234, and call it with M98 P1234 or G65 P1234");
+  }
+  in.cursor.refuse_token("a word");
+}
+
 // items = { word | setting | comment }; token() is the first
 void items(BlockReading& in) {
   TokenCursor& cursor = in.cursor;
@@ -89,7 +100,7 @@ void items(BlockReading& in) {
         if (!cursor.is_at_end_of_block()) cursor.refuse_token("a word");
         return;
       default:
-        cursor.refuse_token("a word");
+        refuse_item(in);
     }
   }
 }
