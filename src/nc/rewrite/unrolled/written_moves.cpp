@@ -52,6 +52,22 @@ bool is_position(const Step& step, const Motion& motion, Axis axis) {
   return word == nullptr || word->mode == WordMode::absolute;
 }
 
+// A Fanuc executes them over the first hole, before it is drilled [B-63324EN 13.1], an OSP as the axes have arrived
+// [T P-481].
+void refuse_words_of_cycle(const Step& step, const BlockCodes& codes, const Dialect& dialect) {
+  for (const Word* const word : codes.after_motion()) {
+    const CodeRow* const row = dialect.row_of(*word);
+    const bool calls = row != nullptr && (row->action == Action::call_program || row->action == Action::end_program);
+    if (calls) continue;
+    refuse_at(
+        *step.block, word->span, "emit-m-code",
+        fmt::format("{} beside a drilling cycle acts {} the hole is drilled, and the cycle is written out in "
+                    "several blocks",
+                    step.block->at(word->span), dialect.syntax.statements == Statements::user_task ? "when" : "before"),
+        "put it into a block of its own, before the cycle or after it");
+  }
+}
+
 }  // namespace
 
 void WrittenMoves::add(MadeStep& own) {
@@ -128,26 +144,10 @@ void WrittenMoves::add_rest(const Step& step) {
   add(own);
 }
 
-// A Fanuc executes them over the first hole, before it is drilled [B-63324EN 13.1], an OSP as the axes have arrived
-// [T P-481].
-void WrittenMoves::refuse_words_of_cycle(const Step& step, const BlockCodes& codes) const {
-  for (const Word* const word : codes.after_motion()) {
-    const CodeRow* const row = dialect_.row_of(*word);
-    const bool calls = row != nullptr && (row->action == Action::call_program || row->action == Action::end_program);
-    if (calls) continue;
-    refuse_at(*step.block, word->span, "emit-m-code",
-              fmt::format("{} beside a drilling cycle acts {} the hole is drilled, and the cycle is written out in "
-                          "several blocks",
-                          step.block->at(word->span),
-                          dialect_.syntax.statements == Statements::user_task ? "when" : "before"),
-              "put it into a block of its own, before the cycle or after it");
-  }
-}
-
 void WrittenMoves::add_words_after(const Step& step) {
   const BlockCodes codes = codes_.codes_of(*step.block);
   if (codes.after_motion().empty()) return;
-  if (step.cycle != CycleForm::none && dialect_.behaviour.fanuc_cycles) refuse_words_of_cycle(step, codes);
+  if (step.cycle != CycleForm::none && dialect_.behaviour.fanuc_cycles) refuse_words_of_cycle(step, codes, dialect_);
   MadeStep& own = made_.next(step);
   for (const Word* word : codes.after_motion()) append_code(own.text, step.block->at(word->span), spelling_);
   own.before.motion = own.after.motion = mode_;

@@ -34,7 +34,6 @@ class WrittenMoves {
   void add(MadeStep& own);
   void add_rest(const Step& step);
   void add_words_after(const Step& step);
-  void refuse_words_of_cycle(const Step& step, const BlockCodes& codes) const;
   void add_move(const Step& step, const Motion& motion);
   void add_hole(const Step& step, const Hole& hole);
   void add_called_hole(const Step& step, const Hole& hole);
