@@ -1,6 +1,7 @@
 #include "compensate/pipeline.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,6 +47,17 @@ void refuse_system_of_block(const nc::Step& step, const nc::Dialect& dialect) {
     refuse("compensate-work-system", "this block moves in a work system that is in force for it alone",
            "choose the work system before it and the other one after it, as with G15 H", place_of(step));
   }
+}
+
+// G4 P2 I3 while an arc is in force: P is the wait and the turns of the arc, and stays in the block with the wait.
+void refuse_turns_of_wait(const nc::Step& step) {
+  const bool turns = std::any_of(step.motions.begin(), step.motions.end(), [](const nc::Motion& motion) {
+    return motion.kind == nc::MotionKind::arc && std::abs(motion.arc.turns) != 1;
+  });
+  if (!turns) return;
+  refuse("emit-shared-words",
+         "P is the seconds of the wait and the turns of the arc at once, which becomes several blocks",
+         "put G4 and its P into a block of their own before the arc", place_of(step));
 }
 
 // A tool of a hexapod lies along the spindle.
@@ -154,6 +166,7 @@ void Pipeline::take_block(const nc::Step& step) {
     tally_.take_dwell(part.motions.front());
     rewriter_.keep_wait(part);
     part.motions = step.motions.subspan(1);
+    if (settings_.bound.is_asked()) refuse_turns_of_wait(part);
     return take_block(part);
   }
   follow_tool(step);

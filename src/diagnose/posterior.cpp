@@ -77,7 +77,9 @@ Eigen::MatrixXd moved_by_poses(const Workbench& bench, const Posterior& posterio
                                                       identify::PlausibleOptions{}.least_poses));
 }
 
-// The numbers of the functions that were learnt beside the base model, known together with its nuisances.
+// The numbers of the functions that were learnt beside the base model, known together with its nuisances. Poses left out
+// move none of them: each moves with its neighbours and back, by more than its prior lets it, and what poses not seen say
+// of the functions has been asked already.
 void add_numbers(const LearntResidual& residual, const Refit& fit, Posterior& posterior) {
   PosteriorState& state = posterior.states.front();
   const Eigen::Index before = state.mean.size();
@@ -93,6 +95,8 @@ void add_numbers(const LearntResidual& residual, const Refit& fit, Posterior& po
     at.push_back(before + k);
   }
   state.covariance = residual.covariance(at, at);
+  state.moved.conservativeResize(before + more, Eigen::NoChange);
+  state.moved.bottomRows(more).setZero();
 }
 
 }  // namespace
@@ -112,7 +116,11 @@ Posterior posterior_of(const Case& of, const Model& model, const Conclusion& con
     if (is_picked(conclusion.picks, place)) posterior.unknowns.set_free(added);
   }
   posterior.states.push_back(state_of(conclusion.fit, places, "", 1));
-  if (conclusion.residual) add_numbers(*conclusion.residual, conclusion.fit, posterior);
+  if (conclusion.residual) {
+    PosteriorState& alone = posterior.states.front();
+    alone.moved = moved_by_poses(of.bench, posterior, alone, model.noise);
+    add_numbers(*conclusion.residual, conclusion.fit, posterior);
+  }
   double weights = 1;
   for (const Rival* const rival : others) {
     const double weight = std::exp(rival->log_odds - model.found.front().log_odds);
@@ -125,7 +133,7 @@ Posterior posterior_of(const Case& of, const Model& model, const Conclusion& con
     if (i > 0) picks.front() = others[i - 1]->pick;  // which stands in the place of the strongest
     state.weight /= weights;
     state.widening = widening_of(candidates, places, state, picks);
-    state.moved = moved_by_poses(of.bench, posterior, state, model.noise);
+    if (!conclusion.residual) state.moved = moved_by_poses(of.bench, posterior, state, model.noise);
   }
   posterior.noise.radial = model.noise.channels[identify::kRadial].sigma;
   for (std::size_t channel = identify::kRadial + 1; channel < identify::kChannels; ++channel)

@@ -100,6 +100,21 @@ TEST_CASE("a dwell in the block of a move waits once, and the move is corrected"
   CHECK(play(arcs, run(arcs, job).text, job).at_points_um <= 0.15);
 }
 
+TEST_CASE("the turns of an arc that are the seconds of a wait as well are refused where the arc becomes several") {
+  Job job;
+  job.settings.friction = false;
+  job.settings.bound.tolerance_mm = 0.0005;
+  const std::string head = "G21 G90 G17 F600 S500 M3\nG0 X10 Y0 Z10 A0 B0 C0\nG1 X2\nG2 I1\n";
+  for (const char* const block : {"G4 P2 J-3", "G4 P3 J-30", "X2 Y6 J3 G4 P2"}) {
+    CAPTURE(block);
+    const Diagnostic refused = testing::refusal_of([&] { run(head + block + "\nM2\n", job); });
+    CHECK(refused.code == "emit-shared-words");
+    CHECK(refused.place.line == 5);
+  }
+  const std::string once = head + "G4 P1 J-30\nM2\n";
+  CHECK(play(once, run(once, job).text, job).at_points_um <= 0.65);
+}
+
 TEST_CASE("G80 gives way to the other motion code of its block") {
   Job job;
   job.settings.friction = false;
