@@ -77,9 +77,9 @@ Eigen::MatrixXd moved_by_poses(const Workbench& bench, const Posterior& posterio
                                                       identify::PlausibleOptions{}.least_poses));
 }
 
-// The numbers of the functions that were learnt beside the base model, known together with its nuisances. Poses left out
-// move none of them: each moves with its neighbours and back, by more than its prior lets it, and what poses not seen say
-// of the functions has been asked already.
+// The numbers of the functions that were learnt beside the base model, known together with its nuisances. Poses left
+// out move none of them: they would move each with its neighbours, by more than its prior lets it, and poses that were
+// not seen have confirmed the functions already.
 void add_numbers(const LearntResidual& residual, const Refit& fit, Posterior& posterior) {
   PosteriorState& state = posterior.states.front();
   const Eigen::Index before = state.mean.size();

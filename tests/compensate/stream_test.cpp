@@ -112,7 +112,7 @@ TEST_CASE("the turns of an arc that are the seconds of a wait as well are refuse
     CHECK(refused.place.line == 5);
   }
   const std::string once = head + "G4 P1 J-30\nM2\n";
-  CHECK(play(once, run(once, job).text, job).at_points_um <= 0.65);
+  CHECK(dwells_of(run(once, job).text, job) == dwells_of(once, job));
 }
 
 TEST_CASE("G80 gives way to the other motion code of its block") {

@@ -85,14 +85,17 @@ TEST_CASE("what no catalogue has is learnt where poses left out confirm it, and 
   CHECK(*d.held_out.after.torque < 0.7 * *d.held_out.before.torque);
   CHECK(d.functions[0].log_odds > 8);
   CHECK(d.functions[0].left_out > 3);
-  const auto learnt = std::count_if(d.posterior.unknowns.begin(), d.posterior.unknowns.end(), [](const auto& unknown) {
+  const auto is_learnt = [](const auto& unknown) {
     return unknown.effect == physics::Residual::name || unknown.effect == physics::Generic::name;
-  });
-  CHECK(learnt > 0);
+  };
+  CHECK(std::any_of(d.posterior.unknowns.begin(), d.posterior.unknowns.end(), is_learnt));
+  REQUIRE(d.posterior.states[0].moved.rows() == d.posterior.states[0].mean.size());
+  CHECK(d.posterior.states[0].moved.norm() > 0);
   for (std::size_t i = 0; i < d.posterior.unknowns.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);
     CHECK(d.posterior.states[0].covariance(k, k) > 0);
     CHECK(d.posterior.states[0].covariance(k, k) <= 1.0001 * std::pow(d.posterior.unknowns[i].sigma, 2));
+    if (is_learnt(d.posterior.unknowns[i])) CHECK(d.posterior.states[0].moved.row(k).isZero(0));
   }
 }
 
