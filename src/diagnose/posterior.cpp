@@ -116,24 +116,22 @@ Posterior posterior_of(const Case& of, const Model& model, const Conclusion& con
     if (is_picked(conclusion.picks, place)) posterior.unknowns.set_free(added);
   }
   posterior.states.push_back(state_of(conclusion.fit, places, "", 1));
-  if (conclusion.residual) {
-    PosteriorState& alone = posterior.states.front();
-    alone.moved = moved_by_poses(of.bench, posterior, alone, model.noise);
-    add_numbers(*conclusion.residual, conclusion.fit, posterior);
-  }
   double weights = 1;
   for (const Rival* const rival : others) {
     const double weight = std::exp(rival->log_odds - model.found.front().log_odds);
     posterior.states.push_back(state_of(rival->fit, places, rival->pick.candidate->name, weight));
     weights += weight;
   }
+  for (PosteriorState& state : posterior.states) {
+    state.moved = moved_by_poses(of.bench, posterior, state, model.noise);
+  }
+  if (conclusion.residual) add_numbers(*conclusion.residual, conclusion.fit, posterior);
   for (std::size_t i = 0; i < posterior.states.size(); ++i) {
     PosteriorState& state = posterior.states[i];
     std::vector<Pick> picks = conclusion.picks;
     if (i > 0) picks.front() = others[i - 1]->pick;  // which stands in the place of the strongest
     state.weight /= weights;
     state.widening = widening_of(candidates, places, state, picks);
-    if (!conclusion.residual) state.moved = moved_by_poses(of.bench, posterior, state, model.noise);
   }
   posterior.noise.radial = model.noise.channels[identify::kRadial].sigma;
   for (std::size_t channel = identify::kRadial + 1; channel < identify::kChannels; ++channel)

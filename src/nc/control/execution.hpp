@@ -179,8 +179,7 @@ FreeRotation free_rotation(const Execution& run, const Word& word, std::string_v
 /// What helps where C stays and its place is not known.
 inline constexpr std::string_view kWhereCStands =
     "write a move of C before it, say where the machine stands at the begin (--start C=0) or that a stop or a change "
-    "of "
-    "tools before it leaves the axes where they stand (--keeps-position M1, M6), or say that C goes to zero: "
+    "of tools before it leaves the axes where they stand (--keeps-position M1, M6), or say that C goes to zero: "
     "--free-rotation c-zero";
 /// Refuses a move that a tilted plane does not allow.
 void check_on_plane(const Execution& run);

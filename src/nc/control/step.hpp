@@ -18,6 +18,8 @@ namespace plumbline::nc {
 
 struct CodeRow;
 
+inline constexpr char kFeedOutLetter = '1';  // of FA=, as grammar/okuma.toml calls it
+
 /// Why a block may not be rewritten as a plain move even though it holds axis words.
 enum class BlockRole : std::uint8_t {
   plain,            // moves, modal codes, or nothing

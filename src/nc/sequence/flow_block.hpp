@@ -35,6 +35,12 @@ int number_of(Interpreter& interpreter, const Block& block, std::uint32_t code, 
 /// N10, of the number of a block; refuses one that no block has.
 std::string block_name(const Block& block, int number);
 
+/// CALL BLOCK FIRST TO LAST; REPEAT finds its labels before it.
+inline bool calls_part(const Block& block) {
+  return block.flow.word == FlowWord::repeat_section && !block.flow.choices.empty() &&
+         block.flow.choices.front().direction == Direction::both;
+}
+
 inline LinePlace place_of_line(const Block& block) { return {block.offset, block.line}; }
 
 /// Where the program begins that the block calls, by its name as program_name gives it. Refuses with nc-flow-open where

@@ -157,6 +157,8 @@ void check_before(const Block& block, const std::string& label, std::size_t line
 
 // Labels that differ by zeros before their numbers count as one here.
 void LabelIndex::check_once(const Block& block, const std::string& label, std::size_t line, Direction direction) {
+  const bool has_directions = dialect_.syntax.statements == Statements::high_level;
+  if (has_directions && direction != Direction::both) return;
   const Index& index = labels_of(files_.current());
   const auto found = index.labels.find(label);
   if (found == index.labels.end()) return;
@@ -165,10 +167,7 @@ void LabelIndex::check_once(const Block& block, const std::string& label, std::s
   for (const LinePlace& place : found->second) {
     if (range.contains(place.line)) lines.push_back(place.line);
   }
-  if (dialect_.syntax.statements == Statements::high_level) {
-    if (direction == Direction::both) check_before(block, label, line, lines);
-    return;
-  }
+  if (has_directions) return check_before(block, label, line, lines);
   if (lines.size() < 2) return;
   refuse_flow(block, codes::kNotInterpreted,
               dialect_.syntax.statements == Statements::user_task

@@ -9,6 +9,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/text/characters.hpp"
+#include "nc/sequence/flow_block.hpp"
 #include "nc/sequence/program.hpp"
 #include "nc/sequence/subprogram_file.hpp"
 #include "nc/syntax/line_head.hpp"
@@ -77,12 +78,6 @@ std::string called_name(const Block& block, const Dialect& dialect) {
     number %= std::lround(std::pow(10, dialect.behaviour.call_repeat_digits));
   }
   return fmt::format("{}", number);
-}
-
-// CALL BLOCK FIRST TO LAST; REPEAT finds its labels before it.
-bool calls_part(const Block& block) {
-  return block.flow.word == FlowWord::repeat_section && !block.flow.choices.empty() &&
-         block.flow.choices.front().direction == Direction::both;
 }
 
 // After the end of the program nothing is executed unless something jumps there.

@@ -232,11 +232,11 @@ void StatementFlow::go_on(const RepeatedSections::GoesOn& there) {
 void StatementFlow::repeat(const Block& block) {
   const int count =
       block.flow.count == kLiteral ? 1 : number_of(interpreter_, block, block.flow.count, "how often this repeats");
-  const bool calls_part = block.flow.choices.front().direction == Direction::both;
+  const bool is_called = calls_part(block);
   RepeatedSection section =
-      calls_part ? section_called(block, files_, labels_, dialect_, interpreter_.has_names()) : section_of(block);
+      is_called ? section_called(block, files_, labels_, dialect_, interpreter_.has_names()) : section_of(block);
   section.level = calls_.depth();
-  section.calling_line = calls_part ? block.line : 0;
+  section.calling_line = is_called ? block.line : 0;
   if (count <= 0) {
     refuse_flow(block, codes::kOutOfRange, "P asks for no repetition at all",
                 "write P=1 or more, or jump over the REPEAT");

@@ -13,8 +13,6 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr char kFeedOut = '1';  // FA=, as grammar/okuma.toml calls it
-
 class CycleWords {
  public:
   CycleWords(Execution& run, bool goes_on)
@@ -136,7 +134,7 @@ void CycleWords::check_restated() const {
   note(is_missing('Q') && is_missing('I'), "Q");
   note(cycle_.dwell_s > 0 && is_missing('P'), "P");
   note(cycle_.peck_to_r > 0 && is_missing('J'), "J");
-  note(cycle_.feed_out > 0 && is_missing(kFeedOut), "FA");
+  note(cycle_.feed_out > 0 && is_missing(kFeedOutLetter), "FA");
   if (missing.empty()) return;
   run_.refuse(run_.motion_code(), codes::kNotInterpreted,
               fmt::format("{} goes on from another cycle without {}: whether it takes that over was found in no source",
@@ -165,7 +163,7 @@ void CycleWords::take_words_of_osp(bool is_new) {
                   "write J greater than 0, or Q alone for the depth of each peck");
     }
   }
-  const Word* const feed = run_.words.find(kFeedOut);
+  const Word* const feed = run_.words.find(kFeedOutLetter);
   if (feed == nullptr) return;
   cycle_.feed_out = feed->value;
   if (cycle_.feed_out > 0) return;

@@ -17,7 +17,6 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr char kFeedOut = '1';    // FA=, as grammar/okuma.toml calls it
 constexpr double kStands = 1e-9;  // mm and deg under which an axis does not move
 
 // Of the block of one hole; its motions are those of `step` from `begin` on.
@@ -272,7 +271,7 @@ void WrittenMoves::append_taken_over(std::string& text, const Step& step) const 
   const auto append = [&](char letter, double value, bool whole) {
     if (value == 0 || find_word(*step.block, letter) != nullptr) return;
     if (spelling_.spaced && !text.empty()) text += ' ';
-    const bool feeds_out = letter == kFeedOut;
+    const bool feeds_out = letter == kFeedOutLetter;
     const std::size_t begin = text.size();
     append_word(text, feeds_out ? 'F' : letter, value, whole ? 0 : kMostDecimals,
                 {spelling_.lower_case, false, spelling_.point && !whole, spelling_.most_digits});
@@ -283,7 +282,7 @@ void WrittenMoves::append_taken_over(std::string& text, const Step& step) const 
   append('Q', by_depth ? 0 : length(hole.peck), false);
   append('I', by_depth ? length(hole.peck) : 0, false);
   append('J', length(hole.peck_to_r), false);
-  append(kFeedOut, hole.feed_out, false);
+  append(kFeedOutLetter, hole.feed_out, false);
 }
 
 // The block itself, its hole stated as position: a rigid tap ends at any other motion, and a move between M29 and G84

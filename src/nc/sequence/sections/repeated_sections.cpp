@@ -9,24 +9,31 @@
 
 namespace plumbline::nc {
 
-RepeatedSections::GoesOn RepeatedSections::begin(const Block& block, const RepeatedSection& section) {
-  if (section.calling_line == 0) {
-    sections_.push_back(section);
-    return next_pass();
-  }
-  const auto runs = std::find_if(sections_.begin(), sections_.end(), [&](const RepeatedSection& one) {
+namespace {
+
+void refuse_call_of_itself(const Block& block, const RepeatedSection& section,
+                           const std::vector<RepeatedSection>& running) {
+  const auto runs = std::find_if(running.begin(), running.end(), [&](const RepeatedSection& one) {
     const bool same = one.begin.line == section.begin.line && one.end == section.end && one.level == section.level;
     return one.calling_line != 0 && same;
   });
-  if (runs != sections_.end()) {
-    refuse_flow(block, codes::kNotInterpreted,
-                fmt::format("the part that this calls is being executed, called in line {}: it would call itself",
-                            runs->calling_line),
-                "let no part call one that leads back to it, or write a loop");
-  }
+  if (runs == running.end()) return;
+  refuse_flow(block, codes::kNotInterpreted,
+              fmt::format("the part that this calls is being executed, called in line {}: it would call itself",
+                          runs->calling_line),
+              "let no part call one that leads back to it, or write a loop");
+}
+
+}  // namespace
+
+RepeatedSections::GoesOn RepeatedSections::begin(const Block& block, const RepeatedSection& section) {
+  const bool is_called = section.calling_line != 0;
+  if (is_called) refuse_call_of_itself(block, section, sections_);
   sections_.push_back(section);
   GoesOn there = next_pass();
-  there.entry = FlowEntry{FlowEntry::Kind::call, block.at(block.flow.choices.front().label), {}, block.line, 1};
+  if (is_called) {
+    there.entry = FlowEntry{FlowEntry::Kind::call, block.at(block.flow.choices.front().label), {}, block.line, 1};
+  }
   return there;
 }
 
