@@ -27,7 +27,8 @@ constexpr std::array kLargerUnits{1e-3, 1 / 25.4, 1 / 25.4 * 1e-3};  // mm, thou
 
 constexpr double kSmoothed = 1.5;  // times chi-square that readings between samples may hide
 
-constexpr double kUnitLeaves = 0.5;  // of the misfit in the unit that was said, that another unit may leave
+constexpr double kUnitLeaves = 0.5;    // of the misfit in the unit that was said, that another unit may leave
+constexpr double kLargerLeaves = 0.3;  // and a larger one of all runs, where no effect may make up for it
 
 VectorXd scaled(const RunRows& rows, const std::vector<int>& channels, double by) {
   VectorXd readings = rows.measured;
@@ -309,6 +310,24 @@ std::optional<Fault> finer_than_any_bar(const Suspects& suspects) {
     Fault fault{FaultKind::bar_unit, suspects.runs};
     fault.channels = {kRadial};
     fault.values = {unit, noise};
+    return fault;
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> fits_in_larger_unit(const Suspects& suspects) {
+  const Channels channels(suspects);
+  if (!channels.has(kRadial)) return std::nullopt;
+  const double factor = channels.factor({kRadial});
+  for (const double unit : kLargerUnits) {
+    if (factor < kUnitLeast * unit || factor > kUnitMost * unit) continue;
+    const VectorXd readings =
+        channels.whitened([&](std::size_t, const RunRows& run) { return scaled(run, {kRadial}, 1 / unit); });
+    const double left = unit * unit * channels.chi2_of(readings, {kRadial});
+    if (left > kLargerLeaves * channels.chi2_of(channels.measured(), {kRadial})) continue;
+    Fault fault{FaultKind::bar_unit, suspects.runs};
+    fault.channels = {kRadial};
+    fault.values = {unit};
     return fault;
   }
   return std::nullopt;

@@ -63,6 +63,9 @@ std::optional<Drift> drift_of(const Suspects& suspects);
 /// The bar is quieter than any is, and reads the part of what is predicted that a larger unit leaves: the number of um
 /// of the unit inverted, and the noise, m.
 std::optional<Fault> finer_than_any_bar(const Suspects& suspects);
+/// Runs of a machine that has nothing but its model and the priors of that: the bar reads the part of what is predicted
+/// that a larger unit leaves, and in that unit fits far better. The number of um of the unit inverted.
+std::optional<Fault> fits_in_larger_unit(const Suspects& suspects);
 
 /// What a channel may hold instead of what it says: signs, units, channels exchanged, steps and drifts.
 std::vector<Tried> tried_channels(const Suspects& suspects);

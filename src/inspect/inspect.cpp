@@ -123,6 +123,8 @@ std::optional<Fault> likelier(std::optional<Fault> of_all, std::optional<Fault> 
   return of_all->nats >= of_some->nats ? of_all : of_some;
 }
 
+constexpr double kNoEffects = 1e-6;  // of the bounds of effects that are taken to be absent
+
 class Inspector {
  public:
   Inspector(const machine::MachineModel& machine, const InspectOptions& options)
@@ -184,11 +186,24 @@ class Inspector {
                                     const FineNoise& noise_found) {
     const Knowledge nothing(wide_);
     const Suspects suspects = agreeing(looked, outliers, nothing);
-    if (std::optional<Fault> fine_bar = finer_than_any_bar(suspects)) {
-      fine_bar->all = true;
-      fine_bar->runs = looked.numbers;
-      return fine_bar;
+    std::optional<Fault> fault = finer_than_any_bar(suspects);
+    if (!fault) fault = likeliest_of_all(looked, suspects, labels, noise_found);
+    if (!fault) {
+      // a bar that reads a 25th of what gravity does is no machine that the catalogue describes, wide as its effects
+      // are
+      const Knowledge bare(prior_of(candidates_, kNoEffects));
+      fault = fits_in_larger_unit(agreeing(looked, outliers, bare));
     }
+    if (!fault) return std::nullopt;
+    fault->all = true;
+    // what is said of the place is of the first of them that was looked at
+    fault->runs = looked.numbers;
+    if (is_setting(fault->kind)) std::swap(fault->runs.front(), fault->runs[suspects.runs.front()]);
+    return fault;
+  }
+
+  std::optional<Fault> likeliest_of_all(const Looked& looked, const Suspects& suspects, bool labels,
+                                        const FineNoise& noise_found) {
     std::vector<Tried> all = labels ? everything_tried(suspects) : tried_channels(suspects);
     leave_large_ones(all, looked.runs[0], options_);
     if (all.empty()) return std::nullopt;
@@ -218,10 +233,6 @@ class Inspector {
     const bool bar_is_open = best.fault.kind == FaultKind::bar_sign && fault.after > options_.all_open;
     const bool sign = best.fault.kind == FaultKind::motor_sign || best.fault.kind == FaultKind::bar_sign;
     if (fault.nats < (sign && !bar_is_open ? 2 * options_.least_nats : options_.all_nats)) return std::nullopt;
-    fault.all = true;
-    fault.runs = looked.numbers;
-    // what is said of the place is of the first of them that was looked at
-    if (is_setting(fault.kind)) std::swap(fault.runs.front(), fault.runs[suspects.runs.front()]);
     return fault;
   }
 

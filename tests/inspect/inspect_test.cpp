@@ -223,6 +223,27 @@ TEST_CASE("readings of all runs in mm, or in inches, are told by a noise that no
   }
 }
 
+TEST_CASE("readings of all runs in thousandths of an inch are told though the bar is noisy") {
+  for (const bool in_um : {false, true}) {
+    CAPTURE(in_um);
+    Measured measured;
+    std::mt19937 random(5);
+    std::normal_distribution<double> noise(0, 1.5e-6);
+    for (Run& run : measured.runs) {
+      for (double& reading : run.radial) reading = (reading + noise(random)) / (in_um ? 1 : 25.4);
+    }
+    const inspect::Inspection inspection = measured.inspection();
+    if (in_um) {
+      CHECK(inspection.faults.empty());
+      continue;
+    }
+    REQUIRE(inspection.faults.size() == 1);
+    CHECK(inspection.faults[0].kind == FaultKind::bar_unit);
+    CHECK(inspection.faults[0].all);
+    CHECK(inspection.faults[0].values == std::vector<double>{1 / 25.4});
+  }
+}
+
 TEST_CASE("several runs that ask for the same setting by little are told, and stand in nobody's way") {
   const bool several = GENERATE(false, true);
   CAPTURE(several);

@@ -166,6 +166,11 @@ std::string record_text(const Fault& fault, const Run& run, const std::vector<Ru
                  : fmt::format("the noise of the torques is {:.3f} N m, and their instrument states {:.3f} N m", value,
                                fault.values.at(1));
     case FaultKind::bar_unit:
+      if (fault.values.size() < 2) {
+        return fmt::format(
+            "readings of the bar are {:.2g} of what the model predicts, and follow it: they are in {}, not in um",
+            value, larger_unit(value));
+      }
       return fmt::format(
           "readings of the bar are {:.2g} of what the model predicts, their noise is {:.1g} um, less than any bar has: "
           "they are in {}, not in um",
