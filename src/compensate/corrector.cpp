@@ -45,6 +45,7 @@ Corrector::Corrector(const machine::MachineModel& model, const Settings& setting
       radius_(machine::platform_radius(model.geometry)) {
   environment_.friction = settings.friction;
   environment_.dynamic = settings.dynamic;
+  environment_.late = false;
   setup_.rotation = model.rotation;
   setup_.bounds = exact::sure_bounds(model.limits);
   setup_.radius = radius_;

@@ -135,7 +135,7 @@ void refuse_violations(const std::vector<machine::Violation>& violations, const 
   if (violations.front().what == kOutOfReach) {
     refuse("compensate-unreachable", "the machine cannot be made to stand here: no strut lengths put the tool there",
            "move the part away from the edge of the workspace; with --dynamic, leave that out or lower the feed rate: "
-           "the correction runs too far ahead of a lag to be sure of it",
+           "drives that lag apart may put the tool further off than can surely be corrected",
            place_of(step));
   }
   const machine::Violation& worst = violations.front();

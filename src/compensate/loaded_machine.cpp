@@ -13,6 +13,7 @@ LoadedMachine::LoadedMachine(const machine::MachineModel& model, const Settings&
       radius_(machine::platform_radius(model.geometry)) {
   environment_.friction = settings.friction;
   environment_.dynamic = settings.dynamic;
+  environment_.late = false;
 }
 
 void LoadedMachine::set_tool(const ToolInSpindle& tool) {

@@ -29,6 +29,7 @@ struct Motion {
 struct Environment {
   bool friction = true;  // false: as if at rest, whatever the motion; what depends on direction and speed is silent
   bool dynamic = true;   // false: inertia and the control's following error are silent; a control may shape its speed
+  bool late = true;      // false: where a path counts, not the moment: what delays all struts alike is no error of it
   double sign_speed = 0.02 * kMm;                           // v0 in s = tanh(Ldot / v0), m/s
   double tool_mass = 0;                                     // kg more (or less) than the platform's mass contains
   Vector3<double> tool_centre_P = Vector3<double>::Zero();  // its centre of mass in P, m

@@ -35,6 +35,7 @@ TipDoubts::TipDoubts(const machine::MachineModel& model, const Posterior& poster
       environment_(posterior.unknowns.forces().environment()) {
   environment_.friction = settings.friction;
   environment_.dynamic = settings.dynamic;
+  environment_.late = false;
   for (const PosteriorState& state : posterior.states) states_.emplace_back(posterior, state, states_.empty());
   for (const identify::Unknown& unknown : posterior.unknowns) causes_.push_back(cause_of(unknown.effect));
 }

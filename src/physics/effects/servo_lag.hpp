@@ -27,11 +27,16 @@ struct ServoLag {
                              .of_key = "length_um",
                              .factor = behind};
 
-  // dL_j = -tau Ldot_j + tau^2 Lddot_j
+  // dL_j = -tau Ldot_j + tau^2 Lddot_j; beside L_j(t - tau) = L_j - tau Ldot_j + tau^2 / 2 Lddot_j, which is on the
+  // path, only later, it is tau^2 / 2 Lddot_j
   template <class T>
   static void length(Values<T> p, const Situation<T>& at, machine::PerStrut<T>& sum) {
     if (!at.environment.dynamic) return;
-    for (int j = 0; j < machine::kStruts; ++j) sum[j] += p[0] * (p[0] * at.rates.acceleration[j] - at.rates.speed[j]);
+    const T delayed(at.environment.late ? 1.0 : 0.0);
+    const T bent(at.environment.late ? 1.0 : 0.5);
+    for (int j = 0; j < machine::kStruts; ++j) {
+      sum[j] += p[0] * (bent * p[0] * at.rates.acceleration[j] - delayed * at.rates.speed[j]);
+    }
   }
 };
 
