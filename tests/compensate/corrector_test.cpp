@@ -162,7 +162,7 @@ TEST_CASE("a control's following error is compensated only where the control is 
   CHECK(Corrector(apart, {}).correct(target).pose == plain);
   Settings dynamic;
   dynamic.dynamic = true;
-  CHECK(distance(Corrector(apart, dynamic).correct(target).pose, plain) > 0.02);
+  CHECK(distance(Corrector(apart, dynamic).correct(target).pose, plain) > 0.01);
   CHECK(distance(Corrector(with("name = \"backlash\"\nwidth_um = [9, 0, 0, 0, 0, 0]\n"), {}).correct(target).pose,
                  plain) > 1e-4);
 }

@@ -16,6 +16,8 @@ TEST_CASE("OSP: what stands behind the RTS of the first program is refused as be
              {"O1\nG15 H1 G0 X0 Y0 Z0\nN5 RTS (BACK)\nX6\n", 4, 1, "nc-flow-open"},
              {"RTS\nOB\nG1 X9 F300\nRTS\n", 2, 1, "nc-flow-open", "of its own"},
              {"O1\nG15 H1 G0 X0 Y0 Z0\nCALL OB\nRTS\nOB\nX5\nRTS\nOC\nX7\nRTS\n", 8, 1, "nc-flow-open"}});
+  check_osp({{"G15 H1 G0 X0 Y0 Z0\nG1 X5 F300\nM2\n\x1a", 0, 0},  // the end of a file of DOS
+             {"G15 H1 G0 X0 Y0 Z0\nG1 X5 F300\nM2\nX6\n\x1a", 4, 1, "nc-flow-open"}});
   check_osp({{"O1\nG15 H1 G0 X0 Y0 Z0\nCALL OB\nRTS\nOB\nX5\nRTS\n", 0, 0},
              {"O1\nG15 H1 G0 X0 Y0 Z0\nIF [1 EQ 1] N9\nRTS\nN9 X5\nRTS\n", 0, 0},
              {"O1\nG15 H1 G0 X0 Y0 Z0\nRTS\n(THE END)\n%\n", 0, 0},
