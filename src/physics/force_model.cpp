@@ -51,7 +51,8 @@ void check_whole(const EffectRow& row, const EffectValue& value, const Parameter
 
 // Numbers that were fitted and rounded sum to nearly nothing.
 void check_sum(const EffectRow& row, const EffectValue& value, const ParameterSpec& spec) {
-  constexpr double kShare = 0.01, kLeast = 0.06;  // of all magnitudes; in the file's unit
+  constexpr double kShare = 0.01;  // of all magnitudes
+  constexpr double kLeast = 0.06;  // in the file's unit
   double sum = 0;
   double magnitudes = 0;
   for (const double x : value.values) {
